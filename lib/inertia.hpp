@@ -1,0 +1,135 @@
+// Kinetic energy T = v^T M(q) v / 2 of v = (nu1, nu2, nu3, alpha', xi', zeta', rho') and its parts.
+//
+//   T_rot = nu^T I(q) nu / 2 = q^T C(nu) q / 2   (C does not depend on q: the centrifugal force C q
+//                                                 is linear in q)
+//   M = [ I(q)  B(q) ]   B couples nu3 to (alpha', xi', zeta'):
+//       [ B^T   D    ]   (-(J1 xi - J2 zeta), J1 alpha, -J2 alpha);  D = diag(J1+J2, J1, J2, J3)
+//
+// Shapes: I 3x3, C 4x4, M 7x7, in the orders above. I, D in units of J (times stretch^2 for I).
+// Legendre transform (pi, p) = M v. The paper's eqs. (20)-(22) and the unnumbered ones up to (73).
+// nu is the paper's: L^-1 L' = [[0, nu3, -nu2], [-nu3, 0, nu1], [nu2, -nu1, 0]], see
+// conventions.md.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "lib/body.hpp"
+#include "lib/stretch.hpp"
+
+namespace stationary {
+
+template <class S>
+using Vector7 = Eigen::Matrix<S, 7, 1>;
+template <class S>
+using Matrix7 = Eigen::Matrix<S, 7, 7>;
+
+/// Locked inertia I(q), eq. (20).
+template <class S>
+Matrix3<S> locked_inertia(const Body& body, const BasicStretch<S>& q) {
+  const S alpha2 = q.alpha * q.alpha;
+  const S xi2 = q.xi * q.xi;
+  const S zeta2 = q.zeta * q.zeta;
+  const S rho2 = q.rho * q.rho;
+  const S zero = S(0.0);
+  const S I12 = -((body.J1 * q.xi + body.J2 * q.zeta) * q.alpha);
+  Matrix3<S> I;
+  I(0, 0) = body.J1 * alpha2 + body.J2 * zeta2 + body.J3 * rho2;
+  I(1, 1) = body.J1 * xi2 + body.J2 * alpha2 + body.J3 * rho2;
+  I(2, 2) = body.J1 * xi2 + body.J2 * zeta2 + (body.J1 + body.J2) * alpha2;
+  I(0, 1) = I(1, 0) = I12;
+  I(0, 2) = I(2, 0) = I(1, 2) = I(2, 1) = zero;
+  return I;
+}
+
+/// Diagonal of C(nu) in (xi, zeta, rho), from the squares of nu's components; at alpha = 0 and a
+/// spin about one material axis this is all of the centrifugal force.
+template <class S>
+struct CentrifugalRates {
+  S xi;
+  S zeta;
+  S rho;
+};
+
+template <class S>
+CentrifugalRates<S> centrifugal_rates(const Body& body, const S& nu1_squared, const S& nu2_squared,
+                                      const S& nu3_squared) {
+  return {body.J1 * (nu2_squared + nu3_squared), body.J2 * (nu1_squared + nu3_squared),
+          body.J3 * (nu1_squared + nu2_squared)};
+}
+
+/// Centrifugal matrix C(nu): T_rot = q^T C q / 2.
+template <class S>
+Matrix4<S> centrifugal_matrix(const Body& body, const Vector3<S>& nu) {
+  const S n1 = nu[0] * nu[0];
+  const S n2 = nu[1] * nu[1];
+  const S n3 = nu[2] * nu[2];
+  const S n12 = nu[0] * nu[1];
+  Matrix4<S> C = Matrix4<S>::Constant(S(0.0));
+  C(0, 0) = body.J1 * n1 + body.J2 * n2 + (body.J1 + body.J2) * n3;
+  const CentrifugalRates<S> rates = centrifugal_rates(body, n1, n2, n3);
+  C(1, 1) = rates.xi;
+  C(2, 2) = rates.zeta;
+  C(3, 3) = rates.rho;
+  C(0, 1) = C(1, 0) = -(body.J1 * n12);
+  C(0, 2) = C(2, 0) = -(body.J2 * n12);
+  return C;
+}
+
+/// The row of M that couples nu3 to (alpha', xi', zeta'), eq. (21).
+template <class S>
+Vector3<S> gyroscopic_coupling(const Body& body, const BasicStretch<S>& q) {
+  return {-(body.J1 * q.xi - body.J2 * q.zeta), body.J1 * q.alpha, -(body.J2 * q.alpha)};
+}
+
+/// Mass matrix M(q), 7x7, symmetric positive definite wherever S is.
+template <class S>
+Matrix7<S> mass_matrix(const Body& body, const BasicStretch<S>& q) {
+  Matrix7<S> M = Matrix7<S>::Constant(S(0.0));
+  M.template topLeftCorner<3, 3>() = locked_inertia(body, q);
+  const Vector3<S> coupling = gyroscopic_coupling(body, q);
+  for (int k = 0; k < 3; ++k) M(2, 3 + k) = M(3 + k, 2) = coupling[k];
+  M(3, 3) = S(body.J1 + body.J2);
+  M(4, 4) = S(body.J1);
+  M(5, 5) = S(body.J2);
+  M(6, 6) = S(body.J3);
+  return M;
+}
+
+/// Momenta (pi1, pi2, pi3, p_alpha, p_xi, p_zeta, p_rho) of the velocities v (same order).
+template <class S>
+Vector7<S> legendre(const Body& body, const BasicStretch<S>& q, const Vector7<S>& velocity) {
+  return mass_matrix(body, q) * velocity;
+}
+
+/// Velocities of given momenta, in closed form: the inverse of legendre(), the paper's equations
+/// for nu1, nu2, nu3, d(alpha)/dt, d(xi)/dt, d(zeta)/dt, d(rho)/dt before (73).
+template <class S>
+Vector7<S> inverse_legendre(const Body& body, const BasicStretch<S>& q, const Vector7<S>& momenta) {
+  const Matrix3<S> I = locked_inertia(body, q);
+  const S det = I(0, 0) * I(1, 1) - I(0, 1) * I(0, 1);
+  const S sum = q.xi + q.zeta;
+  const S denominator = body.J1 * body.J2 * (sum * sum);
+  const S shifted = momenta[2] + q.alpha * (momenta[5] - momenta[4]);
+  const S g = body.J1 * q.xi - body.J2 * q.zeta;
+  const S nu3 = ((body.J1 + body.J2) * shifted + g * momenta[3]) / denominator;
+  Vector7<S> v;
+  v[0] = (I(1, 1) * momenta[0] - I(0, 1) * momenta[1]) / det;
+  v[1] = (I(0, 0) * momenta[1] - I(0, 1) * momenta[0]) / det;
+  v[2] = nu3;
+  v[3] = (g * shifted + (body.J1 * (q.xi * q.xi) + body.J2 * (q.zeta * q.zeta)) * momenta[3]) /
+         denominator;
+  v[4] = momenta[4] / body.J1 - q.alpha * nu3;
+  v[5] = momenta[5] / body.J2 + q.alpha * nu3;
+  v[6] = momenta[6] / body.J3;
+  return v;
+}
+
+/// Momenta of a steady rotation: v = (nu, 0).
+template <class S>
+Vector7<S> steady_momenta(const Body& body, const BasicStretch<S>& q, const Vector3<S>& nu) {
+  Vector7<S> v = Vector7<S>::Constant(S(0.0));
+  for (int k = 0; k < 3; ++k) v[k] = nu[k];
+  return legendre(body, q, v);
+}
+
+}  // namespace stationary

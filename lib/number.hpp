@@ -1,0 +1,49 @@
+// What the templates of this library ask of a number type beyond + - * / and log, sqrt found by
+// argument-dependent lookup: its leading double (to choose between formulas, never to compute with)
+// and its precision. Serves double, DoubleDouble, ceres::Jet and Boost.Multiprecision numbers; any
+// other type is served by overloading leading() in its own namespace.
+#pragma once
+
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include "lib/double_double.hpp"
+
+namespace stationary {
+
+constexpr double leading(double x) { return x; }
+constexpr double leading(const DoubleDouble& x) { return x.hi; }
+
+/// Numbers that carry derivatives (dual numbers): the value's leading double.
+template <class T>
+requires requires(const T& x) {
+  x.a;
+  x.v;
+}
+double leading(const T& x) { return leading(x.a); }
+
+/// Multiprecision numbers.
+template <class T>
+requires requires(const T& x) { x.template convert_to<double>(); }
+double leading(const T& x) { return x.template convert_to<double>(); }
+
+/// The type of a coefficient times a state: the coefficient may be the wider one (a derivative in
+/// it).
+template <class C, class S>
+using Product = std::remove_cvref_t<decltype(std::declval<C>() * std::declval<S>())>;
+
+/// Significand bits of T (53 for double).
+template <class T>
+constexpr int significand_bits() {
+  static_assert(std::numeric_limits<T>::is_specialized);
+  return std::numeric_limits<T>::digits;
+}
+
+/// What an output that was not asked for holds.
+template <class T>
+T poison() {
+  return T(std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace stationary

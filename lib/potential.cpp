@@ -1,0 +1,107 @@
+#include "lib/potential.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace stationary {
+namespace {
+
+template <class Model>
+void require_domain(const Model& model) {
+  const auto coefficients = model.coefficients();
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    if (!std::isfinite(coefficients[k]))
+      throw std::invalid_argument(std::string(Model::parameters[k]) + " finite");
+  }
+  const auto holds = model.in_domain();
+  for (std::size_t k = 0; k < holds.size(); ++k) {
+    if (!holds[k]) throw std::invalid_argument(std::string(Model::domain[k]));
+  }
+}
+
+template <class Model, std::size_t... K>
+Model from_coefficients(std::span<const double> values, std::index_sequence<K...>) {
+  if (values.size() != sizeof...(K)) {
+    throw std::invalid_argument(std::string(Model::name) + " takes " +
+                                std::to_string(sizeof...(K)) + " coefficients");
+  }
+  const Model model{values[K]...};
+  require_domain(model);
+  return model;
+}
+
+/// The alternative of Variant called `name`, from its coefficients.
+template <class Variant, std::size_t k = 0>
+Variant by_name(std::string_view name, std::span<const double> values) {
+  if constexpr (k == std::variant_size_v<Variant>) {
+    throw std::invalid_argument("a built-in model, not \"" + std::string(name) + "\"");
+  } else {
+    using Model = std::variant_alternative_t<k, Variant>;
+    if (name != Model::name) return by_name<Variant, k + 1>(name, values);
+    return from_coefficients<Model>(values, std::make_index_sequence<Model::parameters.size()>{});
+  }
+}
+
+template <class Variant, std::size_t... K>
+void describe(ModelDescription::Kind kind, std::vector<ModelDescription>& out,
+              std::index_sequence<K...>) {
+  const auto one = [&]<class Model>(std::type_identity<Model>) {
+    out.push_back({kind,
+                   Model::name,
+                   Model::formula,
+                   {Model::parameters.begin(), Model::parameters.end()},
+                   {Model::domain.begin(), Model::domain.end()}});
+  };
+  (one(std::type_identity<std::variant_alternative_t<K, Variant>>{}), ...);
+}
+
+template <class Variant>
+void describe(ModelDescription::Kind kind, std::vector<ModelDescription>& out) {
+  describe<Variant>(kind, out, std::make_index_sequence<std::variant_size_v<Variant>>{});
+}
+
+}  // namespace
+
+const std::vector<ModelDescription>& model_descriptions() {
+  static const std::vector<ModelDescription> all = [] {
+    std::vector<ModelDescription> out;
+    describe<PlanarPotential>(ModelDescription::Kind::planar, out);
+    describe<ThicknessPotential>(ModelDescription::Kind::thickness, out);
+    describe<CoupledPotential>(ModelDescription::Kind::coupled, out);
+    return out;
+  }();
+  return all;
+}
+
+Potential::Potential(const PlanarPotential& plane, const ThicknessPotential& thickness)
+    : models_(SeparableModels{plane, thickness}) {
+  std::visit([](const auto& model) { require_domain(model); }, plane);
+  std::visit([](const auto& model) { require_domain(model); }, thickness);
+}
+
+Potential::Potential(const CoupledPotential& coupled) : models_(coupled) {
+  std::visit([](const auto& model) { require_domain(model); }, coupled);
+}
+
+PlanarPotential Potential::planar(std::string_view name, std::span<const double> coefficients) {
+  return by_name<PlanarPotential>(name, coefficients);
+}
+
+ThicknessPotential Potential::thickness(std::string_view name,
+                                        std::span<const double> coefficients) {
+  return by_name<ThicknessPotential>(name, coefficients);
+}
+
+CoupledPotential Potential::coupled(std::string_view name, std::span<const double> coefficients) {
+  return by_name<CoupledPotential>(name, coefficients);
+}
+
+PotentialDerivatives<double> Potential::derivatives(const Stretch& q) const {
+  return visit([&](const auto& model) { return potential_derivatives<2>(model, q); });
+}
+
+double Potential::value(const Stretch& q) const {
+  return visit([&](const auto& model) { return potential_derivatives<0>(model, q).value; });
+}
+
+}  // namespace stationary

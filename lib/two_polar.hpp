@@ -1,0 +1,75 @@
+// The two-polar family, J1 = J2 = J: Phi = R diag(lambda, mu, rho) U^-1 with R and U turning
+// steadily about axis 3 at omega and theta' (units: reciprocal time). For x = (lambda, mu, rho)
+//
+//   V_lambda = J [lambda (omega^2 + theta'^2) + 2 mu omega theta'],
+//   V_mu     = J [mu (omega^2 + theta'^2) + 2 lambda omega theta'],     V_rho = 0,
+// for lambda != mu the same as W_t = J t (omega^2 + theta'^2), W_d = -J (omega - theta')^2.
+// In the momenta s3 = J [(lambda^2 + mu^2) omega + 2 lambda mu theta'] and p_theta (omega and
+// theta' exchanged), with the paper's section 2:
+//   T = (s3 + p_theta)^2/(4 J (lambda + mu)^2) + (s3 - p_theta)^2/(4 J (lambda - mu)^2) + ...
+//
+// The paper's section 2 (after eq. (12)) and its reference KovRoz_09. V is isotropic, so its
+// derivatives in (lambda, mu, rho) are those in (xi, zeta, rho) at alpha = 0.
+#pragma once
+
+#include "lib/potential.hpp"
+
+namespace stationary {
+
+template <class S>
+struct TwoPolarMomenta {
+  S s3;
+  S p_theta;
+};
+
+/// Momenta of the rates at x = (lambda, mu, rho).
+template <class S>
+TwoPolarMomenta<S> two_polar_momenta(double J, const Vector3<S>& x, const S& omega,
+                                     const S& theta_dot) {
+  const S squares = x[0] * x[0] + x[1] * x[1];
+  const S product = 2.0 * x[0] * x[1];
+  return {J * (squares * omega + product * theta_dot), J * (squares * theta_dot + product * omega)};
+}
+
+/// grad V minus the force of the rates (3 equations). x > 0, any omega, theta'.
+template <class Model, class S>
+Vector3<S> two_polar_residual(double J, const Model& model, const Vector3<S>& x, const S& omega,
+                              const S& theta_dot) {
+  const auto v = potential_derivatives<1>(model, BasicStretch<S>{S(0.0), x[0], x[1], x[2]});
+  const S squares = J * (omega * omega + theta_dot * theta_dot);
+  const S mixed = 2.0 * J * (omega * theta_dot);
+  return {v.gradient[1] - squares * x[0] - mixed * x[1],
+          v.gradient[2] - squares * x[1] - mixed * x[0], v.gradient[3]};
+}
+
+/// Jacobian of two_polar_residual in x at fixed rates, symmetric 3x3.
+template <class Model, class S>
+Matrix3<S> two_polar_jacobian(double J, const Model& model, const Vector3<S>& x, const S& omega,
+                              const S& theta_dot) {
+  const auto v = potential_derivatives<2>(model, BasicStretch<S>{S(0.0), x[0], x[1], x[2]});
+  Matrix3<S> out = v.hessian.template bottomRightCorner<3, 3>();
+  const S squares = J * (omega * omega + theta_dot * theta_dot);
+  const S mixed = 2.0 * J * (omega * theta_dot);
+  out(0, 0) -= squares;
+  out(1, 1) -= squares;
+  out(0, 1) -= mixed;
+  out(1, 0) -= mixed;
+  return out;
+}
+
+/// The same balance at fixed momenta: grad V + dT/dx (3 equations). lambda != mu.
+template <class Model, class S>
+Vector3<S> two_polar_momentum_residual(double J, const Model& model, const Vector3<S>& x,
+                                       const TwoPolarMomenta<S>& momenta) {
+  const auto v = potential_derivatives<1>(model, BasicStretch<S>{S(0.0), x[0], x[1], x[2]});
+  const S sum = x[0] + x[1];
+  const S difference = x[0] - x[1];
+  const S plus = momenta.s3 + momenta.p_theta;
+  const S minus = momenta.s3 - momenta.p_theta;
+  const S pull_sum = plus * plus / (2.0 * J * (sum * sum * sum));
+  const S pull_difference = minus * minus / (2.0 * J * (difference * difference * difference));
+  return {v.gradient[1] - pull_sum - pull_difference, v.gradient[2] - pull_sum + pull_difference,
+          v.gradient[3]};
+}
+
+}  // namespace stationary
