@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# On a bare Debian 12: installs what is missing, builds, and runs or tests. See usage below.
+set -euo pipefail
+
+usage() {
+  cat >&2 <<'TEXT'
+usage: ./bootstrap.sh run     set up, build, solve cases/disc.toml into results/
+       ./bootstrap.sh test    set up, build and pass the tests, in release and under the sanitizers
+Set-up installs Debian packages that are missing, as root or through sudo; it asks nothing.
+TEXT
+  exit 2
+}
+
+[[ $# -eq 1 ]] || usage
+case $1 in
+  run | test) verb=$1 ;;
+  *) usage ;;
+esac
+
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+# libatlas-base-dev comes with libceres-dev; Ceres' package file asks for its BLAS and LAPACK.
+packages=(
+  g++ cmake ninja-build
+  libeigen3-dev libceres-dev libnlopt-dev libnlopt-cxx-dev
+  libcli11-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev
+  libgtest-dev libgmock-dev libbenchmark-dev libboost-dev
+)
+
+say() { printf '\n== %s\n' "$*"; }
+
+set_up() {
+  local package missing=()
+  for package in "${packages[@]}"; do
+    [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] ||
+      missing+=("$package")
+  done
+  [[ ${#missing[@]} -gt 0 ]] || return 0
+
+  local as_root=()
+  if [[ $(id -u) -ne 0 ]]; then
+    if ! command -v sudo >/dev/null; then
+      echo "bootstrap.sh: not root and no sudo; to be installed: ${missing[*]}" >&2
+      exit 1
+    fi
+    as_root=(sudo)
+  fi
+  say "installing ${missing[*]}"
+  local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -o Acquire::Retries=3 -q)
+  "${as_root[@]}" "${apt[@]}" update
+  "${as_root[@]}" "${apt[@]}" install --yes --no-install-recommends "${missing[@]}" </dev/null
+}
+
+# One compiler a processor, but no more than memory holds: templates of Eigen and Ceres under
+# -O3 or the sanitizers take up to about 1.5 GB each.
+jobs() {
+  local count bytes limit
+  count=$(nproc)
+  bytes=$(awk '/^MemAvailable:/ { printf "%.0f", $2 * 1024 }' /proc/meminfo)
+  if limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null) && [[ $limit =~ ^[0-9]+$ ]] &&
+    ((limit < bytes)); then
+    bytes=$limit
+  fi
+  local fit=$((bytes / 1500000000))
+  ((fit >= 1)) || fit=1
+  echo $((fit < count ? fit : count))
+}
+
+build() { # preset [target]
+  say "building ($1)"
+  cmake --preset "$1"
+  cmake --build --preset "$1" --parallel "$(jobs)" ${2:+--target "$2"}
+}
+
+set_up
+if [[ $verb == run ]]; then
+  build release stationary
+  say "stationary solve cases/disc.toml"
+  mkdir -p results
+  program=build/release/solver/cli/stationary
+  "$program" solve cases/disc.toml
+  "$program" solve cases/disc.toml -o results/disc.csv
+  say "written: results/disc.csv"
+else
+  for preset in release sanitize; do
+    build "$preset"
+    say "testing ($preset)"
+    ctest --preset "$preset" --parallel "$(jobs)"
+  done
+fi
