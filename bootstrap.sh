@@ -53,7 +53,7 @@ set_up() {
 
 # One compiler a processor, but no more than memory holds: templates of Eigen and Ceres under
 # -O3 or the sanitizers take up to about 1.5 GB each.
-jobs() {
+compile_jobs() {
   local count bytes limit
   count=$(nproc)
   bytes=$(awk '/^MemAvailable:/ { printf "%.0f", $2 * 1024 }' /proc/meminfo)
@@ -69,7 +69,7 @@ jobs() {
 build() { # preset [target]
   say "building ($1)"
   cmake --preset "$1"
-  cmake --build --preset "$1" --parallel "$(jobs)" ${2:+--target "$2"}
+  cmake --build --preset "$1" --parallel "$(compile_jobs)" ${2:+--target "$2"}
 }
 
 set_up
@@ -85,6 +85,6 @@ else
   for preset in release sanitize; do
     build "$preset"
     say "testing ($preset)"
-    ctest --preset "$preset" --parallel "$(jobs)"
+    ctest --preset "$preset" --parallel "$(compile_jobs)"
   done
 fi

@@ -20,3 +20,4 @@ install(FILES
 # One export set a library, so that the mechanics can be used without Ceres and NLopt.
 install(EXPORT stationaryMechanicsTargets NAMESPACE stationary:: DESTINATION ${package_directory})
 install(EXPORT stationarySolverTargets NAMESPACE stationary:: DESTINATION ${package_directory})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
