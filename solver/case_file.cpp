@@ -1,0 +1,257 @@
+#include "solver/case_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include "solver/case_keys.hpp"
+#include "solver/case_parameter.hpp"
+#include "solver/nearest_name.hpp"
+#include "solver/table.hpp"
+
+namespace stationary {
+namespace {
+
+/// The node at a dotted key of tables, or nullptr.
+const toml::node* find(const CaseTree& tree, std::string_view path) {
+  const toml::node* at = &tree.root();
+  while (!path.empty()) {
+    const std::size_t dot = path.find('.');
+    const toml::table* table = at->as_table();
+    at = table == nullptr ? nullptr : table->get(path.substr(0, dot));
+    if (at == nullptr) return nullptr;
+    path = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
+  }
+  return at;
+}
+
+/// The value at a key, or the default; its type has been checked.
+template <class T>
+T value_or(const CaseTree& tree, std::string_view path, T otherwise) {
+  const toml::node* node = find(tree, path);
+  return node == nullptr ? otherwise : node->value<T>().value_or(otherwise);
+}
+
+std::vector<double> numbers(const CaseTree& tree, std::string_view path) {
+  std::vector<double> out;
+  if (const toml::node* node = find(tree, path))
+    for (const toml::node& element : *node->as_array())
+      out.push_back(element.value<double>().value_or(0.0));
+  return out;
+}
+
+Body read_body(const CaseTree& tree) {
+  const std::vector<double> J = numbers(tree, "body.J");
+  for (std::size_t k = 0; k < J.size(); ++k) {
+    if (J[k] > 0.0) continue;
+    throw fault_at(tree, fmt::format("body.J.{}", k), fmt::format("found J{} = {}", k + 1, J[k]),
+                   fmt::format("J{} > 0", k + 1));
+  }
+  return {J[0], J[1], J[2]};
+}
+
+/// Whether an inequality such as "mu + lambda > 0" speaks of the parameter.
+bool mentions(std::string_view inequality, std::string_view parameter) {
+  const auto is_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  for (std::size_t at = inequality.find(parameter); at != std::string_view::npos;
+       at = inequality.find(parameter, at + 1)) {
+    const std::size_t end = at + parameter.size();
+    if ((at == 0 || !is_word(inequality[at - 1])) &&
+        (end == inequality.size() || !is_word(inequality[end])))
+      return true;
+  }
+  return false;
+}
+
+/// Throws at the coefficient an inequality of the model's domain fails for: the last one it speaks
+/// of, since the inequalities on the earlier ones alone come first and hold.
+void require_domain(const CaseTree& tree, const ModelChoice& model) {
+  try {
+    const std::span<const double> values = model.coefficients;
+    switch (model.description->kind) {
+      case ModelDescription::Kind::planar:
+        Potential::planar(model.description->name, values);
+        break;
+      case ModelDescription::Kind::thickness:
+        Potential::thickness(model.description->name, values);
+        break;
+      case ModelDescription::Kind::coupled:
+        Potential::coupled(model.description->name, values);
+    }
+  } catch (const std::invalid_argument& error) {
+    const std::string_view inequality = error.what();
+    std::string key = "potential." + model.slot;
+    std::string found;
+    for (std::size_t k = 0; k < model.coefficients.size(); ++k) {
+      const std::string_view parameter = model.description->parameters[k];
+      if (!mentions(inequality, parameter)) continue;
+      key = fmt::format("potential.{}.{}", model.slot, parameter);
+      found += fmt::format("{}{} = {}", found.empty() ? "found " : ", ", parameter,
+                           model.coefficients[k]);
+    }
+    throw fault_at(tree, key, found, std::string(inequality),
+                   fmt::format("the domain of \"{}\"", model.description->name));
+  }
+}
+
+std::vector<ModelChoice> read_models(const CaseTree& tree) {
+  std::vector<ModelChoice> out;
+  for (const std::string slot : {"plane", "thickness", "coupled"}) {
+    const std::string path = "potential." + slot;
+    const toml::node* node = find(tree, path);
+    if (node == nullptr) continue;
+    const toml::table& table = *node->as_table();
+    ModelChoice model{
+        slot, find_model(model_kind(path), table.get("model")->value_or(std::string_view())), {}};
+    for (const std::string_view parameter : model.description->parameters)
+      model.coefficients.push_back(table.get(parameter)->value<double>().value_or(0.0));
+    out.push_back(std::move(model));
+  }
+  const auto has = [&out](std::string_view slot) {
+    return std::ranges::find(out, slot, &ModelChoice::slot) != out.end();
+  };
+  constexpr std::string_view rule = "plane and thickness, or coupled instead of both";
+  if (has("coupled") && out.size() > 1) {
+    const std::string other = has("plane") ? "plane" : "thickness";
+    throw fault_at(tree, "potential.coupled", "found both coupled and " + other, std::string(rule),
+                   "remove one of them");
+  }
+  if (!has("coupled") && out.size() < 2) {
+    const std::string found = out.empty() ? "found neither" : "found " + out[0].slot + " alone";
+    const std::string missing = has("plane") ? "thickness" : "plane";
+    throw fault_at(tree, "potential." + missing, found, std::string(rule), "add " + missing);
+  }
+  for (const ModelChoice& model : out) require_domain(tree, model);
+  return out;
+}
+
+Case::Solve read_solve(const CaseTree& tree) {
+  Case::Solve out;
+  const std::string method = value_or<std::string>(tree, "solve.method", "auto");
+  const auto at = std::ranges::find(method_names, std::string_view(method));
+  out.method = static_cast<Method>(at - std::begin(method_names));
+  out.all = value_or(tree, "solve.all", false);
+  if (out.all) {
+    throw fault_at(tree, "solve.all", "found true, which is not available in this version",
+                   "false");
+  }
+  const std::vector<double> start = numbers(tree, "solve.start");
+  if (start.empty()) return out;
+  out.start = Stretch{start[0], start[1], start[2], start[3]};
+  constexpr std::string_view parts[] = {"alpha", "xi", "zeta", "rho"};
+  const auto refuse = [&](std::size_t k, std::string_view allowed, std::string_view remedy) {
+    throw fault_at(tree, fmt::format("solve.start.{}", k),
+                   fmt::format("found {} = {}", parts[k], start[k]), std::string(allowed),
+                   std::string(remedy));
+  };
+  if (start[0] != 0.0) {
+    refuse(0, "alpha = 0", "the built-in models are isotropic, and then alpha = 0 in every branch");
+  }
+  for (std::size_t k = 1; k < 4; ++k)
+    if (!(start[k] > 0.0)) refuse(k, fmt::format("{} > 0", parts[k]), "S is positive definite");
+  if (const char* inequality = violated_inequality(*out.start))
+    throw fault_at(tree, "solve.start", "found S not positive definite", inequality);
+  return out;
+}
+
+std::string read_parameter(const CaseTree& tree, const std::vector<ModelChoice>& models) {
+  const std::string found = value_or<std::string>(tree, "continuation.parameter", "");
+  if (found == "motion.nu") return "nu";  // the dotted key of the same number
+  const std::vector<std::string> valid = case_parameters(models);
+  if (std::ranges::find(valid, found) != valid.end()) return found;
+  const std::vector<std::string_view> names(valid.begin(), valid.end());
+  throw fault_at(tree, "continuation.parameter", "found the string " + in_quotes(found),
+                 "one of " + listed(names), did_you_mean(nearest_name(found, names)));
+}
+
+std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
+                                                    const FamilyParameters& family) {
+  if (find(tree, "continuation") == nullptr) return std::nullopt;
+  Case::Continuation out{.parameter = read_parameter(tree, family.models),
+                         .from = value_or(tree, "continuation.from", 0.0),
+                         .to = value_or(tree, "continuation.to", 0.0)};
+  out.tolerance = value_or(tree, "continuation.tolerance", out.tolerance);
+  if (!(out.from < out.to)) {
+    throw fault_at(tree, "continuation.to",
+                   fmt::format("found the empty range from {} to {}", out.from, out.to),
+                   "from < to");
+  }
+  if (!(out.tolerance > 0.0 && out.tolerance <= 1.0)) {
+    throw fault_at(tree, "continuation.tolerance", fmt::format("found {}", out.tolerance),
+                   "a number > 0 and <= 1");
+  }
+  // Both domains are convex, so the ends of the range answer for all of it.
+  for (const bool end : {false, true}) {
+    const double value = end ? out.to : out.from;
+    try {
+      (void)with_parameter(family, out.parameter, value);
+    } catch (const std::invalid_argument& error) {
+      throw fault_at(tree, end ? "continuation.to" : "continuation.from",
+                     fmt::format("found {} = {}", out.parameter, value), error.what());
+    }
+  }
+  return out;
+}
+
+Case::Output read_output(const CaseTree& tree) {
+  Case::Output out;
+  out.spectrum = value_or(tree, "output.spectrum", true);
+  out.certificate = value_or(tree, "output.certificate", false);
+  if (out.certificate) {
+    throw fault_at(tree, "output.certificate", "found true, which is not available in this version",
+                   "false");
+  }
+  const toml::node* columns = find(tree, "output.columns");
+  if (columns == nullptr) return out;
+  for (const toml::node& element : *columns->as_array()) {
+    const std::string& name = element.as_string()->get();
+    if (!find_column(name)) {
+      throw fault_at(tree, fmt::format("output.columns.{}", out.columns.size()),
+                     "found the string " + in_quotes(name), "names of " + listed(column_names),
+                     did_you_mean(nearest_name(name, column_names)));
+    }
+    out.columns.push_back(name);
+  }
+  return out;
+}
+
+}  // namespace
+
+Potential make_potential(std::span<const ModelChoice> models) {
+  const auto name = [&](std::size_t k) { return models[k].description->name; };
+  const auto values = [&](std::size_t k) { return std::span(models[k].coefficients); };
+  if (models.size() == 1) return Potential(Potential::coupled(name(0), values(0)));
+  return {Potential::planar(name(0), values(0)), Potential::thickness(name(1), values(1))};
+}
+
+Case read_case(const std::string& path, std::span<const std::string> overrides) {
+  CaseTree tree = CaseTree::read(path);
+  for (const std::string& each : overrides) tree.override_key(each);
+  return make_case(std::move(tree));
+}
+
+Case make_case(CaseTree tree) {
+  require_known_keys(tree);
+  const Body body = read_body(tree);
+  const std::vector<ModelChoice> models = read_models(tree);
+  const Case::Motion motion{
+      branch_from_name(value_or<std::string>(tree, "motion.branch", "")).value_or(Branch::i),
+      value_or(tree, "motion.nu", 0.0)};
+  return {.title = value_or<std::string>(tree, "title", ""),
+          .body = body,
+          .models = models,
+          .potential = make_potential(models),
+          .motion = motion,
+          .solve = read_solve(tree),
+          .continuation = read_continuation(tree, {body, models, motion.nu}),
+          .output = read_output(tree),
+          .source = std::move(tree)};
+}
+
+}  // namespace stationary

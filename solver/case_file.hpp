@@ -1,0 +1,75 @@
+// A case: everything a command needs to know, read from a TOML file with overrides and validated in
+// full before anything is computed.
+//
+//   [body] J   [potential] plane + thickness | coupled   [motion] branch, nu
+//   [solve] start, method   [continuation] parameter, from, to, tolerance   [output] spectrum, ...
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/body.hpp"
+#include "lib/motion.hpp"
+#include "lib/potential.hpp"
+#include "solver/case_tree.hpp"
+#include "solver/equilibrium.hpp"
+#include "solver/problem.hpp"
+
+namespace stationary {
+
+/// A model by name with its coefficients, as written under `potential.<slot>`.
+struct ModelChoice {
+  std::string slot;  ///< plane, thickness or coupled
+  const ModelDescription* description;
+  std::vector<double> coefficients;  ///< in the order of description->parameters
+};
+
+/// The potential of one coupled model, or of a planar and a thickness one. Throws
+/// std::invalid_argument with the violated inequality.
+Potential make_potential(std::span<const ModelChoice> models);
+
+struct Case {
+  struct Motion {
+    Branch branch;
+    double nu;
+  };
+  struct Solve {
+    std::optional<Stretch> start;
+    Method method = Method::automatic;
+    bool all = false;
+  };
+  struct Continuation {
+    std::string parameter;  ///< "nu" or a dotted key of case_parameters()
+    double from;
+    double to;
+    double tolerance = 1e-10;
+  };
+  struct Output {
+    bool spectrum = true;
+    bool certificate = false;
+    std::vector<std::string> columns;  ///< empty: all that was computed
+  };
+
+  std::string title;
+  Body body;
+  std::vector<ModelChoice> models;  ///< plane and thickness, or coupled
+  Potential potential;              ///< made of `models`
+  Motion motion;
+  Solve solve;
+  std::optional<Continuation> continuation;
+  Output output;
+  CaseTree source;  ///< where each key comes from
+
+  Problem problem() const { return Problem(body, potential, motion.branch); }
+};
+
+/// Reads, overrides and validates. Throws InputError at the first fault.
+Case read_case(const std::string& path, std::span<const std::string> overrides = {});
+
+/// The same of a tree at hand.
+Case make_case(CaseTree tree);
+
+}  // namespace stationary

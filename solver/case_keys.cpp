@@ -1,0 +1,282 @@
+#include "solver/case_keys.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "lib/motion.hpp"
+#include "solver/equilibrium.hpp"
+#include "solver/nearest_name.hpp"
+
+namespace stationary {
+namespace {
+
+using enum KeyType;
+
+constexpr std::string_view branches[] = {name(Branch::i), name(Branch::ii), name(Branch::iii)};
+constexpr std::string_view later_branches[] = {"oblique", "tilted", "two-polar"};
+constexpr std::string_view a_boolean = "true or false";
+constexpr std::string_view a_number = "a finite number";
+
+constexpr CaseKey keys[] = {
+    {"title", text, false, "a text"},
+    {"body", table, true, "a table with J"},
+    {"body.J", numbers, true, "three finite numbers > 0, J = [J1, J2, J3]", 3},
+    {"potential", table, true, "a table with plane and thickness, or coupled"},
+    {"potential.plane", model, false, "a table of model and its coefficients"},
+    {"potential.thickness", model, false, "a table of model and its coefficients"},
+    {"potential.coupled", model, false, "a table of model and its coefficients"},
+    {"motion", table, true, "a table with branch and nu"},
+    {"motion.branch", text, true, "", 0, branches, later_branches},
+    {"motion.nu", number, true, "a finite number (the spin along the branch's axis)"},
+    {"motion.plane", text, false, "", 0, {}, {}, false},
+    {"motion.omega", number, false, "", 0, {}, {}, false},
+    {"motion.theta_dot", number, false, "", 0, {}, {}, false},
+    {"motion.s3", number, false, "", 0, {}, {}, false},
+    {"motion.p_theta", number, false, "", 0, {}, {}, false},
+    {"solve", table, false, "a table"},
+    {"solve.start", numbers, false, "four finite numbers, start = [alpha, xi, zeta, rho]", 4},
+    {"solve.method", text, false, "", 0, method_names},
+    {"solve.all", boolean, false, a_boolean},
+    {"continuation", table, false, "a table with parameter, from and to"},
+    {"continuation.parameter", text, true, "\"nu\" or the dotted key of a number of the case"},
+    {"continuation.from", number, true, a_number},
+    {"continuation.to", number, true, a_number},
+    {"continuation.tolerance", number, false, "a number > 0 and <= 1"},
+    {"output", table, false, "a table"},
+    {"output.spectrum", boolean, false, a_boolean},
+    {"output.certificate", boolean, false, a_boolean},
+    {"output.columns", texts, false, "an array of column names"},
+};
+
+std::string_view last_name(std::string_view path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string_view::npos ? path : path.substr(dot + 1);
+}
+
+std::string_view parent(std::string_view path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
+}
+
+std::vector<std::string_view> names_below(std::string_view prefix) {
+  std::vector<std::string_view> out;
+  for (const CaseKey& key : keys)
+    if (key.available && parent(key.path) == prefix) out.push_back(last_name(key.path));
+  return out;
+}
+
+std::string place_of(std::string_view prefix) {
+  return prefix.empty() ? "at the top level" : "in [" + std::string(prefix) + "]";
+}
+
+[[noreturn]] void refuse_unknown(const CaseTree& tree, std::string_view prefix,
+                                 std::string_view name,
+                                 const std::vector<std::string_view>& allowed) {
+  std::string remedy = did_you_mean(nearest_name(name, allowed));
+  if (remedy.empty()) {
+    // The right key in the wrong table.
+    for (const CaseKey& key : keys)
+      if (key.available && last_name(key.path) == name && parent(key.path) != prefix)
+        remedy = did_you_mean(std::optional(key.path));
+  }
+  const std::string path = dotted(prefix, name);
+  throw InputError({.origin = tree.key_origin(path),
+                    .key = printable(path),
+                    .found = "found an unknown key",
+                    .allowed = "one of " + listed(allowed) + ' ' + place_of(prefix),
+                    .remedy = remedy});
+}
+
+/// The text is one of the choices.
+void require_choice(const CaseTree& tree, const CaseKey& key, const std::string& value) {
+  if (key.choices.empty()) return;
+  if (std::ranges::find(key.choices, std::string_view(value)) != key.choices.end()) return;
+  const bool later = std::ranges::find(key.reserved, std::string_view(value)) != key.reserved.end();
+  throw fault_at(tree, key.path,
+                 "found the string " + in_quotes(value) +
+                     (later ? ", which is not available in this version" : ""),
+                 "one of " + listed(key.choices),
+                 later ? std::string() : did_you_mean(nearest_name(value, key.choices)));
+}
+
+bool finite_number(const toml::node& node) {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  return value && std::isfinite(*value);
+}
+
+void require_numbers(const CaseTree& tree, const std::string& path, const toml::node& node,
+                     const CaseKey& key) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->size() != static_cast<std::size_t>(key.count))
+    throw fault_at(tree, path, "found " + describe(node), std::string(key.allowed));
+  std::size_t index = 0;
+  for (const toml::node& element : *array) {
+    if (!finite_number(element)) {
+      throw fault_at(tree, dotted(path, std::to_string(index)), "found " + describe(element),
+                     std::string(key.allowed));
+    }
+    ++index;
+  }
+}
+
+/// `model` names a model of the kind, and the other keys are its coefficients, all of them.
+void require_model(const CaseTree& tree, const std::string& path, const toml::table& table) {
+  const ModelDescription::Kind kind = model_kind(path);
+  std::vector<std::string_view> names;
+  for (const ModelDescription& each : model_descriptions())
+    if (each.kind == kind) names.push_back(each.name);
+
+  const std::string model_path = dotted(path, "model");
+  const toml::node* model_node = table.get("model");
+  if (model_node == nullptr) {
+    std::string remedy;
+    for (const auto& [name, value] : table)
+      if (remedy.empty() && edit_distance(name.str(), "model") <= 2)
+        remedy = in_quotes(name.str()) + " is no key here; did you mean \"model\"?";
+    throw fault_at(tree, model_path, "found no model", "model = one of " + listed(names), remedy);
+  }
+  if (!model_node->is_string())
+    throw fault_at(tree, model_path, "found " + describe(*model_node), "one of " + listed(names));
+  const std::string& chosen = model_node->as_string()->get();
+  const ModelDescription* description = find_model(kind, chosen);
+  if (description == nullptr) {
+    std::string remedy = did_you_mean(nearest_name(chosen, names));
+    for (const ModelDescription& each : model_descriptions()) {
+      if (each.name != chosen) continue;
+      const std::string_view slot = each.kind == ModelDescription::Kind::planar      ? "plane"
+                                    : each.kind == ModelDescription::Kind::thickness ? "thickness"
+                                                                                     : "coupled";
+      remedy = in_quotes(chosen) + " belongs under potential." + std::string(slot);
+    }
+    throw fault_at(tree, model_path, "found the string " + in_quotes(chosen),
+                   "one of " + listed(names), remedy);
+  }
+  std::vector<std::string_view> allowed{"model"};
+  allowed.insert(allowed.end(), description->parameters.begin(), description->parameters.end());
+  for (const auto& [name, value] : table) {
+    if (std::ranges::find(allowed, name.str()) == allowed.end())
+      refuse_unknown(tree, path, name.str(), allowed);
+  }
+  for (const std::string_view parameter : description->parameters) {
+    const std::string key = dotted(path, parameter);
+    const toml::node* value = table.get(parameter);
+    if (value == nullptr) {
+      throw fault_at(tree, key, "found no coefficient " + in_quotes(parameter),
+                     "all of " + listed(description->parameters) + " for " + in_quotes(chosen));
+    }
+    if (!finite_number(*value))
+      throw fault_at(tree, key, "found " + describe(*value), std::string(a_number));
+  }
+}
+
+void require_type(const CaseTree& tree, const CaseKey& key, const toml::node& node) {
+  const auto require = [&](bool right) {
+    if (right) return;
+    const std::string allowed =
+        key.choices.empty() ? std::string(key.allowed) : "one of " + listed(key.choices);
+    throw fault_at(tree, key.path, "found " + describe(node), allowed);
+  };
+  switch (key.type) {
+    case table:
+    case model:
+      require(node.is_table());
+      break;
+    case text:
+      require(node.is_string());
+      require_choice(tree, key, node.as_string()->get());
+      break;
+    case number:
+      require(finite_number(node));
+      break;
+    case numbers:
+      require_numbers(tree, std::string(key.path), node, key);
+      break;
+    case boolean:
+      require(node.is_boolean());
+      break;
+    case texts: {
+      require(node.is_array());
+      int index = 0;
+      for (const toml::node& element : *node.as_array()) {
+        if (!element.is_string()) {
+          throw fault_at(tree, dotted(key.path, std::to_string(index)),
+                         "found " + describe(element), std::string(key.allowed));
+        }
+        ++index;
+      }
+    }
+  }
+}
+
+void require_table(const CaseTree& tree, const std::string& prefix, const toml::table& table) {
+  for (const auto& [name, node] : table) {
+    const std::string path = dotted(prefix, name.str());
+    const bool plain = name.str().find('.') == std::string_view::npos && !name.empty();
+    const CaseKey* key = plain ? find_case_key(path) : nullptr;
+    if (key == nullptr) refuse_unknown(tree, prefix, name.str(), names_below(prefix));
+    if (!key->available) {
+      throw InputError({.origin = tree.key_origin(path),
+                        .key = path,
+                        .found = "found a key that is not available in this version",
+                        .allowed = "one of " + listed(names_below(prefix)) + ' ' + place_of(prefix),
+                        .remedy = {}});
+    }
+    require_type(tree, *key, node);
+    if (key->type == KeyType::table) require_table(tree, path, *node.as_table());
+    if (key->type == KeyType::model) require_model(tree, path, *node.as_table());
+  }
+  for (const CaseKey& key : keys) {
+    if (!key.required || parent(key.path) != prefix || table.contains(last_name(key.path)))
+      continue;
+    const std::string allowed =
+        key.choices.empty() ? std::string(key.allowed) : "one of " + listed(key.choices);
+    throw fault_at(tree, key.path, "found no such key", allowed,
+                   "add " + std::string(last_name(key.path)) + ' ' + place_of(prefix));
+  }
+}
+
+}  // namespace
+
+std::span<const CaseKey> case_keys() { return keys; }
+
+const CaseKey* find_case_key(std::string_view path) {
+  const auto at = std::ranges::find(keys, path, &CaseKey::path);
+  return at == std::end(keys) ? nullptr : &*at;
+}
+
+ModelDescription::Kind model_kind(std::string_view path) {
+  const std::string_view slot = last_name(path);
+  if (slot == "plane") return ModelDescription::Kind::planar;
+  return slot == "thickness" ? ModelDescription::Kind::thickness : ModelDescription::Kind::coupled;
+}
+
+const ModelDescription* find_model(ModelDescription::Kind kind, std::string_view name) {
+  for (const ModelDescription& each : model_descriptions())
+    if (each.kind == kind && each.name == name) return &each;
+  return nullptr;
+}
+
+void require_known_keys(const CaseTree& tree) { require_table(tree, "", tree.root()); }
+
+InputError fault_at(const CaseTree& tree, std::string_view key, std::string found,
+                    std::string allowed, std::string remedy) {
+  return InputError({.origin = tree.origin(key),
+                     .key = printable(key),
+                     .found = std::move(found),
+                     .allowed = std::move(allowed),
+                     .remedy = std::move(remedy)});
+}
+
+std::string listed(std::span<const std::string_view> names) {
+  std::string out;
+  for (const std::string_view each : names) {
+    if (!out.empty()) out += ", ";
+    out += in_quotes(each);
+  }
+  return out;
+}
+
+}  // namespace stationary

@@ -1,0 +1,53 @@
+// Wrong input: where it stands, what was found, what is allowed, and how to put it right. The one
+// exception of the case reader and of the command line's own checks; the program exits with 2.
+//
+//   disc.toml:7:6: motion.nu: found the string "fast"; expected a finite number
+//   --set motion.nu=fast: motion.nu: found the string "fast"; expected a finite number
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace stationary {
+
+/// Where a value comes from: a place in a file, or a command-line option.
+struct Origin {
+  std::string file;  ///< empty: not from a file
+  int line = 0;      ///< from 1; 0: the file as a whole
+  int column = 0;
+  std::string option;  ///< as typed, "--set motion.nu=0.3"
+
+  std::string text() const;
+};
+
+struct InputFault {
+  Origin origin;
+  std::string key;  ///< dotted; may be empty
+  std::string found;
+  std::string allowed;  ///< may be empty
+  std::string remedy;   ///< may be empty
+};
+
+class InputError : public std::runtime_error {
+ public:
+  explicit InputError(InputFault fault);
+  const InputFault& fault() const noexcept { return fault_; }
+
+ private:
+  InputFault fault_;
+};
+
+/// Text from outside made safe to print on one line: control characters escaped, long text cut.
+std::string printable(std::string_view text);
+
+/// printable() in double quotes.
+std::string in_quotes(std::string_view text);
+
+/// "did you mean "x"?" or nothing.
+template <class OptionalName>
+std::string did_you_mean(const OptionalName& nearest) {
+  return nearest ? "did you mean " + in_quotes(*nearest) + "?" : std::string();
+}
+
+}  // namespace stationary

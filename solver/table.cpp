@@ -1,0 +1,145 @@
+#include "solver/table.hpp"
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace stationary {
+namespace {
+
+constexpr std::size_t block_size = 1U << 16U;
+constexpr std::size_t longest_text = 256;   // quoted
+constexpr std::size_t longest_number = 32;  // shortest round trip takes 24
+// Four texts (three columns and, in the header, the parameter) and the rest numbers.
+constexpr std::size_t longest_row = 4 * longest_text + (column_count + 1) * longest_number;
+
+enum class Kind : std::uint8_t { text, count, number };
+
+constexpr Kind kind(Column c) {
+  switch (c) {
+    case Column::branch:
+    case Column::event:
+    case Column::stability:
+      return Kind::text;
+    case Column::sheet:
+    case Column::point:
+    case Column::negative:
+    case Column::krein1:
+    case Column::krein2:
+    case Column::krein3:
+    case Column::krein4:
+    case Column::krein5:
+      return Kind::count;
+    default:
+      return Kind::number;
+  }
+}
+
+std::string_view text_of(const TableRow& row, Column c) {
+  return c == Column::branch ? row.branch : c == Column::event ? row.event : row.stability;
+}
+
+}  // namespace
+
+std::optional<Column> find_column(std::string_view name) {
+  const auto at = std::ranges::find(column_names, name);
+  if (at == std::end(column_names)) return std::nullopt;
+  return static_cast<Column>(at - std::begin(column_names));
+}
+
+std::vector<Column> select_columns(std::span<const Column> computed,
+                                   std::span<const std::string> asked) {
+  std::vector<Column> out(computed.begin(), computed.end());
+  std::ranges::sort(out);
+  if (!asked.empty()) {
+    std::erase_if(out, [&](Column c) { return std::ranges::find(asked, name(c)) == asked.end(); });
+  }
+  return out;
+}
+
+TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
+                         std::optional<std::string> parameter)
+    : sink_(&sink),
+      columns_(std::move(columns)),
+      has_parameter_(parameter.has_value()),
+      buffer_(block_size + longest_row),
+      cursor_(buffer_.data()) {
+  bool first = true;
+  const auto separate = [&] {
+    if (!std::exchange(first, false)) *cursor_++ = ',';
+  };
+  for (const Column c : columns_) {
+    separate();
+    append(name(c));
+  }
+  if (parameter) {
+    separate();
+    append(*parameter);
+  }
+  *cursor_++ = '\n';
+}
+
+void TableWriter::write(const TableRow& row) {
+  bool first = true;
+  for (const Column c : columns_) {
+    if (!std::exchange(first, false)) *cursor_++ = ',';
+    switch (kind(c)) {
+      case Kind::text:
+        append(text_of(row, c));
+        break;
+      case Kind::count:
+        append_count(row[c]);
+        break;
+      case Kind::number:
+        append(row[c]);
+    }
+  }
+  if (has_parameter_) {
+    if (!first) *cursor_++ = ',';
+    append(row.parameter);
+  }
+  *cursor_++ = '\n';
+  ++rows_;
+  if (cursor_ >= buffer_.data() + block_size) flush();
+}
+
+void TableWriter::flush() {
+  const auto size = static_cast<std::size_t>(cursor_ - buffer_.data());
+  cursor_ = buffer_.data();
+  sink_->write({buffer_.data(), size});
+}
+
+void TableWriter::append(std::string_view text) {
+  // Quoted, a text may double in length; the names of this program are far shorter.
+  text = text.substr(0, (longest_text - 2) / 2);
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    cursor_ = std::copy(text.begin(), text.end(), cursor_);
+    return;
+  }
+  *cursor_++ = '"';
+  for (const char c : text) {
+    if (c == '"') *cursor_++ = '"';
+    *cursor_++ = c;
+  }
+  *cursor_++ = '"';
+}
+
+void TableWriter::append(double value) {
+  if (std::isnan(value)) return;
+  if (value == 0.0) {  // a zero's sign says nothing
+    *cursor_++ = '0';
+    return;
+  }
+  cursor_ = fmt::format_to(cursor_, FMT_COMPILE("{}"), value);
+}
+
+void TableWriter::append_count(double value) {
+  if (std::isnan(value)) return;
+  cursor_ = fmt::format_to(cursor_, FMT_COMPILE("{}"), static_cast<long>(value));
+}
+
+}  // namespace stationary

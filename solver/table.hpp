@@ -1,0 +1,107 @@
+// The table: CSV after RFC 4180 with LF, one header row, doubles in shortest round-trip form, an
+// empty cell where nothing was computed. Columns in the contract's order; those a command does not
+// compute are left out of its table.
+//
+// Rows stream into a buffer of the writer's own and from there, in large blocks, into a sink; a row
+// costs no allocation.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stationary {
+
+enum class Column : std::uint8_t {
+  // clang-format off
+  branch, sheet, point, event, nu1, nu2, nu3, alpha, xi, zeta, rho, lambda, mu, angle,
+  pi1, pi2, pi3, energy, residual, compatibility, error_bound, stability, growth, negative,
+  re1, im1, krein1, re2, im2, krein2, re3, im3, krein3, re4, im4, krein4, re5, im5, krein5
+  // clang-format on
+};
+
+/// Header names, by Column.
+constexpr std::string_view column_names[] = {
+    // clang-format off
+    "branch", "sheet", "point", "event", "nu1", "nu2", "nu3", "alpha", "xi", "zeta", "rho",
+    "lambda", "mu", "angle", "pi1", "pi2", "pi3", "energy", "residual", "compatibility",
+    "error_bound", "class", "growth", "negative", "re1", "im1", "krein1", "re2", "im2", "krein2",
+    "re3", "im3", "krein3", "re4", "im4", "krein4", "re5", "im5", "krein5"
+    // clang-format on
+};
+constexpr std::size_t column_count = std::size(column_names);
+static_assert(column_count == static_cast<std::size_t>(Column::krein5) + 1);
+
+constexpr std::string_view name(Column c) { return column_names[static_cast<std::size_t>(c)]; }
+std::optional<Column> find_column(std::string_view name);
+
+enum class ModePart : std::uint8_t { re, im, krein };
+constexpr int mode_count = 5;
+/// Column of one part of mode 0 .. 4 (headed 1 .. 5).
+constexpr Column mode_column(int mode, ModePart part) {
+  return static_cast<Column>(static_cast<int>(Column::re1) + 3 * mode + static_cast<int>(part));
+}
+
+/// One row; NaN and empty texts mean not computed. Texts must outlive the call that writes them.
+struct TableRow {
+  std::string_view branch;
+  std::string_view event;
+  std::string_view stability;  ///< column "class"
+  std::array<double, column_count> numbers;
+  double parameter;  ///< the trailing column
+
+  TableRow() { clear(); }
+  void clear() {
+    branch = event = stability = {};
+    numbers.fill(std::numeric_limits<double>::quiet_NaN());
+    parameter = std::numeric_limits<double>::quiet_NaN();
+  }
+  double& operator[](Column c) { return numbers[static_cast<std::size_t>(c)]; }
+  double operator[](Column c) const { return numbers[static_cast<std::size_t>(c)]; }
+};
+
+/// Where bytes go. write() throws std::runtime_error where they cannot.
+class ByteSink {
+ public:
+  ByteSink() = default;
+  ByteSink(const ByteSink&) = delete;
+  ByteSink& operator=(const ByteSink&) = delete;
+  virtual ~ByteSink() = default;
+  virtual void write(std::string_view bytes) = 0;
+};
+
+/// The computed columns the user asked for, in the contract's order; all of them if none is named.
+std::vector<Column> select_columns(std::span<const Column> computed,
+                                   std::span<const std::string> asked);
+
+class TableWriter {
+ public:
+  /// parameter: header of the trailing column, if there is one. Writes the header.
+  TableWriter(ByteSink& sink, std::vector<Column> columns,
+              std::optional<std::string> parameter = std::nullopt);
+
+  void write(const TableRow& row);
+  /// Hands the rest to the sink. Without it the last block is lost.
+  void flush();
+  std::size_t rows() const { return rows_; }
+
+ private:
+  void append(std::string_view text);
+  void append(double value);
+  void append_count(double value);
+
+  ByteSink* sink_;
+  std::vector<Column> columns_;
+  bool has_parameter_;
+  std::size_t rows_ = 0;
+  std::vector<char> buffer_;
+  char* cursor_;
+};
+
+}  // namespace stationary
