@@ -7,6 +7,8 @@
 //
 // Shapes: I 3x3, C 4x4, M 7x7, in the orders above. I, D in units of J (times stretch^2 for I).
 // Legendre transform (pi, p) = M v. The paper's eqs. (20)-(22) and the unnumbered ones up to (73).
+// Sums and products of J's are formed in S, not in double: they round once, in the number type
+// asked for.
 // nu is the paper's: L^-1 L' = [[0, nu3, -nu2], [-nu3, 0, nu1], [nu2, -nu1, 0]], see
 // conventions.md.
 #pragma once
@@ -35,7 +37,7 @@ Matrix3<S> locked_inertia(const Body& body, const BasicStretch<S>& q) {
   Matrix3<S> I;
   I(0, 0) = body.J1 * alpha2 + body.J2 * zeta2 + body.J3 * rho2;
   I(1, 1) = body.J1 * xi2 + body.J2 * alpha2 + body.J3 * rho2;
-  I(2, 2) = body.J1 * xi2 + body.J2 * zeta2 + (body.J1 + body.J2) * alpha2;
+  I(2, 2) = body.J1 * xi2 + body.J2 * zeta2 + (S(body.J1) + body.J2) * alpha2;
   I(0, 1) = I(1, 0) = I12;
   I(0, 2) = I(2, 0) = I(1, 2) = I(2, 1) = zero;
   return I;
@@ -65,7 +67,7 @@ Matrix4<S> centrifugal_matrix(const Body& body, const Vector3<S>& nu) {
   const S n3 = nu[2] * nu[2];
   const S n12 = nu[0] * nu[1];
   Matrix4<S> C = Matrix4<S>::Constant(S(0.0));
-  C(0, 0) = body.J1 * n1 + body.J2 * n2 + (body.J1 + body.J2) * n3;
+  C(0, 0) = body.J1 * n1 + body.J2 * n2 + (S(body.J1) + body.J2) * n3;
   const CentrifugalRates<S> rates = centrifugal_rates(body, n1, n2, n3);
   C(1, 1) = rates.xi;
   C(2, 2) = rates.zeta;
@@ -88,7 +90,7 @@ Matrix7<S> mass_matrix(const Body& body, const BasicStretch<S>& q) {
   M.template topLeftCorner<3, 3>() = locked_inertia(body, q);
   const Vector3<S> coupling = gyroscopic_coupling(body, q);
   for (int k = 0; k < 3; ++k) M(2, 3 + k) = M(3 + k, 2) = coupling[k];
-  M(3, 3) = S(body.J1 + body.J2);
+  M(3, 3) = S(body.J1) + body.J2;
   M(4, 4) = S(body.J1);
   M(5, 5) = S(body.J2);
   M(6, 6) = S(body.J3);
@@ -108,10 +110,10 @@ Vector7<S> inverse_legendre(const Body& body, const BasicStretch<S>& q, const Ve
   const Matrix3<S> I = locked_inertia(body, q);
   const S det = I(0, 0) * I(1, 1) - I(0, 1) * I(0, 1);
   const S sum = q.xi + q.zeta;
-  const S denominator = body.J1 * body.J2 * (sum * sum);
+  const S denominator = S(body.J1) * body.J2 * (sum * sum);
   const S shifted = momenta[2] + q.alpha * (momenta[5] - momenta[4]);
   const S g = body.J1 * q.xi - body.J2 * q.zeta;
-  const S nu3 = ((body.J1 + body.J2) * shifted + g * momenta[3]) / denominator;
+  const S nu3 = ((S(body.J1) + body.J2) * shifted + g * momenta[3]) / denominator;
   Vector7<S> v;
   v[0] = (I(1, 1) * momenta[0] - I(0, 1) * momenta[1]) / det;
   v[1] = (I(0, 0) * momenta[1] - I(0, 1) * momenta[0]) / det;

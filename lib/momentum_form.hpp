@@ -21,7 +21,7 @@ template <class S>
 S inertia_determinant(const Body& body, const BasicStretch<S>& q) {
   const S d = q.alpha * q.alpha - q.xi * q.zeta;
   const S thickness = body.J3 * (q.rho * q.rho);
-  return body.J1 * body.J2 * (d * d) + locked_inertia(body, q)(2, 2) * thickness +
+  return S(body.J1) * body.J2 * (d * d) + locked_inertia(body, q)(2, 2) * thickness +
          thickness * thickness;
 }
 
@@ -35,7 +35,7 @@ S in_plane_form(const Body& body, const BasicStretch<S>& q, const S& pi1, const 
 /// Upsilon(x, y) of x = pi3 + alpha (p_zeta - p_xi), y = p_alpha.
 template <class S>
 S axial_form(const Body& body, const BasicStretch<S>& q, const S& x, const S& y) {
-  return (body.J1 + body.J2) * (x * x) +
+  return (S(body.J1) + body.J2) * (x * x) +
          (body.J1 * (q.xi * q.xi) + body.J2 * (q.zeta * q.zeta)) * (y * y) +
          2.0 * (body.J1 * q.xi - body.J2 * q.zeta) * (x * y);
 }
@@ -46,7 +46,7 @@ S kinetic_energy(const Body& body, const BasicStretch<S>& q, const Vector7<S>& m
   const S sum = q.xi + q.zeta;
   const S x = m[2] + q.alpha * (m[5] - m[4]);
   return in_plane_form(body, q, m[0], m[1]) / (2.0 * inertia_determinant(body, q)) +
-         axial_form(body, q, x, m[3]) / (2.0 * body.J1 * body.J2 * (sum * sum)) +
+         axial_form(body, q, x, m[3]) / (2.0 * S(body.J1) * body.J2 * (sum * sum)) +
          m[4] * m[4] / (2.0 * body.J1) + m[5] * m[5] / (2.0 * body.J2) +
          m[6] * m[6] / (2.0 * body.J3);
 }
@@ -54,9 +54,9 @@ S kinetic_energy(const Body& body, const BasicStretch<S>& q, const Vector7<S>& m
 /// N_plane: right sides of (91)-(94).
 template <class S>
 Vector4<S> in_plane_force(const Body& body, const BasicStretch<S>& q, const S& pi1, const S& pi2) {
-  const double J1 = body.J1;
-  const double J2 = body.J2;
-  const double J3 = body.J3;
+  const S J1 = S(body.J1);
+  const S J2 = S(body.J2);
+  const S J3 = S(body.J3);
   const S Xi = inertia_determinant(body, q);
   const S d = q.xi * q.zeta - q.alpha * q.alpha;
   const S rho2 = q.rho * q.rho;
@@ -81,8 +81,8 @@ Vector4<S> in_plane_force(const Body& body, const BasicStretch<S>& q, const S& p
 template <class S>
 Vector4<S> axial_force(const Body& body, const BasicStretch<S>& q, const S& pi3,
                        const Vector3<S>& p_planar) {
-  const double J1 = body.J1;
-  const double J2 = body.J2;
+  const S J1 = S(body.J1);
+  const S J2 = S(body.J2);
   const S p_alpha = p_planar[0];
   const S p_difference = p_planar[2] - p_planar[1];  // p_zeta - p_xi
   const S sum = q.xi + q.zeta;

@@ -36,7 +36,7 @@ struct Biot {
       out.w_l = -area;
     }
     if constexpr (order >= 2) {
-      out.w_tt = Product<C, S>(2.0 * mu + lambda);
+      out.w_tt = Product<C, S>(2.0 * mu) + lambda;
       out.w_tl = Product<C, S>(0.0);
       out.w_ll = -area;
     }

@@ -77,7 +77,7 @@ struct Hencky {
     const S x = q.e / t2;
     const S one_minus_x = 4.0 * q.d / t2;
     const AtanhRatio<S> ratio = atanh_ratio<order>(q, x, one_minus_x);
-    const auto bulk = mu + lambda;
+    const auto bulk = Product<C, S>(mu) + lambda;
     out.w = 0.5 * bulk * (l * l) + 2.0 * mu * (x * ratio.b * ratio.b);
     if constexpr (order >= 1) {
       const auto shear = 2.0 * mu * ratio.b;

@@ -37,7 +37,7 @@ struct SaintVenantKirchhoff {
       out.w_t = 2.0 * w_I * x.t;
       out.w_l = -2.0 * w_I * x.d - mu * d2;
       if constexpr (order >= 2) {
-        const auto w_II = 0.5 * mu + 0.25 * lambda;
+        const auto w_II = Product<C, S>(0.5 * mu) + 0.25 * lambda;
         out.w_tt = 2.0 * w_I + 4.0 * w_II * (x.t * x.t);
         out.w_tl = -4.0 * w_II * (x.t * x.d);
         out.w_ll = out.w_l + (4.0 * w_II - mu) * d2;
