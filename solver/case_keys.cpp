@@ -83,11 +83,8 @@ std::string place_of(std::string_view prefix) {
         remedy = did_you_mean(std::optional(key.path));
   }
   const std::string path = dotted(prefix, name);
-  throw InputError({.origin = tree.key_origin(path),
-                    .key = printable(path),
-                    .found = "found an unknown key",
-                    .allowed = "one of " + listed(allowed) + ' ' + place_of(prefix),
-                    .remedy = remedy});
+  throw InputError(tree.key_origin(path), printable(path), "found an unknown key",
+                   "one of " + listed(allowed) + ' ' + place_of(prefix), remedy);
 }
 
 /// The text is one of the choices.
@@ -218,11 +215,9 @@ void require_table(const CaseTree& tree, const std::string& prefix, const toml::
     const CaseKey* key = plain ? find_case_key(path) : nullptr;
     if (key == nullptr) refuse_unknown(tree, prefix, name.str(), names_below(prefix));
     if (!key->available) {
-      throw InputError({.origin = tree.key_origin(path),
-                        .key = path,
-                        .found = "found a key that is not available in this version",
-                        .allowed = "one of " + listed(names_below(prefix)) + ' ' + place_of(prefix),
-                        .remedy = {}});
+      throw InputError(tree.key_origin(path), path,
+                       "found a key that is not available in this version",
+                       "one of " + listed(names_below(prefix)) + ' ' + place_of(prefix));
     }
     require_type(tree, *key, node);
     if (key->type == KeyType::table) require_table(tree, path, *node.as_table());
@@ -263,11 +258,8 @@ void require_known_keys(const CaseTree& tree) { require_table(tree, "", tree.roo
 
 InputError fault_at(const CaseTree& tree, std::string_view key, std::string found,
                     std::string allowed, std::string remedy) {
-  return InputError({.origin = tree.origin(key),
-                     .key = printable(key),
-                     .found = std::move(found),
-                     .allowed = std::move(allowed),
-                     .remedy = std::move(remedy)});
+  return InputError(tree.origin(key), printable(key), std::move(found), std::move(allowed),
+                    std::move(remedy));
 }
 
 std::string listed(std::span<const std::string_view> names) {

@@ -21,11 +21,8 @@ struct Assignment {
   std::string value;
 
   [[noreturn]] void refuse(std::string found, std::string allowed, std::string remedy) const {
-    throw InputError({.origin = origin,
-                      .key = printable(key),
-                      .found = std::move(found),
-                      .allowed = std::move(allowed),
-                      .remedy = std::move(remedy)});
+    throw InputError(origin, printable(key), std::move(found), std::move(allowed),
+                     std::move(remedy));
   }
 };
 

@@ -17,11 +17,8 @@ namespace {
 constexpr std::size_t largest_file = 1U << 20U;  // a case file is a page of text
 
 [[noreturn]] void refuse_file(const std::string& path, std::string found, std::string remedy) {
-  throw InputError({.origin = {.file = path, .line = 0, .column = 0, .option = {}},
-                    .key = {},
-                    .found = std::move(found),
-                    .allowed = "a case file (TOML text)",
-                    .remedy = std::move(remedy)});
+  throw InputError(Origin::in_file(path), "", std::move(found), "a case file (TOML text)",
+                   std::move(remedy));
 }
 
 std::string file_text(const std::string& path) {
@@ -86,26 +83,17 @@ CaseTree CaseTree::read(const std::string& path) { return parse(file_text(path),
 CaseTree CaseTree::parse(std::string_view text, const std::string& name) {
   CaseTree out;
   out.name_ = name;
-  const Origin whole{.file = name, .line = 1, .column = 1, .option = {}};
+  const Origin whole = Origin::in_file(name, 1, 1);
   try {
     out.root_ = toml::parse(text);
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
-    throw InputError({.origin = {.file = name,
-                                 .line = position(begin.line),
-                                 .column = position(begin.column),
-                                 .option = {}},
-                      .key = {},
-                      .found = printable(error.description()),
-                      .allowed = "TOML",
-                      .remedy = "see https://toml.io for its syntax"});
+    throw InputError(Origin::in_file(name, position(begin.line), position(begin.column)), "",
+                     printable(error.description()), "TOML", "see https://toml.io for its syntax");
   }
   if (out.root_.empty()) {
-    throw InputError({.origin = whole,
-                      .key = {},
-                      .found = "found no keys",
-                      .allowed = "a case: [body], [potential] and [motion]",
-                      .remedy = "start from one of the shipped cases"});
+    throw InputError(whole, "", "found no keys", "a case: [body], [potential] and [motion]",
+                     "start from one of the shipped cases");
   }
   out.locate(out.root_, "");
   out.values_[""] = out.keys_[""] = whole;
@@ -114,10 +102,7 @@ CaseTree CaseTree::parse(std::string_view text, const std::string& name) {
 
 void CaseTree::locate(const toml::node& node, const std::string& key) {
   const auto place = [this](const toml::source_region& source) {
-    return Origin{.file = name_,
-                  .line = position(source.begin.line),
-                  .column = position(source.begin.column),
-                  .option = {}};
+    return Origin::in_file(name_, position(source.begin.line), position(source.begin.column));
   };
   values_[key] = place(node.source());
   if (const toml::table* table = node.as_table()) {

@@ -8,21 +8,36 @@
 namespace stationary {
 namespace {
 
-std::string compose(const InputFault& fault) {
-  std::string out = fault.origin.text();
+std::string compose(const Origin& origin, std::string_view key, std::string_view found,
+                    std::string_view allowed, std::string_view remedy) {
+  std::string out = origin.text();
   const auto add = [&out](std::string_view separator, std::string_view part) {
     if (part.empty()) return;
     if (!out.empty()) out += separator;
     out += part;
   };
-  add(": ", fault.key);
-  add(": ", fault.found);
-  if (!fault.allowed.empty()) add("; ", "expected " + fault.allowed);
-  add("; ", fault.remedy);
+  add(": ", key);
+  add(": ", found);
+  add("; expected ", allowed);
+  add("; ", remedy);
   return out;
 }
 
 }  // namespace
+
+Origin Origin::in_file(std::string file, int line, int column) {
+  Origin out;
+  out.file = std::move(file);
+  out.line = line;
+  out.column = column;
+  return out;
+}
+
+Origin Origin::of_option(std::string option) {
+  Origin out;
+  out.option = std::move(option);
+  return out;
+}
 
 std::string Origin::text() const {
   if (!option.empty()) return printable(option);
@@ -30,8 +45,14 @@ std::string Origin::text() const {
   return fmt::format("{}:{}:{}", printable(file), line, column);
 }
 
-InputError::InputError(InputFault fault)
-    : std::runtime_error(compose(fault)), fault_(std::move(fault)) {}
+InputError::InputError(Origin origin, std::string key, std::string found, std::string allowed,
+                       std::string remedy)
+    : std::runtime_error(compose(origin, key, found, allowed, remedy)),
+      origin_(std::move(origin)),
+      key_(std::move(key)),
+      found_(std::move(found)),
+      allowed_(std::move(allowed)),
+      remedy_(std::move(remedy)) {}
 
 std::string printable(std::string_view text) {
   constexpr std::size_t longest = 200;

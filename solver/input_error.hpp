@@ -18,24 +18,29 @@ struct Origin {
   int column = 0;
   std::string option;  ///< as typed, "--set motion.nu=0.3"
 
+  static Origin in_file(std::string file, int line = 0, int column = 0);
+  static Origin of_option(std::string option);
   std::string text() const;
-};
-
-struct InputFault {
-  Origin origin;
-  std::string key;  ///< dotted; may be empty
-  std::string found;
-  std::string allowed;  ///< may be empty
-  std::string remedy;   ///< may be empty
 };
 
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(InputFault fault);
-  const InputFault& fault() const noexcept { return fault_; }
+  /// key is dotted; key, allowed and remedy may be empty.
+  InputError(Origin origin, std::string key, std::string found, std::string allowed,
+             std::string remedy = {});
+
+  const Origin& origin() const { return origin_; }
+  const std::string& key() const { return key_; }
+  const std::string& found() const { return found_; }
+  const std::string& allowed() const { return allowed_; }
+  const std::string& remedy() const { return remedy_; }
 
  private:
-  InputFault fault_;
+  Origin origin_;
+  std::string key_;
+  std::string found_;
+  std::string allowed_;
+  std::string remedy_;
 };
 
 /// Text from outside made safe to print on one line: control characters escaped, long text cut.

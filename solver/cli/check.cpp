@@ -1,0 +1,73 @@
+// stationary check CASE: what a case says, what will be computed, and what will not and why.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "solver/cli/command.hpp"
+#include "solver/cli/report.hpp"
+
+namespace stationary::cli {
+namespace {
+
+std::string coefficients_text(const ModelChoice& model) {
+  std::string out;
+  for (std::size_t k = 0; k < model.coefficients.size(); ++k) {
+    out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", model.description->parameters[k],
+                       model.coefficients[k]);
+  }
+  return out;
+}
+
+std::string start_text(const Case& input) {
+  const auto& start = input.solve.start;
+  if (!start) return "the solution connected to rest";
+  return fmt::format("(alpha, xi, zeta, rho) = ({}, {}, {}, {})", start->alpha, start->xi,
+                     start->zeta, start->rho);
+}
+
+ExitCode check_case(const CaseOptions& options) {
+  const Case input = options.read();
+  constexpr std::size_t label_width = 14;
+  Report out(label_width);
+  out.line("case", printable(input.source.name()));
+  if (!input.title.empty()) out.line("title", printable(input.title));
+  for (const auto& [key, option] : input.source.overrides())
+    out.line("override", fmt::format("{} by {}", key, printable(option)));
+  out.gap();
+  out.line("body", fmt::format("J = ({}, {}, {}){}", input.body.J1, input.body.J2, input.body.J3,
+                               input.body.symmetric() ? ", J1 = J2" : ""));
+  for (const ModelChoice& model : input.models) {
+    out.line(model.slot, fmt::format("{}: {}", model.description->name, coefficients_text(model)));
+    out.line("", model.description->formula);
+  }
+  out.line("motion", motion_text(input.motion.branch, input.motion.nu));
+  out.line("solve",
+           fmt::format("method {}, start: {}", name(input.solve.method), start_text(input)));
+  if (const auto& continuation = input.continuation) {
+    out.line("continuation",
+             fmt::format("{} from {} to {}, tolerance {}", continuation->parameter,
+                         continuation->from, continuation->to, continuation->tolerance));
+  }
+  std::string columns;
+  for (const std::string& column : input.output.columns)
+    columns += (columns.empty() ? "" : ", ") + column;
+  out.line("output", "columns: " + (columns.empty() ? "all that is computed" : columns));
+  out.gap();
+  add_plan(out, input.problem().plan());
+  add_plan(out, not_computed(input));
+  print(out.text());
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Session& session) {
+  CLI::App& command = add_command(
+      program, "check", "Validate a case; print the model and what will be computed and skipped");
+  const auto options = std::make_shared<CaseOptions>();
+  options->add_to(command);
+  command.callback(
+      [options, &session] { session.action = [options] { return check_case(*options); }; });
+}
+
+}  // namespace stationary::cli

@@ -1,0 +1,11 @@
+// Ctrl-C and SIGTERM: the first asks the computation to end cleanly, the second ends the program.
+#pragma once
+
+#include <atomic>
+
+namespace stationary::cli {
+
+/// Installs the handlers; the flag becomes true at the first signal.
+const std::atomic<bool>& stop_on_signals();
+
+}  // namespace stationary::cli

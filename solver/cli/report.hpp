@@ -1,0 +1,39 @@
+// Text for a person: sections of aligned label and value lines, and the parts that `solve` and
+// `check` both print.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "solver/case_file.hpp"
+
+namespace stationary::cli {
+
+class Report {
+ public:
+  explicit Report(std::size_t label_width) : width_(label_width) {}
+
+  /// "label   value"; an empty label continues the one above.
+  void line(std::string_view label, std::string_view value);
+  /// Several values in columns of equal width.
+  void row(std::string_view label, const std::vector<std::pair<std::string_view, double>>& values);
+  void gap() { text_ += '\n'; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::size_t width_;
+  std::string text_;
+};
+
+/// How each unknown is had and what is left out, one block per quantity.
+void add_plan(Report& report, const std::vector<PlanItem>& plan);
+
+/// "(i), nu = (0.5, 0, 0)".
+std::string motion_text(Branch branch, double nu);
+
+/// What this version of the program leaves out of a case's results, and why.
+std::vector<PlanItem> not_computed(const Case& input);
+
+}  // namespace stationary::cli

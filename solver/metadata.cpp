@@ -1,0 +1,83 @@
+#include "solver/metadata.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace stationary {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json model_json(const ModelChoice& model) {
+  Json out{{"model", model.description->name}};
+  for (std::size_t k = 0; k < model.coefficients.size(); ++k)
+    out[std::string(model.description->parameters[k])] = model.coefficients[k];
+  return out;
+}
+
+/// The case file's own keys, defaults included.
+Json case_json(const Case& input) {
+  Json out;
+  out["title"] = input.title;
+  out["body"]["J"] = {input.body.J1, input.body.J2, input.body.J3};
+  for (const ModelChoice& model : input.models) out["potential"][model.slot] = model_json(model);
+  out["motion"] = {{"branch", name(input.motion.branch)}, {"nu", input.motion.nu}};
+  Json& solve = out["solve"];
+  if (const auto& start = input.solve.start)
+    solve["start"] = {start->alpha, start->xi, start->zeta, start->rho};
+  solve["method"] = name(input.solve.method);
+  solve["all"] = input.solve.all;
+  if (const auto& continuation = input.continuation) {
+    out["continuation"] = {{"parameter", continuation->parameter},
+                           {"from", continuation->from},
+                           {"to", continuation->to},
+                           {"tolerance", continuation->tolerance}};
+  }
+  out["output"] = {{"spectrum", input.output.spectrum},
+                   {"certificate", input.output.certificate},
+                   {"columns", input.output.columns}};
+  return out;
+}
+
+Json items_json(const std::vector<PlanItem>& items) {
+  Json out = Json::array();
+  for (const PlanItem& item : items)
+    out.push_back({{"quantity", item.quantity}, {"how", item.how}, {"why", item.why}});
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string_view, long>> named_counts(const Counts& counts) {
+  return {{"residuals", counts.residuals},
+          {"jacobians", counts.jacobians},
+          {"extended_residuals", counts.extended_residuals},
+          {"newton_steps", counts.newton_steps},
+          {"ceres_iterations", counts.ceres_iterations},
+          {"nlopt_evaluations", counts.nlopt_evaluations},
+          {"walk_steps", counts.walk_steps}};
+}
+
+std::string metadata_json(const Metadata& metadata) {
+  Json out;
+  out["program"] = "stationary";
+  out["version"] = metadata.version;
+  out["command_line"] = metadata.command_line;
+  if (metadata.input != nullptr) {
+    out["case_file"] = metadata.input->source.name();
+    out["case"] = case_json(*metadata.input);
+    Json overrides = Json::object();
+    for (const auto& [key, option] : metadata.input->source.overrides()) overrides[key] = option;
+    out["overrides"] = overrides;
+  }
+  for (const auto& [name, text] : metadata.outcome) out[std::string(name)] = text;
+  out["rows"] = metadata.rows;
+  out["seconds"] = metadata.seconds;
+  Json counts = Json::object();
+  for (const auto& [name, count] : metadata.counts) counts[std::string(name)] = count;
+  out["counts"] = counts;
+  out["plan"] = items_json(metadata.plan);
+  out["skipped"] = items_json(metadata.skipped);
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace stationary

@@ -1,0 +1,35 @@
+// x.meta.json beside x.csv: what was asked, with overrides and defaults applied, what it cost, and
+// what was not computed and why.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "solver/case_file.hpp"
+
+namespace stationary {
+
+struct Metadata {
+  std::string version;
+  std::vector<std::string> command_line;
+  const Case* input = nullptr;
+  std::size_t rows = 0;
+  double seconds = 0.0;
+  std::vector<std::pair<std::string_view, long>> counts;
+  std::vector<PlanItem> plan;     ///< how each unknown is had
+  std::vector<PlanItem> skipped;  ///< what was not computed, and why
+  /// Outcome, method, connection, message, ... by name.
+  std::vector<std::pair<std::string_view, std::string>> outcome;
+};
+
+/// The evaluation counts of one solve, by name.
+std::vector<std::pair<std::string_view, long>> named_counts(const Counts& counts);
+
+/// JSON text, indented, ending in a newline; bytes that are not UTF-8 are replaced.
+std::string metadata_json(const Metadata& metadata);
+
+}  // namespace stationary
