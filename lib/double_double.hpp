@@ -1,17 +1,20 @@
-// Extended precision: x = hi + lo with |lo| <= ulp(hi)/2, about 106 significand bits.
+// Extended precision: x = hi + lo with |lo| of a few ulp(hi) at most, about 104 significand bits.
 //
 //   two_sum(a, b)     = (fl(a + b), the exact rounding error)     6 flops
 //   two_product(a, b) = (fl(a b),   the exact rounding error)     2 flops with a fused multiply-add
 //
-// It exists for one purpose: the residual of the last correction of a solve, where a double
-// residual would leave errors of several units in the last place, and far more near a fold.
+// Pair arithmetic: results are not renormalized, which halves the latency of a sum; |lo| grows
+// slowly with the number of operations, so this serves short expressions such as ours: the residual
+// of the last correction of a solve, where a double residual would leave errors of several units in
+// the last place, and far more near a fold. double(x) = hi + lo is the rounded value; hi alone is
+// not.
 //
-// Error of each operation, relative to the operands' magnitudes (so a sum may cancel):
-//   x + y: 2^-104 (|x| + |y|);  x y, x / y, sqrt x: 2^-102 of the result;
-//   log x: 2^-82 |log x| (a residual needs no more; the tests hold it to this).
-// Source: T. J. Dekker, Numer. Math. 18 (1971) 224; Hida, Li, Bailey, ARITH-15 (2001).
-// Must be compiled without contraction (-ffp-contract=off) and without -ffast-math: the exported
-// targets carry the flag.
+// Error of each operation on normalized operands (|lo| <= ulp(hi)/2), relative to their magnitudes
+// (so a sum may cancel):
+//   x + y: 2^-104 (|x| + |y|);  x y, x / y, sqrt x: 2^-101 of the result;  log x: 2^-82 |log x|.
+// Source: M. Lange, S. M. Rump, ACM Trans. Math. Softw. 46 (2020) 21; T. J. Dekker, Numer. Math. 18
+// (1971) 224. Must be compiled without contraction (-ffp-contract=off) and without -ffast-math: the
+// exported targets carry the flag.
 #pragma once
 
 #include <cmath>
@@ -42,7 +45,7 @@ constexpr DoubleDouble quick_two_sum(double a, double b) {
   return {s, b - (s - a)};
 }
 
-/// (fl(a b), error), exact unless the product under- or overflows.
+/// (fl(a b), error), exact for |a|, |b| < 2^996 and |a b| >= 2^-968 or = 0, unless it overflows.
 inline DoubleDouble two_product(double a, double b) {
   const double p = a * b;
 #ifdef __FMA__
@@ -63,11 +66,11 @@ constexpr DoubleDouble operator-(const DoubleDouble& x) { return {-x.hi, -x.lo};
 
 constexpr DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
   const DoubleDouble s = two_sum(x.hi, y.hi);
-  return quick_two_sum(s.hi, s.lo + (x.lo + y.lo));
+  return {s.hi, s.lo + (x.lo + y.lo)};
 }
 constexpr DoubleDouble operator+(const DoubleDouble& x, double y) {
   const DoubleDouble s = two_sum(x.hi, y);
-  return quick_two_sum(s.hi, s.lo + x.lo);
+  return {s.hi, s.lo + x.lo};
 }
 constexpr DoubleDouble operator+(double x, const DoubleDouble& y) { return y + x; }
 constexpr DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + (-y); }
@@ -76,22 +79,20 @@ constexpr DoubleDouble operator-(double x, const DoubleDouble& y) { return (-y) 
 
 inline DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
   const DoubleDouble p = two_product(x.hi, y.hi);
-  return quick_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
+  return {p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi)};
 }
 inline DoubleDouble operator*(const DoubleDouble& x, double y) {
   const DoubleDouble p = two_product(x.hi, y);
-  return quick_two_sum(p.hi, p.lo + x.lo * y);
+  return {p.hi, p.lo + x.lo * y};
 }
 inline DoubleDouble operator*(double x, const DoubleDouble& y) { return y * x; }
 
+/// The quotient of the heads, and its exact remainder over the whole divisor.
 inline DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
-  // One division: the quotient of the heads, corrected by the exact remainder over y.hi.
-  const double inverse = 1.0 / y.hi;
-  const double q1 = x.hi * inverse;
-  const DoubleDouble r1 = x - y * q1;
-  const double q2 = r1.hi * inverse;
-  const DoubleDouble r2 = r1 - y * q2;
-  return quick_two_sum(q1, q2) + r2.hi * inverse;
+  const double q = x.hi / y.hi;
+  const DoubleDouble p = two_product(q, y.hi);
+  const double remainder = ((x.hi - p.hi) - p.lo) + x.lo - q * y.lo;
+  return {q, remainder / (y.hi + y.lo)};
 }
 inline DoubleDouble operator/(const DoubleDouble& x, double y) { return x / DoubleDouble(y); }
 inline DoubleDouble operator/(double x, const DoubleDouble& y) { return DoubleDouble(x) / y; }
@@ -102,21 +103,21 @@ inline DoubleDouble& operator*=(DoubleDouble& x, const DoubleDouble& y) { return
 inline DoubleDouble& operator/=(DoubleDouble& x, const DoubleDouble& y) { return x = x / y; }
 
 constexpr bool operator==(const DoubleDouble& x, const DoubleDouble& y) {
-  return x.hi == y.hi && x.lo == y.lo;
+  return double(x - y) == 0.0;
 }
 constexpr bool operator<(const DoubleDouble& x, const DoubleDouble& y) {
-  return x.hi < y.hi || (x.hi == y.hi && x.lo < y.lo);
+  return double(x - y) < 0.0;
 }
 constexpr bool operator>(const DoubleDouble& x, const DoubleDouble& y) { return y < x; }
 
-inline DoubleDouble abs(const DoubleDouble& x) { return x.hi < 0.0 ? -x : x; }
+inline DoubleDouble abs(const DoubleDouble& x) { return double(x) < 0.0 ? -x : x; }
 
 /// Square root of x >= 0 (NaN below).
 inline DoubleDouble sqrt(const DoubleDouble& x) {
   if (x.hi == 0.0) return {};
   const double r = std::sqrt(x.hi);
-  const DoubleDouble remainder = x - two_product(r, r);
-  return quick_two_sum(r, remainder.hi / (2.0 * r));
+  const DoubleDouble square = two_product(r, r);
+  return {r, (((x.hi - square.hi) - square.lo) + x.lo) / (2.0 * r)};
 }
 
 /// Natural logarithm of x > 0 (NaN below, -inf at 0): x = 2^k m, m r_i = 1 + z with r_i from a
@@ -129,7 +130,13 @@ template <>
 class std::numeric_limits<stationary::DoubleDouble> {
  public:
   static constexpr bool is_specialized = true;
+  static constexpr bool is_signed = true;
+  static constexpr bool is_integer = false;
+  static constexpr bool is_exact = false;
+  static constexpr int radix = 2;
   static constexpr int digits = 104;
+  static constexpr int digits10 = 31;
+  static constexpr int max_digits10 = 33;
   static constexpr stationary::DoubleDouble quiet_NaN() {
     return {std::numeric_limits<double>::quiet_NaN(), 0.0};
   }

@@ -13,7 +13,7 @@
 namespace stationary {
 
 constexpr double leading(double x) { return x; }
-constexpr double leading(const DoubleDouble& x) { return x.hi; }
+constexpr double leading(const DoubleDouble& x) { return x.hi + x.lo; }
 
 /// Numbers that carry derivatives (dual numbers): the value's leading double.
 template <class T>
@@ -33,11 +33,12 @@ double leading(const T& x) { return x.template convert_to<double>(); }
 template <class C, class S>
 using Product = std::remove_cvref_t<decltype(std::declval<C>() * std::declval<S>())>;
 
-/// Significand bits of T (53 for double).
+/// Significand bits of T (53 for double); a decimal type counts in digits, of at most 10/3 bits.
 template <class T>
 constexpr int significand_bits() {
-  static_assert(std::numeric_limits<T>::is_specialized);
-  return std::numeric_limits<T>::digits;
+  using Limits = std::numeric_limits<T>;
+  static_assert(Limits::is_specialized && (Limits::radix == 2 || Limits::radix == 10));
+  return Limits::radix == 2 ? Limits::digits : Limits::digits * 10 / 3 + 1;
 }
 
 /// What an output that was not asked for holds.
