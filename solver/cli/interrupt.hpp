@@ -5,7 +5,7 @@
 
 namespace stationary::cli {
 
-/// Installs the handlers; the flag becomes true at the first signal.
+/// Installs the handlers and unblocks both signals; the flag becomes true at the first signal.
 const std::atomic<bool>& stop_on_signals();
 
 }  // namespace stationary::cli

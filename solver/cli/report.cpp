@@ -2,10 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace stationary::cli {
 
 void Report::line(std::string_view label, std::string_view value) {
-  text_ += fmt::format("{:<{}}{}\n", label, width_, value);
+  // Broken between words, continued under the value.
+  constexpr std::size_t line_width = 100;
+  do {
+    std::size_t end = value.size();
+    if (width_ + end > line_width) {
+      end = value.rfind(' ', line_width - width_);
+      if (end == std::string_view::npos || end == 0) end = value.find(' ', line_width - width_);
+      if (end == std::string_view::npos) end = value.size();
+    }
+    text_ += fmt::format("{:<{}}{}\n", label, width_, value.substr(0, end));
+    value.remove_prefix(std::min(value.size(), end + 1));
+    label = {};
+  } while (!value.empty());
 }
 
 void Report::row(std::string_view label,
@@ -36,7 +50,7 @@ std::vector<PlanItem> not_computed(const Case& input) {
   const std::string why = input.output.spectrum
                               ? "this version of the program has no linearization yet"
                               : "output.spectrum = false";
-  out.push_back({"class, growth, negative, modes", "not computed", why});
+  out.push_back({"spectrum", "not computed", why});
   return out;
 }
 
