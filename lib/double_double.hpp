@@ -33,20 +33,20 @@ struct DoubleDouble {
 };
 
 /// (fl(a + b), error), exact for all finite a, b without overflow.
-constexpr DoubleDouble two_sum(double a, double b) {
+[[gnu::always_inline]] constexpr DoubleDouble two_sum(double a, double b) {
   const double s = a + b;
   const double bb = s - a;
   return {s, (a - (s - bb)) + (b - bb)};
 }
 
 /// As two_sum, for |a| >= |b| or a = 0.
-constexpr DoubleDouble quick_two_sum(double a, double b) {
+[[gnu::always_inline]] constexpr DoubleDouble quick_two_sum(double a, double b) {
   const double s = a + b;
   return {s, b - (s - a)};
 }
 
 /// (fl(a b), error), exact for |a|, |b| < 2^996 and |a b| >= 2^-968 or = 0, unless it overflows.
-inline DoubleDouble two_product(double a, double b) {
+[[gnu::always_inline]] inline DoubleDouble two_product(double a, double b) {
   const double p = a * b;
 #ifdef __FMA__
   return {p, std::fma(a, b, -p)};
@@ -62,58 +62,88 @@ inline DoubleDouble two_product(double a, double b) {
 #endif
 }
 
-constexpr DoubleDouble operator-(const DoubleDouble& x) { return {-x.hi, -x.lo}; }
+[[gnu::always_inline]] constexpr DoubleDouble operator-(const DoubleDouble& x) {
+  return {-x.hi, -x.lo};
+}
 
-constexpr DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
+[[gnu::always_inline]] constexpr DoubleDouble operator+(const DoubleDouble& x,
+                                                        const DoubleDouble& y) {
   const DoubleDouble s = two_sum(x.hi, y.hi);
   return {s.hi, s.lo + (x.lo + y.lo)};
 }
-constexpr DoubleDouble operator+(const DoubleDouble& x, double y) {
+[[gnu::always_inline]] constexpr DoubleDouble operator+(const DoubleDouble& x, double y) {
   const DoubleDouble s = two_sum(x.hi, y);
   return {s.hi, s.lo + x.lo};
 }
-constexpr DoubleDouble operator+(double x, const DoubleDouble& y) { return y + x; }
-constexpr DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + (-y); }
-constexpr DoubleDouble operator-(const DoubleDouble& x, double y) { return x + (-y); }
-constexpr DoubleDouble operator-(double x, const DoubleDouble& y) { return (-y) + x; }
+[[gnu::always_inline]] constexpr DoubleDouble operator+(double x, const DoubleDouble& y) {
+  return y + x;
+}
+[[gnu::always_inline]] constexpr DoubleDouble operator-(const DoubleDouble& x,
+                                                        const DoubleDouble& y) {
+  return x + (-y);
+}
+[[gnu::always_inline]] constexpr DoubleDouble operator-(const DoubleDouble& x, double y) {
+  return x + (-y);
+}
+[[gnu::always_inline]] constexpr DoubleDouble operator-(double x, const DoubleDouble& y) {
+  return (-y) + x;
+}
 
-inline DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
+[[gnu::always_inline]] inline DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
   const DoubleDouble p = two_product(x.hi, y.hi);
   return {p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi)};
 }
-inline DoubleDouble operator*(const DoubleDouble& x, double y) {
+[[gnu::always_inline]] inline DoubleDouble operator*(const DoubleDouble& x, double y) {
   const DoubleDouble p = two_product(x.hi, y);
   return {p.hi, p.lo + x.lo * y};
 }
-inline DoubleDouble operator*(double x, const DoubleDouble& y) { return y * x; }
+[[gnu::always_inline]] inline DoubleDouble operator*(double x, const DoubleDouble& y) {
+  return y * x;
+}
 
 /// The quotient of the heads, and its exact remainder over the whole divisor.
-inline DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
+[[gnu::always_inline]] inline DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
   const double q = x.hi / y.hi;
   const DoubleDouble p = two_product(q, y.hi);
   const double remainder = ((x.hi - p.hi) - p.lo) + x.lo - q * y.lo;
   return {q, remainder / (y.hi + y.lo)};
 }
-inline DoubleDouble operator/(const DoubleDouble& x, double y) { return x / DoubleDouble(y); }
-inline DoubleDouble operator/(double x, const DoubleDouble& y) { return DoubleDouble(x) / y; }
+[[gnu::always_inline]] inline DoubleDouble operator/(const DoubleDouble& x, double y) {
+  return x / DoubleDouble(y);
+}
+[[gnu::always_inline]] inline DoubleDouble operator/(double x, const DoubleDouble& y) {
+  return DoubleDouble(x) / y;
+}
 
-inline DoubleDouble& operator+=(DoubleDouble& x, const DoubleDouble& y) { return x = x + y; }
-inline DoubleDouble& operator-=(DoubleDouble& x, const DoubleDouble& y) { return x = x - y; }
-inline DoubleDouble& operator*=(DoubleDouble& x, const DoubleDouble& y) { return x = x * y; }
-inline DoubleDouble& operator/=(DoubleDouble& x, const DoubleDouble& y) { return x = x / y; }
+[[gnu::always_inline]] inline DoubleDouble& operator+=(DoubleDouble& x, const DoubleDouble& y) {
+  return x = x + y;
+}
+[[gnu::always_inline]] inline DoubleDouble& operator-=(DoubleDouble& x, const DoubleDouble& y) {
+  return x = x - y;
+}
+[[gnu::always_inline]] inline DoubleDouble& operator*=(DoubleDouble& x, const DoubleDouble& y) {
+  return x = x * y;
+}
+[[gnu::always_inline]] inline DoubleDouble& operator/=(DoubleDouble& x, const DoubleDouble& y) {
+  return x = x / y;
+}
 
-constexpr bool operator==(const DoubleDouble& x, const DoubleDouble& y) {
+[[gnu::always_inline]] constexpr bool operator==(const DoubleDouble& x, const DoubleDouble& y) {
   return double(x - y) == 0.0;
 }
-constexpr bool operator<(const DoubleDouble& x, const DoubleDouble& y) {
+[[gnu::always_inline]] constexpr bool operator<(const DoubleDouble& x, const DoubleDouble& y) {
   return double(x - y) < 0.0;
 }
-constexpr bool operator>(const DoubleDouble& x, const DoubleDouble& y) { return y < x; }
+[[gnu::always_inline]] constexpr bool operator>(const DoubleDouble& x, const DoubleDouble& y) {
+  return y < x;
+}
 
-inline DoubleDouble abs(const DoubleDouble& x) { return double(x) < 0.0 ? -x : x; }
+[[gnu::always_inline]] inline DoubleDouble abs(const DoubleDouble& x) {
+  return double(x) < 0.0 ? -x : x;
+}
 
 /// Square root of x >= 0 (NaN below).
-inline DoubleDouble sqrt(const DoubleDouble& x) {
+[[gnu::always_inline]] inline DoubleDouble sqrt(const DoubleDouble& x) {
   if (x.hi == 0.0) return {};
   const double r = std::sqrt(x.hi);
   const DoubleDouble square = two_product(r, r);

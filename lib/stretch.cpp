@@ -10,7 +10,7 @@ const char* violated_inequality(const Stretch& q) {
   if (!(q.zeta > 0.0)) return "zeta > 0";
   if (!(q.rho > 0.0)) return "rho > 0";
   const DoubleDouble d = two_product(q.xi, q.zeta) - two_product(q.alpha, q.alpha);
-  if (!(d.hi > 0.0)) return "xi zeta - alpha^2 > 0";
+  if (!(double(d) > 0.0)) return "xi zeta - alpha^2 > 0";
   return nullptr;
 }
 
@@ -26,7 +26,7 @@ PrincipalStretches principal_stretches(const Stretch& q) {
   const double t = q.xi + q.zeta;
   const DoubleDouble d = two_product(q.xi, q.zeta) - two_product(q.alpha, q.alpha);
   const double lambda = 0.5 * (t + std::hypot(q.xi - q.zeta, 2.0 * q.alpha));
-  return {lambda, d.hi / lambda, 0.5 * std::atan2(2.0 * q.alpha, q.xi - q.zeta)};
+  return {lambda, double(d) / lambda, 0.5 * std::atan2(2.0 * q.alpha, q.xi - q.zeta)};
 }
 
 Stretch stretch_from_principal(const PrincipalStretches& planar, double rho) {

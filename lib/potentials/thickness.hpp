@@ -29,7 +29,7 @@ struct ReciprocalQuadratic {
 
   /// rho^3 = a/(b - m), to double precision; NaN unless m < b. m is extended: b - m may cancel.
   double balanced(const DoubleDouble& m) const {
-    const double stiffness = (leading(b) - m).hi;
+    const double stiffness = double(leading(b) - m);
     return stiffness > 0.0 ? std::cbrt(leading(a) / stiffness) : poison<double>();
   }
 
@@ -61,7 +61,7 @@ struct Harmonic {
 
   /// rho = k rest/(k - m); NaN unless m < k.
   double balanced(const DoubleDouble& m) const {
-    const double stiffness = (leading(k) - m).hi;
+    const double stiffness = double(leading(k) - m);
     return stiffness > 0.0 ? leading(k) * leading(rest) / stiffness : poison<double>();
   }
 

@@ -1,0 +1,95 @@
+#include "solver/equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "solver/existence.hpp"
+#include "solver/reduced_solve.hpp"
+#include "solver/thickness_balance.hpp"
+
+namespace stationary {
+namespace {
+
+/// Residuals above this (relative to the largest term) are no equilibrium, whatever converged.
+constexpr double acceptable_residual = 1e-12;
+
+void adopt(const auto& answer, Equilibrium& out) {
+  out.status = answer.status;
+  out.message = answer.message;
+  out.connection = answer.connection;
+  out.error_bound = answer.error_bound;
+}
+
+template <class Plane, class Thickness>
+void solve_model(const Separable<Plane, Thickness>& model, const Problem& problem, double nu,
+                 const SolveOptions& options, Equilibrium& out) {
+  const CentrifugalRates<DoubleDouble> rates = problem.rates(two_product(nu, nu));
+  const ThicknessBalance thickness = balanced_thickness(model.thickness, rates.rho);
+  out.counts.extended_residuals += thickness.refined.steps;
+  if (!thickness.refined.converged) {
+    out.status = SolveStatus::failed;
+    out.message = "the thickness balance V_rho'(rho) = J3 nu^2 rho did not converge";
+    return;
+  }
+  const PlanarSystem<Plane> system{model.plane, rates};
+  const double r = model.plane.rest_stretch();
+  std::optional<ReducedVector<2>> start;
+  if (options.start) start = ReducedVector<2>(options.start->xi, options.start->zeta);
+  const auto answer =
+      ReducedSolve<PlanarSystem<Plane>>(system, ReducedVector<2>(r, r), nu, options, out.counts)
+          .run(start);
+  adopt(answer, out);
+  out.q = {0.0, answer.x[0], answer.x[1], thickness.rho};
+  out.error_bound = std::max(out.error_bound, thickness.refined.error_bound);
+}
+
+template <class Coupled>
+void solve_model(const Coupled& model, const Problem& problem, double nu,
+                 const SolveOptions& options, Equilibrium& out) {
+  const CoupledSystem<Coupled> system{model, problem.rates(two_product(nu, nu))};
+  const double r = model.rest_stretch();
+  const ReducedVector<3> rest(r, r, model.rest_thickness());
+  std::optional<ReducedVector<3>> start;
+  if (options.start) {
+    start = ReducedVector<3>(options.start->xi, options.start->zeta, options.start->rho);
+  }
+  const auto answer =
+      ReducedSolve<CoupledSystem<Coupled>>(system, rest, nu, options, out.counts).run(start);
+  adopt(answer, out);
+  out.q = {0.0, answer.x[0], answer.x[1], answer.x[2]};
+}
+
+}  // namespace
+
+Equilibrium solve(const Problem& problem, double nu, const SolveOptions& options) {
+  if (!std::isfinite(nu)) throw std::invalid_argument("nu finite");
+  if (options.start) {
+    require_positive_definite(*options.start);
+    if (options.start->alpha != 0.0)
+      throw std::invalid_argument("alpha = 0 in the start: the potential is isotropic");
+  }
+  Equilibrium out;
+  out.nu = angular_velocity(problem.branch(), nu);
+  if (const auto reason = nonexistence_reason(problem, nu)) {
+    out.status = SolveStatus::none_exists;
+    out.message = *reason;
+    return out;
+  }
+  problem.potential().visit(
+      [&](const auto& model) { solve_model(model, problem, nu, options, out); });
+  if (out.status != SolveStatus::solved) return out;
+
+  // The returned numbers decide, not the solver.
+  const BalanceCheck check = check_balance(problem.body(), problem.potential(), out.q, out.nu);
+  out.residual = check.residual;
+  out.compatibility = check.compatibility;
+  if (!(out.residual <= acceptable_residual)) {
+    out.status = SolveStatus::failed;
+    out.message += "; but the recomputed balance residual " + std::to_string(out.residual) +
+                   " is no equilibrium";
+  }
+  return out;
+}
+
+}  // namespace stationary

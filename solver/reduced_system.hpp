@@ -1,0 +1,159 @@
+// The reduced balance of a family as a small square system in logarithmic coordinates,
+//
+//   G(x; nu^2) = elastic(x) - pull(x),   pull_i = c_i x_i^2,   unknowns ln x,
+//
+// symmetric Jacobian dG/d ln x. Three systems, by what a Problem leaves coupled:
+//   ThicknessSystem  x = (rho)             V_rho' = m rho, of a separable V
+//   PlanarSystem     x = (xi, zeta)        of a separable V
+//   CoupledSystem    x = (xi, zeta, rho)   of a coupled V
+// All formulas are lib's (balance.hpp); these only gather them for the solvers, in double, in
+// extended precision and for ceres::Jet. x > 0 throughout; not checked here.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+
+#include "lib/balance.hpp"
+#include "lib/potential.hpp"
+#include "solver/dual.hpp"
+#include "solver/small_symmetric.hpp"
+
+namespace stationary {
+
+template <int N>
+using ReducedVector = Eigen::Matrix<double, N, 1>;
+
+/// Residual, Jacobian and a magnitude of the terms that enter them (and, all being products of
+/// powers and logarithms of x, of their further derivatives in ln x).
+template <int N>
+struct Linearized {
+  ReducedVector<N> g;
+  SmallSymmetric<N> jacobian;
+  double magnitude;
+};
+
+/// model with its coefficients as dual numbers: coefficient k has derivative p_k in direction k, so
+/// derivatives come out as sensitivities to relative changes.
+template <template <class> class Model>
+auto with_relative_duals(const Model<double>& model) {
+  const auto p = model.coefficients();
+  return Model<Dual2>{Dual2(p[0], {p[0], 0.0}), Dual2(p[1], {0.0, p[1]})};
+}
+
+inline double sensitivity(const Dual2& x) { return std::abs(x.slope[0]) + std::abs(x.slope[1]); }
+
+template <class Thickness>
+struct ThicknessSystem {
+  static constexpr int dimension = 1;
+  Thickness model;
+  DoubleDouble rate;  ///< m = J3 (nu1^2 + nu2^2)
+
+  Linearized<1> linearize(const ReducedVector<1>& x) const {
+    const auto v = model.template evaluate<2>(x[0]);
+    const double pull = double(rate) * x[0] * x[0];
+    return {ReducedVector<1>(v.v_r - pull), {{v.v_rr - 2.0 * pull}}, std::abs(v.v_rr) + 2.0 * pull};
+  }
+  ReducedVector<1> extended_residual(const ReducedVector<1>& x) const {
+    const auto v = model.template evaluate<1>(DoubleDouble(x[0]));
+    return ReducedVector<1>(double(v.v_r - rate * two_product(x[0], x[0])));
+  }
+  /// Sum over the inputs p of |p dG/dp|: a coefficient once, J once, nu twice (as nu^2).
+  ReducedVector<1> input_sensitivity(const ReducedVector<1>& x) const {
+    const auto v = with_relative_duals(model).template evaluate<1>(x[0]);
+    return ReducedVector<1>(sensitivity(v.v_r) + 3.0 * double(rate) * x[0] * x[0]);
+  }
+};
+
+template <class Plane>
+struct PlanarSystem {
+  static constexpr int dimension = 2;
+  Plane model;
+  CentrifugalRates<DoubleDouble> rates;
+
+  template <class S>
+  std::array<S, 2> residual(const std::array<S, 2>& x) const {
+    const auto w = model.template evaluate<1>(planar_invariants(x[0], x[1]));
+    const CentrifugalRates<S> c{S(double(rates.xi)), S(double(rates.zeta)), S(0.0)};
+    const auto b = planar_log_balance<1>(w, x[0], x[1], c);
+    return {b.g_xi, b.g_zeta};
+  }
+  Linearized<2> linearize(const ReducedVector<2>& x) const {
+    const auto w = model.template evaluate<2>(planar_invariants(x[0], x[1]));
+    const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), 0.0};
+    const auto b = planar_log_balance<2>(w, x[0], x[1], c);
+    return {{b.g_xi, b.g_zeta}, {{b.uu, b.uv, b.vv}}, planar_magnitude(w, x, c)};
+  }
+  ReducedVector<2> extended_residual(const ReducedVector<2>& x) const {
+    const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]));
+    const auto b = planar_log_balance<1>(w, DoubleDouble(x[0]), DoubleDouble(x[1]), rates);
+    return {double(b.g_xi), double(b.g_zeta)};
+  }
+  ReducedVector<2> input_sensitivity(const ReducedVector<2>& x) const {
+    const auto w = with_relative_duals(model).template evaluate<1>(planar_invariants(x[0], x[1]));
+    return {sensitivity(x[0] * w.w_t + w.w_l) + 3.0 * double(rates.xi) * x[0] * x[0],
+            sensitivity(x[1] * w.w_t + w.w_l) + 3.0 * double(rates.zeta) * x[1] * x[1]};
+  }
+  /// The system at a fraction tau of nu^2.
+  PlanarSystem at_fraction(double tau) const {
+    return {model, {rates.xi * tau, rates.zeta * tau, rates.rho * tau}};
+  }
+  /// dG/dtau of at_fraction: minus the centrifugal pull at tau = 1.
+  ReducedVector<2> minus_pull(const ReducedVector<2>& x) const {
+    return {-double(rates.xi) * x[0] * x[0], -double(rates.zeta) * x[1] * x[1]};
+  }
+
+  template <class Vector>
+  static double planar_magnitude(const PlanarDerivatives<double>& w, const Vector& x,
+                                 const CentrifugalRates<double>& c) {
+    const double t = x[0] + x[1];
+    return t * (std::abs(w.w_t) + t * std::abs(w.w_tt) + 2.0 * std::abs(w.w_tl)) + std::abs(w.w_l) +
+           std::abs(w.w_ll) + 2.0 * (c.xi * x[0] * x[0] + c.zeta * x[1] * x[1]);
+  }
+};
+
+template <class Coupled>
+struct CoupledSystem {
+  static constexpr int dimension = 3;
+  Coupled model;
+  CentrifugalRates<DoubleDouble> rates;
+
+  template <class S>
+  std::array<S, 3> residual(const std::array<S, 3>& x) const {
+    const auto w = model.template evaluate<1>(planar_invariants(x[0], x[1]), x[2]);
+    const CentrifugalRates<S> c{S(double(rates.xi)), S(double(rates.zeta)), S(double(rates.rho))};
+    const auto b = coupled_log_balance<1>(w, x[0], x[1], x[2], c);
+    return {b.g_xi, b.g_zeta, b.g_rho};
+  }
+  Linearized<3> linearize(const ReducedVector<3>& x) const {
+    const auto w = model.template evaluate<2>(planar_invariants(x[0], x[1]), x[2]);
+    const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
+    const auto b = coupled_log_balance<2>(w, x[0], x[1], x[2], c);
+    const double magnitude = PlanarSystem<Coupled>::planar_magnitude(w.plane, x, c) +
+                             std::abs(w.w_r) + std::abs(w.w_rr) + (x[0] + x[1]) * std::abs(w.w_tr) +
+                             std::abs(w.w_lr) + 2.0 * c.rho * x[2] * x[2];
+    return {{b.g_xi, b.g_zeta, b.g_rho}, {{b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}}, magnitude};
+  }
+  ReducedVector<3> extended_residual(const ReducedVector<3>& x) const {
+    const DoubleDouble rho(x[2]);
+    const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]), rho);
+    const auto b = coupled_log_balance<1>(w, DoubleDouble(x[0]), DoubleDouble(x[1]), rho, rates);
+    return {double(b.g_xi), double(b.g_zeta), double(b.g_rho)};
+  }
+  ReducedVector<3> input_sensitivity(const ReducedVector<3>& x) const {
+    const auto w =
+        with_relative_duals(model).template evaluate<1>(planar_invariants(x[0], x[1]), x[2]);
+    return {sensitivity(x[0] * w.plane.w_t + w.plane.w_l) + 3.0 * double(rates.xi) * x[0] * x[0],
+            sensitivity(x[1] * w.plane.w_t + w.plane.w_l) + 3.0 * double(rates.zeta) * x[1] * x[1],
+            sensitivity(w.w_r) + 3.0 * double(rates.rho) * x[2] * x[2]};
+  }
+  CoupledSystem at_fraction(double tau) const {
+    return {model, {rates.xi * tau, rates.zeta * tau, rates.rho * tau}};
+  }
+  ReducedVector<3> minus_pull(const ReducedVector<3>& x) const {
+    return {-double(rates.xi) * x[0] * x[0], -double(rates.zeta) * x[1] * x[1],
+            -double(rates.rho) * x[2] * x[2]};
+  }
+};
+
+}  // namespace stationary
