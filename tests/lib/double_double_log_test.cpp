@@ -10,8 +10,8 @@
 #include "lib/double_double.hpp"
 #include "lib/double_double_log_table.hpp"
 #include "tests/support/double_double_operands.hpp"
-#include "tests/support/high_precision.hpp"
 #include "tests/support/law.hpp"
+#include "tests/support/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

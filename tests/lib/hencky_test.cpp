@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/high_precision.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/models.hpp"
+#include "tests/support/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "lib/potential.hpp"
-#include "tests/support/high_precision.hpp"
+#include "tests/support/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "lib/balance.hpp"
 #include "lib/potential.hpp"
-#include "tests/support/high_precision.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/running_error.hpp"
+#include "tests/support/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "lib/body.hpp"
 #include "lib/stretch.hpp"
-#include "tests/support/high_precision.hpp"
+#include "tests/support/wide_numbers.hpp"
 
 namespace stationary::support {
 
@@ -39,23 +39,23 @@ std::string at(const Parts&... parts) {
 
 /// |actual - expected| <= allowed.
 template <class T>
-testing::AssertionResult agrees(const std::string& x, const T& expected, const T& actual,
-                                const T& allowed) {
+::testing::AssertionResult agrees(const std::string& x, const T& expected, const T& actual,
+                                  const T& allowed) {
   const T signed_difference = actual - expected;
   const T difference = signed_difference < 0 ? T(-signed_difference) : signed_difference;
-  if (difference <= allowed) return testing::AssertionSuccess();
+  if (difference <= allowed) return ::testing::AssertionSuccess();
   std::ostringstream out;
   out.precision(std::numeric_limits<T>::max_digits10);
   out << "\n  x          " << x << "\n  expected   " << expected << "\n  actual     " << actual;
   out.precision(3);
   out << "\n  difference " << signed_difference << "\n  allowed    " << allowed;
-  return testing::AssertionFailure() << out.str();
+  return ::testing::AssertionFailure() << out.str();
 }
 
 /// The same of vectors and matrices, entry by entry, with one allowance.
 template <class M>
-testing::AssertionResult all_agree(const std::string& x, const M& expected, const M& actual,
-                                   const typename M::Scalar& allowed) {
+::testing::AssertionResult all_agree(const std::string& x, const M& expected, const M& actual,
+                                     const typename M::Scalar& allowed) {
   for (Eigen::Index i = 0; i < expected.rows(); ++i) {
     for (Eigen::Index j = 0; j < expected.cols(); ++j) {
       const auto result =
@@ -63,7 +63,7 @@ testing::AssertionResult all_agree(const std::string& x, const M& expected, cons
       if (!result) return result;
     }
   }
-  return testing::AssertionSuccess();
+  return ::testing::AssertionSuccess();
 }
 
 }  // namespace stationary::support

@@ -18,7 +18,7 @@ template <class Variant>
 struct TypesOf;
 template <class First, class... Rest>
 struct TypesOf<std::variant<First, Rest...>> {
-  using type = testing::Types<First, Rest...>;
+  using type = ::testing::Types<First, Rest...>;
   using tuple = std::tuple<First, Rest...>;
   /// Each planar model with one thickness model.
   template <class Thickness>
@@ -32,7 +32,7 @@ template <class Tuple>
 struct AsTypes;
 template <class... Models>
 struct AsTypes<std::tuple<Models...>> {
-  using type = testing::Types<Models...>;
+  using type = ::testing::Types<Models...>;
 };
 
 using PlanarModels = TypesOf<PlanarPotential>::type;

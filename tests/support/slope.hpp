@@ -10,13 +10,13 @@
 #include <sstream>
 #include <string>
 
-#include "tests/support/high_precision.hpp"
+#include "tests/support/wide_numbers.hpp"
 
 namespace stationary::support {
 
 /// f(h) = f(x + h w) as a column vector (or a number), slope = J w.
 template <class F, class Slope>
-testing::AssertionResult is_slope(const std::string& x, const F& f, const Slope& slope) {
+::testing::AssertionResult is_slope(const std::string& x, const F& f, const Slope& slope) {
   using std::log2;
   using std::sqrt;
   constexpr int first = -20;
@@ -37,13 +37,13 @@ testing::AssertionResult is_slope(const std::string& x, const F& f, const Slope&
   for (int k = first; k >= last; k -= stride) {
     const Real50 h = ldexp(Real50(1), k);
     const Real50 remainder = size(Slope(f(h) - start - slope * h));
-    if (!(remainder == remainder)) return testing::AssertionFailure() << x << ": NaN";
-    if (remainder <= scale * Real50("1e-44")) return testing::AssertionSuccess();
+    if (!(remainder == remainder)) return ::testing::AssertionFailure() << x << ": NaN";
+    if (remainder <= scale * Real50("1e-44")) return ::testing::AssertionSuccess();
     if (before > 0) {
       const double order = nearest(Real50(log2(before / remainder))) / stride;
       orders << " " << order;
       if (!(order >= least_order)) {
-        return testing::AssertionFailure()
+        return ::testing::AssertionFailure()
                << "\n  x          " << x << "\n  slope      " << slope << "\n  remainder  "
                << remainder << " at h = 2^" << k << "\n  orders    " << orders.str()
                << "\n  expected   2 or more";
@@ -51,7 +51,7 @@ testing::AssertionResult is_slope(const std::string& x, const F& f, const Slope&
     }
     before = remainder;
   }
-  return testing::AssertionSuccess();
+  return ::testing::AssertionSuccess();
 }
 
 }  // namespace stationary::support
