@@ -1,0 +1,80 @@
+// Commands, options, help, version; what the command line itself gets wrong ends with 2.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lib/potential.hpp"
+#include "tests/cli/program.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(CommandLine, NoCommandPrintsHelpAndFails) {
+  const Outcome outcome = run_program({});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.out, IsEmpty());
+  EXPECT_THAT(outcome.err, HasSubstr("Usage: stationary"));
+}
+
+TEST(CommandLine, HelpAndVersion) {
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {"--help"}, {"solve", "--help"}, {"check", "--help"}, {"models", "--help"}}) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.out, HasSubstr("Usage: stationary"));
+    EXPECT_THAT(outcome.err, IsEmpty());
+  }
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {"--version"}, {"solve", "--version"}, {"check", "--version"}}) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.out, ::testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  }
+}
+
+TEST(CommandLine, MisspeltCommandsAndOptions) {
+  struct Line {
+    std::vector<std::string> arguments;
+    const char* fragment;
+  };
+  const std::vector<Line> lines{
+      {{"slove", "x.toml"}, "unknown command \"slove\"; did you mean \"solve\"?"},
+      {{"modles"}, "did you mean \"models\"?"},
+      {{"solve", "x.toml", "--quite"}, "unknown option \"--quite\"; did you mean \"--quiet\"?"},
+      {{"solve", "x.toml", "--outptu=y"}, "did you mean \"--output\"?"},
+      {{"solve", "--thread"}, "did you mean \"--threads\"?"},
+      {{"solve"}, "CASE is required"},
+      {{"solve", "x.toml", "y.toml"}, "unknown argument \"y.toml\""},
+      {{"solve", "x.toml", "--threads", "0"}, "--threads"},
+      {{"solve", "x.toml", "--threads", "many"}, "--threads"},
+      {{"solve", "x.toml", "-o"}, "-o"},
+      {{"models", "hencki"}, "did you mean \"hencky\"?"},
+      {{""}, "stationary: "},
+  };
+  for (const Line& line : lines) {
+    const Outcome outcome = run_program(line.arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.out, IsEmpty());
+    EXPECT_THAT(outcome.err, HasSubstr(line.fragment));
+  }
+}
+
+TEST(Models, ListsAllOfThemWithFormulaParametersAndDomain) {
+  const Outcome outcome = run_program({"models"});
+  EXPECT_EQ(outcome.code, 0);
+  for (const ModelDescription& model : model_descriptions()) {
+    const Outcome one = run_program({"models", std::string(model.name)});
+    EXPECT_EQ(one.code, 0);
+    for (const std::string& text : {outcome.out, one.out}) {
+      EXPECT_THAT(text, HasSubstr(std::string(model.name)));
+      EXPECT_THAT(text, HasSubstr(std::string(model.formula)));
+      for (const auto inequality : model.domain)
+        EXPECT_THAT(text, HasSubstr(std::string(inequality)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stationary::testing

@@ -1,0 +1,52 @@
+// Runs the program as a user would: arguments in, exit code and both streams out.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stationary::testing {
+
+struct Outcome {
+  int code = -1;  ///< exit code, or 128 + signal
+  std::string out;
+  std::string err;
+};
+
+/// How the child is to differ from a plain run.
+struct RunOptions {
+  int pending_signal = 0;            ///< blocked and pending when the program starts
+  int kill_after_ms = -1;            ///< SIGKILL after so long
+  std::string standard_output = {};  ///< a file instead of a captured stream
+  std::string directory = {};        ///< to run in
+};
+
+Outcome run_program(const std::vector<std::string>& arguments, const RunOptions& options = {});
+
+/// A directory of its own, gone with the object.
+class TemporaryDirectory {
+ public:
+  TemporaryDirectory();
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+  ~TemporaryDirectory();
+
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::string path() const { return path_.string(); }
+  /// Writes a file in it and returns its path.
+  std::string file(const std::string& name, const std::string& text) const;
+  /// Names of what is in it, sorted.
+  std::vector<std::string> names() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string text_of(const std::string& path);
+
+/// A valid case; the text the malformed ones are made of.
+extern const char* const good_case;
+
+}  // namespace stationary::testing
