@@ -17,8 +17,13 @@
 // exported targets carry the flag.
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <type_traits>
+
+#include "lib/double_double_log_table.hpp"
 
 namespace stationary {
 
@@ -46,11 +51,11 @@ struct DoubleDouble {
 }
 
 /// (fl(a b), error), exact for |a|, |b| < 2^996 and |a b| >= 2^-968 or = 0, unless it overflows.
-[[gnu::always_inline]] inline DoubleDouble two_product(double a, double b) {
+[[gnu::always_inline]] constexpr DoubleDouble two_product(double a, double b) {
   const double p = a * b;
 #ifdef __FMA__
-  return {p, std::fma(a, b, -p)};
-#else
+  if (!std::is_constant_evaluated()) return {p, std::fma(a, b, -p)};
+#endif
   constexpr double split = 134217729.0;  // 2^27 + 1 (Dekker, Veltkamp)
   const double ca = split * a;
   const double a1 = ca - (ca - a);
@@ -59,7 +64,6 @@ struct DoubleDouble {
   const double b1 = cb - (cb - b);
   const double b2 = b - b1;
   return {p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2};
-#endif
 }
 
 [[gnu::always_inline]] constexpr DoubleDouble operator-(const DoubleDouble& x) {
@@ -89,29 +93,31 @@ struct DoubleDouble {
   return (-y) + x;
 }
 
-[[gnu::always_inline]] inline DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
+[[gnu::always_inline]] constexpr DoubleDouble operator*(const DoubleDouble& x,
+                                                        const DoubleDouble& y) {
   const DoubleDouble p = two_product(x.hi, y.hi);
   return {p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi)};
 }
-[[gnu::always_inline]] inline DoubleDouble operator*(const DoubleDouble& x, double y) {
+[[gnu::always_inline]] constexpr DoubleDouble operator*(const DoubleDouble& x, double y) {
   const DoubleDouble p = two_product(x.hi, y);
   return {p.hi, p.lo + x.lo * y};
 }
-[[gnu::always_inline]] inline DoubleDouble operator*(double x, const DoubleDouble& y) {
+[[gnu::always_inline]] constexpr DoubleDouble operator*(double x, const DoubleDouble& y) {
   return y * x;
 }
 
 /// The quotient of the heads, and its exact remainder over the whole divisor.
-[[gnu::always_inline]] inline DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
+[[gnu::always_inline]] constexpr DoubleDouble operator/(const DoubleDouble& x,
+                                                        const DoubleDouble& y) {
   const double q = x.hi / y.hi;
   const DoubleDouble p = two_product(q, y.hi);
   const double remainder = ((x.hi - p.hi) - p.lo) + x.lo - q * y.lo;
   return {q, remainder / (y.hi + y.lo)};
 }
-[[gnu::always_inline]] inline DoubleDouble operator/(const DoubleDouble& x, double y) {
+[[gnu::always_inline]] constexpr DoubleDouble operator/(const DoubleDouble& x, double y) {
   return x / DoubleDouble(y);
 }
-[[gnu::always_inline]] inline DoubleDouble operator/(double x, const DoubleDouble& y) {
+[[gnu::always_inline]] constexpr DoubleDouble operator/(double x, const DoubleDouble& y) {
   return DoubleDouble(x) / y;
 }
 
@@ -152,7 +158,40 @@ struct DoubleDouble {
 
 /// Natural logarithm of x > 0 (NaN below, -inf at 0): x = 2^k m, m r_i = 1 + z with r_i from a
 /// table of 128 reciprocals, |z| < 2^-7; log x = k log 2 - log r_i + log(1 + z).
-DoubleDouble log(const DoubleDouble& x);
+inline DoubleDouble log(const DoubleDouble& x) {
+  constexpr DoubleDouble log_two{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+  constexpr std::uint64_t first_interval = 0x3fe6000000000000;  // 0.6875, so that 1 needs no table
+  if (!(x.hi >= std::numeric_limits<double>::min()) ||
+      !(x.hi <= std::numeric_limits<double>::max())) {
+    return std::log(x.hi);  // zero, negative, subnormal, infinite, NaN
+  }
+  const auto bits = std::bit_cast<std::uint64_t>(x.hi);
+  const std::uint64_t offset = bits - first_interval;
+  const auto exponent = static_cast<int>(static_cast<std::int64_t>(offset) >> 52);
+  const LogRow& coarse = coarse_rows[(offset >> 45) & 127];
+  const double m = std::bit_cast<double>(bits - (offset & 0xfff0000000000000));
+  const double m_tail =
+      x.lo * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52);
+
+  // m r1 = 1 + z1, |z1| < 2^-7; then (1 + z1) r2 = 1 + z, |z| < 2^-14.9.
+  const DoubleDouble p1 = two_product(m, coarse.reciprocal);
+  const double p1_tail = p1.lo + m_tail * coarse.reciprocal;
+  // Adding 1.5 * 2^52 leaves the nearest integer in the low bits.
+  const auto j = std::bit_cast<std::uint64_t>((p1.hi - 1.0) * 0x1p14 + (0x1.8p52 + 128.0));
+  const LogRow& fine = fine_rows[j & 0x1ff];
+  const DoubleDouble p2 = two_product(p1.hi, fine.reciprocal);
+  const DoubleDouble z = two_sum(p2.hi - 1.0, p2.lo + p1_tail * fine.reciprocal);
+
+  // log(1 + z) = z - z^2/2 + z^3 (1/3 - z/4 + z^2/5 - z^3/6 + ...): the cube is below 2^-46.
+  const double h = z.hi;
+  const double cubic = h * h * h * (1.0 / 3.0 - h * (0.25 - h * (0.2 - h * (1.0 / 6.0))));
+  const DoubleDouble square = z * z;
+  const DoubleDouble logarithm_1p = z + DoubleDouble(-0.5 * square.hi, -0.5 * square.lo) + cubic;
+  const DoubleDouble table =
+      DoubleDouble(coarse.head, coarse.tail) + DoubleDouble(fine.head, fine.tail);
+  if (exponent == 0) return table + logarithm_1p;
+  return log_two * static_cast<double>(exponent) + (table + logarithm_1p);
+}
 
 }  // namespace stationary
 

@@ -11,7 +11,7 @@ struct LogRow {
 // clang-format off
 // Reciprocals r and -log r (head, tail): 128 over [0.6875, 1.375) by the leading seven bits above
 // 0.6875, then 257 of 1 + j 2^-14, |j| <= 128. tests/lib/double_double_test.cpp checks each row.
-constexpr LogRow coarse_rows[128] = {
+inline constexpr LogRow coarse_rows[128] = {
     {0x1.734f0c541fe8dp+0, -0x1.7cc7f7db46a0ep-2, -0x1.e3c7fdc323c2dp-56},
     {0x1.713786d9c7c09p+0, -0x1.76feecb947176p-2, 0x1.398d9eb4ea363p-56},
     {0x1.6f26016f26017p+0, -0x1.713e33a46a17cp-2, 0x1.f6cf40b5c71a6p-57},
@@ -141,7 +141,7 @@ constexpr LogRow coarse_rows[128] = {
     {0x1.77908119ac60dp-1, 0x1.3d54fa5c1f710p-2, 0x1.53668e578d9cdp-58},
     {0x1.756cac201756dp-1, 0x1.432ef2a04e813p-2, -0x1.83262e2b59206p-57},
 };
-constexpr LogRow fine_rows[257] = {
+inline constexpr LogRow fine_rows[257] = {
     {0x1.0204081020408p+0, -0x1.010157588de69p-7, -0x1.46662d417cecep-62},
     {0x1.01fff7f000408p+0, -0x1.fdfaa6b126789p-8, -0x1.18cbe98e72fe4p-64},
     {0x1.01fbe7f0a1be7p+0, -0x1.f9f2aef170209p-8, 0x1.a7e8932a9778ap-63},

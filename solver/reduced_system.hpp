@@ -103,11 +103,13 @@ struct PlanarSystem {
     return {-double(rates.xi) * x[0] * x[0], -double(rates.zeta) * x[1] * x[1]};
   }
 
+  /// w_l is left out: at a solution it is the difference of terms that are in, and without it a
+  /// Jacobian needs no logarithm.
   template <class Vector>
   static double planar_magnitude(const PlanarDerivatives<double>& w, const Vector& x,
                                  const CentrifugalRates<double>& c) {
     const double t = x[0] + x[1];
-    return t * (std::abs(w.w_t) + t * std::abs(w.w_tt) + 2.0 * std::abs(w.w_tl)) + std::abs(w.w_l) +
+    return t * (std::abs(w.w_t) + t * std::abs(w.w_tt) + 2.0 * std::abs(w.w_tl)) +
            std::abs(w.w_ll) + 2.0 * (c.xi * x[0] * x[0] + c.zeta * x[1] * x[1]);
   }
 };

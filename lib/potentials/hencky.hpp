@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <type_traits>
 
 #include "lib/potentials/derivatives.hpp"
 #include "lib/stretch.hpp"
@@ -21,6 +22,23 @@ struct AtanhRatio {
   S b;
   S b_x = poison<S>();
 };
+
+/// 1/(2 k + 1) in S, 0 <= k < 128 from a table where S is one of the solver's own types: the series
+/// is in the warm path, and a division is what it would spend its time on.
+template <class S>
+S odd_reciprocal(int k) {
+  if constexpr (std::is_same_v<S, double> || std::is_same_v<S, DoubleDouble>) {
+    static constexpr auto table = [] {
+      std::array<S, 128> out{};
+      for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = S(1.0) / S(2.0 * static_cast<double>(i) + 1.0);
+      return out;
+    }();
+    return table[static_cast<std::size_t>(k)];
+  } else {
+    return S(1.0) / S(2.0 * k + 1.0);
+  }
+}
 
 /// Below x = 1/4 the series sum x^k/(2k+1), its length chosen from x; above it, where nothing
 /// cancels by more than a factor of ten, B from a logarithm and x B' = (1/(1 - x) - B)/2. A value
@@ -37,11 +55,11 @@ AtanhRatio<S> atanh_ratio(const PlanarInvariants<S>& q, const S& x, const S& one
   if (size < series_below) {
     const int bits_per_term = size > 0.0 ? -std::ilogb(size) - 1 : bits;
     const int last = bits / (bits_per_term < 1 ? 1 : bits_per_term) + 1;
-    S b = S(1.0 / (2 * last + 1));
+    S b = odd_reciprocal<S>(last);
     S b_x = S(0.0);
     for (int k = last - 1; k >= 0; --k) {
       if constexpr (order >= 2) b_x = b_x * x + b;
-      b = b * x + S(1.0) / S(2.0 * k + 1.0);
+      b = b * x + odd_reciprocal<S>(k);
     }
     out.b = b;
     if constexpr (order >= 2) out.b_x = b_x;
