@@ -161,7 +161,7 @@ Case::Solve read_solve(const CaseTree& tree) {
 }
 
 std::string read_parameter(const CaseTree& tree, const std::vector<ModelChoice>& models) {
-  const std::string found = value_or<std::string>(tree, "continuation.parameter", "");
+  std::string found = value_or<std::string>(tree, "continuation.parameter", "");
   if (found == "motion.nu") return "nu";  // the dotted key of the same number
   const std::vector<std::string> valid = case_parameters(models);
   if (std::ranges::find(valid, found) != valid.end()) return found;
@@ -243,14 +243,18 @@ Case make_case(CaseTree tree) {
   const Case::Motion motion{
       branch_from_name(value_or<std::string>(tree, "motion.branch", "")).value_or(Branch::i),
       value_or(tree, "motion.nu", 0.0)};
-  return {.title = value_or<std::string>(tree, "title", ""),
+  const std::string title = value_or<std::string>(tree, "title", "");
+  const Case::Solve solve = read_solve(tree);
+  const auto continuation = read_continuation(tree, {body, models, motion.nu});
+  const Case::Output output = read_output(tree);
+  return {.title = title,
           .body = body,
           .models = models,
           .potential = make_potential(models),
           .motion = motion,
-          .solve = read_solve(tree),
-          .continuation = read_continuation(tree, {body, models, motion.nu}),
-          .output = read_output(tree),
+          .solve = solve,
+          .continuation = continuation,
+          .output = output,
           .source = std::move(tree)};
 }
 

@@ -104,8 +104,9 @@ void CaseTree::override_key(std::string_view text) {
     if (toml::table* table = at->as_table()) {
       key = dotted(key, segment);
       if (last) {
-        parsed.get("value")->visit(
-            [&](auto&& value) { table->insert_or_assign(segment, std::move(value)); });
+        std::move(*parsed.get("value")).visit([&](auto&& value) {
+          table->insert_or_assign(segment, std::forward<decltype(value)>(value));
+        });
       } else if (!table->contains(segment)) {
         table->insert(segment, toml::table());
         set_origin(key, assignment.origin);
@@ -116,7 +117,9 @@ void CaseTree::override_key(std::string_view text) {
       key = dotted(key, std::to_string(index));
       const auto place = array->begin() + static_cast<std::ptrdiff_t>(index);
       if (last) {
-        parsed.get("value")->visit([&](auto&& value) { array->replace(place, std::move(value)); });
+        std::move(*parsed.get("value")).visit([&](auto&& value) {
+          array->replace(place, std::forward<decltype(value)>(value));
+        });
       }
       at = array->get(index);
     } else {

@@ -59,6 +59,7 @@ Outcome run_program(const std::vector<std::string>& arguments, const RunOptions&
   std::vector<std::string> all{"stationary"};
   all.insert(all.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(all.size() + 1);
   for (std::string& each : all) pointers.push_back(each.data());
   pointers.push_back(nullptr);
 
@@ -91,7 +92,7 @@ TemporaryDirectory::~TemporaryDirectory() {
 }
 
 std::string TemporaryDirectory::file(const std::string& name, const std::string& text) const {
-  const std::string path = *this / name;
+  std::string path = *this / name;
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }
