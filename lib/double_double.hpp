@@ -148,8 +148,14 @@ struct DoubleDouble {
   return double(x) < 0.0 ? -x : x;
 }
 
+/// The same number with |lo| <= ulp(hi)/2: needed where a sum may have cancelled its heads.
+[[gnu::always_inline]] constexpr DoubleDouble renormalized(const DoubleDouble& x) {
+  return two_sum(x.hi, x.lo);
+}
+
 /// Square root of x >= 0 (NaN below).
-[[gnu::always_inline]] inline DoubleDouble sqrt(const DoubleDouble& x) {
+[[gnu::always_inline]] inline DoubleDouble sqrt(const DoubleDouble& y) {
+  const DoubleDouble x = renormalized(y);
   if (x.hi == 0.0) return {};
   const double r = std::sqrt(x.hi);
   const DoubleDouble square = two_product(r, r);

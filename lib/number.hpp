@@ -28,6 +28,12 @@ template <class T>
 requires requires(const T& x) { x.template convert_to<double>(); }
 double leading(const T& x) { return x.template convert_to<double>(); }
 
+/// Only pairs need it (double_double.hpp); any other number is itself.
+template <class T>
+constexpr const T& renormalized(const T& x) {
+  return x;
+}
+
 /// The type of a coefficient times a state: the coefficient may be the wider one (a derivative in
 /// it).
 template <class C, class S>

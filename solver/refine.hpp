@@ -17,6 +17,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/conditioned.hpp"
 #include "solver/reduced_system.hpp"
 
 namespace stationary {
@@ -45,14 +46,6 @@ ReducedVector<N> ones() {
   ReducedVector<N> out;
   for (int i = 0; i < N; ++i) out[i] = 1.0;
   return out;
-}
-
-/// e from e = b + kappa e^2: the linear bound b made to hold where curvature matters. Beyond the
-/// smaller root's existence (4 kappa b > 1: a fold within the bound) the distance to the fold.
-inline double with_curvature(double b, double kappa) {
-  const double discriminant = 1.0 - 4.0 * kappa * b;
-  return discriminant > 0.0 ? 2.0 * b / (1.0 + std::sqrt(discriminant))
-                            : 0.5 / kappa + std::sqrt(b / kappa);
 }
 
 /// Corrects x in place. bound = false leaves error_bound NaN and evaluates nothing for it.

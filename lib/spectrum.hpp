@@ -1,0 +1,63 @@
+// Eigenvalues s = +-sqrt(Lambda) of the linearized dynamics at a stationary ellipsoid, what they and
+// the second variation of E = H - kappa |pi|^2/2 say of its stability.
+//
+//   stable       E'' definite (positive) on the leaf, reduced by the material symmetry where J1 = J2;
+//                on the circle of (iii) also where E'' + c (P -+ |pi|)'' is, P the material momentum
+//   elliptic     all eigenvalues imaginary and semisimple, E'' indefinite: spectrally stable only
+//   unstable     a real pair (also where a quadruple is present)
+//   oscillatory  a complex quadruple, no real pair
+//   marginal     the error bounds do not decide: a Lambda not forced to zero contains zero, or two of
+//                opposite signature in one block may meet
+//
+// A class is a claim: it is made only where the bound of every Lambda supports it. Zeros that a
+// symmetry forces are exactly zero and no obstacle. Krein signature: sign of E'' on an imaginary mode.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "lib/conditioned.hpp"
+#include "lib/linearization.hpp"
+
+namespace stationary {
+
+enum class StabilityClass { stable, elliptic, unstable, oscillatory, marginal };
+constexpr std::string_view stability_names[] = {"stable", "elliptic", "unstable", "oscillatory",
+                                                "marginal"};
+constexpr std::string_view name(StabilityClass c) { return stability_names[static_cast<int>(c)]; }
+
+/// One representative s = re + i im of a +- pair, re >= 0, im >= 0; a quadruple fills two modes.
+struct Mode {
+  double re = 0.0;
+  double im = 0.0;
+  int krein = 0;  ///< +1, -1; 0: not imaginary, zero, or not decided
+  double lambda_re = 0.0;
+  double lambda_im = 0.0;     ///< >= 0
+  double lambda_error = 0.0;  ///< bound of |change in Lambda| (see block_spectrum); 0 where forced
+  bool forced_zero = false;   ///< a symmetry's
+};
+
+struct Spectrum {
+  StabilityClass verdict = StabilityClass::marginal;
+  double growth = 0.0;  ///< largest real part; exactly 0 where the class claims none
+  int negative = 0;     ///< negative directions of E'' on the leaf (10 dimensions; 8 at nu = 0)
+  int modes = 0;        ///< 5, or 4 at nu = 0 and in the two-polar family
+  std::array<Mode, 5> mode;  ///< ascending in im, then re
+};
+
+/// What a block path needs beside the state.
+struct BlockFacts {
+  Branch branch;
+  bool material_symmetry;  ///< J1 = J2 and V isotropic
+  bool rho_coupled;        ///< V_xr or V_zr not identically zero
+  /// Relative uncertainty of every input of the Conditioned state (q, nu, J, coefficients): the
+  /// larger of the equilibrium's error bound and 2^-53.
+  double uncertainty;
+};
+
+/// From the same state in extended precision (values) and with its conditioning (bounds).
+/// alpha = 0, V isotropic. nu = 0 is taken from omega == 0.
+Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDouble>& state,
+                        const StraightState<Conditioned>& conditioned);
+
+}  // namespace stationary

@@ -1,0 +1,15 @@
+// The spectrum of a solved equilibrium: q is brought to extended precision by one more correction
+// with the solve's own residual, then lib's block forms are evaluated there.
+#pragma once
+
+#include "lib/spectrum.hpp"
+#include "solver/equilibrium.hpp"
+#include "solver/problem.hpp"
+
+namespace stationary {
+
+/// Throws std::invalid_argument unless the equilibrium is solved. Its error_bound (NaN counts as
+/// 1e-15) is the uncertainty of the inputs that bounds and classes allow for.
+Spectrum stability(const Problem& problem, const Equilibrium& equilibrium);
+
+}  // namespace stationary
