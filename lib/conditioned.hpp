@@ -6,7 +6,8 @@
 // carried through + - * / sqrt log by the triangle inequality. The templates of this library,
 // evaluated in it, say how far each coefficient of a characteristic polynomial can be trusted,
 // cancellation included, for inputs (and rounding errors) of relative size u.
-// A double multiplied in counts as an input too (a material coefficient); one added does not (1, 2, ...).
+// A double multiplied in counts as an input too (a material coefficient); one added does not (1, 2,
+// ...).
 #pragma once
 
 #include <cmath>
@@ -40,9 +41,7 @@ inline Conditioned operator/(const Conditioned& x, const Conditioned& y) {
   const double q = x.value / y.value;
   return {q, (x.condition + std::abs(q) * y.condition) / std::abs(y.value)};
 }
-inline Conditioned operator*(double c, const Conditioned& x) {
-  return Conditioned::input(c) * x;
-}
+inline Conditioned operator*(double c, const Conditioned& x) { return Conditioned::input(c) * x; }
 inline Conditioned operator*(const Conditioned& x, double c) { return c * x; }
 inline Conditioned operator/(const Conditioned& x, double c) { return x / Conditioned::input(c); }
 inline Conditioned operator/(double c, const Conditioned& x) { return Conditioned::input(c) / x; }

@@ -134,4 +134,30 @@ Vector7<S> steady_momenta(const Body& body, const BasicStretch<S>& q, const Vect
   return legendre(body, q, v);
 }
 
+/// d(steady_momenta)/dq at fixed nu, 7x4: linear in q.
+template <class S>
+Eigen::Matrix<S, 7, 4> steady_momenta_jacobian(const Body& body, const BasicStretch<S>& q,
+                                               const Vector3<S>& nu) {
+  const double J1 = body.J1;
+  const double J2 = body.J2;
+  const S h = J1 * q.xi + J2 * q.zeta;
+  Eigen::Matrix<S, 7, 4> N = Eigen::Matrix<S, 7, 4>::Constant(S(0.0));
+  N(0, 0) = 2.0 * J1 * q.alpha * nu[0] - h * nu[1];
+  N(0, 1) = -(J1 * q.alpha * nu[1]);
+  N(0, 2) = 2.0 * J2 * q.zeta * nu[0] - J2 * q.alpha * nu[1];
+  N(0, 3) = 2.0 * body.J3 * q.rho * nu[0];
+  N(1, 0) = 2.0 * J2 * q.alpha * nu[1] - h * nu[0];
+  N(1, 1) = 2.0 * J1 * q.xi * nu[1] - J1 * q.alpha * nu[0];
+  N(1, 2) = -(J2 * q.alpha * nu[0]);
+  N(1, 3) = 2.0 * body.J3 * q.rho * nu[1];
+  N(2, 0) = 2.0 * (J1 + J2) * q.alpha * nu[2];
+  N(2, 1) = 2.0 * J1 * q.xi * nu[2];
+  N(2, 2) = 2.0 * J2 * q.zeta * nu[2];
+  N(3, 1) = -(J1 * nu[2]);
+  N(3, 2) = J2 * nu[2];
+  N(4, 0) = J1 * nu[2];
+  N(5, 0) = -(J2 * nu[2]);
+  return N;
+}
+
 }  // namespace stationary

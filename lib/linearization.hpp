@@ -1,9 +1,10 @@
 // The linearized reduced dynamics at a stationary ellipsoid with alpha = 0, in blocks (reflections
 // split it wherever V_alpha,xi = V_alpha,zeta = V_alpha,rho = 0: every isotropic V). Lambda = s^2.
 //
-// z = (pi, q, p):  pi' = nu x pi,  q' = dH/dp,  p' = -dH/dq,  nu = dH/dpi     (Lie-Poisson; the paper
-// prints pi' = pi x nu, which gives wrong spectra in (i), (ii): README, errata). On the leaf |pi| = const,
-// with omega the spin, I1 = J2 zeta^2 + J3 rho^2, I2 = J1 xi^2 + J3 rho^2, I3 = J1 xi^2 + J2 zeta^2:
+// z = (pi, q, p):  pi' = nu x pi,  q' = dH/dp,  p' = -dH/dq,  nu = dH/dpi     (Lie-Poisson; the
+// paper prints pi' = pi x nu, which gives wrong spectra in (i), (ii): README, errata). On the leaf
+// |pi| = const, with omega the spin, I1 = J2 zeta^2 + J3 rho^2, I2 = J1 xi^2 + J3 rho^2, I3 = J1
+// xi^2 + J2 zeta^2:
 //
 // (i) even (xi, zeta, rho):  diag(J1, J2, J3) x'' + K x = 0,
 //       K = V_xx - omega^2 diag(0, J2, J3) + (4 omega^2/I1) u u^T,  u = (0, J2 zeta, J3 rho)
@@ -20,8 +21,8 @@
 // (iii) even (alpha, xi, zeta[, rho]), gyroscopic: M x'' + G x' + K x = 0,
 //       M = diag(D/I3, J1, J2[, J3]),  G_xi,alpha = 2 omega J1 J2 zeta (xi+zeta)/I3,
 //       G_zeta,alpha = -2 omega J1 J2 xi (xi+zeta)/I3,
-//       K_aa = V_aa - omega^2 (J1+J2),  K = V_xx - omega^2 diag(J1, J2[, 0]) + (4 omega^2/I3) w w^T,
-//       w = (J1 xi, J2 zeta[, 0]).  Where V is separable rho stands alone: Lambda = -V_rr/J3.
+//       K_aa = V_aa - omega^2 (J1+J2),  K = V_xx - omega^2 diag(J1, J2[, 0]) + (4 omega^2/I3) w
+//       w^T, w = (J1 xi, J2 zeta[, 0]).  Where V is separable rho stands alone: Lambda = -V_rr/J3.
 // omega = 0 in (iii) is the state of rest, on its 8-dimensional leaf.
 //
 // Everything is a template on the scalar; characteristic polynomials are formed by the caller's
@@ -131,9 +132,10 @@ struct OddForms {
   }
 };
 
-/// For (ii) give the exchanged state. det_Q1 = [kappa (I1 - I2) - h^2 omega^2]/(I1 I2), kappa = V_aa -
-/// J1 omega^2; det P = pi1^2 (I1 - I3)/(I1 D): zeros where other axes branch off, in the plane and
-/// tilted. For isotropic V kappa (I1 - I2) - h^2 omega^2 = omega^2 J2 (J1 - J2) zeta^2 (xi+zeta)/(xi-zeta).
+/// For (ii) give the exchanged state. det_Q1 = [kappa (I1 - I2) - h^2 omega^2]/(I1 I2), kappa =
+/// V_aa - J1 omega^2; det P = pi1^2 (I1 - I3)/(I1 D): zeros where other axes branch off, in the
+/// plane and tilted. For isotropic V kappa (I1 - I2) - h^2 omega^2 = omega^2 J2 (J1 - J2) zeta^2
+/// (xi+zeta)/(xi-zeta).
 template <class S>
 OddForms<S> odd_forms_i(const StraightState<S>& s) {
   const S I1 = s.I1();
@@ -214,8 +216,7 @@ struct GyroscopicBlock {
     const auto b = rest.diagonal(0);
     const auto c = rest.diagonal(1);
     const auto r = rest.diagonal(2);
-    return rest.characteristic() + characteristic() +
-           a * (b * r - constant(S(K[0][2] * K[0][2]))) +
+    return rest.characteristic() + characteristic() + a * (b * r - constant(S(K[0][2] * K[0][2]))) +
            a * (c * r - constant(S(K[1][2] * K[1][2]))) +
            raised(S(G_xi * G_xi + G_zeta * G_zeta) * r);
   }

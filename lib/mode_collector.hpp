@@ -85,14 +85,22 @@ class ModeCollector {
     complex_ = true;
   }
 
+  /// A pair that may be real or complex: two modes, nothing claimed.
+  void add_undecided(double re, double im, double error) {
+    const bool claimed = complex_;
+    add_complex(re, im, error);
+    complex_ = claimed;
+    undecided_ = true;
+  }
+
   void add_forced_zero() {
     Mode m;
     m.forced_zero = true;
     push(m);
   }
 
-  /// The two roots of one quadratic factor. `collision_possible`: opposite signatures may meet here;
-  /// krein(lambda) is the signature of a simple imaginary mode.
+  /// The two roots of one quadratic factor. `collision_possible`: opposite signatures may meet
+  /// here; krein(lambda) is the signature of a simple imaginary mode.
   template <int D, class S, class Krein>
   void add_pair(const RootPair<S>& pair, const UncertainPolynomial<D>& p, bool collision_possible,
                 const Krein& krein) {
@@ -103,8 +111,7 @@ class ModeCollector {
     if (close && collision_possible) {
       const double error = merging + std::sqrt(std::abs(separation));
       if (separation < 0.0) {
-        add_complex(mean, std::sqrt(-separation), error);
-        complex_ = false;  // not claimed
+        add_undecided(mean, std::sqrt(-separation), error);
       } else {
         add_real(leading(pair.small), error, 0);
         add_real(leading(pair.large), error, 0);
@@ -120,8 +127,8 @@ class ModeCollector {
     for (const S& root : {pair.small, pair.large}) {
       const double lambda = leading(root);
       // Close roots that cannot leave the axis are known as well as their double root is.
-      const double error = close ? merging + std::sqrt(std::fmax(separation, 0.0))
-                                 : p.root_error(lambda);
+      const double error =
+          close ? merging + std::sqrt(std::fmax(separation, 0.0)) : p.root_error(lambda);
       add_real(lambda, error, krein(root));
     }
   }
@@ -148,8 +155,8 @@ class ModeCollector {
     } else if (complex_) {
       out.verdict = StabilityClass::oscillatory;
     } else {
-      out.verdict = definite_ || definite_with_momentum_ ? StabilityClass::stable
-                                                         : StabilityClass::elliptic;
+      out.verdict =
+          definite_ || definite_with_momentum_ ? StabilityClass::stable : StabilityClass::elliptic;
     }
     if (real_ || out.verdict == StabilityClass::oscillatory)
       for (int k = 0; k < count_; ++k) out.growth = std::fmax(out.growth, modes_[index(k)].re);

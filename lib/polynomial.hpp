@@ -2,8 +2,8 @@
 //
 // The roots start in double and are polished in S by Newton on the polynomial itself (a real root)
 // or on a quadratic factor (Bairstow), so two roots that all but coincide stay one well-conditioned
-// factor: in extended precision their distance is resolved to about 1e-15 of their size. Small roots
-// keep their relative accuracy as far as the coefficients carry it.
+// factor: in extended precision their distance is resolved to about 1e-15 of their size. Small
+// roots keep their relative accuracy as far as the coefficients carry it.
 #pragma once
 
 #include <array>
@@ -126,8 +126,8 @@ CubicRoots<S> cubic_roots(const Polynomial<S, 3>& p) {
   const Polynomial<S, 3> monic{{p.c[0] * inverse, p.c[1] * inverse, p.c[2] * inverse, S(1.0)}};
   const Polynomial<double, 3> rough{
       {leading(monic.c[0]), leading(monic.c[1]), leading(monic.c[2]), 1.0}};
-  // Newton from beyond the isolated root's side of the inflection, where it converges monotonically:
-  // y^3 + P y + Q in y = x - inflection has its isolated root on the side of -Q.
+  // Newton from beyond the isolated root's side of the inflection, where it converges
+  // monotonically: y^3 + P y + Q in y = x - inflection has its isolated root on the side of -Q.
   const S inflection = -monic.c[2] / S(3.0);
   const double Q = leading(monic(inflection));
   const double P = leading(monic.slope(inflection));
@@ -194,7 +194,8 @@ QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
   for (int sweep = 0; sweep < 200; ++sweep) {
     double moved = 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
-      const Complex value = (((z[i] + rough[3]) * z[i] + rough[2]) * z[i] + rough[1]) * z[i] + rough[0];
+      const Complex value =
+          (((z[i] + rough[3]) * z[i] + rough[2]) * z[i] + rough[1]) * z[i] + rough[0];
       Complex others = 1.0;
       for (std::size_t j = 0; j < 4; ++j)
         if (j != i) others *= z[i] - z[j];

@@ -125,8 +125,7 @@ int add_even_iii(const StraightState<Extended>& s, const StraightState<Condition
   const double u = facts.uncertainty;
   GyroscopicBlock<Extended> block = even_block_iii(s);
   GyroscopicBlock<Conditioned> conditioned = even_block_iii(c);
-  if (facts.material_symmetry ||
-      (leading(s.omega) == 0.0 && leading(s.xi) != leading(s.zeta))) {
+  if (facts.material_symmetry || (leading(s.omega) == 0.0 && leading(s.xi) != leading(s.zeta))) {
     // The direction of the material symmetry (at rest V alone counts, and V is isotropic).
     block.K_alpha = Extended(0.0);
     conditioned.K_alpha = Conditioned(0.0);
@@ -186,9 +185,10 @@ int add_even_iii(const StraightState<Extended>& s, const StraightState<Condition
   return negative;
 }
 
-/// (iii), even, on the circle xi = zeta (J1 = J2): breathing (with rho where coupled) apart from the
-/// two shears, which in the plane (xi - zeta, 2 alpha) are an isotropic oscillator seen from a frame
-/// turning at omega: s = i (omega +- Omega), Omega^2 = omega^2 + K_aa/(2 J), energies (Omega +- omega).
+/// (iii), even, on the circle xi = zeta (J1 = J2): breathing (with rho where coupled) apart from
+/// the two shears, which in the plane (xi - zeta, 2 alpha) are an isotropic oscillator seen from a
+/// frame turning at omega: s = i (omega +- Omega), Omega^2 = omega^2 + K_aa/(2 J), energies (Omega
+/// +- omega).
 int add_circle(const StraightState<Extended>& s, const StraightState<Conditioned>& c,
                const BlockFacts& facts, ModeCollector& out) {
   const double u = facts.uncertainty;
@@ -203,8 +203,7 @@ int add_circle(const StraightState<Extended>& s, const StraightState<Conditioned
     const Extended b = (breathing / s.J.J1) + (s.V_rr / s.J.J3);
     const Extended coupling = 2.0 * (s.V_xr * s.V_xr);
     const Extended det = (breathing * s.V_rr - coupling) / (s.J.J1 * s.J.J3);
-    const Conditioned det_c =
-        (breathing_c * c.V_rr - 2.0 * (c.V_xr * c.V_xr)) / (c.J.J1 * c.J.J3);
+    const Conditioned det_c = (breathing_c * c.V_rr - 2.0 * (c.V_xr * c.V_xr)) / (c.J.J1 * c.J.J3);
     const Conditioned b_c = breathing_c / c.J.J1 + c.V_rr / c.J.J3;
     const UncertainPolynomial<2> uncertain(
         Polynomial<Conditioned, 2>{{det_c, b_c, Conditioned(1.0)}}, u);
@@ -233,12 +232,14 @@ int add_circle(const StraightState<Extended>& s, const StraightState<Conditioned
     out.add_real(-fast * fast, 2.0 * fast * spread_fast, 1);
     // At slow = 0 the ellipse leaves the circle; the pair touches zero and does not cross.
     const bool decided = std::abs(slow) > spread_slow;
-    out.add_real(-slow * slow, decided ? 2.0 * std::abs(slow) * spread_slow : spread_slow * spread_slow,
+    out.add_real(-slow * slow,
+                 decided ? 2.0 * std::abs(slow) * spread_slow : spread_slow * spread_slow,
                  sign(slow));
-    // E'' + c (P - |pi|)'' > 0: -(Omega + omega)/2 < c < (Omega - omega)/2 and c < omega (I3/I1 - 1).
+    // E'' + c (P - |pi|)'' > 0: -(Omega + omega)/2 < c < (Omega - omega)/2 and c < omega (I3/I1 -
+    // 1).
     const Conditioned ratio = c.I3() / c.I1() - Conditioned(1.0);
-    const Conditioned margin = Conditioned(fast, spread_fast / u) * Conditioned(0.5) +
-                               Conditioned::input(w) * ratio;
+    const Conditioned margin =
+        Conditioned(fast, spread_fast / u) * Conditioned(0.5) + Conditioned::input(w) * ratio;
     if (w > 0.0 && positive(margin, u)) out.set_definite_with_momentum();
   } else if (leading(Omega2) < -spread_2) {
     const double rate = std::sqrt(-leading(Omega2));
@@ -275,8 +276,7 @@ Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDoubl
   } else {
     if (!at_rest) negative += add_odd_iii(state, conditioned, u, out);
     if (!facts.rho_coupled) negative += add_rho(state, conditioned, u, out);
-    const bool circle =
-        facts.material_symmetry && leading(state.xi) == leading(state.zeta);
+    const bool circle = facts.material_symmetry && leading(state.xi) == leading(state.zeta);
     negative += circle ? add_circle(state, conditioned, facts, out)
                        : add_even_iii(state, conditioned, facts, out);
   }

@@ -28,13 +28,13 @@ std::array<DoubleDouble, System::dimension> extended_solution(
 }
 
 template <class Model>
-std::array<DoubleDouble, 3> extended_q(const Model& model, const Problem& problem,
-                                       const Stretch& q, double nu) {
+std::array<DoubleDouble, 3> extended_q(const Model& model, const Problem& problem, const Stretch& q,
+                                       double nu) {
   const auto rates = problem.rates(two_product(nu, nu));
   if constexpr (requires { model.plane; }) {
-    const auto x = extended_solution(
-        PlanarSystem<std::decay_t<decltype(model.plane)>>{model.plane, rates},
-        ReducedVector<2>(q.xi, q.zeta));
+    const auto x =
+        extended_solution(PlanarSystem<std::decay_t<decltype(model.plane)>>{model.plane, rates},
+                          ReducedVector<2>(q.xi, q.zeta));
     const auto rho = extended_solution(
         ThicknessSystem<std::decay_t<decltype(model.thickness)>>{model.thickness, rates.rho},
         ReducedVector<1>(q.rho));
