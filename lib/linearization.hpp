@@ -251,4 +251,36 @@ GyroscopicBlock<S> even_block_iii(const StraightState<S>& s) {
   return out;
 }
 
+/// Two-polar family (J1 = J2 = J), lambda != mu, in (lambda, mu, rho) at fixed s3 and p_theta:
+/// masses (J, J, J3), stiffness V_xx + T_xx. The state's xi, zeta, omega are lambda, mu, omega.
+template <class S>
+SymmetricPencil<S> two_polar_pencil(const StraightState<S>& s, const S& theta_dot) {
+  const S own = 3.0 * (s.J.J1 * (s.omega * s.omega + theta_dot * theta_dot));
+  const S mixed = 6.0 * (s.J.J1 * (s.omega * theta_dot));
+  SymmetricPencil<S> out{{s.J.J1, s.J.J1, s.J.J3}, {}};
+  out.K[0][0] = s.V_xx + own;
+  out.K[1][1] = s.V_zz + own;
+  out.K[0][1] = s.V_xz + mixed;
+  out.K[0][2] = s.V_xr;
+  out.K[1][2] = s.V_zr;
+  out.K[2][2] = s.V_rr;
+  return out;
+}
+
+/// Its wobble (s1, s2): Lambda = -a b with a = omega - s3/I1, b = omega - s3/I2; energies -a, -b
+/// times s3 (halves of squares over s3^2).
+template <class S>
+struct TwoPolarWobble {
+  S a;
+  S b;
+  S s3;
+};
+
+template <class S>
+TwoPolarWobble<S> two_polar_wobble(const StraightState<S>& s, const S& theta_dot) {
+  const S s3 =
+      s.J.J1 * ((s.xi * s.xi + s.zeta * s.zeta) * s.omega + 2.0 * (s.xi * s.zeta * theta_dot));
+  return {s.omega - s3 / s.I1(), s.omega - s3 / s.I2(), s3};
+}
+
 }  // namespace stationary

@@ -41,11 +41,12 @@ double pencil_error(const SymmetricPencil<Conditioned>& pencil, double u) {
   return worst;
 }
 
-/// (i), even: three real Lambda, all energies +1 where imaginary. Returns the negative directions.
-int add_even_i(const StraightState<Extended>& s, const StraightState<Conditioned>& c, double u,
-               ModeCollector& out) {
-  const CubicRoots<Extended> roots = cubic_roots(even_pencil_i(s).characteristic());
-  const double error = pencil_error(even_pencil_i(c), u);
+/// A symmetric block: three real Lambda, all energies +1 where imaginary. Returns the negative
+/// directions.
+int add_symmetric(const SymmetricPencil<Extended>& pencil,
+                  const SymmetricPencil<Conditioned>& conditioned, double u, ModeCollector& out) {
+  const CubicRoots<Extended> roots = cubic_roots(pencil.characteristic());
+  const double error = pencil_error(conditioned, u);
   int negative = 0;
   for (const Extended& root : {roots.single, roots.pair.small, roots.pair.large}) {
     const double lambda = leading(root);
@@ -271,7 +272,7 @@ Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDoubl
     const bool second = facts.branch == Branch::ii;
     const auto s = second ? state.exchanged() : state;
     const auto c = second ? conditioned.exchanged() : conditioned;
-    negative += add_even_i(s, c, u, out);
+    negative += add_symmetric(even_pencil_i(s), even_pencil_i(c), u, out);
     negative += add_odd_i(s, c, facts.material_symmetry, u, out);
   } else {
     if (!at_rest) negative += add_odd_iii(state, conditioned, u, out);
@@ -279,6 +280,29 @@ Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDoubl
     const bool circle = facts.material_symmetry && leading(state.xi) == leading(state.zeta);
     negative += circle ? add_circle(state, conditioned, facts, out)
                        : add_even_iii(state, conditioned, facts, out);
+  }
+  out.set_negative(negative);
+  return out.finish();
+}
+
+Spectrum two_polar_spectrum(const StraightState<DoubleDouble>& state, const DoubleDouble& theta_dot,
+                            const StraightState<Conditioned>& conditioned,
+                            const Conditioned& theta_dot_conditioned, double uncertainty) {
+  ModeCollector out;
+  int negative =
+      add_symmetric(two_polar_pencil(state, theta_dot),
+                    two_polar_pencil(conditioned, theta_dot_conditioned), uncertainty, out);
+  const auto wobble = two_polar_wobble(state, theta_dot);
+  const auto wobble_c = two_polar_wobble(conditioned, theta_dot_conditioned);
+  const double s3 = leading(wobble.s3);
+  if (s3 != 0.0) {
+    const int energy_1 = -sign(leading(wobble.a)) * sign(s3);
+    const int energy_2 = -sign(leading(wobble.b)) * sign(s3);
+    const double lambda = -leading(wobble.a * wobble.b);
+    const double error =
+        uncertainty * (wobble_c.a * wobble_c.b).condition + 0x1p-53 * std::abs(lambda);
+    out.add_real(lambda, error, energy_1);
+    negative += (energy_1 < 0) + (energy_2 < 0);
   }
   out.set_negative(negative);
   return out.finish();

@@ -72,4 +72,59 @@ Vector3<S> two_polar_momentum_residual(double J, const Model& model, const Vecto
           v.gradient[3]};
 }
 
+/// Rates of given momenta at lambda != mu: omega = dT/ds3, theta' = dT/dp_theta.
+template <class S>
+struct TwoPolarRates {
+  S omega;
+  S theta_dot;
+};
+
+template <class S>
+TwoPolarRates<S> two_polar_rates(double J, const Vector3<S>& x, const TwoPolarMomenta<S>& m) {
+  const S sum = x[0] + x[1];
+  const S difference = x[0] - x[1];
+  const S fast = (m.s3 + m.p_theta) / (2.0 * J * (sum * sum));
+  const S slow = (m.s3 - m.p_theta) / (2.0 * J * (difference * difference));
+  return {fast + slow, fast - slow};
+}
+
+/// The force of the motion in logarithmic coordinates, lambda f_lambda and mu f_mu, and its
+/// derivatives in (ln lambda, ln mu): what two_polar balance subtracts from the elastic part.
+template <class S>
+struct TwoPolarPull {
+  S lambda;
+  S mu;
+  S ll;
+  S lm;
+  S mm;
+};
+
+/// At fixed rates.
+template <class S>
+TwoPolarPull<S> two_polar_pull(double J, const S& lambda, const S& mu,
+                               const TwoPolarRates<S>& rates) {
+  const S squares = J * (rates.omega * rates.omega + rates.theta_dot * rates.theta_dot);
+  const S mixed = 2.0 * J * (rates.omega * rates.theta_dot) * (lambda * mu);
+  const S own_lambda = squares * (lambda * lambda);
+  const S own_mu = squares * (mu * mu);
+  return {own_lambda + mixed, own_mu + mixed, 2.0 * own_lambda + mixed, mixed,
+          2.0 * own_mu + mixed};
+}
+
+/// At fixed momenta, lambda != mu.
+template <class S>
+TwoPolarPull<S> two_polar_pull(double J, const S& lambda, const S& mu,
+                               const TwoPolarMomenta<S>& m) {
+  const S sum = lambda + mu;
+  const S difference = lambda - mu;
+  const S plus = m.s3 + m.p_theta;
+  const S minus = m.s3 - m.p_theta;
+  const S a = plus * plus / (2.0 * J * (sum * sum * sum));
+  const S b = minus * minus / (2.0 * J * (difference * difference * difference));
+  const S a3 = 3.0 * a / sum;
+  const S b3 = 3.0 * b / difference;
+  return {lambda * (a + b), mu * (a - b), lambda * (a + b) - lambda * lambda * (a3 + b3),
+          lambda * mu * (b3 - a3), mu * (a - b) - mu * mu * (a3 + b3)};
+}
+
 }  // namespace stationary

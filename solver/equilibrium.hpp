@@ -30,9 +30,10 @@ constexpr std::string_view name(Method m) { return method_names[static_cast<int>
 enum class SolveStatus {
   not_run,
   solved,
-  none_exists,  ///< shown not to exist; message says why
-  not_found,    ///< searched for without success: no statement about existence
-  failed,       ///< a numerical failure; message says where
+  none_exists,   ///< shown not to exist; message says why
+  not_found,     ///< searched for without success: no statement about existence
+  not_isolated,  ///< a continuum of solutions here: none is returned
+  failed,        ///< a numerical failure; message says where
   interrupted
 };
 

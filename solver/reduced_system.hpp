@@ -68,6 +68,7 @@ struct ThicknessSystem {
 template <class Plane>
 struct PlanarSystem {
   static constexpr int dimension = 2;
+  using ModelType = Plane;
   Plane model;
   CentrifugalRates<DoubleDouble> rates;
 
@@ -84,9 +85,12 @@ struct PlanarSystem {
     const auto b = planar_log_balance<2>(w, x[0], x[1], c);
     return {{b.g_xi, b.g_zeta}, {{b.uu, b.uv, b.vv}}, planar_magnitude(w, x, c)};
   }
-  ReducedVector<2> extended_residual(const ReducedVector<2>& x) const {
+  LogBalance<DoubleDouble> extended_balance(const ReducedVector<2>& x) const {
     const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]));
-    const auto b = planar_log_balance<1>(w, DoubleDouble(x[0]), DoubleDouble(x[1]), rates);
+    return planar_log_balance<1>(w, DoubleDouble(x[0]), DoubleDouble(x[1]), rates);
+  }
+  ReducedVector<2> extended_residual(const ReducedVector<2>& x) const {
+    const auto b = extended_balance(x);
     return {double(b.g_xi), double(b.g_zeta)};
   }
   ReducedVector<2> input_sensitivity(const ReducedVector<2>& x) const {
@@ -117,6 +121,7 @@ struct PlanarSystem {
 template <class Coupled>
 struct CoupledSystem {
   static constexpr int dimension = 3;
+  using ModelType = Coupled;
   Coupled model;
   CentrifugalRates<DoubleDouble> rates;
 
@@ -136,10 +141,13 @@ struct CoupledSystem {
                              std::abs(w.w_lr) + 2.0 * c.rho * x[2] * x[2];
     return {{b.g_xi, b.g_zeta, b.g_rho}, {{b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}}, magnitude};
   }
-  ReducedVector<3> extended_residual(const ReducedVector<3>& x) const {
+  LogBalance<DoubleDouble> extended_balance(const ReducedVector<3>& x) const {
     const DoubleDouble rho(x[2]);
     const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]), rho);
-    const auto b = coupled_log_balance<1>(w, DoubleDouble(x[0]), DoubleDouble(x[1]), rho, rates);
+    return coupled_log_balance<1>(w, DoubleDouble(x[0]), DoubleDouble(x[1]), rho, rates);
+  }
+  ReducedVector<3> extended_residual(const ReducedVector<3>& x) const {
+    const auto b = extended_balance(x);
     return {double(b.g_xi), double(b.g_zeta), double(b.g_rho)};
   }
   ReducedVector<3> input_sensitivity(const ReducedVector<3>& x) const {

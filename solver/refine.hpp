@@ -14,6 +14,7 @@
 // Accepted only when kappa delta^2 <= 2^-56: near a fold kappa is large and another step is taken.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -80,6 +81,23 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
       return out;
     }
     x = corrected;
+  }
+  return out;
+}
+
+/// x with the correction its extended residual asks for, unrounded.
+template <class System>
+std::array<DoubleDouble, System::dimension> extended_solution(
+    const System& system, const ReducedVector<System::dimension>& x) {
+  constexpr int N = System::dimension;
+  const ReducedVector<N> step =
+      system.linearize(x).jacobian.inverse() * system.extended_residual(x);
+  std::array<DoubleDouble, N> out;
+  for (int i = 0; i < N; ++i) {
+    const double correction = -x[i] * step[i];
+    // A correction beyond the last place says the Jacobian is useless here: keep the double.
+    out[static_cast<std::size_t>(i)] =
+        std::abs(step[i]) < 1e-10 ? two_sum(x[i], correction) : DoubleDouble(x[i]);
   }
   return out;
 }

@@ -10,23 +10,6 @@
 namespace stationary {
 namespace {
 
-/// x with the correction its extended residual asks for, unrounded.
-template <class System>
-std::array<DoubleDouble, System::dimension> extended_solution(
-    const System& system, const ReducedVector<System::dimension>& x) {
-  constexpr int N = System::dimension;
-  const ReducedVector<N> step =
-      system.linearize(x).jacobian.inverse() * system.extended_residual(x);
-  std::array<DoubleDouble, N> out;
-  for (int i = 0; i < N; ++i) {
-    const double correction = -x[i] * step[i];
-    // A correction beyond the last place says the Jacobian is useless here: keep the double.
-    out[static_cast<std::size_t>(i)] =
-        std::abs(step[i]) < 1e-10 ? two_sum(x[i], correction) : DoubleDouble(x[i]);
-  }
-  return out;
-}
-
 template <class Model>
 std::array<DoubleDouble, 3> extended_q(const Model& model, const Problem& problem, const Stretch& q,
                                        double nu) {

@@ -22,6 +22,7 @@ ExitCode exit_code(SolveStatus status) {
       return ExitCode::done;
     case SolveStatus::none_exists:
     case SolveStatus::not_found:
+    case SolveStatus::not_isolated:
       return ExitCode::no_equilibrium;
     case SolveStatus::interrupted:
       return ExitCode::interrupted;
@@ -39,7 +40,10 @@ std::string_view outcome(SolveStatus status) {
     case SolveStatus::none_exists:
       return "no stationary ellipsoid exists";
     case SolveStatus::not_found:
+    case SolveStatus::not_isolated:
       return "no stationary ellipsoid was found (which does not say that none exists)";
+    case SolveStatus::not_isolated:
+      return "no isolated stationary ellipsoid: the solutions here form a continuum";
     case SolveStatus::interrupted:
       return "interrupted, nothing written";
     case SolveStatus::failed:

@@ -1,0 +1,330 @@
+#include "solver/two_polar_equilibrium.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <type_traits>
+
+#include "solver/newton.hpp"
+#include "solver/nlopt_seed.hpp"
+#include "solver/stability.hpp"
+#include "solver/thickness_balance.hpp"
+#include "solver/two_polar_system.hpp"
+
+namespace stationary {
+namespace {
+
+constexpr double least_ellipse = 1e-7;  // lambda/mu - 1 below this is the circle
+
+/// The line of solutions at fixed rates, or that there is none off the circle: the reason, and
+/// whether the rates lie on it. Nothing for a potential whose ellipses are isolated.
+struct RatesVerdict {
+  std::string condition;
+  bool on_line = false;
+};
+
+std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
+                                          const TwoPolarRates<double>& rates) {
+  const auto verdict = [](const char* condition, double left, double right) {
+    return RatesVerdict{condition, std::abs(left - right) <= 8 * 0x1p-53 * right};
+  };
+  const double squares = J * (rates.omega * rates.omega + rates.theta_dot * rates.theta_dot);
+  const double slip = rates.omega - rates.theta_dot;
+  const auto plane = [&](const auto& m) -> std::optional<RatesVerdict> {
+    using Model = std::decay_t<decltype(m)>;
+    if constexpr (std::is_same_v<Model, ReciprocalDeterminant<>>)
+      return verdict("J (omega^2 + theta_dot^2) = k", squares, m.k);
+    if constexpr (std::is_same_v<Model, NeoHookean<>> || std::is_same_v<Model, NeoHookean3d<>>)
+      return verdict("J (omega^2 + theta_dot^2) = mu", squares, m.mu);
+    if constexpr (std::is_same_v<Model, Biot<>>)
+      return verdict("J (omega - theta_dot)^2 = 2 mu", J * slip * slip, 2.0 * m.mu);
+    return std::nullopt;
+  };
+  return potential.is_separable() ? std::visit(plane, potential.plane())
+                                  : std::visit(plane, potential.coupled());
+}
+
+template <class Model>
+auto elastic_system(const Model& model) {
+  if constexpr (requires { model.plane; }) {
+    return PlanarSystem<std::decay_t<decltype(model.plane)>>{model.plane, {}};
+  } else {
+    return CoupledSystem<Model>{model, {}};
+  }
+}
+
+class Solver {
+ public:
+  Solver(const Body& body, const Potential& potential, const SolveOptions& options,
+         TwoPolarEquilibrium& out)
+      : body_(body), potential_(potential), options_(options), out_(out) {}
+
+  template <template <class> class Motion>
+  void run(const Motion<double>& motion) {
+    potential_.visit([&](const auto& model) { run_model(model, motion); });
+  }
+
+ private:
+  template <class Model, template <class> class Motion>
+  void run_model(const Model& model, const Motion<double>& motion) {
+    using Elastic = decltype(elastic_system(model));
+    constexpr int N = Elastic::dimension;
+    const TwoPolarSystem<Elastic, Motion> system{elastic_system(model), body_.J1, motion};
+    ReducedVector<N> x = ones<N>();
+    bool found = false;
+    if constexpr (std::is_same_v<Motion<double>, TwoPolarRates<double>>) {
+      const double J = body_.J1;
+      const double slip = motion.omega - motion.theta_dot;
+      const TwoPolarInvariantSystem<typename Elastic::ModelType, N> invariants{
+          system.elastic.model,
+          J * (motion.omega * motion.omega + motion.theta_dot * motion.theta_dot), J * slip * slip};
+      found = search<N>(
+          system, x,
+          [&](const ReducedVector<N>& at) { return invariants.linearize(to_invariants<N>(at)); },
+          [&](ReducedVector<N>& at) {
+            ReducedVector<N> y = to_invariants<N>(at);
+            return newton_counted<N>(invariants, y) && from_invariants<N>(y, at);
+          });
+    } else {
+      found = search<N>(
+          system, x, [&](const ReducedVector<N>& at) { return system.linearize(at); },
+          [&](ReducedVector<N>& at) { return newton_counted<N>(system, at); });
+    }
+    if (!found) return;
+    out_.x = {x[0], x[1], 0.0};
+    if constexpr (N == 3) {
+      out_.x[2] = x[2];
+    } else {
+      const ThicknessBalance thickness = balanced_thickness(model.thickness, DoubleDouble(0.0));
+      out_.x[2] = thickness.rho;
+      out_.error_bound = std::max(out_.error_bound, thickness.refined.error_bound);
+      if (!thickness.refined.converged) {
+        out_.status = SolveStatus::failed;
+        out_.message = "the thickness balance V_rho'(rho) = 0 did not converge";
+      }
+    }
+  }
+
+  template <int N>
+  static ReducedVector<N> to_invariants(const ReducedVector<N>& x) {
+    ReducedVector<N> y = x;
+    y[0] = x[0] + x[1];
+    y[1] = x[0] * x[1];
+    return y;
+  }
+  /// False where t^2 < 4 d: no real stretches.
+  template <int N>
+  static bool from_invariants(const ReducedVector<N>& y, ReducedVector<N>& x) {
+    const double e = y[0] * y[0] - 4.0 * y[1];
+    if (!(e > 0.0)) return false;
+    x = y;
+    x[0] = 0.5 * (y[0] + std::sqrt(e));
+    x[1] = y[1] / x[0];
+    return true;
+  }
+
+  template <int N, class System>
+  bool newton_counted(const System& system, ReducedVector<N>& x) {
+    NewtonOptions careful;
+    careful.max_log_step = 0.5;
+    const NewtonResult result = newton(system, x, careful);
+    out_.counts.newton_steps += result.steps;
+    out_.counts.jacobians += result.steps;
+    return result.converged;
+  }
+
+  template <int N, class System>
+  bool finish(const System& system, ReducedVector<N>& x, double& bound) {
+    const Refined refined = refine(system, x);
+    out_.counts.extended_residuals += refined.steps;
+    if (!refined.converged) return false;
+    if (x[0] < x[1]) std::swap(x[0], x[1]);
+    bound = refined.error_bound;
+    return x[0] - x[1] > least_ellipse * x[1];
+  }
+
+  /// The solution with lambda > mu nearest to the unit stretches among those the seeds lead to.
+  /// linearize: the system searched for starts; polish: Newton on it, in place.
+  template <int N, class System, class Linearize, class Polish>
+  bool search(const System& system, ReducedVector<N>& x, const Linearize& linearize,
+              const Polish& polish) {
+    SeedOptions seed_options;
+    seed_options.stop = options_.stop;
+    if constexpr (N == 3) seed_options.evaluations *= 4;
+    Seeds<N> seeds;
+    if (options_.start) {
+      ReducedVector<N> start;
+      start[0] = options_.start->xi;
+      start[1] = options_.start->zeta;
+      if constexpr (N == 3) start[2] = options_.start->rho;
+      seeds.points.push_back(start);
+    } else {
+      seeds = nlopt_seeds<N>(
+          [&](const ReducedVector<N>& at) {
+            const Linearized<N> l = linearize(at);
+            return (l.g / l.magnitude).squaredNorm();
+          },
+          seed_options);
+      out_.counts.nlopt_evaluations += seeds.evaluations;
+      out_.counts.residuals += seeds.evaluations;
+    }
+    if (seeds.interrupted) {
+      out_.status = SolveStatus::interrupted;
+      return false;
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    for (ReducedVector<N> candidate : seeds.points) {
+      double bound = 0.0;
+      if (!polish(candidate) || !finish<N>(system, candidate, bound)) continue;
+      if (candidate.minCoeff() < 0.1 * seed_options.min_stretch ||
+          candidate.maxCoeff() > 10.0 * seed_options.max_stretch) {
+        continue;
+      }
+      const double distance = candidate.array().log().abs().maxCoeff();
+      if (distance < nearest) {
+        nearest = distance;
+        x = candidate;
+        out_.error_bound = bound;
+      }
+    }
+    if (std::isfinite(nearest)) {
+      out_.status = SolveStatus::solved;
+      out_.message = options_.start ? "Newton from the given start" : "global search, then Newton";
+      return true;
+    }
+    out_.status = SolveStatus::not_found;
+    std::ostringstream text;
+    text << "no lambda > mu was found in stretches [" << seed_options.min_stretch << ", "
+         << seed_options.max_stretch << "], which is no proof that none exists";
+    out_.message = text.str();
+    return false;
+  }
+
+  const Body& body_;
+  const Potential& potential_;
+  const SolveOptions& options_;
+  TwoPolarEquilibrium& out_;
+};
+
+/// The balance residual from the returned numbers, in rates, relative to the largest term.
+double checked_residual(const Body& body, const Potential& potential,
+                        const TwoPolarEquilibrium& at) {
+  const auto v = potential.derivatives({0.0, at.x[0], at.x[1], at.x[2]});
+  const Vector3<double> gradient = v.gradient.tail<3>();
+  const auto pull = two_polar_pull(body.J1, at.x[0], at.x[1], at.rates);
+  const Vector3<double> force{pull.lambda / at.x[0], pull.mu / at.x[1], 0.0};
+  const double largest = std::max(
+      {gradient.cwiseAbs().maxCoeff(), std::abs(pull.ll / at.x[0]), std::abs(pull.mm / at.x[1]),
+       (v.hessian.bottomRightCorner<3, 3>() * at.x.asDiagonal()).cwiseAbs().maxCoeff()});
+  return (gradient - force).cwiseAbs().maxCoeff() / largest;
+}
+
+void circle_instead(const Body& body, const Potential& potential,
+                    const TwoPolarRates<double>& rates, const SolveOptions& options,
+                    TwoPolarEquilibrium& out) {
+  SolveOptions from_rest = options;
+  from_rest.start.reset();
+  const Equilibrium circle =
+      solve(Problem(body, potential, Branch::iii), rates.omega + rates.theta_dot, from_rest);
+  if (circle.status != SolveStatus::solved) return;
+  out.status = SolveStatus::solved;
+  out.circle = true;
+  out.x = {circle.q.xi, circle.q.zeta, circle.q.rho};
+  out.error_bound = circle.error_bound;
+  out.message += "; this is the circle lambda = mu, which depends on omega + theta_dot only";
+}
+
+}  // namespace
+
+TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential,
+                                    const TwoPolarMotion& motion, const SolveOptions& options) {
+  if (!body.symmetric()) throw std::invalid_argument("J1 = J2 in the two-polar family");
+  std::visit(
+      [](const auto& m) {
+        const auto& [first, second] = m;
+        if (!std::isfinite(first) || !std::isfinite(second))
+          throw std::invalid_argument("a finite motion");
+      },
+      motion);
+  if (options.start) require_positive_definite(*options.start);
+
+  TwoPolarEquilibrium out;
+  Solver solver(body, potential, options, out);
+  if (const auto* rates = std::get_if<TwoPolarRates<double>>(&motion)) {
+    const auto verdict = rates_verdict(body.J1, potential, *rates);
+    if (verdict && verdict->on_line) {
+      out.status = SolveStatus::not_isolated;
+      out.message = "at these rates, " + verdict->condition +
+                    ", the ellipses lambda != mu of this potential form a line: prescribe s3 and "
+                    "p_theta instead";
+      return out;
+    }
+    if (verdict) {
+      out.status = SolveStatus::none_exists;
+      out.message = "lambda != mu exists only where " + verdict->condition;
+    } else {
+      solver.run(*rates);
+    }
+    if (out.status == SolveStatus::none_exists || out.status == SolveStatus::not_found)
+      circle_instead(body, potential, *rates, options, out);
+    if (out.status != SolveStatus::solved) return out;
+    out.rates = *rates;
+    out.momenta = two_polar_momenta(body.J1, out.x, rates->omega, rates->theta_dot);
+  } else {
+    const auto& momenta = std::get<TwoPolarMomenta<double>>(motion);
+    solver.run(momenta);
+    if (out.status != SolveStatus::solved) return out;
+    out.momenta = momenta;
+    out.rates = two_polar_rates(body.J1, out.x, momenta);
+  }
+  out.residual = checked_residual(body, potential, out);
+  if (!(out.residual <= 1e-9)) {
+    out.status = SolveStatus::failed;
+    out.message += "; but the recomputed balance residual is no equilibrium's";
+  }
+  return out;
+}
+
+Spectrum stability(const Body& body, const Potential& potential,
+                   const TwoPolarEquilibrium& equilibrium) {
+  if (equilibrium.status != SolveStatus::solved)
+    throw std::invalid_argument("a spectrum needs a solved equilibrium");
+  const Vector3<double>& x = equilibrium.x;
+  if (equilibrium.circle) {
+    Equilibrium circle;
+    circle.status = SolveStatus::solved;
+    circle.q = {0.0, x[0], x[1], x[2]};
+    circle.nu = {0.0, 0.0, equilibrium.rates.omega + equilibrium.rates.theta_dot};
+    circle.error_bound = equilibrium.error_bound;
+    return stability(Problem(body, potential, Branch::iii), circle);
+  }
+  const double u = std::max(equilibrium.error_bound, 0x1p-53);
+  return potential.visit([&](const auto& model) {
+    // One more correction of (lambda, mu[, rho]) at the computed rates, kept unrounded.
+    using Elastic = decltype(elastic_system(model));
+    constexpr int N = Elastic::dimension;
+    const TwoPolarSystem<Elastic, TwoPolarRates> system{elastic_system(model), body.J1,
+                                                        equilibrium.rates};
+    const auto planar = extended_solution(system, ReducedVector<N>(x.head<N>()));
+    DoubleDouble rho;
+    if constexpr (N == 3) {
+      rho = planar[2];
+    } else {
+      using Thickness = std::decay_t<decltype(model.thickness)>;
+      rho = extended_solution(ThicknessSystem<Thickness>{model.thickness, DoubleDouble(0.0)},
+                              ReducedVector<1>(x[2]))[0];
+    }
+    const auto input = [](const auto& value) { return Conditioned::input(leading(value)); };
+    const Inertia3<DoubleDouble> J{body.J1, body.J2, body.J3};
+    const Inertia3<Conditioned> J_c{input(body.J1), input(body.J2), input(body.J3)};
+    const TwoPolarRates<double>& rates = equilibrium.rates;
+    return two_polar_spectrum(
+        straight_state(J, model, planar[0], planar[1], rho, DoubleDouble(rates.omega)),
+        DoubleDouble(rates.theta_dot),
+        straight_state(J_c, model, input(planar[0]), input(planar[1]), input(rho),
+                       input(rates.omega)),
+        input(rates.theta_dot), u);
+  });
+}
+
+}  // namespace stationary
