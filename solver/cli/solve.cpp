@@ -40,7 +40,6 @@ std::string_view outcome(SolveStatus status) {
     case SolveStatus::none_exists:
       return "no stationary ellipsoid exists";
     case SolveStatus::not_found:
-    case SolveStatus::not_isolated:
       return "no stationary ellipsoid was found (which does not say that none exists)";
     case SolveStatus::not_isolated:
       return "no isolated stationary ellipsoid: the solutions here form a continuum";
