@@ -126,6 +126,14 @@ class RestWalk {
     A.template topLeftCorner<N, N>() = at.jacobian.matrix() / at.magnitude;
     A.template topRightCorner<N, 1>() = system_.minus_pull(x) / at.magnitude;
     A.row(N) = border.transpose();
+    // Where ellipses branch off the circle J is singular along (1, -1), which a symmetric walk has
+    // no part in: any stiffness may be added there.
+    if (symmetric_) {
+      A(0, 0) += 1.0;
+      A(1, 1) += 1.0;
+      A(0, 1) -= 1.0;
+      A(1, 0) -= 1.0;
+    }
     return A;
   }
 
@@ -168,8 +176,8 @@ class RestWalk {
     return *angle <= options_.max_angle;
   }
 
-  /// Whether the step from here_ to next passes tau = 1, also by turning just above it; then the
-  /// point there.
+  /// Whether the step from here_ to next passes tau = 1, also by turning just above it: then the
+  /// walk ends, with the point there or stuck before it.
   bool arrives(double step, const Point& next, WalkResult<N>& out) const {
     double far = step;
     if (next.tau < 1.0) {
@@ -185,7 +193,11 @@ class RestWalk {
     const double s = root_in(0.0, far, [](const Point& p) { return p.tau - 1.0; });
     Point at;
     double angle = 0.0;
-    if (!advance(s, at, &angle)) return false;
+    if (!advance(s, at, &angle) || std::abs(at.tau - 1.0) > 1e-9) {
+      out.x = here_.x;  // between here_ and next, but not found: `stuck`
+      out.largest_tau = std::max(out.largest_tau, here_.tau);
+      return true;
+    }
     out.x = at.x;
     out.largest_tau = 1.0;
     out.end = WalkEnd::reached;
