@@ -40,6 +40,7 @@ void solve_model(const Separable<Plane, Thickness>& model, const Problem& proble
       ReducedSolve<PlanarSystem<Plane>>(system, ReducedVector<2>(r, r), nu, options, out.counts)
           .run(start);
   adopt(answer, out);
+  if (answer.status != SolveStatus::solved) return;
   out.q = {0.0, answer.x[0], answer.x[1], thickness.rho};
   out.error_bound = std::max(out.error_bound, thickness.refined.error_bound);
 }
@@ -57,7 +58,7 @@ void solve_model(const Coupled& model, const Problem& problem, double nu,
   const auto answer =
       ReducedSolve<CoupledSystem<Coupled>>(system, rest, nu, options, out.counts).run(start);
   adopt(answer, out);
-  out.q = {0.0, answer.x[0], answer.x[1], answer.x[2]};
+  if (answer.status == SolveStatus::solved) out.q = {0.0, answer.x[0], answer.x[1], answer.x[2]};
 }
 
 }  // namespace
