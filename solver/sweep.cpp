@@ -105,6 +105,8 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
 
 template <class Model, bool bound>
 void Sweep::reach(const Model& model, double nu, SweepPoint& out) {
+  const auto past = past_;
+  const int known = known_;
   double target = nu;
   for (int k = 0; k < max_attempts; ++k) {
     if (attempt<Model, bound>(model, target, out)) {
@@ -119,6 +121,10 @@ void Sweep::reach(const Model& model, double nu, SweepPoint& out) {
     if (std::abs(halved - past_[0].nu) <= 1e-14 * std::abs(nu)) break;
     target = halved;
   }
+  // A point not found leaves no trace: halved steps crowd against a fold, and a parabola through
+  // those leads nowhere else.
+  past_ = past;
+  known_ = known;
   const int steps = out.steps;  // a halved step's solution is not this point's
   out = SweepPoint{};
   out.nu = nu;
