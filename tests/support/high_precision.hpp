@@ -56,7 +56,7 @@ std::array<Number50, N> newton_50(std::array<Number50, N> x, const F& linearize)
       x[i] *= exp(-delta[i]);
       if (abs(delta[i]) > size) size = abs(delta[i]);
     }
-    if (size < Number50("1e-45")) return x;
+    if (size < Number50("1e-38")) return x;  // squared it is below 50 digits, near a fold too
   }
   throw std::runtime_error("the 50-digit Newton did not converge");
 }
