@@ -6,6 +6,7 @@
 #include <complex>
 #include <vector>
 
+#include "lib/conditioned_model.hpp"
 #include "lib/mode_collector.hpp"
 
 namespace stationary {
@@ -240,7 +241,7 @@ Spectrum general_spectrum(const Body& body, const Potential& potential,
   potential.visit([&](const auto& model) {
     const auto exact = potential_derivatives<2>(model, q);
     const BasicStretch<Conditioned> q_c{input(q.alpha), input(q.xi), input(q.zeta), input(q.rho)};
-    const auto conditioned = potential_derivatives<2>(model, q_c);
+    const auto conditioned = potential_derivatives<2>(conditioned_model(model), q_c);
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
         V_qq(i, j) = wide(exact.hessian(i, j));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "lib/conditioned_model.hpp"
 #include "solver/refine.hpp"
 
 namespace stationary {
@@ -48,8 +49,8 @@ Spectrum stability(const Problem& problem, const Equilibrium& equilibrium) {
     const auto state = straight_state(J, model, q[0], q[1], q[2], DoubleDouble(nu));
     const auto input = [](const auto& x) { return Conditioned::input(leading(x)); };
     const Inertia3<Conditioned> J_c{input(body.J1), input(body.J2), input(body.J3)};
-    const auto conditioned =
-        straight_state(J_c, model, input(q[0]), input(q[1]), input(q[2]), input(nu));
+    const auto conditioned = straight_state(J_c, conditioned_model(model), input(q[0]), input(q[1]),
+                                            input(q[2]), input(nu));
     return block_spectrum(facts, state, conditioned);
   });
 }

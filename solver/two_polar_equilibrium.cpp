@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "lib/conditioned_model.hpp"
 #include "solver/newton.hpp"
 #include "solver/nlopt_seed.hpp"
 #include "solver/stability.hpp"
@@ -321,8 +322,8 @@ Spectrum stability(const Body& body, const Potential& potential,
     return two_polar_spectrum(
         straight_state(J, model, planar[0], planar[1], rho, DoubleDouble(rates.omega)),
         DoubleDouble(rates.theta_dot),
-        straight_state(J_c, model, input(planar[0]), input(planar[1]), input(rho),
-                       input(rates.omega)),
+        straight_state(J_c, conditioned_model(model), input(planar[0]), input(planar[1]),
+                       input(rho), input(rates.omega)),
         input(rates.theta_dot), u);
   });
 }
