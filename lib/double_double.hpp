@@ -163,13 +163,13 @@ struct DoubleDouble {
 }
 
 /// Natural logarithm of x > 0 (NaN below, -inf at 0): x = 2^k m, m r_i = 1 + z with r_i from a
-/// table of 128 reciprocals, |z| < 2^-7; log x = k log 2 - log r_i + log(1 + z).
+/// table of 128 reciprocals, |z| < 2^-7; log x = k log 2 - log r_i + log(1 + z). In double
+/// precision where x is subnormal or at least 2^1022, whose 2^-k is no normal number.
 inline DoubleDouble log(const DoubleDouble& x) {
   constexpr DoubleDouble log_two{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
   constexpr std::uint64_t first_interval = 0x3fe6000000000000;  // 0.6875, so that 1 needs no table
-  if (!(x.hi >= std::numeric_limits<double>::min()) ||
-      !(x.hi <= std::numeric_limits<double>::max())) {
-    return std::log(x.hi);  // zero, negative, subnormal, infinite, NaN
+  if (!(x.hi >= std::numeric_limits<double>::min()) || !(x.hi < 0x1p1022)) {
+    return std::log(x.hi);  // also zero, negative, infinite, NaN
   }
   const auto bits = std::bit_cast<std::uint64_t>(x.hi);
   const std::uint64_t offset = bits - first_interval;

@@ -150,7 +150,7 @@ Eigen::Matrix<S, 7, 4> steady_momenta_jacobian(const Body& body, const BasicStre
   N(1, 1) = 2.0 * J1 * q.xi * nu[1] - J1 * q.alpha * nu[0];
   N(1, 2) = -(J2 * q.alpha * nu[0]);
   N(1, 3) = 2.0 * body.J3 * q.rho * nu[1];
-  N(2, 0) = 2.0 * (J1 + J2) * q.alpha * nu[2];
+  N(2, 0) = 2.0 * (S(J1) + J2) * q.alpha * nu[2];
   N(2, 1) = 2.0 * J1 * q.xi * nu[2];
   N(2, 2) = 2.0 * J2 * q.zeta * nu[2];
   N(3, 1) = -(J1 * nu[2]);

@@ -83,10 +83,15 @@ TEST(DoubleDoubleLog, AtTheEdgesOfTheTablesIntervals) {
 }
 
 TEST(DoubleDoubleLog, AtTheEndsOfTheRange) {
-  const double smallest = std::numeric_limits<double>::min();
-  const double largest = std::numeric_limits<double>::max();
-  ASSERT_TRUE(log_holds(smallest));
-  ASSERT_TRUE(log_holds(largest));
+  EXPECT_TRUE(log_holds(std::numeric_limits<double>::min()));
+  EXPECT_TRUE(log_holds(0x1.0000000000001p-1022));
+  const double last = std::nextafter(0x1p1022, 0.0);
+  EXPECT_TRUE(log_holds(last));
+  EXPECT_TRUE(log_holds({last, last * 0x1p-54}));
+  // From 2^1022 on, and below the smallest normal number, it is the double's.
+  for (const double x : {0x1p1022, 0x1.37p1022, 0x1.7p1022, 0x1p1023, 0x1.37p1023, 0x1.7p1023,
+                         std::numeric_limits<double>::max()})
+    EXPECT_EQ(log(DoubleDouble(x, x * 0x1p-54)).hi, std::log(x)) << x;
 }
 
 TEST(DoubleDoubleLog, WhereThereIsNoSeries) {

@@ -137,6 +137,25 @@ TEST(DoubleDouble, LosesNothingAtTheEndsOfItsRange) {
   }
 }
 
+TEST(DoubleDouble, RenormalizedIsTheSameNumberInOrder) {
+  Operands operands(507);
+  int cancelled = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    const auto [x, y] = operands.pair();
+    const DoubleDouble sum = x + y;
+    const DoubleDouble r = renormalized(sum);
+    ASSERT_EQ(wide(r), wide(sum));
+    ASSERT_EQ(r.hi, r.hi + r.lo);
+    if (std::abs(sum.lo) > 0x1p-52 * std::abs(sum.hi)) ++cancelled;
+    // A difference that cancelled its heads still has its square root.
+    if (r.hi > 0.0) {
+      const Real100 root = sqrt(wide(sum));
+      ASSERT_TRUE(agrees<Real100>(at(sum.hi, sum.lo), root, wide(sqrt(sum)), ldexp(root, -101)));
+    }
+  }
+  EXPECT_GT(cancelled, 100);
+}
+
 TEST(DoubleDouble, NaNIsOrderedWithNothing) {
   const DoubleDouble nan = std::numeric_limits<DoubleDouble>::quiet_NaN();
   EXPECT_TRUE(std::isnan(nan.hi));

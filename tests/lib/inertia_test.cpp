@@ -10,6 +10,7 @@
 #include "lib/motion.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/random_states.hpp"
+#include "tests/support/slope.hpp"
 
 namespace stationary {
 namespace {
@@ -122,6 +123,22 @@ TEST(Inertia, SteadyMomentaAreThoseOfARotationAlone) {
     EXPECT_TRUE(all_agree<Vector3<double>>(at(body, q, nu), pi, m.head<3>(), scale));
     EXPECT_TRUE(all_agree<Vector3<double>>(at(body, q, nu), p, m.segment<3>(3), scale));
     EXPECT_EQ(m[6], 0.0);
+  }
+}
+
+TEST(Inertia, SteadyMomentaJacobianIsASlope) {
+  Random random(208);
+  for (int trial = 0; trial < trials; ++trial) {
+    const Body body = random.body();
+    const auto q = widen_stretch<Real50>(random.stretch());
+    const Vector3<Real50> nu = widen_vector<Real50>(random.direction<3>());
+    const Vector4<Real50> w = widen_vector<Real50>(random.direction<4>());
+    EXPECT_TRUE(is_slope(
+        at(body, q, nu),
+        [&](const Real50& h) {
+          return steady_momenta(body, BasicStretch<Real50>::from(q.vector() + w * h), nu);
+        },
+        Vector7<Real50>(steady_momenta_jacobian(body, q, nu) * w)));
   }
 }
 

@@ -141,6 +141,55 @@ TYPED_TEST(TwoPolarTest, IsTheBalanceInTheInvariants) {
   }
 }
 
+TEST(TwoPolar, RatesAreTheInverseOfTheMomenta) {
+  Random random(1009);
+  for (int trial = 0; trial < trials; ++trial) {
+    const State s(random);
+    const auto rates = two_polar_rates(s.J, s.x, two_polar_momenta(s.J, s.x, s.omega, s.theta_dot));
+    EXPECT_TRUE(agrees<Real50>(s.text(), s.omega, rates.omega, Real50("1e-40")));
+    EXPECT_TRUE(agrees<Real50>(s.text(), s.theta_dot, rates.theta_dot, Real50("1e-40")));
+  }
+}
+
+/// The pull's second derivatives as slopes in the logarithms, its rows against `force`.
+template <class Motion>
+void expect_pull(const State& s, const Motion& motion, const Vector3<Real50>& force,
+                 const Vector3<Real50>& w) {
+  const auto pull = [&](const Real50& h) {
+    return two_polar_pull(s.J, Real50(s.x[0] * exp(h * w[0])), Real50(s.x[1] * exp(h * w[1])),
+                          motion);
+  };
+  const auto here = pull(0);
+  const Real50 allowed = 1e-42 * (1 + force.norm());
+  EXPECT_TRUE(agrees<Real50>(s.text(), s.x[0] * force[0], here.lambda, allowed));
+  EXPECT_TRUE(agrees<Real50>(s.text(), s.x[1] * force[1], here.mu, allowed));
+  EXPECT_TRUE(is_slope(
+      s.text(),
+      [&](const Real50& h) {
+        const auto there = pull(h);
+        return Eigen::Matrix<Real50, 2, 1>{there.lambda, there.mu};
+      },
+      Eigen::Matrix<Real50, 2, 1>{here.ll * w[0] + here.lm * w[1],
+                                  here.lm * w[0] + here.mm * w[1]}));
+}
+
+TEST(TwoPolar, PullIsTheForceAndItsSlope) {
+  Random random(1010);
+  const Separable<Biot<Real50>, Harmonic<Real50>> model{{1, 0.5}, {1, 1}};
+  for (int trial = 0; trial < trials; ++trial) {
+    const State s(random);
+    const auto momenta = two_polar_momenta(s.J, s.x, s.omega, s.theta_dot);
+    const Vector3<Real50> w = widen_vector<Real50>(random.direction<3>());
+    const auto elastic = two_polar_residual(s.J, model, s.x, Real50(0), Real50(0));
+    expect_pull(
+        s, TwoPolarRates<Real50>{s.omega, s.theta_dot},
+        Vector3<Real50>(elastic - two_polar_residual(s.J, model, s.x, s.omega, s.theta_dot)), w);
+    expect_pull(s, momenta,
+                Vector3<Real50>(elastic - two_polar_momentum_residual(s.J, model, s.x, momenta)),
+                w);
+  }
+}
+
 TYPED_TEST(TwoPolarTest, IsBranchThreeWithoutInternalRotation) {
   Random random(1007);
   for (int trial = 0; trial < trials; ++trial) {
