@@ -73,7 +73,9 @@ struct PlanarReason {
     const double rate = problem.branch() == Branch::i ? double(c.zeta) : double(c.xi);
     const double largest = kappa / std::numbers::e;
     if (rate <= largest * (1.0 + 1e-14)) return std::nullopt;
-    return text("2 kappa ln x = c x^2 has no solution beyond the fold c = kappa/e: c = ", rate,
+    const char* stretch = problem.branch() == Branch::i ? "zeta" : "xi";
+    return text("the pulled stretch obeys 2 kappa ln ", stretch, " = c ", stretch,
+                "^2, which has no solution beyond the fold c = kappa/e: here c = J nu^2 = ", rate,
                 " > ", largest, ", kappa = 2 mu (mu + lambda)/(2 mu + lambda)");
   }
 
