@@ -88,6 +88,15 @@ TwoPolarRates<S> two_polar_rates(double J, const Vector3<S>& x, const TwoPolarMo
   return {fast + slow, fast - slow};
 }
 
+/// The kinetic energy T above, in the rates, which the circle lambda = mu has too:
+///   T = J [(lambda + mu)^2 (omega + theta')^2 + (lambda - mu)^2 (omega - theta')^2]/4.
+template <class S>
+S two_polar_kinetic_energy(double J, const Vector3<S>& x, const TwoPolarRates<S>& rates) {
+  const S sum = (x[0] + x[1]) * (rates.omega + rates.theta_dot);
+  const S difference = (x[0] - x[1]) * (rates.omega - rates.theta_dot);
+  return 0.25 * J * (sum * sum + difference * difference);
+}
+
 /// The force of the motion in logarithmic coordinates, lambda f_lambda and mu f_mu, and its
 /// derivatives in (ln lambda, ln mu): what two_polar balance subtracts from the elastic part.
 template <class S>

@@ -131,11 +131,88 @@ std::vector<ModelChoice> read_models(const CaseTree& tree) {
   return out;
 }
 
-Case::Solve read_solve(const CaseTree& tree) {
+/// Throws where the motion has a number that is not the branch's.
+void refuse_number(const CaseTree& tree, std::string_view key, std::string_view branch,
+                   std::string_view instead) {
+  const std::string path = dotted("motion", key);
+  if (find(tree, path) == nullptr) return;
+  throw InputError(tree.key_origin(path), path,
+                   fmt::format("found {}, which branch \"{}\" does not take", key, branch),
+                   std::string(instead), fmt::format("remove {}", key));
+}
+
+AxisRotation read_axis_rotation(const CaseTree& tree, Branch branch) {
+  for (const std::string_view key : {"omega", "theta_dot", "s3", "p_theta"})
+    refuse_number(tree, key, name(branch), "nu (the spin along the branch's axis)");
+  if (find(tree, "motion.nu") == nullptr) {
+    throw fault_at(tree, "motion.nu", "found no such key",
+                   std::string(find_case_key("motion.nu")->allowed), "add nu in [motion]");
+  }
+  return {branch, value_or(tree, "motion.nu", 0.0)};
+}
+
+TwoPolarMotion read_two_polar(const CaseTree& tree, const Body& body) {
+  constexpr std::string_view rule = "omega and theta_dot, or s3 and p_theta";
+  refuse_number(tree, "nu", two_polar_name, std::string(rule) + ", instead");
+  struct Pair {
+    std::string_view first;
+    std::string_view second;
+    bool has_first;
+    bool has_second;
+    bool any() const { return has_first || has_second; }
+    std::string_view given() const { return has_first ? first : second; }
+    std::string_view missing() const { return has_first ? second : first; }
+  };
+  const auto pair = [&](std::string_view first, std::string_view second) {
+    return Pair{first, second, find(tree, dotted("motion", first)) != nullptr,
+                find(tree, dotted("motion", second)) != nullptr};
+  };
+  const Pair rates = pair("omega", "theta_dot");
+  const Pair momenta = pair("s3", "p_theta");
+  if (!rates.any() && !momenta.any()) {
+    throw fault_at(tree, "motion", "found none of omega, theta_dot, s3, p_theta", std::string(rule),
+                   "add one of the two pairs");
+  }
+  if (rates.any() && momenta.any()) {
+    const std::string key = dotted("motion", momenta.given());
+    throw InputError(tree.key_origin(key), key,
+                     fmt::format("found both {} and {}", rates.given(), momenta.given()),
+                     std::string(rule), "keep one of the two pairs");
+  }
+  const Pair& chosen = rates.any() ? rates : momenta;
+  if (!chosen.has_first || !chosen.has_second) {
+    throw fault_at(tree, dotted("motion", chosen.missing()),
+                   fmt::format("found {} alone", chosen.given()), std::string(rule),
+                   fmt::format("add {} in [motion]", chosen.missing()));
+  }
+  if (!body.symmetric()) {
+    throw fault_at(tree, "body.J", fmt::format("found J1 = {}, J2 = {}", body.J1, body.J2),
+                   "J1 = J2 in branch \"two-polar\"",
+                   "these motions exist because material rotations about axis 3 are a symmetry");
+  }
+  const double first = value_or(tree, dotted("motion", chosen.first), 0.0);
+  const double second = value_or(tree, dotted("motion", chosen.second), 0.0);
+  if (rates.any()) return TwoPolarRates<double>{first, second};
+  return TwoPolarMomenta<double>{first, second};
+}
+
+Case::Motion read_motion(const CaseTree& tree, const Body& body) {
+  const auto branch = branch_from_name(value_or<std::string>(tree, "motion.branch", ""));
+  if (branch) return read_axis_rotation(tree, *branch);
+  return read_two_polar(tree, body);
+}
+
+Case::Solve read_solve(const CaseTree& tree, bool two_polar) {
   Case::Solve out;
   const std::string method = value_or<std::string>(tree, "solve.method", "auto");
   const auto at = std::ranges::find(method_names, std::string_view(method));
   out.method = static_cast<Method>(at - std::begin(method_names));
+  if (two_polar && out.method != Method::automatic && out.method != Method::nlopt) {
+    throw fault_at(tree, "solve.method",
+                   fmt::format("found the string {} with branch \"two-polar\"", in_quotes(method)),
+                   "\"auto\" or \"nlopt\"",
+                   "two-polar motions are searched for globally, by NLopt, then corrected");
+  }
   out.all = value_or(tree, "solve.all", false);
   if (out.all) {
     throw fault_at(tree, "solve.all", "found true, which is not available in this version",
@@ -144,7 +221,8 @@ Case::Solve read_solve(const CaseTree& tree) {
   const std::vector<double> start = numbers(tree, "solve.start");
   if (start.empty()) return out;
   out.start = Stretch{start[0], start[1], start[2], start[3]};
-  constexpr std::string_view parts[] = {"alpha", "xi", "zeta", "rho"};
+  const std::string_view parts[] = {"alpha", two_polar ? "lambda" : "xi", two_polar ? "mu" : "zeta",
+                                    "rho"};
   const auto refuse = [&](std::size_t k, std::string_view allowed, std::string_view remedy) {
     throw fault_at(tree, fmt::format("solve.start.{}", k),
                    fmt::format("found {} = {}", parts[k], start[k]), std::string(allowed),
@@ -153,6 +231,8 @@ Case::Solve read_solve(const CaseTree& tree) {
   if (start[0] != 0.0) {
     refuse(0, "alpha = 0", "the built-in models are isotropic, and then alpha = 0 in every branch");
   }
+  if (two_polar && start[1] == start[2])
+    refuse(2, "lambda != mu", "on the circle the two-polar balance is singular");
   for (std::size_t k = 1; k < 4; ++k)
     if (!(start[k] > 0.0)) refuse(k, fmt::format("{} > 0", parts[k]), "S is positive definite");
   if (const char* inequality = violated_inequality(*out.start))
@@ -160,10 +240,10 @@ Case::Solve read_solve(const CaseTree& tree) {
   return out;
 }
 
-std::string read_parameter(const CaseTree& tree, const std::vector<ModelChoice>& models) {
+std::string read_parameter(const CaseTree& tree, const FamilyParameters& family) {
   std::string found = value_or<std::string>(tree, "continuation.parameter", "");
-  if (found == "motion.nu") return "nu";  // the dotted key of the same number
-  const std::vector<std::string> valid = case_parameters(models);
+  if (found == "motion.nu") found = "nu";  // the dotted key of the same number
+  const std::vector<std::string> valid = case_parameters(family.motion, family.models);
   if (std::ranges::find(valid, found) != valid.end()) return found;
   const std::vector<std::string_view> names(valid.begin(), valid.end());
   throw fault_at(tree, "continuation.parameter", "found the string " + in_quotes(found),
@@ -173,7 +253,7 @@ std::string read_parameter(const CaseTree& tree, const std::vector<ModelChoice>&
 std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
                                                     const FamilyParameters& family) {
   if (find(tree, "continuation") == nullptr) return std::nullopt;
-  Case::Continuation out{.parameter = read_parameter(tree, family.models),
+  Case::Continuation out{.parameter = read_parameter(tree, family),
                          .from = value_or(tree, "continuation.from", 0.0),
                          .to = value_or(tree, "continuation.to", 0.0)};
   out.tolerance = value_or(tree, "continuation.tolerance", out.tolerance);
@@ -240,12 +320,10 @@ Case make_case(CaseTree tree) {
   require_known_keys(tree);
   const Body body = read_body(tree);
   const std::vector<ModelChoice> models = read_models(tree);
-  const Case::Motion motion{
-      branch_from_name(value_or<std::string>(tree, "motion.branch", "")).value_or(Branch::i),
-      value_or(tree, "motion.nu", 0.0)};
+  const Case::Motion motion = read_motion(tree, body);
   const std::string title = value_or<std::string>(tree, "title", "");
-  const Case::Solve solve = read_solve(tree);
-  const auto continuation = read_continuation(tree, {body, models, motion.nu});
+  const Case::Solve solve = read_solve(tree, std::holds_alternative<TwoPolarMotion>(motion));
+  const auto continuation = read_continuation(tree, {body, models, motion});
   const Case::Output output = read_output(tree);
   return {.title = title,
           .body = body,

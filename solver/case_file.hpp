@@ -1,7 +1,8 @@
 // A case: everything a command needs to know, read from a TOML file with overrides and validated in
 // full before anything is computed.
 //
-//   [body] J   [potential] plane + thickness | coupled   [motion] branch, nu
+//   [body] J   [potential] plane + thickness | coupled
+//   [motion] branch, nu; or of branch "two-polar" omega and theta_dot | s3 and p_theta
 //   [solve] start, method   [continuation] parameter, from, to, tolerance   [output] spectrum, ...
 #pragma once
 
@@ -9,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "lib/body.hpp"
@@ -17,6 +19,7 @@
 #include "solver/case_tree.hpp"
 #include "solver/equilibrium.hpp"
 #include "solver/problem.hpp"
+#include "solver/two_polar_equilibrium.hpp"
 
 namespace stationary {
 
@@ -31,18 +34,21 @@ struct ModelChoice {
 /// std::invalid_argument with the violated inequality.
 Potential make_potential(std::span<const ModelChoice> models);
 
+/// A steady rotation about a material axis: branches (i), (ii), (iii).
+struct AxisRotation {
+  Branch branch;
+  double nu;
+};
+
 struct Case {
-  struct Motion {
-    Branch branch;
-    double nu;
-  };
+  using Motion = std::variant<AxisRotation, TwoPolarMotion>;
   struct Solve {
-    std::optional<Stretch> start;
+    std::optional<Stretch> start;  ///< two-polar: xi, zeta are lambda, mu
     Method method = Method::automatic;
     bool all = false;
   };
   struct Continuation {
-    std::string parameter;  ///< "nu" or a dotted key of case_parameters()
+    std::string parameter;  ///< one of case_parameters()
     double from;
     double to;
     double tolerance = 1e-10;
@@ -63,7 +69,11 @@ struct Case {
   Output output;
   CaseTree source;  ///< where each key comes from
 
-  Problem problem() const { return Problem(body, potential, motion.branch); }
+  bool two_polar() const { return std::holds_alternative<TwoPolarMotion>(motion); }
+  /// Of an axis rotation (std::bad_variant_access otherwise).
+  Problem problem() const {
+    return Problem(body, potential, std::get<AxisRotation>(motion).branch);
+  }
 };
 
 /// Reads, overrides and validates. Throws InputError at the first fault.

@@ -9,14 +9,16 @@
 #include "lib/motion.hpp"
 #include "solver/equilibrium.hpp"
 #include "solver/nearest_name.hpp"
+#include "solver/table.hpp"
 
 namespace stationary {
 namespace {
 
 using enum KeyType;
 
-constexpr std::string_view branches[] = {name(Branch::i), name(Branch::ii), name(Branch::iii)};
-constexpr std::string_view later_branches[] = {"oblique", "tilted", "two-polar"};
+constexpr std::string_view branches[] = {name(Branch::i), name(Branch::ii), name(Branch::iii),
+                                         two_polar_name};
+constexpr std::string_view later_branches[] = {"oblique", "tilted"};
 constexpr std::string_view a_boolean = "true or false";
 constexpr std::string_view a_number = "a finite number";
 
@@ -28,14 +30,15 @@ constexpr CaseKey keys[] = {
     {"potential.plane", model, false, "a table of model and its coefficients"},
     {"potential.thickness", model, false, "a table of model and its coefficients"},
     {"potential.coupled", model, false, "a table of model and its coefficients"},
-    {"motion", table, true, "a table with branch and nu"},
+    {"motion", table, true, "a table with branch and nu, or two-polar's numbers instead of nu"},
     {"motion.branch", text, true, "", 0, branches, later_branches},
-    {"motion.nu", number, true, "a finite number (the spin along the branch's axis)"},
+    // Which of these five a branch takes, the case reader checks.
+    {"motion.nu", number, false, "a finite number (the spin along the branch's axis)"},
+    {"motion.omega", number, false, a_number},
+    {"motion.theta_dot", number, false, a_number},
+    {"motion.s3", number, false, a_number},
+    {"motion.p_theta", number, false, a_number},
     {"motion.plane", text, false, "", 0, {}, {}, false},
-    {"motion.omega", number, false, "", 0, {}, {}, false},
-    {"motion.theta_dot", number, false, "", 0, {}, {}, false},
-    {"motion.s3", number, false, "", 0, {}, {}, false},
-    {"motion.p_theta", number, false, "", 0, {}, {}, false},
     {"solve", table, false, "a table"},
     {"solve.start", numbers, false, "four finite numbers, start = [alpha, xi, zeta, rho]", 4},
     {"solve.method", text, false, "", 0, method_names},

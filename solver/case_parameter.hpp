@@ -1,5 +1,6 @@
-// The numbers of a case that may be varied along a family, by their dotted keys: nu, body.J.0 ...
-// body.J.2 and every coefficient of the case's models (potential.plane.c).
+// The numbers of a case that may be varied along a family, by their dotted keys: those of its
+// motion (nu; motion.omega ... of a two-polar one), body.J.0 ... body.J.2 and every coefficient of
+// the case's models (potential.plane.c). A two-polar body keeps its J1 = J2.
 #pragma once
 
 #include <string>
@@ -14,11 +15,12 @@ namespace stationary {
 struct FamilyParameters {
   Body body;
   std::vector<ModelChoice> models;
-  double nu;
+  Case::Motion motion;
 };
 
-/// Valid keys for these models, "nu" first.
-std::vector<std::string> case_parameters(const std::vector<ModelChoice>& models);
+/// Valid keys for this motion and these models, in that order.
+std::vector<std::string> case_parameters(const Case::Motion& motion,
+                                         const std::vector<ModelChoice>& models);
 
 /// With the parameter at a value. Throws std::invalid_argument with the violated inequality of
 /// body or model, or for a key that is not one of case_parameters().

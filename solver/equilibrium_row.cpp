@@ -1,18 +1,15 @@
 #include "solver/equilibrium_row.hpp"
 
+#include <cstddef>
 #include <limits>
 
 #include "lib/inertia.hpp"
+#include "lib/two_polar.hpp"
 
 namespace stationary {
+namespace {
 
-void fill_row(const Problem& problem, const Equilibrium& equilibrium, TableRow& row) {
-  const Stretch& q = equilibrium.q;
-  const Vector3<double>& nu = equilibrium.nu;
-  row.branch = name(problem.branch());
-  row[Column::nu1] = nu[0];
-  row[Column::nu2] = nu[1];
-  row[Column::nu3] = nu[2];
+void fill_stretch(const Stretch& q, TableRow& row) {
   row[Column::alpha] = q.alpha;
   row[Column::xi] = q.xi;
   row[Column::zeta] = q.zeta;
@@ -21,14 +18,71 @@ void fill_row(const Problem& problem, const Equilibrium& equilibrium, TableRow& 
   row[Column::lambda] = principal.lambda;
   row[Column::mu] = principal.mu;
   row[Column::angle] = principal.theta.value_or(std::numeric_limits<double>::quiet_NaN());
-  const Vector3<double> pi = locked_inertia(problem.body(), q) * nu;
+}
+
+void fill_motion(const Vector3<double>& nu, const Vector3<double>& pi, TableRow& row) {
+  row[Column::nu1] = nu[0];
+  row[Column::nu2] = nu[1];
+  row[Column::nu3] = nu[2];
   row[Column::pi1] = pi[0];
   row[Column::pi2] = pi[1];
   row[Column::pi3] = pi[2];
+}
+
+}  // namespace
+
+std::vector<Column> equilibrium_columns(bool two_polar, bool spectrum) {
+  std::vector<Column> out;
+  for (std::size_t k = 0; k < column_count; ++k) {
+    const auto c = static_cast<Column>(k);
+    if (c == Column::event || (is_spectral(c) && !spectrum) || (is_two_polar(c) && !two_polar))
+      continue;
+    out.push_back(c);
+  }
+  return out;
+}
+
+void fill_row(const Problem& problem, const Equilibrium& equilibrium, TableRow& row) {
+  const Stretch& q = equilibrium.q;
+  const Vector3<double>& nu = equilibrium.nu;
+  row.branch = name(problem.branch());
+  fill_stretch(q, row);
+  fill_motion(nu, locked_inertia(problem.body(), q) * nu, row);
   row[Column::energy] = energy(problem.body(), problem.potential(), q, nu);
   row[Column::residual] = equilibrium.residual;
   row[Column::compatibility] = equilibrium.compatibility;
   row[Column::error_bound] = equilibrium.error_bound;
+}
+
+void fill_row(const Body& body, const Potential& potential, const TwoPolarEquilibrium& equilibrium,
+              TableRow& row) {
+  const Vector3<double>& x = equilibrium.x;
+  const Stretch q{0.0, x[0], x[1], x[2]};
+  const TwoPolarRates<double>& rates = equilibrium.rates;
+  const TwoPolarMomenta<double>& momenta = equilibrium.momenta;
+  row.branch = two_polar_name;
+  fill_stretch(q, row);
+  fill_motion({0.0, 0.0, rates.omega + rates.theta_dot}, {0.0, 0.0, momenta.s3}, row);
+  row[Column::energy] = two_polar_kinetic_energy(body.J1, x, rates) + potential.value(q);
+  row[Column::residual] = equilibrium.residual;
+  row[Column::compatibility] = 0.0;  // both vectors lie along axis 3
+  row[Column::error_bound] = equilibrium.error_bound;
+  row[Column::omega] = rates.omega;
+  row[Column::theta_dot] = rates.theta_dot;
+  row[Column::s3] = momenta.s3;
+  row[Column::p_theta] = momenta.p_theta;
+}
+
+void fill_spectrum(const Spectrum& spectrum, TableRow& row) {
+  row.stability = name(spectrum.verdict);
+  row[Column::growth] = spectrum.growth;
+  row[Column::negative] = spectrum.negative;
+  for (int k = 0; k < spectrum.modes; ++k) {
+    const Mode& mode = spectrum.mode[static_cast<std::size_t>(k)];
+    row[mode_column(k, ModePart::re)] = mode.re;
+    row[mode_column(k, ModePart::im)] = mode.im;
+    row[mode_column(k, ModePart::krein)] = mode.krein;
+  }
 }
 
 }  // namespace stationary

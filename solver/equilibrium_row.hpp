@@ -1,20 +1,29 @@
-// One stationary ellipsoid as a row of the table: everything that follows from (q, nu) alone.
+// One stationary ellipsoid as a row of the table: everything that follows from its equilibrium, and
+// from its spectrum where that was computed.
 #pragma once
 
+#include <vector>
+
+#include "lib/spectrum.hpp"
 #include "solver/equilibrium.hpp"
 #include "solver/table.hpp"
+#include "solver/two_polar_equilibrium.hpp"
 
 namespace stationary {
 
-/// The columns fill_row() and the caller's branch, sheet and point make up, in order.
-constexpr Column equilibrium_columns[] = {
-    Column::branch, Column::sheet,  Column::point,    Column::nu1,           Column::nu2,
-    Column::nu3,    Column::alpha,  Column::xi,       Column::zeta,          Column::rho,
-    Column::lambda, Column::mu,     Column::angle,    Column::pi1,           Column::pi2,
-    Column::pi3,    Column::energy, Column::residual, Column::compatibility, Column::error_bound};
+/// The columns fill_row(), fill_spectrum() and the caller's sheet and point make up, in order.
+std::vector<Column> equilibrium_columns(bool two_polar, bool spectrum);
 
 /// Motion, stretch, principal stretches (no angle on the circle), momenta, energy and the errors
 /// of a solved equilibrium; leaves the other columns as they are.
 void fill_row(const Problem& problem, const Equilibrium& equilibrium, TableRow& row);
+
+/// Likewise of a two-polar motion, at the moment theta = 0: S = diag(lambda, mu, rho), nu3 = omega
+/// + theta' (the paper's L^-1 L'), pi3 = s3.
+void fill_row(const Body& body, const Potential& potential, const TwoPolarEquilibrium& equilibrium,
+              TableRow& row);
+
+/// class ... krein5; modes that do not exist stay empty.
+void fill_spectrum(const Spectrum& spectrum, TableRow& row);
 
 }  // namespace stationary

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "solver/table.hpp"
+
 namespace stationary {
 namespace {
 
@@ -14,13 +16,24 @@ Json model_json(const ModelChoice& model) {
   return out;
 }
 
+Json motion_json(const Case::Motion& motion) {
+  if (const auto* rotation = std::get_if<AxisRotation>(&motion))
+    return {{"branch", name(rotation->branch)}, {"nu", rotation->nu}};
+  const TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
+  if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar)) {
+    return {{"branch", two_polar_name}, {"omega", rates->omega}, {"theta_dot", rates->theta_dot}};
+  }
+  const auto& momenta = std::get<TwoPolarMomenta<double>>(two_polar);
+  return {{"branch", two_polar_name}, {"s3", momenta.s3}, {"p_theta", momenta.p_theta}};
+}
+
 /// The case file's own keys, defaults included.
 Json case_json(const Case& input) {
   Json out;
   out["title"] = input.title;
   out["body"]["J"] = {input.body.J1, input.body.J2, input.body.J3};
   for (const ModelChoice& model : input.models) out["potential"][model.slot] = model_json(model);
-  out["motion"] = {{"branch", name(input.motion.branch)}, {"nu", input.motion.nu}};
+  out["motion"] = motion_json(input.motion);
   Json& solve = out["solve"];
   if (const auto& start = input.solve.start)
     solve["start"] = {start->alpha, start->xi, start->zeta, start->rho};

@@ -22,7 +22,7 @@ struct Metadata {
   std::vector<std::pair<std::string_view, long>> counts;
   std::vector<PlanItem> plan;     ///< how each unknown is had
   std::vector<PlanItem> skipped;  ///< what was not computed, and why
-  /// Outcome, method, connection, message, ... by name.
+  /// Outcome, method, connection, message, class, ... by name.
   std::vector<std::pair<std::string_view, std::string>> outcome;
 };
 

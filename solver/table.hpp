@@ -22,7 +22,8 @@ enum class Column : std::uint8_t {
   // clang-format off
   branch, sheet, point, event, nu1, nu2, nu3, alpha, xi, zeta, rho, lambda, mu, angle,
   pi1, pi2, pi3, energy, residual, compatibility, error_bound, stability, growth, negative,
-  re1, im1, krein1, re2, im2, krein2, re3, im3, krein3, re4, im4, krein4, re5, im5, krein5
+  re1, im1, krein1, re2, im2, krein2, re3, im3, krein3, re4, im4, krein4, re5, im5, krein5,
+  omega, theta_dot, s3, p_theta  // the two-polar family's
   // clang-format on
 };
 
@@ -32,14 +33,23 @@ constexpr std::string_view column_names[] = {
     "branch", "sheet", "point", "event", "nu1", "nu2", "nu3", "alpha", "xi", "zeta", "rho",
     "lambda", "mu", "angle", "pi1", "pi2", "pi3", "energy", "residual", "compatibility",
     "error_bound", "class", "growth", "negative", "re1", "im1", "krein1", "re2", "im2", "krein2",
-    "re3", "im3", "krein3", "re4", "im4", "krein4", "re5", "im5", "krein5"
+    "re3", "im3", "krein3", "re4", "im4", "krein4", "re5", "im5", "krein5", "omega", "theta_dot",
+    "s3", "p_theta"
     // clang-format on
 };
 constexpr std::size_t column_count = std::size(column_names);
-static_assert(column_count == static_cast<std::size_t>(Column::krein5) + 1);
+static_assert(column_count == static_cast<std::size_t>(Column::p_theta) + 1);
 
 constexpr std::string_view name(Column c) { return column_names[static_cast<std::size_t>(c)]; }
 std::optional<Column> find_column(std::string_view name);
+
+/// What the linearization gives: class ... krein5.
+constexpr bool is_spectral(Column c) { return c >= Column::stability && c <= Column::krein5; }
+/// What only two-polar motions have.
+constexpr bool is_two_polar(Column c) { return c >= Column::omega; }
+
+/// Column "branch" of the two-polar family, beside name(Branch).
+constexpr std::string_view two_polar_name = "two-polar";
 
 enum class ModePart : std::uint8_t { re, im, krein };
 constexpr int mode_count = 5;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "solver/cli/command.hpp"
+#include "solver/cli/plan.hpp"
 #include "solver/cli/report.hpp"
 
 namespace stationary::cli {
@@ -20,8 +21,9 @@ std::string coefficients_text(const ModelChoice& model) {
 
 std::string start_text(const Case& input) {
   const auto& start = input.solve.start;
-  if (!start) return "the solution connected to rest";
-  return fmt::format("(alpha, xi, zeta, rho) = ({}, {}, {}, {})", start->alpha, start->xi,
+  if (!start) return input.two_polar() ? "a global search" : "the solution connected to rest";
+  return fmt::format("(alpha, {}, rho) = ({}, {}, {}, {})",
+                     input.two_polar() ? "lambda, mu" : "xi, zeta", start->alpha, start->xi,
                      start->zeta, start->rho);
 }
 
@@ -40,7 +42,7 @@ ExitCode check_case(const CaseOptions& options) {
     out.line(model.slot, fmt::format("{}: {}", model.description->name, coefficients_text(model)));
     out.line("", model.description->formula);
   }
-  out.line("motion", motion_text(input.motion.branch, input.motion.nu));
+  out.line("motion", motion_text(input.motion));
   out.line("solve",
            fmt::format("method {}, start: {}", name(input.solve.method), start_text(input)));
   if (const auto& continuation = input.continuation) {
@@ -53,8 +55,9 @@ ExitCode check_case(const CaseOptions& options) {
     columns += (columns.empty() ? "" : ", ") + column;
   out.line("output", "columns: " + (columns.empty() ? "all that is computed" : columns));
   out.gap();
-  add_plan(out, input.problem().plan());
-  add_plan(out, not_computed(input));
+  const ComputationPlan plan = computation_plan(input, true);
+  add_plan(out, plan.computed);
+  add_plan(out, plan.skipped);
   print(out.text());
   return ExitCode::done;
 }

@@ -5,6 +5,34 @@
 #include <algorithm>
 
 namespace stationary::cli {
+namespace {
+
+/// What a class says, and what it does not.
+std::string_view claim(const Spectrum& spectrum) {
+  switch (spectrum.verdict) {
+    case StabilityClass::stable:
+      if (spectrum.negative > 0) {
+        return "the second variation is definite on the motions that keep the material symmetry's "
+               "momentum, or with a multiple of it, so small disturbances stay small, up to the "
+               "symmetries";
+      }
+      return "the second variation is definite, so small disturbances stay small, up to the "
+             "symmetries";
+    case StabilityClass::elliptic:
+      return "all eigenvalues are imaginary but the second variation is indefinite, so no "
+             "disturbance grows to first order; dissipation may destroy it";
+    case StabilityClass::unstable:
+      return "a real pair of eigenvalues, so some disturbances grow exponentially";
+    case StabilityClass::oscillatory:
+      return "a complex quadruple of eigenvalues, so some disturbances grow while they oscillate";
+    case StabilityClass::marginal:
+      break;
+  }
+  return "nothing is claimed: within the error bounds an eigenvalue may be zero, or two of "
+         "opposite Krein sign may meet";
+}
+
+}  // namespace
 
 void Report::line(std::string_view label, std::string_view value) {
   // Broken between words, continued under the value.
@@ -40,18 +68,32 @@ void add_plan(Report& report, const std::vector<PlanItem>& plan) {
   }
 }
 
-std::string motion_text(Branch branch, double nu) {
-  const Vector3<double> v = angular_velocity(branch, nu);
-  return fmt::format("branch ({}), nu = ({}, {}, {})", name(branch), v[0], v[1], v[2]);
+void add_spectrum(Report& report, const Spectrum& spectrum) {
+  report.line("spectrum", fmt::format("{}: {}", name(spectrum.verdict), claim(spectrum)));
+  report.line("", fmt::format("growth {:.16g}; negative directions of the second variation: {}",
+                              spectrum.growth, spectrum.negative));
+  report.line("", fmt::format("{:<6}{:<24}{:<24}{:<7}{}", "mode", "re s", "im s", "Krein",
+                              "error bound of s^2"));
+  for (int k = 0; k < spectrum.modes; ++k) {
+    const Mode& mode = spectrum.mode[static_cast<std::size_t>(k)];
+    const std::string krein = mode.krein == 0 ? "0" : fmt::format("{:+d}", mode.krein);
+    const std::string error =
+        mode.forced_zero ? "0 (a symmetry's)" : fmt::format("{:.1e}", mode.lambda_error);
+    report.line(
+        "", fmt::format("{:<6}{:<24.16g}{:<24.16g}{:<7}{}", k + 1, mode.re, mode.im, krein, error));
+  }
 }
 
-std::vector<PlanItem> not_computed(const Case& input) {
-  std::vector<PlanItem> out;
-  const std::string why = input.output.spectrum
-                              ? "this version of the program has no linearization yet"
-                              : "output.spectrum = false";
-  out.push_back({"spectrum", "not computed", why});
-  return out;
+std::string motion_text(const Case::Motion& motion) {
+  if (const auto* rotation = std::get_if<AxisRotation>(&motion)) {
+    const Vector3<double> v = angular_velocity(rotation->branch, rotation->nu);
+    return fmt::format("branch ({}), nu = ({}, {}, {})", name(rotation->branch), v[0], v[1], v[2]);
+  }
+  const TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
+  if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar))
+    return fmt::format("two-polar, omega = {}, theta_dot = {}", rates->omega, rates->theta_dot);
+  const auto& momenta = std::get<TwoPolarMomenta<double>>(two_polar);
+  return fmt::format("two-polar, s3 = {}, p_theta = {}", momenta.s3, momenta.p_theta);
 }
 
 }  // namespace stationary::cli

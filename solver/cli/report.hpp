@@ -1,5 +1,4 @@
-// Text for a person: sections of aligned label and value lines, and the parts that `solve` and
-// `check` both print.
+// Text for a person: sections of aligned label and value lines, and the parts that commands share.
 #pragma once
 
 #include <string>
@@ -7,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/spectrum.hpp"
 #include "solver/case_file.hpp"
 
 namespace stationary::cli {
@@ -30,10 +30,10 @@ class Report {
 /// How each unknown is had and what is left out, one block per quantity.
 void add_plan(Report& report, const std::vector<PlanItem>& plan);
 
-/// "(i), nu = (0.5, 0, 0)".
-std::string motion_text(Branch branch, double nu);
+/// The class, what it claims, and the modes with their error bounds.
+void add_spectrum(Report& report, const Spectrum& spectrum);
 
-/// What this version of the program leaves out of a case's results, and why.
-std::vector<PlanItem> not_computed(const Case& input);
+/// "branch (i), nu = (0.5, 0, 0)", "two-polar, omega = 1.2, theta_dot = -0.35".
+std::string motion_text(const Case::Motion& motion);
 
 }  // namespace stationary::cli

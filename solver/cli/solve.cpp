@@ -1,17 +1,21 @@
-// stationary solve CASE: the stationary ellipsoid of a case at its nu.
+// stationary solve CASE: the stationary ellipsoid of a case at its nu, or the two-polar motion at
+// its rates or momenta, and the spectrum there.
 #include <fmt/format.h>
 
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <variant>
 
-#include "lib/balance.hpp"
 #include "solver/case_keys.hpp"
 #include "solver/cli/command.hpp"
 #include "solver/cli/interrupt.hpp"
+#include "solver/cli/plan.hpp"
 #include "solver/cli/report.hpp"
 #include "solver/cli/table_output.hpp"
 #include "solver/equilibrium_row.hpp"
+#include "solver/stability.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -53,25 +57,97 @@ std::string_view outcome(SolveStatus status) {
   return "nothing was computed";
 }
 
+/// What solve found, in whichever family.
+struct Answer {
+  SolveStatus status = SolveStatus::not_run;
+  std::string message;
+  Connection connection = Connection::unknown;
+  Counts counts;
+  std::optional<Spectrum> spectrum;
+  TableRow row;
+  double seconds = 0.0;
+
+  bool solved() const { return status == SolveStatus::solved; }
+};
+
+Answer answer(const Case& input, const AxisRotation& motion, const SolveOptions& options,
+              bool with_spectrum) {
+  const Problem problem = input.problem();
+  const Equilibrium found = solve(problem, motion.nu, options);
+  Answer out;
+  out.status = found.status;
+  out.message = found.message;
+  out.connection = found.connection;
+  out.counts = found.counts;
+  if (!out.solved()) return out;
+  fill_row(problem, found, out.row);
+  if (with_spectrum) out.spectrum = stability(problem, found);
+  return out;
+}
+
+Answer answer(const Case& input, const TwoPolarMotion& motion, const SolveOptions& options,
+              bool with_spectrum) {
+  const TwoPolarEquilibrium found = solve_two_polar(input.body, input.potential, motion, options);
+  Answer out;
+  out.status = found.status;
+  out.message = found.message;
+  if (options.start && !found.circle) out.connection = Connection::given_start;
+  out.counts = found.counts;
+  if (!out.solved()) return out;
+  fill_row(input.body, input.potential, found, out.row);
+  if (with_spectrum) out.spectrum = stability(input.body, input.potential, found);
+  return out;
+}
+
+Answer timed_answer(const Case& input, const ComputeOptions& options, bool with_spectrum) {
+  const SolveOptions solve_options{.method = input.solve.method,
+                                   .start = input.solve.start,
+                                   .threads = options.threads,
+                                   .stop = &stop_on_signals()};
+  const auto begin = std::chrono::steady_clock::now();
+  Answer out = std::visit(
+      [&](const auto& motion) { return answer(input, motion, solve_options, with_spectrum); },
+      input.motion);
+  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (!out.solved()) return out;
+  out.row[Column::sheet] = 1;
+  out.row[Column::point] = 0;
+  if (out.spectrum) fill_spectrum(*out.spectrum, out.row);
+  return out;
+}
+
 /// The columns of the table to be, refused before the computation if none is left.
-std::vector<Column> columns_of(const Case& input) {
-  std::vector<Column> out = select_columns(equilibrium_columns, input.output.columns);
+std::vector<Column> columns_of(const Case& input, bool with_spectrum) {
+  const std::vector<Column> computed = equilibrium_columns(input.two_polar(), with_spectrum);
+  std::vector<Column> out = select_columns(computed, input.output.columns);
   if (!out.empty()) return out;
   std::vector<std::string_view> names;
-  for (const Column c : equilibrium_columns) names.push_back(name(c));
+  for (const Column c : computed) names.push_back(name(c));
   throw fault_at(input.source, "output.columns", "found no column that solve computes",
                  "names of " + listed(names));
 }
 
-std::string summary(const Case& input, const Problem& problem, const Equilibrium& found,
-                    const TableRow& row, double seconds) {
-  constexpr std::size_t label_width = 14;
-  Report out(label_width);
-  if (!input.title.empty()) out.line("case", printable(input.title));
-  out.line("motion", motion_text(problem.branch(), input.motion.nu));
-  out.line("found", found.message.empty() ? "solved" : found.message);
-  out.line("connection", name(found.connection));
-  out.gap();
+/// Evaluation counts of the whole answer, by name.
+std::vector<std::pair<std::string_view, long>> counts_of(const Answer& found) {
+  auto out = named_counts(found.counts);
+  out.emplace_back("spectra", found.spectrum ? 1 : 0);
+  return out;
+}
+
+std::string cost_text(const Answer& found) {
+  std::string out = fmt::format("{:.1e} s", found.seconds);
+  bool first = true;
+  for (const auto& [what, count] : counts_of(found)) {
+    if (count == 0) continue;
+    std::string words(what);
+    for (char& c : words)
+      if (c == '_') c = ' ';
+    out += fmt::format("{}{} {}", std::exchange(first, false) ? ": " : ", ", count, words);
+  }
+  return out;
+}
+
+void add_state(Report& out, const Case& input, const TableRow& row) {
   out.row("stretch S", {{"xi    ", row[Column::xi]}, {"zeta  ", row[Column::zeta]}});
   out.row("", {{"rho   ", row[Column::rho]}, {"alpha ", row[Column::alpha]}});
   out.row("principal", {{"lambda", row[Column::lambda]}, {"mu    ", row[Column::mu]}});
@@ -81,83 +157,87 @@ std::string summary(const Case& input, const Problem& problem, const Equilibrium
   } else {
     out.line("", "no angle: lambda = mu, a circle");
   }
-  out.row("momenta", {{"pi1   ", row[Column::pi1]}, {"pi2   ", row[Column::pi2]}});
-  out.row("", {{"pi3   ", row[Column::pi3]}});
-  out.row("energy", {{"T + V ", row[Column::energy]}});
-  out.gap();
-  out.line("residual", fmt::format("{:.1e} of the largest term", found.residual));
-  out.line("compatible to", fmt::format("{:.1e} of the largest term", found.compatibility));
-  out.line("error bound", fmt::format("{:.1e} relative, of S (estimated)", found.error_bound));
-  std::string cost;
-  for (const auto& [what, count] : named_counts(found.counts)) {
-    if (count == 0) continue;
-    std::string words(what);
-    for (char& c : words)
-      if (c == '_') c = ' ';
-    cost += fmt::format("{}{} {}", cost.empty() ? "" : ", ", count, words);
+  if (input.two_polar()) {
+    out.row("rates", {{"omega ", row[Column::omega]}, {"theta_dot", row[Column::theta_dot]}});
+    out.row("momenta", {{"s3    ", row[Column::s3]}, {"p_theta  ", row[Column::p_theta]}});
+  } else {
+    out.row("momenta", {{"pi1   ", row[Column::pi1]}, {"pi2   ", row[Column::pi2]}});
+    out.row("", {{"pi3   ", row[Column::pi3]}});
   }
-  out.line("cost", fmt::format("{:.1e} s{}{}", seconds, cost.empty() ? "" : ": ", cost));
+  out.row("energy", {{"T + V ", row[Column::energy]}});
+}
+
+std::string summary(const Case& input, const Answer& found) {
+  constexpr std::size_t label_width = 14;
+  Report out(label_width);
+  const TableRow& row = found.row;
+  if (!input.title.empty()) out.line("case", printable(input.title));
+  out.line("motion", motion_text(input.motion));
+  out.line("found", found.message.empty() ? "solved" : found.message);
+  out.line("connection", name(found.connection));
   out.gap();
-  add_plan(out, problem.plan());
-  add_plan(out, not_computed(input));
+  add_state(out, input, row);
+  out.gap();
+  out.line("residual", fmt::format("{:.1e} of the largest term", row[Column::residual]));
+  out.line("compatible to", fmt::format("{:.1e} of the largest term", row[Column::compatibility]));
+  out.line("error bound",
+           fmt::format("{:.1e} relative, of S (estimated)", row[Column::error_bound]));
+  if (found.spectrum) {
+    out.gap();
+    add_spectrum(out, *found.spectrum);
+  }
+  out.gap();
+  out.line("cost", cost_text(found));
+  out.gap();
+  const ComputationPlan plan = computation_plan(input, false);
+  add_plan(out, plan.computed);
+  add_plan(out, plan.skipped);
   return out.text();
 }
 
-Metadata describe(const Session& session, const Case& input, const Problem& problem,
-                  const Equilibrium& found, double seconds) {
+Metadata describe(const Session& session, const Case& input, const Answer& found) {
+  ComputationPlan plan = computation_plan(input, true);
   Metadata out;
   out.version = STATIONARY_VERSION;
   out.command_line = session.command_line;
   out.input = &input;
-  out.seconds = seconds;
-  out.counts = named_counts(found.counts);
-  out.plan = problem.plan();
-  out.skipped = not_computed(input);
+  out.seconds = found.seconds;
+  out.counts = counts_of(found);
+  out.plan = std::move(plan.computed);
+  out.skipped = std::move(plan.skipped);
   out.outcome = {{"command", "solve"},
                  {"status", std::string(outcome(found.status))},
                  {"method", std::string(name(input.solve.method))},
                  {"connection", std::string(name(found.connection))},
                  {"message", found.message}};
+  if (found.spectrum) out.outcome.emplace_back("class", name(found.spectrum->verdict));
   return out;
 }
 
 ExitCode solve_case(const ComputeOptions& options, const Session& session) {
   const Case input = options.read();
-  const std::vector<Column> columns = columns_of(input);
+  const bool to_table = !options.output.empty();
+  const bool with_spectrum = wants_spectrum(input, to_table);
+  const std::vector<Column> columns = columns_of(input, with_spectrum);
   std::optional<TableOutput> output;
-  if (!options.output.empty()) output.emplace(options.output, options.path);
+  if (to_table) output.emplace(options.output, options.path);
 
-  const Problem problem = input.problem();
-  const auto begin = std::chrono::steady_clock::now();
-  const Equilibrium found = solve(problem, input.motion.nu,
-                                  {.method = input.solve.method,
-                                   .start = input.solve.start,
-                                   .threads = options.threads,
-                                   .stop = &stop_on_signals()});
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-
+  const Answer found = timed_answer(input, options, with_spectrum);
   const ExitCode code = exit_code(found.status);
-  const bool solved = code == ExitCode::done;
-  TableRow row;
-  if (solved) {
-    fill_row(problem, found, row);
-    row[Column::sheet] = 1;
-    row[Column::point] = 0;
-  } else {
+  if (!found.solved()) {
     complain(fmt::format("{}{}{}", outcome(found.status), found.message.empty() ? "" : ": ",
                          found.message));
   }
   // That there is no equilibrium is an answer, and its table has no rows; a failure is none.
-  if (output && (solved || code == ExitCode::no_equilibrium)) {
+  if (output && (found.solved() || code == ExitCode::no_equilibrium)) {
     TableWriter table(output->sink(), columns);
-    if (solved) table.write(row);
+    if (found.solved()) table.write(found.row);
     table.flush();
-    Metadata metadata = describe(session, input, problem, found, seconds);
+    Metadata metadata = describe(session, input, found);
     metadata.rows = table.rows();
     output->commit(metadata);
   }
-  if (solved && !output && !options.quiet) print(summary(input, problem, found, row, seconds));
+  if (found.solved() && !output && !options.quiet) print(summary(input, found));
   return code;
 }
 
@@ -165,7 +245,7 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
 
 void add_solve(CLI::App& program, Session& session) {
   CLI::App& command =
-      add_command(program, "solve", "Find the stationary ellipsoid of a case at its nu");
+      add_command(program, "solve", "Find the stationary ellipsoid of a case, and its spectrum");
   const auto options = std::make_shared<ComputeOptions>();
   options->add_to(command);
   command.callback([options, &session] {

@@ -37,6 +37,11 @@ std::string planar(const std::string& coefficients) {
   return with_potential("[potential]\nplane = { " + coefficients +
                         " }\nthickness = { model = \"harmonic\", k = 1.0, rest = 0.8 }\n");
 }
+/// A two-polar motion of a round body.
+std::string round_body(const std::string& text) {
+  return std::string("[body]\nJ = [1, 1, 0.6]\n") + potential +
+         "[motion]\nbranch = \"two-polar\"\n" + text;
+}
 std::string continuation(const std::string& text) { return with_more("[continuation]\n" + text); }
 
 const std::vector<Malformed>& malformed_cases() {
@@ -73,8 +78,8 @@ const std::vector<Malformed>& malformed_cases() {
       {"dotted_in_quotes", with_more("\"motion.nu\" = 3\n"), {"case.toml:9:1", "unknown key"}},
       {"control_characters", "\"\\u001b[31m\" = 1\n", {"\\x1B[31m", "unknown key"}},
       {"reserved_key",
-       with_motion("[motion]\nbranch = \"i\"\nnu = 1\nomega = 1\n"),
-       {"case.toml:9:1", "motion.omega", "not available in this version"}},
+       with_motion("[motion]\nbranch = \"i\"\nnu = 1\nplane = \"13\"\n"),
+       {"case.toml:9:1", "motion.plane", "not available in this version"}},
       // missing keys
       {"no_body", std::string(potential) + motion, {"case.toml:1:1", "body:", "add body"}},
       {"no_J", with_body("[body]\n"), {"case.toml:1:1", "body.J: found no such key", "three"}},
@@ -186,9 +191,71 @@ const std::vector<Malformed>& malformed_cases() {
        with_motion("[motion]\nbranch = \"oblique\"\nnu = 1\n"),
        {"\"oblique\", which is not available in this version", "\"i\", \"ii\", \"iii\""}},
       {"branch_tilted", with_motion("[motion]\nbranch = \"tilted\"\nnu = 1\n"), {"not available"}},
-      {"branch_two_polar",
-       with_motion("[motion]\nbranch = \"two-polar\"\nomega = 1\n"),
-       {"not available"}},
+      {"rate_of_another_branch",
+       with_motion("[motion]\nbranch = \"i\"\nnu = 1\nomega = 1\n"),
+       {"case.toml:9:1", "motion.omega: found omega, which branch \"i\" does not take",
+        "expected nu", "remove omega"}},
+      {"momentum_of_another_branch",
+       with_motion("[motion]\nbranch = \"iii\"\np_theta = 1\n"),
+       {"case.toml:8:1", "motion.p_theta", "branch \"iii\"", "expected nu"}},
+      // two-polar motions
+      {"two_polar_with_nu",
+       round_body("nu = 1\nomega = 1\ntheta_dot = 1\n"),
+       {"case.toml:8:1", "motion.nu: found nu, which branch \"two-polar\" does not take",
+        "omega and theta_dot, or s3 and p_theta, instead", "remove nu"}},
+      {"two_polar_of_nothing",
+       round_body(""),
+       {"case.toml:6:1", "motion: found none of omega, theta_dot, s3, p_theta", "add one of"}},
+      {"two_polar_half_rates",
+       round_body("omega = 1\n"),
+       {"case.toml:6:1", "motion.theta_dot: found omega alone",
+        "expected omega and theta_dot, or s3 and p_theta", "add theta_dot"}},
+      {"two_polar_half_momenta",
+       round_body("p_theta = 1\n"),
+       {"motion.s3: found p_theta alone", "add s3"}},
+      {"two_polar_both_pairs",
+       round_body("omega = 1\ntheta_dot = 1\ns3 = 1\np_theta = 1\n"),
+       {"case.toml:10:1", "motion.s3: found both omega and s3", "keep one of the two pairs"}},
+      {"two_polar_half_of_each",
+       round_body("theta_dot = 1\np_theta = 1\n"),
+       {"case.toml:9:1", "motion.p_theta: found both theta_dot and p_theta"}},
+      {"two_polar_rate_nan",
+       round_body("omega = nan\ntheta_dot = 1\n"),
+       {"case.toml:8:9", "motion.omega: found the number nan", "a finite number"}},
+      {"two_polar_momentum_text",
+       round_body("s3 = \"much\"\np_theta = 1\n"),
+       {"case.toml:8:6", "motion.s3: found the string \"much\"", "a finite number"}},
+      {"two_polar_misspelt",
+       round_body("omega = 1\ntheta_dt = 1\n"),
+       {"motion.theta_dt", "did you mean \"theta_dot\"?"}},
+      {"two_polar_unsymmetric",
+       with_motion("[motion]\nbranch = \"two-polar\"\nomega = 1\ntheta_dot = 2\n"),
+       {"case.toml:2:5", "body.J: found J1 = 1, J2 = 1.7", "expected J1 = J2"}},
+      {"two_polar_ceres",
+       round_body("omega = 1\ntheta_dot = 2\n[solve]\nmethod = \"ceres\"\n"),
+       {"case.toml:11:10", "solve.method: found the string \"ceres\" with branch \"two-polar\"",
+        "\"auto\" or \"nlopt\""}},
+      {"two_polar_newton",
+       round_body("omega = 1\ntheta_dot = 2\n[solve]\nmethod = \"newton\"\n"),
+       {"\"auto\" or \"nlopt\""}},
+      {"two_polar_start_negative",
+       round_body("omega = 1\ntheta_dot = 2\n[solve]\nstart = [0, 1, -1, 1]\n"),
+       {"case.toml:11:16", "found mu = -1", "mu > 0"}},
+      {"two_polar_start_on_the_circle",
+       round_body("omega = 1\ntheta_dot = 2\n[solve]\nstart = [0, 1, 1, 1]\n"),
+       {"case.toml:11:16", "found mu = 1", "lambda != mu"}},
+      {"two_polar_parameter_nu",
+       round_body("omega = 1\ntheta_dot = 2\n[continuation]\nparameter = \"nu\"\nfrom = 0\n"
+                  "to = 1\n"),
+       {"case.toml:11:13", "found the string \"nu\"", "\"motion.omega\", \"motion.theta_dot\""}},
+      {"two_polar_parameter_of_the_other_pair",
+       round_body("omega = 1\ntheta_dot = 2\n[continuation]\nparameter = \"motion.s3\"\n"
+                  "from = 0\nto = 1\n"),
+       {"found the string \"motion.s3\"", "\"motion.omega\""}},
+      {"two_polar_parameter_J1",
+       round_body("omega = 1\ntheta_dot = 2\n[continuation]\nparameter = \"body.J.0\"\n"
+                  "from = 0.5\nto = 1\n"),
+       {"found the string \"body.J.0\"", "did you mean \"body.J.2\"?"}},
       // solve
       {"method_unknown",
        with_more("[solve]\nmethod = \"neuton\"\n"),
@@ -250,6 +317,12 @@ const std::vector<Malformed>& malformed_cases() {
       {"columns_text", with_more("[output]\ncolumns = \"nu1\"\n"), {"case.toml:10:11", "an array"}},
       {"columns_none_computed",
        with_more("[output]\ncolumns = [\"event\"]\n"),
+       {"output.columns", "no column that solve computes"}},
+      {"columns_of_a_spectrum_not_asked_for",
+       with_more("[output]\nspectrum = false\ncolumns = [\"class\", \"growth\"]\n"),
+       {"case.toml:11:11", "no column that solve computes"}},
+      {"columns_of_another_branch",
+       with_more("[output]\ncolumns = [\"omega\"]\n"),
        {"output.columns", "no column that solve computes"}},
   };
   return all;

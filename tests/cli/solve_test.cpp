@@ -2,15 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <charconv>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "solver/case_file.hpp"
 #include "solver/equilibrium.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/cli/table_reading.hpp"
 
 namespace stationary::testing {
 namespace {
@@ -20,45 +18,10 @@ using ::testing::IsEmpty;
 
 constexpr const char* header =
     "branch,sheet,point,nu1,nu2,nu3,alpha,xi,zeta,rho,lambda,mu,angle,pi1,pi2,pi3,energy,residual,"
-    "compatibility,error_bound";
+    "compatibility,error_bound,class,growth,negative,re1,im1,krein1,re2,im2,krein2,re3,im3,krein3,"
+    "re4,im4,krein4,re5,im5,krein5";
 
 std::string shipped(const std::string& name) { return std::string(STATIONARY_CASES "/") + name; }
-
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> out(1);
-  for (const char c : line) {
-    if (c == ',') {
-      out.emplace_back();
-    } else {
-      out.back() += c;
-    }
-  }
-  return out;
-}
-
-/// The one row of a table, by column.
-std::map<std::string, std::string> only_row(const std::string& csv) {
-  std::istringstream lines(csv);
-  std::string names;
-  std::string values;
-  std::string more;
-  std::getline(lines, names);
-  std::getline(lines, values);
-  EXPECT_FALSE(std::getline(lines, more));
-  const auto keys = cells(names);
-  const auto entries = cells(values);
-  EXPECT_EQ(keys.size(), entries.size());
-  std::map<std::string, std::string> out;
-  for (std::size_t k = 0; k < std::min(keys.size(), entries.size()); ++k) out[keys[k]] = entries[k];
-  return out;
-}
-
-double number(const std::string& text) {
-  double value = std::nan("");
-  const auto end = text.data() + text.size();
-  EXPECT_EQ(std::from_chars(text.data(), end, value).ptr, end) << text;
-  return value;
-}
 
 TEST(Solve, TableReadsBackToTheLastBit) {
   const Outcome outcome = run_program({"solve", shipped("disc.toml"), "-o", "-"});
@@ -70,7 +33,7 @@ TEST(Solve, TableReadsBackToTheLastBit) {
 
   const Case input = read_case(shipped("disc.toml"));
   const Problem problem = input.problem();
-  const Equilibrium expected = solve(problem, input.motion.nu);
+  const Equilibrium expected = solve(problem, std::get<AxisRotation>(input.motion).nu);
   auto row = only_row(outcome.out);
   EXPECT_EQ(row["branch"], "i");
   EXPECT_EQ(row["sheet"], "1");
@@ -108,9 +71,10 @@ TEST(Solve, NoAngleOnTheCircle) {
 TEST(Solve, ChosenColumnsKeepTheirOrder) {
   const Outcome outcome =
       run_program({"solve", shipped("disc.toml"), "-o", "-", "--set",
-                   "output.columns=[\"energy\", \"class\", \"xi\", \"branch\"]"});
+                   "output.columns=[\"class\", \"energy\", \"event\", \"xi\", \"branch\"]"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_TRUE(outcome.out.starts_with("branch,xi,energy\ni,")) << outcome.out;
+  EXPECT_TRUE(outcome.out.starts_with("branch,xi,energy,class\ni,")) << outcome.out;
+  EXPECT_TRUE(outcome.out.ends_with(",unstable\n")) << outcome.out;
 }
 
 TEST(Solve, MetadataStandsBesideTheTable) {
@@ -174,6 +138,7 @@ TEST(Solve, SpinReversedLeavesTheShape) {
   EXPECT_EQ(a["xi"], b["xi"]);
   EXPECT_EQ(a["energy"], b["energy"]);
   EXPECT_EQ('-' + a["pi1"], b["pi1"]);
+  EXPECT_EQ(a["growth"], b["growth"]);
 }
 
 TEST(Solve, EveryMethodFindsTheSame) {

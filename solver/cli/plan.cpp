@@ -1,0 +1,79 @@
+#include "solver/cli/plan.hpp"
+
+#include <algorithm>
+
+#include "solver/table.hpp"
+
+namespace stationary::cli {
+namespace {
+
+std::vector<PlanItem> two_polar_unknowns(const Case& input) {
+  const bool separable = input.potential.is_separable();
+  return {{"alpha", "0, not an unknown",
+           "the two-polar form: S is diagonal in the frame that turns at theta_dot"},
+          separable ? PlanItem{"rho", "closed form", "separable potential; V_rho'(rho) = 0"}
+                    : PlanItem{"rho", "an unknown", "the potential couples it to lambda and mu"},
+          {"lambda, mu", separable ? "2 equations" : "3 equations with rho",
+           "the balance at the prescribed rates or momenta, searched for globally; S has "
+           "xi = lambda, zeta = mu at theta = 0"}};
+}
+
+/// The blocks that alpha = 0 and an isotropic potential split the linearization into.
+PlanItem spectrum_item(const Case& input) {
+  constexpr const char* split = "alpha = 0 and an isotropic potential: reflections split the ";
+  const bool separable = input.potential.is_separable();
+  if (input.two_polar()) {
+    return {"spectrum",
+            "4 modes from 2 blocks: lambda, mu, rho (3) and the wobble of axis 3 (1, none where "
+            "s3 = 0); on the circle lambda = mu the 5 modes of branch (iii)",
+            std::string(split) + "8-dimensional leaf of fixed |pi| and p_theta"};
+  }
+  const auto& [branch, nu] = std::get<AxisRotation>(input.motion);
+  if (nu == 0.0) {
+    return {"spectrum",
+            separable ? "4 modes from 2 blocks: rho (1) and alpha, xi, zeta (3)"
+                      : "4 modes from 1 block: alpha, xi, zeta, rho (4)",
+            "at rest there is no angular momentum, the leaf has 8 dimensions"};
+  }
+  std::string how = "5 modes from ";
+  if (branch != Branch::iii) {
+    how += branch == Branch::i ? "2 blocks: xi, zeta, rho (3) and alpha, pi2, pi3 (2)"
+                               : "2 blocks: xi, zeta, rho (3) and alpha, pi1, pi3 (2)";
+  } else if (separable) {
+    how += "3 blocks: pi1, pi2 (1), rho (1) and alpha, xi, zeta (3)";
+  } else {
+    how += "2 blocks: pi1, pi2 (1) and alpha, xi, zeta, rho (4)";
+  }
+  return {"spectrum", how, std::string(split) + "10-dimensional leaf of fixed |pi|"};
+}
+
+bool names_spectral_column(const std::vector<std::string>& names) {
+  return std::ranges::any_of(names, [](const std::string& name) {
+    const auto column = find_column(name);
+    return column && is_spectral(*column);
+  });
+}
+
+}  // namespace
+
+bool wants_spectrum(const Case& input, bool to_table) {
+  if (!input.output.spectrum) return false;
+  const std::vector<std::string>& columns = input.output.columns;
+  return !to_table || columns.empty() || names_spectral_column(columns);
+}
+
+ComputationPlan computation_plan(const Case& input, bool to_table) {
+  ComputationPlan out;
+  out.computed = input.two_polar() ? two_polar_unknowns(input) : input.problem().plan();
+  if (wants_spectrum(input, to_table)) {
+    out.computed.push_back(spectrum_item(input));
+  } else if (!input.output.spectrum) {
+    out.skipped.push_back({"spectrum", "skipped", "output.spectrum = false"});
+  } else {
+    out.skipped.push_back({"spectrum", "skipped",
+                           "output.columns names none of its columns (without -o it is computed)"});
+  }
+  return out;
+}
+
+}  // namespace stationary::cli

@@ -1,0 +1,22 @@
+// What will be computed of a case and how, what will not be and why: for `check`, for the summary
+// and for the metadata.
+#pragma once
+
+#include <vector>
+
+#include "solver/case_file.hpp"
+
+namespace stationary::cli {
+
+struct ComputationPlan {
+  std::vector<PlanItem> computed;
+  std::vector<PlanItem> skipped;
+};
+
+/// Whether the spectrum is asked for: not with output.spectrum = false, nor for a table whose
+/// output.columns have none of it.
+bool wants_spectrum(const Case& input, bool to_table);
+
+ComputationPlan computation_plan(const Case& input, bool to_table);
+
+}  // namespace stationary::cli
