@@ -5,7 +5,8 @@
 // by pseudo-arclength in (ln x, tau): tangent predictor, bordered Newton corrector, so a turn of nu
 // is passed and not stumbled over. It decides whether the rest state's sheet reaches nu. Steps are
 // bounded by what the corrector observed (angle between tangents, size and contraction of the
-// corrections), which is what keeps it from jumping to a neighbouring sheet.
+// corrections, sign of the bordered determinant), which is what keeps it from jumping to a
+// neighbouring sheet.
 // tau and not nu: at nu = 0 the solution is smooth in nu^2.
 #pragma once
 
@@ -65,7 +66,7 @@ class RestWalk {
     out.x = here_.x;
     Tangent forward = Tangent::Zero();
     forward[N] = 1.0;
-    if (!tangent(here_, forward, here_.tangent)) return out;
+    if (!orient(here_, forward)) return out;
     double step = options_.first_step;
     while (out.steps < options_.max_steps) {
       if (stop != nullptr && stop->load(std::memory_order_relaxed)) {
@@ -107,6 +108,7 @@ class RestWalk {
     ReducedVector<N> x;
     double tau = 0.0;
     Tangent tangent;
+    bool positive = true;  ///< det of bordered() with the tangent: one sign all along a sheet
   };
 
   /// A circle xi = zeta stays one where both pulls are equal: then rounding must not break it.
@@ -137,13 +139,16 @@ class RestWalk {
     return A;
   }
 
-  bool tangent(const Point& p, const Tangent& border, Tangent& out) const {
+  /// Tangent at p, on the side of `ahead`, and the sign of the determinant.
+  bool orient(Point& p, const Tangent& ahead) const {
     const Linearized<N> at = system_.at_fraction(p.tau).linearize(p.x);
     Tangent unit = Tangent::Zero();
     unit[N] = 1.0;
-    out = bordered(at, p.x, border).partialPivLu().solve(unit);
-    out.normalize();
-    return out.allFinite();
+    const auto lu = bordered(at, p.x, ahead).partialPivLu();
+    p.tangent = lu.solve(unit);
+    p.tangent.normalize();
+    p.positive = lu.determinant() > 0.0;
+    return p.tangent.allFinite();
   }
 
   /// One predictor-corrector step of length `step` from here_. False where anything observed says
@@ -170,7 +175,8 @@ class RestWalk {
     }
     if (!converged) return false;
     symmetrize(next.x);
-    if (!tangent(next, here_.tangent, next.tangent)) return false;
+    // A sheet met across the gap of a broken bifurcation goes on straight, with the other sign.
+    if (!orient(next, here_.tangent) || next.positive != here_.positive) return false;
     const double cosine = std::clamp(next.tangent.dot(here_.tangent), -1.0, 1.0);
     *angle = std::acos(cosine);
     return *angle <= options_.max_angle;
