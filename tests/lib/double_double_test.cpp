@@ -17,7 +17,7 @@ namespace {
 
 using namespace support;
 
-constexpr int trials = 20000;
+constexpr int trials = 4000;
 
 Real100 wide(const DoubleDouble& x) { return exact<Real100>(x); }
 
