@@ -250,12 +250,13 @@ Spectrum general_spectrum(const Body& body, const Potential& potential,
     }
   });
   const BasicStretch<Real> q_wide{wide(q.alpha), wide(q.xi), wide(q.zeta), wide(q.rho)};
-  const Vector3<Real> nu_wide{wide(nu[0]), wide(nu[1]), wide(nu[2])};
+  Vector3<Real> nu_wide{wide(nu[0]), wide(nu[1]), wide(nu[2])};
   const bool at_rest = nu_wide.norm() == Real(0);
   const bool circle = q_wide.alpha == Real(0) && q_wide.xi == q_wide.zeta;
   const MaterialSymmetry symmetry = !(body.symmetric() || at_rest) ? MaterialSymmetry::none
                                     : circle                       ? MaterialSymmetry::circle
                                                                    : MaterialSymmetry::ellipse;
+  if (circle && nu_wide[2] < Real(0)) nu_wide = -nu_wide;  // see definite_with_momentum()
   return general_spectrum({symmetry, uncertainty}, leaf(body, q_wide, nu_wide, V_qq, condition));
 }
 

@@ -23,7 +23,7 @@ namespace stationary {
 enum class MaterialSymmetry {
   none,
   ellipse,  ///< lambda != mu: it forces a zero pair
-  circle    ///< lambda = mu in (iii): no zero, but a second invariant
+  circle    ///< lambda = mu in (iii), nu3 >= 0: no zero, but a second invariant
 };
 
 struct GeneralFacts {
