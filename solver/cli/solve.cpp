@@ -122,6 +122,7 @@ std::vector<Column> columns_of(const Case& input, bool with_spectrum) {
   std::vector<Column> out = select_columns(computed, input.output.columns);
   if (!out.empty()) return out;
   std::vector<std::string_view> names;
+  names.reserve(computed.size());
   for (const Column c : computed) names.push_back(name(c));
   throw fault_at(input.source, "output.columns", "found no column that solve computes",
                  "names of " + listed(names));

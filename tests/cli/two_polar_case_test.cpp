@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "solver/case_file.hpp"
@@ -137,6 +138,16 @@ TEST(TwoPolarCase, CheckSaysWhatIsComputed) {
   EXPECT_THAT(run_program({"check", momenta_case}).out, HasSubstr("s3 = 2.2, p_theta = -0.95"));
   EXPECT_THAT(run_program({"check", rates_case, "--set", "output.spectrum=false"}).out,
               HasSubstr("spectrum      skipped"));
+}
+
+TEST(TwoPolarCase, InterruptedItWritesNothing) {
+  const TemporaryDirectory directory;
+  for (const std::string& path : {rates_case, momenta_case}) {
+    const Outcome outcome =
+        run_program({"solve", path, "-o", directory / "x.csv"}, {.pending_signal = SIGINT});
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_TRUE(directory.names().empty());
+  }
 }
 
 TEST(TwoPolarCase, MetadataHaveTheMotion) {
