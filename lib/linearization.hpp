@@ -267,20 +267,19 @@ SymmetricPencil<S> two_polar_pencil(const StraightState<S>& s, const S& theta_do
   return out;
 }
 
-/// Its wobble (s1, s2): Lambda = -a b with a = omega - s3/I1, b = omega - s3/I2; energies -a, -b
-/// times s3 (halves of squares over s3^2).
+/// Its wobble (s1, s2): Lambda = -a b with a = omega - s3/I1, b = omega - s3/I2; the energies of
+/// s1, s2 have the signs of -a s3, -b s3.
 template <class S>
 struct TwoPolarWobble {
   S a;
   S b;
-  S s3;
 };
 
 template <class S>
 TwoPolarWobble<S> two_polar_wobble(const StraightState<S>& s, const S& theta_dot) {
   const S s3 =
       s.J.J1 * ((s.xi * s.xi + s.zeta * s.zeta) * s.omega + 2.0 * (s.xi * s.zeta * theta_dot));
-  return {s.omega - s3 / s.I1(), s.omega - s3 / s.I2(), s3};
+  return {s.omega - s3 / s.I1(), s.omega - s3 / s.I2()};
 }
 
 }  // namespace stationary

@@ -292,10 +292,9 @@ Spectrum two_polar_spectrum(const StraightState<DoubleDouble>& state, const Doub
   int negative =
       add_symmetric(two_polar_pencil(state, theta_dot),
                     two_polar_pencil(conditioned, theta_dot_conditioned), uncertainty, out);
-  const auto wobble = two_polar_wobble(state, theta_dot);
-  const auto wobble_c = two_polar_wobble(conditioned, theta_dot_conditioned);
-  const double s3 = leading(wobble.s3);
   if (s3 != 0.0) {
+    const auto wobble = two_polar_wobble(state, theta_dot);
+    const auto wobble_c = two_polar_wobble(conditioned, theta_dot_conditioned);
     const int energy_1 = -sign(leading(wobble.a)) * sign(s3);
     const int energy_2 = -sign(leading(wobble.b)) * sign(s3);
     const double lambda = -leading(wobble.a * wobble.b);

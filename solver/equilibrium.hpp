@@ -55,6 +55,17 @@ struct Counts {
   long ceres_iterations = 0;
   long nlopt_evaluations = 0;
   long walk_steps = 0;
+
+  Counts& operator+=(const Counts& other) {
+    residuals += other.residuals;
+    jacobians += other.jacobians;
+    extended_residuals += other.extended_residuals;
+    newton_steps += other.newton_steps;
+    ceres_iterations += other.ceres_iterations;
+    nlopt_evaluations += other.nlopt_evaluations;
+    walk_steps += other.walk_steps;
+    return *this;
+  }
 };
 
 struct Equilibrium {

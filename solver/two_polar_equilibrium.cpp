@@ -227,6 +227,8 @@ void circle_instead(const Body& body, const Potential& potential,
   from_rest.start.reset();
   const Equilibrium circle =
       solve(Problem(body, potential, Branch::iii), rates.omega + rates.theta_dot, from_rest);
+  out.counts += circle.counts;
+  if (circle.status == SolveStatus::interrupted) out.status = SolveStatus::interrupted;
   if (circle.status != SolveStatus::solved) return;
   out.status = SolveStatus::solved;
   out.circle = true;
@@ -274,6 +276,8 @@ TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential
   } else {
     const auto& momenta = std::get<TwoPolarMomenta<double>>(motion);
     solver.run(momenta);
+    if (out.status == SolveStatus::not_found && std::abs(momenta.s3) == std::abs(momenta.p_theta))
+      out.message += "; the circle lambda = mu has such momenta, prescribe rates to find it";
     if (out.status != SolveStatus::solved) return out;
     out.momenta = momenta;
     out.rates = two_polar_rates(body.J1, out.x, momenta);
@@ -324,7 +328,7 @@ Spectrum stability(const Body& body, const Potential& potential,
         DoubleDouble(rates.theta_dot),
         straight_state(J_c, conditioned_model(model), input(planar[0]), input(planar[1]),
                        input(rho), input(rates.omega)),
-        input(rates.theta_dot), u);
+        input(rates.theta_dot), equilibrium.momenta.s3, u);
   });
 }
 
