@@ -81,9 +81,9 @@ Vector7<S> placed(const BasicStretch<S>& q) {
 
 /// The linearization about a steady rotation in the frame that turns with it, R^14: eigenvalues of
 /// x'' from M x'' + G x' + K x = 0, with L(x, v) in that frame, M = L_vv, G = L_vx - L_xv, K =
-/// -L_xx. In space the frame turns at -nu (nu's sign, docs/conventions.md); nu is an eigenvector of
-/// the locked inertia, so at L = 1 that is a steady turn. 14 = 10 of the leaf, a zero pair (turning
-/// about nu, its momentum) and +- i |nu| (the other turns).
+/// -L_xx. In space the frame turns at -nu (the sign of nu: lib/conventions.md); nu is an
+/// eigenvector of the locked inertia, so at L = 1 that is a steady turn. 14 = 10 of the leaf, a
+/// zero pair (turning about nu, its momentum) and +- i |nu| (the other turns).
 template <class Model>
 Eigen::Matrix<Number50, Eigen::Dynamic, Eigen::Dynamic> placement_matrix(
     const Body& body, const Model& model, const BasicStretch<Number50>& q,
