@@ -287,7 +287,8 @@ Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDoubl
 
 Spectrum two_polar_spectrum(const StraightState<DoubleDouble>& state, const DoubleDouble& theta_dot,
                             const StraightState<Conditioned>& conditioned,
-                            const Conditioned& theta_dot_conditioned, double uncertainty) {
+                            const Conditioned& theta_dot_conditioned, double s3,
+                            double uncertainty) {
   ModeCollector out;
   int negative =
       add_symmetric(two_polar_pencil(state, theta_dot),

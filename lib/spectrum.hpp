@@ -64,10 +64,11 @@ struct BlockFacts {
 Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDouble>& state,
                         const StraightState<Conditioned>& conditioned);
 
-/// Two-polar family, lambda != mu, on its 8-dimensional leaf (|s| and p_theta fixed; 6 at s3 = 0,
-/// where there is no wobble): four modes (three). theta_dot as an input of each computation.
+/// Two-polar family, lambda != mu, on its 8-dimensional leaf (|s| and p_theta fixed; 6 where s3 is
+/// exactly 0, with no wobble): four modes (three). theta_dot as an input of each computation.
 Spectrum two_polar_spectrum(const StraightState<DoubleDouble>& state, const DoubleDouble& theta_dot,
                             const StraightState<Conditioned>& conditioned,
-                            const Conditioned& theta_dot_conditioned, double uncertainty);
+                            const Conditioned& theta_dot_conditioned, double s3,
+                            double uncertainty);
 
 }  // namespace stationary
