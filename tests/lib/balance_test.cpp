@@ -5,6 +5,7 @@
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/law.hpp"
@@ -186,6 +187,21 @@ TEST(CheckBalance, PoisonIsReportedAndZeroIsZero) {
   const auto poisoned = check_balance(body, potential, {0.0, 1.0, 1.0, 1.0}, bad);
   EXPECT_TRUE(std::isnan(poisoned.residual));
   EXPECT_FALSE(poisoned.compatibility <= 1.0);
+}
+
+TEST(CheckBalance, CompatibilityIsRelativeToItsOwnProducts) {
+  // An axis a hundred-millionth off a principal one fails as plainly as any: the products in K are
+  // small together, and energy about the main axis is none of them.
+  const Body body(1.0, 1.7, 0.6);
+  const Potential potential(Biot<>{1.0, 0.5}, Harmonic<>{1.0, 1.0});
+  const Stretch q{0.0, 1.2, 0.9, 1.0};
+  const auto I = locked_inertia(body, q);
+  for (const double off : {1e-2, 1e-8, 1e-14}) {
+    const Vector3<double> nu{1.0, off, 0.0};
+    const double expected = std::abs(I(0, 0) - I(1, 1)) / std::max(I(0, 0), I(1, 1));
+    EXPECT_TRUE(agrees(at("off", off), expected,
+                       check_balance(body, potential, q, nu).compatibility, 8 * 0x1p-53));
+  }
 }
 
 TEST(CheckBalance, MeasuresTheDistanceFromABalance) {

@@ -202,6 +202,20 @@ TEST(Stretch, NamesTheViolatedInequality) {
   }
 }
 
+TEST(Stretch, SeesTheSignOfTheDeterminantWhereADoubleDoesNot) {
+  Random random(906);
+  int unseen = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double xi = random.uniform(0.5, 2.0);
+    const double zeta = random.uniform(0.5, 2.0);
+    const Stretch q{std::sqrt(xi * zeta), xi, zeta, 1.0};
+    const Real100 d = Real100(xi) * zeta - Real100(q.alpha) * q.alpha;
+    ASSERT_EQ(violated_inequality(q) == nullptr, d > 0) << at(q);
+    if (d > 0 && !(xi * zeta - q.alpha * q.alpha > 0.0)) ++unseen;
+  }
+  EXPECT_GT(unseen, 10);
+}
+
 TEST(Stretch, AcceptsTheWholeDomain) {
   const double smallest = std::numeric_limits<double>::min();
   for (const Stretch& q : {Stretch{0.0, 1.0, 1.0, 1.0}, Stretch{0.0, smallest, 1.0, smallest},
