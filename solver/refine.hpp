@@ -26,6 +26,7 @@ namespace stationary {
 struct Refined {
   bool converged = false;
   int steps = 0;
+  bool positive = false;  ///< det J > 0 at the last step
   double first_correction = std::numeric_limits<double>::quiet_NaN();  ///< max |delta| of step 1
   double error_bound = std::numeric_limits<double>::quiet_NaN();       ///< relative, max over x
 };
@@ -65,6 +66,7 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
     const double size = largest_magnitude<N>(step);
     if (!(size < 0.5)) return out;  // NaN included: no correction is that large
     if (out.steps++ == 0) out.first_correction = size;
+    out.positive = at.jacobian.determinant() > 0.0;
     const ReducedVector<N> corrected = moved<N>(x, step, -1.0);
     const double kappa = largest_magnitude<N>(absolute * ones<N>()) * at.magnitude;
     if (kappa * size * size <= 0x1p-56) {

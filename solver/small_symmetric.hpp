@@ -31,6 +31,19 @@ struct SmallSymmetric {
     return out;
   }
 
+  double determinant() const {
+    const auto& a = entries;
+    if constexpr (N == 1) {
+      return a[0];
+    } else if constexpr (N == 2) {
+      return a[0] * a[2] - a[1] * a[1];
+    } else {
+      static_assert(N == 3);
+      return a[0] * (a[3] * a[5] - a[4] * a[4]) + a[1] * (a[2] * a[4] - a[1] * a[5]) +
+             a[2] * (a[1] * a[4] - a[2] * a[3]);
+    }
+  }
+
   /// Not finite where the matrix is singular.
   SmallSymmetric inverse() const {
     const auto& a = entries;

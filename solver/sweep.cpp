@@ -17,7 +17,20 @@ Sweep::Sweep(const Problem& problem, const Equilibrium& start, const SweepOption
     : problem_(problem), options_(options) {
   if (start.status != SolveStatus::solved)
     throw std::invalid_argument("a sweep starts from a solved equilibrium");
-  past_[0] = {start.nu[axis(problem.branch())], {start.q.xi, start.q.zeta, start.q.rho}};
+  const double nu = start.nu[axis(problem.branch())];
+  const Stretch& q = start.q;
+  past_[0] = {nu, {q.xi, q.zeta, q.rho}};
+  const CentrifugalRates<DoubleDouble> rates = problem.rates(two_product(nu, nu));
+  circle_ = problem.branch() == Branch::iii && problem.body().symmetric() && q.xi == q.zeta;
+  positive_ = problem.potential().visit([&](const auto& model) {
+    if constexpr (requires { model.plane; }) {
+      const PlanarSystem<std::decay_t<decltype(model.plane)>> system{model.plane, rates};
+      return system.linearize({q.xi, q.zeta}).jacobian.determinant() > 0.0;
+    } else {
+      const CoupledSystem<std::decay_t<decltype(model)>> system{model, rates};
+      return system.linearize({q.xi, q.zeta, q.rho}).jacobian.determinant() > 0.0;
+    }
+  });
 }
 
 std::array<double, 3> Sweep::predict(double nu) const {
@@ -40,7 +53,9 @@ std::array<double, 3> Sweep::predict(double nu) const {
   return out;
 }
 
-bool Sweep::trusted(double first_correction, int unknowns) const {
+bool Sweep::trusted(const Refined& refined, int unknowns) const {
+  if (refined.positive != positive_ && !circle_) return false;
+  const double first_correction = refined.first_correction;
   if (first_correction <= 0.01) return true;
   if (known_ == 1) return first_correction <= 0.05;
   double last_move = 0.0;
@@ -61,7 +76,7 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
     ReducedVector<2> x(next[0], next[1]);
     const Refined planar = refine<bound>(PlanarSystem<Plane>{model.plane, rates}, x, 6);
     out.steps += planar.steps;
-    if (!planar.converged || !trusted(planar.first_correction, 2)) return false;
+    if (!planar.converged || !trusted(planar, 2)) return false;
     next[0] = x[0];
     next[1] = x[1];
     if (constant_rho_known_) {
@@ -86,7 +101,7 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
     ReducedVector<3> x(next[0], next[1], next[2]);
     const Refined refined = refine<bound>(CoupledSystem<Model>{model, rates}, x, 6);
     out.steps += refined.steps;
-    if (!refined.converged || !trusted(refined.first_correction, 3)) return false;
+    if (!refined.converged || !trusted(refined, 3)) return false;
     next = {x[0], x[1], x[2]};
     error_bound = refined.error_bound;
   }

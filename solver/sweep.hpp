@@ -3,7 +3,10 @@
 //   predictor  the parabola through the last three points (fewer at first), in nu
 //   corrector  refine(): extended-precision residual, one step where the predictor was good
 //   guard      a first correction above 1% that is no small part of the last move is not trusted:
-//              the step in nu is halved and retried, so a neighbouring sheet is not picked up
+//              the step in nu is halved and retried, so a neighbouring sheet is not picked up; nor
+//              is a point whose Jacobian has another sign of the determinant: on a sheet that turns
+//              in nu nowhere the sign is one (the circle of (iii), J1 = J2, excepted, where
+//              ellipses branch off and xi = zeta is kept by symmetry)
 //
 // After construction nothing allocates, and the potential is looked up once per run(). A sweep
 // stays on the sheet it starts on; where that ends, points say not_found.
@@ -15,6 +18,7 @@
 
 #include "solver/equilibrium.hpp"
 #include "solver/problem.hpp"
+#include "solver/refine.hpp"
 
 namespace stationary {
 
@@ -55,12 +59,14 @@ class Sweep {
   template <class Model, bool bound>
   bool attempt(const Model& model, double nu, SweepPoint& out);
   std::array<double, 3> predict(double nu) const;
-  bool trusted(double first_correction, int unknowns) const;
+  bool trusted(const Refined& refined, int unknowns) const;
 
   const Problem& problem_;
   SweepOptions options_;
   std::array<Past, 3> past_;  ///< newest first
   int known_ = 1;
+  bool circle_ = false;
+  bool positive_ = false;  ///< sign of the determinant on this sheet
   bool constant_rho_known_ = false;
   double constant_rho_bound_ = std::numeric_limits<double>::quiet_NaN();
   long thickness_solves_ = 0;
