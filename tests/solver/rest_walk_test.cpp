@@ -71,6 +71,32 @@ TEST(RestWalk, EscapesWhereTheRestSheetEndsWhateverTheSteps) {
   }
 }
 
+/// However small the gap of the broken bifurcation: the rest sheet turns into the ellipses with
+/// xi > zeta (J1 > J2), and straight ahead lies another one. Where the gap is below what steps can
+/// resolve, the walk may give up, not go on.
+TEST(RestWalk, DoesNotCrossTheGapOfABrokenBifurcation) {
+  const BiotLog<> model{1.0, 4.0};
+  int reached = 0;
+  for (int k = 2; k <= 12; ++k) {
+    const double difference = std::pow(10.0, -k);
+    double last = 1.0;
+    // The circle's bifurcation of J1 = J2 = 1 is at nu = 1.065.
+    for (const double nu : {1.1, 1.2, 1.3, 1.4}) {
+      const WalkResult<2> result = walk(model, (1.0 + difference) * nu * nu, nu * nu);
+      if (result.end == WalkEnd::stuck) {
+        EXPECT_GE(k, 11) << "a gap that steps can resolve";
+        continue;
+      }
+      ASSERT_EQ(result.end, WalkEnd::reached) << difference << " " << nu;
+      ++reached;
+      EXPECT_GT(result.x[0], 2.0 * result.x[1]) << difference << " " << nu;
+      EXPECT_GT(result.x[0], last);
+      last = result.x[0];
+    }
+  }
+  EXPECT_GE(reached, 36);
+}
+
 TEST(RestWalk, TakesTheLowerPartOfAFoldUpToTheFold) {
   const Hencky<> model{1.1, 0.8};
   const double J2 = 1.7;

@@ -70,6 +70,8 @@ TYPED_TEST(SmallSymmetricTest, ProductIsEigens) {
     EXPECT_TRUE(
         support::all_agree<Vector>(support::at("x", x), a.matrix() * x, a * x, 4 * 0x1p-53 * size));
     EXPECT_EQ(a.absolute().matrix(), a.matrix().cwiseAbs());
+    const double volume = a.matrix().cwiseAbs().rowwise().sum().prod();
+    EXPECT_NEAR(a.determinant(), a.matrix().determinant(), 32 * 0x1p-53 * volume);
   }
 }
 

@@ -227,6 +227,63 @@ TEST(Sweep, DoesNotJumpToANearbySheet) {
   }
 }
 
+/// Nearly round plates: the ellipses branch off the circle across a gap as small as the difference
+/// of J1 and J2. Whatever the steps, what is called solved is on the rest sheet.
+TEST(Sweep, DoesNotCrossTheGapOfABrokenBifurcation) {
+  const struct {
+    std::string_view model;
+    std::array<double, 2> coefficients;
+    double to;
+  } cases[] = {{"neo-hookean", {0.0525, 2.3792}, 0.9},
+               {"biot-log", {1.0, 4.0}, 1.5},
+               {"hencky", {1.0, 4.0}, 1.3},
+               {"biot", {1.0, 2.0}, 1.6}};
+  for (const auto& c : cases) {
+    for (const double difference : {5e-2, 1e-2, 1e-3, 1e-4}) {
+      const Problem problem(Body(1.0 + difference, 1.0, 0.3),
+                            make_potential(c.model, c.coefficients), Branch::iii);
+      for (const int count : {30, 300, 3000}) {
+        const auto points = swept(problem, evenly(0.0, c.to, count));
+        for (std::size_t k = 1; k < points.size(); k += static_cast<std::size_t>(count) / 30) {
+          if (points[k].status != SolveStatus::solved) continue;
+          const Equilibrium cold = solve(problem, points[k].nu);
+          EXPECT_EQ(cold.connection, Connection::rest)
+              << c.model << " " << difference << " of " << count << " at " << points[k].nu;
+          EXPECT_NEAR(cold.q.xi, points[k].xi, 1e-13 * cold.q.xi);
+        }
+      }
+    }
+  }
+}
+
+TEST(Sweep, CircleIsFollowedThroughItsBifurcation) {
+  const Problem problem(Body(1.0, 1.0, 0.6), make_potential("biot-log", {1.0, 4.0}), Branch::iii);
+  for (const SweepPoint& point : swept(problem, evenly(0.0, 1.4, 141))) {
+    ASSERT_EQ(point.status, SolveStatus::solved) << point.nu;
+    EXPECT_EQ(point.xi, point.zeta) << point.nu;
+  }
+}
+
+/// Points that cannot be reached, put in between, change nothing for the others.
+TEST(Sweep, PointNotFoundLeavesNoTrace) {
+  const Problem problem(plate, make_potential("hencky", {1.1, 0.8}), Branch::i);
+  const double end = std::sqrt(support::HenckyFold<double>(plate.J2, 1.1, 0.8).nu_squared);
+  const auto plain = evenly(0.0, 0.999 * end, 50);
+  std::vector<double> mixed;
+  support::Random random(143);
+  for (const double nu : plain) {
+    mixed.push_back(nu);
+    mixed.push_back(end * (1.0 + random.log_uniform(1e-6, 1.0)));
+  }
+  const auto expected = swept(problem, plain);
+  const auto points = swept(problem, mixed);
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    EXPECT_EQ(stretch(points[2 * k]).vector(), stretch(expected[k]).vector());
+    EXPECT_EQ(points[2 * k].steps, expected[k].steps);
+    EXPECT_EQ(points[2 * k + 1].status, SolveStatus::not_found);
+  }
+}
+
 TEST(Sweep, WithoutBoundTheSameNumbersAndNaN) {
   for (const std::string_view model : {"biot-log", "neo-hookean-3d"}) {
     const Problem problem(plate, make_potential(model, {1.0, 0.6}), Branch::i);
