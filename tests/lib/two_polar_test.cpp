@@ -151,6 +151,20 @@ TEST(TwoPolar, RatesAreTheInverseOfTheMomenta) {
   }
 }
 
+TEST(TwoPolar, KineticEnergyIsHalfTheMomentaTimesTheRates) {
+  Random random(1011);
+  for (int trial = 0; trial < trials; ++trial) {
+    State s(random);
+    if (trial % 4 == 0) s.x[1] = s.x[0];  // the circle, which has rates but no formula in momenta
+    const auto m = two_polar_momenta(s.J, s.x, s.omega, s.theta_dot);
+    const Real50 expected = (m.s3 * s.omega + m.p_theta * s.theta_dot) / 2;
+    EXPECT_TRUE(agrees<Real50>(
+        s.text(), expected,
+        two_polar_kinetic_energy(s.J, s.x, TwoPolarRates<Real50>{s.omega, s.theta_dot}),
+        Real50("1e-44")));
+  }
+}
+
 /// The pull's second derivatives as slopes in the logarithms, its rows against `force`.
 template <class Motion>
 void expect_pull(const State& s, const Motion& motion, const Vector3<Real50>& force,
