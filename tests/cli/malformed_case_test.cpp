@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -327,6 +328,9 @@ const std::vector<Malformed>& malformed_cases() {
   };
   return all;
 }
+
+/// For the test's listing; the default prints bytes, addresses among them.
+void PrintTo(const Malformed& malformed, std::ostream* out) { *out << malformed.name; }
 
 class MalformedCase : public ::testing::TestWithParam<Malformed> {};
 
