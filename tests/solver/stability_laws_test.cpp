@@ -3,8 +3,8 @@
 // alone.
 #include <gtest/gtest.h>
 
+#include "tests/support/general_path.hpp"
 #include "tests/support/motions.hpp"
-#include "tests/support/wide_spectrum.hpp"
 
 namespace stationary {
 namespace {
@@ -12,28 +12,6 @@ namespace {
 using namespace testing;
 
 constexpr Branch branches[] = {Branch::i, Branch::ii, Branch::iii};
-
-DoubleDouble extended(const Number50& x) {
-  const double hi = x.convert_to<double>();
-  return {hi, Number50(x - hi).convert_to<double>()};
-}
-
-/// The general problem at the material angle theta (J1 = J2 where it is not 0).
-Spectrum general(const Motion& motion, double theta = 0.0) {
-  const auto wide = wide_motion(motion).state;
-  const Number50 c = cos(Number50(theta));
-  const Number50 s = sin(Number50(theta));
-  const BasicStretch<DoubleDouble> q{
-      extended((wide.xi - wide.zeta) * s * c), extended(wide.xi * c * c + wide.zeta * s * s),
-      extended(wide.xi * s * s + wide.zeta * c * c), extended(wide.rho)};
-  Vector3<DoubleDouble> nu;
-  const auto n = angular_velocity(motion.problem.branch(), Number50(motion.nu()));
-  nu[0] = extended(n[0] * c - n[1] * s);
-  nu[1] = extended(n[0] * s + n[1] * c);
-  nu[2] = extended(n[2]);
-  return general_spectrum(motion.problem.body(), motion.problem.potential(), q, nu,
-                          uncertainty(motion.at));
-}
 
 bool has_undecided_krein(const Spectrum& spectrum) {
   for (const Mode& m : modes(spectrum))

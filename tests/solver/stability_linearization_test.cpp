@@ -3,10 +3,10 @@
 // (tests/support/placement.hpp). Both in 50 digits, their eigenvalues by the QR algorithm there.
 #include <gtest/gtest.h>
 
+#include "tests/support/general_path.hpp"
 #include "tests/support/lie_poisson.hpp"
 #include "tests/support/motions.hpp"
 #include "tests/support/placement.hpp"
-#include "tests/support/wide_spectrum.hpp"
 
 namespace stationary {
 namespace {
@@ -70,20 +70,6 @@ std::size_t forced(const Spectrum& spectrum) {
   std::size_t out = 0;
   for (const Mode& m : modes(spectrum)) out += m.forced_zero ? 2 : 0;
   return out;
-}
-
-Spectrum general(const Motion& motion) {
-  const auto wide = wide_motion(motion).state;
-  const auto extended = [](const Number50& x) {
-    const double hi = x.convert_to<double>();
-    return DoubleDouble(hi, Number50(x - hi).convert_to<double>());
-  };
-  const BasicStretch<DoubleDouble> q{0.0, extended(wide.xi), extended(wide.zeta),
-                                     extended(wide.rho)};
-  Vector3<DoubleDouble> nu;
-  for (int k = 0; k < 3; ++k) nu[k] = motion.at.nu[k];
-  return general_spectrum(motion.problem.body(), motion.problem.potential(), q, nu,
-                          uncertainty(motion.at));
 }
 
 struct Oracles {
