@@ -1,11 +1,10 @@
 // A program that uses stationary::solver: branch (i) of the reciprocal-determinant body at
 // nu = 0.5, against the closed form (mechanics.cpp).
-#include <stationary/solver/equilibrium.hpp>
-#include <stationary/solver/problem.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stationary/solver/equilibrium.hpp>
+#include <stationary/solver/problem.hpp>
 
 int main() {
   const double nu = 0.5;
@@ -27,9 +26,9 @@ int main() {
   const double xi = std::pow(std::sqrt(A2) * std::pow(A1, -1.5), 0.25);
   const double zeta = std::pow(std::sqrt(A1) * std::pow(A2, -1.5), 0.25);
   const double rho = std::cbrt(1.0 / (3.0 - body.J3 * nu * nu));
-  const double error = std::max({std::fabs(found.q.xi / xi - 1.0),
-                                 std::fabs(found.q.zeta / zeta - 1.0),
-                                 std::fabs(found.q.rho / rho - 1.0)});
+  const double error =
+      std::max({std::fabs(found.q.xi / xi - 1.0), std::fabs(found.q.zeta / zeta - 1.0),
+                std::fabs(found.q.rho / rho - 1.0)});
   std::printf("solved: xi %.16g, zeta %.16g, rho %.16g, relative error %.1e\n", found.q.xi,
               found.q.zeta, found.q.rho, error);
   return error < 2e-15 && found.q.alpha == 0.0 ? 0 : 1;

@@ -2,11 +2,10 @@
 //
 // V = c/d + (k/2) tr S^2 + a/rho + b rho^2/2, branch (i), A1 = k, A2 = k - J2 nu^2:
 //   xi^4 = c A2^(1/2) A1^(-3/2),  zeta^4 = c A1^(1/2) A2^(-3/2),  rho^3 = a/(b - J3 nu^2).
-#include <stationary/lib/balance.hpp>
-#include <stationary/lib/double_double.hpp>
-
 #include <cmath>
 #include <cstdio>
+#include <stationary/lib/balance.hpp>
+#include <stationary/lib/double_double.hpp>
 
 int main() {
   const double c = 1.0;
