@@ -25,6 +25,7 @@ packages=(
   libeigen3-dev libceres-dev libnlopt-dev libnlopt-cxx-dev
   libcli11-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev libbenchmark-dev libboost-dev
+  gnuplot-nox
 )
 
 say() { printf '\n== %s\n' "$*"; }

@@ -27,6 +27,8 @@ class AtomicFile : public ByteSink {
   /// Throws std::runtime_error naming the target, for instance on a full disk.
   void write(std::string_view bytes) override;
   void commit();
+  /// For another process to write to; this object's until commit().
+  int descriptor() const { return descriptor_; }
 
   bool is_regular() const { return !temporary_.empty(); }
 

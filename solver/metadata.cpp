@@ -93,4 +93,11 @@ std::string metadata_json(const Metadata& metadata) {
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+std::string case_title(std::string_view metadata) {
+  const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  const Json::json_pointer place("/case/title");
+  return found.contains(place) && found[place].is_string() ? found[place].get<std::string>()
+                                                           : std::string();
+}
+
 }  // namespace stationary

@@ -32,4 +32,7 @@ std::vector<std::pair<std::string_view, long>> named_counts(const Counts& counts
 /// JSON text, indented, ending in a newline; bytes that are not UTF-8 are replaced.
 std::string metadata_json(const Metadata& metadata);
 
+/// The title of the case in such a text; empty where it has none, or is no such text.
+std::string case_title(std::string_view metadata);
+
 }  // namespace stationary

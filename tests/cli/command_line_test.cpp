@@ -19,15 +19,18 @@ TEST(CommandLine, NoCommandPrintsHelpAndFails) {
 }
 
 TEST(CommandLine, HelpAndVersion) {
-  for (const auto& arguments : std::vector<std::vector<std::string>>{
-           {"--help"}, {"solve", "--help"}, {"check", "--help"}, {"models", "--help"}}) {
+  for (const auto& arguments : std::vector<std::vector<std::string>>{{"--help"},
+                                                                     {"solve", "--help"},
+                                                                     {"check", "--help"},
+                                                                     {"models", "--help"},
+                                                                     {"plot", "--help"}}) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.out, HasSubstr("Usage: stationary"));
     EXPECT_THAT(outcome.err, IsEmpty());
   }
   for (const auto& arguments : std::vector<std::vector<std::string>>{
-           {"--version"}, {"solve", "--version"}, {"check", "--version"}}) {
+           {"--version"}, {"solve", "--version"}, {"check", "--version"}, {"plot", "--version"}}) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.out, ::testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
@@ -50,6 +53,9 @@ TEST(CommandLine, MisspeltCommandsAndOptions) {
       {{"solve", "x.toml", "--threads", "0"}, "--threads"},
       {{"solve", "x.toml", "--threads", "many"}, "--threads"},
       {{"solve", "x.toml", "-o"}, "-o"},
+      {{"plto", "x.csv"}, "did you mean \"plot\"?"},
+      {{"plot", "x.csv", "--titel=y"}, "did you mean \"--title\"?"},
+      {{"plot", "x.csv"}, "--output is required"},
       {{"models", "hencki"}, "did you mean \"hencky\"?"},
       {{""}, "stationary: "},
   };

@@ -1,0 +1,93 @@
+#include "solver/plot_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace stationary {
+namespace {
+
+constexpr double panel_gap = 16.0;
+constexpr double lower_share = 0.36;
+constexpr double label_pitch = 14.0;
+constexpr double character_width = 6.2;  // of a label, about
+constexpr std::size_t longest_label = 24;
+constexpr double largest_linear_ratio = 30.0;
+
+/// Of the finite values; low > high where there are none.
+struct Extent : Interval {
+  Extent()
+      : Interval{std::numeric_limits<double>::infinity(),
+                 -std::numeric_limits<double>::infinity()} {}
+  void add(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+/// With room at both ends; about a single value, or what rounding leaves of one, an interval.
+Interval widened(const Interval& range, double fraction) {
+  const double width = range.high - range.low;
+  const double size = std::max(std::abs(range.low), std::abs(range.high));
+  constexpr double least = 1e-12;  // relative: ticks closer than this are written alike
+  if (width > least * size) return {range.low - fraction * width, range.high + fraction * width};
+  const double half = size > 0.0 ? 0.05 * size : 1.0;
+  return {range.low - half, range.high + half};
+}
+
+}  // namespace
+
+PlotPage::PlotPage(const Diagram& diagram) {
+  Extent all_parameters;
+  Extent all_stretches;
+  Extent all_rates;
+  for (const DiagramPoint& p : diagram.points) {
+    all_parameters.add(p.parameter);
+    for (const double s : p.stretch) all_stretches.add(s);
+    for (const double f : p.frequency) all_rates.add(f);
+    all_rates.add(p.growth);
+  }
+  parameters = widened(all_parameters, 0.02);
+  rates = {0.0, all_rates.high > 0.0 ? 1.05 * all_rates.high : 1.0};
+  logarithmic =
+      all_stretches.low > 0.0 && all_stretches.high / all_stretches.low > largest_linear_ratio;
+  if (logarithmic) {
+    const double room = std::pow(all_stretches.high / all_stretches.low, 0.04);
+    stretches = {all_stretches.low / room, all_stretches.high * room};
+  } else {
+    stretches = widened(all_stretches, 0.05);
+  }
+
+  const double per_unit = (right - left) / (parameters.high - parameters.low);
+  std::vector<NamedPlace> named;
+  for (const DiagramEvent& event : diagram.events) {
+    const double at = diagram.points[event.point].parameter;
+    if (is_marked(event.name) && std::isfinite(at))
+      named.push_back({event.name, left + (at - parameters.low) * per_unit});
+  }
+  labels = event_labels(std::move(named), {left, right}, label_pitch);
+  std::size_t longest = 0;
+  for (EventLabel& label : labels) {
+    if (label.count > 1) label.name = fmt::format("{} × {}", label.count, label.name);
+    longest = std::max(longest, label.name.size());
+  }
+  if (longest > 0) {
+    upper_top -=
+        leader_height + character_width * static_cast<double>(std::min(longest, longest_label));
+  }
+  if (diagram.has_spectrum) {
+    lower_top = bottom + lower_share * (upper_top - bottom);
+    upper_bottom = lower_top + panel_gap;
+  }
+}
+
+double PlotPage::parameter_at(double place) const {
+  return parameters.low + (place - left) / (right - left) * (parameters.high - parameters.low);
+}
+
+}  // namespace stationary
