@@ -7,8 +7,12 @@ namespace stationary {
 
 BalanceCheck check_balance(const Body& body, const Potential& potential, const Stretch& q,
                            const Vector3<double>& nu) {
+  return check_balance(body, potential.derivatives(q), q, nu);
+}
+
+BalanceCheck check_balance(const Body& body, const PotentialDerivatives<double>& v,
+                           const Stretch& q, const Vector3<double>& nu) {
   BalanceCheck out;
-  const auto v = potential.derivatives(q);
   const Matrix4<double> C = centrifugal_matrix(body, nu);
   const Vector4<double> force = C * q.vector();
   const Vector4<double> F = v.gradient - force;
@@ -31,7 +35,11 @@ BalanceCheck check_balance(const Body& body, const Potential& potential, const S
 
 double energy(const Body& body, const Potential& potential, const Stretch& q,
               const Vector3<double>& nu) {
-  return 0.5 * nu.dot(locked_inertia(body, q) * nu) + potential.value(q);
+  return energy(body, potential.value(q), q, nu);
+}
+
+double energy(const Body& body, double V, const Stretch& q, const Vector3<double>& nu) {
+  return 0.5 * nu.dot(locked_inertia(body, q) * nu) + V;
 }
 
 }  // namespace stationary

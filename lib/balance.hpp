@@ -65,6 +65,14 @@ Vector3<S> compatibility_residual(const Body& body, const BasicStretch<S>& q,
           pi[0] * nu[1] - pi[1] * nu[0]};
 }
 
+/// Rates of C(nu) for a spin about a branch's axis with a given nu^2.
+template <class S>
+CentrifugalRates<S> axis_rates(const Body& body, Branch branch, const S& nu_squared) {
+  S squares[3] = {S(0.0), S(0.0), S(0.0)};
+  squares[axis(branch)] = nu_squared;
+  return centrifugal_rates(body, squares[0], squares[1], squares[2]);
+}
+
 /// The balance at alpha = 0 in logarithmic coordinates: residual G (in units of V) and the upper
 /// triangle of its symmetric Jacobian (order 2; NaN otherwise), in (u, v, w) = ln (xi, zeta, rho).
 /// Formulas with w belong to coupled potentials; a separable one leaves rho to itself.
@@ -126,8 +134,15 @@ struct BalanceCheck {
 BalanceCheck check_balance(const Body& body, const Potential& potential, const Stretch& q,
                            const Vector3<double>& nu);
 
+/// The same from the potential's derivatives (order 2) at q.
+BalanceCheck check_balance(const Body& body, const PotentialDerivatives<double>& v,
+                           const Stretch& q, const Vector3<double>& nu);
+
 /// Total energy T + V of the steady rotation.
 double energy(const Body& body, const Potential& potential, const Stretch& q,
               const Vector3<double>& nu);
+
+/// The same with V at q known.
+double energy(const Body& body, double V, const Stretch& q, const Vector3<double>& nu);
 
 }  // namespace stationary

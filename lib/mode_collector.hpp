@@ -133,6 +133,8 @@ class ModeCollector {
     }
   }
 
+  /// The modes added from here on belong to this block.
+  void begin(Block block) { block_ = block; }
   void set_negative(int count) { negative_ = count; }
   /// E'' + c (P -+ |pi|)'' is definite for some c though E'' is not.
   void set_definite_with_momentum() { definite_with_momentum_ = true; }
@@ -165,9 +167,13 @@ class ModeCollector {
 
  private:
   static std::size_t index(int k) { return static_cast<std::size_t>(k); }
-  void push(const Mode& m) { modes_[index(count_++)] = m; }
+  void push(const Mode& m) {
+    modes_[index(count_)] = m;
+    modes_[index(count_++)].block = block_;
+  }
 
   std::array<Mode, 5> modes_;
+  Block block_ = Block::even;
   int count_ = 0;
   int negative_ = 0;
   bool real_ = false;

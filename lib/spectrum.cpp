@@ -217,6 +217,7 @@ int add_circle(const StraightState<Extended>& s, const StraightState<Conditioned
     negative += lambda > 0.0;
   }
 
+  out.begin(Block::shear);
   const Extended omega = leading(s.omega) < 0.0 ? -s.omega : s.omega;
   const Extended shear = block.K_alpha / (2.0 * s.J.J1);
   const Extended Omega2 = renormalized(omega * omega + shear);
@@ -273,10 +274,14 @@ Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDoubl
     const auto s = second ? state.exchanged() : state;
     const auto c = second ? conditioned.exchanged() : conditioned;
     negative += add_symmetric(even_pencil_i(s), even_pencil_i(c), u, out);
+    out.begin(Block::odd);
     negative += add_odd_i(s, c, facts.material_symmetry, u, out);
   } else {
+    out.begin(Block::odd);
     if (!at_rest) negative += add_odd_iii(state, conditioned, u, out);
+    out.begin(Block::thickness);
     if (!facts.rho_coupled) negative += add_rho(state, conditioned, u, out);
+    out.begin(Block::even);
     const bool circle = facts.material_symmetry && leading(state.xi) == leading(state.zeta);
     negative += circle ? add_circle(state, conditioned, facts, out)
                        : add_even_iii(state, conditioned, facts, out);
@@ -294,6 +299,7 @@ Spectrum two_polar_spectrum(const StraightState<DoubleDouble>& state, const Doub
       add_symmetric(two_polar_pencil(state, theta_dot),
                     two_polar_pencil(conditioned, theta_dot_conditioned), uncertainty, out);
   if (s3 != 0.0) {
+    out.begin(Block::odd);
     const auto wobble = two_polar_wobble(state, theta_dot);
     const auto wobble_c = two_polar_wobble(conditioned, theta_dot_conditioned);
     const int energy_1 = -sign(leading(wobble.a)) * sign(s3);

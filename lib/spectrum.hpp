@@ -30,6 +30,14 @@ constexpr std::string_view stability_names[] = {"stable", "elliptic", "unstable"
                                                 "marginal"};
 constexpr std::string_view name(StabilityClass c) { return stability_names[static_cast<int>(c)]; }
 
+/// What a mode moves; modes of different blocks do not see each other.
+enum class Block {
+  even,       ///< xi, zeta (rho where coupled; in (iii) alpha too)
+  odd,        ///< the axis: alpha and two of pi in (i), (ii), pi1 and pi2 in (iii)
+  thickness,  ///< rho alone, of a separable V in (iii)
+  shear       ///< on the circle of (iii): alpha, xi - zeta
+};
+
 /// One representative s = re + i im of a +- pair, re >= 0, im >= 0; a quadruple fills two modes.
 struct Mode {
   double re = 0.0;
@@ -39,6 +47,7 @@ struct Mode {
   double lambda_im = 0.0;     ///< >= 0
   double lambda_error = 0.0;  ///< bound of |change in Lambda| (see block_spectrum); 0 where forced
   bool forced_zero = false;   ///< a symmetry's
+  Block block = Block::even;
 };
 
 struct Spectrum {

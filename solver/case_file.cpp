@@ -266,6 +266,17 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
     throw fault_at(tree, "continuation.tolerance", fmt::format("found {}", out.tolerance),
                    "a number > 0 and <= 1");
   }
+  out.step = value_or(tree, "continuation.step", out.step);
+  if (!(out.step > 0.0 && out.step <= 0.5)) {
+    throw fault_at(tree, "continuation.step", fmt::format("found {}", out.step),
+                   "a number > 0 and <= 0.5");
+  }
+  out.max_points = value_or(tree, "continuation.max_points", out.max_points);
+  if (!(out.max_points >= 2.0 && out.max_points <= 1e15 &&
+        out.max_points == std::floor(out.max_points))) {
+    throw fault_at(tree, "continuation.max_points", fmt::format("found {}", out.max_points),
+                   "a whole number >= 2");
+  }
   // Both domains are convex, so the ends of the range answer for all of it.
   for (const bool end : {false, true}) {
     const double value = end ? out.to : out.from;

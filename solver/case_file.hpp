@@ -52,6 +52,8 @@ struct Case {
     double from;
     double to;
     double tolerance = 1e-10;
+    double step = 0.01;  ///< the first, in ln S and the parameter over its range
+    double max_points = 1e6;
   };
   struct Output {
     bool spectrum = true;

@@ -48,6 +48,8 @@ constexpr CaseKey keys[] = {
     {"continuation.from", number, true, a_number},
     {"continuation.to", number, true, a_number},
     {"continuation.tolerance", number, false, "a number > 0 and <= 1"},
+    {"continuation.step", number, false, "a number > 0 and <= 0.5"},
+    {"continuation.max_points", number, false, "a whole number >= 2"},
     {"output", table, false, "a table"},
     {"output.spectrum", boolean, false, a_boolean},
     {"output.certificate", boolean, false, a_boolean},

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 
 namespace stationary {
@@ -20,6 +21,29 @@ double* motion_number(Case::Motion& motion, std::string_view key) {
   auto& momenta = std::get<TwoPolarMomenta<double>>(two_polar);
   if (key == "motion.s3") return &momenta.s3;
   return key == "motion.p_theta" ? &momenta.p_theta : nullptr;
+}
+
+/// Which coefficient of the model a key names.
+std::optional<int> coefficient_index(const ModelChoice& model, std::string_view key) {
+  const auto& names = model.description->parameters;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (key == "potential." + model.slot + '.' + std::string(names[k])) return static_cast<int>(k);
+  return std::nullopt;
+}
+
+/// The number a key names, or nullptr.
+double* find_number(FamilyParameters& family, std::string_view key) {
+  if (double* number = motion_number(family.motion, key)) return number;
+  Body& J = family.body;
+  if (key == "body.J.2") return &J.J3;
+  if (std::holds_alternative<AxisRotation>(family.motion)) {
+    if (key == "body.J.0") return &J.J1;
+    if (key == "body.J.1") return &J.J2;
+  }
+  for (ModelChoice& model : family.models)
+    if (const auto at = coefficient_index(model, key))
+      return &model.coefficients[static_cast<std::size_t>(*at)];
+  return nullptr;
 }
 
 std::vector<std::string> motion_and_body_keys(const Case::Motion& motion) {
@@ -42,36 +66,30 @@ std::vector<std::string> case_parameters(const Case::Motion& motion,
 }
 
 FamilyParameters with_parameter(FamilyParameters family, std::string_view key, double value) {
-  if (double* number = motion_number(family.motion, key)) {
-    if (!std::isfinite(value)) throw std::invalid_argument(std::string(key) + " finite");
-    *number = value;
-    return family;
+  double* number = find_number(family, key);
+  if (number == nullptr) throw std::invalid_argument("a parameter of the case");
+  if (!std::isfinite(value)) throw std::invalid_argument(std::string(key) + " finite");
+  *number = value;
+  family.body = Body(family.body.J1, family.body.J2, family.body.J3);  // its domain
+  make_potential(family.models);
+  return family;
+}
+
+double parameter_value(FamilyParameters family, std::string_view key) {
+  const double* number = find_number(family, key);
+  if (number == nullptr) throw std::invalid_argument("a parameter of the case");
+  return *number;
+}
+
+FamilyParameter family_parameter(std::string_view key, const std::vector<ModelChoice>& models) {
+  using Kind = FamilyParameter::Kind;
+  constexpr std::string_view inertia = "body.J.";
+  if (key.starts_with(inertia)) return {Kind::inertia, key[inertia.size()] - '0'};
+  for (const ModelChoice& model : models) {
+    const auto at = coefficient_index(model, key);
+    if (at) return {model.slot == "thickness" ? Kind::thickness : Kind::plane, *at};
   }
-  Body& J = family.body;
-  if (key == "body.J.2") {
-    J = Body(J.J1, J.J2, value);
-    return family;
-  }
-  if (std::holds_alternative<AxisRotation>(family.motion)) {
-    if (key == "body.J.0") {
-      J = Body(value, J.J2, J.J3);
-      return family;
-    }
-    if (key == "body.J.1") {
-      J = Body(J.J1, value, J.J3);
-      return family;
-    }
-  }
-  for (ModelChoice& model : family.models) {
-    for (std::size_t k = 0; k < model.coefficients.size(); ++k) {
-      if (key != "potential." + model.slot + '.' + std::string(model.description->parameters[k]))
-        continue;
-      model.coefficients[k] = value;
-      make_potential(family.models);  // its domain
-      return family;
-    }
-  }
-  throw std::invalid_argument("a parameter of the case");
+  return {Kind::nu, 0};
 }
 
 }  // namespace stationary

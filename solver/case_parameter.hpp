@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/axis_family.hpp"
 #include "solver/case_file.hpp"
 
 namespace stationary {
@@ -25,5 +26,11 @@ std::vector<std::string> case_parameters(const Case::Motion& motion,
 /// With the parameter at a value. Throws std::invalid_argument with the violated inequality of
 /// body or model, or for a key that is not one of case_parameters().
 FamilyParameters with_parameter(FamilyParameters family, std::string_view key, double value);
+
+/// The parameter's own value. Throws std::invalid_argument for a key that is not one of them.
+double parameter_value(FamilyParameters family, std::string_view key);
+
+/// The parameter as an axis rotation's family knows it; the key is one of case_parameters().
+FamilyParameter family_parameter(std::string_view key, const std::vector<ModelChoice>& models);
 
 }  // namespace stationary

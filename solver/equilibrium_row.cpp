@@ -29,13 +29,19 @@ void fill_motion(const Vector3<double>& nu, const Vector3<double>& pi, TableRow&
   row[Column::pi3] = pi[2];
 }
 
+void fill_errors(const auto& solved, TableRow& row) {
+  row[Column::residual] = solved.residual;
+  row[Column::compatibility] = solved.compatibility;
+  row[Column::error_bound] = solved.error_bound;
+}
+
 }  // namespace
 
-std::vector<Column> equilibrium_columns(bool two_polar, bool spectrum) {
+std::vector<Column> equilibrium_columns(bool two_polar, bool spectrum, bool events) {
   std::vector<Column> out;
   for (std::size_t k = 0; k < column_count; ++k) {
     const auto c = static_cast<Column>(k);
-    if (c == Column::event || (is_spectral(c) && !spectrum) || (is_two_polar(c) && !two_polar))
+    if ((c == Column::event && !events) || (is_spectral(c) && !spectrum) || (is_two_polar(c) && !two_polar))
       continue;
     out.push_back(c);
   }
@@ -49,9 +55,18 @@ void fill_row(const Problem& problem, const Equilibrium& equilibrium, TableRow& 
   fill_stretch(q, row);
   fill_motion(nu, locked_inertia(problem.body(), q) * nu, row);
   row[Column::energy] = energy(problem.body(), problem.potential(), q, nu);
-  row[Column::residual] = equilibrium.residual;
-  row[Column::compatibility] = equilibrium.compatibility;
-  row[Column::error_bound] = equilibrium.error_bound;
+  fill_errors(equilibrium, row);
+}
+
+void fill_row(Branch branch, const Member& member, TableRow& row) {
+  const Vector3<double> nu = angular_velocity(branch, member.nu);
+  row.branch = name(branch);
+  fill_stretch(member.q, row);
+  fill_motion(nu, locked_inertia(member.body, member.q) * nu, row);
+  row[Column::energy] = member.energy;
+  fill_errors(member, row);
+  row.parameter = member.parameter;
+  if (member.spectrum) fill_spectrum(*member.spectrum, row);
 }
 
 void fill_row(const Body& body, const Potential& potential, const TwoPolarEquilibrium& equilibrium,
@@ -77,6 +92,9 @@ void fill_spectrum(const Spectrum& spectrum, TableRow& row) {
   row.stability = name(spectrum.verdict);
   row[Column::growth] = spectrum.growth;
   row[Column::negative] = spectrum.negative;
+  for (int k = spectrum.modes; k < mode_count; ++k)
+    for (const ModePart part : {ModePart::re, ModePart::im, ModePart::krein})
+      row[mode_column(k, part)] = std::numeric_limits<double>::quiet_NaN();
   for (int k = 0; k < spectrum.modes; ++k) {
     const Mode& mode = spectrum.mode[static_cast<std::size_t>(k)];
     row[mode_column(k, ModePart::re)] = mode.re;

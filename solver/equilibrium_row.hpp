@@ -6,17 +6,22 @@
 
 #include "lib/spectrum.hpp"
 #include "solver/equilibrium.hpp"
+#include "solver/family.hpp"
 #include "solver/table.hpp"
 #include "solver/two_polar_equilibrium.hpp"
 
 namespace stationary {
 
-/// The columns fill_row(), fill_spectrum() and the caller's sheet and point make up, in order.
-std::vector<Column> equilibrium_columns(bool two_polar, bool spectrum);
+/// The columns fill_row(), fill_spectrum() and the caller's sheet and point make up, in order;
+/// with `event` where rows may carry one.
+std::vector<Column> equilibrium_columns(bool two_polar, bool spectrum, bool events = false);
 
 /// Motion, stretch, principal stretches (no angle on the circle), momenta, energy and the errors
 /// of a solved equilibrium; leaves the other columns as they are.
 void fill_row(const Problem& problem, const Equilibrium& equilibrium, TableRow& row);
+
+/// Likewise of a member of a family, its parameter and, where it was computed, its spectrum.
+void fill_row(Branch branch, const Member& member, TableRow& row);
 
 /// Likewise of a two-polar motion, at the moment theta = 0: S = diag(lambda, mu, rho), nu3 = omega
 /// + theta' (the paper's L^-1 L'), pi3 = s3.

@@ -43,11 +43,24 @@ Json case_json(const Case& input) {
     out["continuation"] = {{"parameter", continuation->parameter},
                            {"from", continuation->from},
                            {"to", continuation->to},
-                           {"tolerance", continuation->tolerance}};
+                           {"tolerance", continuation->tolerance},
+                           {"step", continuation->step},
+                           {"max_points", continuation->max_points}};
   }
   out["output"] = {{"spectrum", input.output.spectrum},
                    {"certificate", input.output.certificate},
                    {"columns", input.output.columns}};
+  return out;
+}
+
+Json events_json(const std::vector<EventRecord>& events) {
+  Json out = Json::array();
+  for (const EventRecord& event : events) {
+    out.push_back({{"event", name(event.type)},
+                   {"parameter", event.parameter},
+                   {"bracket", {event.before, event.after}},
+                   {"status", event.located ? "located" : "bracketed"}});
+  }
   return out;
 }
 
@@ -85,6 +98,7 @@ std::string metadata_json(const Metadata& metadata) {
   for (const auto& [name, text] : metadata.outcome) out[std::string(name)] = text;
   out["rows"] = metadata.rows;
   out["seconds"] = metadata.seconds;
+  if (!metadata.events.empty()) out["events"] = events_json(metadata.events);
   Json counts = Json::object();
   for (const auto& [name, count] : metadata.counts) counts[std::string(name)] = count;
   out["counts"] = counts;

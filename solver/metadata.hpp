@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solver/case_file.hpp"
+#include "solver/follow.hpp"
 
 namespace stationary {
 
@@ -20,6 +21,7 @@ struct Metadata {
   std::size_t rows = 0;
   double seconds = 0.0;
   std::vector<std::pair<std::string_view, long>> counts;
+  std::vector<EventRecord> events;  ///< of `continue`
   std::vector<PlanItem> plan;     ///< how each unknown is had
   std::vector<PlanItem> skipped;  ///< what was not computed, and why
   /// Outcome, method, connection, message, class, ... by name.

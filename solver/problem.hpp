@@ -46,9 +46,7 @@ class Problem {
   /// Rates of C(nu) for a given nu^2, in double or in extended precision.
   template <class S>
   CentrifugalRates<S> rates(const S& nu_squared) const {
-    S squares[3] = {S(0.0), S(0.0), S(0.0)};
-    squares[axis(branch_)] = nu_squared;
-    return centrifugal_rates(body_, squares[0], squares[1], squares[2]);
+    return axis_rates(body_, branch_, nu_squared);
   }
 
  private:

@@ -1,57 +1,17 @@
 #include "solver/stability.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
-#include <type_traits>
 
-#include "lib/conditioned_model.hpp"
-#include "solver/refine.hpp"
+#include "solver/model_stability.hpp"
 
 namespace stationary {
-namespace {
-
-template <class Model>
-std::array<DoubleDouble, 3> extended_q(const Model& model, const Problem& problem, const Stretch& q,
-                                       double nu) {
-  const auto rates = problem.rates(two_product(nu, nu));
-  if constexpr (requires { model.plane; }) {
-    const auto x =
-        extended_solution(PlanarSystem<std::decay_t<decltype(model.plane)>>{model.plane, rates},
-                          ReducedVector<2>(q.xi, q.zeta));
-    const auto rho = extended_solution(
-        ThicknessSystem<std::decay_t<decltype(model.thickness)>>{model.thickness, rates.rho},
-        ReducedVector<1>(q.rho));
-    return {x[0], x[1], rho[0]};
-  } else {
-    return extended_solution(CoupledSystem<Model>{model, rates},
-                             ReducedVector<3>(q.xi, q.zeta, q.rho));
-  }
-}
-
-}  // namespace
 
 Spectrum stability(const Problem& problem, const Equilibrium& equilibrium) {
   if (equilibrium.status != SolveStatus::solved)
     throw std::invalid_argument("a spectrum needs a solved equilibrium");
-  const double nu = equilibrium.nu[axis(problem.branch())];
-  const Body& body = problem.body();
-  const double bound = equilibrium.error_bound;
-  BlockFacts facts{problem.branch(), body.symmetric(), !problem.potential().is_separable(),
-                   std::isnan(bound) ? 1e-15 : std::max(bound, 0x1p-53)};
   return problem.potential().visit([&](const auto& model) {
-    std::array<DoubleDouble, 3> q = extended_q(model, problem, equilibrium.q, nu);
-    // A circle known only to its error is the circle.
-    const double apart = std::abs(leading(q[0] - q[1]));
-    if (body.symmetric() && apart <= 4.0 * facts.uncertainty * leading(q[0]))
-      q[0] = q[1] = 0.5 * (q[0] + q[1]);
-    const Inertia3<DoubleDouble> J{body.J1, body.J2, body.J3};
-    const auto state = straight_state(J, model, q[0], q[1], q[2], DoubleDouble(nu));
-    const auto input = [](const auto& x) { return Conditioned::input(leading(x)); };
-    const Inertia3<Conditioned> J_c{input(body.J1), input(body.J2), input(body.J3)};
-    const auto conditioned = straight_state(J_c, conditioned_model(model), input(q[0]), input(q[1]),
-                                            input(q[2]), input(nu));
-    return block_spectrum(facts, state, conditioned);
+    return model_stability(problem.body(), problem.branch(), model, equilibrium.q,
+                           equilibrium.nu[axis(problem.branch())], equilibrium.error_bound);
   });
 }
 

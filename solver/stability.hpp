@@ -1,5 +1,4 @@
-// The spectrum of a solved equilibrium: q is brought to extended precision by one more correction
-// with the solve's own residual, then lib's block forms are evaluated there.
+// The spectrum of a solved equilibrium (model_stability.hpp) of any potential.
 #pragma once
 
 #include "lib/spectrum.hpp"

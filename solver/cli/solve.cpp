@@ -8,9 +8,9 @@
 #include <utility>
 #include <variant>
 
-#include "solver/case_keys.hpp"
 #include "solver/cli/command.hpp"
 #include "solver/cli/interrupt.hpp"
+#include "solver/cli/outcome.hpp"
 #include "solver/cli/plan.hpp"
 #include "solver/cli/report.hpp"
 #include "solver/cli/table_output.hpp"
@@ -19,43 +19,6 @@
 
 namespace stationary::cli {
 namespace {
-
-ExitCode exit_code(SolveStatus status) {
-  switch (status) {
-    case SolveStatus::solved:
-      return ExitCode::done;
-    case SolveStatus::none_exists:
-    case SolveStatus::not_found:
-    case SolveStatus::not_isolated:
-      return ExitCode::no_equilibrium;
-    case SolveStatus::interrupted:
-      return ExitCode::interrupted;
-    case SolveStatus::failed:
-    case SolveStatus::not_run:
-      break;
-  }
-  return ExitCode::failure;
-}
-
-std::string_view outcome(SolveStatus status) {
-  switch (status) {
-    case SolveStatus::solved:
-      return "solved";
-    case SolveStatus::none_exists:
-      return "no stationary ellipsoid exists";
-    case SolveStatus::not_found:
-      return "no stationary ellipsoid was found (which does not say that none exists)";
-    case SolveStatus::not_isolated:
-      return "no isolated stationary ellipsoid: the solutions here form a continuum";
-    case SolveStatus::interrupted:
-      return "interrupted, nothing written";
-    case SolveStatus::failed:
-      return "numerical failure";
-    case SolveStatus::not_run:
-      break;
-  }
-  return "nothing was computed";
-}
 
 /// What solve found, in whichever family.
 struct Answer {
@@ -114,18 +77,6 @@ Answer timed_answer(const Case& input, const ComputeOptions& options, bool with_
   out.row[Column::point] = 0;
   if (out.spectrum) fill_spectrum(*out.spectrum, out.row);
   return out;
-}
-
-/// The columns of the table to be, refused before the computation if none is left.
-std::vector<Column> columns_of(const Case& input, bool with_spectrum) {
-  const std::vector<Column> computed = equilibrium_columns(input.two_polar(), with_spectrum);
-  std::vector<Column> out = select_columns(computed, input.output.columns);
-  if (!out.empty()) return out;
-  std::vector<std::string_view> names;
-  names.reserve(computed.size());
-  for (const Column c : computed) names.push_back(name(c));
-  throw fault_at(input.source, "output.columns", "found no column that solve computes",
-                 "names of " + listed(names));
 }
 
 /// Evaluation counts of the whole answer, by name.
@@ -219,15 +170,15 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
   const Case input = options.read();
   const bool to_table = !options.output.empty();
   const bool with_spectrum = wants_spectrum(input, to_table);
-  const std::vector<Column> columns = columns_of(input, with_spectrum);
+  const std::vector<Column> columns = chosen_columns(
+      input, equilibrium_columns(input.two_polar(), with_spectrum), "solve", false);
   std::optional<TableOutput> output;
   if (to_table) output.emplace(options.output, options.path);
 
   const Answer found = timed_answer(input, options, with_spectrum);
   const ExitCode code = exit_code(found.status);
   if (!found.solved()) {
-    complain(fmt::format("{}{}{}", outcome(found.status), found.message.empty() ? "" : ": ",
-                         found.message));
+    complain(failure_text(found.status, found.message));
   }
   // That there is no equilibrium is an answer, and its table has no rows; a failure is none.
   if (output && (found.solved() || code == ExitCode::no_equilibrium)) {

@@ -1,0 +1,258 @@
+// stationary continue CASE: the case's family followed in its parameter, both ways from the start,
+// with the stability of every point and every event located.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "solver/case_keys.hpp"
+#include "solver/case_parameter.hpp"
+#include "solver/cli/command.hpp"
+#include "solver/cli/interrupt.hpp"
+#include "solver/cli/outcome.hpp"
+#include "solver/cli/plan.hpp"
+#include "solver/cli/progress.hpp"
+#include "solver/cli/report.hpp"
+#include "solver/cli/table_output.hpp"
+#include "solver/curve_table.hpp"
+#include "solver/equilibrium_row.hpp"
+#include "solver/follow.hpp"
+
+namespace stationary::cli {
+namespace {
+
+struct ContinueOptions : ComputeOptions {
+  bool resume = false;
+};
+
+/// The family, and a solved member to start from.
+struct Start {
+  FamilyParameters at;  ///< with the parameter at p
+  double p;
+  Equilibrium found;
+};
+
+/// nu = 0 where the range has it and no start is given (the family through the rest state), else
+/// the case's own value if it lies in the range, else the range's beginning.
+double start_parameter(const Case& input) {
+  const Case::Continuation& range = *input.continuation;
+  const bool in_nu = range.parameter == "nu";
+  if (in_nu && !input.solve.start && range.from <= 0.0 && range.to >= 0.0) return 0.0;
+  const double own = parameter_value({input.body, input.models, input.motion}, range.parameter);
+  if (own >= range.from && own <= range.to) return own;
+  if (!input.solve.start) return range.from;
+  throw fault_at(input.source, in_nu ? "motion.nu" : range.parameter,
+                 fmt::format("found {} = {}, outside the range followed, with solve.start",
+                             range.parameter, own),
+                 fmt::format("a value in [{}, {}]", range.from, range.to),
+                 "solve.start is a guess of the solution there");
+}
+
+Start solved_start(const Case& input, const ComputeOptions& options) {
+  const double p = start_parameter(input);
+  Start out{with_parameter({input.body, input.models, input.motion}, input.continuation->parameter,
+                           p),
+            p,
+            {}};
+  const AxisRotation motion = std::get<AxisRotation>(out.at.motion);
+  const Problem problem(out.at.body, make_potential(out.at.models), motion.branch);
+  out.found = solve(problem, motion.nu,
+                    {.method = input.solve.method,
+                     .start = input.solve.start,
+                     .threads = options.threads,
+                     .stop = &stop_on_signals()});
+  return out;
+}
+
+AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum) {
+  const AxisRotation motion = std::get<AxisRotation>(start.at.motion);
+  const Problem problem(start.at.body, make_potential(start.at.models), motion.branch);
+  return axis_family(problem,
+                     {.nu = motion.nu,
+                      .parameter = family_parameter(input.continuation->parameter, input.models),
+                      .spectrum = with_spectrum});
+}
+
+FollowOptions follow_options(const Case& input, const ContinueOptions& options,
+                             ProgressBar& progress) {
+  const Case::Continuation& asked = *input.continuation;
+  FollowOptions out;
+  out.continuation.from = asked.from;
+  out.continuation.to = asked.to;
+  out.continuation.step.tolerance = asked.tolerance;
+  out.continuation.step.first = asked.step;
+  out.max_points = static_cast<long>(asked.max_points);
+  out.stop = &stop_on_signals();
+  if (progress.shown() && !options.quiet) {
+    out.progress = [&progress, &asked](double p, long points) {
+      progress.show((p - asked.from) / (asked.to - asked.from),
+                    fmt::format("{} = {:<12.6g} {} points", asked.parameter, p, points));
+    };
+  }
+  return out;
+}
+
+std::string end_text(const Case& input, const SheetEnd& end, double p) {
+  if (end.reason.empty()) return "not followed";
+  return fmt::format("{}at {} = {:.12g}: {}", end.event == EventType::none
+                                                  ? std::string()
+                                                  : fmt::format("{} ", name(end.event)),
+                     input.continuation->parameter, p, end.reason);
+}
+
+std::string summary(const Case& input, const Start& start, const FollowReport& report,
+                    const CurveSummary& curve, double seconds) {
+  constexpr std::size_t label_width = 14;
+  const std::string& parameter = input.continuation->parameter;
+  Report out(label_width);
+  if (!input.title.empty()) out.line("case", printable(input.title));
+  out.line("family", fmt::format("branch ({}) in {}, from {} to {}",
+                                 name(std::get<AxisRotation>(input.motion).branch), parameter,
+                                 input.continuation->from, input.continuation->to));
+  out.line("start", fmt::format("{} = {:.12g}: {}", parameter, start.p, start.found.message));
+  out.line("points", fmt::format("{} in {:.2g} s", report.points, seconds));
+  out.line("one end", end_text(input, report.backward, curve.first_parameter()));
+  out.line("other end", end_text(input, report.forward, curve.last_parameter()));
+  out.gap();
+  std::string_view label = "events";
+  for (const EventRecord& event : report.events) {
+    out.line(std::exchange(label, {}), fmt::format("{:<17} {} = {:.15g}", name(event.type),
+                                                   parameter, event.parameter));
+  }
+  if (report.events.empty()) out.line(label, "none");
+  if (!curve.stretches().empty()) out.gap();
+  label = "stability";
+  for (const CurveSummary::Stretch& each : curve.stretches()) {
+    out.line(std::exchange(label, {}), fmt::format("{:<17} {} = {:.10g} ... {:.10g}",
+                                                   name(each.verdict), parameter, each.from,
+                                                   each.to));
+  }
+  out.gap();
+  const ComputationPlan plan = computation_plan(input, false);
+  add_plan(out, plan.computed);
+  add_plan(out, plan.skipped);
+  return out.text();
+}
+
+std::vector<std::pair<std::string_view, long>> counts_of(const Start& start,
+                                                         const FollowReport& report,
+                                                         bool with_spectrum) {
+  auto out = named_counts(start.found.counts);
+  out.emplace_back("continuation_steps", report.counts.steps);
+  out.emplace_back("steps_taken_back", report.counts.rejected);
+  out.emplace_back("continuation_jacobians", report.counts.linearizations);
+  out.emplace_back("points_evaluated", report.counts.members);
+  out.emplace_back("spectra", with_spectrum ? report.counts.members : 0);
+  return out;
+}
+
+Metadata describe(const Session& session, const Case& input, const Start& start,
+                  const FollowReport& report, const CurveSummary& curve, bool with_spectrum) {
+  ComputationPlan plan = computation_plan(input, true);
+  Metadata out;
+  out.version = STATIONARY_VERSION;
+  out.command_line = session.command_line;
+  out.input = &input;
+  out.counts = counts_of(start, report, with_spectrum);
+  out.plan = std::move(plan.computed);
+  out.skipped = std::move(plan.skipped);
+  out.events = report.events;
+  out.outcome = {{"command", "continue"},
+                 {"status", report.interrupted ? "interrupted" : "done"},
+                 {"start", start.found.message},
+                 {"connection", std::string(name(start.found.connection))},
+                 {"first_end", end_text(input, report.backward, curve.first_parameter())},
+                 {"last_end", end_text(input, report.forward, curve.last_parameter())}};
+  return out;
+}
+
+/// Refused before anything is computed.
+void require_family(const Case& input) {
+  if (!input.continuation) {
+    throw fault_at(input.source, "continuation", "found no such key",
+                   "a table with parameter, from and to", "add [continuation]");
+  }
+  if (input.two_polar()) {
+    throw fault_at(input.source, "motion.branch", "found the string \"two-polar\"",
+                   "one of \"i\", \"ii\", \"iii\" for continue",
+                   "two-polar motions are solved one at a time in this version");
+  }
+}
+
+ExitCode end_code(const FollowReport& report) {
+  if (report.interrupted) return ExitCode::interrupted;
+  const bool stalled = report.backward.event == EventType::stalled ||
+                       report.forward.event == EventType::stalled;
+  return stalled ? ExitCode::failure : ExitCode::done;
+}
+
+ExitCode continue_case(const ContinueOptions& options, const Session& session) {
+  const Case input = options.read();
+  require_family(input);
+  const bool to_table = !options.output.empty();
+  const bool with_spectrum = wants_spectrum(input, to_table);
+  const bool trailing = input.continuation->parameter != "nu";
+  const std::vector<Column> columns = chosen_columns(
+      input, equilibrium_columns(false, with_spectrum, true), "continue", trailing);
+  std::optional<TableOutput> output;
+  if (to_table) output.emplace(options.output, options.path);
+
+  const auto begin = std::chrono::steady_clock::now();
+  const Start start = solved_start(input, options);
+  if (start.found.status != SolveStatus::solved) {
+    complain(fmt::format("at the start {} = {}: {}", input.continuation->parameter, start.p,
+                         failure_text(start.found.status, start.found.message)));
+    return exit_code(start.found.status);
+  }
+  const AnyFamily family = family_of(input, start, with_spectrum);
+  ProgressBar progress;
+  std::optional<TableWriter> table;
+  if (output) {
+    table.emplace(output->sink(), columns,
+                  trailing ? std::optional(input.continuation->parameter) : std::nullopt);
+  }
+  CurveTable rows(std::get<AxisRotation>(input.motion).branch, table ? &*table : nullptr);
+  const FollowReport report =
+      follow(family, start.found.q, start.p, follow_options(input, options, progress), rows);
+  progress.clear();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (!report.failure.empty()) {
+    complain("numerical failure: " + report.failure);
+    return ExitCode::failure;
+  }
+  if (output) {
+    table->flush();
+    Metadata metadata = describe(session, input, start, report, rows.summary(), with_spectrum);
+    metadata.rows = table->rows();
+    metadata.seconds = seconds;
+    output->commit(metadata);
+  }
+  const ExitCode code = end_code(report);
+  if (code == ExitCode::interrupted) {
+    complain(fmt::format("interrupted after {} points{}", report.points,
+                         output ? ", which are written" : ""));
+  }
+  for (const SheetEnd* end : {&report.backward, &report.forward})
+    if (end->event == EventType::stalled) complain("numerical failure: " + end->reason);
+  if (!output && !options.quiet) print(summary(input, start, report, rows.summary(), seconds));
+  return code;
+}
+
+}  // namespace
+
+void add_continue(CLI::App& program, Session& session) {
+  CLI::App& command = add_command(
+      program, "continue",
+      "Follow the case's family in a parameter: bifurcation table, stability, events");
+  const auto options = std::make_shared<ContinueOptions>();
+  options->add_to(command);
+  command.callback([options, &session] {
+    session.action = [options, &session] { return continue_case(*options, session); };
+  });
+}
+
+}  // namespace stationary::cli

@@ -1,0 +1,367 @@
+// Pseudo-arclength continuation of a family from a point, in one direction:
+//
+//   predictor      cubic through the last two points and their tangents (arc.hpp)
+//   corrector      bordered Newton, then extended precision (corrector.hpp)
+//   step control   the error the first correction shows, against the tolerance (step_control.hpp)
+//   events         between the last two points (event_search.hpp)
+//
+// step() advances one point; whoever calls it writes, reports and stops. A step is taken back and
+// halved where anything the corrector observed could be a jump to another sheet: a large first
+// correction, slow contraction, a large angle between tangents, or the other sign of the bordered
+// determinant (a sheet met across the gap of a broken bifurcation goes on straight, with that
+// sign).
+#pragma once
+
+#include <exception>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "solver/event_search.hpp"
+#include "solver/step_control.hpp"
+
+namespace stationary {
+
+struct ContinuationOptions {
+  double from = 0.0;  ///< range of the parameter, from < to
+  double to = 1.0;
+  StepOptions step;
+  double min_stretch = 1e-6;  ///< a sheet ends (collapse, escape) where a stretch leaves these
+  double max_stretch = 1e6;
+};
+
+struct ContinuationCounts {
+  long steps = 0;
+  long rejected = 0;        ///< steps taken back
+  long linearizations = 0;  ///< of G, the extended-precision corrections' not counted
+  long members = 0;         ///< points completed, those of event searches included
+};
+
+template <int N>
+class Continuation {
+ public:
+  /// start: a completed point of the curve. direction: +1 along its tangent, -1 against.
+  Continuation(const Curve<N>& curve, const CurvePoint<N>& start, int direction,
+               const ContinuationOptions& options)
+      : curve_(&curve),
+        options_(options),
+        control_(options.step),
+        events_in_(curve),
+        start_(start),
+        here_(start),
+        h_(options.step.first) {
+    if (direction < 0) reverse(here_);
+    start_ = here_;
+    travelled_.setZero();
+    if (leaves_range(here_)) finish(EventType::limit, "the start is at the end of the range");
+  }
+
+  /// Advances to the next point. False where the sheet has ended: before, or in a failure (end() and
+  /// reason()). The step that reaches an end returns true and sets end().
+  bool step() {
+    events_.clear();
+    if (end_ != EventType::none) return false;
+    for (;;) {
+      if (h_ < options_.step.min) {
+        finish(EventType::stalled, "the step became too small: " + refusal_);
+        return false;
+      }
+      try {
+        Attempt attempt;
+        if (try_step(attempt)) {
+          accept(attempt);
+          return true;
+        }
+      } catch (const std::exception& error) {  // a failed step like any other
+        refuse(error.what(), 0.5 * h_);
+      }
+      ++counts_.rejected;
+    }
+  }
+
+  const CurvePoint<N>& point() const { return here_; }
+  /// Those between the last point and this one, in order.
+  std::span<const Event> events() const { return events_; }
+  EventType end() const { return end_; }
+  const std::string& reason() const { return reason_; }
+  ContinuationCounts counts() const {
+    ContinuationCounts out = counts_;
+    out.members += events_in_.evaluations();
+    return out;
+  }
+
+ private:
+  struct Attempt {
+    Corrected<N> corrected;
+    Arc<N> arc;
+    double D = 0.0;  ///< fourth derivative shown
+    double angle = 0.0;
+    bool mirrors = false;  ///< a sheet of ellipses passes through its circle
+  };
+
+  void reverse(CurvePoint<N>& point) const {
+    point.arc.tangent = -point.arc.tangent;
+    point.arc.positive = !point.arc.positive;
+    // Those that follow the tangent; the cofactors' do not.
+    if (!curve_->family().along_nu()) return;
+    point.tests.value[TestValues::fold] *= -1.0;
+    point.tests.value[TestValues::momentum] *= -1.0;
+  }
+
+  bool refuse(const std::string& why, double next_step) {
+    refusal_ = why;
+    h_ = next_step;
+    return false;
+  }
+
+  /// One predictor-corrector step of length h_ from here_. Where it is refused h_ is shortened.
+  bool try_step(Attempt& out) {
+    const double h = h_;
+    const double max_angle = options_.step.max_angle;
+    const ArcVector<N> ahead =
+        has_arc_ ? ArcVector<N>(arc_.at(1.0 + h / arc_.length) - arc_.chord)
+                 : ArcVector<N>(h * here_.arc.tangent);
+    const double scale = curve_->corrector().scale();
+    out.corrected = curve_->corrector().correct(
+        moved<N>(here_.arc.x, ReducedVector<N>(ahead.template head<N>())),
+        here_.arc.p + scale * ahead[N], here_.arc.tangent, 0.5 * max_angle * h + 1e-13);
+    counts_.linearizations += out.corrected.linearizations;
+    if (out.corrected.status != CorrectorStatus::converged)
+      return refuse(std::string(name(out.corrected.status)), 0.5 * h);
+    const ArcPoint<N>& next = out.corrected.point;
+    out.arc = Arc<N>(ahead + out.corrected.correction, here_.arc.tangent, next.tangent);
+    out.angle = Arc<N>::angle(here_.arc.tangent, next.tangent);
+    if (!(out.angle <= max_angle)) return refuse("the tangent turned too far", 0.5 * h);
+    out.mirrors = crosses_mirror(next);
+    if (next.positive != here_.arc.positive && !out.mirrors) {
+      return refuse("the bordered determinant changed sign: another sheet, or a branch point",
+                    0.5 * h);
+    }
+    if (has_arc_) {
+      out.D = StepControl::fourth_derivative(out.corrected.first_correction, h, arc_.length);
+      if (control_.too_long(out.D, h)) {
+        return refuse("the curve bends more than the tolerance allows",
+                      std::max(0.25 * h, std::min(0.5 * h, control_.next(out.D, 0.0, h, 0.0))));
+      }
+      return true;
+    }
+    // The first step shows no fourth derivative: its middle does, against the cubic.
+    const Corrected<N> middle = curve_->at(here_.arc, out.arc, 0.5);
+    counts_.linearizations += middle.linearizations;
+    if (middle.status != CorrectorStatus::converged)
+      return refuse(std::string(name(middle.status)), 0.5 * h);
+    out.D = 384.0 * std::max(middle.first_correction, 1e-16) / (h * h * h * h);
+    if (control_.too_long(out.D, h))
+      return refuse("the curve bends more than the tolerance allows", 0.5 * h);
+    return true;
+  }
+
+  void accept(Attempt& attempt) {
+    CurvePoint<N> next = completed(attempt.corrected.point);
+    ++counts_.steps;
+    if (attempt.mirrors) {
+      end_at_circle(attempt, next);
+      return;
+    }
+    find_events(next, attempt.arc);
+    if (const std::optional<double> limit = passed_limit(next, attempt.arc)) {
+      if (!stop_at(*limit, attempt)) return;
+      next = here_next_;
+      find_events(next, attempt.arc);
+      settle(next, attempt);
+      finish(EventType::limit, "the range asked for");
+      return;
+    }
+    const double D_before = D_;
+    const double h = h_;
+    settle(next, attempt);
+    h_ = control_.next(attempt.D, D_before, h, attempt.angle);
+    D_ = attempt.D;
+    end_if_closed(h);
+    if (end_ == EventType::none) end_if_out_of_bounds();
+  }
+
+  CurvePoint<N> completed(const ArcPoint<N>& arc) {
+    ++counts_.members;
+    return curve_->complete(arc);
+  }
+
+  void find_events(const CurvePoint<N>& next, const Arc<N>& arc) {
+    events_ = events_in_.run(here_, next, arc, has_arc_ ? &earlier_tests_ : nullptr, arc_.length,
+                             counts_.steps == 1);
+  }
+
+  void settle(const CurvePoint<N>& next, const Attempt& attempt) {
+    earlier_tests_ = here_.tests;
+    here_ = next;
+    arc_ = attempt.arc;
+    has_arc_ = true;
+    travelled_ += arc_.chord;
+    farthest_ = std::max(farthest_, travelled_.norm());
+  }
+
+  // Ends.
+
+  void finish(EventType end, std::string reason) {
+    end_ = end;
+    reason_ = std::move(reason);
+  }
+
+  bool leaves_range(const CurvePoint<N>& at) const {
+    const double ahead = at.arc.tangent[N];
+    return (at.arc.p <= options_.from && ahead < 0.0) || (at.arc.p >= options_.to && ahead > 0.0);
+  }
+
+  /// The limit of the range the step passes, also by turning just beyond it.
+  std::optional<double> passed_limit(const CurvePoint<N>& next, const Arc<N>& arc) {
+    const auto beyond = [&](double p) -> std::optional<double> {
+      if (p > options_.to) return options_.to;
+      if (p < options_.from) return options_.from;
+      return std::nullopt;
+    };
+    reach_ = 1.0;
+    for (const Event& event : events_) {
+      if (event.type != EventType::fold_nu) continue;
+      if (const auto limit = beyond(event.member.parameter)) {
+        const double half = arc.chord[N];  // p(u) is a cubic: its turn, from the tangents
+        const double a = arc.from[N] * arc.length;
+        const double b = arc.to[N] * arc.length;
+        const double A = 3.0 * (a + b - 2.0 * half);
+        const double B = 2.0 * (3.0 * half - 2.0 * a - b);
+        const double root = std::sqrt(std::max(0.0, B * B - 4.0 * A * a));
+        reach_ = std::clamp(-2.0 * a / (B + (B > 0.0 ? root : -root)), 0.0, 1.0);
+        return limit;
+      }
+    }
+    return beyond(next.arc.p);
+  }
+
+  /// Ends the attempt at p = limit instead. False: the point there was not found.
+  bool stop_at(double limit, Attempt& attempt) {
+    const double scale = curve_->corrector().scale();
+    const auto distance = [&](double u) {
+      return here_.arc.p + scale * attempt.arc.at(u)[N] - limit;
+    };
+    const double a = distance(0.0);
+    const double b = distance(reach_);
+    double u = reach_;
+    if ((a < 0.0) != (b < 0.0) && a != 0.0) {
+      std::uintmax_t evaluations = 60;
+      const auto bracket = boost::math::tools::toms748_solve(
+          distance, 0.0, reach_, a, b, boost::math::tools::eps_tolerance<double>(52), evaluations);
+      u = 0.5 * (bracket.first + bracket.second);
+    }
+    const ArcVector<N> y = attempt.arc.at(u);
+    Corrected<N> at = curve_->corrector().correct_at(
+        moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())), limit,
+        attempt.arc.direction(u));
+    if (at.status != CorrectorStatus::converged) {
+      finish(EventType::stalled, "the end of the range was not reached: " +
+                                     std::string(name(at.status)));
+      return false;
+    }
+    here_next_ = completed(at.point);
+    attempt.arc = Arc<N>(y, here_.arc.tangent, at.point.tangent);
+    return true;
+  }
+
+  void end_if_closed(double h) {
+    if (counts_.steps < 4 || farthest_ < 4.0 * h || travelled_.norm() > h) return;
+    if (here_.arc.tangent.dot(start_.arc.tangent) < 0.9) return;
+    // Not past the start yet: one more step.
+    if (travelled_.dot(start_.arc.tangent) < 0.0) return;
+    here_ = start_;
+    finish(EventType::closed, "the sheet is closed: back at the start");
+  }
+
+  void end_if_out_of_bounds() {
+    const Stretch& q = here_.member.q;
+    const double least = std::min({q.xi, q.zeta, q.rho});
+    const double most = std::max({q.xi, q.zeta, q.rho});
+    // Near an asymptote in p a double no longer tells its points apart.
+    constexpr double far = 1e3;
+    const double resolved = std::abs(arc_.chord[N]) * curve_->corrector().scale() / arc_.length;
+    const bool unresolved = (most > far || least < 1.0 / far) && options_.from != options_.to &&
+                            resolved < 1e-9 * std::abs(here_.arc.p);
+    if (!(most > options_.max_stretch || least < options_.min_stretch || unresolved)) return;
+    const double growth = std::max(arc_.chord[0] * (q.xi == most ? 1.0 : 0.0),
+                                   arc_.chord[1] * (q.zeta == most ? 1.0 : 0.0));
+    const bool escapes = most > options_.max_stretch || (most > 1.0 / least) || growth > 0.0;
+    finish(escapes ? EventType::escape : EventType::collapse,
+           unresolved ? "beyond this a double of the parameter does not resolve the stretches"
+                      : "a stretch left the bounds followed");
+  }
+
+  /// A sheet of ellipses (J1 = J2, branch (iii)) that reaches xi = zeta meets the circle there and
+  /// goes on as its own mirror image.
+  bool crosses_mirror(const ArcPoint<N>& next) const {
+    const TestContext& context = curve_->context();
+    if (!context.material_symmetry || context.circle || context.branch != Branch::iii) return false;
+    return (here_.arc.x[0] < here_.arc.x[1]) != (next.x[0] < next.x[1]);
+  }
+
+  /// K_alpha,alpha = 0 on the circle near this step.
+  void end_at_circle(const Attempt& attempt, const CurvePoint<N>& next) {
+    const Curve<N> circle(curve_->family(), curve_->corrector().scale(), true);
+    const double gap = std::log(here_.arc.x[0] / here_.arc.x[1]);
+    const double u = gap / (gap - std::log(next.arc.x[0] / next.arc.x[1]));
+    const ArcVector<N> y = attempt.arc.at(u);
+    ReducedVector<N> x = moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>()));
+    x[0] = x[1] = std::sqrt(x[0] * x[1]);
+    const double scale = curve_->corrector().scale();
+    const double guess = here_.arc.p + scale * y[N];
+    ArcVector<N> up = ArcVector<N>::Zero();
+    up[N] = 1.0;
+    const auto at = [&](double p) {
+      return circle.complete(circle.corrector().correct_at(x, p, up).point);
+    };
+    const auto stiffness = [&](double p) { return at(p).tests.value[TestValues::ellipse]; };
+    for (double reach = 1e-3 * attempt.arc.length * scale; reach <= scale; reach *= 4.0) {
+      const double a = stiffness(guess - reach);
+      const double b = stiffness(guess + reach);
+      if (std::isnan(a) || std::isnan(b)) break;
+      if ((a < 0.0) == (b < 0.0)) continue;
+      std::uintmax_t evaluations = 80;
+      const auto [low, high] = boost::math::tools::toms748_solve(
+          stiffness, guess - reach, guess + reach, a, b,
+          boost::math::tools::eps_tolerance<double>(52), evaluations);
+      here_ = at(0.5 * (low + high));
+      here_.member.error_bound *= 4.0;
+      finish(EventType::ellipse, "the ellipses meet the circle here and go on as mirror images");
+      return;
+    }
+    finish(EventType::stalled, "xi = zeta was passed, but the circle's own point not found");
+  }
+
+  const Curve<N>* curve_;
+  ContinuationOptions options_;
+  StepControl control_;
+  EventSearch<N> events_in_;
+  CurvePoint<N> start_;
+  CurvePoint<N> here_;
+  CurvePoint<N> here_next_;
+  TestValues earlier_tests_{};
+  Arc<N> arc_;  ///< of the last step
+  bool has_arc_ = false;
+  double h_;
+  double D_ = 0.0;
+  double reach_ = 1.0;  ///< of the last step, to its first turn beyond the range
+  ArcVector<N> travelled_;
+  double farthest_ = 0.0;
+  std::vector<Event> events_;
+  EventType end_ = EventType::none;
+  std::string reason_;
+  std::string refusal_ = "the first step";
+  ContinuationCounts counts_;
+};
+
+/// The completed point of a curve at a solved x, p; its tangent towards larger p.
+template <int N>
+Corrected<N> start_of(const Curve<N>& curve, const ReducedVector<N>& x, double p) {
+  ArcVector<N> up = ArcVector<N>::Zero();
+  up[N] = 1.0;
+  return curve.corrector().correct_at(x, p, up);
+}
+
+}  // namespace stationary

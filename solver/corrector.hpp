@@ -1,0 +1,214 @@
+// From a predicted y = (ln x, p/scale) back onto the curve G(x; p) = 0, in the plane across a given
+// direction (the border):
+//
+//   [ dG/d ln x   scale dG/dp ] [ d ln x     ]     [ G ]
+//   [        border^T         ] [ dp / scale ] = - [ 0 ]     nonsingular at a simple turn of p
+//
+// then, p fixed at the double it has come to, the extended-precision correction every solve ends in
+// (refine.hpp). At a turn of p itself, where that is singular, the bordered system once more, with
+// the extended residual.
+//
+// Nothing is accepted that a jump to another sheet could have produced: the first correction must
+// be small against the step, the corrections must contract, and the sign of the bordered
+// determinant and the angle between tangents are handed to the caller to compare.
+#pragma once
+
+#include <Eigen/LU>
+
+#include "lib/conditioned.hpp"
+#include "solver/arc.hpp"
+
+namespace stationary {
+
+enum class CorrectorStatus {
+  converged,
+  not_finite,     ///< G or its derivatives left the domain
+  too_far,        ///< the first correction is too large for the step
+  slow,           ///< the corrections do not contract as Newton's should
+  not_converged,  ///< max_iterations
+  left_curve      ///< the last correction moved far: not the point corrected so far
+};
+constexpr std::string_view corrector_status_names[] = {
+    "converged",
+    "left the domain",
+    "the first correction was too large for the step",
+    "the corrections did not contract",
+    "too many corrections",
+    "the last correction led elsewhere"};
+constexpr std::string_view name(CorrectorStatus s) {
+  return corrector_status_names[static_cast<int>(s)];
+}
+
+template <int N>
+struct Corrected {
+  CorrectorStatus status = CorrectorStatus::not_finite;
+  ArcPoint<N> point;
+  ArcVector<N> correction;       ///< all of it, in y
+  double first_correction = 0.0;  ///< length in y
+  int linearizations = 0;
+};
+
+template <int N>
+class Corrector {
+ public:
+  /// circle: the curve stays in xi = zeta (J1 = J2, branch (iii)); where ellipses branch off, G is
+  /// singular along xi - zeta, which a curve of circles has no part in.
+  Corrector(const Family<N>& family, double scale, bool circle)
+      : family_(&family), scale_(scale), circle_(circle) {}
+
+  double scale() const { return scale_; }
+  bool circle() const { return circle_; }
+
+  /// max_correction: bound of the first correction, in y.
+  Corrected<N> correct(const ReducedVector<N>& x, double p, const ArcVector<N>& border,
+                       double max_correction) const {
+    Corrected<N> out;
+    out.point.x = x;
+    out.point.p = p;
+    out.correction.setZero();
+    out.status = iterate(border, max_correction, out);
+    if (out.status == CorrectorStatus::converged) finish(border, out);
+    return out;
+  }
+
+  /// At a fixed p, from a near x; oriented along `ahead`.
+  Corrected<N> correct_at(const ReducedVector<N>& x, double p, const ArcVector<N>& ahead) const {
+    Corrected<N> out;
+    out.point.x = x;
+    out.point.p = p;
+    out.correction.setZero();
+    out.status = CorrectorStatus::converged;
+    finish(ahead, out);
+    return out;
+  }
+
+  FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const {
+    FamilyLinearization<N> at = family_->linearize(x, p);
+    if (circle_) keep_to_circle(at);
+    return at;
+  }
+
+  /// |change of y across the curve| that half a unit in the last place of every input makes.
+  double curve_error(const ArcPoint<N>& point) const {
+    const Bordered inverse = bordered(point.at, point.tangent).inverse();
+    const ReducedVector<N> perturbation = family_->input_perturbation(point.x, point.p);
+    return (inverse.template leftCols<N>().cwiseAbs() * perturbation).maxCoeff() + 0x1p-53;
+  }
+
+ private:
+  using Bordered = Eigen::Matrix<double, N + 1, N + 1>;
+
+  Bordered bordered(const FamilyLinearization<N>& at, const ArcVector<N>& border) const {
+    Bordered A;
+    A.template topLeftCorner<N, N>() = at.jacobian;
+    A.template topRightCorner<N, 1>() = scale_ * at.slope;
+    A.row(N) = border.transpose();
+    return A;
+  }
+
+  /// G restricted to xi = zeta, the direction (1, -1) given the eigenvalue 1.
+  static void keep_to_circle(FamilyLinearization<N>& at) {
+    auto& J = at.jacobian;
+    const double along = 0.5 * (J(0, 0) + J(0, 1) + J(1, 0) + J(1, 1));
+    J(0, 0) = J(1, 1) = 0.5 * (along + 1.0);
+    J(0, 1) = J(1, 0) = 0.5 * (along - 1.0);
+    if constexpr (N == 3) {
+      J(0, 2) = J(1, 2) = 0.5 * (J(0, 2) + J(1, 2));
+      J(2, 0) = J(2, 1) = 0.5 * (J(2, 0) + J(2, 1));
+    }
+    for (auto* column : {&at.g, &at.slope, &at.nu_slope})
+      (*column)[0] = (*column)[1] = 0.5 * ((*column)[0] + (*column)[1]);
+  }
+
+  void move(ArcVector<N> delta, Corrected<N>& out) const {
+    symmetrize(delta);
+    out.point.x = moved<N>(out.point.x, ReducedVector<N>(delta.template head<N>()));
+    out.point.p += scale_ * delta[N];
+    out.correction += delta;
+  }
+
+  /// Rounding must not leave the circle: the predictor would make it grow.
+  void symmetrize(ArcVector<N>& y) const {
+    if (circle_) y[0] = y[1] = 0.5 * (y[0] + y[1]);
+  }
+
+  CorrectorStatus iterate(const ArcVector<N>& border, double max_correction,
+                          Corrected<N>& out) const {
+    constexpr int max_iterations = 8;
+    double previous = 0.0;
+    for (int k = 0; k < max_iterations; ++k) {
+      const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
+      ++out.linearizations;
+      const ArcVector<N> delta = bordered(at, border).inverse().template leftCols<N>() * -at.g;
+      const double size = delta.norm();
+      if (!std::isfinite(size)) return CorrectorStatus::not_finite;
+      if (k == 0) {
+        out.first_correction = size;
+        if (size > max_correction) return CorrectorStatus::too_far;
+      } else if (size > 0.25 * previous && size > 1e-12) {
+        return CorrectorStatus::slow;
+      }
+      move(delta, out);
+      previous = size;
+      if (size <= 1e-7) return CorrectorStatus::converged;  // the next is at rounding
+    }
+    return CorrectorStatus::not_converged;
+  }
+
+  /// The extended-precision correction, tangent and orientation.
+  void finish(const ArcVector<N>& ahead, Corrected<N>& out) const {
+    ArcPoint<N>& point = out.point;
+    ReducedVector<N> x = point.x;
+    const Refined refined = family_->refine_at(x, point.p);
+    if (refined.converged) {
+      if (!(refined.first_correction < 1e-3)) {
+        out.status = CorrectorStatus::left_curve;
+        return;
+      }
+      if (circle_) x[1] = x[0];
+      point.x = x;
+      point.error_bound = refined.error_bound;
+    } else {
+      correct_at_turn(ahead, out);
+    }
+    point.at = linearize(point.x, point.p);
+    ++out.linearizations;
+    const Bordered A = bordered(point.at, ahead);
+    Bordered inverse = Bordered::Zero();
+    double determinant = 0.0;
+    bool invertible = false;
+    A.computeInverseAndDetWithCheck(inverse, determinant, invertible, 0.0);
+    point.tangent = inverse.col(N);
+    symmetrize(point.tangent);
+    point.tangent.normalize();
+    point.positive = determinant > 0.0;
+    if (!invertible || !point.tangent.allFinite()) out.status = CorrectorStatus::not_finite;
+  }
+
+  /// Where p turns: two bordered corrections with the extended residual. The bound is that of x at
+  /// the row's p, about the square root of that of the curve.
+  void correct_at_turn(const ArcVector<N>& border, Corrected<N>& out) const {
+    for (int k = 0; k < 2; ++k) {
+      const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
+      ReducedVector<N> g = family_->extended_residual(out.point.x, out.point.p);
+      if (circle_) g[0] = g[1] = 0.5 * (g[0] + g[1]);
+      const ArcVector<N> delta = bordered(at, border).inverse().template leftCols<N>() * -g;
+      if (!(delta.norm() < 1e-3)) {
+        out.status = CorrectorStatus::left_curve;
+        return;
+      }
+      move(delta, out);
+    }
+    const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
+    const Eigen::Matrix<double, N, N> inverse = at.jacobian.inverse().cwiseAbs();
+    const double kappa = std::min(inverse.rowwise().sum().maxCoeff(), 1e16);
+    const double largest = family_->input_perturbation(out.point.x, out.point.p).maxCoeff();
+    out.point.error_bound = with_curvature(kappa * largest + 0x1p-53, kappa);
+  }
+
+  const Family<N>* family_;
+  double scale_;
+  bool circle_;
+};
+
+}  // namespace stationary

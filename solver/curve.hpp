@@ -1,0 +1,89 @@
+// A point of a family's curve with all that is known there, and how one is made: corrected, its
+// member computed, the event functions evaluated.
+#pragma once
+
+#include "solver/corrector.hpp"
+#include "solver/event.hpp"
+
+namespace stationary {
+
+template <int N>
+struct CurvePoint {
+  ArcPoint<N> arc;
+  Member member;
+  TestValues tests;
+};
+
+template <int N>
+class Curve {
+ public:
+  /// scale: of p in y. circle: see Corrector.
+  Curve(const Family<N>& family, double scale, bool circle)
+      : family_(&family),
+        corrector_(family, scale, circle),
+        context_{family.branch(), family.material_symmetry(), circle} {}
+
+  const Family<N>& family() const { return *family_; }
+  const Corrector<N>& corrector() const { return corrector_; }
+  const TestContext& context() const { return context_; }
+
+  /// Member and event functions of a corrected point.
+  CurvePoint<N> complete(const ArcPoint<N>& arc) const {
+    CurvePoint<N> out;
+    out.arc = arc;
+    out.member = family_->member(arc.x, arc.p, arc.error_bound);
+    const auto [fold, momentum] = turns(arc, out.member);
+    out.tests = test_values(out.member, context_, fold, momentum);
+    return out;
+  }
+
+  /// The point at a fraction u of the arc from a point, corrected.
+  Corrected<N> at(const ArcPoint<N>& from, const Arc<N>& arc, double u) const {
+    const ArcVector<N> y = arc.at(u);
+    return corrector_.correct(moved<N>(from.x, ReducedVector<N>(y.template head<N>())),
+                              from.p + corrector_.scale() * y[N], arc.direction(u), arc.length);
+  }
+
+ private:
+  struct Turns {
+    double fold;
+    double momentum;
+  };
+
+  /// Kernel of [dG/d ln x  dG/dnu] by its cofactors, which change sign with the curve and never
+  /// with a normalization.
+  static ArcVector<N> kernel(const FamilyLinearization<N>& at) {
+    ArcVector<N> out;
+    Eigen::Matrix<double, N, N> minor;
+    for (int k = 0; k <= N; ++k) {
+      for (int j = 0, column = 0; j <= N; ++j)
+        if (j != k) minor.col(column++) = j < N ? at.jacobian.col(j) : at.nu_slope;
+      out[k] = ((N - k) % 2 == 0 ? 1.0 : -1.0) * minor.determinant();
+    }
+    return out;
+  }
+
+  /// c_nu and d(I_a nu)/I_a along c, with |c| = 1.
+  Turns turns(const ArcPoint<N>& arc, const Member& member) const {
+    ArcVector<N> c;
+    if (family_->along_nu()) {
+      c = arc.tangent;
+      c[N] *= corrector_.scale();
+    } else {
+      c = kernel(arc.at);
+    }
+    c.normalize();
+    const CentrifugalRates<double> I = axis_rates(member.body, context_.branch, 1.0);
+    const Stretch& q = member.q;
+    double change = I.xi * q.xi * q.xi * c[0] + I.zeta * q.zeta * q.zeta * c[1];
+    if constexpr (N == 3) change += I.rho * q.rho * q.rho * c[2];
+    const double own = member.locked_inertia[static_cast<std::size_t>(axis(context_.branch))];
+    return {c[N], c[N] + 2.0 * member.nu * change / own};
+  }
+
+  const Family<N>* family_;
+  Corrector<N> corrector_;
+  TestContext context_;
+};
+
+}  // namespace stationary

@@ -1,0 +1,59 @@
+// A followed curve as rows of a table, and in short: where its stability changes.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "solver/follow.hpp"
+#include "solver/table.hpp"
+
+namespace stationary {
+
+/// Stretches of one class along a curve.
+class CurveSummary {
+ public:
+  struct Stretch {
+    StabilityClass verdict;
+    double from;
+    double to;
+  };
+
+  void add(const Member& member);
+  double first_parameter() const { return first_; }
+  double last_parameter() const { return last_; }
+  /// Single points (an event's own class) are left out.
+  std::vector<Stretch> stretches() const;
+
+ private:
+  struct Counted {
+    Stretch stretch;
+    long points;
+  };
+  std::vector<Counted> all_;
+  double first_ = std::numeric_limits<double>::quiet_NaN();
+  double last_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+class CurveTable final : public CurveSink {
+ public:
+  /// Rows of sheet `sheet` from point `point` on; writer may be null: then only the summary is
+  /// made.
+  CurveTable(Branch branch, TableWriter* writer, int sheet = 1, long point = 0)
+      : branch_(branch), writer_(writer), point_(point) {
+    row_[Column::sheet] = sheet;
+  }
+
+  void row(const Member& member, EventType event) override;
+  const CurveSummary& summary() const { return summary_; }
+  long next_point() const { return point_; }
+
+ private:
+  Branch branch_;
+  TableWriter* writer_;
+  long point_;
+  TableRow row_;
+  CurveSummary summary_;
+};
+
+}  // namespace stationary

@@ -1,0 +1,171 @@
+#include "solver/event.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stationary {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+double relative_difference(double a, double b) { return (a - b) / (a + b); }
+
+/// The Lambdas of one block, ascending, and how many complex pairs it has.
+struct BlockModes {
+  std::array<const Mode*, 5> real{};
+  std::size_t count = 0;
+  double most_complex = 0.0;  ///< largest imaginary part of a Lambda
+  double complex_size = 0.0;
+  double complex_re = 0.0;
+};
+
+std::array<BlockModes, 4> by_block(const Spectrum& spectrum) {
+  std::array<BlockModes, 4> out;
+  for (int k = 0; k < spectrum.modes; ++k) {
+    const Mode& mode = spectrum.mode[static_cast<std::size_t>(k)];
+    if (mode.forced_zero) continue;
+    BlockModes& block = out[static_cast<std::size_t>(mode.block)];
+    if (mode.lambda_im > 0.0) {
+      if (mode.lambda_im >= block.most_complex) {
+        block.most_complex = mode.lambda_im;
+        block.complex_re = mode.lambda_re;
+        block.complex_size = std::hypot(mode.lambda_re, mode.lambda_im);
+      }
+      continue;
+    }
+    block.real[block.count++] = &mode;
+  }
+  for (BlockModes& block : out) {
+    std::sort(block.real.begin(), block.real.begin() + static_cast<std::ptrdiff_t>(block.count),
+              [](const Mode* a, const Mode* b) { return a->lambda_re < b->lambda_re; });
+  }
+  return out;
+}
+
+/// Blocks whose Lambda may leave the real axis; the others are symmetric problems.
+bool may_collide(Block block, const TestContext& context) {
+  if (block == Block::shear) return true;
+  return block == (context.branch == Branch::iii ? Block::even : Block::odd) &&
+         !(context.circle && block == Block::even);
+}
+
+void set_collision(const BlockModes& block, TestValues& out) {
+  if (block.most_complex > 0.0) {
+    const double relative = block.most_complex / block.complex_size;
+    out.value[TestValues::collision] = -relative * relative;
+    out.collides_imaginary = block.complex_re < 0.0;
+    return;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < block.count; ++k) {
+    const double a = block.real[k - 1]->lambda_re;
+    const double b = block.real[k]->lambda_re;
+    const double half = 0.5 * (b - a);
+    const double mean = 0.5 * (b + a);
+    const double relative = half * half / (mean * mean + half * half);
+    if (!(relative < least)) continue;
+    least = relative;
+    out.collides_imaginary = mean < 0.0;
+  }
+  if (std::isfinite(least)) out.value[TestValues::collision] = least;
+}
+
+void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
+  std::size_t k = TestValues::crossings;
+  for (std::size_t a = 0; a < blocks.size(); ++a) {
+    out.composition = 8 * out.composition + static_cast<std::uint32_t>(blocks[a].count);
+    for (std::size_t b = a + 1; b < blocks.size(); ++b) {
+      for (std::size_t i = 0; i < blocks[a].count; ++i) {
+        for (std::size_t j = 0; j < blocks[b].count && k < TestValues::count; ++j, ++k) {
+          const Mode& first = *blocks[a].real[i];
+          const Mode& second = *blocks[b].real[j];
+          if (!(first.lambda_re < 0.0 && second.lambda_re < 0.0)) continue;
+          out.value[k] =
+              (first.lambda_re - second.lambda_re) / -(first.lambda_re + second.lambda_re);
+          if (first.krein * second.krein < 0)
+            out.opposite |= 1U << static_cast<unsigned>(k - TestValues::crossings);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TestValues test_values(const Member& member, const TestContext& context, double fold,
+                       double momentum) {
+  TestValues out;
+  out.value.fill(none);
+  out.value[TestValues::fold] = fold;
+  out.value[TestValues::momentum] = momentum;
+  const auto& I = member.locked_inertia;
+  out.value[TestValues::inertia_13] = relative_difference(I[0], I[2]);
+  if (!context.circle) {  // there the axes 1 and 2 are alike
+    out.value[TestValues::inertia_12] = relative_difference(I[0], I[1]);
+    out.value[TestValues::inertia_23] = relative_difference(I[1], I[2]);
+  }
+  const Body& J = member.body;
+  if (context.branch == Branch::iii) {
+    const double pull = (J.J1 + J.J2) * member.nu * member.nu;  // of alpha
+    const double shear = member.shear_stiffness / (std::abs(member.shear_stiffness) + 2.0 * pull);
+    if (context.circle) {
+      out.value[TestValues::ellipse] = shear;
+    } else if (!context.material_symmetry) {
+      out.value[TestValues::turn] = shear;
+    }
+  } else if (!context.material_symmetry) {
+    // K_aa (I1 - I2) - h^2 omega^2 of an isotropic V, but for factors that keep their sign.
+    out.value[TestValues::turn] = relative_difference(J.J1, J.J2);
+  }
+  if (member.spectrum) {
+    const auto blocks = by_block(*member.spectrum);
+    for (const Block block : {Block::even, Block::odd, Block::shear}) {
+      if (may_collide(block, context))
+        set_collision(blocks[static_cast<std::size_t>(block)], out);
+    }
+    set_crossings(blocks, out);
+  }
+  return out;
+}
+
+EventType event_type(std::size_t k, const TestContext& context, const TestValues& at) {
+  switch (k) {
+    case TestValues::fold:
+      return EventType::fold_nu;
+    case TestValues::momentum:
+      return EventType::fold_momentum;
+    case TestValues::inertia_12:
+      return EventType::inertia_exchange;
+    case TestValues::inertia_13:
+      return context.branch == Branch::ii ? EventType::inertia_exchange : EventType::tilt;
+    case TestValues::inertia_23:
+      return context.branch == Branch::i ? EventType::inertia_exchange : EventType::tilt;
+    case TestValues::ellipse:
+      return EventType::ellipse;
+    case TestValues::turn:
+      return context.branch == Branch::iii ? EventType::shear : EventType::oblique;
+    case TestValues::collision:
+      return at.collides_imaginary ? EventType::hamiltonian_hopf : EventType::real_collision;
+    default:
+      break;
+  }
+  const bool opposite = (at.opposite >> static_cast<unsigned>(k - TestValues::crossings)) & 1U;
+  return opposite ? EventType::krein_pass : EventType::none;
+}
+
+int negative_change(EventType event) {
+  switch (event) {
+    case EventType::fold_momentum:
+    case EventType::tilt:
+    case EventType::oblique:
+    case EventType::shear:
+      return 1;
+    case EventType::ellipse:
+      return 2;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace stationary

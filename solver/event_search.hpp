@@ -1,0 +1,241 @@
+// The events inside one step of a curve, each located.
+//
+// Where a test function f (event.hpp) changes sign over the step, f = 0 and G = 0 are solved
+// together: a bracketing root finder (TOMS 748) on f along the arc, the bordered corrector bringing
+// each of its points onto the curve. Where f does not change sign but a parabola through the last
+// three points dips towards zero inside the step, its extremum is sought on the curve: two zeros in
+// one step are found so. What remains of the change in the number of negative directions is
+// reported as unexplained.
+#pragma once
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "solver/curve.hpp"
+
+namespace stationary {
+
+struct Event {
+  EventType type = EventType::none;
+  Member member;      ///< error_bound: of the event's q
+  double before = 0;  ///< bracket of the parameter
+  double after = 0;
+  bool located = false;  ///< else only bracketed: the member is the bracket's middle
+};
+
+template <int N>
+class EventSearch {
+ public:
+  explicit EventSearch(const Curve<N>& curve) : curve_(&curve) {}
+
+  /// Events between two points an arc apart, in order along it. earlier: the point before `from`
+  /// and its distance, if there is one. starts: the curve starts at `from`, and functions that
+  /// vanish there are none of this step's.
+  std::vector<Event> run(const CurvePoint<N>& from, const CurvePoint<N>& to, const Arc<N>& arc,
+                         const TestValues* earlier, double earlier_length, bool starts) {
+    from_ = &from;
+    to_ = &to;
+    arc_ = &arc;
+    found_.clear();
+    for (std::size_t k = 0; k < TestValues::crossings; ++k) {
+      const double a = from.tests.value[k];
+      const double b = to.tests.value[k];
+      if (std::isnan(a) || std::isnan(b) || (starts && a == 0.0)) continue;
+      if ((a < 0.0) != (b < 0.0)) {
+        locate(k, {0.0, a}, {1.0, b});
+      } else if (earlier != nullptr) {
+        dip(k, earlier->value[k], earlier_length);
+      }
+    }
+    find_crossings(from.tests, to.tests, earlier, earlier_length);
+    explain_negative();
+    std::ranges::sort(found_, {}, &Found::u);
+    std::vector<Event> out;
+    out.reserve(found_.size());
+    for (Found& each : found_) out.push_back(std::move(each.event));
+    return out;
+  }
+
+  /// Points evaluated so far.
+  long evaluations() const { return evaluations_; }
+
+ private:
+  struct Found {
+    double u;
+    Event event;
+  };
+  struct Sample {
+    double u;
+    double value;
+  };
+
+  /// The completed point at u; false where the corrector fails.
+  bool evaluate(double u, CurvePoint<N>& out) {
+    ++evaluations_;
+    const Corrected<N> corrected = curve_->at(from_->arc, *arc_, u);
+    if (corrected.status != CorrectorStatus::converged) return false;
+    out = curve_->complete(corrected.point);
+    // The arc's own direction, as the two ends have it.
+    if (out.arc.tangent.dot(arc_->direction(u)) < 0.0) return false;
+    return true;
+  }
+
+  double value(std::size_t k, double u, double otherwise) {
+    CurvePoint<N> point;
+    if (!evaluate(u, point)) return otherwise;
+    const double f = point.tests.value[k];
+    return std::isnan(f) ? otherwise : f;
+  }
+
+  void locate(std::size_t k, Sample a, Sample b) {
+    using boost::math::tools::eps_tolerance;
+    std::uintmax_t evaluations = 80;
+    const auto f = [&](double u) { return value(k, u, a.value); };
+    const auto [low, high] = boost::math::tools::toms748_solve(
+        f, a.u, b.u, a.value, b.value, eps_tolerance<double>(50), evaluations);
+    add(k, low, high);
+  }
+
+  void add(std::size_t k, double low, double high) {
+    const double u = 0.5 * (low + high);
+    CurvePoint<N> point;
+    if (!evaluate(u, point)) return;
+    const EventType type = event_type(k, curve_->context(), point.tests);
+    if (type == EventType::none) return;
+    Found out{u, {type, point.member, parameter(low), parameter(high), true}};
+    out.event.member.error_bound = error_bound(k, u, 0.5 * (high - low), point);
+    found_.push_back(std::move(out));
+  }
+
+  double parameter(double u) const {
+    return from_->arc.p + curve_->corrector().scale() * arc_->at(u)[N];
+  }
+
+  /// Of the event's q: how far along the curve the zero may lie, and the curve's own error.
+  double error_bound(std::size_t k, double u, double half_bracket, const CurvePoint<N>& point) {
+    constexpr double apart = 1e-3;
+    constexpr double noise = 32.0;  // of a test function, in errors of the point
+    const double own = curve_->corrector().curve_error(point.arc);
+    const double slope = (value(k, u + apart, 0.0) - value(k, u - apart, 0.0)) / (2.0 * apart);
+    const double along = half_bracket + noise * own / std::abs(slope);
+    return 2.0 * (along * arc_->length + own);
+  }
+
+  /// Two zeros of function k inside the step? f at the earlier point, and its distance.
+  void dip(std::size_t k, double earlier, double earlier_length) {
+    const double a = from_->tests.value[k];
+    const double b = to_->tests.value[k];
+    if (std::isnan(earlier) || (earlier < 0.0) != (a < 0.0)) return;
+    // Newton's form through (-l, earlier), (0, a), (1, b), in units of the arc.
+    const double l = earlier_length / arc_->length;
+    const double d01 = b - a;
+    const double d10 = (a - earlier) / l;
+    const double curvature = (d01 - d10) / (1.0 + l);
+    const double slope = d01 - curvature;
+    if (curvature * a <= 0.0) return;  // bends away from zero
+    const double vertex = -0.5 * slope / curvature;
+    if (!(vertex > -0.1 && vertex < 1.1)) return;
+    const double least = a + vertex * (slope + vertex * curvature);
+    if (least * a > 0.0 && std::abs(least) > 0.3 * std::min(std::abs(a), std::abs(b))) return;
+    const double sign = a < 0.0 ? -1.0 : 1.0;
+    std::uintmax_t evaluations = 25;
+    const auto [u, f] = boost::math::tools::brent_find_minima(
+        [&](double s) { return sign * value(k, s, a); }, 0.0, 1.0, 20, evaluations);
+    if (!(f < 0.0)) return;
+    locate(k, {0.0, a}, {u, sign * f});
+    locate(k, {u, sign * f}, {1.0, b});
+  }
+
+  /// Crossings of different blocks: over stretches of the step where each block keeps its number of
+  /// real Lambda.
+  void find_crossings(const TestValues& from, const TestValues& to, const TestValues* earlier,
+                      double earlier_length) {
+    if (from.composition == to.composition) {
+      crossings_between({0.0, from}, {1.0, to});
+      if (earlier != nullptr && earlier->composition == from.composition) {
+        for (std::size_t k = TestValues::crossings; k < TestValues::count; ++k)
+          if ((from.value[k] < 0.0) == (to.value[k] < 0.0) && is_opposite(from, k))
+            dip(k, earlier->value[k], earlier_length);
+      }
+      return;
+    }
+    std::vector<double> borders;
+    for (const Found& each : found_) {
+      if (each.event.type == EventType::hamiltonian_hopf ||
+          each.event.type == EventType::real_collision)
+        borders.push_back(each.u);
+    }
+    std::ranges::sort(borders);
+    constexpr double aside = 1e-6;
+    Tested begin{0.0, from};
+    for (const double u : borders) {
+      CurvePoint<N> before;
+      CurvePoint<N> after;
+      if (!evaluate(u - aside, before) || !evaluate(u + aside, after)) return;
+      crossings_between(begin, {u - aside, before.tests});
+      begin = {u + aside, after.tests};
+    }
+    crossings_between(begin, {1.0, to});
+  }
+
+  struct Tested {
+    double u;
+    TestValues tests;
+  };
+
+  static bool is_opposite(const TestValues& tests, std::size_t k) {
+    return (tests.opposite >> static_cast<unsigned>(k - TestValues::crossings)) & 1U;
+  }
+
+  void crossings_between(const Tested& a, const Tested& b) {
+    if (a.tests.composition != b.tests.composition) return;
+    for (std::size_t k = TestValues::crossings; k < TestValues::count; ++k) {
+      const double fa = a.tests.value[k];
+      const double fb = b.tests.value[k];
+      if (std::isnan(fa) || std::isnan(fb) || (fa < 0.0) == (fb < 0.0)) continue;
+      if (is_opposite(a.tests, k) || is_opposite(b.tests, k)) locate(k, {a.u, fa}, {b.u, fb});
+    }
+  }
+
+  /// Whether the located events account for the change of `negative`; else brackets the change.
+  void explain_negative() {
+    if (!from_->member.spectrum || !to_->member.spectrum) return;
+    const Spectrum& a = *from_->member.spectrum;
+    const Spectrum& b = *to_->member.spectrum;
+    if (a.modes != b.modes || a.negative == b.negative) return;
+    int most = 0;
+    bool exchange = false;
+    for (const Found& each : found_) {
+      most += negative_change(each.event.type);
+      // J1 = J2: the direction conjugate to the symmetry may change its sign there.
+      exchange = exchange || each.event.type == EventType::inertia_exchange;
+    }
+    const int change = std::abs(a.negative - b.negative);
+    if (change <= most && (most - change) % 2 == 0) return;
+    if (exchange && curve_->context().material_symmetry) return;
+    double low = 0.0;
+    double high = 1.0;
+    CurvePoint<N> middle = *to_;
+    for (int k = 0; k < 50; ++k) {
+      const double u = 0.5 * (low + high);
+      if (!evaluate(u, middle)) break;
+      (middle.member.spectrum->negative == a.negative ? low : high) = u;
+    }
+    found_.push_back({0.5 * (low + high),
+                      {EventType::unexplained, middle.member, parameter(low), parameter(high),
+                       false}});
+  }
+
+  const Curve<N>* curve_;
+  const CurvePoint<N>* from_ = nullptr;
+  const CurvePoint<N>* to_ = nullptr;
+  const Arc<N>* arc_ = nullptr;
+  std::vector<Found> found_;
+  long evaluations_ = 0;
+};
+
+}  // namespace stationary

@@ -1,0 +1,71 @@
+// A one-parameter family of reduced balances,
+//
+//   G(x; p) = 0,   x in R^N the stretches left as unknowns (ln x the coordinates), p the parameter,
+//
+// as continuation sees it: N equations, N + 1 unknowns (ln x, p), and what a point of the curve is
+// mechanically (its member). Continuation knows no potential; a family no step.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "lib/body.hpp"
+#include "lib/spectrum.hpp"
+#include "lib/stretch.hpp"
+#include "solver/refine.hpp"
+
+namespace stationary {
+
+/// G and its derivatives, each row divided by the magnitude of the terms in it.
+template <int N>
+struct FamilyLinearization {
+  ReducedVector<N> g;
+  Eigen::Matrix<double, N, N> jacobian;  ///< dG/d ln x
+  ReducedVector<N> slope;                ///< dG/dp
+  ReducedVector<N> nu_slope;             ///< dG/dnu; of slope's value where p is nu
+};
+
+/// A stationary motion of the family, with everything a table row or an event asks of it.
+struct Member {
+  double parameter = std::numeric_limits<double>::quiet_NaN();
+  Body body{1.0, 1.0, 1.0};
+  double nu = std::numeric_limits<double>::quiet_NaN();  ///< along the branch's axis
+  Stretch q{0.0, 1.0, 1.0, 1.0};
+  /// Relative, of xi, zeta, rho at the row's numbers; of an event's row, at the event.
+  double error_bound = std::numeric_limits<double>::quiet_NaN();
+  double residual = std::numeric_limits<double>::quiet_NaN();
+  double compatibility = std::numeric_limits<double>::quiet_NaN();
+  double energy = std::numeric_limits<double>::quiet_NaN();
+  std::array<double, 3> locked_inertia{};  ///< I11, I22, I33
+  double shear_stiffness = std::numeric_limits<double>::quiet_NaN();  ///< (iii): K_alpha,alpha
+  std::optional<Spectrum> spectrum;
+};
+
+template <int N>
+class Family {
+ public:
+  Family() = default;
+  Family(const Family&) = delete;
+  Family& operator=(const Family&) = delete;
+  virtual ~Family() = default;
+
+  virtual Branch branch() const = 0;
+  /// Whether p is nu itself (else nu is held).
+  virtual bool along_nu() const = 0;
+  /// J1 = J2 and isotropic V at every p of the family: circles and mirror images.
+  virtual bool material_symmetry() const = 0;
+
+  /// In double. Values outside the domain (J <= 0, ...) give NaN, never an exception.
+  virtual FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const = 0;
+  /// Corrects x at fixed p with extended-precision residuals (refine.hpp).
+  virtual Refined refine_at(ReducedVector<N>& x, double p) const = 0;
+  /// G in extended precision, rows divided as in linearize().
+  virtual ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const = 0;
+  /// |change of G| by half a unit in the last place of every input, rows divided likewise.
+  virtual ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const = 0;
+  virtual Member member(const ReducedVector<N>& x, double p, double error_bound) const = 0;
+};
+
+}  // namespace stationary

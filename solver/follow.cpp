@@ -1,0 +1,164 @@
+#include "solver/follow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stationary {
+namespace {
+
+struct HeldRow {
+  Member member;
+  EventType event;
+};
+
+/// Keeps what is computed against the parameter, to be given on in reverse.
+class HeldBack final : public CurveSink {
+ public:
+  void row(const Member& member, EventType event) override { rows_.push_back({member, event}); }
+  void give(CurveSink& sink) const {
+    for (auto each = rows_.rbegin(); each != rows_.rend(); ++each)
+      sink.row(each->member, each->event);
+  }
+  bool empty() const { return rows_.empty(); }
+
+ private:
+  std::vector<HeldRow> rows_;
+};
+
+template <int N>
+ReducedVector<N> unknowns(const Stretch& q) {
+  ReducedVector<N> out;
+  out[0] = q.xi;
+  out[1] = q.zeta;
+  if constexpr (N == 3) out[2] = q.rho;
+  return out;
+}
+
+template <int N>
+class Follower {
+ public:
+  Follower(const Family<N>& family, const Stretch& q, double p, const FollowOptions& options)
+      : options_(options),
+        curve_(family, options.continuation.to - options.continuation.from,
+               is_circle(family, q)) {
+    const Corrected<N> start = start_of(curve_, unknowns<N>(q), p);
+    if (start.status != CorrectorStatus::converged) {
+      report_.failure = "the start is no regular point of a curve: " + std::string(name(start.status));
+      return;
+    }
+    start_ = curve_.complete(start.point);
+  }
+
+  FollowReport both(CurveSink& sink) {
+    if (!report_.failure.empty()) return report_;
+    HeldBack held;
+    report_.backward = one(-1, held);
+    std::ranges::reverse(report_.events);
+    held.give(sink);
+    emit(sink, start_.member, end_at_start(held.empty()));
+    const bool closed = report_.backward.event == EventType::closed;
+    if (closed) report_.forward = report_.backward;
+    if (!report_.interrupted && !closed) report_.forward = one(+1, sink);
+    return report_;
+  }
+
+  FollowReport onward(const OpenEnd& end, CurveSink& sink) {
+    if (!report_.failure.empty()) return report_;
+    ArcVector<N> ahead;
+    ahead.template head<N>() =
+        (unknowns<N>(end.q).array() / unknowns<N>(end.neighbour).array()).log().matrix();
+    ahead[N] = (end.p - end.neighbour_p) / curve_.corrector().scale();
+    const double length = ahead.norm();
+    if (length > 0.0) {
+      options_.continuation.step.first =
+          std::clamp(length, options_.continuation.step.min, options_.continuation.step.max);
+    }
+    report_.forward = one(start_.arc.tangent.dot(ahead) < 0.0 ? -1 : 1, sink);
+    return report_;
+  }
+
+ private:
+  static bool is_circle(const Family<N>& family, const Stretch& q) {
+    return family.branch() == Branch::iii && family.material_symmetry() &&
+           std::abs(q.xi - q.zeta) <= 8.0 * 0x1p-53 * q.xi;
+  }
+
+  /// The start's own event: it may be an end of the sheet, in either direction.
+  EventType end_at_start(bool nothing_behind) const {
+    if (nothing_behind || report_.backward.event == EventType::closed)
+      return report_.backward.event;
+    return Continuation<N>(curve_, start_, +1, options_.continuation).end();
+  }
+
+  void emit(CurveSink& sink, const Member& member, EventType event) {
+    sink.row(member, event);
+    ++report_.points;
+  }
+
+  SheetEnd one(int direction, CurveSink& sink) {
+    Continuation<N> walk(curve_, start_, direction, options_.continuation);
+    SheetEnd out;
+    while (walk.end() == EventType::none) {
+      if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
+        report_.interrupted = true;
+        out.reason = "interrupted";
+        break;
+      }
+      if (report_.points >= options_.max_points) {
+        out.reason = "continuation.max_points is reached";
+        break;
+      }
+      if (!walk.step()) {  // given up at the last point, which is written already
+        last_is_end_ = true;
+        break;
+      }
+      for (const Event& event : walk.events()) {
+        emit(sink, event.member, event.type);
+        report_.events.push_back({event.type, event.member.parameter, event.before, event.after,
+                                  event.located});
+      }
+      emit(sink, walk.point().member, walk.end());
+      if (options_.progress && report_.points % 256 == 0)
+        options_.progress(walk.point().arc.p, report_.points);
+    }
+    if (walk.end() != EventType::none) {
+      out = {walk.end(), walk.reason()};
+      // A failure is found beyond the last point: the row says so, once more.
+      if (last_is_end_) emit(sink, walk.point().member, walk.end());
+    }
+    last_is_end_ = false;
+    if (out.event == EventType::ellipse) {
+      const Member& m = walk.point().member;
+      report_.events.push_back({out.event, m.parameter, m.parameter, m.parameter, true});
+    }
+    const ContinuationCounts counts = walk.counts();
+    report_.counts.steps += counts.steps;
+    report_.counts.rejected += counts.rejected;
+    report_.counts.linearizations += counts.linearizations;
+    report_.counts.members += counts.members;
+    return out;
+  }
+
+  FollowOptions options_;
+  Curve<N> curve_;
+  CurvePoint<N> start_;
+  FollowReport report_;
+  bool last_is_end_ = false;
+};
+
+}  // namespace
+
+FollowReport follow(const AnyFamily& family, const Stretch& q, double p,
+                    const FollowOptions& options, CurveSink& sink) {
+  return std::visit([&](const auto& f) { return Follower(*f, q, p, options).both(sink); }, family);
+}
+
+FollowReport resume(const AnyFamily& family, const OpenEnd& end, const FollowOptions& options,
+                    CurveSink& sink) {
+  return std::visit(
+      [&](const auto& f) { return Follower(*f, end.q, end.p, options).onward(end, sink); },
+      family);
+}
+
+}  // namespace stationary

@@ -1,0 +1,77 @@
+// One sheet of a family, followed from a point both ways and handed on in the order of the curve:
+// first the part against the parameter, from its end to the start (held back until that end is
+// known), then the part along it, as it is computed.
+//
+// The rows at the two ends carry the event that ends the sheet; where the run was interrupted or
+// the number of points is used up the last row carries none, and resume() goes on from there.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "solver/axis_family.hpp"
+#include "solver/continuation.hpp"
+
+namespace stationary {
+
+/// Takes the rows of a sheet in order.
+class CurveSink {
+ public:
+  CurveSink() = default;
+  CurveSink(const CurveSink&) = delete;
+  CurveSink& operator=(const CurveSink&) = delete;
+  virtual ~CurveSink() = default;
+  virtual void row(const Member& member, EventType event) = 0;
+};
+
+struct FollowOptions {
+  ContinuationOptions continuation;
+  long max_points = 1'000'000;
+  const std::atomic<bool>* stop = nullptr;  ///< becomes true: end at the point reached
+  /// Called every few hundred points with the parameter and the number of points so far.
+  std::function<void(double, long)> progress;
+};
+
+/// Where one direction ended.
+struct SheetEnd {
+  EventType event = EventType::none;  ///< none: interrupted, or max_points
+  std::string reason;
+};
+
+struct EventRecord {
+  EventType type;
+  double parameter;
+  double before;  ///< bracket
+  double after;
+  bool located;
+};
+
+struct FollowReport {
+  std::string failure;  ///< why the start is no point of a curve; empty if it is
+  SheetEnd backward;    ///< against the parameter at the start
+  SheetEnd forward;
+  std::vector<EventRecord> events;  ///< in the order of the rows
+  ContinuationCounts counts;
+  long points = 0;
+  bool interrupted = false;
+};
+
+/// Which ends of a sheet are still to be followed, from where.
+struct OpenEnd {
+  Stretch q;
+  double p;
+  Stretch neighbour;  ///< the row before it on the curve
+  double neighbour_p;
+};
+
+/// From a solved q at p.
+FollowReport follow(const AnyFamily& family, const Stretch& q, double p,
+                    const FollowOptions& options, CurveSink& sink);
+
+/// On from the end of a table, away from its neighbour: rows after it, in that order.
+FollowReport resume(const AnyFamily& family, const OpenEnd& end, const FollowOptions& options,
+                    CurveSink& sink);
+
+}  // namespace stationary
