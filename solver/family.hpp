@@ -46,6 +46,8 @@ struct Member {
 template <int N>
 class Family {
  public:
+  static constexpr int dimension = N;
+
   Family() = default;
   Family(const Family&) = delete;
   Family& operator=(const Family&) = delete;
