@@ -20,7 +20,7 @@ std::optional<StabilityClass> class_between(const DiagramPoint& a, const Diagram
 /// Keeps, of each stretch of points within one image column, the first, the last and those where a
 /// value or the parameter is extreme. values: of a point, an array that begins with the parameter.
 template <class Values>
-std::vector<std::size_t> thinned(std::span<const std::size_t> points, const Interval& parameters,
+std::vector<std::size_t> thinned(std::span<const std::size_t> points, const AxisRange& parameters,
                                  const Values& values) {
   const double columns_per_unit = image_columns / (parameters.high - parameters.low);
   const auto column = [&](std::size_t k) {
@@ -56,7 +56,7 @@ std::vector<std::size_t> thinned(std::span<const std::size_t> points, const Inte
 }
 
 template <class Values>
-void thin(std::vector<DiagramLine>& lines, const Interval& parameters, const Values& values) {
+void thin(std::vector<DiagramLine>& lines, const AxisRange& parameters, const Values& values) {
   for (DiagramLine& line : lines) line.points = thinned(line.points, parameters, values);
 }
 
@@ -67,7 +67,7 @@ std::size_t end_of(const Diagram& diagram, std::size_t piece) {
 
 }  // namespace
 
-std::vector<DiagramLine> stretch_lines(const Diagram& diagram, const Interval& parameters) {
+std::vector<DiagramLine> stretch_lines(const Diagram& diagram, const AxisRange& parameters) {
   const std::vector<DiagramPoint>& points = diagram.points;
   std::vector<DiagramLine> lines;
   for (std::size_t piece = 0; piece < diagram.pieces.size(); ++piece) {
@@ -87,7 +87,7 @@ std::vector<DiagramLine> stretch_lines(const Diagram& diagram, const Interval& p
   return lines;
 }
 
-std::vector<DiagramLine> spectrum_lines(const Diagram& diagram, const Interval& parameters) {
+std::vector<DiagramLine> spectrum_lines(const Diagram& diagram, const AxisRange& parameters) {
   const std::vector<DiagramPoint>& points = diagram.points;
   std::vector<DiagramLine> lines;
   for (std::size_t piece = 0; piece < diagram.pieces.size(); ++piece) {

@@ -16,7 +16,7 @@ struct DiagramLine {
   std::vector<std::size_t> points;
 };
 
-struct Interval {
+struct AxisRange {
   double low;
   double high;
 };
@@ -26,9 +26,9 @@ constexpr double image_columns = 1600.0;
 
 /// Cut at sheets and classes. A located event belongs to both its sides, whatever its own class: on
 /// the border that is marginal.
-std::vector<DiagramLine> stretch_lines(const Diagram& diagram, const Interval& parameters);
+std::vector<DiagramLine> stretch_lines(const Diagram& diagram, const AxisRange& parameters);
 
 /// Cut at sheets only. Event rows without a spectrum are passed over.
-std::vector<DiagramLine> spectrum_lines(const Diagram& diagram, const Interval& parameters);
+std::vector<DiagramLine> spectrum_lines(const Diagram& diagram, const AxisRange& parameters);
 
 }  // namespace stationary

@@ -25,7 +25,7 @@ std::vector<EventLabel> shared(const std::vector<NamedPlace>& events, double dis
 
 /// The places nearest the anchors, in the sense of least squares, that keep order and distance:
 /// place k less k pitches may not fall, so neighbours where it would are averaged.
-void spread(std::vector<EventLabel>& labels, const Interval& edge, double pitch) {
+void spread(std::vector<EventLabel>& labels, const AxisRange& edge, double pitch) {
   struct Block {
     double mean;
     std::size_t size;
@@ -56,7 +56,7 @@ void spread(std::vector<EventLabel>& labels, const Interval& edge, double pitch)
 
 }  // namespace
 
-std::vector<EventLabel> event_labels(std::vector<NamedPlace> events, const Interval& edge,
+std::vector<EventLabel> event_labels(std::vector<NamedPlace> events, const AxisRange& edge,
                                      double pitch) {
   if (events.empty()) return {};
   std::ranges::stable_sort(events, {}, &NamedPlace::place);

@@ -26,7 +26,7 @@ struct NamedPlace {
 
 /// pitch: the least distance between labels; edge: where labels may be. The labels come in the
 /// order of their places. They overlap only if there are more names than fit.
-std::vector<EventLabel> event_labels(std::vector<NamedPlace> events, const Interval& edge,
+std::vector<EventLabel> event_labels(std::vector<NamedPlace> events, const AxisRange& edge,
                                      double pitch);
 
 }  // namespace stationary

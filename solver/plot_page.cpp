@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace stationary {
 namespace {
@@ -19,9 +21,9 @@ constexpr std::size_t longest_label = 24;
 constexpr double largest_linear_ratio = 30.0;
 
 /// Of the finite values; low > high where there are none.
-struct Extent : Interval {
+struct Extent : AxisRange {
   Extent()
-      : Interval{std::numeric_limits<double>::infinity(),
+      : AxisRange{std::numeric_limits<double>::infinity(),
                  -std::numeric_limits<double>::infinity()} {}
   void add(double value) {
     if (!std::isfinite(value)) return;
@@ -31,13 +33,36 @@ struct Extent : Interval {
 };
 
 /// With room at both ends; about a single value, or what rounding leaves of one, an interval.
-Interval widened(const Interval& range, double fraction) {
+AxisRange widened(const AxisRange& range, double fraction) {
   const double width = range.high - range.low;
   const double size = std::max(std::abs(range.low), std::abs(range.high));
   constexpr double least = 1e-12;  // relative: ticks closer than this are written alike
   if (width > least * size) return {range.low - fraction * width, range.high + fraction * width};
   const double half = size > 0.0 ? 0.05 * size : 1.0;
   return {range.low - half, range.high + half};
+}
+
+/// The rate above which less than `share` of the parameter's range lies: where a stretch escapes
+/// rates grow beyond bounds over next to no range, and would leave the rest on the axis.
+double largest_seen(const Diagram& diagram, double range, double share) {
+  std::vector<std::pair<double, double>> rates;  // and the range each stands for
+  for (std::size_t k = 0; k < diagram.points.size(); ++k) {
+    const DiagramPoint& p = diagram.points[k];
+    Extent own;
+    for (const double f : p.frequency) own.add(f);
+    own.add(p.growth);
+    if (!(own.high >= own.low)) continue;
+    const double next = k + 1 < diagram.points.size() ? diagram.points[k + 1].parameter : p.parameter;
+    const double width = std::abs(next - p.parameter);
+    rates.emplace_back(own.high, std::isfinite(width) ? width : 0.0);
+  }
+  std::ranges::sort(rates, std::greater<>{});
+  double left = share * range;
+  for (const auto& [rate, width] : rates) {
+    left -= width;
+    if (left < 0.0) return rate;
+  }
+  return rates.empty() ? 0.0 : rates.front().first;
 }
 
 }  // namespace
@@ -53,6 +78,9 @@ PlotPage::PlotPage(const Diagram& diagram) {
     all_rates.add(p.growth);
   }
   parameters = widened(all_parameters, 0.02);
+  constexpr double out_of_proportion = 2.0;
+  const double seen = largest_seen(diagram, all_parameters.high - all_parameters.low, 0.02);
+  if (all_rates.high > out_of_proportion * seen && seen > 0.0) all_rates.high = seen;
   rates = {0.0, all_rates.high > 0.0 ? 1.05 * all_rates.high : 1.0};
   logarithmic =
       all_stretches.low > 0.0 && all_stretches.high / all_stretches.low > largest_linear_ratio;

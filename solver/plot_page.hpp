@@ -32,10 +32,10 @@ struct PlotPage {
   /// What lies at a place between left and right.
   double parameter_at(double place) const;
 
-  Interval parameters{};
-  Interval stretches{};
+  AxisRange parameters{};
+  AxisRange stretches{};
   bool logarithmic = false;  ///< the axis of the stretches
-  Interval rates{};
+  AxisRange rates{};
   std::vector<EventLabel> labels;
   double upper_top = height - margin - title_height;
   double upper_bottom = bottom;

@@ -8,7 +8,7 @@
 namespace stationary {
 namespace {
 
-constexpr Interval edge{70.0, 670.0};
+constexpr AxisRange edge{70.0, 670.0};
 constexpr double pitch = 14.0;
 
 TEST(EventLabels, ApartTheyAreAtTheirEvents) {
