@@ -57,8 +57,8 @@ class Continuation {
     if (leaves_range(here_)) finish(EventType::limit, "the start is at the end of the range");
   }
 
-  /// Advances to the next point. False where the sheet has ended: before, or in a failure (end() and
-  /// reason()). The step that reaches an end returns true and sets end().
+  /// Advances to the next point. False where the sheet has ended: before, or in a failure (end()
+  /// and reason()). The step that reaches an end returns true and sets end().
   bool step() {
     events_.clear();
     if (end_ != EventType::none) return false;
@@ -119,9 +119,8 @@ class Continuation {
   bool try_step(Attempt& out) {
     const double h = h_;
     const double max_angle = options_.step.max_angle;
-    const ArcVector<N> ahead =
-        has_arc_ ? ArcVector<N>(arc_.at(1.0 + h / arc_.length) - arc_.chord)
-                 : ArcVector<N>(h * here_.arc.tangent);
+    const ArcVector<N> ahead = has_arc_ ? ArcVector<N>(arc_.at(1.0 + h / arc_.length) - arc_.chord)
+                                        : ArcVector<N>(h * here_.arc.tangent);
     const double scale = curve_->corrector().scale();
     out.corrected = curve_->corrector().correct(
         moved<N>(here_.arc.x, ReducedVector<N>(ahead.template head<N>())),
@@ -257,8 +256,8 @@ class Continuation {
         moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())), limit,
         attempt.arc.direction(u));
     if (at.status != CorrectorStatus::converged) {
-      finish(EventType::stalled, "the end of the range was not reached: " +
-                                     std::string(name(at.status)));
+      finish(EventType::stalled,
+             "the end of the range was not reached: " + std::string(name(at.status)));
       return false;
     }
     here_next_ = completed(at.point);

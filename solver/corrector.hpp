@@ -43,7 +43,7 @@ template <int N>
 struct Corrected {
   CorrectorStatus status = CorrectorStatus::not_finite;
   ArcPoint<N> point;
-  ArcVector<N> correction;       ///< all of it, in y
+  ArcVector<N> correction;        ///< all of it, in y
   double first_correction = 0.0;  ///< length in y
   int linearizations = 0;
 };

@@ -41,7 +41,8 @@ std::vector<Column> equilibrium_columns(bool two_polar, bool spectrum, bool even
   std::vector<Column> out;
   for (std::size_t k = 0; k < column_count; ++k) {
     const auto c = static_cast<Column>(k);
-    if ((c == Column::event && !events) || (is_spectral(c) && !spectrum) || (is_two_polar(c) && !two_polar))
+    if ((c == Column::event && !events) || (is_spectral(c) && !spectrum) ||
+        (is_two_polar(c) && !two_polar))
       continue;
     out.push_back(c);
   }

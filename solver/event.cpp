@@ -121,8 +121,7 @@ TestValues test_values(const Member& member, const TestContext& context, double 
   if (member.spectrum) {
     const auto blocks = by_block(*member.spectrum);
     for (const Block block : {Block::even, Block::odd, Block::shear}) {
-      if (may_collide(block, context))
-        set_collision(blocks[static_cast<std::size_t>(block)], out);
+      if (may_collide(block, context)) set_collision(blocks[static_cast<std::size_t>(block)], out);
     }
     set_crossings(blocks, out);
   }

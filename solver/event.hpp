@@ -6,8 +6,8 @@
 //   tilt               I_a = I_b, b = 3 in (i), (ii), b = 1 or 2 in (iii)
 //   inertia-exchange   any other two locked inertias are equal
 //   ellipse            J1 = J2: K_alpha,alpha = 0 on the circle
-//   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2; of isotropic V at J1 = J2 only
-//   shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; likewise
+//   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2; of isotropic V at J1 = J2
+//   only shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; likewise
 //   hamiltonian-hopf   two imaginary pairs of one block meet and leave the axis
 //   real-collision     two real pairs of one block do
 //   krein-pass         imaginary pairs of opposite signature, of two blocks, meet and pass
@@ -81,8 +81,8 @@ struct TestValues {
 
   std::array<double, count> value;
   std::uint32_t opposite = 0;     ///< bit k: the pairs of crossing k have opposite signatures
-  std::uint32_t composition = 0;  ///< which blocks have how many real Lambda: crossings compare only
-                                  ///< where this is equal
+  std::uint32_t composition = 0;  ///< which blocks have how many real Lambda: crossings compare
+                                  ///< only where this is equal
   bool collides_imaginary = false;  ///< the pair of `collision` has Lambda < 0
 };
 

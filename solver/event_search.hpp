@@ -225,9 +225,9 @@ class EventSearch {
       if (!evaluate(u, middle)) break;
       (middle.member.spectrum->negative == a.negative ? low : high) = u;
     }
-    found_.push_back({0.5 * (low + high),
-                      {EventType::unexplained, middle.member, parameter(low), parameter(high),
-                       false}});
+    found_.push_back(
+        {0.5 * (low + high),
+         {EventType::unexplained, middle.member, parameter(low), parameter(high), false}});
   }
 
   const Curve<N>* curve_;

@@ -40,11 +40,11 @@ class Follower {
  public:
   Follower(const Family<N>& family, const Stretch& q, double p, const FollowOptions& options)
       : options_(options),
-        curve_(family, options.continuation.to - options.continuation.from,
-               is_circle(family, q)) {
+        curve_(family, options.continuation.to - options.continuation.from, is_circle(family, q)) {
     const Corrected<N> start = start_of(curve_, unknowns<N>(q), p);
     if (start.status != CorrectorStatus::converged) {
-      report_.failure = "the start is no regular point of a curve: " + std::string(name(start.status));
+      report_.failure =
+          "the start is no regular point of a curve: " + std::string(name(start.status));
       return;
     }
     start_ = curve_.complete(start.point);
@@ -115,8 +115,8 @@ class Follower {
       }
       for (const Event& event : walk.events()) {
         emit(sink, event.member, event.type);
-        report_.events.push_back({event.type, event.member.parameter, event.before, event.after,
-                                  event.located});
+        report_.events.push_back(
+            {event.type, event.member.parameter, event.before, event.after, event.located});
       }
       emit(sink, walk.point().member, walk.end());
       if (options_.progress && report_.points % 256 == 0)
@@ -157,8 +157,7 @@ FollowReport follow(const AnyFamily& family, const Stretch& q, double p,
 FollowReport resume(const AnyFamily& family, const OpenEnd& end, const FollowOptions& options,
                     CurveSink& sink) {
   return std::visit(
-      [&](const auto& f) { return Follower(*f, end.q, end.p, options).onward(end, sink); },
-      family);
+      [&](const auto& f) { return Follower(*f, end.q, end.p, options).onward(end, sink); }, family);
 }
 
 }  // namespace stationary

@@ -22,8 +22,8 @@ struct Metadata {
   double seconds = 0.0;
   std::vector<std::pair<std::string_view, long>> counts;
   std::vector<EventRecord> events;  ///< of `continue`
-  std::vector<PlanItem> plan;     ///< how each unknown is had
-  std::vector<PlanItem> skipped;  ///< what was not computed, and why
+  std::vector<PlanItem> plan;       ///< how each unknown is had
+  std::vector<PlanItem> skipped;    ///< what was not computed, and why
   /// Outcome, method, connection, message, class, ... by name.
   std::vector<std::pair<std::string_view, std::string>> outcome;
 };

@@ -24,7 +24,7 @@ constexpr double largest_linear_ratio = 30.0;
 struct Extent : AxisRange {
   Extent()
       : AxisRange{std::numeric_limits<double>::infinity(),
-                 -std::numeric_limits<double>::infinity()} {}
+                  -std::numeric_limits<double>::infinity()} {}
   void add(double value) {
     if (!std::isfinite(value)) return;
     low = std::min(low, value);
@@ -52,7 +52,8 @@ double largest_seen(const Diagram& diagram, double range, double share) {
     for (const double f : p.frequency) own.add(f);
     own.add(p.growth);
     if (!(own.high >= own.low)) continue;
-    const double next = k + 1 < diagram.points.size() ? diagram.points[k + 1].parameter : p.parameter;
+    const double next =
+        k + 1 < diagram.points.size() ? diagram.points[k + 1].parameter : p.parameter;
     const double width = std::abs(next - p.parameter);
     rates.emplace_back(own.high, std::isfinite(width) ? width : 0.0);
   }

@@ -53,10 +53,10 @@ double start_parameter(const Case& input) {
 
 Start solved_start(const Case& input, const ComputeOptions& options) {
   const double p = start_parameter(input);
-  Start out{with_parameter({input.body, input.models, input.motion}, input.continuation->parameter,
-                           p),
-            p,
-            {}};
+  Start out{
+      with_parameter({input.body, input.models, input.motion}, input.continuation->parameter, p),
+      p,
+      {}};
   const AxisRotation motion = std::get<AxisRotation>(out.at.motion);
   const Problem problem(out.at.body, make_potential(out.at.models), motion.branch);
   out.found = solve(problem, motion.nu,
@@ -97,10 +97,10 @@ FollowOptions follow_options(const Case& input, const ContinueOptions& options,
 
 std::string end_text(const Case& input, const SheetEnd& end, double p) {
   if (end.reason.empty()) return "not followed";
-  return fmt::format("{}at {} = {:.12g}: {}", end.event == EventType::none
-                                                  ? std::string()
-                                                  : fmt::format("{} ", name(end.event)),
-                     input.continuation->parameter, p, end.reason);
+  return fmt::format(
+      "{}at {} = {:.12g}: {}",
+      end.event == EventType::none ? std::string() : fmt::format("{} ", name(end.event)),
+      input.continuation->parameter, p, end.reason);
 }
 
 std::string summary(const Case& input, const Start& start, const FollowReport& report,
@@ -119,16 +119,16 @@ std::string summary(const Case& input, const Start& start, const FollowReport& r
   out.gap();
   std::string_view label = "events";
   for (const EventRecord& event : report.events) {
-    out.line(std::exchange(label, {}), fmt::format("{:<17} {} = {:.15g}", name(event.type),
-                                                   parameter, event.parameter));
+    out.line(std::exchange(label, {}),
+             fmt::format("{:<17} {} = {:.15g}", name(event.type), parameter, event.parameter));
   }
   if (report.events.empty()) out.line(label, "none");
   if (!curve.stretches().empty()) out.gap();
   label = "stability";
   for (const CurveSummary::Stretch& each : curve.stretches()) {
-    out.line(std::exchange(label, {}), fmt::format("{:<17} {} = {:.10g} ... {:.10g}",
-                                                   name(each.verdict), parameter, each.from,
-                                                   each.to));
+    out.line(std::exchange(label, {}),
+             fmt::format("{:<17} {} = {:.10g} ... {:.10g}", name(each.verdict), parameter,
+                         each.from, each.to));
   }
   out.gap();
   const ComputationPlan plan = computation_plan(input, false);
@@ -184,8 +184,8 @@ void require_family(const Case& input) {
 
 ExitCode end_code(const FollowReport& report) {
   if (report.interrupted) return ExitCode::interrupted;
-  const bool stalled = report.backward.event == EventType::stalled ||
-                       report.forward.event == EventType::stalled;
+  const bool stalled =
+      report.backward.event == EventType::stalled || report.forward.event == EventType::stalled;
   return stalled ? ExitCode::failure : ExitCode::done;
 }
 
@@ -195,8 +195,8 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   const bool to_table = !options.output.empty();
   const bool with_spectrum = wants_spectrum(input, to_table);
   const bool trailing = input.continuation->parameter != "nu";
-  const std::vector<Column> columns = chosen_columns(
-      input, equilibrium_columns(false, with_spectrum, true), "continue", trailing);
+  const std::vector<Column> columns =
+      chosen_columns(input, equilibrium_columns(false, with_spectrum, true), "continue", trailing);
   std::optional<TableOutput> output;
   if (to_table) output.emplace(options.output, options.path);
 
@@ -245,9 +245,9 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
 }  // namespace
 
 void add_continue(CLI::App& program, Session& session) {
-  CLI::App& command = add_command(
-      program, "continue",
-      "Follow the case's family in a parameter: bifurcation table, stability, events");
+  CLI::App& command =
+      add_command(program, "continue",
+                  "Follow the case's family in a parameter: bifurcation table, stability, events");
   const auto options = std::make_shared<ContinueOptions>();
   options->add_to(command);
   command.callback([options, &session] {

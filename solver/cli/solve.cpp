@@ -170,8 +170,8 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
   const Case input = options.read();
   const bool to_table = !options.output.empty();
   const bool with_spectrum = wants_spectrum(input, to_table);
-  const std::vector<Column> columns = chosen_columns(
-      input, equilibrium_columns(input.two_polar(), with_spectrum), "solve", false);
+  const std::vector<Column> columns =
+      chosen_columns(input, equilibrium_columns(input.two_polar(), with_spectrum), "solve", false);
   std::optional<TableOutput> output;
   if (to_table) output.emplace(options.output, options.path);
 

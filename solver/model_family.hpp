@@ -1,0 +1,272 @@
+// A family of steady rotations about a material axis (axis_family.hpp) of a model known by its
+// type: a Separable of a planar and a thickness model, or a coupled one. All formulas are lib's;
+// this gathers them for continuation and lets one number of them vary.
+#pragma once
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "lib/inertia.hpp"
+#include "solver/axis_family.hpp"
+#include "solver/model_stability.hpp"
+#include "solver/thickness_balance.hpp"
+
+namespace stationary {
+
+/// model with one coefficient at another value.
+template <template <class> class Model>
+Model<double> with_coefficient(const Model<double>& model, int index, double value) {
+  auto c = model.coefficients();
+  c[static_cast<std::size_t>(index)] = value;
+  return Model<double>{c[0], c[1]};
+}
+
+/// model with its coefficients as dual numbers of slope one: direction k is coefficient k.
+template <template <class> class Model>
+Model<Dual2> with_duals(const Model<double>& model) {
+  const auto c = model.coefficients();
+  return {Dual2(c[0], {1.0, 0.0}), Dual2(c[1], {0.0, 1.0})};
+}
+
+template <class Model, int N>
+class ModelFamily final : public Family<N> {
+ public:
+  ModelFamily(const Body& body, Branch branch, const Model& model, const AxisFamilyOptions& options)
+      : branch_(branch), options_(options), base_{body, model, options.nu} {
+    if constexpr (constant_thickness) {
+      const ThicknessBalance thickness = balanced_thickness(model.thickness, DoubleDouble(0.0));
+      rho_ = thickness.rho;
+      rho_bound_ = thickness.refined.error_bound;
+    }
+  }
+
+  Branch branch() const override { return branch_; }
+  bool along_nu() const override { return options_.parameter.kind == Kind::nu; }
+  bool material_symmetry() const override {
+    const bool breaks = options_.parameter.kind == Kind::inertia && options_.parameter.index < 2;
+    return base_.body.symmetric() && !breaks;
+  }
+
+  FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    const auto rates = extended_rates(at);
+    FamilyLinearization<N> out;
+    ReducedVector<N> scale;
+    if constexpr (separable) {
+      const Linearized<2> planar = planar_system(at, rates).linearize({x[0], x[1]});
+      scale[0] = scale[1] = 1.0 / planar.magnitude;
+      out.g[0] = planar.g[0];
+      out.g[1] = planar.g[1];
+      out.jacobian.setZero();
+      out.jacobian.template topLeftCorner<2, 2>() = planar.jacobian.matrix();
+      if constexpr (N == 3) {
+        const Linearized<1> axial = thickness_system(at, rates).linearize(ReducedVector<1>(x[2]));
+        scale[2] = 1.0 / axial.magnitude;
+        out.g[2] = axial.g[0];
+        out.jacobian(2, 2) = axial.jacobian(0, 0);
+      }
+    } else {
+      const Linearized<3> all = CoupledSystem<Model>{at.model, rates}.linearize(x);
+      scale.setConstant(1.0 / all.magnitude);
+      out.g = all.g;
+      out.jacobian = all.jacobian.matrix();
+    }
+    out.nu_slope = minus_pull(axis_rates(at.body, branch_, 2.0 * at.nu), x);
+    out.slope = along_nu() ? out.nu_slope : parameter_slope(at, rates, x);
+    for (int i = 0; i < N; ++i) {
+      out.g[i] *= scale[i];
+      out.slope[i] *= scale[i];
+      out.nu_slope[i] *= scale[i];
+      out.jacobian.row(i) *= scale[i];
+    }
+    return out;
+  }
+
+  Refined refine_at(ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    const auto rates = extended_rates(at);
+    if constexpr (separable) {
+      ReducedVector<2> plane(x[0], x[1]);
+      Refined out = refine(planar_system(at, rates), plane);
+      x[0] = plane[0];
+      x[1] = plane[1];
+      if constexpr (N == 3) {
+        ReducedVector<1> rho(x[2]);
+        const Refined axial = refine(thickness_system(at, rates), rho);
+        x[2] = rho[0];
+        out.converged = out.converged && axial.converged;
+        out.error_bound = std::max(out.error_bound, axial.error_bound);
+      } else {
+        out.error_bound = std::max(out.error_bound, rho_bound_);
+      }
+      return out;
+    } else {
+      return refine(CoupledSystem<Model>{at.model, rates}, x);
+    }
+  }
+
+  ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    const auto rates = extended_rates(at);
+    return by_rows(at, rates, x,
+                   [](const auto& system, const auto& y) { return system.extended_residual(y); });
+  }
+
+  ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    const auto rates = extended_rates(at);
+    ReducedVector<N> out = by_rows(at, rates, x, [](const auto& system, const auto& y) {
+      return system.input_sensitivity(y);
+    });
+    return 0x1p-53 * out;
+  }
+
+  Member member(const ReducedVector<N>& x, double p, double error_bound) const override {
+    const Setting at = setting(p);
+    Member out;
+    out.parameter = p;
+    out.body = at.body;
+    out.nu = at.nu;
+    out.q = {0.0, x[0], x[1], rho_of(x)};
+    out.error_bound = error_bound;
+    const Vector3<double> nu = angular_velocity(branch_, at.nu);
+    const auto v = potential_derivatives<2>(at.model, out.q);
+    const BalanceCheck check = check_balance(at.body, v, out.q, nu);
+    out.residual = check.residual;
+    out.compatibility = check.compatibility;
+    out.energy = energy(at.body, v.value, out.q, nu);
+    const Matrix3<double> I = locked_inertia(at.body, out.q);
+    out.locked_inertia = {I(0, 0), I(1, 1), I(2, 2)};
+    if (branch_ == Branch::iii)
+      out.shear_stiffness = v.hessian(0, 0) - centrifugal_matrix(at.body, nu)(0, 0);
+    if (options_.spectrum)
+      out.spectrum = model_stability(at.body, branch_, at.model, out.q, at.nu, error_bound);
+    return out;
+  }
+
+ private:
+  using Kind = FamilyParameter::Kind;
+  static constexpr bool separable = requires(const Model& m) { m.plane; };
+  static constexpr bool constant_thickness = separable && N == 2;
+
+  /// The problem at one value of the parameter.
+  struct Setting {
+    Body body;
+    Model model;
+    double nu;
+  };
+
+  Setting setting(double p) const {
+    Setting out = base_;
+    const int k = options_.parameter.index;
+    switch (options_.parameter.kind) {
+      case Kind::nu:
+        out.nu = p;
+        break;
+      case Kind::inertia:
+        (k == 0 ? out.body.J1 : k == 1 ? out.body.J2 : out.body.J3) = p;
+        break;
+      case Kind::plane:
+        if constexpr (separable) {
+          out.model.plane = with_coefficient(out.model.plane, k, p);
+        } else {
+          out.model = with_coefficient(out.model, k, p);
+        }
+        break;
+      case Kind::thickness:
+        if constexpr (separable) out.model.thickness = with_coefficient(out.model.thickness, k, p);
+        break;
+    }
+    return out;
+  }
+
+  CentrifugalRates<DoubleDouble> extended_rates(const Setting& at) const {
+    return axis_rates(at.body, branch_, two_product(at.nu, at.nu));
+  }
+  static auto planar_system(const Setting& at, const CentrifugalRates<DoubleDouble>& rates) {
+    return PlanarSystem<std::decay_t<decltype(at.model.plane)>>{at.model.plane, rates};
+  }
+  static auto thickness_system(const Setting& at, const CentrifugalRates<DoubleDouble>& rates) {
+    return ThicknessSystem<std::decay_t<decltype(at.model.thickness)>>{at.model.thickness,
+                                                                       rates.rho};
+  }
+
+  double rho_of(const ReducedVector<N>& x) const {
+    if constexpr (N == 3) {
+      return x[2];
+    } else {
+      return rho_;
+    }
+  }
+
+  /// -c_i x_i^2.
+  static ReducedVector<N> minus_pull(const CentrifugalRates<double>& c, const ReducedVector<N>& x) {
+    ReducedVector<N> out;
+    out[0] = -c.xi * x[0] * x[0];
+    out[1] = -c.zeta * x[1] * x[1];
+    if constexpr (N == 3) out[2] = -c.rho * x[2] * x[2];
+    return out;
+  }
+
+  /// dG/dp of an inertia or a coefficient, rows not divided.
+  ReducedVector<N> parameter_slope(const Setting& at, const CentrifugalRates<DoubleDouble>& rates,
+                                   const ReducedVector<N>& x) const {
+    const int k = options_.parameter.index;
+    const auto direction = static_cast<std::size_t>(k);
+    ReducedVector<N> out = ReducedVector<N>::Zero();
+    if (options_.parameter.kind == Kind::inertia) {
+      // The pull on x_k is J_k times nu^2 or nothing, and on no other.
+      const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
+      const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
+      if (k < N) out[k] = minus_pull(c, x)[k] / J[k];
+      return out;
+    }
+    const CentrifugalRates<double> none{0.0, 0.0, 0.0};
+    const auto invariants = planar_invariants(x[0], x[1]);
+    if constexpr (separable) {
+      if (options_.parameter.kind == Kind::plane) {
+        const auto w = with_duals(at.model.plane).template evaluate<1>(invariants);
+        const auto b = planar_log_balance<1>(w, x[0], x[1], none);
+        out[0] = b.g_xi.slope[direction];
+        out[1] = b.g_zeta.slope[direction];
+      } else if constexpr (N == 3) {
+        out[2] = with_duals(at.model.thickness).template evaluate<1>(x[2]).v_r.slope[direction];
+      }
+    } else {
+      const auto w = with_duals(at.model).template evaluate<1>(invariants, x[2]);
+      const auto b = coupled_log_balance<1>(w, x[0], x[1], x[2], none);
+      out = {b.g_xi.slope[direction], b.g_zeta.slope[direction], b.g_rho.slope[direction]};
+    }
+    return out;
+  }
+
+  /// part(system, unknowns) of each uncoupled system, rows divided by its magnitude.
+  template <class Part>
+  static ReducedVector<N> by_rows(const Setting& at, const CentrifugalRates<DoubleDouble>& rates,
+                                  const ReducedVector<N>& x, const Part& part) {
+    if constexpr (separable) {
+      ReducedVector<N> out;
+      const auto planar = planar_system(at, rates);
+      const ReducedVector<2> plane(x[0], x[1]);
+      out.template head<2>() = part(planar, plane) / planar.linearize(plane).magnitude;
+      if constexpr (N == 3) {
+        const auto axial = thickness_system(at, rates);
+        const ReducedVector<1> rho(x[2]);
+        out[2] = part(axial, rho)[0] / axial.linearize(rho).magnitude;
+      }
+      return out;
+    } else {
+      const CoupledSystem<Model> system{at.model, rates};
+      return part(system, x) / system.linearize(x).magnitude;
+    }
+  }
+
+  Branch branch_;
+  AxisFamilyOptions options_;
+  Setting base_;
+  double rho_ = std::numeric_limits<double>::quiet_NaN();
+  double rho_bound_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+}  // namespace stationary
