@@ -264,7 +264,7 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
   }
   if (!(out.tolerance > 0.0 && out.tolerance <= 1.0)) {
     throw fault_at(tree, "continuation.tolerance", fmt::format("found {}", out.tolerance),
-                   "a number > 0 and <= 1");
+                   "a number > 0 and <= 1 (1e-13 is the least that double precision keeps)");
   }
   out.step = value_or(tree, "continuation.step", out.step);
   if (!(out.step > 0.0 && out.step <= 0.5)) {

@@ -36,6 +36,14 @@ struct ContinuationCounts {
   long rejected = 0;        ///< steps taken back
   long linearizations = 0;  ///< of G, the extended-precision corrections' not counted
   long members = 0;         ///< points completed, those of event searches included
+
+  ContinuationCounts& operator+=(const ContinuationCounts& other) {
+    steps += other.steps;
+    rejected += other.rejected;
+    linearizations += other.linearizations;
+    members += other.members;
+    return *this;
+  }
 };
 
 template <int N>
@@ -138,8 +146,15 @@ class Continuation {
                     0.5 * h);
     }
     if (has_arc_) {
-      out.D = StepControl::fourth_derivative(out.corrected.first_correction, h, arc_.length);
-      if (control_.too_long(out.D, h)) {
+      const double correction = out.corrected.first_correction;
+      out.D = StepControl::fourth_derivative(correction, h, arc_.length);
+      // What shrinks slower than h^2 is the rounding of G, and says nothing of the step.
+      const bool rounding = correction > 0.25 * refused_correction_;
+      refused_correction_ = std::numeric_limits<double>::infinity();
+      if (rounding) {
+        out.D = D_;
+      } else if (control_.too_long(out.D, h)) {
+        refused_correction_ = correction;
         return refuse("the curve bends more than the tolerance allows",
                       std::max(0.25 * h, std::min(0.5 * h, control_.next(out.D, 0.0, h, 0.0))));
       }
@@ -348,6 +363,7 @@ class Continuation {
   double reach_ = 1.0;  ///< of the last step, to its first turn beyond the range
   ArcVector<N> travelled_;
   double farthest_ = 0.0;
+  double refused_correction_ = std::numeric_limits<double>::infinity();  ///< of this step, just now
   std::vector<Event> events_;
   EventType end_ = EventType::none;
   std::string reason_;

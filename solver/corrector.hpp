@@ -166,6 +166,9 @@ class Corrector {
         return;
       }
       if (circle_) x[1] = x[0];
+      // Near an asymptote the rounding of p is a move along the curve.
+      for (int i = 0; i < N; ++i)
+        out.correction[i] += std::log1p((x[i] - point.x[i]) / point.x[i]);
       point.x = x;
       point.error_bound = refined.error_bound;
     } else {

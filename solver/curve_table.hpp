@@ -19,7 +19,7 @@ class CurveSummary {
     double to;
   };
 
-  void add(const Member& member);
+  void add(double parameter, std::optional<StabilityClass> verdict);
   double first_parameter() const { return first_; }
   double last_parameter() const { return last_; }
   /// Single points (an event's own class) are left out.
@@ -45,10 +45,13 @@ class CurveTable final : public CurveSink {
   }
 
   void row(const Member& member, EventType event) override;
+  /// A row that was in a table already, with this table's sheet and next point.
+  void again(TableRow row);
   const CurveSummary& summary() const { return summary_; }
-  long next_point() const { return point_; }
 
  private:
+  double parameter_of(const TableRow& row) const;
+
   Branch branch_;
   TableWriter* writer_;
   long point_;

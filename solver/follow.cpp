@@ -7,25 +7,6 @@
 namespace stationary {
 namespace {
 
-struct HeldRow {
-  Member member;
-  EventType event;
-};
-
-/// Keeps what is computed against the parameter, to be given on in reverse.
-class HeldBack final : public CurveSink {
- public:
-  void row(const Member& member, EventType event) override { rows_.push_back({member, event}); }
-  void give(CurveSink& sink) const {
-    for (auto each = rows_.rbegin(); each != rows_.rend(); ++each)
-      sink.row(each->member, each->event);
-  }
-  bool empty() const { return rows_.empty(); }
-
- private:
-  std::vector<HeldRow> rows_;
-};
-
 template <int N>
 ReducedVector<N> unknowns(const Stretch& q) {
   ReducedVector<N> out;
@@ -65,16 +46,17 @@ class Follower {
 
   FollowReport onward(const OpenEnd& end, CurveSink& sink) {
     if (!report_.failure.empty()) return report_;
-    ArcVector<N> ahead;
-    ahead.template head<N>() =
-        (unknowns<N>(end.q).array() / unknowns<N>(end.neighbour).array()).log().matrix();
-    ahead[N] = (end.p - end.neighbour_p) / curve_.corrector().scale();
-    const double length = ahead.norm();
-    if (length > 0.0) {
-      options_.continuation.step.first =
-          std::clamp(length, options_.continuation.step.min, options_.continuation.step.max);
+    int direction = end.direction;
+    if (end.neighbour) {
+      ArcVector<N> ahead;
+      ahead.template head<N>() =
+          (unknowns<N>(end.at.q).array() / unknowns<N>(end.neighbour->q).array()).log().matrix();
+      ahead[N] = (end.at.p - end.neighbour->p) / curve_.corrector().scale();
+      StepOptions& step = options_.continuation.step;
+      step.first = std::clamp(ahead.norm(), 1e-6, step.max);
+      direction = start_.arc.tangent.dot(ahead) < 0.0 ? -1 : 1;
     }
-    report_.forward = one(start_.arc.tangent.dot(ahead) < 0.0 ? -1 : 1, sink);
+    report_.forward = one(direction, sink);
     return report_;
   }
 
@@ -132,11 +114,7 @@ class Follower {
       const Member& m = walk.point().member;
       report_.events.push_back({out.event, m.parameter, m.parameter, m.parameter, true});
     }
-    const ContinuationCounts counts = walk.counts();
-    report_.counts.steps += counts.steps;
-    report_.counts.rejected += counts.rejected;
-    report_.counts.linearizations += counts.linearizations;
-    report_.counts.members += counts.members;
+    report_.counts += walk.counts();
     return out;
   }
 
@@ -149,6 +127,11 @@ class Follower {
 
 }  // namespace
 
+void HeldBack::give(CurveSink& sink) const {
+  for (auto each = rows_.rbegin(); each != rows_.rend(); ++each)
+    sink.row(each->member, each->event);
+}
+
 FollowReport follow(const AnyFamily& family, const Stretch& q, double p,
                     const FollowOptions& options, CurveSink& sink) {
   return std::visit([&](const auto& f) { return Follower(*f, q, p, options).both(sink); }, family);
@@ -157,7 +140,8 @@ FollowReport follow(const AnyFamily& family, const Stretch& q, double p,
 FollowReport resume(const AnyFamily& family, const OpenEnd& end, const FollowOptions& options,
                     CurveSink& sink) {
   return std::visit(
-      [&](const auto& f) { return Follower(*f, end.q, end.p, options).onward(end, sink); }, family);
+      [&](const auto& f) { return Follower(*f, end.at.q, end.at.p, options).onward(end, sink); },
+      family);
 }
 
 }  // namespace stationary

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,19 +59,38 @@ struct FollowReport {
   bool interrupted = false;
 };
 
-/// Which ends of a sheet are still to be followed, from where.
-struct OpenEnd {
+struct CurvePlace {
   Stretch q;
   double p;
-  Stretch neighbour;  ///< the row before it on the curve
-  double neighbour_p;
+};
+
+/// An end of a sheet still to be followed.
+struct OpenEnd {
+  CurvePlace at;
+  std::optional<CurvePlace> neighbour;  ///< the row before it on the curve: away from that
+  int direction = 1;                    ///< along or against the parameter, where there is none
+};
+
+/// Keeps rows that are computed from the end of a table backwards, to be given on in reverse.
+class HeldBack final : public CurveSink {
+ public:
+  void row(const Member& member, EventType event) override { rows_.push_back({member, event}); }
+  void give(CurveSink& sink) const;
+  bool empty() const { return rows_.empty(); }
+
+ private:
+  struct Row {
+    Member member;
+    EventType event;
+  };
+  std::vector<Row> rows_;
 };
 
 /// From a solved q at p.
 FollowReport follow(const AnyFamily& family, const Stretch& q, double p,
                     const FollowOptions& options, CurveSink& sink);
 
-/// On from the end of a table, away from its neighbour: rows after it, in that order.
+/// On from the end of a table: the rows after it, in that order (report: `forward`).
 FollowReport resume(const AnyFamily& family, const OpenEnd& end, const FollowOptions& options,
                     CurveSink& sink);
 

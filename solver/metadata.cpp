@@ -107,6 +107,17 @@ std::string metadata_json(const Metadata& metadata) {
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+bool is_of_case(std::string_view metadata, const Case& input) {
+  Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  if (!found.is_object() || !found.contains("case")) return false;
+  Json expected = Json::parse(case_json(input).dump());  // numbers as they are read back
+  for (Json* each : {&found["case"], &expected}) {
+    if (!each->is_object() || !each->contains("continuation")) return false;
+    for (const char* key : {"step", "max_points"}) (*each)["continuation"].erase(key);
+  }
+  return found["case"] == expected;
+}
+
 std::string case_title(std::string_view metadata) {
   const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
   const Json::json_pointer place("/case/title");

@@ -31,6 +31,10 @@ struct Metadata {
 /// The evaluation counts of one solve, by name.
 std::vector<std::pair<std::string_view, long>> named_counts(const Counts& counts);
 
+/// Whether metadata (JSON text) are of the same case but for how far and how finely it is followed
+/// (continuation.step and max_points).
+bool is_of_case(std::string_view metadata, const Case& input);
+
 /// JSON text, indented, ending in a newline; bytes that are not UTF-8 are replaced.
 std::string metadata_json(const Metadata& metadata);
 

@@ -23,7 +23,12 @@ struct StepOptions {
 
 class StepControl {
  public:
-  explicit StepControl(const StepOptions& options) : options_(options) {}
+  /// Corrections below this are rounding and show no derivative: a smaller tolerance cannot be kept.
+  static constexpr double least_tolerance = 1e-13;
+
+  explicit StepControl(const StepOptions& options) : options_(options) {
+    options_.tolerance = std::max(options_.tolerance, least_tolerance);
+  }
   const StepOptions& options() const { return options_; }
 
   /// The fourth derivative a step h after one of length l has shown.

@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -20,6 +22,7 @@
 #include "solver/curve_table.hpp"
 #include "solver/equilibrium_row.hpp"
 #include "solver/follow.hpp"
+#include "solver/resume_table.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -51,12 +54,15 @@ double start_parameter(const Case& input) {
                  "solve.start is a guess of the solution there");
 }
 
-Start solved_start(const Case& input, const ComputeOptions& options) {
-  const double p = start_parameter(input);
-  Start out{
+Start start_at(const Case& input, double p) {
+  return {
       with_parameter({input.body, input.models, input.motion}, input.continuation->parameter, p),
       p,
       {}};
+}
+
+Start solved_start(const Case& input, const ComputeOptions& options) {
+  Start out = start_at(input, start_parameter(input));
   const AxisRotation motion = std::get<AxisRotation>(out.at.motion);
   const Problem problem(out.at.body, make_potential(out.at.models), motion.branch);
   out.found = solve(problem, motion.nu,
@@ -64,6 +70,17 @@ Start solved_start(const Case& input, const ComputeOptions& options) {
                      .start = input.solve.start,
                      .threads = options.threads,
                      .stop = &stop_on_signals()});
+  return out;
+}
+
+/// Where the table goes on.
+Start resumed_start(const Case& input, const ResumedTable& old) {
+  const CurvePlace at = old.first ? old.first->at : old.last->at;
+  Start out = start_at(input, at.p);
+  out.found.status = SolveStatus::solved;
+  out.found.message = "resumed from the table";
+  out.found.connection = Connection::given_start;
+  out.found.q = at.q;
   return out;
 }
 
@@ -189,6 +206,60 @@ ExitCode end_code(const FollowReport& report) {
   return stalled ? ExitCode::failure : ExitCode::done;
 }
 
+/// The interrupted table named after -o, of this case.
+ResumedTable resumed_table(const Case& input, const ContinueOptions& options,
+                           const std::vector<Column>& columns,
+                           const std::optional<std::string>& parameter) {
+  const auto refuse = [&](const std::string& found) {
+    throw InputError(Origin::of_option("--resume"), "", found,
+                     "-o FILE, a table of this case that `continue` was interrupted in",
+                     "its .meta.json beside it says which case it is of");
+  };
+  if (options.output.empty() || options.output == "-") refuse("found no file");
+  const std::string metadata = metadata_path(options.output).string();
+  std::ifstream file(metadata, std::ios::binary);
+  if (!file) refuse("cannot read " + printable(metadata));
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!is_of_case(text, input)) refuse(printable(metadata) + " is of another case");
+  return read_resumed(options.output, columns, parameter,
+                      std::get<AxisRotation>(input.motion).branch);
+}
+
+/// On from the open ends of a table: new rows before it, its own, new rows after it.
+FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowOptions options,
+                       CurveTable& table) {
+  FollowReport out;
+  options.max_points -= static_cast<long>(old.rows.size());
+  const auto add = [&](const FollowReport& part) {
+    out.counts += part.counts;
+    out.points += part.points;
+    out.interrupted = out.interrupted || part.interrupted;
+    options.max_points -= part.points;
+    if (out.failure.empty()) out.failure = part.failure;
+  };
+  if (old.first) {
+    HeldBack held;
+    const FollowReport before = resume(family, *old.first, options, held);
+    add(before);
+    held.give(table);
+    out.backward = before.forward;
+    out.events.assign(before.events.rbegin(), before.events.rend());
+  } else {
+    out.backward.reason = "as it was in the table resumed";
+  }
+  for (const TableRow& row : old.rows) table.again(row);
+  out.points += static_cast<long>(old.rows.size());
+  if (old.last && !out.interrupted) {
+    const FollowReport after = resume(family, *old.last, options, table);
+    add(after);
+    out.forward = after.forward;
+    out.events.insert(out.events.end(), after.events.begin(), after.events.end());
+  } else {
+    out.forward.reason = old.last ? "interrupted" : "as it was in the table resumed";
+  }
+  return out;
+}
+
 ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   const Case input = options.read();
   require_family(input);
@@ -197,11 +268,21 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   const bool trailing = input.continuation->parameter != "nu";
   const std::vector<Column> columns =
       chosen_columns(input, equilibrium_columns(false, with_spectrum, true), "continue", trailing);
+  const std::optional<std::string> parameter =
+      trailing ? std::optional(input.continuation->parameter) : std::nullopt;
+  std::optional<ResumedTable> old;
+  if (options.resume) {
+    old = resumed_table(input, options, columns, parameter);
+    if (!old->first && !old->last) {
+      if (!options.quiet) print(options.output + " is complete: both ends are reached\n");
+      return ExitCode::done;
+    }
+  }
   std::optional<TableOutput> output;
   if (to_table) output.emplace(options.output, options.path);
 
   const auto begin = std::chrono::steady_clock::now();
-  const Start start = solved_start(input, options);
+  const Start start = old ? resumed_start(input, *old) : solved_start(input, options);
   if (start.found.status != SolveStatus::solved) {
     complain(fmt::format("at the start {} = {}: {}", input.continuation->parameter, start.p,
                          failure_text(start.found.status, start.found.message)));
@@ -211,12 +292,12 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   ProgressBar progress;
   std::optional<TableWriter> table;
   if (output) {
-    table.emplace(output->sink(), columns,
-                  trailing ? std::optional(input.continuation->parameter) : std::nullopt);
+    table.emplace(output->sink(), columns, parameter);
   }
   CurveTable rows(std::get<AxisRotation>(input.motion).branch, table ? &*table : nullptr);
+  const FollowOptions how = follow_options(input, options, progress);
   const FollowReport report =
-      follow(family, start.found.q, start.p, follow_options(input, options, progress), rows);
+      old ? follow_on(family, *old, how, rows) : follow(family, start.found.q, start.p, how, rows);
   progress.clear();
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -250,6 +331,8 @@ void add_continue(CLI::App& program, Session& session) {
                   "Follow the case's family in a parameter: bifurcation table, stability, events");
   const auto options = std::make_shared<ContinueOptions>();
   options->add_to(command);
+  command.add_flag("--resume", options->resume,
+                   "Go on with the interrupted table at -o FILE (same case, same columns)");
   command.callback([options, &session] {
     session.action = [options, &session] { return continue_case(*options, session); };
   });

@@ -1,0 +1,25 @@
+// A table of `continue` that is to be gone on with: its rows, and which of its two ends are open
+// (the sheet's end would stand in their event cell).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/follow.hpp"
+#include "solver/table.hpp"
+
+namespace stationary {
+
+struct ResumedTable {
+  std::vector<TableRow> rows;
+  std::optional<OpenEnd> first;  ///< still to be followed, against the table's order
+  std::optional<OpenEnd> last;
+};
+
+/// Throws InputError where the file is no such table: other columns than these (with the trailing
+/// parameter, if it has one), no rows, or without what a place on the curve takes.
+ResumedTable read_resumed(const std::string& path, const std::vector<Column>& columns,
+                          const std::optional<std::string>& parameter, Branch branch);
+
+}  // namespace stationary
