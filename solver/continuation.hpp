@@ -146,15 +146,14 @@ class Continuation {
                     0.5 * h);
     }
     if (has_arc_) {
-      const double correction = out.corrected.first_correction;
+      double correction = out.corrected.first_correction;
       out.D = StepControl::fourth_derivative(correction, h, arc_.length);
-      // What shrinks slower than h^2 is the rounding of G, and says nothing of the step.
-      const bool rounding = correction > 0.25 * refused_correction_;
-      refused_correction_ = std::numeric_limits<double>::infinity();
-      if (rounding) {
-        out.D = D_;
-      } else if (control_.too_long(out.D, h)) {
-        refused_correction_ = correction;
+      if (control_.shortens(out.D, h) && correction < 1e-8) {
+        // What the rounding of G alone could have made shows nothing of the curve.
+        correction -= curve_->corrector().correction_rounding(next);
+        out.D = StepControl::fourth_derivative(correction, h, arc_.length);
+      }
+      if (control_.too_long(out.D, h)) {
         return refuse("the curve bends more than the tolerance allows",
                       std::max(0.25 * h, std::min(0.5 * h, control_.next(out.D, 0.0, h, 0.0))));
       }
@@ -363,7 +362,6 @@ class Continuation {
   double reach_ = 1.0;  ///< of the last step, to its first turn beyond the range
   ArcVector<N> travelled_;
   double farthest_ = 0.0;
-  double refused_correction_ = std::numeric_limits<double>::infinity();  ///< of this step, just now
   std::vector<Event> events_;
   EventType end_ = EventType::none;
   std::string reason_;

@@ -95,6 +95,12 @@ class Corrector {
     return (inverse.template leftCols<N>().cwiseAbs() * perturbation).maxCoeff() + 0x1p-53;
   }
 
+  /// What of a correction is the rounding of G in double precision: some units of its magnitude.
+  double correction_rounding(const ArcPoint<N>& point) const {
+    const Bordered inverse = bordered(point.at, point.tangent).inverse();
+    return 0x1p-50 * inverse.template leftCols<N>().cwiseAbs().rowwise().sum().maxCoeff();
+  }
+
  private:
   using Bordered = Eigen::Matrix<double, N + 1, N + 1>;
 
@@ -167,8 +173,7 @@ class Corrector {
       }
       if (circle_) x[1] = x[0];
       // Near an asymptote the rounding of p is a move along the curve.
-      for (int i = 0; i < N; ++i)
-        out.correction[i] += std::log1p((x[i] - point.x[i]) / point.x[i]);
+      for (int i = 0; i < N; ++i) out.correction[i] += std::log1p((x[i] - point.x[i]) / point.x[i]);
       point.x = x;
       point.error_bound = refined.error_bound;
     } else {

@@ -74,7 +74,12 @@ void set_collision(const BlockModes& block, TestValues& out) {
 void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
   std::size_t k = TestValues::crossings;
   for (std::size_t a = 0; a < blocks.size(); ++a) {
-    out.composition = 8 * out.composition + static_cast<std::uint32_t>(blocks[a].count);
+    const auto is_negative = [](const Mode* mode) {
+      return mode != nullptr && mode->lambda_re < 0.0;
+    };
+    const auto negative = std::ranges::count_if(blocks[a].real, is_negative);
+    out.composition = 64 * out.composition + 8 * static_cast<std::uint32_t>(blocks[a].count) +
+                      static_cast<std::uint32_t>(negative);
     for (std::size_t b = a + 1; b < blocks.size(); ++b) {
       for (std::size_t i = 0; i < blocks[a].count; ++i) {
         for (std::size_t j = 0; j < blocks[b].count && k < TestValues::count; ++j, ++k) {

@@ -81,8 +81,8 @@ struct TestValues {
 
   std::array<double, count> value;
   std::uint32_t opposite = 0;       ///< bit k: the pairs of crossing k have opposite signatures
-  std::uint32_t composition = 0;    ///< which blocks have how many real Lambda: crossings compare
-                                    ///< only where this is equal
+  std::uint32_t composition = 0;    ///< which blocks have how many real and negative Lambda:
+                                    ///< crossings compare only where this is equal
   bool collides_imaginary = false;  ///< the pair of `collision` has Lambda < 0
 };
 

@@ -150,8 +150,8 @@ class EventSearch {
     locate(k, {u, sign * f}, {1.0, b});
   }
 
-  /// Crossings of different blocks: over stretches of the step where each block keeps its number of
-  /// real Lambda.
+  /// Crossings of different blocks: over stretches of the step where each block keeps its numbers
+  /// of real and of negative Lambda.
   void find_crossings(const TestValues& from, const TestValues& to, const TestValues* earlier,
                       double earlier_length) {
     if (from.composition == to.composition) {
@@ -164,22 +164,19 @@ class EventSearch {
       return;
     }
     std::vector<double> borders;
-    for (const Found& each : found_) {
-      if (each.event.type == EventType::hamiltonian_hopf ||
-          each.event.type == EventType::real_collision)
-        borders.push_back(each.u);
-    }
+    for (const Found& each : found_) borders.push_back(each.u);
     std::ranges::sort(borders);
+    borders.insert(borders.begin(), 0.0);  // the ends too: at rest the spin's own pair is missing
+    borders.push_back(1.0);
     constexpr double aside = 1e-6;
-    Tested begin{0.0, from};
-    for (const double u : borders) {
-      CurvePoint<N> before;
-      CurvePoint<N> after;
-      if (!evaluate(u - aside, before) || !evaluate(u + aside, after)) return;
-      crossings_between(begin, {u - aside, before.tests});
-      begin = {u + aside, after.tests};
+    for (std::size_t k = 0; k + 1 < borders.size(); ++k) {
+      const double begin = borders[k] + aside;
+      const double end = borders[k + 1] - aside;
+      CurvePoint<N> first;
+      CurvePoint<N> last;
+      if (begin < end && evaluate(begin, first) && evaluate(end, last))
+        crossings_between({begin, first.tests}, {end, last.tests});
     }
-    crossings_between(begin, {1.0, to});
   }
 
   struct Tested {

@@ -23,7 +23,8 @@ struct StepOptions {
 
 class StepControl {
  public:
-  /// Corrections below this are rounding and show no derivative: a smaller tolerance cannot be kept.
+  /// Corrections below this are rounding and show no derivative: a smaller tolerance cannot be
+  /// kept.
   static constexpr double least_tolerance = 1e-13;
 
   explicit StepControl(const StepOptions& options) : options_(options) {
@@ -40,9 +41,13 @@ class StepControl {
   /// A step this much too long is taken back.
   bool too_long(double D, double h) const { return D * h * h * h * h > 48.0 * options_.tolerance; }
 
+  /// Whether the next step is to be shorter.
+  bool shortens(double D, double h) const {
+    return D * h * h * h * h > 24.0 * safety * options_.tolerance;
+  }
+
   /// The next step, from what this one showed and what the one before had.
   double next(double D, double D_before, double h, double angle) const {
-    constexpr double safety = 0.5;
     const double fits =
         std::sqrt(std::sqrt(24.0 * safety * options_.tolerance / std::max(D, D_before)));
     const double bends = h * 0.7 * options_.max_angle / std::max(angle, 1e-12);
@@ -50,6 +55,7 @@ class StepControl {
   }
 
  private:
+  static constexpr double safety = 0.5;  ///< of the tolerance, aimed at
   StepOptions options_;
 };
 
