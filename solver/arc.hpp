@@ -23,7 +23,8 @@ struct ArcPoint {
   ArcVector<N> tangent;
   /// Sign of det [dG/dy; tangent^T]: one and the same all along a sheet.
   bool positive = true;
-  double error_bound = std::numeric_limits<double>::quiet_NaN();
+  double error_bound = std::numeric_limits<double>::quiet_NaN();  ///< of x at p
+  bool at_turn = false;  ///< x was corrected onto the curve, not to p
   FamilyLinearization<N> at;
 };
 

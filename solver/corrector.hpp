@@ -88,11 +88,15 @@ class Corrector {
     return at;
   }
 
-  /// |change of y across the curve| that half a unit in the last place of every input makes.
+  /// |change of y| that half a unit in the last place of every input makes: across the curve, and
+  /// along it where x is that of the row's rounded p.
   double curve_error(const ArcPoint<N>& point) const {
     const Bordered inverse = bordered(point.at, point.tangent).inverse();
     const ReducedVector<N> perturbation = family_->input_perturbation(point.x, point.p);
-    return (inverse.template leftCols<N>().cwiseAbs() * perturbation).maxCoeff() + 0x1p-53;
+    const double across = (inverse.template leftCols<N>().cwiseAbs() * perturbation).maxCoeff();
+    const double along =
+        point.at_turn ? 0.0 : 0x1p-53 * std::abs(point.p / (scale_ * point.tangent[N]));
+    return across + along + 0x1p-53;
   }
 
   /// What of a correction is the rounding of G in double precision: some units of its magnitude.
@@ -166,11 +170,7 @@ class Corrector {
     ArcPoint<N>& point = out.point;
     ReducedVector<N> x = point.x;
     const Refined refined = family_->refine_at(x, point.p);
-    if (refined.converged) {
-      if (!(refined.first_correction < 1e-3)) {
-        out.status = CorrectorStatus::left_curve;
-        return;
-      }
+    if (refined.converged && refined.first_correction < 1e-3) {
       if (circle_) x[1] = x[0];
       // Near an asymptote the rounding of p is a move along the curve.
       for (int i = 0; i < N; ++i) out.correction[i] += std::log1p((x[i] - point.x[i]) / point.x[i]);
@@ -196,6 +196,7 @@ class Corrector {
   /// Where p turns: two bordered corrections with the extended residual. The bound is that of x at
   /// the row's p, about the square root of that of the curve.
   void correct_at_turn(const ArcVector<N>& border, Corrected<N>& out) const {
+    out.point.at_turn = true;
     for (int k = 0; k < 2; ++k) {
       const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
       ReducedVector<N> g = family_->extended_residual(out.point.x, out.point.p);

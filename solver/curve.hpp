@@ -75,9 +75,12 @@ class Curve {
     c.normalize();
     const CentrifugalRates<double> I = axis_rates(member.body, context_.branch, 1.0);
     const Stretch& q = member.q;
-    double change = I.xi * q.xi * q.xi * c[0] + I.zeta * q.zeta * q.zeta * c[1];
-    if constexpr (N == 3) change += I.rho * q.rho * q.rho * c[2];
-    const double own = member.locked_inertia[static_cast<std::size_t>(axis(context_.branch))];
+    const double from_xi = I.xi * q.xi * q.xi;
+    const double from_zeta = I.zeta * q.zeta * q.zeta;
+    const double from_rho = I.rho * q.rho * q.rho;
+    double change = from_xi * c[0] + from_zeta * c[1];
+    if constexpr (N == 3) change += from_rho * c[2];
+    const double own = from_xi + from_zeta + from_rho;
     return {c[N], c[N] + 2.0 * member.nu * change / own};
   }
 

@@ -104,13 +104,17 @@ TestValues test_values(const Member& member, const TestContext& context, double 
   out.value.fill(none);
   out.value[TestValues::fold] = fold;
   out.value[TestValues::momentum] = momentum;
-  const auto& I = member.locked_inertia;
-  out.value[TestValues::inertia_13] = relative_difference(I[0], I[2]);
-  if (!context.circle) {  // there the axes 1 and 2 are alike
-    out.value[TestValues::inertia_12] = relative_difference(I[0], I[1]);
-    out.value[TestValues::inertia_23] = relative_difference(I[1], I[2]);
-  }
   const Body& J = member.body;
+  // Differences of the locked inertias without their common part: I_1 - I_2 = m_2 - m_1 ...
+  const auto moment = [](double Jk, double stretch) { return Jk * stretch * stretch; };
+  const double m1 = moment(J.J1, member.q.xi);
+  const double m2 = moment(J.J2, member.q.zeta);
+  const double m3 = moment(J.J3, member.q.rho);
+  out.value[TestValues::inertia_13] = relative_difference(m3, m1);
+  if (!context.circle) {  // there the axes 1 and 2 are alike
+    out.value[TestValues::inertia_12] = relative_difference(m2, m1);
+    out.value[TestValues::inertia_23] = relative_difference(m3, m2);
+  }
   if (context.branch == Branch::iii) {
     const double pull = (J.J1 + J.J2) * member.nu * member.nu;  // of alpha
     const double shear = member.shear_stiffness / (std::abs(member.shear_stiffness) + 2.0 * pull);
@@ -158,10 +162,11 @@ EventType event_type(std::size_t k, const TestContext& context, const TestValues
   return opposite ? EventType::krein_pass : EventType::none;
 }
 
-int negative_change(EventType event) {
+int negative_change(EventType event, const TestContext& context) {
   switch (event) {
-    case EventType::fold_momentum:
     case EventType::tilt:
+      return context.circle ? 2 : 1;  // both axes of its plane at once
+    case EventType::fold_momentum:
     case EventType::oblique:
     case EventType::shear:
       return 1;

@@ -101,6 +101,6 @@ TestValues test_values(const Member& member, const TestContext& context, double 
 EventType event_type(std::size_t k, const TestContext& context, const TestValues& at);
 
 /// How many negative directions a crossing of this event changes at most, and with which parity.
-int negative_change(EventType event);
+int negative_change(EventType event, const TestContext& context);
 
 }  // namespace stationary

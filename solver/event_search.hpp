@@ -47,6 +47,8 @@ class EventSearch {
       if (std::isnan(a) || std::isnan(b) || (starts && a == 0.0)) continue;
       if ((a < 0.0) != (b < 0.0)) {
         locate(k, {0.0, a}, {1.0, b});
+      } else if (k == TestValues::fold && curve_->family().along_nu()) {
+        fold_dip();
       } else if (earlier != nullptr) {
         dip(k, earlier->value[k], earlier_length);
       }
@@ -92,23 +94,30 @@ class EventSearch {
   }
 
   void locate(std::size_t k, Sample a, Sample b) {
-    using boost::math::tools::eps_tolerance;
     std::uintmax_t evaluations = 80;
     const auto f = [&](double u) { return value(k, u, a.value); };
-    const auto [low, high] = boost::math::tools::toms748_solve(
-        f, a.u, b.u, a.value, b.value, eps_tolerance<double>(50), evaluations);
+    const auto close = [](double low, double high) { return high - low <= 0x1p-48; };
+    const auto [low, high] =
+        boost::math::tools::toms748_solve(f, a.u, b.u, a.value, b.value, close, evaluations);
     add(k, low, high);
   }
 
   void add(std::size_t k, double low, double high) {
-    const double u = 0.5 * (low + high);
     CurvePoint<N> point;
-    if (!evaluate(u, point)) return;
-    const EventType type = event_type(k, curve_->context(), point.tests);
+    for (const double u : {0.5 * (low + high), low, high}) {
+      if (!evaluate(u, point)) continue;
+      const EventType type = event_type(k, curve_->context(), point.tests);
+      if (type == EventType::none) return;
+      Found out{u, {type, point.member, parameter(low), parameter(high), true}};
+      out.event.member.error_bound = error_bound(k, u, 0.5 * (high - low), point);
+      found_.push_back(std::move(out));
+      return;
+    }
+    // Known to be there, and no more.
+    const EventType type = event_type(k, curve_->context(), from_->tests);
     if (type == EventType::none) return;
-    Found out{u, {type, point.member, parameter(low), parameter(high), true}};
-    out.event.member.error_bound = error_bound(k, u, 0.5 * (high - low), point);
-    found_.push_back(std::move(out));
+    found_.push_back(
+        {0.5 * (low + high), {type, from_->member, parameter(0.0), parameter(1.0), false}});
   }
 
   double parameter(double u) const {
@@ -135,12 +144,37 @@ class EventSearch {
     const double d01 = b - a;
     const double d10 = (a - earlier) / l;
     const double curvature = (d01 - d10) / (1.0 + l);
-    const double slope = d01 - curvature;
-    if (curvature * a <= 0.0) return;  // bends away from zero
-    const double vertex = -0.5 * slope / curvature;
-    if (!(vertex > -0.1 && vertex < 1.1)) return;
-    const double least = a + vertex * (slope + vertex * curvature);
-    if (least * a > 0.0 && std::abs(least) > 0.3 * std::min(std::abs(a), std::abs(b))) return;
+    if (may_touch_zero({a, d01 - curvature, curvature}, b)) search_dip(k, a, b);
+  }
+
+  /// Two turns of the parameter inside the step? Its slopes at both ends and what it gained.
+  void fold_dip() {
+    const double a = arc_->length * arc_->from[N];
+    const double b = arc_->length * arc_->to[N];
+    const double gain = arc_->chord[N];
+    const Parabola slope{a, 6.0 * gain - 4.0 * a - 2.0 * b, 3.0 * (a + b) - 6.0 * gain};
+    if (!may_touch_zero(slope, b)) return;
+    constexpr std::size_t k = TestValues::fold;
+    search_dip(k, from_->tests.value[k], to_->tests.value[k]);
+  }
+
+  /// a + u (slope + u curvature), 0 <= u <= 1
+  struct Parabola {
+    double a;
+    double slope;
+    double curvature;
+  };
+
+  /// Whether it comes near zero between its ends; b is what it should be at 1.
+  static bool may_touch_zero(const Parabola& f, double b) {
+    if (f.curvature * f.a <= 0.0) return false;  // bends away from zero
+    const double vertex = -0.5 * f.slope / f.curvature;
+    if (!(vertex > -0.1 && vertex < 1.1)) return false;
+    const double least = f.a + vertex * (f.slope + vertex * f.curvature);
+    return least * f.a <= 0.0 || std::abs(least) <= 0.3 * std::min(std::abs(f.a), std::abs(b));
+  }
+
+  void search_dip(std::size_t k, double a, double b) {
     const double sign = a < 0.0 ? -1.0 : 1.0;
     std::uintmax_t evaluations = 25;
     const auto [u, f] = boost::math::tools::brent_find_minima(
@@ -207,7 +241,7 @@ class EventSearch {
     int most = 0;
     bool exchange = false;
     for (const Found& each : found_) {
-      most += negative_change(each.event.type);
+      most += negative_change(each.event.type, curve_->context());
       // J1 = J2: the direction conjugate to the symmetry may change its sign there.
       exchange = exchange || each.event.type == EventType::inertia_exchange;
     }

@@ -38,7 +38,6 @@ struct Member {
   double residual = std::numeric_limits<double>::quiet_NaN();
   double compatibility = std::numeric_limits<double>::quiet_NaN();
   double energy = std::numeric_limits<double>::quiet_NaN();
-  std::array<double, 3> locked_inertia{};                             ///< I11, I22, I33
   double shear_stiffness = std::numeric_limits<double>::quiet_NaN();  ///< (iii): K_alpha,alpha
   std::optional<Spectrum> spectrum;
 };

@@ -7,7 +7,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "lib/inertia.hpp"
 #include "solver/axis_family.hpp"
 #include "solver/model_stability.hpp"
 #include "solver/thickness_balance.hpp"
@@ -136,8 +135,6 @@ class ModelFamily final : public Family<N> {
     out.residual = check.residual;
     out.compatibility = check.compatibility;
     out.energy = energy(at.body, v.value, out.q, nu);
-    const Matrix3<double> I = locked_inertia(at.body, out.q);
-    out.locked_inertia = {I(0, 0), I(1, 1), I(2, 2)};
     if (branch_ == Branch::iii)
       out.shear_stiffness = v.hessian(0, 0) - centrifugal_matrix(at.body, nu)(0, 0);
     if (options_.spectrum)
