@@ -120,7 +120,10 @@ class EventSearch {
         {0.5 * (low + high), {type, from_->member, parameter(0.0), parameter(1.0), false}});
   }
 
+  /// Of the curve itself; the arc's where the corrector fails.
   double parameter(double u) const {
+    const Corrected<N> corrected = curve_->at(from_->arc, *arc_, u);
+    if (corrected.status == CorrectorStatus::converged) return corrected.point.p;
     return from_->arc.p + curve_->corrector().scale() * arc_->at(u)[N];
   }
 
