@@ -33,11 +33,12 @@ class Follower {
 
   FollowReport both(CurveSink& sink) {
     if (!report_.failure.empty()) return report_;
+    report_.points = 1;  // the start, written when what is before it is known
     HeldBack held;
     report_.backward = one(-1, held);
     std::ranges::reverse(report_.events);
     held.give(sink);
-    emit(sink, start_.member, end_at_start(held.empty()));
+    sink.row(start_.member, end_at_start(held.empty()));
     const bool closed = report_.backward.event == EventType::closed;
     if (closed) report_.forward = report_.backward;
     if (!report_.interrupted && !closed) report_.forward = one(+1, sink);

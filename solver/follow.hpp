@@ -29,7 +29,7 @@ class CurveSink {
 
 struct FollowOptions {
   ContinuationOptions continuation;
-  long max_points = 1'000'000;
+  long max_points = 1'000'000;  ///< no step from there on; events in the last one come on top
   const std::atomic<bool>* stop = nullptr;  ///< becomes true: end at the point reached
   /// Called every few hundred points with the parameter and the number of points so far.
   std::function<void(double, long)> progress;
