@@ -47,6 +47,10 @@ class Follower {
 
   FollowReport onward(const OpenEnd& end, CurveSink& sink) {
     if (!report_.failure.empty()) return report_;
+    if (!is_at(end.at.q)) {
+      report_.failure = "the end of the table is no point of the curve: another solves there";
+      return report_;
+    }
     int direction = end.direction;
     if (end.neighbour) {
       ArcVector<N> ahead;
@@ -62,6 +66,12 @@ class Follower {
   }
 
  private:
+  /// Whether the start is this q; near a fold the rounding of p moves it by some 1e-8.
+  bool is_at(const Stretch& q) const {
+    constexpr double same = 1e-6;
+    return ((start_.arc.x.array() / unknowns<N>(q).array()).log().abs() <= same).all();
+  }
+
   static bool is_circle(const Family<N>& family, const Stretch& q) {
     return family.branch() == Branch::iii && family.material_symmetry() &&
            std::abs(q.xi - q.zeta) <= 8.0 * 0x1p-53 * q.xi;

@@ -1,5 +1,7 @@
 #include "solver/metadata.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "solver/table.hpp"
@@ -108,14 +110,36 @@ std::string metadata_json(const Metadata& metadata) {
 }
 
 bool is_of_case(std::string_view metadata, const Case& input) {
-  Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  using Unordered = nlohmann::json;
+  auto found = Unordered::parse(metadata, nullptr, /*allow_exceptions=*/false);
   if (!found.is_object() || !found.contains("case")) return false;
-  Json expected = Json::parse(case_json(input).dump());  // numbers as they are read back
-  for (Json* each : {&found["case"], &expected}) {
+  auto expected = Unordered::parse(case_json(input).dump());  // numbers as they are read back
+  for (Unordered* each : {&found["case"], &expected}) {
     if (!each->is_object() || !each->contains("continuation")) return false;
+    if (!(*each)["continuation"].is_object()) return false;
     for (const char* key : {"step", "max_points"}) (*each)["continuation"].erase(key);
   }
   return found["case"] == expected;
+}
+
+std::optional<CurveRecord> curve_record(std::string_view metadata) {
+  try {
+    const Json found = Json::parse(metadata);
+    CurveRecord out{found.at("rows").get<std::size_t>(), {}};
+    if (!found.contains("events")) return out;
+    for (const Json& event : found["events"]) {
+      const auto type = std::ranges::find(event_names, event.at("event").get<std::string>());
+      if (type == std::end(event_names)) return std::nullopt;
+      out.events.push_back({static_cast<EventType>(type - std::begin(event_names)),
+                            event.at("parameter").get<double>(),
+                            event.at("bracket").at(0).get<double>(),
+                            event.at("bracket").at(1).get<double>(),
+                            event.at("status").get<std::string>() == "located"});
+    }
+    return out;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
 }
 
 std::string case_title(std::string_view metadata) {

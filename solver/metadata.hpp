@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +35,14 @@ std::vector<std::pair<std::string_view, long>> named_counts(const Counts& counts
 /// Whether metadata (JSON text) are of the same case but for how far and how finely it is followed
 /// (continuation.step and max_points).
 bool is_of_case(std::string_view metadata, const Case& input);
+
+/// What metadata of `continue` say of its table.
+struct CurveRecord {
+  std::size_t rows;
+  std::vector<EventRecord> events;
+};
+/// Nothing where a text is no such metadata.
+std::optional<CurveRecord> curve_record(std::string_view metadata);
 
 /// JSON text, indented, ending in a newline; bytes that are not UTF-8 are replaced.
 std::string metadata_json(const Metadata& metadata);

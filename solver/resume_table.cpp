@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "lib/spectrum.hpp"
 #include "solver/table_reader.hpp"
@@ -56,6 +57,12 @@ bool is_place(const CurvePlace& at) {
   return at.q.xi > 0.0 && at.q.zeta > 0.0 && at.q.rho > 0.0 && std::isfinite(at.p);
 }
 
+/// Whether the last row is there to its end: a cut number would still be one.
+bool ends_a_line(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return file.seekg(-1, std::ios::end) && file.get() == '\n';
+}
+
 }  // namespace
 
 ResumedTable read_resumed(const std::string& path, const std::vector<Column>& columns,
@@ -67,6 +74,10 @@ ResumedTable read_resumed(const std::string& path, const std::vector<Column>& co
   if (table.columns() != expected) {
     throw InputError(Origin::in_file(path), "", "found other columns than this case's",
                      "the table to go on with", std::string(remedy));
+  }
+  if (!ends_a_line(path)) {
+    throw InputError(Origin::in_file(path), "", "found its last line cut short", "a whole table",
+                     std::string(remedy));
   }
   ResumedTable out;
   while (table.next()) out.rows.push_back(read_row(table, columns, parameter.has_value(), branch));

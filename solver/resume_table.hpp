@@ -15,6 +15,7 @@ struct ResumedTable {
   std::vector<TableRow> rows;
   std::optional<OpenEnd> first;  ///< still to be followed, against the table's order
   std::optional<OpenEnd> last;
+  std::vector<EventRecord> events;  ///< of its metadata; read_resumed() leaves them out
 };
 
 /// Throws InputError where the file is no such table: other columns than these (with the trailing

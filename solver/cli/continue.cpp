@@ -2,6 +2,7 @@
 // with the stability of every point and every event located.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -221,8 +222,23 @@ ResumedTable resumed_table(const Case& input, const ContinueOptions& options,
   if (!file) refuse("cannot read " + printable(metadata));
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!is_of_case(text, input)) refuse(printable(metadata) + " is of another case");
-  return read_resumed(options.output, columns, parameter,
-                      std::get<AxisRotation>(input.motion).branch);
+  std::optional<CurveRecord> record = curve_record(text);
+  if (!record) refuse(printable(metadata) + " does not say what rows and events the table has");
+  ResumedTable out =
+      read_resumed(options.output, columns, parameter, std::get<AxisRotation>(input.motion).branch);
+  if (out.rows.size() != record->rows) {
+    refuse(fmt::format("{} has {} rows, {} by its metadata", printable(options.output),
+                       out.rows.size(), record->rows));
+  }
+  out.events = std::move(record->events);
+  return out;
+}
+
+/// How a table that is not gone on with there ended.
+SheetEnd old_end(const TableRow& row) {
+  const auto* const event = std::ranges::find(event_names, row.event);
+  return {static_cast<EventType>(event - std::begin(event_names)),
+          "as it was in the table resumed"};
 }
 
 /// On from the open ends of a table: new rows before it, its own, new rows after it.
@@ -245,8 +261,9 @@ FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowO
     out.backward = before.forward;
     out.events.assign(before.events.rbegin(), before.events.rend());
   } else {
-    out.backward.reason = "as it was in the table resumed";
+    out.backward = old_end(old.rows.front());
   }
+  out.events.insert(out.events.end(), old.events.begin(), old.events.end());
   for (const TableRow& row : old.rows) table.again(row);
   out.points += static_cast<long>(old.rows.size());
   if (old.last && !out.interrupted) {
@@ -254,8 +271,10 @@ FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowO
     add(after);
     out.forward = after.forward;
     out.events.insert(out.events.end(), after.events.begin(), after.events.end());
+  } else if (old.last) {
+    out.forward.reason = "interrupted";
   } else {
-    out.forward.reason = old.last ? "interrupted" : "as it was in the table resumed";
+    out.forward = old_end(old.rows.back());
   }
   return out;
 }
