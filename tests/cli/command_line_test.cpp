@@ -21,6 +21,7 @@ TEST(CommandLine, NoCommandPrintsHelpAndFails) {
 TEST(CommandLine, HelpAndVersion) {
   for (const auto& arguments : std::vector<std::vector<std::string>>{{"--help"},
                                                                      {"solve", "--help"},
+                                                                     {"continue", "--help"},
                                                                      {"check", "--help"},
                                                                      {"models", "--help"},
                                                                      {"plot", "--help"}}) {
@@ -29,8 +30,11 @@ TEST(CommandLine, HelpAndVersion) {
     EXPECT_THAT(outcome.out, HasSubstr("Usage: stationary"));
     EXPECT_THAT(outcome.err, IsEmpty());
   }
-  for (const auto& arguments : std::vector<std::vector<std::string>>{
-           {"--version"}, {"solve", "--version"}, {"check", "--version"}, {"plot", "--version"}}) {
+  for (const auto& arguments : std::vector<std::vector<std::string>>{{"--version"},
+                                                                     {"solve", "--version"},
+                                                                     {"continue", "--version"},
+                                                                     {"check", "--version"},
+                                                                     {"plot", "--version"}}) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.out, ::testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
@@ -44,6 +48,8 @@ TEST(CommandLine, MisspeltCommandsAndOptions) {
   };
   const std::vector<Line> lines{
       {{"slove", "x.toml"}, "unknown command \"slove\"; did you mean \"solve\"?"},
+      {{"continu", "x.toml"}, "did you mean \"continue\"?"},
+      {{"continue", "x.toml", "--resme"}, "did you mean \"--resume\"?"},
       {{"modles"}, "did you mean \"models\"?"},
       {{"solve", "x.toml", "--quite"}, "unknown option \"--quite\"; did you mean \"--quiet\"?"},
       {{"solve", "x.toml", "--outptu=y"}, "did you mean \"--output\"?"},

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <sstream>
-#include <vector>
 
 namespace stationary::testing {
 namespace {
@@ -27,20 +26,26 @@ std::vector<std::string> cells(const std::string& line) {
 
 std::string_view header_of(std::string_view csv) { return csv.substr(0, csv.find('\n')); }
 
-std::map<std::string, std::string> only_row(const std::string& csv) {
+std::vector<Row> rows_of(const std::string& csv) {
   std::istringstream lines(csv);
-  std::string names;
-  std::string values;
-  std::string more;
-  std::getline(lines, names);
-  std::getline(lines, values);
-  EXPECT_FALSE(std::getline(lines, more));
-  const auto keys = cells(names);
-  const auto entries = cells(values);
-  EXPECT_EQ(keys.size(), entries.size());
-  std::map<std::string, std::string> out;
-  for (std::size_t k = 0; k < std::min(keys.size(), entries.size()); ++k) out[keys[k]] = entries[k];
+  std::string line;
+  std::getline(lines, line);
+  const auto keys = cells(line);
+  std::vector<Row> out;
+  while (std::getline(lines, line)) {
+    const auto entries = cells(line);
+    EXPECT_EQ(keys.size(), entries.size()) << line;
+    Row& row = out.emplace_back();
+    for (std::size_t k = 0; k < std::min(keys.size(), entries.size()); ++k)
+      row[keys[k]] = entries[k];
+  }
   return out;
+}
+
+Row only_row(const std::string& csv) {
+  const std::vector<Row> rows = rows_of(csv);
+  EXPECT_EQ(rows.size(), 1U);
+  return rows.empty() ? Row() : rows.front();
 }
 
 double number(const std::string& text) {
