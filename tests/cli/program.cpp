@@ -42,6 +42,17 @@ namespace fs = std::filesystem;
   ::_exit(127);
 }
 
+/// A temporary file of the target (atomic_file.hpp) that is not empty.
+bool is_being_written(const fs::path& target) {
+  const std::string begin = "." + target.filename().string() + ".";
+  std::error_code gone;
+  for (const auto& entry : fs::directory_iterator(target.parent_path())) {
+    if (entry.path().filename().string().starts_with(begin) && entry.file_size(gone) > 0 && !gone)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string text_of(const std::string& path) {
@@ -71,6 +82,12 @@ Outcome run_program(const std::vector<std::string>& arguments, const RunOptions&
     ::kill(child, SIGKILL);
   }
   int status = 0;
+  if (!options.interrupt_once_written.empty()) {
+    siginfo_t ended{};
+    while (!is_being_written(options.interrupt_once_written) && ended.si_pid == 0)
+      ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
+    ::kill(child, SIGINT);
+  }
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   Outcome outcome;

@@ -17,10 +17,11 @@ struct Outcome {
 
 /// How the child is to differ from a plain run.
 struct RunOptions {
-  int pending_signal = 0;            ///< blocked and pending when the program starts
-  int kill_after_ms = -1;            ///< SIGKILL after so long
-  std::string standard_output = {};  ///< a file instead of a captured stream
-  std::string directory = {};        ///< to run in
+  int pending_signal = 0;                   ///< blocked and pending when the program starts
+  int kill_after_ms = -1;                   ///< SIGKILL after so long
+  std::string interrupt_once_written = {};  ///< SIGINT when its temporary file holds something
+  std::string standard_output = {};         ///< a file instead of a captured stream
+  std::string directory = {};               ///< to run in
 };
 
 Outcome run_program(const std::vector<std::string>& arguments, const RunOptions& options = {});
