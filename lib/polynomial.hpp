@@ -133,7 +133,9 @@ CubicRoots<S> cubic_roots(const Polynomial<S, 3>& p) {
   const double P = leading(monic.slope(inflection));
   S x = inflection;
   if (Q != 0.0) {
-    const double bound = std::sqrt(std::fmax(-4.0 * P / 3.0, 0.0)) + std::cbrt(std::abs(Q));
+    // Three real roots: the isolated one lies within sqrt(-P) 1 ... 2/sqrt(3).
+    double bound = std::sqrt(std::fmax(-4.0 * P / 3.0, 0.0));
+    if (4.0 * P * P * P + 27.0 * Q * Q > 0.0) bound += std::cbrt(std::abs(Q));
     double r = leading(inflection) + (Q < 0.0 ? bound : -bound);
     for (int k = 0; k < 60; ++k) {
       const double step = rough(r) / rough.slope(r);
@@ -146,7 +148,12 @@ CubicRoots<S> cubic_roots(const Polynomial<S, 3>& p) {
     for (int k = 0; k < polish; ++k) {
       const S slope = monic.slope(x);
       if (leading(slope) == 0.0) break;
-      x = renormalized(S(x - renormalized(monic(x)) / slope));
+      const S step = renormalized(monic(x)) / slope;
+      x = renormalized(S(x - step));
+      // The error left is about step^2 over the distance from the inflection.
+      const double size = leading(step);
+      const double reach = leading(x) * (leading(x) - leading(inflection));
+      if (size * size <= leading(std::numeric_limits<S>::epsilon()) * std::abs(reach)) break;
     }
   }
   CubicRoots<S> out;

@@ -19,6 +19,7 @@ using ArcVector = Eigen::Matrix<double, N + 1, 1>;
 template <int N>
 struct ArcPoint {
   ReducedVector<N> x;
+  ReducedVector<N> tail = ReducedVector<N>::Constant(std::numeric_limits<double>::quiet_NaN());
   double p = std::numeric_limits<double>::quiet_NaN();
   ArcVector<N> tangent;
   /// Sign of det [dG/dy; tangent^T]: one and the same all along a sheet.

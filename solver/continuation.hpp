@@ -146,12 +146,12 @@ class Continuation {
                     0.5 * h);
     }
     if (has_arc_) {
-      double correction = out.corrected.first_correction;
+      const double correction = out.corrected.first_correction;
       out.D = StepControl::fourth_derivative(correction, h, arc_.length);
       if (control_.shortens(out.D, h) && correction < 1e-8) {
-        // What the rounding of G alone could have made shows nothing of the curve.
-        correction -= curve_->corrector().correction_rounding(next);
-        out.D = StepControl::fourth_derivative(correction, h, arc_.length);
+        // Rounding of G may be in it: believe the last step, as far as what is left allows.
+        const double left = correction - curve_->corrector().correction_rounding(next);
+        out.D = std::clamp(D_, StepControl::fourth_derivative(left, h, arc_.length), out.D);
       }
       if (control_.too_long(out.D, h)) {
         return refuse("the curve bends more than the tolerance allows",

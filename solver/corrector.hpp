@@ -169,14 +169,18 @@ class Corrector {
   void finish(const ArcVector<N>& ahead, Corrected<N>& out) const {
     ArcPoint<N>& point = out.point;
     ReducedVector<N> x = point.x;
-    const Refined refined = family_->refine_at(x, point.p);
+    const Refined refined = family_->refine_at(x, point.tail, point.p);
     if (refined.converged && refined.first_correction < 1e-3) {
-      if (circle_) x[1] = x[0];
+      if (circle_) {
+        x[1] = x[0];
+        point.tail[1] = point.tail[0];
+      }
       // Near an asymptote the rounding of p is a move along the curve.
       for (int i = 0; i < N; ++i) out.correction[i] += std::log1p((x[i] - point.x[i]) / point.x[i]);
       point.x = x;
       point.error_bound = refined.error_bound;
     } else {
+      point.tail.setConstant(std::numeric_limits<double>::quiet_NaN());
       correct_at_turn(ahead, out);
     }
     point.at = linearize(point.x, point.p);

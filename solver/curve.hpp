@@ -31,7 +31,7 @@ class Curve {
   CurvePoint<N> complete(const ArcPoint<N>& arc) const {
     CurvePoint<N> out;
     out.arc = arc;
-    out.member = family_->member(arc.x, arc.p, arc.error_bound);
+    out.member = family_->member(arc.x, arc.tail, arc.p, arc.error_bound);
     const auto [fold, momentum] = turns(arc, out.member);
     out.tests = test_values(out.member, context_, fold, momentum);
     return out;

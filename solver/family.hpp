@@ -60,13 +60,15 @@ class Family {
 
   /// In double. Values outside the domain (J <= 0, ...) give NaN, never an exception.
   virtual FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const = 0;
-  /// Corrects x at fixed p with extended-precision residuals (refine.hpp).
-  virtual Refined refine_at(ReducedVector<N>& x, double p) const = 0;
+  /// Corrects x at fixed p with extended-precision residuals; tail: of x (refine.hpp).
+  virtual Refined refine_at(ReducedVector<N>& x, ReducedVector<N>& tail, double p) const = 0;
   /// G in extended precision, rows divided as in linearize().
   virtual ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const = 0;
   /// |change of G| by half a unit in the last place of every input, rows divided likewise.
   virtual ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const = 0;
-  virtual Member member(const ReducedVector<N>& x, double p, double error_bound) const = 0;
+  /// tail: from refine_at; NaN makes the spectrum correct x once more.
+  virtual Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,
+                        double error_bound) const = 0;
 };
 
 }  // namespace stationary

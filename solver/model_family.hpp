@@ -36,6 +36,10 @@ class ModelFamily final : public Family<N> {
     if constexpr (constant_thickness) {
       const ThicknessBalance thickness = balanced_thickness(model.thickness, DoubleDouble(0.0));
       rho_ = thickness.rho;
+      extended_rho_ = extended_solution(
+          ThicknessSystem<std::decay_t<decltype(model.thickness)>>{model.thickness,
+                                                                   DoubleDouble(0.0)},
+          ReducedVector<1>(rho_))[0];
       rho_bound_ = thickness.refined.error_bound;
     }
   }
@@ -82,18 +86,21 @@ class ModelFamily final : public Family<N> {
     return out;
   }
 
-  Refined refine_at(ReducedVector<N>& x, double p) const override {
+  Refined refine_at(ReducedVector<N>& x, ReducedVector<N>& tail, double p) const override {
     const Setting at = setting(p);
     const auto rates = extended_rates(at);
     if constexpr (separable) {
       ReducedVector<2> plane(x[0], x[1]);
-      Refined out = refine(planar_system(at, rates), plane);
-      x[0] = plane[0];
-      x[1] = plane[1];
+      ReducedVector<2> planar_tail;
+      Refined out = refine(planar_system(at, rates), plane, max_corrections, &planar_tail);
+      x.template head<2>() = plane;
+      tail.template head<2>() = planar_tail;
       if constexpr (N == 3) {
         ReducedVector<1> rho(x[2]);
-        const Refined axial = refine(thickness_system(at, rates), rho);
+        ReducedVector<1> rho_tail;
+        const Refined axial = refine(thickness_system(at, rates), rho, max_corrections, &rho_tail);
         x[2] = rho[0];
+        tail[2] = rho_tail[0];
         out.converged = out.converged && axial.converged;
         out.error_bound = std::max(out.error_bound, axial.error_bound);
       } else {
@@ -101,7 +108,7 @@ class ModelFamily final : public Family<N> {
       }
       return out;
     } else {
-      return refine(CoupledSystem<Model>{at.model, rates}, x);
+      return refine(CoupledSystem<Model>{at.model, rates}, x, max_corrections, &tail);
     }
   }
 
@@ -121,7 +128,8 @@ class ModelFamily final : public Family<N> {
     return 0x1p-53 * out;
   }
 
-  Member member(const ReducedVector<N>& x, double p, double error_bound) const override {
+  Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,
+                double error_bound) const override {
     const Setting at = setting(p);
     Member out;
     out.parameter = p;
@@ -137,12 +145,17 @@ class ModelFamily final : public Family<N> {
     out.energy = energy(at.body, v.value, out.q, nu);
     if (branch_ == Branch::iii)
       out.shear_stiffness = v.hessian(0, 0) - centrifugal_matrix(at.body, nu)(0, 0);
-    if (options_.spectrum)
-      out.spectrum = model_stability(at.body, branch_, at.model, out.q, at.nu, error_bound);
+    if (options_.spectrum) {
+      const std::array<DoubleDouble, 3> q =
+          tail.allFinite() ? with_tails(x, tail)
+                           : extended_q(at.body, branch_, at.model, out.q, at.nu);
+      out.spectrum = model_stability(at.body, branch_, at.model, q, at.nu, error_bound);
+    }
     return out;
   }
 
  private:
+  static constexpr int max_corrections = 8;
   using Kind = FamilyParameter::Kind;
   static constexpr bool separable = requires(const Model& m) { m.plane; };
   static constexpr bool constant_thickness = separable && N == 2;
@@ -195,6 +208,14 @@ class ModelFamily final : public Family<N> {
     } else {
       return rho_;
     }
+  }
+
+  std::array<DoubleDouble, 3> with_tails(const ReducedVector<N>& x,
+                                         const ReducedVector<N>& tail) const {
+    std::array<DoubleDouble, 3> out{DoubleDouble(x[0], tail[0]), DoubleDouble(x[1], tail[1]),
+                                    extended_rho_};
+    if constexpr (N == 3) out[2] = DoubleDouble(x[2], tail[2]);
+    return out;
   }
 
   /// -c_i x_i^2.
@@ -263,6 +284,7 @@ class ModelFamily final : public Family<N> {
   AxisFamilyOptions options_;
   Setting base_;
   double rho_ = std::numeric_limits<double>::quiet_NaN();
+  DoubleDouble extended_rho_;
   double rho_bound_ = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -32,15 +32,14 @@ std::array<DoubleDouble, 3> extended_q(const Body& body, Branch branch, const Mo
   }
 }
 
-/// bound: relative uncertainty of every input that bounds and classes allow for; NaN counts as
-/// 1e-15.
+/// q: (xi, zeta, rho) in extended precision. bound: relative uncertainty of every input that bounds
+/// and classes allow for; NaN counts as 1e-15.
 template <class Model>
-Spectrum model_stability(const Body& body, Branch branch, const Model& model, const Stretch& at,
-                         double nu, double bound) {
+Spectrum model_stability(const Body& body, Branch branch, const Model& model,
+                         std::array<DoubleDouble, 3> q, double nu, double bound) {
   constexpr bool separable = requires { model.plane; };
   const BlockFacts facts{branch, body.symmetric(), !separable,
                          std::isnan(bound) ? 1e-15 : std::max(bound, 0x1p-53)};
-  std::array<DoubleDouble, 3> q = extended_q(body, branch, model, at, nu);
   // A circle known only to its error is the circle.
   const double apart = std::abs(leading(q[0] - q[1]));
   if (body.symmetric() && apart <= 4.0 * facts.uncertainty * leading(q[0]))

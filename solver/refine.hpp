@@ -52,12 +52,15 @@ ReducedVector<N> ones() {
 }
 
 /// Corrects x in place. bound = false leaves error_bound NaN and evaluates nothing for it.
+/// tail: what rounding x left of the solution, to about 2^-86; NaN where that is not known.
 /// Not converged: x is the last iterate, or unchanged where the Jacobian is singular or the
 /// residual not finite.
 template <bool bound = true, class System>
-Refined refine(const System& system, ReducedVector<System::dimension>& x, int max_steps = 8) {
+Refined refine(const System& system, ReducedVector<System::dimension>& x, int max_steps = 8,
+               ReducedVector<System::dimension>* tail = nullptr) {
   constexpr int N = System::dimension;
   Refined out;
+  if (tail != nullptr) tail->setConstant(std::numeric_limits<double>::quiet_NaN());
   while (out.steps < max_steps) {
     const ReducedVector<N> g = system.extended_residual(x);
     const Linearized<N> at = system.linearize(x);
@@ -79,6 +82,12 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
         const double linear = largest_magnitude<N>(absolute * perturbation) +
                               kappa * size * (size + 0x1p-50) + 0x1p-53;
         out.error_bound = with_curvature(linear, kappa);
+      }
+      if (tail != nullptr && kappa * size * (size + 0x1p-50) <= 0x1p-86) {
+        for (int i = 0; i < N; ++i) {
+          const DoubleDouble sum = two_sum(x[i], -x[i] * step[i]);
+          (*tail)[i] = (sum.hi - corrected[i]) + sum.lo;
+        }
       }
       x = corrected;
       return out;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/solver/curve_error.hpp"
 #include "tests/solver/followed.hpp"
 #include "tests/solver/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
@@ -26,10 +27,6 @@ std::vector<std::string_view> all_models() {
   auto out = planar_models();
   out.push_back("neo-hookean-3d");
   return out;
-}
-
-bool is_moderate(const Stretch& q) {
-  return std::min({q.xi, q.zeta, q.rho}) > 1e-3 && std::max({q.xi, q.zeta, q.rho}) < 1e3;
 }
 
 /// The part of the sheet from rest along which nu rises.
@@ -276,54 +273,6 @@ TEST(Continuation, FollowsReciprocalDeterminantAlongItsClosedForm) {
     EXPECT_TRUE(sheet.events({EventType::fold_nu, EventType::fold_momentum}).empty())
         << sheet.text();
   }
-}
-
-/// Interpolated as a reader of the table would (a cubic through four rows, by their chords), the
-/// rows are the curve to the tolerance.
-template <int N>
-double interpolation_error(const Family<N>& family, const std::vector<FollowedRow>& all,
-                           double scale) {
-  using Y = ArcVector<N>;
-  std::vector<Y> y;
-  std::vector<double> s;
-  for (const FollowedRow& row : all) {
-    if (row.event != EventType::none && !is_end(row.event)) continue;
-    if (!is_moderate(row.member.q)) continue;
-    Y at;
-    at[0] = std::log(row.member.q.xi);
-    at[1] = std::log(row.member.q.zeta);
-    if constexpr (N == 3) at[2] = std::log(row.member.q.rho);
-    at[N] = row.member.parameter / scale;
-    s.push_back(y.empty() ? 0.0 : s.back() + (at - y.back()).norm());
-    y.push_back(at);
-  }
-  const Corrector<N> corrector(family, scale, false);
-  double worst = 0.0;
-  for (std::size_t k = 1; k + 2 < y.size(); ++k) {
-    const double u = 0.5 * (s[k] + s[k + 1]);
-    Y at = Y::Zero();
-    Y slope = Y::Zero();
-    for (std::size_t i = k - 1; i <= k + 2; ++i) {
-      double weight = 1.0;
-      double change = 0.0;
-      for (std::size_t j = k - 1; j <= k + 2; ++j) {
-        if (j == i) continue;
-        const double factor = (u - s[j]) / (s[i] - s[j]);
-        change = change * factor + weight / (s[i] - s[j]);
-        weight *= factor;
-      }
-      at += weight * y[i];
-      slope += change * y[i];
-    }
-    slope.normalize();
-    const ReducedVector<N> x = at.template head<N>().array().exp();
-    const Corrected<N> exact = corrector.correct(x, scale * at[N], slope, 0.1);
-    EXPECT_EQ(exact.status, CorrectorStatus::converged) << name(exact.status);
-    // Across the curve: along it a point near an asymptote of p is known only to p's rounding.
-    const Y& off = exact.correction;
-    worst = std::max(worst, (off - off.dot(slope) * slope).norm());
-  }
-  return worst;
 }
 
 TEST_P(EveryModelTest, TheTableIsTheCurveToTheTolerance) {

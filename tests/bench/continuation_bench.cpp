@@ -1,0 +1,142 @@
+// Continuation, on one core: points per second
+//   events        in memory: spectrum, signatures, all events
+//   no-spectrum   in memory: equilibria, bounds and the events that need no spectrum
+//   table         written as a CSV table with every column, in a temporary file, start included
+// of the rest sheet of one body, followed until it escapes or nu = 3; then, for tolerances
+// 1e-3 ... 1e-13, the number of rows and the true curve error: how far a cubic through four
+// successive rows is from the curve.
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "solver/curve_table.hpp"
+#include "solver/equilibrium_row.hpp"
+#include "tests/solver/curve_error.hpp"
+
+namespace stationary {
+namespace {
+
+using namespace testing;
+
+constexpr double last_nu = 3.0;
+
+struct Case {
+  std::string label;
+  Problem problem;
+  Stretch rest;
+
+  AnyFamily family(bool spectrum) const {
+    return axis_family(problem, {.nu = 0.0, .parameter = {}, .spectrum = spectrum});
+  }
+};
+
+Case make_case(const std::string& model, Branch branch) {
+  const double plane[2] = {1.0, 2.0};
+  const double thickness[2] = {1.0, 3.0};
+  const Problem problem(Body(1.0, 1.7, 0.6),
+                        Potential(Potential::planar(model, plane),
+                                  Potential::thickness("reciprocal-quadratic", thickness)),
+                        branch);
+  return {model + "/" + std::string(name(branch)), problem, solve(problem, 0.0).q};
+}
+
+/// Takes every row and keeps none.
+class Counted final : public CurveSink {
+ public:
+  void row(const Member& member, EventType) override {
+    ++rows;
+    benchmark::DoNotOptimize(member.nu);
+  }
+  long rows = 0;
+};
+
+void in_memory(benchmark::State& state, const Case& c, bool spectrum) {
+  const AnyFamily family = c.family(spectrum);
+  const FollowOptions options = range(0.0, last_nu, 1e-10);
+  Counted sink;
+  for (auto _ : state) follow(family, c.rest, 0.0, options, sink);
+  state.SetItemsProcessed(sink.rows);
+}
+
+class TemporaryFile final : public ByteSink {
+ public:
+  void write(std::string_view bytes) override {
+    if (!file_ || std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size())
+      throw std::runtime_error("the temporary file cannot be written");
+  }
+
+ private:
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{std::tmpfile(), &std::fclose};
+};
+
+void to_table(benchmark::State& state, const Case& c) {
+  const FollowOptions options = range(0.0, last_nu, 1e-10);
+  const std::vector<Column> columns = equilibrium_columns(false, true, true);
+  TemporaryFile file;
+  long rows = 0;
+  for (auto _ : state) {
+    TableWriter writer(file, columns);
+    CurveTable table(c.problem.branch(), &writer);
+    rows += follow(c.family(true), c.rest, 0.0, options, table).points;
+    writer.flush();
+  }
+  state.SetItemsProcessed(rows);
+}
+
+void print_curve_errors(const std::vector<Case>& cases) {
+  std::printf("\nrows with all stretches in 1e-3 ... 1e3, and curve error, by tolerance\n%-28s",
+              "case");
+  for (int digits = 3; digits <= 13; digits += 2) std::printf("            1e-%02d", digits);
+  std::printf("\n");
+  for (const Case& c : cases) {
+    std::printf("%-28s", c.label.c_str());
+    for (int digits = 3; digits <= 13; digits += 2) {
+      const AnyFamily family = c.family(false);
+      const Followed sheet =
+          followed(family, c.rest, 0.0, range(0.0, last_nu, std::pow(10.0, -digits)));
+      const auto rows = std::ranges::count_if(
+          sheet.rows, [](const FollowedRow& row) { return is_moderate(row.member.q); });
+      const double error = std::visit(
+          [&](const auto& f) { return interpolation_error(*f, sheet.rows, last_nu); }, family);
+      std::printf(" %6ld %9.1e", static_cast<long>(rows), error);
+    }
+    std::printf("\n");
+  }
+}
+
+void register_case(const Case& c) {
+  const auto add = [&](const char* what, auto body) {
+    benchmark::RegisterBenchmark((c.label + "|" + what).c_str(), body)
+        ->Unit(benchmark::kMicrosecond)
+        ->Repetitions(7)
+        ->ReportAggregatesOnly(true)
+        ->MinTime(0.05);
+  };
+  add("events", [&c](benchmark::State& state) { in_memory(state, c, true); });
+  add("no-spectrum", [&c](benchmark::State& state) { in_memory(state, c, false); });
+  add("table", [&c](benchmark::State& state) { to_table(state, c); });
+}
+
+}  // namespace
+}  // namespace stationary
+
+int main(int argc, char** argv) {
+  using stationary::Branch;
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  static std::vector<stationary::Case> cases;
+  for (const char* model : {"reciprocal-determinant", "saint-venant-kirchhoff", "biot", "biot-log",
+                            "neo-hookean", "hencky"}) {
+    for (const Branch branch : {Branch::i, Branch::iii})
+      cases.push_back(stationary::make_case(model, branch));
+  }
+  for (const auto& c : cases) stationary::register_case(c);
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  stationary::print_curve_errors(cases);
+  return 0;
+}
