@@ -298,9 +298,11 @@ class Continuation {
     const bool unresolved = (most > far || least < 1.0 / far) && options_.from != options_.to &&
                             resolved < 1e-9 * std::abs(here_.arc.p);
     if (!(most > options_.max_stretch || least < options_.min_stretch || unresolved)) return;
-    const double growth = std::max(arc_.chord[0] * (q.xi == most ? 1.0 : 0.0),
-                                   arc_.chord[1] * (q.zeta == most ? 1.0 : 0.0));
-    const bool escapes = most > options_.max_stretch || (most > 1.0 / least) || growth > 0.0;
+    // In the logarithms of the stretches: one that only grows along while another vanishes does not
+    // escape.
+    const ReducedVector<N> change = arc_.chord.template head<N>();
+    const double growth = change.maxCoeff();
+    const bool escapes = most > options_.max_stretch || growth > -0.1 * change.minCoeff();
     finish(escapes ? EventType::escape : EventType::collapse,
            unresolved ? "beyond this a double of the parameter does not resolve the stretches"
                       : "a stretch left the bounds followed");

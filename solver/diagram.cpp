@@ -140,6 +140,12 @@ Diagram read_diagram(TableReader& table) {
     }
     for (std::size_t k = 0; k < frequency.size(); ++k)
       point.frequency[k] = number(table, frequency[k]);
+    if (frequency.back()) {
+      // At nu = 0 the lowest mode, the spin's own, is missing: the others keep their lines.
+      const auto end =
+          std::ranges::find_if(point.frequency, [](double f) { return std::isnan(f); });
+      std::ranges::rotate(point.frequency, end);
+    }
     point.growth = number(table, growth);
     point.verdict = verdict(table, stability);
     const std::string_view row_event = text(table, event);

@@ -173,7 +173,12 @@ void Script::plot(const std::vector<std::string>& items) {
 }
 
 void Script::stretch_panel() {
-  begin_panel(page_.upper_bottom, page_.upper_top, "principal stretch");
+  const double base = page_.stretch_base;
+  begin_panel(page_.upper_bottom, page_.upper_top,
+              base == 0.0 ? "principal stretch" : fmt::format("principal stretch less {}", base));
+  const auto ordinate = [&](std::size_t k) {
+    return base == 0.0 ? fmt::format("{}", k + 2) : fmt::format("(${} - {})", k + 2, base);
+  };
   label_events();
   if (page_.logarithmic) line("set logscale y");
   line("set yrange [{}:{}]", page_.stretches.low, page_.stretches.high);
@@ -183,9 +188,9 @@ void Script::stretch_panel() {
       if (!diagram_.has_stretch[k]) continue;
       const std::string_view colour = stretch_styles[k].colour;
       items.push_back(fmt::format("$lines_{} using 1:{} with lines lc rgb '{}' {} notitle",
-                                  style(verdict).name, k + 2, colour, style(verdict).line));
+                                  style(verdict).name, ordinate(k), colour, style(verdict).line));
       items.push_back(fmt::format("$dots_{} using 1:{} with points pt 7 ps 0.6 lc rgb '{}' notitle",
-                                  style(verdict).name, k + 2, colour));
+                                  style(verdict).name, ordinate(k), colour));
     }
   }
   std::size_t number = 0;
@@ -194,7 +199,7 @@ void Script::stretch_panel() {
       if (!diagram_.has_stretch[k]) continue;
       items.push_back(
           fmt::format("$event_{} using 1:{} with points pt {} ps 0.7 lc rgb 'black' notitle",
-                      number, k + 2, point_type(name)));
+                      number, ordinate(k), point_type(name)));
     }
     ++number;
   }

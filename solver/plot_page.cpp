@@ -18,6 +18,7 @@ constexpr double lower_share = 0.36;
 constexpr double label_pitch = 14.0;
 constexpr double character_width = 6.2;  // of a label, about
 constexpr std::size_t longest_label = 24;
+constexpr double narrow = 1e-4;  ///< range of the stretches, of themselves
 constexpr double largest_linear_ratio = 30.0;
 
 /// Of the finite values; low > high where there are none.
@@ -89,7 +90,13 @@ PlotPage::PlotPage(const Diagram& diagram) {
     const double room = std::pow(all_stretches.high / all_stretches.low, 0.04);
     stretches = {all_stretches.low / room, all_stretches.high * room};
   } else {
+    const double range = all_stretches.high - all_stretches.low;
+    if (range > 0.0 && range < narrow * all_stretches.high) {
+      const double unit = std::pow(10.0, std::ceil(std::log10(range)));
+      stretch_base = unit * std::round(all_stretches.low / unit);
+    }
     stretches = widened(all_stretches, 0.05);
+    stretches = {stretches.low - stretch_base, stretches.high - stretch_base};
   }
 
   const double per_unit = (right - left) / (parameters.high - parameters.low);

@@ -33,7 +33,9 @@ struct PlotPage {
   double parameter_at(double place) const;
 
   AxisRange parameters{};
-  AxisRange stretches{};
+  AxisRange stretches{};  ///< less stretch_base
+  /// What all stretches all but share: they are drawn less it, for ticks that can be read.
+  double stretch_base = 0.0;
   bool logarithmic = false;  ///< the axis of the stretches
   AxisRange rates{};
   std::vector<EventLabel> labels;

@@ -100,6 +100,14 @@ TEST(Diagram, ALineIsCutAtAnEventWhichBothSidesShare) {
   }
 }
 
+TEST(Diagram, WhereTheLowestModeIsMissingTheOthersKeepTheirLines) {
+  const Diagram diagram =
+      diagram_of("branch,nu1,rho,im1,im2,im3,im4,im5\ni,0,1,1,2,3,4,\ni,0.1,1,0.1,1,2,3,4\n");
+  EXPECT_TRUE(std::isnan(diagram.points[0].frequency[0]));
+  for (std::size_t k = 1; k < mode_count; ++k)
+    EXPECT_EQ(diagram.points[0].frequency[k], diagram.points[1].frequency[k]) << k;
+}
+
 TEST(Diagram, ThinningKeepsEndsAndExtremes) {
   Diagram diagram;
   diagram.pieces = {0};
@@ -156,6 +164,13 @@ TEST(PlotScript, WithoutClassesAndSpectrum) {
 TEST(PlotScript, ALogarithmicAxisForWideRanges) {
   EXPECT_THAT(script_of("nu1,nu2,nu3,rho\n0,0,0,1\n1,0,0,29\n"), Not(HasSubstr("set logscale")));
   EXPECT_THAT(script_of("nu1,nu2,nu3,rho\n0,0,0,1\n1,0,0,31\n"), HasSubstr("set logscale y"));
+}
+
+TEST(PlotScript, StretchesThatHardlyDifferAreDrawnLessWhatTheyShare) {
+  const std::string script = gnuplot_script(
+      diagram_of("branch,nu1,lambda\ni,0,1.0\ni,1,1.000000004\n"), ImageFormat::svg, "");
+  EXPECT_THAT(script, HasSubstr("principal stretch less 1'"));
+  EXPECT_THAT(script, HasSubstr("using 1:($2 - 1)"));
 }
 
 TEST(PlotScript, OneRowIsADot) {

@@ -1,0 +1,42 @@
+# What results/ holds, made from every case in cases/: the bifurcation table and its figure where the
+# case says over which range, else the table of its one solution (without rows where there is none).
+# From the project's directory, so that the metadata name files relative to it:
+#
+#   cmake -D PROGRAM=build/release/solver/cli/stationary -D INTO=results -P cmake/results.cmake
+#
+# `cmake --build build/release --target results` does that.
+foreach(name PROGRAM INTO)
+  if(NOT DEFINED ${name})
+    message(FATAL_ERROR "${name} is not set; usage: see ${CMAKE_CURRENT_LIST_FILE}")
+  endif()
+endforeach()
+
+function(run_program)
+  execute_process(COMMAND ${PROGRAM} ${ARGV} RESULT_VARIABLE code ERROR_VARIABLE message)
+  set(code ${code} PARENT_SCOPE)
+  if(NOT code EQUAL 0 AND NOT code EQUAL 3) # 3: there is no solution, as a case may show
+    message(FATAL_ERROR "${ARGV}: exit code ${code}\n${message}")
+  endif()
+endfunction()
+
+file(MAKE_DIRECTORY ${INTO})
+file(GLOB old ${INTO}/*.csv ${INTO}/*.meta.json ${INTO}/*.svg ${INTO}/*.png)
+if(old)
+  file(REMOVE ${old})
+endif()
+file(GLOB cases RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} cases/*.toml)
+foreach(case IN LISTS cases)
+  get_filename_component(name ${case} NAME_WE)
+  file(STRINGS ${case} continued REGEX "^\\[continuation\\]")
+  if(continued)
+    run_program(continue ${case} -o ${INTO}/${name}.csv --quiet)
+    if(code EQUAL 0)
+      foreach(format svg png)
+        run_program(plot ${INTO}/${name}.csv -o ${INTO}/${name}.${format} --quiet)
+      endforeach()
+    endif()
+  else()
+    run_program(solve ${case} -o ${INTO}/${name}.csv --quiet)
+  endif()
+  message(STATUS "${name}")
+endforeach()
