@@ -191,7 +191,8 @@ class EventSearch {
   /// of real and of negative Lambda.
   void find_crossings(const TestValues& from, const TestValues& to, const TestValues* earlier,
                       double earlier_length) {
-    if (from.composition == to.composition) {
+    // A pair may touch zero and come back: then its signature is another, in the same composition.
+    if (from.composition == to.composition && found_.empty()) {
       crossings_between({0.0, from}, {1.0, to});
       if (earlier != nullptr && earlier->composition == from.composition) {
         for (std::size_t k = TestValues::crossings; k < TestValues::count; ++k)

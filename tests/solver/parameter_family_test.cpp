@@ -232,6 +232,27 @@ TEST_P(ParameterFamily, ThereAndBack) {
   }
 }
 
+/// At the tilt a pair goes through zero, back the way it came: the pair of the other signature it
+/// passes, it passes twice, and the second time as one of its own signature.
+TEST(ParameterFamilies, APassAndATiltInOneStep) {
+  Numbers of{.model = "biot-log", .branch = Branch::iii};
+  of.J = {1.0, 1.0, 0.6};
+  of.plane = {1.0, 4.0};
+  of.nu = 1.1;
+  const Equilibrium start = solve(of.problem(), of.nu);
+  const AnyFamily family = of.family({Kind::inertia, 2}, true);
+  for (const double first : {1e-3, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5}) {
+    FollowOptions options = range(0.05, 6.0);
+    options.continuation.step.first = first;
+    const auto events = followed(family, start.q, 0.6, options).events();
+    ASSERT_EQ(events.size(), 2U) << first;
+    EXPECT_EQ(events[0].event, EventType::krein_pass);
+    EXPECT_NEAR(events[0].member.parameter, 2.5535218895908, 1e-10);
+    EXPECT_EQ(events[1].event, EventType::tilt);
+    EXPECT_NEAR(events[1].member.parameter, 2.8492756064502, 1e-12);
+  }
+}
+
 std::vector<std::string_view> all_models() {
   auto out = planar_models();
   out.push_back("neo-hookean-3d");
