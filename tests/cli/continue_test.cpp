@@ -383,8 +383,8 @@ TEST(Continue, WrongInputIsTwoAndNamesThePlace) {
       {"two_polar.toml",
        {"continuation.parameter=motion.omega", "continuation.from=0", "continuation.to=2"},
        "motion.branch: found the string \"two-polar\""},
-      {"fold.toml", {}, "fold.toml:1:1: continuation: found no such key"},
-      {"fold.toml", {"continuation.from=0", "continuation.to=1"}, "continuation.parameter: "},
+      {"too_fast.toml", {}, "too_fast.toml:1:1: continuation: found no such key"},
+      {"too_fast.toml", {"continuation.from=0", "continuation.to=1"}, "continuation.parameter: "},
   };
   for (const Refused& each : all) {
     const Outcome outcome = continued(shipped(each.file), each.overrides);
