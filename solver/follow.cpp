@@ -99,6 +99,7 @@ class Follower {
         break;
       }
       if (report_.points >= options_.max_points) {
+        report_.out_of_points = true;
         out.reason = "continuation.max_points is reached";
         break;
       }

@@ -57,6 +57,7 @@ struct FollowReport {
   ContinuationCounts counts;
   long points = 0;
   bool interrupted = false;
+  bool out_of_points = false;  ///< stopped by max_points
 };
 
 struct CurvePlace {

@@ -179,7 +179,9 @@ Metadata describe(const Session& session, const Case& input, const Start& start,
   out.skipped = std::move(plan.skipped);
   out.events = report.events;
   out.outcome = {{"command", "continue"},
-                 {"status", report.interrupted ? "interrupted" : "done"},
+                 {"status", report.interrupted     ? "interrupted"
+                            : report.out_of_points ? "stopped at max_points"
+                                                   : "done"},
                  {"start", start.found.message},
                  {"connection", std::string(name(start.found.connection))},
                  {"first_end", end_text(input, report.backward, curve.first_parameter())},
@@ -250,6 +252,7 @@ FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowO
     out.counts += part.counts;
     out.points += part.points;
     out.interrupted = out.interrupted || part.interrupted;
+    out.out_of_points = out.out_of_points || part.out_of_points;
     options.max_points -= part.points;
     if (out.failure.empty()) out.failure = part.failure;
   };
@@ -335,6 +338,10 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   if (code == ExitCode::interrupted) {
     complain(fmt::format("interrupted after {} points{}", report.points,
                          output ? ", which are written" : ""));
+  }
+  if (report.out_of_points) {
+    complain(fmt::format("stopped after {} points, continuation.max_points{}", report.points,
+                         output ? "; --resume goes on where it is set higher" : ""));
   }
   for (const SheetEnd* end : {&report.backward, &report.forward})
     if (end->event == EventType::stalled) complain("numerical failure: " + end->reason);

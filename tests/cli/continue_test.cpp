@@ -207,10 +207,12 @@ TEST(Continue, MaxPointsEndsTheTableOpen) {
                                        std::string("continuation.from=") + from},
                                       directory / "x.csv");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("continuation.max_points; --resume goes on"));
     const auto rows = rows_of(text_of(directory / "x.csv"));
     EXPECT_EQ(rows.size(), static_cast<std::size_t>(most)) << from;
     EXPECT_EQ(rows.back().at("event"), "");
     const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    EXPECT_EQ(metadata["status"], "stopped at max_points");
     EXPECT_THAT(metadata["last_end"].get<std::string>(),
                 HasSubstr("continuation.max_points is reached"));
   }
