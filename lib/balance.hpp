@@ -19,6 +19,7 @@
 
 #include "lib/body.hpp"
 #include "lib/inertia.hpp"
+#include "lib/log_balance.hpp"
 #include "lib/motion.hpp"
 #include "lib/potential.hpp"
 #include "lib/stretch.hpp"
@@ -73,23 +74,8 @@ CentrifugalRates<S> axis_rates(const Body& body, Branch branch, const S& nu_squa
   return centrifugal_rates(body, squares[0], squares[1], squares[2]);
 }
 
-/// The balance at alpha = 0 in logarithmic coordinates: residual G (in units of V) and the upper
-/// triangle of its symmetric Jacobian (order 2; NaN otherwise), in (u, v, w) = ln (xi, zeta, rho).
-/// Formulas with w belong to coupled potentials; a separable one leaves rho to itself.
-template <class S>
-struct LogBalance {
-  S g_xi;
-  S g_zeta;
-  S g_rho = poison<S>();
-  S uu = poison<S>();
-  S uv = poison<S>();
-  S vv = poison<S>();
-  S uw = poison<S>();
-  S vw = poison<S>();
-  S ww = poison<S>();
-};
-
-/// The planar part from derivatives of W; centrifugal rates in S.
+/// The balance in logarithmic coordinates, the planar part, from derivatives of W; centrifugal
+/// rates in S. (A model's own log_balance() is the same in the stretches themselves.)
 template <int order, class S, class Q>
 LogBalance<S> planar_log_balance(const PlanarDerivatives<S>& w, const Q& xi, const Q& zeta,
                                  const CentrifugalRates<Q>& c) {

@@ -4,22 +4,13 @@
 #pragma once
 
 #include "lib/conditioned.hpp"
-#include "lib/potential.hpp"
+#include "lib/model_coefficients.hpp"
 
 namespace stationary {
 
-template <template <class> class Model>
-Model<Conditioned> conditioned_model(const Model<double>& model) {
-  const auto c = model.coefficients();
-  return {Conditioned::input(c[0]), Conditioned::input(c[1])};
-}
-
-template <class Plane, class Thickness>
-auto conditioned_model(const Separable<Plane, Thickness>& model) {
-  const auto plane = conditioned_model(model.plane);
-  const auto thickness = conditioned_model(model.thickness);
-  return Separable<std::remove_cv_t<decltype(plane)>, std::remove_cv_t<decltype(thickness)>>{
-      plane, thickness};
+template <class Model>
+auto conditioned_model(const Model& model) {
+  return with_coefficients(model, Conditioned::input);
 }
 
 }  // namespace stationary

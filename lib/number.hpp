@@ -34,6 +34,12 @@ constexpr const T& renormalized(const T& x) {
   return x;
 }
 
+/// x^2; an interval's is never negative (interval.hpp).
+template <class T>
+constexpr T square(const T& x) {
+  return x * x;
+}
+
 /// The type of a coefficient times a state: the coefficient may be the wider one (a derivative in
 /// it).
 template <class C, class S>

@@ -25,6 +25,20 @@ struct Biot {
   std::array<bool, 2> in_domain() const { return {mu > 0.0, mu + lambda > 0.0}; }
   double rest_stretch() const { return 1.0; }
 
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& c_xi,
+                                        const S& c_zeta) const {
+    const auto stiffness = 2.0 * mu + lambda;
+    const auto load = 2.0 * (mu + lambda);
+    const auto force_xi = (stiffness - c_xi) * xi;
+    const auto force_zeta = (stiffness - c_zeta) * zeta;
+    return {.g_xi = xi * (force_xi + lambda * zeta - load),
+            .g_zeta = zeta * (force_zeta + lambda * xi - load),
+            .uu = xi * (2.0 * force_xi + lambda * zeta - load),
+            .uv = lambda * (xi * zeta),
+            .vv = zeta * (2.0 * force_zeta + lambda * xi - load)};
+  }
+
   template <int order, class S>
   PlanarDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x) const {
     PlanarDerivatives<Product<C, S>> out;

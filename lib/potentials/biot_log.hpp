@@ -25,6 +25,20 @@ struct BiotLog {
   std::array<bool, 2> in_domain() const { return {mu > 0.0, mu + lambda > 0.0}; }
   double rest_stretch() const { return 1.0; }
 
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& c_xi,
+                                        const S& c_zeta) const {
+    using std::log;
+    const auto volumetric = lambda * log(xi * zeta);
+    const auto force_xi = (2.0 * mu - c_xi) * xi;
+    const auto force_zeta = (2.0 * mu - c_zeta) * zeta;
+    return {.g_xi = xi * (force_xi - 2.0 * mu) + volumetric,
+            .g_zeta = zeta * (force_zeta - 2.0 * mu) + volumetric,
+            .uu = xi * (2.0 * force_xi - 2.0 * mu) + lambda,
+            .uv = Product<C, S>(lambda),
+            .vv = zeta * (2.0 * force_zeta - 2.0 * mu) + lambda};
+  }
+
   template <int order, class S>
   PlanarDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x) const {
     using std::log;

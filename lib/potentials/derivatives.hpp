@@ -4,8 +4,14 @@
 // cost nothing (d and rho are positive), and what a solve needs is W_l = d dW/dd and W_r = rho
 // dW/drho, in which most models have no division at all. order = 0, 1, 2 says how far to
 // differentiate; what was not asked for is NaN.
+//
+// A model also gives its balance at alpha = 0 directly, log_balance(xi, zeta, c_xi, c_zeta): in the
+// stretches themselves, the centrifugal terms gathered with the elastic ones, each variable as
+// rarely as can be. Evaluated over intervals that is far narrower than the way through t and l,
+// where tr S^2 = t^2 - 2 d cancels.
 #pragma once
 
+#include "lib/log_balance.hpp"
 #include "lib/number.hpp"
 
 namespace stationary {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "lib/interval.hpp"
 #include "lib/potentials/derivatives.hpp"
 #include "lib/stretch.hpp"
 
@@ -72,6 +73,49 @@ AtanhRatio<S> atanh_ratio(const PlanarInvariants<S>& q, const S& x, const S& one
   return out;
 }
 
+/// B and B' at x in [0, 1), with y = 1 - x: by the series below 1/4, its rest summed as geometric.
+template <int order>
+AtanhRatio<Interval> atanh_ratio_at(const Interval& x, const Interval& y) {
+  AtanhRatio<Interval> out;
+  if (x.hi < 0.25) {
+    // The terms from x^(last + 1) on, over x^last: at most a geometric series, and its slope.
+    constexpr int last = 30;
+    const Interval rest = Interval(0.0, 1.0) * odd_reciprocal<Interval>(last + 1) / y;
+    Interval b = odd_reciprocal<Interval>(last) + x * rest;
+    Interval b_x = rest / y;
+    for (int k = last - 1; k >= 0; --k) {
+      if constexpr (order >= 2) b_x = b_x * x + b;
+      b = b * x + odd_reciprocal<Interval>(k);
+    }
+    out.b = b;
+    if constexpr (order >= 2) out.b_x = b_x;
+  } else {
+    const Interval root = sqrt(x);
+    out.b = log(square(Interval(1.0) + root) / y) / (2.0 * root);
+    if constexpr (order >= 2) out.b_x = (Interval(1.0) / y - out.b) / (2.0 * x);
+  }
+  return out;
+}
+
+/// Over an interval: all terms of the series are positive, so B and B' increase with x and its ends
+/// decide, each with the formula that is right there.
+template <int order>
+AtanhRatio<Interval> atanh_ratio(const PlanarInvariants<Interval>&, const Interval& x,
+                                 const Interval& one_minus_x) {
+  AtanhRatio<Interval> out{Interval::entire(), Interval::entire()};
+  if (!one_minus_x.positive() || !x.bounded()) return out;
+  const Interval smallest(std::max(x.lo, 0.0));
+  const Interval rest(one_minus_x.lo);
+  const Interval largest = Interval(1.0) - rest;
+  const auto least = atanh_ratio_at<order>(smallest, Interval(1.0) - smallest);
+  const Interval end(x.hi);
+  const auto most = largest.lo > x.hi ? atanh_ratio_at<order>(end, Interval(1.0) - end)
+                                      : atanh_ratio_at<order>(largest, rest);
+  out.b = {least.b.lo, most.b.hi};
+  if constexpr (order >= 2) out.b_x = {least.b_x.lo, most.b_x.hi};
+  return out;
+}
+
 template <class C = double>
 struct Hencky {
   C mu;
@@ -85,6 +129,23 @@ struct Hencky {
   std::array<C, 2> coefficients() const { return {mu, lambda}; }
   std::array<bool, 2> in_domain() const { return {mu > 0.0, mu + lambda > 0.0}; }
   double rest_stretch() const { return 1.0; }
+
+  /// In u = ln xi, v = ln zeta W is quadratic: mu (u^2 + v^2) + (lambda/2) (u + v)^2.
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& c_xi,
+                                        const S& c_zeta) const {
+    using std::log;
+    const S u = log(xi);
+    const S v = log(zeta);
+    const auto own = 2.0 * mu + lambda;
+    const S pull_xi = c_xi * square(xi);
+    const S pull_zeta = c_zeta * square(zeta);
+    return {.g_xi = own * u + lambda * v - pull_xi,
+            .g_zeta = own * v + lambda * u - pull_zeta,
+            .uu = own - 2.0 * pull_xi,
+            .uv = Product<C, S>(lambda),
+            .vv = own - 2.0 * pull_zeta};
+  }
 
   template <int order, class S>
   PlanarDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& q) const {

@@ -25,6 +25,20 @@ struct NeoHookean {
   std::array<bool, 2> in_domain() const { return {mu > 0.0, mu + lambda > 0.0}; }
   double rest_stretch() const { return 1.0; }
 
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& c_xi,
+                                        const S& c_zeta) const {
+    using std::log;
+    const auto pressure = lambda * log(xi * zeta) - mu;
+    const auto square_xi = (mu - c_xi) * square(xi);
+    const auto square_zeta = (mu - c_zeta) * square(zeta);
+    return {.g_xi = square_xi + pressure,
+            .g_zeta = square_zeta + pressure,
+            .uu = 2.0 * square_xi + lambda,
+            .uv = Product<C, S>(lambda),
+            .vv = 2.0 * square_zeta + lambda};
+  }
+
   template <int order, class S>
   PlanarDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x) const {
     using std::log;

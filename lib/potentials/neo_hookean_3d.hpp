@@ -27,6 +27,26 @@ struct NeoHookean3d {
   double rest_stretch() const { return 1.0; }
   double rest_thickness() const { return 1.0; }
 
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& rho, const S& c_xi,
+                                        const S& c_zeta, const S& c_rho) const {
+    using std::log;
+    using R = Product<C, S>;
+    const auto pressure = lambda * log(xi * zeta * rho) - mu;
+    const auto square_xi = (mu - c_xi) * square(xi);
+    const auto square_zeta = (mu - c_zeta) * square(zeta);
+    const auto square_rho = (mu - c_rho) * square(rho);
+    return {.g_xi = square_xi + pressure,
+            .g_zeta = square_zeta + pressure,
+            .g_rho = square_rho + pressure,
+            .uu = 2.0 * square_xi + lambda,
+            .uv = R(lambda),
+            .vv = 2.0 * square_zeta + lambda,
+            .uw = R(lambda),
+            .vw = R(lambda),
+            .ww = 2.0 * square_rho + lambda};
+  }
+
   template <int order, class S>
   CoupledDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x, const S& rho) const {
     using std::log;

@@ -29,6 +29,19 @@ struct ReciprocalDeterminant {
     return sqrt(sqrt(leading(c) / leading(k)));
   }
 
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& c_xi,
+                                        const S& c_zeta) const {
+    const auto reciprocal = c / (xi * zeta);
+    const auto square_xi = (k - c_xi) * square(xi);
+    const auto square_zeta = (k - c_zeta) * square(zeta);
+    return {.g_xi = square_xi - reciprocal,
+            .g_zeta = square_zeta - reciprocal,
+            .uu = 2.0 * square_xi + reciprocal,
+            .uv = reciprocal,
+            .vv = 2.0 * square_zeta + reciprocal};
+  }
+
   template <int order, class S>
   PlanarDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x) const {
     PlanarDerivatives<Product<C, S>> out;

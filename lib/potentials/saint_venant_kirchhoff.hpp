@@ -25,6 +25,22 @@ struct SaintVenantKirchhoff {
   std::array<bool, 2> in_domain() const { return {mu > 0.0, mu + lambda > 0.0}; }
   double rest_stretch() const { return 1.0; }
 
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& c_xi,
+                                        const S& c_zeta) const {
+    const S x = square(xi);
+    const S z = square(zeta);
+    const auto own = mu + 0.5 * lambda;
+    const auto cross = 0.5 * lambda;
+    const auto load_xi = mu + lambda + c_xi;
+    const auto load_zeta = mu + lambda + c_zeta;
+    return {.g_xi = x * (own * x + cross * z - load_xi),
+            .g_zeta = z * (own * z + cross * x - load_zeta),
+            .uu = x * (4.0 * own * x + 2.0 * cross * z - 2.0 * load_xi),
+            .uv = 2.0 * cross * (x * z),
+            .vv = z * (4.0 * own * z + 2.0 * cross * x - 2.0 * load_zeta)};
+  }
+
   template <int order, class S>
   PlanarDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x) const {
     PlanarDerivatives<Product<C, S>> out;

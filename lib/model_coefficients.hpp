@@ -1,0 +1,28 @@
+// A model with its coefficients as numbers of another type: inputs of a computation that asks what
+// they do to it (conditioning), or that they are known to half a unit of their last place
+// (intervals).
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "lib/potential.hpp"
+
+namespace stationary {
+
+/// convert(c) of each coefficient c.
+template <template <class> class Model, class Convert>
+auto with_coefficients(const Model<double>& model, const Convert& convert) {
+  const auto c = model.coefficients();
+  return Model<std::remove_cvref_t<decltype(convert(c[0]))>>{convert(c[0]), convert(c[1])};
+}
+
+template <class Plane, class Thickness, class Convert>
+auto with_coefficients(const Separable<Plane, Thickness>& model, const Convert& convert) {
+  const auto plane = with_coefficients(model.plane, convert);
+  const auto thickness = with_coefficients(model.thickness, convert);
+  return Separable<std::remove_cv_t<decltype(plane)>, std::remove_cv_t<decltype(thickness)>>{
+      plane, thickness};
+}
+
+}  // namespace stationary
