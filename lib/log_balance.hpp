@@ -21,4 +21,29 @@ struct LogBalance {
   S ww = poison<S>();
 };
 
+/// A balance that is linear in X = xi^p, Z = zeta^p:
+///   G_xi = X (a_xi X + cross Z - load_xi),  G_zeta = Z (a_zeta Z + cross X - load_zeta).
+template <class S>
+struct LinearBalance {
+  S a_xi;
+  S a_zeta;
+  S cross;
+  S load_xi;
+  S load_zeta;
+};
+
+template <int p, class S, class Q>
+LogBalance<S> log_balance(const LinearBalance<S>& b, const Q& X, const Q& Z) {
+  const S stiff_xi = b.a_xi * X;
+  const S stiff_zeta = b.a_zeta * Z;
+  const S rest_xi = b.cross * Z - b.load_xi;
+  const S rest_zeta = b.cross * X - b.load_zeta;
+  constexpr double power = p;
+  return {.g_xi = X * (stiff_xi + rest_xi),
+          .g_zeta = Z * (stiff_zeta + rest_zeta),
+          .uu = power * X * (2.0 * stiff_xi + rest_xi),
+          .uv = power * b.cross * (X * Z),
+          .vv = power * Z * (2.0 * stiff_zeta + rest_zeta)};
+}
+
 }  // namespace stationary

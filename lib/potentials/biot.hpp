@@ -25,18 +25,18 @@ struct Biot {
   std::array<bool, 2> in_domain() const { return {mu > 0.0, mu + lambda > 0.0}; }
   double rest_stretch() const { return 1.0; }
 
+  /// In the stretches themselves.
+  static constexpr int balance_power = 1;
+  template <class S>
+  LinearBalance<Product<C, S>> linear_balance(const S& c_xi, const S& c_zeta) const {
+    const auto stiffness = 2.0 * mu + lambda;
+    const Product<C, S> load = 2.0 * (mu + lambda);
+    return {stiffness - c_xi, stiffness - c_zeta, lambda, load, load};
+  }
   template <class S>
   LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& c_xi,
                                         const S& c_zeta) const {
-    const auto stiffness = 2.0 * mu + lambda;
-    const auto load = 2.0 * (mu + lambda);
-    const auto force_xi = (stiffness - c_xi) * xi;
-    const auto force_zeta = (stiffness - c_zeta) * zeta;
-    return {.g_xi = xi * (force_xi + lambda * zeta - load),
-            .g_zeta = zeta * (force_zeta + lambda * xi - load),
-            .uu = xi * (2.0 * force_xi + lambda * zeta - load),
-            .uv = lambda * (xi * zeta),
-            .vv = zeta * (2.0 * force_zeta + lambda * xi - load)};
+    return stationary::log_balance<balance_power>(linear_balance(c_xi, c_zeta), xi, zeta);
   }
 
   template <int order, class S>

@@ -25,20 +25,19 @@ struct SaintVenantKirchhoff {
   std::array<bool, 2> in_domain() const { return {mu > 0.0, mu + lambda > 0.0}; }
   double rest_stretch() const { return 1.0; }
 
+  /// In the squares of the stretches.
+  static constexpr int balance_power = 2;
+  template <class S>
+  LinearBalance<Product<C, S>> linear_balance(const S& c_xi, const S& c_zeta) const {
+    const Product<C, S> own = mu + 0.5 * lambda;
+    const auto load = mu + lambda;
+    return {own, own, 0.5 * lambda, load + c_xi, load + c_zeta};
+  }
   template <class S>
   LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& c_xi,
                                         const S& c_zeta) const {
-    const S x = square(xi);
-    const S z = square(zeta);
-    const auto own = mu + 0.5 * lambda;
-    const auto cross = 0.5 * lambda;
-    const auto load_xi = mu + lambda + c_xi;
-    const auto load_zeta = mu + lambda + c_zeta;
-    return {.g_xi = x * (own * x + cross * z - load_xi),
-            .g_zeta = z * (own * z + cross * x - load_zeta),
-            .uu = x * (4.0 * own * x + 2.0 * cross * z - 2.0 * load_xi),
-            .uv = 2.0 * cross * (x * z),
-            .vv = z * (4.0 * own * z + 2.0 * cross * x - 2.0 * load_zeta)};
+    return stationary::log_balance<balance_power>(linear_balance(c_xi, c_zeta), square(xi),
+                                                  square(zeta));
   }
 
   template <int order, class S>

@@ -1,0 +1,50 @@
+// Proofs about one stationary ellipsoid: that near the numbers of an Equilibrium there is exactly
+// one (Krawczyk's test, krawczyk.hpp), how far from it the numbers are at most, and where its
+// spectrum lies.
+//
+// Inputs (J, coefficients, nu) are by default decimals within half a unit of the last place of the
+// doubles they were read as, as for Equilibrium::error_bound: the proof is for every such case.
+// Refused: alpha != 0 (solutions of the balance that have it are no stationary motions, or another
+// choice of the angle), numbers proven to be no solution to working precision, and what the
+// intervals do not decide (a fold within rounding errors).
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "lib/spectrum_enclosure.hpp"
+#include "solver/equilibrium.hpp"
+#include "solver/interval_system.hpp"
+
+namespace stationary {
+
+struct StretchBox {
+  Interval xi;
+  Interval zeta;
+  Interval rho;
+};
+
+struct Certificate {
+  bool proven = false;
+  std::string reason;   ///< why not
+  StretchBox unique;    ///< holds exactly one solution with alpha = 0
+  StretchBox solution;  ///< where it lies in there
+  bool circle = false;  ///< proven: xi = zeta, by symmetry
+  /// Proven bound of the relative error of each of xi, zeta, rho; NaN where not proven.
+  double error_bound = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Whether the balance is unchanged with xi and zeta exchanged: at rest, and for J1 = J2 in (iii).
+bool mirror_symmetric(const Problem& problem, double nu);
+
+/// At the equilibrium's q and nu; its status and error_bound are not read.
+Certificate certify(const Problem& problem, const Equilibrium& equilibrium,
+                    Inputs inputs = Inputs::decimals);
+
+/// Enclosures for the modes of `spectrum`, stability()'s of the same equilibrium. Throws
+/// std::invalid_argument unless the certificate is proven.
+SpectrumEnclosure enclose_spectrum(const Problem& problem, const Equilibrium& equilibrium,
+                                   const Certificate& certificate, const Spectrum& spectrum,
+                                   Inputs inputs = Inputs::decimals);
+
+}  // namespace stationary

@@ -1,0 +1,98 @@
+// The reduced balance over a box of stretches X, in interval arithmetic: every G(x) and every
+// dG/d ln x, x in X, lies in what linearize(X) returns, whatever values the inputs have in theirs.
+//
+// The three systems of reduced_system.hpp with coefficients and centrifugal rates as intervals, and
+// with the models' log_balance(), which is the narrower form over an interval.
+#pragma once
+
+#include <array>
+
+#include "lib/balance.hpp"
+#include "lib/interval.hpp"
+#include "lib/model_coefficients.hpp"
+#include "solver/reduced_system.hpp"
+
+namespace stationary {
+
+template <int N>
+using Box = std::array<Interval, N>;
+
+/// Whether the numbers of a case are the doubles they were read as, or decimals within half a unit
+/// of the last place of those.
+enum class Inputs { doubles, decimals };
+
+inline Interval as_input(double x, Inputs inputs) {
+  return inputs == Inputs::doubles ? Interval(x) : Interval::decimal(x);
+}
+
+/// Residual and Jacobian over a box; the upper triangle as SmallSymmetric has it.
+template <int N>
+struct BoxLinearized {
+  Box<N> g;
+  Box<N*(N + 1) / 2> jacobian;
+
+  const Interval& operator()(int i, int j) const {
+    return jacobian[static_cast<std::size_t>(SmallSymmetric<N>::index(i, j))];
+  }
+  /// The middle of the Jacobian.
+  SmallSymmetric<N> middle() const {
+    SmallSymmetric<N> out;
+    for (std::size_t k = 0; k < jacobian.size(); ++k) out.entries[k] = jacobian[k].mid();
+    return out;
+  }
+};
+
+template <class Thickness>
+struct ThicknessBoxSystem {
+  static constexpr int dimension = 1;
+  Thickness model;
+  Interval rate;
+
+  BoxLinearized<1> linearize(const Box<1>& x) const {
+    const auto v = model.template evaluate<2>(x[0]);
+    const Interval pull = rate * square(x[0]);
+    return {{v.v_r - pull}, {v.v_rr - 2.0 * pull}};
+  }
+};
+
+template <class Plane>
+struct PlanarBoxSystem {
+  static constexpr int dimension = 2;
+  Plane model;
+  CentrifugalRates<Interval> rates;
+
+  BoxLinearized<2> linearize(const Box<2>& x) const {
+    const auto b = model.log_balance(x[0], x[1], rates.xi, rates.zeta);
+    return {{b.g_xi, b.g_zeta}, {b.uu, b.uv, b.vv}};
+  }
+  /// Holds every solution, where the balance is linear in powers of the stretches and regular
+  /// (Cramer's rule); entire elsewhere.
+  Box<2> solution_box() const {
+    Box<2> out{Interval::entire(), Interval::entire()};
+    if constexpr (requires { model.balance_power; }) {
+      const auto b = model.linear_balance(rates.xi, rates.zeta);
+      const Interval det = b.a_xi * b.a_zeta - square(b.cross);
+      out[0] = (b.load_xi * b.a_zeta - b.load_zeta * b.cross) / det;
+      out[1] = (b.load_zeta * b.a_xi - b.load_xi * b.cross) / det;
+      if constexpr (Plane::balance_power == 2) {
+        for (Interval& x : out)
+          if (x.bounded()) x = x.negative() ? x : sqrt(Interval(std::max(x.lo, 0.0), x.hi));
+      }
+    }
+    return out;
+  }
+};
+
+template <class Coupled>
+struct CoupledBoxSystem {
+  static constexpr int dimension = 3;
+  Coupled model;
+  CentrifugalRates<Interval> rates;
+
+  BoxLinearized<3> linearize(const Box<3>& x) const {
+    const auto b = model.log_balance(x[0], x[1], x[2], rates.xi, rates.zeta, rates.rho);
+    return {{b.g_xi, b.g_zeta, b.g_rho}, {b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}};
+  }
+};
+
+}  // namespace stationary
