@@ -1,0 +1,142 @@
+#include "solver/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <tuple>
+
+#include "solver/box_systems.hpp"
+#include "solver/branch_and_prune.hpp"
+
+namespace stationary {
+namespace {
+
+class Search {
+ public:
+  Search(const Problem& problem, double nu, const SearchOptions& options)
+      : problem_(problem),
+        nu_(nu),
+        options_(options),
+        rates_(problem.rates(two_product(nu, nu))),
+        symmetric_(mirror_symmetric(problem, nu)) {}
+
+  SearchResult run() {
+    problem_.potential().visit([this](const auto& model) { run_model(model); });
+    std::ranges::sort(out_.solutions, {}, [](const Equilibrium& each) {
+      return std::tuple(each.q.xi, each.q.zeta, each.q.rho);
+    });
+    if (out_.status != SearchStatus::interrupted) {
+      out_.status = out_.undecided.empty() ? SearchStatus::complete : SearchStatus::undecided;
+    }
+    out_.message = message();
+    return std::move(out_);
+  }
+
+ private:
+  Interval range() const { return {options_.min_stretch, options_.max_stretch}; }
+
+  template <class System, class BoxSystem>
+  PruneResult<BoxSystem::dimension> prune(const System& system, const BoxSystem& boxes) {
+    const PruneOptions options{
+        .min_width = options_.min_width, .max_boxes = options_.max_boxes, .stop = options_.stop};
+    Box<BoxSystem::dimension> everything;
+    everything.fill(range());
+    auto found =
+        BranchAndPrune<System, BoxSystem>(system, boxes, symmetric_, options).run(everything);
+    out_.boxes += found.boxes;
+    if (found.interrupted) out_.status = SearchStatus::interrupted;
+    return found;
+  }
+
+  template <class Plane, class Thickness>
+  void run_model(const Separable<Plane, Thickness>& model) {
+    const BoxSystems<Separable<Plane, Thickness>> boxes(problem_, model, nu_, options_.inputs);
+    const auto axial =
+        prune(ThicknessSystem<Thickness>{model.thickness, rates_.rho}, boxes.thickness);
+    if (out_.status == SearchStatus::interrupted) return;
+    // No thickness, no ellipsoid: whatever the plane does.
+    if (axial.solutions.empty() && axial.undecided.empty()) return;
+    const auto planar = prune(PlanarSystem<Plane>{model.plane, rates_}, boxes.plane);
+    for (const auto& plane : planar.solutions) {
+      for (const auto& rho : axial.solutions) {
+        add({0.0, plane.x[0], plane.x[1], rho.x[0]},
+            std::max(plane.proof.error_bound, rho.proof.error_bound));
+      }
+      for (const auto& rho : axial.undecided)
+        out_.undecided.push_back({plane.proof.solution[0], plane.proof.solution[1], rho[0]});
+    }
+    for (const auto& plane : planar.undecided) {
+      for (const auto& rho : axial.solutions)
+        out_.undecided.push_back({plane[0], plane[1], rho.proof.solution[0]});
+      for (const auto& rho : axial.undecided)
+        out_.undecided.push_back({plane[0], plane[1], rho[0]});
+    }
+  }
+
+  template <class Coupled>
+  void run_model(const Coupled& model) {
+    const BoxSystems<Coupled> boxes(problem_, model, nu_, options_.inputs);
+    const auto found = prune(CoupledSystem<Coupled>{model, rates_}, boxes.coupled);
+    for (const auto& each : found.solutions)
+      add({0.0, each.x[0], each.x[1], each.x[2]}, each.proof.error_bound);
+    for (const auto& box : found.undecided) out_.undecided.push_back({box[0], box[1], box[2]});
+  }
+
+  void add(const Stretch& q, double error_bound) {
+    Equilibrium found;
+    found.status = SolveStatus::solved;
+    found.message = "exhaustive search: proven to exist";
+    found.q = q;
+    found.nu = angular_velocity(problem_.branch(), nu_);
+    found.error_bound = error_bound;
+    const BalanceCheck check =
+        check_balance(problem_.body(), problem_.potential(), found.q, found.nu);
+    found.residual = check.residual;
+    found.compatibility = check.compatibility;
+    out_.solutions.push_back(found);
+  }
+
+  std::string message() const {
+    std::ostringstream text;
+    text.precision(6);
+    if (out_.status == SearchStatus::interrupted) return "interrupted";
+    const std::size_t count = out_.solutions.size();
+    text << "stretches in [" << options_.min_stretch << ", " << options_.max_stretch << "]: ";
+    if (out_.undecided.empty()) {
+      text << (count == 0 ? "proven that there is none" : "proven to be all");
+      return text.str();
+    }
+    text << count << " proven; not decided whether there are more in";
+    constexpr std::size_t listed = 4;
+    for (std::size_t k = 0; k < std::min(listed, out_.undecided.size()); ++k) {
+      const StretchBox& box = out_.undecided[k];
+      text << (k == 0 ? " " : ", ") << "xi [" << box.xi.lo << ", " << box.xi.hi << "] zeta ["
+           << box.zeta.lo << ", " << box.zeta.hi << "] rho [" << box.rho.lo << ", " << box.rho.hi
+           << "]";
+    }
+    if (out_.undecided.size() > listed)
+      text << " and " << out_.undecided.size() - listed << " more boxes";
+    text << " (a fold, a bifurcation, or solutions that are not isolated)";
+    return text.str();
+  }
+
+  const Problem& problem_;
+  double nu_;
+  const SearchOptions& options_;
+  CentrifugalRates<DoubleDouble> rates_;
+  bool symmetric_;
+  SearchResult out_;
+};
+
+}  // namespace
+
+SearchResult search(const Problem& problem, double nu, const SearchOptions& options) {
+  if (!std::isfinite(nu)) throw std::invalid_argument("nu finite");
+  if (!(options.min_stretch >= 1e-100 && options.min_stretch < options.max_stretch &&
+        options.max_stretch <= 1e100))
+    throw std::invalid_argument("1e-100 <= min_stretch < max_stretch <= 1e100");
+  return Search(problem, nu, options).run();
+}
+
+}  // namespace stationary
