@@ -214,9 +214,9 @@ Case::Solve read_solve(const CaseTree& tree, bool two_polar) {
                    "two-polar motions are searched for globally, by NLopt, then corrected");
   }
   out.all = value_or(tree, "solve.all", false);
-  if (out.all) {
-    throw fault_at(tree, "solve.all", "found true, which is not available in this version",
-                   "false");
+  if (out.all && two_polar) {
+    throw fault_at(tree, "solve.all", "found true with branch \"two-polar\"", "false",
+                   "the exhaustive search covers branches i, ii and iii");
   }
   const std::vector<double> start = numbers(tree, "solve.start");
   if (start.empty()) return out;
@@ -290,13 +290,13 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
   return out;
 }
 
-Case::Output read_output(const CaseTree& tree) {
+Case::Output read_output(const CaseTree& tree, bool two_polar) {
   Case::Output out;
   out.spectrum = value_or(tree, "output.spectrum", true);
   out.certificate = value_or(tree, "output.certificate", false);
-  if (out.certificate) {
-    throw fault_at(tree, "output.certificate", "found true, which is not available in this version",
-                   "false");
+  if (out.certificate && two_polar) {
+    throw fault_at(tree, "output.certificate", "found true with branch \"two-polar\"", "false",
+                   "certificates cover branches i, ii and iii");
   }
   const toml::node* columns = find(tree, "output.columns");
   if (columns == nullptr) return out;
@@ -333,9 +333,10 @@ Case make_case(CaseTree tree) {
   const std::vector<ModelChoice> models = read_models(tree);
   const Case::Motion motion = read_motion(tree, body);
   const std::string title = value_or<std::string>(tree, "title", "");
-  const Case::Solve solve = read_solve(tree, std::holds_alternative<TwoPolarMotion>(motion));
+  const bool two_polar = std::holds_alternative<TwoPolarMotion>(motion);
+  const Case::Solve solve = read_solve(tree, two_polar);
   const auto continuation = read_continuation(tree, {body, models, motion});
-  const Case::Output output = read_output(tree);
+  const Case::Output output = read_output(tree, two_polar);
   return {.title = title,
           .body = body,
           .models = models,

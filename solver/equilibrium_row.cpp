@@ -37,12 +37,13 @@ void fill_errors(const auto& solved, TableRow& row) {
 
 }  // namespace
 
-std::vector<Column> equilibrium_columns(bool two_polar, bool spectrum, bool events) {
+std::vector<Column> equilibrium_columns(const RowParts& parts) {
   std::vector<Column> out;
   for (std::size_t k = 0; k < column_count; ++k) {
     const auto c = static_cast<Column>(k);
-    if ((c == Column::event && !events) || (is_spectral(c) && !spectrum) ||
-        (is_two_polar(c) && !two_polar))
+    if ((c == Column::event && !parts.events) || (is_spectral(c) && !parts.spectrum) ||
+        (is_two_polar(c) && !parts.two_polar) || (is_certificate(c) && !parts.certificate) ||
+        (c == Column::class_certified && !parts.spectrum))
       continue;
     out.push_back(c);
   }
@@ -102,6 +103,17 @@ void fill_spectrum(const Spectrum& spectrum, TableRow& row) {
     row[mode_column(k, ModePart::im)] = mode.im;
     row[mode_column(k, ModePart::krein)] = mode.krein;
   }
+}
+
+void fill_certificate(const Certificate& certificate, TableRow& row) {
+  row.certified = certificate.proven ? "yes" : "no";
+  if (certificate.proven) row[Column::error_bound] = certificate.error_bound;
+}
+
+void fill_class_certificate(const Spectrum& spectrum, const SpectrumEnclosure* enclosure,
+                            TableRow& row) {
+  const bool proven = enclosure != nullptr && enclosure->verdict == spectrum.verdict;
+  row.class_certified = proven ? "yes" : "no";
 }
 
 }  // namespace stationary

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/spectrum.hpp"
+#include "solver/enclosure.hpp"
 #include "solver/equilibrium.hpp"
 #include "solver/family.hpp"
 #include "solver/table.hpp"
@@ -12,9 +13,17 @@
 
 namespace stationary {
 
-/// The columns fill_row(), fill_spectrum() and the caller's sheet and point make up, in order;
-/// with `event` where rows may carry one.
-std::vector<Column> equilibrium_columns(bool two_polar, bool spectrum, bool events = false);
+/// What a table's rows carry beside the motion, its stretches and their errors.
+struct RowParts {
+  bool two_polar = false;
+  bool events = false;
+  bool spectrum = false;
+  bool certificate = false;
+};
+
+/// The columns fill_row(), fill_spectrum(), fill_certificate() and the caller's sheet, point and
+/// event make up, in order.
+std::vector<Column> equilibrium_columns(const RowParts& parts);
 
 /// Motion, stretch, principal stretches (no angle on the circle), momenta, energy and the errors
 /// of a solved equilibrium; leaves the other columns as they are.
@@ -30,5 +39,11 @@ void fill_row(const Body& body, const Potential& potential, const TwoPolarEquili
 
 /// class ... krein5; modes that do not exist stay empty.
 void fill_spectrum(const Spectrum& spectrum, TableRow& row);
+
+/// certified, with the proven error_bound where there is one; class_certified where a class was
+/// computed (spectrum with its enclosure).
+void fill_certificate(const Certificate& certificate, TableRow& row);
+void fill_class_certificate(const Spectrum& spectrum, const SpectrumEnclosure* enclosure,
+                            TableRow& row);
 
 }  // namespace stationary

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t block_size = 1U << 16U;
 constexpr std::size_t longest_text = 256;   // quoted
 constexpr std::size_t longest_number = 32;  // shortest round trip takes 24
-// Four texts (three columns and, in the header, the parameter) and the rest numbers.
-constexpr std::size_t longest_row = 4 * longest_text + (column_count + 1) * longest_number;
+// Six texts (five columns and, in the header, the parameter) and the rest numbers.
+constexpr std::size_t longest_row = 6 * longest_text + (column_count + 1) * longest_number;
 
 enum class Kind : std::uint8_t { text, count, number };
 
@@ -24,6 +24,8 @@ constexpr Kind kind(Column c) {
     case Column::branch:
     case Column::event:
     case Column::stability:
+    case Column::certified:
+    case Column::class_certified:
       return Kind::text;
     case Column::sheet:
     case Column::point:
@@ -40,7 +42,18 @@ constexpr Kind kind(Column c) {
 }
 
 std::string_view text_of(const TableRow& row, Column c) {
-  return c == Column::branch ? row.branch : c == Column::event ? row.event : row.stability;
+  switch (c) {
+    case Column::branch:
+      return row.branch;
+    case Column::event:
+      return row.event;
+    case Column::certified:
+      return row.certified;
+    case Column::class_certified:
+      return row.class_certified;
+    default:
+      return row.stability;
+  }
 }
 
 }  // namespace

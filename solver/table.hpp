@@ -23,7 +23,8 @@ enum class Column : std::uint8_t {
   branch, sheet, point, event, nu1, nu2, nu3, alpha, xi, zeta, rho, lambda, mu, angle,
   pi1, pi2, pi3, energy, residual, compatibility, error_bound, stability, growth, negative,
   re1, im1, krein1, re2, im2, krein2, re3, im3, krein3, re4, im4, krein4, re5, im5, krein5,
-  omega, theta_dot, s3, p_theta  // the two-polar family's
+  omega, theta_dot, s3, p_theta,  // the two-polar family's
+  certified, class_certified      // with output.certificate
   // clang-format on
 };
 
@@ -34,11 +35,11 @@ constexpr std::string_view column_names[] = {
     "lambda", "mu", "angle", "pi1", "pi2", "pi3", "energy", "residual", "compatibility",
     "error_bound", "class", "growth", "negative", "re1", "im1", "krein1", "re2", "im2", "krein2",
     "re3", "im3", "krein3", "re4", "im4", "krein4", "re5", "im5", "krein5", "omega", "theta_dot",
-    "s3", "p_theta"
+    "s3", "p_theta", "certified", "class_certified"
     // clang-format on
 };
 constexpr std::size_t column_count = std::size(column_names);
-static_assert(column_count == static_cast<std::size_t>(Column::p_theta) + 1);
+static_assert(column_count == static_cast<std::size_t>(Column::class_certified) + 1);
 
 constexpr std::string_view name(Column c) { return column_names[static_cast<std::size_t>(c)]; }
 std::optional<Column> find_column(std::string_view name);
@@ -46,7 +47,9 @@ std::optional<Column> find_column(std::string_view name);
 /// What the linearization gives: class ... krein5.
 constexpr bool is_spectral(Column c) { return c >= Column::stability && c <= Column::krein5; }
 /// What only two-polar motions have.
-constexpr bool is_two_polar(Column c) { return c >= Column::omega; }
+constexpr bool is_two_polar(Column c) { return c >= Column::omega && c <= Column::p_theta; }
+/// "yes" where a proof stands behind the row's stretches and error_bound, and behind its class.
+constexpr bool is_certificate(Column c) { return c >= Column::certified; }
 
 /// Column "branch" of the two-polar family, beside name(Branch).
 constexpr std::string_view two_polar_name = "two-polar";
@@ -63,12 +66,14 @@ struct TableRow {
   std::string_view branch;
   std::string_view event;
   std::string_view stability;  ///< column "class"
+  std::string_view certified;
+  std::string_view class_certified;
   std::array<double, column_count> numbers;
   double parameter;  ///< the trailing column
 
   TableRow() { clear(); }
   void clear() {
-    branch = event = stability = {};
+    branch = event = stability = certified = class_certified = {};
     numbers.fill(std::numeric_limits<double>::quiet_NaN());
     parameter = std::numeric_limits<double>::quiet_NaN();
   }

@@ -289,7 +289,8 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   const bool with_spectrum = wants_spectrum(input, to_table);
   const bool trailing = input.continuation->parameter != "nu";
   const std::vector<Column> columns =
-      chosen_columns(input, equilibrium_columns(false, with_spectrum, true), "continue", trailing);
+      chosen_columns(input, equilibrium_columns({.events = true, .spectrum = with_spectrum}),
+                     "continue", trailing);
   const std::optional<std::string> parameter =
       trailing ? std::optional(input.continuation->parameter) : std::nullopt;
   std::optional<ResumedTable> old;

@@ -65,6 +65,17 @@ bool wants_spectrum(const Case& input, bool to_table) {
 ComputationPlan computation_plan(const Case& input, bool to_table) {
   ComputationPlan out;
   out.computed = input.two_polar() ? two_polar_unknowns(input) : input.problem().plan();
+  if (input.solve.all) {
+    out.computed.push_back({"all solutions", "exhaustive search, with proof",
+                            "every stretch in [1e-3, 1e3]: boxes in interval arithmetic"});
+    if (input.solve.start || input.solve.method != Method::automatic) {
+      out.skipped.push_back({"start, method", "not used", "solve.all = true searches everywhere"});
+    }
+  }
+  if (input.output.certificate) {
+    out.computed.push_back({"certificate", "existence, uniqueness, error bound and class proven",
+                            "interval arithmetic, for all decimals that read as the inputs"});
+  }
   if (wants_spectrum(input, to_table)) {
     out.computed.push_back(spectrum_item(input));
   } else if (!input.output.spectrum) {

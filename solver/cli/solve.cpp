@@ -1,5 +1,5 @@
-// stationary solve CASE: the stationary ellipsoid of a case at its nu, or the two-polar motion at
-// its rates or momenta, and the spectrum there.
+// stationary solve CASE: the stationary ellipsoid of a case at its nu, or every one of them, or the
+// two-polar motion at its rates or momenta, and the spectrum there; with proofs if asked for.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -14,24 +14,55 @@
 #include "solver/cli/plan.hpp"
 #include "solver/cli/report.hpp"
 #include "solver/cli/table_output.hpp"
+#include "solver/enclosure.hpp"
 #include "solver/equilibrium_row.hpp"
+#include "solver/existence.hpp"
+#include "solver/search.hpp"
 #include "solver/stability.hpp"
 
 namespace stationary::cli {
 namespace {
 
+struct Solution {
+  TableRow row;
+  std::optional<Spectrum> spectrum;
+  std::string proof;  ///< what is proven of it, for a person; empty: nothing was asked
+  bool proven = false;
+};
+
 /// What solve found, in whichever family.
 struct Answer {
   SolveStatus status = SolveStatus::not_run;
   std::string message;
+  std::string warning;  ///< what is not proven though it was asked for
   Connection connection = Connection::unknown;
-  Counts counts;
-  std::optional<Spectrum> spectrum;
-  TableRow row;
+  std::vector<std::pair<std::string_view, long>> counts;
+  std::vector<Solution> solutions;  ///< some where solved
   double seconds = 0.0;
 
   bool solved() const { return status == SolveStatus::solved; }
 };
+
+/// What a solved equilibrium leaves in the table, with its proof if the case asks for one.
+Solution solution_of(const Case& input, const Problem& problem, const Equilibrium& found,
+                     bool with_spectrum) {
+  Solution out;
+  fill_row(problem, found, out.row);
+  if (with_spectrum) out.spectrum = stability(problem, found);
+  if (!input.output.certificate) return out;
+  const Certificate certificate = certify(problem, found);
+  fill_certificate(certificate, out.row);
+  out.proven = certificate.proven;
+  out.proof = certificate.proven ? "exactly one stationary ellipsoid is within the error bound"
+                                 : "not proven: " + certificate.reason;
+  if (!out.spectrum) return out;
+  std::optional<SpectrumEnclosure> enclosure;
+  if (certificate.proven) enclosure = enclose_spectrum(problem, found, certificate, *out.spectrum);
+  fill_class_certificate(*out.spectrum, enclosure ? &*enclosure : nullptr, out.row);
+  out.proof +=
+      out.row.class_certified == "yes" ? "; its class is proven too" : "; its class is not proven";
+  return out;
+}
 
 Answer answer(const Case& input, const AxisRotation& motion, const SolveOptions& options,
               bool with_spectrum) {
@@ -41,10 +72,40 @@ Answer answer(const Case& input, const AxisRotation& motion, const SolveOptions&
   out.status = found.status;
   out.message = found.message;
   out.connection = found.connection;
-  out.counts = found.counts;
+  out.counts = named_counts(found.counts);
   if (!out.solved()) return out;
-  fill_row(problem, found, out.row);
-  if (with_spectrum) out.spectrum = stability(problem, found);
+  out.solutions.push_back(solution_of(input, problem, found, with_spectrum));
+  if (input.output.certificate && !out.solutions[0].proven) out.warning = out.solutions[0].proof;
+  return out;
+}
+
+/// Every solution, by exhaustive search.
+Answer every_answer(const Case& input, const AxisRotation& motion, const SolveOptions& options,
+                    bool with_spectrum) {
+  const Problem problem = input.problem();
+  const SearchResult found = search(problem, motion.nu, {.stop = options.stop});
+  Answer out;
+  out.message = found.message;
+  out.counts = {{"boxes", found.boxes},
+                {"proven", static_cast<long>(found.solutions.size())},
+                {"undecided", static_cast<long>(found.undecided.size())}};
+  if (found.status == SearchStatus::interrupted) {
+    out.status = SolveStatus::interrupted;
+    return out;
+  }
+  for (const Equilibrium& each : found.solutions)
+    out.solutions.push_back(solution_of(input, problem, each, with_spectrum));
+  const bool complete = found.status == SearchStatus::complete;
+  if (!out.solutions.empty()) {
+    out.status = SolveStatus::solved;
+    if (!complete) out.warning = found.message;
+  } else if (complete) {
+    out.status = SolveStatus::none_exists;
+    if (const auto reason = nonexistence_reason(problem, motion.nu))
+      out.message += "; with other stretches neither: " + *reason;
+  } else {
+    out.status = SolveStatus::failed;
+  }
   return out;
 }
 
@@ -55,10 +116,11 @@ Answer answer(const Case& input, const TwoPolarMotion& motion, const SolveOption
   out.status = found.status;
   out.message = found.message;
   if (options.start && !found.circle) out.connection = Connection::given_start;
-  out.counts = found.counts;
+  out.counts = named_counts(found.counts);
   if (!out.solved()) return out;
-  fill_row(input.body, input.potential, found, out.row);
-  if (with_spectrum) out.spectrum = stability(input.body, input.potential, found);
+  Solution& only = out.solutions.emplace_back();
+  fill_row(input.body, input.potential, found, only.row);
+  if (with_spectrum) only.spectrum = stability(input.body, input.potential, found);
   return out;
 }
 
@@ -68,28 +130,31 @@ Answer timed_answer(const Case& input, const ComputeOptions& options, bool with_
                                    .threads = options.threads,
                                    .stop = &stop_on_signals()};
   const auto begin = std::chrono::steady_clock::now();
-  Answer out = std::visit(
-      [&](const auto& motion) { return answer(input, motion, solve_options, with_spectrum); },
-      input.motion);
+  Answer out = input.solve.all ? every_answer(input, std::get<AxisRotation>(input.motion),
+                                              solve_options, with_spectrum)
+                               : std::visit(
+                                     [&](const auto& motion) {
+                                       return answer(input, motion, solve_options, with_spectrum);
+                                     },
+                                     input.motion);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (!out.solved()) return out;
-  out.row[Column::sheet] = 1;
-  out.row[Column::point] = 0;
-  if (out.spectrum) fill_spectrum(*out.spectrum, out.row);
-  return out;
-}
-
-/// Evaluation counts of the whole answer, by name.
-std::vector<std::pair<std::string_view, long>> counts_of(const Answer& found) {
-  auto out = named_counts(found.counts);
-  out.emplace_back("spectra", found.spectrum ? 1 : 0);
+  long spectra = 0;
+  int sheet = 0;
+  for (Solution& each : out.solutions) {
+    each.row[Column::sheet] = ++sheet;
+    each.row[Column::point] = 0;
+    if (!each.spectrum) continue;
+    fill_spectrum(*each.spectrum, each.row);
+    ++spectra;
+  }
+  out.counts.emplace_back("spectra", spectra);
   return out;
 }
 
 std::string cost_text(const Answer& found) {
   std::string out = fmt::format("{:.1e} s", found.seconds);
   bool first = true;
-  for (const auto& [what, count] : counts_of(found)) {
+  for (const auto& [what, count] : found.counts) {
     if (count == 0) continue;
     std::string words(what);
     for (char& c : words)
@@ -119,26 +184,36 @@ void add_state(Report& out, const Case& input, const TableRow& row) {
   out.row("energy", {{"T + V ", row[Column::energy]}});
 }
 
-std::string summary(const Case& input, const Answer& found) {
-  constexpr std::size_t label_width = 14;
-  Report out(label_width);
-  const TableRow& row = found.row;
-  if (!input.title.empty()) out.line("case", printable(input.title));
-  out.line("motion", motion_text(input.motion));
-  out.line("found", found.message.empty() ? "solved" : found.message);
-  out.line("connection", name(found.connection));
-  out.gap();
+void add_solution(Report& out, const Case& input, const Solution& solution) {
+  const TableRow& row = solution.row;
   add_state(out, input, row);
   out.gap();
   out.line("residual", fmt::format("{:.1e} of the largest term", row[Column::residual]));
   out.line("compatible to", fmt::format("{:.1e} of the largest term", row[Column::compatibility]));
-  out.line("error bound",
-           fmt::format("{:.1e} relative, of S (estimated)", row[Column::error_bound]));
-  if (found.spectrum) {
+  out.line("error bound", fmt::format("{:.1e} relative, of S ({})", row[Column::error_bound],
+                                      input.solve.all || solution.proven ? "proven" : "estimated"));
+  if (!solution.proof.empty()) out.line("certificate", solution.proof);
+  if (solution.spectrum) {
     out.gap();
-    add_spectrum(out, *found.spectrum);
+    add_spectrum(out, *solution.spectrum);
   }
   out.gap();
+}
+
+std::string summary(const Case& input, const Answer& found) {
+  constexpr std::size_t label_width = 14;
+  Report out(label_width);
+  if (!input.title.empty()) out.line("case", printable(input.title));
+  out.line("motion", motion_text(input.motion));
+  out.line("found", found.message.empty() ? "solved" : found.message);
+  if (!input.solve.all) out.line("connection", name(found.connection));
+  out.gap();
+  for (const Solution& each : found.solutions) {
+    if (input.solve.all)
+      out.line(fmt::format("solution {}", each.row[Column::sheet]),
+               fmt::format("of {}", found.solutions.size()));
+    add_solution(out, input, each);
+  }
   out.line("cost", cost_text(found));
   out.gap();
   const ComputationPlan plan = computation_plan(input, false);
@@ -154,24 +229,42 @@ Metadata describe(const Session& session, const Case& input, const Answer& found
   out.command_line = session.command_line;
   out.input = &input;
   out.seconds = found.seconds;
-  out.counts = counts_of(found);
+  out.counts = found.counts;
   out.plan = std::move(plan.computed);
   out.skipped = std::move(plan.skipped);
-  out.outcome = {{"command", "solve"},
-                 {"status", std::string(outcome(found.status))},
-                 {"method", std::string(name(input.solve.method))},
-                 {"connection", std::string(name(found.connection))},
-                 {"message", found.message}};
-  if (found.spectrum) out.outcome.emplace_back("class", name(found.spectrum->verdict));
+  out.outcome = {
+      {"command", "solve"},
+      {"status", std::string(outcome(found.status))},
+      {"method", std::string(input.solve.all ? "exhaustive search" : name(input.solve.method))},
+      {"connection", std::string(name(found.connection))},
+      {"message", found.message}};
+  if (!found.warning.empty()) out.outcome.emplace_back("warning", found.warning);
+  if (found.solutions.size() == 1 && found.solutions[0].spectrum)
+    out.outcome.emplace_back("class", name(found.solutions[0].spectrum->verdict));
   return out;
 }
 
-ExitCode solve_case(const ComputeOptions& options, const Session& session) {
-  const Case input = options.read();
+struct SolveCaseOptions : ComputeOptions {
+  bool certify = false;
+};
+
+ExitCode solve_case(const SolveCaseOptions& options, const Session& session) {
+  Case input = options.read();
+  if (options.certify) {
+    if (input.two_polar()) {
+      throw InputError(Origin::of_option("--certify"), "", "found it with branch \"two-polar\"",
+                       "branch \"i\", \"ii\" or \"iii\"");
+    }
+    input.output.certificate = true;
+  }
   const bool to_table = !options.output.empty();
   const bool with_spectrum = wants_spectrum(input, to_table);
   const std::vector<Column> columns =
-      chosen_columns(input, equilibrium_columns(input.two_polar(), with_spectrum), "solve", false);
+      chosen_columns(input,
+                     equilibrium_columns({.two_polar = input.two_polar(),
+                                          .spectrum = with_spectrum,
+                                          .certificate = input.output.certificate}),
+                     "solve", false);
   std::optional<TableOutput> output;
   if (to_table) output.emplace(options.output, options.path);
 
@@ -179,11 +272,13 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
   const ExitCode code = exit_code(found.status);
   if (!found.solved()) {
     complain(failure_text(found.status, found.message));
+  } else if (!found.warning.empty()) {
+    complain(found.warning);
   }
   // That there is no equilibrium is an answer, and its table has no rows; a failure is none.
   if (output && (found.solved() || code == ExitCode::no_equilibrium)) {
     TableWriter table(output->sink(), columns);
-    if (found.solved()) table.write(found.row);
+    for (const Solution& each : found.solutions) table.write(each.row);
     table.flush();
     Metadata metadata = describe(session, input, found);
     metadata.rows = table.rows();
@@ -198,8 +293,10 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
 void add_solve(CLI::App& program, Session& session) {
   CLI::App& command =
       add_command(program, "solve", "Find the stationary ellipsoid of a case, and its spectrum");
-  const auto options = std::make_shared<ComputeOptions>();
+  const auto options = std::make_shared<SolveCaseOptions>();
   options->add_to(command);
+  command.add_flag("--certify", options->certify,
+                   "Prove each solution and its error bound, as output.certificate = true");
   command.callback([options, &session] {
     session.action = [options, &session] { return solve_case(*options, session); };
   });

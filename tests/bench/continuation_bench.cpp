@@ -75,7 +75,7 @@ class TemporaryFile final : public ByteSink {
 
 void to_table(benchmark::State& state, const Case& c) {
   const FollowOptions options = range(0.0, last_nu, 1e-10);
-  const std::vector<Column> columns = equilibrium_columns(false, true, true);
+  const std::vector<Column> columns = equilibrium_columns({.events = true, .spectrum = true});
   TemporaryFile file;
   long rows = 0;
   for (auto _ : state) {

@@ -1,0 +1,183 @@
+// solve.all and output.certificate from outside: rows, columns, exit codes, messages, metadata.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/cli/program.hpp"
+#include "tests/cli/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+const std::string apart = STATIONARY_CASES "/apart.toml";
+const std::string disc = STATIONARY_CASES "/disc.toml";
+
+Outcome solve(const std::string& file, std::vector<std::string> more) {
+  std::vector<std::string> arguments{"solve", file};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_program(arguments);
+}
+
+/// (iii), J1 = J2, neo-hookean at J nu^2 = mu: a line of solutions.
+constexpr const char* continuum = R"([body]
+J = [1.0, 1.0, 0.6]
+[potential]
+plane     = { model = "neo-hookean", mu = 1.0, lambda = 2.0 }
+thickness = { model = "harmonic", k = 1.0, rest = 3.0 }
+[motion]
+branch = "iii"
+nu = 1.0
+[solve]
+all = true
+)";
+
+TEST(SolveAll, OneRowASheet) {
+  const Outcome outcome = solve(apart, {"-o", "-", "--set", "solve.all=true"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_THAT(std::string(header_of(outcome.out)), Not(HasSubstr("certified")));
+  auto rows = rows_of(outcome.out);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_NEAR(number(rows[0]["xi"]), 48.91, 0.01);
+  EXPECT_NEAR(number(rows[0]["zeta"]), 0.722, 0.001);
+  EXPECT_NEAR(number(rows[1]["xi"]), 49.98, 0.01);
+  EXPECT_NEAR(number(rows[1]["zeta"]), 0.0215, 0.0001);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    EXPECT_EQ(rows[k]["sheet"], std::to_string(k + 1));
+    EXPECT_EQ(rows[k]["point"], "0");
+    EXPECT_LT(number(rows[k]["error_bound"]), 1e-12);
+    EXPECT_FALSE(rows[k]["class"].empty());
+  }
+  // The one solve finds from the case's own start is among them.
+  auto alone = only_row(solve(apart, {"-o", "-"}).out);
+  EXPECT_EQ(alone["xi"], rows[0]["xi"]);
+  EXPECT_EQ(alone["zeta"], rows[0]["zeta"]);
+}
+
+TEST(SolveAll, NoneIsThreeAndProven) {
+  const TemporaryDirectory directory;
+  const Outcome outcome = solve(
+      apart, {"-o", directory / "x.csv", "--set", "solve.all=true", "--set", "motion.nu=1.2"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("proven that there is none"));
+  EXPECT_THAT(outcome.err, HasSubstr("[0.001, 1000]"));
+  EXPECT_TRUE(rows_of(text_of(directory / "x.csv")).empty());
+  const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  EXPECT_EQ(metadata["rows"], 0);
+  EXPECT_EQ(metadata["counts"]["proven"], 0);
+  EXPECT_EQ(metadata["counts"]["undecided"], 0);
+  EXPECT_GT(metadata["counts"]["boxes"].get<int>(), 1);
+}
+
+TEST(SolveAll, MetadataSaysWhatIsProven) {
+  const TemporaryDirectory directory;
+  const Outcome outcome =
+      solve(apart, {"-o", directory / "x.csv", "--set", "solve.all=true", "--certify"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  EXPECT_EQ(metadata["method"], "exhaustive search");
+  EXPECT_EQ(metadata["rows"], 2);
+  EXPECT_EQ(metadata["counts"]["proven"], 2);
+  EXPECT_EQ(metadata["counts"]["undecided"], 0);
+  EXPECT_EQ(metadata["counts"]["spectra"], 2);
+  EXPECT_EQ(metadata["case"]["solve"]["all"], true);
+  EXPECT_EQ(metadata["case"]["output"]["certificate"], true);
+  EXPECT_THAT(metadata["message"].get<std::string>(), HasSubstr("[0.001, 1000]"));
+}
+
+TEST(SolveAll, ContinuumIsAFailureThatSaysWhere) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("line.toml", continuum);
+  const Outcome outcome = solve(file, {"-o", directory / "x.csv"});
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("not decided"));
+  EXPECT_THAT(outcome.err, HasSubstr("not isolated"));
+  EXPECT_THAT(directory.names(), ::testing::ElementsAre("line.toml"));
+}
+
+TEST(SolveAll, SummaryForAPerson) {
+  const Outcome outcome = solve(apart, {"--set", "solve.all=true"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* words : {"proven to be all", "solution 1", "of 2", "solution 2", "(proven)",
+                            "2 proven", "all solutions"})
+    EXPECT_THAT(outcome.out, HasSubstr(words));
+}
+
+TEST(Certify, RowCarriesTheProof) {
+  for (const std::vector<std::string>& way :
+       {std::vector<std::string>{"--certify"}, {"--set", "output.certificate=true"}}) {
+    std::vector<std::string> arguments{"-o", "-"};
+    arguments.insert(arguments.end(), way.begin(), way.end());
+    const Outcome outcome = solve(disc, arguments);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, IsEmpty());
+    EXPECT_TRUE(header_of(outcome.out).ends_with(",krein5,certified,class_certified"));
+    auto row = only_row(outcome.out);
+    EXPECT_EQ(row["certified"], "yes");
+    EXPECT_EQ(row["class_certified"], "yes");
+    EXPECT_LT(number(row["error_bound"]), 1e-14);
+    EXPECT_GT(number(row["error_bound"]), 1e-16);
+    auto plain = only_row(solve(disc, {"-o", "-"}).out);
+    for (const char* same : {"xi", "zeta", "rho", "class", "growth", "re1"})
+      EXPECT_EQ(row[same], plain[same]) << same;
+  }
+}
+
+TEST(Certify, WithoutSpectrumNoClass) {
+  const Outcome outcome = solve(disc, {"--certify", "-o", "-", "--set", "output.spectrum=false"});
+  EXPECT_TRUE(header_of(outcome.out).ends_with(",error_bound,certified")) << outcome.out;
+}
+
+TEST(Certify, WhatIsNotProvenSaysSo) {
+  // Within rounding errors of hencky's fold-nu at zeta = sqrt e.
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("fold.toml", R"([body]
+J = [1.0, 1.7, 0.6]
+[potential]
+plane     = { model = "hencky", mu = 1.1, lambda = 0.8 }
+thickness = { model = "reciprocal-quadratic", a = 1.0, b = 3.0 }
+[motion]
+branch = "i"
+nu = 0.549204347
+[solve]
+start = [0, 0.8105, 1.6487, 0.708]
+method = "newton"
+)");
+  // The nearest double below the fold from the closed form.
+  const double fold = std::sqrt(2.0 * 1.1 * 1.9 / (3.0 * std::exp(1.0) * 1.7)) * (1.0 - 2e-15);
+  std::ostringstream nu;
+  nu.precision(17);
+  nu << "motion.nu=" << fold;
+  const Outcome outcome = solve(file, {"--certify", "-o", "-", "--set", nu.str()});
+  if (outcome.code == 4) GTEST_SKIP() << "not even solved: " << outcome.err;
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("not proven"));
+  auto row = only_row(outcome.out);
+  EXPECT_EQ(row["certified"], "no");
+  EXPECT_EQ(row["class_certified"], "no");
+}
+
+TEST(Certify, CheckAnnouncesIt) {
+  const Outcome outcome =
+      run_program({"check", disc, "--set", "output.certificate=true", "--set", "solve.all=true"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("all solutions"));
+  EXPECT_THAT(outcome.out, HasSubstr("certificate"));
+}
+
+TEST(Certify, TwoPolarIsRefused) {
+  const Outcome outcome = solve(STATIONARY_CASES "/two_polar.toml", {"--certify"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--certify"));
+  EXPECT_THAT(outcome.err, HasSubstr("two-polar"));
+}
+
+}  // namespace
+}  // namespace stationary::testing
