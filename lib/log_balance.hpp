@@ -6,12 +6,13 @@
 
 namespace stationary {
 
-/// Residual G and the upper triangle of its symmetric Jacobian (order 2; NaN otherwise). Formulas
-/// with w belong to coupled potentials; a separable one leaves rho to itself.
+/// Residual G and the upper triangle of its symmetric Jacobian (order 2; NaN otherwise). A
+/// separable potential leaves rho to itself: its plane has none of the rows with w, its thickness
+/// only those.
 template <class S>
 struct LogBalance {
-  S g_xi;
-  S g_zeta;
+  S g_xi = poison<S>();
+  S g_zeta = poison<S>();
   S g_rho = poison<S>();
   S uu = poison<S>();
   S uv = poison<S>();

@@ -49,9 +49,8 @@ struct ThicknessBoxSystem {
   Interval rate;
 
   BoxLinearized<1> linearize(const Box<1>& x) const {
-    const auto v = model.template evaluate<2>(x[0]);
-    const Interval pull = rate * square(x[0]);
-    return {{v.v_r - pull}, {v.v_rr - 2.0 * pull}};
+    const auto b = model.log_balance(x[0], rate);
+    return {{b.g_rho}, {b.ww}};
   }
 };
 

@@ -31,7 +31,9 @@ class Krawczyk {
   static constexpr int N = System::dimension;
 
   Krawczyk(const System& system, const ReducedVector<N>& x) : system_(system), x_(x) {
-    const BoxLinearized<N> at = system.linearize(stretches(Box<N>{}));
+    Box<N> point;
+    for (int i = 0; i < N; ++i) point[index(i)] = x[i];
+    const BoxLinearized<N> at = system.linearize(point);
     inverse_ = at.middle().inverse();
     newton_ = preconditioned(at.g);
     for (Interval& d : newton_) d = -d;

@@ -1,7 +1,9 @@
 // Thickness potentials V_rho(rho), derivatives in r = ln rho:
 //   reciprocal-quadratic:  a/rho + (b/2) rho^2         (the paper's V_rho)
 //   harmonic:              (k/2) (rho - rest)^2
-// and the one balance they enter: V_rho'(rho) = m rho, m = J3 nu^2 in (i), (ii) and 0 in (iii).
+// and the one balance they enter: V_rho'(rho) = m rho, m = J3 nu^2 in (i), (ii) and 0 in (iii). As
+// for the plane, log_balance(rho, m) gives it with the centrifugal term gathered with the elastic
+// one: LogBalance::g_rho and ww.
 #pragma once
 
 #include <array>
@@ -31,6 +33,13 @@ struct ReciprocalQuadratic {
   double balanced(const DoubleDouble& m) const {
     const double stiffness = double(leading(b) - m);
     return stiffness > 0.0 ? std::cbrt(leading(a) / stiffness) : poison<double>();
+  }
+
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& rho, const S& m) const {
+    const auto reciprocal = a / rho;
+    const auto stiff = (b - m) * square(rho);
+    return {.g_rho = stiff - reciprocal, .ww = 2.0 * stiff + reciprocal};
   }
 
   template <int order, class S>
@@ -63,6 +72,13 @@ struct Harmonic {
   double balanced(const DoubleDouble& m) const {
     const double stiffness = double(leading(k) - m);
     return stiffness > 0.0 ? leading(k) * leading(rest) / stiffness : poison<double>();
+  }
+
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& rho, const S& m) const {
+    const auto stiff = (k - m) * rho;
+    const auto load = k * rest;
+    return {.g_rho = rho * (stiff - load), .ww = rho * (2.0 * stiff - load)};
   }
 
   template <int order, class S>

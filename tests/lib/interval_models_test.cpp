@@ -174,6 +174,16 @@ TYPED_TEST(ThicknessIntervalTest, DerivativesHoldEveryPointValue) {
     EXPECT_TRUE(holds(over.v, point.v, "v"));
     EXPECT_TRUE(holds(over.v_r, point.v_r, "v_r"));
     EXPECT_TRUE(holds(over.v_rr, point.v_rr, "v_rr"));
+    const double m = random.log_uniform(1e-2, 10.0);
+    const auto balance =
+        with_coefficients(model, Interval::decimal).log_balance(s.x[0], Interval(m));
+    const Real50 g = point.v_r - m * s.at[0] * s.at[0];
+    const Real50 slope = point.v_rr - 2 * m * s.at[0] * s.at[0];
+    EXPECT_TRUE(holds(balance.g_rho, g, "g_rho"));
+    EXPECT_TRUE(holds(balance.ww, slope, "ww"));
+    const auto direct = widen<Real50>(model).log_balance(s.at[0], Real50(m));
+    EXPECT_LE(abs(direct.g_rho - g), Real50("1e-40") * (1 + abs(g)));
+    EXPECT_LE(abs(direct.ww - slope), Real50("1e-40") * (1 + abs(slope)));
   }
 }
 
