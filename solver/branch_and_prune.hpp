@@ -15,6 +15,7 @@
 // Source: E. Hansen, G. W. Walster, Global Optimization Using Interval Analysis (2004), chapter 11.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <deque>
@@ -134,9 +135,13 @@ class BranchAndPrune {
     return std::isfinite(sum);
   }
 
+  /// In the box, for the mean value theorem.
   static ReducedVector<N> middle(const Box<N>& box) {
     ReducedVector<N> out;
-    for (int i = 0; i < N; ++i) out[i] = std::sqrt(box[index(i)].lo) * std::sqrt(box[index(i)].hi);
+    for (int i = 0; i < N; ++i) {
+      const Interval& side = box[index(i)];
+      out[i] = std::clamp(std::sqrt(side.lo) * std::sqrt(side.hi), side.lo, side.hi);
+    }
     return out;
   }
 
@@ -205,9 +210,11 @@ class BranchAndPrune {
       proof.unique = wide.unique;
     }
     if (apart(proof.solution, everything_)) return true;
-    for (auto& known : out_.solutions) {
+    for (const auto& known : out_.solutions) {
       if (within(proof.solution, known.proof.unique) || within(known.proof.solution, proof.unique))
         return true;
+      // One solution twice, or two: not decided here.
+      if (!apart(proof.solution, known.proof.solution)) return false;
     }
     out_.solutions.push_back({x, proof});
     return true;

@@ -3,7 +3,8 @@
 // spectrum lies.
 //
 // Inputs (J, coefficients, nu) are by default decimals within half a unit of the last place of the
-// doubles they were read as, as for Equilibrium::error_bound: the proof is for every such case.
+// doubles they were read as, as for Equilibrium::error_bound: the proof is for every such case (of
+// J1 = J2, for equal ones).
 // Refused: alpha != 0 (solutions of the balance that have it are no stationary motions, or another
 // choice of the angle), numbers proven to be no solution to working precision, and what the
 // intervals do not decide (a fold within rounding errors).

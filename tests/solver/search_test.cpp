@@ -1,13 +1,11 @@
 // Exhaustive search: what was found independently is found and proven, where there is nothing that
-// is proven, double roots and continua end as undecided boxes, and no multistart finds more.
+// is proven, and double roots and continua end as undecided boxes.
 #include "solver/search.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <sstream>
 
-#include "solver/newton.hpp"
 #include "tests/solver/random_problem.hpp"
 #include "tests/support/high_precision.hpp"
 #include "tests/support/reference_table.hpp"
@@ -200,74 +198,6 @@ TEST(Search, MisuseAndInterruption) {
   const SearchResult found = search(apart(), 1.4, stopped);
   EXPECT_EQ(found.status, SearchStatus::interrupted);
   EXPECT_TRUE(found.solutions.empty());
-}
-
-/// Newton from a random start in the box: a solution there, or nothing.
-std::optional<std::array<double, 3>> newton_from(const Problem& problem, double nu,
-                                                 const Stretch& start) {
-  const auto rates = problem.rates(two_product(nu, nu));
-  const auto polished = [](const auto& system, auto x) {
-    using Vector = decltype(x);
-    const bool done = newton(system, x).converged && refine<false>(system, x).converged;
-    return done ? std::optional<Vector>(x) : std::nullopt;
-  };
-  return problem.potential().visit([&](const auto& model) -> std::optional<std::array<double, 3>> {
-    if constexpr (requires { model.plane; }) {
-      const auto plane =
-          polished(PlanarSystem<std::decay_t<decltype(model.plane)>>{model.plane, rates},
-                   ReducedVector<2>(start.xi, start.zeta));
-      const auto rho = polished(
-          ThicknessSystem<std::decay_t<decltype(model.thickness)>>{model.thickness, rates.rho},
-          ReducedVector<1>(start.rho));
-      if (!plane || !rho) return std::nullopt;
-      return std::array<double, 3>{(*plane)[0], (*plane)[1], (*rho)[0]};
-    } else {
-      const auto all = polished(CoupledSystem<std::decay_t<decltype(model)>>{model, rates},
-                                ReducedVector<3>(start.xi, start.zeta, start.rho));
-      if (!all) return std::nullopt;
-      return std::array<double, 3>{(*all)[0], (*all)[1], (*all)[2]};
-    }
-  });
-}
-
-/// Starts per case over random cases; nothing Newton finds is missing from the search.
-TEST(Search, NoMultistartFindsMore) {
-  Random random(941);
-  const int cases = 60;
-  const int starts = 100;
-  int hits = 0;
-  int proven = 0;
-  int undecided = 0;
-  for (int k = 0; k < cases; ++k) {
-    const Posed posed = random_problem(random, 2.0);
-    const SearchResult found = search(posed.problem, posed.nu);
-    proven += static_cast<int>(found.solutions.size());
-    undecided += found.status != SearchStatus::complete;
-    for (int start = 0; start < starts; ++start) {
-      const auto x = newton_from(posed.problem, posed.nu,
-                                 {0.0, random.log_uniform(1e-3, 1e3), random.log_uniform(1e-3, 1e3),
-                                  random.log_uniform(1e-3, 1e3)});
-      if (!x) continue;
-      if (*std::ranges::min_element(*x) < 1.001e-3 || *std::ranges::max_element(*x) > 0.999e3)
-        continue;
-      ++hits;
-      bool known = false;
-      for (const Equilibrium& each : found.solutions) {
-        known = known || (std::abs(each.q.xi / (*x)[0] - 1.0) < 1e-9 &&
-                          std::abs(each.q.zeta / (*x)[1] - 1.0) < 1e-9 &&
-                          std::abs(each.q.rho / (*x)[2] - 1.0) < 1e-9);
-      }
-      for (const StretchBox& box : found.undecided)
-        known = known || (box.xi.may_be((*x)[0]) && box.zeta.may_be((*x)[1]));
-      EXPECT_TRUE(known) << posed.text << "\n  (" << (*x)[0] << ", " << (*x)[1] << ", " << (*x)[2]
-                         << ") " << text(found);
-    }
-  }
-  EXPECT_GT(hits, 2000);
-  EXPECT_GT(proven, 40);
-  EXPECT_LE(undecided, 1);
-  RecordProperty("hits", hits);
-  RecordProperty("proven", proven);
 }
 
 }  // namespace
