@@ -4,8 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "solver/equilibrium_row.hpp"
-
 namespace stationary {
 
 void CurveSummary::add(double parameter, std::optional<StabilityClass> verdict) {
@@ -36,8 +34,15 @@ std::vector<CurveSummary::Stretch> CurveSummary::stretches() const {
 void CurveTable::row(const Member& member, EventType event) {
   summary_.add(member.parameter,
                member.spectrum ? std::optional(member.spectrum->verdict) : std::nullopt);
+  if (writer_ != nullptr || problem_at_) fill_row(branch_, member, row_);
+  if (problem_at_) {
+    Equilibrium at;
+    at.q = member.q;
+    at.nu = angular_velocity(branch_, member.nu);
+    const RowProof proof = prove_row(problem_at_(member.parameter), at, member.spectrum, row_);
+    count_proof(proof.proven, member.parameter, proof.reason);
+  }
   if (writer_ != nullptr) {
-    fill_row(branch_, member, row_);
     row_.event = name(event);
     row_[Column::point] = static_cast<double>(point_);
     writer_->write(row_);
@@ -52,9 +57,20 @@ void CurveTable::again(TableRow row) {
       verdict == std::end(stability_names)
           ? std::nullopt
           : std::optional(static_cast<StabilityClass>(verdict - std::begin(stability_names))));
+  if (problem_at_)
+    count_proof(row.certified == proof_word(true), parameter_of(row), "as it was in the table");
   row[Column::sheet] = row_[Column::sheet];
   row[Column::point] = static_cast<double>(point_++);
   if (writer_ != nullptr) writer_->write(row);
+}
+
+void CurveTable::count_proof(bool proven, double parameter, const std::string& reason) {
+  if (!proven && proofs_.proven == proofs_.rows) {
+    proofs_.first_gap = parameter;
+    proofs_.reason = reason;
+  }
+  ++proofs_.rows;
+  proofs_.proven += proven;
 }
 
 double CurveTable::parameter_of(const TableRow& row) const {

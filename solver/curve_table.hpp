@@ -1,11 +1,15 @@
 // A followed curve as rows of a table, and in short: where its stability changes.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "solver/equilibrium_row.hpp"
 #include "solver/follow.hpp"
+#include "solver/problem.hpp"
 #include "solver/table.hpp"
 
 namespace stationary {
@@ -35,6 +39,14 @@ class CurveSummary {
   double last_ = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// How many rows are proven.
+struct CurveProofs {
+  long rows = 0;
+  long proven = 0;
+  double first_gap = std::numeric_limits<double>::quiet_NaN();  ///< parameter of one that is not
+  std::string reason;                                           ///< why that one is not
+};
+
 class CurveTable final : public CurveSink {
  public:
   /// Rows of sheet `sheet` from point `point` on; writer may be null: then only the summary is
@@ -44,12 +56,17 @@ class CurveTable final : public CurveSink {
     row_[Column::sheet] = sheet;
   }
 
+  /// Proves every row (prove_row()); problem_at(p) is the problem at the parameter p.
+  void prove(std::function<Problem(double)> problem_at) { problem_at_ = std::move(problem_at); }
+
   void row(const Member& member, EventType event) override;
   /// A row that was in a table already, with this table's sheet and next point.
   void again(TableRow row);
   const CurveSummary& summary() const { return summary_; }
+  const CurveProofs& proofs() const { return proofs_; }
 
  private:
+  void count_proof(bool proven, double parameter, const std::string& reason);
   double parameter_of(const TableRow& row) const;
 
   Branch branch_;
@@ -57,6 +74,8 @@ class CurveTable final : public CurveSink {
   long point_;
   TableRow row_;
   CurveSummary summary_;
+  std::function<Problem(double)> problem_at_;  ///< empty: nothing is proven
+  CurveProofs proofs_;
 };
 
 }  // namespace stationary

@@ -105,15 +105,19 @@ void fill_spectrum(const Spectrum& spectrum, TableRow& row) {
   }
 }
 
-void fill_certificate(const Certificate& certificate, TableRow& row) {
-  row.certified = certificate.proven ? "yes" : "no";
-  if (certificate.proven) row[Column::error_bound] = certificate.error_bound;
-}
-
-void fill_class_certificate(const Spectrum& spectrum, const SpectrumEnclosure* enclosure,
-                            TableRow& row) {
-  const bool proven = enclosure != nullptr && enclosure->verdict == spectrum.verdict;
-  row.class_certified = proven ? "yes" : "no";
+RowProof prove_row(const Problem& problem, const Equilibrium& equilibrium,
+                   const std::optional<Spectrum>& spectrum, TableRow& row) {
+  const Certificate certificate = certify(problem, equilibrium);
+  RowProof out{certificate.proven, false, certificate.reason};
+  if (out.proven) {
+    row[Column::error_bound] = certificate.error_bound;
+    out.class_proven =
+        spectrum &&
+        enclose_spectrum(problem, equilibrium, certificate, *spectrum).verdict == spectrum->verdict;
+  }
+  row.certified = proof_word(out.proven);
+  if (spectrum) row.class_certified = proof_word(out.class_proven);
+  return out;
 }
 
 }  // namespace stationary

@@ -2,6 +2,8 @@
 // from its spectrum where that was computed.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "lib/spectrum.hpp"
@@ -21,7 +23,7 @@ struct RowParts {
   bool certificate = false;
 };
 
-/// The columns fill_row(), fill_spectrum(), fill_certificate() and the caller's sheet, point and
+/// The columns fill_row(), fill_spectrum(), prove_row() and the caller's sheet, point and
 /// event make up, in order.
 std::vector<Column> equilibrium_columns(const RowParts& parts);
 
@@ -40,10 +42,16 @@ void fill_row(const Body& body, const Potential& potential, const TwoPolarEquili
 /// class ... krein5; modes that do not exist stay empty.
 void fill_spectrum(const Spectrum& spectrum, TableRow& row);
 
-/// certified, with the proven error_bound where there is one; class_certified where a class was
-/// computed (spectrum with its enclosure).
-void fill_certificate(const Certificate& certificate, TableRow& row);
-void fill_class_certificate(const Spectrum& spectrum, const SpectrumEnclosure* enclosure,
-                            TableRow& row);
+/// What the columns `certified` and `class_certified` say.
+struct RowProof {
+  bool proven = false;
+  bool class_proven = false;
+  std::string reason;  ///< why nothing is proven
+};
+
+/// Proves what the row says of the equilibrium: certified, with the proven error_bound where there
+/// is one, and class_certified where there is a spectrum.
+RowProof prove_row(const Problem& problem, const Equilibrium& equilibrium,
+                   const std::optional<Spectrum>& spectrum, TableRow& row);
 
 }  // namespace stationary

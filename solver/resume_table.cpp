@@ -38,6 +38,12 @@ TableRow read_row(const TableReader& table, const std::vector<Column>& columns, 
       case Column::stability:
         row.stability = kept(table, k, stability_names);
         break;
+      case Column::certified:
+        row.certified = kept(table, k, proof_words);
+        break;
+      case Column::class_certified:
+        row.class_certified = kept(table, k, proof_words);
+        break;
       default:
         row[c] = table.number(k);
     }

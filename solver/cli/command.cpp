@@ -36,11 +36,23 @@ void ComputeOptions::add_to(CLI::App& command) {
                   "Write the table (CSV) there, and FILE's .meta.json beside it; - is standard "
                   "output")
       ->type_name("FILE");
+  command.add_flag("--certify", certify,
+                   "Prove each row and its error bound, as output.certificate = true");
   command.add_flag("-q,--quiet", quiet, "No summary and no progress");
   command.add_option("--threads", threads, "Threads to use")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+}
+
+Case ComputeOptions::read() const {
+  Case out = CaseOptions::read();
+  if (certify && out.two_polar()) {
+    throw InputError(Origin::of_option("--certify"), "", "found it with branch \"two-polar\"",
+                     "branch \"i\", \"ii\" or \"iii\"");
+  }
+  out.output.certificate = out.output.certificate || certify;
+  return out;
 }
 
 void complain(const std::string& message) {

@@ -35,10 +35,12 @@ struct CaseOptions {
 /// What every computing command takes beside.
 struct ComputeOptions : CaseOptions {
   std::string output;  ///< empty: a summary for a person; "-": CSV on standard output
+  bool certify = false;
   bool quiet = false;
   int threads = 1;
 
   void add_to(CLI::App& command);
+  Case read() const;
 };
 
 /// A command with the options all have in common.

@@ -62,11 +62,14 @@ Start start_at(const Case& input, double p) {
       {}};
 }
 
+Problem problem_of(const FamilyParameters& at) {
+  return {at.body, make_potential(at.models), std::get<AxisRotation>(at.motion).branch};
+}
+
 Start solved_start(const Case& input, const ComputeOptions& options) {
   Start out = start_at(input, start_parameter(input));
   const AxisRotation motion = std::get<AxisRotation>(out.at.motion);
-  const Problem problem(out.at.body, make_potential(out.at.models), motion.branch);
-  out.found = solve(problem, motion.nu,
+  out.found = solve(problem_of(out.at), motion.nu,
                     {.method = input.solve.method,
                      .start = input.solve.start,
                      .threads = options.threads,
@@ -85,10 +88,17 @@ Start resumed_start(const Case& input, const ResumedTable& old) {
   return out;
 }
 
+/// What is not proven though it was asked for; empty if all is.
+std::string gap_text(const Case& input, const CurveProofs& proofs) {
+  if (proofs.proven == proofs.rows) return {};
+  return fmt::format("{} of {} rows are not proven, the first of them at {} = {:.12g}: {}",
+                     proofs.rows - proofs.proven, proofs.rows, input.continuation->parameter,
+                     proofs.first_gap, proofs.reason);
+}
+
 AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum) {
   const AxisRotation motion = std::get<AxisRotation>(start.at.motion);
-  const Problem problem(start.at.body, make_potential(start.at.models), motion.branch);
-  return axis_family(problem,
+  return axis_family(problem_of(start.at),
                      {.nu = motion.nu,
                       .parameter = family_parameter(input.continuation->parameter, input.models),
                       .spectrum = with_spectrum});
@@ -122,7 +132,8 @@ std::string end_text(const Case& input, const SheetEnd& end, double p) {
 }
 
 std::string summary(const Case& input, const Start& start, const FollowReport& report,
-                    const CurveSummary& curve, double seconds) {
+                    const CurveTable& table, double seconds) {
+  const CurveSummary& curve = table.summary();
   constexpr std::size_t label_width = 14;
   const std::string& parameter = input.continuation->parameter;
   Report out(label_width);
@@ -134,6 +145,9 @@ std::string summary(const Case& input, const Start& start, const FollowReport& r
   out.line("points", fmt::format("{} in {:.2g} s", report.points, seconds));
   out.line("one end", end_text(input, report.backward, curve.first_parameter()));
   out.line("other end", end_text(input, report.forward, curve.last_parameter()));
+  if (input.output.certificate)
+    out.line("certificate",
+             fmt::format("{} of {} points proven", table.proofs().proven, table.proofs().rows));
   out.gap();
   std::string_view label = "events";
   for (const EventRecord& event : report.events) {
@@ -168,13 +182,15 @@ std::vector<std::pair<std::string_view, long>> counts_of(const Start& start,
 }
 
 Metadata describe(const Session& session, const Case& input, const Start& start,
-                  const FollowReport& report, const CurveSummary& curve, bool with_spectrum) {
+                  const FollowReport& report, const CurveTable& table, bool with_spectrum) {
+  const CurveSummary& curve = table.summary();
   ComputationPlan plan = computation_plan(input, true);
   Metadata out;
   out.version = STATIONARY_VERSION;
   out.command_line = session.command_line;
   out.input = &input;
   out.counts = counts_of(start, report, with_spectrum);
+  if (input.output.certificate) out.counts.emplace_back("proven", table.proofs().proven);
   out.plan = std::move(plan.computed);
   out.skipped = std::move(plan.skipped);
   out.events = report.events;
@@ -186,6 +202,8 @@ Metadata describe(const Session& session, const Case& input, const Start& start,
                  {"connection", std::string(name(start.found.connection))},
                  {"first_end", end_text(input, report.backward, curve.first_parameter())},
                  {"last_end", end_text(input, report.forward, curve.last_parameter())}};
+  if (const std::string gap = gap_text(input, table.proofs()); !gap.empty())
+    out.outcome.emplace_back("warning", gap);
   return out;
 }
 
@@ -288,9 +306,11 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   const bool to_table = !options.output.empty();
   const bool with_spectrum = wants_spectrum(input, to_table);
   const bool trailing = input.continuation->parameter != "nu";
-  const std::vector<Column> columns =
-      chosen_columns(input, equilibrium_columns({.events = true, .spectrum = with_spectrum}),
-                     "continue", trailing);
+  const std::vector<Column> columns = chosen_columns(
+      input,
+      equilibrium_columns(
+          {.events = true, .spectrum = with_spectrum, .certificate = input.output.certificate}),
+      "continue", trailing);
   const std::optional<std::string> parameter =
       trailing ? std::optional(input.continuation->parameter) : std::nullopt;
   std::optional<ResumedTable> old;
@@ -318,6 +338,12 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
     table.emplace(output->sink(), columns, parameter);
   }
   CurveTable rows(std::get<AxisRotation>(input.motion).branch, table ? &*table : nullptr);
+  if (input.output.certificate) {
+    rows.prove([&](double p) {
+      return problem_of(with_parameter({input.body, input.models, input.motion},
+                                       input.continuation->parameter, p));
+    });
+  }
   const FollowOptions how = follow_options(input, options, progress);
   const FollowReport report =
       old ? follow_on(family, *old, how, rows) : follow(family, start.found.q, start.p, how, rows);
@@ -330,11 +356,12 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   }
   if (output) {
     table->flush();
-    Metadata metadata = describe(session, input, start, report, rows.summary(), with_spectrum);
+    Metadata metadata = describe(session, input, start, report, rows, with_spectrum);
     metadata.rows = table->rows();
     metadata.seconds = seconds;
     output->commit(metadata);
   }
+  if (const std::string gap = gap_text(input, rows.proofs()); !gap.empty()) complain(gap);
   const ExitCode code = end_code(report);
   if (code == ExitCode::interrupted) {
     complain(fmt::format("interrupted after {} points{}", report.points,
@@ -346,7 +373,7 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   }
   for (const SheetEnd* end : {&report.backward, &report.forward})
     if (end->event == EventType::stalled) complain("numerical failure: " + end->reason);
-  if (!output && !options.quiet) print(summary(input, start, report, rows.summary(), seconds));
+  if (!output && !options.quiet) print(summary(input, start, report, rows, seconds));
   return code;
 }
 

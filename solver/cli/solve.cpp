@@ -14,7 +14,6 @@
 #include "solver/cli/plan.hpp"
 #include "solver/cli/report.hpp"
 #include "solver/cli/table_output.hpp"
-#include "solver/enclosure.hpp"
 #include "solver/equilibrium_row.hpp"
 #include "solver/existence.hpp"
 #include "solver/search.hpp"
@@ -50,17 +49,12 @@ Solution solution_of(const Case& input, const Problem& problem, const Equilibriu
   fill_row(problem, found, out.row);
   if (with_spectrum) out.spectrum = stability(problem, found);
   if (!input.output.certificate) return out;
-  const Certificate certificate = certify(problem, found);
-  fill_certificate(certificate, out.row);
-  out.proven = certificate.proven;
-  out.proof = certificate.proven ? "exactly one stationary ellipsoid is within the error bound"
-                                 : "not proven: " + certificate.reason;
-  if (!out.spectrum) return out;
-  std::optional<SpectrumEnclosure> enclosure;
-  if (certificate.proven) enclosure = enclose_spectrum(problem, found, certificate, *out.spectrum);
-  fill_class_certificate(*out.spectrum, enclosure ? &*enclosure : nullptr, out.row);
-  out.proof +=
-      out.row.class_certified == "yes" ? "; its class is proven too" : "; its class is not proven";
+  const RowProof proof = prove_row(problem, found, out.spectrum, out.row);
+  out.proven = proof.proven;
+  out.proof = proof.proven ? "exactly one stationary ellipsoid is within the error bound"
+                           : "not proven: " + proof.reason;
+  if (out.spectrum)
+    out.proof += proof.class_proven ? "; its class is proven too" : "; its class is not proven";
   return out;
 }
 
@@ -244,19 +238,8 @@ Metadata describe(const Session& session, const Case& input, const Answer& found
   return out;
 }
 
-struct SolveCaseOptions : ComputeOptions {
-  bool certify = false;
-};
-
-ExitCode solve_case(const SolveCaseOptions& options, const Session& session) {
-  Case input = options.read();
-  if (options.certify) {
-    if (input.two_polar()) {
-      throw InputError(Origin::of_option("--certify"), "", "found it with branch \"two-polar\"",
-                       "branch \"i\", \"ii\" or \"iii\"");
-    }
-    input.output.certificate = true;
-  }
+ExitCode solve_case(const ComputeOptions& options, const Session& session) {
+  const Case input = options.read();
   const bool to_table = !options.output.empty();
   const bool with_spectrum = wants_spectrum(input, to_table);
   const std::vector<Column> columns =
@@ -293,10 +276,8 @@ ExitCode solve_case(const SolveCaseOptions& options, const Session& session) {
 void add_solve(CLI::App& program, Session& session) {
   CLI::App& command =
       add_command(program, "solve", "Find the stationary ellipsoid of a case, and its spectrum");
-  const auto options = std::make_shared<SolveCaseOptions>();
+  const auto options = std::make_shared<ComputeOptions>();
   options->add_to(command);
-  command.add_flag("--certify", options->certify,
-                   "Prove each solution and its error bound, as output.certificate = true");
   command.callback([options, &session] {
     session.action = [options, &session] { return solve_case(*options, session); };
   });

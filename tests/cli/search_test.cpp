@@ -38,6 +38,31 @@ nu = 1.0
 all = true
 )";
 
+/// hencky, (i): the sheet through rest folds at zeta = sqrt e.
+constexpr const char* folding = R"([body]
+J = [1.0, 1.7, 0.6]
+[potential]
+plane     = { model = "hencky", mu = 1.1, lambda = 0.8 }
+thickness = { model = "reciprocal-quadratic", a = 1.0, b = 3.0 }
+[motion]
+branch = "i"
+nu = 0.5
+[solve]
+start = [0, 0.8105, 1.6487, 0.708]
+method = "newton"
+[continuation]
+parameter = "nu"
+from = 0.4
+to = 1.0
+)";
+
+std::string nu_at_fold(double times) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "motion.nu=" << std::sqrt(2.0 * 1.1 * 1.9 / (3.0 * std::exp(1.0) * 1.7)) * times;
+  return out.str();
+}
+
 TEST(SolveAll, OneRowASheet) {
   const Outcome outcome = solve(apart, {"-o", "-", "--set", "solve.all=true"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -102,6 +127,23 @@ TEST(SolveAll, ContinuumIsAFailureThatSaysWhere) {
   EXPECT_THAT(directory.names(), ::testing::ElementsAre("line.toml"));
 }
 
+TEST(SolveAll, DoubleRootIsReportedWithItsBox) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("fold.toml", folding);
+  const std::string all = "solve.all=true";
+  const Outcome at = solve(file, {"-o", "-", "--set", all, "--set", nu_at_fold(1.0)});
+  EXPECT_EQ(at.code, 4);
+  EXPECT_THAT(at.err, HasSubstr("a fold"));
+  EXPECT_THAT(at.err, HasSubstr("zeta [1.6487"));
+  EXPECT_THAT(at.out, IsEmpty());
+  const Outcome before = solve(file, {"-o", "-", "--set", all, "--set", nu_at_fold(1.0 - 1e-10)});
+  EXPECT_EQ(before.code, 0) << before.err;
+  EXPECT_EQ(rows_of(before.out).size(), 2U);
+  const Outcome after = solve(file, {"-o", "-", "--set", all, "--set", nu_at_fold(1.0 + 1e-10)});
+  EXPECT_EQ(after.code, 3);
+  EXPECT_THAT(after.err, HasSubstr("proven that there is none"));
+}
+
 TEST(SolveAll, SummaryForAPerson) {
   const Outcome outcome = solve(apart, {"--set", "solve.all=true"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -136,32 +178,45 @@ TEST(Certify, WithoutSpectrumNoClass) {
 }
 
 TEST(Certify, WhatIsNotProvenSaysSo) {
-  // Within rounding errors of hencky's fold-nu at zeta = sqrt e.
   const TemporaryDirectory directory;
-  const std::string file = directory.file("fold.toml", R"([body]
-J = [1.0, 1.7, 0.6]
-[potential]
-plane     = { model = "hencky", mu = 1.1, lambda = 0.8 }
-thickness = { model = "reciprocal-quadratic", a = 1.0, b = 3.0 }
-[motion]
-branch = "i"
-nu = 0.549204347
-[solve]
-start = [0, 0.8105, 1.6487, 0.708]
-method = "newton"
-)");
-  // The nearest double below the fold from the closed form.
-  const double fold = std::sqrt(2.0 * 1.1 * 1.9 / (3.0 * std::exp(1.0) * 1.7)) * (1.0 - 2e-15);
-  std::ostringstream nu;
-  nu.precision(17);
-  nu << "motion.nu=" << fold;
-  const Outcome outcome = solve(file, {"--certify", "-o", "-", "--set", nu.str()});
-  if (outcome.code == 4) GTEST_SKIP() << "not even solved: " << outcome.err;
+  const Outcome outcome = solve(directory.file("fold.toml", folding),
+                                {"--certify", "-o", "-", "--set", nu_at_fold(1.0 - 2e-15)});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("not proven"));
+  EXPECT_THAT(outcome.err, HasSubstr("fold"));
   auto row = only_row(outcome.out);
   EXPECT_EQ(row["certified"], "no");
   EXPECT_EQ(row["class_certified"], "no");
+}
+
+/// Every row of a followed curve is proven but for the one at its fold.
+TEST(Certify, RowsOfACurve) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("fold.toml", folding);
+  const Outcome outcome = run_program({"continue", file, "--certify", "-o", directory / "x.csv"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  long proven = 0;
+  long folds = 0;
+  auto rows = rows_of(text_of(directory / "x.csv"));
+  ASSERT_GT(rows.size(), 20U);
+  for (auto& row : rows) {
+    if (row["event"] == "fold-nu") {
+      ++folds;
+      EXPECT_EQ(row["certified"], "no");
+    } else {
+      EXPECT_EQ(row["certified"], "yes") << row["nu1"] << " " << row["event"];
+    }
+    proven += row["certified"] == "yes";
+  }
+  EXPECT_EQ(folds, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("1 of " + std::to_string(rows.size()) + " rows"));
+  const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  EXPECT_EQ(metadata["counts"]["proven"], proven);
+  EXPECT_THAT(metadata["warning"].get<std::string>(), HasSubstr("not proven"));
+
+  const Outcome words = run_program({"continue", file, "--certify"});
+  EXPECT_THAT(words.out, HasSubstr(std::to_string(proven) + " of " + std::to_string(rows.size()) +
+                                   " points proven"));
 }
 
 TEST(Certify, CheckAnnouncesIt) {
