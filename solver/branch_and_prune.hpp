@@ -201,14 +201,12 @@ class BranchAndPrune {
       if (!(radius[i] < 2.0 * log_width(everything_[index(i)]))) return false;
     }
     const Krawczyk<BoxSystem> test(boxes_, x);
-    // About the solution in the narrowest box it can be proven in, then in one that covers this.
+    // In stretches that cover the box, then as closely as it can be.
+    const auto covering = test.unique(radius);
+    if (!covering) return false;
     Proof<N> proof = test.prove();
-    if (!proof.proven) return false;
-    if (!within(box, proof.unique)) {
-      const Proof<N> wide = test.prove(radius);
-      if (!wide.proven) return false;
-      proof.unique = wide.unique;
-    }
+    if (!proof.proven || !within(proof.solution, *covering)) return false;
+    proof.unique = *covering;
     if (apart(proof.solution, everything_)) return true;
     for (const auto& known : out_.solutions) {
       if (within(proof.solution, known.proof.unique) || within(known.proof.solution, proof.unique))

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "solver/interval_system.hpp"
 
@@ -60,11 +61,11 @@ class Krawczyk {
     return out;
   }
 
-  /// Tests |d_i| <= radius_i.
-  Proof<N> prove(const ReducedVector<N>& radius) const {
+  /// The stretches with |d_i| <= radius_i, if the test shows exactly one solution among them.
+  std::optional<Box<N>> unique(const ReducedVector<N>& radius) const {
     Box<N> d;
     for (int i = 0; i < N; ++i) d[index(i)] = {-radius[i], radius[i]};
-    return proof(d, (*this)(d));
+    return maps_inside((*this)(d), d) ? std::optional(stretches(d)) : std::nullopt;
   }
 
   /// Widens D from the Newton step until the test succeeds.
@@ -96,10 +97,15 @@ class Krawczyk {
     return out;
   }
 
+  static bool maps_inside(const Box<N>& image, const Box<N>& d) {
+    for (int i = 0; i < N; ++i)
+      if (!image[index(i)].inside(d[index(i)])) return false;
+    return true;
+  }
+
   Proof<N> proof(const Box<N>& d, Box<N> image) const {
     Proof<N> out;
-    for (int i = 0; i < N; ++i)
-      if (!image[index(i)].inside(d[index(i)])) return out;
+    if (!maps_inside(image, d)) return out;
     out.proven = true;
     out.unique = stretches(d);
     // Narrower D, narrower K: what remains is the residual's own width.
