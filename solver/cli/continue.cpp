@@ -328,7 +328,7 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   const Start start = old ? resumed_start(input, *old) : solved_start(input, options);
   if (start.found.status != SolveStatus::solved) {
     complain(fmt::format("at the start {} = {}: {}", input.continuation->parameter, start.p,
-                         failure_text(start.found.status, start.found.message)));
+                         failure_text(outcome(start.found.status), start.found.message)));
     return exit_code(start.found.status);
   }
   const AnyFamily family = family_of(input, start, with_spectrum);

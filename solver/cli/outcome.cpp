@@ -41,8 +41,8 @@ std::string_view outcome(SolveStatus status) {
   return "nothing was computed";
 }
 
-std::string failure_text(SolveStatus status, const std::string& message) {
-  std::string out(outcome(status));
+std::string failure_text(std::string_view outcome, const std::string& message) {
+  std::string out(outcome);
   if (!message.empty()) out += ": " + message;
   return out;
 }

@@ -16,7 +16,7 @@ namespace stationary::cli {
 ExitCode exit_code(SolveStatus status);
 std::string_view outcome(SolveStatus status);
 /// outcome, and the message that explains it.
-std::string failure_text(SolveStatus status, const std::string& message);
+std::string failure_text(std::string_view outcome, const std::string& message);
 
 /// The columns of the table to be, refused before the computation if none is left (trailing: one
 /// is always there).

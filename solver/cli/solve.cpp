@@ -37,9 +37,13 @@ struct Answer {
   Connection connection = Connection::unknown;
   std::vector<std::pair<std::string_view, long>> counts;
   std::vector<Solution> solutions;  ///< some where solved
+  bool only_in_box = false;         ///< none exists, of those searched
   double seconds = 0.0;
 
   bool solved() const { return status == SolveStatus::solved; }
+  std::string_view outcome() const {
+    return only_in_box ? "no stationary ellipsoid in the box searched" : cli::outcome(status);
+  }
 };
 
 /// What a solved equilibrium leaves in the table, with its proof if the case asks for one.
@@ -95,8 +99,9 @@ Answer every_answer(const Case& input, const AxisRotation& motion, const SolveOp
     if (!complete) out.warning = found.message;
   } else if (complete) {
     out.status = SolveStatus::none_exists;
-    if (const auto reason = nonexistence_reason(problem, motion.nu))
-      out.message += "; with other stretches neither: " + *reason;
+    const auto reason = nonexistence_reason(problem, motion.nu);
+    out.only_in_box = !reason;
+    if (reason) out.message += "; with other stretches neither: " + *reason;
   } else {
     out.status = SolveStatus::failed;
   }
@@ -228,7 +233,7 @@ Metadata describe(const Session& session, const Case& input, const Answer& found
   out.skipped = std::move(plan.skipped);
   out.outcome = {
       {"command", "solve"},
-      {"status", std::string(outcome(found.status))},
+      {"status", std::string(found.outcome())},
       {"method", std::string(input.solve.all ? "exhaustive search" : name(input.solve.method))},
       {"connection", std::string(name(found.connection))},
       {"message", found.message}};
@@ -254,7 +259,7 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
   const Answer found = timed_answer(input, options, with_spectrum);
   const ExitCode code = exit_code(found.status);
   if (!found.solved()) {
-    complain(failure_text(found.status, found.message));
+    complain(failure_text(found.outcome(), found.message));
   } else if (!found.warning.empty()) {
     complain(found.warning);
   }

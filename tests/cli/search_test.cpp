@@ -91,6 +91,7 @@ TEST(SolveAll, NoneIsThreeAndProven) {
   const Outcome outcome = solve(
       apart, {"-o", directory / "x.csv", "--set", "solve.all=true", "--set", "motion.nu=1.2"});
   EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("no stationary ellipsoid in the box searched"));
   EXPECT_THAT(outcome.err, HasSubstr("proven that there is none"));
   EXPECT_THAT(outcome.err, HasSubstr("[0.001, 1000]"));
   EXPECT_TRUE(rows_of(text_of(directory / "x.csv")).empty());
