@@ -131,7 +131,7 @@ TEST(SearchMultistart, TwentyThousandStartsFindNothingMore) {
   expect_agreement(compare(941, 200, 100), 200);
 }
 
-/// Twenty thousand a case; about a minute. Run with --gtest_also_run_disabled_tests.
+/// Twenty thousand a case, and the tally printed. Run with --gtest_also_run_disabled_tests.
 TEST(SearchMultistart, DISABLED_FourMillionStartsFindNothingMore) {
   const Tally tally = compare(942, 200, 20000);
   std::cout << tally << "\n";
