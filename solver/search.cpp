@@ -99,7 +99,7 @@ class Search {
 
   std::string message() const {
     std::ostringstream text;
-    text.precision(6);
+    text.precision(10);
     if (out_.status == SearchStatus::interrupted) return "interrupted";
     const std::size_t count = out_.solutions.size();
     text << "stretches in [" << options_.min_stretch << ", " << options_.max_stretch << "]: ";

@@ -145,6 +145,30 @@ TEST(SolveAll, DoubleRootIsReportedWithItsBox) {
   EXPECT_THAT(after.err, HasSubstr("proven that there is none"));
 }
 
+/// hencky, (iii): two of four sheets meet in a fold, the other two go on.
+TEST(SolveAll, WhatIsProvenBesideADoubleRootHasItsRows) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("beside.toml", R"([body]
+J = [1.0, 1.7, 0.6]
+[potential]
+plane     = { model = "hencky", mu = 1.0, lambda = 2.0 }
+thickness = { model = "reciprocal-quadratic", a = 1.0, b = 3.0 }
+[motion]
+branch = "iii"
+nu = 0.5947796761039316
+[solve]
+all = true
+)");
+  const Outcome outcome = solve(file, {"-o", directory / "x.csv"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("2 proven; not decided whether there are more in xi [0.8606"));
+  EXPECT_THAT(outcome.err, HasSubstr("a fold"));
+  EXPECT_EQ(rows_of(text_of(directory / "x.csv")).size(), 2U);
+  const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  EXPECT_EQ(metadata["counts"]["undecided"], 1);
+  EXPECT_THAT(metadata["warning"].get<std::string>(), HasSubstr("not decided"));
+}
+
 TEST(SolveAll, SummaryForAPerson) {
   const Outcome outcome = solve(apart, {"--set", "solve.all=true"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
