@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -17,10 +18,10 @@ constexpr double allowed_error = 0x1p-50;
 
 /// The proof at x, or why there is none.
 template <class BoxSystem>
-Proof<BoxSystem::dimension> prove(const BoxSystem& system,
+Proof<BoxSystem::dimension> prove(const Krawczyk<BoxSystem>& test,
                                   const ReducedVector<BoxSystem::dimension>& x, const char* names,
                                   Certificate& out) {
-  auto proof = Krawczyk<BoxSystem>(system, x).prove();
+  auto proof = test.prove();
   if (!proof.proven) {
     out.reason = std::string("no solution could be proven near these ") + names +
                  ": there is none, or a second one (a fold, a bifurcation) is too near";
@@ -40,31 +41,53 @@ Proof<BoxSystem::dimension> prove(const BoxSystem& system,
   return proof;
 }
 
+/// That there is no second solution within the error bound of any of the stretches.
+void conclude(const std::optional<StretchBox>& unique, const StretchBox& solution, double bound,
+              Certificate& out) {
+  if (!unique) {
+    out.reason = "a second solution (a fold, a bifurcation) may lie within the error bound";
+    return;
+  }
+  out.proven = true;
+  out.unique = *unique;
+  out.solution = solution;
+  out.error_bound = bound;
+}
+
 template <class Plane, class Thickness>
 void certify_model(const Separable<Plane, Thickness>& model, const Problem& problem,
                    const Stretch& q, double nu, Inputs inputs, Certificate& out) {
   const BoxSystems<Separable<Plane, Thickness>> systems(problem, model, nu, inputs);
-  const auto axial = prove(systems.thickness, ReducedVector<1>(q.rho), "rho", out);
+  const ReducedVector<1> rho(q.rho);
+  const Krawczyk axial_test(systems.thickness, rho);
+  const auto axial = prove(axial_test, rho, "rho", out);
   if (!axial.proven) return;
-  const auto plane = prove(systems.plane, ReducedVector<2>(q.xi, q.zeta), "xi, zeta", out);
+  const ReducedVector<2> x(q.xi, q.zeta);
+  const Krawczyk plane_test(systems.plane, x);
+  const auto plane = prove(plane_test, x, "xi, zeta", out);
   if (!plane.proven) return;
-  out.proven = true;
-  out.unique = {plane.unique[0], plane.unique[1], axial.unique[0]};
-  out.solution = {plane.solution[0], plane.solution[1], axial.solution[0]};
-  out.error_bound = std::max(plane.error_bound, axial.error_bound);
+  const double bound = std::max(plane.error_bound, axial.error_bound);
+  std::optional<StretchBox> unique;
+  const auto unique_axial = axial_test.unique_within(bound);
+  const auto unique_plane = plane_test.unique_within(bound);
+  if (unique_axial && unique_plane)
+    unique = {(*unique_plane)[0], (*unique_plane)[1], (*unique_axial)[0]};
+  conclude(unique, {plane.solution[0], plane.solution[1], axial.solution[0]}, bound, out);
 }
 
 template <class Coupled>
 void certify_model(const Coupled& model, const Problem& problem, const Stretch& q, double nu,
                    Inputs inputs, Certificate& out) {
   const BoxSystems<Coupled> systems(problem, model, nu, inputs);
-  const auto proof =
-      prove(systems.coupled, ReducedVector<3>(q.xi, q.zeta, q.rho), "xi, zeta, rho", out);
+  const ReducedVector<3> x(q.xi, q.zeta, q.rho);
+  const Krawczyk test(systems.coupled, x);
+  const auto proof = prove(test, x, "xi, zeta, rho", out);
   if (!proof.proven) return;
-  out.proven = true;
-  out.unique = {proof.unique[0], proof.unique[1], proof.unique[2]};
-  out.solution = {proof.solution[0], proof.solution[1], proof.solution[2]};
-  out.error_bound = proof.error_bound;
+  std::optional<StretchBox> unique;
+  if (const auto all = test.unique_within(proof.error_bound))
+    unique = {(*all)[0], (*all)[1], (*all)[2]};
+  conclude(unique, {proof.solution[0], proof.solution[1], proof.solution[2]}, proof.error_bound,
+           out);
 }
 
 }  // namespace

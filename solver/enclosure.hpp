@@ -28,7 +28,7 @@ struct StretchBox {
 struct Certificate {
   bool proven = false;
   std::string reason;   ///< why not
-  StretchBox unique;    ///< holds exactly one solution with alpha = 0
+  StretchBox unique;    ///< holds all within error_bound, and exactly one solution with alpha = 0
   StretchBox solution;  ///< where it lies in there
   bool circle = false;  ///< proven: xi = zeta, by symmetry
   /// Proven bound of the relative error of each of xi, zeta, rho; NaN where not proven.

@@ -68,6 +68,13 @@ class Krawczyk {
     return maps_inside((*this)(d), d) ? std::optional(stretches(d)) : std::nullopt;
   }
 
+  /// The same around everything x is within a relative error of: |x_i/y_i - 1| <= error < 1/5 is
+  /// |d_i| <= -ln(1 - error) < 1.25 error.
+  std::optional<Box<N>> unique_within(double error) const {
+    if (!(error < 0.2)) return std::nullopt;
+    return unique(ReducedVector<N>::Constant(widened(error)));
+  }
+
   /// Widens D from the Newton step until the test succeeds.
   Proof<N> prove() const {
     Box<N> image = newton_;
@@ -75,7 +82,7 @@ class Krawczyk {
       Box<N> d;
       double widest = 0.0;
       for (int i = 0; i < N; ++i) {
-        const double radius = 1.25 * image[index(i)].magnitude() + 0x1p-60;
+        const double radius = widened(image[index(i)].magnitude());
         d[index(i)] = {-radius, radius};
         widest = radius > widest || std::isnan(radius) ? radius : widest;
       }
@@ -96,6 +103,8 @@ class Krawczyk {
       for (int j = 0; j < N; ++j) out[index(i)] += inverse_(i, j) * g[index(j)];
     return out;
   }
+
+  static double widened(double radius) { return 1.25 * radius + 0x1p-60; }
 
   static bool maps_inside(const Box<N>& image, const Box<N>& d) {
     for (int i = 0; i < N; ++i)

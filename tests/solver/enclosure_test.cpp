@@ -58,6 +58,13 @@ TEST_P(CertificateTableTest, EveryRowIsProvenAndHoldsTheDigits) {
       EXPECT_TRUE(found.solution.xi.within(found.unique.xi)) << row.where();
       EXPECT_TRUE(found.solution.zeta.within(found.unique.zeta)) << row.where();
       EXPECT_TRUE(found.solution.rho.within(found.unique.rho)) << row.where();
+      for (const auto& [at, unique] : {std::pair(posed.at.q.xi, found.unique.xi),
+                                       std::pair(posed.at.q.zeta, found.unique.zeta),
+                                       std::pair(posed.at.q.rho, found.unique.rho)}) {
+        EXPECT_TRUE(
+            (at / Interval(1.0 - found.error_bound, 1.0 + found.error_bound)).within(unique))
+            << row.where();
+      }
       const double error = relative_error(posed.at.q, {exact.xi, exact.zeta, exact.rho});
       EXPECT_LE(error, found.error_bound) << row.where();
       EXPECT_LE(found.error_bound, 1e-10) << row.where();
