@@ -13,6 +13,7 @@
 #pragma once
 
 #include <exception>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -316,7 +317,8 @@ class Continuation {
     return (here_.arc.x[0] < here_.arc.x[1]) != (next.x[0] < next.x[1]);
   }
 
-  /// K_alpha,alpha = 0 on the circle near this step.
+  /// K_alpha,alpha = 0 on the circle near this step. The circle's points are taken by their radius:
+  /// to each belongs one p, while p may turn near by.
   void end_at_circle(const Attempt& attempt, const CurvePoint<N>& next) {
     const Curve<N> circle(curve_->family(), curve_->corrector().scale(), true);
     const double gap = std::log(here_.arc.x[0] / here_.arc.x[1]);
@@ -324,23 +326,27 @@ class Continuation {
     const ArcVector<N> y = attempt.arc.at(u);
     ReducedVector<N> x = moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>()));
     x[0] = x[1] = std::sqrt(x[0] * x[1]);
-    const double scale = curve_->corrector().scale();
-    const double guess = here_.arc.p + scale * y[N];
-    ArcVector<N> up = ArcVector<N>::Zero();
-    up[N] = 1.0;
-    const auto at = [&](double p) {
-      return circle.complete(circle.corrector().correct_at(x, p, up).point);
+    const double guess = here_.arc.p + curve_->corrector().scale() * y[N];
+    ArcVector<N> outward = ArcVector<N>::Zero();
+    outward[0] = outward[1] = std::numbers::sqrt2 / 2.0;
+    constexpr double near = 0.1;
+    const auto at = [&](double s) {
+      const ReducedVector<N> start = moved<N>(x, s * outward.template head<N>());
+      const Corrected<N> out = circle.corrector().correct(start, guess, outward, near);
+      CurvePoint<N> point;  // K_alpha,alpha NaN where it is not found
+      point.tests.value.fill(std::numeric_limits<double>::quiet_NaN());
+      return out.status == CorrectorStatus::converged ? circle.complete(out.point) : point;
     };
-    const auto stiffness = [&](double p) { return at(p).tests.value[TestValues::ellipse]; };
-    for (double reach = 1e-3 * attempt.arc.length * scale; reach <= scale; reach *= 4.0) {
-      const double a = stiffness(guess - reach);
-      const double b = stiffness(guess + reach);
+    const auto stiffness = [&](double s) { return at(s).tests.value[TestValues::ellipse]; };
+    for (double reach = 1e-3 * attempt.arc.length; reach <= near; reach *= 4.0) {
+      const double a = stiffness(-reach);
+      const double b = stiffness(reach);
       if (std::isnan(a) || std::isnan(b)) break;
       if ((a < 0.0) == (b < 0.0)) continue;
       std::uintmax_t evaluations = 80;
       const auto [low, high] = boost::math::tools::toms748_solve(
-          stiffness, guess - reach, guess + reach, a, b,
-          boost::math::tools::eps_tolerance<double>(52), evaluations);
+          stiffness, -reach, reach, a, b, boost::math::tools::eps_tolerance<double>(52),
+          evaluations);
       here_ = at(0.5 * (low + high));
       here_.member.error_bound *= 4.0;
       finish(EventType::ellipse, "the ellipses meet the circle here and go on as mirror images");

@@ -42,6 +42,24 @@ struct Member {
   std::optional<Spectrum> spectrum;
 };
 
+/// x of a stretch with alpha = 0.
+template <int N>
+ReducedVector<N> unknowns(const Stretch& q) {
+  ReducedVector<N> out;
+  out[0] = q.xi;
+  out[1] = q.zeta;
+  if constexpr (N == 3) out[2] = q.rho;
+  return out;
+}
+/// q with these unknowns instead of its own.
+template <int N>
+Stretch with_unknowns(Stretch q, const ReducedVector<N>& x) {
+  q.xi = x[0];
+  q.zeta = x[1];
+  if constexpr (N == 3) q.rho = x[2];
+  return q;
+}
+
 template <int N>
 class Family {
  public:

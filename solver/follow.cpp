@@ -8,15 +8,6 @@ namespace stationary {
 namespace {
 
 template <int N>
-ReducedVector<N> unknowns(const Stretch& q) {
-  ReducedVector<N> out;
-  out[0] = q.xi;
-  out[1] = q.zeta;
-  if constexpr (N == 3) out[2] = q.rho;
-  return out;
-}
-
-template <int N>
 class Follower {
  public:
   Follower(const Family<N>& family, const Stretch& q, double p, const FollowOptions& options)

@@ -66,6 +66,42 @@ Json events_json(const std::vector<EventRecord>& events) {
   return out;
 }
 
+Json sheets_json(const std::vector<AtlasSheet>& sheets) {
+  Json out = Json::array();
+  for (const AtlasSheet& sheet : sheets) {
+    Json each{{"sheet", sheet.number},
+              {"branch", name(sheet.branch)},
+              {"found", sheet.found},
+              {"rows", sheet.rows.size()}};
+    if (const auto& parent = sheet.parent) {
+      each["parent"] = {
+          {"sheet", parent->sheet}, {"event", name(parent->event)}, {"nu", parent->nu}};
+    }
+    const auto end = [](const AtlasRow& row, const SheetEnd& why) -> Json {
+      return {{"event", name(row.event)}, {"nu", row.member.nu}, {"reason", why.reason}};
+    };
+    each["first_end"] = end(sheet.rows.front(), sheet.report.backward);
+    each["last_end"] = end(sheet.rows.back(), sheet.report.forward);
+    each["events"] = events_json(sheet.report.events);
+    out.push_back(std::move(each));
+  }
+  return out;
+}
+
+Json checkpoints_json(const std::vector<Checkpoint>& checkpoints) {
+  Json out = Json::array();
+  for (const Checkpoint& at : checkpoints) {
+    out.push_back({{"branch", name(at.branch)},
+                   {"nu", at.nu},
+                   {"search", name(at.status)},
+                   {"proven", at.proven},
+                   {"on_sheets", at.on_sheets},
+                   {"on_sheets_not_proven", at.beyond},
+                   {"complete", at.complete()}});
+  }
+  return out;
+}
+
 Json items_json(const std::vector<PlanItem>& items) {
   Json out = Json::array();
   for (const PlanItem& item : items)
@@ -101,6 +137,11 @@ std::string metadata_json(const Metadata& metadata) {
   out["rows"] = metadata.rows;
   out["seconds"] = metadata.seconds;
   if (!metadata.events.empty()) out["events"] = events_json(metadata.events);
+  if (metadata.atlas != nullptr) {
+    out["sheets"] = sheets_json(metadata.atlas->sheets);
+    out["checkpoints"] = checkpoints_json(metadata.atlas->checkpoints);
+    out["remarks"] = metadata.atlas->remarks;
+  }
   Json counts = Json::object();
   for (const auto& [name, count] : metadata.counts) counts[std::string(name)] = count;
   out["counts"] = counts;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/atlas.hpp"
 #include "solver/case_file.hpp"
 #include "solver/follow.hpp"
 
@@ -23,6 +24,7 @@ struct Metadata {
   double seconds = 0.0;
   std::vector<std::pair<std::string_view, long>> counts;
   std::vector<EventRecord> events;  ///< of `continue`
+  const Atlas* atlas = nullptr;     ///< its sheets, checkpoints and remarks
   std::vector<PlanItem> plan;       ///< how each unknown is had
   std::vector<PlanItem> skipped;    ///< what was not computed, and why
   /// Outcome, method, connection, message, class, ... by name.

@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solver/enclosure.hpp"
@@ -33,6 +34,10 @@ enum class SearchStatus {
   undecided,  ///< `solutions` are all there are outside the undecided boxes
   interrupted
 };
+
+constexpr std::string_view search_status_names[] = {"not run", "complete", "undecided",
+                                                    "interrupted"};
+constexpr std::string_view name(SearchStatus s) { return search_status_names[static_cast<int>(s)]; }
 
 struct SearchResult {
   SearchStatus status = SearchStatus::not_run;

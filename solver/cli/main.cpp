@@ -19,6 +19,7 @@ ExitCode run(int argc, char** argv) {
   cli::Session session{{argv, argv + argc}, {}};
   cli::add_solve(program, session);
   cli::add_continue(program, session);
+  cli::add_atlas(program, session);
   cli::add_check(program, session);
   cli::add_models(program, session);
   cli::add_plot(program, session);

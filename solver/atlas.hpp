@@ -1,0 +1,84 @@
+// Every sheet of a body's steady rotations about its material axes over a range of nu, connected to
+// rest or not:
+//
+//   1. at checkpoints inside the range all solutions of each branch are found, with proof
+//      (search.hpp);
+//   2. each that lies on no sheet known so far is followed both ways (follow.hpp);
+//   3. where a circle turns into ellipses and no sheet of these is known, one is entered there;
+//   4. at every checkpoint the solutions on the sheets are counted against those proven: where they
+//      agree, no sheet that passes there is missing.
+//
+// nu and -nu, and with J1 = J2 in (iii) an ellipse and the same turned by a right angle, are one.
+// The work is shared by threads; what comes out does not depend on their number.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/follow.hpp"
+#include "solver/search.hpp"
+
+namespace stationary {
+
+struct AtlasOptions {
+  double from = 0.0;  ///< range of nu, 0 <= from < to
+  double to = 1.0;
+  int checkpoints = 256;  ///< of each branch, in the middle of as many equal parts of the range
+  std::vector<Branch> branches{Branch::i, Branch::ii, Branch::iii};
+  StepOptions step;
+  long max_points = 1'000'000;  ///< of each sheet
+  SearchOptions search;
+  bool spectrum = true;
+  int threads = 1;
+  const std::atomic<bool>* stop = nullptr;  ///< becomes true: end with what is there
+};
+
+struct AtlasRow {
+  Member member;
+  EventType event;
+};
+
+/// Where a sheet leaves another.
+struct Parent {
+  int sheet;  ///< its number
+  EventType event;
+  double nu;
+};
+
+struct AtlasSheet {
+  int number = 0;  ///< from 1
+  Branch branch = Branch::i;
+  std::string found;  ///< for a person: how
+  std::optional<Parent> parent;
+  FollowReport report;
+  std::vector<AtlasRow> rows;
+};
+
+/// All solutions of a branch at one nu, against the sheets.
+struct Checkpoint {
+  Branch branch = Branch::i;
+  double nu = 0.0;
+  SearchStatus status = SearchStatus::not_run;
+  int proven = 0;     ///< solutions in the box searched
+  int on_sheets = 0;  ///< of these, found on a sheet
+  int beyond = 0;     ///< points of sheets in the box that are none of these
+
+  /// No sheet that passes here inside the box is missing.
+  bool complete() const {
+    return status == SearchStatus::complete && proven == on_sheets && beyond == 0;
+  }
+};
+
+struct Atlas {
+  std::vector<AtlasSheet> sheets;       ///< by branch, then as they were found
+  std::vector<Checkpoint> checkpoints;  ///< by branch, then nu
+  std::vector<std::string> remarks;     ///< what was found and not followed
+  bool interrupted = false;
+};
+
+/// Throws std::invalid_argument unless 0 <= from < to, both finite, and checkpoints > 0.
+Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& options);
+
+}  // namespace stationary

@@ -1,0 +1,173 @@
+// stationary atlas CASE: every sheet of the case's body and potential in branches (i), (ii), (iii)
+// over its range of nu, connected to rest or not, and what is proven of there being no others.
+#include "solver/atlas.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "solver/case_keys.hpp"
+#include "solver/cli/command.hpp"
+#include "solver/cli/interrupt.hpp"
+#include "solver/cli/outcome.hpp"
+#include "solver/cli/plan.hpp"
+#include "solver/cli/report.hpp"
+#include "solver/cli/table_output.hpp"
+#include "solver/curve_table.hpp"
+#include "solver/equilibrium_row.hpp"
+
+namespace stationary::cli {
+namespace {
+
+struct AtlasCommand : ComputeOptions {
+  int checkpoints = AtlasOptions{}.checkpoints;
+};
+
+AtlasOptions atlas_options(const Case& input, const AtlasCommand& options, bool with_spectrum) {
+  if (!input.continuation) {
+    throw fault_at(input.source, "continuation", "found no such key",
+                   "a table with parameter, from and to", "add [continuation]");
+  }
+  const Case::Continuation& asked = *input.continuation;
+  if (asked.parameter != "nu") {
+    throw fault_at(input.source, "continuation.parameter", fmt::format("found {}", asked.parameter),
+                   "\"nu\" for an atlas", "`continue` follows one sheet in other parameters");
+  }
+  AtlasOptions out;
+  // nu and -nu are one.
+  out.from =
+      asked.from < 0.0 && asked.to > 0.0 ? 0.0 : std::min(std::abs(asked.from), std::abs(asked.to));
+  out.to = std::max(std::abs(asked.from), std::abs(asked.to));
+  out.step.tolerance = asked.tolerance;
+  out.step.first = asked.step;
+  out.max_points = static_cast<long>(asked.max_points);
+  out.spectrum = with_spectrum;
+  out.checkpoints = options.checkpoints;
+  out.threads = options.threads;
+  out.stop = &stop_on_signals();
+  out.search.stop = out.stop;
+  return out;
+}
+
+std::string sheet_text(const AtlasSheet& sheet) {
+  const auto end = [](const AtlasRow& row) {
+    return fmt::format("{} at nu = {:.10g}",
+                       row.event == EventType::none ? "open" : name(row.event), row.member.nu);
+  };
+  std::string out =
+      fmt::format("({}), {} rows, found from {}: {}, {}", name(sheet.branch), sheet.rows.size(),
+                  sheet.found, end(sheet.rows.front()), end(sheet.rows.back()));
+  if (sheet.parent) {
+    out += fmt::format("; leaves sheet {} at {}", sheet.parent->sheet, name(sheet.parent->event));
+  }
+  return out;
+}
+
+/// "16 of 16 checkpoints: ...", and those where it is not so.
+void add_checkpoints(Report& out, const std::vector<Checkpoint>& all) {
+  std::string_view label = "proven";
+  for (auto first = all.begin(); first != all.end();) {
+    const auto last = std::find_if(first, all.end(),
+                                   [&](const Checkpoint& c) { return c.branch != first->branch; });
+    const auto complete =
+        std::count_if(first, last, [](const Checkpoint& c) { return c.complete(); });
+    out.line(std::exchange(label, {}),
+             fmt::format(
+                 "branch ({}): at {} of {} checkpoints from nu = {:.6g} to {:.6g} the sheets have "
+                 "every solution with stretches in [1e-3, 1e3]",
+                 name(first->branch), complete, last - first, first->nu, (last - 1)->nu));
+    for (; first != last; ++first) {
+      if (first->complete()) continue;
+      out.line(
+          {}, fmt::format("  not shown at nu = {:.6g}: search {}, {} proven, {} of them on sheets, "
+                          "{} points of sheets not proven",
+                          first->nu, name(first->status), first->proven, first->on_sheets,
+                          first->beyond));
+    }
+  }
+}
+
+std::string summary(const Case& input, const Atlas& found, double seconds) {
+  constexpr std::size_t label_width = 14;
+  Report out(label_width);
+  if (!input.title.empty()) out.line("case", printable(input.title));
+  out.line("sheets", fmt::format("{} in {:.2g} s", found.sheets.size(), seconds));
+  for (const AtlasSheet& sheet : found.sheets) {
+    out.line(fmt::format("{}", sheet.number), sheet_text(sheet));
+    for (const EventRecord& event : sheet.report.events)
+      out.line({}, fmt::format("  {:<17} nu = {:.15g}", name(event.type), event.parameter));
+  }
+  out.gap();
+  add_checkpoints(out, found.checkpoints);
+  std::string_view label = "remarks";
+  for (const std::string& remark : found.remarks) out.line(std::exchange(label, {}), remark);
+  return out.text();
+}
+
+ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
+  const Case input = options.read();
+  const bool to_table = !options.output.empty();
+  const bool with_spectrum = wants_spectrum(input, to_table);
+  const AtlasOptions how = atlas_options(input, options, with_spectrum);
+  const std::vector<Column> columns = chosen_columns(
+      input, equilibrium_columns({.events = true, .spectrum = with_spectrum}), "atlas", false);
+  std::optional<TableOutput> output;
+  if (to_table) output.emplace(options.output, options.path);
+
+  const auto begin = std::chrono::steady_clock::now();
+  const Atlas found = atlas(input.body, make_potential(input.models), how);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (output) {
+    TableWriter table(output->sink(), columns);
+    for (const AtlasSheet& sheet : found.sheets) {
+      CurveTable rows(sheet.branch, &table, sheet.number);
+      for (const AtlasRow& row : sheet.rows) rows.row(row.member, row.event);
+    }
+    table.flush();
+    Metadata metadata;
+    metadata.version = STATIONARY_VERSION;
+    metadata.command_line = session.command_line;
+    metadata.input = &input;
+    metadata.rows = table.rows();
+    metadata.seconds = seconds;
+    metadata.atlas = &found;
+    metadata.outcome = {{"command", "atlas"},
+                        {"status", found.interrupted ? "interrupted" : "done"}};
+    output->commit(metadata);
+  } else if (!options.quiet) {
+    print(summary(input, found, seconds));
+  }
+  if (found.interrupted) {
+    complain("interrupted: the atlas is not complete");
+    return ExitCode::interrupted;
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_atlas(CLI::App& program, Session& session) {
+  CLI::App& command =
+      add_command(program, "atlas",
+                  "Find and follow every sheet over the case's range of nu, connected or not");
+  const auto options = std::make_shared<AtlasCommand>();
+  options->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options->add_to(command);
+  command
+      .add_option("--checkpoints", options->checkpoints,
+                  "Values of nu at which every solution is found, with proof")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  command.callback([options, &session] {
+    session.action = [options, &session] { return atlas_case(*options, session); };
+  });
+}
+
+}  // namespace stationary::cli
