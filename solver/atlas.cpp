@@ -1,6 +1,6 @@
 #include "solver/atlas.hpp"
 
-#include <fmt/format.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -66,8 +66,7 @@ class BranchAtlas {
     for (std::size_t k = 0; k < checkpoints_.size(); ++k) {
       for (const Stretch& q : solutions_[k]) {
         if (stopped()) return;
-        if (!on_a_sheet(q, checkpoints_[k].nu))
-          enter(q, checkpoints_[k].nu, fmt::format("search at nu = {:.6g}", checkpoints_[k].nu));
+        if (!on_a_sheet(q, checkpoints_[k].nu)) enter(q, checkpoints_[k].nu, Entry::search);
       }
     }
     if (has_mirror_images()) enter_ellipses();
@@ -76,7 +75,7 @@ class BranchAtlas {
 
   const std::vector<Checkpoint>& checkpoints() const { return checkpoints_; }
   std::vector<AtlasSheet>& sheets() { return sheets_; }
-  const std::vector<std::string>& remarks() const { return remarks_; }
+  const std::vector<Remark>& remarks() const { return remarks_; }
 
  private:
   bool has_mirror_images() const {
@@ -101,26 +100,27 @@ class BranchAtlas {
     SolveOptions how;
     how.stop = options_.stop;
     const Equilibrium rest = solve(problem_, 0.0, how);
-    if (rest.status == SolveStatus::solved) enter(rest.q, 0.0, "rest");
+    if (rest.status == SolveStatus::solved) enter(rest.q, 0.0, Entry::rest);
   }
 
   /// Follows the sheet through a solution and keeps it, unless it is one already kept.
-  AtlasSheet* enter(const Stretch& q, double nu, std::string found) {
+  void enter(const Stretch& q, double nu, Entry entry) {
     AtlasSheet sheet;
     sheet.branch = problem_.branch();
-    sheet.found = std::move(found);
+    sheet.entry = entry;
+    sheet.entry_nu = nu;
     Keep rows(sheet.rows);
     sheet.report = follow(family_, q, nu, follow_options(), rows);
     if (!sheet.report.failure.empty()) {
-      remarks_.push_back(fmt::format("branch ({}), {}: {}", name(sheet.branch), sheet.found,
-                                     sheet.report.failure));
-      return nullptr;
+      remark(entry, nu, sheet.report.failure);
+      return;
     }
-    if (std::ranges::any_of(sheets_,
-                            [&](const AtlasSheet& other) { return same_ends(sheet, other); }))
-      return nullptr;
-    sheets_.push_back(std::move(sheet));
-    return &sheets_.back();
+    const auto is_it = [&](const AtlasSheet& other) { return same_ends(sheet, other); };
+    if (std::ranges::none_of(sheets_, is_it)) sheets_.push_back(std::move(sheet));
+  }
+
+  void remark(Entry entry, double nu, std::string reason) {
+    remarks_.push_back({problem_.branch(), entry, nu, std::move(reason)});
   }
 
   static bool same_ends(const AtlasSheet& a, const AtlasSheet& b) {
@@ -223,14 +223,13 @@ class BranchAtlas {
     constexpr double gap = 1e-3;
     const ReducedVector<N> x = moved<N>(unknowns<N>(at.q), gap * aside.template head<N>());
     const Corrected<N> off = curve.corrector().correct(x, at.nu, aside, 0.5 * gap);
-    const std::string where = fmt::format("ellipse at nu = {:.10g}", at.nu);
     if (off.status != CorrectorStatus::converged) {
-      remarks_.push_back(where + ": ellipses not entered, " + std::string(name(off.status)));
+      remark(Entry::ellipse, at.nu, "ellipses not entered: " + std::string(name(off.status)));
     } else if (std::abs(off.point.p - at.nu) <= 1e-12 * at.nu) {
-      remarks_.push_back(where +
-                         ": a vertical branch, ellipses of any eccentricity at this one nu");
+      remark(Entry::ellipse, at.nu,
+             "a vertical branch: ellipses of any eccentricity at this one nu");
     } else {
-      enter(with_unknowns<N>(at.q, off.point.x), off.point.p, where);
+      enter(with_unknowns<N>(at.q, off.point.x), off.point.p, Entry::ellipse);
     }
   }
 
@@ -240,7 +239,7 @@ class BranchAtlas {
   std::vector<Checkpoint> checkpoints_;
   std::vector<std::vector<Stretch>> solutions_;
   std::vector<AtlasSheet> sheets_;
-  std::vector<std::string> remarks_;
+  std::vector<Remark> remarks_;
 };
 
 /// The sheet of circles an end of ellipses lies on.
@@ -270,7 +269,10 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
   std::vector<BranchAtlas> parts;
   for (const Branch branch : options.branches) parts.emplace_back(body, potential, branch, options);
   const auto each = static_cast<std::size_t>(options.checkpoints);
-  tbb::task_arena arena(std::max(1, options.threads));
+  const int threads = std::max(1, options.threads);
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, parts.size() * each,
                       [&](std::size_t k) { parts[k / each].search_at(k % each); });

@@ -15,6 +15,7 @@
 #include <atomic>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solver/follow.hpp"
@@ -40,6 +41,15 @@ struct AtlasRow {
   EventType event;
 };
 
+/// How a sheet was come upon.
+enum class Entry {
+  rest,    ///< through the rest state
+  search,  ///< through a solution found at a checkpoint
+  ellipse  ///< off a circle that turns into ellipses
+};
+constexpr std::string_view entry_names[] = {"rest", "search", "ellipse"};
+constexpr std::string_view name(Entry e) { return entry_names[static_cast<int>(e)]; }
+
 /// Where a sheet leaves another.
 struct Parent {
   int sheet;  ///< its number
@@ -50,7 +60,8 @@ struct Parent {
 struct AtlasSheet {
   int number = 0;  ///< from 1
   Branch branch = Branch::i;
-  std::string found;  ///< for a person: how
+  Entry entry = Entry::rest;
+  double entry_nu = 0.0;
   std::optional<Parent> parent;
   FollowReport report;
   std::vector<AtlasRow> rows;
@@ -71,10 +82,18 @@ struct Checkpoint {
   }
 };
 
+/// What was come upon and not followed.
+struct Remark {
+  Branch branch;
+  Entry entry;
+  double nu;
+  std::string reason;
+};
+
 struct Atlas {
   std::vector<AtlasSheet> sheets;       ///< by branch, then as they were found
   std::vector<Checkpoint> checkpoints;  ///< by branch, then nu
-  std::vector<std::string> remarks;     ///< what was found and not followed
+  std::vector<Remark> remarks;
   bool interrupted = false;
 };
 

@@ -71,7 +71,8 @@ Json sheets_json(const std::vector<AtlasSheet>& sheets) {
   for (const AtlasSheet& sheet : sheets) {
     Json each{{"sheet", sheet.number},
               {"branch", name(sheet.branch)},
-              {"found", sheet.found},
+              {"entry", name(sheet.entry)},
+              {"entry_nu", sheet.entry_nu},
               {"rows", sheet.rows.size()}};
     if (const auto& parent = sheet.parent) {
       each["parent"] = {
@@ -84,6 +85,17 @@ Json sheets_json(const std::vector<AtlasSheet>& sheets) {
     each["last_end"] = end(sheet.rows.back(), sheet.report.forward);
     each["events"] = events_json(sheet.report.events);
     out.push_back(std::move(each));
+  }
+  return out;
+}
+
+Json remarks_json(const std::vector<Remark>& remarks) {
+  Json out = Json::array();
+  for (const Remark& each : remarks) {
+    out.push_back({{"branch", name(each.branch)},
+                   {"entry", name(each.entry)},
+                   {"nu", each.nu},
+                   {"reason", each.reason}});
   }
   return out;
 }
@@ -140,7 +152,7 @@ std::string metadata_json(const Metadata& metadata) {
   if (metadata.atlas != nullptr) {
     out["sheets"] = sheets_json(metadata.atlas->sheets);
     out["checkpoints"] = checkpoints_json(metadata.atlas->checkpoints);
-    out["remarks"] = metadata.atlas->remarks;
+    out["remarks"] = remarks_json(metadata.atlas->remarks);
   }
   Json counts = Json::object();
   for (const auto& [name, count] : metadata.counts) counts[std::string(name)] = count;

@@ -55,14 +55,26 @@ AtlasOptions atlas_options(const Case& input, const AtlasCommand& options, bool 
   return out;
 }
 
+std::string entry_text(Entry entry, double nu) {
+  switch (entry) {
+    case Entry::rest:
+      return "from rest";
+    case Entry::search:
+      return fmt::format("found at nu = {:.6g}", nu);
+    case Entry::ellipse:
+      break;
+  }
+  return fmt::format("off the circle at nu = {:.10g}", nu);
+}
+
 std::string sheet_text(const AtlasSheet& sheet) {
   const auto end = [](const AtlasRow& row) {
     return fmt::format("{} at nu = {:.10g}",
                        row.event == EventType::none ? "open" : name(row.event), row.member.nu);
   };
-  std::string out =
-      fmt::format("({}), {} rows, found from {}: {}, {}", name(sheet.branch), sheet.rows.size(),
-                  sheet.found, end(sheet.rows.front()), end(sheet.rows.back()));
+  std::string out = fmt::format("({}), {} rows, {}: {}, {}", name(sheet.branch), sheet.rows.size(),
+                                entry_text(sheet.entry, sheet.entry_nu), end(sheet.rows.front()),
+                                end(sheet.rows.back()));
   if (sheet.parent) {
     out += fmt::format("; leaves sheet {} at {}", sheet.parent->sheet, name(sheet.parent->event));
   }
@@ -106,7 +118,10 @@ std::string summary(const Case& input, const Atlas& found, double seconds) {
   out.gap();
   add_checkpoints(out, found.checkpoints);
   std::string_view label = "remarks";
-  for (const std::string& remark : found.remarks) out.line(std::exchange(label, {}), remark);
+  for (const Remark& each : found.remarks) {
+    out.line(std::exchange(label, {}), fmt::format("branch ({}), {}: {}", name(each.branch),
+                                                   entry_text(each.entry, each.nu), each.reason));
+  }
   return out.text();
 }
 

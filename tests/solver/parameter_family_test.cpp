@@ -62,15 +62,6 @@ std::string text(const FamilyParameter& p) {
   return std::string(names[static_cast<int>(p.kind)]) + " " + std::to_string(p.index);
 }
 
-template <int N>
-ReducedVector<N> unknowns(const Stretch& q) {
-  ReducedVector<N> out;
-  out[0] = q.xi;
-  out[1] = q.zeta;
-  if constexpr (N == 3) out[2] = q.rho;
-  return out;
-}
-
 /// df/d ln y, of an f in extended precision. The rows' common factors have kinks where two terms
 /// are equal, as at a solution: a step so small that they do not show.
 template <int N, class F>

@@ -1,0 +1,175 @@
+// Every sheet over a range: the known ones, also those apart from rest; nothing twice; the same
+// whatever the threads.
+#include "solver/atlas.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "tests/solver/random_problem.hpp"
+#include "tests/support/random_states.hpp"
+
+namespace stationary {
+namespace {
+
+using namespace testing;
+
+Potential potential_of(const char* plane, double p1, double p2, double a = 1.0, double b = 3.0) {
+  return {Potential::planar(plane, std::array{p1, p2}),
+          Potential::thickness("reciprocal-quadratic", std::array{a, b})};
+}
+
+Atlas atlas_to(double to, const Body& body, const Potential& potential, int threads = 2) {
+  AtlasOptions options;
+  options.to = to;
+  options.step.tolerance = 1e-6;
+  options.threads = threads;
+  return atlas(body, potential, options);
+}
+
+/// "iii: limit tilt escape; ..."
+std::string text_of(const Atlas& found) {
+  std::string out;
+  for (const AtlasSheet& sheet : found.sheets) {
+    out += std::string(name(sheet.branch)) + ":";
+    for (const AtlasRow& row : sheet.rows)
+      if (row.event != EventType::none) out += " " + std::string(name(row.event));
+    out += "; ";
+  }
+  return out;
+}
+
+void expect_complete(const Atlas& found) {
+  EXPECT_FALSE(found.interrupted);
+  for (const Checkpoint& at : found.checkpoints) {
+    EXPECT_TRUE(at.complete()) << name(at.branch) << " " << at.nu << ": " << name(at.status) << " "
+                               << at.proven << " " << at.on_sheets << " " << at.beyond;
+  }
+}
+
+const Body plate(1.0, 1.7, 0.6);
+
+TEST(Atlas, OfANeoHookeanBodyIsItsSheetsFromRestAndOneBeyond) {
+  const Atlas found = atlas_to(1.1, plate, potential_of("neo-hookean", 1.0, 2.0));
+  EXPECT_EQ(text_of(found),
+            "i: limit tilt escape; ii: limit inertia-exchange tilt escape; iii: limit tilt escape; "
+            "iii: escape tilt fold-momentum fold-nu escape; ");
+  expect_complete(found);
+  for (const AtlasSheet& sheet : found.sheets)
+    EXPECT_EQ(sheet.entry, sheet.number < 4 ? Entry::rest : Entry::search);
+  // Below where the two ends of the fourth come from.
+  EXPECT_EQ(atlas_to(0.9, plate, potential_of("neo-hookean", 1.0, 2.0)).sheets.size(), 3U);
+}
+
+TEST(Atlas, FindsTheSheetApartFromRest) {
+  const Atlas biot = atlas_to(2.0, plate, potential_of("biot-log", 1.0, 0.6));
+  EXPECT_EQ(text_of(biot),
+            "i: limit tilt escape; ii: limit inertia-exchange tilt escape; iii: limit tilt escape; "
+            "iii: escape fold-nu fold-momentum tilt krein-pass escape; ");
+  expect_complete(biot);
+  EXPECT_FALSE(biot.sheets.back().parent.has_value());
+  const Atlas soft = atlas_to(1.0, Body(1.046, 0.972, 0.234),
+                              potential_of("neo-hookean", 0.0525, 2.3792, 0.591, 1.917));
+  EXPECT_EQ(soft.sheets.size(), 4U) << text_of(soft);
+  expect_complete(soft);
+}
+
+TEST(Atlas, EllipsesComeFromTheCircleAndOnce) {
+  const Atlas found = atlas_to(3.0, Body(1.0, 1.0, 0.6), potential_of("biot-log", 1.0, 4.0));
+  ASSERT_EQ(found.sheets.size(), 5U) << text_of(found);
+  expect_complete(found);
+  for (const std::size_t k : {3U, 4U}) {
+    const AtlasSheet& ellipses = found.sheets[k];
+    ASSERT_TRUE(ellipses.parent.has_value()) << k;
+    EXPECT_EQ(ellipses.parent->sheet, 3);
+    EXPECT_EQ(ellipses.parent->event, EventType::ellipse);
+    for (const AtlasRow& row : ellipses.rows) {
+      EXPECT_EQ(row.event == EventType::ellipse, row.member.q.xi == row.member.q.zeta);
+    }
+  }
+}
+
+/// Where no checkpoint meets the ellipses they are entered at the circle.
+TEST(Atlas, EllipsesBetweenCheckpointsAreEnteredAtTheCircle) {
+  AtlasOptions options;
+  options.from = 0.0;
+  options.to = 1.08;
+  options.checkpoints = 3;
+  options.branches = {Branch::iii};
+  const Atlas found = atlas(Body(1.0, 1.0, 0.6), potential_of("biot-log", 1.0, 4.0), options);
+  ASSERT_EQ(found.sheets.size(), 2U) << text_of(found);
+  EXPECT_EQ(found.sheets[1].entry, Entry::ellipse);
+  ASSERT_TRUE(found.sheets[1].parent.has_value());
+  EXPECT_EQ(found.sheets[1].parent->sheet, 1);
+}
+
+/// biot, J1 = J2: ellipses of any eccentricity at J nu^2 = 2 mu.
+TEST(Atlas, AVerticalBranchIsNamed) {
+  AtlasOptions options;
+  options.to = 1.5;
+  options.checkpoints = 7;
+  options.branches = {Branch::iii};
+  const Atlas found = atlas(Body(1.0, 1.0, 0.6), potential_of("biot", 1.0, 2.0), options);
+  ASSERT_EQ(found.remarks.size(), 1U);
+  EXPECT_TRUE(found.remarks[0].reason.starts_with("a vertical branch")) << found.remarks[0].reason;
+  EXPECT_NEAR(found.remarks[0].nu, std::sqrt(2.0), 1e-14);
+}
+
+TEST(Atlas, DoesNotDependOnTheThreads) {
+  const Potential potential = potential_of("biot-log", 1.0, 0.6);
+  const Atlas one = atlas_to(2.0, plate, potential, 1);
+  for (const int threads : {2, 5}) {
+    const Atlas many = atlas_to(2.0, plate, potential, threads);
+    ASSERT_EQ(one.sheets.size(), many.sheets.size());
+    for (std::size_t s = 0; s < one.sheets.size(); ++s) {
+      ASSERT_EQ(one.sheets[s].rows.size(), many.sheets[s].rows.size());
+      for (std::size_t k = 0; k < one.sheets[s].rows.size(); ++k) {
+        EXPECT_EQ(one.sheets[s].rows[k].member.nu, many.sheets[s].rows[k].member.nu);
+        EXPECT_EQ(one.sheets[s].rows[k].member.q.xi, many.sheets[s].rows[k].member.q.xi);
+      }
+    }
+  }
+}
+
+/// Random bodies and models: every sheet's point at a checkpoint is a proven solution, and every
+/// proven solution is on a sheet; what is not shown is said so, and rare.
+TEST(Atlas, RandomBodiesAreComplete) {
+  support::Random random(417);
+  int checkpoints = 0;
+  int complete = 0;
+  for (int k = 0; k < 60; ++k) {
+    const Posed posed = random_problem(random, 2.0);
+    AtlasOptions options;
+    options.to = 2.0 * std::abs(posed.nu);
+    options.checkpoints = 12;
+    options.step.tolerance = 1e-5;
+    options.threads = 2;
+    const Atlas found = atlas(posed.problem.body(), posed.problem.potential(), options);
+    for (const Checkpoint& at : found.checkpoints) {
+      ++checkpoints;
+      complete += at.complete();
+      EXPECT_TRUE(at.complete() || at.status != SearchStatus::complete)
+          << posed.text << name(at.branch) << " " << at.nu << ": " << at.proven << " "
+          << at.on_sheets << " " << at.beyond << " " << text_of(found);
+    }
+  }
+  EXPECT_GE(complete, checkpoints * 98 / 100) << checkpoints;
+}
+
+TEST(Atlas, RefusesARangeThatIsNone) {
+  const Potential potential = potential_of("neo-hookean", 1.0, 2.0);
+  for (const auto& [from, to] : {std::pair{-1.0, 1.0}, {1.0, 1.0}, {2.0, 1.0}, {0.0, INFINITY}}) {
+    AtlasOptions options;
+    options.from = from;
+    options.to = to;
+    EXPECT_THROW(atlas(plate, potential, options), std::invalid_argument);
+  }
+  AtlasOptions none;
+  none.checkpoints = 0;
+  EXPECT_THROW(atlas(plate, potential, none), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace stationary
