@@ -13,6 +13,12 @@
 //   G_xi = xi W_t + W_l - c_xi xi^2,  G_zeta = zeta W_t + W_l - c_zeta zeta^2,  G_rho = W_r - c_rho
 //   rho^2,
 // with a symmetric Jacobian; the domain is kept by construction. That is what the solvers solve.
+//
+// A tilted axis, nu = (nu1, 0, nu3), needs I11 = I33, that is rho = sqrt(J1/J3) xi. Of the balance
+//   xi V_xi = J1 xi^2 nu3^2,   zeta V_zeta = J2 zeta^2 |nu|^2,   rho V_rho = J3 rho^2 nu1^2
+// the second and the sum of the other two hold no tilt, only |nu|; the tilt follows from either of
+// the other two. Again a gradient, that of V(xi, zeta, sqrt(J1/J3) xi) - |nu|^2 (J1 xi^2 + J2
+// zeta^2)/2. In the 2-3 plane 1 and 2, xi and zeta change places.
 #pragma once
 
 #include <Eigen/Core>
@@ -105,6 +111,46 @@ LogBalance<S> coupled_log_balance(const CoupledDerivatives<S>& w, const Q& xi, c
     out.ww = w.w_rr - 2.0 * pull_rho;
   }
   return out;
+}
+
+/// rho of a tilted motion, from the stretch along the plane's own axis.
+template <class S>
+S tilted_thickness(const Body& body, TiltPlane plane, const S& xi, const S& zeta) {
+  using std::sqrt;
+  const bool first = plane == TiltPlane::one_three;
+  return sqrt(S(first ? body.J1 : body.J2) / S(body.J3)) * (first ? xi : zeta);
+}
+
+/// The two equations of a tilted axis, in (u, v) with w tied to one of them; c: axis_rates() of
+/// |nu|^2 in (iii). rho: tilted_thickness().
+template <int order, class S, class Q>
+LogBalance<S> tilted_log_balance(const CoupledDerivatives<S>& w, const Q& xi, const Q& zeta,
+                                 const Q& rho, TiltPlane plane, const CentrifugalRates<Q>& c) {
+  LogBalance<S> out = coupled_log_balance<order>(w, xi, zeta, rho, c);
+  const bool first = plane == TiltPlane::one_three;
+  (first ? out.g_xi : out.g_zeta) += out.g_rho;
+  if constexpr (order >= 2) {
+    (first ? out.uu : out.vv) += 2.0 * (first ? out.uw : out.vw) + out.ww;
+    out.uv += first ? out.vw : out.uw;
+  }
+  return out;
+}
+
+/// nu^2 along the plane's own axis and along axis 3. Negative: no tilted motion is there.
+template <class S>
+struct TiltSquares {
+  S in_plane;
+  S normal;
+};
+
+/// At a solution of tilted_log_balance(), from the potential's derivatives there.
+template <class S>
+TiltSquares<S> tilt_squares(const Body& body, TiltPlane plane, const CoupledDerivatives<S>& w,
+                            const S& xi, const S& zeta, const S& rho) {
+  const bool first = plane == TiltPlane::one_three;
+  const S& x = first ? xi : zeta;
+  return {w.w_r / (body.J3 * (rho * rho)),
+          (x * w.plane.w_t + w.plane.w_l) / ((first ? body.J1 : body.J2) * (x * x))};
 }
 
 /// The verdict on a candidate (q, nu), evaluated from the returned numbers alone: what a solver's

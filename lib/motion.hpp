@@ -1,5 +1,7 @@
 // Steady rotations about a material axis: the paper's branches
-//   (i) nu = (nu1, 0, 0),   (ii) nu = (0, nu2, 0),   (iii) nu = (0, 0, nu3).
+//   (i) nu = (nu1, 0, 0),   (ii) nu = (0, nu2, 0),   (iii) nu = (0, 0, nu3),
+// and about an axis tilted in the plane of one of axes 1, 2 and of axis 3:
+//   nu = (nu1, 0, nu3)  or  nu = (0, nu2, nu3).
 #pragma once
 
 #include <optional>
@@ -29,6 +31,28 @@ template <class S>
 Vector3<S> angular_velocity(Branch branch, const S& nu_along) {
   Vector3<S> nu = Vector3<S>::Constant(S(0.0));
   nu[axis(branch)] = nu_along;
+  return nu;
+}
+
+constexpr std::string_view tilted_name = "tilted";
+
+/// The planes a tilted axis can lie in.
+enum class TiltPlane { one_three, two_three };
+constexpr std::string_view tilt_plane_names[] = {"13", "23"};
+constexpr std::string_view name(TiltPlane plane) {
+  return tilt_plane_names[static_cast<int>(plane)];
+}
+
+/// The branch about the plane's other axis than 3.
+constexpr Branch in_plane_branch(TiltPlane plane) {
+  return plane == TiltPlane::one_three ? Branch::i : Branch::ii;
+}
+
+/// nu in the plane, from its components along that branch's axis and along axis 3.
+template <class S>
+Vector3<S> angular_velocity(TiltPlane plane, const S& in_plane, const S& normal) {
+  Vector3<S> nu = angular_velocity(in_plane_branch(plane), in_plane);
+  nu[axis(Branch::iii)] = normal;
   return nu;
 }
 

@@ -131,9 +131,9 @@ std::vector<ModelChoice> read_models(const CaseTree& tree) {
   return out;
 }
 
-/// Throws where the motion has a number that is not the branch's.
-void refuse_number(const CaseTree& tree, std::string_view key, std::string_view branch,
-                   std::string_view instead) {
+/// Throws where the motion has a key that is not the branch's.
+void refuse_key(const CaseTree& tree, std::string_view key, std::string_view branch,
+                std::string_view instead) {
   const std::string path = dotted("motion", key);
   if (find(tree, path) == nullptr) return;
   throw InputError(tree.key_origin(path), path,
@@ -141,19 +141,37 @@ void refuse_number(const CaseTree& tree, std::string_view key, std::string_view 
                    std::string(instead), fmt::format("remove {}", key));
 }
 
-AxisRotation read_axis_rotation(const CaseTree& tree, Branch branch) {
+/// motion.nu, of a branch that takes it and no other number.
+double read_nu(const CaseTree& tree, std::string_view branch, std::string_view meaning) {
   for (const std::string_view key : {"omega", "theta_dot", "s3", "p_theta"})
-    refuse_number(tree, key, name(branch), "nu (the spin along the branch's axis)");
+    refuse_key(tree, key, branch, meaning);
   if (find(tree, "motion.nu") == nullptr) {
     throw fault_at(tree, "motion.nu", "found no such key",
                    std::string(find_case_key("motion.nu")->allowed), "add nu in [motion]");
   }
-  return {branch, value_or(tree, "motion.nu", 0.0)};
+  return value_or(tree, "motion.nu", 0.0);
+}
+
+AxisRotation read_axis_rotation(const CaseTree& tree, Branch branch) {
+  constexpr std::string_view meaning = "nu (the spin along the branch's axis)";
+  refuse_key(tree, "plane", name(branch), meaning);
+  return {branch, read_nu(tree, name(branch), meaning)};
+}
+
+TiltedRotation read_tilted(const CaseTree& tree) {
+  const std::string plane = value_or(tree, "motion.plane", std::string(name(TiltPlane::one_three)));
+  const double nu = read_nu(tree, tilted_name, "nu (its length |nu|), and plane");
+  if (!(nu > 0.0)) {
+    throw fault_at(tree, "motion.nu", fmt::format("found nu = {} with branch \"tilted\"", nu),
+                   "nu > 0", "it is the length |nu| of a vector in a plane");
+  }
+  return {plane == name(TiltPlane::one_three) ? TiltPlane::one_three : TiltPlane::two_three, nu};
 }
 
 TwoPolarMotion read_two_polar(const CaseTree& tree, const Body& body) {
   constexpr std::string_view rule = "omega and theta_dot, or s3 and p_theta";
-  refuse_number(tree, "nu", two_polar_name, std::string(rule) + ", instead");
+  for (const std::string_view key : {"nu", "plane"})
+    refuse_key(tree, key, two_polar_name, std::string(rule) + ", instead");
   struct Pair {
     std::string_view first;
     std::string_view second;
@@ -197,12 +215,15 @@ TwoPolarMotion read_two_polar(const CaseTree& tree, const Body& body) {
 }
 
 Case::Motion read_motion(const CaseTree& tree, const Body& body) {
-  const auto branch = branch_from_name(value_or<std::string>(tree, "motion.branch", ""));
-  if (branch) return read_axis_rotation(tree, *branch);
+  const std::string named = value_or<std::string>(tree, "motion.branch", "");
+  if (const auto branch = branch_from_name(named)) return read_axis_rotation(tree, *branch);
+  if (named == tilted_name) return read_tilted(tree);
   return read_two_polar(tree, body);
 }
 
-Case::Solve read_solve(const CaseTree& tree, bool two_polar) {
+Case::Solve read_solve(const CaseTree& tree, const Case::Motion& motion) {
+  const bool two_polar = std::holds_alternative<TwoPolarMotion>(motion);
+  const bool tilted = std::holds_alternative<TiltedRotation>(motion);
   Case::Solve out;
   const std::string method = value_or<std::string>(tree, "solve.method", "auto");
   const auto at = std::ranges::find(method_names, std::string_view(method));
@@ -213,10 +234,18 @@ Case::Solve read_solve(const CaseTree& tree, bool two_polar) {
                    "\"auto\" or \"nlopt\"",
                    "two-polar motions are searched for globally, by NLopt, then corrected");
   }
+  if (tilted && out.method != Method::automatic && out.method != Method::newton) {
+    throw fault_at(tree, "solve.method",
+                   fmt::format("found the string {} with branch \"tilted\"", in_quotes(method)),
+                   "\"auto\" or \"newton\"",
+                   "tilted motions are had by Newton from solve.start, or by following the family");
+  }
   out.all = value_or(tree, "solve.all", false);
-  if (out.all && two_polar) {
-    throw fault_at(tree, "solve.all", "found true with branch \"two-polar\"", "false",
-                   "the exhaustive search covers branches i, ii and iii");
+  if (out.all && (two_polar || tilted)) {
+    throw fault_at(
+        tree, "solve.all",
+        "found true with branch " + in_quotes(value_or<std::string>(tree, "motion.branch", "")),
+        "false", "the exhaustive search covers branches i, ii and iii");
   }
   const std::vector<double> start = numbers(tree, "solve.start");
   if (start.empty()) return out;
@@ -262,6 +291,11 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
                    fmt::format("found the empty range from {} to {}", out.from, out.to),
                    "from < to");
   }
+  if (std::holds_alternative<TiltedRotation>(family.motion) && !(out.from >= 0.0)) {
+    throw fault_at(tree, "continuation.from",
+                   fmt::format("found {} with branch \"tilted\"", out.from), "from >= 0",
+                   "nu is the length |nu| there");
+  }
   if (!(out.tolerance > 0.0 && out.tolerance <= 1.0)) {
     throw fault_at(tree, "continuation.tolerance", fmt::format("found {}", out.tolerance),
                    "a number > 0 and <= 1 (1e-13 is the least that double precision keeps)");
@@ -290,13 +324,15 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
   return out;
 }
 
-Case::Output read_output(const CaseTree& tree, bool two_polar) {
+Case::Output read_output(const CaseTree& tree, const Case::Motion& motion) {
   Case::Output out;
   out.spectrum = value_or(tree, "output.spectrum", true);
   out.certificate = value_or(tree, "output.certificate", false);
-  if (out.certificate && two_polar) {
-    throw fault_at(tree, "output.certificate", "found true with branch \"two-polar\"", "false",
-                   "certificates cover branches i, ii and iii");
+  if (out.certificate && !std::holds_alternative<AxisRotation>(motion)) {
+    throw fault_at(
+        tree, "output.certificate",
+        "found true with branch " + in_quotes(value_or<std::string>(tree, "motion.branch", "")),
+        "false", "certificates cover branches i, ii and iii");
   }
   const toml::node* columns = find(tree, "output.columns");
   if (columns == nullptr) return out;
@@ -321,6 +357,11 @@ Potential make_potential(std::span<const ModelChoice> models) {
   return {Potential::planar(name(0), values(0)), Potential::thickness(name(1), values(1))};
 }
 
+std::string_view Case::branch_name() const {
+  if (tilted()) return tilted_name;
+  return two_polar() ? two_polar_name : name(std::get<AxisRotation>(motion).branch);
+}
+
 Case read_case(const std::string& path, std::span<const std::string> overrides) {
   CaseTree tree = CaseTree::read(path);
   for (const std::string& each : overrides) tree.override_key(each);
@@ -333,10 +374,9 @@ Case make_case(CaseTree tree) {
   const std::vector<ModelChoice> models = read_models(tree);
   const Case::Motion motion = read_motion(tree, body);
   const std::string title = value_or<std::string>(tree, "title", "");
-  const bool two_polar = std::holds_alternative<TwoPolarMotion>(motion);
-  const Case::Solve solve = read_solve(tree, two_polar);
+  const Case::Solve solve = read_solve(tree, motion);
   const auto continuation = read_continuation(tree, {body, models, motion});
-  const Case::Output output = read_output(tree, two_polar);
+  const Case::Output output = read_output(tree, motion);
   return {.title = title,
           .body = body,
           .models = models,

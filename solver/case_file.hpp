@@ -2,8 +2,9 @@
 // full before anything is computed.
 //
 //   [body] J   [potential] plane + thickness | coupled
-//   [motion] branch, nu; or of branch "two-polar" omega and theta_dot | s3 and p_theta
-//   [solve] start, method   [continuation] parameter, from, to, tolerance   [output] spectrum, ...
+//   [motion] branch, nu, of "tilted" also plane; or of branch "two-polar" omega and theta_dot | s3
+//   and p_theta [solve] start, method   [continuation] parameter, from, to, tolerance   [output]
+//   spectrum, ...
 #pragma once
 
 #include <optional>
@@ -19,6 +20,7 @@
 #include "solver/case_tree.hpp"
 #include "solver/equilibrium.hpp"
 #include "solver/problem.hpp"
+#include "solver/tilted_family.hpp"
 #include "solver/two_polar_equilibrium.hpp"
 
 namespace stationary {
@@ -41,7 +43,7 @@ struct AxisRotation {
 };
 
 struct Case {
-  using Motion = std::variant<AxisRotation, TwoPolarMotion>;
+  using Motion = std::variant<AxisRotation, TiltedRotation, TwoPolarMotion>;
   struct Solve {
     std::optional<Stretch> start;  ///< two-polar: xi, zeta are lambda, mu
     Method method = Method::automatic;
@@ -72,6 +74,8 @@ struct Case {
   CaseTree source;  ///< where each key comes from
 
   bool two_polar() const { return std::holds_alternative<TwoPolarMotion>(motion); }
+  bool tilted() const { return std::holds_alternative<TiltedRotation>(motion); }
+  std::string_view branch_name() const;
   /// Of an axis rotation (std::bad_variant_access otherwise).
   Problem problem() const {
     return Problem(body, potential, std::get<AxisRotation>(motion).branch);

@@ -17,8 +17,8 @@ namespace {
 using enum KeyType;
 
 constexpr std::string_view branches[] = {name(Branch::i), name(Branch::ii), name(Branch::iii),
-                                         two_polar_name};
-constexpr std::string_view later_branches[] = {"oblique", "tilted"};
+                                         tilted_name, two_polar_name};
+constexpr std::string_view later_branches[] = {"oblique"};
 constexpr std::string_view a_boolean = "true or false";
 constexpr std::string_view a_number = "a finite number";
 
@@ -32,13 +32,14 @@ constexpr CaseKey keys[] = {
     {"potential.coupled", model, false, "a table of model and its coefficients"},
     {"motion", table, true, "a table with branch and nu, or two-polar's numbers instead of nu"},
     {"motion.branch", text, true, "", 0, branches, later_branches},
-    // Which of these five a branch takes, the case reader checks.
-    {"motion.nu", number, false, "a finite number (the spin along the branch's axis)"},
+    // Which of these six a branch takes, the case reader checks.
+    {"motion.nu", number, false,
+     "a finite number (the spin along the branch's axis; |nu| in \"tilted\")"},
     {"motion.omega", number, false, a_number},
     {"motion.theta_dot", number, false, a_number},
     {"motion.s3", number, false, a_number},
     {"motion.p_theta", number, false, a_number},
-    {"motion.plane", text, false, "", 0, {}, {}, false},
+    {"motion.plane", text, false, "", 0, tilt_plane_names},
     {"solve", table, false, "a table"},
     {"solve.start", numbers, false, "four finite numbers, start = [alpha, xi, zeta, rho]", 4},
     {"solve.method", text, false, "", 0, method_names},
@@ -69,7 +70,7 @@ std::string_view parent(std::string_view path) {
 std::vector<std::string_view> names_below(std::string_view prefix) {
   std::vector<std::string_view> out;
   for (const CaseKey& key : keys)
-    if (key.available && parent(key.path) == prefix) out.push_back(last_name(key.path));
+    if (parent(key.path) == prefix) out.push_back(last_name(key.path));
   return out;
 }
 
@@ -84,7 +85,7 @@ std::string place_of(std::string_view prefix) {
   if (remedy.empty()) {
     // The right key in the wrong table.
     for (const CaseKey& key : keys)
-      if (key.available && last_name(key.path) == name && parent(key.path) != prefix)
+      if (last_name(key.path) == name && parent(key.path) != prefix)
         remedy = did_you_mean(std::optional(key.path));
   }
   const std::string path = dotted(prefix, name);
@@ -219,11 +220,6 @@ void require_table(const CaseTree& tree, const std::string& prefix, const toml::
     const bool plain = name.str().find('.') == std::string_view::npos && !name.empty();
     const CaseKey* key = plain ? find_case_key(path) : nullptr;
     if (key == nullptr) refuse_unknown(tree, prefix, name.str(), names_below(prefix));
-    if (!key->available) {
-      throw InputError(tree.key_origin(path), path,
-                       "found a key that is not available in this version",
-                       "one of " + listed(names_below(prefix)) + ' ' + place_of(prefix));
-    }
     require_type(tree, *key, node);
     if (key->type == KeyType::table) require_table(tree, path, *node.as_table());
     if (key->type == KeyType::model) require_model(tree, path, *node.as_table());

@@ -31,7 +31,6 @@ struct CaseKey {
   /// Names a text may hold, and names reserved for versions to come; none: any text.
   std::span<const std::string_view> choices = {};
   std::span<const std::string_view> reserved = {};
-  bool available = true;  ///< false: the key itself is reserved
 };
 
 std::span<const CaseKey> case_keys();

@@ -1,6 +1,7 @@
 // The numbers of a case that may be varied along a family, by their dotted keys: those of its
 // motion (nu; motion.omega ... of a two-polar one), body.J.0 ... body.J.2 and every coefficient of
-// the case's models (potential.plane.c). A two-polar body keeps its J1 = J2.
+// the case's models (potential.plane.c). A two-polar body keeps its J1 = J2; a tilted family is one
+// in nu.
 #pragma once
 
 #include <string>

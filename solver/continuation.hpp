@@ -183,10 +183,12 @@ class Continuation {
       if (!stop_at(*limit, attempt)) return;
       next = here_next_;
       find_events(next, attempt.arc);
+      if (ends_tilted(next, attempt)) return;
       settle(next, attempt);
       finish(EventType::limit, "the range asked for");
       return;
     }
+    if (ends_tilted(next, attempt)) return;
     const double D_before = D_;
     const double h = h_;
     settle(next, attempt);
@@ -277,6 +279,34 @@ class Continuation {
     }
     here_next_ = completed(at.point);
     attempt.arc = Arc<N>(y, here_.arc.tangent, at.point.tangent);
+    return true;
+  }
+
+  /// Ends a tilted family where its axis has come to a material one inside the step: at the event
+  /// located there, if the point beyond is none of the family.
+  bool ends_tilted(const CurvePoint<N>& next, Attempt& attempt) {
+    if (!curve_->context().tilted) return false;
+    const auto at = std::ranges::find(events_, EventType::tilt, &Event::type);
+    if (at == events_.end() && !next.member.beyond_end()) return false;
+    const Member end = at == events_.end() ? here_.member : at->member;
+    finish(EventType::tilt, end.tilt_in_plane < end.tilt_normal
+                                ? "the axis has come to axis 3, on branch (iii)"
+                                : "the axis has come to the plane of axes 1 and 2");
+    if (at == events_.end()) return true;  // it was there at the start
+    const ReducedVector<N> x = unknowns<N>(end.q);
+    const Corrected<N> corrected = curve_->corrector().correct_at(x, end.parameter, attempt.arc.to);
+    if (corrected.status == CorrectorStatus::converged) {
+      ArcVector<N> chord;
+      chord.template head<N>() = (x.array() / here_.arc.x.array()).log().matrix();
+      chord[N] = (end.parameter - here_.arc.p) / curve_->corrector().scale();
+      attempt.arc = Arc<N>(chord, here_.arc.tangent, corrected.point.tangent);
+      CurvePoint<N> last = completed(corrected.point);
+      last.member.spectrum.reset();    // a pair is zero there, and of no sign
+      find_events(last, attempt.arc);  // once more, of what is left of the step
+      settle(last, attempt);
+    }
+    std::erase_if(events_, [](const Event& event) { return event.type == EventType::tilt; });
+    here_.member = end;
     return true;
   }
 

@@ -21,7 +21,7 @@ class Curve {
   Curve(const Family<N>& family, double scale, bool circle)
       : family_(&family),
         corrector_(family, scale, circle),
-        context_{family.branch(), family.material_symmetry(), circle} {}
+        context_{family.branch(), family.material_symmetry(), circle, family.tilted()} {}
 
   const Family<N>& family() const { return *family_; }
   const Corrector<N>& corrector() const { return corrector_; }

@@ -38,7 +38,7 @@ void CurveTable::row(const Member& member, EventType event) {
   if (problem_at_) {
     Equilibrium at;
     at.q = member.q;
-    at.nu = angular_velocity(branch_, member.nu);
+    at.nu = member.angular_velocity;
     const RowProof proof = prove_row(problem_at_(member.parameter), at, member.spectrum, row_);
     count_proof(proof.proven, member.parameter, proof.reason);
   }
@@ -74,8 +74,7 @@ void CurveTable::count_proof(bool proven, double parameter, const std::string& r
 }
 
 double CurveTable::parameter_of(const TableRow& row) const {
-  constexpr Column nu[] = {Column::nu1, Column::nu2, Column::nu3};
-  return std::isnan(row.parameter) ? row[nu[axis(branch_)]] : row.parameter;
+  return std::isnan(row.parameter) ? spin(branch_, row) : row.parameter;
 }
 
 }  // namespace stationary

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solver/equilibrium_row.hpp"
@@ -49,9 +50,9 @@ struct CurveProofs {
 
 class CurveTable final : public CurveSink {
  public:
-  /// Rows of sheet `sheet` from point `point` on; writer may be null: then only the summary is
-  /// made.
-  CurveTable(Branch branch, TableWriter* writer, int sheet = 1, long point = 0)
+  /// Rows of sheet `sheet` from point `point` on; branch: a name that outlives this; writer may be
+  /// null: then only the summary is made.
+  CurveTable(std::string_view branch, TableWriter* writer, int sheet = 1, long point = 0)
       : branch_(branch), writer_(writer), point_(point) {
     row_[Column::sheet] = sheet;
   }
@@ -69,7 +70,7 @@ class CurveTable final : public CurveSink {
   void count_proof(bool proven, double parameter, const std::string& reason);
   double parameter_of(const TableRow& row) const;
 
-  Branch branch_;
+  std::string_view branch_;
   TableWriter* writer_;
   long point_;
   TableRow row_;

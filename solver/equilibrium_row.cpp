@@ -1,5 +1,6 @@
 #include "solver/equilibrium_row.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -50,25 +51,32 @@ std::vector<Column> equilibrium_columns(const RowParts& parts) {
   return out;
 }
 
-void fill_row(const Problem& problem, const Equilibrium& equilibrium, TableRow& row) {
+void fill_row(std::string_view branch, const Body& body, const Potential& potential,
+              const Equilibrium& equilibrium, TableRow& row) {
   const Stretch& q = equilibrium.q;
   const Vector3<double>& nu = equilibrium.nu;
-  row.branch = name(problem.branch());
+  row.branch = branch;
   fill_stretch(q, row);
-  fill_motion(nu, locked_inertia(problem.body(), q) * nu, row);
-  row[Column::energy] = energy(problem.body(), problem.potential(), q, nu);
+  fill_motion(nu, locked_inertia(body, q) * nu, row);
+  row[Column::energy] = energy(body, potential, q, nu);
   fill_errors(equilibrium, row);
 }
 
-void fill_row(Branch branch, const Member& member, TableRow& row) {
-  const Vector3<double> nu = angular_velocity(branch, member.nu);
-  row.branch = name(branch);
+void fill_row(std::string_view branch, const Member& member, TableRow& row) {
+  const Vector3<double>& nu = member.angular_velocity;
+  row.branch = branch;
   fill_stretch(member.q, row);
   fill_motion(nu, locked_inertia(member.body, member.q) * nu, row);
   row[Column::energy] = member.energy;
   fill_errors(member, row);
   row.parameter = member.parameter;
   if (member.spectrum) fill_spectrum(*member.spectrum, row);
+}
+
+double spin(std::string_view branch, const TableRow& row) {
+  constexpr Column nu[] = {Column::nu1, Column::nu2, Column::nu3};
+  if (const auto about = branch_from_name(branch)) return row[nu[axis(*about)]];
+  return std::hypot(row[nu[0]], row[nu[1]], row[nu[2]]);
 }
 
 void fill_row(const Body& body, const Potential& potential, const TwoPolarEquilibrium& equilibrium,

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lib/spectrum.hpp"
@@ -29,10 +30,14 @@ std::vector<Column> equilibrium_columns(const RowParts& parts);
 
 /// Motion, stretch, principal stretches (no angle on the circle), momenta, energy and the errors
 /// of a solved equilibrium; leaves the other columns as they are.
-void fill_row(const Problem& problem, const Equilibrium& equilibrium, TableRow& row);
+void fill_row(std::string_view branch, const Body& body, const Potential& potential,
+              const Equilibrium& equilibrium, TableRow& row);
 
 /// Likewise of a member of a family, its parameter and, where it was computed, its spectrum.
-void fill_row(Branch branch, const Member& member, TableRow& row);
+void fill_row(std::string_view branch, const Member& member, TableRow& row);
+
+/// nu along a branch's axis, |nu| of a tilted motion; NaN where its columns are.
+double spin(std::string_view branch, const TableRow& row);
 
 /// Likewise of a two-polar motion, at the moment theta = 0: S = diag(lambda, mu, rho), nu3 = omega
 /// + theta' (the paper's L^-1 L'), pi3 = s3.

@@ -96,20 +96,10 @@ void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
   }
 }
 
-}  // namespace
-
-TestValues test_values(const Member& member, const TestContext& context, double fold,
-                       double momentum) {
-  TestValues out;
-  out.value.fill(none);
-  out.value[TestValues::fold] = fold;
-  out.value[TestValues::momentum] = momentum;
+/// Those of a spin about a material axis; m1 = J1 xi^2 ...
+void set_axis_tests(const Member& member, const TestContext& context, double m1, double m2,
+                    double m3, TestValues& out) {
   const Body& J = member.body;
-  // Differences of the locked inertias without their common part: I_1 - I_2 = m_2 - m_1 ...
-  const auto moment = [](double Jk, double stretch) { return Jk * stretch * stretch; };
-  const double m1 = moment(J.J1, member.q.xi);
-  const double m2 = moment(J.J2, member.q.zeta);
-  const double m3 = moment(J.J3, member.q.rho);
   out.value[TestValues::inertia_13] = relative_difference(m3, m1);
   if (!context.circle) {  // there the axes 1 and 2 are alike
     out.value[TestValues::inertia_12] = relative_difference(m2, m1);
@@ -126,6 +116,30 @@ TestValues test_values(const Member& member, const TestContext& context, double 
   } else if (!context.material_symmetry) {
     // K_aa (I1 - I2) - h^2 omega^2 of an isotropic V, but for factors that keep their sign.
     out.value[TestValues::turn] = relative_difference(J.J1, J.J2);
+  }
+}
+
+}  // namespace
+
+TestValues test_values(const Member& member, const TestContext& context, double fold,
+                       double momentum) {
+  TestValues out;
+  out.value.fill(none);
+  out.value[TestValues::fold] = fold;
+  out.value[TestValues::momentum] = momentum;
+  const Body& J = member.body;
+  // Differences of the locked inertias without their common part: I_1 - I_2 = m_2 - m_1 ...
+  const auto moment = [](double Jk, double stretch) { return Jk * stretch * stretch; };
+  const double m1 = moment(J.J1, member.q.xi);
+  const double m2 = moment(J.J2, member.q.zeta);
+  const double m3 = moment(J.J3, member.q.rho);
+  out.value[TestValues::tilt_in_plane] = member.tilt_in_plane;
+  out.value[TestValues::tilt_normal] = member.tilt_normal;
+  if (context.tilted) {
+    // Where J1 = J2 only an end is on the circle.
+    if (!J.symmetric()) out.value[TestValues::inertia_12] = relative_difference(m2, m1);
+  } else {
+    set_axis_tests(member, context, m1, m2, m3, out);
   }
   if (member.spectrum) {
     const auto blocks = by_block(*member.spectrum);
@@ -149,6 +163,9 @@ EventType event_type(std::size_t k, const TestContext& context, const TestValues
       return context.branch == Branch::ii ? EventType::inertia_exchange : EventType::tilt;
     case TestValues::inertia_23:
       return context.branch == Branch::i ? EventType::inertia_exchange : EventType::tilt;
+    case TestValues::tilt_in_plane:
+    case TestValues::tilt_normal:
+      return EventType::tilt;
     case TestValues::ellipse:
       return EventType::ellipse;
     case TestValues::turn:

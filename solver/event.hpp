@@ -3,7 +3,8 @@
 //
 //   fold-nu            c_nu = 0: nu turns, V_nu'' singular in the family's symmetric subspace
 //   fold-momentum      d(I_a nu) along c = 0: |pi| turns, a zero of the spectrum's symmetric block
-//   tilt               I_a = I_b, b = 3 in (i), (ii), b = 1 or 2 in (iii)
+//   tilt               I_a = I_b, b = 3 in (i), (ii), b = 1 or 2 in (iii); a tilted family ends
+//                      there: nu along one of its two axes is 0
 //   inertia-exchange   any other two locked inertias are equal
 //   ellipse            J1 = J2: K_alpha,alpha = 0 on the circle
 //   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2; of isotropic V at J1 = J2
@@ -76,7 +77,9 @@ struct TestValues {
   static constexpr std::size_t ellipse = 5;
   static constexpr std::size_t turn = 6;       ///< in the plane: oblique, shear
   static constexpr std::size_t collision = 7;  ///< ((Lambda_1 - Lambda_2)/2)^2, < 0 of a quadruple
-  static constexpr std::size_t crossings = 8;  ///< Lambda_1 - Lambda_2 of two blocks
+  static constexpr std::size_t tilt_in_plane = 8;  ///< shares of nu^2, of a tilted family
+  static constexpr std::size_t tilt_normal = 9;
+  static constexpr std::size_t crossings = 10;  ///< Lambda_1 - Lambda_2 of two blocks
   static constexpr std::size_t count = crossings + 10;
 
   std::array<double, count> value;
@@ -91,6 +94,7 @@ struct TestContext {
   Branch branch;
   bool material_symmetry;
   bool circle;
+  bool tilted = false;
 };
 
 /// fold, momentum: as the curve's geometry gives them.

@@ -105,7 +105,7 @@ class EventSearch {
   void add(std::size_t k, double low, double high) {
     CurvePoint<N> point;
     for (const double u : {0.5 * (low + high), low, high}) {
-      if (!evaluate(u, point)) continue;
+      if (!evaluate(u, point) || point.member.beyond_end()) continue;
       const EventType type = event_type(k, curve_->context(), point.tests);
       if (type == EventType::none) return;
       Found out{u, {type, point.member, parameter(low), parameter(high), true}};

@@ -31,7 +31,11 @@ struct FamilyLinearization {
 struct Member {
   double parameter = std::numeric_limits<double>::quiet_NaN();
   Body body{1.0, 1.0, 1.0};
-  double nu = std::numeric_limits<double>::quiet_NaN();  ///< along the branch's axis
+  double nu = std::numeric_limits<double>::quiet_NaN();  ///< along the branch's axis; tilted: |nu|
+  /// The vector: nu along the branch's axis, or in the plane of a tilted family (NaN where a square
+  /// below is negative).
+  Vector3<double> angular_velocity =
+      Vector3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   Stretch q{0.0, 1.0, 1.0, 1.0};
   /// Relative, of xi, zeta, rho at the row's numbers; of an event's row, at the event.
   double error_bound = std::numeric_limits<double>::quiet_NaN();
@@ -39,7 +43,13 @@ struct Member {
   double compatibility = std::numeric_limits<double>::quiet_NaN();
   double energy = std::numeric_limits<double>::quiet_NaN();
   double shear_stiffness = std::numeric_limits<double>::quiet_NaN();  ///< (iii): K_alpha,alpha
+  /// Tilted: the shares of nu^2 along the plane's own axis and along axis 3. Negative beyond an end
+  /// of the family, where nothing else but q is computed.
+  double tilt_in_plane = std::numeric_limits<double>::quiet_NaN();
+  double tilt_normal = std::numeric_limits<double>::quiet_NaN();
   std::optional<Spectrum> spectrum;
+
+  bool beyond_end() const { return tilt_in_plane < 0.0 || tilt_normal < 0.0; }
 };
 
 /// x of a stretch with alpha = 0.
@@ -70,7 +80,9 @@ class Family {
   Family& operator=(const Family&) = delete;
   virtual ~Family() = default;
 
+  /// The axis whose locked inertia is the spin's; tilted: (iii), of the two that are equal.
   virtual Branch branch() const = 0;
+  virtual bool tilted() const { return false; }
   /// Whether p is nu itself (else nu is held).
   virtual bool along_nu() const = 0;
   /// J1 = J2 and isotropic V at every p of the family: circles and mirror images.

@@ -113,7 +113,7 @@ class Follower {
       if (last_is_end_) emit(sink, walk.point().member, walk.end());
     }
     last_is_end_ = false;
-    if (out.event == EventType::ellipse) {
+    if (out.event != EventType::none && !is_end(out.event)) {  // an event proper ends the sheet
       const Member& m = walk.point().member;
       report_.events.push_back({out.event, m.parameter, m.parameter, m.parameter, true});
     }

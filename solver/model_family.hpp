@@ -138,6 +138,7 @@ class ModelFamily final : public Family<N> {
     out.q = {0.0, x[0], x[1], rho_of(x)};
     out.error_bound = error_bound;
     const Vector3<double> nu = angular_velocity(branch_, at.nu);
+    out.angular_velocity = nu;
     const auto v = potential_derivatives<2>(at.model, out.q);
     const BalanceCheck check = check_balance(at.body, v, out.q, nu);
     out.residual = check.residual;

@@ -25,7 +25,7 @@ NewtonResult newton(const System& system, ReducedVector<System::dimension>& x,
   constexpr int N = System::dimension;
   NewtonResult out;
   while (out.steps < options.max_steps) {
-    const Linearized<N> at = system.linearize(x);
+    const auto at = system.linearize(x);
     const ReducedVector<N> step = at.jacobian.inverse() * at.g;
     const double size = largest_magnitude<N>(step);
     if (!std::isfinite(size)) return out;

@@ -41,7 +41,32 @@ auto with_relative_duals(const Model<double>& model) {
   return Model<Dual2>{Dual2(p[0], {p[0], 0.0}), Dual2(p[1], {0.0, p[1]})};
 }
 
+/// Directions 0, 1 of either part.
+template <class Plane, class Thickness>
+auto with_relative_duals(const Separable<Plane, Thickness>& model) {
+  const auto plane = with_relative_duals(model.plane);
+  const auto thickness = with_relative_duals(model.thickness);
+  return Separable<std::remove_cv_t<decltype(plane)>, std::remove_cv_t<decltype(thickness)>>{
+      plane, thickness};
+}
+
 inline double sensitivity(const Dual2& x) { return std::abs(x.slope[0]) + std::abs(x.slope[1]); }
+
+/// Linearized::magnitude of the planar equations. w_l is left out: at a solution it is the
+/// difference of terms that are in, and without it a Jacobian needs no logarithm.
+inline double planar_magnitude(const PlanarDerivatives<double>& w, double xi, double zeta,
+                               const CentrifugalRates<double>& c) {
+  const double t = xi + zeta;
+  return t * (std::abs(w.w_t) + t * std::abs(w.w_tt) + 2.0 * std::abs(w.w_tl)) + std::abs(w.w_ll) +
+         2.0 * (c.xi * xi * xi + c.zeta * zeta * zeta);
+}
+
+/// Of all three.
+inline double coupled_magnitude(const CoupledDerivatives<double>& w, double xi, double zeta,
+                                double rho, const CentrifugalRates<double>& c) {
+  return planar_magnitude(w.plane, xi, zeta, c) + std::abs(w.w_r) + std::abs(w.w_rr) +
+         (xi + zeta) * std::abs(w.w_tr) + std::abs(w.w_lr) + 2.0 * c.rho * rho * rho;
+}
 
 template <class Thickness>
 struct ThicknessSystem {
@@ -83,7 +108,7 @@ struct PlanarSystem {
     const auto w = model.template evaluate<2>(planar_invariants(x[0], x[1]));
     const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), 0.0};
     const auto b = planar_log_balance<2>(w, x[0], x[1], c);
-    return {{b.g_xi, b.g_zeta}, {{b.uu, b.uv, b.vv}}, planar_magnitude(w, x, c)};
+    return {{b.g_xi, b.g_zeta}, {{b.uu, b.uv, b.vv}}, planar_magnitude(w, x[0], x[1], c)};
   }
   LogBalance<DoubleDouble> extended_balance(const ReducedVector<2>& x) const {
     const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]));
@@ -106,16 +131,6 @@ struct PlanarSystem {
   ReducedVector<2> minus_pull(const ReducedVector<2>& x) const {
     return {-double(rates.xi) * x[0] * x[0], -double(rates.zeta) * x[1] * x[1]};
   }
-
-  /// w_l is left out: at a solution it is the difference of terms that are in, and without it a
-  /// Jacobian needs no logarithm.
-  template <class Vector>
-  static double planar_magnitude(const PlanarDerivatives<double>& w, const Vector& x,
-                                 const CentrifugalRates<double>& c) {
-    const double t = x[0] + x[1];
-    return t * (std::abs(w.w_t) + t * std::abs(w.w_tt) + 2.0 * std::abs(w.w_tl)) +
-           std::abs(w.w_ll) + 2.0 * (c.xi * x[0] * x[0] + c.zeta * x[1] * x[1]);
-  }
 };
 
 template <class Coupled>
@@ -136,10 +151,9 @@ struct CoupledSystem {
     const auto w = model.template evaluate<2>(planar_invariants(x[0], x[1]), x[2]);
     const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
     const auto b = coupled_log_balance<2>(w, x[0], x[1], x[2], c);
-    const double magnitude = PlanarSystem<Coupled>::planar_magnitude(w.plane, x, c) +
-                             std::abs(w.w_r) + std::abs(w.w_rr) + (x[0] + x[1]) * std::abs(w.w_tr) +
-                             std::abs(w.w_lr) + 2.0 * c.rho * x[2] * x[2];
-    return {{b.g_xi, b.g_zeta, b.g_rho}, {{b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}}, magnitude};
+    return {{b.g_xi, b.g_zeta, b.g_rho},
+            {{b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}},
+            coupled_magnitude(w, x[0], x[1], x[2], c)};
   }
   LogBalance<DoubleDouble> extended_balance(const ReducedVector<3>& x) const {
     const DoubleDouble rho(x[2]);

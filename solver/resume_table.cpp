@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "lib/spectrum.hpp"
+#include "solver/equilibrium_row.hpp"
 #include "solver/table_reader.hpp"
 
 namespace stationary {
@@ -23,9 +24,9 @@ std::string_view kept(const TableReader& table, std::size_t column,
 }
 
 TableRow read_row(const TableReader& table, const std::vector<Column>& columns, bool trailing,
-                  Branch branch) {
+                  std::string_view branch) {
   TableRow row;
-  row.branch = name(branch);
+  row.branch = branch;
   std::size_t k = 0;
   for (const Column c : columns) {
     switch (c) {
@@ -53,10 +54,9 @@ TableRow read_row(const TableReader& table, const std::vector<Column>& columns, 
   return row;
 }
 
-CurvePlace place(const TableRow& row, bool trailing, Branch branch) {
-  constexpr Column nu[] = {Column::nu1, Column::nu2, Column::nu3};
+CurvePlace place(const TableRow& row, bool trailing, std::string_view branch) {
   return {{0.0, row[Column::xi], row[Column::zeta], row[Column::rho]},
-          trailing ? row.parameter : row[nu[axis(branch)]]};
+          trailing ? row.parameter : spin(branch, row)};
 }
 
 bool is_place(const CurvePlace& at) {
@@ -72,7 +72,7 @@ bool ends_a_line(const std::string& path) {
 }  // namespace
 
 ResumedTable read_resumed(const std::string& path, const std::vector<Column>& columns,
-                          const std::optional<std::string>& parameter, Branch branch) {
+                          const std::optional<std::string>& parameter, std::string_view branch) {
   TableReader table(path);
   std::vector<std::string> expected;
   for (const Column c : columns) expected.emplace_back(name(c));

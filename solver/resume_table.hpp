@@ -21,6 +21,6 @@ struct ResumedTable {
 /// Throws InputError where the file is no such table: other columns than these (with the trailing
 /// parameter, if it has one), no rows, or without what a place on the curve takes.
 ResumedTable read_resumed(const std::string& path, const std::vector<Column>& columns,
-                          const std::optional<std::string>& parameter, Branch branch);
+                          const std::optional<std::string>& parameter, std::string_view branch);
 
 }  // namespace stationary

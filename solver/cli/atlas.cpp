@@ -142,7 +142,7 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
   if (output) {
     TableWriter table(output->sink(), columns);
     for (const AtlasSheet& sheet : found.sheets) {
-      CurveTable rows(sheet.branch, &table, sheet.number);
+      CurveTable rows(name(sheet.branch), &table, sheet.number);
       for (const AtlasRow& row : sheet.rows) rows.row(row.member, row.event);
     }
     table.flush();

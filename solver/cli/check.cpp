@@ -21,6 +21,7 @@ std::string coefficients_text(const ModelChoice& model) {
 
 std::string start_text(const Case& input) {
   const auto& start = input.solve.start;
+  if (!start && input.tilted()) return "the tilts of the sheets connected to rest";
   if (!start) return input.two_polar() ? "a global search" : "the solution connected to rest";
   return fmt::format("(alpha, {}, rho) = ({}, {}, {}, {})",
                      input.two_polar() ? "lambda, mu" : "xi, zeta", start->alpha, start->xi,

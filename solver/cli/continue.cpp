@@ -24,6 +24,7 @@
 #include "solver/equilibrium_row.hpp"
 #include "solver/follow.hpp"
 #include "solver/resume_table.hpp"
+#include "solver/tilted_equilibrium.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -40,19 +41,22 @@ struct Start {
 };
 
 /// nu = 0 where the range has it and no start is given (the family through the rest state), else
-/// the case's own value if it lies in the range, else the range's beginning.
+/// the case's own value if it lies in the range, else the range's beginning. A tilted family has no
+/// rest state: the case's own value.
 double start_parameter(const Case& input) {
   const Case::Continuation& range = *input.continuation;
   const bool in_nu = range.parameter == "nu";
-  if (in_nu && !input.solve.start && range.from <= 0.0 && range.to >= 0.0) return 0.0;
+  if (in_nu && !input.tilted() && !input.solve.start && range.from <= 0.0 && range.to >= 0.0)
+    return 0.0;
   const double own = parameter_value({input.body, input.models, input.motion}, range.parameter);
   if (own >= range.from && own <= range.to) return own;
-  if (!input.solve.start) return range.from;
+  if (!input.solve.start && !input.tilted()) return range.from;
   throw fault_at(input.source, in_nu ? "motion.nu" : range.parameter,
-                 fmt::format("found {} = {}, outside the range followed, with solve.start",
-                             range.parameter, own),
+                 fmt::format("found {} = {}, outside the range followed, with {}", range.parameter,
+                             own, input.solve.start ? "solve.start" : "branch \"tilted\""),
                  fmt::format("a value in [{}, {}]", range.from, range.to),
-                 "solve.start is a guess of the solution there");
+                 input.solve.start ? "solve.start is a guess of the solution there"
+                                   : "the family is followed from its member there");
 }
 
 Start start_at(const Case& input, double p) {
@@ -68,12 +72,16 @@ Problem problem_of(const FamilyParameters& at) {
 
 Start solved_start(const Case& input, const ComputeOptions& options) {
   Start out = start_at(input, start_parameter(input));
-  const AxisRotation motion = std::get<AxisRotation>(out.at.motion);
-  out.found = solve(problem_of(out.at), motion.nu,
-                    {.method = input.solve.method,
-                     .start = input.solve.start,
-                     .threads = options.threads,
-                     .stop = &stop_on_signals()});
+  const SolveOptions how{.method = input.solve.method,
+                         .start = input.solve.start,
+                         .threads = options.threads,
+                         .stop = &stop_on_signals()};
+  if (const auto* tilted = std::get_if<TiltedRotation>(&out.at.motion)) {
+    out.found = solve_tilted(out.at.body, make_potential(out.at.models), *tilted, how);
+  } else {
+    const AxisRotation motion = std::get<AxisRotation>(out.at.motion);
+    out.found = solve(problem_of(out.at), motion.nu, how);
+  }
   return out;
 }
 
@@ -97,6 +105,10 @@ std::string gap_text(const Case& input, const CurveProofs& proofs) {
 }
 
 AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum) {
+  if (const auto* tilted = std::get_if<TiltedRotation>(&start.at.motion)) {
+    return tilted_family(start.at.body, make_potential(start.at.models), tilted->plane,
+                         with_spectrum);
+  }
   const AxisRotation motion = std::get<AxisRotation>(start.at.motion);
   return axis_family(problem_of(start.at),
                      {.nu = motion.nu,
@@ -138,8 +150,7 @@ std::string summary(const Case& input, const Start& start, const FollowReport& r
   const std::string& parameter = input.continuation->parameter;
   Report out(label_width);
   if (!input.title.empty()) out.line("case", printable(input.title));
-  out.line("family", fmt::format("branch ({}) in {}, from {} to {}",
-                                 name(std::get<AxisRotation>(input.motion).branch), parameter,
+  out.line("family", fmt::format("branch ({}) in {}, from {} to {}", input.branch_name(), parameter,
                                  input.continuation->from, input.continuation->to));
   out.line("start", fmt::format("{} = {:.12g}: {}", parameter, start.p, start.found.message));
   out.line("points", fmt::format("{} in {:.2g} s", report.points, seconds));
@@ -215,7 +226,7 @@ void require_family(const Case& input) {
   }
   if (input.two_polar()) {
     throw fault_at(input.source, "motion.branch", "found the string \"two-polar\"",
-                   "one of \"i\", \"ii\", \"iii\" for continue",
+                   "one of \"i\", \"ii\", \"iii\", \"tilted\" for continue",
                    "two-polar motions are solved one at a time in this version");
   }
 }
@@ -244,8 +255,7 @@ ResumedTable resumed_table(const Case& input, const ContinueOptions& options,
   if (!is_of_case(text, input)) refuse(printable(metadata) + " is of another case");
   std::optional<CurveRecord> record = curve_record(text);
   if (!record) refuse(printable(metadata) + " does not say what rows and events the table has");
-  ResumedTable out =
-      read_resumed(options.output, columns, parameter, std::get<AxisRotation>(input.motion).branch);
+  ResumedTable out = read_resumed(options.output, columns, parameter, input.branch_name());
   if (out.rows.size() != record->rows) {
     refuse(fmt::format("{} has {} rows, {} by its metadata", printable(options.output),
                        out.rows.size(), record->rows));
@@ -337,7 +347,7 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   if (output) {
     table.emplace(output->sink(), columns, parameter);
   }
-  CurveTable rows(std::get<AxisRotation>(input.motion).branch, table ? &*table : nullptr);
+  CurveTable rows(input.branch_name(), table ? &*table : nullptr);
   if (input.output.certificate) {
     rows.prove([&](double p) {
       return problem_of(with_parameter({input.body, input.models, input.motion},

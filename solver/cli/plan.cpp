@@ -18,6 +18,16 @@ std::vector<PlanItem> two_polar_unknowns(const Case& input) {
            "xi = lambda, zeta = mu at theta = 0"}};
 }
 
+std::vector<PlanItem> tilted_unknowns(const TiltedRotation& motion) {
+  const bool first = motion.plane == TiltPlane::one_three;
+  return {{"alpha", "0, not an unknown",
+           "isotropic potential: the plane of the axis is a plane of material axes"},
+          {"rho", first ? "sqrt(J1/J3) xi" : "sqrt(J2/J3) zeta",
+           "compatibility: the locked inertias of the plane's two axes are equal"},
+          {"xi, zeta", "2 equations", "the balance, its parts that know |nu| and no tilt"},
+          {"nu", "closed form", "the rest of the balance gives the squares of its components"}};
+}
+
 /// The blocks that alpha = 0 and an isotropic potential split the linearization into.
 PlanItem spectrum_item(const Case& input) {
   constexpr const char* split = "alpha = 0 and an isotropic potential: reflections split the ";
@@ -27,6 +37,10 @@ PlanItem spectrum_item(const Case& input) {
             "4 modes from 2 blocks: lambda, mu, rho (3) and the wobble of axis 3 (1, none where "
             "s3 = 0); on the circle lambda = mu the 5 modes of branch (iii)",
             std::string(split) + "8-dimensional leaf of fixed |pi| and p_theta"};
+  }
+  if (input.tilted()) {
+    return {"spectrum", "5 modes from the whole problem, by a structure-preserving method",
+            "a tilted axis has no reflection to split the 10-dimensional leaf of fixed |pi|"};
   }
   const auto& [branch, nu] = std::get<AxisRotation>(input.motion);
   if (nu == 0.0) {
@@ -64,7 +78,11 @@ bool wants_spectrum(const Case& input, bool to_table) {
 
 ComputationPlan computation_plan(const Case& input, bool to_table) {
   ComputationPlan out;
-  out.computed = input.two_polar() ? two_polar_unknowns(input) : input.problem().plan();
+  if (const auto* tilted = std::get_if<TiltedRotation>(&input.motion)) {
+    out.computed = tilted_unknowns(*tilted);
+  } else {
+    out.computed = input.two_polar() ? two_polar_unknowns(input) : input.problem().plan();
+  }
   if (input.solve.all) {
     out.computed.push_back({"all solutions", "exhaustive search, with proof",
                             "every stretch in [1e-3, 1e3]: boxes in interval arithmetic"});

@@ -89,6 +89,10 @@ std::string motion_text(const Case::Motion& motion) {
     const Vector3<double> v = angular_velocity(rotation->branch, rotation->nu);
     return fmt::format("branch ({}), nu = ({}, {}, {})", name(rotation->branch), v[0], v[1], v[2]);
   }
+  if (const auto* tilted = std::get_if<TiltedRotation>(&motion)) {
+    const std::string_view plane = name(tilted->plane);
+    return fmt::format("tilted in the {}-{} plane, |nu| = {}", plane[0], plane[1], tilted->nu);
+  }
   const TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar))
     return fmt::format("two-polar, omega = {}, theta_dot = {}", rates->omega, rates->theta_dot);

@@ -18,6 +18,7 @@
 #include "solver/existence.hpp"
 #include "solver/search.hpp"
 #include "solver/stability.hpp"
+#include "solver/tilted_equilibrium.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -50,7 +51,7 @@ struct Answer {
 Solution solution_of(const Case& input, const Problem& problem, const Equilibrium& found,
                      bool with_spectrum) {
   Solution out;
-  fill_row(problem, found, out.row);
+  fill_row(name(problem.branch()), input.body, input.potential, found, out.row);
   if (with_spectrum) out.spectrum = stability(problem, found);
   if (!input.output.certificate) return out;
   const RowProof proof = prove_row(problem, found, out.spectrum, out.row);
@@ -62,15 +63,20 @@ Solution solution_of(const Case& input, const Problem& problem, const Equilibriu
   return out;
 }
 
-Answer answer(const Case& input, const AxisRotation& motion, const SolveOptions& options,
-              bool with_spectrum) {
-  const Problem problem = input.problem();
-  const Equilibrium found = solve(problem, motion.nu, options);
+Answer answer_of(const Equilibrium& found) {
   Answer out;
   out.status = found.status;
   out.message = found.message;
   out.connection = found.connection;
   out.counts = named_counts(found.counts);
+  return out;
+}
+
+Answer answer(const Case& input, const AxisRotation& motion, const SolveOptions& options,
+              bool with_spectrum) {
+  const Problem problem = input.problem();
+  const Equilibrium found = solve(problem, motion.nu, options);
+  Answer out = answer_of(found);
   if (!out.solved()) return out;
   out.solutions.push_back(solution_of(input, problem, found, with_spectrum));
   if (input.output.certificate && !out.solutions[0].proven) out.warning = out.solutions[0].proof;
@@ -105,6 +111,17 @@ Answer every_answer(const Case& input, const AxisRotation& motion, const SolveOp
   } else {
     out.status = SolveStatus::failed;
   }
+  return out;
+}
+
+Answer answer(const Case& input, const TiltedRotation& motion, const SolveOptions& options,
+              bool with_spectrum) {
+  const Equilibrium found = solve_tilted(input.body, input.potential, motion, options);
+  Answer out = answer_of(found);
+  if (!out.solved()) return out;
+  Solution& only = out.solutions.emplace_back();
+  fill_row(tilted_name, input.body, input.potential, found, only.row);
+  if (with_spectrum) only.spectrum = tilted_stability(input.body, input.potential, motion, found);
   return out;
 }
 
@@ -172,6 +189,10 @@ void add_state(Report& out, const Case& input, const TableRow& row) {
     out.row("", {{"angle ", angle}});
   } else {
     out.line("", "no angle: lambda = mu, a circle");
+  }
+  if (input.tilted()) {
+    out.row("axis", {{"nu1   ", row[Column::nu1]}, {"nu2   ", row[Column::nu2]}});
+    out.row("", {{"nu3   ", row[Column::nu3]}});
   }
   if (input.two_polar()) {
     out.row("rates", {{"omega ", row[Column::omega]}, {"theta_dot", row[Column::theta_dot]}});

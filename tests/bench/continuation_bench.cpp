@@ -80,7 +80,7 @@ void to_table(benchmark::State& state, const Case& c) {
   long rows = 0;
   for (auto _ : state) {
     TableWriter writer(file, columns);
-    CurveTable table(c.problem.branch(), &writer);
+    CurveTable table(name(c.problem.branch()), &writer);
     rows += follow(c.family(true), c.rest, 0.0, options, table).points;
     writer.flush();
   }

@@ -49,11 +49,10 @@ TEST(ShippedCases, CoverEveryBranchAndEveryModel) {
   std::set<std::string_view> seen;
   for (const std::string& stem : shipped_cases()) {
     const Case input = read_case(path_of(stem));
-    seen.insert(input.two_polar() ? two_polar_name
-                                  : name(std::get<AxisRotation>(input.motion).branch));
+    seen.insert(input.branch_name());
     for (const ModelChoice& model : input.models) seen.insert(model.description->name);
   }
-  for (const std::string_view branch : {"i", "ii", "iii", "two-polar"})
+  for (const std::string_view branch : {"i", "ii", "iii", "tilted", "two-polar"})
     EXPECT_TRUE(seen.contains(branch));
   for (const ModelDescription& model : model_descriptions())
     EXPECT_TRUE(seen.contains(model.name)) << model.name;

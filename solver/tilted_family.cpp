@@ -1,0 +1,118 @@
+#include "solver/tilted_family.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/general_spectrum.hpp"
+#include "solver/tilted_system.hpp"
+
+namespace stationary {
+namespace {
+
+template <class Model>
+class TiltedFamily final : public Family<2> {
+ public:
+  TiltedFamily(const Body& body, const Potential& potential, const Model& model, TiltPlane plane,
+               bool spectrum)
+      : body_(body), potential_(potential), model_(model), plane_(plane), spectrum_(spectrum) {}
+
+  Branch branch() const override { return Branch::iii; }
+  bool tilted() const override { return true; }
+  bool along_nu() const override { return true; }
+  /// No member is a circle or its own mirror image, also where J1 = J2.
+  bool material_symmetry() const override { return false; }
+
+  FamilyLinearization<2> linearize(const ReducedVector<2>& x, double p) const override {
+    const Linearized<2> at = system(p).linearize(x);
+    const double scale = 1.0 / at.magnitude;
+    const CentrifugalRates<double> c = axis_rates(body_, Branch::iii, 2.0 * p);
+    FamilyLinearization<2> out;
+    out.g = scale * at.g;
+    out.jacobian = scale * at.jacobian.matrix();
+    out.slope = -scale * ReducedVector<2>(c.xi * x[0] * x[0], c.zeta * x[1] * x[1]);
+    out.nu_slope = out.slope;
+    return out;
+  }
+
+  Refined refine_at(ReducedVector<2>& x, ReducedVector<2>& tail, double p) const override {
+    constexpr int max_corrections = 8;
+    return refine(system(p), x, max_corrections, &tail);
+  }
+
+  ReducedVector<2> extended_residual(const ReducedVector<2>& x, double p) const override {
+    const TiltedSystem<Model> at = system(p);
+    return at.extended_residual(x) / at.linearize(x).magnitude;
+  }
+
+  ReducedVector<2> input_perturbation(const ReducedVector<2>& x, double p) const override {
+    const TiltedSystem<Model> at = system(p);
+    return 0x1p-53 * at.input_sensitivity(x) / at.linearize(x).magnitude;
+  }
+
+  Member member(const ReducedVector<2>& x, const ReducedVector<2>& tail, double p,
+                double error_bound) const override {
+    const auto wide = tail.allFinite()
+                          ? std::array{DoubleDouble(x[0], tail[0]), DoubleDouble(x[1], tail[1])}
+                          : extended_solution(system(p), x);
+    const BasicStretch<DoubleDouble> q{0.0, wide[0], wide[1],
+                                       tilted_thickness(body_, plane_, wide[0], wide[1])};
+    const auto w = model_.template evaluate<1>(planar_invariants(q.xi, q.zeta), q.rho);
+    const auto squares = tilt_squares(body_, plane_, w, q.xi, q.zeta, q.rho);
+    Member out;
+    out.parameter = out.nu = p;
+    out.body = body_;
+    out.q = {0.0, x[0], x[1], double(q.rho)};
+    out.error_bound = error_bound;
+    out.tilt_in_plane = share(squares.in_plane, p, error_bound);
+    out.tilt_normal = share(squares.normal, p, error_bound);
+    if (out.beyond_end()) return out;
+    const DoubleDouble along[2] = {root(squares.in_plane, out.tilt_in_plane),
+                                   root(squares.normal, out.tilt_normal)};
+    out.angular_velocity = angular_velocity(plane_, double(along[0]), double(along[1]));
+    const auto v = potential_derivatives<2>(model_, out.q);
+    const BalanceCheck check = check_balance(body_, v, out.q, out.angular_velocity);
+    out.residual = check.residual;
+    out.compatibility = check.compatibility;
+    out.energy = energy(body_, v.value, out.q, out.angular_velocity);
+    if (spectrum_) {
+      const double bound = std::isnan(error_bound) ? 1e-15 : std::max(error_bound, 0x1p-53);
+      out.spectrum = general_spectrum(body_, potential_, q,
+                                      angular_velocity(plane_, along[0], along[1]), bound);
+    }
+    return out;
+  }
+
+ private:
+  TiltedSystem<Model> system(double p) const {
+    return {model_, body_, plane_, axis_rates(body_, Branch::iii, two_product(p, p))};
+  }
+
+  /// Of nu^2 = p^2; zero where the rounding of p, which moves q by the bound, leaves no more.
+  static double share(const DoubleDouble& square, double p, double error_bound) {
+    constexpr double most = 1e-11;  // at a turn of p the bound is not that of the curve
+    const double rounding = std::min(16.0 * error_bound, most);
+    const double out = double(square) / (p * p);
+    return std::abs(out) <= rounding ? 0.0 : out;
+  }
+  static DoubleDouble root(const DoubleDouble& square, double share) {
+    return share > 0.0 ? sqrt(square) : DoubleDouble(0.0);
+  }
+
+  Body body_;
+  Potential potential_;
+  Model model_;
+  TiltPlane plane_;
+  bool spectrum_;
+};
+
+}  // namespace
+
+std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& potential,
+                                         TiltPlane plane, bool spectrum) {
+  return potential.visit([&](const auto& model) -> std::unique_ptr<Family<2>> {
+    return std::make_unique<TiltedFamily<std::decay_t<decltype(model)>>>(body, potential, model,
+                                                                         plane, spectrum);
+  });
+}
+
+}  // namespace stationary
