@@ -43,23 +43,25 @@ AxisRange widened(const AxisRange& range, double fraction) {
   return {range.low - half, range.high + half};
 }
 
-/// The rate above which less than `share` of the parameter's range lies: where a stretch escapes
-/// rates grow beyond bounds over next to no range, and would leave the rest on the axis.
-double largest_seen(const Diagram& diagram, double range, double share) {
-  std::vector<std::pair<double, double>> rates;  // and the range each stands for
+/// The rate above which less than `share` of the curves' way in the parameter lies: where a stretch
+/// escapes rates grow beyond bounds over next to no range, and would leave the rest on the axis.
+double largest_seen(const Diagram& diagram, double share) {
+  std::vector<std::pair<double, double>> rates;  // and the way each stands for
+  double all = 0.0;
   for (std::size_t k = 0; k < diagram.points.size(); ++k) {
     const DiagramPoint& p = diagram.points[k];
     Extent own;
     for (const double f : p.frequency) own.add(f);
     own.add(p.growth);
     if (!(own.high >= own.low)) continue;
-    const double next =
-        k + 1 < diagram.points.size() ? diagram.points[k + 1].parameter : p.parameter;
-    const double width = std::abs(next - p.parameter);
+    const bool goes_on =
+        k + 1 < diagram.points.size() && !std::ranges::binary_search(diagram.pieces, k + 1);
+    const double width = goes_on ? std::abs(diagram.points[k + 1].parameter - p.parameter) : 0.0;
     rates.emplace_back(own.high, std::isfinite(width) ? width : 0.0);
+    all += rates.back().second;
   }
   std::ranges::sort(rates, std::greater<>{});
-  double left = share * range;
+  double left = share * all;
   for (const auto& [rate, width] : rates) {
     left -= width;
     if (left < 0.0) return rate;
@@ -81,7 +83,7 @@ PlotPage::PlotPage(const Diagram& diagram) {
   }
   parameters = widened(all_parameters, 0.02);
   constexpr double out_of_proportion = 2.0;
-  const double seen = largest_seen(diagram, all_parameters.high - all_parameters.low, 0.02);
+  const double seen = largest_seen(diagram, 0.02);
   if (all_rates.high > out_of_proportion * seen && seen > 0.0) all_rates.high = seen;
   rates = {0.0, all_rates.high > 0.0 ? 1.05 * all_rates.high : 1.0};
   logarithmic =
