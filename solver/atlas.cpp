@@ -31,6 +31,16 @@ class Keep final : public CurveSink {
   std::vector<AtlasRow>* rows_;
 };
 
+FollowOptions follow_options(const AtlasOptions& options) {
+  FollowOptions out;
+  out.continuation.from = options.from;
+  out.continuation.to = options.to;
+  out.continuation.step = options.step;
+  out.max_points = options.max_points;
+  out.stop = options.stop;
+  return out;
+}
+
 /// The sheets of one branch.
 class BranchAtlas {
  public:
@@ -86,16 +96,6 @@ class BranchAtlas {
     return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
   }
 
-  FollowOptions follow_options() const {
-    FollowOptions out;
-    out.continuation.from = options_.from;
-    out.continuation.to = options_.to;
-    out.continuation.step = options_.step;
-    out.max_points = options_.max_points;
-    out.stop = options_.stop;
-    return out;
-  }
-
   void follow_rest() {
     SolveOptions how;
     how.stop = options_.stop;
@@ -110,7 +110,7 @@ class BranchAtlas {
     sheet.entry = entry;
     sheet.entry_nu = nu;
     Keep rows(sheet.rows);
-    sheet.report = follow(family_, q, nu, follow_options(), rows);
+    sheet.report = follow(family_, q, nu, follow_options(options_), rows);
     if (!sheet.report.failure.empty()) {
       remark(entry, nu, sheet.report.failure);
       return;
@@ -242,19 +242,97 @@ class BranchAtlas {
   std::vector<Remark> remarks_;
 };
 
-/// The sheet of circles an end of ellipses lies on.
-void find_parents(std::vector<AtlasSheet>& sheets) {
-  for (AtlasSheet& child : sheets) {
-    for (const AtlasRow* end : {&child.rows.front(), &child.rows.back()}) {
-      if (end->event != EventType::ellipse || child.parent) continue;
-      for (const AtlasSheet& parent : sheets) {
-        if (parent.branch != child.branch || parent.number == child.number) continue;
-        const auto met = [&](const AtlasRow& row) {
-          return row.event == EventType::ellipse && distance(row.member.q, end->member.q) < same &&
-                 std::abs(row.member.nu - end->member.nu) <= 1e-9 * end->member.nu;
-        };
-        if (std::ranges::any_of(parent.rows, met))
-          child.parent = {parent.number, EventType::ellipse, end->member.nu};
+/// Also where one is the other's mirror image.
+bool at_same_place(const Member& a, const Member& b) {
+  const Stretch mirrored{0.0, b.q.zeta, b.q.xi, b.q.rho};
+  const bool alike =
+      distance(a.q, b.q) < same || (b.body.symmetric() && distance(a.q, mirrored) < same);
+  return alike && std::abs(a.nu - b.nu) <= 1e-9 * std::abs(b.nu);
+}
+
+/// Where on another sheet, not a tilted one, this end lies.
+std::optional<Junction> junction(const std::vector<AtlasSheet>& sheets, const AtlasSheet& of,
+                                 const AtlasRow& end) {
+  if (end.event != EventType::ellipse && end.event != EventType::tilt) return std::nullopt;
+  for (const AtlasSheet& other : sheets) {
+    if (other.plane || other.number == of.number) continue;
+    const bool ellipses = end.event == EventType::ellipse;
+    if (ellipses && other.branch != of.branch) continue;
+    const auto met = [&](const AtlasRow& row) {
+      return row.event == end.event && at_same_place(row.member, end.member);
+    };
+    if (std::ranges::any_of(other.rows, met))
+      return Junction{other.number, end.event, end.member.nu};
+  }
+  return std::nullopt;
+}
+
+void find_junctions(std::vector<AtlasSheet>& sheets) {
+  for (AtlasSheet& sheet : sheets) {
+    sheet.parent = junction(sheets, sheet, sheet.rows.front());
+    sheet.joins = junction(sheets, sheet, sheet.rows.back());
+    if (!sheet.parent) std::swap(sheet.parent, sheet.joins);
+    // Of a tilted family's two, the one it was entered at.
+    const bool both = sheet.parent && sheet.joins;
+    if (both &&
+        std::abs(sheet.joins->nu - sheet.entry_nu) < std::abs(sheet.parent->nu - sheet.entry_nu))
+      std::swap(sheet.parent, sheet.joins);
+  }
+}
+
+/// The plane a branch's axis tilts in at such an event.
+std::optional<TiltPlane> plane_of(Branch branch, const Member& at) {
+  const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-6 * (a + b); };
+  const Body& J = at.body;
+  const double m1 = J.J1 * at.q.xi * at.q.xi;
+  const double m2 = J.J2 * at.q.zeta * at.q.zeta;
+  const double m3 = J.J3 * at.q.rho * at.q.rho;
+  if (branch != Branch::ii && equal(m1, m3)) return TiltPlane::one_three;
+  if (branch != Branch::i && equal(m2, m3)) return TiltPlane::two_three;
+  return std::nullopt;
+}
+
+/// Tilted families from the tilts of the sheets known, each once.
+void enter_tilted(const Body& body, const Potential& potential, const AtlasOptions& options,
+                  Atlas& out) {
+  const std::size_t known = out.sheets.size();
+  const auto met = [&](const Member& at) {
+    return std::any_of(out.sheets.begin() + static_cast<std::ptrdiff_t>(known), out.sheets.end(),
+                       [&](const AtlasSheet& tilted) {
+                         return at_same_place(tilted.rows.front().member, at) ||
+                                at_same_place(tilted.rows.back().member, at);
+                       });
+  };
+  for (std::size_t s = 0; s < known; ++s) {
+    for (std::size_t k = 0; k < out.sheets[s].rows.size(); ++k) {
+      const AtlasRow row = out.sheets[s].rows[k];
+      if (row.event != EventType::tilt || met(row.member)) continue;
+      AtlasSheet sheet;
+      sheet.branch = out.sheets[s].branch;
+      sheet.plane = plane_of(sheet.branch, row.member);
+      sheet.entry = Entry::tilt;
+      sheet.entry_nu = row.member.nu;
+      sheet.number = static_cast<int>(out.sheets.size()) + 1;
+      const auto remark = [&](const std::string& reason) {
+        out.remarks.push_back({sheet.branch, Entry::tilt, row.member.nu, reason});
+      };
+      if (!sheet.plane) {
+        remark("tilted motions not entered: no plane has two equal locked inertias");
+        continue;
+      }
+      const auto start = just_inside(*tilted_family(body, potential, *sheet.plane, false),
+                                     row.member.q, row.member.nu);
+      if (!start) {
+        remark("tilted motions not entered: none was found beside it");
+        continue;
+      }
+      Keep rows(sheet.rows);
+      sheet.report = follow(tilted_family(body, potential, *sheet.plane, options.spectrum),
+                            start->q, start->nu, follow_options(options), rows);
+      if (sheet.report.failure.empty()) {
+        out.sheets.push_back(std::move(sheet));
+      } else {
+        remark(sheet.report.failure);
       }
     }
   }
@@ -266,8 +344,12 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
   if (!(options.from >= 0.0 && options.from < options.to && std::isfinite(options.to)))
     throw std::invalid_argument("an atlas needs 0 <= from < to");
   if (options.checkpoints < 1) throw std::invalid_argument("an atlas needs a checkpoint");
+  const bool has_i = std::ranges::find(options.branches, Branch::i) != options.branches.end();
   std::vector<BranchAtlas> parts;
-  for (const Branch branch : options.branches) parts.emplace_back(body, potential, branch, options);
+  for (const Branch branch : options.branches) {
+    const bool mirror_image = branch == Branch::ii && has_i && body.symmetric();
+    if (!mirror_image) parts.emplace_back(body, potential, branch, options);
+  }
   const auto each = static_cast<std::size_t>(options.checkpoints);
   const int threads = std::max(1, options.threads);
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
@@ -282,7 +364,6 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
   for (BranchAtlas& part : parts) {
     for (AtlasSheet& sheet : part.sheets()) {
       sheet.number = static_cast<int>(out.sheets.size()) + 1;
-      out.interrupted = out.interrupted || sheet.report.interrupted;
       out.sheets.push_back(std::move(sheet));
     }
     out.checkpoints.insert(out.checkpoints.end(), part.checkpoints().begin(),
@@ -291,7 +372,10 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
   }
   for (const Checkpoint& at : out.checkpoints)
     out.interrupted = out.interrupted || at.status == SearchStatus::interrupted;
-  find_parents(out.sheets);
+  enter_tilted(body, potential, options, out);
+  for (const AtlasSheet& sheet : out.sheets)
+    out.interrupted = out.interrupted || sheet.report.interrupted;
+  find_junctions(out.sheets);
   return out;
 }
 

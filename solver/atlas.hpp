@@ -5,10 +5,13 @@
 //      (search.hpp);
 //   2. each that lies on no sheet known so far is followed both ways (follow.hpp);
 //   3. where a circle turns into ellipses and no sheet of these is known, one is entered there;
-//   4. at every checkpoint the solutions on the sheets are counted against those proven: where they
+//   4. where an axis can tilt and no tilted family begins or ends there yet, one is entered and
+//      followed (tilted_family.hpp);
+//   5. at every checkpoint the solutions on the sheets are counted against those proven: where they
 //      agree, no sheet that passes there is missing.
 //
-// nu and -nu, and with J1 = J2 in (iii) an ellipse and the same turned by a right angle, are one.
+// nu and -nu are one, and with J1 = J2 so are (i) and (ii), an ellipse of (iii) and the same turned
+// by a right angle.
 // The work is shared by threads; what comes out does not depend on their number.
 #pragma once
 
@@ -20,6 +23,7 @@
 
 #include "solver/follow.hpp"
 #include "solver/search.hpp"
+#include "solver/tilted_family.hpp"
 
 namespace stationary {
 
@@ -43,15 +47,16 @@ struct AtlasRow {
 
 /// How a sheet was come upon.
 enum class Entry {
-  rest,    ///< through the rest state
-  search,  ///< through a solution found at a checkpoint
-  ellipse  ///< off a circle that turns into ellipses
+  rest,     ///< through the rest state
+  search,   ///< through a solution found at a checkpoint
+  ellipse,  ///< off a circle that turns into ellipses
+  tilt      ///< off a sheet whose axis can tilt
 };
-constexpr std::string_view entry_names[] = {"rest", "search", "ellipse"};
+constexpr std::string_view entry_names[] = {"rest", "search", "ellipse", "tilt"};
 constexpr std::string_view name(Entry e) { return entry_names[static_cast<int>(e)]; }
 
-/// Where a sheet leaves another.
-struct Parent {
+/// Where the end of a sheet lies on another.
+struct Junction {
   int sheet;  ///< its number
   EventType event;
   double nu;
@@ -62,7 +67,9 @@ struct AtlasSheet {
   Branch branch = Branch::i;
   Entry entry = Entry::rest;
   double entry_nu = 0.0;
-  std::optional<Parent> parent;
+  std::optional<TiltPlane> plane;  ///< of a tilted family: `branch` is then that it was entered at
+  std::optional<Junction> parent;  ///< the sheet it leaves
+  std::optional<Junction> joins;   ///< the sheet its other end lies on
   FollowReport report;
   std::vector<AtlasRow> rows;
 };
@@ -91,7 +98,7 @@ struct Remark {
 };
 
 struct Atlas {
-  std::vector<AtlasSheet> sheets;       ///< by branch, then as they were found
+  std::vector<AtlasSheet> sheets;       ///< by branch, then as they were found; tilted ones last
   std::vector<Checkpoint> checkpoints;  ///< by branch, then nu
   std::vector<Remark> remarks;
   bool interrupted = false;

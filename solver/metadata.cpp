@@ -72,13 +72,15 @@ Json sheets_json(const std::vector<AtlasSheet>& sheets) {
   Json out = Json::array();
   for (const AtlasSheet& sheet : sheets) {
     Json each{{"sheet", sheet.number},
-              {"branch", name(sheet.branch)},
+              {"branch", sheet.plane ? tilted_name : name(sheet.branch)},
               {"entry", name(sheet.entry)},
               {"entry_nu", sheet.entry_nu},
               {"rows", sheet.rows.size()}};
-    if (const auto& parent = sheet.parent) {
-      each["parent"] = {
-          {"sheet", parent->sheet}, {"event", name(parent->event)}, {"nu", parent->nu}};
+    for (const auto& [key, junction] :
+         {std::pair{"parent", sheet.parent}, {"joins", sheet.joins}}) {
+      if (!junction) continue;
+      each[key] = {
+          {"sheet", junction->sheet}, {"event", name(junction->event)}, {"nu", junction->nu}};
     }
     const auto end = [](const AtlasRow& row, const SheetEnd& why) -> Json {
       return {{"event", name(row.event)}, {"nu", row.member.nu}, {"reason", why.reason}};

@@ -163,7 +163,7 @@ class TiltedSolve {
   std::optional<Member> along_family(const TiltPoint& point, const std::string& origin,
                                      std::ostringstream& failure) {
     if (!failure.str().empty()) failure << "; ";
-    const std::optional<Member> start = just_inside(point);
+    const std::optional<Member> start = just_inside(*family_, point.q, point.nu);
     if (!start) {
       failure << "no tilted family was found at " << origin;
       return std::nullopt;
@@ -176,23 +176,6 @@ class TiltedSolve {
     if (const Member* member = ends.at(p)) return *member;
     failure << "the tilted family that begins at " << origin << " was followed " << ends.text()
             << ", without coming to |nu| = " << p;
-    return std::nullopt;
-  }
-
-  /// A member of the family that begins there, a little along it.
-  std::optional<Member> just_inside(const TiltPoint& point) const {
-    const Curve<2> curve(*family_, point.nu, false);
-    const Corrected<2> at = start_of(curve, unknowns<2>(point.q), point.nu);
-    if (at.status != CorrectorStatus::converged) return std::nullopt;
-    for (const double step : {1e-3, -1e-3, 1e-5, -1e-5}) {
-      const ArcVector<2> y = step * at.point.tangent;
-      const Corrected<2> inside = curve.corrector().correct(
-          moved<2>(at.point.x, ReducedVector<2>(y.head<2>())),
-          at.point.p + curve.corrector().scale() * y[2], at.point.tangent, std::abs(step));
-      if (inside.status != CorrectorStatus::converged) continue;
-      const Member member = curve.complete(inside.point).member;
-      if (!member.beyond_end()) return member;
-    }
     return std::nullopt;
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/general_spectrum.hpp"
+#include "solver/continuation.hpp"
 #include "solver/tilted_system.hpp"
 
 namespace stationary {
@@ -113,6 +114,22 @@ std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& pote
     return std::make_unique<TiltedFamily<std::decay_t<decltype(model)>>>(body, potential, model,
                                                                          plane, spectrum);
   });
+}
+
+std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, double nu) {
+  const Curve<2> curve(family, nu, false);
+  const Corrected<2> at = start_of(curve, unknowns<2>(q), nu);
+  if (at.status != CorrectorStatus::converged) return std::nullopt;
+  for (const double step : {1e-3, -1e-3, 1e-5, -1e-5}) {
+    const ArcVector<2> y = step * at.point.tangent;
+    const Corrected<2> inside = curve.corrector().correct(
+        moved<2>(at.point.x, ReducedVector<2>(y.head<2>())),
+        at.point.p + curve.corrector().scale() * y[2], at.point.tangent, std::abs(step));
+    if (inside.status != CorrectorStatus::converged) continue;
+    const Member member = curve.complete(inside.point).member;
+    if (!member.beyond_end()) return member;
+  }
+  return std::nullopt;
 }
 
 }  // namespace stationary

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "lib/potential.hpp"
 #include "solver/family.hpp"
@@ -21,5 +22,8 @@ struct TiltedRotation {
 
 std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& potential,
                                          TiltPlane plane, bool spectrum);
+
+/// A member of the family that begins where a branch's axis tilts (q, nu), a little along it.
+std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, double nu);
 
 }  // namespace stationary

@@ -62,9 +62,15 @@ std::string entry_text(Entry entry, double nu) {
     case Entry::search:
       return fmt::format("found at nu = {:.6g}", nu);
     case Entry::ellipse:
+      return fmt::format("off the circle at nu = {:.10g}", nu);
+    case Entry::tilt:
       break;
   }
-  return fmt::format("off the circle at nu = {:.10g}", nu);
+  return fmt::format("off a tilt at nu = {:.10g}", nu);
+}
+
+std::string_view branch_name(const AtlasSheet& sheet) {
+  return sheet.plane ? tilted_name : name(sheet.branch);
 }
 
 std::string sheet_text(const AtlasSheet& sheet) {
@@ -72,12 +78,13 @@ std::string sheet_text(const AtlasSheet& sheet) {
     return fmt::format("{} at nu = {:.10g}",
                        row.event == EventType::none ? "open" : name(row.event), row.member.nu);
   };
-  std::string out = fmt::format("({}), {} rows, {}: {}, {}", name(sheet.branch), sheet.rows.size(),
+  std::string out = fmt::format("({}), {} rows, {}: {}, {}", branch_name(sheet), sheet.rows.size(),
                                 entry_text(sheet.entry, sheet.entry_nu), end(sheet.rows.front()),
                                 end(sheet.rows.back()));
-  if (sheet.parent) {
+  if (sheet.parent)
     out += fmt::format("; leaves sheet {} at {}", sheet.parent->sheet, name(sheet.parent->event));
-  }
+  if (sheet.joins)
+    out += fmt::format("; joins sheet {} at {}", sheet.joins->sheet, name(sheet.joins->event));
   return out;
 }
 
@@ -142,7 +149,7 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
   if (output) {
     TableWriter table(output->sink(), columns);
     for (const AtlasSheet& sheet : found.sheets) {
-      CurveTable rows(name(sheet.branch), &table, sheet.number);
+      CurveTable rows(branch_name(sheet), &table, sheet.number);
       for (const AtlasRow& row : sheet.rows) rows.row(row.member, row.event);
     }
     table.flush();

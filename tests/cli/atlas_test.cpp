@@ -26,15 +26,18 @@ TEST(AtlasCommand, WritesEverySheetAndItsMetadata) {
     sheets.insert(row.at("sheet"));
     branches[row.at("sheet")] = row.at("branch");
   }
-  EXPECT_THAT(sheets, ::testing::ElementsAre("1", "2", "3", "4"));
-  EXPECT_THAT(branches,
-              ::testing::ElementsAre(::testing::Pair("1", "i"), ::testing::Pair("2", "ii"),
-                                     ::testing::Pair("3", "iii"), ::testing::Pair("4", "iii")));
+  EXPECT_THAT(sheets, ::testing::ElementsAre("1", "2", "3", "4", "5", "6"));
+  EXPECT_THAT(branches, ::testing::ElementsAre(
+                            ::testing::Pair("1", "i"), ::testing::Pair("2", "ii"),
+                            ::testing::Pair("3", "iii"), ::testing::Pair("4", "iii"),
+                            ::testing::Pair("5", "tilted"), ::testing::Pair("6", "tilted")));
   const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
   EXPECT_EQ(metadata["command"], "atlas");
-  ASSERT_EQ(metadata["sheets"].size(), 4U);
+  ASSERT_EQ(metadata["sheets"].size(), 6U);
   EXPECT_EQ(metadata["sheets"][0]["entry"], "rest");
   EXPECT_EQ(metadata["sheets"][3]["entry"], "search");
+  EXPECT_EQ(metadata["sheets"][5]["parent"]["sheet"], 2);
+  EXPECT_EQ(metadata["sheets"][5]["joins"]["sheet"], 4);
   EXPECT_EQ(metadata["checkpoints"].size(), 3U * 256U);
   for (const auto& at : metadata["checkpoints"]) EXPECT_TRUE(at["complete"].get<bool>()) << at;
 }
@@ -50,7 +53,7 @@ TEST(AtlasCommand, ThreadsDoNotChangeTheTable) {
 TEST(AtlasCommand, SummaryNamesSheetsParentsAndWhatIsProven) {
   const Outcome outcome = run_program({"atlas", shipped("circle.toml")});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* words : {"from rest", "found at nu = ", "leaves sheet 3 at ellipse",
+  for (const char* words : {"from rest", "found at nu = ", "leaves sheet 2 at ellipse",
                             "at 256 of 256 checkpoints", "fold-nu"})
     EXPECT_THAT(outcome.out, HasSubstr(words));
 }

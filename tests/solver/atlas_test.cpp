@@ -33,7 +33,7 @@ Atlas atlas_to(double to, const Body& body, const Potential& potential, int thre
 std::string text_of(const Atlas& found) {
   std::string out;
   for (const AtlasSheet& sheet : found.sheets) {
-    out += std::string(name(sheet.branch)) + ":";
+    out += std::string(sheet.plane ? name(*sheet.plane) : name(sheet.branch)) + ":";
     for (const AtlasRow& row : sheet.rows)
       if (row.event != EventType::none) out += " " + std::string(name(row.event));
     out += "; ";
@@ -49,41 +49,74 @@ void expect_complete(const Atlas& found) {
   }
 }
 
+void expect_joined(const AtlasSheet& sheet, int from, int to) {
+  ASSERT_TRUE(sheet.parent && sheet.joins);
+  EXPECT_EQ(sheet.parent->sheet, from);
+  EXPECT_EQ(sheet.joins->sheet, to);
+  EXPECT_EQ(sheet.joins->event, EventType::tilt);
+}
+
 const Body plate(1.0, 1.7, 0.6);
 
 TEST(Atlas, OfANeoHookeanBodyIsItsSheetsFromRestAndOneBeyond) {
   const Atlas found = atlas_to(1.1, plate, potential_of("neo-hookean", 1.0, 2.0));
   EXPECT_EQ(text_of(found),
             "i: limit tilt escape; ii: limit inertia-exchange tilt escape; iii: limit tilt escape; "
-            "iii: escape tilt fold-momentum fold-nu escape; ");
+            "iii: escape tilt fold-momentum fold-nu escape; 13: tilt tilt; "
+            "23: tilt hamiltonian-hopf real-collision tilt; ");
   expect_complete(found);
-  for (const AtlasSheet& sheet : found.sheets)
-    EXPECT_EQ(sheet.entry, sheet.number < 4 ? Entry::rest : Entry::search);
-  // Below where the two ends of the fourth come from.
-  EXPECT_EQ(atlas_to(0.9, plate, potential_of("neo-hookean", 1.0, 2.0)).sheets.size(), 3U);
+  constexpr Entry entries[] = {Entry::rest,   Entry::rest, Entry::rest,
+                               Entry::search, Entry::tilt, Entry::tilt};
+  for (std::size_t k = 0; k < found.sheets.size(); ++k)
+    EXPECT_EQ(found.sheets[k].entry, entries[k]) << k;
+  // Tilted in the 1-3 plane from (i) to (iii), in the 2-3 plane to the sheet apart from rest.
+  expect_joined(found.sheets[4], 1, 3);
+  expect_joined(found.sheets[5], 2, 4);
+  EXPECT_NEAR(found.sheets[5].joins->nu, 1.0033331936, 1e-9);
+}
+
+TEST(Atlas, ATiltedFamilyMayEscape) {
+  const Atlas found =
+      atlas_to(2.0, Body(1.7, 1.0, 0.6), potential_of("reciprocal-determinant", 1.0, 2.0));
+  expect_complete(found);
+  const auto escapes = std::ranges::find_if(found.sheets, [](const AtlasSheet& sheet) {
+    return sheet.plane && sheet.rows.back().event == EventType::escape;
+  });
+  ASSERT_NE(escapes, found.sheets.end()) << text_of(found);
+  EXPECT_EQ(escapes->parent->sheet, 1);
+  EXPECT_NEAR(escapes->parent->nu, 1.40523, 1e-5);
+  EXPECT_FALSE(escapes->joins.has_value());
 }
 
 TEST(Atlas, FindsTheSheetApartFromRest) {
   const Atlas biot = atlas_to(2.0, plate, potential_of("biot-log", 1.0, 0.6));
   EXPECT_EQ(text_of(biot),
             "i: limit tilt escape; ii: limit inertia-exchange tilt escape; iii: limit tilt escape; "
-            "iii: escape fold-nu fold-momentum tilt krein-pass escape; ");
+            "iii: escape fold-nu fold-momentum tilt krein-pass escape; 13: tilt tilt; "
+            "23: tilt hamiltonian-hopf hamiltonian-hopf tilt; ");
   expect_complete(biot);
-  EXPECT_FALSE(biot.sheets.back().parent.has_value());
+  EXPECT_FALSE(biot.sheets[3].parent.has_value());
+  expect_joined(biot.sheets[5], 2, 4);
   const Atlas soft = atlas_to(1.0, Body(1.046, 0.972, 0.234),
                               potential_of("neo-hookean", 0.0525, 2.3792, 0.591, 1.917));
-  EXPECT_EQ(soft.sheets.size(), 4U) << text_of(soft);
+  EXPECT_EQ(std::ranges::count_if(soft.sheets, [](const auto& sheet) { return !sheet.plane; }), 4)
+      << text_of(soft);
   expect_complete(soft);
 }
 
 TEST(Atlas, EllipsesComeFromTheCircleAndOnce) {
   const Atlas found = atlas_to(3.0, Body(1.0, 1.0, 0.6), potential_of("biot-log", 1.0, 4.0));
-  ASSERT_EQ(found.sheets.size(), 5U) << text_of(found);
+  // (ii) is (i) turned; the tilted family joins (i) to the ellipses.
+  EXPECT_EQ(text_of(found),
+            "i: limit tilt escape; iii: limit ellipse fold-nu fold-nu ellipse escape; "
+            "iii: ellipse tilt escape; iii: ellipse escape; 13: tilt tilt; ");
+  ASSERT_EQ(found.sheets.size(), 5U);
   expect_complete(found);
-  for (const std::size_t k : {3U, 4U}) {
+  expect_joined(found.sheets[4], 1, 3);
+  for (const std::size_t k : {2U, 3U}) {
     const AtlasSheet& ellipses = found.sheets[k];
     ASSERT_TRUE(ellipses.parent.has_value()) << k;
-    EXPECT_EQ(ellipses.parent->sheet, 3);
+    EXPECT_EQ(ellipses.parent->sheet, 2);
     EXPECT_EQ(ellipses.parent->event, EventType::ellipse);
     for (const AtlasRow& row : ellipses.rows) {
       EXPECT_EQ(row.event == EventType::ellipse, row.member.q.xi == row.member.q.zeta);
@@ -145,6 +178,7 @@ TEST(Atlas, RandomBodiesAreComplete) {
     options.to = 2.0 * std::abs(posed.nu);
     options.checkpoints = 12;
     options.step.tolerance = 1e-5;
+    options.spectrum = false;
     options.threads = 2;
     const Atlas found = atlas(posed.problem.body(), posed.problem.potential(), options);
     for (const Checkpoint& at : found.checkpoints) {
