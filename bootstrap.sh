@@ -4,7 +4,7 @@ set -euo pipefail
 
 usage() {
   cat >&2 <<'TEXT'
-usage: ./bootstrap.sh run     set up, build, solve cases/disc.toml into results/
+usage: ./bootstrap.sh run     set up, build, solve cases/disc.toml and follow it into results/
        ./bootstrap.sh test    set up, build and pass the tests, in release and under the sanitizers
 Set-up installs Debian packages that are missing, as root or through sudo; it asks nothing.
 TEXT
@@ -77,11 +77,12 @@ set_up
 if [[ $verb == run ]]; then
   build release stationary
   say "stationary solve cases/disc.toml"
-  mkdir -p results
   program=build/release/solver/cli/stationary
   "$program" solve cases/disc.toml
-  "$program" solve cases/disc.toml -o results/disc.csv
-  say "written: results/disc.csv"
+  say "stationary continue cases/disc.toml -o results/disc.csv"
+  "$program" continue cases/disc.toml -o results/disc.csv
+  say "stationary plot results/disc.csv -o results/disc.svg"
+  "$program" plot results/disc.csv -o results/disc.svg
 else
   for preset in release sanitize; do
     build "$preset"

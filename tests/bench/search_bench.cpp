@@ -1,9 +1,10 @@
 // Cost of proofs: a certificate with its spectrum, and an exhaustive search of [1e-3, 1e3] in every
-// stretch, for each model.
+// stretch, for each model; and a whole atlas, tilted families and spectra included.
 #include <benchmark/benchmark.h>
 
 #include <string>
 
+#include "solver/atlas.hpp"
 #include "solver/enclosure.hpp"
 #include "solver/search.hpp"
 #include "solver/stability.hpp"
@@ -58,6 +59,22 @@ void everything(benchmark::State& state, const ModelDescription& model, Branch b
   if (found.status != SearchStatus::complete) state.SkipWithError("undecided");
 }
 
+/// nu up to 1.1, 256 checkpoints, tolerance 1e-10.
+void whole_atlas(benchmark::State& state) {
+  const Potential potential(Potential::planar("neo-hookean", coefficients),
+                            Potential::thickness("reciprocal-quadratic", axial));
+  AtlasOptions options;
+  options.to = 1.1;
+  options.threads = static_cast<int>(state.range(0));
+  std::size_t rows = 0;
+  for (auto _ : state) {
+    rows = 0;
+    for (const AtlasSheet& sheet : atlas(Body(1.0, 1.7, 0.6), potential, options).sheets)
+      rows += sheet.rows.size();
+  }
+  state.counters["rows"] = static_cast<double>(rows);
+}
+
 }  // namespace
 }  // namespace stationary
 
@@ -76,6 +93,11 @@ int main(int argc, char** argv) {
           ->Unit(benchmark::kMicrosecond);
     }
   }
+  benchmark::RegisterBenchmark("neo-hookean atlas, threads", whole_atlas)
+      ->Arg(1)
+      ->Arg(2)
+      ->UseRealTime()
+      ->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }
