@@ -73,8 +73,8 @@ Vector3<S> compatibility_residual(const Body& body, const BasicStretch<S>& q,
 }
 
 /// Rates of C(nu) for a spin about a branch's axis with a given nu^2.
-template <class S>
-CentrifugalRates<S> axis_rates(const Body& body, Branch branch, const S& nu_squared) {
+template <class S, class Inertias>
+CentrifugalRates<S> axis_rates(const Inertias& body, Branch branch, const S& nu_squared) {
   S squares[3] = {S(0.0), S(0.0), S(0.0)};
   squares[axis(branch)] = nu_squared;
   return centrifugal_rates(body, squares[0], squares[1], squares[2]);

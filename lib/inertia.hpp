@@ -52,9 +52,10 @@ struct CentrifugalRates {
   S rho;
 };
 
-template <class S>
-CentrifugalRates<S> centrifugal_rates(const Body& body, const S& nu1_squared, const S& nu2_squared,
-                                      const S& nu3_squared) {
+/// body: J1, J2, J3 as doubles or in S.
+template <class S, class Inertias>
+CentrifugalRates<S> centrifugal_rates(const Inertias& body, const S& nu1_squared,
+                                      const S& nu2_squared, const S& nu3_squared) {
   return {body.J1 * (nu2_squared + nu3_squared), body.J2 * (nu1_squared + nu3_squared),
           body.J3 * (nu1_squared + nu2_squared)};
 }

@@ -36,10 +36,7 @@ void CurveTable::row(const Member& member, EventType event) {
                member.spectrum ? std::optional(member.spectrum->verdict) : std::nullopt);
   if (writer_ != nullptr || problem_at_) fill_row(branch_, member, row_);
   if (problem_at_) {
-    Equilibrium at;
-    at.q = member.q;
-    at.nu = member.angular_velocity;
-    const RowProof proof = prove_row(problem_at_(member.parameter), at, member.spectrum, row_);
+    const RowProof proof = prove(member, event);
     count_proof(proof.proven, member.parameter, proof.reason);
   }
   if (writer_ != nullptr) {
@@ -48,6 +45,34 @@ void CurveTable::row(const Member& member, EventType event) {
     writer_->write(row_);
   }
   ++point_;
+}
+
+RowProof CurveTable::prove(const Member& member, EventType event) {
+  const Problem problem = problem_at_(member.parameter);
+  Equilibrium at;
+  at.q = member.q;
+  at.nu = member.angular_velocity;
+  RowProof out = prove_row(problem, at, member.spectrum, row_);
+  if (!has_enclosure(event)) return out;
+  // The row says more than that its stretches are in equilibrium, and at a fold less.
+  const bool circle = event == EventType::ellipse ||
+                      (mirror_symmetric(problem, member.nu) && member.q.xi == member.q.zeta);
+  const EventEnclosure proof = enclose_event(problem, parameter_, circle, event, member);
+  out.proven = proof.proven;
+  out.reason = std::string(name(event)) + ": " + proof.reason;
+  row_.certified = proof_word(proof.proven);
+  row_[Column::error_bound] = proof.proven ? proof.error_bound : member.error_bound;
+  if (proof.proven) events_.push_back({event, member.parameter, proof.parameter});
+  return out;
+}
+
+void CurveTable::add_enclosures(std::vector<EventRecord>& events) const {
+  for (const ProvenEvent& proven : events_) {
+    const auto at = std::ranges::find_if(events, [&](const EventRecord& each) {
+      return each.type == proven.type && each.parameter == proven.parameter;
+    });
+    if (at != events.end()) at->enclosure = proven.enclosure;
+  }
 }
 
 void CurveTable::again(TableRow row) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/equilibrium_row.hpp"
+#include "solver/event_enclosure.hpp"
 #include "solver/follow.hpp"
 #include "solver/problem.hpp"
 #include "solver/table.hpp"
@@ -57,8 +58,14 @@ class CurveTable final : public CurveSink {
     row_[Column::sheet] = sheet;
   }
 
-  /// Proves every row (prove_row()); problem_at(p) is the problem at the parameter p.
-  void prove(std::function<Problem(double)> problem_at) { problem_at_ = std::move(problem_at); }
+  /// Proves every row (prove_row()), and of an event's row that the event is there
+  /// (event_enclosure.hpp); problem_at(p) is the problem at the parameter p.
+  void prove(std::function<Problem(double)> problem_at, const FamilyParameter& parameter) {
+    problem_at_ = std::move(problem_at);
+    parameter_ = parameter;
+  }
+  /// Adds the enclosures of the events of the rows so far.
+  void add_enclosures(std::vector<EventRecord>& events) const;
 
   void row(const Member& member, EventType event) override;
   /// A row that was in a table already, with this table's sheet and next point.
@@ -67,6 +74,13 @@ class CurveTable final : public CurveSink {
   const CurveProofs& proofs() const { return proofs_; }
 
  private:
+  struct ProvenEvent {
+    EventType type;
+    double parameter;
+    Interval enclosure;
+  };
+
+  RowProof prove(const Member& member, EventType event);
   void count_proof(bool proven, double parameter, const std::string& reason);
   double parameter_of(const TableRow& row) const;
 
@@ -76,7 +90,9 @@ class CurveTable final : public CurveSink {
   TableRow row_;
   CurveSummary summary_;
   std::function<Problem(double)> problem_at_;  ///< empty: nothing is proven
+  FamilyParameter parameter_;
   CurveProofs proofs_;
+  std::vector<ProvenEvent> events_;
 };
 
 }  // namespace stationary

@@ -1,45 +1,85 @@
-// First-order dual number with two directions: x + slope . eps, for the sensitivity of a residual
-// to a model's two coefficients. ceres::Jet would do as well; this keeps Ceres out of solver
-// headers that users include.
+// First-order dual number with N directions: value + slope . eps, over doubles (the sensitivity of
+// a residual to a model's coefficients) or intervals (a proof that needs the slopes of a function
+// over a box). ceres::Jet would do for doubles; this keeps Ceres out of solver headers that users
+// include.
 #pragma once
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <type_traits>
 
 #include "lib/number.hpp"
 
 namespace stationary {
 
-struct Dual2 {
-  double value = 0.0;
-  std::array<double, 2> slope{0.0, 0.0};
+template <class T, std::size_t N>
+struct Dual {
+  T value = T(0.0);
+  std::array<T, N> slope{};
 
-  Dual2() = default;
-  Dual2(double x) : value(x) {}  // NOLINT(google-explicit-constructor)
-  Dual2(double x, std::array<double, 2> s) : value(x), slope(s) {}
+  Dual() = default;
+  Dual(double x) : value(x) {}  // NOLINT(google-explicit-constructor)
+  Dual(const T& x)              // NOLINT(google-explicit-constructor)
+      requires(!std::is_same_v<T, double>)
+      : value(x) {}
+  Dual(const T& x, const std::array<T, N>& s) : value(x), slope(s) {}
 
-  friend Dual2 operator+(const Dual2& x, const Dual2& y) {
-    return {x.value + y.value, {x.slope[0] + y.slope[0], x.slope[1] + y.slope[1]}};
+  /// The unknown x = e^y in direction k: dx/dy = x.
+  static Dual logarithmic(const T& x, std::size_t k) {
+    Dual out(x);
+    out.slope[k] = x;
+    return out;
   }
-  friend Dual2 operator-(const Dual2& x) { return {-x.value, {-x.slope[0], -x.slope[1]}}; }
-  friend Dual2 operator-(const Dual2& x, const Dual2& y) { return x + (-y); }
-  friend Dual2 operator*(const Dual2& x, const Dual2& y) {
-    return {
-        x.value * y.value,
-        {x.slope[0] * y.value + x.value * y.slope[0], x.slope[1] * y.value + x.value * y.slope[1]}};
+
+  friend Dual operator+(const Dual& x, const Dual& y) {
+    return of(x.value + y.value, [&](std::size_t k) { return x.slope[k] + y.slope[k]; });
   }
-  friend Dual2 operator/(const Dual2& x, const Dual2& y) {
-    const double inverse = 1.0 / y.value;
-    const double q = x.value * inverse;
-    return {q, {(x.slope[0] - q * y.slope[0]) * inverse, (x.slope[1] - q * y.slope[1]) * inverse}};
+  friend Dual operator-(const Dual& x) {
+    return of(-x.value, [&](std::size_t k) { return -x.slope[k]; });
   }
-  friend bool operator>(const Dual2& x, double y) { return x.value > y; }
+  friend Dual operator-(const Dual& x, const Dual& y) {
+    return of(x.value - y.value, [&](std::size_t k) { return x.slope[k] - y.slope[k]; });
+  }
+  friend Dual operator*(const Dual& x, const Dual& y) {
+    return of(x.value * y.value,
+              [&](std::size_t k) { return x.slope[k] * y.value + x.value * y.slope[k]; });
+  }
+  friend Dual operator*(double a, const Dual& x) {
+    return of(a * x.value, [&](std::size_t k) { return a * x.slope[k]; });
+  }
+  friend Dual operator/(const Dual& x, const Dual& y) {
+    const T inverse = T(1.0) / y.value;
+    const T q = x.value * inverse;
+    return of(q, [&](std::size_t k) { return (x.slope[k] - q * y.slope[k]) * inverse; });
+  }
+  friend Dual log(const Dual& x) {
+    using std::log;
+    const T inverse = T(1.0) / x.value;
+    return of(log(x.value), [&](std::size_t k) { return x.slope[k] * inverse; });
+  }
+  friend bool operator>(const Dual& x, double y) requires std::is_same_v<T, double> {
+    return x.value > y;
+  }
+
+ private:
+  template <class Slope>
+  static Dual of(const T& value, const Slope& slope) {
+    Dual out(value);
+    for (std::size_t k = 0; k < N; ++k) out.slope[k] = slope(k);
+    return out;
+  }
 };
 
-inline double leading(const Dual2& x) { return x.value; }
+using Dual2 = Dual<double, 2>;
+
+template <class T, std::size_t N>
+double leading(const Dual<T, N>& x) {
+  return leading(x.value);
+}
 
 }  // namespace stationary
 
-template <>
-class std::numeric_limits<stationary::Dual2> : public std::numeric_limits<double> {};
+template <class T, std::size_t N>
+class std::numeric_limits<stationary::Dual<T, N>> : public std::numeric_limits<double> {};

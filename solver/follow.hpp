@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/interval.hpp"
 #include "solver/axis_family.hpp"
 #include "solver/continuation.hpp"
 
@@ -47,6 +48,7 @@ struct EventRecord {
   double before;  ///< bracket
   double after;
   bool located;
+  std::optional<Interval> enclosure = std::nullopt;  ///< proven (event_enclosure.hpp)
 };
 
 struct FollowReport {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "solver/interval_system.hpp"
 
@@ -34,7 +35,7 @@ class Krawczyk {
   Krawczyk(const System& system, const ReducedVector<N>& x) : system_(system), x_(x) {
     Box<N> point;
     for (int i = 0; i < N; ++i) point[index(i)] = x[i];
-    const BoxLinearized<N> at = system.linearize(point);
+    const auto at = system.linearize(point);
     inverse_ = at.middle().inverse();
     newton_ = preconditioned(at.g);
     for (Interval& d : newton_) d = -d;
@@ -49,7 +50,7 @@ class Krawczyk {
 
   /// K(D); entire where something is not bounded.
   Box<N> operator()(const Box<N>& d) const {
-    const BoxLinearized<N> over = system_.linearize(stretches(d));
+    const auto over = system_.linearize(stretches(d));
     Box<N> out = newton_;
     for (int i = 0; i < N; ++i) {
       for (int j = 0; j < N; ++j) {
@@ -137,7 +138,7 @@ class Krawczyk {
 
   const System& system_;
   ReducedVector<N> x_;
-  SmallSymmetric<N> inverse_;
+  decltype(std::declval<System>().linearize(Box<N>{}).middle().inverse()) inverse_;
   Box<N> newton_;
 };
 

@@ -64,6 +64,7 @@ Json events_json(const std::vector<EventRecord>& events) {
                    {"parameter", event.parameter},
                    {"bracket", {event.before, event.after}},
                    {"status", event.located ? "located" : "bracketed"}});
+    if (event.enclosure) out.back()["enclosure"] = {event.enclosure->lo, event.enclosure->hi};
   }
   return out;
 }
@@ -192,6 +193,10 @@ std::optional<CurveRecord> curve_record(std::string_view metadata) {
                             event.at("bracket").at(0).get<double>(),
                             event.at("bracket").at(1).get<double>(),
                             event.at("status").get<std::string>() == "located"});
+      if (const auto proven = event.find("enclosure"); proven != event.end()) {
+        out.events.back().enclosure =
+            Interval(proven->at(0).get<double>(), proven->at(1).get<double>());
+      }
     }
     return out;
   } catch (const Json::exception&) {

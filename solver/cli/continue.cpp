@@ -143,6 +143,13 @@ std::string end_text(const Case& input, const SheetEnd& end, double p) {
       input.continuation->parameter, p, end.reason);
 }
 
+/// With what is proven of it.
+std::string event_place(const EventRecord& event) {
+  if (!event.enclosure) return fmt::format("{:.15g}", event.parameter);
+  return fmt::format("{:.17g}, proven within {:.1e}", event.parameter,
+                     (*event.enclosure - Interval(event.parameter)).magnitude());
+}
+
 std::string summary(const Case& input, const Start& start, const FollowReport& report,
                     const CurveTable& table, double seconds) {
   const CurveSummary& curve = table.summary();
@@ -163,7 +170,7 @@ std::string summary(const Case& input, const Start& start, const FollowReport& r
   std::string_view label = "events";
   for (const EventRecord& event : report.events) {
     out.line(std::exchange(label, {}),
-             fmt::format("{:<17} {} = {:.15g}", name(event.type), parameter, event.parameter));
+             fmt::format("{:<17} {} = {}", name(event.type), parameter, event_place(event)));
   }
   if (report.events.empty()) out.line(label, "none");
   if (!curve.stretches().empty()) out.gap();
@@ -349,15 +356,18 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   }
   CurveTable rows(input.branch_name(), table ? &*table : nullptr);
   if (input.output.certificate) {
-    rows.prove([&](double p) {
-      return problem_of(with_parameter({input.body, input.models, input.motion},
-                                       input.continuation->parameter, p));
-    });
+    rows.prove(
+        [&](double p) {
+          return problem_of(with_parameter({input.body, input.models, input.motion},
+                                           input.continuation->parameter, p));
+        },
+        family_parameter(input.continuation->parameter, input.models));
   }
   const FollowOptions how = follow_options(input, options, progress);
-  const FollowReport report =
+  FollowReport report =
       old ? follow_on(family, *old, how, rows) : follow(family, start.found.q, start.p, how, rows);
   progress.clear();
+  rows.add_enclosures(report.events);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!report.failure.empty()) {

@@ -214,30 +214,35 @@ TEST(Certify, WhatIsNotProvenSaysSo) {
   EXPECT_EQ(row["class_certified"], "no");
 }
 
-/// Every row of a followed curve is proven but for the one at its fold.
+/// Every row of a followed curve is proven, the fold and where it is included.
 TEST(Certify, RowsOfACurve) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("fold.toml", folding);
   const Outcome outcome = run_program({"continue", file, "--certify", "-o", directory / "x.csv"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
   long proven = 0;
   long folds = 0;
   auto rows = rows_of(text_of(directory / "x.csv"));
   ASSERT_GT(rows.size(), 20U);
   for (auto& row : rows) {
-    if (row["event"] == "fold-nu") {
-      ++folds;
-      EXPECT_EQ(row["certified"], "no");
-    } else {
-      EXPECT_EQ(row["certified"], "yes") << row["nu1"] << " " << row["event"];
-    }
+    EXPECT_EQ(row["certified"], "yes") << row["nu1"] << " " << row["event"];
     proven += row["certified"] == "yes";
+    if (row["event"] != "fold-nu") continue;
+    ++folds;
+    EXPECT_LE(std::stod(row["error_bound"]), 1e-11);
+    EXPECT_EQ(row["class_certified"], "no");  // at its nu there are two solutions, or none
   }
   EXPECT_EQ(folds, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("1 of " + std::to_string(rows.size()) + " rows"));
   const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
   EXPECT_EQ(metadata["counts"]["proven"], proven);
-  EXPECT_THAT(metadata["warning"].get<std::string>(), HasSubstr("not proven"));
+  for (const auto& event : metadata["events"]) {
+    const double low = event.at("enclosure").at(0);
+    const double high = event.at("enclosure").at(1);
+    EXPECT_LT(low, high);
+    EXPECT_NEAR(low, event.at("parameter").get<double>(), 1e-13);
+    EXPECT_NEAR(high, event.at("parameter").get<double>(), 1e-13);
+  }
 
   const Outcome words = run_program({"continue", file, "--certify"});
   EXPECT_THAT(words.out, HasSubstr(std::to_string(proven) + " of " + std::to_string(rows.size()) +

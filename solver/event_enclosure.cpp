@@ -1,0 +1,188 @@
+#include "solver/event_enclosure.hpp"
+
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "solver/event_system.hpp"
+#include "solver/krawczyk.hpp"
+
+namespace stationary {
+namespace {
+
+/// The equations' function, and where Lambda is among the unknowns, about where.
+struct Sought {
+  EventFunction function;
+  double lambda = std::numeric_limits<double>::quiet_NaN();
+};
+
+double relative_gap(double a, double b) { return std::abs(a - b) / (std::abs(a) + std::abs(b)); }
+
+/// The pair of modes that meets at the event: of one block and of one sign, or of two blocks,
+/// imaginary and of opposite signature; whichever are nearest to each other.
+std::optional<Sought> meeting_modes(const Spectrum& spectrum, EventType type) {
+  const bool within = type != EventType::krein_pass;
+  const bool imaginary = type != EventType::real_collision;
+  std::optional<Sought> out;
+  double least = std::numeric_limits<double>::infinity();
+  const auto offer = [&](double gap, double lambda, Block first, Block second) {
+    if (!(gap < least) || (lambda < 0.0) != imaginary) return;
+    least = gap;
+    const auto kind = within ? EventFunction::Kind::collision : EventFunction::Kind::crossing;
+    out = Sought{{kind, 0, 0, first, second}, lambda};
+  };
+  for (int i = 0; i < spectrum.modes; ++i) {
+    const Mode& a = spectrum.mode[static_cast<std::size_t>(i)];
+    if (a.forced_zero) continue;
+    if (within && a.lambda_im > 0.0)
+      offer(a.lambda_im / std::hypot(a.lambda_re, a.lambda_im), a.lambda_re, a.block, a.block);
+    for (int k = 0; k < i; ++k) {
+      const Mode& b = spectrum.mode[static_cast<std::size_t>(k)];
+      if (b.forced_zero || a.lambda_im > 0.0 || b.lambda_im > 0.0) continue;
+      if ((a.block == b.block) != within || (!within && a.krein * b.krein > 0)) continue;
+      offer(relative_gap(a.lambda_re, b.lambda_re), 0.5 * (a.lambda_re + b.lambda_re), a.block,
+            b.block);
+    }
+  }
+  return out;
+}
+
+/// Of the axes (a, 1), (a, 2) ... the pair whose inertias are equal: as moments of the stretches.
+EventFunction equal_inertias(EventType type, Branch branch, const Member& member) {
+  const double moment[3] = {member.body.J1 * member.q.xi * member.q.xi,
+                            member.body.J2 * member.q.zeta * member.q.zeta,
+                            member.body.J3 * member.q.rho * member.q.rho};
+  struct Pair {
+    int a;
+    int b;
+  };
+  EventFunction out{.kind = EventFunction::Kind::inertia};
+  double least = std::numeric_limits<double>::infinity();
+  for (const Pair each : {Pair{0, 2}, Pair{1, 2}, Pair{0, 1}}) {
+    // I_1 - I_3 = m_3 - m_1: a tilt's, unless the spin is about the axis left over.
+    const bool tilts = each.b == 2 && !(branch == Branch::i && each.a == 1) &&
+                       !(branch == Branch::ii && each.a == 0);
+    const double gap = relative_gap(moment[each.a], moment[each.b]);
+    if (tilts != (type == EventType::tilt) || !(gap < least)) continue;
+    least = gap;
+    out.a = each.a;
+    out.b = each.b;
+  }
+  return out;
+}
+
+std::optional<Sought> sought(EventType type, Branch branch, const Member& member) {
+  const auto plain = [](EventFunction::Kind kind) { return Sought{EventFunction{.kind = kind}}; };
+  switch (type) {
+    case EventType::fold_nu:
+      return plain(EventFunction::Kind::fold);
+    case EventType::fold_momentum:
+      return plain(EventFunction::Kind::momentum);
+    case EventType::ellipse:
+      return plain(EventFunction::Kind::ellipse);
+    case EventType::oblique:
+    case EventType::shear:
+      return plain(EventFunction::Kind::turn);
+    case EventType::tilt:
+    case EventType::inertia_exchange:
+      return Sought{equal_inertias(type, branch, member)};
+    case EventType::hamiltonian_hopf:
+    case EventType::real_collision:
+    case EventType::krein_pass:
+      return member.spectrum ? meeting_modes(*member.spectrum, type) : std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Newton in double from the located event: its own accuracy is that of a bracket.
+template <class System>
+bool polish(const System& system, ReducedVector<System::dimension>& y) {
+  constexpr int N = System::dimension;
+  constexpr int most = 12;
+  double before = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < most; ++k) {
+    Box<N> point;
+    for (int i = 0; i < N; ++i) point[static_cast<std::size_t>(i)] = y[i];
+    const auto at = system.linearize(point);
+    ReducedVector<N> g;
+    for (int i = 0; i < N; ++i) g[i] = at.g[static_cast<std::size_t>(i)].mid();
+    const ReducedVector<N> step = -(at.middle().inverse().entries * g);
+    const double size = step.cwiseAbs().maxCoeff();
+    if (!std::isfinite(size) || size > 0.1) return false;
+    if (size >= before) return true;  // at rounding
+    y = (y.array() * step.array().exp()).matrix();
+    if (size < 1e-15) return true;
+    before = size < 1e-10 ? size : std::numeric_limits<double>::infinity();
+  }
+  return true;
+}
+
+/// Of |x/y - 1| over all y in Y.
+double distance(double x, const Interval& y) { return (x / y - Interval(1.0)).magnitude(); }
+
+template <bool circle, bool spectral>
+void enclose(const EventSetting& setting, const Sought& what, const Member& member,
+             EventEnclosure& out) {
+  using System = EventSystem<circle, spectral>;
+  const System system(setting, what.function);
+  ReducedVector<System::dimension> y;
+  constexpr int p = System::stretches;
+  y[0] = member.q.xi;
+  if constexpr (!circle) y[1] = member.q.zeta;
+  y[p - 1] = member.q.rho;
+  y[p] = member.parameter;
+  if constexpr (spectral) y[p + 1] = what.lambda;
+  if (member.parameter == 0.0 || !polish(system, y)) {
+    out.reason = "the event's equations are singular here, or have no solution near by";
+    return;
+  }
+  const auto proof = Krawczyk(system, y).prove();
+  if (!proof.proven) {
+    out.reason = "the event's equations are too near to singular for a proof";
+    return;
+  }
+  const auto& found = proof.solution;
+  out.q = {found[0], found[circle ? 0 : 1], found[p - 1]};
+  out.parameter = found[p];
+  const double bound =
+      std::max({distance(member.q.xi, out.q.xi), distance(member.q.zeta, out.q.zeta),
+                distance(member.q.rho, out.q.rho)});
+  // Another event than the one located is no proof of that.
+  constexpr double near = 1e-4;
+  if (!(bound < near) || !(distance(member.parameter, out.parameter) < near)) {
+    out.reason = "the event proven near by is not the one located";
+    return;
+  }
+  out.proven = true;
+  out.error_bound = bound;
+}
+
+}  // namespace
+
+bool has_enclosure(EventType type) {
+  return type != EventType::none && type != EventType::unexplained && !is_end(type);
+}
+
+EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& parameter, bool circle,
+                             EventType type, const Member& member, Inputs inputs) {
+  EventEnclosure out;
+  const std::optional<Sought> what = sought(type, problem.branch(), member);
+  if (!what) {
+    out.reason = "it has no equations to prove, or no spectrum was computed";
+    return out;
+  }
+  const EventSetting setting{
+      problem.body(), problem.potential(), problem.branch(), member.nu, parameter, circle, inputs};
+  const bool spectral = what->function.spectral();
+  if (circle) {
+    spectral ? enclose<true, true>(setting, *what, member, out)
+             : enclose<true, false>(setting, *what, member, out);
+  } else {
+    spectral ? enclose<false, true>(setting, *what, member, out)
+             : enclose<false, false>(setting, *what, member, out);
+  }
+  return out;
+}
+
+}  // namespace stationary

@@ -1,0 +1,325 @@
+// The equations of an event (event_enclosure.hpp) over a box of all unknowns, with their slopes:
+//
+//   y = (ln xi, ln zeta, ln rho, ln |p|[, ln |Lambda|]),  on the circle ln xi = ln zeta once,
+//
+// in dual numbers over intervals. The stiffnesses the polynomials need come from the reduced
+// balance, F = V - (c_xi xi^2 + ...)/2:  F_xx = (F_uu - F_u)/xi^2 ..., W_d = (V_xi - V_zeta)/(zeta
+// - xi), V_xz - V_xx on the circle.
+#pragma once
+
+#include <Eigen/LU>
+#include <array>
+
+#include "lib/linearization.hpp"
+#include "lib/spectrum.hpp"
+#include "solver/axis_family.hpp"
+#include "solver/dual.hpp"
+#include "solver/interval_system.hpp"
+
+namespace stationary {
+
+/// What vanishes at the event beside the balance.
+struct EventFunction {
+  enum class Kind {
+    fold,       ///< det dG/d ln x
+    momentum,   ///< det of that bordered by dG/d ln nu and d ln (I_a nu)
+    inertia,    ///< J_a x_a^2 - J_b x_b^2
+    ellipse,    ///< the circle's dG along (1, -1)
+    turn,       ///< J1 - J2: of isotropic V, what K_aa (I1 - I2) = h^2 omega^2 and K_aa = 0 come to
+    collision,  ///< P and P' of `first`
+    crossing    ///< P of `first` and of `second`
+  };
+  Kind kind = Kind::fold;
+  int a = 0;  ///< of `inertia`: 0, 1, 2 are xi, zeta, rho
+  int b = 0;
+  Block first = Block::even;
+  Block second = Block::odd;
+
+  bool spectral() const { return kind == Kind::collision || kind == Kind::crossing; }
+};
+
+/// A family, at whose numbers the equations are taken.
+struct EventSetting {
+  Body body;
+  Potential potential;
+  Branch branch;
+  double nu;
+  FamilyParameter parameter;
+  bool circle;
+  Inputs inputs;
+};
+
+/// An inverse that is only a preconditioner.
+template <int N>
+struct SmallMatrix {
+  Eigen::Matrix<double, N, N> entries;
+  double operator()(int i, int j) const { return entries(i, j); }
+  SmallMatrix inverse() const { return {entries.inverse()}; }
+};
+
+/// As BoxLinearized, of equations without symmetry.
+template <int N>
+struct GeneralBoxLinearized {
+  Box<N> g;
+  std::array<Box<N>, static_cast<std::size_t>(N)> slope;  ///< rows
+
+  const Interval& operator()(int i, int j) const {
+    return slope[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  }
+  SmallMatrix<N> middle() const {
+    SmallMatrix<N> out;
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j < N; ++j) out.entries(i, j) = (*this)(i, j).mid();
+    return out;
+  }
+};
+
+/// circle: 2 stretches instead of 3; spectral: Lambda among the unknowns.
+template <bool circle, bool spectral>
+class EventSystem {
+ public:
+  static constexpr int stretches = circle ? 2 : 3;
+  static constexpr int dimension = stretches + 1 + (spectral ? 1 : 0);
+  using T = Dual<Interval, dimension>;
+
+  EventSystem(const EventSetting& setting, const EventFunction& function)
+      : setting_(&setting), function_(function) {}
+
+  /// Over a box of (xi, [zeta,] rho, p[, Lambda]); slopes are those in the logarithms.
+  GeneralBoxLinearized<dimension> linearize(const Box<dimension>& y) const {
+    const State s = state(y);
+    std::array<T, dimension> equations;
+    std::size_t k = 0;
+    equations[k++] = s.balance.g_xi;
+    if constexpr (!circle) equations[k++] = s.balance.g_zeta;
+    equations[k++] = s.balance.g_rho;
+    if constexpr (spectral) {
+      const T Lambda = T::logarithmic(y[dimension - 1], dimension - 1);
+      const AtRoot first = characteristic(s, function_.first, Lambda);
+      equations[k++] = first.value;
+      equations[k++] = function_.kind == EventFunction::Kind::collision
+                           ? first.slope
+                           : characteristic(s, function_.second, Lambda).value;
+    } else {
+      equations[k++] = function(s);
+    }
+    GeneralBoxLinearized<dimension> out;
+    for (std::size_t i = 0; i < k; ++i) {
+      out.g[i] = equations[i].value;
+      out.slope[i] = equations[i].slope;
+    }
+    return out;
+  }
+
+ private:
+  using Kind = FamilyParameter::Kind;
+
+  struct State {
+    Inertia3<T> J;
+    T nu;
+    T xi, zeta, rho;
+    CentrifugalRates<T> rates;
+    LogBalance<T> balance;
+  };
+
+  State state(const Box<dimension>& y) const {
+    const EventSetting& at = *setting_;
+    const T p = T::logarithmic(y[stretches], stretches);
+    const auto input = [&](double value, Kind kind, int index) {
+      const bool varied = at.parameter.kind == kind && at.parameter.index == index;
+      return varied ? p : T(as_input(value, at.inputs));
+    };
+    const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
+    State s;
+    s.J.J1 = input(J[0], Kind::inertia, 0);
+    s.J.J2 = circle ? s.J.J1 : input(J[1], Kind::inertia, 1);  // equal, whatever decimals they are
+    s.J.J3 = input(J[2], Kind::inertia, 2);
+    s.nu = at.parameter.kind == Kind::nu ? p : T(as_input(at.nu, at.inputs));
+    s.xi = T::logarithmic(y[0], 0);
+    s.zeta = circle ? s.xi : T::logarithmic(y[1], 1);
+    s.rho = T::logarithmic(y[stretches - 1], stretches - 1);
+    s.rates = axis_rates(s.J, at.branch, s.nu * s.nu);
+    s.balance = at.potential.visit([&](const auto& model) { return balance(model, s, input); });
+    return s;
+  }
+
+  template <class Plane, class Thickness, class Input>
+  static LogBalance<T> balance(const Separable<Plane, Thickness>& model, const State& s,
+                               const Input& input) {
+    const auto plane = with_inputs(model.plane, Kind::plane, input);
+    const auto thickness = with_inputs(model.thickness, Kind::thickness, input);
+    LogBalance<T> out = plane.log_balance(s.xi, s.zeta, s.rates.xi, s.rates.zeta);
+    const LogBalance<T> axial = thickness.log_balance(s.rho, s.rates.rho);
+    out.g_rho = axial.g_rho;
+    out.ww = axial.ww;
+    out.uw = out.vw = T(0.0);
+    return out;
+  }
+  template <class Coupled, class Input>
+  static LogBalance<T> balance(const Coupled& model, const State& s, const Input& input) {
+    return with_inputs(model, Kind::plane, input)
+        .log_balance(s.xi, s.zeta, s.rho, s.rates.xi, s.rates.zeta, s.rates.rho);
+  }
+  template <template <class> class Model, class Input>
+  static Model<T> with_inputs(const Model<double>& model, Kind kind, const Input& input) {
+    const auto c = model.coefficients();
+    return {input(c[0], kind, 0), input(c[1], kind, 1)};
+  }
+
+  // The functions of x and p alone.
+
+  static T moment(const State& s, int k) {
+    const T& x = k == 0 ? s.xi : k == 1 ? s.zeta : s.rho;
+    return (k == 0 ? s.J.J1 : k == 1 ? s.J.J2 : s.J.J3) * (x * x);
+  }
+
+  T function(const State& s) const {
+    switch (function_.kind) {
+      case EventFunction::Kind::inertia:
+        return moment(s, function_.a) - moment(s, function_.b);
+      case EventFunction::Kind::ellipse:
+        return s.balance.uu - s.balance.uv;
+      case EventFunction::Kind::turn:
+        return s.J.J1 - s.J.J2;
+      case EventFunction::Kind::momentum:
+        return bordered(s);
+      default:
+        return determinant(stiffness(s));
+    }
+  }
+
+  template <int N>
+  using Square =
+      std::array<std::array<T, static_cast<std::size_t>(N)>, static_cast<std::size_t>(N)>;
+
+  /// dG/d ln x, on the circle along (1, 1).
+  static Square<stretches> stiffness(const State& s) {
+    const LogBalance<T>& b = s.balance;
+    if constexpr (circle) {
+      return {{{b.uu + b.uv, b.uw}, {2.0 * b.uw, b.ww}}};
+    } else {
+      return {{{b.uu, b.uv, b.uw}, {b.uv, b.vv, b.vw}, {b.uw, b.vw, b.ww}}};
+    }
+  }
+
+  /// d(I_a nu) along the kernel of [dG/d ln x  dG/d ln nu], but for its length.
+  T bordered(const State& s) const {
+    constexpr auto n = static_cast<std::size_t>(stretches);
+    const Square<stretches> J = stiffness(s);
+    const CentrifugalRates<T> part = axis_rates(s.J, setting_->branch, T(1.0));
+    const T xi2 = s.xi * s.xi;
+    const T zeta2 = s.zeta * s.zeta;
+    const T rho2 = s.rho * s.rho;
+    const T own = part.xi * xi2 + part.zeta * zeta2 + part.rho * rho2;
+    Square<stretches + 1> out;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) out[i][j] = J[i][j];
+    // dG_i/d ln nu = -2 c_i x_i^2;  d ln I_a/d ln x_i = 2 I_i x_i^2/I_a.
+    out[0][n] = -2.0 * (s.rates.xi * xi2);
+    if constexpr (!circle) out[1][n] = -2.0 * (s.rates.zeta * zeta2);
+    out[n - 1][n] = -2.0 * (s.rates.rho * rho2);
+    out[n][0] = 2.0 * (circle ? part.xi * xi2 + part.zeta * zeta2 : part.xi * xi2);
+    if constexpr (!circle) out[n][1] = 2.0 * (part.zeta * zeta2);
+    out[n][n - 1] = 2.0 * (part.rho * rho2);
+    out[n][n] = own;
+    return determinant(out);
+  }
+
+  /// By the first row.
+  template <std::size_t N>
+  static T determinant(const std::array<std::array<T, N>, N>& a) {
+    if constexpr (N == 1) {
+      return a[0][0];
+    } else {
+      T sum(0.0);
+      for (std::size_t j = 0; j < N; ++j) {
+        std::array<std::array<T, N - 1>, N - 1> minor;
+        for (std::size_t row = 1; row < N; ++row)
+          for (std::size_t column = 0, to = 0; column < N; ++column)
+            if (column != j) minor[row - 1][to++] = a[row][column];
+        const T term = a[0][j] * determinant(minor);
+        sum = j % 2 == 0 ? sum + term : sum - term;
+      }
+      return sum;
+    }
+  }
+
+  // The characteristic polynomials.
+
+  struct AtRoot {
+    T value;
+    T slope;
+  };
+  template <int D>
+  static AtRoot evaluate(const Polynomial<T, D>& p, const T& x) {
+    return {p(x), p.slope(x)};
+  }
+
+  bool coupled() const { return !setting_->potential.is_separable(); }
+
+  static StraightState<T> straight(const State& s) {
+    const LogBalance<T>& b = s.balance;
+    const T xi2 = s.xi * s.xi;
+    const T zeta2 = s.zeta * s.zeta;
+    const T rho2 = s.rho * s.rho;
+    StraightState<T> out{s.J, s.xi, s.zeta, s.rho, s.nu, {}, {}, {}, {}, {}, {}, {}};
+    out.V_xx = (b.uu - b.g_xi) / xi2 + s.rates.xi;
+    out.V_zz = (b.vv - b.g_zeta) / zeta2 + s.rates.zeta;
+    out.V_rr = (b.ww - b.g_rho) / rho2 + s.rates.rho;
+    out.V_xz = b.uv / (s.xi * s.zeta);
+    out.V_xr = b.uw / (s.xi * s.rho);
+    out.V_zr = b.vw / (s.zeta * s.rho);
+    if constexpr (circle) {
+      out.V_aa = 2.0 * (out.V_xx - out.V_xz);
+    } else {
+      const T V_xi = b.g_xi / s.xi + s.rates.xi * s.xi;
+      const T V_zeta = b.g_zeta / s.zeta + s.rates.zeta * s.zeta;
+      out.V_aa = 2.0 * ((V_xi - V_zeta) / (s.xi - s.zeta));
+    }
+    return out;
+  }
+
+  AtRoot characteristic(const State& at, Block block, const T& Lambda) const {
+    const StraightState<T> s = straight(at);
+    if (setting_->branch != Branch::iii) {
+      const StraightState<T> first = setting_->branch == Branch::ii ? s.exchanged() : s;
+      return block == Block::odd ? evaluate(odd_forms_i(first).characteristic(), Lambda)
+                                 : evaluate(even_pencil_i(first).characteristic(), Lambda);
+    }
+    switch (block) {
+      case Block::odd:
+        return {Lambda - odd_lambda_iii(s), T(1.0)};
+      case Block::thickness:
+        return {Lambda + s.V_rr / s.J.J3, T(1.0)};
+      case Block::shear:
+        return evaluate(circle_shears(s), Lambda);
+      default:
+        break;
+    }
+    const GyroscopicBlock<T> even = even_block_iii(s);
+    if constexpr (circle) {
+      const T breathing = (even.rest.K[0][0] + even.rest.K[0][1]) / s.J.J1;
+      if (!coupled()) return {Lambda + breathing, T(1.0)};
+      const T thickness = s.V_rr / s.J.J3;
+      const T mixed = 2.0 * (s.V_xr * s.V_xr) / (s.J.J1 * s.J.J3);
+      return evaluate(Polynomial<T, 2>{{breathing * thickness - mixed, breathing + thickness, 1.0}},
+                      Lambda);
+    } else {
+      return coupled() ? evaluate(even.characteristic_coupled(), Lambda)
+                       : evaluate(even.characteristic(), Lambda);
+    }
+  }
+
+  /// s = i (omega +- Omega): Lambda^2 + 2 (omega^2 + Omega^2) Lambda + (Omega^2 - omega^2)^2,
+  /// Omega^2 - omega^2 = K_aa/(2 J).
+  static Polynomial<T, 2> circle_shears(const StraightState<T>& s) {
+    const T omega2 = s.omega * s.omega;
+    const T k = s.V_aa / (2.0 * s.J.J1) - omega2;
+    return {{k * k, 2.0 * (2.0 * omega2 + k), 1.0}};
+  }
+
+  const EventSetting* setting_;
+  EventFunction function_;
+};
+
+}  // namespace stationary
