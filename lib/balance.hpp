@@ -113,27 +113,36 @@ LogBalance<S> coupled_log_balance(const CoupledDerivatives<S>& w, const Q& xi, c
   return out;
 }
 
-/// rho of a tilted motion, from the stretch along the plane's own axis.
-template <class S>
-S tilted_thickness(const Body& body, TiltPlane plane, const S& xi, const S& zeta) {
+/// rho of a tilted motion over the stretch along the plane's own axis.
+template <class S, class Inertias>
+S tilted_slenderness(const Inertias& J, TiltPlane plane) {
   using std::sqrt;
-  const bool first = plane == TiltPlane::one_three;
-  return sqrt(S(first ? body.J1 : body.J2) / S(body.J3)) * (first ? xi : zeta);
+  return sqrt(S(plane == TiltPlane::one_three ? J.J1 : J.J2) / S(J.J3));
 }
 
-/// The two equations of a tilted axis, in (u, v) with w tied to one of them; c: axis_rates() of
-/// |nu|^2 in (iii). rho: tilted_thickness().
+/// rho of a tilted motion.
+template <class Inertias, class S>
+S tilted_thickness(const Inertias& J, TiltPlane plane, const S& xi, const S& zeta) {
+  return tilted_slenderness<S>(J, plane) * (plane == TiltPlane::one_three ? xi : zeta);
+}
+
+/// The balance of all three stretches with w tied to the plane's own axis: two equations.
+template <int order, class S>
+LogBalance<S> tied_to_plane(LogBalance<S> balance, TiltPlane plane) {
+  const bool first = plane == TiltPlane::one_three;
+  (first ? balance.g_xi : balance.g_zeta) += balance.g_rho;
+  if constexpr (order >= 2) {
+    (first ? balance.uu : balance.vv) += 2.0 * (first ? balance.uw : balance.vw) + balance.ww;
+    balance.uv += first ? balance.vw : balance.uw;
+  }
+  return balance;
+}
+
+/// The two equations of a tilted axis; c: axis_rates() of |nu|^2 in (iii). rho: tilted_thickness().
 template <int order, class S, class Q>
 LogBalance<S> tilted_log_balance(const CoupledDerivatives<S>& w, const Q& xi, const Q& zeta,
                                  const Q& rho, TiltPlane plane, const CentrifugalRates<Q>& c) {
-  LogBalance<S> out = coupled_log_balance<order>(w, xi, zeta, rho, c);
-  const bool first = plane == TiltPlane::one_three;
-  (first ? out.g_xi : out.g_zeta) += out.g_rho;
-  if constexpr (order >= 2) {
-    (first ? out.uu : out.vv) += 2.0 * (first ? out.uw : out.vw) + out.ww;
-    out.uv += first ? out.vw : out.uw;
-  }
-  return out;
+  return tied_to_plane<order>(coupled_log_balance<order>(w, xi, zeta, rho, c), plane);
 }
 
 /// nu^2 along the plane's own axis and along axis 3. Negative: no tilted motion is there.
@@ -143,14 +152,15 @@ struct TiltSquares {
   S normal;
 };
 
-/// At a solution of tilted_log_balance(), from the potential's derivatives there.
-template <class S>
-TiltSquares<S> tilt_squares(const Body& body, TiltPlane plane, const CoupledDerivatives<S>& w,
+/// At a solution of tilted_log_balance(), from the balance of all three stretches at rest (the
+/// elastic force alone) there.
+template <class Inertias, class S>
+TiltSquares<S> tilt_squares(const Inertias& J, TiltPlane plane, const LogBalance<S>& elastic,
                             const S& xi, const S& zeta, const S& rho) {
   const bool first = plane == TiltPlane::one_three;
   const S& x = first ? xi : zeta;
-  return {w.w_r / (body.J3 * (rho * rho)),
-          (x * w.plane.w_t + w.plane.w_l) / ((first ? body.J1 : body.J2) * (x * x))};
+  return {elastic.g_rho / (J.J3 * (rho * rho)),
+          (first ? elastic.g_xi : elastic.g_zeta) / ((first ? J.J1 : J.J2) * (x * x))};
 }
 
 /// The verdict on a candidate (q, nu), evaluated from the returned numbers alone: what a solver's

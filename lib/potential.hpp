@@ -56,6 +56,17 @@ struct Separable {
     if constexpr (order >= 2) out.w_tr = out.w_lr = decltype(out.w_tr)(0.0);
     return out;
   }
+
+  template <class S>
+  auto log_balance(const S& xi, const S& zeta, const S& rho, const S& c_xi, const S& c_zeta,
+                   const S& c_rho) const {
+    auto out = plane.log_balance(xi, zeta, c_xi, c_zeta);
+    const auto axial = thickness.log_balance(rho, c_rho);
+    out.g_rho = axial.g_rho;
+    out.uw = out.vw = decltype(out.uw)(0.0);
+    out.ww = axial.ww;
+    return out;
+  }
 };
 
 /// The chain rule above. order 0, 1, 2 as in evaluate(); what was not asked for is NaN.

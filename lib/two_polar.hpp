@@ -79,8 +79,8 @@ struct TwoPolarRates {
   S theta_dot;
 };
 
-template <class S>
-TwoPolarRates<S> two_polar_rates(double J, const Vector3<S>& x, const TwoPolarMomenta<S>& m) {
+template <class Mass, class S>
+TwoPolarRates<S> two_polar_rates(const Mass& J, const Vector3<S>& x, const TwoPolarMomenta<S>& m) {
   const S sum = x[0] + x[1];
   const S difference = x[0] - x[1];
   const S fast = (m.s3 + m.p_theta) / (2.0 * J * (sum * sum));
@@ -108,32 +108,72 @@ struct TwoPolarPull {
   S mm;
 };
 
-/// At fixed rates.
+/// What the rates pull with: own lambda^2 + product lambda mu at lambda.
 template <class S>
-TwoPolarPull<S> two_polar_pull(double J, const S& lambda, const S& mu,
+struct TwoPolarPullRates {
+  S own;
+  S product;
+};
+
+template <class Mass, class S>
+TwoPolarPullRates<S> two_polar_pull_rates(const Mass& J, const TwoPolarRates<S>& rates) {
+  return {J * (rates.omega * rates.omega + rates.theta_dot * rates.theta_dot),
+          2.0 * J * (rates.omega * rates.theta_dot)};
+}
+
+/// At fixed rates.
+template <class Mass, class S>
+TwoPolarPull<S> two_polar_pull(const Mass& J, const S& lambda, const S& mu,
                                const TwoPolarRates<S>& rates) {
-  const S squares = J * (rates.omega * rates.omega + rates.theta_dot * rates.theta_dot);
-  const S mixed = 2.0 * J * (rates.omega * rates.theta_dot) * (lambda * mu);
-  const S own_lambda = squares * (lambda * lambda);
-  const S own_mu = squares * (mu * mu);
+  const TwoPolarPullRates<S> pull = two_polar_pull_rates(J, rates);
+  const S mixed = pull.product * (lambda * mu);
+  const S own_lambda = pull.own * (lambda * lambda);
+  const S own_mu = pull.own * (mu * mu);
   return {own_lambda + mixed, own_mu + mixed, 2.0 * own_lambda + mixed, mixed,
           2.0 * own_mu + mixed};
 }
 
-/// At fixed momenta, lambda != mu.
+/// s3 = p_theta exactly, as on the circle lambda = mu: the momenta's pull is then smooth there.
 template <class S>
-TwoPolarPull<S> two_polar_pull(double J, const S& lambda, const S& mu,
-                               const TwoPolarMomenta<S>& m) {
+struct TwoPolarEqualMomenta {
+  S s3;
+};
+
+/// The part of a pull at fixed momenta from plus = s3 + p_theta:
+/// -d/dx of plus^2/(4 J (lambda + mu)^2), in the shares of lambda and mu in their sum.
+template <class Mass, class S>
+TwoPolarPull<S> two_polar_sum_pull(const Mass& J, const S& lambda, const S& mu, const S& plus) {
   const S sum = lambda + mu;
+  const S pull = plus * plus / (2.0 * J * (sum * sum));
+  const S l = lambda / sum;
+  const S m = mu / sum;
+  return {pull * l, pull * m, pull * l * (1.0 - 3.0 * l), -3.0 * (pull * l * m),
+          pull * m * (1.0 - 3.0 * m)};
+}
+
+/// At equal momenta, any lambda and mu.
+template <class Mass, class S>
+TwoPolarPull<S> two_polar_pull(const Mass& J, const S& lambda, const S& mu,
+                               const TwoPolarEqualMomenta<S>& momenta) {
+  return two_polar_sum_pull(J, lambda, mu, S(2.0 * momenta.s3));
+}
+
+/// At fixed momenta, lambda != mu.
+template <class Mass, class S>
+TwoPolarPull<S> two_polar_pull(const Mass& J, const S& lambda, const S& mu,
+                               const TwoPolarMomenta<S>& momenta) {
+  TwoPolarPull<S> out = two_polar_sum_pull(J, lambda, mu, S(momenta.s3 + momenta.p_theta));
+  const S minus = momenta.s3 - momenta.p_theta;
   const S difference = lambda - mu;
-  const S plus = m.s3 + m.p_theta;
-  const S minus = m.s3 - m.p_theta;
-  const S a = plus * plus / (2.0 * J * (sum * sum * sum));
-  const S b = minus * minus / (2.0 * J * (difference * difference * difference));
-  const S a3 = 3.0 * a / sum;
-  const S b3 = 3.0 * b / difference;
-  return {lambda * (a + b), mu * (a - b), lambda * (a + b) - lambda * lambda * (a3 + b3),
-          lambda * mu * (b3 - a3), mu * (a - b) - mu * mu * (a3 + b3)};
+  const S pull = minus * minus / (2.0 * J * (difference * difference));
+  const S l = lambda / difference;
+  const S m = mu / difference;
+  out.lambda += pull * l;
+  out.mu -= pull * m;
+  out.ll += pull * l * (1.0 - 3.0 * l);
+  out.lm += 3.0 * (pull * l * m);
+  out.mm -= pull * m * (1.0 + 3.0 * m);
+  return out;
 }
 
 }  // namespace stationary

@@ -10,8 +10,9 @@
 //
 // Largest boxes first, so that what a continuum of solutions leaves undecided covers it evenly. A
 // value that is not bounded decides nothing. Symmetric systems (G unchanged with x_0 and x_1
-// exchanged) are searched where x_0 >= x_1 and mirrored.
-// A system that knows a box that holds all its solutions is searched there.
+// exchanged) are searched where x_0 >= x_1, and mirrored unless one of each pair is asked for.
+// A system that knows a box that holds all its solutions is searched there; one that knows more
+// than its G (signs that a motion must have) discards what that excludes.
 // Source: E. Hansen, G. W. Walster, Global Optimization Using Interval Analysis (2004), chapter 11.
 #pragma once
 
@@ -19,6 +20,7 @@
 #include <atomic>
 #include <cmath>
 #include <deque>
+#include <utility>
 #include <vector>
 
 #include "solver/krawczyk.hpp"
@@ -31,6 +33,9 @@ struct PruneOptions {
   long max_boxes = 10000;
   const std::atomic<bool>* stop = nullptr;
 };
+
+/// Of a system unchanged with x_0 and x_1 exchanged, which of a solution and its image are listed.
+enum class Mirror { none, both, one };
 
 template <int N>
 struct ProvenSolution {
@@ -52,9 +57,13 @@ class BranchAndPrune {
  public:
   static constexpr int N = BoxSystem::dimension;
 
-  BranchAndPrune(const System& system, const BoxSystem& boxes, bool symmetric,
+  BranchAndPrune(const System& system, const BoxSystem& boxes, Mirror mirror,
                  const PruneOptions& options)
-      : system_(system), boxes_(boxes), symmetric_(symmetric), options_(options) {}
+      : system_(system),
+        boxes_(boxes),
+        mirror_(mirror),
+        symmetric_(mirror != Mirror::none),
+        options_(options) {}
 
   PruneResult<N> run(const Box<N>& everything) {
     everything_ = everything;
@@ -82,7 +91,8 @@ class BranchAndPrune {
       examine(box);
     }
     if constexpr (N >= 2) {
-      if (symmetric_) add_mirrored();
+      if (mirror_ == Mirror::both) add_mirrored();
+      if (mirror_ == Mirror::one) keep_one_of_each_pair();
     }
     return std::move(out_);
   }
@@ -112,6 +122,9 @@ class BranchAndPrune {
     for (int pass = 0; pass < passes; ++pass) {
       if constexpr (N >= 2) {
         if (symmetric_ && box[0].hi < box[1].lo) return;
+      }
+      if constexpr (requires { boxes_.excludes(box); }) {
+        if (boxes_.excludes(box)) return;
       }
       for (const auto& known : out_.solutions)
         if (within(box, known.proof.unique)) return;
@@ -266,8 +279,38 @@ class BranchAndPrune {
     for (const Box<N>& box : undecided) leave_undecided(mirrored(box));
   }
 
+  /// x_0 >= x_1 as far as the doubles say; an image of one that is there already is left out.
+  void keep_one_of_each_pair() {
+    auto found = std::move(out_.solutions);
+    out_.solutions.clear();
+    for (ProvenSolution<N>& each : found) {
+      if (each.x[0] < each.x[1]) {
+        std::swap(each.x[0], each.x[1]);
+        each.proof.solution = mirrored(each.proof.solution);
+        each.proof.unique = mirrored(each.proof.unique);
+      }
+      bool known = false;
+      bool unclear = false;
+      for (const auto& other : out_.solutions) {
+        if (within(each.proof.solution, other.proof.unique) ||
+            within(other.proof.solution, each.proof.unique)) {
+          known = true;
+        } else if (!apart(each.proof.solution, other.proof.solution)) {
+          unclear = true;
+        }
+      }
+      if (known) continue;
+      if (unclear) {
+        leave_undecided(each.proof.solution);
+      } else {
+        out_.solutions.push_back(each);
+      }
+    }
+  }
+
   const System& system_;
   const BoxSystem& boxes_;
+  Mirror mirror_;
   bool symmetric_;
   PruneOptions options_;
   Box<N> everything_;

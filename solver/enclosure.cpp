@@ -3,56 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
-#include <utility>
 
 #include "solver/box_systems.hpp"
-#include "solver/krawczyk.hpp"
+#include "solver/certificate_steps.hpp"
 
 namespace stationary {
 namespace {
-
-/// Units in the last place by which a solution may be off before it is none.
-constexpr double allowed_error = 0x1p-50;
-
-/// The proof at x, or why there is none.
-template <class BoxSystem>
-Proof<BoxSystem::dimension> prove(const Krawczyk<BoxSystem>& test,
-                                  const ReducedVector<BoxSystem::dimension>& x, const char* names,
-                                  Certificate& out) {
-  auto proof = test.prove();
-  if (!proof.proven) {
-    out.reason = std::string("no solution could be proven near these ") + names +
-                 ": there is none, or a second one (a fold, a bifurcation) is too near";
-    return proof;
-  }
-  double least = 0.0;  // the error is at least this
-  for (int i = 0; i < BoxSystem::dimension; ++i)
-    least = std::max(least, log(proof.solution[static_cast<std::size_t>(i)] / x[i]).mignitude());
-  if (least > allowed_error) {
-    std::ostringstream text;
-    text.precision(2);
-    text << "proven not to be a solution: the nearest has " << names << " farther off than "
-         << std::scientific << least << " of themselves";
-    out.reason = text.str();
-    proof.proven = false;
-  }
-  return proof;
-}
-
-/// That there is no second solution within the error bound of any of the stretches.
-void conclude(const std::optional<StretchBox>& unique, const StretchBox& solution, double bound,
-              Certificate& out) {
-  if (!unique) {
-    out.reason = "a second solution (a fold, a bifurcation) may lie within the error bound";
-    return;
-  }
-  out.proven = true;
-  out.unique = *unique;
-  out.solution = solution;
-  out.error_bound = bound;
-}
 
 template <class Plane, class Thickness>
 void certify_model(const Separable<Plane, Thickness>& model, const Problem& problem,
@@ -60,11 +17,11 @@ void certify_model(const Separable<Plane, Thickness>& model, const Problem& prob
   const BoxSystems<Separable<Plane, Thickness>> systems(problem, model, nu, inputs);
   const ReducedVector<1> rho(q.rho);
   const Krawczyk axial_test(systems.thickness, rho);
-  const auto axial = prove(axial_test, rho, "rho", out);
+  const auto axial = prove_solution(axial_test, rho, "rho", out);
   if (!axial.proven) return;
   const ReducedVector<2> x(q.xi, q.zeta);
   const Krawczyk plane_test(systems.plane, x);
-  const auto plane = prove(plane_test, x, "xi, zeta", out);
+  const auto plane = prove_solution(plane_test, x, "xi, zeta", out);
   if (!plane.proven) return;
   const double bound = std::max(plane.error_bound, axial.error_bound);
   std::optional<StretchBox> unique;
@@ -81,7 +38,7 @@ void certify_model(const Coupled& model, const Problem& problem, const Stretch& 
   const BoxSystems<Coupled> systems(problem, model, nu, inputs);
   const ReducedVector<3> x(q.xi, q.zeta, q.rho);
   const Krawczyk test(systems.coupled, x);
-  const auto proof = prove(test, x, "xi, zeta, rho", out);
+  const auto proof = prove_solution(test, x, "xi, zeta, rho", out);
   if (!proof.proven) return;
   std::optional<StretchBox> unique;
   if (const auto all = test.unique_within(proof.error_bound))

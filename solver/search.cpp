@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <tuple>
 
 #include "solver/box_systems.hpp"
 #include "solver/branch_and_prune.hpp"
+#include "solver/search_message.hpp"
 
 namespace stationary {
 namespace {
@@ -19,7 +19,7 @@ class Search {
         nu_(nu),
         options_(options),
         rates_(problem.rates(two_product(nu, nu))),
-        symmetric_(mirror_symmetric(problem, nu)) {}
+        mirror_(mirror_symmetric(problem, nu) ? Mirror::both : Mirror::none) {}
 
   SearchResult run() {
     problem_.potential().visit([this](const auto& model) { run_model(model); });
@@ -29,7 +29,7 @@ class Search {
     if (out_.status != SearchStatus::interrupted) {
       out_.status = out_.undecided.empty() ? SearchStatus::complete : SearchStatus::undecided;
     }
-    out_.message = message();
+    out_.message = search_message(options_, out_.status, out_.solutions.size(), out_.undecided);
     return std::move(out_);
   }
 
@@ -42,8 +42,7 @@ class Search {
         .min_width = options_.min_width, .max_boxes = options_.max_boxes, .stop = options_.stop};
     Box<BoxSystem::dimension> everything;
     everything.fill(range());
-    auto found =
-        BranchAndPrune<System, BoxSystem>(system, boxes, symmetric_, options).run(everything);
+    auto found = BranchAndPrune<System, BoxSystem>(system, boxes, mirror_, options).run(everything);
     out_.boxes += found.boxes;
     if (found.interrupted) out_.status = SearchStatus::interrupted;
     return found;
@@ -97,35 +96,11 @@ class Search {
     out_.solutions.push_back(found);
   }
 
-  std::string message() const {
-    std::ostringstream text;
-    text.precision(10);
-    if (out_.status == SearchStatus::interrupted) return "interrupted";
-    const std::size_t count = out_.solutions.size();
-    text << "stretches in [" << options_.min_stretch << ", " << options_.max_stretch << "]: ";
-    if (out_.undecided.empty()) {
-      text << (count == 0 ? "proven that there is none" : "proven to be all");
-      return text.str();
-    }
-    text << count << " proven; not decided whether there are more in";
-    constexpr std::size_t listed = 4;
-    for (std::size_t k = 0; k < std::min(listed, out_.undecided.size()); ++k) {
-      const StretchBox& box = out_.undecided[k];
-      text << (k == 0 ? " " : ", ") << "xi [" << box.xi.lo << ", " << box.xi.hi << "] zeta ["
-           << box.zeta.lo << ", " << box.zeta.hi << "] rho [" << box.rho.lo << ", " << box.rho.hi
-           << "]";
-    }
-    if (out_.undecided.size() > listed)
-      text << " and " << out_.undecided.size() - listed << " more boxes";
-    text << " (a fold, a bifurcation, or solutions that are not isolated)";
-    return text.str();
-  }
-
   const Problem& problem_;
   double nu_;
   const SearchOptions& options_;
   CentrifugalRates<DoubleDouble> rates_;
-  bool symmetric_;
+  Mirror mirror_;
   SearchResult out_;
 };
 
@@ -133,9 +108,7 @@ class Search {
 
 SearchResult search(const Problem& problem, double nu, const SearchOptions& options) {
   if (!std::isfinite(nu)) throw std::invalid_argument("nu finite");
-  if (!(options.min_stretch >= 1e-100 && options.min_stretch < options.max_stretch &&
-        options.max_stretch <= 1e100))
-    throw std::invalid_argument("1e-100 <= min_stretch < max_stretch <= 1e100");
+  require_box(options);
   return Search(problem, nu, options).run();
 }
 

@@ -58,7 +58,9 @@ class TiltedFamily final : public Family<2> {
     const BasicStretch<DoubleDouble> q{0.0, wide[0], wide[1],
                                        tilted_thickness(body_, plane_, wide[0], wide[1])};
     const auto w = model_.template evaluate<1>(planar_invariants(q.xi, q.zeta), q.rho);
-    const auto squares = tilt_squares(body_, plane_, w, q.xi, q.zeta, q.rho);
+    const CentrifugalRates<DoubleDouble> at_rest{0.0, 0.0, 0.0};
+    const auto elastic = coupled_log_balance<1>(w, q.xi, q.zeta, q.rho, at_rest);
+    const auto squares = tilt_squares(body_, plane_, elastic, q.xi, q.zeta, q.rho);
     Member out;
     out.parameter = out.nu = p;
     out.body = body_;

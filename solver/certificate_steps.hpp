@@ -1,0 +1,56 @@
+// The steps every certificate takes (enclosure.hpp): a solution proven near x, and that x is not
+// provably off it; then that there is no second one within the error bound.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "solver/enclosure.hpp"
+#include "solver/krawczyk.hpp"
+
+namespace stationary {
+
+/// Units in the last place by which a solution may be off before it is none.
+constexpr double allowed_error = 0x1p-50;
+
+/// The proof at x, or why there is none.
+template <class BoxSystem>
+Proof<BoxSystem::dimension> prove_solution(const Krawczyk<BoxSystem>& test,
+                                           const ReducedVector<BoxSystem::dimension>& x,
+                                           const char* names, Certificate& out) {
+  auto proof = test.prove();
+  if (!proof.proven) {
+    out.reason = std::string("no solution could be proven near these ") + names +
+                 ": there is none, or a second one (a fold, a bifurcation) is too near";
+    return proof;
+  }
+  double least = 0.0;  // the error is at least this
+  for (int i = 0; i < BoxSystem::dimension; ++i)
+    least = std::max(least, log(proof.solution[static_cast<std::size_t>(i)] / x[i]).mignitude());
+  if (least > allowed_error) {
+    std::ostringstream text;
+    text.precision(2);
+    text << "proven not to be a solution: the nearest has " << names << " farther off than "
+         << std::scientific << least << " of themselves";
+    out.reason = text.str();
+    proof.proven = false;
+  }
+  return proof;
+}
+
+/// That there is no second solution within the error bound of any of the stretches.
+inline void conclude(const std::optional<StretchBox>& unique, const StretchBox& solution,
+                     double bound, Certificate& out) {
+  if (!unique) {
+    out.reason = "a second solution (a fold, a bifurcation) may lie within the error bound";
+    return;
+  }
+  out.proven = true;
+  out.unique = *unique;
+  out.solution = solution;
+  out.error_bound = bound;
+}
+
+}  // namespace stationary

@@ -1,0 +1,55 @@
+// The balance of a tilted axis (balance.hpp) over a box of stretches, in interval arithmetic, with
+// J, coefficients and |nu| as intervals; and the squares of nu's components, without which positive
+// a solution of that balance is no motion.
+#pragma once
+
+#include "lib/linearization.hpp"
+#include "solver/interval_system.hpp"
+
+namespace stationary {
+
+/// x = (xi, zeta). Model: of all three stretches.
+template <class Model>
+struct TiltedBoxSystem {
+  static constexpr int dimension = 2;
+  Model model;
+  Inertia3<Interval> J;
+  TiltPlane plane;
+  CentrifugalRates<Interval> rates;  ///< axis_rates() of |nu|^2 in (iii)
+
+  Interval thickness(const Box<2>& x) const { return tilted_thickness(J, plane, x[0], x[1]); }
+
+  BoxLinearized<2> linearize(const Box<2>& x) const {
+    const auto b = tied_to_plane<2>(
+        model.log_balance(x[0], x[1], thickness(x), rates.xi, rates.zeta, rates.rho), plane);
+    return {{b.g_xi, b.g_zeta}, {b.uu, b.uv, b.vv}};
+  }
+  /// At every solution in x.
+  TiltSquares<Interval> squares(const Box<2>& x) const {
+    const Interval rho = thickness(x);
+    const Interval rest(0.0);
+    return tilt_squares(J, plane, model.log_balance(x[0], x[1], rho, rest, rest, rest), x[0], x[1],
+                        rho);
+  }
+  /// No solution in x is a motion.
+  bool excludes(const Box<2>& x) const {
+    const TiltSquares<Interval> square = squares(x);
+    return square.in_plane.negative() || square.normal.negative();
+  }
+};
+
+inline Inertia3<Interval> inertia_intervals(const Body& body, Inputs inputs) {
+  return {as_input(body.J1, inputs), as_input(body.J2, inputs), as_input(body.J3, inputs)};
+}
+
+template <class Model>
+auto tilted_box_system(const Body& body, const Model& model, TiltPlane plane, double nu,
+                       Inputs inputs) {
+  const auto J = inertia_intervals(body, inputs);
+  const auto coefficients = [inputs](double c) { return as_input(c, inputs); };
+  return TiltedBoxSystem<decltype(with_coefficients(model, coefficients))>{
+      with_coefficients(model, coefficients), J, plane,
+      axis_rates(J, Branch::iii, square(as_input(nu, inputs)))};
+}
+
+}  // namespace stationary
