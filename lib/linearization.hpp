@@ -273,13 +273,14 @@ template <class S>
 struct TwoPolarWobble {
   S a;
   S b;
+  S s3;
 };
 
 template <class S>
 TwoPolarWobble<S> two_polar_wobble(const StraightState<S>& s, const S& theta_dot) {
   const S s3 =
       s.J.J1 * ((s.xi * s.xi + s.zeta * s.zeta) * s.omega + 2.0 * (s.xi * s.zeta * theta_dot));
-  return {s.omega - s3 / s.I1(), s.omega - s3 / s.I2()};
+  return {s.omega - s3 / s.I1(), s.omega - s3 / s.I2(), s3};
 }
 
 }  // namespace stationary

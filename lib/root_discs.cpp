@@ -1,5 +1,7 @@
 #include "lib/root_discs.hpp"
 
+#include <Eigen/Eigenvalues>
+
 namespace stationary {
 namespace {
 
@@ -40,6 +42,31 @@ std::array<Complex, 4> middle_roots(const Polynomial<Interval, 4>& p) {
   const auto first = both(roots.first);
   const auto second = both(roots.second);
   return {first[0], first[1], second[0], second[1]};
+}
+
+std::array<Complex, 5> middle_roots(const Polynomial<Interval, 5>& p) {
+  const auto m = middle(p);
+  Eigen::Matrix<double, 5, 5> companion = Eigen::Matrix<double, 5, 5>::Zero();
+  for (int k = 0; k < 4; ++k) companion(k + 1, k) = 1.0;
+  for (int k = 0; k < 5; ++k) companion(k, 4) = -leading(m.c[static_cast<std::size_t>(k)] / m.c[5]);
+  const Eigen::EigenSolver<Eigen::Matrix<double, 5, 5>> solver(companion, false);
+  std::array<Complex, 5> out;
+  for (int k = 0; k < 5; ++k) {
+    Complex& z = out[static_cast<std::size_t>(k)];
+    z = solver.eigenvalues()[k];
+    // Two Newton steps, which keep a real root real and a pair conjugate.
+    for (int step = 0; step < 2; ++step) {
+      Complex value(leading(m.c[5]));
+      Complex slope(0.0);
+      for (std::size_t j = 5; j-- > 0;) {
+        slope = slope * z + value;
+        value = value * z + leading(m.c[j]);
+      }
+      const Complex change = value / slope;
+      if (std::isfinite(std::abs(change)) && std::abs(change) < 1e-3 * std::abs(z)) z -= change;
+    }
+  }
+  return out;
 }
 
 }  // namespace stationary

@@ -46,6 +46,8 @@ struct RootEnclosure {
 std::array<std::complex<double>, 2> middle_roots(const Polynomial<Interval, 2>& p);
 std::array<std::complex<double>, 3> middle_roots(const Polynomial<Interval, 3>& p);
 std::array<std::complex<double>, 4> middle_roots(const Polynomial<Interval, 4>& p);
+/// By the eigenvalues of the companion matrix.
+std::array<std::complex<double>, 5> middle_roots(const Polynomial<Interval, 5>& p);
 
 /// all_real: every polynomial in the intervals is known to have real roots only. Entire where two
 /// approximate roots coincide.

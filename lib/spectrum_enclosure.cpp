@@ -1,136 +1,21 @@
 #include "lib/spectrum_enclosure.hpp"
 
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "lib/enclosure_collector.hpp"
 
 namespace stationary {
 namespace {
-
-constexpr int unknown = 0;
-
-/// +1, -1, or unknown.
-int proven_sign(const Interval& x) { return x.positive() ? 1 : x.negative() ? -1 : unknown; }
-
-/// A count that stays known as long as all that enters it is.
-class Count {
- public:
-  void add(std::optional<int> more) {
-    if (more && total_) {
-      *total_ += *more;
-    } else {
-      total_.reset();
-    }
-  }
-  /// One for a negative x, none for a positive one.
-  void add_if_negative(const Interval& x) {
-    const int sign = proven_sign(x);
-    add(sign == unknown ? std::nullopt : std::optional(sign < 0 ? 1 : 0));
-  }
-  const std::optional<int>& total() const { return total_; }
-
- private:
-  std::optional<int> total_ = 0;
-};
-
-/// Negative eigenvalues of [a b; b c], b^2 = a c - det.
-std::optional<int> negatives_2(const Interval& a, const Interval& c, const Interval& det) {
-  const int sign = proven_sign(det);
-  if (sign == unknown) return std::nullopt;
-  if (sign < 0) return 1;
-  const int trace = proven_sign(a + c);
-  if (trace == unknown) return std::nullopt;
-  return trace < 0 ? 2 : 0;
-}
-
-class Collector {
- public:
-  Count negative;
-
-  /// Imaginary where Lambda < 0, with this Krein signature (unknown: 0).
-  void add(const RootEnclosure& root, int krein_if_imaginary, bool semisimple) {
-    lambda_.push_back(root.z);
-    if (!root.real()) {
-      const bool complex = root.simple && !root.z.im.may_be(0.0);
-      decided_ = decided_ && complex;
-      complex_ = complex_ || complex;
-      return;
-    }
-    const int sign = proven_sign(root.z.re);
-    decided_ = decided_ && sign != unknown && (root.simple || semisimple);
-    if (sign > 0) real_ = true;
-    if (sign < 0) {
-      definite_ = definite_ && krein_if_imaginary > 0;
-      indefinite_ = indefinite_ || krein_if_imaginary < 0;
-    }
-  }
-  void add_real(const Interval& lambda, int krein_if_imaginary) {
-    add({{lambda, 0.0}, true}, krein_if_imaginary, true);
-  }
-  void add_forced_zero() { lambda_.push_back({}); }
-  /// Spectrum's: E'' + c (P -+ |pi|)'' is definite for some c though E'' is not.
-  void set_definite_with_momentum() { definite_with_momentum_ = true; }
-
-  SpectrumEnclosure finish(const Spectrum& approximate) const {
-    SpectrumEnclosure out;
-    out.modes = static_cast<int>(lambda_.size());
-    out.negative = negative.total();
-    assign(approximate, out);
-    if (real_) {
-      out.verdict = StabilityClass::unstable;
-    } else if (decided_ && complex_) {
-      out.verdict = StabilityClass::oscillatory;
-    } else if (decided_ && (definite_ || definite_with_momentum_)) {
-      out.verdict = StabilityClass::stable;
-    } else if (decided_ && indefinite_) {
-      out.verdict = StabilityClass::elliptic;
-    }
-    return out;
-  }
-
- private:
-  /// To each approximate mode the enclosure nearest to it; a complex one, which stands for the
-  /// whole quadruple, with im >= 0.
-  void assign(const Spectrum& approximate, SpectrumEnclosure& out) const {
-    std::vector<ComplexInterval> left = lambda_;
-    for (int k = 0; k < out.modes && k < approximate.modes; ++k) {
-      const Mode& mode = approximate.mode[static_cast<std::size_t>(k)];
-      std::size_t nearest = 0;
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t i = 0; i < left.size(); ++i) {
-        const double off = std::hypot(left[i].re.mid() - mode.lambda_re,
-                                      std::abs(left[i].im.mid()) - mode.lambda_im);
-        if (!(off < least)) continue;
-        least = off;
-        nearest = i;
-      }
-      ComplexInterval& chosen = out.lambda[static_cast<std::size_t>(k)];
-      chosen = left[nearest];
-      if (chosen.im.negative()) chosen.im = -chosen.im;
-      left.erase(left.begin() + static_cast<std::ptrdiff_t>(nearest));
-    }
-  }
-
-  std::vector<ComplexInterval> lambda_;
-  bool real_ = false;
-  bool complex_ = false;
-  bool decided_ = true;
-  bool definite_ = true;
-  bool indefinite_ = false;
-  bool definite_with_momentum_ = false;
-};
 
 /// Roots of p; krein(Lambda) of a simple imaginary one. definite: they are real, semisimple and of
 /// positive energy where imaginary.
 template <int D, class Krein>
 void add_roots(const Polynomial<Interval, D>& p, bool all_real, bool definite, const Krein& krein,
-               Collector& out) {
+               EnclosureCollector& out) {
   for (const RootEnclosure& root : enclose_roots(p, all_real || definite))
     out.add(root, definite ? 1 : root.simple && root.real() ? krein(root.z.re) : unknown, definite);
 }
 
 /// A symmetric pencil: real Lambda, energies +1 where imaginary.
-void add_symmetric(const SymmetricPencil<Interval>& pencil, Collector& out) {
+void add_symmetric(const SymmetricPencil<Interval>& pencil, EnclosureCollector& out) {
   const Polynomial<Interval, 3> p = pencil.characteristic();
   for (const RootEnclosure& root : enclose_roots(p, true)) {
     out.add(root, 1, true);
@@ -138,7 +23,7 @@ void add_symmetric(const SymmetricPencil<Interval>& pencil, Collector& out) {
   }
 }
 
-void add_odd_i(const StraightState<Interval>& s, bool material_symmetry, Collector& out) {
+void add_odd_i(const StraightState<Interval>& s, bool material_symmetry, EnclosureCollector& out) {
   OddForms<Interval> odd = odd_forms_i(s);
   // P[0] = I3/D > 0: one sign of det P says all of P.
   const int sign_P = proven_sign(odd.det_P);
@@ -174,7 +59,7 @@ void add_odd_i(const StraightState<Interval>& s, bool material_symmetry, Collect
 }
 
 /// (iii), odd: the rigid body's pair.
-void add_odd_iii(const StraightState<Interval>& s, Collector& out) {
+void add_odd_iii(const StraightState<Interval>& s, EnclosureCollector& out) {
   const int s1 = proven_sign(s.I3() - s.I1());
   const int s2 = proven_sign(s.I3() - s.I2());
   out.add_real(odd_lambda_iii(s), s1 == s2 ? s1 : unknown);
@@ -182,12 +67,13 @@ void add_odd_iii(const StraightState<Interval>& s, Collector& out) {
   out.negative.add_if_negative(s.I3() - s.I2());
 }
 
-void add_rho(const StraightState<Interval>& s, Collector& out) {
+void add_rho(const StraightState<Interval>& s, EnclosureCollector& out) {
   out.add_real(-(s.V_rr / s.J.J3), 1);
   out.negative.add_if_negative(s.V_rr);
 }
 
-void add_even_iii(const StraightState<Interval>& s, const EnclosureFacts& facts, Collector& out) {
+void add_even_iii(const StraightState<Interval>& s, const EnclosureFacts& facts,
+                  EnclosureCollector& out) {
   const GyroscopicBlock<Interval> block = even_block_iii(s);
   // The direction of the material symmetry (at rest V alone counts, and V is isotropic).
   const bool forced = !facts.circle && (facts.material_symmetry || facts.at_rest);
@@ -238,7 +124,8 @@ void add_even_iii(const StraightState<Interval>& s, const EnclosureFacts& facts,
 }
 
 /// (iii), even, on the circle: see spectrum.cpp for the modes of the two shears.
-void add_circle(const StraightState<Interval>& s, const EnclosureFacts& facts, Collector& out) {
+void add_circle(const StraightState<Interval>& s, const EnclosureFacts& facts,
+                EnclosureCollector& out) {
   const GyroscopicBlock<Interval> block = even_block_iii(s);
   const Interval breathing = block.rest.K[0][0] + block.rest.K[0][1];
   if (facts.rho_coupled) {
@@ -291,7 +178,7 @@ void add_circle(const StraightState<Interval>& s, const EnclosureFacts& facts, C
 SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts,
                                    const StraightState<Interval>& state,
                                    const Spectrum& approximate) {
-  Collector out;
+  EnclosureCollector out;
   if (facts.branch != Branch::iii && !facts.at_rest) {
     const auto s = facts.branch == Branch::ii ? state.exchanged() : state;
     add_symmetric(even_pencil_i(s), out);
@@ -304,6 +191,22 @@ SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts,
     } else {
       add_even_iii(state, facts, out);
     }
+  }
+  return out.finish(approximate);
+}
+
+SpectrumEnclosure enclose_two_polar_spectrum(const StraightState<Interval>& state,
+                                             const Interval& theta_dot, bool wobbles,
+                                             const Spectrum& approximate) {
+  EnclosureCollector out;
+  add_symmetric(two_polar_pencil(state, theta_dot), out);
+  if (wobbles) {
+    const TwoPolarWobble<Interval> wobble = two_polar_wobble(state, theta_dot);
+    const Interval energy_1 = -(wobble.a * wobble.s3);
+    const Interval energy_2 = -(wobble.b * wobble.s3);
+    out.add_real(-(wobble.a * wobble.b), proven_sign(energy_1));
+    out.negative.add_if_negative(energy_1);
+    out.negative.add_if_negative(energy_2);
   }
   return out.finish(approximate);
 }

@@ -39,4 +39,10 @@ SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts,
                                    const StraightState<Interval>& state,
                                    const Spectrum& approximate);
 
+/// Likewise of a two-polar motion with lambda != mu (two_polar_spectrum()): state.xi, zeta, omega
+/// are lambda, mu, omega. wobbles: s3 is not exactly 0.
+SpectrumEnclosure enclose_two_polar_spectrum(const StraightState<Interval>& state,
+                                             const Interval& theta_dot, bool wobbles,
+                                             const Spectrum& approximate);
+
 }  // namespace stationary

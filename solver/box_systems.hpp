@@ -15,11 +15,6 @@ inline CentrifugalRates<Interval> rate_intervals(const Problem& problem, double 
   return {half_unit * c.xi, half_unit * c.zeta, half_unit * c.rho};
 }
 
-template <class Model>
-auto interval_model(const Model& model, Inputs inputs) {
-  return with_coefficients(model, [inputs](double c) { return as_input(c, inputs); });
-}
-
 template <class Coupled>
 struct BoxSystems {
   CoupledBoxSystem<decltype(interval_model(std::declval<Coupled>(), Inputs()))> coupled;

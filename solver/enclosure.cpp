@@ -82,8 +82,7 @@ SpectrumEnclosure enclose_spectrum(const Problem& problem, const Equilibrium& eq
   const Body& body = problem.body();
   const EnclosureFacts facts{problem.branch(), nu == 0.0, body.symmetric(), certificate.circle,
                              !problem.potential().is_separable()};
-  const Inertia3<Interval> J{as_input(body.J1, inputs), as_input(body.J2, inputs),
-                             as_input(body.J3, inputs)};
+  const Inertia3<Interval> J = inertia_intervals(body, inputs);
   StretchBox at = certificate.solution;
   if (certificate.circle) at.xi = at.zeta = common(at.xi, at.zeta);
   return problem.potential().visit([&](const auto& model) {

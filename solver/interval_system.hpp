@@ -9,6 +9,7 @@
 
 #include "lib/balance.hpp"
 #include "lib/interval.hpp"
+#include "lib/linearization.hpp"
 #include "lib/model_coefficients.hpp"
 #include "solver/reduced_system.hpp"
 
@@ -23,6 +24,15 @@ enum class Inputs { doubles, decimals };
 
 inline Interval as_input(double x, Inputs inputs) {
   return inputs == Inputs::doubles ? Interval(x) : Interval::decimal(x);
+}
+
+inline Inertia3<Interval> inertia_intervals(const Body& body, Inputs inputs) {
+  return {as_input(body.J1, inputs), as_input(body.J2, inputs), as_input(body.J3, inputs)};
+}
+
+template <class Model>
+auto interval_model(const Model& model, Inputs inputs) {
+  return with_coefficients(model, [inputs](double c) { return as_input(c, inputs); });
 }
 
 /// Residual and Jacobian over a box; the upper triangle as SmallSymmetric has it.

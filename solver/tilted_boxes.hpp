@@ -3,7 +3,6 @@
 // a solution of that balance is no motion.
 #pragma once
 
-#include "lib/linearization.hpp"
 #include "solver/interval_system.hpp"
 
 namespace stationary {
@@ -38,17 +37,12 @@ struct TiltedBoxSystem {
   }
 };
 
-inline Inertia3<Interval> inertia_intervals(const Body& body, Inputs inputs) {
-  return {as_input(body.J1, inputs), as_input(body.J2, inputs), as_input(body.J3, inputs)};
-}
-
 template <class Model>
 auto tilted_box_system(const Body& body, const Model& model, TiltPlane plane, double nu,
                        Inputs inputs) {
   const auto J = inertia_intervals(body, inputs);
-  const auto coefficients = [inputs](double c) { return as_input(c, inputs); };
-  return TiltedBoxSystem<decltype(with_coefficients(model, coefficients))>{
-      with_coefficients(model, coefficients), J, plane,
+  return TiltedBoxSystem<decltype(interval_model(model, inputs))>{
+      interval_model(model, inputs), J, plane,
       axis_rates(J, Branch::iii, square(as_input(nu, inputs)))};
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
+#include "lib/tilted_spectrum_enclosure.hpp"
 #include "solver/certificate_steps.hpp"
 #include "solver/tilted_boxes.hpp"
 
@@ -77,6 +79,23 @@ Certificate certify_tilted(const Body& body, const Potential& potential,
         [&](const auto& model) { certify_model(model, body, motion, equilibrium, inputs, out); });
   }
   return out;
+}
+
+SpectrumEnclosure enclose_spectrum(const Body& body, const Potential& potential,
+                                   const TiltedRotation& motion, const Certificate& certificate,
+                                   const Spectrum& spectrum, Inputs inputs) {
+  if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
+  const StretchBox& at = certificate.solution;
+  return potential.visit([&](const auto& model) {
+    const auto system = tilted_box_system(body, model, motion.plane, motion.nu, inputs);
+    const auto square = system.squares({at.xi, at.zeta});
+    const auto state =
+        straight_state(system.J, system.model, at.xi, at.zeta, at.rho, as_input(motion.nu, inputs));
+    return enclose_tilted_spectrum(
+        tilted_forms(motion.plane == TiltPlane::one_three ? state : state.exchanged(),
+                     sqrt(square.in_plane), sqrt(square.normal)),
+        body.symmetric(), spectrum);
+  });
 }
 
 }  // namespace stationary

@@ -14,4 +14,10 @@ Certificate certify_tilted(const Body& body, const Potential& potential,
                            const TiltedRotation& motion, const Equilibrium& equilibrium,
                            Inputs inputs = Inputs::decimals);
 
+/// Enclosures for the modes of `spectrum`, tilted_stability()'s of the same motion. Throws
+/// std::invalid_argument unless the certificate is proven.
+SpectrumEnclosure enclose_spectrum(const Body& body, const Potential& potential,
+                                   const TiltedRotation& motion, const Certificate& certificate,
+                                   const Spectrum& spectrum, Inputs inputs = Inputs::decimals);
+
 }  // namespace stationary

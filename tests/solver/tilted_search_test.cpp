@@ -61,6 +61,20 @@ TEST(TiltedSearch, EveryRowOfTheTable) {
       const Certificate proof = certify_tilted(row.body(), row.potential(), motion, each);
       EXPECT_TRUE(proof.proven) << row.where() << proof.reason;
       EXPECT_LE(error, proof.error_bound) << row.where();
+      const auto modes = tilted_stability(row.body(), row.potential(), motion, each);
+      ASSERT_TRUE(modes);
+      const SpectrumEnclosure proven =
+          enclose_spectrum(row.body(), row.potential(), motion, proof, *modes);
+      ASSERT_EQ(proven.modes, 5);
+      EXPECT_EQ(proven.verdict, modes->verdict) << row.where();
+      EXPECT_EQ(proven.negative, modes->negative) << row.where();
+      for (std::size_t k = 0; k < 5; ++k) {
+        const auto re = row.number<Real50>("re" + std::to_string(k + 1));
+        const auto im = row.number<Real50>("im" + std::to_string(k + 1));
+        const double lambda = double(Real50(re * re - im * im));
+        EXPECT_TRUE(proven.lambda[k].re.may_be(lambda)) << row.where() << " mode " << k + 1;
+        EXPECT_LE(proven.lambda[k].re.width(), 1e-8) << row.where() << " mode " << k + 1;
+      }
     }
     EXPECT_EQ(matching, 1) << row.where() << text(found);
     EXPECT_LE(found.boxes, 200) << row.where() << text(found);
@@ -120,6 +134,40 @@ TEST(TiltedSearch, OnlyWhatIsInTheBox) {
   EXPECT_EQ(search_tilted(row.body(), row.potential(), thin, options).solutions.size(), 1U);
   options.min_stretch = 0.72;  // between rho = 0.711 and xi = 0.838
   EXPECT_TRUE(search_tilted(row.body(), row.potential(), thin, options).solutions.empty());
+}
+
+/// In either plane, the enclosures hold what the structure-preserving method computes, within its
+/// own error bound; and the class, where both claim one, is the same.
+TEST(TiltedSearch, SpectraAreEnclosed) {
+  Random random(737);
+  int claimed = 0;
+  int motions = 0;
+  for (int k = 0; k < 400; ++k) {
+    const Posed posed = random_problem(random, 1.0);
+    const Body& body = posed.problem.body();
+    const Potential& potential = posed.problem.potential();
+    const TiltedRotation motion{k % 2 == 0 ? TiltPlane::one_three : TiltPlane::two_three,
+                                std::abs(posed.nu)};
+    for (const Equilibrium& each : search_tilted(body, potential, motion).solutions) {
+      const Certificate proof = certify_tilted(body, potential, motion, each);
+      ASSERT_TRUE(proof.proven) << posed.text << proof.reason;
+      const auto modes = tilted_stability(body, potential, motion, each);
+      ASSERT_TRUE(modes) << posed.text;
+      const SpectrumEnclosure proven = enclose_spectrum(body, potential, motion, proof, *modes);
+      ++motions;
+      ASSERT_EQ(proven.modes, modes->modes) << posed.text;
+      for (std::size_t m = 0; m < 5; ++m) {
+        const Mode& mode = modes->mode[m];
+        const Interval near(mode.lambda_re - mode.lambda_error, mode.lambda_re + mode.lambda_error);
+        EXPECT_FALSE(near.apart_from(proven.lambda[m].re)) << posed.text << " mode " << m;
+      }
+      if (!proven.verdict || modes->verdict == StabilityClass::marginal) continue;
+      ++claimed;
+      EXPECT_EQ(*proven.verdict, modes->verdict) << posed.text;
+    }
+  }
+  EXPECT_GT(motions, 30);
+  EXPECT_GT(claimed, motions / 2);
 }
 
 template <class Model>
