@@ -17,12 +17,7 @@ namespace {
 
 constexpr double least_ellipse = 1e-7;  // lambda/mu - 1 below this is the circle
 
-/// The line of solutions at fixed rates, or that there is none off the circle: the reason, and
-/// whether the rates lie on it. Nothing for a potential whose ellipses are isolated.
-struct RatesVerdict {
-  std::string condition;
-  bool on_line = false;
-};
+}  // namespace
 
 std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
                                           const TwoPolarRates<double>& rates) {
@@ -45,14 +40,7 @@ std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
                                   : std::visit(plane, potential.coupled());
 }
 
-template <class Model>
-auto elastic_system(const Model& model) {
-  if constexpr (requires { model.plane; }) {
-    return PlanarSystem<std::decay_t<decltype(model.plane)>>{model.plane, {}};
-  } else {
-    return CoupledSystem<Model>{model, {}};
-  }
-}
+namespace {
 
 class Solver {
  public:
@@ -65,7 +53,52 @@ class Solver {
     potential_.visit([&](const auto& model) { run_model(model, motion); });
   }
 
+  /// The circle with s3 = p_theta, which the pull of equal momenta keeps lambda = mu: by Newton
+  /// from rest.
+  void circle(double s3) {
+    potential_.visit([&](const auto& model) { circle_model(model, s3); });
+  }
+
  private:
+  template <class Model>
+  void circle_model(const Model& model, double s3) {
+    using Elastic = decltype(elastic_system(model));
+    constexpr int N = Elastic::dimension;
+    const TwoPolarSystem<Elastic, TwoPolarEqualMomenta> system{elastic_system(model), body_.J1,
+                                                               TwoPolarEqualMomenta<double>{s3}};
+    ReducedVector<N> x;
+    x[0] = x[1] = system.elastic.model.rest_stretch();
+    if constexpr (N == 3) x[2] = system.elastic.model.rest_thickness();
+    if (!newton_counted<N>(system, x)) return;
+    const Refined refined = refine(system, x);
+    out_.counts.extended_residuals += refined.steps;
+    if (!refined.converged || x[0] != x[1]) return;
+    out_.status = SolveStatus::solved;
+    out_.circle = true;
+    out_.error_bound = refined.error_bound;
+    out_.message +=
+        "; this is the circle lambda = mu, where only omega + theta_dot matters: "
+        "theta_dot = 0 is written";
+    set_stretches(model, x);
+  }
+
+  /// (lambda, mu, rho), rho by its own balance where it is not an unknown.
+  template <class Model, int N>
+  void set_stretches(const Model& model, const Eigen::Matrix<double, N, 1>& x) {
+    out_.x = {x[0], x[1], 0.0};
+    if constexpr (N == 3) {
+      out_.x[2] = x[2];
+    } else {
+      const ThicknessBalance thickness = balanced_thickness(model.thickness, DoubleDouble(0.0));
+      out_.x[2] = thickness.rho;
+      out_.error_bound = std::max(out_.error_bound, thickness.refined.error_bound);
+      if (!thickness.refined.converged) {
+        out_.status = SolveStatus::failed;
+        out_.message = "the thickness balance V_rho'(rho) = 0 did not converge";
+      }
+    }
+  }
+
   template <class Model, template <class> class Motion>
   void run_model(const Model& model, const Motion<double>& motion) {
     using Elastic = decltype(elastic_system(model));
@@ -91,19 +124,7 @@ class Solver {
           system, x, [&](const ReducedVector<N>& at) { return system.linearize(at); },
           [&](ReducedVector<N>& at) { return newton_counted<N>(system, at); });
     }
-    if (!found) return;
-    out_.x = {x[0], x[1], 0.0};
-    if constexpr (N == 3) {
-      out_.x[2] = x[2];
-    } else {
-      const ThicknessBalance thickness = balanced_thickness(model.thickness, DoubleDouble(0.0));
-      out_.x[2] = thickness.rho;
-      out_.error_bound = std::max(out_.error_bound, thickness.refined.error_bound);
-      if (!thickness.refined.converged) {
-        out_.status = SolveStatus::failed;
-        out_.message = "the thickness balance V_rho'(rho) = 0 did not converge";
-      }
-    }
+    if (found) set_stretches(model, x);
   }
 
   template <int N>
@@ -207,9 +228,10 @@ class Solver {
   TwoPolarEquilibrium& out_;
 };
 
-/// The balance residual from the returned numbers, in rates, relative to the largest term.
-double checked_residual(const Body& body, const Potential& potential,
-                        const TwoPolarEquilibrium& at) {
+}  // namespace
+
+double two_polar_residual_check(const Body& body, const Potential& potential,
+                                const TwoPolarEquilibrium& at) {
   const auto v = potential.derivatives({0.0, at.x[0], at.x[1], at.x[2]});
   const Vector3<double> gradient = v.gradient.tail<3>();
   const auto pull = two_polar_pull(body.J1, at.x[0], at.x[1], at.rates);
@@ -219,6 +241,8 @@ double checked_residual(const Body& body, const Potential& potential,
        (v.hessian.bottomRightCorner<3, 3>() * at.x.asDiagonal()).cwiseAbs().maxCoeff()});
   return (gradient - force).cwiseAbs().maxCoeff() / largest;
 }
+
+namespace {
 
 void circle_instead(const Body& body, const Potential& potential,
                     const TwoPolarRates<double>& rates, const SolveOptions& options,
@@ -239,8 +263,25 @@ void circle_instead(const Body& body, const Potential& potential,
 
 }  // namespace
 
-TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential,
-                                    const TwoPolarMotion& motion, const SolveOptions& options) {
+std::string RatesVerdict::line_message() const {
+  return "at these rates, " + condition +
+         ", the ellipses lambda != mu of this potential form a line: prescribe s3 and p_theta "
+         "instead";
+}
+
+void set_motion(const Body& body, const TwoPolarMotion& motion, TwoPolarEquilibrium& at) {
+  if (const auto* rates = std::get_if<TwoPolarRates<double>>(&motion)) {
+    at.rates = *rates;
+    at.momenta = two_polar_momenta(body.J1, at.x, rates->omega, rates->theta_dot);
+    return;
+  }
+  at.momenta = std::get<TwoPolarMomenta<double>>(motion);
+  at.rates = at.circle
+                 ? TwoPolarRates<double>{at.momenta.s3 / (2.0 * body.J1 * at.x[0] * at.x[0]), 0.0}
+                 : two_polar_rates(body.J1, at.x, at.momenta);
+}
+
+void require_two_polar(const Body& body, const TwoPolarMotion& motion) {
   if (!body.symmetric()) throw std::invalid_argument("J1 = J2 in the two-polar family");
   std::visit(
       [](const auto& m) {
@@ -249,6 +290,11 @@ TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential
           throw std::invalid_argument("a finite motion");
       },
       motion);
+}
+
+TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential,
+                                    const TwoPolarMotion& motion, const SolveOptions& options) {
+  require_two_polar(body, motion);
   if (options.start) require_positive_definite(*options.start);
 
   TwoPolarEquilibrium out;
@@ -257,9 +303,7 @@ TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential
     const auto verdict = rates_verdict(body.J1, potential, *rates);
     if (verdict && verdict->on_line) {
       out.status = SolveStatus::not_isolated;
-      out.message = "at these rates, " + verdict->condition +
-                    ", the ellipses lambda != mu of this potential form a line: prescribe s3 and "
-                    "p_theta instead";
+      out.message = verdict->line_message();
       return out;
     }
     if (verdict) {
@@ -270,19 +314,18 @@ TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential
     }
     if (out.status == SolveStatus::none_exists || out.status == SolveStatus::not_found)
       circle_instead(body, potential, *rates, options, out);
-    if (out.status != SolveStatus::solved) return out;
-    out.rates = *rates;
-    out.momenta = two_polar_momenta(body.J1, out.x, rates->omega, rates->theta_dot);
   } else {
     const auto& momenta = std::get<TwoPolarMomenta<double>>(motion);
-    solver.run(momenta);
-    if (out.status == SolveStatus::not_found && std::abs(momenta.s3) == std::abs(momenta.p_theta))
-      out.message += "; the circle lambda = mu has such momenta, prescribe rates to find it";
-    if (out.status != SolveStatus::solved) return out;
-    out.momenta = momenta;
-    out.rates = two_polar_rates(body.J1, out.x, momenta);
+    if (momenta.s3 == momenta.p_theta) {
+      solver.run(TwoPolarEqualMomenta<double>{momenta.s3});
+      if (out.status == SolveStatus::not_found) solver.circle(momenta.s3);
+    } else {
+      solver.run(momenta);
+    }
   }
-  out.residual = checked_residual(body, potential, out);
+  if (out.status != SolveStatus::solved) return out;
+  set_motion(body, motion, out);
+  out.residual = two_polar_residual_check(body, potential, out);
   if (!(out.residual <= 1e-9)) {
     out.status = SolveStatus::failed;
     out.message += "; but the recomputed balance residual is no equilibrium's";

@@ -5,10 +5,12 @@
 // solutions, which is said instead of returning one of them:
 //   reciprocal-determinant, neo-hookean: only where J (omega^2 + theta'^2) = k (mu), t free;
 //   neo-hookean-3d likewise with mu;  biot: only where J (omega - theta')^2 = 2 mu, d free.
-// Such a line is isolated at fixed momenta. Where no lambda > mu is found at given rates, the
-// circle lambda = mu, which depends on omega + theta' only, is returned and named.
+// Such a line is isolated at fixed momenta. Where no lambda > mu is found, the circle lambda = mu,
+// which depends on omega + theta' only and has s3 = p_theta, is returned and named.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <variant>
 
 #include "lib/spectrum.hpp"
@@ -34,7 +36,30 @@ struct TwoPolarEquilibrium {
   Counts counts;
 };
 
-/// Throws std::invalid_argument unless J1 = J2 and the motion is finite. options.method is not
+/// The line of solutions at fixed rates, or that there is none off the circle: the reason, and
+/// whether the rates lie on it.
+struct RatesVerdict {
+  std::string condition;
+  bool on_line = false;
+  std::string line_message() const;  ///< of rates on it
+};
+
+/// Nothing for a potential whose ellipses are isolated.
+std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
+                                          const TwoPolarRates<double>& rates);
+
+/// The equilibrium's rates and momenta, from x and circle; on the circle of given momenta, where
+/// s3 = p_theta and only the sum of the rates is determined, theta' = 0.
+void set_motion(const Body& body, const TwoPolarMotion& motion, TwoPolarEquilibrium& at);
+
+/// The balance residual from the numbers x and rates, relative to the largest term.
+double two_polar_residual_check(const Body& body, const Potential& potential,
+                                const TwoPolarEquilibrium& at);
+
+/// Throws std::invalid_argument unless J1 = J2 and the motion is finite.
+void require_two_polar(const Body& body, const TwoPolarMotion& motion);
+
+/// Throws as require_two_polar(). options.method is not
 /// used: the search is global (NLopt), then Newton, then refine; options.start replaces the search.
 TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential,
                                     const TwoPolarMotion& motion, const SolveOptions& options = {});

@@ -10,7 +10,31 @@
 
 namespace stationary {
 
-/// Motion: TwoPolarRates<DoubleDouble> or TwoPolarMomenta<DoubleDouble>.
+/// A motion's numbers as those of another type.
+template <class Convert>
+auto with_numbers(const TwoPolarRates<double>& m, const Convert& convert) {
+  return TwoPolarRates<decltype(convert(0.0))>{convert(m.omega), convert(m.theta_dot)};
+}
+template <class Convert>
+auto with_numbers(const TwoPolarMomenta<double>& m, const Convert& convert) {
+  return TwoPolarMomenta<decltype(convert(0.0))>{convert(m.s3), convert(m.p_theta)};
+}
+template <class Convert>
+auto with_numbers(const TwoPolarEqualMomenta<double>& m, const Convert& convert) {
+  return TwoPolarEqualMomenta<decltype(convert(0.0))>{convert(m.s3)};
+}
+
+/// The elastic part of a model's two-polar balance, N = 2 or 3.
+template <class Model>
+auto elastic_system(const Model& model) {
+  if constexpr (requires { model.plane; }) {
+    return PlanarSystem<std::decay_t<decltype(model.plane)>>{model.plane, {}};
+  } else {
+    return CoupledSystem<Model>{model, {}};
+  }
+}
+
+/// Motion: TwoPolarRates, TwoPolarMomenta or TwoPolarEqualMomenta.
 template <class Elastic, template <class> class Motion>
 struct TwoPolarSystem {
   static constexpr int dimension = Elastic::dimension;
@@ -34,7 +58,7 @@ struct TwoPolarSystem {
   }
   ReducedVector<N> extended_residual(const ReducedVector<N>& x) const {
     const auto b = elastic.extended_balance(x);
-    const Motion<DoubleDouble> wide = widened();
+    const auto wide = with_numbers(motion, [](double number) { return DoubleDouble(number); });
     const auto pull = two_polar_pull(J, DoubleDouble(x[0]), DoubleDouble(x[1]), wide);
     ReducedVector<N> out;
     out[0] = double(b.g_xi - pull.lambda);
@@ -51,12 +75,6 @@ struct TwoPolarSystem {
     out[0] += 5.0 * size;
     out[1] += 5.0 * size;
     return out;
-  }
-
- private:
-  Motion<DoubleDouble> widened() const {
-    const auto& [first, second] = motion;
-    return {DoubleDouble(first), DoubleDouble(second)};
   }
 };
 
