@@ -241,12 +241,6 @@ Case::Solve read_solve(const CaseTree& tree, const Case::Motion& motion) {
                    "tilted motions are had by Newton from solve.start, or by following the family");
   }
   out.all = value_or(tree, "solve.all", false);
-  if (out.all && (two_polar || tilted)) {
-    throw fault_at(
-        tree, "solve.all",
-        "found true with branch " + in_quotes(value_or<std::string>(tree, "motion.branch", "")),
-        "false", "the exhaustive search covers branches i, ii and iii");
-  }
   const std::vector<double> start = numbers(tree, "solve.start");
   if (start.empty()) return out;
   out.start = Stretch{start[0], start[1], start[2], start[3]};
@@ -324,16 +318,10 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
   return out;
 }
 
-Case::Output read_output(const CaseTree& tree, const Case::Motion& motion) {
+Case::Output read_output(const CaseTree& tree) {
   Case::Output out;
   out.spectrum = value_or(tree, "output.spectrum", true);
   out.certificate = value_or(tree, "output.certificate", false);
-  if (out.certificate && !std::holds_alternative<AxisRotation>(motion)) {
-    throw fault_at(
-        tree, "output.certificate",
-        "found true with branch " + in_quotes(value_or<std::string>(tree, "motion.branch", "")),
-        "false", "certificates cover branches i, ii and iii");
-  }
   const toml::node* columns = find(tree, "output.columns");
   if (columns == nullptr) return out;
   for (const toml::node& element : *columns->as_array()) {
@@ -376,7 +364,7 @@ Case make_case(CaseTree tree) {
   const std::string title = value_or<std::string>(tree, "title", "");
   const Case::Solve solve = read_solve(tree, motion);
   const auto continuation = read_continuation(tree, {body, models, motion});
-  const Case::Output output = read_output(tree, motion);
+  const Case::Output output = read_output(tree);
   return {.title = title,
           .body = body,
           .models = models,

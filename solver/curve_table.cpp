@@ -34,8 +34,8 @@ std::vector<CurveSummary::Stretch> CurveSummary::stretches() const {
 void CurveTable::row(const Member& member, EventType event) {
   summary_.add(member.parameter,
                member.spectrum ? std::optional(member.spectrum->verdict) : std::nullopt);
-  if (writer_ != nullptr || problem_at_) fill_row(branch_, member, row_);
-  if (problem_at_) {
+  if (writer_ != nullptr || proves()) fill_row(branch_, member, row_);
+  if (proves()) {
     const RowProof proof = prove(member, event);
     count_proof(proof.proven, member.parameter, proof.reason);
   }
@@ -48,10 +48,11 @@ void CurveTable::row(const Member& member, EventType event) {
 }
 
 RowProof CurveTable::prove(const Member& member, EventType event) {
-  const Problem problem = problem_at_(member.parameter);
   Equilibrium at;
   at.q = member.q;
   at.nu = member.angular_velocity;
+  if (prover_) return prover_(member, at, row_);
+  const Problem problem = problem_at_(member.parameter);
   RowProof out = prove_row(problem, at, member.spectrum, row_);
   if (!has_enclosure(event)) return out;
   // The row says more than that its stretches are in equilibrium, and at a fold less.
@@ -82,7 +83,7 @@ void CurveTable::again(TableRow row) {
       verdict == std::end(stability_names)
           ? std::nullopt
           : std::optional(static_cast<StabilityClass>(verdict - std::begin(stability_names))));
-  if (problem_at_)
+  if (proves())
     count_proof(row.certified == proof_word(true), parameter_of(row), "as it was in the table");
   row[Column::sheet] = row_[Column::sheet];
   row[Column::point] = static_cast<double>(point_++);

@@ -64,6 +64,10 @@ class CurveTable final : public CurveSink {
     problem_at_ = std::move(problem_at);
     parameter_ = parameter;
   }
+  /// prove_row() of a member whose row is filled.
+  using Prover = std::function<RowProof(const Member&, const Equilibrium&, TableRow&)>;
+  /// Proves every row of a family whose events have no enclosures.
+  void prove(Prover prover) { prover_ = std::move(prover); }
   /// Adds the enclosures of the events of the rows so far.
   void add_enclosures(std::vector<EventRecord>& events) const;
 
@@ -80,6 +84,7 @@ class CurveTable final : public CurveSink {
     Interval enclosure;
   };
 
+  bool proves() const { return problem_at_ || prover_; }
   RowProof prove(const Member& member, EventType event);
   void count_proof(bool proven, double parameter, const std::string& reason);
   double parameter_of(const TableRow& row) const;
@@ -89,8 +94,9 @@ class CurveTable final : public CurveSink {
   long point_;
   TableRow row_;
   CurveSummary summary_;
-  std::function<Problem(double)> problem_at_;  ///< empty: nothing is proven
+  std::function<Problem(double)> problem_at_;  ///< empty, and prover_ too: nothing is proven
   FamilyParameter parameter_;
+  Prover prover_;
   CurveProofs proofs_;
   std::vector<ProvenEvent> events_;
 };

@@ -6,6 +6,8 @@
 
 #include "lib/inertia.hpp"
 #include "lib/two_polar.hpp"
+#include "solver/tilted_enclosure.hpp"
+#include "solver/two_polar_enclosure.hpp"
 
 namespace stationary {
 namespace {
@@ -34,6 +36,20 @@ void fill_errors(const auto& solved, TableRow& row) {
   row[Column::residual] = solved.residual;
   row[Column::compatibility] = solved.compatibility;
   row[Column::error_bound] = solved.error_bound;
+}
+
+/// What is proven, in its columns; proven_class() of a proven motion whose spectrum is there.
+template <class Class>
+RowProof noted(const Certificate& certificate, const std::optional<Spectrum>& spectrum,
+               TableRow& row, const Class& proven_class) {
+  RowProof out{certificate.proven, false, certificate.reason};
+  if (out.proven) {
+    row[Column::error_bound] = certificate.error_bound;
+    out.class_proven = spectrum && proven_class() == spectrum->verdict;
+  }
+  row.certified = proof_word(out.proven);
+  if (spectrum) row.class_certified = proof_word(out.class_proven);
+  return out;
 }
 
 }  // namespace
@@ -116,16 +132,27 @@ void fill_spectrum(const Spectrum& spectrum, TableRow& row) {
 RowProof prove_row(const Problem& problem, const Equilibrium& equilibrium,
                    const std::optional<Spectrum>& spectrum, TableRow& row) {
   const Certificate certificate = certify(problem, equilibrium);
-  RowProof out{certificate.proven, false, certificate.reason};
-  if (out.proven) {
-    row[Column::error_bound] = certificate.error_bound;
-    out.class_proven =
-        spectrum &&
-        enclose_spectrum(problem, equilibrium, certificate, *spectrum).verdict == spectrum->verdict;
-  }
-  row.certified = proof_word(out.proven);
-  if (spectrum) row.class_certified = proof_word(out.class_proven);
-  return out;
+  return noted(certificate, spectrum, row, [&] {
+    return enclose_spectrum(problem, equilibrium, certificate, *spectrum).verdict;
+  });
+}
+
+RowProof prove_row(const Body& body, const Potential& potential, const TiltedRotation& motion,
+                   const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
+                   TableRow& row) {
+  const Certificate certificate = certify_tilted(body, potential, motion, equilibrium);
+  return noted(certificate, spectrum, row, [&] {
+    return enclose_spectrum(body, potential, motion, certificate, *spectrum).verdict;
+  });
+}
+
+RowProof prove_row(const Body& body, const Potential& potential, const TwoPolarMotion& motion,
+                   const TwoPolarEquilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
+                   TableRow& row) {
+  const Certificate certificate = certify_two_polar(body, potential, motion, equilibrium);
+  return noted(certificate, spectrum, row, [&] {
+    return enclose_spectrum(body, potential, motion, equilibrium, certificate, *spectrum).verdict;
+  });
 }
 
 }  // namespace stationary

@@ -12,6 +12,7 @@
 #include "solver/equilibrium.hpp"
 #include "solver/family.hpp"
 #include "solver/table.hpp"
+#include "solver/tilted_family.hpp"
 #include "solver/two_polar_equilibrium.hpp"
 
 namespace stationary {
@@ -58,5 +59,11 @@ struct RowProof {
 /// is one, and class_certified where there is a spectrum.
 RowProof prove_row(const Problem& problem, const Equilibrium& equilibrium,
                    const std::optional<Spectrum>& spectrum, TableRow& row);
+RowProof prove_row(const Body& body, const Potential& potential, const TiltedRotation& motion,
+                   const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
+                   TableRow& row);
+RowProof prove_row(const Body& body, const Potential& potential, const TwoPolarMotion& motion,
+                   const TwoPolarEquilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
+                   TableRow& row);
 
 }  // namespace stationary

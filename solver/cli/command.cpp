@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <optional>
 #include <string_view>
-#include <variant>
 
 #include "solver/atomic_file.hpp"
 #include "solver/input_error.hpp"
@@ -48,11 +47,6 @@ void ComputeOptions::add_to(CLI::App& command) {
 
 Case ComputeOptions::read() const {
   Case out = CaseOptions::read();
-  if (certify && !std::holds_alternative<AxisRotation>(out.motion)) {
-    throw InputError(Origin::of_option("--certify"), "",
-                     "found it with branch " + in_quotes(out.branch_name()),
-                     "branch \"i\", \"ii\" or \"iii\"");
-  }
   out.output.certificate = out.output.certificate || certify;
   return out;
 }

@@ -59,12 +59,11 @@ double start_parameter(const Case& input) {
                                    : "the family is followed from its member there");
 }
 
-Start start_at(const Case& input, double p) {
-  return {
-      with_parameter({input.body, input.models, input.motion}, input.continuation->parameter, p),
-      p,
-      {}};
+FamilyParameters at_parameter(const Case& input, double p) {
+  return with_parameter({input.body, input.models, input.motion}, input.continuation->parameter, p);
 }
+
+Start start_at(const Case& input, double p) { return {at_parameter(input, p), p, {}}; }
 
 Problem problem_of(const FamilyParameters& at) {
   return {at.body, make_potential(at.models), std::get<AxisRotation>(at.motion).branch};
@@ -317,6 +316,19 @@ FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowO
   return out;
 }
 
+void prove_rows(const Case& input, CurveTable& rows) {
+  if (input.tilted()) {
+    rows.prove([&input](const Member& member, const Equilibrium& found, TableRow& row) {
+      const FamilyParameters at = at_parameter(input, member.parameter);
+      return prove_row(at.body, make_potential(at.models), std::get<TiltedRotation>(at.motion),
+                       found, member.spectrum, row);
+    });
+    return;
+  }
+  rows.prove([&input](double p) { return problem_of(at_parameter(input, p)); },
+             family_parameter(input.continuation->parameter, input.models));
+}
+
 ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   const Case input = options.read();
   require_family(input);
@@ -355,14 +367,7 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
     table.emplace(output->sink(), columns, parameter);
   }
   CurveTable rows(input.branch_name(), table ? &*table : nullptr);
-  if (input.output.certificate) {
-    rows.prove(
-        [&](double p) {
-          return problem_of(with_parameter({input.body, input.models, input.motion},
-                                           input.continuation->parameter, p));
-        },
-        family_parameter(input.continuation->parameter, input.models));
-  }
+  if (input.output.certificate) prove_rows(input, rows);
   const FollowOptions how = follow_options(input, options, progress);
   FollowReport report =
       old ? follow_on(family, *old, how, rows) : follow(family, start.found.q, start.p, how, rows);

@@ -2,170 +2,20 @@
 // two-polar motion at its rates or momenta, and the spectrum there; with proofs if asked for.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <utility>
-#include <variant>
 
+#include "solver/cli/answer.hpp"
 #include "solver/cli/command.hpp"
-#include "solver/cli/interrupt.hpp"
 #include "solver/cli/outcome.hpp"
 #include "solver/cli/plan.hpp"
 #include "solver/cli/report.hpp"
 #include "solver/cli/table_output.hpp"
 #include "solver/equilibrium_row.hpp"
-#include "solver/existence.hpp"
-#include "solver/search.hpp"
-#include "solver/stability.hpp"
-#include "solver/tilted_equilibrium.hpp"
 
 namespace stationary::cli {
 namespace {
-
-struct Solution {
-  TableRow row;
-  std::optional<Spectrum> spectrum;
-  std::string proof;  ///< what is proven of it, for a person; empty: nothing was asked
-  bool proven = false;
-};
-
-/// What solve found, in whichever family.
-struct Answer {
-  SolveStatus status = SolveStatus::not_run;
-  std::string message;
-  std::string warning;  ///< what is not proven though it was asked for
-  Connection connection = Connection::unknown;
-  std::vector<std::pair<std::string_view, long>> counts;
-  std::vector<Solution> solutions;  ///< some where solved
-  bool only_in_box = false;         ///< none exists, of those searched
-  double seconds = 0.0;
-
-  bool solved() const { return status == SolveStatus::solved; }
-  std::string_view outcome() const {
-    return only_in_box ? "no stationary ellipsoid in the box searched" : cli::outcome(status);
-  }
-};
-
-/// What a solved equilibrium leaves in the table, with its proof if the case asks for one.
-Solution solution_of(const Case& input, const Problem& problem, const Equilibrium& found,
-                     bool with_spectrum) {
-  Solution out;
-  fill_row(name(problem.branch()), input.body, input.potential, found, out.row);
-  if (with_spectrum) out.spectrum = stability(problem, found);
-  if (!input.output.certificate) return out;
-  const RowProof proof = prove_row(problem, found, out.spectrum, out.row);
-  out.proven = proof.proven;
-  out.proof = proof.proven ? "exactly one stationary ellipsoid is within the error bound"
-                           : "not proven: " + proof.reason;
-  if (out.spectrum)
-    out.proof += proof.class_proven ? "; its class is proven too" : "; its class is not proven";
-  return out;
-}
-
-Answer answer_of(const Equilibrium& found) {
-  Answer out;
-  out.status = found.status;
-  out.message = found.message;
-  out.connection = found.connection;
-  out.counts = named_counts(found.counts);
-  return out;
-}
-
-Answer answer(const Case& input, const AxisRotation& motion, const SolveOptions& options,
-              bool with_spectrum) {
-  const Problem problem = input.problem();
-  const Equilibrium found = solve(problem, motion.nu, options);
-  Answer out = answer_of(found);
-  if (!out.solved()) return out;
-  out.solutions.push_back(solution_of(input, problem, found, with_spectrum));
-  if (input.output.certificate && !out.solutions[0].proven) out.warning = out.solutions[0].proof;
-  return out;
-}
-
-/// Every solution, by exhaustive search.
-Answer every_answer(const Case& input, const AxisRotation& motion, const SolveOptions& options,
-                    bool with_spectrum) {
-  const Problem problem = input.problem();
-  const SearchResult found = search(problem, motion.nu, {.stop = options.stop});
-  Answer out;
-  out.message = found.message;
-  out.counts = {{"boxes", found.boxes},
-                {"proven", static_cast<long>(found.solutions.size())},
-                {"undecided", static_cast<long>(found.undecided.size())}};
-  if (found.status == SearchStatus::interrupted) {
-    out.status = SolveStatus::interrupted;
-    return out;
-  }
-  for (const Equilibrium& each : found.solutions)
-    out.solutions.push_back(solution_of(input, problem, each, with_spectrum));
-  const bool complete = found.status == SearchStatus::complete;
-  if (!out.solutions.empty()) {
-    out.status = SolveStatus::solved;
-    if (!complete) out.warning = found.message;
-  } else if (complete) {
-    out.status = SolveStatus::none_exists;
-    const auto reason = nonexistence_reason(problem, motion.nu);
-    out.only_in_box = !reason;
-    if (reason) out.message += "; with other stretches neither: " + *reason;
-  } else {
-    out.status = SolveStatus::failed;
-  }
-  return out;
-}
-
-Answer answer(const Case& input, const TiltedRotation& motion, const SolveOptions& options,
-              bool with_spectrum) {
-  const Equilibrium found = solve_tilted(input.body, input.potential, motion, options);
-  Answer out = answer_of(found);
-  if (!out.solved()) return out;
-  Solution& only = out.solutions.emplace_back();
-  fill_row(tilted_name, input.body, input.potential, found, only.row);
-  if (with_spectrum) only.spectrum = tilted_stability(input.body, input.potential, motion, found);
-  return out;
-}
-
-Answer answer(const Case& input, const TwoPolarMotion& motion, const SolveOptions& options,
-              bool with_spectrum) {
-  const TwoPolarEquilibrium found = solve_two_polar(input.body, input.potential, motion, options);
-  Answer out;
-  out.status = found.status;
-  out.message = found.message;
-  if (options.start && !found.circle) out.connection = Connection::given_start;
-  out.counts = named_counts(found.counts);
-  if (!out.solved()) return out;
-  Solution& only = out.solutions.emplace_back();
-  fill_row(input.body, input.potential, found, only.row);
-  if (with_spectrum) only.spectrum = stability(input.body, input.potential, found);
-  return out;
-}
-
-Answer timed_answer(const Case& input, const ComputeOptions& options, bool with_spectrum) {
-  const SolveOptions solve_options{.method = input.solve.method,
-                                   .start = input.solve.start,
-                                   .threads = options.threads,
-                                   .stop = &stop_on_signals()};
-  const auto begin = std::chrono::steady_clock::now();
-  Answer out = input.solve.all ? every_answer(input, std::get<AxisRotation>(input.motion),
-                                              solve_options, with_spectrum)
-                               : std::visit(
-                                     [&](const auto& motion) {
-                                       return answer(input, motion, solve_options, with_spectrum);
-                                     },
-                                     input.motion);
-  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  long spectra = 0;
-  int sheet = 0;
-  for (Solution& each : out.solutions) {
-    each.row[Column::sheet] = ++sheet;
-    each.row[Column::point] = 0;
-    if (!each.spectrum) continue;
-    fill_spectrum(*each.spectrum, each.row);
-    ++spectra;
-  }
-  out.counts.emplace_back("spectra", spectra);
-  return out;
-}
 
 std::string cost_text(const Answer& found) {
   std::string out = fmt::format("{:.1e} s", found.seconds);
@@ -277,7 +127,7 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
   std::optional<TableOutput> output;
   if (to_table) output.emplace(options.output, options.path);
 
-  const Answer found = timed_answer(input, options, with_spectrum);
+  const Answer found = answer_of(input, options.threads, with_spectrum);
   const ExitCode code = exit_code(found.status);
   if (!found.solved()) {
     complain(failure_text(found.outcome(), found.message));

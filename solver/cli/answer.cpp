@@ -1,0 +1,198 @@
+#include "solver/cli/answer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <variant>
+
+#include "solver/cli/interrupt.hpp"
+#include "solver/equilibrium_row.hpp"
+#include "solver/existence.hpp"
+#include "solver/metadata.hpp"
+#include "solver/search.hpp"
+#include "solver/stability.hpp"
+#include "solver/tilted_equilibrium.hpp"
+#include "solver/tilted_search.hpp"
+#include "solver/two_polar_search.hpp"
+
+namespace stationary::cli {
+namespace {
+
+/// prove() -> RowProof, if the case asks for one.
+template <class Prove>
+void add_proof(const Case& input, const Prove& prove, Solution& out) {
+  if (!input.output.certificate) return;
+  const RowProof proof = prove();
+  out.proven = proof.proven;
+  out.proof = proof.proven ? "exactly one stationary ellipsoid is within the error bound"
+                           : "not proven: " + proof.reason;
+  if (out.spectrum)
+    out.proof += proof.class_proven ? "; its class is proven too" : "; its class is not proven";
+}
+
+/// The families, each as: solve one, search all, and a found one as a row with its proof.
+struct AxisAnswers {
+  const Case& input;
+  const AxisRotation& motion;
+  bool with_spectrum;
+  Problem problem = input.problem();
+
+  Equilibrium one(const SolveOptions& options) const { return solve(problem, motion.nu, options); }
+  SearchResult all(const SearchOptions& options) const {
+    return search(problem, motion.nu, options);
+  }
+  /// Why there is none outside the box either.
+  std::optional<std::string> none_anywhere() const {
+    return nonexistence_reason(problem, motion.nu);
+  }
+  Solution solution(const Equilibrium& found) const {
+    Solution out;
+    fill_row(name(problem.branch()), input.body, input.potential, found, out.row);
+    if (with_spectrum) out.spectrum = stability(problem, found);
+    add_proof(
+        input, [&] { return prove_row(problem, found, out.spectrum, out.row); }, out);
+    return out;
+  }
+};
+
+struct TiltedAnswers {
+  const Case& input;
+  const TiltedRotation& motion;
+  bool with_spectrum;
+
+  Equilibrium one(const SolveOptions& options) const {
+    return solve_tilted(input.body, input.potential, motion, options);
+  }
+  SearchResult all(const SearchOptions& options) const {
+    return search_tilted(input.body, input.potential, motion, options);
+  }
+  std::optional<std::string> none_anywhere() const { return std::nullopt; }
+  Solution solution(const Equilibrium& found) const {
+    Solution out;
+    fill_row(tilted_name, input.body, input.potential, found, out.row);
+    if (with_spectrum) out.spectrum = tilted_stability(input.body, input.potential, motion, found);
+    add_proof(
+        input,
+        [&] {
+          return prove_row(input.body, input.potential, motion, found, out.spectrum, out.row);
+        },
+        out);
+    return out;
+  }
+};
+
+struct TwoPolarAnswers {
+  const Case& input;
+  const TwoPolarMotion& motion;
+  bool with_spectrum;
+
+  TwoPolarEquilibrium one(const SolveOptions& options) const {
+    return solve_two_polar(input.body, input.potential, motion, options);
+  }
+  TwoPolarSearchResult all(const SearchOptions& options) const {
+    return search_two_polar(input.body, input.potential, motion, options);
+  }
+  std::optional<std::string> none_anywhere() const { return std::nullopt; }
+  Solution solution(const TwoPolarEquilibrium& found) const {
+    Solution out;
+    fill_row(input.body, input.potential, found, out.row);
+    if (with_spectrum) out.spectrum = stability(input.body, input.potential, found);
+    add_proof(
+        input,
+        [&] {
+          return prove_row(input.body, input.potential, motion, found, out.spectrum, out.row);
+        },
+        out);
+    return out;
+  }
+};
+
+AxisAnswers answers(const Case& input, const AxisRotation& motion, bool with_spectrum) {
+  return {input, motion, with_spectrum};
+}
+TiltedAnswers answers(const Case& input, const TiltedRotation& motion, bool with_spectrum) {
+  return {input, motion, with_spectrum};
+}
+TwoPolarAnswers answers(const Case& input, const TwoPolarMotion& motion, bool with_spectrum) {
+  return {input, motion, with_spectrum};
+}
+
+Connection connection_of(const Equilibrium& found, const SolveOptions&) { return found.connection; }
+Connection connection_of(const TwoPolarEquilibrium& found, const SolveOptions& options) {
+  return options.start && !found.circle ? Connection::given_start : Connection::unknown;
+}
+
+template <class Family>
+Answer one(const Case& input, const Family& family, const SolveOptions& options) {
+  const auto found = family.one(options);
+  Answer out;
+  out.status = found.status;
+  out.message = found.message;
+  out.connection = connection_of(found, options);
+  out.counts = named_counts(found.counts);
+  if (!out.solved()) return out;
+  const Solution& only = out.solutions.emplace_back(family.solution(found));
+  if (input.output.certificate && !only.proven) out.warning = only.proof;
+  return out;
+}
+
+bool on_line(const SearchResult&) { return false; }
+bool on_line(const TwoPolarSearchResult& found) { return found.on_line; }
+
+/// Every solution, by exhaustive search.
+template <class Family>
+Answer all(const Family& family, const SolveOptions& options) {
+  const auto found = family.all({.stop = options.stop});
+  Answer out;
+  out.message = found.message;
+  out.counts = {{"boxes", found.boxes},
+                {"proven", static_cast<long>(found.solutions.size())},
+                {"undecided", static_cast<long>(found.undecided.size())}};
+  if (found.status == SearchStatus::interrupted) {
+    out.status = SolveStatus::interrupted;
+    return out;
+  }
+  for (const auto& each : found.solutions) out.solutions.push_back(family.solution(each));
+  const bool complete = found.status == SearchStatus::complete;
+  if (!out.solutions.empty()) {
+    out.status = SolveStatus::solved;
+    if (!complete) out.warning = found.message;
+  } else if (complete) {
+    out.status = SolveStatus::none_exists;
+    const auto reason = family.none_anywhere();
+    out.only_in_box = !reason;
+    if (reason) out.message += "; with other stretches neither: " + *reason;
+  } else {
+    out.status = on_line(found) ? SolveStatus::not_isolated : SolveStatus::failed;
+  }
+  return out;
+}
+
+}  // namespace
+
+Answer answer_of(const Case& input, int threads, bool with_spectrum) {
+  const SolveOptions options{.method = input.solve.method,
+                             .start = input.solve.start,
+                             .threads = threads,
+                             .stop = &stop_on_signals()};
+  const auto begin = std::chrono::steady_clock::now();
+  Answer out = std::visit(
+      [&](const auto& motion) {
+        const auto family = answers(input, motion, with_spectrum);
+        return input.solve.all ? all(family, options) : one(input, family, options);
+      },
+      input.motion);
+  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  long spectra = 0;
+  int sheet = 0;
+  for (Solution& each : out.solutions) {
+    each.row[Column::sheet] = ++sheet;
+    each.row[Column::point] = 0;
+    if (!each.spectrum) continue;
+    fill_spectrum(*each.spectrum, each.row);
+    ++spectra;
+  }
+  out.counts.emplace_back("spectra", spectra);
+  return out;
+}
+
+}  // namespace stationary::cli
