@@ -61,9 +61,10 @@ SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval>& forms,
   const auto in_B = negative_pivots(forms.B, {1, 2, 3, 0, 4}, material_symmetry ? 4 : 5);
   out.negative.add(in_A);
   out.negative.add(in_B);
-  const bool definite = in_A == 0 && in_B == 0 && !material_symmetry;
-  // With one of them definite B A is similar to a symmetric matrix.
-  const bool all_real = in_A == 0 || (in_B == 0 && !material_symmetry);
+  // Definite but for the direction of the symmetry, which the reduced leaf leaves out.
+  const bool definite = in_A == 0 && in_B == 0;
+  // Without negative directions in one of them B A has the eigenvalues of a symmetric matrix.
+  const bool all_real = in_A == 0 || in_B == 0;
   const auto add = [&](const auto& roots) {
     for (const RootEnclosure& root : roots) out.add(root, definite ? 1 : unknown, definite);
   };
@@ -73,8 +74,9 @@ SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval>& forms,
     add(enclose_roots(Polynomial<Interval, 4>{{p.c[1], p.c[2], p.c[3], p.c[4], p.c[5]}}, all_real));
   } else {
     add(enclose_roots(p, all_real));
-    if (out.negative.total().value_or(0) > 0) out.set_indefinite();
   }
+  // One negative direction may be the symmetry's conjugate, which means nothing.
+  if (out.negative.total().value_or(0) > (material_symmetry ? 1 : 0)) out.set_indefinite();
   return out.finish(approximate);
 }
 

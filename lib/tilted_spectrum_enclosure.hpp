@@ -8,7 +8,7 @@
 
 namespace stationary {
 
-/// material_symmetry: J1 = J2, which forces a zero; then only growth is claimed, no class without.
+/// material_symmetry: J1 = J2, which forces a zero.
 SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval>& forms,
                                           bool material_symmetry, const Spectrum& approximate);
 

@@ -158,14 +158,17 @@ AxisRotation read_axis_rotation(const CaseTree& tree, Branch branch) {
   return {branch, read_nu(tree, name(branch), meaning)};
 }
 
-TiltedRotation read_tilted(const CaseTree& tree) {
-  const std::string plane = value_or(tree, "motion.plane", std::string(name(TiltPlane::one_three)));
+TiltedMotion read_tilted(const CaseTree& tree) {
   const double nu = read_nu(tree, tilted_name, "nu (its length |nu|), and plane");
   if (!(nu > 0.0)) {
     throw fault_at(tree, "motion.nu", fmt::format("found nu = {} with branch \"tilted\"", nu),
                    "nu > 0", "it is the length |nu| of a vector in a plane");
   }
-  return {plane == name(TiltPlane::one_three) ? TiltPlane::one_three : TiltPlane::two_three, nu};
+  TiltedMotion out{{}, nu};
+  const std::string plane = value_or<std::string>(tree, "motion.plane", "");
+  for (const TiltPlane each : {TiltPlane::one_three, TiltPlane::two_three})
+    if (plane == name(each)) out.plane = each;
+  return out;
 }
 
 TwoPolarMotion read_two_polar(const CaseTree& tree, const Body& body) {
@@ -223,7 +226,7 @@ Case::Motion read_motion(const CaseTree& tree, const Body& body) {
 
 Case::Solve read_solve(const CaseTree& tree, const Case::Motion& motion) {
   const bool two_polar = std::holds_alternative<TwoPolarMotion>(motion);
-  const bool tilted = std::holds_alternative<TiltedRotation>(motion);
+  const bool tilted = std::holds_alternative<TiltedMotion>(motion);
   Case::Solve out;
   const std::string method = value_or<std::string>(tree, "solve.method", "auto");
   const auto at = std::ranges::find(method_names, std::string_view(method));
@@ -285,7 +288,7 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
                    fmt::format("found the empty range from {} to {}", out.from, out.to),
                    "from < to");
   }
-  if (std::holds_alternative<TiltedRotation>(family.motion) && !(out.from >= 0.0)) {
+  if (std::holds_alternative<TiltedMotion>(family.motion) && !(out.from >= 0.0)) {
     throw fault_at(tree, "continuation.from",
                    fmt::format("found {} with branch \"tilted\"", out.from), "from >= 0",
                    "nu is the length |nu| there");
@@ -337,6 +340,11 @@ Case::Output read_output(const CaseTree& tree) {
 }
 
 }  // namespace
+
+std::vector<TiltedRotation> TiltedMotion::rotations() const {
+  if (plane) return {{*plane, nu}};
+  return {{TiltPlane::one_three, nu}, {TiltPlane::two_three, nu}};
+}
 
 Potential make_potential(std::span<const ModelChoice> models) {
   const auto name = [&](std::size_t k) { return models[k].description->name; };

@@ -2,9 +2,9 @@
 // full before anything is computed.
 //
 //   [body] J   [potential] plane + thickness | coupled
-//   [motion] branch, nu, of "tilted" also plane; or of branch "two-polar" omega and theta_dot | s3
-//   and p_theta [solve] start, method   [continuation] parameter, from, to, tolerance   [output]
-//   spectrum, ...
+//   [motion] branch, nu, of "tilted" also plane (else both); or of branch "two-polar" omega and
+//   theta_dot | s3 and p_theta [solve] start, method   [continuation] parameter, from, to,
+//   tolerance   [output] spectrum, ...
 #pragma once
 
 #include <optional>
@@ -42,8 +42,17 @@ struct AxisRotation {
   double nu;
 };
 
+/// A steady rotation about a tilted axis, in a plane or in either.
+struct TiltedMotion {
+  std::optional<TiltPlane> plane;  ///< empty: both are looked in
+  double nu;                       ///< |nu| > 0
+
+  /// One for each plane.
+  std::vector<TiltedRotation> rotations() const;
+};
+
 struct Case {
-  using Motion = std::variant<AxisRotation, TiltedRotation, TwoPolarMotion>;
+  using Motion = std::variant<AxisRotation, TiltedMotion, TwoPolarMotion>;
   struct Solve {
     std::optional<Stretch> start;  ///< two-polar: xi, zeta are lambda, mu
     Method method = Method::automatic;
@@ -74,7 +83,7 @@ struct Case {
   CaseTree source;  ///< where each key comes from
 
   bool two_polar() const { return std::holds_alternative<TwoPolarMotion>(motion); }
-  bool tilted() const { return std::holds_alternative<TiltedRotation>(motion); }
+  bool tilted() const { return std::holds_alternative<TiltedMotion>(motion); }
   std::string_view branch_name() const;
   /// Of an axis rotation (std::bad_variant_access otherwise).
   Problem problem() const {

@@ -13,8 +13,7 @@ namespace {
 double* motion_number(Case::Motion& motion, std::string_view key) {
   if (auto* rotation = std::get_if<AxisRotation>(&motion))
     return key == "nu" ? &rotation->nu : nullptr;
-  if (auto* tilted = std::get_if<TiltedRotation>(&motion))
-    return key == "nu" ? &tilted->nu : nullptr;
+  if (auto* tilted = std::get_if<TiltedMotion>(&motion)) return key == "nu" ? &tilted->nu : nullptr;
   TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
   if (auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar)) {
     if (key == "motion.omega") return &rates->omega;
@@ -60,7 +59,7 @@ std::vector<std::string> motion_and_body_keys(const Case::Motion& motion) {
 
 std::vector<std::string> case_parameters(const Case::Motion& motion,
                                          const std::vector<ModelChoice>& models) {
-  if (std::holds_alternative<TiltedRotation>(motion)) return {"nu"};
+  if (std::holds_alternative<TiltedMotion>(motion)) return {"nu"};
   std::vector<std::string> out = motion_and_body_keys(motion);
   for (const ModelChoice& model : models)
     for (const std::string_view parameter : model.description->parameters)

@@ -21,8 +21,10 @@ Json model_json(const ModelChoice& model) {
 Json motion_json(const Case::Motion& motion) {
   if (const auto* rotation = std::get_if<AxisRotation>(&motion))
     return {{"branch", name(rotation->branch)}, {"nu", rotation->nu}};
-  if (const auto* tilted = std::get_if<TiltedRotation>(&motion))
-    return {{"branch", tilted_name}, {"plane", name(tilted->plane)}, {"nu", tilted->nu}};
+  if (const auto* tilted = std::get_if<TiltedMotion>(&motion)) {
+    if (!tilted->plane) return {{"branch", tilted_name}, {"nu", tilted->nu}};
+    return {{"branch", tilted_name}, {"plane", name(*tilted->plane)}, {"nu", tilted->nu}};
+  }
   const TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar)) {
     return {{"branch", two_polar_name}, {"omega", rates->omega}, {"theta_dot", rates->theta_dot}};

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "solver/cli/interrupt.hpp"
+#include "solver/cli/report.hpp"
 #include "solver/equilibrium_row.hpp"
 #include "solver/existence.hpp"
 #include "solver/metadata.hpp"
@@ -56,7 +57,7 @@ struct AxisAnswers {
 
 struct TiltedAnswers {
   const Case& input;
-  const TiltedRotation& motion;
+  TiltedRotation motion;
   bool with_spectrum;
 
   Equilibrium one(const SolveOptions& options) const {
@@ -105,16 +106,6 @@ struct TwoPolarAnswers {
     return out;
   }
 };
-
-AxisAnswers answers(const Case& input, const AxisRotation& motion, bool with_spectrum) {
-  return {input, motion, with_spectrum};
-}
-TiltedAnswers answers(const Case& input, const TiltedRotation& motion, bool with_spectrum) {
-  return {input, motion, with_spectrum};
-}
-TwoPolarAnswers answers(const Case& input, const TwoPolarMotion& motion, bool with_spectrum) {
-  return {input, motion, with_spectrum};
-}
 
 Connection connection_of(const Equilibrium& found, const SolveOptions&) { return found.connection; }
 Connection connection_of(const TwoPolarEquilibrium& found, const SolveOptions& options) {
@@ -167,6 +158,70 @@ Answer all(const Family& family, const SolveOptions& options) {
   return out;
 }
 
+/// One or all, as the case asks.
+template <class Family>
+Answer answer(const Case& input, const Family& family, const SolveOptions& options) {
+  return input.solve.all ? all(family, options) : one(input, family, options);
+}
+
+Answer answer(const Case& input, const AxisRotation& motion, const SolveOptions& options,
+              bool with_spectrum) {
+  return answer(input, AxisAnswers{input, motion, with_spectrum}, options);
+}
+
+Answer answer(const Case& input, const TwoPolarMotion& motion, const SolveOptions& options,
+              bool with_spectrum) {
+  return answer(input, TwoPolarAnswers{input, motion, with_spectrum}, options);
+}
+
+void append(std::string& text, const std::string& more, std::string_view between = "; ") {
+  if (!text.empty() && !more.empty()) text += between;
+  text += more;
+}
+
+/// Both planes' answers as one: solved where either is, none where neither has any.
+Answer joined(std::vector<std::pair<std::string, Answer>> parts) {
+  // What outweighs what in the status of the whole.
+  constexpr SolveStatus order[] = {SolveStatus::interrupted, SolveStatus::solved,
+                                   SolveStatus::failed, SolveStatus::not_found,
+                                   SolveStatus::none_exists};
+  Answer out;
+  for (const SolveStatus status : order) {
+    const bool has =
+        std::ranges::any_of(parts, [&](const auto& part) { return part.second.status == status; });
+    if (has && out.status == SolveStatus::not_run) out.status = status;
+  }
+  out.only_in_box = out.status == SolveStatus::none_exists;
+  for (auto& [plane, part] : parts) {
+    append(out.message, plane + " plane: " + part.message);
+    if (!part.warning.empty()) append(out.warning, plane + " plane: " + part.warning);
+    if (out.solved() && part.status == SolveStatus::failed)
+      append(out.warning, plane + " plane: " + part.message);
+    if (out.connection == Connection::unknown) out.connection = part.connection;
+    for (const auto& [what, count] : part.counts) {
+      const auto at =
+          std::ranges::find(out.counts, what, &std::pair<std::string_view, long>::first);
+      if (at == out.counts.end()) {
+        out.counts.emplace_back(what, count);
+      } else {
+        at->second += count;
+      }
+    }
+    for (Solution& each : part.solutions) out.solutions.push_back(std::move(each));
+  }
+  return out;
+}
+
+Answer answer(const Case& input, const TiltedMotion& motion, const SolveOptions& options,
+              bool with_spectrum) {
+  std::vector<std::pair<std::string, Answer>> parts;
+  for (const TiltedRotation& rotation : motion.rotations()) {
+    const TiltedAnswers family{input, rotation, with_spectrum};
+    parts.emplace_back(plane_text(rotation.plane), answer(input, family, options));
+  }
+  return parts.size() == 1 ? std::move(parts[0].second) : joined(std::move(parts));
+}
+
 }  // namespace
 
 Answer answer_of(const Case& input, int threads, bool with_spectrum) {
@@ -175,12 +230,9 @@ Answer answer_of(const Case& input, int threads, bool with_spectrum) {
                              .threads = threads,
                              .stop = &stop_on_signals()};
   const auto begin = std::chrono::steady_clock::now();
-  Answer out = std::visit(
-      [&](const auto& motion) {
-        const auto family = answers(input, motion, with_spectrum);
-        return input.solve.all ? all(family, options) : one(input, family, options);
-      },
-      input.motion);
+  Answer out =
+      std::visit([&](const auto& motion) { return answer(input, motion, options, with_spectrum); },
+                 input.motion);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   long spectra = 0;
   int sheet = 0;

@@ -20,11 +20,11 @@
 #include "solver/cli/progress.hpp"
 #include "solver/cli/report.hpp"
 #include "solver/cli/table_output.hpp"
+#include "solver/cli/tilted_start.hpp"
 #include "solver/curve_table.hpp"
 #include "solver/equilibrium_row.hpp"
 #include "solver/follow.hpp"
 #include "solver/resume_table.hpp"
-#include "solver/tilted_equilibrium.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -75,8 +75,8 @@ Start solved_start(const Case& input, const ComputeOptions& options) {
                          .start = input.solve.start,
                          .threads = options.threads,
                          .stop = &stop_on_signals()};
-  if (const auto* tilted = std::get_if<TiltedRotation>(&out.at.motion)) {
-    out.found = solve_tilted(out.at.body, make_potential(out.at.models), *tilted, how);
+  if (auto* tilted = std::get_if<TiltedMotion>(&out.at.motion)) {
+    out.found = tilted_start(input, make_potential(out.at.models), *tilted, how);
   } else {
     const AxisRotation motion = std::get<AxisRotation>(out.at.motion);
     out.found = solve(problem_of(out.at), motion.nu, how);
@@ -92,6 +92,11 @@ Start resumed_start(const Case& input, const ResumedTable& old) {
   out.found.message = "resumed from the table";
   out.found.connection = Connection::given_start;
   out.found.q = at.q;
+  if (auto* tilted = std::get_if<TiltedMotion>(&out.at.motion); tilted && !tilted->plane) {
+    const bool second =
+        std::ranges::any_of(old.rows, [](const TableRow& row) { return row[Column::nu2] != 0.0; });
+    tilted->plane = second ? TiltPlane::two_three : TiltPlane::one_three;
+  }
   return out;
 }
 
@@ -104,8 +109,8 @@ std::string gap_text(const Case& input, const CurveProofs& proofs) {
 }
 
 AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum) {
-  if (const auto* tilted = std::get_if<TiltedRotation>(&start.at.motion)) {
-    return tilted_family(start.at.body, make_potential(start.at.models), tilted->plane,
+  if (const auto* tilted = std::get_if<TiltedMotion>(&start.at.motion)) {
+    return tilted_family(start.at.body, make_potential(start.at.models), *tilted->plane,
                          with_spectrum);
   }
   const AxisRotation motion = std::get<AxisRotation>(start.at.motion);
@@ -316,12 +321,12 @@ FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowO
   return out;
 }
 
-void prove_rows(const Case& input, CurveTable& rows) {
-  if (input.tilted()) {
-    rows.prove([&input](const Member& member, const Equilibrium& found, TableRow& row) {
-      const FamilyParameters at = at_parameter(input, member.parameter);
-      return prove_row(at.body, make_potential(at.models), std::get<TiltedRotation>(at.motion),
-                       found, member.spectrum, row);
+void prove_rows(const Case& input, const Start& start, CurveTable& rows) {
+  if (const auto* tilted = std::get_if<TiltedMotion>(&start.at.motion)) {
+    const TiltPlane plane = *tilted->plane;
+    rows.prove([&input, plane](const Member& member, const Equilibrium& found, TableRow& row) {
+      return prove_row(input.body, input.potential, TiltedRotation{plane, member.parameter}, found,
+                       member.spectrum, row);
     });
     return;
   }
@@ -367,7 +372,7 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
     table.emplace(output->sink(), columns, parameter);
   }
   CurveTable rows(input.branch_name(), table ? &*table : nullptr);
-  if (input.output.certificate) prove_rows(input, rows);
+  if (input.output.certificate) prove_rows(input, start, rows);
   const FollowOptions how = follow_options(input, options, progress);
   FollowReport report =
       old ? follow_on(family, *old, how, rows) : follow(family, start.found.q, start.p, how, rows);

@@ -18,12 +18,13 @@ std::vector<PlanItem> two_polar_unknowns(const Case& input) {
            "xi = lambda, zeta = mu at theta = 0"}};
 }
 
-std::vector<PlanItem> tilted_unknowns(const TiltedRotation& motion) {
-  const bool first = motion.plane == TiltPlane::one_three;
+std::vector<PlanItem> tilted_unknowns(const TiltedMotion& motion) {
+  const char* rho = "sqrt(J1/J3) xi in the 1-3 plane, sqrt(J2/J3) zeta in the 2-3 plane";
+  if (motion.plane)
+    rho = *motion.plane == TiltPlane::one_three ? "sqrt(J1/J3) xi" : "sqrt(J2/J3) zeta";
   return {{"alpha", "0, not an unknown",
            "isotropic potential: the plane of the axis is a plane of material axes"},
-          {"rho", first ? "sqrt(J1/J3) xi" : "sqrt(J2/J3) zeta",
-           "compatibility: the locked inertias of the plane's two axes are equal"},
+          {"rho", rho, "compatibility: the locked inertias of the plane's two axes are equal"},
           {"xi, zeta", "2 equations", "the balance, its parts that know |nu| and no tilt"},
           {"nu", "closed form", "the rest of the balance gives the squares of its components"}};
 }
@@ -40,7 +41,9 @@ PlanItem spectrum_item(const Case& input) {
   }
   if (input.tilted()) {
     return {"spectrum", "5 modes from the whole problem, by a structure-preserving method",
-            "a tilted axis has no reflection to split the 10-dimensional leaf of fixed |pi|"};
+            "no reflection makes blocks of the dynamics about a tilted axis, on the 10-dimensional "
+            "leaf of "
+            "fixed |pi|"};
   }
   const auto& [branch, nu] = std::get<AxisRotation>(input.motion);
   if (nu == 0.0) {
@@ -78,7 +81,7 @@ bool wants_spectrum(const Case& input, bool to_table) {
 
 ComputationPlan computation_plan(const Case& input, bool to_table) {
   ComputationPlan out;
-  if (const auto* tilted = std::get_if<TiltedRotation>(&input.motion)) {
+  if (const auto* tilted = std::get_if<TiltedMotion>(&input.motion)) {
     out.computed = tilted_unknowns(*tilted);
   } else {
     out.computed = input.two_polar() ? two_polar_unknowns(input) : input.problem().plan();

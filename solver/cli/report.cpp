@@ -84,14 +84,18 @@ void add_spectrum(Report& report, const Spectrum& spectrum) {
   }
 }
 
+std::string plane_text(TiltPlane plane) {
+  return fmt::format("{}-{}", name(plane)[0], name(plane)[1]);
+}
+
 std::string motion_text(const Case::Motion& motion) {
   if (const auto* rotation = std::get_if<AxisRotation>(&motion)) {
     const Vector3<double> v = angular_velocity(rotation->branch, rotation->nu);
     return fmt::format("branch ({}), nu = ({}, {}, {})", name(rotation->branch), v[0], v[1], v[2]);
   }
-  if (const auto* tilted = std::get_if<TiltedRotation>(&motion)) {
-    const std::string_view plane = name(tilted->plane);
-    return fmt::format("tilted in the {}-{} plane, |nu| = {}", plane[0], plane[1], tilted->nu);
+  if (const auto* tilted = std::get_if<TiltedMotion>(&motion)) {
+    return fmt::format("tilted in the {} plane, |nu| = {}",
+                       tilted->plane ? plane_text(*tilted->plane) : "1-3 or the 2-3", tilted->nu);
   }
   const TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar))

@@ -33,6 +33,9 @@ void add_plan(Report& report, const std::vector<PlanItem>& plan);
 /// The class, what it claims, and the modes with their error bounds.
 void add_spectrum(Report& report, const Spectrum& spectrum);
 
+/// "1-3".
+std::string plane_text(TiltPlane plane);
+
 /// "branch (i), nu = (0.5, 0, 0)", "two-polar, omega = 1.2, theta_dot = -0.35".
 std::string motion_text(const Case::Motion& motion);
 

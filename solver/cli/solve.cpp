@@ -79,7 +79,7 @@ std::string summary(const Case& input, const Answer& found) {
   if (!input.solve.all) out.line("connection", name(found.connection));
   out.gap();
   for (const Solution& each : found.solutions) {
-    if (input.solve.all)
+    if (input.solve.all || found.solutions.size() > 1)
       out.line(fmt::format("solution {}", each.row[Column::sheet]),
                fmt::format("of {}", found.solutions.size()));
     add_solution(out, input, each);

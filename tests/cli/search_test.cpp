@@ -257,11 +257,16 @@ TEST(Certify, CheckAnnouncesIt) {
   EXPECT_THAT(outcome.out, HasSubstr("certificate"));
 }
 
-TEST(Certify, TwoPolarIsRefused) {
-  const Outcome outcome = solve(STATIONARY_CASES "/two_polar.toml", {"--certify"});
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("--certify"));
-  EXPECT_THAT(outcome.err, HasSubstr("two-polar"));
+TEST(Certify, TwoPolarMotionsByRatesAndByMomenta) {
+  for (const char* file : {"/two_polar.toml", "/two_polar_momenta.toml"}) {
+    const Outcome outcome = solve(std::string(STATIONARY_CASES) + file, {"--certify", "-o", "-"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, IsEmpty());
+    auto row = only_row(outcome.out);
+    EXPECT_EQ(row["certified"], "yes") << file;
+    EXPECT_EQ(row["class_certified"], "yes") << file;
+    EXPECT_LT(number(row["error_bound"]), 1e-13) << file;
+  }
 }
 
 }  // namespace

@@ -55,10 +55,101 @@ TEST(TiltedCase, FromAStartTheSameMotion) {
     EXPECT_NEAR(number(walked[column]), number(started[column]), 1e-13) << column;
 }
 
-TEST(TiltedCase, ProofsAreRefusedByName) {
-  const Outcome outcome = run_program({"solve", tilted_case, "--certify"});
+TEST(TiltedCase, OneMotionProven) {
+  const Outcome outcome = run_program({"solve", tilted_case, "--certify", "-o", "-"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  auto row = only_row(outcome.out);
+  EXPECT_EQ(row["certified"], "yes");
+  EXPECT_EQ(row["class_certified"], "yes");
+  EXPECT_LT(number(row["error_bound"]), 1e-13);
+}
+
+TEST(TiltedCase, AllOfThemOrProvenThatThereIsNone) {
+  const std::vector<std::string> all{"solve", tilted_case, "-o", "-", "--set", "solve.all=true"};
+  const Outcome outcome = run_program(all);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_NEAR(number(only_row(outcome.out)["xi"]), 0.57054735, 5e-9);
+  // Neither needs a start or a sheet through rest.
+  auto beyond = all;
+  beyond.insert(beyond.end(), {"--set", "motion.nu=1.3"});
+  const Outcome none = run_program(beyond);
+  EXPECT_EQ(none.code, 3);
+  EXPECT_THAT(none.err, HasSubstr("no stationary ellipsoid in the box searched"));
+  EXPECT_THAT(none.err, HasSubstr("proven that there is none"));
+  EXPECT_TRUE(rows_of(none.out).empty());
+}
+
+/// A case without motion.plane; J1 = J2 makes each plane's motions the other's.
+std::string either_plane(const TemporaryDirectory& directory, const char* J) {
+  std::string text = text_of(tilted_case);
+  const auto replace = [&text](const std::string& old, const std::string& with) {
+    const std::size_t at = text.find(old);
+    ASSERT_NE(at, std::string::npos) << old;
+    text.replace(at, old.size(), with);
+  };
+  replace("plane = \"13\"\n", "");
+  replace("[1.0, 1.7, 0.6]", J);
+  return directory.file("either.toml", text);
+}
+
+TEST(TiltedCase, WithoutAPlaneBothAreLookedIn) {
+  const TemporaryDirectory directory;
+  const std::string path = either_plane(directory, "[1.0, 1.7, 0.6]");
+  EXPECT_THAT(run_program({"check", path}).out, HasSubstr("in the 1-3 or the 2-3 plane"));
+  const Outcome one = run_program({"solve", path, "-o", directory / "x.csv"});
+  ASSERT_EQ(one.code, 0) << one.err;
+  EXPECT_EQ(only_row(text_of(directory / "x.csv"))["nu2"], "0");
+  const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  EXPECT_THAT(metadata["message"].get<std::string>(), HasSubstr("1-3 plane: from rest"));
+  EXPECT_THAT(metadata["message"].get<std::string>(), HasSubstr("2-3 plane: "));
+  EXPECT_FALSE(metadata["case"]["motion"].contains("plane"));
+  // Continued, the family is the one of the plane that has one.
+  const Outcome followed = run_program({"continue", path, "-o", "-"});
+  ASSERT_EQ(followed.code, 0) << followed.err;
+  EXPECT_EQ(rows_of(followed.out).front().at("event"), "tilt");
+  // Exit code 3 is for both planes.
+  const Outcome none =
+      run_program({"solve", path, "--set", "solve.all=true", "--set", "motion.nu=1.3", "-o", "-"});
+  EXPECT_EQ(none.code, 3);
+  EXPECT_THAT(none.err, HasSubstr("1-3 plane: stretches in [0.001, 1000]: proven"));
+  EXPECT_THAT(none.err, HasSubstr("2-3 plane: stretches in [0.001, 1000]: proven"));
+}
+
+TEST(TiltedCase, WithoutAPlaneARowForEach) {
+  const TemporaryDirectory directory;
+  const std::string path = either_plane(directory, "[1.0, 1.0, 1.4]");
+  const std::string nu = "motion.nu=1.05";
+  for (const char* all : {"solve.all=false", "solve.all=true"}) {
+    const Outcome outcome =
+        run_program({"solve", path, "--certify", "-o", "-", "--set", nu, "--set", all});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, IsEmpty());
+    auto rows = rows_of(outcome.out);
+    ASSERT_EQ(rows.size(), 2U) << all;
+    EXPECT_EQ(rows[0]["nu2"], "0");
+    EXPECT_EQ(rows[1]["nu1"], "0");
+    EXPECT_EQ(rows[0]["xi"], rows[1]["zeta"]);
+    EXPECT_EQ(rows[1]["sheet"], "2");
+    for (auto& row : rows) {
+      EXPECT_EQ(row["class"], "stable");
+      EXPECT_EQ(row["class_certified"], "yes");
+    }
+  }
+  const Outcome outcome = run_program({"continue", path, "-o", "-", "--set", nu});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("--certify: found it with branch \"tilted\""));
+  EXPECT_THAT(outcome.err, HasSubstr("motion.plane: found no such key"));
+  EXPECT_THAT(outcome.err, HasSubstr("in both planes"));
+}
+
+TEST(TiltedCase, AFollowedFamilyIsProvenUpToItsEnds) {
+  const TemporaryDirectory directory;
+  const Outcome outcome =
+      run_program({"continue", tilted_case, "--certify", "-o", directory / "x.csv"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const Row& row : rows_of(text_of(directory / "x.csv")))
+    EXPECT_EQ(row.at("certified"), row.at("event") == "tilt" ? "no" : "yes") << row.at("xi");
 }
 
 TEST(TiltedCase, WhereThereIsNoneItSaysWhereTheFamilyEnds) {

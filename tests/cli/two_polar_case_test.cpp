@@ -123,6 +123,56 @@ TEST(TwoPolarCase, OnTheCircleItIsBranchThree) {
               HasSubstr("the circle lambda = mu"));
 }
 
+TEST(TwoPolarCase, AllOfThem) {
+  const TemporaryDirectory directory;
+  const auto all = [](const std::string& path, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"solve", path, "-o", "-", "--set", "solve.all=true"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments);
+  };
+  const Outcome by_momenta = all(momenta_case, {});
+  ASSERT_EQ(by_momenta.code, 0) << by_momenta.err;
+  EXPECT_THAT(by_momenta.err, ::testing::IsEmpty());
+  EXPECT_NEAR(number(only_row(by_momenta.out)["lambda"]), 2.0, 1e-14);
+  // The ellipse of given rates, and the circle that has their sum.
+  const Outcome by_rates = all(rates_case, {"--certify"});
+  ASSERT_EQ(by_rates.code, 0) << by_rates.err;
+  auto rows = rows_of(by_rates.out);
+  ASSERT_EQ(rows.size(), 2U) << by_rates.out;
+  EXPECT_NEAR(number(rows[0]["lambda"]), 1.372402225529043649, 1e-14);
+  EXPECT_EQ(rows[1]["lambda"], rows[1]["mu"]);
+  EXPECT_EQ(rows[1]["sheet"], "2");
+  for (auto& row : rows) EXPECT_EQ(row["certified"], "yes");
+  // A line of solutions is said by name, and not searched.
+  const std::string line = directory.file("line.toml", line_of_ellipses);
+  const Outcome on_line = all(line, {});
+  EXPECT_EQ(on_line.code, 3);
+  EXPECT_THAT(on_line.err, HasSubstr("no isolated stationary ellipsoid"));
+  EXPECT_THAT(on_line.err, HasSubstr("J (omega^2 + theta_dot^2) = k"));
+  EXPECT_TRUE(rows_of(on_line.out).empty());
+  const Outcome none = all(line, {"--set", "motion.omega=1.7"});
+  EXPECT_EQ(none.code, 3);
+  EXPECT_THAT(none.err, HasSubstr("proven that there is none"));
+}
+
+TEST(TwoPolarCase, TheCircleOfEqualMomenta) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("case.toml", line_of_ellipses);
+  auto rates = row_of({path, "--set", "motion.omega=0.7"});
+  std::string text = line_of_ellipses;
+  text.resize(text.find("omega"));
+  const std::string momenta = directory.file(
+      "momenta.toml", text + "s3 = " + rates["s3"] + "\np_theta = " + rates["s3"] + '\n');
+  auto row = row_of({momenta});
+  EXPECT_EQ(row["angle"], "");
+  EXPECT_NEAR(number(row["lambda"]), number(rates["lambda"]), 1e-14);
+  EXPECT_NEAR(number(row["nu3"]), number(rates["nu3"]), 1e-14);
+  EXPECT_EQ(row["class"], rates["class"]);
+  auto all = rows_of(run_program({"solve", momenta, "-o", "-", "--set", "solve.all=true"}).out);
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0]["lambda"], row["lambda"]);
+}
+
 TEST(TwoPolarCase, AStartOfOnesOwn) {
   auto row = row_of({rates_case, "--set", "solve.start=[0, 1.4, 0.5, 0.9]"});
   EXPECT_NEAR(number(row["lambda"]), 1.372402225529043649, 1e-14);

@@ -201,6 +201,9 @@ TEST(TwoPolar, PullIsTheForceAndItsSlope) {
     expect_pull(s, momenta,
                 Vector3<Real50>(elastic - two_polar_momentum_residual(s.J, model, s.x, momenta)),
                 w);
+    const TwoPolarMomenta<Real50> equal{momenta.s3, momenta.s3};
+    expect_pull(s, TwoPolarEqualMomenta<Real50>{momenta.s3},
+                Vector3<Real50>(elastic - two_polar_momentum_residual(s.J, model, s.x, equal)), w);
   }
 }
 
