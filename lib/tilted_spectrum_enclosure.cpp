@@ -75,8 +75,11 @@ SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval>& forms,
   } else {
     add(enclose_roots(p, all_real));
   }
-  // One negative direction may be the symmetry's conjugate, which means nothing.
-  if (out.negative.total().value_or(0) > (material_symmetry ? 1 : 0)) out.set_indefinite();
+  const int negative = out.negative.total().value_or(0);
+  if (negative > (material_symmetry ? 1 : 0)) out.set_indefinite();
+  // Imaginary modes have two negative directions each or none: a single one is the direction
+  // conjugate to the symmetry, which the reduced leaf leaves out.
+  if (material_symmetry && negative == 1) out.set_definite_with_momentum();
   return out.finish(approximate);
 }
 
