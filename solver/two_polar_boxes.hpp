@@ -2,9 +2,11 @@
 // with J, coefficients and the motion as intervals. At fixed rates their own part of the pull is
 // gathered with the elastic force, as a centrifugal rate of both stretches.
 //
-// At fixed momenta the pull has no bound where lambda = mu. What excludes boxes there is the same
-// balance without its poles, t = lambda + mu, delta = lambda - mu:
-//   J t^3 (V_lambda + V_mu) = (s3 + p_theta)^2,    -J W_d delta^4 = (s3 - p_theta)^2.
+// Sum and difference of the balance, t = lambda + mu, delta = lambda - mu, exclude more boxes: in
+//   V_lambda + V_mu = J t (omega + theta')^2
+// the rates' parts do not cancel where they are nearly opposite, and at fixed momenta, whose pull
+// has no bound where lambda = mu, omega + theta' = (s3 + p_theta)/(J t^2) and
+//   -J W_d delta^4 = (s3 - p_theta)^2   are regular there.
 #pragma once
 
 #include <algorithm>
@@ -51,20 +53,20 @@ struct TwoPolarBoxSystem {
     }
   }
 
-  /// No solution with lambda >= mu in x, by the balance without its poles.
-  bool excludes(
-      const Box<N>& x) const requires std::is_same_v<Motion<double>, TwoPolarMomenta<double>> {
+  /// No solution with lambda >= mu in x, by the sum of the balance, in which nothing cancels, and
+  /// by its difference where that has a pole.
+  bool excludes(const Box<N>& x) const {
     const auto b = elastic(x, 0.0);
     const Interval t = x[0] + x[1];
-    const Interval plus = square(motion.s3 + motion.p_theta);
-    const Interval sum = J * (t * square(t)) * (b.g_xi / x[0] + b.g_zeta / x[1]) - plus;
-    if (!sum.may_be(0.0)) return true;
-    const Interval minus = square(motion.s3 - motion.p_theta);
-    const Interval apart = x[0] - x[1];
-    const Interval delta(std::max(apart.lo, 0.0), std::max(apart.hi, 0.0));
-    const Interval difference =
-        J * (determinant_force(x) / (x[0] * x[1])) * square(square(delta)) + minus;
-    return !difference.may_be(0.0);
+    if (!(b.g_xi / x[0] + b.g_zeta / x[1] - sum_pull(t)).may_be(0.0)) return true;
+    if constexpr (std::is_same_v<Motion<double>, TwoPolarMomenta<double>>) {
+      const Interval minus = square(motion.s3 - motion.p_theta);
+      const Interval apart = x[0] - x[1];
+      const Interval delta(std::max(apart.lo, 0.0), std::max(apart.hi, 0.0));
+      return !(J * (determinant_force(x) / (x[0] * x[1])) * square(square(delta)) + minus)
+                  .may_be(0.0);
+    }
+    return false;
   }
 
  private:
@@ -73,6 +75,16 @@ struct TwoPolarBoxSystem {
       return model.log_balance(x[0], x[1], rate, rate);
     } else {
       return model.log_balance(x[0], x[1], x[2], rate, rate, Interval(0.0));
+    }
+  }
+  /// J t (omega + theta')^2.
+  Interval sum_pull(const Interval& t) const {
+    if constexpr (by_rates) {
+      return J * t * square(motion.omega + motion.theta_dot);
+    } else if constexpr (requires { motion.p_theta; }) {
+      return square(motion.s3 + motion.p_theta) / (J * (t * square(t)));
+    } else {
+      return square(2.0 * motion.s3) / (J * (t * square(t)));
     }
   }
   /// W_l.
