@@ -43,6 +43,12 @@ Matrix3<S> locked_inertia(const Body& body, const BasicStretch<S>& q) {
   return I;
 }
 
+/// (J1 xi^2, J2 zeta^2, J3 rho^2). At alpha = 0 each locked inertia is the sum of the other two, so
+/// I_a - I_b = m_b - m_a, without their common part.
+inline Vector3<double> second_moments(const Body& body, const Stretch& q) {
+  return {body.J1 * (q.xi * q.xi), body.J2 * (q.zeta * q.zeta), body.J3 * (q.rho * q.rho)};
+}
+
 /// Diagonal of C(nu) in (xi, zeta, rho), from the squares of nu's components; at alpha = 0 and a
 /// spin about one material axis this is all of the centrifugal force.
 template <class S>

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lib/inertia.hpp"
+
 namespace stationary {
 namespace {
 
@@ -53,6 +55,7 @@ class BranchAtlas {
     for (int k = 0; k < options.checkpoints; ++k)
       checkpoints_.push_back({.branch = branch, .nu = options.from + (k + 0.5) * part});
     solutions_.resize(checkpoints_.size());
+    on_sheets_.resize(checkpoints_.size());
   }
 
   /// All solutions at one checkpoint; checkpoints are independent of one another.
@@ -76,7 +79,7 @@ class BranchAtlas {
     for (std::size_t k = 0; k < checkpoints_.size(); ++k) {
       for (const Stretch& q : solutions_[k]) {
         if (stopped()) return;
-        if (!on_a_sheet(q, checkpoints_[k].nu)) enter(q, checkpoints_[k].nu, Entry::search);
+        if (!on_a_sheet(q, k)) enter(q, checkpoints_[k].nu, Entry::search);
       }
     }
     if (has_mirror_images()) enter_ellipses();
@@ -116,7 +119,10 @@ class BranchAtlas {
       return;
     }
     const auto is_it = [&](const AtlasSheet& other) { return same_ends(sheet, other); };
-    if (std::ranges::none_of(sheets_, is_it)) sheets_.push_back(std::move(sheet));
+    if (std::ranges::any_of(sheets_, is_it)) return;
+    for (std::size_t k = 0; k < checkpoints_.size(); ++k)
+      add_crossings(sheet, checkpoints_[k].nu, on_sheets_[k]);
+    sheets_.push_back(std::move(sheet));
   }
 
   void remark(Entry entry, double nu, std::string reason) {
@@ -136,9 +142,8 @@ class BranchAtlas {
     return all_same(a.rows.front(), a.rows.back()) || all_same(a.rows.back(), a.rows.front());
   }
 
-  /// Points of a sheet at nu, corrected.
-  std::vector<Stretch> crossings(const AtlasSheet& sheet, double nu) const {
-    std::vector<Stretch> out;
+  /// Adds the points of a sheet at nu, corrected.
+  void add_crossings(const AtlasSheet& sheet, double nu, std::vector<Stretch>& out) const {
     for (std::size_t k = 1; k < sheet.rows.size(); ++k) {
       const Member& a = sheet.rows[k - 1].member;
       const Member& b = sheet.rows[k].member;
@@ -149,7 +154,6 @@ class BranchAtlas {
                 between(a.q.rho, b.q.rho)};
       if (std::visit([&](const auto& f) { return correct(*f, q, nu); }, family_)) out.push_back(q);
     }
-    return out;
   }
 
   template <int N>
@@ -161,25 +165,21 @@ class BranchAtlas {
     return true;
   }
 
-  bool on_a_sheet(const Stretch& q, double nu) const {
-    return std::ranges::any_of(sheets_, [&](const AtlasSheet& sheet) {
-      const auto points = crossings(sheet, nu);
-      return std::ranges::any_of(points, [&](const Stretch& p) { return distance(p, q) < same; });
-    });
+  bool on_a_sheet(const Stretch& q, std::size_t checkpoint) const {
+    return std::ranges::any_of(on_sheets_[checkpoint],
+                               [&](const Stretch& p) { return distance(p, q) < same; });
   }
 
   void count(std::size_t k) {
     Checkpoint& at = checkpoints_[k];
     std::vector<bool> met(solutions_[k].size(), false);
-    for (const AtlasSheet& sheet : sheets_) {
-      for (const Stretch& p : crossings(sheet, at.nu)) {
-        const auto same_as_p = [&](const Stretch& q) { return distance(p, q) < same; };
-        const auto found = std::ranges::find_if(solutions_[k], same_as_p);
-        if (found != solutions_[k].end()) {
-          met[static_cast<std::size_t>(found - solutions_[k].begin())] = true;
-        } else if (in_box(p)) {
-          ++at.beyond;
-        }
+    for (const Stretch& p : on_sheets_[k]) {
+      const auto same_as_p = [&](const Stretch& q) { return distance(p, q) < same; };
+      const auto found = std::ranges::find_if(solutions_[k], same_as_p);
+      if (found != solutions_[k].end()) {
+        met[static_cast<std::size_t>(found - solutions_[k].begin())] = true;
+      } else if (in_box(p)) {
+        ++at.beyond;
       }
     }
     at.on_sheets = static_cast<int>(std::ranges::count(met, true));
@@ -222,14 +222,13 @@ class BranchAtlas {
     aside[1] = -aside[0];
     constexpr double gap = 1e-3;
     const ReducedVector<N> x = moved<N>(unknowns<N>(at.q), gap * aside.template head<N>());
-    const Corrected<N> off = curve.corrector().correct(x, at.nu, aside, 0.5 * gap);
+    const Corrected<N> off = curve.corrector().correct_freely(x, at.nu, aside, 0.5 * gap);
     if (off.status != CorrectorStatus::converged) {
       remark(Entry::ellipse, at.nu, "ellipses not entered: " + std::string(name(off.status)));
-    } else if (std::abs(off.point.p - at.nu) <= 1e-12 * at.nu) {
-      remark(Entry::ellipse, at.nu,
-             "a vertical branch: ellipses of any eccentricity at this one nu");
     } else {
-      enter(with_unknowns<N>(at.q, off.point.x), off.point.p, Entry::ellipse);
+      // Of a vertical branch the event's nu, not one that differs by the rounding of a correction.
+      const bool same_nu = std::abs(off.point.p - at.nu) <= 1e-12 * at.nu;
+      enter(with_unknowns<N>(at.q, off.point.x), same_nu ? at.nu : off.point.p, Entry::ellipse);
     }
   }
 
@@ -237,7 +236,8 @@ class BranchAtlas {
   AtlasOptions options_;
   AnyFamily family_;
   std::vector<Checkpoint> checkpoints_;
-  std::vector<std::vector<Stretch>> solutions_;
+  std::vector<std::vector<Stretch>> solutions_;  ///< proven at each checkpoint
+  std::vector<std::vector<Stretch>> on_sheets_;  ///< points there of the sheets so far
   std::vector<AtlasSheet> sheets_;
   std::vector<Remark> remarks_;
 };
@@ -283,12 +283,9 @@ void find_junctions(std::vector<AtlasSheet>& sheets) {
 /// The plane a branch's axis tilts in at such an event.
 std::optional<TiltPlane> plane_of(Branch branch, const Member& at) {
   const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-6 * (a + b); };
-  const Body& J = at.body;
-  const double m1 = J.J1 * at.q.xi * at.q.xi;
-  const double m2 = J.J2 * at.q.zeta * at.q.zeta;
-  const double m3 = J.J3 * at.q.rho * at.q.rho;
-  if (branch != Branch::ii && equal(m1, m3)) return TiltPlane::one_three;
-  if (branch != Branch::i && equal(m2, m3)) return TiltPlane::two_three;
+  const Vector3<double> m = second_moments(at.body, at.q);
+  if (branch != Branch::ii && equal(m[0], m[2])) return TiltPlane::one_three;
+  if (branch != Branch::i && equal(m[1], m[2])) return TiltPlane::two_three;
   return std::nullopt;
 }
 

@@ -13,12 +13,12 @@
 #pragma once
 
 #include <exception>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
+#include "solver/circle_end.hpp"
 #include "solver/event_search.hpp"
 #include "solver/step_control.hpp"
 
@@ -326,8 +326,8 @@ class Continuation {
     // Near an asymptote in p a double no longer tells its points apart.
     constexpr double far = 1e3;
     const double resolved = std::abs(arc_.chord[N]) * curve_->corrector().scale() / arc_.length;
-    const bool unresolved = (most > far || least < 1.0 / far) && options_.from != options_.to &&
-                            resolved < 1e-9 * std::abs(here_.arc.p);
+    const bool unresolved = !curve_->corrector().vertical() && (most > far || least < 1.0 / far) &&
+                            options_.from != options_.to && resolved < 1e-9 * std::abs(here_.arc.p);
     if (!(most > options_.max_stretch || least < options_.min_stretch || unresolved)) return;
     // In the logarithms of the stretches: one that only grows along while another vanishes does not
     // escape.
@@ -347,42 +347,14 @@ class Continuation {
     return (here_.arc.x[0] < here_.arc.x[1]) != (next.x[0] < next.x[1]);
   }
 
-  /// K_alpha,alpha = 0 on the circle near this step. The circle's points are taken by their radius:
-  /// to each belongs one p, while p may turn near by.
   void end_at_circle(const Attempt& attempt, const CurvePoint<N>& next) {
-    const Curve<N> circle(curve_->family(), curve_->corrector().scale(), true);
-    const double gap = std::log(here_.arc.x[0] / here_.arc.x[1]);
-    const double u = gap / (gap - std::log(next.arc.x[0] / next.arc.x[1]));
-    const ArcVector<N> y = attempt.arc.at(u);
-    ReducedVector<N> x = moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>()));
-    x[0] = x[1] = std::sqrt(x[0] * x[1]);
-    const double guess = here_.arc.p + curve_->corrector().scale() * y[N];
-    ArcVector<N> outward = ArcVector<N>::Zero();
-    outward[0] = outward[1] = std::numbers::sqrt2 / 2.0;
-    constexpr double near = 0.1;
-    const auto at = [&](double s) {
-      const ReducedVector<N> start = moved<N>(x, s * outward.template head<N>());
-      const Corrected<N> out = circle.corrector().correct(start, guess, outward, near);
-      CurvePoint<N> point;  // K_alpha,alpha NaN where it is not found
-      point.tests.value.fill(std::numeric_limits<double>::quiet_NaN());
-      return out.status == CorrectorStatus::converged ? circle.complete(out.point) : point;
-    };
-    const auto stiffness = [&](double s) { return at(s).tests.value[TestValues::ellipse]; };
-    for (double reach = 1e-3 * attempt.arc.length; reach <= near; reach *= 4.0) {
-      const double a = stiffness(-reach);
-      const double b = stiffness(reach);
-      if (std::isnan(a) || std::isnan(b)) break;
-      if ((a < 0.0) == (b < 0.0)) continue;
-      std::uintmax_t evaluations = 80;
-      const auto [low, high] = boost::math::tools::toms748_solve(
-          stiffness, -reach, reach, a, b, boost::math::tools::eps_tolerance<double>(52),
-          evaluations);
-      here_ = at(0.5 * (low + high));
-      here_.member.error_bound *= 4.0;
-      finish(EventType::ellipse, "the ellipses meet the circle here and go on as mirror images");
+    const auto circle = circle_within(*curve_, here_, next, attempt.arc);
+    if (!circle) {
+      finish(EventType::stalled, "xi = zeta was passed, but the circle's own point not found");
       return;
     }
-    finish(EventType::stalled, "xi = zeta was passed, but the circle's own point not found");
+    here_ = *circle;
+    finish(EventType::ellipse, "the ellipses meet the circle here and go on as mirror images");
   }
 
   const Curve<N>* curve_;
@@ -406,13 +378,5 @@ class Continuation {
   std::string refusal_ = "the first step";
   ContinuationCounts counts_;
 };
-
-/// The completed point of a curve at a solved x, p; its tangent towards larger p.
-template <int N>
-Corrected<N> start_of(const Curve<N>& curve, const ReducedVector<N>& x, double p) {
-  ArcVector<N> up = ArcVector<N>::Zero();
-  up[N] = 1.0;
-  return curve.corrector().correct_at(x, p, up);
-}
 
 }  // namespace stationary

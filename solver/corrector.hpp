@@ -14,6 +14,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <optional>
 
 #include "lib/conditioned.hpp"
 #include "solver/arc.hpp"
@@ -48,16 +49,32 @@ struct Corrected {
   int linearizations = 0;
 };
 
+/// x with A x = 0 by its cofactors, which change sign with A and never with a normalization.
+template <int N>
+ArcVector<N> kernel_by_cofactors(const Eigen::Matrix<double, N, N + 1>& A) {
+  ArcVector<N> out;
+  Eigen::Matrix<double, N, N> minor;
+  for (int k = 0; k <= N; ++k) {
+    for (int j = 0, column = 0; j <= N; ++j)
+      if (j != k) minor.col(column++) = A.col(j);
+    out[k] = ((N - k) % 2 == 0 ? 1.0 : -1.0) * minor.determinant();
+  }
+  return out;
+}
+
 template <int N>
 class Corrector {
  public:
   /// circle: the curve stays in xi = zeta (J1 = J2, branch (iii)); where ellipses branch off, G is
   /// singular along xi - zeta, which a curve of circles has no part in.
-  Corrector(const Family<N>& family, double scale, bool circle)
-      : family_(&family), scale_(scale), circle_(circle) {}
+  /// pinned: the one p of a vertical curve, which every point of it gets.
+  Corrector(const Family<N>& family, double scale, bool circle,
+            std::optional<double> pinned = std::nullopt)
+      : family_(&family), scale_(scale), circle_(circle), pinned_(pinned) {}
 
   double scale() const { return scale_; }
   bool circle() const { return circle_; }
+  bool vertical() const { return pinned_.has_value(); }
 
   /// max_correction: bound of the first correction, in y.
   Corrected<N> correct(const ReducedVector<N>& x, double p, const ArcVector<N>& border,
@@ -69,6 +86,27 @@ class Corrector {
     out.status = iterate(border, max_correction, out);
     if (out.status == CorrectorStatus::converged) finish(border, out);
     return out;
+  }
+
+  /// As correct(), but p stays what the bordered system makes it: no tangent, no error bound.
+  Corrected<N> correct_freely(const ReducedVector<N>& x, double p, const ArcVector<N>& border,
+                              double max_correction) const {
+    Corrected<N> out;
+    out.point.x = x;
+    out.point.p = p;
+    out.correction.setZero();
+    out.status = iterate(border, max_correction, out);
+    if (out.status == CorrectorStatus::converged) correct_onto_curve(border, out);
+    return out;
+  }
+
+  /// The direction of the curve near x, p: the kernel of [dG/d ln x  scale dG/dp].
+  ArcVector<N> direction_near(const ReducedVector<N>& x, double p) const {
+    Eigen::Matrix<double, N, N + 1> A;
+    const FamilyLinearization<N> at = linearize(x, p);
+    A.template leftCols<N>() = at.jacobian;
+    A.col(N) = scale_ * at.slope;
+    return kernel_by_cofactors<N>(A).normalized();
   }
 
   /// At a fixed p, from a near x; oriented along `ahead`.
@@ -169,8 +207,13 @@ class Corrector {
   void finish(const ArcVector<N>& ahead, Corrected<N>& out) const {
     ArcPoint<N>& point = out.point;
     ReducedVector<N> x = point.x;
-    const Refined refined = family_->refine_at(x, point.tail, point.p);
-    if (refined.converged && refined.first_correction < 1e-3) {
+    Refined refined;
+    if (!pinned_) refined = family_->refine_at(x, point.tail, point.p);
+    if (pinned_) {
+      correct_onto_curve(ahead, out);
+      point.p = *pinned_;
+      point.tail.setZero();
+    } else if (refined.converged && refined.first_correction < 1e-3) {
       if (circle_) {
         x[1] = x[0];
         point.tail[1] = point.tail[0];
@@ -192,14 +235,15 @@ class Corrector {
     A.computeInverseAndDetWithCheck(inverse, determinant, invertible, 0.0);
     point.tangent = inverse.col(N);
     symmetrize(point.tangent);
+    if (pinned_) point.tangent[N] = 0.0;
     point.tangent.normalize();
     point.positive = determinant > 0.0;
     if (!invertible || !point.tangent.allFinite()) out.status = CorrectorStatus::not_finite;
+    if (pinned_) point.error_bound = curve_error(point);
   }
 
-  /// Where p turns: two bordered corrections with the extended residual. The bound is that of x at
-  /// the row's p, about the square root of that of the curve.
-  void correct_at_turn(const ArcVector<N>& border, Corrected<N>& out) const {
+  /// Two bordered corrections with the extended residual; p is what it comes to.
+  void correct_onto_curve(const ArcVector<N>& border, Corrected<N>& out) const {
     out.point.at_turn = true;
     for (int k = 0; k < 2; ++k) {
       const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
@@ -212,6 +256,12 @@ class Corrector {
       }
       move(delta, out);
     }
+  }
+
+  /// Where p turns. The bound is that of x at the row's p, about the square root of that of the
+  /// curve.
+  void correct_at_turn(const ArcVector<N>& border, Corrected<N>& out) const {
+    correct_onto_curve(border, out);
     const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
     const Eigen::Matrix<double, N, N> inverse = at.jacobian.inverse().cwiseAbs();
     const double kappa = std::min(inverse.rowwise().sum().maxCoeff(), 1e16);
@@ -222,6 +272,7 @@ class Corrector {
   const Family<N>* family_;
   double scale_;
   bool circle_;
+  std::optional<double> pinned_;
 };
 
 }  // namespace stationary

@@ -17,10 +17,11 @@ struct CurvePoint {
 template <int N>
 class Curve {
  public:
-  /// scale: of p in y. circle: see Corrector.
-  Curve(const Family<N>& family, double scale, bool circle)
+  /// scale: of p in y. circle, pinned: see Corrector.
+  Curve(const Family<N>& family, double scale, bool circle,
+        std::optional<double> pinned = std::nullopt)
       : family_(&family),
-        corrector_(family, scale, circle),
+        corrector_(family, scale, circle, pinned),
         context_{family.branch(), family.material_symmetry(), circle, family.tilted()} {}
 
   const Family<N>& family() const { return *family_; }
@@ -33,7 +34,9 @@ class Curve {
     out.arc = arc;
     out.member = family_->member(arc.x, arc.tail, arc.p, arc.error_bound);
     const auto [fold, momentum] = turns(arc, out.member);
-    out.tests = test_values(out.member, context_, fold, momentum);
+    // A vertical curve turns nowhere: p is one and the same.
+    const double turn = corrector_.vertical() ? std::numeric_limits<double>::quiet_NaN() : fold;
+    out.tests = test_values(out.member, context_, turn, momentum);
     return out;
   }
 
@@ -50,17 +53,12 @@ class Curve {
     double momentum;
   };
 
-  /// Kernel of [dG/d ln x  dG/dnu] by its cofactors, which change sign with the curve and never
-  /// with a normalization.
+  /// Kernel of [dG/d ln x  dG/dnu].
   static ArcVector<N> kernel(const FamilyLinearization<N>& at) {
-    ArcVector<N> out;
-    Eigen::Matrix<double, N, N> minor;
-    for (int k = 0; k <= N; ++k) {
-      for (int j = 0, column = 0; j <= N; ++j)
-        if (j != k) minor.col(column++) = j < N ? at.jacobian.col(j) : at.nu_slope;
-      out[k] = ((N - k) % 2 == 0 ? 1.0 : -1.0) * minor.determinant();
-    }
-    return out;
+    Eigen::Matrix<double, N, N + 1> A;
+    A.template leftCols<N>() = at.jacobian;
+    A.col(N) = at.nu_slope;
+    return kernel_by_cofactors<N>(A);
   }
 
   /// c_nu and d(I_a nu)/I_a along c, with |c| = 1.

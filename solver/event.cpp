@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/inertia.hpp"
+
 namespace stationary {
 namespace {
 
@@ -96,14 +98,14 @@ void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
   }
 }
 
-/// Those of a spin about a material axis; m1 = J1 xi^2 ...
-void set_axis_tests(const Member& member, const TestContext& context, double m1, double m2,
-                    double m3, TestValues& out) {
+/// Those of a spin about a material axis; m: second_moments().
+void set_axis_tests(const Member& member, const TestContext& context, const Vector3<double>& m,
+                    TestValues& out) {
   const Body& J = member.body;
-  out.value[TestValues::inertia_13] = relative_difference(m3, m1);
+  out.value[TestValues::inertia_13] = relative_difference(m[2], m[0]);
   if (!context.circle) {  // there the axes 1 and 2 are alike
-    out.value[TestValues::inertia_12] = relative_difference(m2, m1);
-    out.value[TestValues::inertia_23] = relative_difference(m3, m2);
+    out.value[TestValues::inertia_12] = relative_difference(m[1], m[0]);
+    out.value[TestValues::inertia_23] = relative_difference(m[2], m[1]);
   }
   if (context.branch == Branch::iii) {
     const double pull = (J.J1 + J.J2) * member.nu * member.nu;  // of alpha
@@ -127,19 +129,15 @@ TestValues test_values(const Member& member, const TestContext& context, double 
   out.value.fill(none);
   out.value[TestValues::fold] = fold;
   out.value[TestValues::momentum] = momentum;
-  const Body& J = member.body;
-  // Differences of the locked inertias without their common part: I_1 - I_2 = m_2 - m_1 ...
-  const auto moment = [](double Jk, double stretch) { return Jk * stretch * stretch; };
-  const double m1 = moment(J.J1, member.q.xi);
-  const double m2 = moment(J.J2, member.q.zeta);
-  const double m3 = moment(J.J3, member.q.rho);
+  const Vector3<double> m = second_moments(member.body, member.q);
   out.value[TestValues::tilt_in_plane] = member.tilt_in_plane;
   out.value[TestValues::tilt_normal] = member.tilt_normal;
   if (context.tilted) {
     // Where J1 = J2 only an end is on the circle.
-    if (!J.symmetric()) out.value[TestValues::inertia_12] = relative_difference(m2, m1);
+    if (!member.body.symmetric())
+      out.value[TestValues::inertia_12] = relative_difference(m[1], m[0]);
   } else {
-    set_axis_tests(member, context, m1, m2, m3, out);
+    set_axis_tests(member, context, m, out);
   }
   if (member.spectrum) {
     const auto blocks = by_block(*member.spectrum);

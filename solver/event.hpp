@@ -7,8 +7,9 @@
 //                      there: nu along one of its two axes is 0
 //   inertia-exchange   any other two locked inertias are equal
 //   ellipse            J1 = J2: K_alpha,alpha = 0 on the circle
-//   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2; of isotropic V at J1 = J2
-//   only shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; likewise
+//   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2
+//   shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; both, of isotropic V,
+//                      where another parameter passes J1 = J2 only
 //   hamiltonian-hopf   two imaginary pairs of one block meet and leave the axis
 //   real-collision     two real pairs of one block do
 //   krein-pass         imaginary pairs of opposite signature, of two blocks, meet and pass

@@ -4,6 +4,7 @@
 #include <optional>
 #include <sstream>
 
+#include "lib/inertia.hpp"
 #include "solver/event_system.hpp"
 #include "solver/krawczyk.hpp"
 
@@ -49,9 +50,7 @@ std::optional<Sought> meeting_modes(const Spectrum& spectrum, EventType type) {
 
 /// Of the axes (a, 1), (a, 2) ... the pair whose inertias are equal: as moments of the stretches.
 EventFunction equal_inertias(EventType type, Branch branch, const Member& member) {
-  const double moment[3] = {member.body.J1 * member.q.xi * member.q.xi,
-                            member.body.J2 * member.q.zeta * member.q.zeta,
-                            member.body.J3 * member.q.rho * member.q.rho};
+  const Vector3<double> moment = second_moments(member.body, member.q);
   struct Pair {
     int a;
     int b;
@@ -59,7 +58,7 @@ EventFunction equal_inertias(EventType type, Branch branch, const Member& member
   EventFunction out{.kind = EventFunction::Kind::inertia};
   double least = std::numeric_limits<double>::infinity();
   for (const Pair each : {Pair{0, 2}, Pair{1, 2}, Pair{0, 1}}) {
-    // I_1 - I_3 = m_3 - m_1: a tilt's, unless the spin is about the axis left over.
+    // A tilt's, unless the spin is about the axis left over.
     const bool tilts = each.b == 2 && !(branch == Branch::i && each.a == 1) &&
                        !(branch == Branch::ii && each.a == 0);
     const double gap = relative_gap(moment[each.a], moment[each.b]);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/curve_start.hpp"
+
 namespace stationary {
 namespace {
 
@@ -13,7 +15,14 @@ class Follower {
   Follower(const Family<N>& family, const Stretch& q, double p, const FollowOptions& options)
       : options_(options),
         curve_(family, options.continuation.to - options.continuation.from, is_circle(family, q)) {
-    const Corrected<N> start = start_of(curve_, unknowns<N>(q), p);
+    const ReducedVector<N> x = unknowns<N>(q);
+    if (may_be_vertical(family, q)) {
+      if (const auto pinned = pinned_parameter(curve_, x, p)) {
+        curve_ = Curve<N>(family, curve_.corrector().scale(), false, pinned);
+        report_.vertical = true;
+      }
+    }
+    const Corrected<N> start = start_of(curve_, x, p);
     if (start.status != CorrectorStatus::converged) {
       report_.failure =
           "the start is no regular point of a curve: " + std::string(name(start.status));
@@ -66,6 +75,12 @@ class Follower {
   static bool is_circle(const Family<N>& family, const Stretch& q) {
     return family.branch() == Branch::iii && family.material_symmetry() &&
            std::abs(q.xi - q.zeta) <= 8.0 * 0x1p-53 * q.xi;
+  }
+
+  /// Ellipses of a body with J1 = J2: some potentials have them at one nu only, all of them there.
+  static bool may_be_vertical(const Family<N>& family, const Stretch& q) {
+    return family.branch() == Branch::iii && family.material_symmetry() && family.along_nu() &&
+           !is_circle(family, q);
   }
 
   /// The start's own event: it may be an end of the sheet, in either direction.

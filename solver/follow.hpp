@@ -58,6 +58,7 @@ struct FollowReport {
   std::vector<EventRecord> events;  ///< in the order of the rows
   ContinuationCounts counts;
   long points = 0;
+  bool vertical = false;  ///< one and the same parameter on all of the sheet
   bool interrupted = false;
   bool out_of_points = false;  ///< stopped by max_points
 };

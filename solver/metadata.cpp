@@ -88,6 +88,7 @@ Json sheets_json(const std::vector<AtlasSheet>& sheets) {
     const auto end = [](const AtlasRow& row, const SheetEnd& why) -> Json {
       return {{"event", name(row.event)}, {"nu", row.member.nu}, {"reason", why.reason}};
     };
+    if (sheet.report.vertical) each["vertical"] = true;
     each["first_end"] = end(sheet.rows.front(), sheet.report.backward);
     each["last_end"] = end(sheet.rows.back(), sheet.report.forward);
     each["events"] = events_json(sheet.report.events);

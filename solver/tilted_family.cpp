@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lib/general_spectrum.hpp"
-#include "solver/continuation.hpp"
+#include "solver/curve_start.hpp"
 #include "solver/tilted_system.hpp"
 
 namespace stationary {

@@ -78,7 +78,8 @@ std::string sheet_text(const AtlasSheet& sheet) {
     return fmt::format("{} at nu = {:.10g}",
                        row.event == EventType::none ? "open" : name(row.event), row.member.nu);
   };
-  std::string out = fmt::format("({}), {} rows, {}: {}, {}", branch_name(sheet), sheet.rows.size(),
+  std::string out = fmt::format("({}{}), {} rows, {}: {}, {}", branch_name(sheet),
+                                sheet.report.vertical ? ", vertical" : "", sheet.rows.size(),
                                 entry_text(sheet.entry, sheet.entry_nu), end(sheet.rows.front()),
                                 end(sheet.rows.back()));
   if (sheet.parent)
@@ -89,7 +90,8 @@ std::string sheet_text(const AtlasSheet& sheet) {
 }
 
 /// "16 of 16 checkpoints: ...", and those where it is not so.
-void add_checkpoints(Report& out, const std::vector<Checkpoint>& all) {
+void add_checkpoints(Report& out, const std::vector<Checkpoint>& all,
+                     const SearchOptions& searched) {
   std::string_view label = "proven";
   for (auto first = all.begin(); first != all.end();) {
     const auto last = std::find_if(first, all.end(),
@@ -99,8 +101,9 @@ void add_checkpoints(Report& out, const std::vector<Checkpoint>& all) {
     out.line(std::exchange(label, {}),
              fmt::format(
                  "branch ({}): at {} of {} checkpoints from nu = {:.6g} to {:.6g} the sheets have "
-                 "every solution with stretches in [1e-3, 1e3]",
-                 name(first->branch), complete, last - first, first->nu, (last - 1)->nu));
+                 "every solution with stretches in [{:g}, {:g}]",
+                 name(first->branch), complete, last - first, first->nu, (last - 1)->nu,
+                 searched.min_stretch, searched.max_stretch));
     for (; first != last; ++first) {
       if (first->complete()) continue;
       out.line(
@@ -112,7 +115,8 @@ void add_checkpoints(Report& out, const std::vector<Checkpoint>& all) {
   }
 }
 
-std::string summary(const Case& input, const Atlas& found, double seconds) {
+std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& found,
+                    double seconds) {
   constexpr std::size_t label_width = 14;
   Report out(label_width);
   if (!input.title.empty()) out.line("case", printable(input.title));
@@ -123,7 +127,7 @@ std::string summary(const Case& input, const Atlas& found, double seconds) {
       out.line({}, fmt::format("  {:<17} nu = {:.15g}", name(event.type), event.parameter));
   }
   out.gap();
-  add_checkpoints(out, found.checkpoints);
+  add_checkpoints(out, found.checkpoints, asked.search);
   std::string_view label = "remarks";
   for (const Remark& each : found.remarks) {
     out.line(std::exchange(label, {}), fmt::format("branch ({}), {}: {}", name(each.branch),
@@ -164,7 +168,7 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
                         {"status", found.interrupted ? "interrupted" : "done"}};
     output->commit(metadata);
   } else if (!options.quiet) {
-    print(summary(input, found, seconds));
+    print(summary(input, how, found, seconds));
   }
   if (found.interrupted) {
     complain("interrupted: the atlas is not complete");

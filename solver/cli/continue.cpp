@@ -165,6 +165,8 @@ std::string summary(const Case& input, const Start& start, const FollowReport& r
                                  input.continuation->from, input.continuation->to));
   out.line("start", fmt::format("{} = {:.12g}: {}", parameter, start.p, start.found.message));
   out.line("points", fmt::format("{} in {:.2g} s", report.points, seconds));
+  if (report.vertical)
+    out.line("vertical", "a branch at this one nu, followed in the eccentricity of its ellipses");
   out.line("one end", end_text(input, report.backward, curve.first_parameter()));
   out.line("other end", end_text(input, report.forward, curve.last_parameter()));
   if (input.output.certificate)
@@ -224,6 +226,7 @@ Metadata describe(const Session& session, const Case& input, const Start& start,
                  {"connection", std::string(name(start.found.connection))},
                  {"first_end", end_text(input, report.backward, curve.first_parameter())},
                  {"last_end", end_text(input, report.forward, curve.last_parameter())}};
+  if (report.vertical) out.outcome.emplace_back("vertical", "the sheet has this one nu");
   if (const std::string gap = gap_text(input, table.proofs()); !gap.empty())
     out.outcome.emplace_back("warning", gap);
   return out;
