@@ -91,7 +91,8 @@ FamilyParameter family_parameter(std::string_view key, const std::vector<ModelCh
     const auto at = coefficient_index(model, key);
     if (at) return {model.slot == "thickness" ? Kind::thickness : Kind::plane, *at};
   }
-  return {Kind::nu, 0};
+  const bool second = key == "motion.theta_dot" || key == "motion.p_theta";
+  return {Kind::nu, second ? 1 : 0};
 }
 
 }  // namespace stationary

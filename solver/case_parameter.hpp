@@ -31,7 +31,7 @@ FamilyParameters with_parameter(FamilyParameters family, std::string_view key, d
 /// The parameter's own value. Throws std::invalid_argument for a key that is not one of them.
 double parameter_value(FamilyParameters family, std::string_view key);
 
-/// The parameter as an axis rotation's family knows it; the key is one of case_parameters().
+/// The parameter as the motion's family knows it; the key is one of case_parameters().
 FamilyParameter family_parameter(std::string_view key, const std::vector<ModelChoice>& models);
 
 }  // namespace stationary

@@ -22,7 +22,8 @@ class Curve {
         std::optional<double> pinned = std::nullopt)
       : family_(&family),
         corrector_(family, scale, circle, pinned),
-        context_{family.branch(), family.material_symmetry(), circle, family.tilted()} {}
+        context_{family.branch(), family.material_symmetry(), circle, family.tilted(),
+                 family.two_polar()} {}
 
   const Family<N>& family() const { return *family_; }
   const Corrector<N>& corrector() const { return corrector_; }
@@ -71,6 +72,7 @@ class Curve {
       c = kernel(arc.at);
     }
     c.normalize();
+    if (context_.two_polar) return {c[N], std::numeric_limits<double>::quiet_NaN()};
     const CentrifugalRates<double> I = axis_rates(member.body, context_.branch, 1.0);
     const Stretch& q = member.q;
     const double from_xi = I.xi * q.xi * q.xi;

@@ -54,6 +54,8 @@ struct Dual {
     const T q = x.value * inverse;
     return of(q, [&](std::size_t k) { return (x.slope[k] - q * y.slope[k]) * inverse; });
   }
+  friend Dual& operator+=(Dual& x, const Dual& y) { return x = x + y; }
+  friend Dual& operator-=(Dual& x, const Dual& y) { return x = x - y; }
   friend Dual log(const Dual& x) {
     using std::log;
     const T inverse = T(1.0) / x.value;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "solver/existence.hpp"
 #include "solver/reduced_solve.hpp"
 #include "solver/thickness_balance.hpp"
+#include "solver/two_polar_equilibrium.hpp"
 
 namespace stationary {
 namespace {
@@ -61,6 +63,25 @@ void solve_model(const Coupled& model, const Problem& problem, double nu,
   if (answer.status == SolveStatus::solved) out.q = {0.0, answer.x[0], answer.x[1], answer.x[2]};
 }
 
+/// The condition under which (iii) with J1 = J2 has its ellipses at this nu and no other, all of
+/// them on a vertical branch, if nu meets it. Without that lambda no ellipse balances there.
+std::optional<std::string> vertical_condition(const Problem& problem, double nu) {
+  if (problem.branch() != Branch::iii || !problem.body().symmetric() ||
+      !problem.potential().is_separable())
+    return std::nullopt;
+  const bool held = std::visit(
+      [](const auto& model) {
+        using Model = std::decay_t<decltype(model)>;
+        if constexpr (std::is_same_v<Model, Biot<>>) return model.lambda > 0.0;
+        if constexpr (std::is_same_v<Model, NeoHookean<>>) return model.lambda != 0.0;
+        return false;
+      },
+      problem.potential().plane());
+  if (!held) return std::nullopt;
+  const auto verdict = rates_verdict(problem.body().J1, problem.potential(), {nu, 0.0});
+  return verdict && verdict->on_line ? std::optional(verdict->condition) : std::nullopt;
+}
+
 }  // namespace
 
 Equilibrium solve(const Problem& problem, double nu, const SolveOptions& options) {
@@ -75,6 +96,13 @@ Equilibrium solve(const Problem& problem, double nu, const SolveOptions& options
   if (const auto reason = nonexistence_reason(problem, nu)) {
     out.status = SolveStatus::none_exists;
     out.message = *reason;
+    return out;
+  }
+  if (const auto condition = vertical_condition(problem, nu)) {
+    out.status = SolveStatus::not_isolated;
+    out.message = "at this nu, " + *condition +
+                  " with theta_dot = 0, the ellipses of this potential form a vertical branch, one "
+                  "for every eccentricity: `continue` follows it from a start on it";
     return out;
   }
   problem.potential().visit(

@@ -32,6 +32,16 @@ void fill_motion(const Vector3<double>& nu, const Vector3<double>& pi, TableRow&
   row[Column::pi3] = pi[2];
 }
 
+/// At the moment theta = 0.
+void fill_two_polar(const TwoPolarRates<double>& rates, const TwoPolarMomenta<double>& momenta,
+                    TableRow& row) {
+  fill_motion({0.0, 0.0, rates.omega + rates.theta_dot}, {0.0, 0.0, momenta.s3}, row);
+  row[Column::omega] = rates.omega;
+  row[Column::theta_dot] = rates.theta_dot;
+  row[Column::s3] = momenta.s3;
+  row[Column::p_theta] = momenta.p_theta;
+}
+
 void fill_errors(const auto& solved, TableRow& row) {
   row[Column::residual] = solved.residual;
   row[Column::compatibility] = solved.compatibility;
@@ -82,7 +92,11 @@ void fill_row(std::string_view branch, const Member& member, TableRow& row) {
   const Vector3<double>& nu = member.angular_velocity;
   row.branch = branch;
   fill_stretch(member.q, row);
-  fill_motion(nu, locked_inertia(member.body, member.q) * nu, row);
+  if (member.two_polar) {
+    fill_two_polar(member.two_polar->rates, member.two_polar->momenta, row);
+  } else {
+    fill_motion(nu, locked_inertia(member.body, member.q) * nu, row);
+  }
   row[Column::energy] = member.energy;
   fill_errors(member, row);
   row.parameter = member.parameter;
@@ -103,15 +117,11 @@ void fill_row(const Body& body, const Potential& potential, const TwoPolarEquili
   const TwoPolarMomenta<double>& momenta = equilibrium.momenta;
   row.branch = two_polar_name;
   fill_stretch(q, row);
-  fill_motion({0.0, 0.0, rates.omega + rates.theta_dot}, {0.0, 0.0, momenta.s3}, row);
+  fill_two_polar(rates, momenta, row);
   row[Column::energy] = two_polar_kinetic_energy(body.J1, x, rates) + potential.value(q);
   row[Column::residual] = equilibrium.residual;
   row[Column::compatibility] = 0.0;  // both vectors lie along axis 3
   row[Column::error_bound] = equilibrium.error_bound;
-  row[Column::omega] = rates.omega;
-  row[Column::theta_dot] = rates.theta_dot;
-  row[Column::s3] = momenta.s3;
-  row[Column::p_theta] = momenta.p_theta;
 }
 
 void fill_spectrum(const Spectrum& spectrum, TableRow& row) {

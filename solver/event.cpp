@@ -47,6 +47,7 @@ std::array<BlockModes, 4> by_block(const Spectrum& spectrum) {
 
 /// Blocks whose Lambda may leave the real axis; the others are symmetric problems.
 bool may_collide(Block block, const TestContext& context) {
+  if (context.two_polar && !context.circle) return false;
   if (block == Block::shear) return true;
   return block == (context.branch == Branch::iii ? Block::even : Block::odd) &&
          !(context.circle && block == Block::even);
@@ -121,6 +122,40 @@ void set_axis_tests(const Member& member, const TestContext& context, const Vect
   }
 }
 
+/// a and b of the wobble Lambda = -a b (lib/linearization.hpp); the stiffness at fixed momenta by
+/// its Lambdas, which are real.
+void set_two_polar_tests(const Member& member, const TestContext& context, const Vector3<double>& m,
+                         TestValues& out) {
+  const auto& [rates, momenta, by_momenta] = *member.two_polar;
+  if (context.circle) {
+    const double pull = 2.0 * member.body.J1 * member.nu * member.nu;
+    out.value[TestValues::ellipse] =
+        member.shear_stiffness / (std::abs(member.shear_stiffness) + pull);
+    out.value[TestValues::inertia_13] = relative_difference(m[2], m[0]);
+    return;
+  }
+  const auto axis_leaves = [&](double inertia) {
+    const double turn = momenta.s3 / inertia;
+    return (rates.omega - turn) / (std::abs(rates.omega) + std::abs(turn));
+  };
+  out.value[TestValues::inertia_13] = axis_leaves(m[1] + m[2]);
+  out.value[TestValues::inertia_23] = axis_leaves(m[0] + m[2]);
+  if (by_momenta) {  // what turns is a momentum
+    out.value[TestValues::momentum] = out.value[TestValues::fold];
+    out.value[TestValues::fold] = none;
+  } else if (member.spectrum) {
+    double product = 1.0;
+    double largest = 0.0;
+    for (const Mode* mode :
+         by_block(*member.spectrum)[static_cast<std::size_t>(Block::even)].real) {
+      if (mode == nullptr) continue;
+      product *= mode->lambda_re;
+      largest = std::max(largest, std::abs(mode->lambda_re));
+    }
+    out.value[TestValues::momentum] = product / (largest * largest * largest);
+  }
+}
+
 }  // namespace
 
 TestValues test_values(const Member& member, const TestContext& context, double fold,
@@ -132,7 +167,9 @@ TestValues test_values(const Member& member, const TestContext& context, double 
   const Vector3<double> m = second_moments(member.body, member.q);
   out.value[TestValues::tilt_in_plane] = member.tilt_in_plane;
   out.value[TestValues::tilt_normal] = member.tilt_normal;
-  if (context.tilted) {
+  if (context.two_polar) {
+    set_two_polar_tests(member, context, m, out);
+  } else if (context.tilted) {
     // Where J1 = J2 only an end is on the circle.
     if (!member.body.symmetric())
       out.value[TestValues::inertia_12] = relative_difference(m[1], m[0]);

@@ -17,6 +17,10 @@
 //   collapse escape limit closed stalled   ends of a sheet: d or rho -> 0; a stretch -> infinity;
 //                      the range asked for; back at the start; given up, the metadata say why
 //
+// Of a two-polar family: fold-nu where its parameter turns at given rates; fold-momentum where it
+// turns at given momenta, or where, at given rates, the stiffness at fixed momenta is singular;
+// tilt where omega = s3/I_1 or s3/I_2; ellipse where it leaves the circle.
+//
 // At a parameter other than nu the same functions are followed: a fold of the parameter is where
 // nu would turn too.
 #pragma once
@@ -96,6 +100,7 @@ struct TestContext {
   bool material_symmetry;
   bool circle;
   bool tilted = false;
+  bool two_polar = false;
 };
 
 /// fold, momentum: as the curve's geometry gives them.

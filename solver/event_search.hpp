@@ -239,6 +239,8 @@ class EventSearch {
   /// Whether the located events account for the change of `negative`; else brackets the change.
   void explain_negative() {
     if (!from_->member.spectrum || !to_->member.spectrum) return;
+    // A circle's count is that of (iii), which its ellipses at other rates do not change.
+    if (curve_->context().two_polar && curve_->context().circle) return;
     const Spectrum& a = *from_->member.spectrum;
     const Spectrum& b = *to_->member.spectrum;
     if (a.modes != b.modes || a.negative == b.negative) return;

@@ -14,6 +14,7 @@
 #include "lib/body.hpp"
 #include "lib/spectrum.hpp"
 #include "lib/stretch.hpp"
+#include "lib/two_polar.hpp"
 #include "solver/refine.hpp"
 
 namespace stationary {
@@ -25,6 +26,13 @@ struct FamilyLinearization {
   Eigen::Matrix<double, N, N> jacobian;  ///< dG/d ln x
   ReducedVector<N> slope;                ///< dG/dp
   ReducedVector<N> nu_slope;             ///< dG/dnu; of slope's value where p is nu
+};
+
+/// What a two-polar motion has beside its stretches.
+struct TwoPolarMember {
+  TwoPolarRates<double> rates;
+  TwoPolarMomenta<double> momenta;
+  bool by_momenta;  ///< those are what the family holds or varies
 };
 
 /// A stationary motion of the family, with everything a table row or an event asks of it.
@@ -48,6 +56,7 @@ struct Member {
   double tilt_in_plane = std::numeric_limits<double>::quiet_NaN();
   double tilt_normal = std::numeric_limits<double>::quiet_NaN();
   std::optional<Spectrum> spectrum;
+  std::optional<TwoPolarMember> two_polar;
 
   bool beyond_end() const { return tilt_in_plane < 0.0 || tilt_normal < 0.0; }
 };
@@ -80,9 +89,11 @@ class Family {
   Family& operator=(const Family&) = delete;
   virtual ~Family() = default;
 
-  /// The axis whose locked inertia is the spin's; tilted: (iii), of the two that are equal.
+  /// The axis whose locked inertia is the spin's; tilted: (iii), of the two that are equal;
+  /// two-polar: (iii).
   virtual Branch branch() const = 0;
   virtual bool tilted() const { return false; }
+  virtual bool two_polar() const { return false; }
   /// Whether p is nu itself (else nu is held).
   virtual bool along_nu() const = 0;
   /// J1 = J2 and isotropic V at every p of the family: circles and mirror images.

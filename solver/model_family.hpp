@@ -10,23 +10,9 @@
 #include "solver/axis_family.hpp"
 #include "solver/model_stability.hpp"
 #include "solver/thickness_balance.hpp"
+#include "solver/varied_model.hpp"
 
 namespace stationary {
-
-/// model with one coefficient at another value.
-template <template <class> class Model>
-Model<double> with_coefficient(const Model<double>& model, int index, double value) {
-  auto c = model.coefficients();
-  c[static_cast<std::size_t>(index)] = value;
-  return Model<double>{c[0], c[1]};
-}
-
-/// model with its coefficients as dual numbers of slope one: direction k is coefficient k.
-template <template <class> class Model>
-Model<Dual2> with_duals(const Model<double>& model) {
-  const auto c = model.coefficients();
-  return {Dual2(c[0], {1.0, 0.0}), Dual2(c[1], {0.0, 1.0})};
-}
 
 template <class Model, int N>
 class ModelFamily final : public Family<N> {
@@ -179,14 +165,8 @@ class ModelFamily final : public Family<N> {
         (k == 0 ? out.body.J1 : k == 1 ? out.body.J2 : out.body.J3) = p;
         break;
       case Kind::plane:
-        if constexpr (separable) {
-          out.model.plane = with_coefficient(out.model.plane, k, p);
-        } else {
-          out.model = with_coefficient(out.model, k, p);
-        }
-        break;
       case Kind::thickness:
-        if constexpr (separable) out.model.thickness = with_coefficient(out.model.thickness, k, p);
+        out.model = at_coefficient(out.model, options_.parameter, p);
         break;
     }
     return out;
@@ -232,31 +212,13 @@ class ModelFamily final : public Family<N> {
   ReducedVector<N> parameter_slope(const Setting& at, const CentrifugalRates<DoubleDouble>& rates,
                                    const ReducedVector<N>& x) const {
     const int k = options_.parameter.index;
-    const auto direction = static_cast<std::size_t>(k);
+    if (options_.parameter.kind != Kind::inertia)
+      return coefficient_slope<N>(at.model, options_.parameter, x);
+    // The pull on x_k is J_k times nu^2 or nothing, and on no other.
     ReducedVector<N> out = ReducedVector<N>::Zero();
-    if (options_.parameter.kind == Kind::inertia) {
-      // The pull on x_k is J_k times nu^2 or nothing, and on no other.
-      const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
-      const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
-      if (k < N) out[k] = minus_pull(c, x)[k] / J[k];
-      return out;
-    }
-    const CentrifugalRates<double> none{0.0, 0.0, 0.0};
-    const auto invariants = planar_invariants(x[0], x[1]);
-    if constexpr (separable) {
-      if (options_.parameter.kind == Kind::plane) {
-        const auto w = with_duals(at.model.plane).template evaluate<1>(invariants);
-        const auto b = planar_log_balance<1>(w, x[0], x[1], none);
-        out[0] = b.g_xi.slope[direction];
-        out[1] = b.g_zeta.slope[direction];
-      } else if constexpr (N == 3) {
-        out[2] = with_duals(at.model.thickness).template evaluate<1>(x[2]).v_r.slope[direction];
-      }
-    } else {
-      const auto w = with_duals(at.model).template evaluate<1>(invariants, x[2]);
-      const auto b = coupled_log_balance<1>(w, x[0], x[1], x[2], none);
-      out = {b.g_xi.slope[direction], b.g_zeta.slope[direction], b.g_rho.slope[direction]};
-    }
+    const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
+    const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
+    if (k < N) out[k] = minus_pull(c, x)[k] / J[k];
     return out;
   }
 

@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "lib/conditioned_model.hpp"
 #include "solver/newton.hpp"
 #include "solver/nlopt_seed.hpp"
 #include "solver/stability.hpp"
 #include "solver/thickness_balance.hpp"
+#include "solver/two_polar_stability.hpp"
 #include "solver/two_polar_system.hpp"
 
 namespace stationary {
@@ -230,9 +230,8 @@ class Solver {
 
 }  // namespace
 
-double two_polar_residual_check(const Body& body, const Potential& potential,
+double two_polar_residual_check(const Body& body, const PotentialDerivatives<double>& v,
                                 const TwoPolarEquilibrium& at) {
-  const auto v = potential.derivatives({0.0, at.x[0], at.x[1], at.x[2]});
   const Vector3<double> gradient = v.gradient.tail<3>();
   const auto pull = two_polar_pull(body.J1, at.x[0], at.x[1], at.rates);
   const Vector3<double> force{pull.lambda / at.x[0], pull.mu / at.x[1], 0.0};
@@ -325,7 +324,8 @@ TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential
   }
   if (out.status != SolveStatus::solved) return out;
   set_motion(body, motion, out);
-  out.residual = two_polar_residual_check(body, potential, out);
+  out.residual = two_polar_residual_check(
+      body, potential.derivatives({0.0, out.x[0], out.x[1], out.x[2]}), out);
   if (!(out.residual <= 1e-9)) {
     out.status = SolveStatus::failed;
     out.message += "; but the recomputed balance residual is no equilibrium's";
@@ -362,16 +362,8 @@ Spectrum stability(const Body& body, const Potential& potential,
       rho = extended_solution(ThicknessSystem<Thickness>{model.thickness, DoubleDouble(0.0)},
                               ReducedVector<1>(x[2]))[0];
     }
-    const auto input = [](const auto& value) { return Conditioned::input(leading(value)); };
-    const Inertia3<DoubleDouble> J{body.J1, body.J2, body.J3};
-    const Inertia3<Conditioned> J_c{input(body.J1), input(body.J2), input(body.J3)};
-    const TwoPolarRates<double>& rates = equilibrium.rates;
-    return two_polar_spectrum(
-        straight_state(J, model, planar[0], planar[1], rho, DoubleDouble(rates.omega)),
-        DoubleDouble(rates.theta_dot),
-        straight_state(J_c, conditioned_model(model), input(planar[0]), input(planar[1]),
-                       input(rho), input(rates.omega)),
-        input(rates.theta_dot), equilibrium.momenta.s3, u);
+    return two_polar_stability(body, model, {planar[0], planar[1], rho}, equilibrium.rates,
+                               equilibrium.momenta.s3, u);
   });
 }
 

@@ -52,8 +52,9 @@ std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
 /// s3 = p_theta and only the sum of the rates is determined, theta' = 0.
 void set_motion(const Body& body, const TwoPolarMotion& motion, TwoPolarEquilibrium& at);
 
-/// The balance residual from the numbers x and rates, relative to the largest term.
-double two_polar_residual_check(const Body& body, const Potential& potential,
+/// The balance residual from the numbers x and rates, relative to the largest term; v at x, to
+/// second order.
+double two_polar_residual_check(const Body& body, const PotentialDerivatives<double>& v,
                                 const TwoPolarEquilibrium& at);
 
 /// Throws std::invalid_argument unless J1 = J2 and the motion is finite.

@@ -107,7 +107,8 @@ class TwoPolarSearch {
     found.x = {lambda, circle ? lambda : mu, rho};
     found.error_bound = error_bound;
     set_motion(body_, motion_, found);
-    found.residual = two_polar_residual_check(body_, potential_, found);
+    found.residual = two_polar_residual_check(
+        body_, potential_.derivatives({0.0, found.x[0], found.x[1], found.x[2]}), found);
     out_.solutions.push_back(found);
   }
 

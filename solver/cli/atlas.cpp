@@ -116,11 +116,13 @@ void add_checkpoints(Report& out, const std::vector<Checkpoint>& all,
 }
 
 std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& found,
-                    double seconds) {
+                    const CurveProofs& proofs, double seconds) {
   constexpr std::size_t label_width = 14;
   Report out(label_width);
   if (!input.title.empty()) out.line("case", printable(input.title));
   out.line("sheets", fmt::format("{} in {:.2g} s", found.sheets.size(), seconds));
+  if (input.output.certificate)
+    out.line("certificate", fmt::format("{} of {} rows proven", proofs.proven, proofs.rows));
   for (const AtlasSheet& sheet : found.sheets) {
     out.line(fmt::format("{}", sheet.number), sheet_text(sheet));
     for (const EventRecord& event : sheet.report.events)
@@ -136,39 +138,73 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
   return out.text();
 }
 
+/// Rows of one sheet, proven if asked for.
+CurveTable sheet_table(const Case& input, const AtlasSheet& sheet, TableWriter* writer) {
+  CurveTable out(branch_name(sheet), writer, sheet.number);
+  if (!input.output.certificate) return out;
+  if (sheet.plane) {
+    out.prove([&input, plane = *sheet.plane](const Member& member, const Equilibrium& found,
+                                             TableRow& row) {
+      return prove_row(input.body, make_potential(input.models),
+                       TiltedRotation{plane, member.parameter}, found, member.spectrum, row);
+    });
+  } else {
+    out.prove([problem = Problem(input.body, make_potential(input.models), sheet.branch)](
+                  double) { return problem; },
+              {});
+  }
+  return out;
+}
+
+/// All sheets in the table, if there is one; how many of their rows are proven.
+CurveProofs write_sheets(const Case& input, Atlas& found, TableWriter* writer) {
+  CurveProofs out;
+  if (writer == nullptr && !input.output.certificate) return out;
+  for (AtlasSheet& sheet : found.sheets) {
+    CurveTable rows = sheet_table(input, sheet, writer);
+    for (const AtlasRow& row : sheet.rows) rows.row(row.member, row.event);
+    rows.add_enclosures(sheet.report.events);
+    out.rows += rows.proofs().rows;
+    out.proven += rows.proofs().proven;
+  }
+  return out;
+}
+
 ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
   const Case input = options.read();
   const bool to_table = !options.output.empty();
   const bool with_spectrum = wants_spectrum(input, to_table);
   const AtlasOptions how = atlas_options(input, options, with_spectrum);
   const std::vector<Column> columns = chosen_columns(
-      input, equilibrium_columns({.events = true, .spectrum = with_spectrum}), "atlas", false);
+      input,
+      equilibrium_columns(
+          {.events = true, .spectrum = with_spectrum, .certificate = input.output.certificate}),
+      "atlas", false);
   std::optional<TableOutput> output;
   if (to_table) output.emplace(options.output, options.path);
 
   const auto begin = std::chrono::steady_clock::now();
-  const Atlas found = atlas(input.body, make_potential(input.models), how);
+  Atlas found = atlas(input.body, make_potential(input.models), how);
+  std::optional<TableWriter> table;
+  if (output) table.emplace(output->sink(), columns);
+  const CurveProofs proofs = write_sheets(input, found, table ? &*table : nullptr);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (output) {
-    TableWriter table(output->sink(), columns);
-    for (const AtlasSheet& sheet : found.sheets) {
-      CurveTable rows(branch_name(sheet), &table, sheet.number);
-      for (const AtlasRow& row : sheet.rows) rows.row(row.member, row.event);
-    }
-    table.flush();
+    table->flush();
     Metadata metadata;
     metadata.version = STATIONARY_VERSION;
     metadata.command_line = session.command_line;
     metadata.input = &input;
-    metadata.rows = table.rows();
+    metadata.rows = table->rows();
+    if (input.output.certificate) metadata.counts.emplace_back("proven", proofs.proven);
     metadata.seconds = seconds;
     metadata.atlas = &found;
     metadata.outcome = {{"command", "atlas"},
                         {"status", found.interrupted ? "interrupted" : "done"}};
     output->commit(metadata);
   } else if (!options.quiet) {
-    print(summary(input, how, found, seconds));
+    print(summary(input, how, found, proofs, seconds));
   }
   if (found.interrupted) {
     complain("interrupted: the atlas is not complete");

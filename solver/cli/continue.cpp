@@ -25,6 +25,7 @@
 #include "solver/equilibrium_row.hpp"
 #include "solver/follow.hpp"
 #include "solver/resume_table.hpp"
+#include "solver/two_polar_family.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -77,9 +78,22 @@ Start solved_start(const Case& input, const ComputeOptions& options) {
                          .stop = &stop_on_signals()};
   if (auto* tilted = std::get_if<TiltedMotion>(&out.at.motion)) {
     out.found = tilted_start(input, make_potential(out.at.models), *tilted, how);
+  } else if (const auto* two_polar = std::get_if<TwoPolarMotion>(&out.at.motion)) {
+    const TwoPolarEquilibrium found =
+        solve_two_polar(out.at.body, make_potential(out.at.models), *two_polar, how);
+    out.found.status = found.status;
+    out.found.message = found.message;
+    out.found.counts = found.counts;
+    out.found.q = {0.0, found.x[0], found.x[1], found.x[2]};
   } else {
     const AxisRotation motion = std::get<AxisRotation>(out.at.motion);
     out.found = solve(problem_of(out.at), motion.nu, how);
+    if (out.found.status == SolveStatus::not_isolated && how.start) {
+      out.found.status = SolveStatus::solved;
+      out.found.message = "the given start, on a vertical branch";
+      out.found.connection = Connection::given_start;
+      out.found.q = *how.start;
+    }
   }
   return out;
 }
@@ -112,6 +126,13 @@ AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum) {
   if (const auto* tilted = std::get_if<TiltedMotion>(&start.at.motion)) {
     return tilted_family(start.at.body, make_potential(start.at.models), *tilted->plane,
                          with_spectrum);
+  }
+  if (const auto* two_polar = std::get_if<TwoPolarMotion>(&start.at.motion)) {
+    return two_polar_family(
+        start.at.body, make_potential(start.at.models),
+        {.motion = *two_polar,
+         .parameter = family_parameter(input.continuation->parameter, input.models),
+         .spectrum = with_spectrum});
   }
   const AxisRotation motion = std::get<AxisRotation>(start.at.motion);
   return axis_family(problem_of(start.at),
@@ -238,11 +259,6 @@ void require_family(const Case& input) {
     throw fault_at(input.source, "continuation", "found no such key",
                    "a table with parameter, from and to", "add [continuation]");
   }
-  if (input.two_polar()) {
-    throw fault_at(input.source, "motion.branch", "found the string \"two-polar\"",
-                   "one of \"i\", \"ii\", \"iii\", \"tilted\" for continue",
-                   "two-polar motions are solved one at a time in this version");
-  }
 }
 
 ExitCode end_code(const FollowReport& report) {
@@ -333,6 +349,19 @@ void prove_rows(const Case& input, const Start& start, CurveTable& rows) {
     });
     return;
   }
+  if (input.two_polar()) {
+    rows.prove([&input](const Member& member, const Equilibrium&, TableRow& row) {
+      const FamilyParameters at = at_parameter(input, member.parameter);
+      TwoPolarEquilibrium found;
+      found.x = {member.q.xi, member.q.zeta, member.q.rho};
+      found.circle = member.q.xi == member.q.zeta;
+      found.rates = member.two_polar->rates;
+      found.momenta = member.two_polar->momenta;
+      return prove_row(at.body, make_potential(at.models), std::get<TwoPolarMotion>(at.motion),
+                       found, member.spectrum, row);
+    });
+    return;
+  }
   rows.prove([&input](double p) { return problem_of(at_parameter(input, p)); },
              family_parameter(input.continuation->parameter, input.models));
 }
@@ -343,11 +372,13 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   const bool to_table = !options.output.empty();
   const bool with_spectrum = wants_spectrum(input, to_table);
   const bool trailing = input.continuation->parameter != "nu";
-  const std::vector<Column> columns = chosen_columns(
-      input,
-      equilibrium_columns(
-          {.events = true, .spectrum = with_spectrum, .certificate = input.output.certificate}),
-      "continue", trailing);
+  const std::vector<Column> columns =
+      chosen_columns(input,
+                     equilibrium_columns({.two_polar = input.two_polar(),
+                                          .events = true,
+                                          .spectrum = with_spectrum,
+                                          .certificate = input.output.certificate}),
+                     "continue", trailing);
   const std::optional<std::string> parameter =
       trailing ? std::optional(input.continuation->parameter) : std::nullopt;
   std::optional<ResumedTable> old;

@@ -74,6 +74,16 @@ std::vector<Row> events_of(const std::vector<Row>& rows) {
   return out;
 }
 
+/// `negative` along the curve, once where it stays. At an event the sign of a zero may be either.
+std::vector<std::string> negative_counts(const std::vector<Row>& rows) {
+  std::vector<std::string> out;
+  for (const Row& row : rows) {
+    if (!row.at("event").empty()) continue;
+    if (out.empty() || out.back() != row.at("negative")) out.push_back(row.at("negative"));
+  }
+  return out;
+}
+
 void expect_same_curve(const std::vector<Row>& rows, const std::vector<Row>& today) {
   const auto events = events_of(rows);
   const auto events_today = events_of(today);
@@ -84,9 +94,8 @@ void expect_same_curve(const std::vector<Row>& rows, const std::vector<Row>& tod
     const double nu = place_of(events_today[k])[0];
     const double tolerance = name == "escape" || name == "collapse" ? 1e-5 : 1e-10;
     EXPECT_NEAR(place_of(events[k])[0], nu, tolerance * (1.0 + std::abs(nu))) << name;
-    if (name == "limit") continue;
-    EXPECT_EQ(events[k].at("negative"), events_today[k].at("negative")) << name;
   }
+  EXPECT_EQ(negative_counts(rows), negative_counts(today));
   expect_on_the_curve(rows, today);
   expect_on_the_curve(today, rows);
 }

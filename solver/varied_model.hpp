@@ -1,0 +1,65 @@
+// A model with one of its coefficients varied, and the slope of the reduced balance in it.
+#pragma once
+
+#include "solver/axis_family.hpp"
+#include "solver/reduced_system.hpp"
+
+namespace stationary {
+
+/// model with one coefficient at another value.
+template <template <class> class Model>
+Model<double> with_coefficient(const Model<double>& model, int index, double value) {
+  auto c = model.coefficients();
+  c[static_cast<std::size_t>(index)] = value;
+  return Model<double>{c[0], c[1]};
+}
+
+/// model with the coefficient the parameter names, if it names one, at another value.
+template <class Model>
+Model at_coefficient(Model model, const FamilyParameter& parameter, double value) {
+  using Kind = FamilyParameter::Kind;
+  if constexpr (requires { model.plane; }) {
+    if (parameter.kind == Kind::plane)
+      model.plane = with_coefficient(model.plane, parameter.index, value);
+    if (parameter.kind == Kind::thickness)
+      model.thickness = with_coefficient(model.thickness, parameter.index, value);
+  } else {
+    if (parameter.kind == Kind::plane) model = with_coefficient(model, parameter.index, value);
+  }
+  return model;
+}
+
+/// model with its coefficients as dual numbers of slope one: direction k is coefficient k.
+template <template <class> class Model>
+Model<Dual2> with_duals(const Model<double>& model) {
+  const auto c = model.coefficients();
+  return {Dual2(c[0], {1.0, 0.0}), Dual2(c[1], {0.0, 1.0})};
+}
+
+/// dG/dc of the reduced balance in (ln xi, ln zeta[, ln rho]), c the coefficient the parameter
+/// names; zero where it enters no equation of these.
+template <int N, class Model>
+ReducedVector<N> coefficient_slope(const Model& model, const FamilyParameter& parameter,
+                                   const ReducedVector<N>& x) {
+  const auto direction = static_cast<std::size_t>(parameter.index);
+  const CentrifugalRates<double> none{0.0, 0.0, 0.0};
+  const auto invariants = planar_invariants(x[0], x[1]);
+  ReducedVector<N> out = ReducedVector<N>::Zero();
+  if constexpr (requires { model.plane; }) {
+    if (parameter.kind == FamilyParameter::Kind::plane) {
+      const auto w = with_duals(model.plane).template evaluate<1>(invariants);
+      const auto b = planar_log_balance<1>(w, x[0], x[1], none);
+      out[0] = b.g_xi.slope[direction];
+      out[1] = b.g_zeta.slope[direction];
+    } else if constexpr (N == 3) {
+      out[2] = with_duals(model.thickness).template evaluate<1>(x[2]).v_r.slope[direction];
+    }
+  } else {
+    const auto w = with_duals(model).template evaluate<1>(invariants, x[2]);
+    const auto b = coupled_log_balance<1>(w, x[0], x[1], x[2], none);
+    out = {b.g_xi.slope[direction], b.g_zeta.slope[direction], b.g_rho.slope[direction]};
+  }
+  return out;
+}
+
+}  // namespace stationary
