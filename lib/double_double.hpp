@@ -27,98 +27,116 @@
 
 namespace stationary {
 
-struct DoubleDouble {
-  double hi = 0.0;
-  double lo = 0.0;
-
-  constexpr DoubleDouble() = default;
-  constexpr DoubleDouble(double x) : hi(x) {}  // NOLINT(google-explicit-constructor)
-  constexpr DoubleDouble(double head, double tail) : hi(head), lo(tail) {}
-  constexpr explicit operator double() const { return hi + lo; }
-};
+template <class Real>
+struct Pair;
+using DoubleDouble = Pair<double>;
 
 /// (fl(a + b), error), exact for all finite a, b without overflow.
-[[gnu::always_inline]] constexpr DoubleDouble two_sum(double a, double b) {
-  const double s = a + b;
-  const double bb = s - a;
+template <class Real>
+[[gnu::always_inline]] constexpr Pair<Real> two_sum(const Real& a, const Real& b);
+
+/// As two_sum, for |a| >= |b| or a = 0.
+template <class Real>
+[[gnu::always_inline]] constexpr Pair<Real> quick_two_sum(const Real& a, const Real& b);
+
+/// (fl(a b), error), exact for |a|, |b| < 2^996 and |a b| >= 2^-968 or = 0, unless it overflows.
+[[gnu::always_inline]] constexpr DoubleDouble two_product(double a, double b);
+
+/// In any type whose numbers round like doubles: double itself, and packs of them (pack.hpp).
+template <class Real>
+struct Pair {
+  Real hi{0.0};
+  Real lo{0.0};
+
+  constexpr Pair() = default;
+  constexpr Pair(double x) : hi(x) {}  // NOLINT(google-explicit-constructor)
+  constexpr Pair(const Real& x)        // NOLINT(google-explicit-constructor)
+      requires(!std::is_same_v<Real, double>)
+      : hi(x) {}
+  constexpr Pair(const Real& head, const Real& tail) : hi(head), lo(tail) {}
+  constexpr explicit operator Real() const { return hi + lo; }
+
+  [[gnu::always_inline]] friend constexpr Pair operator-(const Pair& x) { return {-x.hi, -x.lo}; }
+
+  [[gnu::always_inline]] friend constexpr Pair operator+(const Pair& x, const Pair& y) {
+    const Pair s = two_sum(x.hi, y.hi);
+    return {s.hi, s.lo + (x.lo + y.lo)};
+  }
+  [[gnu::always_inline]] friend constexpr Pair operator+(const Pair& x, double y) {
+    const Pair s = two_sum(x.hi, Real(y));
+    return {s.hi, s.lo + x.lo};
+  }
+  [[gnu::always_inline]] friend constexpr Pair operator+(double x, const Pair& y) { return y + x; }
+  [[gnu::always_inline]] friend constexpr Pair operator-(const Pair& x, const Pair& y) {
+    return x + (-y);
+  }
+  [[gnu::always_inline]] friend constexpr Pair operator-(const Pair& x, double y) {
+    return x + (-y);
+  }
+  [[gnu::always_inline]] friend constexpr Pair operator-(double x, const Pair& y) {
+    return (-y) + x;
+  }
+
+  [[gnu::always_inline]] friend constexpr Pair operator*(const Pair& x, const Pair& y) {
+    const Pair p = two_product(x.hi, y.hi);
+    return {p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi)};
+  }
+  [[gnu::always_inline]] friend constexpr Pair operator*(const Pair& x, double y) {
+    const Pair p = two_product(x.hi, Real(y));
+    return {p.hi, p.lo + x.lo * y};
+  }
+  [[gnu::always_inline]] friend constexpr Pair operator*(double x, const Pair& y) { return y * x; }
+
+  /// The quotient of the heads, and its exact remainder over the whole divisor.
+  [[gnu::always_inline]] friend constexpr Pair operator/(const Pair& x, const Pair& y) {
+    const Real q = x.hi / y.hi;
+    const Pair p = two_product(q, y.hi);
+    const Real remainder = ((x.hi - p.hi) - p.lo) + x.lo - q * y.lo;
+    return {q, remainder / (y.hi + y.lo)};
+  }
+  [[gnu::always_inline]] friend constexpr Pair operator/(const Pair& x, double y) {
+    return x / Pair(y);
+  }
+  [[gnu::always_inline]] friend constexpr Pair operator/(double x, const Pair& y) {
+    return Pair(x) / y;
+  }
+};
+
+template <class Real>
+[[gnu::always_inline]] constexpr Pair<Real> two_sum(const Real& a, const Real& b) {
+  const Real s = a + b;
+  const Real bb = s - a;
   return {s, (a - (s - bb)) + (b - bb)};
 }
 
-/// As two_sum, for |a| >= |b| or a = 0.
-[[gnu::always_inline]] constexpr DoubleDouble quick_two_sum(double a, double b) {
-  const double s = a + b;
+template <class Real>
+[[gnu::always_inline]] constexpr Pair<Real> quick_two_sum(const Real& a, const Real& b) {
+  const Real s = a + b;
   return {s, b - (s - a)};
 }
 
-/// (fl(a b), error), exact for |a|, |b| < 2^996 and |a b| >= 2^-968 or = 0, unless it overflows.
-[[gnu::always_inline]] constexpr DoubleDouble two_product(double a, double b) {
-  const double p = a * b;
-#ifdef __FMA__
-  if (!std::is_constant_evaluated()) return {p, std::fma(a, b, -p)};
-#endif
+/// two_product without a fused multiply-add: the same pair.
+template <class Real>
+[[gnu::always_inline]] constexpr Pair<Real> split_product(const Real& a, const Real& b) {
+  const Real p = a * b;
   constexpr double split = 134217729.0;  // 2^27 + 1 (Dekker, Veltkamp)
-  const double ca = split * a;
-  const double a1 = ca - (ca - a);
-  const double a2 = a - a1;
-  const double cb = split * b;
-  const double b1 = cb - (cb - b);
-  const double b2 = b - b1;
+  const Real ca = split * a;
+  const Real a1 = ca - (ca - a);
+  const Real a2 = a - a1;
+  const Real cb = split * b;
+  const Real b1 = cb - (cb - b);
+  const Real b2 = b - b1;
   return {p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2};
 }
 
-[[gnu::always_inline]] constexpr DoubleDouble operator-(const DoubleDouble& x) {
-  return {-x.hi, -x.lo};
-}
-
-[[gnu::always_inline]] constexpr DoubleDouble operator+(const DoubleDouble& x,
-                                                        const DoubleDouble& y) {
-  const DoubleDouble s = two_sum(x.hi, y.hi);
-  return {s.hi, s.lo + (x.lo + y.lo)};
-}
-[[gnu::always_inline]] constexpr DoubleDouble operator+(const DoubleDouble& x, double y) {
-  const DoubleDouble s = two_sum(x.hi, y);
-  return {s.hi, s.lo + x.lo};
-}
-[[gnu::always_inline]] constexpr DoubleDouble operator+(double x, const DoubleDouble& y) {
-  return y + x;
-}
-[[gnu::always_inline]] constexpr DoubleDouble operator-(const DoubleDouble& x,
-                                                        const DoubleDouble& y) {
-  return x + (-y);
-}
-[[gnu::always_inline]] constexpr DoubleDouble operator-(const DoubleDouble& x, double y) {
-  return x + (-y);
-}
-[[gnu::always_inline]] constexpr DoubleDouble operator-(double x, const DoubleDouble& y) {
-  return (-y) + x;
-}
-
-[[gnu::always_inline]] constexpr DoubleDouble operator*(const DoubleDouble& x,
-                                                        const DoubleDouble& y) {
-  const DoubleDouble p = two_product(x.hi, y.hi);
-  return {p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi)};
-}
-[[gnu::always_inline]] constexpr DoubleDouble operator*(const DoubleDouble& x, double y) {
-  const DoubleDouble p = two_product(x.hi, y);
-  return {p.hi, p.lo + x.lo * y};
-}
-[[gnu::always_inline]] constexpr DoubleDouble operator*(double x, const DoubleDouble& y) {
-  return y * x;
-}
-
-/// The quotient of the heads, and its exact remainder over the whole divisor.
-[[gnu::always_inline]] constexpr DoubleDouble operator/(const DoubleDouble& x,
-                                                        const DoubleDouble& y) {
-  const double q = x.hi / y.hi;
-  const DoubleDouble p = two_product(q, y.hi);
-  const double remainder = ((x.hi - p.hi) - p.lo) + x.lo - q * y.lo;
-  return {q, remainder / (y.hi + y.lo)};
-}
-[[gnu::always_inline]] constexpr DoubleDouble operator/(const DoubleDouble& x, double y) {
-  return x / DoubleDouble(y);
-}
-[[gnu::always_inline]] constexpr DoubleDouble operator/(double x, const DoubleDouble& y) {
-  return DoubleDouble(x) / y;
+[[gnu::always_inline]] constexpr DoubleDouble two_product(double a, double b) {
+#ifdef __FMA__
+  if (!std::is_constant_evaluated()) {
+    const double p = a * b;
+    return {p, std::fma(a, b, -p)};
+  }
+#endif
+  return split_product(a, b);
 }
 
 [[gnu::always_inline]] inline DoubleDouble& operator+=(DoubleDouble& x, const DoubleDouble& y) {

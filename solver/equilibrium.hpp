@@ -5,7 +5,7 @@
 //      solution connected to rest; Ceres (trust region) solves at nu from where the walk arrived;
 //   2. where that sheet does not reach nu, or Ceres stops short, NLopt searches globally for a
 //   start,
-//      and the answer says that its connection to rest is not known.
+//      and the answer says that its connection to rest is not known (unless search = false).
 // ceres, newton: that solver alone, from the rest state or the given start, with no walk.
 // nlopt: the global search alone.
 // All end in the same correction with an extended-precision residual (refine). The residual of
@@ -87,6 +87,7 @@ struct Equilibrium {
 struct SolveOptions {
   Method method = Method::automatic;
   std::optional<Stretch> start;             ///< default: the rest state
+  bool search = true;                       ///< false: rest's sheet alone, no global search
   int threads = 1;                          ///< for Ceres
   const std::atomic<bool>* stop = nullptr;  ///< becomes true: return with status interrupted
 };

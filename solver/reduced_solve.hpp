@@ -120,7 +120,7 @@ class ReducedSolve {
       out.status = SolveStatus::interrupted;
       return out;
     }
-    if (walked.end != WalkEnd::reached) return by_search(story(walked));
+    if (walked.end != WalkEnd::reached) return beyond_rest(story(walked));
     ReducedVector<N> x = walked.x;
     const CeresOutcome outcome = run_ceres(x);
     // Ceres may not leave the walk's end for another solution.
@@ -140,7 +140,16 @@ class ReducedSolve {
     std::ostringstream text;
     text << "The rest state's sheet reaches nu = " << nu_
          << ", but the balance is singular there (a fold, or a solution that is not isolated). ";
-    return by_search(text.str());
+    return beyond_rest(text.str());
+  }
+
+  /// What there is beside the rest state's sheet; `before` says what became of that.
+  ReducedAnswer<N> beyond_rest(const std::string& before) {
+    if (options_.search) return by_search(before);
+    ReducedAnswer<N> out;
+    out.status = SolveStatus::not_found;
+    out.message = before + "Other sheets were not looked for.";
+    return out;
   }
 
   std::string story(const WalkResult<N>& walked) const {

@@ -1,0 +1,387 @@
+#include "solver/batch.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "solver/batch_plan.hpp"
+#include "solver/existence.hpp"
+#include "solver/sweep.hpp"
+
+namespace stationary {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+const MarchKernels& march_kernels(InstructionSet set) {
+#ifdef STATIONARY_X86
+  if (set == InstructionSet::avx512) return march_kernels_avx512();
+  if (set == InstructionSet::avx2) return march_kernels_avx2();
+#endif
+  (void)set;
+  return march_kernels_baseline();
+}
+
+/// The model with other coefficients.
+template <class Variant>
+Variant with_coefficients(const Variant& model, const std::array<double, 2>& values) {
+  return std::visit(
+      [&](const auto& m) -> Variant {
+        return std::decay_t<decltype(m)>{values[0], values[1]};
+      },
+      model);
+}
+
+template <class Variant>
+void require_domain(const Variant& model, const BatchInput& input,
+                    const std::array<LaneValues, 2>& values) {
+  std::visit(
+      [&](const auto& m) {
+        using Model = std::decay_t<decltype(m)>;
+        const bool one = values[0].size() == 1 && values[1].size() == 1;
+        for (std::size_t lane = 0; lane < (one ? 1 : input.lanes); ++lane) {
+          const Model each{values[0][lane], values[1][lane]};
+          const auto holds = each.in_domain();
+          for (std::size_t k = 0; k < holds.size(); ++k) {
+            if (!std::isfinite(values[k][lane]))
+              throw std::invalid_argument(std::string(Model::parameters[k]) + " finite");
+            if (!holds[k]) throw std::invalid_argument(std::string(Model::domain[k]));
+          }
+        }
+      },
+      model);
+}
+
+void require_valid(const BatchInput& input, const BatchOptions& options) {
+  const auto require_size = [&](const LaneValues& values) {
+    if (values.size() != 1 && values.size() != input.lanes)
+      throw std::invalid_argument("one value for all lanes, or one each");
+  };
+  for (const auto* pair : {&input.plane, &input.thickness})
+    for (const LaneValues& each : *pair) require_size(each);
+  for (const LaneValues& each : input.inertia) require_size(each);
+  require_size(input.speed);
+  for (std::size_t lane = 0; lane < input.lanes; ++lane) {
+    Body(input.inertia[0][lane], input.inertia[1][lane], input.inertia[2][lane]);
+    if (!std::isfinite(input.speed[lane])) throw std::invalid_argument("speed finite");
+  }
+  if (!std::ranges::all_of(input.nu, [](double nu) { return std::isfinite(nu); }))
+    throw std::invalid_argument("nu finite");
+  if (input.potential.is_separable()) {
+    require_domain(input.potential.plane(), input, input.plane);
+    require_domain(input.potential.thickness(), input, input.thickness);
+  } else {
+    require_domain(input.potential.coupled(), input, input.plane);
+  }
+  if (!has_instruction_set(options.instructions))
+    throw std::invalid_argument("an instruction set of this processor");
+  if (options.threads < 1) throw std::invalid_argument("threads >= 1");
+}
+
+std::array<double, 2> at(const std::array<LaneValues, 2>& values, std::size_t lane) {
+  return {values[0][lane], values[1][lane]};
+}
+
+/// The rest state, to double precision: where a sweep starts.
+Equilibrium rest_state(const Problem& problem) {
+  Equilibrium out;
+  out.status = SolveStatus::solved;
+  out.nu = angular_velocity(problem.branch(), 0.0);
+  problem.potential().visit([&](const auto& model) {
+    if constexpr (requires { model.plane; }) {
+      const double r = model.plane.rest_stretch();
+      out.q = {0.0, r, r, model.thickness.balanced(DoubleDouble(0.0))};
+    } else {
+      const double r = model.rest_stretch();
+      out.q = {0.0, r, r, model.rest_thickness()};
+    }
+  });
+  return out;
+}
+
+/// The numbers of one tile's lanes side by side; lanes beyond the last are copies of it.
+struct TileNumbers {
+  static constexpr std::size_t size = BatchResult::tile;
+  double speed[size];
+  double inertia[3][size];
+  double plane[2][size];
+  double thickness[2][size];
+  double rest[size];
+  double rest_thickness[size];
+  double none[size] = {};
+
+  TileNumbers(const BatchInput& input, std::size_t first) {
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::size_t lane = std::min(first + i, input.lanes - 1);
+      speed[i] = input.speed[lane];
+      for (std::size_t k = 0; k < 3; ++k) inertia[k][i] = input.inertia[k][lane];
+      for (std::size_t k = 0; k < 2; ++k) {
+        plane[k][i] = input.plane[k][lane];
+        thickness[k][i] = input.thickness[k][lane];
+      }
+    }
+    const auto rest_of = [&](const auto& variant, const double(&values)[2][size], double* out,
+                             auto rest_value) {
+      std::visit(
+          [&](const auto& m) {
+            using Model = std::decay_t<decltype(m)>;
+            for (std::size_t i = 0; i < size; ++i)
+              out[i] = rest_value(Model{values[0][i], values[1][i]});
+          },
+          variant);
+    };
+    rest_of(input.potential.plane(), plane, rest, [](const auto& m) { return m.rest_stretch(); });
+    rest_of(input.potential.thickness(), thickness, rest_thickness,
+            [](const auto& m) { return m.balanced(DoubleDouble(0.0)); });
+  }
+
+  /// J where the spin pulls at this stretch, else 0.
+  const double* pulling(Branch branch, int stretch) const {
+    const bool pulls = branch == Branch::i    ? stretch != 0
+                       : branch == Branch::ii ? stretch != 1
+                                              : stretch != 2;
+    return pulls ? inertia[stretch] : none;
+  }
+};
+
+}  // namespace
+
+bool has_instruction_set(InstructionSet set) {
+#ifdef STATIONARY_X86
+  if (set == InstructionSet::avx2)
+    return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+  if (set == InstructionSet::avx512)
+    return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+#endif
+  return set == InstructionSet::baseline;
+}
+
+InstructionSet best_instruction_set() {
+  for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2})
+    if (has_instruction_set(set)) return set;
+  return InstructionSet::baseline;
+}
+
+BatchInput::BatchInput(const Problem& problem, std::size_t lane_count,
+                       std::vector<double> nu_values)
+    : branch(problem.branch()),
+      potential(problem.potential()),
+      lanes(lane_count),
+      inertia{problem.body().J1, problem.body().J2, problem.body().J3},
+      plane{0.0, 0.0},
+      thickness{0.0, 0.0},
+      nu(std::move(nu_values)) {
+  const auto coefficients = [](const auto& variant) {
+    return std::visit([](const auto& model) { return model.coefficients(); }, variant);
+  };
+  const auto first = potential.is_separable() ? coefficients(potential.plane())
+                                              : coefficients(potential.coupled());
+  plane = {first[0], first[1]};
+  if (!potential.is_separable()) return;
+  const auto second = coefficients(potential.thickness());
+  thickness = {second[0], second[1]};
+}
+
+Problem BatchInput::problem(std::size_t lane) const {
+  const Body body(inertia[0][lane], inertia[1][lane], inertia[2][lane]);
+  if (!potential.is_separable())
+    return {body, Potential(with_coefficients(potential.coupled(), at(plane, lane))), branch};
+  return {body,
+          Potential(with_coefficients(potential.plane(), at(plane, lane)),
+                    with_coefficients(potential.thickness(), at(thickness, lane))),
+          branch};
+}
+
+BatchCell BatchResult::cell(std::size_t lane, std::size_t k) const {
+  const std::size_t i = index(lane, slot_[k]);
+  return {status_[i], xi_[i], zeta_[i], rho_[i],
+          error_bound_.empty() ? not_a_number : error_bound_[i]};
+}
+
+/// One call of solve_batch.
+class BatchRun {
+ public:
+  BatchRun(const BatchInput& input, const BatchOptions& options, BatchResult& out)
+      : input_(input), options_(options), out_(out), plan_(march_plan(input.nu)) {
+    constexpr std::size_t tile = BatchResult::tile;
+    tiles_ = (input.lanes + tile - 1) / tile;
+    out.lanes_ = input.lanes;
+    out.slots_ = plan_.s.size();
+    out.slot_ = plan_.slot;
+    const std::size_t cells = tiles_ * tile * out.slots_;
+    for (auto* column : {&out.xi_, &out.zeta_, &out.rho_}) column->resize(cells);
+    out.error_bound_.resize(options.error_bound ? cells : 0);
+    out.status_.resize(cells);
+  }
+
+  void run() {
+    std::atomic<std::size_t> fallbacks = 0;
+    const auto solve_tiles = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) fallbacks += solve_tile(k * BatchResult::tile);
+    };
+    if (options_.threads == 1) {
+      solve_tiles(0, tiles_);
+    } else {
+      const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                        static_cast<std::size_t>(options_.threads));
+      tbb::task_arena arena(options_.threads);
+      arena.execute([&] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles_),
+                          [&](const auto& range) { solve_tiles(range.begin(), range.end()); });
+      });
+    }
+    out_.fallbacks_ = fallbacks;
+  }
+
+ private:
+  bool stopped() const {
+    return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
+  }
+
+  void put(std::size_t lane, std::size_t slot, const SweepPoint& point) {
+    const std::size_t i = out_.index(lane, slot);
+    out_.xi_[i] = point.xi;
+    out_.zeta_[i] = point.zeta;
+    out_.rho_[i] = point.rho;
+    if (options_.error_bound) out_.error_bound_[i] = point.error_bound;
+    out_.status_[i] = point.status;
+  }
+
+  /// Returns how many lanes fell back.
+  std::size_t solve_tile(std::size_t first) {
+    const std::size_t last = std::min(first + BatchResult::tile, input_.lanes);
+    if (stopped()) {
+      for (std::size_t lane = first; lane < last; ++lane)
+        for (std::size_t slot = 0; slot < out_.slots_; ++slot) put(lane, slot, {});
+      return 0;
+    }
+    std::ptrdiff_t end[BatchResult::tile] = {};
+    if (input_.potential.is_separable()) march_tile(first, end);
+    std::size_t fallbacks = 0;
+    for (std::size_t lane = first; lane < last; ++lane) {
+      const std::ptrdiff_t reached = end[lane - first];
+      if (reached == static_cast<std::ptrdiff_t>(plan_.steps.size())) continue;
+      ++fallbacks;
+      std::size_t slot = 0;
+      for (std::ptrdiff_t k = 0; k < reached; ++k)
+        if (plan_.steps[static_cast<std::size_t>(k)].slot >= 0) ++slot;
+      fall_back(lane, slot);
+    }
+    return fallbacks;
+  }
+
+  /// end: of each lane the step it could not be marched beyond.
+  void march_tile(std::size_t first, std::ptrdiff_t* end) {
+    constexpr std::size_t tile = BatchResult::tile;
+    const TileNumbers numbers(input_, first);
+    const std::size_t begin = (first / tile) * out_.slots_ * tile;
+    const std::size_t cells = out_.slots_ * tile;
+    const MarchKernels& kernels = march_kernels(options_.instructions);
+    std::vector<double> axial_bound(options_.error_bound ? cells : 0);
+    const bool constant_rho = input_.branch == Branch::iii;
+    std::fill_n(out_.status_.begin() + static_cast<std::ptrdiff_t>(begin), cells,
+                SolveStatus::solved);
+    for (std::size_t i = 0; i < tile; i += static_cast<std::size_t>(kernels.lanes)) {
+      const auto bounds = [&](std::vector<double>& in, std::size_t from) {
+        return options_.error_bound ? in.data() + from + i : nullptr;
+      };
+      std::ptrdiff_t axial_end[tile];
+      MarchStep rest_only{.weight = {1.0}, .slot = 0};
+      const std::ptrdiff_t steps = static_cast<std::ptrdiff_t>(plan_.steps.size());
+      const March axial{.speed = numbers.speed + i,
+                        .inertia = {numbers.pulling(input_.branch, 2) + i, numbers.none},
+                        .coefficient = {numbers.thickness[0] + i, numbers.thickness[1] + i},
+                        .rest = numbers.rest_thickness + i,
+                        .steps = constant_rho ? &rest_only : plan_.steps.data(),
+                        .step_count = constant_rho ? 1 : steps,
+                        .extended = options_.extended,
+                        .bounded = options_.error_bound,
+                        .stride = tile,
+                        .x = {out_.rho_.data() + begin + i, nullptr},
+                        .error_bound = bounds(axial_bound, 0),
+                        .end = axial_end};
+      const March planar{
+          .speed = numbers.speed + i,
+          .inertia = {numbers.pulling(input_.branch, 0) + i, numbers.pulling(input_.branch, 1) + i},
+          .coefficient = {numbers.plane[0] + i, numbers.plane[1] + i},
+          .rest = numbers.rest + i,
+          .steps = plan_.steps.data(),
+          .step_count = steps,
+          .extended = options_.extended,
+          .bounded = options_.error_bound,
+          .stride = tile,
+          .x = {out_.xi_.data() + begin + i, out_.zeta_.data() + begin + i},
+          .error_bound = bounds(out_.error_bound_, begin),
+          .end = end + i};
+      if (out_.slots_ > 0) kernels.thickness[input_.potential.thickness().index()](axial);
+      kernels.plane[input_.potential.plane().index()](planar);
+      for (std::size_t lane = 0; lane < static_cast<std::size_t>(kernels.lanes); ++lane) {
+        if (constant_rho && axial_end[lane] == 1) axial_end[lane] = steps;
+        end[i + lane] = std::min(end[i + lane], axial_end[lane]);
+      }
+    }
+    double* rho = out_.rho_.data() + begin;
+    if (constant_rho)
+      for (std::size_t k = tile; k < cells; ++k) rho[k] = rho[k - tile];
+    if (!options_.error_bound) return;
+    double* bound = out_.error_bound_.data() + begin;
+    for (std::size_t k = 0; k < cells; ++k)
+      bound[k] = std::max(bound[k], axial_bound[constant_rho ? k % tile : k]);
+  }
+
+  /// The lane's cells from a slot on, by the scalar path from rest.
+  void fall_back(std::size_t lane, std::size_t slot) {
+    const Problem problem = input_.problem(lane);
+    std::optional<Sweep> sweep;
+    const auto sweep_from = [&](const Equilibrium& start) {
+      sweep.emplace(problem, start, SweepOptions{options_.error_bound});
+    };
+    sweep_from(rest_state(problem));
+    bool ended = false;
+    for (; slot < out_.slots_; ++slot) {
+      SweepPoint point;
+      if (!stopped()) {
+        const double nu = input_.speed[lane] * plan_.s[slot];
+        const bool none = nonexistence_reason(problem, nu).has_value();
+        ended = ended || none;  // a sheet does not pass where there is nothing
+        if (!ended) sweep->run({&nu, 1}, {&point, 1});
+        if (!ended && point.status != SolveStatus::solved) {
+          // The walk along the sheet has the last word: it also goes where nu turns.
+          SolveOptions sheet_alone;
+          sheet_alone.search = false;
+          const Equilibrium walked = solve(problem, nu, sheet_alone);
+          ended = walked.status != SolveStatus::solved;
+          if (!ended) {
+            sweep_from(walked);
+            sweep->run({&nu, 1}, {&point, 1});
+            ended = point.status != SolveStatus::solved;
+          }
+        }
+        if (ended) point.status = none ? SolveStatus::none_exists : SolveStatus::not_found;
+      }
+      put(lane, slot, point);
+    }
+  }
+
+  const BatchInput& input_;
+  const BatchOptions& options_;
+  BatchResult& out_;
+  MarchPlan plan_;
+  std::size_t tiles_ = 0;
+};
+
+void solve_batch(const BatchInput& input, const BatchOptions& options, BatchResult& out) {
+  require_valid(input, options);
+  BatchRun(input, options, out).run();
+}
+
+}  // namespace stationary

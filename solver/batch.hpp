@@ -1,0 +1,117 @@
+// Many families at once: each lane is a body and potential of its own, all of one branch and the
+// same models, and is solved at nu = speed nu_k for every k, on the sheet of its rest state:
+//
+//   march     from rest through growing |nu|: predictor (a cubic in nu^2) and Newton in packs of
+//             lanes (batch_kernel.hpp), on the best instruction set of the processor
+//   fallback  a lane that cannot be marched on with goes on by the scalar path, Sweep and, where
+//             that ends, solve; coupled potentials take it from the start
+//
+// Both correct with a residual in extended precision, so S is rounded correctly; results do not
+// depend on the instruction set, on the number of threads or on the other lanes. Every cell has a
+// status: solved; none_exists (proven, existence.hpp); not_found (the sheet ends before this nu,
+// which is no statement about other sheets); not_run (stopped).
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "solver/batch_march.hpp"
+#include "solver/equilibrium.hpp"
+#include "solver/problem.hpp"
+
+namespace stationary {
+
+/// The best this processor has.
+InstructionSet best_instruction_set();
+/// Whether the processor, and this build, have it.
+bool has_instruction_set(InstructionSet set);
+constexpr std::string_view instruction_set_names[] = {"baseline", "avx2", "avx512"};
+constexpr std::string_view name(InstructionSet set) {
+  return instruction_set_names[static_cast<int>(set)];
+}
+
+/// One number of every lane: the same in all of them, or one each.
+class LaneValues {
+ public:
+  LaneValues(double all) : values_{all} {}  // NOLINT(google-explicit-constructor)
+  LaneValues(std::vector<double> each)
+      : values_(std::move(each)) {}  // NOLINT(google-explicit-constructor)
+  double operator[](std::size_t lane) const {
+    return values_.size() == 1 ? values_[0] : values_[lane];
+  }
+  /// 1 or the number of lanes.
+  std::size_t size() const { return values_.size(); }
+
+ private:
+  std::vector<double> values_;
+};
+
+struct BatchInput {
+  /// All lanes as the problem is; then put numbers of their own where they differ.
+  BatchInput(const Problem& problem, std::size_t lane_count, std::vector<double> nu_values);
+
+  Branch branch;
+  Potential potential;  ///< which models; the coefficients are those below
+  std::size_t lanes;
+  std::array<LaneValues, 3> inertia;    ///< J1, J2, J3
+  std::array<LaneValues, 2> plane;      ///< coefficients of the planar, or of the coupled, model
+  std::array<LaneValues, 2> thickness;  ///< of a separable potential's thickness
+  LaneValues speed = 1.0;               ///< nu = speed nu_k (rounded)
+  std::vector<double> nu;               ///< in any order, of any sign: nu and -nu are one
+
+  Problem problem(std::size_t lane) const;
+};
+
+struct BatchOptions {
+  bool error_bound = true;  ///< false: not touched
+  /// false: residuals in double, and S to some units in the last place (the error bound knows).
+  bool extended = true;
+  int threads = 1;
+  InstructionSet instructions = best_instruction_set();
+  const std::atomic<bool>* stop = nullptr;  ///< becomes true: what is left has status not_run
+};
+
+struct BatchCell {
+  SolveStatus status;
+  double xi;
+  double zeta;
+  double rho;
+  double error_bound;  ///< as Equilibrium::error_bound
+};
+
+/// Cells in tiles of `tile` lanes, within a tile by |nu|, then by lane, as they are computed.
+class BatchResult {
+ public:
+  static constexpr std::size_t tile = 16;
+
+  std::size_t lanes() const { return lanes_; }
+  /// Numbers of nu, as in the input.
+  std::size_t count() const { return slot_.size(); }
+  BatchCell cell(std::size_t lane, std::size_t k) const;
+  /// Lanes the scalar path had to go on with.
+  std::size_t fallbacks() const { return fallbacks_; }
+
+ private:
+  friend class BatchRun;
+  std::size_t index(std::size_t lane, std::size_t slot) const {
+    return ((lane / tile) * slots_ + slot) * tile + lane % tile;
+  }
+
+  std::size_t lanes_ = 0;
+  std::size_t slots_ = 0;          ///< different |nu|
+  std::vector<std::size_t> slot_;  ///< of each nu
+  std::size_t fallbacks_ = 0;
+  std::vector<double> xi_, zeta_, rho_, error_bound_;
+  std::vector<SolveStatus> status_;
+};
+
+/// Into a result that may have been used before, whose memory is used again. Throws
+/// std::invalid_argument: a nu that is not finite, a body or coefficient outside its domain (with
+/// the violated inequality), numbers of lanes that do not fit, an instruction set that is missing.
+void solve_batch(const BatchInput& input, const BatchOptions& options, BatchResult& out);
+
+}  // namespace stationary

@@ -1,0 +1,179 @@
+// Cells solved per second and core, of bodies that differ in J2, each at many nu, by
+//   sweep      the scalar path, body after body (sweep.hpp), with an error bound on every point
+//   INSTRUCTIONS-double, INSTRUCTIONS-corrected
+//              the batch (batch.hpp) on one instruction set each, with residuals in double and
+//              with residuals in pairs of doubles (S rounded correctly); -bounded: with error
+//              bounds
+// in one run, repetitions interleaved at random; output in the batch's tiles. Then the error of
+// each against 50 digits and the rates as ratios to the sweep's.
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "solver/batch.hpp"
+#include "solver/sweep.hpp"
+#include "tests/support/high_precision.hpp"
+
+namespace stationary {
+namespace {
+
+constexpr std::size_t lanes = 64;
+constexpr int points = 1000;
+constexpr double last_nu = 0.5;
+
+struct Case {
+  std::string label;
+  Problem problem;
+  BatchInput input;
+};
+
+Case make_case(const std::string& model, Branch branch) {
+  const double plane[2] = {1.0, 2.0};
+  const double thickness[2] = {1.0, 3.0};
+  const Problem problem(Body(1.0, 1.7, 0.6),
+                        Potential(Potential::planar(model, plane),
+                                  Potential::thickness("reciprocal-quadratic", thickness)),
+                        branch);
+  std::vector<double> nu(points);
+  for (std::size_t k = 0; k < nu.size(); ++k) nu[k] = last_nu * static_cast<double>(k + 1) / points;
+  BatchInput input(problem, lanes, nu);
+  std::vector<double> J2(lanes);
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    J2[lane] = 1.5 + 0.005 * static_cast<double>(lane);
+  input.inertia[1] = J2;
+  return {model + "/" + std::string(name(branch)), problem, input};
+}
+
+double relative_error_of(const Problem& problem, double nu, const Stretch& q) {
+  return testing::relative_error(q, testing::reference_solution(problem, nu, q));
+}
+
+void finish(benchmark::State& state, double error) {
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(lanes * points));
+  state.counters["error"] = error;
+}
+
+void run_sweep(benchmark::State& state, const Case& c) {
+  std::vector<Problem> problems;
+  std::vector<Equilibrium> starts;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    problems.push_back(c.input.problem(lane));
+    starts.push_back(solve(problems.back(), c.input.nu.front()));
+  }
+  std::vector<SweepPoint> out(c.input.nu.size());
+  double worst = 0.0;
+  for (auto _ : state) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      Sweep(problems[lane], starts[lane]).run(c.input.nu, out);
+      benchmark::DoNotOptimize(out.data());
+    }
+  }
+  for (std::size_t k = 0; k < out.size(); k += 97) {
+    const Stretch q{0.0, out[k].xi, out[k].zeta, out[k].rho};
+    worst = std::max(worst, relative_error_of(problems.back(), out[k].nu, q));
+  }
+  finish(state, worst);
+}
+
+void run_batch(benchmark::State& state, const Case& c, const BatchOptions& options) {
+  BatchResult out;
+  for (auto _ : state) {
+    solve_batch(c.input, options, out);
+    benchmark::DoNotOptimize(&out);
+  }
+  double worst = 0.0;
+  for (std::size_t k = 0; k < out.count(); k += 97) {
+    const BatchCell cell = out.cell(lanes - 1, k);
+    if (cell.status != SolveStatus::solved) {
+      state.SkipWithError("a cell was not solved");
+      return;
+    }
+    worst = std::max(worst, relative_error_of(c.input.problem(lanes - 1), c.input.nu[k],
+                                              {0.0, cell.xi, cell.zeta, cell.rho}));
+  }
+  if (out.fallbacks() > 0) state.SkipWithError("a lane fell back to the scalar path");
+  finish(state, worst);
+}
+
+/// The usual table, then the ratios of the median rates.
+class RatioReporter : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) {
+      if (run.error_occurred || run.aggregate_name != "median") continue;
+      const std::string& full = run.run_name.function_name;
+      const auto cut = full.find('|');
+      table_[full.substr(0, cut)][full.substr(cut + 1)] = {
+          run.counters.at("items_per_second").value, run.counters.at("error").value};
+    }
+  }
+  void Finalize() override {
+    ConsoleReporter::Finalize();
+    std::printf("\n%-28s %-28s %12s %10s %10s\n", "case", "method", "million/s", "to sweep",
+                "error");
+    for (const auto& [label, methods] : table_) {
+      const auto base = methods.find("sweep");
+      for (const auto& [method, m] : methods) {
+        std::printf("%-28s %-28s %12.1f %10.1f %10.2g\n", label.c_str(), method.c_str(),
+                    1e-6 * m.rate, base == methods.end() ? 0.0 : m.rate / base->second.rate,
+                    m.error);
+      }
+    }
+  }
+
+ private:
+  struct Measured {
+    double rate;
+    double error;
+  };
+  std::map<std::string, std::map<std::string, Measured>> table_;
+};
+
+void register_case(const Case& c) {
+  const auto add = [&](const std::string& method, auto body) {
+    benchmark::RegisterBenchmark((c.label + "|" + method).c_str(),
+                                 [&c, body](benchmark::State& state) { body(state, c); })
+        ->Unit(benchmark::kMillisecond)
+        ->Repetitions(7)
+        ->ReportAggregatesOnly(true)
+        ->MinTime(0.02);
+  };
+  add("sweep", [](benchmark::State& state, const Case& of) { run_sweep(state, of); });
+  for (const InstructionSet set :
+       {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (!has_instruction_set(set)) continue;
+    for (const bool extended : {false, true}) {
+      for (const bool bounded : {false, true}) {
+        const BatchOptions options{
+            .error_bound = bounded, .extended = extended, .instructions = set};
+        add(std::string(name(set)) + (extended ? "-corrected" : "-double") +
+                (bounded ? "-bounded" : ""),
+            [options](benchmark::State& state, const Case& of) { run_batch(state, of, options); });
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stationary
+
+int main(int argc, char** argv) {
+  using stationary::Branch;
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  static std::vector<stationary::Case> cases;
+  for (const char* model : {"reciprocal-determinant", "saint-venant-kirchhoff", "biot", "biot-log",
+                            "neo-hookean", "hencky"}) {
+    for (const Branch branch : {Branch::i, Branch::iii})
+      cases.push_back(stationary::make_case(model, branch));
+  }
+  for (const auto& c : cases) stationary::register_case(c);
+  stationary::RatioReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  benchmark::Shutdown();
+  return 0;
+}
