@@ -372,6 +372,7 @@ Case make_case(CaseTree tree) {
   const std::string title = value_or<std::string>(tree, "title", "");
   const Case::Solve solve = read_solve(tree, motion);
   const auto continuation = read_continuation(tree, {body, models, motion});
+  const auto map = read_map(tree, {body, models, motion});
   const Case::Output output = read_output(tree);
   return {.title = title,
           .body = body,
@@ -380,6 +381,7 @@ Case make_case(CaseTree tree) {
           .motion = motion,
           .solve = solve,
           .continuation = continuation,
+          .map = map,
           .output = output,
           .source = std::move(tree)};
 }

@@ -4,7 +4,7 @@
 //   [body] J   [potential] plane + thickness | coupled
 //   [motion] branch, nu, of "tilted" also plane (else both); or of branch "two-polar" omega and
 //   theta_dot | s3 and p_theta [solve] start, method   [continuation] parameter, from, to,
-//   tolerance   [output] spectrum, ...
+//   tolerance   [output] spectrum, ...   [map] x, y
 #pragma once
 
 #include <optional>
@@ -17,6 +17,7 @@
 #include "lib/body.hpp"
 #include "lib/motion.hpp"
 #include "lib/potential.hpp"
+#include "solver/case_map.hpp"
 #include "solver/case_tree.hpp"
 #include "solver/equilibrium.hpp"
 #include "solver/problem.hpp"
@@ -79,6 +80,7 @@ struct Case {
   Motion motion;
   Solve solve;
   std::optional<Continuation> continuation;
+  std::optional<CaseMap> map;
   Output output;
   CaseTree source;  ///< where each key comes from
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lib/motion.hpp"
+#include "solver/case_map.hpp"
 #include "solver/equilibrium.hpp"
 #include "solver/nearest_name.hpp"
 #include "solver/table.hpp"
@@ -21,6 +22,11 @@ constexpr std::string_view branches[] = {name(Branch::i), name(Branch::ii), name
 constexpr std::string_view later_branches[] = {"oblique"};
 constexpr std::string_view a_boolean = "true or false";
 constexpr std::string_view a_number = "a finite number";
+
+constexpr std::string_view map_axis =
+    "a table, { parameter = \"nu\", from = 0.0, to = 1.5, count = 400 }";
+constexpr std::string_view map_parameter = "\"nu\" or the dotted key of a number of the case";
+constexpr std::string_view map_count = "a whole number >= 2";
 
 constexpr CaseKey keys[] = {
     {"title", text, false, "a text"},
@@ -51,6 +57,19 @@ constexpr CaseKey keys[] = {
     {"continuation.tolerance", number, false, "a number > 0 and <= 1"},
     {"continuation.step", number, false, "a number > 0 and <= 0.5"},
     {"continuation.max_points", number, false, "a whole number >= 2"},
+    {"map", table, false, "a table with x, and y for two parameters"},
+    {"map.x", table, true, map_axis},
+    {"map.x.parameter", text, true, map_parameter},
+    {"map.x.from", number, true, a_number},
+    {"map.x.to", number, true, a_number},
+    {"map.x.count", number, true, map_count},
+    {"map.x.scale", text, false, "", 0, axis_scale_names},
+    {"map.y", table, false, map_axis},
+    {"map.y.parameter", text, true, map_parameter},
+    {"map.y.from", number, true, a_number},
+    {"map.y.to", number, true, a_number},
+    {"map.y.count", number, true, map_count},
+    {"map.y.scale", text, false, "", 0, axis_scale_names},
     {"output", table, false, "a table"},
     {"output.spectrum", boolean, false, a_boolean},
     {"output.certificate", boolean, false, a_boolean},

@@ -13,9 +13,6 @@
 namespace stationary {
 namespace {
 
-/// Residuals above this (relative to the largest term) are no equilibrium, whatever converged.
-constexpr double acceptable_residual = 1e-12;
-
 void adopt(const auto& answer, Equilibrium& out) {
   out.status = answer.status;
   out.message = answer.message;

@@ -84,6 +84,9 @@ struct Equilibrium {
   Counts counts;
 };
 
+/// Residuals above this (relative to the largest term) are no equilibrium, whatever converged.
+constexpr double acceptable_residual = 1e-12;
+
 struct SolveOptions {
   Method method = Method::automatic;
   std::optional<Stretch> start;             ///< default: the rest state

@@ -70,7 +70,8 @@ std::vector<Column> equilibrium_columns(const RowParts& parts) {
     const auto c = static_cast<Column>(k);
     if ((c == Column::event && !parts.events) || (is_spectral(c) && !parts.spectrum) ||
         (is_two_polar(c) && !parts.two_polar) || (is_certificate(c) && !parts.certificate) ||
-        (c == Column::class_certified && !parts.spectrum))
+        (c == Column::class_certified && !parts.spectrum) || (c == Column::status && !parts.map) ||
+        (c == Column::sheet && parts.map))
       continue;
     out.push_back(c);
   }

@@ -23,6 +23,7 @@ struct RowParts {
   bool events = false;
   bool spectrum = false;
   bool certificate = false;
+  bool map = false;  ///< a map's cells, which have a status and no sheet
 };
 
 /// The columns fill_row(), fill_spectrum(), prove_row() and the caller's sheet, point and

@@ -33,6 +33,14 @@ Json motion_json(const Case::Motion& motion) {
   return {{"branch", two_polar_name}, {"s3", momenta.s3}, {"p_theta", momenta.p_theta}};
 }
 
+Json axis_json(const MapAxis& axis) {
+  return {{"parameter", axis.parameter},
+          {"from", axis.from},
+          {"to", axis.to},
+          {"count", axis.count},
+          {"scale", name(axis.scale)}};
+}
+
 /// The case file's own keys, defaults included.
 Json case_json(const Case& input) {
   Json out;
@@ -52,6 +60,10 @@ Json case_json(const Case& input) {
                            {"tolerance", continuation->tolerance},
                            {"step", continuation->step},
                            {"max_points", continuation->max_points}};
+  }
+  if (input.map) {
+    out["map"]["x"] = axis_json(input.map->x);
+    if (input.map->y) out["map"]["y"] = axis_json(*input.map->y);
   }
   out["output"] = {{"spectrum", input.output.spectrum},
                    {"certificate", input.output.certificate},

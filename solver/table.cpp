@@ -14,19 +14,20 @@ namespace {
 constexpr std::size_t block_size = 1U << 16U;
 constexpr std::size_t longest_text = 256;   // quoted
 constexpr std::size_t longest_number = 32;  // shortest round trip takes 24
-// Six texts (five columns and, in the header, the parameter) and the rest numbers.
-constexpr std::size_t longest_row = 6 * longest_text + (column_count + 1) * longest_number;
+// Eight texts (six columns and, in the header, the parameters) and the rest numbers.
+constexpr std::size_t longest_row = 8 * longest_text + (column_count + 2) * longest_number;
 
-enum class Kind : std::uint8_t { text, count, number };
+}  // namespace
 
-constexpr Kind kind(Column c) {
+CellKind cell_kind(Column c) {
   switch (c) {
     case Column::branch:
     case Column::event:
     case Column::stability:
+    case Column::status:
     case Column::certified:
     case Column::class_certified:
-      return Kind::text;
+      return CellKind::text;
     case Column::sheet:
     case Column::point:
     case Column::negative:
@@ -35,9 +36,9 @@ constexpr Kind kind(Column c) {
     case Column::krein3:
     case Column::krein4:
     case Column::krein5:
-      return Kind::count;
+      return CellKind::count;
     default:
-      return Kind::number;
+      return CellKind::number;
   }
 }
 
@@ -47,6 +48,8 @@ std::string_view text_of(const TableRow& row, Column c) {
       return row.branch;
     case Column::event:
       return row.event;
+    case Column::status:
+      return row.status;
     case Column::certified:
       return row.certified;
     case Column::class_certified:
@@ -55,8 +58,6 @@ std::string_view text_of(const TableRow& row, Column c) {
       return row.stability;
   }
 }
-
-}  // namespace
 
 std::optional<Column> find_column(std::string_view name) {
   const auto at = std::ranges::find(column_names, name);
@@ -75,10 +76,12 @@ std::vector<Column> select_columns(std::span<const Column> computed,
 }
 
 TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
-                         std::optional<std::string> parameter)
+                         const std::optional<std::string>& parameter,
+                         const std::optional<std::string>& second)
     : sink_(&sink),
       columns_(std::move(columns)),
       has_parameter_(parameter.has_value()),
+      has_second_(second.has_value()),
       buffer_(block_size + longest_row),
       cursor_(buffer_.data()) {
   bool first = true;
@@ -89,9 +92,10 @@ TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
     separate();
     append(name(c));
   }
-  if (parameter) {
+  for (const auto* trailing : {&parameter, &second}) {
+    if (!*trailing) continue;
     separate();
-    append(*parameter);
+    append(**trailing);
   }
   *cursor_++ = '\n';
 }
@@ -100,20 +104,24 @@ void TableWriter::write(const TableRow& row) {
   bool first = true;
   for (const Column c : columns_) {
     if (!std::exchange(first, false)) *cursor_++ = ',';
-    switch (kind(c)) {
-      case Kind::text:
+    switch (cell_kind(c)) {
+      case CellKind::text:
         append(text_of(row, c));
         break;
-      case Kind::count:
+      case CellKind::count:
         append_count(row[c]);
         break;
-      case Kind::number:
+      case CellKind::number:
         append(row[c]);
     }
   }
   if (has_parameter_) {
     if (!first) *cursor_++ = ',';
     append(row.parameter);
+  }
+  if (has_second_) {
+    *cursor_++ = ',';
+    append(row.second_parameter);
   }
   *cursor_++ = '\n';
   ++rows_;

@@ -24,6 +24,7 @@ enum class Column : std::uint8_t {
   pi1, pi2, pi3, energy, residual, compatibility, error_bound, stability, growth, negative,
   re1, im1, krein1, re2, im2, krein2, re3, im3, krein3, re4, im4, krein4, re5, im5, krein5,
   omega, theta_dot, s3, p_theta,  // the two-polar family's
+  status,                         // of a map's cell
   certified, class_certified      // with output.certificate
   // clang-format on
 };
@@ -35,7 +36,7 @@ constexpr std::string_view column_names[] = {
     "lambda", "mu", "angle", "pi1", "pi2", "pi3", "energy", "residual", "compatibility",
     "error_bound", "class", "growth", "negative", "re1", "im1", "krein1", "re2", "im2", "krein2",
     "re3", "im3", "krein3", "re4", "im4", "krein4", "re5", "im5", "krein5", "omega", "theta_dot",
-    "s3", "p_theta", "certified", "class_certified"
+    "s3", "p_theta", "status", "certified", "class_certified"
     // clang-format on
 };
 constexpr std::size_t column_count = std::size(column_names);
@@ -71,14 +72,16 @@ struct TableRow {
   std::string_view stability;  ///< column "class"
   std::string_view certified;
   std::string_view class_certified;
+  std::string_view status;
   std::array<double, column_count> numbers;
-  double parameter;  ///< the trailing column
+  double parameter;         ///< the trailing column
+  double second_parameter;  ///< and one more after it, of a map
 
   TableRow() { clear(); }
   void clear() {
-    branch = event = stability = certified = class_certified = {};
+    branch = event = stability = certified = class_certified = status = {};
     numbers.fill(std::numeric_limits<double>::quiet_NaN());
-    parameter = std::numeric_limits<double>::quiet_NaN();
+    parameter = second_parameter = std::numeric_limits<double>::quiet_NaN();
   }
   double& operator[](Column c) { return numbers[static_cast<std::size_t>(c)]; }
   double operator[](Column c) const { return numbers[static_cast<std::size_t>(c)]; }
@@ -94,15 +97,22 @@ class ByteSink {
   virtual void write(std::string_view bytes) = 0;
 };
 
+/// What the cells of a column are.
+enum class CellKind : std::uint8_t { text, count, number };
+CellKind cell_kind(Column c);
+/// The row's text in a column of texts.
+std::string_view text_of(const TableRow& row, Column c);
+
 /// The computed columns the user asked for, in the contract's order; all of them if none is named.
 std::vector<Column> select_columns(std::span<const Column> computed,
                                    std::span<const std::string> asked);
 
 class TableWriter {
  public:
-  /// parameter: header of the trailing column, if there is one. Writes the header.
+  /// parameter, second: headers of the trailing columns, if there are such. Writes the header.
   TableWriter(ByteSink& sink, std::vector<Column> columns,
-              std::optional<std::string> parameter = std::nullopt);
+              const std::optional<std::string>& parameter = std::nullopt,
+              const std::optional<std::string>& second = std::nullopt);
 
   void write(const TableRow& row);
   /// Hands the rest to the sink. Without it the last block is lost.
@@ -117,6 +127,7 @@ class TableWriter {
   ByteSink* sink_;
   std::vector<Column> columns_;
   bool has_parameter_;
+  bool has_second_;
   std::size_t rows_ = 0;
   std::vector<char> buffer_;
   char* cursor_;

@@ -51,6 +51,13 @@ ExitCode check_case(const CaseOptions& options) {
              fmt::format("{} from {} to {}, tolerance {}", continuation->parameter,
                          continuation->from, continuation->to, continuation->tolerance));
   }
+  if (input.map) {
+    for (const MapAxis* axis : input.map->axes())
+      out.line(
+          axis == &input.map->x ? "map" : "",
+          fmt::format("{}: {} values from {} to {}{}", axis->parameter, axis->count, axis->from,
+                      axis->to, axis->scale == AxisScale::log ? ", logarithmic" : ""));
+  }
   std::string columns;
   for (const std::string& column : input.output.columns)
     columns += (columns.empty() ? "" : ", ") + column;

@@ -20,6 +20,7 @@ ExitCode run(int argc, char** argv) {
   cli::add_solve(program, session);
   cli::add_continue(program, session);
   cli::add_atlas(program, session);
+  cli::add_map(program, session);
   cli::add_check(program, session);
   cli::add_models(program, session);
   cli::add_plot(program, session);

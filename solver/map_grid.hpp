@@ -1,0 +1,54 @@
+// A case's grid (case_map.hpp) as a batch (batch.hpp), and its cells as rows of a table.
+//
+// Rows are numbered as they are written: x runs fastest. Lanes of the batch are the grid's other
+// parameter, or every cell where neither is nu.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "solver/batch.hpp"
+#include "solver/case_file.hpp"
+#include "solver/equilibrium_row.hpp"
+#include "solver/table.hpp"
+
+namespace stationary {
+
+/// Column "status".
+enum class CellStatus { solved, none_exists, not_found, failed };
+constexpr std::string_view cell_status_names[] = {"solved", "none-exists", "not-found", "failed"};
+constexpr std::string_view name(CellStatus s) { return cell_status_names[static_cast<int>(s)]; }
+
+class MapGrid {
+ public:
+  /// input: with a map, of an axis rotation (std::bad_optional_access, std::bad_variant_access
+  /// otherwise). It must outlive this.
+  explicit MapGrid(const Case& input);
+
+  const BatchInput& batch() const { return batch_; }
+  std::size_t size() const { return x_.size() * y_.size(); }
+
+  /// Rows `first` ... `last` - 1 of a solved batch into out, those not run left out: point,
+  /// motion, stretch, errors, status, both parameters; spectra and proofs if asked for. A cell
+  /// whose residual, recomputed, is none of an equilibrium's is `failed`.
+  void rows(const BatchResult& solved, std::size_t first, std::size_t last, const RowParts& parts,
+            std::vector<TableRow>& out) const;
+
+ private:
+  struct Place {
+    std::size_t lane;
+    std::size_t step;
+  };
+  Place place(std::size_t row) const;
+
+  Branch branch_;
+  std::vector<double> x_;
+  std::vector<double> y_;  ///< one number where the grid has no y
+  bool x_is_nu_;
+  bool y_is_nu_;
+  BatchInput batch_;
+};
+
+}  // namespace stationary
