@@ -30,6 +30,9 @@ class AtomicFile : public ByteSink {
   /// For another process to write to; this object's until commit().
   int descriptor() const { return descriptor_; }
 
+  /// The file written to until commit(), for a library that opens it by name.
+  const std::filesystem::path& path() const { return is_regular() ? temporary_ : target_; }
+
   bool is_regular() const { return !temporary_.empty(); }
 
  private:

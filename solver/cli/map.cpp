@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -22,6 +23,7 @@
 #include "solver/cli/progress.hpp"
 #include "solver/cli/report.hpp"
 #include "solver/cli/table_output.hpp"
+#include "solver/column_file.hpp"
 #include "solver/map_grid.hpp"
 
 namespace stationary::cli {
@@ -58,6 +60,37 @@ void require_map(const Case& input) {
                    "tilted and two-polar motions are solved one at a time in this version");
   }
 }
+
+/// The table of a map: CSV, or HDF5 by the extension.
+class MapTable {
+ public:
+  MapTable(const ComputeOptions& options, const Case& input, const std::vector<Column>& columns)
+      : output_(options.output, options.path) {
+    const std::string& x = input.map->x.parameter;
+    const auto y = input.map->y ? std::optional(input.map->y->parameter) : std::nullopt;
+    if (is_column_file_extension(std::filesystem::path(options.output).extension().string())) {
+      std::vector<std::string> parameters{x};
+      if (y) parameters.push_back(*y);
+      binary_.emplace(output_.file_to_write(), columns, parameters, input.map->cells());
+    } else {
+      text_.emplace(output_.sink(), columns, x, y);
+    }
+  }
+  void write(const TableRow& row) {
+    if (text_) text_->write(row);
+    if (binary_) binary_->write(row);
+  }
+  void commit(const Metadata& metadata) {
+    if (text_) text_->flush();
+    if (binary_) binary_->finish(metadata_json(metadata));
+    output_.commit(metadata);
+  }
+
+ private:
+  TableOutput output_;
+  std::optional<TableWriter> text_;
+  std::optional<ColumnFileWriter> binary_;
+};
 
 /// Rows of the solved grid in their order, a window at a time computed by all threads; ends at a
 /// signal, after whole windows.
@@ -173,13 +206,8 @@ ExitCode map_case(const ComputeOptions& options, const Session& session) {
     columns.push_back(Column::status);  // a cell without one would say nothing where it is empty
     std::ranges::sort(columns);
   }
-  std::optional<TableOutput> output;
-  std::optional<TableWriter> table;
-  if (to_table) {
-    output.emplace(options.output, options.path);
-    table.emplace(output->sink(), columns, input.map->x.parameter,
-                  input.map->y ? std::optional(input.map->y->parameter) : std::nullopt);
-  }
+  std::optional<MapTable> table;
+  if (to_table) table.emplace(options, input, columns);
 
   const auto begin = std::chrono::steady_clock::now();
   const MapGrid grid(input);
@@ -201,14 +229,13 @@ ExitCode map_case(const ComputeOptions& options, const Session& session) {
   progress.clear();
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (output) {
-    table->flush();
+  if (table) {
     Metadata metadata = describe(session, input, counts, solved);
     metadata.seconds = seconds;
-    output->commit(metadata);
+    table->commit(metadata);
   }
   const ExitCode code = conclusion(input, counts, to_table);
-  if (!output && !options.quiet && code != ExitCode::interrupted)
+  if (!table && !options.quiet && code != ExitCode::interrupted)
     print(summary(input, counts, seconds));
   return code;
 }

@@ -8,7 +8,7 @@
 namespace stationary::cli {
 namespace fs = std::filesystem;
 
-TableOutput::TableOutput(const std::string& path, const std::string& case_path) {
+TableOutput::TableOutput(const std::string& path, const std::string& case_path) : path_(path) {
   if (path == "-") return;
   const fs::path metadata = metadata_path(path);
   for (const fs::path& target : {fs::path(path), metadata})
@@ -21,6 +21,12 @@ TableOutput::TableOutput(const std::string& path, const std::string& case_path) 
     refuse_output(
         path, "cannot write " + printable(metadata.string()) + " beside it: " + reason.what(), {});
   }
+}
+
+std::string TableOutput::file_to_write() const {
+  if (!file_ || !file_->is_regular())
+    refuse_output(path_, "found no regular file, which HDF5 needs", {});
+  return file_->path().string();
 }
 
 void TableOutput::commit(const Metadata& metadata) {

@@ -16,10 +16,14 @@ class TableOutput {
   TableOutput(const std::string& path, const std::string& case_path);
 
   ByteSink& sink() { return file_ ? static_cast<ByteSink&>(*file_) : standard_output_; }
+  /// For a library that writes a file by its name: the one that commit() puts in place. Throws
+  /// InputError where there is none (standard output, a device).
+  std::string file_to_write() const;
   /// Puts both files in place; before this nothing is.
   void commit(const Metadata& metadata);
 
  private:
+  std::string path_;
   StandardOutput standard_output_;
   std::optional<AtomicFile> file_;
   std::optional<AtomicFile> metadata_file_;
