@@ -69,6 +69,7 @@ Handle enumeration(const std::vector<std::string_view>& of) {
 Handle string_type(std::size_t length) {
   Handle type = require(Handle(H5Tcopy(H5T_C_S1), H5Tclose), "a type of strings");
   require(H5Tset_size(type.id(), std::max<std::size_t>(length, 1)), "a type of strings");
+  require(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "a type of strings");
   require(H5Tset_cset(type.id(), H5T_CSET_UTF8), "a type of strings");
   return type;
 }
@@ -187,7 +188,8 @@ ColumnFileWriter::ColumnFileWriter(const std::string& path, const std::vector<Co
           path);
   data_->file = require(
       Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), H5P_DEFAULT), H5Fclose), path);
-  data_->block = std::clamp<hsize_t>(rows, 1, longest_block);
+  const hsize_t blocks = std::max<hsize_t>(1, (rows + longest_block - 1) / longest_block);
+  data_->block = std::max<hsize_t>(1, (rows + blocks - 1) / blocks);
   std::vector<std::string> names;
   const auto add = [&](Dataset each, hid_t type) {
     each.set = data_->create(each.name, type);

@@ -39,9 +39,10 @@ class ParameterReader {
   explicit ParameterReader(const TableReader& table)
       : table_(&table), nu_(places(table, nu_columns)), omega_(table.column(name(Column::omega))) {
     const std::vector<std::string>& columns = table.columns();
-    if (columns.back().find('.') == std::string::npos) return;
+    const bool is_nu = columns.back() == "nu";  // of a map
+    if (!is_nu && columns.back().find('.') == std::string::npos) return;
     key_ = columns.size() - 1;
-    symbol_ = columns.back();
+    symbol_ = is_nu ? "ν" : columns.back();
   }
 
   double value(std::string_view branch) {

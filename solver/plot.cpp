@@ -17,23 +17,13 @@
 namespace stationary {
 namespace {
 
-std::string_view terminal(ImageFormat format) {
-  switch (format) {
-    case ImageFormat::svg:
-      return "svg noenhanced size 800,600 dynamic font 'sans-serif,13' background '#ffffff'";
-    case ImageFormat::png:
-      return "pngcairo noenhanced size 1600,1200 font 'sans,13' fontscale 1.5 linewidth 2 "
-             "pointscale 2.2 dashlength 1.6";
-    case ImageFormat::pdf:
-      return "pdfcairo noenhanced size 8in,6in font 'sans,13' fontscale 0.55 linewidth 1.6 "
-             "pointscale 0.8 dashlength 1.3";
-  }
-  return {};
-}
-
-std::string on_page(double x, double y) {
-  return fmt::format("screen {}, screen {}", x / PlotPage::width, y / PlotPage::height);
-}
+/// By ImageFormat.
+constexpr std::string_view terminals[] = {
+    "svg noenhanced size 800,600 dynamic font 'sans-serif,13' background '#ffffff'",
+    "pngcairo noenhanced size 1600,1200 font 'sans,13' fontscale 1.5 linewidth 2 pointscale 2.2 "
+    "dashlength 1.6",
+    "pdfcairo noenhanced size 8in,6in font 'sans,13' fontscale 0.55 linewidth 1.6 pointscale 0.8 "
+    "dashlength 1.3"};
 
 class Script {
  public:
@@ -51,7 +41,6 @@ class Script {
   void event_data();
   void rate_row(const DiagramLine& line_of, std::size_t at);
   void rate_data();
-  void write_title(std::string_view title);
   void begin_panel(double from, double to, std::string_view ordinate);
   void label_events();
   void stretch_panel();
@@ -128,17 +117,6 @@ void Script::rate_data() {
     }
     line("END_OF_DATA");
   }
-}
-
-void Script::write_title(std::string_view title) {
-  if (title.empty()) return;
-  constexpr double largest = 15.0;
-  constexpr double fitting = 80.0;  // characters, in the largest font
-  const double size = largest * std::min(1.0, fitting / static_cast<double>(title.size()));
-  line("set label {} at {} center font ',{:.1f}'", in_gnuplot_quotes(title),
-       on_page(0.5 * PlotPage::width,
-               PlotPage::height - PlotPage::margin - 0.3 * PlotPage::title_height),
-       size);
 }
 
 /// Its edges, the line that leads each event through it, and the name of its ordinate: a label
@@ -245,8 +223,7 @@ void Script::spectrum_panel() {
 }
 
 std::string Script::write(ImageFormat format, std::string_view title) {
-  line("set terminal {}", terminal(format));
-  line("set encoding utf8");
+  text_ += page_head(format, title);
   stretch_data();
   event_data();
   if (diagram_.has_spectrum) rate_data();
@@ -258,7 +235,6 @@ std::string Script::write(ImageFormat format, std::string_view title) {
   line("set rmargin at screen {}", PlotPage::right / PlotPage::width);
   line("set key at graph 1.03, graph 1.0 left top Left reverse samplen 2.2 spacing 1.2 font ',12'");
   line("set xrange [{}:{}]", page_.parameters.low, page_.parameters.high);
-  write_title(title);
   const auto name_parameter = [&] {
     line("set xlabel {} offset 0,0.4", in_gnuplot_quotes(diagram_.parameter));
   };
@@ -283,6 +259,23 @@ std::optional<ImageFormat> image_format(std::string_view extension) {
   const auto at = std::ranges::find(image_extensions, extension);
   if (at == image_extensions.end()) return std::nullopt;
   return static_cast<ImageFormat>(at - image_extensions.begin());
+}
+
+std::string on_page(double x, double y) {
+  return fmt::format("screen {}, screen {}", x / PlotPage::width, y / PlotPage::height);
+}
+
+std::string page_head(ImageFormat format, std::string_view title) {
+  std::string out = fmt::format("set terminal {}\nset encoding utf8\n",
+                                terminals[static_cast<std::size_t>(format)]);
+  if (title.empty()) return out;
+  constexpr double largest = 15.0;
+  constexpr double fitting = 80.0;  // characters, in the largest font
+  const double size = largest * std::min(1.0, fitting / static_cast<double>(title.size()));
+  return out + fmt::format("set label {} at {} center font ',{:.1f}'\n", in_gnuplot_quotes(title),
+                           on_page(0.5 * PlotPage::width, PlotPage::height - PlotPage::margin -
+                                                              0.3 * PlotPage::title_height),
+                           size);
 }
 
 std::string gnuplot_script(const Diagram& diagram, ImageFormat format, std::string_view title) {

@@ -25,6 +25,12 @@ constexpr std::array<std::string_view, 3> image_extensions{".svg", ".png", ".pdf
 /// By the extension, with its dot.
 std::optional<ImageFormat> image_format(std::string_view extension);
 
+/// Terminal, encoding and title: what a script begins with.
+std::string page_head(ImageFormat format, std::string_view title);
+
+/// A place on the page, in the units of PlotPage.
+std::string on_page(double x, double y);
+
 /// title: shown as it is; empty for none.
 std::string gnuplot_script(const Diagram& diagram, ImageFormat format, std::string_view title);
 

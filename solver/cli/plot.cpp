@@ -1,4 +1,5 @@
-// stationary plot TABLE -o FILE: the bifurcation diagram of a table, and the spectrum along it.
+// stationary plot TABLE -o FILE: the bifurcation diagram of a table, and the spectrum along it; of
+// a map over two parameters the heat map of one of its columns.
 #include "solver/plot.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,9 @@
 #include "solver/cli/command.hpp"
 #include "solver/cli/interrupt.hpp"
 #include "solver/cli/output_file.hpp"
+#include "solver/column_file.hpp"
 #include "solver/gnuplot.hpp"
+#include "solver/map_plot.hpp"
 #include "solver/metadata.hpp"
 
 namespace stationary::cli {
@@ -24,6 +27,7 @@ struct PlotOptions {
   std::string table;
   std::string output;
   std::optional<std::string> title;
+  std::optional<std::string> quantity;
   bool quiet = false;
 };
 
@@ -40,23 +44,55 @@ ImageFormat format_of(const std::string& output) {
 std::string title_of(const PlotOptions& options) {
   if (options.title) return *options.title;
   std::ifstream file(metadata_path(options.table), std::ios::binary);
-  const std::string metadata{std::istreambuf_iterator<char>(file), {}};
+  std::string metadata{std::istreambuf_iterator<char>(file), {}};
+  if (metadata.empty() && is_column_file(options.table))
+    metadata = column_file_metadata(options.table);
   const std::string title = case_title(metadata);
   return title.empty() ? fs::path(options.table).filename().string() : title;
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// The script of a table's figure, and what is in it.
+struct Figure {
+  std::string script;
+  std::string contents;
+};
+
+Figure figure(const PlotOptions& options, ImageFormat format) {
+  TableReader table = is_column_file(options.table)
+                          ? TableReader(column_file_table(options.table, {}), options.table)
+                          : TableReader(options.table);
+  if (map_parameters(table.columns()).size() == 2) {
+    const MapDiagram map = read_map_diagram(table, options.quantity);
+    return {
+        gnuplot_script(map, format, title_of(options)),
+        fmt::format("{} by {} cells, {}", map.x.values.size(), map.y.values.size(), map.quantity)};
+  }
+  if (options.quantity) {
+    throw InputError(Origin::of_option("--show " + *options.quantity), "",
+                     "found no map over two parameters in " + printable(options.table),
+                     "a table of `map` with x and y");
+  }
+  const Diagram diagram = read_diagram(table);
+  return {gnuplot_script(diagram, format, title_of(options)),
+          fmt::format("{}, {}, {}", counted(diagram.points.size(), "row"),
+                      counted(diagram.pieces.size(), "sheet"),
+                      counted(diagram.events.size(), "event"))};
 }
 
 ExitCode plot_table(const PlotOptions& options) {
   const ImageFormat format = format_of(options.output);
   refuse_to_replace(options.output, options.output, options.table, "the table");
-  TableReader table(options.table);
-  const Diagram diagram = read_diagram(table);
+  const Figure drawn = figure(options, format);
   std::optional<AtomicFile> image;
   open_output(image, options.output);
   const std::atomic<bool>& stop = stop_on_signals();
-  const std::string script = gnuplot_script(diagram, format, title_of(options));
   // Ctrl-C reaches gnuplot as well: its end is then no failure.
   try {
-    if (!stop) run_gnuplot(script, image->descriptor());
+    if (!stop) run_gnuplot(drawn.script, image->descriptor());
   } catch (const std::runtime_error&) {
     if (!stop) throw;
   }
@@ -65,14 +101,7 @@ ExitCode plot_table(const PlotOptions& options) {
     return ExitCode::interrupted;
   }
   image->commit();
-  if (!options.quiet) {
-    const auto counted = [](std::size_t count, std::string_view what) {
-      return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-    };
-    print(fmt::format(
-        "{}: {}, {}, {}\n", printable(options.output), counted(diagram.points.size(), "row"),
-        counted(diagram.pieces.size(), "sheet"), counted(diagram.events.size(), "event")));
-  }
+  if (!options.quiet) print(fmt::format("{}: {}\n", printable(options.output), drawn.contents));
   return ExitCode::done;
 }
 
@@ -82,7 +111,9 @@ void add_plot(CLI::App& program, Session& session) {
   CLI::App& command =
       add_command(program, "plot", "Draw the bifurcation diagram of a table (needs gnuplot)");
   const auto options = std::make_shared<PlotOptions>();
-  command.add_option("TABLE", options->table, "Table (CSV) of solve, continue or atlas")
+  command
+      .add_option("TABLE", options->table,
+                  "Table of solve, continue, atlas or map (CSV, or map's HDF5)")
       ->required();
   command.add_option("-o,--output", options->output, "Write the image there: .svg, .png or .pdf")
       ->type_name("FILE")
@@ -91,6 +122,11 @@ void add_plot(CLI::App& program, Session& session) {
       .add_option("--title", options->title,
                   "Title of the diagram; without it the case's, or the table's name")
       ->type_name("TEXT");
+  command
+      .add_option("--show", options->quantity,
+                  "Column of a map over two parameters to show; without it class, or growth, or "
+                  "lambda")
+      ->type_name("COLUMN");
   command.add_flag("-q,--quiet", options->quiet, "Print nothing");
   command.callback(
       [options, &session] { session.action = [options] { return plot_table(*options); }; });
