@@ -1,5 +1,6 @@
 # What results/ holds, made from every case in cases/: the bifurcation table and its figure where the
-# case says over which range, else the table of its one solution (without rows where there is none).
+# case says over which range, else the table of its one solution (without rows where there is none),
+# with the figure of its map where it has one.
 # From the project's directory, so that the metadata name files relative to it:
 #
 #   cmake -D PROGRAM=build/release/solver/cli/stationary -D INTO=results -P cmake/results.cmake
@@ -37,6 +38,14 @@ foreach(case IN LISTS cases)
     endif()
   else()
     run_program(solve ${case} -o ${INTO}/${name}.csv --quiet)
+  endif()
+  file(STRINGS ${case} mapped REGEX "^\\[map\\]")
+  if(mapped) # the table itself is large
+    run_program(map ${case} -o ${INTO}/${name}_map.h5 --quiet)
+    foreach(format svg png)
+      run_program(plot ${INTO}/${name}_map.h5 -o ${INTO}/${name}.${format} --quiet)
+    endforeach()
+    file(REMOVE ${INTO}/${name}_map.h5 ${INTO}/${name}_map.meta.json)
   endif()
   message(STATUS "${name}")
 endforeach()

@@ -144,6 +144,17 @@ struct Pack {
   }
 };
 
+#ifdef __AVX2__
+[[gnu::always_inline]] inline __m256d multiply_subtract(__m256d a, __m256d b, __m256d c) {
+  return _mm256_fmsub_pd(a, b, c);
+}
+#endif
+#ifdef __AVX512F__
+[[gnu::always_inline]] inline __m512d multiply_subtract(__m512d a, __m512d b, __m512d c) {
+  return _mm512_fmsub_pd(a, b, c);
+}
+#endif
+
 /// fl(a b) and its rounding error, as of doubles.
 template <int bytes>
 [[gnu::always_inline]] inline Pair<Pack<bytes>> two_product(const Pack<bytes>& x,
@@ -152,15 +163,7 @@ template <int bytes>
     return split_product(x, y);
   } else {
     const Pack<bytes> p = x * y;
-    const auto rest = [](auto u, auto v, auto w) {
-#ifdef __AVX512F__
-      if constexpr (bytes == 64) return _mm512_fmsub_pd(u, v, w);
-#endif
-#ifdef __AVX2__
-      if constexpr (bytes == 32) return _mm256_fmsub_pd(u, v, w);
-#endif
-    };
-    return {p, Pack<bytes>(rest(x.a, y.a, p.a), rest(x.b, y.b, p.b))};
+    return {p, Pack<bytes>(multiply_subtract(x.a, y.a, p.a), multiply_subtract(x.b, y.b, p.b))};
   }
 }
 

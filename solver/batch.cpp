@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -226,7 +227,10 @@ class BatchRun {
   void run() {
     std::atomic<std::size_t> fallbacks = 0;
     const auto solve_tiles = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) fallbacks += solve_tile(k * BatchResult::tile);
+      for (std::size_t k = begin; k < end; ++k) {
+        fallbacks += solve_tile(k * BatchResult::tile);
+        report();
+      }
     };
     if (options_.threads == 1) {
       solve_tiles(0, tiles_);
@@ -245,6 +249,14 @@ class BatchRun {
  private:
   bool stopped() const {
     return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
+  }
+
+  /// One more tile is done.
+  void report() {
+    const std::size_t done = ++done_;
+    if (!options_.progress) return;
+    if (const std::unique_lock lock(reporting_, std::try_to_lock); lock)
+      options_.progress(static_cast<double>(done) / static_cast<double>(tiles_));
   }
 
   void put(std::size_t lane, std::size_t slot, const SweepPoint& point) {
@@ -377,6 +389,8 @@ class BatchRun {
   BatchResult& out_;
   MarchPlan plan_;
   std::size_t tiles_ = 0;
+  std::atomic<std::size_t> done_ = 0;
+  std::mutex reporting_;
 };
 
 void solve_batch(const BatchInput& input, const BatchOptions& options, BatchResult& out) {

@@ -15,6 +15,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -73,6 +74,8 @@ struct BatchOptions {
   int threads = 1;
   InstructionSet instructions = best_instruction_set();
   const std::atomic<bool>* stop = nullptr;  ///< becomes true: what is left has status not_run
+  /// Called now and then with the fraction done, by one thread at a time.
+  std::function<void(double)> progress = {};
 };
 
 struct BatchCell {

@@ -32,7 +32,7 @@ MarchPlan march_plan(std::span<const double> nu) {
   MarchPlan out;
   for (const double each : nu) out.s.push_back(std::abs(each));
   std::ranges::sort(out.s);
-  out.s.erase(std::ranges::unique(out.s).begin(), out.s.end());
+  out.s.erase(std::unique(out.s.begin(), out.s.end()), out.s.end());
   for (const double each : nu) {
     const auto at = std::ranges::lower_bound(out.s, std::abs(each));
     out.slot.push_back(static_cast<std::size_t>(at - out.s.begin()));

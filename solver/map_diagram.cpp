@@ -60,7 +60,7 @@ std::optional<std::size_t> word(const TableReader& table, std::size_t column,
 
 std::vector<double> different(std::vector<double> values) {
   std::ranges::sort(values);
-  values.erase(std::ranges::unique(values).begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 

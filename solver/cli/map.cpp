@@ -206,6 +206,7 @@ ExitCode map_case(const ComputeOptions& options, const Session& session) {
     columns.push_back(Column::status);  // a cell without one would say nothing where it is empty
     std::ranges::sort(columns);
   }
+  const std::atomic<bool>& stop = stop_on_signals();  // from here on files would be left behind
   std::optional<MapTable> table;
   if (to_table) table.emplace(options, input, columns);
 
@@ -214,16 +215,22 @@ ExitCode map_case(const ComputeOptions& options, const Session& session) {
   BatchResult solved;
   BatchOptions how;
   how.threads = options.threads;
-  how.stop = &stop_on_signals();
+  how.stop = &stop;
+  ProgressBar progress;
+  const bool with_progress = progress.shown() && !options.quiet;
+  if (with_progress) {
+    how.progress = [&](double fraction) {
+      progress.show(fraction, fmt::format("solving {} cells", grid.size()));
+    };
+  }
   solve_batch(grid.batch(), how, solved);
   MapCounts counts;
-  ProgressBar progress;
   for_all_rows(grid, solved, parts, options.threads, [&](const TableRow& row) {
     counts.add(row);
     if (table) table->write(row);
-    if (!options.quiet && progress.shown() && counts.rows % 4096 == 0) {
+    if (with_progress && counts.rows % 4096 == 0) {
       progress.show(static_cast<double>(counts.rows) / static_cast<double>(grid.size()),
-                    fmt::format("{} cells", counts.rows));
+                    fmt::format("{} rows", counts.rows));
     }
   });
   progress.clear();

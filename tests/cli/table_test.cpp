@@ -46,6 +46,7 @@ TEST(Table, AllColumnsAndTheParameter) {
   row.branch = "iii";
   row.event = "fold-nu";
   row.stability = "stable";
+  row.status = "solved";
   row.certified = "yes";
   row.class_certified = "no";
   row[Column::sheet] = 12;
@@ -57,15 +58,15 @@ TEST(Table, AllColumnsAndTheParameter) {
   table.write(row);
   table.flush();
   EXPECT_EQ(table.rows(), 2U);
-  EXPECT_EQ(
-      sink.text,
-      "branch,sheet,point,event,nu1,nu2,nu3,alpha,xi,zeta,rho,lambda,mu,angle,pi1,pi2,pi3,"
-      "energy,residual,compatibility,error_bound,class,growth,negative,re1,im1,krein1,re2,"
-      "im2,krein2,re3,im3,krein3,re4,im4,krein4,re5,im5,krein5,omega,theta_dot,s3,p_theta,"
-      "certified,class_certified,body.J.0\n" +
-          std::string(45, ',') +
-          "\niii,12,4500000,fold-nu,,,,,0.1,,,,,,,,,,,,,stable,,0,,,,,,-1,,,,,,,,,,,,,,yes,no,"
-          "1e+300\n");
+  EXPECT_EQ(sink.text,
+            "branch,sheet,point,event,nu1,nu2,nu3,alpha,xi,zeta,rho,lambda,mu,angle,pi1,pi2,pi3,"
+            "energy,residual,compatibility,error_bound,class,growth,negative,re1,im1,krein1,re2,"
+            "im2,krein2,re3,im3,krein3,re4,im4,krein4,re5,im5,krein5,omega,theta_dot,s3,p_theta,"
+            "status,certified,class_certified,body.J.0\n" +
+                std::string(46, ',') +
+                "\niii,12,4500000,fold-nu,,,,,0.1,,,,,,,,,,,,,stable,,0,,,,,,-1,,,,,,,,,,,,,,"
+                "solved,yes,no,"
+                "1e+300\n");
 }
 
 TEST(Table, EveryDoubleReadsBack) {
