@@ -146,8 +146,8 @@ void set_two_polar_tests(const Member& member, const TestContext& context, const
   } else if (member.spectrum) {
     double product = 1.0;
     double largest = 0.0;
-    for (const Mode* mode :
-         by_block(*member.spectrum)[static_cast<std::size_t>(Block::even)].real) {
+    const auto blocks = by_block(*member.spectrum);
+    for (const Mode* mode : blocks[static_cast<std::size_t>(Block::even)].real) {
       if (mode == nullptr) continue;
       product *= mode->lambda_re;
       largest = std::max(largest, std::abs(mode->lambda_re));
