@@ -138,10 +138,9 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
   return out.text();
 }
 
-/// Rows of one sheet, proven if asked for.
-CurveTable sheet_table(const Case& input, const AtlasSheet& sheet, TableWriter* writer) {
-  CurveTable out(branch_name(sheet), writer, sheet.number);
-  if (!input.output.certificate) return out;
+/// Has the rows of one sheet proven, if asked for.
+void prove_sheet(const Case& input, const AtlasSheet& sheet, CurveTable& out) {
+  if (!input.output.certificate) return;
   if (sheet.plane) {
     out.prove([&input, plane = *sheet.plane](const Member& member, const Equilibrium& found,
                                              TableRow& row) {
@@ -153,7 +152,6 @@ CurveTable sheet_table(const Case& input, const AtlasSheet& sheet, TableWriter* 
                   double) { return problem; },
               {});
   }
-  return out;
 }
 
 /// All sheets in the table, if there is one; how many of their rows are proven.
@@ -161,7 +159,8 @@ CurveProofs write_sheets(const Case& input, Atlas& found, TableWriter* writer) {
   CurveProofs out;
   if (writer == nullptr && !input.output.certificate) return out;
   for (AtlasSheet& sheet : found.sheets) {
-    CurveTable rows = sheet_table(input, sheet, writer);
+    CurveTable rows(branch_name(sheet), writer, sheet.number);
+    prove_sheet(input, sheet, rows);
     for (const AtlasRow& row : sheet.rows) rows.row(row.member, row.event);
     rows.add_enclosures(sheet.report.events);
     out.rows += rows.proofs().rows;
