@@ -354,6 +354,8 @@ class Continuation {
       return;
     }
     here_ = *circle;
+    // The circle's modes are those of (iii), on another leaf.
+    if (curve_->context().two_polar) here_.member.spectrum.reset();
     finish(EventType::ellipse, "the ellipses meet the circle here and go on as mirror images");
   }
 

@@ -138,9 +138,7 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
   return out.text();
 }
 
-/// Has the rows of one sheet proven, if asked for.
-void prove_sheet(const Case& input, const AtlasSheet& sheet, CurveTable& out) {
-  if (!input.output.certificate) return;
+void prove_rows(const Case& input, const AtlasSheet& sheet, CurveTable& out) {
   if (sheet.plane) {
     out.prove([&input, plane = *sheet.plane](const Member& member, const Equilibrium& found,
                                              TableRow& row) {
@@ -160,7 +158,7 @@ CurveProofs write_sheets(const Case& input, Atlas& found, TableWriter* writer) {
   if (writer == nullptr && !input.output.certificate) return out;
   for (AtlasSheet& sheet : found.sheets) {
     CurveTable rows(branch_name(sheet), writer, sheet.number);
-    prove_sheet(input, sheet, rows);
+    if (input.output.certificate) prove_rows(input, sheet, rows);
     for (const AtlasRow& row : sheet.rows) rows.row(row.member, row.event);
     rows.add_enclosures(sheet.report.events);
     out.rows += rows.proofs().rows;

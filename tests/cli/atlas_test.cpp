@@ -14,8 +14,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string shipped(const std::string& name) { return std::string(STATIONARY_CASES "/") + name; }
-
 TEST(AtlasCommand, WritesEverySheetAndItsMetadata) {
   const TemporaryDirectory directory;
   const Outcome outcome = run_program({"atlas", shipped("apart.toml"), "-o", directory / "x.csv"});

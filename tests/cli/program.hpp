@@ -47,6 +47,11 @@ class TemporaryDirectory {
 
 std::string text_of(const std::string& path);
 
+/// A case of cases/, by its file's name.
+inline std::string shipped(const std::string& name) {
+  return std::string(STATIONARY_CASES "/") + name;
+}
+
 /// A valid case; the text the malformed ones are made of.
 extern const char* const good_case;
 

@@ -21,8 +21,6 @@ constexpr const char* header =
     "compatibility,error_bound,class,growth,negative,re1,im1,krein1,re2,im2,krein2,re3,im3,krein3,"
     "re4,im4,krein4,re5,im5,krein5";
 
-std::string shipped(const std::string& name) { return std::string(STATIONARY_CASES "/") + name; }
-
 TEST(Solve, TableReadsBackToTheLastBit) {
   const Outcome outcome = run_program({"solve", shipped("disc.toml"), "-o", "-"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -231,5 +231,36 @@ TEST(TwoPolarCase, ParametersActOnTheMotion) {
   EXPECT_THROW((void)with_parameter(family, "motion.s3", std::nan("")), std::invalid_argument);
 }
 
+TEST(TwoPolarCase, IsFollowedInARate) {
+  const Outcome outcome = run_program({"continue", rates_case, "--certify", "-o", "-"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  auto rows = rows_of(outcome.out);
+  ASSERT_GT(rows.size(), 50U);
+  EXPECT_EQ(rows.front()["event"], "ellipse");
+  EXPECT_EQ(rows.front()["lambda"], rows.front()["mu"]);
+  EXPECT_EQ(rows.back()["event"], "limit");
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    EXPECT_EQ(rows[k]["omega"], "1.2");
+    EXPECT_EQ(rows[k]["theta_dot"], rows[k]["motion.theta_dot"]);
+    EXPECT_EQ(rows[k]["certified"], "yes") << rows[k]["point"];
+    EXPECT_EQ(rows[k]["class_certified"], "yes") << rows[k]["point"];
+  }
+}
+
+/// An interrupted table goes on as the whole one.
+TEST(TwoPolarCase, IsGoneOnWith) {
+  const TemporaryDirectory directory;
+  const std::string file = directory / "x.csv";
+  const Outcome part = run_program(
+      {"continue", momenta_case, "-o", file, "--set", "continuation.max_points=60", "--quiet"});
+  ASSERT_EQ(part.code, 0) << part.err;
+  const Outcome rest = run_program({"continue", momenta_case, "-o", file, "--resume", "--quiet"});
+  ASSERT_EQ(rest.code, 0) << rest.err;
+  const auto rows = rows_of(text_of(file));
+  EXPECT_EQ(rows.front().at("event"), "limit");
+  EXPECT_EQ(rows.back().at("event"), "limit");
+  EXPECT_GT(rows.size(), 100U);
+}
+
 }  // namespace
 }  // namespace stationary::testing

@@ -139,15 +139,17 @@ TEST(Atlas, EllipsesBetweenCheckpointsAreEnteredAtTheCircle) {
 }
 
 /// biot, J1 = J2: ellipses of any eccentricity at J nu^2 = 2 mu.
-TEST(Atlas, AVerticalBranchIsNamed) {
+TEST(Atlas, AVerticalBranchIsFollowed) {
   AtlasOptions options;
   options.to = 1.5;
   options.checkpoints = 7;
   options.branches = {Branch::iii};
   const Atlas found = atlas(Body(1.0, 1.0, 0.6), potential_of("biot", 1.0, 2.0), options);
-  ASSERT_EQ(found.remarks.size(), 1U);
-  EXPECT_TRUE(found.remarks[0].reason.starts_with("a vertical branch")) << found.remarks[0].reason;
-  EXPECT_NEAR(found.remarks[0].nu, std::sqrt(2.0), 1e-14);
+  EXPECT_TRUE(found.remarks.empty());
+  ASSERT_EQ(found.sheets.size(), 3U) << text_of(found);
+  EXPECT_TRUE(found.sheets[1].report.vertical);
+  EXPECT_NEAR(found.sheets[1].entry_nu, std::sqrt(2.0), 1e-14);
+  EXPECT_TRUE(found.sheets[2].plane.has_value());  // off a tilt on it
 }
 
 TEST(Atlas, DoesNotDependOnTheThreads) {
