@@ -29,6 +29,8 @@ struct AxisFamilyOptions {
   double nu = 0.0;  ///< the spin, where it is not the parameter
   FamilyParameter parameter;
   bool spectrum = true;
+  bool errors = true;  ///< residual and compatibility of each member
+  bool energy = true;
 };
 
 using AnyFamily = std::variant<std::unique_ptr<Family<2>>, std::unique_ptr<Family<3>>>;

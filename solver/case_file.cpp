@@ -276,6 +276,29 @@ std::string read_parameter(const CaseTree& tree, const FamilyParameters& family)
                  "one of " + listed(names), did_you_mean(nearest_name(found, names)));
 }
 
+/// The names of an array of texts, each one of the allowed.
+std::vector<std::string> read_names(const CaseTree& tree, const std::string& key,
+                                    std::span<const std::string_view> allowed) {
+  std::vector<std::string> out;
+  const toml::node* names = find(tree, key);
+  if (names == nullptr) return out;
+  for (const toml::node& element : *names->as_array()) {
+    const std::string& name = element.as_string()->get();
+    if (std::ranges::find(allowed, name) == allowed.end()) {
+      throw fault_at(tree, fmt::format("{}.{}", key, out.size()),
+                     "found the string " + in_quotes(name), "names of " + listed(allowed),
+                     did_you_mean(nearest_name(name, allowed)));
+    }
+    out.push_back(name);
+  }
+  return out;
+}
+
+/// Names of all events but the ends of a sheet.
+std::span<const std::string_view> locatable_events() {
+  return std::span(event_names).subspan(1, static_cast<std::size_t>(EventType::unexplained));
+}
+
 std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
                                                     const FamilyParameters& family) {
   if (find(tree, "continuation") == nullptr) return std::nullopt;
@@ -308,6 +331,7 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
     throw fault_at(tree, "continuation.max_points", fmt::format("found {}", out.max_points),
                    "a whole number >= 2");
   }
+  out.events = read_names(tree, "continuation.events", locatable_events());
   // Both domains are convex, so the ends of the range answer for all of it.
   for (const bool end : {false, true}) {
     const double value = end ? out.to : out.from;
@@ -325,21 +349,21 @@ Case::Output read_output(const CaseTree& tree) {
   Case::Output out;
   out.spectrum = value_or(tree, "output.spectrum", true);
   out.certificate = value_or(tree, "output.certificate", false);
-  const toml::node* columns = find(tree, "output.columns");
-  if (columns == nullptr) return out;
-  for (const toml::node& element : *columns->as_array()) {
-    const std::string& name = element.as_string()->get();
-    if (!find_column(name)) {
-      throw fault_at(tree, fmt::format("output.columns.{}", out.columns.size()),
-                     "found the string " + in_quotes(name), "names of " + listed(column_names),
-                     did_you_mean(nearest_name(name, column_names)));
-    }
-    out.columns.push_back(name);
-  }
+  out.columns = read_names(tree, "output.columns", column_names);
   return out;
 }
 
 }  // namespace
+
+EventSet Case::Continuation::event_set() const {
+  if (events.empty()) return {};
+  EventSet out = EventSet::none();
+  for (const std::string& each : events) {
+    const auto* const at = std::ranges::find(event_names, each);
+    out.add(static_cast<EventType>(at - std::begin(event_names)));
+  }
+  return out;
+}
 
 std::vector<TiltedRotation> TiltedMotion::rotations() const {
   if (plane) return {{*plane, nu}};

@@ -20,6 +20,7 @@
 #include "solver/case_map.hpp"
 #include "solver/case_tree.hpp"
 #include "solver/equilibrium.hpp"
+#include "solver/event.hpp"
 #include "solver/problem.hpp"
 #include "solver/tilted_family.hpp"
 #include "solver/two_polar_equilibrium.hpp"
@@ -66,6 +67,9 @@ struct Case {
     double tolerance = 1e-10;
     double step = 0.01;  ///< the first, in ln S and the parameter over its range
     double max_points = 1e6;
+    std::vector<std::string> events{};  ///< to be located; empty: all
+
+    EventSet event_set() const;
   };
   struct Output {
     bool spectrum = true;

@@ -57,6 +57,7 @@ constexpr CaseKey keys[] = {
     {"continuation.tolerance", number, false, "a number > 0 and <= 1"},
     {"continuation.step", number, false, "a number > 0 and <= 0.5"},
     {"continuation.max_points", number, false, "a whole number >= 2"},
+    {"continuation.events", texts, false, "an array of names of events"},
     {"map", table, false, "a table with x, and y for two parameters"},
     {"map.x", table, true, map_axis},
     {"map.x.parameter", text, true, map_parameter},

@@ -17,13 +17,13 @@ struct CurvePoint {
 template <int N>
 class Curve {
  public:
-  /// scale: of p in y. circle, pinned: see Corrector.
+  /// scale: of p in y. circle, pinned: see Corrector. asked: the events wanted.
   Curve(const Family<N>& family, double scale, bool circle,
-        std::optional<double> pinned = std::nullopt)
+        std::optional<double> pinned = std::nullopt, EventSet asked = {})
       : family_(&family),
         corrector_(family, scale, circle, pinned),
-        context_{family.branch(), family.material_symmetry(), circle, family.tilted(),
-                 family.two_polar()} {}
+        context_{family.branch(), family.material_symmetry(), circle,
+                 family.tilted(), family.two_polar(),         TestContext::sought_for(asked)} {}
 
   const Family<N>& family() const { return *family_; }
   const Corrector<N>& corrector() const { return corrector_; }

@@ -2,9 +2,9 @@
 // frequencies and the growth rate against the family's parameter, and the located events.
 //
 // The parameter is the table's trailing column, a dotted key such as body.J.0 or a map's nu, if
-// there is one; else the spin: nu1, nu2 or nu3 after the branch, |nu| where the axis is oblique or tilted
-// (negative where no component is positive, so that a family and its mirror image lie apart), and
-// omega of two-polar motions.
+// there is one; else the spin: nu1, nu2 or nu3 after the branch, |nu| where the axis is oblique or
+// tilted (negative where no component is positive, so that a family and its mirror image lie
+// apart), and omega of two-polar motions.
 #pragma once
 
 #include <array>

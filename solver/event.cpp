@@ -158,6 +158,19 @@ void set_two_polar_tests(const Member& member, const TestContext& context, const
 
 }  // namespace
 
+EventSet TestContext::sought_for(EventSet asked) {
+  if (asked.has(EventType::krein_pass) || asked.has(EventType::unexplained)) return {};
+  return asked.add(EventType::fold_nu).add(EventType::tilt);
+}
+
+bool TestContext::seeks(std::size_t function) const {
+  if (function == TestValues::collision) {
+    return sought.has(EventType::hamiltonian_hopf) || sought.has(EventType::real_collision);
+  }
+  if (function >= TestValues::crossings) return sought.has(EventType::krein_pass);
+  return sought.has(event_type(function, *this, {}));
+}
+
 TestValues test_values(const Member& member, const TestContext& context, double fold,
                        double momentum) {
   TestValues out;
@@ -176,7 +189,8 @@ TestValues test_values(const Member& member, const TestContext& context, double 
   } else {
     set_axis_tests(member, context, m, out);
   }
-  if (member.spectrum) {
+  if (member.spectrum &&
+      (context.seeks(TestValues::collision) || context.seeks(TestValues::crossings))) {
     const auto blocks = by_block(*member.spectrum);
     for (const Block block : {Block::even, Block::odd, Block::shear}) {
       if (may_collide(block, context)) set_collision(blocks[static_cast<std::size_t>(block)], out);

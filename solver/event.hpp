@@ -70,6 +70,27 @@ constexpr std::string_view event_names[] = {"",
                                             "closed",
                                             "stalled"};
 constexpr std::string_view name(EventType e) { return event_names[static_cast<int>(e)]; }
+/// Types of events; all of them unless made of some.
+class EventSet {
+ public:
+  constexpr EventSet() = default;
+  static constexpr EventSet none() { return EventSet(0); }
+  constexpr EventSet& add(EventType e) {
+    bits_ |= bit(e);
+    return *this;
+  }
+  constexpr bool has(EventType e) const { return (bits_ & bit(e)) != 0; }
+
+ private:
+  explicit constexpr EventSet(std::uint32_t bits) : bits_(bits) {}
+  static constexpr std::uint32_t bit(EventType e) { return 1U << static_cast<unsigned>(e); }
+
+  std::uint32_t bits_ = ~0U;
+};
+/// Those found among the Lambdas, or by the count of negative directions.
+inline constexpr std::array spectral_events{EventType::hamiltonian_hopf, EventType::real_collision,
+                                            EventType::krein_pass, EventType::unexplained};
+
 constexpr bool is_end(EventType e) { return e >= EventType::collapse; }
 
 /// The functions at one point, each of order one; NaN where it has no meaning.
@@ -101,6 +122,12 @@ struct TestContext {
   bool circle;
   bool tilted = false;
   bool two_polar = false;
+  EventSet sought = {};  ///< functions of no other events are evaluated or followed
+
+  /// Those to look for so that the ones asked for are found: a turn of the parameter and the end of
+  /// a tilted family end a sheet; between which zeros blocks keep their signs, all of them say.
+  static EventSet sought_for(EventSet asked);
+  bool seeks(std::size_t function) const;
 };
 
 /// fold, momentum: as the curve's geometry gives them.

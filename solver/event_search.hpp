@@ -44,6 +44,7 @@ class EventSearch {
     for (std::size_t k = 0; k < TestValues::crossings; ++k) {
       const double a = from.tests.value[k];
       const double b = to.tests.value[k];
+      if (!curve_->context().seeks(k)) continue;
       if (std::isnan(a) || std::isnan(b) || (starts && a == 0.0)) continue;
       if ((a < 0.0) != (b < 0.0)) {
         locate(k, {0.0, a}, {1.0, b});
@@ -53,8 +54,9 @@ class EventSearch {
         dip(k, earlier->value[k], earlier_length);
       }
     }
-    find_crossings(from.tests, to.tests, earlier, earlier_length);
-    explain_negative();
+    if (curve_->context().seeks(TestValues::crossings))
+      find_crossings(from.tests, to.tests, earlier, earlier_length);
+    if (curve_->context().sought.has(EventType::unexplained)) explain_negative();
     std::ranges::sort(found_, {}, &Found::u);
     std::vector<Event> out;
     out.reserve(found_.size());

@@ -79,10 +79,34 @@ Stretch with_unknowns(Stretch q, const ReducedVector<N>& x) {
   return q;
 }
 
+/// How often each thing was evaluated, of each uncoupled system of the balance by itself.
+struct EvaluationCounts {
+  long jacobians = 0;  ///< of G with dG/d ln x: first and second derivatives of V, in double
+  long extended_residuals = 0;  ///< of G, in extended precision
+  long sensitivities = 0;       ///< of G to its inputs, for an error bound
+  long potentials = 0;          ///< of V beside those
+  long second_derivatives = 0;  ///< likewise, with second derivatives
+  long spectra = 0;
+
+  EvaluationCounts& operator+=(const EvaluationCounts& other) {
+    jacobians += other.jacobians;
+    extended_residuals += other.extended_residuals;
+    sensitivities += other.sensitivities;
+    potentials += other.potentials;
+    second_derivatives += other.second_derivatives;
+    spectra += other.spectra;
+    return *this;
+  }
+};
+
+/// Members may be asked for by one thread at a time: evaluations are counted.
 template <int N>
 class Family {
  public:
   static constexpr int dimension = N;
+
+  /// Since it was made.
+  const EvaluationCounts& evaluations() const { return evaluations_; }
 
   Family() = default;
   Family(const Family&) = delete;
@@ -110,6 +134,9 @@ class Family {
   /// tail: from refine_at; NaN makes the spectrum correct x once more.
   virtual Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,
                         double error_bound) const = 0;
+
+ protected:
+  mutable EvaluationCounts evaluations_;
 };
 
 }  // namespace stationary

@@ -14,11 +14,12 @@ class Follower {
  public:
   Follower(const Family<N>& family, const Stretch& q, double p, const FollowOptions& options)
       : options_(options),
-        curve_(family, options.continuation.to - options.continuation.from, is_circle(family, q)) {
+        curve_(family, options.continuation.to - options.continuation.from, is_circle(family, q),
+               std::nullopt, options.events) {
     const ReducedVector<N> x = unknowns<N>(q);
     if (may_be_vertical(family, q)) {
       if (const auto pinned = pinned_parameter(curve_, x, p)) {
-        curve_ = Curve<N>(family, curve_.corrector().scale(), false, pinned);
+        curve_ = Curve<N>(family, curve_.corrector().scale(), false, pinned, options.events);
         report_.vertical = true;
       }
     }
@@ -29,6 +30,7 @@ class Follower {
       return;
     }
     start_ = curve_.complete(start.point);
+    report_.counts.members = 1;
   }
 
   FollowReport both(CurveSink& sink) {
@@ -114,6 +116,7 @@ class Follower {
         break;
       }
       for (const Event& event : walk.events()) {
+        if (!options_.events.has(event.type)) continue;  // looked for to know where a sheet ends
         emit(sink, event.member, event.type);
         report_.events.push_back(
             {event.type, event.member.parameter, event.before, event.after, event.located});

@@ -59,7 +59,8 @@ Json case_json(const Case& input) {
                            {"to", continuation->to},
                            {"tolerance", continuation->tolerance},
                            {"step", continuation->step},
-                           {"max_points", continuation->max_points}};
+                           {"max_points", continuation->max_points},
+                           {"events", continuation->events}};
   }
   if (input.map) {
     out["map"]["x"] = axis_json(input.map->x);

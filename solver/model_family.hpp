@@ -40,6 +40,7 @@ class ModelFamily final : public Family<N> {
   FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const override {
     const Setting at = setting(p);
     const auto rates = extended_rates(at);
+    this->evaluations_.jacobians += systems;
     FamilyLinearization<N> out;
     ReducedVector<N> scale;
     if constexpr (separable) {
@@ -78,13 +79,14 @@ class ModelFamily final : public Family<N> {
     if constexpr (separable) {
       ReducedVector<2> plane(x[0], x[1]);
       ReducedVector<2> planar_tail;
-      Refined out = refine(planar_system(at, rates), plane, max_corrections, &planar_tail);
+      Refined out = counted(refine(planar_system(at, rates), plane, max_corrections, &planar_tail));
       x.template head<2>() = plane;
       tail.template head<2>() = planar_tail;
       if constexpr (N == 3) {
         ReducedVector<1> rho(x[2]);
         ReducedVector<1> rho_tail;
-        const Refined axial = refine(thickness_system(at, rates), rho, max_corrections, &rho_tail);
+        const Refined axial =
+            counted(refine(thickness_system(at, rates), rho, max_corrections, &rho_tail));
         x[2] = rho[0];
         tail[2] = rho_tail[0];
         out.converged = out.converged && axial.converged;
@@ -94,13 +96,15 @@ class ModelFamily final : public Family<N> {
       }
       return out;
     } else {
-      return refine(CoupledSystem<Model>{at.model, rates}, x, max_corrections, &tail);
+      return counted(refine(CoupledSystem<Model>{at.model, rates}, x, max_corrections, &tail));
     }
   }
 
   ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const override {
     const Setting at = setting(p);
     const auto rates = extended_rates(at);
+    this->evaluations_.extended_residuals += systems;
+    this->evaluations_.jacobians += systems;
     return by_rows(at, rates, x,
                    [](const auto& system, const auto& y) { return system.extended_residual(y); });
   }
@@ -108,6 +112,8 @@ class ModelFamily final : public Family<N> {
   ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const override {
     const Setting at = setting(p);
     const auto rates = extended_rates(at);
+    this->evaluations_.sensitivities += systems;
+    this->evaluations_.jacobians += systems;
     ReducedVector<N> out = by_rows(at, rates, x, [](const auto& system, const auto& y) {
       return system.input_sensitivity(y);
     });
@@ -125,14 +131,9 @@ class ModelFamily final : public Family<N> {
     out.error_bound = error_bound;
     const Vector3<double> nu = angular_velocity(branch_, at.nu);
     out.angular_velocity = nu;
-    const auto v = potential_derivatives<2>(at.model, out.q);
-    const BalanceCheck check = check_balance(at.body, v, out.q, nu);
-    out.residual = check.residual;
-    out.compatibility = check.compatibility;
-    out.energy = energy(at.body, v.value, out.q, nu);
-    if (branch_ == Branch::iii)
-      out.shear_stiffness = v.hessian(0, 0) - centrifugal_matrix(at.body, nu)(0, 0);
+    add_elastic(at, out);
     if (options_.spectrum) {
+      ++this->evaluations_.spectra;
       const std::array<DoubleDouble, 3> q =
           tail.allFinite() ? with_tails(x, tail)
                            : extended_q(at.body, branch_, at.model, out.q, at.nu);
@@ -146,6 +147,16 @@ class ModelFamily final : public Family<N> {
   using Kind = FamilyParameter::Kind;
   static constexpr bool separable = requires(const Model& m) { m.plane; };
   static constexpr bool constant_thickness = separable && N == 2;
+
+  /// Planar and thickness balances that are unknowns' own.
+  static constexpr int systems = separable ? N - 1 : 1;
+
+  Refined counted(const Refined& refined) const {
+    this->evaluations_.extended_residuals += refined.steps;
+    this->evaluations_.jacobians += refined.steps;
+    this->evaluations_.sensitivities += refined.converged;
+    return refined;
+  }
 
   /// The problem at one value of the parameter.
   struct Setting {
@@ -170,6 +181,29 @@ class ModelFamily final : public Family<N> {
         break;
     }
     return out;
+  }
+
+  /// Of V at the member's q, as far as it is asked for.
+  void add_elastic(const Setting& at, Member& out) const {
+    const Vector3<double>& nu = out.angular_velocity;
+    if (options_.errors) {
+      ++this->evaluations_.second_derivatives;
+      const auto v = potential_derivatives<2>(at.model, out.q);
+      const BalanceCheck check = check_balance(at.body, v, out.q, nu);
+      out.residual = check.residual;
+      out.compatibility = check.compatibility;
+      if (options_.energy) out.energy = energy(at.body, v.value, out.q, nu);
+    } else if (options_.energy) {
+      ++this->evaluations_.potentials;
+      out.energy = energy(at.body, potential_derivatives<0>(at.model, out.q).value, out.q, nu);
+    }
+    // What turns an ellipse or makes one; elsewhere it keeps its sign.
+    const bool may_turn = at.body.symmetric() || options_.parameter.kind == Kind::inertia;
+    if (branch_ != Branch::iii || !may_turn) return;
+    ++this->evaluations_.potentials;
+    const auto x = planar_invariants(out.q.xi, out.q.zeta);
+    const auto w = at.model.template evaluate<1>(x, out.q.rho);
+    out.shear_stiffness = -2.0 * w.plane.w_l / x.d - centrifugal_matrix(at.body, nu)(0, 0);
   }
 
   CentrifugalRates<DoubleDouble> extended_rates(const Setting& at) const {

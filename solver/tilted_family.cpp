@@ -24,6 +24,7 @@ class TiltedFamily final : public Family<2> {
   bool material_symmetry() const override { return false; }
 
   FamilyLinearization<2> linearize(const ReducedVector<2>& x, double p) const override {
+    ++evaluations_.jacobians;
     const Linearized<2> at = system(p).linearize(x);
     const double scale = 1.0 / at.magnitude;
     const CentrifugalRates<double> c = axis_rates(body_, Branch::iii, 2.0 * p);
@@ -37,16 +38,24 @@ class TiltedFamily final : public Family<2> {
 
   Refined refine_at(ReducedVector<2>& x, ReducedVector<2>& tail, double p) const override {
     constexpr int max_corrections = 8;
-    return refine(system(p), x, max_corrections, &tail);
+    const Refined out = refine(system(p), x, max_corrections, &tail);
+    evaluations_.extended_residuals += out.steps;
+    evaluations_.jacobians += out.steps;
+    evaluations_.sensitivities += out.converged;
+    return out;
   }
 
   ReducedVector<2> extended_residual(const ReducedVector<2>& x, double p) const override {
     const TiltedSystem<Model> at = system(p);
+    ++evaluations_.extended_residuals;
+    ++evaluations_.jacobians;
     return at.extended_residual(x) / at.linearize(x).magnitude;
   }
 
   ReducedVector<2> input_perturbation(const ReducedVector<2>& x, double p) const override {
     const TiltedSystem<Model> at = system(p);
+    ++evaluations_.sensitivities;
+    ++evaluations_.jacobians;
     return 0x1p-53 * at.input_sensitivity(x) / at.linearize(x).magnitude;
   }
 
@@ -72,6 +81,7 @@ class TiltedFamily final : public Family<2> {
     const DoubleDouble along[2] = {root(squares.in_plane, out.tilt_in_plane),
                                    root(squares.normal, out.tilt_normal)};
     out.angular_velocity = angular_velocity(plane_, double(along[0]), double(along[1]));
+    ++evaluations_.second_derivatives;
     const auto v = potential_derivatives<2>(model_, out.q);
     const BalanceCheck check = check_balance(body_, v, out.q, out.angular_velocity);
     out.residual = check.residual;
@@ -79,6 +89,7 @@ class TiltedFamily final : public Family<2> {
     out.energy = energy(body_, v.value, out.q, out.angular_velocity);
     if (spectrum_) {
       const double bound = std::isnan(error_bound) ? 1e-15 : std::max(error_bound, 0x1p-53);
+      ++evaluations_.spectra;
       out.spectrum = general_spectrum(body_, potential_, q,
                                       angular_velocity(plane_, along[0], along[1]), bound);
     }

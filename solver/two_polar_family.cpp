@@ -32,6 +32,7 @@ class TwoPolarFamily final
 
   FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const override {
     const Setting at = setting(p);
+    ++this->evaluations_.jacobians;
     const Linearized<N> all = system(at).linearize(x);
     const double scale = 1.0 / all.magnitude;
     FamilyLinearization<N> out;
@@ -44,16 +45,24 @@ class TwoPolarFamily final
 
   Refined refine_at(ReducedVector<N>& x, ReducedVector<N>& tail, double p) const override {
     constexpr int max_corrections = 8;
-    return refine(system(setting(p)), x, max_corrections, &tail);
+    const Refined out = refine(system(setting(p)), x, max_corrections, &tail);
+    this->evaluations_.extended_residuals += out.steps;
+    this->evaluations_.jacobians += out.steps;
+    this->evaluations_.sensitivities += out.converged;
+    return out;
   }
 
   ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const override {
     const auto at = system(setting(p));
+    ++this->evaluations_.extended_residuals;
+    ++this->evaluations_.jacobians;
     return at.extended_residual(x) / at.linearize(x).magnitude;
   }
 
   ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const override {
     const auto at = system(setting(p));
+    ++this->evaluations_.sensitivities;
+    ++this->evaluations_.jacobians;
     return 0x1p-53 * at.input_sensitivity(x) / at.linearize(x).magnitude;
   }
 
@@ -75,6 +84,8 @@ class TwoPolarFamily final
     out.two_polar = TwoPolarMember{found.rates, found.momenta, by_momenta};
     out.nu = found.rates.omega + found.rates.theta_dot;
     out.angular_velocity = {0.0, 0.0, out.nu};
+    ++this->evaluations_.second_derivatives;
+    ++this->evaluations_.jacobians;  // the shear stiffness below
     const auto v = potential_derivatives<2>(at.model, out.q);
     out.residual = two_polar_residual_check(body, v, found);
     out.compatibility = 0.0;  // both vectors lie along axis 3
@@ -152,6 +163,7 @@ class TwoPolarFamily final
 
   Spectrum spectrum(const Setting& at, const TwoPolarEquilibrium& found,
                     const std::array<DoubleDouble, 3>& x, double error_bound) const {
+    ++this->evaluations_.spectra;
     if (found.circle) {
       return model_stability(at.body, Branch::iii, at.model, x,
                              found.rates.omega + found.rates.theta_dot, error_bound);

@@ -122,7 +122,7 @@ std::string gap_text(const Case& input, const CurveProofs& proofs) {
                      proofs.first_gap, proofs.reason);
 }
 
-AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum) {
+AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum, bool to_table) {
   if (const auto* tilted = std::get_if<TiltedMotion>(&start.at.motion)) {
     return tilted_family(start.at.body, make_potential(start.at.models), *tilted->plane,
                          with_spectrum);
@@ -138,7 +138,10 @@ AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum) {
   return axis_family(problem_of(start.at),
                      {.nu = motion.nu,
                       .parameter = family_parameter(input.continuation->parameter, input.models),
-                      .spectrum = with_spectrum});
+                      .spectrum = with_spectrum,
+                      .errors = wants_column(input, Column::residual, to_table) ||
+                                wants_column(input, Column::compatibility, to_table),
+                      .energy = wants_column(input, Column::energy, to_table)});
 }
 
 FollowOptions follow_options(const Case& input, const ContinueOptions& options,
@@ -149,6 +152,7 @@ FollowOptions follow_options(const Case& input, const ContinueOptions& options,
   out.continuation.to = asked.to;
   out.continuation.step.tolerance = asked.tolerance;
   out.continuation.step.first = asked.step;
+  out.events = asked.event_set();
   out.max_points = static_cast<long>(asked.max_points);
   out.stop = &stop_on_signals();
   if (progress.shown() && !options.quiet) {
@@ -214,27 +218,35 @@ std::string summary(const Case& input, const Start& start, const FollowReport& r
   return out.text();
 }
 
+/// Of the start's solve, then of the family.
 std::vector<std::pair<std::string_view, long>> counts_of(const Start& start,
                                                          const FollowReport& report,
-                                                         bool with_spectrum) {
+                                                         const EvaluationCounts& family,
+                                                         const CurveTable& table) {
   auto out = named_counts(start.found.counts);
   out.emplace_back("continuation_steps", report.counts.steps);
   out.emplace_back("steps_taken_back", report.counts.rejected);
-  out.emplace_back("continuation_jacobians", report.counts.linearizations);
   out.emplace_back("points_evaluated", report.counts.members);
-  out.emplace_back("spectra", with_spectrum ? report.counts.members : 0);
+  out.emplace_back("continuation_jacobians", family.jacobians);
+  out.emplace_back("continuation_extended_residuals", family.extended_residuals);
+  out.emplace_back("sensitivities", family.sensitivities);
+  out.emplace_back("potentials", family.potentials);
+  out.emplace_back("second_derivatives", family.second_derivatives);
+  out.emplace_back("spectra", family.spectra);
+  out.emplace_back("certificates", table.proofs().rows);
   return out;
 }
 
 Metadata describe(const Session& session, const Case& input, const Start& start,
-                  const FollowReport& report, const CurveTable& table, bool with_spectrum) {
+                  const FollowReport& report, const EvaluationCounts& evaluations,
+                  const CurveTable& table) {
   const CurveSummary& curve = table.summary();
   ComputationPlan plan = computation_plan(input, true);
   Metadata out;
   out.version = STATIONARY_VERSION;
   out.command_line = session.command_line;
   out.input = &input;
-  out.counts = counts_of(start, report, with_spectrum);
+  out.counts = counts_of(start, report, evaluations, table);
   if (input.output.certificate) out.counts.emplace_back("proven", table.proofs().proven);
   out.plan = std::move(plan.computed);
   out.skipped = std::move(plan.skipped);
@@ -399,7 +411,7 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
                          failure_text(outcome(start.found.status), start.found.message)));
     return exit_code(start.found.status);
   }
-  const AnyFamily family = family_of(input, start, with_spectrum);
+  const AnyFamily family = family_of(input, start, with_spectrum, to_table);
   ProgressBar progress;
   std::optional<TableWriter> table;
   if (output) {
@@ -420,7 +432,9 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   }
   if (output) {
     table->flush();
-    Metadata metadata = describe(session, input, start, report, rows, with_spectrum);
+    Metadata metadata =
+        describe(session, input, start, report,
+                 std::visit([](const auto& f) { return f->evaluations(); }, family), rows);
     metadata.rows = table->rows();
     metadata.seconds = seconds;
     output->commit(metadata);

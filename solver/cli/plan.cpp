@@ -1,5 +1,7 @@
 #include "solver/cli/plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "solver/table.hpp"
@@ -76,7 +78,16 @@ bool names_spectral_column(const std::vector<std::string>& names) {
 bool wants_spectrum(const Case& input, bool to_table) {
   if (!input.output.spectrum) return false;
   const std::vector<std::string>& columns = input.output.columns;
-  return !to_table || columns.empty() || names_spectral_column(columns);
+  if (!to_table || columns.empty() || names_spectral_column(columns)) return true;
+  return input.continuation && !input.continuation->events.empty() &&
+         std::ranges::any_of(spectral_events, [&](EventType each) {
+           return input.continuation->event_set().has(each);
+         });
+}
+
+bool wants_column(const Case& input, Column column, bool to_table) {
+  const std::vector<std::string>& columns = input.output.columns;
+  return to_table && (columns.empty() || std::ranges::find(columns, name(column)) != columns.end());
 }
 
 ComputationPlan computation_plan(const Case& input, bool to_table) {
@@ -96,6 +107,11 @@ ComputationPlan computation_plan(const Case& input, bool to_table) {
   if (input.output.certificate) {
     out.computed.push_back({"certificate", "existence, uniqueness, error bound and class proven",
                             "interval arithmetic, for all decimals that read as the inputs"});
+  }
+  if (input.continuation && !input.continuation->events.empty()) {
+    out.computed.push_back({"events",
+                            fmt::format("{}", fmt::join(input.continuation->events, ", ")),
+                            "continuation.events: of no others is a function evaluated"});
   }
   if (wants_spectrum(input, to_table)) {
     out.computed.push_back(spectrum_item(input));

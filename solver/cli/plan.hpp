@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/case_file.hpp"
+#include "solver/table.hpp"
 
 namespace stationary::cli {
 
@@ -16,6 +17,8 @@ struct ComputationPlan {
 /// Whether the spectrum is asked for: not with output.spectrum = false, nor for a table whose
 /// output.columns have none of it.
 bool wants_spectrum(const Case& input, bool to_table);
+/// Likewise whether a column is written.
+bool wants_column(const Case& input, Column column, bool to_table);
 
 ComputationPlan computation_plan(const Case& input, bool to_table);
 

@@ -1,7 +1,13 @@
 // Continuation, on one core: points per second
-//   events        in memory: spectrum, signatures, all events
-//   no-spectrum   in memory: equilibria, bounds and the events that need no spectrum
-//   table         written as a CSV table with every column, in a temporary file, start included
+// as outputs are switched on one by one, each with those before it:
+//   curve         equilibria with their error bounds
+//   residual      the balance recomputed in lib
+//   energy
+//   events        those that need no spectrum, located
+//   spectrum      modes, signatures, class
+//   all-events    those of the spectrum too
+//   proven        each row certified, and its class
+//   table         all but the proofs, written as a CSV table in a temporary file, start included
 // of the rest sheet of one body, followed until it escapes or nu = 3; then, for tolerances
 // 1e-3 ... 1e-13, the number of rows and the true curve error: how far a cubic through four
 // successive rows is from the curve.
@@ -29,8 +35,10 @@ struct Case {
   Problem problem;
   Stretch rest;
 
-  AnyFamily family(bool spectrum) const {
-    return axis_family(problem, {.nu = 0.0, .parameter = {}, .spectrum = spectrum});
+  AnyFamily family(bool spectrum, bool errors = true, bool energy = true) const {
+    return axis_family(
+        problem,
+        {.nu = 0.0, .parameter = {}, .spectrum = spectrum, .errors = errors, .energy = energy});
   }
 };
 
@@ -54,12 +62,32 @@ class Counted final : public CurveSink {
   long rows = 0;
 };
 
-void in_memory(benchmark::State& state, const Case& c, bool spectrum) {
-  const AnyFamily family = c.family(spectrum);
-  const FollowOptions options = range(0.0, last_nu, 1e-10);
+EventSet plain_events() {
+  EventSet out = EventSet::none();
+  for (const EventType each : {EventType::fold_nu, EventType::fold_momentum, EventType::tilt,
+                               EventType::inertia_exchange, EventType::ellipse})
+    out.add(each);
+  return out;
+}
+
+void in_memory(benchmark::State& state, const Case& c, const AnyFamily& family, EventSet events) {
+  FollowOptions options = range(0.0, last_nu, 1e-10);
+  options.events = events;
   Counted sink;
   for (auto _ : state) follow(family, c.rest, 0.0, options, sink);
   state.SetItemsProcessed(sink.rows);
+}
+
+void proven(benchmark::State& state, const Case& c) {
+  const AnyFamily family = c.family(true);
+  const FollowOptions options = range(0.0, last_nu, 1e-10);
+  long rows = 0;
+  for (auto _ : state) {
+    CurveTable table(name(c.problem.branch()), nullptr);
+    table.prove([&c](double) { return c.problem; }, {});
+    rows += follow(family, c.rest, 0.0, options, table).points;
+  }
+  state.SetItemsProcessed(rows);
 }
 
 class TemporaryFile final : public ByteSink {
@@ -116,8 +144,19 @@ void register_case(const Case& c) {
         ->ReportAggregatesOnly(true)
         ->MinTime(0.05);
   };
-  add("events", [&c](benchmark::State& state) { in_memory(state, c, true); });
-  add("no-spectrum", [&c](benchmark::State& state) { in_memory(state, c, false); });
+  const auto add_in_memory = [&](const char* what, bool spectrum, bool errors, bool energy,
+                                 EventSet events) {
+    add(what, [=, &c](benchmark::State& state) {
+      in_memory(state, c, c.family(spectrum, errors, energy), events);
+    });
+  };
+  add_in_memory("curve", false, false, false, EventSet::none());
+  add_in_memory("residual", false, true, false, EventSet::none());
+  add_in_memory("energy", false, true, true, EventSet::none());
+  add_in_memory("events", false, true, true, plain_events());
+  add_in_memory("spectrum", true, true, true, plain_events());
+  add_in_memory("all-events", true, true, true, {});
+  add("proven", [&c](benchmark::State& state) { proven(state, c); });
   add("table", [&c](benchmark::State& state) { to_table(state, c); });
 }
 

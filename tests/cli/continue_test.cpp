@@ -351,6 +351,39 @@ TEST(Continue, SummaryForAPerson) {
   EXPECT_THAT(run_program(quiet).out, IsEmpty());
 }
 
+/// Only the events named are in the table, where they were; the spectrum comes with those that need
+/// it; residuals and energy with their columns.
+TEST(Continue, EventsAndColumnsAskedFor) {
+  const std::string path = shipped("apart.toml");
+  const Outcome all = continued(path, {});
+  const Outcome some = continued(path, {"continuation.events=[\"tilt\",\"krein-pass\"]",
+                                        "output.columns=[\"event\",\"nu3\",\"xi\"]"});
+  ASSERT_EQ(some.code, 0) << some.err;
+  std::vector<std::pair<std::string, std::string>> expected;
+  for (auto& row : rows_of(all.out))
+    if (row["event"] == "tilt" || row["event"] == "krein-pass")
+      expected.emplace_back(row["event"], row["nu3"]);
+  ASSERT_EQ(expected.size(), 2U);
+  std::vector<std::pair<std::string, std::string>> found;
+  for (auto& row : rows_of(some.out))
+    if (row["event"] == "tilt" || row["event"] == "krein-pass" || row["event"] == "fold-momentum")
+      found.emplace_back(row["event"], row["nu3"]);
+  EXPECT_EQ(found, expected);
+
+  const TemporaryDirectory directory;
+  const Outcome bare = run_program({"continue", path, "-o", directory / "x.csv", "--set",
+                                    "output.columns=[\"event\",\"nu3\",\"xi\"]"});
+  ASSERT_EQ(bare.code, 0) << bare.err;
+  const auto counts = nlohmann::json::parse(text_of(directory / "x.meta.json"))["counts"];
+  for (const char* skipped : {"spectra", "potentials", "second_derivatives", "certificates"})
+    EXPECT_EQ(counts[skipped], 0) << skipped;
+  EXPECT_GT(counts["continuation_extended_residuals"], counts["continuation_steps"]);
+
+  const Outcome wrong = continued(path, {"continuation.events=[\"tilts\"]"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("\"tilt\"?"));
+}
+
 // What is refused.
 
 struct Refused {
