@@ -4,28 +4,22 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "solver/case_keys.hpp"
-#include "solver/case_parameter.hpp"
+#include "solver/cli/case_family.hpp"
 #include "solver/cli/command.hpp"
 #include "solver/cli/interrupt.hpp"
 #include "solver/cli/outcome.hpp"
 #include "solver/cli/plan.hpp"
 #include "solver/cli/progress.hpp"
 #include "solver/cli/report.hpp"
+#include "solver/cli/resume.hpp"
 #include "solver/cli/table_output.hpp"
-#include "solver/cli/tilted_start.hpp"
 #include "solver/curve_table.hpp"
 #include "solver/equilibrium_row.hpp"
-#include "solver/follow.hpp"
-#include "solver/resume_table.hpp"
-#include "solver/two_polar_family.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -34,114 +28,12 @@ struct ContinueOptions : ComputeOptions {
   bool resume = false;
 };
 
-/// The family, and a solved member to start from.
-struct Start {
-  FamilyParameters at;  ///< with the parameter at p
-  double p;
-  Equilibrium found;
-};
-
-/// nu = 0 where the range has it and no start is given (the family through the rest state), else
-/// the case's own value if it lies in the range, else the range's beginning. A tilted family has no
-/// rest state: the case's own value.
-double start_parameter(const Case& input) {
-  const Case::Continuation& range = *input.continuation;
-  const bool in_nu = range.parameter == "nu";
-  if (in_nu && !input.tilted() && !input.solve.start && range.from <= 0.0 && range.to >= 0.0)
-    return 0.0;
-  const double own = parameter_value({input.body, input.models, input.motion}, range.parameter);
-  if (own >= range.from && own <= range.to) return own;
-  if (!input.solve.start && !input.tilted()) return range.from;
-  throw fault_at(input.source, in_nu ? "motion.nu" : range.parameter,
-                 fmt::format("found {} = {}, outside the range followed, with {}", range.parameter,
-                             own, input.solve.start ? "solve.start" : "branch \"tilted\""),
-                 fmt::format("a value in [{}, {}]", range.from, range.to),
-                 input.solve.start ? "solve.start is a guess of the solution there"
-                                   : "the family is followed from its member there");
-}
-
-FamilyParameters at_parameter(const Case& input, double p) {
-  return with_parameter({input.body, input.models, input.motion}, input.continuation->parameter, p);
-}
-
-Start start_at(const Case& input, double p) { return {at_parameter(input, p), p, {}}; }
-
-Problem problem_of(const FamilyParameters& at) {
-  return {at.body, make_potential(at.models), std::get<AxisRotation>(at.motion).branch};
-}
-
-Start solved_start(const Case& input, const ComputeOptions& options) {
-  Start out = start_at(input, start_parameter(input));
-  const SolveOptions how{.method = input.solve.method,
-                         .start = input.solve.start,
-                         .threads = options.threads,
-                         .stop = &stop_on_signals()};
-  if (auto* tilted = std::get_if<TiltedMotion>(&out.at.motion)) {
-    out.found = tilted_start(input, make_potential(out.at.models), *tilted, how);
-  } else if (const auto* two_polar = std::get_if<TwoPolarMotion>(&out.at.motion)) {
-    const TwoPolarEquilibrium found =
-        solve_two_polar(out.at.body, make_potential(out.at.models), *two_polar, how);
-    out.found.status = found.status;
-    out.found.message = found.message;
-    out.found.counts = found.counts;
-    out.found.q = {0.0, found.x[0], found.x[1], found.x[2]};
-  } else {
-    const AxisRotation motion = std::get<AxisRotation>(out.at.motion);
-    out.found = solve(problem_of(out.at), motion.nu, how);
-    if (out.found.status == SolveStatus::not_isolated && how.start) {
-      out.found.status = SolveStatus::solved;
-      out.found.message = "the given start, on a vertical branch";
-      out.found.connection = Connection::given_start;
-      out.found.q = *how.start;
-    }
-  }
-  return out;
-}
-
-/// Where the table goes on.
-Start resumed_start(const Case& input, const ResumedTable& old) {
-  const CurvePlace at = old.first ? old.first->at : old.last->at;
-  Start out = start_at(input, at.p);
-  out.found.status = SolveStatus::solved;
-  out.found.message = "resumed from the table";
-  out.found.connection = Connection::given_start;
-  out.found.q = at.q;
-  if (auto* tilted = std::get_if<TiltedMotion>(&out.at.motion); tilted && !tilted->plane) {
-    const bool second =
-        std::ranges::any_of(old.rows, [](const TableRow& row) { return row[Column::nu2] != 0.0; });
-    tilted->plane = second ? TiltPlane::two_three : TiltPlane::one_three;
-  }
-  return out;
-}
-
 /// What is not proven though it was asked for; empty if all is.
 std::string gap_text(const Case& input, const CurveProofs& proofs) {
   if (proofs.proven == proofs.rows) return {};
   return fmt::format("{} of {} rows are not proven, the first of them at {} = {:.12g}: {}",
                      proofs.rows - proofs.proven, proofs.rows, input.continuation->parameter,
                      proofs.first_gap, proofs.reason);
-}
-
-AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum, bool to_table) {
-  if (const auto* tilted = std::get_if<TiltedMotion>(&start.at.motion)) {
-    return tilted_family(start.at.body, make_potential(start.at.models), *tilted->plane,
-                         with_spectrum);
-  }
-  if (const auto* two_polar = std::get_if<TwoPolarMotion>(&start.at.motion)) {
-    return two_polar_family(
-        start.at.body, make_potential(start.at.models),
-        {.motion = *two_polar,
-         .parameter = family_parameter(input.continuation->parameter, input.models),
-         .spectrum = with_spectrum});
-  }
-  const AxisRotation motion = std::get<AxisRotation>(start.at.motion);
-  return axis_family(problem_of(start.at),
-                     {.nu = motion.nu,
-                      .parameter = family_parameter(input.continuation->parameter, input.models),
-                      .spectrum = with_spectrum,
-                      .errors = wants_column(input, Column::residual, to_table) ||
-                                wants_column(input, Column::compatibility, to_table),
-                      .energy = wants_column(input, Column::energy, to_table)});
 }
 
 FollowOptions follow_options(const Case& input, const ContinueOptions& options,
@@ -280,104 +172,6 @@ ExitCode end_code(const FollowReport& report) {
   return stalled ? ExitCode::failure : ExitCode::done;
 }
 
-/// The interrupted table named after -o, of this case.
-ResumedTable resumed_table(const Case& input, const ContinueOptions& options,
-                           const std::vector<Column>& columns,
-                           const std::optional<std::string>& parameter) {
-  const auto refuse = [&](const std::string& found) {
-    throw InputError(Origin::of_option("--resume"), "", found,
-                     "-o FILE, a table of this case that `continue` was interrupted in",
-                     "its .meta.json beside it says which case it is of");
-  };
-  if (options.output.empty() || options.output == "-") refuse("found no file");
-  const std::string metadata = metadata_path(options.output).string();
-  std::ifstream file(metadata, std::ios::binary);
-  if (!file) refuse("cannot read " + printable(metadata));
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!is_of_case(text, input)) refuse(printable(metadata) + " is of another case");
-  std::optional<CurveRecord> record = curve_record(text);
-  if (!record) refuse(printable(metadata) + " does not say what rows and events the table has");
-  ResumedTable out = read_resumed(options.output, columns, parameter, input.branch_name());
-  if (out.rows.size() != record->rows) {
-    refuse(fmt::format("{} has {} rows, {} by its metadata", printable(options.output),
-                       out.rows.size(), record->rows));
-  }
-  out.events = std::move(record->events);
-  return out;
-}
-
-/// How a table that is not gone on with there ended.
-SheetEnd old_end(const TableRow& row) {
-  const auto* const event = std::ranges::find(event_names, row.event);
-  return {static_cast<EventType>(event - std::begin(event_names)),
-          "as it was in the table resumed"};
-}
-
-/// On from the open ends of a table: new rows before it, its own, new rows after it.
-FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowOptions options,
-                       CurveTable& table) {
-  FollowReport out;
-  options.max_points -= static_cast<long>(old.rows.size());
-  const auto add = [&](const FollowReport& part) {
-    out.counts += part.counts;
-    out.points += part.points;
-    out.interrupted = out.interrupted || part.interrupted;
-    out.out_of_points = out.out_of_points || part.out_of_points;
-    options.max_points -= part.points;
-    if (out.failure.empty()) out.failure = part.failure;
-  };
-  if (old.first) {
-    HeldBack held;
-    const FollowReport before = resume(family, *old.first, options, held);
-    add(before);
-    held.give(table);
-    out.backward = before.forward;
-    out.events.assign(before.events.rbegin(), before.events.rend());
-  } else {
-    out.backward = old_end(old.rows.front());
-  }
-  out.events.insert(out.events.end(), old.events.begin(), old.events.end());
-  for (const TableRow& row : old.rows) table.again(row);
-  out.points += static_cast<long>(old.rows.size());
-  if (old.last && !out.interrupted) {
-    const FollowReport after = resume(family, *old.last, options, table);
-    add(after);
-    out.forward = after.forward;
-    out.events.insert(out.events.end(), after.events.begin(), after.events.end());
-  } else if (old.last) {
-    out.forward.reason = "interrupted";
-  } else {
-    out.forward = old_end(old.rows.back());
-  }
-  return out;
-}
-
-void prove_rows(const Case& input, const Start& start, CurveTable& rows) {
-  if (const auto* tilted = std::get_if<TiltedMotion>(&start.at.motion)) {
-    const TiltPlane plane = *tilted->plane;
-    rows.prove([&input, plane](const Member& member, const Equilibrium& found, TableRow& row) {
-      return prove_row(input.body, input.potential, TiltedRotation{plane, member.parameter}, found,
-                       member.spectrum, row);
-    });
-    return;
-  }
-  if (input.two_polar()) {
-    rows.prove([&input](const Member& member, const Equilibrium&, TableRow& row) {
-      const FamilyParameters at = at_parameter(input, member.parameter);
-      TwoPolarEquilibrium found;
-      found.x = {member.q.xi, member.q.zeta, member.q.rho};
-      found.circle = member.q.xi == member.q.zeta;
-      found.rates = member.two_polar->rates;
-      found.momenta = member.two_polar->momenta;
-      return prove_row(at.body, make_potential(at.models), std::get<TwoPolarMotion>(at.motion),
-                       found, member.spectrum, row);
-    });
-    return;
-  }
-  rows.prove([&input](double p) { return problem_of(at_parameter(input, p)); },
-             family_parameter(input.continuation->parameter, input.models));
-}
-
 ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   const Case input = options.read();
   require_family(input);
@@ -395,7 +189,7 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
       trailing ? std::optional(input.continuation->parameter) : std::nullopt;
   std::optional<ResumedTable> old;
   if (options.resume) {
-    old = resumed_table(input, options, columns, parameter);
+    old = resumed_table(input, options.output, columns, parameter);
     if (!old->first && !old->last) {
       if (!options.quiet) print(options.output + " is complete: both ends are reached\n");
       return ExitCode::done;
