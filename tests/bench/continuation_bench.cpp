@@ -21,9 +21,10 @@
 
 #include "solver/curve_table.hpp"
 #include "solver/equilibrium_row.hpp"
+#include "tests/bench/bodies.hpp"
 #include "tests/solver/curve_error.hpp"
 
-namespace stationary {
+namespace stationary::bench {
 namespace {
 
 using namespace testing;
@@ -42,14 +43,9 @@ struct Case {
   }
 };
 
-Case make_case(const std::string& model, Branch branch) {
-  const double plane[2] = {1.0, 2.0};
-  const double thickness[2] = {1.0, 3.0};
-  const Problem problem(Body(1.0, 1.7, 0.6),
-                        Potential(Potential::planar(model, plane),
-                                  Potential::thickness("reciprocal-quadratic", thickness)),
-                        branch);
-  return {model + "/" + std::string(name(branch)), problem, solve(problem, 0.0).q};
+Case make_case(std::string_view model, Branch branch) {
+  const Problem problem = problem_of(model, branch);
+  return {label_of(model, branch), problem, solve(problem, 0.0).q};
 }
 
 /// Takes every row and keeps none.
@@ -161,21 +157,20 @@ void register_case(const Case& c) {
 }
 
 }  // namespace
-}  // namespace stationary
+}  // namespace stationary::bench
 
 int main(int argc, char** argv) {
   using stationary::Branch;
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  static std::vector<stationary::Case> cases;
-  for (const char* model : {"reciprocal-determinant", "saint-venant-kirchhoff", "biot", "biot-log",
-                            "neo-hookean", "hencky"}) {
+  static std::vector<stationary::bench::Case> cases;
+  for (const std::string_view model : stationary::bench::planar_models) {
     for (const Branch branch : {Branch::i, Branch::iii})
-      cases.push_back(stationary::make_case(model, branch));
+      cases.push_back(stationary::bench::make_case(model, branch));
   }
-  for (const auto& c : cases) stationary::register_case(c);
+  for (const auto& c : cases) stationary::bench::register_case(c);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
-  stationary::print_curve_errors(cases);
+  stationary::bench::print_curve_errors(cases);
   return 0;
 }

@@ -15,9 +15,10 @@
 
 #include "solver/batch.hpp"
 #include "solver/sweep.hpp"
+#include "tests/bench/bodies.hpp"
 #include "tests/support/high_precision.hpp"
 
-namespace stationary {
+namespace stationary::bench {
 namespace {
 
 constexpr std::size_t lanes = 64;
@@ -30,13 +31,8 @@ struct Case {
   BatchInput input;
 };
 
-Case make_case(const std::string& model, Branch branch) {
-  const double plane[2] = {1.0, 2.0};
-  const double thickness[2] = {1.0, 3.0};
-  const Problem problem(Body(1.0, 1.7, 0.6),
-                        Potential(Potential::planar(model, plane),
-                                  Potential::thickness("reciprocal-quadratic", thickness)),
-                        branch);
+Case make_case(std::string_view model, Branch branch) {
+  const Problem problem = problem_of(model, branch);
   std::vector<double> nu(points);
   for (std::size_t k = 0; k < nu.size(); ++k) nu[k] = last_nu * static_cast<double>(k + 1) / points;
   BatchInput input(problem, lanes, nu);
@@ -44,7 +40,7 @@ Case make_case(const std::string& model, Branch branch) {
   for (std::size_t lane = 0; lane < lanes; ++lane)
     J2[lane] = 1.5 + 0.005 * static_cast<double>(lane);
   input.inertia[1] = J2;
-  return {model + "/" + std::string(name(branch)), problem, input};
+  return {label_of(model, branch), problem, input};
 }
 
 double relative_error_of(const Problem& problem, double nu, const Stretch& q) {
@@ -159,20 +155,19 @@ void register_case(const Case& c) {
 }
 
 }  // namespace
-}  // namespace stationary
+}  // namespace stationary::bench
 
 int main(int argc, char** argv) {
   using stationary::Branch;
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  static std::vector<stationary::Case> cases;
-  for (const char* model : {"reciprocal-determinant", "saint-venant-kirchhoff", "biot", "biot-log",
-                            "neo-hookean", "hencky"}) {
+  static std::vector<stationary::bench::Case> cases;
+  for (const std::string_view model : stationary::bench::planar_models) {
     for (const Branch branch : {Branch::i, Branch::iii})
-      cases.push_back(stationary::make_case(model, branch));
+      cases.push_back(stationary::bench::make_case(model, branch));
   }
-  for (const auto& c : cases) stationary::register_case(c);
-  stationary::RatioReporter reporter;
+  for (const auto& c : cases) stationary::bench::register_case(c);
+  stationary::bench::RatioReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   benchmark::Shutdown();
   return 0;

@@ -13,20 +13,19 @@
 // gives. Ends with ratios to newton-4x4: a rate alone says more about the machine's neighbours than
 // about the code.
 #include <benchmark/benchmark.h>
-#include <ceres/ceres.h>
-#include <ceres/tiny_solver.h>
-#include <ceres/tiny_solver_autodiff_function.h>
 
-#include <Eigen/LU>
 #include <cstdio>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "solver/sweep.hpp"
+#include "tests/bench/bodies.hpp"
+#include "tests/bench/four_equations.hpp"
+#include "tests/bench/march.hpp"
 #include "tests/support/high_precision.hpp"
 
-namespace stationary {
+namespace stationary::bench {
 namespace {
 
 using Vector = Vector4<double>;
@@ -38,127 +37,22 @@ struct Case {
   Equilibrium first;
 };
 
-Case make_case(const std::string& model, Branch branch) {
-  const double plane[2] = {1.0, 2.0};
-  const double thickness[2] = {1.0, 3.0};
-  Problem problem(Body(1.0, 1.7, 0.6),
-                  Potential(Potential::planar(model, plane),
-                            Potential::thickness("reciprocal-quadratic", thickness)),
-                  branch);
+Case make_case(std::string_view model, Branch branch) {
+  const Problem problem = problem_of(model, branch);
   constexpr int points = 10000;
   constexpr double last_nu = 0.5;
   std::vector<double> nu(points);
   for (int k = 0; k < points; ++k) nu[static_cast<std::size_t>(k)] = last_nu * (k + 1) / points;
   const Equilibrium first = solve(problem, nu.front());
-  return {model + "/" + std::string(name(branch)), problem, nu, first};
+  return {label_of(model, branch), problem, nu, first};
 }
 
-/// Parabola through the last points of a sweep, shared by the peers.
-class Predictor {
- public:
-  explicit Predictor(const Vector& start) : x_{start, start, start} {}
-  Vector next() const {
-    return known_ >= 3   ? Vector(3.0 * (x_[0] - x_[1]) + x_[2])
-           : known_ == 2 ? Vector(2.0 * x_[0] - x_[1])
-                         : x_[0];
-  }
-  const Vector& last() const { return x_[0]; }
-  void push(const Vector& x) {
-    x_[2] = x_[1];
-    x_[1] = x_[0];
-    x_[0] = x;
-    ++known_;
-  }
-
- private:
-  std::array<Vector, 3> x_;
-  int known_ = 0;
-};
-
-/// F(q) of four equations, for Ceres.
-template <class Model>
-struct FourResiduals {
-  const Body& body;
-  const Model& model;
-  Vector3<double> nu;
-
-  template <class T>
-  bool operator()(const T* const q, T* out) const {
-    const BasicStretch<T> stretch{q[0], q[1], q[2], q[3]};
-    const Vector3<T> rate = nu.cast<T>();
-    const Vector4<T> F = balance_residual(body, model, stretch, rate);
-    for (int i = 0; i < 4; ++i) out[i] = F[i];
-    return true;
-  }
-};
-
-/// Runs `method(nu, x)` along the sweep; false stops it as failed.
-template <class Method>
-bool march(const Case& c, std::vector<Vector>& out, const Method& method, bool predict = true) {
-  Predictor predictor(c.first.q.vector());
-  for (std::size_t k = 0; k < c.nu.size(); ++k) {
-    Vector x = predict ? predictor.next() : predictor.last();
-    if (!method(angular_velocity(c.problem.branch(), c.nu[k]), x)) return false;
-    predictor.push(x);
-    out[k] = x;
-  }
-  return true;
-}
-
-bool newton_4x4(const Case& c, std::vector<Vector>& out, bool predict, double tolerance) {
-  return c.problem.potential().visit([&](const auto& model) {
-    return march(
-        c, out,
-        [&](const Vector3<double>& nu, Vector& x) {
-          const Matrix4<double> C = centrifugal_matrix(c.problem.body(), nu);
-          for (int step = 0; step < 20; ++step) {
-            const auto v = potential_derivatives<2>(model, Stretch::from(x));
-            const Vector F = v.gradient - C * x;
-            const Vector delta = (v.hessian - C).partialPivLu().solve(F);
-            x -= delta;
-            if (delta.cwiseAbs().maxCoeff() <= tolerance) return true;
-          }
-          return false;
-        },
-        predict);
-  });
-}
-
-bool tiny_solver(const Case& c, std::vector<Vector>& out) {
-  return c.problem.potential().visit([&](const auto& model) {
-    using Residuals = FourResiduals<std::decay_t<decltype(model)>>;
-    using Function = ceres::TinySolverAutoDiffFunction<Residuals, 4, 4>;
-    ceres::TinySolver<Function> solver;
-    solver.options.gradient_tolerance = 1e-30;
-    solver.options.parameter_tolerance = 1e-14;
-    solver.options.cost_threshold = 1e-32;
-    solver.options.initial_trust_region_radius = 1e12;
-    return march(c, out, [&](const Vector3<double>& nu, Vector& x) {
-      const Residuals residuals{c.problem.body(), model, nu};
-      solver.Solve(Function(residuals), &x);
-      return x.allFinite();
-    });
-  });
-}
-
-bool ceres_solve_4(const Case& c, std::vector<Vector>& out) {
-  return c.problem.potential().visit([&](const auto& model) {
-    using Residuals = FourResiduals<std::decay_t<decltype(model)>>;
-    return march(c, out, [&](const Vector3<double>& nu, Vector& x) {
-      ceres::Problem problem;
-      problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Residuals, 4, 4>(
-                                   new Residuals{c.problem.body(), model, nu}),
-                               nullptr, x.data());
-      ceres::Solver::Options options;
-      options.linear_solver_type = ceres::DENSE_QR;
-      options.function_tolerance = 1e-30;
-      options.gradient_tolerance = 1e-30;
-      options.parameter_tolerance = 1e-14;
-      options.logging_type = ceres::SILENT;
-      ceres::Solver::Summary summary;
-      ceres::Solve(options, &problem, &summary);
-      return summary.IsSolutionUsable();
-    });
+template <template <class> class Peer>
+bool run_peer(const Case& c, double tolerance, std::vector<Vector>& out,
+              Start start = Start::parabola) {
+  return visit(c.problem, [&]<class Model>(const Model& model) {
+    Peer<Model> solve{c.problem.body(), model, tolerance};
+    return march(c.problem.branch(), c.nu, c.first.q.vector(), start, solve, out);
   });
 }
 
@@ -247,27 +141,26 @@ void register_case(const Case& c) {
   add("sweep-bounded", [&c, points = std::vector<SweepPoint>(c.nu.size())](auto& x) mutable {
     return sweep(c, true, points, x);
   });
-  add("newton-4x4", [&c](auto& x) { return newton_4x4(c, x, false, 1e-14); });
-  add("newton-4x4-para", [&c](auto& x) { return newton_4x4(c, x, true, 1e-9); });
-  add("tiny-solver", [&c](auto& x) { return tiny_solver(c, x); });
-  add("ceres", [&c](auto& x) { return ceres_solve_4(c, x); });
+  add("newton-4x4", [&c](auto& x) { return run_peer<Newton4x4>(c, 1e-14, x, Start::last_point); });
+  add("newton-4x4-para", [&c](auto& x) { return run_peer<Newton4x4>(c, 1e-9, x); });
+  add("tiny-solver", [&c](auto& x) { return run_peer<TinySolver>(c, 1e-14, x); });
+  add("ceres", [&c](auto& x) { return run_peer<CeresSolve>(c, 1e-14, x); });
 }
 
 }  // namespace
-}  // namespace stationary
+}  // namespace stationary::bench
 
 int main(int argc, char** argv) {
   using stationary::Branch;
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  static std::vector<stationary::Case> cases;
-  for (const char* model : {"reciprocal-determinant", "saint-venant-kirchhoff", "biot", "biot-log",
-                            "neo-hookean", "hencky"}) {
+  static std::vector<stationary::bench::Case> cases;
+  for (const std::string_view model : stationary::bench::planar_models) {
     for (const Branch branch : {Branch::i, Branch::iii})
-      cases.push_back(stationary::make_case(model, branch));
+      cases.push_back(stationary::bench::make_case(model, branch));
   }
-  for (const auto& c : cases) stationary::register_case(c);
-  stationary::RatioReporter reporter;
+  for (const auto& c : cases) stationary::bench::register_case(c);
+  stationary::bench::RatioReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   benchmark::Shutdown();
   return 0;
