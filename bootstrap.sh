@@ -24,7 +24,7 @@ packages=(
   g++ cmake ninja-build
   libeigen3-dev libceres-dev libnlopt-dev libnlopt-cxx-dev libtbb-dev libhdf5-dev
   libcli11-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev
-  libgtest-dev libgmock-dev libbenchmark-dev libboost-dev
+  libgtest-dev libgmock-dev libbenchmark-dev libboost-dev libcminpack-dev
   gnuplot-nox
 )
 

@@ -56,6 +56,7 @@ class TinySolver {
  public:
   TinySolver(const Body& body, const Model& model, double tolerance) : body_(body), model_(model) {
     solver_.options.gradient_tolerance = 1e-30;
+    solver_.options.function_tolerance = 0.0;  // an absolute one, and by default 1e-6
     solver_.options.parameter_tolerance = tolerance;
     solver_.options.cost_threshold = 1e-32;
     solver_.options.initial_trust_region_radius = 1e12;

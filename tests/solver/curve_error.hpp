@@ -1,6 +1,7 @@
 // How far the rows of a followed sheet, interpolated, are from its curve.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -14,11 +15,11 @@ inline bool is_moderate(const Stretch& q) {
   return std::min({q.xi, q.zeta, q.rho}) > 1e-3 && std::max({q.xi, q.zeta, q.rho}) < 1e3;
 }
 
-/// Interpolated as a reader of the table would (a cubic through four rows, by their chords), the
-/// rows are the curve to the tolerance.
+/// Interpolated as a reader of the table would (a cubic through four rows, by their chords), how
+/// far each gap between rows is from the curve; infinity where no curve is near.
 template <int N>
-double interpolation_error(const Family<N>& family, const std::vector<FollowedRow>& all,
-                           double scale) {
+std::vector<double> interpolation_errors(const Family<N>& family,
+                                         const std::vector<FollowedRow>& all, double scale) {
   using Y = ArcVector<N>;
   std::vector<Y> y;
   std::vector<double> s;
@@ -34,7 +35,7 @@ double interpolation_error(const Family<N>& family, const std::vector<FollowedRo
     y.push_back(at);
   }
   const Corrector<N> corrector(family, scale, false);
-  double worst = 0.0;
+  std::vector<double> out;
   for (std::size_t k = 1; k + 2 < y.size(); ++k) {
     const double u = 0.5 * (s[k] + s[k + 1]);
     Y at = Y::Zero();
@@ -54,11 +55,24 @@ double interpolation_error(const Family<N>& family, const std::vector<FollowedRo
     slope.normalize();
     const ReducedVector<N> x = at.template head<N>().array().exp();
     const Corrected<N> exact = corrector.correct(x, scale * at[N], slope, 0.1);
-    if (exact.status != CorrectorStatus::converged) return std::numeric_limits<double>::infinity();
+    if (exact.status != CorrectorStatus::converged) {
+      out.push_back(std::numeric_limits<double>::infinity());
+      continue;
+    }
     // Across the curve: along it a point near an asymptote of p is known only to p's rounding.
     const Y& off = exact.correction;
-    worst = std::max(worst, (off - off.dot(slope) * slope).norm());
+    out.push_back((off - off.dot(slope) * slope).norm());
   }
+  return out;
+}
+
+/// The largest of them: to the tolerance the rows are the curve.
+template <int N>
+double interpolation_error(const Family<N>& family, const std::vector<FollowedRow>& all,
+                           double scale) {
+  double worst = 0.0;
+  for (const double error : interpolation_errors(family, all, scale))
+    worst = std::max(worst, error);
   return worst;
 }
 
