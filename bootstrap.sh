@@ -69,7 +69,7 @@ compile_jobs() {
 
 build() { # preset [target]
   say "building ($1)"
-  cmake --preset "$1"
+  cmake --preset "$1" -D STATIONARY_BUILD_BENCHMARKS=OFF
   cmake --build --preset "$1" --parallel "$(compile_jobs)" ${2:+--target "$2"}
 }
 
