@@ -59,7 +59,27 @@ class Solver {
     potential_.visit([&](const auto& model) { circle_model(model, s3); });
   }
 
+  /// The circle out.x, had at omega + theta' rounded, corrected at the two rates. Whether it
+  /// converged.
+  bool correct_circle(const TwoPolarRates<double>& rates) {
+    return potential_.visit([&](const auto& model) { return correct_circle_of(model, rates); });
+  }
+
  private:
+  template <class Model>
+  bool correct_circle_of(const Model& model, const TwoPolarRates<double>& rates) {
+    using Elastic = decltype(elastic_system(model));
+    constexpr int N = Elastic::dimension;
+    const TwoPolarSystem<Elastic, TwoPolarRates> system{elastic_system(model), body_.J1, rates};
+    ReducedVector<N> x = out_.x.template head<N>();
+    const Refined refined = refine(system, x);
+    out_.counts.extended_residuals += refined.steps;
+    if (!refined.converged || x[0] != x[1]) return false;
+    out_.error_bound = refined.error_bound;
+    set_stretches(model, x);
+    return true;
+  }
+
   template <class Model>
   void circle_model(const Model& model, double s3) {
     using Elastic = decltype(elastic_system(model));
@@ -244,7 +264,7 @@ double two_polar_residual_check(const Body& body, const PotentialDerivatives<dou
 namespace {
 
 void circle_instead(const Body& body, const Potential& potential,
-                    const TwoPolarRates<double>& rates, const SolveOptions& options,
+                    const TwoPolarRates<double>& rates, const SolveOptions& options, Solver& solver,
                     TwoPolarEquilibrium& out) {
   SolveOptions from_rest = options;
   from_rest.start.reset();
@@ -256,7 +276,11 @@ void circle_instead(const Body& body, const Potential& potential,
   out.status = SolveStatus::solved;
   out.circle = true;
   out.x = {circle.q.xi, circle.q.zeta, circle.q.rho};
-  out.error_bound = circle.error_bound;
+  if (!solver.correct_circle(rates)) {
+    out.status = SolveStatus::failed;
+    out.message += "; the circle lambda = mu did not converge";
+    return;
+  }
   out.message += "; this is the circle lambda = mu, which depends on omega + theta_dot only";
 }
 
@@ -312,7 +336,7 @@ TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential
       solver.run(*rates);
     }
     if (out.status == SolveStatus::none_exists || out.status == SolveStatus::not_found)
-      circle_instead(body, potential, *rates, options, out);
+      circle_instead(body, potential, *rates, options, solver, out);
   } else {
     const auto& momenta = std::get<TwoPolarMomenta<double>>(motion);
     if (momenta.s3 == momenta.p_theta) {
@@ -342,8 +366,15 @@ Spectrum stability(const Body& body, const Potential& potential,
     Equilibrium circle;
     circle.status = SolveStatus::solved;
     circle.q = {0.0, x[0], x[1], x[2]};
-    circle.nu = {0.0, 0.0, equilibrium.rates.omega + equilibrium.rates.theta_dot};
-    circle.error_bound = equilibrium.error_bound;
+    const TwoPolarRates<double>& rates = equilibrium.rates;
+    const double spin = rates.omega + rates.theta_dot;
+    circle.nu = {0.0, 0.0, spin};
+    // Rates of opposite sense cancel in their sum, half a unit of each does not.
+    const double spin_error =
+        spin == 0.0
+            ? 0.0
+            : 0x1p-53 * (std::abs(rates.omega) + std::abs(rates.theta_dot)) / std::abs(spin);
+    circle.error_bound = std::max(equilibrium.error_bound, spin_error);
     return stability(Problem(body, potential, Branch::iii), circle);
   }
   const double u = std::max(equilibrium.error_bound, 0x1p-53);

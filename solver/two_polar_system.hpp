@@ -34,6 +34,25 @@ auto elastic_system(const Model& model) {
   }
 }
 
+/// By what factor a derivative of the pull in ln x may exceed the one before.
+template <class S>
+double steepness(const TwoPolarMomenta<S>&, double lambda, double mu) {
+  return 4.0 * (lambda + mu) / std::abs(lambda - mu);  // powers of 1/(lambda - mu)
+}
+template <class Motion>
+double steepness(const Motion&, double, double) {
+  return 1.0;
+}
+
+/// Relative change of the pull for one of its motion's numbers.
+inline double amplification(const TwoPolarMomenta<double>& m) {
+  return (std::abs(m.s3) + std::abs(m.p_theta)) / std::abs(m.s3 - m.p_theta);
+}
+template <class Motion>
+double amplification(const Motion&) {
+  return 1.0;
+}
+
 /// Motion: TwoPolarRates, TwoPolarMomenta or TwoPolarEqualMomenta.
 template <class Elastic, template <class> class Motion>
 struct TwoPolarSystem {
@@ -52,7 +71,8 @@ struct TwoPolarSystem {
     out.jacobian.entries[Jacobian::index(0, 0)] -= pull.ll;
     out.jacobian.entries[Jacobian::index(0, 1)] -= pull.lm;
     out.jacobian.entries[Jacobian::index(1, 1)] -= pull.mm;
-    out.magnitude += 2.0 * (std::abs(pull.ll) + std::abs(pull.lm) + std::abs(pull.mm)) +
+    out.magnitude += 2.0 * steepness(motion, x[0], x[1]) *
+                         (std::abs(pull.ll) + std::abs(pull.lm) + std::abs(pull.mm)) +
                      std::abs(pull.lambda) + std::abs(pull.mu);
     return out;
   }
@@ -66,14 +86,16 @@ struct TwoPolarSystem {
     if constexpr (N == 3) out[2] = double(b.g_rho);
     return out;
   }
-  /// J once and the motion's two numbers twice each; the terms of a pull may cancel, hence pull.ll.
+  /// J once and the motion's two numbers twice each, s3 - p_theta as they cancel; the terms of a
+  /// pull may cancel, hence pull.ll.
   ReducedVector<N> input_sensitivity(const ReducedVector<N>& x) const {
     ReducedVector<N> out = elastic.input_sensitivity(x);
     const TwoPolarPull<double> pull = two_polar_pull(J, x[0], x[1], motion);
     const double size = std::abs(pull.lambda) + std::abs(pull.mu) + std::abs(pull.ll) +
                         std::abs(pull.lm) + std::abs(pull.mm);
-    out[0] += 5.0 * size;
-    out[1] += 5.0 * size;
+    const double share = 5.0 * amplification(motion);
+    out[0] += share * size;
+    out[1] += share * size;
     return out;
   }
 };

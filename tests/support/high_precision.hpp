@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lib/balance.hpp"
+#include "lib/linearization.hpp"
 #include "solver/problem.hpp"
 
 namespace stationary::testing {
@@ -45,9 +46,10 @@ std::array<Number50, N> solved(std::array<std::array<Number50, N>, N> A,
 }
 
 /// Newton in ln x on `linearize(x) -> (g, J)`; throws std::runtime_error where it does not
-/// converge.
+/// converge. A nearly singular J leaves more than 1e-38: then to where the steps stop shrinking.
 template <std::size_t N, class F>
 std::array<Number50, N> newton_50(std::array<Number50, N> x, const F& linearize) {
+  Number50 last = 1;
   for (int step = 0; step < 100; ++step) {
     const auto [g, J] = linearize(x);
     const auto delta = solved<N>(J, g);
@@ -57,46 +59,105 @@ std::array<Number50, N> newton_50(std::array<Number50, N> x, const F& linearize)
       if (abs(delta[i]) > size) size = abs(delta[i]);
     }
     if (size < Number50("1e-38")) return x;  // squared it is below 50 digits, near a fold too
+    if (size < Number50("1e-26") && size >= last) return x;
+    last = size;
   }
   throw std::runtime_error("the 50-digit Newton did not converge");
+}
+
+template <std::size_t N>
+using Linearized50 = std::pair<std::array<Number50, N>, std::array<std::array<Number50, N>, N>>;
+
+using Inertia50 = Inertia3<Number50>;
+
+/// The balance of a separable potential's plane, which has none of the terms with rho,
+inline LogBalance<Number50> planar_log_balance_50(const Potential& potential,
+                                                  const CentrifugalRates<Number50>& c,
+                                                  const std::array<Number50, 2>& x) {
+  return std::visit(
+      [&](const auto& model) {
+        const auto w = widened(model).template evaluate<2>(planar_invariants(x[0], x[1]));
+        return planar_log_balance<2>(w, x[0], x[1], c);
+      },
+      potential.plane());
+}
+
+/// of its thickness, which has only those,
+inline LogBalance<Number50> thickness_log_balance_50(const Potential& potential,
+                                                     const CentrifugalRates<Number50>& c,
+                                                     const Number50& rho) {
+  return std::visit(
+      [&](const auto& model) {
+        const auto v = widened(model).template evaluate<2>(rho);
+        const Number50 pull = c.rho * rho * rho;
+        LogBalance<Number50> out;
+        out.g_rho = v.v_r - pull;
+        out.ww = v.v_rr - 2 * pull;
+        return out;
+      },
+      potential.thickness());
+}
+
+/// and of a coupled one.
+inline LogBalance<Number50> coupled_log_balance_50(const Potential& potential,
+                                                   const CentrifugalRates<Number50>& c,
+                                                   const std::array<Number50, 3>& x) {
+  return std::visit(
+      [&](const auto& model) {
+        const auto w = widened(model).template evaluate<2>(planar_invariants(x[0], x[1]), x[2]);
+        return coupled_log_balance<2>(w, x[0], x[1], x[2], c);
+      },
+      potential.coupled());
+}
+
+/// G and dG/d ln x of the unknowns a separable potential leaves, (xi, zeta) and rho alone,
+inline Linearized50<2> planar_balance_50(const Problem& problem, const Number50& nu_squared,
+                                         const std::array<Number50, 2>& x) {
+  const auto b = planar_log_balance_50(problem.potential(), problem.rates(nu_squared), x);
+  return {{b.g_xi, b.g_zeta}, {{{b.uu, b.uv}, {b.uv, b.vv}}}};
+}
+inline Linearized50<1> thickness_balance_50(const Problem& problem, const Number50& nu_squared,
+                                            const std::array<Number50, 1>& x) {
+  const auto b = thickness_log_balance_50(problem.potential(), problem.rates(nu_squared), x[0]);
+  return {{b.g_rho}, {{{b.ww}}}};
+}
+
+/// and of (xi, zeta, rho) of a coupled one.
+inline Linearized50<3> coupled_balance_50(const Problem& problem, const Number50& nu_squared,
+                                          const std::array<Number50, 3>& x) {
+  const auto b = coupled_log_balance_50(problem.potential(), problem.rates(nu_squared), x);
+  return {{b.g_xi, b.g_zeta, b.g_rho},
+          {{{b.uu, b.uv, b.uw}, {b.uv, b.vv, b.vw}, {b.uw, b.vw, b.ww}}}};
+}
+
+/// All three equations at x = (xi, zeta, rho), of any potential.
+inline LogBalance<Number50> log_balance_50(const Potential& potential,
+                                           const CentrifugalRates<Number50>& c,
+                                           const std::array<Number50, 3>& x) {
+  if (!potential.is_separable()) return coupled_log_balance_50(potential, c, x);
+  LogBalance<Number50> out = planar_log_balance_50(potential, c, {x[0], x[1]});
+  const LogBalance<Number50> thickness = thickness_log_balance_50(potential, c, x[2]);
+  out.g_rho = thickness.g_rho;
+  out.ww = thickness.ww;
+  out.uw = out.vw = 0;
+  return out;
 }
 
 /// (xi, zeta, rho) near q, which must be a good approximation.
 inline std::array<Number50, 3> reference_solution(const Problem& problem, double nu,
                                                   const Stretch& q) {
-  const Number50 nu_squared = Number50(nu) * Number50(nu);
-  const CentrifugalRates<Number50> c = problem.rates(nu_squared);
-  using Vector2 = std::array<Number50, 2>;
-  using Vector3 = std::array<Number50, 3>;
-  return problem.potential().visit([&](const auto& model) -> Vector3 {
-    if constexpr (requires { model.plane; }) {
-      const auto plane = widened(model.plane);
-      const Vector2 x = newton_50<2>({Number50(q.xi), Number50(q.zeta)}, [&](const Vector2& at) {
-        const auto w = plane.template evaluate<2>(planar_invariants(at[0], at[1]));
-        const auto b = planar_log_balance<2>(w, at[0], at[1], c);
-        return std::pair{Vector2{b.g_xi, b.g_zeta},
-                         std::array<Vector2, 2>{{{b.uu, b.uv}, {b.uv, b.vv}}}};
-      });
-      const auto thickness = widened(model.thickness);
-      using Vector1 = std::array<Number50, 1>;
-      const Vector1 rho = newton_50<1>({Number50(q.rho)}, [&](const Vector1& at) {
-        const auto v = thickness.template evaluate<2>(at[0]);
-        const Number50 pull = c.rho * at[0] * at[0];
-        return std::pair{Vector1{v.v_r - pull}, std::array<Vector1, 1>{{{v.v_rr - 2 * pull}}}};
-      });
-      return {x[0], x[1], rho[0]};
-    } else {
-      const auto coupled = widened(model);
-      return newton_50<3>(
-          {Number50(q.xi), Number50(q.zeta), Number50(q.rho)}, [&](const Vector3& at) {
-            const auto w = coupled.template evaluate<2>(planar_invariants(at[0], at[1]), at[2]);
-            const auto b = coupled_log_balance<2>(w, at[0], at[1], at[2], c);
-            return std::pair{Vector3{b.g_xi, b.g_zeta, b.g_rho},
-                             std::array<Vector3, 3>{
-                                 {{b.uu, b.uv, b.uw}, {b.uv, b.vv, b.vw}, {b.uw, b.vw, b.ww}}}};
-          });
-    }
-  });
+  const Number50 s = Number50(nu) * Number50(nu);
+  const Number50 xi(q.xi);
+  const Number50 zeta(q.zeta);
+  const Number50 rho(q.rho);
+  if (!problem.potential().is_separable())
+    return newton_50<3>({xi, zeta, rho},
+                        [&](const auto& x) { return coupled_balance_50(problem, s, x); });
+  const auto x =
+      newton_50<2>({xi, zeta}, [&](const auto& at) { return planar_balance_50(problem, s, at); });
+  const auto r =
+      newton_50<1>({rho}, [&](const auto& at) { return thickness_balance_50(problem, s, at); });
+  return {x[0], x[1], r[0]};
 }
 
 /// Largest relative error of (xi, zeta, rho).

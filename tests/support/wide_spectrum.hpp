@@ -158,9 +158,19 @@ struct WideInertia {
 };
 
 /// Signs of a symmetric matrix' eigenvalues: pivots of an elimination (Sylvester) after a fixed
-/// congruence that leaves no leading minor to vanish by structure.
-inline WideInertia inertia_of(const WideMatrix& E) {
+/// congruence that leaves no leading minor to vanish by structure. Rows of very different units are
+/// brought to one size first.
+inline WideInertia inertia_of(WideMatrix E) {
   const Eigen::Index n = E.rows();
+  for (int sweep = 0; sweep < 3; ++sweep) {
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Number50 largest = E.row(i).cwiseAbs().maxCoeff();
+      if (largest == 0) continue;
+      const Number50 factor = 1 / sqrt(largest);
+      E.row(i) *= factor;
+      E.col(i) *= factor;
+    }
+  }
   support::Random random(7);
   WideMatrix R(n, n);
   for (Eigen::Index i = 0; i < n; ++i)

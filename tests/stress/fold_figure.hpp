@@ -1,0 +1,15 @@
+// The ladder as a figure: digits kept against the distance from the fold.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/plot.hpp"
+#include "tests/stress/fold_ladder.hpp"
+
+namespace stationary::stress {
+
+/// For run_gnuplot().
+std::string fold_script(const std::vector<Rung>& ladder, ImageFormat format);
+
+}  // namespace stationary::stress

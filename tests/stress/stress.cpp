@@ -1,0 +1,78 @@
+// Solves every category of hard cases, holds each answer against 50 digits, and writes what became
+// of them:
+//
+//   stress DIRECTORY [SHARE]     stress.csv, stress_fold.csv, stress_fold.svg, stress_fold.png;
+//                                SHARE of the cases, by default 1: all
+//
+// Exit code 0: every claim was true; 1: the untrue ones are listed on standard error; 2: usage.
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "solver/atomic_file.hpp"
+#include "solver/gnuplot.hpp"
+#include "tests/stress/categories.hpp"
+#include "tests/stress/fold_figure.hpp"
+
+namespace {
+
+using namespace stationary;
+using namespace stationary::stress;
+
+constexpr long ladder_folds = 2000;
+
+void write(const std::filesystem::path& path, const std::string& text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+void draw(const std::filesystem::path& path, const std::string& script) {
+  AtomicFile file(path);
+  run_gnuplot(script, file.descriptor());
+  file.commit();
+}
+
+/// Whether all claims were true.
+bool report(std::string_view name, const Tally& tally) {
+  std::fprintf(stderr, "%-20s %ld cases, %ld solved, %zu untrue\n", std::string(name).c_str(),
+               tally.tried, tally.solved, tally.faults.size());
+  for (const std::string& fault : tally.faults) std::fprintf(stderr, "  %s\n", fault.c_str());
+  return tally.faults.empty() && tally.reported() == tally.tried;
+}
+
+bool measure(const std::filesystem::path& into, double share) {
+  bool all_true = true;
+  std::string table = tally_header();
+  for (const Category& category : categories()) {
+    const Tally tally = tried(category, std::lround(share * static_cast<double>(category.cases)));
+    all_true = report(category.name, tally) && all_true;
+    table += tally_line(category.name, tally);
+  }
+  write(into / "stress.csv", table);
+
+  const auto ladder = fold_ladder(std::lround(share * static_cast<double>(ladder_folds)));
+  for (const Rung& rung : ladder) all_true = report("beside a fold", rung.tally) && all_true;
+  write(into / "stress_fold.csv", ladder_table(ladder));
+  draw(into / "stress_fold.svg", fold_script(ladder, ImageFormat::svg));
+  draw(into / "stress_fold.png", fold_script(ladder, ImageFormat::png));
+  return all_true;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    const double share = count == 3 ? std::stod(arguments[2]) : 1.0;
+    if (count < 2 || count > 3 || !(share > 0.0 && share <= 1.0)) {
+      std::fputs("usage: stress DIRECTORY [SHARE]      0 < SHARE <= 1\n", stderr);
+      return 2;
+    }
+    return measure(arguments[1], share) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "stress: %s\n", error.what());
+    return 2;
+  }
+}
