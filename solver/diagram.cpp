@@ -145,7 +145,7 @@ Diagram read_diagram(TableReader& table) {
       // At nu = 0 the lowest mode, the spin's own, is missing: the others keep their lines.
       const auto end =
           std::ranges::find_if(point.frequency, [](double f) { return std::isnan(f); });
-      std::ranges::rotate(point.frequency, end);
+      std::rotate(point.frequency.begin(), end, point.frequency.end());
     }
     point.growth = number(table, growth);
     point.verdict = verdict(table, stability);

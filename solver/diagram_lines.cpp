@@ -48,8 +48,7 @@ std::vector<std::size_t> thinned(std::span<const std::size_t> points, const Axis
     kept.insert(kept.end(), lowest.begin(), lowest.end());
     kept.insert(kept.end(), highest.begin(), highest.end());
     std::ranges::sort(kept);
-    const auto repeated = std::ranges::unique(kept);
-    kept.erase(repeated.begin(), repeated.end());
+    kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
     for (const std::size_t k : kept) out.push_back(points[k]);
   }
   return out;

@@ -7,6 +7,7 @@
 
 #include "solver/existence.hpp"
 #include "solver/reduced_solve.hpp"
+#include "solver/search.hpp"
 #include "solver/thickness_balance.hpp"
 #include "solver/two_polar_equilibrium.hpp"
 
@@ -79,6 +80,36 @@ std::optional<std::string> vertical_condition(const Problem& problem, double nu)
   return verdict && verdict->on_line ? std::optional(verdict->condition) : std::nullopt;
 }
 
+/// NLopt's samples may miss what branch and prune cannot: of all solutions in the box the one
+/// nearest to the rest state, if there is any.
+void search_all(const Problem& problem, double nu, const SolveOptions& options, Equilibrium& out) {
+  SearchOptions how;
+  how.stop = options.stop;
+  const SearchResult all = search(problem, nu, how);
+  if (all.status == SearchStatus::interrupted) out.status = SolveStatus::interrupted;
+  if (all.solutions.empty()) return;
+  const Stretch rest = problem.potential().visit([](const auto& model) {
+    if constexpr (requires { model.plane; }) {
+      const double r = model.plane.rest_stretch();
+      return Stretch{0.0, r, r, 1.0};  // a separable potential's rho is the same for all
+    } else {
+      return Stretch{0.0, model.rest_stretch(), model.rest_stretch(), model.rest_thickness()};
+    }
+  });
+  const auto distance = [&](const Equilibrium& at) {
+    return std::max({std::abs(std::log(at.q.xi / rest.xi)),
+                     std::abs(std::log(at.q.zeta / rest.zeta)),
+                     problem.unknowns() == 3 ? std::abs(std::log(at.q.rho / rest.rho)) : 0.0});
+  };
+  const Equilibrium& nearest = *std::ranges::min_element(all.solutions, {}, distance);
+  out.status = SolveStatus::solved;
+  out.q = nearest.q;
+  out.error_bound = nearest.error_bound;
+  out.message =
+      "Found by an exhaustive search where NLopt found none; whether it is connected to the rest "
+      "state is not known.";
+}
+
 }  // namespace
 
 Equilibrium solve(const Problem& problem, double nu, const SolveOptions& options) {
@@ -104,6 +135,8 @@ Equilibrium solve(const Problem& problem, double nu, const SolveOptions& options
   }
   problem.potential().visit(
       [&](const auto& model) { solve_model(model, problem, nu, options, out); });
+  if (out.status == SolveStatus::not_found && options.method == Method::automatic && options.search)
+    search_all(problem, nu, options, out);
   if (out.status != SolveStatus::solved) return out;
 
   // The returned numbers decide, not the solver.

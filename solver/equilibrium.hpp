@@ -4,8 +4,9 @@
 //   1. a walk along the rest state's sheet (rest_walk) from nu = 0 to nu, so that the answer is the
 //      solution connected to rest; Ceres (trust region) solves at nu from where the walk arrived;
 //   2. where that sheet does not reach nu, or Ceres stops short, NLopt searches globally for a
-//   start,
-//      and the answer says that its connection to rest is not known (unless search = false).
+//      start, and where it finds none branch and prune (search.hpp) for all solutions; the answer
+//      says that its connection to rest is not known (unless search = false).
+// From a given start: Ceres, then Newton, then the same global search.
 // ceres, newton: that solver alone, from the rest state or the given start, with no walk.
 // nlopt: the global search alone.
 // All end in the same correction with an extended-precision residual (refine). The residual of

@@ -126,7 +126,8 @@ void set_axis_tests(const Member& member, const TestContext& context, const Vect
 /// its Lambdas, which are real.
 void set_two_polar_tests(const Member& member, const TestContext& context, const Vector3<double>& m,
                          TestValues& out) {
-  const auto& [rates, momenta, by_momenta] = *member.two_polar;
+  const auto& rates = member.two_polar->rates;
+  const auto& momenta = member.two_polar->momenta;
   if (context.circle) {
     const double pull = 2.0 * member.body.J1 * member.nu * member.nu;
     out.value[TestValues::ellipse] =
@@ -140,7 +141,7 @@ void set_two_polar_tests(const Member& member, const TestContext& context, const
   };
   out.value[TestValues::inertia_13] = axis_leaves(m[1] + m[2]);
   out.value[TestValues::inertia_23] = axis_leaves(m[0] + m[2]);
-  if (by_momenta) {  // what turns is a momentum
+  if (member.two_polar->by_momenta) {  // what turns is a momentum
     out.value[TestValues::momentum] = out.value[TestValues::fold];
     out.value[TestValues::fold] = none;
   } else if (member.spectrum) {

@@ -55,7 +55,8 @@ Seeds<N> nlopt_seeds(const std::function<double(const ReducedVector<N>&)>& objec
   std::stable_sort(sampled.begin(), sampled.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<ReducedVector<N>> kept;
-  for (const auto& [f, point] : sampled) {
+  for (const auto& sample : sampled) {
+    const ReducedVector<N>& point = sample.second;
     if (static_cast<int>(kept.size()) == options.seeds) break;
     const bool apart = std::all_of(kept.begin(), kept.end(), [&](const ReducedVector<N>& other) {
       return (point - other).cwiseAbs().maxCoeff() >= options.separation;

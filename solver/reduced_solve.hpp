@@ -108,6 +108,9 @@ class ReducedSolve {
   ReducedAnswer<N> from_start(const ReducedVector<N>& start) {
     ReducedAnswer<N> out = by_ceres(start, true);
     if (out.status == SolveStatus::solved) return out;
+    // Ceres' trust region may stall where stretches or stiffnesses are many orders apart.
+    out = by_newton(start, true);
+    if (out.status == SolveStatus::solved) return out;
     return by_search("No solution was reached from the given start. ");
   }
 

@@ -62,33 +62,34 @@ double mode_over_bound(const std::vector<Mode>& found,
 class LastRow final : public CurveSink {
  public:
   void row(const Member& member, EventType event) override {
-    q = member.q;
+    last = member;
     end = event;
   }
-  Stretch q{0.0, 1.0, 1.0, 1.0};
+  Member last;
   EventType end = EventType::none;
 };
 
 /// Where continuation comes to from rest; nothing where it does not reach nu.
-std::optional<Stretch> followed_from_rest(const HardCase& c) {
+std::optional<Member> followed_from_rest(const HardCase& c) {
   const Equilibrium rest = solve(c.problem, 0.0);
   if (rest.status != SolveStatus::solved) return std::nullopt;
   FollowOptions options;
   options.continuation.from = 0.0;
   options.continuation.to = std::abs(c.nu);
   options.max_points = 20000;
-  LastRow last;
+  LastRow sink;
   follow(axis_family(c.problem, {.nu = 0.0, .parameter = {}, .spectrum = false}), rest.q, 0.0,
-         options, last);
-  if (last.end != EventType::limit) return std::nullopt;
-  return last.q;
+         options, sink);
+  if (sink.end != EventType::limit) return std::nullopt;
+  return sink.last;
 }
 
-/// Farther apart than rounding nu may take them.
-bool apart(const Stretch& followed, const Equilibrium& at) {
-  const double off = std::max(std::abs(std::log(followed.xi / at.q.xi)),
-                              std::abs(std::log(followed.zeta / at.q.zeta)));
-  return off > 1e-6 + 1e3 * at.error_bound;
+/// Farther apart than rounding nu, and where the last row has it, may take them.
+bool apart(const Member& followed, const Equilibrium& at, double nu) {
+  const double off = std::max(std::abs(std::log(followed.q.xi / at.q.xi)),
+                              std::abs(std::log(followed.q.zeta / at.q.zeta)));
+  const double short_of = std::abs(followed.parameter / nu) - 1.0;
+  return off > 1e-6 + at.error_bound * (1e3 + std::abs(short_of) / 0x1p-53);
 }
 
 class Judgement {
@@ -163,7 +164,7 @@ class Judgement {
   void judge_connection(const Equilibrium& at) {
     if (at.connection != Connection::rest || c_.nu == 0.0) return;
     const auto followed = followed_from_rest(c_);
-    if (followed && apart(*followed, at)) {
+    if (followed && apart(*followed, at, c_.nu)) {
       out_.wrong_sheet = true;
       fault("said to be connected to rest, and is not");
     }
