@@ -22,7 +22,7 @@ endfunction()
 
 file(MAKE_DIRECTORY ${INTO})
 file(GLOB old ${INTO}/*.csv ${INTO}/*.meta.json ${INTO}/*.svg ${INTO}/*.png)
-list(FILTER old EXCLUDE REGEX "/work_precision\\.[^/]*$") # measured by a target of its own
+list(FILTER old EXCLUDE REGEX "/(work_precision\\.|stress)[^/]*$") # of targets of their own
 if(old)
   file(REMOVE ${old})
 endif()

@@ -174,7 +174,10 @@ TEST(ShippedResults, AreOfTheCasesAndNothingElse) {
   const auto cases = stems_in(STATIONARY_CASES, ".toml");
   const auto of_cases = [](std::vector<std::string> stems) {
     std::erase_if(stems, is_atlas);
-    std::erase(stems, "work_precision");  // measured: work_precision_test.cpp
+    // Measured: work_precision_test.cpp; the whole of stress_test.cpp.
+    std::erase_if(stems, [](const std::string& stem) {
+      return stem == "work_precision" || stem.starts_with("stress");
+    });
     return stems;
   };
   EXPECT_EQ(of_cases(stems_in(STATIONARY_RESULTS, ".csv")), cases);

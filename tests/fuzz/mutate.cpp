@@ -5,6 +5,7 @@
 //
 // What escapes the target, and every report of a sanitizer, ends it with the input in TARGET.input.
 #include <algorithm>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -13,8 +14,13 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
+
+/// The sanitizers', where they are linked.
+extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*callback)());
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -128,9 +134,14 @@ class Mutator {
   std::mt19937_64 engine_{1};
 };
 
-void run(const std::string& text, const std::string& input_path) {
-  std::ofstream(input_path, std::ios::binary) << text;
-  LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+std::string input;       ///< of the target's present call
+std::string input_path;  ///< where it is left when that call is the last
+
+void leave_input() { std::ofstream(input_path, std::ios::binary) << input; }
+
+void run(std::string text) {
+  input = std::move(text);
+  LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
 }
 
 }  // namespace
@@ -140,17 +151,19 @@ int main(int count, char** arguments) {
     std::fputs("usage: TARGET COUNT SEEDS...\n", stderr);
     return 2;
   }
-  const std::string input_path = std::string(arguments[0]) + ".input";
+  input_path = std::string(arguments[0]) + ".input";
+  if (__sanitizer_set_death_callback != nullptr) __sanitizer_set_death_callback(leave_input);
+  std::signal(SIGABRT, [](int) { leave_input(); });
   try {
     const auto seeds = read_seeds({arguments + 2, arguments + count});
     if (seeds.empty()) throw std::runtime_error("no seeds");
-    for (const std::string& seed : seeds) run(seed, input_path);
+    for (const std::string& seed : seeds) run(seed);
     Mutator mutator(seeds);
-    for (long k = std::atol(arguments[1]); k > 0; --k) run(mutator.next(), input_path);
+    for (long k = std::atol(arguments[1]); k > 0; --k) run(mutator.next());
   } catch (const std::exception& error) {
+    leave_input();
     std::fprintf(stderr, "%s\nthe input is in %s\n", error.what(), input_path.c_str());
     return 1;
   }
-  std::filesystem::remove(input_path);
   return 0;
 }

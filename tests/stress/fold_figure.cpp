@@ -1,5 +1,6 @@
 #include "tests/stress/fold_figure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -43,7 +44,8 @@ std::string fold_script(const std::vector<Rung>& ladder, ImageFormat format) {
     out += name + " << EOD\n";
     for (const Rung& rung : ladder) {
       char text[64];
-      std::snprintf(text, sizeof text, "%.1e %.4f\n", rung.distance, -std::log10(rung.*line.error));
+      std::snprintf(text, sizeof text, "%.1e %.4f\n", rung.distance,
+                    std::max(0.0, -std::log10(rung.*line.error)));
       out += text;
     }
     out += "EOD\n";

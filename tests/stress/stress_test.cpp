@@ -7,6 +7,7 @@
 
 #include "tests/stress/categories.hpp"
 #include "tests/stress/fold_ladder.hpp"
+#include "tests/stress/hard_case.hpp"
 #include "tests/stress/two_polar_case.hpp"
 
 namespace stationary::stress {
@@ -23,6 +24,7 @@ void expect_all_true(const Tally& tally) {
   EXPECT_EQ(tally.reported(), tally.tried);
   EXPECT_EQ(tally.within_one_unit, tally.solved);
   EXPECT_LE(tally.worst_error_over_bound, 1.0);
+  EXPECT_EQ(tally.overlooked, 0);
   EXPECT_LE(tally.most_work, 100'000);
 }
 
@@ -53,6 +55,23 @@ TEST(FoldLadder, EveryRungIsCorrectToTheLastPlace) {
   }
   // What it takes an extended-precision residual for.
   EXPECT_GT(ladder.back().worst_plain_error, 1e-12);
+}
+
+/// A saddle on a sheet apart from rest, in a basin NLopt's samples miss: the exhaustive search has
+/// it.
+TEST(GlobalSearch, FindsWhatItsSamplesMiss) {
+  Ingredients of;
+  of.model = {"biot", "reciprocal-quadratic"};
+  of.plane = {0.35698120616632848, 1.0764233407208621};
+  of.axial = {0.0036674010733332629, 14259.065715602725};
+  of.J1 = 2.6641919340868427;
+  of.J2 = 2.0342544559056872;
+  of.J3 = 4615.2477049134141;
+  of.branch = Branch::iii;
+  of.nu = 0.78779256502561446;
+  const Outcome outcome = judged(of.posed());
+  EXPECT_EQ(outcome.status, SolveStatus::solved);
+  EXPECT_EQ(outcome.fault, "");
 }
 
 Outcome two_polar(std::string_view model, std::array<double, 2> plane, std::array<double, 2> axial,
