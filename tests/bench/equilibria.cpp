@@ -97,12 +97,15 @@ void add_solvers(const Equilibria& of, Adder& to) {
   }
   for (const double tolerance : {1e-4, 1e-8, 1e-14}) {
     to.add("tiny-solver", tolerance, [&body, tolerance]<class M>(const M& model) {
-      return TinySolver<M>{body, model, tolerance};
+      return TinySolver<M>{body, model, tolerance, 0.0};
     });
     to.add("ceres", tolerance, [&body, tolerance]<class M>(const M& model) {
       return CeresSolve<M>{body, model, tolerance};
     });
   }
+  to.add("tiny-solver-default", 1e-14, [&body]<class M>(const M& model) {
+    return TinySolver<M>{body, model, 1e-14};
+  });
   // Below 1e-12 hybrj goes on for many steps that gain nothing.
   for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
     to.add("minpack-hybrj", tolerance, [&body, tolerance]<class M>(const M& model) {

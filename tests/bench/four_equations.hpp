@@ -54,14 +54,20 @@ struct Newton4x4 {
 template <class Model>
 class TinySolver {
  public:
-  TinySolver(const Body& body, const Model& model, double tolerance) : body_(body), model_(model) {
+  /// function_tolerance: on the change of the cost, absolute; by default Ceres' own, which ends
+  /// most sweeps after one step.
+  TinySolver(const Body& body, const Model& model, double tolerance,
+             double function_tolerance = 1e-6)
+      : body_(body), model_(model) {
     solver_.options.gradient_tolerance = 1e-30;
-    solver_.options.function_tolerance = 0.0;  // an absolute one, and by default 1e-6
+    solver_.options.function_tolerance = function_tolerance;
     solver_.options.parameter_tolerance = tolerance;
     solver_.options.cost_threshold = 1e-32;
     solver_.options.initial_trust_region_radius = 1e12;
   }
-  bool operator()(const Vector3<double>& nu, Vector4<double>& x) {
+  /// Flattened: what the compiler inlines of it would otherwise depend on how much else there is
+  /// (measured: 2 times; 4x4 Newton and hybrj are faster as they are).
+  [[gnu::flatten]] bool operator()(const Vector3<double>& nu, Vector4<double>& x) {
     const FourResiduals<Model> residuals{body_, model_, nu};
     solver_.Solve(Function(residuals), &x);
     return x.allFinite();

@@ -19,7 +19,8 @@ struct ReducedNewton {
   double tolerance;
   Finish finish;
 
-  bool operator()(const Vector3<double>& nu, Vector4<double>& q) const {
+  /// Flattened, as the sweep is.
+  [[gnu::flatten]] bool operator()(const Vector3<double>& nu, Vector4<double>& q) const {
     const double along = nu[axis(problem.branch())];
     const CentrifugalRates<DoubleDouble> rates = problem.rates(two_product(along, along));
     ReducedVector<2> x(q[1], q[2]);

@@ -47,6 +47,7 @@ constexpr MethodStyle method_styles[] = {
     {"newton-4x4", "4×4 Newton", "#d55e00", 6},
     {"newton-4x4-last", "4×4 Newton, last point", "#d55e00", 4},
     {"tiny-solver", "TinySolver", "#e69f00", 8},
+    {"tiny-solver-default", "TinySolver, its defaults", "#e69f00", 1},
     {"ceres", "ceres::Solve", "#cc79a7", 12},
     {"minpack-hybrj", "MINPACK hybrj", "#56b4e9", 10},
     {"scipy-hybr", "SciPy hybr", "#000000", 14},

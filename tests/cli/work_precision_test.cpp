@@ -39,8 +39,9 @@ TEST(WorkPrecision, HasEveryMethodOnEveryCase) {
   for (const auto& [what, of_it] : methods) expected += of_it.size() * cases.size();
   EXPECT_EQ(measured.size(), expected);
   using ::testing::IsSupersetOf;
-  const std::vector<std::string> common{
-      "reduced-newton", "reduced-corrected", "newton-4x4", "tiny-solver", "ceres", "minpack-hybrj"};
+  const std::vector<std::string> common{"reduced-newton", "reduced-corrected",   "newton-4x4",
+                                        "tiny-solver",    "tiny-solver-default", "ceres",
+                                        "minpack-hybrj"};
   for (const char* what : {"warm", "warm-coarse", "cold"})
     EXPECT_THAT(methods[what], IsSupersetOf(common)) << what;
   for (const char* what : {"warm", "warm-coarse"})
