@@ -238,24 +238,36 @@ Spectrum general_spectrum(const Body& body, const Potential& potential,
   const auto input = [](const DoubleDouble& x) { return Conditioned::input(leading(x)); };
   Matrix4<Real> V_qq;
   Matrix4<Real> condition;
-  potential.visit([&](const auto& model) {
-    const auto exact = potential_derivatives<2>(model, q);
-    const BasicStretch<Conditioned> q_c{input(q.alpha), input(q.xi), input(q.zeta), input(q.rho)};
-    const auto conditioned = potential_derivatives<2>(conditioned_model(model), q_c);
+  const double size = std::sqrt(leading(q.xi) * leading(q.zeta));
+  const BasicStretch<Conditioned> q_c{
+      q.alpha == 0.0 ? Conditioned(0.0) : Conditioned(leading(q.alpha), size), input(q.xi),
+      input(q.zeta), input(q.rho)};
+  const auto take = [&](const auto& exact, const auto& conditioned) {
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
         V_qq(i, j) = wide(exact.hessian(i, j));
         condition(i, j) = conditioned.hessian(i, j).condition;
       }
     }
-  });
+  };
+  if (potential.is_isotropic()) {
+    potential.visit([&](const auto& model) {
+      take(potential_derivatives<2>(model, q),
+           potential_derivatives<2>(conditioned_model(model), q_c));
+    });
+  } else {
+    const AnisotropicPotential& V = potential.anisotropic();
+    take(potential_derivatives<2>(V.model(AsExtended()), q),
+         potential_derivatives<2>(V.model(AsConditioned()), q_c));
+  }
   const BasicStretch<Real> q_wide{wide(q.alpha), wide(q.xi), wide(q.zeta), wide(q.rho)};
   Vector3<Real> nu_wide{wide(nu[0]), wide(nu[1]), wide(nu[2])};
   const bool at_rest = nu_wide.norm() == Real(0);
   const bool circle = q_wide.alpha == Real(0) && q_wide.xi == q_wide.zeta;
-  const MaterialSymmetry symmetry = !(body.symmetric() || at_rest) ? MaterialSymmetry::none
-                                    : circle                       ? MaterialSymmetry::circle
-                                                                   : MaterialSymmetry::ellipse;
+  const bool symmetric = potential.is_isotropic() && (body.symmetric() || at_rest);
+  const MaterialSymmetry symmetry = !symmetric ? MaterialSymmetry::none
+                                    : circle   ? MaterialSymmetry::circle
+                                               : MaterialSymmetry::ellipse;
   if (circle && nu_wide[2] < Real(0)) nu_wide = -nu_wide;  // see definite_with_momentum()
   return general_spectrum({symmetry, uncertainty}, leaf(body, q_wide, nu_wide, V_qq, condition));
 }

@@ -66,22 +66,34 @@ CentrifugalRates<S> centrifugal_rates(const Inertias& body, const S& nu1_squared
           body.J3 * (nu1_squared + nu2_squared)};
 }
 
-/// Centrifugal matrix C(nu): T_rot = q^T C q / 2.
+/// The products of nu's components in C(nu); nu3 and an in-plane component are never both there
+/// but in the squares.
 template <class S>
-Matrix4<S> centrifugal_matrix(const Body& body, const Vector3<S>& nu) {
-  const S n1 = nu[0] * nu[0];
-  const S n2 = nu[1] * nu[1];
-  const S n3 = nu[2] * nu[2];
-  const S n12 = nu[0] * nu[1];
+struct SpinProducts {
+  S square_1;
+  S square_2;
+  S square_3;
+  S product_12;
+};
+
+/// Centrifugal matrix C(nu): T_rot = q^T C q / 2. body: J1, J2, J3 as doubles or in S.
+template <class S, class Inertias>
+Matrix4<S> centrifugal_matrix(const Inertias& body, const SpinProducts<S>& n) {
   Matrix4<S> C = Matrix4<S>::Constant(S(0.0));
-  C(0, 0) = body.J1 * n1 + body.J2 * n2 + (S(body.J1) + body.J2) * n3;
-  const CentrifugalRates<S> rates = centrifugal_rates(body, n1, n2, n3);
+  C(0, 0) = body.J1 * n.square_1 + body.J2 * n.square_2 + (S(body.J1) + body.J2) * n.square_3;
+  const CentrifugalRates<S> rates = centrifugal_rates(body, n.square_1, n.square_2, n.square_3);
   C(1, 1) = rates.xi;
   C(2, 2) = rates.zeta;
   C(3, 3) = rates.rho;
-  C(0, 1) = C(1, 0) = -(body.J1 * n12);
-  C(0, 2) = C(2, 0) = -(body.J2 * n12);
+  C(0, 1) = C(1, 0) = -(body.J1 * n.product_12);
+  C(0, 2) = C(2, 0) = -(body.J2 * n.product_12);
   return C;
+}
+
+template <class S>
+Matrix4<S> centrifugal_matrix(const Body& body, const Vector3<S>& nu) {
+  return centrifugal_matrix(
+      body, SpinProducts<S>{nu[0] * nu[0], nu[1] * nu[1], nu[2] * nu[2], nu[0] * nu[1]});
 }
 
 /// The row of M that couples nu3 to (alpha', xi', zeta'), eq. (21).

@@ -10,13 +10,7 @@
 
 namespace stationary {
 
-/// convert(c) of each coefficient c.
-template <template <class> class Model, class Convert>
-auto with_coefficients(const Model<double>& model, const Convert& convert) {
-  const auto c = model.coefficients();
-  return Model<std::remove_cvref_t<decltype(convert(c[0]))>>{convert(c[0]), convert(c[1])};
-}
-
+/// convert(c) of each coefficient c of both parts; of one model: isotropic_models.hpp.
 template <class Plane, class Thickness, class Convert>
 auto with_coefficients(const Separable<Plane, Thickness>& model, const Convert& convert) {
   const auto plane = with_coefficients(model.plane, convert);

@@ -1,23 +1,11 @@
 #include "lib/potential.hpp"
 
-#include <cmath>
 #include <stdexcept>
+
+#include "lib/model_domain.hpp"
 
 namespace stationary {
 namespace {
-
-template <class Model>
-void require_domain(const Model& model) {
-  const auto coefficients = model.coefficients();
-  for (std::size_t k = 0; k < coefficients.size(); ++k) {
-    if (!std::isfinite(coefficients[k]))
-      throw std::invalid_argument(std::string(Model::parameters[k]) + " finite");
-  }
-  const auto holds = model.in_domain();
-  for (std::size_t k = 0; k < holds.size(); ++k) {
-    if (!holds[k]) throw std::invalid_argument(std::string(Model::domain[k]));
-  }
-}
 
 template <class Model, std::size_t... K>
 Model from_coefficients(std::span<const double> values, std::index_sequence<K...>) {
@@ -42,15 +30,21 @@ Variant by_name(std::string_view name, std::span<const double> values) {
   }
 }
 
+template <class Model>
+ModelDescription described(ModelDescription::Kind kind, bool isotropic) {
+  return {kind,
+          Model::name,
+          Model::formula,
+          {Model::parameters.begin(), Model::parameters.end()},
+          {Model::domain.begin(), Model::domain.end()},
+          isotropic};
+}
+
 template <class Variant, std::size_t... K>
 void describe(ModelDescription::Kind kind, std::vector<ModelDescription>& out,
               std::index_sequence<K...>) {
   const auto one = [&]<class Model>(std::type_identity<Model>) {
-    out.push_back({kind,
-                   Model::name,
-                   Model::formula,
-                   {Model::parameters.begin(), Model::parameters.end()},
-                   {Model::domain.begin(), Model::domain.end()}});
+    out.push_back(described<Model>(kind, true));
   };
   (one(std::type_identity<std::variant_alternative_t<K, Variant>>{}), ...);
 }
@@ -65,11 +59,25 @@ void describe(ModelDescription::Kind kind, std::vector<ModelDescription>& out) {
 const std::vector<ModelDescription>& model_descriptions() {
   static const std::vector<ModelDescription> all = [] {
     std::vector<ModelDescription> out;
-    describe<PlanarPotential>(ModelDescription::Kind::planar, out);
-    describe<ThicknessPotential>(ModelDescription::Kind::thickness, out);
-    describe<CoupledPotential>(ModelDescription::Kind::coupled, out);
+    using Kind = ModelDescription::Kind;
+    describe<PlanarPotential>(Kind::planar, out);
+    describe<ThicknessPotential>(Kind::thickness, out);
+    describe<CoupledPotential>(Kind::coupled, out);
     return out;
   }();
+  return all;
+}
+
+const std::vector<ModelDescription>& anisotropic_descriptions() {
+  using Kind = ModelDescription::Kind;
+  static const std::vector<ModelDescription> all = {
+      described<OrthotropicSaintVenantKirchhoff<>>(Kind::planar, false),
+      {Kind::fibre,
+       "fibre",
+       "(k/2) (f . S^2 f - 1)^2,  f = (cos, sin) of an angle in degrees from axis 1",
+       {"k", "degrees"},
+       {"k > 0"},
+       false}};
   return all;
 }
 
@@ -82,6 +90,8 @@ Potential::Potential(const PlanarPotential& plane, const ThicknessPotential& thi
 Potential::Potential(const CoupledPotential& coupled) : models_(coupled) {
   std::visit([](const auto& model) { require_domain(model); }, coupled);
 }
+
+Potential::Potential(const AnisotropicPotential& anisotropic) : models_(anisotropic) {}
 
 PlanarPotential Potential::planar(std::string_view name, std::span<const double> coefficients) {
   return by_name<PlanarPotential>(name, coefficients);
@@ -96,11 +106,18 @@ CoupledPotential Potential::coupled(std::string_view name, std::span<const doubl
   return by_name<CoupledPotential>(name, coefficients);
 }
 
+AnisotropicPotential::Plane Potential::oriented_plane(std::string_view name,
+                                                      std::span<const double> coefficients) {
+  return by_name<AnisotropicPotential::Plane>(name, coefficients);
+}
+
 PotentialDerivatives<double> Potential::derivatives(const Stretch& q) const {
+  if (!is_isotropic()) return potential_derivatives<2>(anisotropic().model(), q);
   return visit([&](const auto& model) { return potential_derivatives<2>(model, q); });
 }
 
 double Potential::value(const Stretch& q) const {
+  if (!is_isotropic()) return potential_derivatives<0>(anisotropic().model(), q).value;
   return visit([&](const auto& model) { return potential_derivatives<0>(model, q).value; });
 }
 

@@ -1,0 +1,143 @@
+#include "lib/anisotropic_potential.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "lib/model_domain.hpp"
+
+namespace stationary {
+namespace {
+
+struct AsDouble {
+  double operator()(double c) const { return c; }
+  Direction<double> direction(double degrees) const {
+    const auto extended = stationary::direction(degrees);
+    return {double(extended.cosine), double(extended.sine)};
+  }
+};
+
+/// Counts coefficients, and changes one.
+struct Replacing {
+  int place;
+  double value;
+  int* next;
+
+  double operator()(double c) const { return (*next)++ == place ? value : c; }
+};
+
+}  // namespace
+
+AnisotropicPotential::AnisotropicPotential(const Plane& plane, const ThicknessPotential& thickness,
+                                           std::vector<Fibre> fibres)
+    : fibres_(std::move(fibres)) {
+  std::visit([](const auto& model) { require_domain(model); }, plane);
+  std::visit([](const auto& model) { require_domain(model); }, thickness);
+  if (fibres_.empty() && !std::holds_alternative<OrthotropicSaintVenantKirchhoff<>>(plane))
+    throw std::invalid_argument("a fibre, or an orthotropic plane");
+  model_.base = Model::Separate{plane, thickness};
+  add_fibres();
+}
+
+AnisotropicPotential::AnisotropicPotential(const CoupledPotential& coupled,
+                                           std::vector<Fibre> fibres)
+    : fibres_(std::move(fibres)) {
+  std::visit([](const auto& model) { require_domain(model); }, coupled);
+  if (fibres_.empty()) throw std::invalid_argument("a fibre");
+  model_.base = coupled;
+  add_fibres();
+}
+
+void AnisotropicPotential::add_fibres() {
+  if (fibres_.size() > Model::max_fibres) throw std::invalid_argument("at most 4 fibres");
+  for (const Fibre& fibre : fibres_) {
+    if (!(std::isfinite(fibre.k) && fibre.k > 0.0)) throw std::invalid_argument("k > 0");
+    if (!std::isfinite(fibre.degrees)) throw std::invalid_argument("degrees finite");
+    model_.fibres[model_.fibre_count++] = {fibre.k, AsDouble().direction(fibre.degrees)};
+  }
+}
+
+bool AnisotropicPotential::is_separable() const {
+  return std::holds_alternative<Model::Separate>(model_.base);
+}
+
+// The odd part of a fibre's V is 2 k c s alpha (xi + zeta) (c^2 xi^2 + s^2 zeta^2 + alpha^2 - 1).
+bool AnisotropicPotential::even_in_alpha() const {
+  double constant = 0.0;
+  double of_cosine = 0.0;
+  for (std::size_t k = 0; k < model_.fibre_count; ++k) {
+    const auto& [c, s] = model_.fibres[k].along;
+    constant += model_.fibres[k].k * (c * s);
+    of_cosine += model_.fibres[k].k * (c * s) * (c * c);
+  }
+  return constant == 0.0 && of_cosine == 0.0;
+}
+
+double AnisotropicPotential::rest_stretch() const {
+  if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
+    return std::visit([](const auto& model) { return model.rest_stretch(); }, separate->plane);
+  return std::visit([](const auto& model) { return model.rest_stretch(); },
+                    std::get<CoupledPotential>(model_.base));
+}
+
+double AnisotropicPotential::rest_thickness() const {
+  if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
+    return std::visit([](const auto& model) { return model.balanced(0.0); }, separate->thickness);
+  return std::visit([](const auto& model) { return model.rest_thickness(); },
+                    std::get<CoupledPotential>(model_.base));
+}
+
+int AnisotropicPotential::thickness_place() const {
+  const auto size = [](const auto& model) { return static_cast<int>(model.coefficients().size()); };
+  if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
+    return std::visit(size, separate->plane);
+  return std::visit(size, std::get<CoupledPotential>(model_.base));
+}
+
+int AnisotropicPotential::fibre_place() const {
+  return thickness_place() + (is_separable() ? 2 : 0);
+}
+
+int AnisotropicPotential::coefficient_count() const {
+  return fibre_place() + 2 * static_cast<int>(fibres_.size());
+}
+
+AnisotropicPotential AnisotropicPotential::with_coefficient(int place, double value) const {
+  AnisotropicPotential out = *this;
+  int next = 0;
+  const Replacing replace{place, value, &next};
+  if (auto* separate = std::get_if<Model::Separate>(&out.model_.base)) {
+    const auto plane = std::visit(
+        [&](const auto& each) -> Plane { return with_coefficients(each, replace); },
+        separate->plane);
+    separate->plane = plane;
+    const auto thickness = std::visit(
+        [&](const auto& each) -> ThicknessPotential { return with_coefficients(each, replace); },
+        separate->thickness);
+    separate->thickness = thickness;
+  } else {
+    const auto coupled = std::visit(
+        [&](const auto& each) -> CoupledPotential { return with_coefficients(each, replace); },
+        std::get<CoupledPotential>(out.model_.base));
+    out.model_.base = coupled;
+  }
+  for (std::size_t k = 0; k < out.fibres_.size(); ++k) {
+    Fibre& fibre = out.fibres_[k];
+    fibre.k = replace(fibre.k);
+    fibre.degrees = replace(fibre.degrees);
+    out.model_.fibres[k] = {fibre.k, AsDouble().direction(fibre.degrees)};
+  }
+  return out;
+}
+
+Direction<Conditioned> AsConditioned::direction(double degrees) const {
+  const auto middle = AsDouble().direction(degrees);
+  const double radians = std::abs(degrees) * (std::numbers::pi / 180.0);
+  return {{middle.cosine, std::abs(middle.cosine) + std::abs(middle.sine) * radians},
+          {middle.sine, std::abs(middle.sine) + std::abs(middle.cosine) * radians}};
+}
+
+}  // namespace stationary

@@ -1,0 +1,180 @@
+// A potential that is no function of the invariants of S: fibres (potentials/fibre.hpp) beside an
+// isotropic potential, or an orthotropic planar model with or without them,
+//
+//   V(q) = W(t, l, r) + directed terms in q,
+//
+// in two layers as potential.hpp has them. AnisotropicModel<C>: all numbers of type C, coefficients
+// and state alike; which isotropic model is underneath is looked up at run time, so that everything
+// built on it is compiled once for a number type and not once for a model. AnisotropicPotential:
+// the numbers as a user gives them, the facts, and models in any number type made of them.
+//
+// What is to be added to V later is one more addend of evaluate().
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lib/conditioned.hpp"
+#include "lib/isotropic_models.hpp"
+#include "lib/potential_derivatives.hpp"
+#include "lib/potentials/fibre.hpp"
+#include "lib/potentials/orthotropic_saint_venant_kirchhoff.hpp"
+
+namespace stationary {
+
+/// Planar models of an anisotropic potential: those of an isotropic one too.
+template <class C>
+using OrientedPlanarModels =
+    std::variant<ReciprocalDeterminant<C>, SaintVenantKirchhoff<C>, Biot<C>, BiotLog<C>,
+                 NeoHookean<C>, Hencky<C>, OrthotropicSaintVenantKirchhoff<C>>;
+
+/// What does not depend on the axes and what does.
+template <class C>
+struct AnisotropicDerivatives {
+  CoupledDerivatives<C> isotropic;
+  PotentialDerivatives<C> directed;
+};
+
+template <class C>
+struct AnisotropicModel {
+  struct Separate {
+    OrientedPlanarModels<C> plane;
+    ThicknessModels<C> thickness;
+  };
+  static constexpr std::size_t max_fibres = 4;
+
+  std::variant<Separate, CoupledModels<C>> base;
+  std::array<FibreTerm<C>, max_fibres> fibres{};
+  std::size_t fibre_count = 0;
+
+  /// x: the invariants of q, which a caller may know better than by its entries.
+  template <int order>
+  AnisotropicDerivatives<C> evaluate(const PlanarInvariants<C>& x, const BasicStretch<C>& q) const {
+    AnisotropicDerivatives<C> out;
+    out.directed = {C(0.0), Vector4<C>::Constant(C(0.0)), Matrix4<C>::Constant(C(0.0))};
+    if (const auto* separate = std::get_if<Separate>(&base)) {
+      std::visit(
+          [&](const auto& model) {
+            if constexpr (requires { model.template add<order>(q, out.directed); }) {
+              out.isotropic.plane = {C(0.0), C(0.0), C(0.0), C(0.0), C(0.0), C(0.0)};
+              model.template add<order>(q, out.directed);
+            } else {
+              out.isotropic.plane = model.template evaluate<order>(x);
+            }
+          },
+          separate->plane);
+      std::visit(
+          [&](const auto& model) {
+            const auto axial = model.template evaluate<order>(q.rho);
+            out.isotropic.plane.w = out.isotropic.plane.w + axial.v;
+            out.isotropic.w_r = axial.v_r;
+            out.isotropic.w_rr = axial.v_rr;
+          },
+          separate->thickness);
+      out.isotropic.w_tr = out.isotropic.w_lr = C(0.0);
+    } else {
+      std::visit([&](const auto& model) { out.isotropic = model.template evaluate<order>(x, q.rho); },
+                 std::get<CoupledModels<C>>(base));
+    }
+    for (std::size_t k = 0; k < fibre_count; ++k) fibres[k].template add<order>(q, out.directed);
+    return out;
+  }
+};
+
+/// Of the whole V; order as in evaluate().
+template <int order, class C>
+PotentialDerivatives<C> potential_derivatives(const AnisotropicModel<C>& model,
+                                              const BasicStretch<C>& q) {
+  const AnisotropicDerivatives<C> parts =
+      model.template evaluate<order>(planar_invariants(q), q);
+  PotentialDerivatives<C> out = in_stretch<order>(parts.isotropic, q);
+  out.value += parts.directed.value;
+  if constexpr (order >= 1) out.gradient += parts.directed.gradient;
+  if constexpr (order >= 2) out.hessian += parts.directed.hessian;
+  return out;
+}
+
+class AnisotropicPotential {
+ public:
+  using Plane = OrientedPlanarModels<double>;
+  using Model = AnisotropicModel<double>;
+
+  /// Throw std::invalid_argument with the violated inequality: of the models' domains, k > 0 and
+  /// finite degrees of each fibre, at most Model::max_fibres of them, at least one where the rest
+  /// is isotropic.
+  AnisotropicPotential(const Plane& plane, const ThicknessPotential& thickness,
+                       std::vector<Fibre> fibres);
+  AnisotropicPotential(const CoupledPotential& coupled, std::vector<Fibre> fibres);
+
+  /// V = V_plane(alpha, xi, zeta) + V_rho(rho).
+  bool is_separable() const;
+  /// V(-alpha, xi, zeta, rho) = V(alpha, ...): the material axes 1, 2 are axes of symmetry. Of these
+  /// potentials the same as V_alpha = 0 at alpha = 0 for all xi, zeta, rho.
+  bool even_in_alpha() const;
+
+  const std::vector<Fibre>& fibres() const { return fibres_; }
+  /// xi = zeta at rest without fibres, and rho (separable: of the thickness at nu = 0).
+  double rest_stretch() const;
+  double rest_thickness() const;
+
+  /// The number of coefficients: plane (or coupled), thickness, then k and degrees of each fibre.
+  int coefficient_count() const;
+  /// Of the whole: the place of the first coefficient of the thickness, and of the fibres.
+  int thickness_place() const;
+  int fibre_place() const;
+  AnisotropicPotential with_coefficient(int place, double value) const;
+
+  const Model& model() const { return model_; }
+
+  /// The model in another number type: convert(c) of each coefficient c in their order, and
+  /// convert.direction(degrees) of each angle.
+  template <class Convert>
+  auto model(const Convert& convert) const {
+    using C = std::remove_cvref_t<decltype(convert(1.0))>;
+    AnisotropicModel<C> out;
+    if (const auto* separate = std::get_if<typename Model::Separate>(&model_.base)) {
+      OrientedPlanarModels<C> plane = std::visit(
+          [&](const auto& each) -> OrientedPlanarModels<C> {
+            return with_coefficients(each, convert);
+          },
+          separate->plane);
+      ThicknessModels<C> thickness = std::visit(
+          [&](const auto& each) -> ThicknessModels<C> { return with_coefficients(each, convert); },
+          separate->thickness);
+      out.base = typename AnisotropicModel<C>::Separate{plane, thickness};
+    } else {
+      out.base = std::visit(
+          [&](const auto& each) -> CoupledModels<C> { return with_coefficients(each, convert); },
+          std::get<CoupledModels<double>>(model_.base));
+    }
+    for (const Fibre& fibre : fibres_) {
+      const C k = convert(fibre.k);
+      out.fibres[out.fibre_count++] = {k, convert.direction(fibre.degrees)};
+    }
+    return out;
+  }
+
+ private:
+  void add_fibres();
+
+  std::vector<Fibre> fibres_;
+  Model model_;
+};
+
+/// Coefficients as they are, the angle's functions in extended precision.
+struct AsExtended {
+  DoubleDouble operator()(double c) const { return c; }
+  Direction<DoubleDouble> direction(double degrees) const {
+    return stationary::direction(degrees);
+  }
+};
+
+/// As inputs of a Conditioned computation.
+struct AsConditioned {
+  Conditioned operator()(double c) const { return Conditioned::input(c); }
+  Direction<Conditioned> direction(double degrees) const;
+};
+
+}  // namespace stationary
