@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "lib/conditioned.hpp"
+#include "lib/coefficients.hpp"
 #include "lib/isotropic_models.hpp"
 #include "lib/potential_derivatives.hpp"
 #include "lib/potentials/fibre.hpp"

@@ -2,9 +2,6 @@
 // type C.
 #pragma once
 
-#include <cstddef>
-#include <type_traits>
-#include <utility>
 #include <variant>
 
 #include "lib/potentials/biot.hpp"
@@ -29,15 +26,5 @@ using CoupledModels = std::variant<NeoHookean3d<C>>;
 using PlanarPotential = PlanarModels<double>;
 using ThicknessPotential = ThicknessModels<double>;
 using CoupledPotential = CoupledModels<double>;
-
-/// convert(c) of each coefficient c, in their order.
-template <template <class> class Model, class Convert>
-auto with_coefficients(const Model<double>& model, const Convert& convert) {
-  const auto c = model.coefficients();
-  using C = std::remove_cvref_t<decltype(convert(c[0]))>;
-  return [&]<std::size_t... k>(std::index_sequence<k...>) {
-    return Model<C>{convert(c[k])...};
-  }(std::make_index_sequence<std::tuple_size_v<std::remove_const_t<decltype(c)>>>{});
-}
 
 }  // namespace stationary

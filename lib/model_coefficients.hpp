@@ -3,14 +3,14 @@
 // (intervals).
 #pragma once
 
-#include <array>
 #include <utility>
 
+#include "lib/coefficients.hpp"
 #include "lib/potential.hpp"
 
 namespace stationary {
 
-/// convert(c) of each coefficient c of both parts; of one model: isotropic_models.hpp.
+/// convert(c) of each coefficient c of both parts; of one model: coefficients.hpp.
 template <class Plane, class Thickness, class Convert>
 auto with_coefficients(const Separable<Plane, Thickness>& model, const Convert& convert) {
   const auto plane = with_coefficients(model.plane, convert);

@@ -33,8 +33,8 @@ Variant by_name(std::string_view name, std::span<const double> values) {
 template <class Model>
 ModelDescription described(ModelDescription::Kind kind, bool isotropic) {
   return {kind,
-          Model::name,
-          Model::formula,
+          std::string(Model::name),
+          std::string(Model::formula),
           {Model::parameters.begin(), Model::parameters.end()},
           {Model::domain.begin(), Model::domain.end()},
           isotropic};

@@ -61,7 +61,7 @@ auto potential_derivatives(const Model& model, const BasicStretch<S>& q) {
   return in_stretch<order>(model.template evaluate<order>(planar_invariants(q), q.rho), q);
 }
 
-/// What `stationary models` prints of a model.
+/// What `stationary models` and `stationary check` print of a model.
 struct ModelDescription {
   enum class Kind {
     planar,
@@ -69,10 +69,10 @@ struct ModelDescription {
     coupled,
     fibre  ///< beside any of them
   } kind;
-  std::string_view name;
-  std::string_view formula;
-  std::vector<std::string_view> parameters;
-  std::vector<std::string_view> domain;  ///< inequalities on the parameters, all required
+  std::string name;
+  std::string formula;
+  std::vector<std::string> parameters;
+  std::vector<std::string> domain;  ///< inequalities on the parameters, all required
   bool isotropic = true;
 };
 

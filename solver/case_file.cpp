@@ -74,29 +74,29 @@ bool mentions(std::string_view inequality, std::string_view parameter) {
 void require_domain(const CaseTree& tree, const ModelChoice& model) {
   try {
     const std::span<const double> values = model.coefficients;
-    switch (model.description->kind) {
+    switch (model.description.kind) {
       case ModelDescription::Kind::planar:
-        Potential::planar(model.description->name, values);
+        Potential::planar(model.description.name, values);
         break;
       case ModelDescription::Kind::thickness:
-        Potential::thickness(model.description->name, values);
+        Potential::thickness(model.description.name, values);
         break;
       case ModelDescription::Kind::coupled:
-        Potential::coupled(model.description->name, values);
+        Potential::coupled(model.description.name, values);
     }
   } catch (const std::invalid_argument& error) {
     const std::string_view inequality = error.what();
     std::string key = "potential." + model.slot;
     std::string found;
     for (std::size_t k = 0; k < model.coefficients.size(); ++k) {
-      const std::string_view parameter = model.description->parameters[k];
+      const std::string_view parameter = model.description.parameters[k];
       if (!mentions(inequality, parameter)) continue;
       key = fmt::format("potential.{}.{}", model.slot, parameter);
       found += fmt::format("{}{} = {}", found.empty() ? "found " : ", ", parameter,
                            model.coefficients[k]);
     }
     throw fault_at(tree, key, found, std::string(inequality),
-                   fmt::format("the domain of \"{}\"", model.description->name));
+                   fmt::format("the domain of \"{}\"", model.description.name));
   }
 }
 
@@ -108,8 +108,8 @@ std::vector<ModelChoice> read_models(const CaseTree& tree) {
     if (node == nullptr) continue;
     const toml::table& table = *node->as_table();
     ModelChoice model{
-        slot, find_model(model_kind(path), table.get("model")->value_or(std::string_view())), {}};
-    for (const std::string_view parameter : model.description->parameters)
+        slot, *find_model(model_kind(path), table.get("model")->value_or(std::string_view())), {}};
+    for (const std::string& parameter : model.description.parameters)
       model.coefficients.push_back(table.get(parameter)->value<double>().value_or(0.0));
     out.push_back(std::move(model));
   }
@@ -371,7 +371,7 @@ std::vector<TiltedRotation> TiltedMotion::rotations() const {
 }
 
 Potential make_potential(std::span<const ModelChoice> models) {
-  const auto name = [&](std::size_t k) { return models[k].description->name; };
+  const auto name = [&](std::size_t k) -> std::string_view { return models[k].description.name; };
   const auto values = [&](std::size_t k) { return std::span(models[k].coefficients); };
   if (models.size() == 1) return Potential(Potential::coupled(name(0), values(0)));
   return {Potential::planar(name(0), values(0)), Potential::thickness(name(1), values(1))};

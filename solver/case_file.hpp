@@ -30,8 +30,8 @@ namespace stationary {
 /// A model by name with its coefficients, as written under `potential.<slot>`.
 struct ModelChoice {
   std::string slot;  ///< plane, thickness or coupled
-  const ModelDescription* description;
-  std::vector<double> coefficients;  ///< in the order of description->parameters
+  ModelDescription description;
+  std::vector<double> coefficients;  ///< in the order of description.parameters
 };
 
 /// The potential of one coupled model, or of a planar and a thickness one. Throws

@@ -177,18 +177,20 @@ void require_model(const CaseTree& tree, const std::string& path, const toml::ta
     throw fault_at(tree, model_path, "found the string " + in_quotes(chosen),
                    "one of " + listed(names), remedy);
   }
+  const std::vector<std::string_view> parameters(description->parameters.begin(),
+                                                 description->parameters.end());
   std::vector<std::string_view> allowed{"model"};
-  allowed.insert(allowed.end(), description->parameters.begin(), description->parameters.end());
+  allowed.insert(allowed.end(), parameters.begin(), parameters.end());
   for (const auto& [name, value] : table) {
     if (std::ranges::find(allowed, name.str()) == allowed.end())
       refuse_unknown(tree, path, name.str(), allowed);
   }
-  for (const std::string_view parameter : description->parameters) {
+  for (const std::string_view parameter : parameters) {
     const std::string key = dotted(path, parameter);
     const toml::node* value = table.get(parameter);
     if (value == nullptr) {
       throw fault_at(tree, key, "found no coefficient " + in_quotes(parameter),
-                     "all of " + listed(description->parameters) + " for " + in_quotes(chosen));
+                     "all of " + listed(parameters) + " for " + in_quotes(chosen));
     }
     if (!finite_number(*value))
       throw fault_at(tree, key, "found " + describe(*value), std::string(a_number));

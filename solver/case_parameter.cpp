@@ -26,9 +26,9 @@ double* motion_number(Case::Motion& motion, std::string_view key) {
 
 /// Which coefficient of the model a key names.
 std::optional<int> coefficient_index(const ModelChoice& model, std::string_view key) {
-  const auto& names = model.description->parameters;
+  const auto& names = model.description.parameters;
   for (std::size_t k = 0; k < names.size(); ++k)
-    if (key == "potential." + model.slot + '.' + std::string(names[k])) return static_cast<int>(k);
+    if (key == "potential." + model.slot + '.' + names[k]) return static_cast<int>(k);
   return std::nullopt;
 }
 
@@ -62,8 +62,8 @@ std::vector<std::string> case_parameters(const Case::Motion& motion,
   if (std::holds_alternative<TiltedMotion>(motion)) return {"nu"};
   std::vector<std::string> out = motion_and_body_keys(motion);
   for (const ModelChoice& model : models)
-    for (const std::string_view parameter : model.description->parameters)
-      out.push_back("potential." + model.slot + '.' + std::string(parameter));
+    for (const std::string& parameter : model.description.parameters)
+      out.push_back("potential." + model.slot + '.' + parameter);
   return out;
 }
 

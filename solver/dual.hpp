@@ -26,12 +26,14 @@ struct Dual {
       : value(x) {}
   Dual(const T& x, const std::array<T, N>& s) : value(x), slope(s) {}
 
-  /// The unknown x = e^y in direction k: dx/dy = x.
-  static Dual logarithmic(const T& x, std::size_t k) {
+  /// x, of this slope in direction k.
+  static Dual along(const T& x, const T& slope, std::size_t k) {
     Dual out(x);
-    out.slope[k] = x;
+    out.slope[k] = slope;
     return out;
   }
+  /// The unknown x = e^y in direction k: dx/dy = x.
+  static Dual logarithmic(const T& x, std::size_t k) { return along(x, x, k); }
 
   friend Dual operator+(const Dual& x, const Dual& y) {
     return of(x.value + y.value, [&](std::size_t k) { return x.slope[k] + y.slope[k]; });

@@ -161,9 +161,9 @@ class EventSystem {
         .log_balance(s.xi, s.zeta, s.rho, s.rates.xi, s.rates.zeta, s.rates.rho);
   }
   template <template <class> class Model, class Input>
-  static Model<T> with_inputs(const Model<double>& model, Kind kind, const Input& input) {
-    const auto c = model.coefficients();
-    return {input(c[0], kind, 0), input(c[1], kind, 1)};
+  static auto with_inputs(const Model<double>& model, Kind kind, const Input& input) {
+    return with_indexed_coefficients(
+        model, [&](double c, std::size_t k) { return input(c, kind, static_cast<int>(k)); });
   }
 
   // The functions of x and p alone.

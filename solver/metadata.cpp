@@ -12,9 +12,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json model_json(const ModelChoice& model) {
-  Json out{{"model", model.description->name}};
+  Json out{{"model", model.description.name}};
   for (std::size_t k = 0; k < model.coefficients.size(); ++k)
-    out[std::string(model.description->parameters[k])] = model.coefficients[k];
+    out[std::string(model.description.parameters[k])] = model.coefficients[k];
   return out;
 }
 

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "lib/balance.hpp"
+#include "lib/model_coefficients.hpp"
 #include "lib/potential.hpp"
 #include "solver/dual.hpp"
 #include "solver/small_symmetric.hpp"
@@ -33,15 +34,20 @@ struct Linearized {
   double magnitude;
 };
 
+/// A direction for each coefficient.
+template <class Model>
+using CoefficientDual = Dual<double, most_coefficients<Model>>;
+
 /// model with its coefficients as dual numbers: coefficient k has derivative p_k in direction k, so
 /// derivatives come out as sensitivities to relative changes.
 template <template <class> class Model>
 auto with_relative_duals(const Model<double>& model) {
-  const auto p = model.coefficients();
-  return Model<Dual2>{Dual2(p[0], {p[0], 0.0}), Dual2(p[1], {0.0, p[1]})};
+  return with_indexed_coefficients(model, [](double p, std::size_t k) {
+    return CoefficientDual<Model<double>>::along(p, p, k);
+  });
 }
 
-/// Directions 0, 1 of either part.
+/// The same directions in either part.
 template <class Plane, class Thickness>
 auto with_relative_duals(const Separable<Plane, Thickness>& model) {
   const auto plane = with_relative_duals(model.plane);
@@ -50,7 +56,12 @@ auto with_relative_duals(const Separable<Plane, Thickness>& model) {
       plane, thickness};
 }
 
-inline double sensitivity(const Dual2& x) { return std::abs(x.slope[0]) + std::abs(x.slope[1]); }
+template <std::size_t N>
+double sensitivity(const Dual<double, N>& x) {
+  double out = 0.0;
+  for (const double slope : x.slope) out += std::abs(slope);
+  return out;
+}
 
 /// Linearized::magnitude of the planar equations. w_l is left out: at a solution it is the
 /// difference of terms that are in, and without it a Jacobian needs no logarithm.

@@ -9,9 +9,9 @@ namespace stationary {
 /// model with one coefficient at another value.
 template <template <class> class Model>
 Model<double> with_coefficient(const Model<double>& model, int index, double value) {
-  auto c = model.coefficients();
-  c[static_cast<std::size_t>(index)] = value;
-  return Model<double>{c[0], c[1]};
+  return with_indexed_coefficients(model, [&](double c, std::size_t k) {
+    return k == static_cast<std::size_t>(index) ? value : c;
+  });
 }
 
 /// model with the coefficient the parameter names, if it names one, at another value.
@@ -31,9 +31,10 @@ Model at_coefficient(Model model, const FamilyParameter& parameter, double value
 
 /// model with its coefficients as dual numbers of slope one: direction k is coefficient k.
 template <template <class> class Model>
-Model<Dual2> with_duals(const Model<double>& model) {
-  const auto c = model.coefficients();
-  return {Dual2(c[0], {1.0, 0.0}), Dual2(c[1], {0.0, 1.0})};
+auto with_duals(const Model<double>& model) {
+  return with_indexed_coefficients(model, [](double c, std::size_t k) {
+    return CoefficientDual<Model<double>>::along(c, 1.0, k);
+  });
 }
 
 /// dG/dc of the reduced balance in (ln xi, ln zeta[, ln rho]), c the coefficient the parameter

@@ -13,7 +13,7 @@ namespace {
 std::string coefficients_text(const ModelChoice& model) {
   std::string out;
   for (std::size_t k = 0; k < model.coefficients.size(); ++k) {
-    out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", model.description->parameters[k],
+    out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", model.description.parameters[k],
                        model.coefficients[k]);
   }
   return out;
@@ -40,8 +40,8 @@ ExitCode check_case(const CaseOptions& options) {
   out.line("body", fmt::format("J = ({}, {}, {}){}", input.body.J1, input.body.J2, input.body.J3,
                                input.body.symmetric() ? ", J1 = J2" : ""));
   for (const ModelChoice& model : input.models) {
-    out.line(model.slot, fmt::format("{}: {}", model.description->name, coefficients_text(model)));
-    out.line("", model.description->formula);
+    out.line(model.slot, fmt::format("{}: {}", model.description.name, coefficients_text(model)));
+    out.line("", model.description.formula);
   }
   out.line("motion", motion_text(input.motion));
   out.line("solve",

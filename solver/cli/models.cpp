@@ -14,7 +14,7 @@ namespace {
 
 using Kind = ModelDescription::Kind;
 
-std::string joined(const std::vector<std::string_view>& parts) {
+std::string joined(const std::vector<std::string>& parts) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
