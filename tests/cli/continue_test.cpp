@@ -235,7 +235,7 @@ double own_value(const Case& input, const std::string& key) {
   }
   for (const ModelChoice& model : input.models)
     for (std::size_t k = 0; k < model.coefficients.size(); ++k)
-      if (key == "potential." + model.slot + "." + std::string(model.description->parameters[k]))
+      if (key == "potential." + model.slot + "." + model.description.parameters[k])
         return model.coefficients[k];
   ADD_FAILURE() << key;
   return 0.0;
