@@ -1,0 +1,79 @@
+// A planar or thickness model whose kind is known at run time only: a built-in one or an expression
+// of the user's. Each evaluation asks which, so that a potential with an expression in it is one
+// type to the solvers, whatever its other part is.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "lib/coefficients.hpp"
+#include "lib/isotropic_models.hpp"
+#include "lib/potentials/expression.hpp"
+
+namespace stationary {
+
+/// What AnyPlane and AnyThickness have in common: f(the model) of whichever it is.
+template <class BuiltIn, class Expression>
+struct AnyModel {
+  std::variant<BuiltIn, Expression> model;
+
+  template <class F>
+  decltype(auto) visit(F&& f) const {
+    if (const auto* expression = std::get_if<Expression>(&model)) return f(*expression);
+    return std::visit(f, std::get<BuiltIn>(model));
+  }
+  bool is_expression() const { return std::holds_alternative<Expression>(model); }
+
+  /// As many as an expression may have; zeros that nothing reads follow a model's own.
+  auto coefficients() const {
+    return visit([](const auto& m) {
+      using C = std::remove_cvref_t<decltype(m.coefficients()[0])>;
+      std::array<C, expression::largest_parameter_count> out{};
+      const auto& c = m.coefficients();
+      std::copy(c.begin(), c.end(), out.begin());
+      return out;
+    });
+  }
+
+  template <class... S>
+  auto log_balance(const S&... arguments) const {
+    return visit([&](const auto& m) { return m.log_balance(arguments...); });
+  }
+  template <int order, class State>
+  auto evaluate(const State& state) const {
+    return visit([&](const auto& m) { return m.template evaluate<order>(state); });
+  }
+};
+
+template <class C = double>
+struct AnyPlane : AnyModel<PlanarModels<C>, PlanarExpression<C>> {
+  double rest_stretch() const {
+    return this->visit([](const auto& m) { return m.rest_stretch(); });
+  }
+  template <class Convert>
+  auto with_indexed_coefficients(const Convert& convert) const {
+    using R = std::remove_cvref_t<decltype(convert(0.0, std::size_t(0)))>;
+    return this->visit(
+        [&](const auto& m) { return AnyPlane<R>{{stationary::with_indexed_coefficients(m, convert)}}; });
+  }
+};
+
+template <class C = double>
+struct AnyThickness : AnyModel<ThicknessModels<C>, ThicknessExpression<C>> {
+  double balanced(const DoubleDouble& m) const {
+    return this->visit([&](const auto& each) { return each.balanced(m); });
+  }
+  template <class Convert>
+  auto with_indexed_coefficients(const Convert& convert) const {
+    using R = std::remove_cvref_t<decltype(convert(0.0, std::size_t(0)))>;
+    return this->visit([&](const auto& m) {
+      return AnyThickness<R>{{stationary::with_indexed_coefficients(m, convert)}};
+    });
+  }
+};
+
+}  // namespace stationary
