@@ -1,0 +1,211 @@
+#include "lib/expression/expression.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "lib/expression/differentiate.hpp"
+
+namespace stationary::expression {
+namespace {
+
+NodeId rebuilt(Graph& g, const Node& node, const std::map<NodeId, NodeId>& now) {
+  switch (node.kind) {
+    case Kind::sum: {
+      NodeId out = node.a;
+      for (const Term& term : node.terms)
+        out = g.add(out, g.multiply(term.coefficient, now.at(term.node)));
+      return out;
+    }
+    case Kind::product: {
+      NodeId out = g.one();
+      for (const Term& factor : node.terms)
+        out = g.multiply(out, g.power(now.at(factor.node), factor.exponent));
+      return out;
+    }
+    case Kind::function:
+      return g.apply(node.function, now.at(node.a));
+    case Kind::power:
+      return g.power(now.at(node.a), node.b);
+    default:
+      throw std::logic_error("a kernel is not rebuilt");
+  }
+}
+
+/// The exponent of v in a factor of a sum.
+int exponent_of(const Graph& g, NodeId term, NodeId v) {
+  if (term == v) return 1;
+  if (g[term].kind != Kind::product) return 0;
+  for (const Term& factor : g[term].terms)
+    if (factor.node == v) return factor.exponent;
+  return 0;
+}
+
+/// A sum with its powers of v as in Horner's rule, so that v stands in it as rarely as can be.
+NodeId gathered(Graph& g, NodeId x, NodeId v) {
+  if (g.is_coefficient(x) || g[x].kind != Kind::sum) return x;
+  const Node sum = g[x];
+  int lowest = Graph::largest_exponent;
+  int count = 0;
+  for (const Term& term : sum.terms) {
+    const int n = exponent_of(g, term.node, v);
+    if (n < 1) continue;
+    lowest = std::min(lowest, n);
+    ++count;
+  }
+  if (count < 2) return x;
+  NodeId with = g.zero();
+  NodeId without = sum.a;
+  for (const Term& term : sum.terms) {
+    NodeId part = g.multiply(term.coefficient, term.node);
+    if (exponent_of(g, term.node, v) < 1) {
+      without = g.add(without, part);
+    } else {
+      part = g.multiply(part, g.power(v, -lowest));
+      with = g.add(with, part);
+    }
+  }
+  with = gathered(g, with, v);
+  return g.add(without, g.multiply(with, g.power(v, lowest)));
+}
+
+NodeId gathered(Graph& g, NodeId x) {
+  NodeId out = g.expanded(x);
+  for (const Variable v : {Variable::xi, Variable::zeta, Variable::rho})
+    out = gathered(g, out, g.variable(v));
+  return out;
+}
+
+/// Where the balance is taken: alpha = 0, the stretches themselves.
+NodeId at_principal_axes(Graph& g, NodeId x) {
+  const NodeId xi = g.variable(Variable::xi);
+  const NodeId zeta = g.variable(Variable::zeta);
+  return substitute(g, x,
+                    {{Variable::alpha, g.zero()},
+                     {Variable::t, g.add(xi, zeta)},
+                     {Variable::d, g.multiply(xi, zeta)},
+                     {Variable::lambda, xi},
+                     {Variable::mu, zeta},
+                     {Variable::first_invariant, g.add(g.power(xi, 2), g.power(zeta, 2))}});
+}
+
+struct Direction {
+  Coordinate coordinate;
+  Variable stretch;
+  Variable rate;
+};
+
+/// Gradient of V - (c x^2 + ...)/2 in the logarithms and its Hessian's upper triangle.
+std::vector<NodeId> balance(Graph& g, NodeId potential, std::span<const Direction> directions) {
+  std::vector<Differentiation> d;
+  for (const Direction& direction : directions) d.emplace_back(g, direction.coordinate);
+  const auto pull = [&](const Direction& direction) {
+    return g.multiply(g.variable(direction.rate), g.power(g.variable(direction.stretch), 2));
+  };
+  std::vector<NodeId> out;
+  std::vector<NodeId> force;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    force.push_back(g.subtract(d[i](potential), pull(directions[i])));
+    out.push_back(gathered(g, force[i]));
+  }
+  for (std::size_t i = 0; i < d.size(); ++i)
+    for (std::size_t j = i; j < d.size(); ++j) out.push_back(gathered(g, d[j](force[i])));
+  return out;
+}
+
+/// Value, then the gradient, then the Hessian's upper triangle by rows.
+std::vector<NodeId> with_derivatives(Graph& g, NodeId potential,
+                                     std::span<const Coordinate> coordinates) {
+  std::vector<Differentiation> d;
+  for (const Coordinate coordinate : coordinates) d.emplace_back(g, coordinate);
+  std::vector<NodeId> out{potential};
+  for (Differentiation& by : d) out.push_back(g.expanded(by(potential)));
+  for (std::size_t i = 0; i < d.size(); ++i)
+    for (std::size_t j = i; j < d.size(); ++j) out.push_back(g.expanded(d[j](out[1 + i])));
+  return out;
+}
+
+std::shared_ptr<const Tape> tape(Expression& e, NodeId smooth,
+                                 std::span<const Coordinate> coordinates,
+                                 std::span<const Variable> inputs,
+                                 std::span<const Direction> directions,
+                                 std::span<const Variable> balance_inputs) {
+  const std::vector<NodeId> derivatives = with_derivatives(e.graph, smooth, coordinates);
+  const std::vector<NodeId> forces =
+      balance(e.graph, at_principal_axes(e.graph, e.root), directions);
+  TapeWriter writer(e.graph);
+  auto out = std::make_shared<Tape>();
+  const std::span<const NodeId> all(derivatives);
+  out->evaluate[0] = writer.program(inputs, all.first(1));
+  out->evaluate[1] = writer.program(inputs, all.first(1 + coordinates.size()));
+  out->evaluate[2] = writer.program(inputs, all);
+  out->balance = writer.program(balance_inputs, forces);
+  out->coefficients = writer.coefficients();
+  out->text = e.text;
+  out->parameters = e.parameters;
+  return out;
+}
+
+void require_room(const Expression& e) {
+  const std::array<NodeId, 1> root{e.root};
+  if (e.graph.parts(root).size() > largest_node_count)
+    throw TooLarge("an expression of more than " + std::to_string(largest_node_count) +
+                   " different parts");
+  if (e.parameters.size() > largest_parameter_count)
+    throw TooLarge("more than " + std::to_string(largest_parameter_count) + " parameters");
+}
+
+/// In (t, d, rho) alone.
+NodeId in_invariants(Expression& e) {
+  Graph& g = e.graph;
+  const NodeId t = g.variable(Variable::t);
+  const NodeId d = g.variable(Variable::d);
+  return substitute(
+      g, e.root,
+      {{Variable::first_invariant, g.subtract(g.power(t, 2), g.multiply(g.number(2.0), d))}});
+}
+
+constexpr Direction along_xi{Coordinate::log_xi, Variable::xi, Variable::rate_xi};
+constexpr Direction along_zeta{Coordinate::log_zeta, Variable::zeta, Variable::rate_zeta};
+constexpr Direction along_rho{Coordinate::log_rho, Variable::rho, Variable::rate_rho};
+
+}  // namespace
+
+NodeId substitute(Graph& g, NodeId x, const std::map<Variable, NodeId>& by) {
+  const std::array<NodeId, 1> root{x};
+  std::map<NodeId, NodeId> now;
+  for (const NodeId id : g.parts(root)) {
+    const Node node = g[id];
+    NodeId out = id;
+    if (node.kind == Kind::variable) {
+      const auto found = by.find(static_cast<Variable>(node.index));
+      if (found != by.end()) out = found->second;
+    } else if (!g.is_coefficient(id)) {
+      out = rebuilt(g, node, now);
+    }
+    now.emplace(id, out);
+  }
+  return now.at(x);
+}
+
+std::shared_ptr<const Tape> planar_tape(Expression e) {
+  require_room(e);
+  constexpr std::array coordinates{Coordinate::t, Coordinate::log_d};
+  constexpr std::array directions{along_xi, along_zeta};
+  return tape(e, in_invariants(e), coordinates, planar_inputs, directions, planar_balance_inputs);
+}
+
+std::shared_ptr<const Tape> thickness_tape(Expression e) {
+  require_room(e);
+  constexpr std::array coordinates{Coordinate::log_rho};
+  constexpr std::array directions{along_rho};
+  return tape(e, e.root, coordinates, thickness_inputs, directions, thickness_balance_inputs);
+}
+
+std::shared_ptr<const Tape> coupled_tape(Expression e) {
+  require_room(e);
+  constexpr std::array coordinates{Coordinate::t, Coordinate::log_d, Coordinate::log_rho};
+  constexpr std::array directions{along_xi, along_zeta, along_rho};
+  return tape(e, in_invariants(e), coordinates, coupled_inputs, directions, coupled_balance_inputs);
+}
+
+}  // namespace stationary::expression

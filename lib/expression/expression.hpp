@@ -1,0 +1,63 @@
+// A potential as its user wrote it, and what becomes of it: a tape (tape.hpp) for each way the
+// library evaluates a potential.
+//
+//   plane      W(t, l)        l = ln d       value; W_t, W_l; W_tt, W_tl, W_ll
+//   thickness  V(r)           r = ln rho     value; V_r; V_rr
+//   coupled    W(t, l, r)     all of those and W_tr, W_lr
+//   balance    in (u, v, w) = ln (xi, zeta, rho) at alpha = 0, with the centrifugal terms
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lib/expression/graph.hpp"
+#include "lib/expression/tape.hpp"
+
+namespace stationary::expression {
+
+/// What a potential depends on, and so which variables it may name.
+enum class Slot : std::uint8_t { plane, thickness, coupled };
+
+struct Expression {
+  Graph graph;
+  NodeId root = 0;
+  std::string text;
+  std::vector<std::string> parameters;  ///< names, in the order of their coefficients
+};
+
+/// An expression that is no potential of the kind asked for; the message says why.
+class Unsuitable : public std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+struct Tape {
+  std::string text;
+  std::vector<std::string> parameters;
+  Coefficients coefficients;
+  std::array<Program, 3> evaluate;  ///< by order; each also gives what the lower ones give
+  Program balance;                  ///< LogBalance: residuals, then the upper triangle by rows
+};
+
+/// Inputs of the programs, in order.
+inline constexpr std::array planar_inputs{Variable::t, Variable::d, Variable::discriminant};
+inline constexpr std::array thickness_inputs{Variable::rho};
+inline constexpr std::array coupled_inputs{Variable::t, Variable::d, Variable::discriminant,
+                                           Variable::rho};
+inline constexpr std::array planar_balance_inputs{Variable::xi, Variable::zeta, Variable::rate_xi,
+                                                  Variable::rate_zeta};
+inline constexpr std::array thickness_balance_inputs{Variable::rho, Variable::rate_rho};
+inline constexpr std::array coupled_balance_inputs{Variable::xi,        Variable::zeta,
+                                                   Variable::rho,       Variable::rate_xi,
+                                                   Variable::rate_zeta, Variable::rate_rho};
+
+/// Throw Unsuitable, TooLarge or NotSmooth.
+std::shared_ptr<const Tape> planar_tape(Expression expression);
+std::shared_ptr<const Tape> thickness_tape(Expression expression);
+std::shared_ptr<const Tape> coupled_tape(Expression expression);
+
+/// x with variables replaced; those not named stay.
+NodeId substitute(Graph& graph, NodeId x, const std::map<Variable, NodeId>& by);
+
+}  // namespace stationary::expression

@@ -1,0 +1,259 @@
+// The interpreter of tape.hpp, in any number type: double and ceres::Jet, extended precision,
+// intervals, wide numbers, ... A type needs the functions an expression may contain, found by
+// argument-dependent lookup.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+
+#include "lib/conditioned_functions.hpp"
+#include "lib/double_double_functions.hpp"
+#include "lib/expression/kernel_value.hpp"
+#include "lib/expression/tape.hpp"
+#include "lib/interval_functions.hpp"
+#include "lib/number.hpp"
+
+namespace stationary::expression {
+
+/// Numbers without their constructors being run where that is allowed: a workspace is large, and
+/// few of its places are used.
+template <class R, std::size_t n>
+class Workspace {
+ public:
+  R* data() {
+    if constexpr (plain) {
+      return reinterpret_cast<R*>(storage_.data());
+    } else {
+      return storage_.data();
+    }
+  }
+
+ private:
+  static constexpr bool plain =
+      std::is_trivially_copyable_v<R> && std::is_trivially_destructible_v<R>;
+  alignas(
+      R) std::conditional_t<plain, std::array<std::byte, n * sizeof(R)>, std::array<R, n>> storage_;
+};
+
+template <class R>
+R pi_of() {
+  if constexpr (std::is_constructible_v<R, Interval>) {
+    return R(Interval(double_double_pi.hi, above(double_double_pi.hi)));
+  } else if constexpr (std::is_constructible_v<R, DoubleDouble>) {
+    return R(double_double_pi);
+  } else if constexpr (requires(const R& x) { x.template convert_to<double>(); }) {
+    return R(4.0) * atan(R(1.0));
+  } else {
+    return R(double_double_pi.hi);
+  }
+}
+
+template <class R>
+R euler_of() {
+  if constexpr (std::is_constructible_v<R, Interval>) {
+    return R(Interval(double_double_e.hi, above(double_double_e.hi)));
+  } else if constexpr (std::is_constructible_v<R, DoubleDouble>) {
+    return R(double_double_e);
+  } else if constexpr (requires(const R& x) { x.template convert_to<double>(); }) {
+    return exp(R(1.0));
+  } else {
+    return R(double_double_e.hi);
+  }
+}
+
+/// The constants of `c` for parameters of type R.
+template <class R>
+void compute_constants(const Coefficients& c, const R* parameters, R* constants);
+
+/// Runs a program: place holds the inputs and has room for largest_place_count numbers.
+template <class R>
+void run(const Program& program, const double* literals, const R* constants, R* place);
+
+/// |x| and the smaller of two, of coefficients: numbers whose sign is known (see
+/// interval_functions.hpp for those where it may not be).
+template <class R>
+R absolute(const R& x) {
+  if constexpr (std::is_constructible_v<R, Interval>) {
+    if (!(x.value.lo >= 0.0) && !(x.value.hi <= 0.0)) return x * R(Interval::entire());
+  }
+  return leading(x) < 0.0 ? -x : x;
+}
+template <class R>
+R smaller(const R& x, const R& y) {
+  if constexpr (std::is_constructible_v<R, Interval>) {
+    if (!x.value.apart_from(y.value)) return (x + y) * R(Interval::entire());
+  }
+  return leading(y) < leading(x) ? y : x;
+}
+
+template <class R>
+R coefficient_step(const Instruction& at, const double* literals, const R* parameters,
+                   const R* value) {
+  using std::atan;
+  using std::cos;
+  using std::exp;
+  using std::log;
+  using std::pow;
+  using std::sin;
+  using std::sqrt;
+  using std::tan;
+  using std::tanh;
+  const R* a = value + at.a;
+  switch (at.operation) {
+    case Operation::add:
+      return *a + value[at.b];
+    case Operation::multiply:
+      return *a * value[at.b];
+    case Operation::divide:
+      return *a / value[at.b];
+    case Operation::sqrt:
+      return sqrt(*a);
+    case Operation::exp:
+      return exp(*a);
+    case Operation::log:
+      return log(*a);
+    case Operation::sin:
+      return sin(*a);
+    case Operation::cos:
+      return cos(*a);
+    case Operation::tan:
+      return tan(*a);
+    case Operation::tanh:
+      return tanh(*a);
+    case Operation::atan:
+      return atan(*a);
+    case Operation::power:
+      return pow(*a, value[at.b]);
+    case Operation::literal:
+      return R(literals[at.a]);
+    case Operation::decimal:
+      if constexpr (std::is_constructible_v<R, Interval>) {
+        return R(Interval::decimal(literals[at.a]));
+      } else {
+        return R(literals[at.a]);
+      }
+    case Operation::parameter:
+      return parameters[at.a];
+    case Operation::pi:
+      return pi_of<R>();
+    case Operation::euler:
+      return euler_of<R>();
+    case Operation::absolute:
+      return absolute(*a);
+    case Operation::minimum:
+      return smaller(*a, value[at.b]);
+    case Operation::maximum:
+      return -smaller(-*a, -value[at.b]);
+    default:
+      return poison<R>();
+  }
+}
+
+template <class R>
+void compute_constants(const Coefficients& c, const R* parameters, R* constants) {
+  Workspace<R, largest_coefficient_steps> workspace;
+  R* value = workspace.data();
+  const double* literals = c.literals.data();
+  for (std::size_t k = 0; k < c.steps.size(); ++k)
+    value[k] = coefficient_step(c.steps[k], literals, parameters, value);
+  for (std::size_t k = 0; k < c.constants.size(); ++k) constants[k] = value[c.constants[k]];
+}
+
+template <class R>
+void run(const Program& program, const double* literals, const R* constants, R* place) {
+  using std::atan;
+  using std::cos;
+  using std::exp;
+  using std::log;
+  using std::pow;
+  using std::sin;
+  using std::sqrt;
+  using std::tan;
+  using std::tanh;
+  for (const Instruction& at : program.code) {
+    R& out = place[at.out];
+    const R& a = place[at.a];
+    switch (at.operation) {
+      case Operation::add:
+        out = a + place[at.b];
+        break;
+      case Operation::subtract:
+        out = a - place[at.b];
+        break;
+      case Operation::multiply:
+        out = a * place[at.b];
+        break;
+      case Operation::add_constant:
+        out = a + constants[at.b];
+        break;
+      case Operation::multiply_constant:
+        out = constants[at.b] * a;
+        break;
+      case Operation::add_scaled:
+        out = a + constants[at.c] * place[at.b];
+        break;
+      case Operation::add_literal:
+        out = a + literals[at.b];
+        break;
+      case Operation::multiply_literal:
+        out = literals[at.b] * a;
+        break;
+      case Operation::add_literal_scaled:
+        out = a + literals[at.c] * place[at.b];
+        break;
+      case Operation::square:
+        out = square(a);
+        break;
+      case Operation::negate:
+        out = -a;
+        break;
+      case Operation::divide:
+        out = a / place[at.b];
+        break;
+      case Operation::reciprocal:
+        out = R(1.0) / a;
+        break;
+      case Operation::log:
+        out = log(a);
+        break;
+      case Operation::exp:
+        out = exp(a);
+        break;
+      case Operation::sqrt:
+        out = sqrt(a);
+        break;
+      case Operation::power:
+        out = pow(a, constants[at.b]);
+        break;
+      case Operation::sin:
+        out = sin(a);
+        break;
+      case Operation::cos:
+        out = cos(a);
+        break;
+      case Operation::tan:
+        out = tan(a);
+        break;
+      case Operation::tanh:
+        out = tanh(a);
+        break;
+      case Operation::atan:
+        out = atan(a);
+        break;
+      case Operation::kernel: {
+        const KernelCall& call = program.kernels[at.a];
+        out = kernel_value(call.function, call.index, place[call.a], place[call.y],
+                           place[call.norm], constants + call.exponent);
+        break;
+      }
+      default:
+        break;
+    }
+  }
+}
+
+}  // namespace stationary::expression

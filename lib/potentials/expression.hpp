@@ -1,0 +1,315 @@
+// Potentials written by their user, as models with the interface of the built-in ones: W(t, l) of
+// the plane, V(r) of the thickness, W(t, l, r) of both (derivatives.hpp), evaluated from a tape
+// (expression/tape.hpp) in any number type.
+//
+// A model is a shared tape and its coefficients, the parameters' values: at most
+// largest_parameter_count of them, in the order of parameters(). Nothing is allocated by an
+// evaluation, nor by making the model with other coefficients.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lib/expression/expression.hpp"
+#include "lib/expression/tape_run.hpp"
+#include "lib/potentials/derivatives.hpp"
+#include "lib/stretch.hpp"
+
+namespace stationary {
+
+/// At most largest_parameter_count numbers.
+template <class C>
+class CoefficientList {
+ public:
+  CoefficientList() = default;
+  explicit CoefficientList(std::size_t size) : size_(size) {}
+  std::size_t size() const { return size_; }
+  const C& operator[](std::size_t k) const { return values_[k]; }
+  C& operator[](std::size_t k) { return values_[k]; }
+  const C* begin() const { return values_.data(); }
+  const C* end() const { return values_.data() + size_; }
+  const C* data() const { return values_.data(); }
+
+ private:
+  std::array<C, expression::largest_parameter_count> values_{};
+  std::size_t size_ = 0;
+};
+
+/// The constants of a tape for coefficients of type C, in the number type of an evaluation. Those
+/// of doubles are kept in extended precision: an evaluation in it then solves the same equation.
+template <class C>
+class TapeConstants {
+ public:
+  TapeConstants(const expression::Tape& tape, const CoefficientList<C>& coefficients) {
+    expression::compute_constants<C>(tape.coefficients, coefficients.data(), values_.data());
+  }
+
+  /// f(constants in R).
+  template <class R, class F>
+  void in(const expression::Tape& tape, const CoefficientList<C>&, F&& f) const {
+    if constexpr (std::is_same_v<R, C>) {
+      f(values_.data());
+    } else {
+      std::array<R, expression::largest_constant_count> converted;
+      for (std::size_t k = 0; k < tape.coefficients.constants.size(); ++k)
+        converted[k] = R(values_[k]);
+      f(converted.data());
+    }
+  }
+
+ private:
+  std::array<C, expression::largest_constant_count> values_;
+};
+
+template <>
+class TapeConstants<double> {
+ public:
+  TapeConstants(const expression::Tape& tape, const CoefficientList<double>& coefficients) {
+    std::array<DoubleDouble, expression::largest_parameter_count> parameters;
+    std::ranges::copy(coefficients, parameters.begin());
+    expression::compute_constants<DoubleDouble>(tape.coefficients, parameters.data(),
+                                                extended_.data());
+    for (std::size_t k = 0; k < tape.coefficients.constants.size(); ++k)
+      rounded_[k] = double(extended_[k]);
+  }
+
+  template <class R, class F>
+  void in(const expression::Tape& tape, const CoefficientList<double>& coefficients, F&& f) const {
+    if constexpr (std::is_same_v<R, double>) {
+      f(rounded_.data());
+    } else if constexpr (std::is_same_v<R, DoubleDouble>) {
+      f(extended_.data());
+    } else {
+      std::array<R, expression::largest_parameter_count> parameters;
+      std::array<R, expression::largest_constant_count> constants;
+      for (std::size_t k = 0; k < coefficients.size(); ++k) parameters[k] = R(coefficients[k]);
+      expression::compute_constants<R>(tape.coefficients, parameters.data(), constants.data());
+      f(constants.data());
+    }
+  }
+
+ private:
+  std::array<double, expression::largest_constant_count> rounded_;
+  std::array<DoubleDouble, expression::largest_constant_count> extended_;
+};
+
+/// What the models below have in common.
+template <class C>
+class TapeModel {
+ public:
+  /// As many coefficients as the tape has parameters (std::invalid_argument otherwise).
+  TapeModel(std::shared_ptr<const expression::Tape> tape, const CoefficientList<C>& coefficients)
+      : tape_(std::move(tape)), coefficients_(coefficients), constants_(*tape_, coefficients) {
+    if (coefficients.size() != tape_->parameters.size())
+      throw std::invalid_argument("an expression of " + std::to_string(tape_->parameters.size()) +
+                                  " parameters");
+  }
+
+  const CoefficientList<C>& coefficients() const { return coefficients_; }
+  const std::string& text() const { return tape_->text; }
+  const std::vector<std::string>& parameters() const { return tape_->parameters; }
+  const std::shared_ptr<const expression::Tape>& tape() const { return tape_; }
+
+ protected:
+  /// Results of a program on inputs: out(k) gives result k.
+  template <class R, class Out, class... Inputs>
+  void run(const expression::Program& program, Out&& out, const Inputs&... inputs) const {
+    expression::Workspace<R, expression::largest_place_count> workspace;
+    R* place = workspace.data();
+    std::size_t k = 0;
+    ((place[k++] = R(inputs)), ...);
+    constants_.template in<R>(*tape_, coefficients_, [&](const R* constants) {
+      expression::run<R>(program, tape_->coefficients.literals.data(), constants, place);
+      out([&](std::size_t i) -> const R& {
+        const expression::Result& result = program.results[i];
+        return result.constant ? constants[result.at] : place[result.at];
+      });
+    });
+  }
+
+  const expression::Tape& programs() const { return *tape_; }
+
+ private:
+  std::shared_ptr<const expression::Tape> tape_;
+  CoefficientList<C> coefficients_;
+  TapeConstants<C> constants_;
+};
+
+template <class C = double>
+class PlanarExpression : public TapeModel<C> {
+ public:
+  using TapeModel<C>::TapeModel;
+
+  /// The circle xi = zeta nearest to 1 at which W has a minimum along the circles, within
+  /// [1e-3, 1e3]; NaN where there is none.
+  double rest_stretch() const requires std::is_same_v<C, double>;
+
+  template <int order, class S>
+  PlanarDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x) const {
+    using R = Product<C, S>;
+    PlanarDerivatives<R> out;
+    this->template run<R>(
+        this->programs().evaluate[order],
+        [&](const auto& result) {
+          out.w = result(0);
+          if constexpr (order >= 1) {
+            out.w_t = result(1);
+            out.w_l = result(2);
+          }
+          if constexpr (order >= 2) {
+            out.w_tt = result(3);
+            out.w_tl = result(4);
+            out.w_ll = result(5);
+          }
+        },
+        x.t, x.d, x.e);
+    return out;
+  }
+
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& c_xi,
+                                        const S& c_zeta) const {
+    using R = Product<C, S>;
+    LogBalance<R> out;
+    this->template run<R>(
+        this->programs().balance,
+        [&](const auto& result) {
+          out.g_xi = result(0);
+          out.g_zeta = result(1);
+          out.uu = result(2);
+          out.uv = result(3);
+          out.vv = result(4);
+        },
+        xi, zeta, c_xi, c_zeta);
+    return out;
+  }
+};
+
+template <class C = double>
+class ThicknessExpression : public TapeModel<C> {
+ public:
+  using TapeModel<C>::TapeModel;
+
+  /// The rho nearest to 1 at which V has a minimum, within [1e-3, 1e3]; NaN where there is none.
+  double rest_thickness() const requires std::is_same_v<C, double>;
+
+  /// The solution of V' = m rho, m >= 0, that is connected to the rest thickness by solutions for
+  /// smaller m, to double precision; NaN where there is none or no rest thickness.
+  double balanced(const DoubleDouble& m) const requires std::is_same_v<C, double>;
+
+  template <int order, class S>
+  ThicknessDerivatives<Product<C, S>> evaluate(const S& rho) const {
+    using R = Product<C, S>;
+    ThicknessDerivatives<R> out;
+    this->template run<R>(
+        this->programs().evaluate[order],
+        [&](const auto& result) {
+          out.v = result(0);
+          if constexpr (order >= 1) out.v_r = result(1);
+          if constexpr (order >= 2) out.v_rr = result(2);
+        },
+        rho);
+    return out;
+  }
+
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& rho, const S& m) const {
+    using R = Product<C, S>;
+    LogBalance<R> out;
+    this->template run<R>(
+        this->programs().balance,
+        [&](const auto& result) {
+          out.g_rho = result(0);
+          out.ww = result(1);
+        },
+        rho, m);
+    return out;
+  }
+};
+
+template <class C = double>
+class CoupledExpression : public TapeModel<C> {
+ public:
+  using TapeModel<C>::TapeModel;
+
+  /// xi = zeta and rho at the minimum of V among (xi, xi, rho) nearest to (1, 1, 1), within
+  /// [1e-3, 1e3]; NaN where none was found.
+  double rest_stretch() const requires std::is_same_v<C, double> { return rest()[0]; }
+  double rest_thickness() const requires std::is_same_v<C, double> { return rest()[1]; }
+  std::array<double, 2> rest() const requires std::is_same_v<C, double>;
+
+  template <int order, class S>
+  CoupledDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x, const S& rho) const {
+    using R = Product<C, S>;
+    CoupledDerivatives<R> out;
+    this->template run<R>(
+        this->programs().evaluate[order],
+        [&](const auto& result) {
+          out.plane.w = result(0);
+          if constexpr (order >= 1) {
+            out.plane.w_t = result(1);
+            out.plane.w_l = result(2);
+            out.w_r = result(3);
+          }
+          if constexpr (order >= 2) {
+            out.plane.w_tt = result(4);
+            out.plane.w_tl = result(5);
+            out.w_tr = result(6);
+            out.plane.w_ll = result(7);
+            out.w_lr = result(8);
+            out.w_rr = result(9);
+          }
+        },
+        x.t, x.d, x.e, rho);
+    return out;
+  }
+
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& rho, const S& c_xi,
+                                        const S& c_zeta, const S& c_rho) const {
+    using R = Product<C, S>;
+    LogBalance<R> out;
+    this->template run<R>(
+        this->programs().balance,
+        [&](const auto& result) {
+          out.g_xi = result(0);
+          out.g_zeta = result(1);
+          out.g_rho = result(2);
+          out.uu = result(3);
+          out.uv = result(4);
+          out.uw = result(5);
+          out.vv = result(6);
+          out.vw = result(7);
+          out.ww = result(8);
+        },
+        xi, zeta, rho, c_xi, c_zeta, c_rho);
+    return out;
+  }
+};
+
+template <>
+double PlanarExpression<double>::rest_stretch() const;
+template <>
+double ThicknessExpression<double>::rest_thickness() const;
+template <>
+double ThicknessExpression<double>::balanced(const DoubleDouble& m) const;
+template <>
+std::array<double, 2> CoupledExpression<double>::rest() const;
+
+/// The same model with each coefficient c as convert(c).
+template <template <class> class Model, class Convert>
+requires std::derived_from<Model<double>, TapeModel<double>>
+auto with_coefficients(const Model<double>& model, const Convert& convert) {
+  using C = std::remove_cvref_t<decltype(convert(0.0))>;
+  CoefficientList<C> coefficients(model.coefficients().size());
+  for (std::size_t k = 0; k < coefficients.size(); ++k)
+    coefficients[k] = convert(model.coefficients()[k]);
+  return Model<C>(model.tape(), coefficients);
+}
+
+}  // namespace stationary
