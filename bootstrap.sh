@@ -23,7 +23,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 packages=(
   g++ cmake ninja-build
   libeigen3-dev libceres-dev libnlopt-dev libnlopt-cxx-dev libtbb-dev libhdf5-dev
-  libcli11-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev
+  libcli11-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev tao-pegtl-dev
   libgtest-dev libgmock-dev libbenchmark-dev libboost-dev libcminpack-dev
   gnuplot-nox
 )

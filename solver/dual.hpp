@@ -63,11 +63,59 @@ struct Dual {
     const T inverse = T(1.0) / x.value;
     return of(log(x.value), [&](std::size_t k) { return x.slope[k] * inverse; });
   }
+  friend Dual sqrt(const Dual& x) {
+    using std::sqrt;
+    const T root = sqrt(x.value);
+    return chain(x, root, T(0.5) / root);
+  }
+  friend Dual exp(const Dual& x) {
+    using std::exp;
+    const T value = exp(x.value);
+    return chain(x, value, value);
+  }
+  friend Dual sin(const Dual& x) {
+    using std::cos;
+    using std::sin;
+    return chain(x, sin(x.value), cos(x.value));
+  }
+  friend Dual cos(const Dual& x) {
+    using std::cos;
+    using std::sin;
+    return chain(x, cos(x.value), -sin(x.value));
+  }
+  friend Dual tan(const Dual& x) {
+    using std::tan;
+    const T value = tan(x.value);
+    return chain(x, value, T(1.0) + square(value));
+  }
+  friend Dual tanh(const Dual& x) {
+    using std::tanh;
+    const T value = tanh(x.value);
+    return chain(x, value, T(1.0) - square(value));
+  }
+  friend Dual atan(const Dual& x) {
+    using std::atan;
+    return chain(x, atan(x.value), T(1.0) / (T(1.0) + square(x.value)));
+  }
+  /// x^p for x > 0.
+  friend Dual pow(const Dual& x, const Dual& p) {
+    using std::log;
+    using std::pow;
+    const T value = pow(x.value, p.value);
+    const T of_base = p.value * value / x.value;
+    const T of_exponent = value * log(x.value);
+    return of(value,
+              [&](std::size_t k) { return of_base * x.slope[k] + of_exponent * p.slope[k]; });
+  }
   friend bool operator>(const Dual& x, double y) requires std::is_same_v<T, double> {
     return x.value > y;
   }
 
  private:
+  /// f(x) from f and f' at its value.
+  static Dual chain(const Dual& x, const T& f, const T& slope) {
+    return of(f, [&](std::size_t k) { return slope * x.slope[k]; });
+  }
   template <class Slope>
   static Dual of(const T& value, const Slope& slope) {
     Dual out(value);

@@ -39,14 +39,30 @@ class Workspace {
       R) std::conditional_t<plain, std::array<std::byte, n * sizeof(R)>, std::array<R, n>> storage_;
 };
 
+/// Multiprecision numbers.
+template <class R>
+concept Wide = requires(const R& x) {
+  x.template convert_to<double>();
+};
+
+/// Intervals, and dual numbers over them.
+template <class R>
+consteval bool over_intervals() {
+  if constexpr (Wide<R>) {
+    return false;
+  } else {
+    return std::is_constructible_v<R, Interval>;
+  }
+}
+
 template <class R>
 R pi_of() {
-  if constexpr (std::is_constructible_v<R, Interval>) {
+  if constexpr (Wide<R>) {
+    return R(4.0) * atan(R(1.0));
+  } else if constexpr (over_intervals<R>()) {
     return R(Interval(double_double_pi.hi, above(double_double_pi.hi)));
   } else if constexpr (std::is_constructible_v<R, DoubleDouble>) {
     return R(double_double_pi);
-  } else if constexpr (requires(const R& x) { x.template convert_to<double>(); }) {
-    return R(4.0) * atan(R(1.0));
   } else {
     return R(double_double_pi.hi);
   }
@@ -54,12 +70,12 @@ R pi_of() {
 
 template <class R>
 R euler_of() {
-  if constexpr (std::is_constructible_v<R, Interval>) {
+  if constexpr (Wide<R>) {
+    return exp(R(1.0));
+  } else if constexpr (over_intervals<R>()) {
     return R(Interval(double_double_e.hi, above(double_double_e.hi)));
   } else if constexpr (std::is_constructible_v<R, DoubleDouble>) {
     return R(double_double_e);
-  } else if constexpr (requires(const R& x) { x.template convert_to<double>(); }) {
-    return exp(R(1.0));
   } else {
     return R(double_double_e.hi);
   }
@@ -77,14 +93,14 @@ void run(const Program& program, const double* literals, const R* constants, R* 
 /// interval_functions.hpp for those where it may not be).
 template <class R>
 R absolute(const R& x) {
-  if constexpr (std::is_constructible_v<R, Interval>) {
+  if constexpr (over_intervals<R>()) {
     if (!(x.value.lo >= 0.0) && !(x.value.hi <= 0.0)) return x * R(Interval::entire());
   }
   return leading(x) < 0.0 ? -x : x;
 }
 template <class R>
 R smaller(const R& x, const R& y) {
-  if constexpr (std::is_constructible_v<R, Interval>) {
+  if constexpr (over_intervals<R>()) {
     if (!x.value.apart_from(y.value)) return (x + y) * R(Interval::entire());
   }
   return leading(y) < leading(x) ? y : x;
@@ -131,7 +147,7 @@ R coefficient_step(const Instruction& at, const double* literals, const R* param
     case Operation::literal:
       return R(literals[at.a]);
     case Operation::decimal:
-      if constexpr (std::is_constructible_v<R, Interval>) {
+      if constexpr (over_intervals<R>()) {
         return R(Interval::decimal(literals[at.a]));
       } else {
         return R(literals[at.a]);
