@@ -1,5 +1,5 @@
 // The coefficients of a model, whatever their number: the same model with others of another number
-// type. A model is an aggregate of its coefficients, or has a member of the name below.
+// type. A model is an aggregate of its coefficients, or has a function of the name below.
 #pragma once
 
 #include <array>
@@ -18,16 +18,11 @@ constexpr std::size_t most_coefficients =
 /// convert(c, k) of each coefficient c, k its place.
 template <template <class> class Model, class Convert>
 auto with_indexed_coefficients(const Model<double>& model, const Convert& convert) {
-  if constexpr (requires { model.with_indexed_coefficients(convert); }) {
-    return model.with_indexed_coefficients(convert);
-  } else {
-    const auto c = model.coefficients();
-    return [&]<std::size_t... K>(std::index_sequence<K...>) {
-      return Model<std::remove_cvref_t<decltype(convert(c[0], std::size_t(0)))>>{
-          convert(c[K], K)...};
-    }
-    (std::make_index_sequence<most_coefficients<Model<double>>>{});
+  const auto c = model.coefficients();
+  return [&]<std::size_t... K>(std::index_sequence<K...>) {
+    return Model<std::remove_cvref_t<decltype(convert(c[0], std::size_t(0)))>>{convert(c[K], K)...};
   }
+  (std::make_index_sequence<most_coefficients<Model<double>>>{});
 }
 
 /// convert(c) of each coefficient c.

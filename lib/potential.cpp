@@ -91,6 +91,18 @@ Potential::Potential(const CoupledPotential& coupled) : models_(coupled) {
   std::visit([](const auto& model) { require_domain(model); }, coupled);
 }
 
+Potential::Potential(const SeparableExpression& parts) : models_(parts) {
+  const auto require = [](const auto& part) {
+    part.visit([](const auto& model) { require_domain(model); });
+  };
+  require(parts.plane);
+  require(parts.thickness);
+}
+
+Potential::Potential(const CoupledExpression<>& coupled) : models_(coupled) {
+  require_domain(coupled);
+}
+
 Potential::Potential(const AnisotropicPotential& anisotropic) : models_(anisotropic) {}
 
 PlanarPotential Potential::planar(std::string_view name, std::span<const double> coefficients) {

@@ -20,6 +20,7 @@
 #include "lib/anisotropic_potential.hpp"
 #include "lib/isotropic_models.hpp"
 #include "lib/potential_derivatives.hpp"
+#include "lib/potentials/any_model.hpp"
 #include "lib/stretch.hpp"
 
 namespace stationary {
@@ -81,11 +82,16 @@ const std::vector<ModelDescription>& model_descriptions();
 /// The others, which make an AnisotropicPotential.
 const std::vector<ModelDescription>& anisotropic_descriptions();
 
+/// A separable potential with an expression in it, as one model.
+using SeparableExpression = Separable<AnyPlane<>, AnyThickness<>>;
+
 class Potential {
  public:
   /// Throw std::invalid_argument with the violated inequality of the model's domain.
   Potential(const PlanarPotential& plane, const ThicknessPotential& thickness);
   explicit Potential(const CoupledPotential& coupled);
+  explicit Potential(const SeparableExpression& parts);
+  explicit Potential(const CoupledExpression<>& coupled);
   explicit Potential(const AnisotropicPotential& anisotropic);
 
   /// By name; coefficients in the order of ModelDescription::parameters. Throws
@@ -99,23 +105,30 @@ class Potential {
 
   bool is_isotropic() const { return !std::holds_alternative<AnisotropicPotential>(models_); }
   bool is_separable() const {
-    return is_isotropic() ? std::holds_alternative<SeparableModels>(models_)
+    return is_isotropic() ? std::holds_alternative<SeparableModels>(models_) ||
+                                std::holds_alternative<SeparableExpression>(models_)
                           : anisotropic().is_separable();
+  }
+  /// Isotropic, and made of built-in models alone.
+  bool is_built_in() const {
+    return std::holds_alternative<SeparableModels>(models_) ||
+           std::holds_alternative<CoupledPotential>(models_);
   }
   /// Only where not isotropic (std::bad_variant_access otherwise).
   const AnisotropicPotential& anisotropic() const {
     return std::get<AnisotropicPotential>(models_);
   }
-  /// The parts; only where isotropic and separable (std::bad_variant_access otherwise).
+  /// The parts; only where built in and separable (std::bad_variant_access otherwise).
   const PlanarPotential& plane() const { return std::get<SeparableModels>(models_).plane; }
   const ThicknessPotential& thickness() const {
     return std::get<SeparableModels>(models_).thickness;
   }
-  /// Only where isotropic and not separable.
+  /// Only where built in and not separable.
   const CoupledPotential& coupled() const { return std::get<CoupledPotential>(models_); }
 
   /// Calls f with the one model held, as its own type (Separable<Plane, Thickness> or a coupled
-  /// one). Only where isotropic (std::bad_variant_access otherwise).
+  /// one; SeparableExpression whatever its parts are). Only where isotropic
+  /// (std::bad_variant_access otherwise).
   template <class F>
   decltype(auto) visit(F&& f) const {
     if (const auto* parts = std::get_if<SeparableModels>(&models_)) {
@@ -126,6 +139,8 @@ class Potential {
           },
           parts->plane, parts->thickness);
     }
+    if (const auto* parts = std::get_if<SeparableExpression>(&models_)) return f(*parts);
+    if (const auto* coupled = std::get_if<CoupledExpression<>>(&models_)) return f(*coupled);
     return std::visit([&](const auto& model) -> decltype(auto) { return f(model); },
                       std::get<CoupledPotential>(models_));
   }
@@ -139,7 +154,9 @@ class Potential {
     PlanarPotential plane;
     ThicknessPotential thickness;
   };
-  std::variant<SeparableModels, CoupledPotential, AnisotropicPotential> models_;
+  std::variant<SeparableModels, CoupledPotential, SeparableExpression, CoupledExpression<>,
+               AnisotropicPotential>
+      models_;
 };
 
 }  // namespace stationary

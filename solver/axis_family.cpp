@@ -13,7 +13,8 @@ AnyFamily axis_family(const Problem& problem, const AxisFamilyOptions& options) 
       return std::make_unique<ModelFamily<Model, N>>(problem.body(), problem.branch(), model,
                                                      options);
     };
-    if constexpr (requires { model.plane; })
+    // A thickness of which there may be several is carried along by each sheet.
+    if constexpr (requires { model.plane; } && !several_thicknesses<Model>)
       if (constant) return make(std::integral_constant<int, 2>{});
     return make(std::integral_constant<int, 3>{});
   });

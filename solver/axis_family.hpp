@@ -1,7 +1,7 @@
 // Families of steady rotations about a material axis, branches (i), (ii), (iii), in nu or in any
 // other number of the problem:
 //
-//   N = 2  x = (xi, zeta)        separable V in (iii), rho untouched by the parameter
+//   N = 2  x = (xi, zeta)        separable V in (iii), rho untouched by the parameter and unique
 //   N = 3  x = (xi, zeta, rho)   otherwise
 #pragma once
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solver/case_expression.hpp"
 #include "solver/case_keys.hpp"
 #include "solver/case_parameter.hpp"
 #include "solver/nearest_name.hpp"
@@ -72,6 +73,7 @@ bool mentions(std::string_view inequality, std::string_view parameter) {
 /// Throws at the coefficient an inequality of the model's domain fails for: the last one it speaks
 /// of, since the inequalities on the earlier ones alone come first and hold.
 void require_domain(const CaseTree& tree, const ModelChoice& model) {
+  if (model.tape) return;  // finite parameters are all that is asked of an expression
   try {
     const std::span<const double> values = model.coefficients;
     switch (model.description.kind) {
@@ -83,6 +85,9 @@ void require_domain(const CaseTree& tree, const ModelChoice& model) {
         break;
       case ModelDescription::Kind::coupled:
         Potential::coupled(model.description.name, values);
+        break;
+      case ModelDescription::Kind::fibre:
+        break;
     }
   } catch (const std::invalid_argument& error) {
     const std::string_view inequality = error.what();
@@ -100,6 +105,17 @@ void require_domain(const CaseTree& tree, const ModelChoice& model) {
   }
 }
 
+ModelChoice written_out(const CaseTree& tree, const std::string& slot, const toml::table& table) {
+  WrittenPotential written = read_written_out(tree, slot, table);
+  ModelDescription description{model_kind("potential." + slot),
+                               "expression",
+                               written.tape->text,
+                               written.tape->parameters,
+                               {}};
+  return {slot, std::move(description), std::move(written.coefficients), std::move(written.tape),
+          std::move(written.facts)};
+}
+
 std::vector<ModelChoice> read_models(const CaseTree& tree) {
   std::vector<ModelChoice> out;
   for (const std::string slot : {"plane", "thickness", "coupled"}) {
@@ -107,6 +123,10 @@ std::vector<ModelChoice> read_models(const CaseTree& tree) {
     const toml::node* node = find(tree, path);
     if (node == nullptr) continue;
     const toml::table& table = *node->as_table();
+    if (is_written_out(table)) {
+      out.push_back(written_out(tree, slot, table));
+      continue;
+    }
     ModelChoice model{
         slot, *find_model(model_kind(path), table.get("model")->value_or(std::string_view())), {}};
     for (const std::string& parameter : model.description.parameters)
@@ -370,7 +390,28 @@ std::vector<TiltedRotation> TiltedMotion::rotations() const {
   return {{TiltPlane::one_three, nu}, {TiltPlane::two_three, nu}};
 }
 
+namespace {
+
+AnyPlane<> any_plane(const ModelChoice& choice) {
+  if (!choice.tape) return {{Potential::planar(choice.description.name, choice.coefficients)}};
+  return {{PlanarExpression<>(choice.tape, coefficient_list(choice.coefficients))}};
+}
+
+AnyThickness<> any_thickness(const ModelChoice& choice) {
+  if (!choice.tape) return {{Potential::thickness(choice.description.name, choice.coefficients)}};
+  return {{ThicknessExpression<>(choice.tape, coefficient_list(choice.coefficients))}};
+}
+
+}  // namespace
+
 Potential make_potential(std::span<const ModelChoice> models) {
+  const bool written_out =
+      std::ranges::any_of(models, [](const ModelChoice& m) { return m.tape != nullptr; });
+  if (written_out && models.size() == 1)
+    return Potential(CoupledExpression<>(models[0].tape, coefficient_list(models[0].coefficients)));
+  if (written_out) {
+    return Potential(SeparableExpression{any_plane(models[0]), any_thickness(models[1])});
+  }
   const auto name = [&](std::size_t k) -> std::string_view { return models[k].description.name; };
   const auto values = [&](std::size_t k) { return std::span(models[k].coefficients); };
   if (models.size() == 1) return Potential(Potential::coupled(name(0), values(0)));

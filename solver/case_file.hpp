@@ -7,6 +7,7 @@
 //   tolerance   [output] spectrum, ...   [map] x, y
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,11 +28,14 @@
 
 namespace stationary {
 
-/// A model by name with its coefficients, as written under `potential.<slot>`.
+/// A model by name with its coefficients, or an expression with its parameters, as written under
+/// `potential.<slot>`.
 struct ModelChoice {
   std::string slot;  ///< plane, thickness or coupled
   ModelDescription description;
-  std::vector<double> coefficients;  ///< in the order of description.parameters
+  std::vector<double> coefficients;                   ///< in the order of description.parameters
+  std::shared_ptr<const expression::Tape> tape = {};  ///< of an expression
+  std::vector<std::string> facts = {};                ///< found out about an expression
 };
 
 /// The potential of one coupled model, or of a planar and a thickness one. Throws

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lib/motion.hpp"
+#include "solver/case_expression.hpp"
 #include "solver/case_map.hpp"
 #include "solver/equilibrium.hpp"
 #include "solver/nearest_name.hpp"
@@ -33,9 +34,9 @@ constexpr CaseKey keys[] = {
     {"body", table, true, "a table with J"},
     {"body.J", numbers, true, "three finite numbers > 0, J = [J1, J2, J3]", 3},
     {"potential", table, true, "a table with plane and thickness, or coupled"},
-    {"potential.plane", model, false, "a table of model and its coefficients"},
-    {"potential.thickness", model, false, "a table of model and its coefficients"},
-    {"potential.coupled", model, false, "a table of model and its coefficients"},
+    {"potential.plane", model, false, "a table of model, or expression, and its coefficients"},
+    {"potential.thickness", model, false, "a table of model, or expression, and its coefficients"},
+    {"potential.coupled", model, false, "a table of model, or expression, and its coefficients"},
     {"motion", table, true, "a table with branch and nu, or two-polar's numbers instead of nu"},
     {"motion.branch", text, true, "", 0, branches, later_branches},
     // Which of these six a branch takes, the case reader checks.
@@ -145,8 +146,10 @@ void require_numbers(const CaseTree& tree, const std::string& path, const toml::
   }
 }
 
-/// `model` names a model of the kind, and the other keys are its coefficients, all of them.
+/// `model` names a model of the kind, and the other keys are its coefficients, all of them; or the
+/// potential is written out.
 void require_model(const CaseTree& tree, const std::string& path, const toml::table& table) {
+  if (is_written_out(table)) return require_written_out(tree, path, table);
   const ModelDescription::Kind kind = model_kind(path);
   std::vector<std::string_view> names;
   for (const ModelDescription& each : model_descriptions())
@@ -157,9 +160,12 @@ void require_model(const CaseTree& tree, const std::string& path, const toml::ta
   if (model_node == nullptr) {
     std::string remedy;
     for (const auto& [name, value] : table)
-      if (remedy.empty() && edit_distance(name.str(), "model") <= 2)
-        remedy = in_quotes(name.str()) + " is no key here; did you mean \"model\"?";
-    throw fault_at(tree, model_path, "found no model", "model = one of " + listed(names), remedy);
+      for (const std::string_view meant : {"model", "expression"})
+        if (remedy.empty() && edit_distance(name.str(), meant) <= 2)
+          remedy =
+              in_quotes(name.str()) + " is no key here; did you mean " + in_quotes(meant) + "?";
+    throw fault_at(tree, model_path, "found no model",
+                   "model = one of " + listed(names) + ", or expression = \"...\"", remedy);
   }
   if (!model_node->is_string())
     throw fault_at(tree, model_path, "found " + describe(*model_node), "one of " + listed(names));

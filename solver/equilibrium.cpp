@@ -21,19 +21,31 @@ void adopt(const auto& answer, Equilibrium& out) {
   out.error_bound = answer.error_bound;
 }
 
+/// A walk needs a state of rest to begin at, which an expression may not have.
+bool no_rest_state(double rest_stretch, Equilibrium& out) {
+  if (std::isfinite(rest_stretch)) return false;
+  out.status = SolveStatus::not_found;
+  out.message =
+      "no state of rest was found: V has no minimum among the circles xi = zeta in [1e-3, 1e3]";
+  return true;
+}
+
 template <class Plane, class Thickness>
 void solve_model(const Separable<Plane, Thickness>& model, const Problem& problem, double nu,
                  const SolveOptions& options, Equilibrium& out) {
   const CentrifugalRates<DoubleDouble> rates = problem.rates(two_product(nu, nu));
-  const ThicknessBalance thickness = balanced_thickness(model.thickness, rates.rho);
+  const auto near = options.start ? std::optional(options.start->rho) : std::nullopt;
+  const ThicknessBalance thickness = balanced_thickness(model.thickness, rates.rho, near);
   out.counts.extended_residuals += thickness.refined.steps;
   if (!thickness.refined.converged) {
-    out.status = SolveStatus::failed;
-    out.message = "the thickness balance V_rho'(rho) = J3 nu^2 rho did not converge";
+    // Of a built-in model it is known to exist.
+    out.status = problem.potential().is_built_in() ? SolveStatus::failed : SolveStatus::not_found;
+    out.message = std::string("the thickness balance V_rho'(rho) = J3 nu^2 rho ") + unbalanced;
     return;
   }
   const PlanarSystem<Plane> system{model.plane, rates};
   const double r = model.plane.rest_stretch();
+  if (!options.start && no_rest_state(r, out)) return;
   std::optional<ReducedVector<2>> start;
   if (options.start) start = ReducedVector<2>(options.start->xi, options.start->zeta);
   const auto answer =
@@ -51,6 +63,7 @@ void solve_model(const Coupled& model, const Problem& problem, double nu,
   const CoupledSystem<Coupled> system{model, problem.rates(two_product(nu, nu))};
   const double r = model.rest_stretch();
   const ReducedVector<3> rest(r, r, model.rest_thickness());
+  if (!options.start && no_rest_state(r, out)) return;
   std::optional<ReducedVector<3>> start;
   if (options.start) {
     start = ReducedVector<3>(options.start->xi, options.start->zeta, options.start->rho);
@@ -96,18 +109,20 @@ void search_all(const Problem& problem, double nu, const SolveOptions& options, 
       return Stretch{0.0, model.rest_stretch(), model.rest_stretch(), model.rest_thickness()};
     }
   });
+  const auto apart = [](double x, double at_rest) {
+    return std::abs(std::log(std::isfinite(at_rest) ? x / at_rest : x));
+  };
   const auto distance = [&](const Equilibrium& at) {
-    return std::max({std::abs(std::log(at.q.xi / rest.xi)),
-                     std::abs(std::log(at.q.zeta / rest.zeta)),
-                     problem.unknowns() == 3 ? std::abs(std::log(at.q.rho / rest.rho)) : 0.0});
+    return std::max({apart(at.q.xi, rest.xi), apart(at.q.zeta, rest.zeta),
+                     problem.unknowns() == 3 ? apart(at.q.rho, rest.rho) : 0.0});
   };
   const Equilibrium& nearest = *std::ranges::min_element(all.solutions, {}, distance);
   out.status = SolveStatus::solved;
   out.q = nearest.q;
   out.error_bound = nearest.error_bound;
   out.message =
-      "Found by an exhaustive search where NLopt found none; whether it is connected to the rest "
-      "state is not known.";
+      "found by an exhaustive search where nothing else found one; whether it is connected to the "
+      "rest state is not known";
 }
 
 }  // namespace

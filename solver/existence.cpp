@@ -106,6 +106,7 @@ std::optional<std::string> coupled_reason(const NeoHookean3d<>& m, const Rates& 
 }  // namespace
 
 std::optional<std::string> nonexistence_reason(const Problem& problem, double nu) {
+  if (!problem.potential().is_built_in()) return std::nullopt;
   const Rates c = problem.rates(two_product(nu, nu));
   if (!problem.potential().is_separable()) {
     return std::visit([&](const auto& model) { return coupled_reason(model, c); },

@@ -24,10 +24,10 @@ Sweep::Sweep(const Problem& problem, const Equilibrium& start, const SweepOption
   circle_ = problem.branch() == Branch::iii && problem.body().symmetric() && q.xi == q.zeta;
   positive_ = problem.potential().visit([&](const auto& model) {
     if constexpr (requires { model.plane; }) {
-      const PlanarSystem<std::decay_t<decltype(model.plane)>> system{model.plane, rates};
+      const PlanarSystem<decltype((model.plane))> system{model.plane, rates};
       return system.linearize({q.xi, q.zeta}).jacobian.determinant() > 0.0;
     } else {
-      const CoupledSystem<std::decay_t<decltype(model)>> system{model, rates};
+      const CoupledSystem<decltype(model)> system{model, rates};
       return system.linearize({q.xi, q.zeta, q.rho}).jacobian.determinant() > 0.0;
     }
   });
@@ -72,7 +72,7 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
   const CentrifugalRates<DoubleDouble> rates = problem_.rates(two_product(nu, nu));
   double error_bound = std::numeric_limits<double>::quiet_NaN();
   if constexpr (requires { model.plane; }) {
-    using Plane = std::decay_t<decltype(model.plane)>;
+    using Plane = decltype((model.plane));  // a reference: an expression is no small object
     ReducedVector<2> x(next[0], next[1]);
     const Refined planar = refine<bound>(PlanarSystem<Plane>{model.plane, rates}, x, 6);
     out.steps += planar.steps;
@@ -83,7 +83,7 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
       next[2] = past_[0].x[2];
       error_bound = constant_rho_bound_;
     } else {
-      using Thickness = std::decay_t<decltype(model.thickness)>;
+      using Thickness = decltype((model.thickness));
       ReducedVector<1> rho(next[2]);
       const Refined axial =
           refine<bound>(ThicknessSystem<Thickness>{model.thickness, rates.rho}, rho, 6);
@@ -99,7 +99,7 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
     if (bound && planar.error_bound > error_bound) error_bound = planar.error_bound;
   } else {
     ReducedVector<3> x(next[0], next[1], next[2]);
-    const Refined refined = refine<bound>(CoupledSystem<Model>{model, rates}, x, 6);
+    const Refined refined = refine<bound>(CoupledSystem<const Model&>{model, rates}, x, 6);
     out.steps += refined.steps;
     if (!refined.converged || !trusted(refined, 3)) return false;
     next = {x[0], x[1], x[2]};

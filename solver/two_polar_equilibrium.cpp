@@ -36,6 +36,7 @@ std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
       return verdict("J (omega - theta_dot)^2 = 2 mu", J * slip * slip, 2.0 * m.mu);
     return std::nullopt;
   };
+  if (!potential.is_built_in()) return std::nullopt;
   return potential.is_separable() ? std::visit(plane, potential.plane())
                                   : std::visit(plane, potential.coupled());
 }
@@ -114,7 +115,7 @@ class Solver {
       out_.error_bound = std::max(out_.error_bound, thickness.refined.error_bound);
       if (!thickness.refined.converged) {
         out_.status = SolveStatus::failed;
-        out_.message = "the thickness balance V_rho'(rho) = 0 did not converge";
+        out_.message = std::string("the thickness balance V_rho'(rho) = 0 ") + unbalanced;
       }
     }
   }

@@ -54,12 +54,6 @@ struct AnyPlane : AnyModel<PlanarModels<C>, PlanarExpression<C>> {
   double rest_stretch() const {
     return this->visit([](const auto& m) { return m.rest_stretch(); });
   }
-  template <class Convert>
-  auto with_indexed_coefficients(const Convert& convert) const {
-    using R = std::remove_cvref_t<decltype(convert(0.0, std::size_t(0)))>;
-    return this->visit(
-        [&](const auto& m) { return AnyPlane<R>{{stationary::with_indexed_coefficients(m, convert)}}; });
-  }
 };
 
 template <class C = double>
@@ -67,13 +61,15 @@ struct AnyThickness : AnyModel<ThicknessModels<C>, ThicknessExpression<C>> {
   double balanced(const DoubleDouble& m) const {
     return this->visit([&](const auto& each) { return each.balanced(m); });
   }
-  template <class Convert>
-  auto with_indexed_coefficients(const Convert& convert) const {
-    using R = std::remove_cvref_t<decltype(convert(0.0, std::size_t(0)))>;
-    return this->visit([&](const auto& m) {
-      return AnyThickness<R>{{stationary::with_indexed_coefficients(m, convert)}};
-    });
-  }
 };
+
+/// Any<C> with convert(c, k) for its coefficient c number k.
+template <template <class> class Any, class Convert>
+requires requires(const Any<double>& model) { model.is_expression(); }
+auto with_indexed_coefficients(const Any<double>& model, const Convert& convert) {
+  using C = std::remove_cvref_t<decltype(convert(0.0, std::size_t(0)))>;
+  return model.visit(
+      [&](const auto& m) { return Any<C>{{with_indexed_coefficients(m, convert)}}; });
+}
 
 }  // namespace stationary

@@ -40,6 +40,16 @@ class CoefficientList {
   std::size_t size_ = 0;
 };
 
+/// Throws std::invalid_argument for more than there may be.
+inline CoefficientList<double> coefficient_list(std::span<const double> values) {
+  if (values.size() > expression::largest_parameter_count)
+    throw std::invalid_argument("at most " + std::to_string(expression::largest_parameter_count) +
+                                " parameters");
+  CoefficientList<double> out(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) out[k] = values[k];
+  return out;
+}
+
 /// The constants of a tape for coefficients of type C, in the number type of an evaluation. Those
 /// of doubles are kept in extended precision: an evaluation in it then solves the same equation.
 template <class C>
@@ -301,15 +311,20 @@ double ThicknessExpression<double>::balanced(const DoubleDouble& m) const;
 template <>
 std::array<double, 2> CoupledExpression<double>::rest() const;
 
-/// The same model with each coefficient c as convert(c).
+/// The same model with convert(c, k) for its coefficient c number k.
 template <template <class> class Model, class Convert>
 requires std::derived_from<Model<double>, TapeModel<double>>
-auto with_coefficients(const Model<double>& model, const Convert& convert) {
-  using C = std::remove_cvref_t<decltype(convert(0.0))>;
+auto with_indexed_coefficients(const Model<double>& model, const Convert& convert) {
+  using C = std::remove_cvref_t<decltype(convert(0.0, std::size_t(0)))>;
   CoefficientList<C> coefficients(model.coefficients().size());
   for (std::size_t k = 0; k < coefficients.size(); ++k)
-    coefficients[k] = convert(model.coefficients()[k]);
+    coefficients[k] = convert(model.coefficients()[k], k);
   return Model<C>(model.tape(), coefficients);
 }
 
 }  // namespace stationary
+
+/// The most there may be.
+template <class C>
+struct std::tuple_size<stationary::CoefficientList<C>>
+    : std::integral_constant<std::size_t, stationary::expression::largest_parameter_count> {};

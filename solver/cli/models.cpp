@@ -26,6 +26,8 @@ std::string_view heading(Kind kind) {
       return "thickness, V(rho) of [potential] thickness";
     case Kind::coupled:
       return "coupled, V(S, rho) of [potential] coupled";
+    case Kind::fibre:
+      return "fibres, [potential] fibre, beside any of these";
   }
   return {};
 }
@@ -38,6 +40,8 @@ std::string_view assumption(Kind kind) {
       return "separable: a function of rho alone";
     case Kind::coupled:
       return "isotropic; the thickness enters together with xi, zeta, alpha";
+    case Kind::fibre:
+      return "a direction in the plane";
   }
   return {};
 }

@@ -1,0 +1,116 @@
+#include "solver/case_expression.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/case_keys.hpp"
+#include "solver/expression_parser.hpp"
+#include "solver/nearest_name.hpp"
+
+namespace stationary {
+namespace {
+
+constexpr std::string_view expression_key = "expression";
+
+bool is_name(std::string_view text) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  return !text.empty() && letter(text[0]) &&
+         std::ranges::all_of(text, [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+}
+
+ExpressionSlot slot_of(std::string_view slot) {
+  if (slot == "plane") return ExpressionSlot::plane;
+  return slot == "thickness" ? ExpressionSlot::thickness : ExpressionSlot::coupled;
+}
+
+/// Where a character of the text stands: exactly where the text is written as it is, between two
+/// quotes on one line; else where the text begins.
+Origin character_origin(const CaseTree& tree, const std::string& key, const toml::node& node,
+                        std::size_t offset) {
+  Origin out = tree.origin(key);
+  const auto& [begin, end, path] = node.source();
+  const std::size_t length = node.as_string()->get().size();
+  const bool as_it_is = out.option.empty() && begin.line == end.line &&
+                        end.column == begin.column + static_cast<toml::source_index>(length) + 2;
+  if (as_it_is) out.column += 1 + static_cast<int>(offset);
+  return out;
+}
+
+std::shared_ptr<const expression::Tape> compiled(ExpressionSlot slot,
+                                                 expression::Expression expression) {
+  switch (slot) {
+    case ExpressionSlot::plane:
+      return expression::planar_tape(std::move(expression));
+    case ExpressionSlot::thickness:
+      return expression::thickness_tape(std::move(expression));
+    case ExpressionSlot::coupled:
+      break;
+  }
+  return expression::coupled_tape(std::move(expression));
+}
+
+}  // namespace
+
+bool is_written_out(const toml::table& table) { return table.contains(expression_key); }
+
+void require_written_out(const CaseTree& tree, const std::string& path, const toml::table& table) {
+  constexpr std::string_view allowed = "expression and its parameters, or model and its own";
+  for (const auto& [name, node] : table) {
+    const std::string key = dotted(path, name.str());
+    if (name.str() == expression_key) {
+      if (!node.is_string())
+        throw fault_at(tree, key, "found " + describe(node), "a text, \"mu*(I1 - 2*d)\"");
+    } else if (name.str() == "model") {
+      throw InputError(tree.key_origin(key), key, "found both model and expression",
+                       std::string(allowed), "remove one of them");
+    } else if (!is_name(name.str())) {
+      throw InputError(tree.key_origin(key), printable(key),
+                       "found " + in_quotes(name.str()) + ", which an expression cannot name",
+                       "a letter, then letters, digits and _");
+    } else if (!node.is_number() || !std::isfinite(node.value<double>().value_or(NAN))) {
+      throw fault_at(tree, printable(key), "found " + describe(node), "a finite number");
+    }
+  }
+}
+
+WrittenPotential read_written_out(const CaseTree& tree, std::string_view slot,
+                                  const toml::table& table) {
+  const std::string path = "potential." + std::string(slot);
+  const std::string key = dotted(path, expression_key);
+  const toml::node& node = *table.get(expression_key);
+  WrittenPotential out;
+  std::vector<std::string> parameters;
+  for (const auto& [name, value] : table) {
+    if (name.str() == expression_key) continue;
+    parameters.emplace_back(name.str());
+    out.coefficients.push_back(value.value<double>().value_or(0.0));
+  }
+  const std::string& text = node.as_string()->get();
+  try {
+    ParsedExpression parsed = parse_expression(text, parameters, slot_of(slot));
+    if (!parsed.unused.empty()) {
+      const std::string unused = dotted(path, parsed.unused[0]);
+      throw InputError(tree.key_origin(unused), unused,
+                       "found a parameter that does not occur in the expression",
+                       "parameters of the expression", "remove it, or correct its name");
+    }
+    out.facts = std::move(parsed.notes);
+    out.tape = compiled(slot_of(slot), std::move(parsed.expression));
+  } catch (const ExpressionError& error) {
+    throw InputError(character_origin(tree, key, node, error.offset()), key,
+                     fmt::format("found {} at character {} of the expression",
+                                 printable(error.found()), error.offset() + 1),
+                     error.allowed(), error.remedy());
+  } catch (const std::invalid_argument& error) {  // Unsuitable, NotSmooth
+    throw fault_at(tree, key, "found an expression that cannot be used", "", error.what());
+  } catch (const std::length_error& error) {
+    throw fault_at(tree, key, "found too long an expression", "", error.what());
+  }
+  return out;
+}
+
+}  // namespace stationary

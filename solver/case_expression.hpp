@@ -1,0 +1,32 @@
+// A potential that the case file writes out: { expression = "mu/2*(I1 - 2 - 2*log(d))", mu = 1.0 }
+// under potential.plane, .thickness or .coupled; every other key is a parameter of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/expression/expression.hpp"
+#include "solver/case_tree.hpp"
+
+namespace stationary {
+
+/// Whether a table under `potential` writes its potential out.
+bool is_written_out(const toml::table& table);
+
+/// Throws InputError unless every other key is a finite number with the name of a parameter.
+void require_written_out(const CaseTree& tree, const std::string& path, const toml::table& table);
+
+struct WrittenPotential {
+  std::shared_ptr<const expression::Tape> tape;
+  std::vector<double> coefficients;  ///< in the order of tape->parameters
+  std::vector<std::string> facts;    ///< what was found out about it, a sentence each
+};
+
+/// Of a table that require_written_out() let pass. slot: plane, thickness or coupled. Throws
+/// InputError at the character that is wrong, or for an expression that is no such potential.
+WrittenPotential read_written_out(const CaseTree& tree, std::string_view slot,
+                                  const toml::table& table);
+
+}  // namespace stationary
