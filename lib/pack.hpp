@@ -142,6 +142,23 @@ struct Pack {
   [[gnu::always_inline]] friend Pack larger(const Pack& x, const Pack& y) {
     return select(y < x, x, y);
   }
+  /// NaN below 0.
+  [[gnu::always_inline]] friend Pack sqrt(const Pack& x) {
+#ifdef __AVX512F__
+    // With a mask of all lanes: the unmasked one is a false alarm of GCC 12 (uninitialized).
+    if constexpr (bytes == 64)
+      return {_mm512_maskz_sqrt_pd(0xff, x.a), _mm512_maskz_sqrt_pd(0xff, x.b)};
+#endif
+#ifdef __AVX2__
+    if constexpr (bytes == 32) return {_mm256_sqrt_pd(x.a), _mm256_sqrt_pd(x.b)};
+#endif
+    if constexpr (bytes == 16) {
+      const auto root = [](Register r) {
+        return Register{__builtin_sqrt(r[0]), __builtin_sqrt(r[1])};
+      };
+      return {root(x.a), root(x.b)};
+    }
+  }
 };
 
 #ifdef __AVX2__
@@ -165,6 +182,33 @@ template <int bytes>
     const Pack<bytes> p = x * y;
     return {p, Pack<bytes>(multiply_subtract(x.a, y.a, p.a), multiply_subtract(x.b, y.b, p.b))};
   }
+}
+
+/// Of pairs, as of doubles (double_double.hpp).
+template <int bytes>
+[[gnu::always_inline]] inline Pack<bytes> leading(const Pair<Pack<bytes>>& x) {
+  return x.hi + x.lo;
+}
+template <int bytes>
+[[gnu::always_inline]] inline Pair<Pack<bytes>> renormalized(const Pair<Pack<bytes>>& x) {
+  return two_sum(x.hi, x.lo);
+}
+template <int bytes>
+[[gnu::always_inline]] inline Pair<Pack<bytes>> select(const PackMask<bytes>& where,
+                                                       const Pair<Pack<bytes>>& x,
+                                                       const Pair<Pack<bytes>>& y) {
+  return {select(where, x.hi, y.hi), select(where, x.lo, y.lo)};
+}
+/// 0 where x is not positive.
+template <int bytes>
+[[gnu::always_inline]] inline Pair<Pack<bytes>> sqrt(const Pair<Pack<bytes>>& y) {
+  using P = Pack<bytes>;
+  const Pair<P> x = renormalized(y);
+  const auto positive = P(0.0) < x.hi;
+  const P r = sqrt(select(positive, x.hi, P(1.0)));
+  const Pair<P> square = two_product(r, r);
+  const P tail = (((x.hi - square.hi) - square.lo) + x.lo) / (2.0 * r);
+  return {select(positive, r, P(0.0)), select(positive, tail, P(0.0))};
 }
 
 /// x = 2^k m with m in [0.6875, 1.375), for normal positive x.

@@ -27,7 +27,11 @@ constexpr int march_most_corrections = 6;
 /// The lanes' numbers in the number type S.
 template <class S, class V>
 [[gnu::always_inline]] inline S lane_number(const V& x) {
-  if constexpr (requires(S s) { s.value; }) {
+  if constexpr (std::is_same_v<S, V>) {
+    return x;
+  } else if constexpr (requires { S::input(x); }) {
+    return S::input(x);
+  } else if constexpr (requires(S s) { s.value; }) {
     return S(abs(x));
   } else {
     return S(x);
@@ -62,9 +66,13 @@ struct PlanarLanes {
 
   template <class S>
   [[gnu::always_inline]] LogBalance<S> balance(const V* x) const {
+    return balance<S>(x, rate);
+  }
+  template <class S, class X, class C>
+  [[gnu::always_inline]] LogBalance<S> balance(const X* x, const C* c) const {
     const Model<S> model{lane_number<S>(coefficient[0]), lane_number<S>(coefficient[1])};
-    return model.log_balance(lane_number<S>(x[0]), lane_number<S>(x[1]), lane_number<S>(rate[0]),
-                             lane_number<S>(rate[1]));
+    return model.log_balance(lane_number<S>(x[0]), lane_number<S>(x[1]), lane_number<S>(c[0]),
+                             lane_number<S>(c[1]));
   }
   [[gnu::always_inline]] LaneLinearized<V> linearize(const V* x) const {
     const LogBalance<V> b = balance<V>(x);
@@ -92,8 +100,12 @@ struct ThicknessLanes {
 
   template <class S>
   [[gnu::always_inline]] LogBalance<S> balance(const V* x) const {
+    return balance<S>(x, rate);
+  }
+  template <class S, class X, class C>
+  [[gnu::always_inline]] LogBalance<S> balance(const X* x, const C* c) const {
     const Model<S> model{lane_number<S>(coefficient[0]), lane_number<S>(coefficient[1])};
-    return model.log_balance(lane_number<S>(x[0]), lane_number<S>(rate[0]));
+    return model.log_balance(lane_number<S>(x[0]), lane_number<S>(c[0]));
   }
   [[gnu::always_inline]] LaneLinearized<V> linearize(const V* x) const {
     const LogBalance<V> b = balance<V>(x);
