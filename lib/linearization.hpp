@@ -98,6 +98,12 @@ struct SymmetricPencil {
            (S(K[0][1] * K[0][1]) * c + S(K[0][2] * K[0][2]) * b) +
            constant(S(2.0 * (K[0][1] * K[0][2] * K[1][2])));
   }
+  /// The same where K02 = 0: V separable.
+  Polynomial<S, 3> characteristic_separable() const {
+    const auto c = diagonal(2);
+    return diagonal(0) * (diagonal(1) * c - constant(S(K[1][2] * K[1][2]))) -
+           S(K[0][1] * K[0][1]) * c;
+  }
 };
 
 /// (i), even. For (ii) give the exchanged state.

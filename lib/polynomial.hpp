@@ -40,9 +40,12 @@ struct Polynomial {
 template <class S, int D, int E>
 Polynomial<S, D + E> operator*(const Polynomial<S, D>& p, const Polynomial<S, E>& q) {
   Polynomial<S, D + E> out;
-  out.c.fill(S(0.0));
-  for (std::size_t i = 0; i <= D; ++i)
-    for (std::size_t j = 0; j <= E; ++j) out.c[i + j] = out.c[i + j] + p.c[i] * q.c[j];
+  for (std::size_t i = 0; i <= D; ++i) {
+    for (std::size_t j = 0; j <= E; ++j) {
+      const S product = p.c[i] * q.c[j];
+      out.c[i + j] = i == 0 || j == E ? product : out.c[i + j] + product;
+    }
+  }
   return out;
 }
 template <class S, int D>

@@ -21,8 +21,6 @@
 namespace stationary {
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 const MarchKernels& march_kernels(InstructionSet set) {
 #ifdef STATIONARY_X86
   if (set == InstructionSet::avx512) return march_kernels_avx512();
@@ -200,12 +198,6 @@ Problem BatchInput::problem(std::size_t lane) const {
           Potential(with_coefficients(potential.plane(), at(plane, lane)),
                     with_coefficients(potential.thickness(), at(thickness, lane))),
           branch};
-}
-
-BatchCell BatchResult::cell(std::size_t lane, std::size_t k) const {
-  const std::size_t i = index(lane, slot_[k]);
-  return {status_[i], xi_[i], zeta_[i], rho_[i],
-          error_bound_.empty() ? not_a_number : error_bound_[i]};
 }
 
 /// One call of solve_batch.

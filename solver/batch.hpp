@@ -16,6 +16,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -94,7 +95,11 @@ class BatchResult {
   std::size_t lanes() const { return lanes_; }
   /// Numbers of nu, as in the input.
   std::size_t count() const { return slot_.size(); }
-  BatchCell cell(std::size_t lane, std::size_t k) const;
+  BatchCell cell(std::size_t lane, std::size_t k) const {
+    const std::size_t i = index(lane, slot_[k]);
+    return {status_[i], xi_[i], zeta_[i], rho_[i],
+            error_bound_.empty() ? std::numeric_limits<double>::quiet_NaN() : error_bound_[i]};
+  }
   /// Lanes the scalar path had to go on with.
   std::size_t fallbacks() const { return fallbacks_; }
 

@@ -31,7 +31,9 @@ class SpectrumRun {
       : input_(input),
         solved_(solved),
         options_(options),
-        kernels_(spectrum_kernels(options.instructions)) {}
+        kernels_(spectrum_kernels(options.instructions)),
+        first_(input.branch == Branch::ii ? 1 : 0),
+        still_(input.branch == Branch::iii ? 2 : 0) {}
 
   /// At most SpectrumTile::size of them, in lanes.
   void solve(std::span<const CellPlace> places, std::span<CellSpectrum> out) {
@@ -44,20 +46,20 @@ class SpectrumRun {
       if (tile_.verdict[i] < 0.0) {
         out[i] = alone(places[i]);
       } else {
-        out[i] = taken(i);
+        take(i, out[i]);
       }
     }
   }
 
   CellSpectrum alone(const CellPlace& place) {
     ++scalar_;
-    if (!problem_ || lane_ != place.lane) problem_.emplace(input_.problem(lane_ = place.lane));
+    if (lane_ != place.lane) go_to(place.lane);
+    if (!problem_) problem_.emplace(input_.problem(place.lane));
     const BatchCell cell = solved_.cell(place.lane, place.k);
     Equilibrium equilibrium;
-    equilibrium.status = SolveStatus::solved;
+    equilibrium.status = cell.status;  // stability() takes none that is not solved
     equilibrium.q = {0.0, cell.xi, cell.zeta, cell.rho};
-    equilibrium.nu =
-        angular_velocity(input_.branch, input_.speed[place.lane] * input_.nu[place.k]);
+    equilibrium.nu = angular_velocity(input_.branch, input_.speed[place.lane] * input_.nu[place.k]);
     equilibrium.error_bound = cell.error_bound;
     const Spectrum all = stability(*problem_, equilibrium);
     CellSpectrum out;
@@ -75,36 +77,48 @@ class SpectrumRun {
 
  private:
   void put(const CellPlace& place, std::size_t i) {
+    if (lane_ != place.lane) go_to(place.lane);
     const BatchCell cell = solved_.cell(place.lane, place.k);
-    const Branch branch = input_.branch;
-    const std::size_t first = branch == Branch::ii ? 1 : 0;  // (ii) is (i), 1 and 2 exchanged
-    tile_.nu[i] = input_.speed[place.lane] * input_.nu[place.k];
-    tile_.q[first][i] = cell.xi;
-    tile_.q[1 - first][i] = cell.zeta;
+    if (cell.status != SolveStatus::solved)
+      throw std::invalid_argument("a spectrum needs a solved cell");
+    tile_.nu[i] = speed_ * input_.nu[place.k];
+    tile_.q[first_][i] = cell.xi;
+    tile_.q[1 - first_][i] = cell.zeta;
     tile_.q[2][i] = cell.rho;
     tile_.uncertainty[i] = uncertainty_of(cell);
-    tile_.inertia[first][i] = input_.inertia[0][place.lane];
-    tile_.inertia[1 - first][i] = input_.inertia[1][place.lane];
-    tile_.inertia[2][i] = input_.inertia[2][place.lane];
-    const std::size_t still = branch == Branch::iii ? 2 : 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      tile_.pull[k][i] = k == still ? 0.0 : tile_.inertia[k][i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      tile_.inertia[k][i] = inertia_[k];
+      tile_.pull[k][i] = pull_[k];
+    }
     for (std::size_t k = 0; k < 2; ++k) {
-      tile_.plane[k][i] = input_.plane[k][place.lane];
-      tile_.thickness[k][i] = input_.thickness[k][place.lane];
+      tile_.plane[k][i] = plane_[k];
+      tile_.thickness[k][i] = thickness_[k];
     }
   }
 
-  CellSpectrum taken(std::size_t i) const {
-    CellSpectrum out;
+  /// What all cells of a lane have in common.
+  void go_to(std::size_t lane) {
+    lane_ = lane;
+    problem_.reset();
+    speed_ = input_.speed[lane];
+    inertia_[first_] = input_.inertia[0][lane];
+    inertia_[1 - first_] = input_.inertia[1][lane];
+    inertia_[2] = input_.inertia[2][lane];
+    for (std::size_t k = 0; k < 3; ++k) pull_[k] = k == still_ ? 0.0 : inertia_[k];
+    for (std::size_t k = 0; k < 2; ++k) {
+      plane_[k] = input_.plane[k][lane];
+      thickness_[k] = input_.thickness[k][lane];
+    }
+  }
+
+  void take(std::size_t i, CellSpectrum& out) const {
     out.verdict = static_cast<StabilityClass>(static_cast<int>(tile_.verdict[i]));
     out.negative = static_cast<int>(tile_.negative[i]);
-    if (!options_.modes) return out;
-    out.growth = tile_.growth[i];
-    out.modes = 5;
+    out.growth = options_.modes ? tile_.growth[i] : std::numeric_limits<double>::quiet_NaN();
+    out.modes = options_.modes ? 5 : 0;
+    if (!options_.modes) return;
     for (std::size_t k = 0; k < out.mode.size(); ++k)
       out.mode[k] = {tile_.re[k][i], tile_.im[k][i], static_cast<int>(tile_.krein[k][i])};
-    return out;
   }
 
   const BatchInput& input_;
@@ -112,8 +126,15 @@ class SpectrumRun {
   const SpectrumOptions& options_;
   const SpectrumKernels& kernels_;
   SpectrumTile tile_;
+  const std::size_t first_;  ///< of xi: (ii) is (i), 1 and 2 exchanged
+  const std::size_t still_;  ///< the stretch along the axis, at which the spin does not pull
+  std::size_t lane_ = std::numeric_limits<std::size_t>::max();
+  double speed_;
+  double inertia_[3];
+  double pull_[3];
+  double plane_[2];
+  double thickness_[2];
   std::optional<Problem> problem_;
-  std::size_t lane_ = 0;
   std::size_t scalar_ = 0;
 };
 
@@ -125,9 +146,6 @@ std::size_t cell_spectra(const BatchInput& input, const BatchResult& solved,
   if (places.size() != out.size()) throw std::invalid_argument("one spectrum a place");
   if (!has_instruction_set(options.instructions))
     throw std::invalid_argument("an instruction set of this processor");
-  for (const CellPlace& place : places)
-    if (solved.cell(place.lane, place.k).status != SolveStatus::solved)
-      throw std::invalid_argument("a spectrum needs a solved cell");
   SpectrumRun run(input, solved, options);
   for (std::size_t i = 0; i < places.size(); i += SpectrumTile::size) {
     const std::size_t count = std::min(SpectrumTile::size, places.size() - i);

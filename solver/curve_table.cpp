@@ -34,7 +34,7 @@ std::vector<CurveSummary::Stretch> CurveSummary::stretches() const {
 void CurveTable::row(const Member& member, EventType event) {
   summary_.add(member.parameter,
                member.spectrum ? std::optional(member.spectrum->verdict) : std::nullopt);
-  if (writer_ != nullptr || proves()) fill_row(branch_, member, row_);
+  if (writer_ != nullptr) fill_row(branch_, member, writer_->columns(), row_);
   if (proves()) {
     const RowProof proof = prove(member, event);
     count_proof(proof.proven, member.parameter, proof.reason);

@@ -12,30 +12,42 @@
 namespace stationary {
 namespace {
 
-void fill_stretch(const Stretch& q, TableRow& row) {
+void fill_stretch(const Stretch& q, const ColumnSet& wanted, TableRow& row) {
   row[Column::alpha] = q.alpha;
   row[Column::xi] = q.xi;
   row[Column::zeta] = q.zeta;
   row[Column::rho] = q.rho;
+  if (!wanted.has_any(Column::lambda, Column::angle)) return;
   const PrincipalStretches principal = principal_stretches(q);
   row[Column::lambda] = principal.lambda;
   row[Column::mu] = principal.mu;
   row[Column::angle] = principal.theta.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-void fill_motion(const Vector3<double>& nu, const Vector3<double>& pi, TableRow& row) {
+void fill_motion(const Vector3<double>& nu, TableRow& row) {
   row[Column::nu1] = nu[0];
   row[Column::nu2] = nu[1];
   row[Column::nu3] = nu[2];
+}
+
+void fill_momentum(const Vector3<double>& pi, TableRow& row) {
   row[Column::pi1] = pi[0];
   row[Column::pi2] = pi[1];
   row[Column::pi3] = pi[2];
 }
 
+/// pi = I nu.
+void fill_rotation(const Body& body, const Stretch& q, const Vector3<double>& nu,
+                   const ColumnSet& wanted, TableRow& row) {
+  fill_motion(nu, row);
+  if (wanted.has_any(Column::pi1, Column::pi3)) fill_momentum(locked_inertia(body, q) * nu, row);
+}
+
 /// At the moment theta = 0.
 void fill_two_polar(const TwoPolarRates<double>& rates, const TwoPolarMomenta<double>& momenta,
                     TableRow& row) {
-  fill_motion({0.0, 0.0, rates.omega + rates.theta_dot}, {0.0, 0.0, momenta.s3}, row);
+  fill_motion({0.0, 0.0, rates.omega + rates.theta_dot}, row);
+  fill_momentum({0.0, 0.0, momenta.s3}, row);
   row[Column::omega] = rates.omega;
   row[Column::theta_dot] = rates.theta_dot;
   row[Column::s3] = momenta.s3;
@@ -79,24 +91,24 @@ std::vector<Column> equilibrium_columns(const RowParts& parts) {
 }
 
 void fill_row(std::string_view branch, const Body& body, const Potential& potential,
-              const Equilibrium& equilibrium, TableRow& row) {
+              const Equilibrium& equilibrium, const ColumnSet& wanted, TableRow& row) {
   const Stretch& q = equilibrium.q;
   const Vector3<double>& nu = equilibrium.nu;
   row.branch = branch;
-  fill_stretch(q, row);
-  fill_motion(nu, locked_inertia(body, q) * nu, row);
-  row[Column::energy] = energy(body, potential, q, nu);
+  fill_stretch(q, wanted, row);
+  fill_rotation(body, q, nu, wanted, row);
+  if (wanted.has(Column::energy)) row[Column::energy] = energy(body, potential, q, nu);
   fill_errors(equilibrium, row);
 }
 
-void fill_row(std::string_view branch, const Member& member, TableRow& row) {
-  const Vector3<double>& nu = member.angular_velocity;
+void fill_row(std::string_view branch, const Member& member, const ColumnSet& wanted,
+              TableRow& row) {
   row.branch = branch;
-  fill_stretch(member.q, row);
+  fill_stretch(member.q, wanted, row);
   if (member.two_polar) {
     fill_two_polar(member.two_polar->rates, member.two_polar->momenta, row);
   } else {
-    fill_motion(nu, locked_inertia(member.body, member.q) * nu, row);
+    fill_rotation(member.body, member.q, member.angular_velocity, wanted, row);
   }
   row[Column::energy] = member.energy;
   fill_errors(member, row);
@@ -111,21 +123,25 @@ double spin(std::string_view branch, const TableRow& row) {
 }
 
 void fill_row(const Body& body, const Potential& potential, const TwoPolarEquilibrium& equilibrium,
-              TableRow& row) {
+              const ColumnSet& wanted, TableRow& row) {
   const Vector3<double>& x = equilibrium.x;
   const Stretch q{0.0, x[0], x[1], x[2]};
   const TwoPolarRates<double>& rates = equilibrium.rates;
   const TwoPolarMomenta<double>& momenta = equilibrium.momenta;
   row.branch = two_polar_name;
-  fill_stretch(q, row);
+  fill_stretch(q, wanted, row);
   fill_two_polar(rates, momenta, row);
-  row[Column::energy] = two_polar_kinetic_energy(body.J1, x, rates) + potential.value(q);
+  if (wanted.has(Column::energy))
+    row[Column::energy] = two_polar_kinetic_energy(body.J1, x, rates) + potential.value(q);
   row[Column::residual] = equilibrium.residual;
   row[Column::compatibility] = 0.0;  // both vectors lie along axis 3
   row[Column::error_bound] = equilibrium.error_bound;
 }
 
-void fill_spectrum(const Spectrum& spectrum, TableRow& row) {
+namespace {
+
+/// Of a Spectrum or a CellSpectrum.
+void fill_from(const auto& spectrum, TableRow& row) {
   row.stability = name(spectrum.verdict);
   row[Column::growth] = spectrum.growth;
   row[Column::negative] = spectrum.negative;
@@ -133,12 +149,17 @@ void fill_spectrum(const Spectrum& spectrum, TableRow& row) {
     for (const ModePart part : {ModePart::re, ModePart::im, ModePart::krein})
       row[mode_column(k, part)] = std::numeric_limits<double>::quiet_NaN();
   for (int k = 0; k < spectrum.modes; ++k) {
-    const Mode& mode = spectrum.mode[static_cast<std::size_t>(k)];
+    const auto& mode = spectrum.mode[static_cast<std::size_t>(k)];
     row[mode_column(k, ModePart::re)] = mode.re;
     row[mode_column(k, ModePart::im)] = mode.im;
     row[mode_column(k, ModePart::krein)] = mode.krein;
   }
 }
+
+}  // namespace
+
+void fill_spectrum(const Spectrum& spectrum, TableRow& row) { fill_from(spectrum, row); }
+void fill_spectrum(const CellSpectrum& spectrum, TableRow& row) { fill_from(spectrum, row); }
 
 RowProof prove_row(const Problem& problem, const Equilibrium& equilibrium,
                    const std::optional<Spectrum>& spectrum, TableRow& row) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lib/spectrum.hpp"
+#include "solver/batch_spectrum.hpp"
 #include "solver/enclosure.hpp"
 #include "solver/equilibrium.hpp"
 #include "solver/family.hpp"
@@ -31,12 +32,14 @@ struct RowParts {
 std::vector<Column> equilibrium_columns(const RowParts& parts);
 
 /// Motion, stretch, principal stretches (no angle on the circle), momenta, energy and the errors
-/// of a solved equilibrium; leaves the other columns as they are.
+/// of a solved equilibrium; leaves the other columns as they are, and so those of principal
+/// stretches, momenta and energy of which none is wanted.
 void fill_row(std::string_view branch, const Body& body, const Potential& potential,
-              const Equilibrium& equilibrium, TableRow& row);
+              const Equilibrium& equilibrium, const ColumnSet& wanted, TableRow& row);
 
 /// Likewise of a member of a family, its parameter and, where it was computed, its spectrum.
-void fill_row(std::string_view branch, const Member& member, TableRow& row);
+void fill_row(std::string_view branch, const Member& member, const ColumnSet& wanted,
+              TableRow& row);
 
 /// nu along a branch's axis, |nu| of a tilted motion; NaN where its columns are.
 double spin(std::string_view branch, const TableRow& row);
@@ -44,10 +47,11 @@ double spin(std::string_view branch, const TableRow& row);
 /// Likewise of a two-polar motion, at the moment theta = 0: S = diag(lambda, mu, rho), nu3 = omega
 /// + theta' (the paper's L^-1 L'), pi3 = s3.
 void fill_row(const Body& body, const Potential& potential, const TwoPolarEquilibrium& equilibrium,
-              TableRow& row);
+              const ColumnSet& wanted, TableRow& row);
 
-/// class ... krein5; modes that do not exist stay empty.
+/// class ... krein5; modes that do not exist, or were not computed, stay empty.
 void fill_spectrum(const Spectrum& spectrum, TableRow& row);
+void fill_spectrum(const CellSpectrum& spectrum, TableRow& row);
 
 /// What the columns `certified` and `class_certified` say.
 struct RowProof {

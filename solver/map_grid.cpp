@@ -4,6 +4,7 @@
 #include <optional>
 #include <variant>
 
+#include "solver/batch_spectrum.hpp"
 #include "solver/case_parameter.hpp"
 #include "solver/stability.hpp"
 
@@ -72,11 +73,15 @@ MapGrid::Place MapGrid::place(std::size_t row) const {
   return {row, 0};
 }
 
-void MapGrid::rows(const BatchResult& solved, std::size_t first, std::size_t last,
-                   const RowParts& parts, std::vector<TableRow>& out) const {
+RowCounts MapGrid::rows(const BatchResult& solved, std::size_t first, std::size_t last,
+                        const RowParts& parts, const ColumnSet& wanted,
+                        std::vector<TableRow>& out) const {
   out.clear();
+  RowCounts counts;
   std::optional<Problem> problem;
   std::size_t lane = 0;
+  std::vector<CellPlace> places;  // whose spectra are made together, and which rows these are
+  std::vector<std::size_t> rows;
   for (std::size_t k = first; k < last; ++k) {
     const Place at = place(k);
     const BatchCell cell = solved.cell(at.lane, at.step);
@@ -102,17 +107,34 @@ void MapGrid::rows(const BatchResult& solved, std::size_t first, std::size_t las
       found.residual = check.residual;
       found.compatibility = check.compatibility;
       if (check.residual <= acceptable_residual) {
-        fill_row(name(branch_), problem->body(), problem->potential(), found, row);
-        std::optional<Spectrum> spectrum;
-        if (parts.spectrum) spectrum = stability(*problem, found);
-        if (spectrum) fill_spectrum(*spectrum, row);
-        if (parts.certificate) (void)prove_row(*problem, found, spectrum, row);
+        fill_row(name(branch_), problem->body(), problem->potential(), found, wanted, row);
+        counts.potentials += wanted.has(Column::energy);
+        if (parts.certificate) {
+          // A proof asks for all that is known of the spectrum.
+          std::optional<Spectrum> spectrum;
+          if (parts.spectrum) spectrum = stability(*problem, found);
+          if (spectrum) fill_spectrum(*spectrum, row);
+          counts.spectra += parts.spectrum;
+          counts.scalar_spectra += parts.spectrum;
+          (void)prove_row(*problem, found, spectrum, row);
+        } else if (parts.spectrum) {
+          places.push_back({at.lane, at.step});
+          rows.push_back(out.size() - 1);
+        }
       } else {
         status = CellStatus::failed;
       }
     }
     row.status = name(status);
   }
+  std::vector<CellSpectrum> spectra(places.size());
+  const SpectrumOptions options{.modes = wanted.has(Column::growth) ||
+                                         wanted.has_any(Column::re1, Column::krein5)};
+  counts.spectra += static_cast<long>(places.size());
+  counts.scalar_spectra +=
+      static_cast<long>(cell_spectra(batch_, solved, places, options, spectra));
+  for (std::size_t i = 0; i < rows.size(); ++i) fill_spectrum(spectra[i], out[rows[i]]);
+  return counts;
 }
 
 }  // namespace stationary

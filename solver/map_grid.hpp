@@ -21,6 +21,20 @@ enum class CellStatus { solved, none_exists, not_found, failed };
 constexpr std::string_view cell_status_names[] = {"solved", "none-exists", "not-found", "failed"};
 constexpr std::string_view name(CellStatus s) { return cell_status_names[static_cast<int>(s)]; }
 
+/// What making rows took.
+struct RowCounts {
+  long potentials = 0;      ///< for energies
+  long spectra = 0;         ///< with modes or without
+  long scalar_spectra = 0;  ///< of these by the scalar path
+
+  RowCounts& operator+=(const RowCounts& more) {
+    potentials += more.potentials;
+    spectra += more.spectra;
+    scalar_spectra += more.scalar_spectra;
+    return *this;
+  }
+};
+
 class MapGrid {
  public:
   /// input: with a map, of an axis rotation (std::bad_optional_access, std::bad_variant_access
@@ -31,10 +45,11 @@ class MapGrid {
   std::size_t size() const { return x_.size() * y_.size(); }
 
   /// Rows `first` ... `last` - 1 of a solved batch into out, those not run left out: point,
-  /// motion, stretch, errors, status, both parameters; spectra and proofs if asked for. A cell
-  /// whose residual, recomputed, is none of an equilibrium's is `failed`.
-  void rows(const BatchResult& solved, std::size_t first, std::size_t last, const RowParts& parts,
-            std::vector<TableRow>& out) const;
+  /// motion, stretch, errors, status, both parameters; spectra and proofs if the parts have them,
+  /// and of all of it what the wanted columns need. A cell whose residual, recomputed, is none of
+  /// an equilibrium's is `failed`.
+  RowCounts rows(const BatchResult& solved, std::size_t first, std::size_t last,
+                 const RowParts& parts, const ColumnSet& wanted, std::vector<TableRow>& out) const;
 
  private:
   struct Place {

@@ -26,7 +26,7 @@ namespace stationary {
 
 constexpr double lane_slack = 0x1p10;
 /// Below it xi - zeta is too small for V_aa by the quotient above.
-constexpr double least_ellipticity = 0x1p-26;
+constexpr double least_ellipticity = 0x1p-18;
 
 template <class V>
 struct LaneDerivative {
@@ -137,9 +137,9 @@ template <bool normal, class S, class Mask>
 }
 
 template <int bytes>
-[[gnu::always_inline]] inline RunningError<Pack<bytes>> select(
-    const PackMask<bytes>& where, const RunningError<Pack<bytes>>& x,
-    const RunningError<Pack<bytes>>& y) {
+[[gnu::always_inline]] inline RunningError<Pack<bytes>> select(const PackMask<bytes>& where,
+                                                               const RunningError<Pack<bytes>>& x,
+                                                               const RunningError<Pack<bytes>>& y) {
   return {select(where, x.value, y.value), select(where, x.units, y.units)};
 }
 
@@ -150,8 +150,8 @@ struct LaneVerdict {
   using Error = RunningError<V>;
   V threshold;  ///< of |value| over units
   Mask decided;
-  Mask real;      ///< a positive Lambda
-  Mask complex;   ///< a complex one
+  Mask real;     ///< a positive Lambda
+  Mask complex;  ///< a complex one
   V negative{0.0};
   Mask definite_too;  ///< stable whatever `negative` says
   Mask indefinite;    ///< not stable whatever `negative` says
@@ -235,9 +235,9 @@ template <class V>
   const Mask both = p_negative & q_negative;
   const Error discriminant = trace * trace - 4.0 * (odd.det_P * odd.det_Q1);
   const Mask quadruple = both & (discriminant.value < V(0.0));
-  const Mask general_decided = out.certain(odd.det_Q1) & (q_negative | out.certain(odd.Q1[2])) &
-                               (~both | (out.certain(discriminant) &
-                                         (quadruple | out.certain(trace))));
+  const Mask general_decided =
+      out.certain(odd.det_Q1) & (q_negative | out.certain(odd.Q1[2])) &
+      (~both | (out.certain(discriminant) & (quadruple | out.certain(trace))));
   out.decided = out.decided & ((symmetric & symmetric_decided) | (~symmetric & general_decided));
   out.count(symmetric & form_negative);
   out.count(~symmetric & q_negative);
@@ -245,8 +245,7 @@ template <class V>
   out.definite_too = symmetric & ~form_negative;
   out.indefinite = symmetric & form_negative;
   out.real = out.real | (symmetric & falling) | (~symmetric & saddle) |
-             (~symmetric & q_downward & ~p_negative) |
-             (~symmetric & both & ~quadruple & falling);
+             (~symmetric & q_downward & ~p_negative) | (~symmetric & both & ~quadruple & falling);
   out.complex = ~symmetric & quadruple;
 }
 
@@ -267,8 +266,7 @@ template <class V>
 
   const GyroscopicBlock<Error> even = even_block_iii(s);
   // Away from the circle.
-  const Error minor =
-      even.rest.K[0][0] * even.rest.K[1][1] - even.rest.K[0][1] * even.rest.K[0][1];
+  const Error minor = even.rest.K[0][0] * even.rest.K[1][1] - even.rest.K[0][1] * even.rest.K[0][1];
   const Mask alpha = even.K_alpha.value < V(0.0);
   const Mask minor_negative = minor.value < V(0.0);
   const Mask downward = ~minor_negative & (even.rest.K[0][0].value < V(0.0));
@@ -286,8 +284,8 @@ template <class V>
   const Mask odd_positive = c.value < V(0.0);
   const Mask upward = (a.value < V(0.0)) | (b.value < V(0.0));
   const Mask roots_decided =
-      definite | (out.certain(discriminant) &
-                  (odd_positive | one_real | (out.certain(a) & out.certain(b))));
+      definite |
+      (out.certain(discriminant) & (odd_positive | one_real | (out.certain(a) & out.certain(b))));
   const Mask general_decided = out.certain(even.K_alpha) & out.certain(minor) &
                                (minor_negative | out.certain(even.rest.K[0][0])) & roots_decided;
   const Mask even_real = ~definite & (odd_positive | (~one_real & upward));
@@ -301,8 +299,7 @@ template <class V>
   const V root = sqrt(select(apart, Omega2.value, V(1.0)));
   const Error Omega(root, 0.5 * (Omega2.units / root) + root);
   const Error omega(abs(s.omega.value), s.omega.units);
-  const Error margin =
-      0.5 * (omega + Omega) + omega * (s.I3() / s.I1() - Error(1.0));
+  const Error margin = 0.5 * (omega + Omega) + omega * (s.I3() / s.I1() - Error(1.0));
   const Mask narrowing = breathing.value < V(0.0);
   const Mask shear = k.value < V(0.0);
   const Mask circle_decided = out.certain(breathing) & out.certain(Omega2) &
@@ -344,6 +341,7 @@ struct LaneModes {
     const V mean = leading(pair.mean);
     const V separation = leading(pair.separation);
     const Mask complex = separation < V(0.0);
+    if (!any(complex)) return;
     const V half = 0.5 * sqrt(abs(separation));
     const V size = sqrt(mean * mean + abs(separation));
     const V one = sqrt(0.5 * (size + abs(mean)));
@@ -384,7 +382,8 @@ template <class V>
                                                           typename V::Mask& known) {
   using Mask = typename V::Mask;
   LaneModes<V> out;
-  const LaneCubicRoots<V> even = lane_cubic_roots(even_pencil_i(s).characteristic(), known);
+  const LaneCubicRoots<V> even =
+      lane_cubic_roots(even_pencil_i(s).characteristic_separable(), known);
   out.set_real(0, even.single, V(1.0));
   out.set_real(1, even.pair.small, V(1.0));
   out.set_real(2, even.pair.large, V(1.0));
@@ -393,25 +392,32 @@ template <class V>
   const Polynomial<Pair<V>, 2> p = odd.characteristic();
   const V q1[3] = {leading(odd.Q1[0]), leading(odd.Q1[1]), leading(odd.Q1[2])};
   const V P[3] = {leading(odd.P[0]), leading(odd.P[1]), leading(odd.P[2])};
-  // Q1 on the eigenvector of P Q1 to -Lambda, as in spectrum.cpp.
+  // Where P or Q1 is definite, the sign of that one; else Q1 on the eigenvector of P Q1 to -Lambda,
+  // as in spectrum.cpp.
+  const Mask q_saddle = leading(odd.det_Q1) < V(0.0);
+  const Mask both = q_saddle & (leading(odd.det_P) < V(0.0));
+  const V definite =
+      select((leading(odd.det_P) < V(0.0)) & (q1[0] + q1[2] < V(0.0)), V(-1.0), V(1.0));
+  const bool all_definite = !any(both & known);
   const auto krein = [&](const Pair<V>& lambda) {
+    if (all_definite) return definite;
     const V m = -leading(lambda);
     const V n11 = P[0] * q1[0] + P[1] * q1[1];
     const V n12 = P[0] * q1[1] + P[1] * q1[2];
     const V n21 = P[1] * q1[0] + P[2] * q1[1];
     const V n22 = P[1] * q1[1] + P[2] * q1[2];
-    const Mask other =
-        abs(n12) + abs(m - n11) < abs(n21) * q1[0] * q1[0] + abs(m - n22);
+    const Mask other = abs(n12) + abs(m - n11) < abs(n21) * q1[0] * q1[0] + abs(m - n22);
     const V x = select(other, m - n22, n12);
     const V y = select(other, n21, m - n11);
     const V form = q1[0] * x * x + 2.0 * q1[1] * x * y + q1[2] * y * y;
-    return select(form < V(0.0), V(-1.0), V(1.0));
+    return select(both, select(form < V(0.0), V(-1.0), V(1.0)), definite);
   };
   const LaneRootPair<V> pair = lane_quadratic_roots(p.c[1], p.c[0]);
   out.set_pair(3, pair, krein);
-  // J1 = J2: 0 and -tr P Q1.
+  if (!any(symmetric)) return out;
+  // J1 = J2: 0 and -tr P Q1, whose energy has the sign that Q1 has.
   LaneModes<V> forced;
-  forced.set_real(3, -p.c[1], krein(-p.c[1]));
+  forced.set_real(3, -p.c[1], select(q1[0] + q1[2] < V(0.0), V(-1.0), V(1.0)));
   out.re[3] = select(symmetric, forced.re[3], out.re[3]);
   out.im[3] = select(symmetric, forced.im[3], out.im[3]);
   out.krein[3] = select(symmetric, forced.krein[3], out.krein[3]);
@@ -426,8 +432,7 @@ template <class V>
                                                         typename V::Mask& known) {
   using Mask = typename V::Mask;
   LaneModes<V> out;
-  out.set_real(0, odd_lambda_iii(s),
-               select(leading(s.I3() - s.I1()) < V(0.0), V(-1.0), V(1.0)));
+  out.set_real(0, odd_lambda_iii(s), select(leading(s.I3() - s.I1()) < V(0.0), V(-1.0), V(1.0)));
   out.set_real(1, -(s.V_rr / s.J.J3), V(1.0));
 
   const GyroscopicBlock<Pair<V>> even = even_block_iii(s);
@@ -437,7 +442,9 @@ template <class V>
   const V K_xx = leading(even.rest.K[0][0]);
   const V minor = leading(even.planar_determinant().c[0]);
   const Mask definite = (V(0.0) < K_alpha) & (V(0.0) < K_xx) & (V(0.0) < minor);
+  const bool all_definite = !any(known & ~definite);
   const auto krein = [&](const Pair<V>& lambda) {
+    if (all_definite) return V(1.0);
     const V energy = leading(p.slope(lambda)) * leading(trace(lambda));
     return select(definite, V(1.0), select(energy < V(0.0), V(-1.0), V(1.0)));
   };
@@ -447,6 +454,7 @@ template <class V>
   out.set_real(2, roots.single, krein(roots.single));
   out.set_pair(3, roots.pair, krein);
 
+  if (!any(circle)) return out;
   // The circle, as in spectrum.cpp.
   LaneModes<V> round;
   round.set_real(2, -((even.rest.K[0][0] + even.rest.K[0][1]) / s.J.J1), V(1.0));
@@ -516,9 +524,8 @@ template <class V, bool normal>
       const Pair<V> x[3] = {{q[0], V::load(tile.tail[0] + i)},
                             {q[1], V::load(tile.tail[1] + i)},
                             {q[2], V::load(tile.tail[2] + i)}};
-      const auto s =
-          lane_state<normal>(Inertia3<Pair<V>>{J[0], J[1], J[2]}, x, Pair<V>(nu), uu.value,
-                             uv.value, vv.value, ww.value, circle);
+      const auto s = lane_state<normal>(Inertia3<Pair<V>>{J[0], J[1], J[2]}, x, Pair<V>(nu),
+                                        uu.value, uv.value, vv.value, ww.value, circle);
       LaneModes<V> all;
       if constexpr (normal) {
         all = normal_modes(s, circle, verdict.decided);

@@ -65,6 +65,32 @@ constexpr Column mode_column(int mode, ModePart part) {
   return static_cast<Column>(static_cast<int>(Column::re1) + 3 * mode + static_cast<int>(part));
 }
 
+/// Columns somebody asks for; what none of them needs is not computed.
+class ColumnSet {
+ public:
+  constexpr ColumnSet() = default;
+  constexpr ColumnSet(std::span<const Column> columns) {  // NOLINT(google-explicit-constructor)
+    for (const Column c : columns) bits_ |= bit(c);
+  }
+  static constexpr ColumnSet all() {
+    ColumnSet out;
+    out.bits_ = ~std::uint64_t{0};
+    return out;
+  }
+  constexpr bool has(Column c) const { return (bits_ & bit(c)) != 0; }
+  /// One of first ... last.
+  constexpr bool has_any(Column first, Column last) const {
+    return (bits_ & (2 * bit(last) - bit(first))) != 0;
+  }
+
+ private:
+  static_assert(column_count < 64);
+  static constexpr std::uint64_t bit(Column c) {
+    return std::uint64_t{1} << static_cast<unsigned>(c);
+  }
+  std::uint64_t bits_ = 0;
+};
+
 /// One row; NaN and empty texts mean not computed. Texts must outlive the call that writes them.
 struct TableRow {
   std::string_view branch;
@@ -115,6 +141,8 @@ class TableWriter {
               const std::optional<std::string>& second = std::nullopt);
 
   void write(const TableRow& row);
+  /// What its rows need.
+  ColumnSet columns() const { return ColumnSet(columns_); }
   /// Hands the rest to the sink. Without it the last block is lost.
   void flush();
   std::size_t rows() const { return rows_; }

@@ -35,6 +35,7 @@ struct AxisAnswers {
   const Case& input;
   const AxisRotation& motion;
   bool with_spectrum;
+  const ColumnSet& wanted;
   Problem problem = input.problem();
 
   Equilibrium one(const SolveOptions& options) const { return solve(problem, motion.nu, options); }
@@ -47,7 +48,7 @@ struct AxisAnswers {
   }
   Solution solution(const Equilibrium& found) const {
     Solution out;
-    fill_row(name(problem.branch()), input.body, input.potential, found, out.row);
+    fill_row(name(problem.branch()), input.body, input.potential, found, wanted, out.row);
     if (with_spectrum) out.spectrum = stability(problem, found);
     add_proof(
         input, [&] { return prove_row(problem, found, out.spectrum, out.row); }, out);
@@ -59,6 +60,7 @@ struct TiltedAnswers {
   const Case& input;
   TiltedRotation motion;
   bool with_spectrum;
+  const ColumnSet& wanted;
 
   Equilibrium one(const SolveOptions& options) const {
     return solve_tilted(input.body, input.potential, motion, options);
@@ -69,7 +71,7 @@ struct TiltedAnswers {
   std::optional<std::string> none_anywhere() const { return std::nullopt; }
   Solution solution(const Equilibrium& found) const {
     Solution out;
-    fill_row(tilted_name, input.body, input.potential, found, out.row);
+    fill_row(tilted_name, input.body, input.potential, found, wanted, out.row);
     if (with_spectrum) out.spectrum = tilted_stability(input.body, input.potential, motion, found);
     add_proof(
         input,
@@ -85,6 +87,7 @@ struct TwoPolarAnswers {
   const Case& input;
   const TwoPolarMotion& motion;
   bool with_spectrum;
+  const ColumnSet& wanted;
 
   TwoPolarEquilibrium one(const SolveOptions& options) const {
     return solve_two_polar(input.body, input.potential, motion, options);
@@ -95,7 +98,7 @@ struct TwoPolarAnswers {
   std::optional<std::string> none_anywhere() const { return std::nullopt; }
   Solution solution(const TwoPolarEquilibrium& found) const {
     Solution out;
-    fill_row(input.body, input.potential, found, out.row);
+    fill_row(input.body, input.potential, found, wanted, out.row);
     if (with_spectrum) out.spectrum = stability(input.body, input.potential, found);
     add_proof(
         input,
@@ -165,13 +168,13 @@ Answer answer(const Case& input, const Family& family, const SolveOptions& optio
 }
 
 Answer answer(const Case& input, const AxisRotation& motion, const SolveOptions& options,
-              bool with_spectrum) {
-  return answer(input, AxisAnswers{input, motion, with_spectrum}, options);
+              bool with_spectrum, const ColumnSet& wanted) {
+  return answer(input, AxisAnswers{input, motion, with_spectrum, wanted}, options);
 }
 
 Answer answer(const Case& input, const TwoPolarMotion& motion, const SolveOptions& options,
-              bool with_spectrum) {
-  return answer(input, TwoPolarAnswers{input, motion, with_spectrum}, options);
+              bool with_spectrum, const ColumnSet& wanted) {
+  return answer(input, TwoPolarAnswers{input, motion, with_spectrum, wanted}, options);
 }
 
 void append(std::string& text, const std::string& more, std::string_view between = "; ") {
@@ -213,10 +216,10 @@ Answer joined(std::vector<std::pair<std::string, Answer>> parts) {
 }
 
 Answer answer(const Case& input, const TiltedMotion& motion, const SolveOptions& options,
-              bool with_spectrum) {
+              bool with_spectrum, const ColumnSet& wanted) {
   std::vector<std::pair<std::string, Answer>> parts;
   for (const TiltedRotation& rotation : motion.rotations()) {
-    const TiltedAnswers family{input, rotation, with_spectrum};
+    const TiltedAnswers family{input, rotation, with_spectrum, wanted};
     parts.emplace_back(plane_text(rotation.plane), answer(input, family, options));
   }
   return parts.size() == 1 ? std::move(parts[0].second) : joined(std::move(parts));
@@ -224,15 +227,15 @@ Answer answer(const Case& input, const TiltedMotion& motion, const SolveOptions&
 
 }  // namespace
 
-Answer answer_of(const Case& input, int threads, bool with_spectrum) {
+Answer answer_of(const Case& input, int threads, bool with_spectrum, const ColumnSet& wanted) {
   const SolveOptions options{.method = input.solve.method,
                              .start = input.solve.start,
                              .threads = threads,
                              .stop = &stop_on_signals()};
   const auto begin = std::chrono::steady_clock::now();
-  Answer out =
-      std::visit([&](const auto& motion) { return answer(input, motion, options, with_spectrum); },
-                 input.motion);
+  Answer out = std::visit(
+      [&](const auto& motion) { return answer(input, motion, options, with_spectrum, wanted); },
+      input.motion);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   long spectra = 0;
   int sheet = 0;

@@ -37,7 +37,8 @@ struct Answer {
   }
 };
 
-/// Solves, or searches where solve.all says so; proves what output.certificate asks for.
-Answer answer_of(const Case& input, int threads, bool with_spectrum);
+/// Solves, or searches where solve.all says so; proves what output.certificate asks for. wanted: of
+/// each solution's row.
+Answer answer_of(const Case& input, int threads, bool with_spectrum, const ColumnSet& wanted);
 
 }  // namespace stationary::cli

@@ -95,11 +95,12 @@ class MapTable {
 /// Rows of the solved grid in their order, a window at a time computed by all threads; ends at a
 /// signal, after whole windows.
 template <class Take>
-void for_all_rows(const MapGrid& grid, const BatchResult& solved, const RowParts& parts,
-                  int threads, const Take& take) {
+RowCounts for_all_rows(const MapGrid& grid, const BatchResult& solved, const RowParts& parts,
+                       const ColumnSet& wanted, int threads, const Take& take) {
   constexpr std::size_t block = 512;
   const std::size_t blocks_at_once = 8 * static_cast<std::size_t>(threads);
   std::vector<std::vector<TableRow>> blocks(blocks_at_once);
+  std::vector<RowCounts> counts(blocks_at_once);
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
@@ -107,13 +108,17 @@ void for_all_rows(const MapGrid& grid, const BatchResult& solved, const RowParts
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, blocks_at_once, [&](std::size_t k) {
         const std::size_t first = std::min(begin + k * block, grid.size());
-        grid.rows(solved, first, std::min(first + block, grid.size()), parts, blocks[k]);
+        counts[k] += grid.rows(solved, first, std::min(first + block, grid.size()), parts, wanted,
+                               blocks[k]);
       });
     });
-    if (stop_on_signals()) return;
+    if (stop_on_signals()) break;
     for (const std::vector<TableRow>& rows : blocks)
       for (const TableRow& row : rows) take(row);
   }
+  RowCounts all;
+  for (const RowCounts& each : counts) all += each;
+  return all;
 }
 
 std::string counted(const std::map<std::string_view, std::size_t>& counts) {
@@ -147,7 +152,7 @@ std::string summary(const Case& input, const MapCounts& counts, double seconds) 
 }
 
 Metadata describe(const Session& session, const Case& input, const MapCounts& counts,
-                  const BatchResult& solved) {
+                  const RowCounts& evaluated, const BatchResult& solved) {
   ComputationPlan plan = computation_plan(input, true);
   Metadata out;
   out.version = STATIONARY_VERSION;
@@ -163,6 +168,9 @@ Metadata describe(const Session& session, const Case& input, const MapCounts& co
     out.counts.emplace_back(verdict, static_cast<long>(count));
   if (input.output.certificate) out.counts.emplace_back("proven", static_cast<long>(counts.proven));
   out.counts.emplace_back("scalar_lanes", static_cast<long>(solved.fallbacks()));
+  out.counts.emplace_back("potentials", evaluated.potentials);
+  out.counts.emplace_back("spectra", evaluated.spectra);
+  out.counts.emplace_back("scalar_spectra", evaluated.scalar_spectra);
   out.plan = std::move(plan.computed);
   out.skipped = std::move(plan.skipped);
   if (input.solve.start || input.solve.all || input.solve.method != Method::automatic) {
@@ -225,19 +233,22 @@ ExitCode map_case(const ComputeOptions& options, const Session& session) {
   }
   solve_batch(grid.batch(), how, solved);
   MapCounts counts;
-  for_all_rows(grid, solved, parts, options.threads, [&](const TableRow& row) {
+  // Without a table the classes are counted.
+  const ColumnSet wanted = table ? ColumnSet(columns) : ColumnSet();
+  const auto take = [&](const TableRow& row) {
     counts.add(row);
     if (table) table->write(row);
     if (with_progress && counts.rows % 4096 == 0) {
       progress.show(static_cast<double>(counts.rows) / static_cast<double>(grid.size()),
                     fmt::format("{} rows", counts.rows));
     }
-  });
+  };
+  const RowCounts evaluated = for_all_rows(grid, solved, parts, wanted, options.threads, take);
   progress.clear();
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (table) {
-    Metadata metadata = describe(session, input, counts, solved);
+    Metadata metadata = describe(session, input, counts, evaluated, solved);
     metadata.seconds = seconds;
     table->commit(metadata);
   }

@@ -127,7 +127,8 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
   std::optional<TableOutput> output;
   if (to_table) output.emplace(options.output, options.path);
 
-  const Answer found = answer_of(input, options.threads, with_spectrum);
+  const Answer found = answer_of(input, options.threads, with_spectrum,
+                                 to_table ? ColumnSet(columns) : ColumnSet::all());
   const ExitCode code = exit_code(found.status);
   if (!found.solved()) {
     complain(failure_text(found.outcome(), found.message));
