@@ -9,7 +9,8 @@
 //               + 2^-80 magnitude )         extended-precision residual
 //        + kappa (delta^2 + 2^-50 |delta|)  what the step leaves: curvature, J in double
 //        + 2^-53                            rounding x
-//   kappa = |J^-1| magnitude,   then e <- e + kappa e^2 solved for e (near a fold e ~ sqrt).
+//   kappa = |J^-1| magnitude,   then e <- e + kappa e^2 solved for e (near a fold e ~ sqrt); never
+//                                          below the first, which kappa may overrate
 //
 // Accepted only when kappa delta^2 <= 2^-56: near a fold kappa is large and another step is taken.
 #pragma once
@@ -81,7 +82,8 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
           perturbation[i] = 0x1p-53 * perturbation[i] + 0x1p-80 * at.magnitude;
         const double linear = largest_magnitude<N>(absolute * perturbation) +
                               kappa * size * (size + 0x1p-50) + 0x1p-53;
-        out.error_bound = with_curvature(linear, kappa);
+        // Without such an e, that of a fold: below `linear` where kappa is far above the curvature.
+        out.error_bound = std::fmax(linear, with_curvature(linear, kappa));
       }
       if (tail != nullptr && kappa * size * (size + 0x1p-50) <= 0x1p-86) {
         for (int i = 0; i < N; ++i) {

@@ -26,7 +26,7 @@ namespace stationary {
 
 constexpr double lane_slack = 0x1p10;
 /// Below it xi - zeta is too small for V_aa by the quotient above.
-constexpr double least_ellipticity = 0x1p-18;
+constexpr double least_ellipticity = 0x1p-21;
 
 template <class V>
 struct LaneDerivative {

@@ -4,6 +4,9 @@
 //              the batch (batch.hpp) on one instruction set each, with residuals in double and
 //              with residuals in pairs of doubles (S rounded correctly); -bounded: with error
 //              bounds
+//   sweep-spectrum, INSTRUCTIONS-class, INSTRUCTIONS-spectrum
+//              sweep and stability(); the batch corrected and bounded, then the class and negative
+//              directions of every cell (batch_spectrum.hpp), or its modes too
 // in one run, repetitions interleaved at random; output in the batch's tiles. Then the error of
 // each against 50 digits and the rates as ratios to the sweep's.
 #include <benchmark/benchmark.h>
@@ -13,7 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/batch.hpp"
+#include "solver/batch_spectrum.hpp"
+#include "solver/stability.hpp"
 #include "solver/sweep.hpp"
 #include "tests/bench/bodies.hpp"
 #include "tests/support/high_precision.hpp"
@@ -52,7 +56,16 @@ void finish(benchmark::State& state, double error) {
   state.counters["error"] = error;
 }
 
-void run_sweep(benchmark::State& state, const Case& c) {
+Equilibrium equilibrium_of(Branch branch, const SweepPoint& point) {
+  Equilibrium out;
+  out.status = point.status;
+  out.q = {0.0, point.xi, point.zeta, point.rho};
+  out.nu = angular_velocity(branch, point.nu);
+  out.error_bound = point.error_bound;
+  return out;
+}
+
+void run_sweep(benchmark::State& state, const Case& c, bool with_spectrum) {
   std::vector<Problem> problems;
   std::vector<Equilibrium> starts;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -65,6 +78,12 @@ void run_sweep(benchmark::State& state, const Case& c) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       Sweep(problems[lane], starts[lane]).run(c.input.nu, out);
       benchmark::DoNotOptimize(out.data());
+      if (!with_spectrum) continue;
+      for (const SweepPoint& point : out) {
+        Spectrum spectrum =
+            stability(problems[lane], equilibrium_of(problems[lane].branch(), point));
+        benchmark::DoNotOptimize(&spectrum);
+      }
     }
   }
   for (std::size_t k = 0; k < out.size(); k += 97) {
@@ -92,6 +111,27 @@ void run_batch(benchmark::State& state, const Case& c, const BatchOptions& optio
   }
   if (out.fallbacks() > 0) state.SkipWithError("a lane fell back to the scalar path");
   finish(state, worst);
+}
+
+/// In blocks, as a map's rows are made.
+void run_spectra(benchmark::State& state, const Case& c, const BatchOptions& options,
+                 const SpectrumOptions& what) {
+  constexpr std::size_t block = 500;
+  std::vector<CellPlace> places;
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    for (std::size_t k = 0; k < c.input.nu.size(); ++k) places.push_back({lane, k});
+  std::vector<CellSpectrum> spectra(block);
+  BatchResult solved;
+  std::size_t scalar = 0;
+  for (auto _ : state) {
+    solve_batch(c.input, options, solved);
+    scalar = 0;
+    for (std::size_t i = 0; i < places.size(); i += block)
+      scalar += cell_spectra(c.input, solved, {places.data() + i, block}, what, spectra);
+    benchmark::DoNotOptimize(spectra.data());
+  }
+  if (scalar > places.size() / 100) state.SkipWithError("lanes left much to the scalar path");
+  finish(state, 0.0);
 }
 
 /// The usual table, then the ratios of the median rates.
@@ -138,7 +178,9 @@ void register_case(const Case& c) {
         ->ReportAggregatesOnly(true)
         ->MinTime(0.02);
   };
-  add("sweep", [](benchmark::State& state, const Case& of) { run_sweep(state, of); });
+  add("sweep", [](benchmark::State& state, const Case& of) { run_sweep(state, of, false); });
+  add("sweep-spectrum",
+      [](benchmark::State& state, const Case& of) { run_sweep(state, of, true); });
   for (const InstructionSet set :
        {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
     if (!has_instruction_set(set)) continue;
@@ -150,6 +192,14 @@ void register_case(const Case& c) {
                 (bounded ? "-bounded" : ""),
             [options](benchmark::State& state, const Case& of) { run_batch(state, of, options); });
       }
+    }
+    for (const bool modes : {false, true}) {
+      const BatchOptions options{.instructions = set};
+      const SpectrumOptions what{.modes = modes, .instructions = set};
+      add(std::string(name(set)) + (modes ? "-spectrum" : "-class"),
+          [options, what](benchmark::State& state, const Case& of) {
+            run_spectra(state, of, options, what);
+          });
     }
   }
 }
