@@ -82,6 +82,33 @@ TEST(Map, CellsAreSolvesOfTheirOwn) {
   }
 }
 
+/// Columns left out cost nothing; those left in are what they are among all.
+TEST(Map, ColumnsAskedForAloneAreComputed) {
+  const TemporaryDirectory directory;
+  const auto all = rows_of(mapped().out);
+  const auto counts_with = [&](const std::string& columns, const std::vector<std::string>& same) {
+    const Outcome one = mapped({"output.columns=" + columns}, {"-o", directory / "x.csv"});
+    EXPECT_EQ(one.code, 0) << one.err;
+    const auto rows = rows_of(text_of(directory / "x.csv"));
+    EXPECT_EQ(rows.size(), all.size());
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      for (const std::string& column : same)
+        EXPECT_EQ(rows[k].at(column), all[k].at(column)) << k << " " << column;
+    return nlohmann::json::parse(text_of(directory / "x.meta.json"))["counts"];
+  };
+  const auto bare = counts_with(R"(["xi","residual"])", {"xi", "residual"});
+  EXPECT_EQ(bare["potentials"], 0);
+  EXPECT_EQ(bare["spectra"], 0);
+  const auto energy = counts_with(R"(["energy"])", {"energy"});
+  EXPECT_EQ(energy["potentials"], energy["solved"]);
+  EXPECT_EQ(energy["spectra"], 0);
+  const auto classes = counts_with(R"(["class","negative","pi1"])", {"class", "negative", "pi1"});
+  EXPECT_EQ(classes["spectra"], classes["solved"]);
+  EXPECT_EQ(classes["potentials"], 0);
+  EXPECT_LE(classes["scalar_spectra"], 9) << "nu = 0 alone";
+  (void)counts_with(R"(["growth","im3","krein2"])", {"growth", "im3", "krein2"});
+}
+
 TEST(Map, ThreadsAndTheGridsOrderDoNotMatter) {
   const std::vector<std::string> larger{"map.x.count=61", "map.y.count=40"};
   const Outcome one = mapped(larger, {"-o", "-", "--threads", "1"});
