@@ -1,14 +1,312 @@
-// Values of the kernels of kernel.hpp.
+// Values of the kernels of kernel.hpp, in any number type.
+//
+// With c_j the Taylor coefficients of f^(k) at a,
+//   E = sum c_2j y^j,   O = sum c_(2j+1) y^j,   O_y = sum (j+1) c_(2j+3) y^j,   ...
+// where y is below a quarter of the squared radius of convergence; elsewhere from the values at
+// a +- sqrt y and
+//   O_y = (E[f'] - O)/(2 y),   O_yy = (O[f'']/2 - 3 O_y)/(2 y),   ...,
+// where that loses a digit or two.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "lib/conditioned_functions.hpp"
+#include "lib/double_double_functions.hpp"
 #include "lib/expression/kernel.hpp"
+#include "lib/interval_functions.hpp"
 #include "lib/number.hpp"
 
 namespace stationary::expression {
 
+/// f^(derivatives) in R, f with its exponent if it is a power.
 template <class R>
-R kernel_value(Function, int, const R&, const R&, const R&, const R*) {
-  return poison<R>();
+struct KernelFunction {
+  Function function;
+  int derivatives;
+  const R* exponent;
+
+  KernelFunction differentiated(int times = 1) const {
+    return {function, derivatives + times, exponent};
+  }
+};
+
+/// c[0 .. count): Taylor coefficients of f itself at a, then of f^(derivatives).
+template <class R>
+void taylor_coefficients(const KernelFunction<R>& f, const R& a, int count, R* c) {
+  using std::atan;
+  using std::cos;
+  using std::exp;
+  using std::log;
+  using std::pow;
+  using std::sin;
+  using std::tan;
+  using std::tanh;
+  const int all = count + f.derivatives;
+  const auto whole = [](int j) { return static_cast<double>(j); };
+  switch (f.function) {
+    case Function::power: {
+      c[0] = pow(a, *f.exponent);
+      const R inverse = R(1.0) / a;
+      for (int j = 0; j + 1 < all; ++j)
+        c[j + 1] = c[j] * ((*f.exponent - whole(j)) * inverse) / R(whole(j + 1));
+      break;
+    }
+    case Function::log: {
+      c[0] = log(a);
+      const R inverse = R(1.0) / a;
+      R power = inverse;
+      for (int j = 1; j < all; ++j) {
+        c[j] = power / R(whole(j));
+        power = -(power * inverse);
+      }
+      break;
+    }
+    case Function::exp:
+      c[0] = exp(a);
+      for (int j = 1; j < all; ++j) c[j] = c[j - 1] / R(whole(j));
+      break;
+    case Function::sin:
+    case Function::cos: {
+      R even = f.function == Function::sin ? sin(a) : cos(a);
+      R odd = f.function == Function::sin ? cos(a) : -sin(a);
+      R factorial(1.0);
+      for (int j = 0; j < all; ++j) {
+        if (j > 0) factorial = factorial * R(whole(j));
+        c[j] = (j % 2 == 0 ? even : odd) / factorial;
+        if (j % 2 == 0) even = -even;
+        if (j % 2 == 1) odd = -odd;
+      }
+      break;
+    }
+    case Function::tan:
+    case Function::tanh: {
+      // T' = 1 + T^2 or 1 - T^2.
+      const bool plain = f.function == Function::tan;
+      c[0] = plain ? tan(a) : tanh(a);
+      for (int j = 0; j + 1 < all; ++j) {
+        R square_j = c[0] * c[j];
+        for (int i = 1; i <= j; ++i) square_j = square_j + c[i] * c[j - i];
+        if (!plain) square_j = -square_j;
+        if (j == 0) square_j = square_j + 1.0;
+        c[j + 1] = square_j / R(whole(j + 1));
+      }
+      break;
+    }
+    case Function::atan: {
+      // Its slope g: (1 + a^2 + 2 a h + h^2) g = 1; kept in c[j + 1] until divided by j + 1.
+      c[0] = atan(a);
+      const R q = R(1.0) / (square(a) + 1.0);
+      for (int j = 0; j + 1 < all; ++j) {
+        if (j == 0) {
+          c[1] = q;
+        } else {
+          R g = 2.0 * (a * c[j]);
+          if (j > 1) g = g + c[j - 1];
+          c[j + 1] = -(g * q);
+        }
+      }
+      for (int j = 2; j < all; ++j) c[j] = c[j] / R(whole(j));
+      break;
+    }
+    case Function::sqrt:
+    case Function::abs:
+      for (int j = 0; j < all; ++j) c[j] = poison<R>();
+  }
+  for (int k = 0; k < f.derivatives; ++k)
+    for (int j = 0; j + 1 < all - k; ++j) c[j] = c[j + 1] * whole(j + 1);
+}
+
+/// The series' coefficient of y^j, from those of Taylor.
+template <class R>
+R series_coefficient(KernelPart part, const R* c, int j) {
+  const auto at = static_cast<std::size_t>(j);
+  switch (part) {
+    case KernelPart::even:
+      return c[2 * at];
+    case KernelPart::odd:
+      return c[2 * at + 1];
+    case KernelPart::odd_y:
+      return static_cast<double>(j + 1) * c[2 * at + 3];
+    default:
+      return static_cast<double>((j + 1) * (j + 2)) * c[2 * at + 5];
+  }
+}
+
+/// Taylor coefficients it takes for y^0 ... y^(count - 1).
+constexpr int coefficients_for(int count) { return 2 * count + 4; }
+
+/// The distance from a to the nearest singularity of f in the plane; for an entire f, as far as its
+/// terms fall quickly.
+inline double convergence_radius(Function f, double a) {
+  constexpr double half_pi = 1.5707963267948966;
+  switch (f) {
+    case Function::power:
+    case Function::log:
+      return std::abs(a);
+    case Function::tan:
+      return half_pi - std::abs(std::remainder(a, 2.0 * half_pi));
+    case Function::tanh:
+      return std::hypot(a, half_pi);
+    case Function::atan:
+      return std::hypot(a, 1.0);
+    default:
+      return 2.0;
+  }
+}
+
+/// f^(derivatives)(x).
+template <class R>
+R kernel_function_value(const KernelFunction<R>& f, const R& x) {
+  std::array<R, 12> c;
+  taylor_coefficients(f, x, 1, c.data());
+  return c[0];
+}
+
+/// At the ends x, z = a +- sqrt y, root = sqrt y.
+template <class R>
+R kernel_at_ends(const KernelFunction<R>& f, KernelPart part, const R& x, const R& z,
+                 const R& root) {
+  switch (part) {
+    case KernelPart::even:
+      return 0.5 * (kernel_function_value(f, x) + kernel_function_value(f, z));
+    case KernelPart::odd:
+      return 0.5 * (kernel_function_value(f, x) - kernel_function_value(f, z)) / root;
+    case KernelPart::odd_y:
+      return 0.5 *
+             (kernel_at_ends(f.differentiated(), KernelPart::even, x, z, root) -
+              kernel_at_ends(f, KernelPart::odd, x, z, root)) /
+             square(root);
+    default:
+      return 0.5 *
+             (0.5 * kernel_at_ends(f.differentiated(2), KernelPart::odd, x, z, root) -
+              3.0 * kernel_at_ends(f, KernelPart::odd_y, x, z, root)) /
+             square(root);
+  }
+}
+
+/// Numbers that stand for a point, dual numbers included.
+template <class R>
+R kernel_of(const KernelFunction<R>& f, KernelPart part, const R& a, const R& y, const R& norm) {
+  using std::sqrt;
+  constexpr int bits = significand_bits<R>();
+  constexpr int most = bits / 2 + 12;
+  const double radius = convergence_radius(f.function, leading(a));
+  const double ratio = leading(y) / (radius * radius);
+  if (ratio < 0.25) {
+    const int terms =
+        ratio > 0.0
+            ? std::min(most, static_cast<int>((bits + 16) / std::max(1, -std::ilogb(ratio) - 1)) + 4)
+            : 1;
+    // Room for the derivatives of f that are taken away.
+    std::array<R, coefficients_for(most) + 6> c;
+    taylor_coefficients(f, a, coefficients_for(terms), c.data());
+    R sum = series_coefficient(part, c.data(), terms - 1);
+    for (int j = terms - 2; j >= 0; --j) sum = sum * y + series_coefficient(part, c.data(), j);
+    return sum;
+  }
+  // The end farther from zero first: the other one follows from the product of both.
+  const R root = sqrt(y);
+  if (leading(a) > 0.0) {
+    const R x = a + root;
+    return kernel_at_ends(f, part, x, R(norm / x), root);
+  }
+  const R z = a - root;
+  return kernel_at_ends(f, part, R(norm / z), z, root);
+}
+
+/// Over intervals: a sum to y^(M - 1) and the term of y^M with its coefficient anywhere between
+/// a - sqrt y and a + sqrt y (E, O and the y-derivatives of O are means of f, f', f''', ... over
+/// that range with positive weights, so the remainder is Lagrange's), or from the ends.
+inline Interval kernel_of(const KernelFunction<Interval>& f, KernelPart part, const Interval& a,
+                          const Interval& y, const Interval& norm) {
+  if (!a.bounded() || !y.bounded()) return Interval::entire();
+  const Interval positive(std::max(y.lo, 0.0), std::max(y.hi, 0.0));
+  const Interval root = sqrt(positive);
+  const Interval range = hull(a - root, a + root);
+  constexpr int terms = 18;
+  std::array<Interval, coefficients_for(terms + 1) + 6> c;
+  taylor_coefficients(f, range, coefficients_for(1), c.data());
+  Interval out = series_coefficient(part, c.data(), 0);
+  const auto narrowed = [&](const Interval& other) {
+    if (!other.bounded()) return;
+    out = out.bounded() ? common(out, other) : other;
+  };
+  const double radius = convergence_radius(f.function, a.mid());
+  if (positive.hi < 0.0625 * radius * radius) {
+    taylor_coefficients(f, range, coefficients_for(terms + 1), c.data());
+    Interval sum = series_coefficient(part, c.data(), terms);
+    taylor_coefficients(f, a, coefficients_for(terms), c.data());
+    for (int j = terms - 1; j >= 0; --j)
+      sum = sum * positive + series_coefficient(part, c.data(), j);
+    narrowed(sum);
+  } else if (positive.lo > 0.0) {
+    const Interval larger = a.mid() > 0.0 ? a + root : a - root;
+    const Interval smaller = norm / larger;
+    narrowed(a.mid() > 0.0 ? kernel_at_ends(f, part, larger, smaller, root)
+                           : kernel_at_ends(f, part, smaller, larger, root));
+  }
+  return out;
+}
+
+/// What a change of a, y and the exponent does, each by its derivative.
+inline Conditioned kernel_of(const KernelFunction<Conditioned>& f, KernelPart part,
+                             const Conditioned& a, const Conditioned& y, const Conditioned& norm) {
+  const double p = f.function == Function::power ? f.exponent->value : 1.0;
+  const KernelFunction<double> plain{f.function, f.derivatives, &p};
+  const auto at = [&](const KernelFunction<double>& g, KernelPart which) {
+    return kernel_of(g, which, a.value, y.value, norm.value);
+  };
+  const double slope_a = at(plain.differentiated(), part);
+  // O_yyy is at most a twelfth of O_yy[f''] where the seventh derivative of f keeps its sign.
+  const double slope_y = part == KernelPart::even    ? 0.5 * at(plain.differentiated(), KernelPart::odd)
+                         : part == KernelPart::odd   ? at(plain, KernelPart::odd_y)
+                         : part == KernelPart::odd_y ? at(plain, KernelPart::odd_yy)
+                                                     : 0.5 * at(plain.differentiated(2), KernelPart::odd_yy);
+  const double value = at(plain, part);
+  double condition = std::abs(slope_a) * a.condition + std::abs(slope_y) * y.condition;
+  if (f.function == Function::power && f.exponent->condition > 0.0) {
+    const double spread = std::abs(std::log(std::abs(a.value))) + std::abs(std::log(norm.value));
+    condition += (std::abs(value) * (1.0 + spread) + std::abs(slope_a * a.value)) *
+                 f.exponent->condition;
+  }
+  return {value, condition};
+}
+
+/// The value of a kernel node: index as in kernel.hpp, exponent that of a power.
+template <class R>
+R kernel_value(Function function, int index, const R& a, const R& y, const R& norm,
+               const R* exponent) {
+  const KernelPart part = kernel_part(index);
+  const int derivatives = kernel_derivatives(index);
+  if constexpr (requires { a.value.lo; a.slope; }) {
+    // Dual numbers over intervals: the chain rule.
+    using T = std::remove_cvref_t<decltype(a.value)>;
+    const T p = function == Function::power ? exponent->value : T(1.0);
+    const KernelFunction<T> f{function, derivatives, &p};
+    const auto at = [&](const KernelFunction<T>& g, KernelPart which) {
+      return kernel_of(g, which, a.value, y.value, norm.value);
+    };
+    const T slope_a = at(f.differentiated(), part);
+    const T slope_y = part == KernelPart::even  ? 0.5 * at(f.differentiated(), KernelPart::odd)
+                      : part == KernelPart::odd ? at(f, KernelPart::odd_y)
+                      : part == KernelPart::odd_y ? at(f, KernelPart::odd_yy)
+                                                  : T::entire();
+    R out(at(f, part));
+    for (std::size_t k = 0; k < out.slope.size(); ++k) {
+      out.slope[k] = slope_a * a.slope[k] + slope_y * y.slope[k];
+      if (function == Function::power) {
+        const T& of_exponent = exponent->slope[k];
+        if (!(of_exponent.lo == 0.0 && of_exponent.hi == 0.0)) out.slope[k] = T::entire();
+      }
+    }
+    return out;
+  } else {
+    return kernel_of(KernelFunction<R>{function, derivatives, exponent}, part, a, y, norm);
+  }
 }
 
 }  // namespace stationary::expression
