@@ -4,6 +4,8 @@
 #include <span>
 
 #include "lib/expression/differentiate.hpp"
+#include "lib/expression/facts.hpp"
+#include "lib/expression/pairs.hpp"
 
 namespace stationary::expression {
 namespace {
@@ -26,8 +28,11 @@ NodeId rebuilt(Graph& g, const Node& node, const std::map<NodeId, NodeId>& now) 
       return g.apply(node.function, now.at(node.a));
     case Kind::power:
       return g.power(now.at(node.a), node.b);
+    case Kind::kernel:
+      return g.kernel(node.function, node.index, now.at(node.a), now.at(node.b), now.at(node.c),
+                      node.terms[0].node);
     default:
-      throw std::logic_error("a kernel is not rebuilt");
+      throw std::logic_error("a leaf has nothing to rebuild");
   }
 }
 
@@ -154,16 +159,6 @@ void require_room(const Expression& e) {
     throw TooLarge("more than " + std::to_string(largest_parameter_count) + " parameters");
 }
 
-/// In (t, d, rho) alone.
-NodeId in_invariants(Expression& e) {
-  Graph& g = e.graph;
-  const NodeId t = g.variable(Variable::t);
-  const NodeId d = g.variable(Variable::d);
-  return substitute(
-      g, e.root,
-      {{Variable::first_invariant, g.subtract(g.power(t, 2), g.multiply(g.number(2.0), d))}});
-}
-
 constexpr Direction along_xi{Coordinate::log_xi, Variable::xi, Variable::rate_xi};
 constexpr Direction along_zeta{Coordinate::log_zeta, Variable::zeta, Variable::rate_zeta};
 constexpr Direction along_rho{Coordinate::log_rho, Variable::rho, Variable::rate_rho};
@@ -187,6 +182,39 @@ NodeId substitute(Graph& g, NodeId x, const std::map<Variable, NodeId>& by) {
   return now.at(x);
 }
 
+NodeId in_stretch(Expression& e) {
+  Graph& g = e.graph;
+  const NodeId alpha2 = g.power(g.variable(Variable::alpha), 2);
+  const NodeId xi = g.variable(Variable::xi);
+  const NodeId zeta = g.variable(Variable::zeta);
+  const auto number = [&](double x) { return g.number(x); };
+  return substitute(g, without_principal_stretches(e),
+                    {{Variable::t, g.add(xi, zeta)},
+                     {Variable::d, g.subtract(g.multiply(xi, zeta), alpha2)},
+                     {Variable::first_invariant, g.add(g.add(g.power(xi, 2), g.power(zeta, 2)),
+                                                       g.multiply(number(2.0), alpha2))},
+                     {Variable::discriminant,
+                      g.add(g.power(g.subtract(xi, zeta), 2), g.multiply(number(4.0), alpha2))}});
+}
+
+NodeId in_invariants(Expression& e) {
+  Graph& g = e.graph;
+  if (occurs(g, e.root, {Variable::alpha, Variable::xi, Variable::zeta})) {
+    if (!Facts::holds(isotropy(e)))
+      throw Unsuitable("not isotropic: it changes when the body's axes turn");
+    // Then it is what it is in the principal axes.
+    e.root = substitute(g, e.root,
+                        {{Variable::alpha, g.zero()},
+                         {Variable::xi, g.variable(Variable::lambda)},
+                         {Variable::zeta, g.variable(Variable::mu)}});
+  }
+  const NodeId t = g.variable(Variable::t);
+  const NodeId d = g.variable(Variable::d);
+  return substitute(
+      g, without_principal_stretches(e),
+      {{Variable::first_invariant, g.subtract(g.power(t, 2), g.multiply(g.number(2.0), d))}});
+}
+
 std::shared_ptr<const Tape> planar_tape(Expression e) {
   require_room(e);
   constexpr std::array coordinates{Coordinate::t, Coordinate::log_d};
@@ -206,6 +234,15 @@ std::shared_ptr<const Tape> coupled_tape(Expression e) {
   constexpr std::array coordinates{Coordinate::t, Coordinate::log_d, Coordinate::log_rho};
   constexpr std::array directions{along_xi, along_zeta, along_rho};
   return tape(e, in_invariants(e), coordinates, coupled_inputs, directions, coupled_balance_inputs);
+}
+
+std::shared_ptr<const Tape> anisotropic_tape(Expression e) {
+  require_room(e);
+  constexpr std::array coordinates{Coordinate::alpha, Coordinate::xi, Coordinate::zeta,
+                                   Coordinate::rho};
+  constexpr std::array directions{along_xi, along_zeta, along_rho};
+  return tape(e, in_stretch(e), coordinates, anisotropic_inputs, directions,
+              coupled_balance_inputs);
 }
 
 }  // namespace stationary::expression

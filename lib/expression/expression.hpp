@@ -52,10 +52,20 @@ inline constexpr std::array coupled_balance_inputs{Variable::xi,        Variable
                                                    Variable::rho,       Variable::rate_xi,
                                                    Variable::rate_zeta, Variable::rate_rho};
 
-/// Throw Unsuitable, TooLarge or NotSmooth.
+inline constexpr std::array anisotropic_inputs{Variable::alpha, Variable::xi, Variable::zeta,
+                                               Variable::rho};
+
+/// Of isotropic expressions (facts.hpp). Throw Unsuitable where one is not, TooLarge.
 std::shared_ptr<const Tape> planar_tape(Expression expression);
-std::shared_ptr<const Tape> thickness_tape(Expression expression);
 std::shared_ptr<const Tape> coupled_tape(Expression expression);
+std::shared_ptr<const Tape> thickness_tape(Expression expression);
+/// V(alpha, xi, zeta, rho) with its derivatives in these, and the balance at alpha = 0.
+std::shared_ptr<const Tape> anisotropic_tape(Expression expression);
+
+/// In t, d, t^2 - 4 d and rho alone; Unsuitable where the expression is not isotropic.
+NodeId in_invariants(Expression& expression);
+/// In alpha, xi, zeta and rho alone; Unsuitable where lambda and mu_ do not enter symmetrically.
+NodeId in_stretch(Expression& expression);
 
 /// x with variables replaced; those not named stay.
 NodeId substitute(Graph& graph, NodeId x, const std::map<Variable, NodeId>& by);

@@ -199,7 +199,8 @@ R kernel_of(const KernelFunction<R>& f, KernelPart part, const R& a, const R& y,
   if (ratio < 0.25) {
     const int terms =
         ratio > 0.0
-            ? std::min(most, static_cast<int>((bits + 16) / std::max(1, -std::ilogb(ratio) - 1)) + 4)
+            ? std::min(most,
+                       static_cast<int>((bits + 16) / std::max(1, -std::ilogb(ratio) - 1)) + 4)
             : 1;
     // Room for the derivatives of f that are taken away.
     std::array<R, coefficients_for(most) + 6> c;
@@ -262,16 +263,17 @@ inline Conditioned kernel_of(const KernelFunction<Conditioned>& f, KernelPart pa
   };
   const double slope_a = at(plain.differentiated(), part);
   // O_yyy is at most a twelfth of O_yy[f''] where the seventh derivative of f keeps its sign.
-  const double slope_y = part == KernelPart::even    ? 0.5 * at(plain.differentiated(), KernelPart::odd)
-                         : part == KernelPart::odd   ? at(plain, KernelPart::odd_y)
-                         : part == KernelPart::odd_y ? at(plain, KernelPart::odd_yy)
-                                                     : 0.5 * at(plain.differentiated(2), KernelPart::odd_yy);
+  const double slope_y =
+      part == KernelPart::even    ? 0.5 * at(plain.differentiated(), KernelPart::odd)
+      : part == KernelPart::odd   ? at(plain, KernelPart::odd_y)
+      : part == KernelPart::odd_y ? at(plain, KernelPart::odd_yy)
+                                  : 0.5 * at(plain.differentiated(2), KernelPart::odd_yy);
   const double value = at(plain, part);
   double condition = std::abs(slope_a) * a.condition + std::abs(slope_y) * y.condition;
   if (f.function == Function::power && f.exponent->condition > 0.0) {
     const double spread = std::abs(std::log(std::abs(a.value))) + std::abs(std::log(norm.value));
-    condition += (std::abs(value) * (1.0 + spread) + std::abs(slope_a * a.value)) *
-                 f.exponent->condition;
+    condition +=
+        (std::abs(value) * (1.0 + spread) + std::abs(slope_a * a.value)) * f.exponent->condition;
   }
   return {value, condition};
 }
@@ -282,7 +284,10 @@ R kernel_value(Function function, int index, const R& a, const R& y, const R& no
                const R* exponent) {
   const KernelPart part = kernel_part(index);
   const int derivatives = kernel_derivatives(index);
-  if constexpr (requires { a.value.lo; a.slope; }) {
+  if constexpr (requires {
+                  a.value.lo;
+                  a.slope;
+                }) {
     // Dual numbers over intervals: the chain rule.
     using T = std::remove_cvref_t<decltype(a.value)>;
     const T p = function == Function::power ? exponent->value : T(1.0);
@@ -291,8 +296,8 @@ R kernel_value(Function function, int index, const R& a, const R& y, const R& no
       return kernel_of(g, which, a.value, y.value, norm.value);
     };
     const T slope_a = at(f.differentiated(), part);
-    const T slope_y = part == KernelPart::even  ? 0.5 * at(f.differentiated(), KernelPart::odd)
-                      : part == KernelPart::odd ? at(f, KernelPart::odd_y)
+    const T slope_y = part == KernelPart::even    ? 0.5 * at(f.differentiated(), KernelPart::odd)
+                      : part == KernelPart::odd   ? at(f, KernelPart::odd_y)
                       : part == KernelPart::odd_y ? at(f, KernelPart::odd_yy)
                                                   : T::entire();
     R out(at(f, part));

@@ -48,6 +48,7 @@ int place_operands(Operation operation) {
     case Operation::add_literal_scaled:
       return 2;
     case Operation::kernel:
+    case Operation::constant:
       return 0;
     default:
       return 1;
@@ -178,7 +179,11 @@ ProgramWriter::Value ProgramWriter::product(const Node& node) {
 
 ProgramWriter::Value ProgramWriter::kernel(const Node& node) {
   const bool power = node.function == Function::power;
-  kernels_.push_back({&node, value(node.a), value(node.b), value(node.c),
+  // A number of its own where an operand is a coefficient: nothing else takes both.
+  const auto operand = [&](NodeId x) {
+    return graph_.is_coefficient(x) ? emit(Operation::constant, 0, tape_.constant(x)) : value(x);
+  };
+  kernels_.push_back({&node, operand(node.a), operand(node.b), operand(node.c),
                       power ? tape_.constant(node.terms[0].node) : std::uint16_t{0}});
   return emit(Operation::kernel, static_cast<Value>(kernels_.size() - 1));
 }

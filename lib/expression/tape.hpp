@@ -37,6 +37,7 @@ enum class Operation : std::uint8_t {
   // a and a constant k: b counts constants (add_scaled: a + k b, c counts constants).
   add_constant,
   multiply_constant,
+  constant,  ///< b alone
   add_scaled,
   power,
   // a and a literal, likewise.

@@ -209,6 +209,9 @@ void run(const Program& program, const double* literals, const R* constants, R* 
       case Operation::multiply_constant:
         out = constants[at.b] * a;
         break;
+      case Operation::constant:
+        out = constants[at.b];
+        break;
       case Operation::add_scaled:
         out = a + constants[at.c] * place[at.b];
         break;

@@ -142,7 +142,38 @@ class TapeModel {
     });
   }
 
+  /// The balance of xi, zeta and rho.
+  template <class R, class S>
+  LogBalance<R> coupled_balance(const S& xi, const S& zeta, const S& rho, const S& c_xi,
+                                const S& c_zeta, const S& c_rho) const {
+    LogBalance<R> out;
+    run<R>(
+        tape_->balance,
+        [&](const auto& result) {
+          out.g_xi = result(0);
+          out.g_zeta = result(1);
+          out.g_rho = result(2);
+          out.uu = result(3);
+          out.uv = result(4);
+          out.uw = result(5);
+          out.vv = result(6);
+          out.vw = result(7);
+          out.ww = result(8);
+        },
+        xi, zeta, rho, c_xi, c_zeta, c_rho);
+    return out;
+  }
+
   const expression::Tape& programs() const { return *tape_; }
+
+  /// convert(c, k) of each coefficient.
+  template <class Convert>
+  auto converted(const Convert& convert) const {
+    CoefficientList<std::remove_cvref_t<decltype(convert(coefficients_[0], std::size_t(0)))>> out(
+        coefficients_.size());
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = convert(coefficients_[k], k);
+    return out;
+  }
 
  private:
   std::shared_ptr<const expression::Tape> tape_;
@@ -154,6 +185,13 @@ template <class C = double>
 class PlanarExpression : public TapeModel<C> {
  public:
   using TapeModel<C>::TapeModel;
+
+  template <class Convert>
+  auto with_indexed_coefficients(const Convert& convert) const {
+    const auto coefficients = this->converted(convert);
+    using R = std::remove_cvref_t<decltype(coefficients[0])>;
+    return PlanarExpression<R>(this->tape(), coefficients);
+  }
 
   /// The circle xi = zeta nearest to 1 at which W has a minimum along the circles, within
   /// [1e-3, 1e3]; NaN where there is none.
@@ -205,6 +243,13 @@ class ThicknessExpression : public TapeModel<C> {
  public:
   using TapeModel<C>::TapeModel;
 
+  template <class Convert>
+  auto with_indexed_coefficients(const Convert& convert) const {
+    const auto coefficients = this->converted(convert);
+    using R = std::remove_cvref_t<decltype(coefficients[0])>;
+    return ThicknessExpression<R>(this->tape(), coefficients);
+  }
+
   /// The rho nearest to 1 at which V has a minimum, within [1e-3, 1e3]; NaN where there is none.
   double rest_thickness() const requires std::is_same_v<C, double>;
 
@@ -247,6 +292,13 @@ class CoupledExpression : public TapeModel<C> {
  public:
   using TapeModel<C>::TapeModel;
 
+  template <class Convert>
+  auto with_indexed_coefficients(const Convert& convert) const {
+    const auto coefficients = this->converted(convert);
+    using R = std::remove_cvref_t<decltype(coefficients[0])>;
+    return CoupledExpression<R>(this->tape(), coefficients);
+  }
+
   /// xi = zeta and rho at the minimum of V among (xi, xi, rho) nearest to (1, 1, 1), within
   /// [1e-3, 1e3]; NaN where none was found.
   double rest_stretch() const requires std::is_same_v<C, double> { return rest()[0]; }
@@ -282,23 +334,7 @@ class CoupledExpression : public TapeModel<C> {
   template <class S>
   LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& rho, const S& c_xi,
                                         const S& c_zeta, const S& c_rho) const {
-    using R = Product<C, S>;
-    LogBalance<R> out;
-    this->template run<R>(
-        this->programs().balance,
-        [&](const auto& result) {
-          out.g_xi = result(0);
-          out.g_zeta = result(1);
-          out.g_rho = result(2);
-          out.uu = result(3);
-          out.uv = result(4);
-          out.uw = result(5);
-          out.vv = result(6);
-          out.vw = result(7);
-          out.ww = result(8);
-        },
-        xi, zeta, rho, c_xi, c_zeta, c_rho);
-    return out;
+    return this->template coupled_balance<Product<C, S>>(xi, zeta, rho, c_xi, c_zeta, c_rho);
   }
 };
 

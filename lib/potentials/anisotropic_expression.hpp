@@ -1,0 +1,52 @@
+// A potential V(alpha, xi, zeta, rho) written by its user that is no function of t, d and rho alone
+// (expression.hpp has those that are): its derivatives are taken in q = (alpha, xi, zeta, rho)
+// itself.
+#pragma once
+
+#include "lib/potential_derivatives.hpp"
+#include "lib/potentials/expression.hpp"
+
+namespace stationary {
+
+template <class C = double>
+class AnisotropicExpression : public TapeModel<C> {
+ public:
+  using TapeModel<C>::TapeModel;
+
+  template <class Convert>
+  auto with_indexed_coefficients(const Convert& convert) const {
+    const auto coefficients = this->converted(convert);
+    using R = std::remove_cvref_t<decltype(coefficients[0])>;
+    return AnisotropicExpression<R>(this->tape(), coefficients);
+  }
+
+  /// order 0, 1, 2 as in evaluate() of the other models; what was not asked for is NaN.
+  template <int order, class S>
+  PotentialDerivatives<Product<C, S>> derivatives(const BasicStretch<S>& q) const {
+    using R = Product<C, S>;
+    PotentialDerivatives<R> out{poison<R>(), Vector4<R>::Constant(poison<R>()),
+                                Matrix4<R>::Constant(poison<R>())};
+    this->template run<R>(
+        this->programs().evaluate[order],
+        [&](const auto& result) {
+          std::size_t k = 0;
+          out.value = result(k++);
+          if constexpr (order >= 1)
+            for (int i = 0; i < 4; ++i) out.gradient[i] = result(k++);
+          if constexpr (order >= 2)
+            for (int i = 0; i < 4; ++i)
+              for (int j = i; j < 4; ++j) out.hessian(i, j) = out.hessian(j, i) = result(k++);
+        },
+        q.alpha, q.xi, q.zeta, q.rho);
+    return out;
+  }
+
+  /// At alpha = 0, where that balances: V_alpha = 0 there (facts.hpp).
+  template <class S>
+  LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& rho, const S& c_xi,
+                                        const S& c_zeta, const S& c_rho) const {
+    return this->template coupled_balance<Product<C, S>>(xi, zeta, rho, c_xi, c_zeta, c_rho);
+  }
+};
+
+}  // namespace stationary
