@@ -82,10 +82,16 @@ std::string token_at(std::string_view text, std::size_t offset) {
   return in_quotes(text.substr(offset, end - offset));
 }
 
-/// Whether the decimal number is the double itself: their digits are compared.
-bool is_double(std::string_view text, double value) {
+/// A decimal number as its digits between the first and the last that is not 0.
+struct Decimal {
   std::string digits;
-  long exponent = 0;
+  long exponent = 0;  ///< of the last of them
+  bool operator==(const Decimal&) const = default;
+};
+
+/// Of "12.5e3" and the like; exponents that a double can have.
+Decimal decimal(std::string_view text) {
+  Decimal out;
   bool point = false;
   std::size_t at = 0;
   for (; at < text.size() && text[at] != 'e' && text[at] != 'E'; ++at) {
@@ -93,31 +99,25 @@ bool is_double(std::string_view text, double value) {
       point = true;
       continue;
     }
-    digits += text[at];
-    if (point) --exponent;
+    out.digits += text[at];
+    if (point) --out.exponent;
   }
+  out.digits.erase(0, std::min(out.digits.find_first_not_of('0'), out.digits.size()));
+  if (out.digits.empty()) return {};
   if (at < text.size())
-    exponent += std::strtol(std::string(text.substr(at + 1)).c_str(), nullptr, 10);
-  while (digits.size() > 1 && digits.back() == '0') {
-    digits.pop_back();
-    ++exponent;
+    out.exponent += std::strtol(std::string(text.substr(at + 1)).c_str(), nullptr, 10);
+  while (out.digits.back() == '0') {
+    out.digits.pop_back();
+    ++out.exponent;
   }
-  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
-  if (digits.empty() || value == 0.0) return digits.empty();
-  // No double has more than 767 digits.
+  return out;
+}
+
+/// Whether the decimal number is the double itself, of which no one has more than 767 digits.
+bool is_double(std::string_view text, double value) {
   std::array<char, 800> buffer{};
   const int length = std::snprintf(buffer.data(), buffer.size(), "%.770e", value);
-  std::string_view exact(buffer.data(), static_cast<std::size_t>(length));
-  const std::size_t e = exact.find('e');
-  std::string exact_digits(1, exact[0]);
-  exact_digits += exact.substr(2, e - 2);
-  long exact_exponent = std::strtol(std::string(exact.substr(e + 1)).c_str(), nullptr, 10) -
-                        static_cast<long>(exact_digits.size()) + 1;
-  while (exact_digits.size() > 1 && exact_digits.back() == '0') {
-    exact_digits.pop_back();
-    ++exact_exponent;
-  }
-  return digits == exact_digits && exponent == exact_exponent;
+  return decimal(text) == decimal({buffer.data(), static_cast<std::size_t>(length)});
 }
 
 /// Turns what the grammar finds into the graph: operands on a stack.

@@ -275,4 +275,14 @@ void run(const Program& program, const double* literals, const R* constants, R* 
   }
 }
 
+// Compiled once, in tape_run.cpp.
+extern template void compute_constants(const Coefficients&, const double*, double*);
+extern template void compute_constants(const Coefficients&, const DoubleDouble*, DoubleDouble*);
+extern template void compute_constants(const Coefficients&, const Interval*, Interval*);
+extern template void compute_constants(const Coefficients&, const Conditioned*, Conditioned*);
+extern template void run(const Program&, const double*, const double*, double*);
+extern template void run(const Program&, const double*, const DoubleDouble*, DoubleDouble*);
+extern template void run(const Program&, const double*, const Interval*, Interval*);
+extern template void run(const Program&, const double*, const Conditioned*, Conditioned*);
+
 }  // namespace stationary::expression
