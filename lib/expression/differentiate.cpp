@@ -47,9 +47,13 @@ NodeId Differentiation::of_variable(Variable v) {
     case Variable::rate_xi:
     case Variable::rate_zeta:
     case Variable::rate_rho:
-      break;
+      return graph_.zero();
+    default: {
+      const int parameter = static_cast<int>(v) - static_cast<int>(Variable::first_parameter);
+      const int by = static_cast<int>(coordinate_) - static_cast<int>(Coordinate::first_parameter);
+      return itself(false, parameter == by);
+    }
   }
-  return graph_.zero();
 }
 
 /// x'/x where no division is needed for it.

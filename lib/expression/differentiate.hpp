@@ -16,7 +16,21 @@
 namespace stationary::expression {
 
 /// With respect to what: the logarithms of d (at fixed t), rho, xi, zeta; or a variable itself.
-enum class Coordinate : std::uint8_t { t, log_d, log_rho, log_xi, log_zeta, alpha, xi, zeta, rho };
+enum class Coordinate : std::uint8_t {
+  t,
+  log_d,
+  log_rho,
+  log_xi,
+  log_zeta,
+  alpha,
+  xi,
+  zeta,
+  rho,
+  first_parameter  ///< and those after it
+};
+constexpr Coordinate parameter_coordinate(int index) {
+  return static_cast<Coordinate>(static_cast<int>(Coordinate::first_parameter) + index);
+}
 
 /// Derivatives of any number of expressions with respect to one coordinate.
 class Differentiation {

@@ -6,6 +6,8 @@
 #include "lib/expression/differentiate.hpp"
 #include "lib/expression/facts.hpp"
 #include "lib/expression/pairs.hpp"
+#include "lib/expression/slopes.hpp"
+#include "lib/expression/tape_run.hpp"
 
 namespace stationary::expression {
 namespace {
@@ -129,6 +131,20 @@ std::vector<NodeId> with_derivatives(Graph& g, NodeId potential,
   return out;
 }
 
+/// Where an expression that fits gets more than there is room for, it does without slopes.
+Program slopes(TapeWriter& writer, Graph& graph, std::span<const NodeId> gradient,
+               std::span<const Variable> inputs, const std::vector<std::string>& parameters) {
+  std::vector<Variable> all(inputs.begin(), inputs.end());
+  for (int k = 0; k < static_cast<int>(parameters.size()); ++k)
+    all.push_back(parameter_variable(k));
+  try {
+    return writer.program(all,
+                          parameter_slopes(graph, gradient, static_cast<int>(parameters.size())));
+  } catch (const TooLarge&) {
+    return {};
+  }
+}
+
 std::shared_ptr<const Tape> tape(Expression& e, NodeId smooth,
                                  std::span<const Coordinate> coordinates,
                                  std::span<const Variable> inputs,
@@ -140,11 +156,19 @@ std::shared_ptr<const Tape> tape(Expression& e, NodeId smooth,
   TapeWriter writer(e.graph);
   auto out = std::make_shared<Tape>();
   const std::span<const NodeId> all(derivatives);
+  const auto gradient = all.first(1 + coordinates.size());
   out->evaluate[0] = writer.program(inputs, all.first(1));
-  out->evaluate[1] = writer.program(inputs, all.first(1 + coordinates.size()));
+  out->evaluate[1] = writer.program(inputs, gradient);
   out->evaluate[2] = writer.program(inputs, all);
   out->balance = writer.program(balance_inputs, forces);
+  out->residual =
+      writer.program(balance_inputs, std::span<const NodeId>(forces).first(directions.size()));
+  out->slopes = slopes(writer, e.graph, gradient, inputs, e.parameters);
+  out->has_principal_stretches = occurs(e.graph, smooth, {Variable::discriminant});
   out->coefficients = writer.coefficients();
+  out->fixed_constants.resize(out->coefficients.constants.size());
+  const std::array<double, largest_parameter_count> any_parameters{1, 1, 1, 1, 1, 1, 1, 1};
+  compute_constants<double>(out->coefficients, any_parameters.data(), out->fixed_constants.data());
   out->text = e.text;
   out->parameters = e.parameters;
   return out;

@@ -38,6 +38,12 @@ struct Tape {
   Coefficients coefficients;
   std::array<Program, 3> evaluate;  ///< by order; each also gives what the lower ones give
   Program balance;                  ///< LogBalance: residuals, then the upper triangle by rows
+  Program residual;                 ///< the residuals alone
+  /// Value and gradient, then the derivative of both in each parameter: of the inputs and the
+  /// parameters. No results where it could not be had (slopes.hpp).
+  Program slopes;
+  std::vector<double> fixed_constants;  ///< the constants in which no parameter is
+  bool has_principal_stretches = false;
 };
 
 /// Inputs of the programs, in order.

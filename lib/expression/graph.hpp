@@ -32,9 +32,12 @@ enum class Variable : std::uint8_t {
   discriminant,     ///< t^2 - 4 d, not a word of the language
   rate_xi,          ///< centrifugal rates of a balance, likewise
   rate_zeta,
-  rate_rho
+  rate_rho,
+  first_parameter  ///< and those after it: the parameters themselves, where they are varied
 };
-constexpr int variable_count = 13;
+constexpr Variable parameter_variable(int index) {
+  return static_cast<Variable>(static_cast<int>(Variable::first_parameter) + index);
+}
 
 /// power: of kernels only (elsewhere a power is a node of its own).
 enum class Function : std::uint8_t { sqrt, exp, log, sin, cos, tan, tanh, atan, abs, power };

@@ -47,33 +47,31 @@ double nearest_minimum(const Slope& g) {
 
 }  // namespace
 
-template <>
-double PlanarExpression<double>::rest_stretch() const {
+double rest_stretch_of(const PlanarExpression<double>& model) {
   return nearest_minimum([&](double r) {
-    const auto w = evaluate<1>(extended_invariants(r, r));
+    const auto w = model.evaluate<1>(extended_invariants(r, r));
     return double(2.0 * (w.w_t * r + w.w_l));
   });
 }
 
-template <>
-double ThicknessExpression<double>::rest_thickness() const {
-  return nearest_minimum([&](double rho) { return double(evaluate<1>(DoubleDouble(rho)).v_r); });
+double rest_thickness_of(const ThicknessExpression<double>& model) {
+  return nearest_minimum(
+      [&](double rho) { return double(model.evaluate<1>(DoubleDouble(rho)).v_r); });
 }
 
-template <>
-double ThicknessExpression<double>::balanced(const DoubleDouble& m) const {
+double balanced_thickness_of(const ThicknessExpression<double>& model, const DoubleDouble& m) {
   // m(rho) = V'/rho = V_r/rho^2 increases from 0 at rest along the connected solutions; a maximum
   // of it is a fold.
-  const double rest = rest_thickness();
+  const double rest = rest_thickness_of(model);
   if (!(double(m) > 0.0)) return rest;
   constexpr double step = 0.03125;
   const auto excess = [&](double rho) {
-    return double(evaluate<1>(DoubleDouble(rho)).v_r - m * two_product(rho, rho));
+    return double(model.evaluate<1>(DoubleDouble(rho)).v_r - m * two_product(rho, rho));
   };
   double a = std::log(rest);
   while (a < largest_logarithm) {
     const double b = a + step;
-    const auto v = evaluate<2>(std::exp(b));
+    const auto v = model.evaluate<2>(std::exp(b));
     if (excess(std::exp(b)) > 0.0) return crossing(excess, a, b);
     if (!(v.v_rr > 2.0 * v.v_r)) break;
     a = b;
@@ -81,8 +79,7 @@ double ThicknessExpression<double>::balanced(const DoubleDouble& m) const {
   return poison<double>();
 }
 
-template <>
-std::array<double, 2> CoupledExpression<double>::rest() const {
+std::array<double, 2> rest_of(const CoupledExpression<double>& model) {
   struct Start {
     double u, w;
   };
@@ -97,8 +94,8 @@ std::array<double, 2> CoupledExpression<double>::rest() const {
       const double r = std::exp(u);
       const double rho = std::exp(w);
       // Along (u, u, w): t = 2 e^u, l = 2 u.
-      const auto x = evaluate<2>(planar_invariants(r, r), rho);
-      const auto fine = evaluate<1>(extended_invariants(r, r), DoubleDouble(rho));
+      const auto x = model.evaluate<2>(planar_invariants(r, r), rho);
+      const auto fine = model.evaluate<1>(extended_invariants(r, r), DoubleDouble(rho));
       const double g_u = double(2.0 * (fine.plane.w_t * r + fine.plane.w_l));
       const double g_w = double(fine.w_r);
       const double t = 2.0 * r;

@@ -76,6 +76,33 @@ class TapeConstants {
   std::array<C, expression::largest_constant_count> values_;
 };
 
+/// Dual numbers, which are seldom wanted with more than one evaluation each.
+template <class C>
+concept CarriesSlopes = requires(const C& c) {
+  c.value;
+  c.slope;
+};
+
+template <CarriesSlopes C>
+class TapeConstants<C> {
+ public:
+  TapeConstants(const expression::Tape&, const CoefficientList<C>&) {}
+
+  template <class R, class F>
+  void in(const expression::Tape& tape, const CoefficientList<C>& coefficients, F&& f) const {
+    std::array<C, expression::largest_constant_count> values;
+    expression::compute_constants<C>(tape.coefficients, coefficients.data(), values.data());
+    if constexpr (std::is_same_v<R, C>) {
+      f(values.data());
+    } else {
+      std::array<R, expression::largest_constant_count> converted;
+      for (std::size_t k = 0; k < tape.coefficients.constants.size(); ++k)
+        converted[k] = R(values[k]);
+      f(converted.data());
+    }
+  }
+};
+
 template <>
 class TapeConstants<double> {
  public:
@@ -164,6 +191,43 @@ class TapeModel {
     return out;
   }
 
+  /// At a point of doubles, with dual coefficients over them.
+  template <class... Inputs>
+  static constexpr bool is_of_doubles = (std::is_same_v<Inputs, double> && ...) && requires(C c) {
+    { c.value } -> std::same_as<double&>;
+    c.slope;
+  };
+
+  /// Value and gradient with their slopes, out(k, number k of them); false where the tape has no
+  /// program for that.
+  template <class Out, class... Inputs>
+  bool run_slopes(Out&& out, const Inputs&... inputs) const {
+    const expression::Program& program = tape_->slopes;
+    if (program.results.empty()) return false;
+    expression::Workspace<double, expression::largest_place_count> workspace;
+    double* place = workspace.data();
+    const double* constants = tape_->fixed_constants.data();
+    std::size_t k = 0;
+    ((place[k++] = inputs), ...);
+    for (const C& c : coefficients_) place[k++] = c.value;
+    expression::run<double>(program, tape_->coefficients.literals.data(), constants, place);
+    const auto result = [&](std::size_t i) {
+      const expression::Result& at = program.results[i];
+      return at.constant ? constants[at.at] : place[at.at];
+    };
+    const std::size_t count = program.results.size() / (1 + coefficients_.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      C number(result(i));
+      for (std::size_t j = 0; j < coefficients_.size(); ++j) {
+        const double slope = result((1 + j) * count + i);
+        for (std::size_t direction = 0; direction < number.slope.size(); ++direction)
+          number.slope[direction] += slope * coefficients_[j].slope[direction];
+      }
+      out(i, number);
+    }
+    return true;
+  }
+
   const expression::Tape& programs() const { return *tape_; }
 
   /// convert(c, k) of each coefficient.
@@ -181,6 +245,18 @@ class TapeModel {
   TapeConstants<C> constants_;
 };
 
+template <class C>
+class PlanarExpression;
+template <class C>
+class ThicknessExpression;
+template <class C>
+class CoupledExpression;
+
+double rest_stretch_of(const PlanarExpression<double>& model);
+double rest_thickness_of(const ThicknessExpression<double>& model);
+double balanced_thickness_of(const ThicknessExpression<double>& model, const DoubleDouble& m);
+std::array<double, 2> rest_of(const CoupledExpression<double>& model);
+
 template <class C = double>
 class PlanarExpression : public TapeModel<C> {
  public:
@@ -195,12 +271,17 @@ class PlanarExpression : public TapeModel<C> {
 
   /// The circle xi = zeta nearest to 1 at which W has a minimum along the circles, within
   /// [1e-3, 1e3]; NaN where there is none.
-  double rest_stretch() const requires std::is_same_v<C, double>;
+  double rest_stretch() const requires std::is_same_v<C, double> { return rest_stretch_of(*this); }
 
   template <int order, class S>
   PlanarDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x) const {
     using R = Product<C, S>;
     PlanarDerivatives<R> out;
+    if constexpr (order == 1 && TapeModel<C>::template is_of_doubles<S>) {
+      const std::array<R*, 3> places{&out.w, &out.w_t, &out.w_l};
+      if (this->run_slopes([&](std::size_t k, const R& x) { *places[k] = x; }, x.t, x.d, x.e))
+        return out;
+    }
     this->template run<R>(
         this->programs().evaluate[order],
         [&](const auto& result) {
@@ -251,16 +332,24 @@ class ThicknessExpression : public TapeModel<C> {
   }
 
   /// The rho nearest to 1 at which V has a minimum, within [1e-3, 1e3]; NaN where there is none.
-  double rest_thickness() const requires std::is_same_v<C, double>;
+  double rest_thickness() const requires std::is_same_v<C, double> {
+    return rest_thickness_of(*this);
+  }
 
   /// The solution of V' = m rho, m >= 0, that is connected to the rest thickness by solutions for
   /// smaller m, to double precision; NaN where there is none or no rest thickness.
-  double balanced(const DoubleDouble& m) const requires std::is_same_v<C, double>;
+  double balanced(const DoubleDouble& m) const requires std::is_same_v<C, double> {
+    return balanced_thickness_of(*this, m);
+  }
 
   template <int order, class S>
   ThicknessDerivatives<Product<C, S>> evaluate(const S& rho) const {
     using R = Product<C, S>;
     ThicknessDerivatives<R> out;
+    if constexpr (order == 1 && TapeModel<C>::template is_of_doubles<S>) {
+      const std::array<R*, 2> places{&out.v, &out.v_r};
+      if (this->run_slopes([&](std::size_t k, const R& x) { *places[k] = x; }, rho)) return out;
+    }
     this->template run<R>(
         this->programs().evaluate[order],
         [&](const auto& result) {
@@ -303,12 +392,17 @@ class CoupledExpression : public TapeModel<C> {
   /// [1e-3, 1e3]; NaN where none was found.
   double rest_stretch() const requires std::is_same_v<C, double> { return rest()[0]; }
   double rest_thickness() const requires std::is_same_v<C, double> { return rest()[1]; }
-  std::array<double, 2> rest() const requires std::is_same_v<C, double>;
+  std::array<double, 2> rest() const requires std::is_same_v<C, double> { return rest_of(*this); }
 
   template <int order, class S>
   CoupledDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x, const S& rho) const {
     using R = Product<C, S>;
     CoupledDerivatives<R> out;
+    if constexpr (order == 1 && TapeModel<C>::template is_of_doubles<S>) {
+      const std::array<R*, 4> places{&out.plane.w, &out.plane.w_t, &out.plane.w_l, &out.w_r};
+      if (this->run_slopes([&](std::size_t k, const R& x) { *places[k] = x; }, x.t, x.d, x.e, rho))
+        return out;
+    }
     this->template run<R>(
         this->programs().evaluate[order],
         [&](const auto& result) {
