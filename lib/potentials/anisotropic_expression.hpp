@@ -13,13 +13,6 @@ class AnisotropicExpression : public TapeModel<C> {
  public:
   using TapeModel<C>::TapeModel;
 
-  template <class Convert>
-  auto with_indexed_coefficients(const Convert& convert) const {
-    const auto coefficients = this->converted(convert);
-    using R = std::remove_cvref_t<decltype(coefficients[0])>;
-    return AnisotropicExpression<R>(this->tape(), coefficients);
-  }
-
   /// order 0, 1, 2 as in evaluate() of the other models; what was not asked for is NaN.
   template <int order, class S>
   PotentialDerivatives<Product<C, S>> derivatives(const BasicStretch<S>& q) const {

@@ -230,15 +230,6 @@ class TapeModel {
 
   const expression::Tape& programs() const { return *tape_; }
 
-  /// convert(c, k) of each coefficient.
-  template <class Convert>
-  auto converted(const Convert& convert) const {
-    CoefficientList<std::remove_cvref_t<decltype(convert(coefficients_[0], std::size_t(0)))>> out(
-        coefficients_.size());
-    for (std::size_t k = 0; k < out.size(); ++k) out[k] = convert(coefficients_[k], k);
-    return out;
-  }
-
  private:
   std::shared_ptr<const expression::Tape> tape_;
   CoefficientList<C> coefficients_;
@@ -261,13 +252,6 @@ template <class C = double>
 class PlanarExpression : public TapeModel<C> {
  public:
   using TapeModel<C>::TapeModel;
-
-  template <class Convert>
-  auto with_indexed_coefficients(const Convert& convert) const {
-    const auto coefficients = this->converted(convert);
-    using R = std::remove_cvref_t<decltype(coefficients[0])>;
-    return PlanarExpression<R>(this->tape(), coefficients);
-  }
 
   /// The circle xi = zeta nearest to 1 at which W has a minimum along the circles, within
   /// [1e-3, 1e3]; NaN where there is none.
@@ -324,13 +308,6 @@ class ThicknessExpression : public TapeModel<C> {
  public:
   using TapeModel<C>::TapeModel;
 
-  template <class Convert>
-  auto with_indexed_coefficients(const Convert& convert) const {
-    const auto coefficients = this->converted(convert);
-    using R = std::remove_cvref_t<decltype(coefficients[0])>;
-    return ThicknessExpression<R>(this->tape(), coefficients);
-  }
-
   /// The rho nearest to 1 at which V has a minimum, within [1e-3, 1e3]; NaN where there is none.
   double rest_thickness() const requires std::is_same_v<C, double> {
     return rest_thickness_of(*this);
@@ -381,13 +358,6 @@ class CoupledExpression : public TapeModel<C> {
  public:
   using TapeModel<C>::TapeModel;
 
-  template <class Convert>
-  auto with_indexed_coefficients(const Convert& convert) const {
-    const auto coefficients = this->converted(convert);
-    using R = std::remove_cvref_t<decltype(coefficients[0])>;
-    return CoupledExpression<R>(this->tape(), coefficients);
-  }
-
   /// xi = zeta and rho at the minimum of V among (xi, xi, rho) nearest to (1, 1, 1), within
   /// [1e-3, 1e3]; NaN where none was found.
   double rest_stretch() const requires std::is_same_v<C, double> { return rest()[0]; }
@@ -431,15 +401,6 @@ class CoupledExpression : public TapeModel<C> {
     return this->template coupled_balance<Product<C, S>>(xi, zeta, rho, c_xi, c_zeta, c_rho);
   }
 };
-
-template <>
-double PlanarExpression<double>::rest_stretch() const;
-template <>
-double ThicknessExpression<double>::rest_thickness() const;
-template <>
-double ThicknessExpression<double>::balanced(const DoubleDouble& m) const;
-template <>
-std::array<double, 2> CoupledExpression<double>::rest() const;
 
 /// The same model with convert(c, k) for its coefficient c number k.
 template <template <class> class Model, class Convert>
