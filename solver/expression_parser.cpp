@@ -198,7 +198,7 @@ class Builder {
       throw ExpressionError(offset, token_at(text_, offset),
                             "only numbers and parameters in it: " + std::string(error.what()));
     } catch (const expression::TooLarge& error) {
-      throw ExpressionError(offset, token_at(text_, offset), "no " + std::string(error.what()));
+      throw ExpressionError(offset, token_at(text_, offset), error.what());
     }
   }
   NodeId meaning(const Word& word);
@@ -488,6 +488,18 @@ void require_shallow(std::string_view text) {
   }
 }
 
+/// Where two operands stand side by side, or two stars.
+std::string remedy_at(std::string_view text, std::size_t offset) {
+  const std::size_t before = text.substr(0, offset).find_last_not_of(" \t\n\r\v\f");
+  if (offset >= text.size() || before == std::string_view::npos) return {};
+  const char left = text[before];
+  const char right = text[offset];
+  if (left == '*' && right == '*') return "a power is written with \"^\"";
+  const bool ends = is_letter(left) || is_digit(left) || left == ')';
+  const bool begins = is_letter(right) || is_digit(right) || right == '(';
+  return ends && begins ? "a product is written with \"*\"" : "";
+}
+
 std::string one_line(std::size_t offset, const std::string& found, const std::string& allowed,
                      const std::string& remedy) {
   std::string out = "column " + std::to_string(offset + 1) + ": found " + found;
@@ -529,10 +541,8 @@ ParsedExpression parse_expression(std::string_view text, std::span<const std::st
     pegtl::parse<grammar::whole, grammar::action, grammar::control>(input, builder);
   } catch (const pegtl::parse_error& error) {
     const std::size_t offset = error.positions().front().byte;
-    const bool python_power =
-        offset > 0 && offset < text.size() && text[offset] == '*' && text[offset - 1] == '*';
     throw ExpressionError(offset, token_at(text, offset), std::string(error.message()),
-                          python_power ? "a power is written with \"^\"" : "");
+                          remedy_at(text, offset));
   }
   return builder.take();
 }

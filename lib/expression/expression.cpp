@@ -177,10 +177,10 @@ std::shared_ptr<const Tape> tape(Expression& e, NodeId smooth,
 void require_room(const Expression& e) {
   const std::array<NodeId, 1> root{e.root};
   if (e.graph.parts(root).size() > largest_node_count)
-    throw TooLarge("an expression of more than " + std::to_string(largest_node_count) +
+    throw TooLarge("an expression of at most " + std::to_string(largest_node_count) +
                    " different parts");
   if (e.parameters.size() > largest_parameter_count)
-    throw TooLarge("more than " + std::to_string(largest_parameter_count) + " parameters");
+    throw TooLarge("at most " + std::to_string(largest_parameter_count) + " parameters");
 }
 
 constexpr Direction along_xi{Coordinate::log_xi, Variable::xi, Variable::rate_xi};

@@ -22,7 +22,8 @@ NodeId Graph::intern(Node node) {
   const auto found = known_.find(node);
   if (found != known_.end()) return found->second;
   if (nodes_.size() >= largest_size)
-    throw TooLarge("the expression and its derivatives are too long");
+    throw TooLarge("an expression whose derivatives have at most " + std::to_string(largest_size) +
+                   " parts");
   const auto id = static_cast<NodeId>(nodes_.size());
   bool coefficient = false;
   switch (node.kind) {
@@ -247,7 +248,7 @@ NodeId Graph::multiply(NodeId x, NodeId y) {
   for (const auto& [base, exponent] : factors) {
     if (exponent == 0) continue;
     if (std::abs(exponent) > largest_exponent)
-      throw TooLarge("a whole power beyond " + std::to_string(largest_exponent));
+      throw TooLarge("whole powers up to " + std::to_string(largest_exponent));
     product.terms.push_back({base, 0, exponent});
   }
   if (product.terms.empty()) return coefficient;
@@ -259,7 +260,7 @@ NodeId Graph::multiply(NodeId x, NodeId y) {
 
 NodeId Graph::power(NodeId x, int n) {
   if (std::abs(n) > largest_exponent)
-    throw TooLarge("a whole power beyond " + std::to_string(largest_exponent));
+    throw TooLarge("whole powers up to " + std::to_string(largest_exponent));
   if (n == 0) return one();
   if (n == 1) return x;
   if (is_coefficient(x)) {
@@ -276,7 +277,7 @@ NodeId Graph::power(NodeId x, int n) {
     for (Term factor : base.terms) {
       const long exponent = static_cast<long>(factor.exponent) * n;
       if (std::abs(exponent) > largest_exponent)
-        throw TooLarge("a whole power beyond " + std::to_string(largest_exponent));
+        throw TooLarge("whole powers up to " + std::to_string(largest_exponent));
       factor.exponent = static_cast<int>(exponent);
       product.terms.push_back(factor);
     }
@@ -298,7 +299,7 @@ NodeId Graph::power(NodeId x, NodeId y) {
   const Node& exponent = nodes_[y];
   if (is_exact_literal(y) && is_whole(exponent.literal)) {
     if (std::abs(exponent.literal) > largest_exponent)
-      throw TooLarge("a whole power beyond " + std::to_string(largest_exponent));
+      throw TooLarge("whole powers up to " + std::to_string(largest_exponent));
     return power(x, static_cast<int>(exponent.literal));
   }
   if (is_literal(y, 0.5)) return apply(Function::sqrt, x);

@@ -87,7 +87,7 @@ struct Node {
   auto operator<=>(const Node&) const = default;
 };
 
-/// More than a tape has room for, or an exponent beyond use.
+/// More than a tape has room for, or an exponent beyond use; the message is the bound.
 class TooLarge : public std::length_error {
   using std::length_error::length_error;
 };

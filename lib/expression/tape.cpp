@@ -298,7 +298,7 @@ Program ProgramWriter::write(std::span<const NodeId> results) {
     if (operands == 2) release(step.b, k);
     if (free.empty()) {
       if (used == largest_place_count)
-        throw TooLarge("the expression needs more than " + std::to_string(largest_place_count) +
+        throw TooLarge("an expression that needs at most " + std::to_string(largest_place_count) +
                        " numbers at a time");
       place[input_count_ + k] = used++;
     } else {
@@ -365,7 +365,7 @@ std::uint16_t TapeWriter::step(NodeId root) {
         next.b = operand(node.b);
     }
     if (coefficients_.steps.size() == largest_coefficient_steps)
-      throw TooLarge("more than " + std::to_string(largest_coefficient_steps) +
+      throw TooLarge("at most " + std::to_string(largest_coefficient_steps) +
                      " operations on numbers and parameters alone");
     step_of_.emplace(id, next.out);
     coefficients_.steps.push_back(next);
@@ -377,8 +377,7 @@ std::uint16_t TapeWriter::constant(NodeId coefficient) {
   const auto found = constant_of_.find(coefficient);
   if (found != constant_of_.end()) return found->second;
   if (coefficients_.constants.size() == largest_constant_count)
-    throw TooLarge("more than " + std::to_string(largest_constant_count) +
-                   " different coefficients");
+    throw TooLarge("at most " + std::to_string(largest_constant_count) + " different coefficients");
   const auto at = static_cast<std::uint16_t>(coefficients_.constants.size());
   coefficients_.constants.push_back(step(coefficient));
   constant_of_.emplace(coefficient, at);
