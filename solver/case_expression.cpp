@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/expression/facts.hpp"
 #include "solver/case_keys.hpp"
 #include "solver/expression_parser.hpp"
 #include "solver/nearest_name.hpp"
@@ -98,7 +99,9 @@ WrittenPotential read_written_out(const CaseTree& tree, std::string_view slot,
                        "found a parameter that does not occur in the expression",
                        "parameters of the expression", "remove it, or correct its name");
     }
-    out.facts = std::move(parsed.notes);
+    expression::Facts facts = expression::facts(parsed.expression, slot_of(slot));
+    out.facts = std::move(facts.sentences);
+    out.facts.insert(out.facts.end(), parsed.notes.begin(), parsed.notes.end());
     out.tape = compiled(slot_of(slot), std::move(parsed.expression));
   } catch (const ExpressionError& error) {
     throw InputError(character_origin(tree, key, node, error.offset()), key,

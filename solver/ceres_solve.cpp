@@ -69,6 +69,9 @@ template CeresOutcome ceres_solve(const PlanarSystem<Biot<>>&, ReducedVector<2>&
 template CeresOutcome ceres_solve(const PlanarSystem<BiotLog<>>&, ReducedVector<2>&, int);
 template CeresOutcome ceres_solve(const PlanarSystem<NeoHookean<>>&, ReducedVector<2>&, int);
 template CeresOutcome ceres_solve(const PlanarSystem<Hencky<>>&, ReducedVector<2>&, int);
+template CeresOutcome ceres_solve(const PlanarSystem<AnyPlane<>>&, ReducedVector<2>&, int);
 template CeresOutcome ceres_solve(const CoupledSystem<NeoHookean3d<>>&, ReducedVector<3>&, int);
+template CeresOutcome ceres_solve(const CoupledSystem<CoupledExpression<>>&, ReducedVector<3>&,
+                                  int);
 
 }  // namespace stationary

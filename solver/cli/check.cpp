@@ -42,6 +42,7 @@ ExitCode check_case(const CaseOptions& options) {
   for (const ModelChoice& model : input.models) {
     out.line(model.slot, fmt::format("{}: {}", model.description.name, coefficients_text(model)));
     out.line("", model.description.formula);
+    for (const std::string& fact : model.facts) out.line("", fact);
   }
   out.line("motion", motion_text(input.motion));
   out.line("solve",
