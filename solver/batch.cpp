@@ -30,64 +30,11 @@ const MarchKernels& march_kernels(InstructionSet set) {
   return march_kernels_baseline();
 }
 
-/// The model with other coefficients.
-template <class Variant>
-Variant with_coefficients(const Variant& model, const std::array<double, 2>& values) {
-  return std::visit(
-      [&](const auto& m) -> Variant {
-        return std::decay_t<decltype(m)>{values[0], values[1]};
-      },
-      model);
-}
-
-template <class Variant>
-void require_domain(const Variant& model, const BatchInput& input,
-                    const std::array<LaneValues, 2>& values) {
-  std::visit(
-      [&](const auto& m) {
-        using Model = std::decay_t<decltype(m)>;
-        const bool one = values[0].size() == 1 && values[1].size() == 1;
-        for (std::size_t lane = 0; lane < (one ? 1 : input.lanes); ++lane) {
-          const Model each{values[0][lane], values[1][lane]};
-          const auto holds = each.in_domain();
-          for (std::size_t k = 0; k < holds.size(); ++k) {
-            if (!std::isfinite(values[k][lane]))
-              throw std::invalid_argument(std::string(Model::parameters[k]) + " finite");
-            if (!holds[k]) throw std::invalid_argument(std::string(Model::domain[k]));
-          }
-        }
-      },
-      model);
-}
-
 void require_valid(const BatchInput& input, const BatchOptions& options) {
-  const auto require_size = [&](const LaneValues& values) {
-    if (values.size() != 1 && values.size() != input.lanes)
-      throw std::invalid_argument("one value for all lanes, or one each");
-  };
-  for (const auto* pair : {&input.plane, &input.thickness})
-    for (const LaneValues& each : *pair) require_size(each);
-  for (const LaneValues& each : input.inertia) require_size(each);
-  require_size(input.speed);
-  for (std::size_t lane = 0; lane < input.lanes; ++lane) {
-    Body(input.inertia[0][lane], input.inertia[1][lane], input.inertia[2][lane]);
-    if (!std::isfinite(input.speed[lane])) throw std::invalid_argument("speed finite");
-  }
-  if (!std::ranges::all_of(input.nu, [](double nu) { return std::isfinite(nu); }))
-    throw std::invalid_argument("nu finite");
-  if (input.potential.is_separable()) {
-    require_domain(input.potential.plane(), input, input.plane);
-    require_domain(input.potential.thickness(), input, input.thickness);
-  } else {
-    require_domain(input.potential.coupled(), input, input.plane);
-  }
+  require_valid(input);
   if (!has_instruction_set(options.instructions))
     throw std::invalid_argument("an instruction set of this processor");
   if (options.threads < 1) throw std::invalid_argument("threads >= 1");
-}
-
-std::array<double, 2> at(const std::array<LaneValues, 2>& values, std::size_t lane) {
-  return {values[0][lane], values[1][lane]};
 }
 
 /// The rest state, to double precision: where a sweep starts.
@@ -170,36 +117,6 @@ InstructionSet best_instruction_set() {
   return InstructionSet::baseline;
 }
 
-BatchInput::BatchInput(const Problem& problem, std::size_t lane_count,
-                       std::vector<double> nu_values)
-    : branch(problem.branch()),
-      potential(problem.potential()),
-      lanes(lane_count),
-      inertia{problem.body().J1, problem.body().J2, problem.body().J3},
-      plane{0.0, 0.0},
-      thickness{0.0, 0.0},
-      nu(std::move(nu_values)) {
-  const auto coefficients = [](const auto& variant) {
-    return std::visit([](const auto& model) { return model.coefficients(); }, variant);
-  };
-  const auto first = potential.is_separable() ? coefficients(potential.plane())
-                                              : coefficients(potential.coupled());
-  plane = {first[0], first[1]};
-  if (!potential.is_separable()) return;
-  const auto second = coefficients(potential.thickness());
-  thickness = {second[0], second[1]};
-}
-
-Problem BatchInput::problem(std::size_t lane) const {
-  const Body body(inertia[0][lane], inertia[1][lane], inertia[2][lane]);
-  if (!potential.is_separable())
-    return {body, Potential(with_coefficients(potential.coupled(), at(plane, lane))), branch};
-  return {body,
-          Potential(with_coefficients(potential.plane(), at(plane, lane)),
-                    with_coefficients(potential.thickness(), at(thickness, lane))),
-          branch};
-}
-
 /// One call of solve_batch.
 class BatchRun {
  public:
@@ -243,6 +160,8 @@ class BatchRun {
     return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
   }
 
+  bool marches() const { return input_.potential.is_built_in() && input_.potential.is_separable(); }
+
   /// One more tile is done.
   void report() {
     const std::size_t done = ++done_;
@@ -269,7 +188,7 @@ class BatchRun {
       return 0;
     }
     std::ptrdiff_t end[BatchResult::tile] = {};
-    if (input_.potential.is_separable()) march_tile(first, end);
+    if (marches()) march_tile(first, end);
     std::size_t fallbacks = 0;
     for (std::size_t lane = first; lane < last; ++lane) {
       const std::ptrdiff_t reached = end[lane - first];
@@ -349,8 +268,9 @@ class BatchRun {
     const auto sweep_from = [&](const Equilibrium& start) {
       sweep.emplace(problem, start, SweepOptions{options_.error_bound});
     };
-    sweep_from(rest_state(problem));
-    bool ended = false;
+    const Equilibrium rest = rest_state(problem);
+    sweep_from(rest);
+    bool ended = !std::isfinite(rest.q.xi) || !std::isfinite(rest.q.rho);  // there is no such state
     for (; slot < out_.slots_; ++slot) {
       SweepPoint point;
       if (!stopped()) {

@@ -4,7 +4,7 @@
 //   march     from rest through growing |nu|: predictor (a cubic in nu^2) and Newton in packs of
 //             lanes (batch_kernel.hpp), on the best instruction set of the processor
 //   fallback  a lane that cannot be marched on with goes on by the scalar path, Sweep and, where
-//             that ends, solve; coupled potentials take it from the start
+//             that ends, solve; coupled potentials and expressions take it from the start
 //
 // Both correct with a residual in extended precision, so S is rounded correctly; results do not
 // depend on the instruction set, on the number of threads or on the other lanes. Every cell has a
@@ -12,7 +12,6 @@
 // which is no statement about other sheets); not_run (stopped).
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -21,9 +20,9 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/batch_input.hpp"
 #include "solver/batch_march.hpp"
 #include "solver/equilibrium.hpp"
-#include "solver/problem.hpp"
 
 namespace stationary {
 
@@ -35,38 +34,6 @@ constexpr std::string_view instruction_set_names[] = {"baseline", "avx2", "avx51
 constexpr std::string_view name(InstructionSet set) {
   return instruction_set_names[static_cast<int>(set)];
 }
-
-/// One number of every lane: the same in all of them, or one each.
-class LaneValues {
- public:
-  LaneValues(double all) : values_{all} {}  // NOLINT(google-explicit-constructor)
-  LaneValues(std::vector<double> each)
-      : values_(std::move(each)) {}  // NOLINT(google-explicit-constructor)
-  double operator[](std::size_t lane) const {
-    return values_.size() == 1 ? values_[0] : values_[lane];
-  }
-  /// 1 or the number of lanes.
-  std::size_t size() const { return values_.size(); }
-
- private:
-  std::vector<double> values_;
-};
-
-struct BatchInput {
-  /// All lanes as the problem is; then put numbers of their own where they differ.
-  BatchInput(const Problem& problem, std::size_t lane_count, std::vector<double> nu_values);
-
-  Branch branch;
-  Potential potential;  ///< which models; the coefficients are those below
-  std::size_t lanes;
-  std::array<LaneValues, 3> inertia;    ///< J1, J2, J3
-  std::array<LaneValues, 2> plane;      ///< coefficients of the planar, or of the coupled, model
-  std::array<LaneValues, 2> thickness;  ///< of a separable potential's thickness
-  LaneValues speed = 1.0;               ///< nu = speed nu_k (rounded)
-  std::vector<double> nu;               ///< in any order, of any sign: nu and -nu are one
-
-  Problem problem(std::size_t lane) const;
-};
 
 struct BatchOptions {
   bool error_bound = true;  ///< false: not touched
