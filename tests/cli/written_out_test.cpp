@@ -1,5 +1,7 @@
 // Every built-in model written out as an expression is the same potential to the whole program:
 // equilibria, bounds, spectra, exhaustive search, certificates, events, families in a coefficient.
+#include "tests/support/written_out.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,39 +20,6 @@
 
 namespace stationary::testing {
 namespace {
-
-struct WrittenOut {
-  std::string_view model;
-  std::string_view expression;
-  std::vector<std::string_view> parameters;  ///< of the model and, in this order, of the expression
-  std::vector<std::string_view> renamed;
-  bool coupled = false;
-};
-
-const std::vector<WrittenOut>& planes() {
-  static const std::vector<WrittenOut> all{
-      {"reciprocal-determinant", "c/d + k/2*I1", {"c", "k"}, {"c", "k"}},
-      {"saint-venant-kirchhoff",
-       "mu*(I1^2 - 2*d^2 - 2*I1 + 2)/4 + la/8*(I1 - 2)^2",
-       {"mu", "lambda"},
-       {"mu", "la"}},
-      {"biot", "mu*(I1 - 2*t + 2) + la/2*(t - 2)^2", {"mu", "lambda"}, {"mu", "la"}},
-      {"biot-log",
-       "mu*((lambda - 1)^2 + (mu_ - 1)^2) + la/2*log(lambda*mu_)^2",
-       {"mu", "lambda"},
-       {"mu", "la"}},
-      {"neo-hookean",
-       "mu/2*(xi^2 + 2*alpha^2 + zeta^2 - 2 - 2*log(xi*zeta - alpha^2)) + la/2*log(d)^2",
-       {"mu", "lambda"},
-       {"mu", "la"}},
-      {"hencky", "mu*(log(lambda)^2 + log(mu_)^2) + la/2*log(d)^2", {"mu", "lambda"}, {"mu", "la"}},
-      {"neo-hookean-3d",
-       "mu/2*(I1 + rho^2 - 3 - 2*log(d*rho)) + la/2*log(d*rho)^2",
-       {"mu", "lambda"},
-       {"mu", "la"},
-       true}};
-  return all;
-}
 
 std::string numbers_text(const std::vector<std::string_view>& names, const double (&values)[2]) {
   char out[128];
@@ -109,7 +78,7 @@ void expect_same(const Stretch& a, const Stretch& b, double relative, const std:
 template <class F>
 void over_models(std::uint64_t seed, const F& f) {
   support::Random random(seed);
-  for (const WrittenOut& each : planes())
+  for (const WrittenOut& each : written_out_models())
     for (const std::string_view branch : {"i", "ii", "iii"}) f(each, branch, random);
 }
 
@@ -187,7 +156,7 @@ TEST(WrittenOut, SameSheetsAndEvents) {
 
 TEST(WrittenOut, SameFamilyInACoefficient) {
   support::Random random(74);
-  for (const WrittenOut& each : planes()) {
+  for (const WrittenOut& each : written_out_models()) {
     const std::string slot = each.coupled ? "coupled" : "plane";
     const auto more = [&](const std::vector<std::string_view>& names) {
       return "[continuation]\nparameter = \"potential." + slot + "." + std::string(names[1]) +
