@@ -275,6 +275,17 @@ inline Conditioned kernel_of(const KernelFunction<Conditioned>& f, KernelPart pa
     condition +=
         (std::abs(value) * (1.0 + spread) + std::abs(slope_a * a.value)) * f.exponent->condition;
   }
+  // Far from the circle a and y are not as independent as that: their ends say more.
+  const double radius = convergence_radius(f.function, a.value);
+  if (y.value >= 0.25 * radius * radius) {
+    using std::sqrt;
+    const Conditioned root = sqrt(y);
+    const Conditioned larger = a.value > 0.0 ? a + root : a - root;
+    const Conditioned smaller = norm / larger;
+    const Conditioned by_ends = a.value > 0.0 ? kernel_at_ends(f, part, larger, smaller, root)
+                                              : kernel_at_ends(f, part, smaller, larger, root);
+    condition = std::min(condition, by_ends.condition);
+  }
   return {value, condition};
 }
 

@@ -1,6 +1,6 @@
-// Any text as a potential: parsed, its facts found, differentiated, made into tapes and evaluated.
-// The first character chooses what it is a potential of. Either that works or an exception says
-// what is wrong, at a place in the text.
+// Any text as a potential: parsed, and, of one in 64, since it takes a hundred times as long, its
+// facts found, differentiated, made into tapes and evaluated. The first character chooses what it
+// is a potential of. Either that works or an exception says what is wrong, at a place in the text.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -20,6 +20,13 @@ ExpressionSlot slot_of(char c) {
   return c == 't'   ? ExpressionSlot::thickness
          : c == 'c' ? ExpressionSlot::coupled
                     : ExpressionSlot::plane;
+}
+
+/// The same choice every time (Fowler, Noll, Vo).
+bool is_chosen(std::string_view text) {
+  std::uint32_t hash = 2166136261U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  return (hash >> 20) % 64 == 0;
 }
 
 void evaluate(const expression::Expression& parsed, ExpressionSlot slot) {
@@ -49,7 +56,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const ExpressionSlot slot = slot_of(static_cast<char>(data[0]));
   static const std::vector<std::string> parameters{"mu", "k", "lambda"};
   try {
-    evaluate(parse_expression(text, parameters, slot).expression, slot);
+    const ParsedExpression parsed = parse_expression(text, parameters, slot);
+    if (is_chosen(text)) evaluate(parsed.expression, slot);
   } catch (const ExpressionError& error) {
     if (error.offset() > text.size()) std::abort();
   } catch (const expression::Unsuitable&) {
