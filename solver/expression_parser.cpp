@@ -4,11 +4,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <tao/pegtl.hpp>
 #include <utility>
 
+#include "lib/double_double.hpp"
 #include "solver/nearest_name.hpp"
 
 namespace stationary {
@@ -82,16 +83,12 @@ std::string token_at(std::string_view text, std::size_t offset) {
   return in_quotes(text.substr(offset, end - offset));
 }
 
-/// A decimal number as its digits between the first and the last that is not 0.
-struct Decimal {
-  std::string digits;
-  long exponent = 0;  ///< of the last of them
-  bool operator==(const Decimal&) const = default;
-};
-
-/// Of "12.5e3" and the like; exponents that a double can have.
-Decimal decimal(std::string_view text) {
-  Decimal out;
+/// Whether a decimal number of up to 15 digits, "12.5e3" and the like, is the double `value`:
+/// D = value 10^n or value = D 10^n, both checked exactly. Longer ones count as rounded.
+bool is_double(std::string_view text, double value) {
+  double digits = 0.0;
+  int count = 0;
+  int exponent = 0;
   bool point = false;
   std::size_t at = 0;
   for (; at < text.size() && text[at] != 'e' && text[at] != 'E'; ++at) {
@@ -99,25 +96,24 @@ Decimal decimal(std::string_view text) {
       point = true;
       continue;
     }
-    out.digits += text[at];
-    if (point) --out.exponent;
+    if (digits != 0.0 || text[at] != '0') ++count;
+    if (count > 15) return false;
+    digits = 10.0 * digits + (text[at] - '0');
+    if (point) --exponent;
   }
-  out.digits.erase(0, std::min(out.digits.find_first_not_of('0'), out.digits.size()));
-  if (out.digits.empty()) return {};
-  if (at < text.size())
-    out.exponent += std::strtol(std::string(text.substr(at + 1)).c_str(), nullptr, 10);
-  while (out.digits.back() == '0') {
-    out.digits.pop_back();
-    ++out.exponent;
+  if (digits == 0.0) return true;
+  if (at < text.size()) {
+    int power = 0;
+    const char* begin = text.data() + at + (text[at + 1] == '+' ? 2 : 1);
+    const char* end = text.data() + text.size();
+    if (std::from_chars(begin, end, power).ec != std::errc() || std::abs(power) > 40) return false;
+    exponent += power;
   }
-  return out;
-}
-
-/// Whether the decimal number is the double itself, of which no one has more than 767 digits.
-bool is_double(std::string_view text, double value) {
-  std::array<char, 800> buffer{};
-  const int length = std::snprintf(buffer.data(), buffer.size(), "%.770e", value);
-  return decimal(text) == decimal({buffer.data(), static_cast<std::size_t>(length)});
+  double scale = 1.0;  // 10^22 is the last that is a double
+  if (std::abs(exponent) > 22) return false;
+  for (int k = 0; k < std::abs(exponent); ++k) scale *= 10.0;
+  const DoubleDouble product = two_product(exponent < 0 ? value : digits, scale);
+  return product.hi == (exponent < 0 ? digits : value) && product.lo == 0.0;
 }
 
 /// Turns what the grammar finds into the graph: operands on a stack.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lib/balance.hpp"
+#include "lib/coefficients.hpp"
 #include "lib/conditioned.hpp"
 #include "lib/interval.hpp"
 #include "lib/potential.hpp"
