@@ -38,6 +38,19 @@ NodeId with_index(Graph& g, const Node& kernel, int derivatives, KernelPart part
 
 NodeId kernel_slope_a(Graph& g, NodeId kernel) {
   const Node node = g[kernel];
+  if (node.function == Function::log) {
+    // Of f' = 1/x: E = a/norm, O = -1/norm, O_y = -1/norm^2.
+    switch (kernel_part(node.index)) {
+      case KernelPart::even:
+        return g.divide(node.a, node.c);
+      case KernelPart::odd:
+        return g.negate(g.power(node.c, -1));
+      case KernelPart::odd_y:
+        return g.negate(g.power(node.c, -2));
+      case KernelPart::odd_yy:
+        return g.multiply(g.number(-2.0), g.power(node.c, -3));
+    }
+  }
   return with_index(g, node, kernel_derivatives(node.index) + 1, kernel_part(node.index));
 }
 
@@ -46,6 +59,7 @@ NodeId kernel_slope_y(Graph& g, NodeId kernel) {
   const int derivatives = kernel_derivatives(node.index);
   switch (kernel_part(node.index)) {
     case KernelPart::even:
+      if (node.function == Function::log) return g.multiply(g.number(-0.5), g.power(node.c, -1));
       return g.multiply(g.number(0.5), with_index(g, node, derivatives + 1, KernelPart::odd));
     case KernelPart::odd:
       return with_index(g, node, derivatives, KernelPart::odd_y);

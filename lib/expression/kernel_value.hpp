@@ -19,6 +19,7 @@
 #include "lib/expression/kernel.hpp"
 #include "lib/interval_functions.hpp"
 #include "lib/number.hpp"
+#include "lib/potentials/hencky.hpp"
 
 namespace stationary::expression {
 
@@ -33,6 +34,21 @@ struct KernelFunction {
     return {function, derivatives + times, exponent};
   }
 };
+
+/// 1/k in R, from a table where R is one of the solver's own types, as odd_reciprocal().
+template <class R>
+R whole_reciprocal(int k) {
+  if constexpr (std::is_same_v<R, double> || std::is_same_v<R, DoubleDouble>) {
+    static constexpr auto table = [] {
+      std::array<R, 192> out{};
+      for (std::size_t i = 1; i < out.size(); ++i) out[i] = R(1.0) / R(static_cast<double>(i));
+      return out;
+    }();
+    return table[static_cast<std::size_t>(k)];
+  } else {
+    return R(1.0) / R(static_cast<double>(k));
+  }
+}
 
 /// c[0 .. count): Taylor coefficients of f itself at a, then of f^(derivatives).
 template <class R>
@@ -52,7 +68,7 @@ void taylor_coefficients(const KernelFunction<R>& f, const R& a, int count, R* c
       c[0] = pow(a, *f.exponent);
       const R inverse = R(1.0) / a;
       for (int j = 0; j + 1 < all; ++j)
-        c[j + 1] = c[j] * ((*f.exponent - whole(j)) * inverse) / R(whole(j + 1));
+        c[j + 1] = c[j] * ((*f.exponent - whole(j)) * inverse) * whole_reciprocal<R>(j + 1);
       break;
     }
     case Function::log: {
@@ -67,7 +83,7 @@ void taylor_coefficients(const KernelFunction<R>& f, const R& a, int count, R* c
     }
     case Function::exp:
       c[0] = exp(a);
-      for (int j = 1; j < all; ++j) c[j] = c[j - 1] / R(whole(j));
+      for (int j = 1; j < all; ++j) c[j] = c[j - 1] * whole_reciprocal<R>(j);
       break;
     case Function::sin:
     case Function::cos: {
@@ -188,6 +204,46 @@ R kernel_at_ends(const KernelFunction<R>& f, KernelPart part, const R& x, const 
   }
 }
 
+/// How many terms of a power series in x it takes for the precision of R; ratio is near |x|.
+template <class R>
+int series_length(double ratio, int most) {
+  if (!(ratio > 0.0)) return 1;
+  return std::min(most, static_cast<int>((significand_bits<R>() + 6) / -std::log2(ratio)) + 4);
+}
+
+/// The odd part of log and its y-derivatives, x = y/a^2 < 1/4:
+///   O = sum x^j/(2j+1)/a,  O_y = sum (j+1) x^j/(2j+3)/a^3,  O_yy = sum (j+1)(j+2) x^j/(2j+5)/a^5.
+template <class R>
+R log_series(KernelPart part, const R& a, const R& y, double ratio) {
+  const R inverse = R(1.0) / a;
+  const R inverse2 = inverse * inverse;
+  const R x = y * inverse2;
+  const int shift = part == KernelPart::odd ? 0 : part == KernelPart::odd_y ? 1 : 2;
+  R sum(0.0);
+  for (int j = series_length<R>(ratio, 120) - 1; j >= 0; --j) {
+    const double weight = shift == 0 ? 1.0 : shift == 1 ? j + 1.0 : (j + 1.0) * (j + 2.0);
+    sum = sum * x + weight * odd_reciprocal<R>(j + shift);
+  }
+  sum = sum * inverse;
+  for (int k = 0; k < shift; ++k) sum = sum * inverse2;
+  return sum;
+}
+
+/// The same from one logarithm, norm = a^2 - y: E[f'] = a/norm and O[f''] = 2 a/norm^2.
+template <class R>
+R log_at_ends(KernelPart part, const R& a, const R& y, const R& norm) {
+  using std::log;
+  using std::sqrt;
+  const R root = sqrt(y);
+  const R end = a + root;
+  const R odd = 0.5 * log(end * end / norm) / root;
+  if (part == KernelPart::odd) return odd;
+  const R mean = a / norm;
+  const R odd_y = 0.5 * (mean - odd) / y;
+  if (part == KernelPart::odd_y) return odd_y;
+  return 0.5 * (mean / norm - 3.0 * odd_y) / y;
+}
+
 /// Numbers that stand for a point, dual numbers included.
 template <class R>
 R kernel_of(const KernelFunction<R>& f, KernelPart part, const R& a, const R& y, const R& norm) {
@@ -196,12 +252,13 @@ R kernel_of(const KernelFunction<R>& f, KernelPart part, const R& a, const R& y,
   constexpr int most = bits / 2 + 12;
   const double radius = convergence_radius(f.function, leading(a));
   const double ratio = leading(y) / (radius * radius);
+  if (f.function == Function::log && f.derivatives == 0 && part != KernelPart::even) {
+    // A wide number has digits to lose, and its series is long.
+    return ratio < (bits > 64 ? 0x1p-6 : 0.25) ? log_series(part, a, y, ratio)
+                                               : log_at_ends(part, a, y, norm);
+  }
   if (ratio < 0.25) {
-    const int terms =
-        ratio > 0.0
-            ? std::min(most,
-                       static_cast<int>((bits + 16) / std::max(1, -std::ilogb(ratio) - 1)) + 4)
-            : 1;
+    const int terms = series_length<R>(ratio, most);
     // Room for the derivatives of f that are taken away.
     std::array<R, coefficients_for(most) + 6> c;
     taylor_coefficients(f, a, coefficients_for(terms), c.data());
