@@ -1,0 +1,155 @@
+// Potentials written out in the case file, from outside: what `check` finds out about them, wrong
+// ones, several states of rest, maps and families of them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.hpp"
+#include "tests/cli/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+std::string case_with(const std::string& potential, const std::string& more = "") {
+  return "[body]\nJ = [1.0, 1.7, 0.6]\n[motion]\nbranch = \"iii\"\nnu = 0.3\n[potential]\n" +
+         potential + "\n" + more;
+}
+
+const std::string thickness = "thickness = { model = \"harmonic\", k = 3.0, rest = 1.0 }";
+
+TEST(ExpressionCase, CheckSaysWhatWasFoundOut) {
+  const Outcome ogden = run_program({"check", STATIONARY_CASES "/ogden.toml"});
+  EXPECT_EQ(ogden.code, 0) << ogden.err;
+  EXPECT_THAT(ogden.out, HasSubstr("isotropic"));
+  EXPECT_THAT(ogden.out, HasSubstr("lambda^a1 + mu_^a1"));
+  const Outcome coupled = run_program({"check", STATIONARY_CASES "/mooney_rivlin.toml"});
+  EXPECT_THAT(coupled.out, HasSubstr("an unknown"));
+}
+
+struct Wrong {
+  const char* potential;
+  const char* place;  ///< line and column
+  const char* says;
+};
+
+TEST(ExpressionCase, WrongOnesAreRefusedAtTheirCharacter) {
+  const TemporaryDirectory directory;
+  const Wrong wrong[] = {
+      {"plane = { expression = \"mu*lgo(d)\", mu = 1.0 }", ":7:28", "log"},
+      {"plane = { expression = \"mu*(d - 1\", mu = 1.0 }", ":7:34", "the end"},
+      {"plane = { expression = \"mu*rho\", mu = 1.0 }", ":7:28", "rho"},
+      {"plane = { expression = \"d^2\", mu = 1.0 }", ":7:33", "does not occur"},
+      {"plane = { expression = \"abs(t - 2)\" }", ":7:24", "second derivative"},
+      {"plane = { expression = \"lambda^2 - mu_\" }", ":7:24", "lambda and mu_"},
+      {"plane = { expression = 3 }", ":7:24", "a text"},
+      {"plane = { expression = \"d\", model = \"biot\" }", ":7:29", "both model and expression"},
+      {"plane = { expresion = \"d\" }", ":7:", "did you mean \"expression\""},
+      {"plane = { expression = \"m*d\", m = nan }", ":7:35", "a finite number"},
+      {"plane = { expression = \"\" }", ":7:25", "the end"},
+  };
+  for (const Wrong& each : wrong) {
+    const std::string path =
+        directory.file("wrong.toml", case_with(each.potential + ("\n" + thickness)));
+    const Outcome outcome = run_program({"check", path});
+    EXPECT_EQ(outcome.code, 2) << each.potential;
+    EXPECT_THAT(outcome.err, StartsWith("stationary: " + path + each.place)) << each.potential;
+    EXPECT_THAT(outcome.err, HasSubstr(each.says)) << each.potential;
+    EXPECT_THAT(outcome.out, IsEmpty());
+  }
+}
+
+TEST(ExpressionCase, EveryStateOfRestIsFoundAndProven) {
+  const Outcome outcome =
+      run_program({"solve", STATIONARY_CASES "/double_well.toml", "--set", "motion.nu=0", "--set",
+                   "solve.all=true", "--certify", "-o", "-"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<Row> rows = rows_of(outcome.out);
+  ASSERT_EQ(rows.size(), 3U);
+  const double d[] = {1.0, 1.5, 2.0};
+  const char* classes[] = {"stable", "unstable", "stable"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    Row row = rows[k];
+    EXPECT_NEAR(number(row["xi"]), std::sqrt(d[k]), 4e-16 * d[k]);
+    EXPECT_EQ(row["xi"], row["zeta"]);
+    EXPECT_EQ(row["certified"], "proven");
+    EXPECT_EQ(row["class"], classes[k]);
+  }
+}
+
+TEST(ExpressionCase, EveryThicknessIsFoundAndAStartChoosesOne) {
+  const std::string two_wells = STATIONARY_CASES "/two_wells.toml";
+  const Outcome all = run_program(
+      {"solve", two_wells, "--set", "motion.nu=0.01", "--set", "solve.all=true", "-o", "-"});
+  ASSERT_EQ(all.code, 0) << all.err;
+  EXPECT_EQ(rows_of(all.out).size(), 3U);
+  const auto from = [&](const std::string& rho) {
+    return number(only_row(
+        run_program({"solve", two_wells, "--set", "solve.start=[0, 1, 1, " + rho + "]", "-o", "-"})
+            .out)["rho"]);
+  };
+  EXPECT_NEAR(from("0.8"), 0.8, 0.05);
+  EXPECT_NEAR(from("1.4"), 1.4, 0.05);
+  // Connected to rest: the well nearest to 1.
+  EXPECT_NEAR(number(only_row(run_program({"solve", two_wells, "-o", "-"}).out)["rho"]), 0.8, 0.05);
+}
+
+TEST(ExpressionCase, NoStateOfRestIsSaidSo) {
+  const TemporaryDirectory directory;
+  const std::string path =
+      directory.file("open.toml", case_with("plane = { expression = \"-log(d)\" }\n" + thickness));
+  const Outcome outcome = run_program({"solve", path});
+  EXPECT_EQ(outcome.code, 3) << outcome.out;
+  EXPECT_THAT(outcome.err, HasSubstr("no state of rest was found"));
+}
+
+TEST(ExpressionCase, IsFollowedInItsParameterAndMapped) {
+  const TemporaryDirectory directory;
+  const std::string plane =
+      "plane = { expression = \"mu/2*(I1 - 2 - 2*log(d)) + la/2*log(d)^2\", mu = 1.0, la = 2.0 }\n";
+  const std::string named = "plane = { model = \"neo-hookean\", mu = 1.0, lambda = 2.0 }\n";
+  const auto continued = [&](const std::string& potential, const std::string& parameter) {
+    const std::string path = directory.file(
+        "followed.toml",
+        case_with(potential + thickness, "[continuation]\nparameter = \"potential.plane." +
+                                             parameter + "\"\nfrom = 1.0\nto = 3.0\n"));
+    const Outcome outcome = run_program({"continue", path, "-o", "-"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return rows_of(outcome.out).back();
+  };
+  Row written = continued(plane, "la");
+  Row built_in = continued(named, "lambda");
+  EXPECT_EQ(written["potential.plane.la"], "3");
+  for (const char* column : {"xi", "zeta"})
+    EXPECT_NEAR(number(written[column]), number(built_in[column]), 4e-16) << column;
+
+  const auto mapped = [&](const std::string& potential) {
+    const std::string path = directory.file(
+        "mapped.toml",
+        case_with(potential + thickness,
+                  "[map]\nx = { parameter = \"nu\", from = 0.0, to = 0.7, count = 5 }\n"
+                  "y = { parameter = \"potential.plane.mu\", from = 0.8, to = 1.6, count = 3 }\n"));
+    const Outcome outcome = run_program({"map", path, "-o", "-"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return rows_of(outcome.out);
+  };
+  const std::vector<Row> map = mapped(plane);
+  const std::vector<Row> same = mapped(named);
+  ASSERT_EQ(map.size(), 15U);
+  for (std::size_t k = 0; k < map.size(); ++k) {
+    Row a = map[k];
+    Row b = same[k];
+    EXPECT_EQ(a["status"], b["status"]);
+    EXPECT_EQ(a["class"], b["class"]);
+    if (a["status"] == "solved") EXPECT_NEAR(number(a["xi"]), number(b["xi"]), 4e-16);
+  }
+}
+
+}  // namespace
+}  // namespace stationary::testing
