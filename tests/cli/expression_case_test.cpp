@@ -147,7 +147,9 @@ TEST(ExpressionCase, IsFollowedInItsParameterAndMapped) {
     Row b = same[k];
     EXPECT_EQ(a["status"], b["status"]);
     EXPECT_EQ(a["class"], b["class"]);
-    if (a["status"] == "solved") EXPECT_NEAR(number(a["xi"]), number(b["xi"]), 4e-16);
+    if (a["status"] == "solved") {
+      EXPECT_NEAR(number(a["xi"]), number(b["xi"]), 4e-16);
+    }
   }
 }
 
