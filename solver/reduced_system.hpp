@@ -122,6 +122,10 @@ struct PlanarSystem {
     return {{b.g_xi, b.g_zeta}, {{b.uu, b.uv, b.vv}}, planar_magnitude(w, x[0], x[1], c)};
   }
   LogBalance<DoubleDouble> extended_balance(const ReducedVector<2>& x) const {
+    if constexpr (requires { model.has_principal_stretches(); }) {
+      if (model.has_principal_stretches())
+        return model.residual(DoubleDouble(x[0]), DoubleDouble(x[1]), rates.xi, rates.zeta);
+    }
     const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]));
     return planar_log_balance<1>(w, DoubleDouble(x[0]), DoubleDouble(x[1]), rates);
   }
@@ -168,6 +172,11 @@ struct CoupledSystem {
   }
   LogBalance<DoubleDouble> extended_balance(const ReducedVector<3>& x) const {
     const DoubleDouble rho(x[2]);
+    if constexpr (requires { model.has_principal_stretches(); }) {
+      if (model.has_principal_stretches())
+        return model.residual(DoubleDouble(x[0]), DoubleDouble(x[1]), rho, rates.xi, rates.zeta,
+                              rates.rho);
+    }
     const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]), rho);
     return coupled_log_balance<1>(w, DoubleDouble(x[0]), DoubleDouble(x[1]), rho, rates);
   }

@@ -54,6 +54,16 @@ struct AnyPlane : AnyModel<PlanarModels<C>, PlanarExpression<C>> {
   double rest_stretch() const {
     return this->visit([](const auto& m) { return m.rest_stretch(); });
   }
+  /// As of the expressions (expression.hpp); no built-in model gains by it.
+  bool has_principal_stretches() const {
+    const auto* expression = std::get_if<PlanarExpression<C>>(&this->model);
+    return expression != nullptr && expression->has_principal_stretches();
+  }
+  /// Only where that is so.
+  template <class S>
+  auto residual(const S& xi, const S& zeta, const S& c_xi, const S& c_zeta) const {
+    return std::get<PlanarExpression<C>>(this->model).residual(xi, zeta, c_xi, c_zeta);
+  }
 };
 
 template <class C = double>

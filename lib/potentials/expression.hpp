@@ -151,6 +151,8 @@ class TapeModel {
   const std::string& text() const { return tape_->text; }
   const std::vector<std::string>& parameters() const { return tape_->parameters; }
   const std::shared_ptr<const expression::Tape>& tape() const { return tape_; }
+  /// Then evaluate() has kernels (expression/kernel.hpp) to sum up, and the balance has not.
+  bool has_principal_stretches() const { return tape_->has_principal_stretches; }
 
  protected:
   /// Results of a program on inputs: out(k) gives result k.
@@ -301,6 +303,22 @@ class PlanarExpression : public TapeModel<C> {
         xi, zeta, c_xi, c_zeta);
     return out;
   }
+
+  /// g_xi and g_zeta of log_balance() alone.
+  template <class S>
+  LogBalance<Product<C, S>> residual(const S& xi, const S& zeta, const S& c_xi,
+                                     const S& c_zeta) const {
+    using R = Product<C, S>;
+    LogBalance<R> out;
+    this->template run<R>(
+        this->programs().residual,
+        [&](const auto& result) {
+          out.g_xi = result(0);
+          out.g_zeta = result(1);
+        },
+        xi, zeta, c_xi, c_zeta);
+    return out;
+  }
 };
 
 template <class C = double>
@@ -399,6 +417,23 @@ class CoupledExpression : public TapeModel<C> {
   LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& rho, const S& c_xi,
                                         const S& c_zeta, const S& c_rho) const {
     return this->template coupled_balance<Product<C, S>>(xi, zeta, rho, c_xi, c_zeta, c_rho);
+  }
+
+  /// g_xi, g_zeta and g_rho of log_balance() alone.
+  template <class S>
+  LogBalance<Product<C, S>> residual(const S& xi, const S& zeta, const S& rho, const S& c_xi,
+                                     const S& c_zeta, const S& c_rho) const {
+    using R = Product<C, S>;
+    LogBalance<R> out;
+    this->template run<R>(
+        this->programs().residual,
+        [&](const auto& result) {
+          out.g_xi = result(0);
+          out.g_zeta = result(1);
+          out.g_rho = result(2);
+        },
+        xi, zeta, rho, c_xi, c_zeta, c_rho);
+    return out;
   }
 };
 
