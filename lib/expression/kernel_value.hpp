@@ -23,6 +23,13 @@
 
 namespace stationary::expression {
 
+/// Packs and pairs of them; whoever evaluates in these includes pack_functions.hpp.
+template <class R>
+concept Packed = requires {
+  typename R::Register;
+}
+|| requires { typename decltype(R::hi)::Register; };
+
 /// f^(derivatives) in R, f with its exponent if it is a power.
 template <class R>
 struct KernelFunction {
@@ -352,10 +359,18 @@ R kernel_value(Function function, int index, const R& a, const R& y, const R& no
                const R* exponent) {
   const KernelPart part = kernel_part(index);
   const int derivatives = kernel_derivatives(index);
-  if constexpr (requires {
-                  a.value.lo;
-                  a.slope;
-                }) {
+  if constexpr (Packed<R>) {
+    const R p = function == Function::power ? *exponent : R(1.0);
+    return lane_by_lane(
+        [&](const auto& a1, const auto& y1, const auto& norm1, const auto& p1) {
+          using T = std::remove_cvref_t<decltype(a1)>;
+          return kernel_of(KernelFunction<T>{function, derivatives, &p1}, part, a1, y1, norm1);
+        },
+        a, y, norm, p);
+  } else if constexpr (requires {
+                         a.value.lo;
+                         a.slope;
+                       }) {
     // Dual numbers over intervals: the chain rule.
     using T = std::remove_cvref_t<decltype(a.value)>;
     const T p = function == Function::power ? exponent->value : T(1.0);

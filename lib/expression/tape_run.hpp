@@ -55,14 +55,21 @@ consteval bool over_intervals() {
   }
 }
 
+/// Of DoubleDouble and pairs of packs.
+template <class R>
+R pair_of(const DoubleDouble& x) {
+  using Part = decltype(R::hi);
+  return R(Part(x.hi), Part(x.lo));
+}
+
 template <class R>
 R pi_of() {
   if constexpr (Wide<R>) {
     return R(4.0) * atan(R(1.0));
   } else if constexpr (over_intervals<R>()) {
     return R(Interval(double_double_pi.hi, above(double_double_pi.hi)));
-  } else if constexpr (std::is_constructible_v<R, DoubleDouble>) {
-    return R(double_double_pi);
+  } else if constexpr (requires(R x) { x.hi, x.lo; }) {
+    return pair_of<R>(double_double_pi);
   } else {
     return R(double_double_pi.hi);
   }
@@ -74,8 +81,8 @@ R euler_of() {
     return exp(R(1.0));
   } else if constexpr (over_intervals<R>()) {
     return R(Interval(double_double_e.hi, above(double_double_e.hi)));
-  } else if constexpr (std::is_constructible_v<R, DoubleDouble>) {
-    return R(double_double_e);
+  } else if constexpr (requires(R x) { x.hi, x.lo; }) {
+    return pair_of<R>(double_double_e);
   } else {
     return R(double_double_e.hi);
   }
@@ -93,17 +100,25 @@ void run(const Program& program, const double* literals, const R* constants, R* 
 /// interval_functions.hpp for those where it may not be).
 template <class R>
 R absolute(const R& x) {
-  if constexpr (over_intervals<R>()) {
-    if (!(x.value.lo >= 0.0) && !(x.value.hi <= 0.0)) return x * R(Interval::entire());
+  if constexpr (Packed<R>) {
+    return lane_by_lane([](const auto& lane) { return absolute(lane); }, x);
+  } else {
+    if constexpr (over_intervals<R>()) {
+      if (!(x.value.lo >= 0.0) && !(x.value.hi <= 0.0)) return x * R(Interval::entire());
+    }
+    return leading(x) < 0.0 ? -x : x;
   }
-  return leading(x) < 0.0 ? -x : x;
 }
 template <class R>
 R smaller(const R& x, const R& y) {
-  if constexpr (over_intervals<R>()) {
-    if (!x.value.apart_from(y.value)) return (x + y) * R(Interval::entire());
+  if constexpr (Packed<R>) {
+    return lane_by_lane([](const auto& a, const auto& b) { return smaller(a, b); }, x, y);
+  } else {
+    if constexpr (over_intervals<R>()) {
+      if (!x.value.apart_from(y.value)) return (x + y) * R(Interval::entire());
+    }
+    return leading(y) < leading(x) ? y : x;
   }
-  return leading(y) < leading(x) ? y : x;
 }
 
 template <class R>
