@@ -109,7 +109,7 @@ std::array<double, 2> rest_of(const CoupledExpression<double>& model) {
       double dw = -(uu * g_w - uw * g_u) / det;
       const double size = std::max(std::abs(du), std::abs(dw));
       if (!(size < 1e3)) break;
-      if (size <= 0x1p-52) {
+      if (size <= 0x1p-40) {
         const std::array<double, 2> out{r + r * du, rho + rho * dw};
         if (std::abs(u) <= largest_logarithm && std::abs(w) <= largest_logarithm) return out;
         break;

@@ -319,6 +319,36 @@ TEST(ExpressionModels, IntervalsHoldThePointsOfBoxes) {
   }
 }
 
+/// States that carry slopes, over doubles and over intervals: Hessians of the balance, and proofs
+/// that need slopes over a box.
+TEST(ExpressionModels, DualStates) {
+  Random random(422);
+  using DualBox = Dual<Interval, 2>;
+  for (const char* text : planes) {
+    const auto model = written_plane(text, names, {1.25, 0.75});
+    const auto intervals = with_coefficients(model, [](double c) { return Interval(c); });
+    for (int trial = 0; trial < 5; ++trial) {
+      const double xi = random.log_uniform(0.4, 2.5);
+      const double zeta = trial == 0 ? xi : random.log_uniform(0.4, 2.5);
+      const auto b = model.log_balance(xi, zeta, 0.25, 0.5);
+      const auto box = intervals.evaluate<1>(planar_invariants(
+          DualBox::logarithmic(Interval(xi), 0), DualBox::logarithmic(Interval(zeta), 1)));
+      const auto point = model.evaluate<1>(
+          planar_invariants(Dual2::logarithmic(xi, 0), Dual2::logarithmic(zeta, 1)));
+      const Dual2 g = Dual2::logarithmic(xi, 0) * point.w_t + point.w_l;
+      const DualBox G = DualBox::logarithmic(Interval(xi), 0) * box.w_t + box.w_l;
+      const std::array<double, 2> expected{b.uu + 2.0 * 0.25 * xi * xi, b.uv};
+      for (std::size_t k = 0; k < 2; ++k) {
+        const double size = 1.0 + std::abs(expected[k]);
+        EXPECT_NEAR(g.slope[k], expected[k], 1e-12 * size) << text;
+        EXPECT_LE(G.slope[k].lo, expected[k] + 1e-13 * size) << text;
+        EXPECT_GE(G.slope[k].hi, expected[k] - 1e-13 * size) << text;
+        EXPECT_LE(G.slope[k].width(), 1e-8 * size) << text;
+      }
+    }
+  }
+}
+
 /// A decimal number that no double is: as intervals, both are held.
 TEST(ExpressionModels, DecimalNumbers) {
   const auto model = written_plane("0.1*t + 0.25*d", {}, {});
