@@ -134,6 +134,13 @@ struct PlanarSystem {
     return {double(b.g_xi), double(b.g_zeta)};
   }
   ReducedVector<2> input_sensitivity(const ReducedVector<2>& x) const {
+    if constexpr (requires { model.has_principal_stretches(); }) {
+      if (model.has_principal_stretches()) {
+        if (const auto of_model = model.residual_sensitivity(x[0], x[1]))
+          return {(*of_model)[0] + 3.0 * double(rates.xi) * x[0] * x[0],
+                  (*of_model)[1] + 3.0 * double(rates.zeta) * x[1] * x[1]};
+      }
+    }
     const auto w = with_relative_duals(model).template evaluate<1>(planar_invariants(x[0], x[1]));
     return {sensitivity(x[0] * w.w_t + w.w_l) + 3.0 * double(rates.xi) * x[0] * x[0],
             sensitivity(x[1] * w.w_t + w.w_l) + 3.0 * double(rates.zeta) * x[1] * x[1]};
@@ -185,6 +192,14 @@ struct CoupledSystem {
     return {double(b.g_xi), double(b.g_zeta), double(b.g_rho)};
   }
   ReducedVector<3> input_sensitivity(const ReducedVector<3>& x) const {
+    if constexpr (requires { model.has_principal_stretches(); }) {
+      if (model.has_principal_stretches()) {
+        if (const auto of_model = model.residual_sensitivity(x[0], x[1], x[2]))
+          return {(*of_model)[0] + 3.0 * double(rates.xi) * x[0] * x[0],
+                  (*of_model)[1] + 3.0 * double(rates.zeta) * x[1] * x[1],
+                  (*of_model)[2] + 3.0 * double(rates.rho) * x[2] * x[2]};
+      }
+    }
     const auto w =
         with_relative_duals(model).template evaluate<1>(planar_invariants(x[0], x[1]), x[2]);
     return {sensitivity(x[0] * w.plane.w_t + w.plane.w_l) + 3.0 * double(rates.xi) * x[0] * x[0],

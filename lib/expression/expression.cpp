@@ -132,14 +132,13 @@ std::vector<NodeId> with_derivatives(Graph& g, NodeId potential,
 }
 
 /// Where an expression that fits gets more than there is room for, it does without slopes.
-Program slopes(TapeWriter& writer, Graph& graph, std::span<const NodeId> gradient,
+Program slopes(TapeWriter& writer, Graph& graph, std::span<const NodeId> of,
                std::span<const Variable> inputs, const std::vector<std::string>& parameters) {
   std::vector<Variable> all(inputs.begin(), inputs.end());
   for (int k = 0; k < static_cast<int>(parameters.size()); ++k)
     all.push_back(parameter_variable(k));
   try {
-    return writer.program(all,
-                          parameter_slopes(graph, gradient, static_cast<int>(parameters.size())));
+    return writer.program(all, parameter_slopes(graph, of, static_cast<int>(parameters.size())));
   } catch (const TooLarge&) {
     return {};
   }
@@ -161,9 +160,10 @@ std::shared_ptr<const Tape> tape(Expression& e, NodeId smooth,
   out->evaluate[1] = writer.program(inputs, gradient);
   out->evaluate[2] = writer.program(inputs, all);
   out->balance = writer.program(balance_inputs, forces);
-  out->residual =
-      writer.program(balance_inputs, std::span<const NodeId>(forces).first(directions.size()));
+  const auto residual = std::span<const NodeId>(forces).first(directions.size());
+  out->residual = writer.program(balance_inputs, residual);
   out->slopes = slopes(writer, e.graph, gradient, inputs, e.parameters);
+  out->residual_slopes = slopes(writer, e.graph, residual, balance_inputs, e.parameters);
   out->has_principal_stretches = occurs(e.graph, smooth, {Variable::discriminant});
   out->coefficients = writer.coefficients();
   out->fixed_constants.resize(out->coefficients.constants.size());

@@ -42,6 +42,8 @@ struct Tape {
   /// Value and gradient, then the derivative of both in each parameter: of the inputs and the
   /// parameters. No results where it could not be had (slopes.hpp).
   Program slopes;
+  /// The same of the residuals.
+  Program residual_slopes;
   std::vector<double> fixed_constants;  ///< the constants in which no parameter is
   bool has_principal_stretches = false;
 };

@@ -64,6 +64,9 @@ struct AnyPlane : AnyModel<PlanarModels<C>, PlanarExpression<C>> {
   auto residual(const S& xi, const S& zeta, const S& c_xi, const S& c_zeta) const {
     return std::get<PlanarExpression<C>>(this->model).residual(xi, zeta, c_xi, c_zeta);
   }
+  auto residual_sensitivity(double xi, double zeta) const {
+    return std::get<PlanarExpression<C>>(this->model).residual_sensitivity(xi, zeta);
+  }
 };
 
 template <class C = double>

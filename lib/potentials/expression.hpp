@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -200,34 +202,57 @@ class TapeModel {
     c.slope;
   };
 
-  /// Value and gradient with their slopes, out(k, number k of them); false where the tape has no
-  /// program for that.
+  /// A program of expression/slopes.hpp, of `count` numbers x and their slopes:
+  /// out(k, x_k, slope) with slope(i) = dx_k/dp_i. False where the tape has not got it.
   template <class Out, class... Inputs>
-  bool run_slopes(Out&& out, const Inputs&... inputs) const {
-    const expression::Program& program = tape_->slopes;
+  bool run_slopes(const expression::Program& program, const Out& out,
+                  const Inputs&... inputs) const {
     if (program.results.empty()) return false;
     expression::Workspace<double, expression::largest_place_count> workspace;
     double* place = workspace.data();
     const double* constants = tape_->fixed_constants.data();
-    std::size_t k = 0;
-    ((place[k++] = inputs), ...);
-    for (const C& c : coefficients_) place[k++] = c.value;
+    std::size_t next = 0;
+    ((place[next++] = inputs), ...);
+    for (const C& c : coefficients_) place[next++] = leading(c);
     expression::run<double>(program, tape_->coefficients.literals.data(), constants, place);
     const auto result = [&](std::size_t i) {
       const expression::Result& at = program.results[i];
       return at.constant ? constants[at.at] : place[at.at];
     };
     const std::size_t count = program.results.size() / (1 + coefficients_.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      C number(result(i));
-      for (std::size_t j = 0; j < coefficients_.size(); ++j) {
-        const double slope = result((1 + j) * count + i);
-        for (std::size_t direction = 0; direction < number.slope.size(); ++direction)
-          number.slope[direction] += slope * coefficients_[j].slope[direction];
-      }
-      out(i, number);
-    }
+    for (std::size_t k = 0; k < count; ++k)
+      out(k, result(k), [&](std::size_t i) { return result((1 + i) * count + k); });
     return true;
+  }
+
+  /// Value and gradient as dual numbers, out(k, number k of them), of dual coefficients.
+  template <class Out, class... Inputs>
+  bool run_dual(const Out& out, const Inputs&... inputs) const {
+    return run_slopes(
+        tape_->slopes,
+        [&](std::size_t k, double value, const auto& slope) {
+          C number(value);
+          for (std::size_t i = 0; i < coefficients_.size(); ++i)
+            for (std::size_t direction = 0; direction < number.slope.size(); ++direction)
+              number.slope[direction] += slope(i) * coefficients_[i].slope[direction];
+          out(k, number);
+        },
+        inputs...);
+  }
+
+  /// Of each residual the sum over the parameters p of |p dg/dp|; the rates enter none.
+  template <std::size_t n, class... Inputs>
+  std::optional<std::array<double, n>> sensitivity(const Inputs&... inputs) const {
+    std::array<double, n> out{};
+    const bool known = run_slopes(
+        tape_->residual_slopes,
+        [&](std::size_t k, double, const auto& slope) {
+          for (std::size_t i = 0; i < coefficients_.size(); ++i)
+            out[k] += std::abs(coefficients_[i] * slope(i));
+        },
+        inputs...);
+    if (!known) return {};
+    return out;
   }
 
   const expression::Tape& programs() const { return *tape_; }
@@ -265,7 +290,7 @@ class PlanarExpression : public TapeModel<C> {
     PlanarDerivatives<R> out;
     if constexpr (order == 1 && TapeModel<C>::template is_of_doubles<S>) {
       const std::array<R*, 3> places{&out.w, &out.w_t, &out.w_l};
-      if (this->run_slopes([&](std::size_t k, const R& x) { *places[k] = x; }, x.t, x.d, x.e))
+      if (this->run_dual([&](std::size_t k, const R& x) { *places[k] = x; }, x.t, x.d, x.e))
         return out;
     }
     this->template run<R>(
@@ -302,6 +327,13 @@ class PlanarExpression : public TapeModel<C> {
         },
         xi, zeta, c_xi, c_zeta);
     return out;
+  }
+
+  /// Sum over the parameters p of |p dg/dp|, g = (g_xi, g_zeta) of log_balance(); none where a
+  /// parameter enters by abs, min or max.
+  std::optional<std::array<double, 2>> residual_sensitivity(
+      double xi, double zeta) const requires std::is_same_v<C, double> {
+    return this->template sensitivity<2>(xi, zeta, 0.0, 0.0);
   }
 
   /// g_xi and g_zeta of log_balance() alone.
@@ -343,7 +375,7 @@ class ThicknessExpression : public TapeModel<C> {
     ThicknessDerivatives<R> out;
     if constexpr (order == 1 && TapeModel<C>::template is_of_doubles<S>) {
       const std::array<R*, 2> places{&out.v, &out.v_r};
-      if (this->run_slopes([&](std::size_t k, const R& x) { *places[k] = x; }, rho)) return out;
+      if (this->run_dual([&](std::size_t k, const R& x) { *places[k] = x; }, rho)) return out;
     }
     this->template run<R>(
         this->programs().evaluate[order],
@@ -388,7 +420,7 @@ class CoupledExpression : public TapeModel<C> {
     CoupledDerivatives<R> out;
     if constexpr (order == 1 && TapeModel<C>::template is_of_doubles<S>) {
       const std::array<R*, 4> places{&out.plane.w, &out.plane.w_t, &out.plane.w_l, &out.w_r};
-      if (this->run_slopes([&](std::size_t k, const R& x) { *places[k] = x; }, x.t, x.d, x.e, rho))
+      if (this->run_dual([&](std::size_t k, const R& x) { *places[k] = x; }, x.t, x.d, x.e, rho))
         return out;
     }
     this->template run<R>(
@@ -417,6 +449,12 @@ class CoupledExpression : public TapeModel<C> {
   LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& rho, const S& c_xi,
                                         const S& c_zeta, const S& c_rho) const {
     return this->template coupled_balance<Product<C, S>>(xi, zeta, rho, c_xi, c_zeta, c_rho);
+  }
+
+  /// As of PlanarExpression, g = (g_xi, g_zeta, g_rho).
+  std::optional<std::array<double, 3>> residual_sensitivity(
+      double xi, double zeta, double rho) const requires std::is_same_v<C, double> {
+    return this->template sensitivity<3>(xi, zeta, rho, 0.0, 0.0, 0.0);
   }
 
   /// g_xi, g_zeta and g_rho of log_balance() alone.

@@ -285,6 +285,15 @@ TEST(ExpressionModels, SlopesInTheParameters) {
       EXPECT_NEAR(w.w_l.slope[k + 1], slope(above.w_l, below.w_l), 1e-12) << text;
       EXPECT_EQ(w.w_t.slope[0], 0.0);
     }
+    const auto by_residual = model.residual_sensitivity(xi, zeta);
+    ASSERT_TRUE(by_residual.has_value()) << text;
+    for (std::size_t i = 0; i < 2; ++i) {
+      double sum = 0.0;
+      const double x = i == 0 ? xi : zeta;
+      for (std::size_t k = 0; k < 2; ++k)
+        sum += 0.5 * std::abs(values[k] * (x * w.w_t.slope[k + 1] + w.w_l.slope[k + 1]));
+      EXPECT_NEAR((*by_residual)[i], sum, 1e-12 * (1.0 + sum)) << text;
+    }
     const auto plain = model.evaluate<1>(planar_invariants(xi, zeta));
     EXPECT_NEAR(w.w_t.value, plain.w_t, 1e-14 * (1.0 + std::abs(plain.w_t))) << text;
     EXPECT_NEAR(w.w_l.value, plain.w_l, 1e-14 * (1.0 + std::abs(plain.w_l))) << text;
