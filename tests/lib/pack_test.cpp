@@ -47,6 +47,29 @@ TEST(Pack, OperationsAreThoseOfItsLanes) {
   }
 }
 
+TEST(Pack, RootsAndQuotientsOfPairs) {
+  support::Random random(703);
+  for (int trial = 0; trial < 400; ++trial) {
+    const Pair<P> x(random_pack(random, 1e8), random_pack(random, 2.0) * 0x1p-80);
+    const Pair<P> y(random_pack(random, 1e8), random_pack(random, 2.0) * 0x1p-80);
+    const Pair<P> root = sqrt(x);
+    const Pair<P> none = sqrt(-x);
+    const Pair<P> quotient = x / y;
+    const Pair<P> chosen = select(x.hi < y.hi, x, y);
+    for (int k = 0; k < P::lanes; ++k) {
+      const DoubleDouble a(lane(x.hi, k), lane(x.lo, k));
+      const DoubleDouble b(lane(y.hi, k), lane(y.lo, k));
+      EXPECT_EQ(lane(sqrt(x.hi), k), std::sqrt(a.hi));
+      const DoubleDouble r(lane(root.hi, k), lane(root.lo, k));
+      EXPECT_LE(std::abs(double(r * r - a)), 0x1p-98 * a.hi);
+      EXPECT_EQ(lane(none.hi, k), 0.0);
+      const DoubleDouble q(lane(quotient.hi, k), lane(quotient.lo, k));
+      EXPECT_LE(std::abs(double(q * b - a)), 0x1p-98 * a.hi);
+      EXPECT_EQ(lane(chosen.lo, k), a.hi < b.hi ? a.lo : b.lo);
+    }
+  }
+}
+
 TEST(Pack, LogarithmsKeepTheirBounds) {
   support::Random random(702);
   for (int trial = 0; trial < 4000; ++trial) {
