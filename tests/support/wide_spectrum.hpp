@@ -8,6 +8,7 @@
 #include <array>
 #include <vector>
 
+#include "lib/coefficients.hpp"
 #include "lib/leaf.hpp"
 #include "lib/linearization.hpp"
 #include "tests/support/high_precision.hpp"
@@ -85,14 +86,6 @@ inline std::vector<WideLambda> wide_lambdas(const StraightState<Number50>& given
   return out;
 }
 
-/// model with coefficients shaken.
-template <template <class> class Model, class Shake>
-Model<Number50> shaken(const Model<double>& model, const Shake& shake) {
-  const auto p = model.coefficients();
-  const Number50 first = shake(p[0]);
-  return {first, shake(p[1])};
-}
-
 /// shake(double) -> Number50 is applied to every input: coefficients, J (equal ones equally), nu.
 template <class Shake>
 WideMotion wide_motion(const Motion& motion, const Shake& shake) {
@@ -119,8 +112,8 @@ WideMotion wide_motion(const Motion& motion, const Shake& shake) {
   };
   return problem.potential().visit([&](const auto& model) {
     if constexpr (requires { model.plane; }) {
-      const auto plane = shaken(model.plane, shake);
-      const auto thickness = shaken(model.thickness, shake);
+      const auto plane = with_coefficients(model.plane, shake);
+      const auto thickness = with_coefficients(model.thickness, shake);
       const Two x = newton_50<2>({Number50(q.xi), Number50(q.zeta)}, [&](const Two& at) {
         const auto w = plane.template evaluate<2>(planar_invariants(at[0], at[1]));
         const auto b = planar_log_balance<2>(w, at[0], at[1], c);
@@ -135,7 +128,7 @@ WideMotion wide_motion(const Motion& motion, const Shake& shake) {
       using Whole = Separable<std::decay_t<decltype(plane)>, std::decay_t<decltype(thickness)>>;
       return finish(Whole{plane, thickness}, {x[0], x[1], rho[0]});
     } else {
-      const auto whole = shaken(model, shake);
+      const auto whole = with_coefficients(model, shake);
       const Three x =
           newton_50<3>({Number50(q.xi), Number50(q.zeta), Number50(q.rho)}, [&](const Three& at) {
             const auto w = whole.template evaluate<2>(planar_invariants(at[0], at[1]), at[2]);
