@@ -199,7 +199,7 @@ template <class V>
   return threshold * threshold * (size * size) * error < smallest * smallest;
 }
 
-/// (i): class and negative directions. Returns det K of the even block < 0 and the like are inside.
+/// (i): class and negative directions.
 template <class V>
 [[gnu::always_inline]] inline void in_plane_verdict(const StraightState<RunningError<V>>& s,
                                                     const typename V::Mask& symmetric,
@@ -271,25 +271,41 @@ template <class V>
   const Mask minor_negative = minor.value < V(0.0);
   const Mask downward = ~minor_negative & (even.rest.K[0][0].value < V(0.0));
   const Mask definite = ~(alpha | minor_negative | downward);
-  const Polynomial<Error, 3> p = even.characteristic();
-  const Error inverse = Error(1.0) / p.c[3];
-  const Error a = p.c[2] * inverse;
-  const Error b = p.c[1] * inverse;
-  const Error c = p.c[0] * inverse;
-  const Error third = (1.0 / 3.0) * a;
-  const Error linear = b - a * third;
-  const Error rest = c - third * (b - 2.0 * (third * third));
-  const Error discriminant = -4.0 * (linear * linear * linear) - 27.0 * (rest * rest);
-  const Mask one_real = discriminant.value < V(0.0);
-  const Mask odd_positive = c.value < V(0.0);
-  const Mask upward = (a.value < V(0.0)) | (b.value < V(0.0));
-  const Mask roots_decided =
-      definite |
-      (out.certain(discriminant) & (odd_positive | one_real | (out.certain(a) & out.certain(b))));
+  const Mask never = alpha & ~alpha;
+  Mask roots_decided = definite;
+  Mask even_real = never;
+  Mask even_complex = never;
+  if (any(~(definite | circle))) {
+    const Polynomial<Error, 3> p = even.characteristic();
+    const Error inverse = Error(1.0) / p.c[3];
+    const Error a = p.c[2] * inverse;
+    const Error b = p.c[1] * inverse;
+    const Error c = p.c[0] * inverse;
+    const Error third = (1.0 / 3.0) * a;
+    const Error linear = b - a * third;
+    const Error rest = c - third * (b - 2.0 * (third * third));
+    const Error discriminant = -4.0 * (linear * linear * linear) - 27.0 * (rest * rest);
+    const Mask one_real = discriminant.value < V(0.0);
+    const Mask odd_positive = c.value < V(0.0);
+    const Mask upward = (a.value < V(0.0)) | (b.value < V(0.0));
+    roots_decided = definite | (out.certain(discriminant) &
+                                (odd_positive | one_real | (out.certain(a) & out.certain(b))));
+    even_real = ~definite & (odd_positive | (~one_real & upward));
+    even_complex = ~definite & one_real & ~odd_positive;
+  }
   const Mask general_decided = out.certain(even.K_alpha) & out.certain(minor) &
                                (minor_negative | out.certain(even.rest.K[0][0])) & roots_decided;
-  const Mask even_real = ~definite & (odd_positive | (~one_real & upward));
-  const Mask even_complex = ~definite & one_real & ~odd_positive;
+  out.count(~circle & alpha);
+  out.count(~circle & minor_negative);
+  out.count(~circle & downward, 2.0);
+  out.real = out.real | (~circle & even_real);
+  out.complex = ~circle & even_complex;
+  out.definite_too = never;
+  out.indefinite = never;
+  if (!any(circle)) {
+    out.decided = out.decided & general_decided;
+    return;
+  }
 
   // The circle: breathing, and two shears i (omega +- Omega), Omega^2 = omega^2 + k.
   const Error breathing = even.rest.K[0][0] + even.rest.K[0][1];
@@ -301,20 +317,14 @@ template <class V>
   const Error omega(abs(s.omega.value), s.omega.units);
   const Error margin = 0.5 * (omega + Omega) + omega * (s.I3() / s.I1() - Error(1.0));
   const Mask narrowing = breathing.value < V(0.0);
-  const Mask shear = k.value < V(0.0);
   const Mask circle_decided = out.certain(breathing) & out.certain(Omega2) &
                               (~apart | (out.certain(k) & out.certain(margin)));
-
   out.decided = out.decided & ((circle & circle_decided) | (~circle & general_decided));
-  out.count(~circle & alpha);
-  out.count(~circle & minor_negative);
-  out.count(~circle & downward, 2.0);
   out.count(circle & narrowing);
-  out.count(circle & shear, 2.0);
-  out.real = out.real | (~circle & even_real) | (circle & narrowing);
-  out.complex = (~circle & even_complex) | (circle & ~apart);
+  out.count(circle & (k.value < V(0.0)), 2.0);
+  out.real = out.real | (circle & narrowing);
+  out.complex = out.complex | (circle & ~apart);
   out.definite_too = circle & apart & (V(0.0) < margin.value);
-  out.indefinite = ~(V(0.0) <= V(0.0));
 }
 
 /// Five modes of a pack, put in the order of Spectrum::mode.
