@@ -53,8 +53,8 @@ class SpectrumRun {
 
   CellSpectrum alone(const CellPlace& place) {
     ++scalar_;
-    if (lane_ != place.lane) go_to(place.lane);
-    if (!problem_) problem_.emplace(input_.problem(place.lane));
+    if (!problem_ || problem_lane_ != place.lane)
+      problem_.emplace(input_.problem(problem_lane_ = place.lane));
     const BatchCell cell = solved_.cell(place.lane, place.k);
     Equilibrium equilibrium;
     equilibrium.status = cell.status;  // stability() takes none that is not solved
@@ -96,10 +96,9 @@ class SpectrumRun {
     }
   }
 
-  /// What all cells of a lane have in common.
+  /// What all cells of a lane have in common, of models with two coefficients each.
   void go_to(std::size_t lane) {
     lane_ = lane;
-    problem_.reset();
     speed_ = input_.speed[lane];
     inertia_[first_] = input_.inertia[0][lane];
     inertia_[1 - first_] = input_.inertia[1][lane];
@@ -134,7 +133,8 @@ class SpectrumRun {
   double pull_[3];
   double plane_[2];
   double thickness_[2];
-  std::optional<Problem> problem_;
+  std::optional<Problem> problem_;  ///< of the lane the scalar path was last in
+  std::size_t problem_lane_ = 0;
   std::size_t scalar_ = 0;
 };
 
