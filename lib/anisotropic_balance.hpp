@@ -63,6 +63,7 @@ inline double from_hyperbolic(double t) { return std::sqrt((1.0 + t) / (1.0 - t)
 template <class S>
 struct OrientedStretch {
   BasicStretch<S> q;
+  S root;  ///< sqrt(xi zeta)
   S tanh;  ///< of a
   S sech;
 
@@ -77,7 +78,8 @@ template <class S>
 OrientedStretch<S> oriented_stretch(const S& xi, const S& zeta, const S& rho, const S& x_a) {
   using std::sqrt;
   const Hyperbolic<S> a = hyperbolic(x_a);
-  return {{sqrt(xi * zeta) * a.tanh, xi, zeta, rho}, a.tanh, a.sech};
+  const S root = sqrt(xi * zeta);
+  return {{root * a.tanh, xi, zeta, rho}, root, a.tanh, a.sech};
 }
 
 /// x_a of a stretch.
@@ -140,8 +142,7 @@ void add_in_logarithms(const OrientedStretch<S>& at, const Vector4<S>& gradient,
   using namespace oriented;
   const auto& q = at.q;
   const S half = 0.5 * q.alpha;  // alpha_u = alpha_v
-  using std::sqrt;
-  const S alpha_a = sqrt(q.xi * q.zeta) * square(at.sech);
+  const S alpha_a = at.root * square(at.sech);
   const S by_alpha = gradient[0] * half;
   out.g[u] += gradient[1] * q.xi + by_alpha;
   out.g[v] += gradient[2] * q.zeta + by_alpha;
@@ -260,6 +261,15 @@ void add_axis(const Inertia3<S>& J, const OrientedStretch<S>& at, const S& nu_sq
       out.slope[i][phi] = nu_squared * (in_q.g[i] * axis.rate);
     }
   }
+}
+
+/// At alpha = 0, from V's second derivatives there.
+template <class S>
+StraightState<S> straight_state(const Inertia3<S>& J, const AnisotropicModel<S>& model,
+                                const BasicStretch<S>& q, const S& omega) {
+  const Matrix4<S> H = potential_derivatives<2>(model, q).hessian;
+  return {J,       q.xi,    q.zeta,  q.rho,   omega,   H(0, 0), H(1, 1),
+          H(1, 2), H(2, 2), H(1, 3), H(2, 3), H(3, 3)};
 }
 
 }  // namespace stationary

@@ -1,7 +1,9 @@
 // Steady rotations about a material axis: the paper's branches
 //   (i) nu = (nu1, 0, 0),   (ii) nu = (0, nu2, 0),   (iii) nu = (0, 0, nu3),
 // and about an axis tilted in the plane of one of axes 1, 2 and of axis 3:
-//   nu = (nu1, 0, nu3)  or  nu = (0, nu2, nu3).
+//   nu = (nu1, 0, nu3)  or  nu = (0, nu2, nu3)
+//
+// or in that of axes 1 and 2, nu = (nu1, nu2, 0): "oblique".
 #pragma once
 
 #include <optional>
@@ -35,6 +37,7 @@ Vector3<S> angular_velocity(Branch branch, const S& nu_along) {
 }
 
 constexpr std::string_view tilted_name = "tilted";
+constexpr std::string_view oblique_name = "oblique";
 
 /// The planes a tilted axis can lie in.
 enum class TiltPlane { one_three, two_three };

@@ -9,8 +9,8 @@
 // one of the models and visit() gives an isotropic one back as its own type, once per solve.
 #pragma once
 
-#include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -127,10 +127,11 @@ class Potential {
   const CoupledPotential& coupled() const { return std::get<CoupledPotential>(models_); }
 
   /// Calls f with the one model held, as its own type (Separable<Plane, Thickness> or a coupled
-  /// one; SeparableExpression whatever its parts are). Only where isotropic
-  /// (std::bad_variant_access otherwise).
+  /// one; SeparableExpression whatever its parts are). Throws std::invalid_argument where not
+  /// isotropic.
   template <class F>
   decltype(auto) visit(F&& f) const {
+    if (!is_isotropic()) throw std::invalid_argument("an isotropic potential");
     if (const auto* parts = std::get_if<SeparableModels>(&models_)) {
       return std::visit(
           [&](const auto& plane, const auto& thickness) -> decltype(auto) {

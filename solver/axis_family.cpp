@@ -1,10 +1,14 @@
 #include "solver/axis_family.hpp"
 
+#include "solver/anisotropic_family.hpp"
 #include "solver/model_family.hpp"
 
 namespace stationary {
 
-AnyFamily axis_family(const Problem& problem, const AxisFamilyOptions& options) {
+AnyFamily axis_family(const Problem& problem, const AxisFamilyOptions& options, bool alpha_free) {
+  if (!problem.potential().is_isotropic())
+    return anisotropic_family(problem.body(), problem.potential().anisotropic(), problem.branch(),
+                              alpha_free, options);
   const bool constant = problem.thickness_rule() == ThicknessRule::constant &&
                         options.parameter.kind != FamilyParameter::Kind::thickness;
   return problem.potential().visit([&](const auto& model) -> AnyFamily {

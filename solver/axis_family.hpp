@@ -3,6 +3,8 @@
 //
 //   N = 2  x = (xi, zeta)        separable V in (iii), rho untouched by the parameter and unique
 //   N = 3  x = (xi, zeta, rho)   otherwise
+//
+// of an isotropic V; of another: anisotropic_family.hpp.
 #pragma once
 
 #include <memory>
@@ -20,6 +22,7 @@ struct FamilyParameter {
     inertia,    ///< J_(index + 1)
     plane,      ///< coefficient `index` of the planar (or coupled) model
     thickness,  ///< of the thickness model
+    fibre,      ///< of the fibres: k and degrees of each
   };
   Kind kind = Kind::nu;
   int index = 0;
@@ -33,8 +36,12 @@ struct AxisFamilyOptions {
   bool energy = true;
 };
 
-using AnyFamily = std::variant<std::unique_ptr<Family<2>>, std::unique_ptr<Family<3>>>;
+using AnyFamily = std::variant<std::unique_ptr<Family<2>>, std::unique_ptr<Family<3>>,
+                               std::unique_ptr<Family<4>>, std::unique_ptr<Family<5>>>;
 
-AnyFamily axis_family(const Problem& problem, const AxisFamilyOptions& options);
+/// alpha_free: of an even anisotropic V in (iii), the family with alpha != 0 and not that with
+/// alpha = 0.
+AnyFamily axis_family(const Problem& problem, const AxisFamilyOptions& options,
+                      bool alpha_free = false);
 
 }  // namespace stationary

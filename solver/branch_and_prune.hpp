@@ -128,10 +128,10 @@ class BranchAndPrune {
       }
       for (const auto& known : out_.solutions)
         if (within(box, known.proof.unique)) return;
-      const BoxLinearized<N> over = boxes_.linearize(box);
+      const auto over = boxes_.linearize(box);
       for (const Interval& g : over.g)
         if (!g.may_be(0.0)) return;
-      const SmallSymmetric<N> inverse = over.middle().inverse();
+      const auto inverse = over.middle().inverse();
       if (!finite(inverse)) break;
       double kept = 1.0;
       bool regular = false;
@@ -142,9 +142,11 @@ class BranchAndPrune {
     split(box);
   }
 
-  static bool finite(const SmallSymmetric<N>& a) {
+  template <class Matrix>
+  static bool finite(const Matrix& a) {
     double sum = 0.0;
-    for (const double entry : a.entries) sum += entry;
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j < N; ++j) sum += a(i, j);
     return std::isfinite(sum);
   }
 
@@ -160,8 +162,9 @@ class BranchAndPrune {
 
   /// Narrows the box; false if nothing is left. kept: the smallest fraction left of a side.
   /// regular: every M_ii excludes 0.
-  bool gauss_seidel(const BoxLinearized<N>& over, const SmallSymmetric<N>& Y, Box<N>& box,
-                    double& kept, bool& regular) const {
+  template <class Linearized, class Matrix>
+  bool gauss_seidel(const Linearized& over, const Matrix& Y, Box<N>& box, double& kept,
+                    bool& regular) const {
     const ReducedVector<N> center = middle(box);
     Box<N> at;
     Box<N> d;

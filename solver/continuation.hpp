@@ -174,6 +174,10 @@ class Continuation {
   void accept(Attempt& attempt) {
     CurvePoint<N> next = completed(attempt.corrected.point);
     ++counts_.steps;
+    if (const auto k = curve_->family().mirrored(); attempt.mirrors && k) {
+      end_at_mirror(attempt, *k);
+      return;
+    }
     if (attempt.mirrors) {
       end_at_circle(attempt, next);
       return;
@@ -293,7 +297,7 @@ class Continuation {
                                 ? "the axis has come to axis 3, on branch (iii)"
                                 : "the axis has come to the plane of axes 1 and 2");
     if (at == events_.end()) return true;  // it was there at the start
-    const ReducedVector<N> x = unknowns<N>(end.q);
+    const ReducedVector<N> x = curve_->family().coordinates(end.q, end.parameter);
     const Corrected<N> corrected = curve_->corrector().correct_at(x, end.parameter, attempt.arc.to);
     if (corrected.status == CorrectorStatus::converged) {
       ArcVector<N> chord;
@@ -341,10 +345,31 @@ class Continuation {
 
   /// A sheet of ellipses (J1 = J2, branch (iii)) that reaches xi = zeta meets the circle there and
   /// goes on as its own mirror image.
+  /// One with alpha != 0 of an even V likewise meets alpha = 0.
   bool crosses_mirror(const ArcPoint<N>& next) const {
     const TestContext& context = curve_->context();
+    if (const auto k = curve_->family().mirrored())
+      return (here_.arc.x[*k] < 1.0) != (next.x[*k] < 1.0);
     if (!context.material_symmetry || context.circle || context.branch != Branch::iii) return false;
     return (here_.arc.x[0] < here_.arc.x[1]) != (next.x[0] < next.x[1]);
+  }
+
+  void end_at_mirror(const Attempt& attempt, int k) {
+    const double gap = std::log(here_.arc.x[k]);
+    const ArcVector<N> y = attempt.arc.at(gap / (gap - std::log(attempt.corrected.point.x[k])));
+    const auto at = curve_->family().mirror_point(
+        moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())),
+        here_.arc.p + curve_->corrector().scale() * y[N]);
+    if (!at) {
+      finish(EventType::stalled, "alpha = 0 was passed, but the point there not found");
+      return;
+    }
+    here_.member = *at;
+    here_.arc.p = at->parameter;
+    const bool in_plane = curve_->context().oblique;
+    finish(in_plane ? EventType::oblique : EventType::shear,
+           in_plane ? "the axis has come to a material one, alpha to 0"
+                    : "alpha has come to 0; beyond are mirror images");
   }
 
   void end_at_circle(const Attempt& attempt, const CurvePoint<N>& next) {

@@ -232,7 +232,14 @@ class Corrector {
     Bordered inverse = Bordered::Zero();
     double determinant = 0.0;
     bool invertible = false;
-    A.computeInverseAndDetWithCheck(inverse, determinant, invertible, 0.0);
+    if constexpr (N <= 3) {
+      A.computeInverseAndDetWithCheck(inverse, determinant, invertible, 0.0);
+    } else {
+      const Eigen::PartialPivLU<Bordered> lu(A);
+      determinant = lu.determinant();
+      invertible = determinant != 0.0;
+      inverse = lu.inverse();
+    }
     point.tangent = inverse.col(N);
     symmetrize(point.tangent);
     if (pinned_) point.tangent[N] = 0.0;

@@ -23,7 +23,8 @@ class Curve {
       : family_(&family),
         corrector_(family, scale, circle, pinned),
         context_{family.branch(), family.material_symmetry(), circle,
-                 family.tilted(), family.two_polar(),         TestContext::sought_for(asked)} {}
+                 family.tilted(), family.two_polar(),         TestContext::sought_for(asked),
+                 family.oblique()} {}
 
   const Family<N>& family() const { return *family_; }
   const Corrector<N>& corrector() const { return corrector_; }
@@ -73,15 +74,9 @@ class Curve {
     }
     c.normalize();
     if (context_.two_polar) return {c[N], std::numeric_limits<double>::quiet_NaN()};
-    const CentrifugalRates<double> I = axis_rates(member.body, context_.branch, 1.0);
-    const Stretch& q = member.q;
-    const double from_xi = I.xi * q.xi * q.xi;
-    const double from_zeta = I.zeta * q.zeta * q.zeta;
-    const double from_rho = I.rho * q.rho * q.rho;
-    double change = from_xi * c[0] + from_zeta * c[1];
-    if constexpr (N == 3) change += from_rho * c[2];
-    const double own = from_xi + from_zeta + from_rho;
-    return {c[N], c[N] + 2.0 * member.nu * change / own};
+    const SpinInertia<N> I = family_->spin_inertia(member);
+    const double change = I.half_slope.dot(c.template head<N>());
+    return {c[N], c[N] + 2.0 * member.nu * change / I.own};
   }
 
   const Family<N>* family_;

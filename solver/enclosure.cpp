@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "solver/anisotropic_enclosure.hpp"
 #include "solver/box_systems.hpp"
 #include "solver/certificate_steps.hpp"
 
@@ -50,10 +51,13 @@ void certify_model(const Coupled& model, const Problem& problem, const Stretch& 
 }  // namespace
 
 bool mirror_symmetric(const Problem& problem, double nu) {
+  if (!problem.potential().is_isotropic()) return false;
   return nu == 0.0 || (problem.branch() == Branch::iii && problem.body().symmetric());
 }
 
 Certificate certify(const Problem& problem, const Equilibrium& equilibrium, Inputs inputs) {
+  if (!problem.potential().is_isotropic())
+    return certify_anisotropic(problem, equilibrium, inputs);
   Certificate out;
   const Stretch& q = equilibrium.q;
   const double nu = equilibrium.nu[axis(problem.branch())];
@@ -77,6 +81,8 @@ Certificate certify(const Problem& problem, const Equilibrium& equilibrium, Inpu
 SpectrumEnclosure enclose_spectrum(const Problem& problem, const Equilibrium& equilibrium,
                                    const Certificate& certificate, const Spectrum& spectrum,
                                    Inputs inputs) {
+  if (!problem.potential().is_isotropic())
+    return enclose_anisotropic_spectrum(problem, equilibrium, certificate, spectrum, inputs);
   if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
   const double nu = equilibrium.nu[axis(problem.branch())];
   const Body& body = problem.body();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "solver/anisotropic_equilibrium.hpp"
 #include "solver/existence.hpp"
 #include "solver/reduced_solve.hpp"
 #include "solver/search.hpp"
@@ -129,9 +130,10 @@ void search_all(const Problem& problem, double nu, const SolveOptions& options, 
 
 Equilibrium solve(const Problem& problem, double nu, const SolveOptions& options) {
   if (!std::isfinite(nu)) throw std::invalid_argument("nu finite");
+  const bool isotropic = problem.potential().is_isotropic();
   if (options.start) {
     require_positive_definite(*options.start);
-    if (options.start->alpha != 0.0)
+    if (isotropic && options.start->alpha != 0.0)
       throw std::invalid_argument("alpha = 0 in the start: the potential is isotropic");
   }
   Equilibrium out;
@@ -141,6 +143,7 @@ Equilibrium solve(const Problem& problem, double nu, const SolveOptions& options
     out.message = *reason;
     return out;
   }
+  if (!isotropic) return solve_anisotropic(problem, nu, options);
   if (const auto condition = vertical_condition(problem, nu)) {
     out.status = SolveStatus::not_isolated;
     out.message = "at this nu, " + *condition +

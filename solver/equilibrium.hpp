@@ -77,8 +77,8 @@ struct Equilibrium {
   Vector3<double> nu = Vector3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   double residual = std::numeric_limits<double>::quiet_NaN();       ///< BalanceCheck::residual
   double compatibility = std::numeric_limits<double>::quiet_NaN();  ///< BalanceCheck::compatibility
-  /// Estimated bound of the relative error of each of xi, zeta, rho, in the max norm, against the
-  /// exact solution for the decimal numbers of the case (each taken to be within half a unit of its
+  /// Estimated bound of the relative error of each of xi, zeta, rho (of alpha relative to sqrt(xi
+  /// zeta), of an oblique axis' angle), in the max norm, against the exact solution for the decimal numbers of the case (each taken to be within half a unit of its
   /// double).
   double error_bound = std::numeric_limits<double>::quiet_NaN();
   Connection connection = Connection::unknown;
@@ -97,7 +97,8 @@ struct SolveOptions {
 };
 
 /// nu: along the branch's axis, any finite value. Throws std::invalid_argument for a nu that is not
-/// finite or a start that is not positive definite or has alpha != 0.
+/// finite or a start that is not positive definite or, of an isotropic potential, has alpha != 0.
+/// Of another potential: anisotropic_equilibrium.hpp.
 Equilibrium solve(const Problem& problem, double nu, const SolveOptions& options = {});
 
 }  // namespace stationary

@@ -48,7 +48,7 @@ std::array<BlockModes, 4> by_block(const Spectrum& spectrum) {
 /// Blocks whose Lambda may leave the real axis; the others are symmetric problems.
 bool may_collide(Block block, const TestContext& context) {
   if (context.two_polar && !context.circle) return false;
-  if (block == Block::shear) return true;
+  if (block == Block::shear || context.oblique) return true;
   return block == (context.branch == Branch::iii ? Block::even : Block::odd) &&
          !(context.circle && block == Block::even);
 }
@@ -99,16 +99,41 @@ void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
   }
 }
 
+/// The locked inertias of a motion with alpha != 0 or an oblique axis: in the plane along the spin's
+/// axis and across it (in (iii) the smaller and the larger), and about axis 3. Where the spin's axis
+/// is one of the plane, tilt is where its inertia equals that about axis 3.
+void set_inertia_tests(const Member& member, const TestContext& context, TestValues& out) {
+  const Matrix3<double> I = locked_inertia(member.body, member.q);
+  const double mean = 0.5 * (I(0, 0) + I(1, 1));
+  const double radius = std::hypot(0.5 * (I(0, 0) - I(1, 1)), I(0, 1));
+  double first = mean - radius;
+  double second = mean + radius;
+  if (context.oblique) {
+    const Vector3<double> axis = member.angular_velocity.normalized();
+    first = axis.dot(I * axis);
+    second = I(0, 0) + I(1, 1) - first;
+    out.value[TestValues::inertia_12] = relative_difference(first, second);
+  }
+  out.value[TestValues::inertia_13] = relative_difference(I(2, 2), first);
+  out.value[TestValues::inertia_23] = relative_difference(I(2, 2), second);
+}
+
 /// Those of a spin about a material axis; m: second_moments().
 void set_axis_tests(const Member& member, const TestContext& context, const Vector3<double>& m,
                     TestValues& out) {
   const Body& J = member.body;
+  if (context.oblique || member.q.alpha != 0.0) {
+    set_inertia_tests(member, context, out);
+    return;
+  }
   out.value[TestValues::inertia_13] = relative_difference(m[2], m[0]);
   if (!context.circle) {  // there the axes 1 and 2 are alike
     out.value[TestValues::inertia_12] = relative_difference(m[1], m[0]);
     out.value[TestValues::inertia_23] = relative_difference(m[2], m[1]);
   }
-  if (context.branch == Branch::iii) {
+  if (!std::isnan(member.turn)) {
+    out.value[TestValues::turn] = member.turn;
+  } else if (context.branch == Branch::iii) {
     const double pull = (J.J1 + J.J2) * member.nu * member.nu;  // of alpha
     const double shear = member.shear_stiffness / (std::abs(member.shear_stiffness) + 2.0 * pull);
     if (context.circle) {

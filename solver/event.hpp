@@ -7,9 +7,10 @@
 //                      there: nu along one of its two axes is 0
 //   inertia-exchange   any other two locked inertias are equal
 //   ellipse            J1 = J2: K_alpha,alpha = 0 on the circle
-//   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2
-//   shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; both, of isotropic V,
-//                      where another parameter passes J1 = J2 only
+//   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2; an oblique family of an even
+//                      V ends there
+//   shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; likewise; both, of isotropic
+//                      V, where another parameter passes J1 = J2 only
 //   hamiltonian-hopf   two imaginary pairs of one block meet and leave the axis
 //   real-collision     two real pairs of one block do
 //   krein-pass         imaginary pairs of opposite signature, of two blocks, meet and pass
@@ -123,6 +124,7 @@ struct TestContext {
   bool tilted = false;
   bool two_polar = false;
   EventSet sought = {};  ///< functions of no other events are evaluated or followed
+  bool oblique = false;
 
   /// Those to look for so that the ones asked for are found: a turn of the parameter and the end of
   /// a tilted family end a sheet; between which zeros blocks keep their signs, all of them say.

@@ -166,6 +166,10 @@ bool has_enclosure(EventType type) {
 EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& parameter, bool circle,
                              EventType type, const Member& member, Inputs inputs) {
   EventEnclosure out;
+  if (!problem.potential().is_isotropic()) {
+    out.reason = "the equations of events are an isotropic potential's";
+    return out;
+  }
   const std::optional<Sought> what = sought(type, problem.branch(), member);
   if (!what) {
     out.reason = "it has no equations to prove, or no spectrum was computed";

@@ -7,7 +7,6 @@
 // - xi), V_xz - V_xx on the circle.
 #pragma once
 
-#include <Eigen/LU>
 #include <array>
 
 #include "lib/linearization.hpp"
@@ -47,31 +46,6 @@ struct EventSetting {
   FamilyParameter parameter;
   bool circle;
   Inputs inputs;
-};
-
-/// An inverse that is only a preconditioner.
-template <int N>
-struct SmallMatrix {
-  Eigen::Matrix<double, N, N> entries;
-  double operator()(int i, int j) const { return entries(i, j); }
-  SmallMatrix inverse() const { return {entries.inverse()}; }
-};
-
-/// As BoxLinearized, of equations without symmetry.
-template <int N>
-struct GeneralBoxLinearized {
-  Box<N> g;
-  std::array<Box<N>, static_cast<std::size_t>(N)> slope;  ///< rows
-
-  const Interval& operator()(int i, int j) const {
-    return slope[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-  }
-  SmallMatrix<N> middle() const {
-    SmallMatrix<N> out;
-    for (int i = 0; i < N; ++i)
-      for (int j = 0; j < N; ++j) out.entries(i, j) = (*this)(i, j).mid();
-    return out;
-  }
 };
 
 /// circle: 2 stretches instead of 3; spectral: Lambda among the unknowns.

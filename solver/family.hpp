@@ -10,7 +10,9 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
+#include "lib/balance.hpp"
 #include "lib/body.hpp"
 #include "lib/spectrum.hpp"
 #include "lib/stretch.hpp"
@@ -51,6 +53,10 @@ struct Member {
   double compatibility = std::numeric_limits<double>::quiet_NaN();
   double energy = std::numeric_limits<double>::quiet_NaN();
   double shear_stiffness = std::numeric_limits<double>::quiet_NaN();  ///< (iii): K_alpha,alpha
+  /// Anisotropic V, alpha = 0 held: what vanishes where the ellipse or the axis turns away from the
+  /// material axes, of order one: K_alpha,alpha in (iii), K_alpha,alpha (I1 - I2) - h^2 omega^2 in
+  /// (i), (ii).
+  double turn = std::numeric_limits<double>::quiet_NaN();
   /// Tilted: the shares of nu^2 along the plane's own axis and along axis 3. Negative beyond an end
   /// of the family, where nothing else but q is computed.
   double tilt_in_plane = std::numeric_limits<double>::quiet_NaN();
@@ -78,6 +84,13 @@ Stretch with_unknowns(Stretch q, const ReducedVector<N>& x) {
   if constexpr (N == 3) q.rho = x[2];
   return q;
 }
+
+/// The locked inertia about the spin's axis and half its derivatives in ln x.
+template <int N>
+struct SpinInertia {
+  double own;
+  ReducedVector<N> half_slope;
+};
 
 /// How often each thing was evaluated, of each uncoupled system of the balance by itself.
 struct EvaluationCounts {
@@ -118,6 +131,35 @@ class Family {
   virtual Branch branch() const = 0;
   virtual bool tilted() const { return false; }
   virtual bool two_polar() const { return false; }
+  /// nu in the plane of axes 1 and 2, its direction among the unknowns; branch(): (i).
+  virtual bool oblique() const { return false; }
+  /// The unknown (its place in x) that a reflection of an even V inverts: x and its image are one
+  /// motion and its mirror image, and where it is 1 a family with alpha = 0 is met.
+  virtual std::optional<int> mirrored() const { return std::nullopt; }
+  /// The point of the family with alpha = 0, near x and p, that a family with alpha != 0 branches
+  /// off; nothing where it is not found.
+  virtual std::optional<Member> mirror_point(const ReducedVector<N>&, double) const {
+    return std::nullopt;
+  }
+  /// x of a stretch that is a motion of the family at p.
+  virtual ReducedVector<N> coordinates(const Stretch& q, double) const {
+    if constexpr (N <= 3) {
+      return unknowns<N>(q);
+    } else {
+      throw std::logic_error("a family of this dimension has coordinates of its own");
+    }
+  }
+  virtual SpinInertia<N> spin_inertia(const Member& member) const {
+    const CentrifugalRates<double> I = axis_rates(member.body, branch(), 1.0);
+    const Stretch& q = member.q;
+    SpinInertia<N> out{0.0, ReducedVector<N>::Zero()};
+    const double parts[3] = {I.xi * q.xi * q.xi, I.zeta * q.zeta * q.zeta, I.rho * q.rho * q.rho};
+    for (int k = 0; k < 3; ++k) {
+      out.own += parts[k];
+      if (k < N) out.half_slope[k] = parts[k];
+    }
+    return out;
+  }
   /// Whether p is nu itself (else nu is held).
   virtual bool along_nu() const = 0;
   /// J1 = J2 and isotropic V at every p of the family: circles and mirror images.

@@ -14,9 +14,10 @@ class Follower {
  public:
   Follower(const Family<N>& family, const Stretch& q, double p, const FollowOptions& options)
       : options_(options),
+        family_(family),
         curve_(family, options.continuation.to - options.continuation.from, is_circle(family, q),
                std::nullopt, options.events) {
-    const ReducedVector<N> x = unknowns<N>(q);
+    const ReducedVector<N> x = family.coordinates(q, p);
     if (may_be_vertical(family, q)) {
       if (const auto pinned = pinned_parameter(curve_, x, p)) {
         curve_ = Curve<N>(family, curve_.corrector().scale(), false, pinned, options.events);
@@ -49,7 +50,7 @@ class Follower {
 
   FollowReport onward(const OpenEnd& end, CurveSink& sink) {
     if (!report_.failure.empty()) return report_;
-    if (!is_at(end.at.q)) {
+    if (!is_at(family_.coordinates(end.at.q, end.at.p))) {
       report_.failure = "the end of the table is no point of the curve: another solves there";
       return report_;
     }
@@ -57,7 +58,10 @@ class Follower {
     if (end.neighbour) {
       ArcVector<N> ahead;
       ahead.template head<N>() =
-          (unknowns<N>(end.at.q).array() / unknowns<N>(end.neighbour->q).array()).log().matrix();
+          (family_.coordinates(end.at.q, end.at.p).array() /
+           family_.coordinates(end.neighbour->q, end.neighbour->p).array())
+              .log()
+              .matrix();
       ahead[N] = (end.at.p - end.neighbour->p) / curve_.corrector().scale();
       StepOptions& step = options_.continuation.step;
       step.first = std::clamp(ahead.norm(), 1e-6, step.max);
@@ -68,10 +72,10 @@ class Follower {
   }
 
  private:
-  /// Whether the start is this q; near a fold the rounding of p moves it by some 1e-8.
-  bool is_at(const Stretch& q) const {
+  /// Whether the start is this x; near a fold the rounding of p moves it by some 1e-8.
+  bool is_at(const ReducedVector<N>& x) const {
     constexpr double same = 1e-6;
-    return ((start_.arc.x.array() / unknowns<N>(q).array()).log().abs() <= same).all();
+    return ((start_.arc.x.array() / x.array()).log().abs() <= same).all();
   }
 
   static bool is_circle(const Family<N>& family, const Stretch& q) {
@@ -140,6 +144,7 @@ class Follower {
   }
 
   FollowOptions options_;
+  const Family<N>& family_;
   Curve<N> curve_;
   CurvePoint<N> start_;
   FollowReport report_;
@@ -153,9 +158,23 @@ void HeldBack::give(CurveSink& sink) const {
     sink.row(each->member, each->event);
 }
 
+template <int N>
+FollowReport follow_family(const Family<N>& family, const Stretch& q, double p,
+                           const FollowOptions& options, CurveSink& sink) {
+  return Follower<N>(family, q, p, options).both(sink);
+}
+template FollowReport follow_family(const Family<2>&, const Stretch&, double, const FollowOptions&,
+                                    CurveSink&);
+template FollowReport follow_family(const Family<3>&, const Stretch&, double, const FollowOptions&,
+                                    CurveSink&);
+template FollowReport follow_family(const Family<4>&, const Stretch&, double, const FollowOptions&,
+                                    CurveSink&);
+template FollowReport follow_family(const Family<5>&, const Stretch&, double, const FollowOptions&,
+                                    CurveSink&);
+
 FollowReport follow(const AnyFamily& family, const Stretch& q, double p,
                     const FollowOptions& options, CurveSink& sink) {
-  return std::visit([&](const auto& f) { return Follower(*f, q, p, options).both(sink); }, family);
+  return std::visit([&](const auto& f) { return follow_family(*f, q, p, options, sink); }, family);
 }
 
 FollowReport resume(const AnyFamily& family, const OpenEnd& end, const FollowOptions& options,

@@ -95,6 +95,11 @@ class HeldBack final : public CurveSink {
 FollowReport follow(const AnyFamily& family, const Stretch& q, double p,
                     const FollowOptions& options, CurveSink& sink);
 
+/// The same of a family by reference.
+template <int N>
+FollowReport follow_family(const Family<N>& family, const Stretch& q, double p,
+                           const FollowOptions& options, CurveSink& sink);
+
 /// On from the end of a table: the rows after it, in that order (report: `forward`).
 FollowReport resume(const AnyFamily& family, const OpenEnd& end, const FollowOptions& options,
                     CurveSink& sink);

@@ -12,6 +12,7 @@
 #include "lib/linearization.hpp"
 #include "lib/model_coefficients.hpp"
 #include "solver/reduced_system.hpp"
+#include "solver/small_matrix.hpp"
 
 namespace stationary {
 
@@ -48,6 +49,23 @@ struct BoxLinearized {
   SmallSymmetric<N> middle() const {
     SmallSymmetric<N> out;
     for (std::size_t k = 0; k < jacobian.size(); ++k) out.entries[k] = jacobian[k].mid();
+    return out;
+  }
+};
+
+/// As BoxLinearized, of equations without symmetry.
+template <int N>
+struct GeneralBoxLinearized {
+  Box<N> g;
+  std::array<Box<N>, static_cast<std::size_t>(N)> slope;  ///< rows
+
+  const Interval& operator()(int i, int j) const {
+    return slope[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  }
+  SmallMatrix<N> middle() const {
+    SmallMatrix<N> out;
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j < N; ++j) out.entries(i, j) = (*this)(i, j).mid();
     return out;
   }
 };

@@ -179,6 +179,8 @@ class ModelFamily final : public Family<N> {
       case Kind::thickness:
         out.model = at_coefficient(out.model, options_.parameter, p);
         break;
+      case Kind::fibre:
+        break;  // none of an isotropic potential's
     }
     return out;
   }

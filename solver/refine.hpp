@@ -64,9 +64,9 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
   if (tail != nullptr) tail->setConstant(std::numeric_limits<double>::quiet_NaN());
   while (out.steps < max_steps) {
     const ReducedVector<N> g = system.extended_residual(x);
-    const Linearized<N> at = system.linearize(x);
-    const SmallSymmetric<N> inverse = at.jacobian.inverse();
-    const SmallSymmetric<N> absolute = inverse.absolute();
+    const auto at = system.linearize(x);
+    const auto inverse = at.jacobian.inverse();
+    const auto absolute = inverse.absolute();
     const ReducedVector<N> step = inverse * g;  // minus delta
     const double size = largest_magnitude<N>(step);
     if (!(size < 0.5)) return out;  // NaN included: no correction is that large

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "solver/anisotropic_search.hpp"
 #include "solver/box_systems.hpp"
 #include "solver/branch_and_prune.hpp"
 #include "solver/search_message.hpp"
@@ -108,6 +109,7 @@ class Search {
 
 SearchResult search(const Problem& problem, double nu, const SearchOptions& options) {
   if (!std::isfinite(nu)) throw std::invalid_argument("nu finite");
+  if (!problem.potential().is_isotropic()) return search_anisotropic(problem, nu, options);
   require_box(options);
   return Search(problem, nu, options).run();
 }

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "solver/anisotropic_equilibrium.hpp"
 #include "solver/model_stability.hpp"
 
 namespace stationary {
@@ -9,6 +10,11 @@ namespace stationary {
 Spectrum stability(const Problem& problem, const Equilibrium& equilibrium) {
   if (equilibrium.status != SolveStatus::solved)
     throw std::invalid_argument("a spectrum needs a solved equilibrium");
+  if (!problem.potential().is_isotropic()) {
+    const auto out = anisotropic_stability(problem, equilibrium);
+    if (!out) throw std::invalid_argument("a spectrum needs a solved equilibrium");
+    return *out;
+  }
   const Branch branch = problem.branch();
   const double nu = equilibrium.nu[axis(branch)];
   return problem.potential().visit([&](const auto& model) {

@@ -1,0 +1,25 @@
+// Proofs about one stationary ellipsoid of a potential that is not isotropic, as enclosure.hpp has
+// them: existence, uniqueness and error bound in every branch and about an oblique axis. Of the
+// spectrum only where alpha = 0, V is even in alpha and the axis is a material one: elsewhere
+// nothing is proven of it.
+#pragma once
+
+#include "solver/anisotropic_family.hpp"
+#include "solver/enclosure.hpp"
+
+namespace stationary {
+
+/// As certify(), of a problem whose potential is not isotropic.
+Certificate certify_anisotropic(const Problem& problem, const Equilibrium& equilibrium,
+                                Inputs inputs);
+SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem,
+                                               const Equilibrium& equilibrium,
+                                               const Certificate& certificate,
+                                               const Spectrum& spectrum, Inputs inputs);
+
+/// Of a spin about an axis in the plane of axes 1 and 2, nu = |nu| (cos, sin, 0).
+Certificate certify_oblique(const Body& body, const Potential& potential,
+                            const ObliqueRotation& motion, const Equilibrium& equilibrium,
+                            Inputs inputs = Inputs::decimals);
+
+}  // namespace stationary

@@ -1,0 +1,346 @@
+#include "solver/anisotropic_family.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "lib/general_spectrum.hpp"
+#include "solver/newton.hpp"
+#include "solver/oriented_stability.hpp"
+#include "solver/oriented_system.hpp"
+#include "solver/refine.hpp"
+
+namespace stationary {
+namespace {
+
+/// An angle of a line, in (-pi/2, pi/2].
+double line_angle(double angle) {
+  const double out = std::remainder(angle, std::numbers::pi);
+  return out <= -0.5 * std::numbers::pi ? out + std::numbers::pi : out;
+}
+
+template <class Layout>
+class AnisotropicFamily final : public Family<Layout::dimension> {
+ public:
+  static constexpr int N = Layout::dimension;
+
+  AnisotropicFamily(const Body& body, const AnisotropicPotential& potential, Branch branch,
+                    const AxisFamilyOptions& options)
+      : body_(body),
+        branch_(branch),
+        options_(options),
+        models_(std::make_shared<const OrientedModels>(potential)) {}
+
+  Branch branch() const override { return Layout::axis ? Branch::i : branch_; }
+  bool oblique() const override { return Layout::axis; }
+  bool along_nu() const override { return options_.parameter.kind == Kind::nu; }
+  bool material_symmetry() const override { return false; }
+  std::optional<int> mirrored() const override {
+    if (!Layout::alpha || !models_->potential.even_in_alpha()) return std::nullopt;
+    return Layout::alpha_place;
+  }
+
+  ReducedVector<N> coordinates(const Stretch& q, double p) const override {
+    ReducedVector<N> x;
+    x[0] = q.xi;
+    x[1] = q.zeta;
+    x[Layout::thickness_place] = q.rho;
+    if constexpr (Layout::alpha) x[Layout::alpha_place] = shear_coordinate(q);
+    if constexpr (Layout::axis) {
+      const Setting at = setting(p);
+      const auto I = in_plane_inertia(Inertia3<double>{at.body.J1, at.body.J2, at.body.J3}, q);
+      const double principal = 0.5 * std::atan2(2.0 * I.product, -I.difference);
+      const double near = branch_ == Branch::i ? 0.0 : 0.5 * std::numbers::pi;
+      // The balance tells the two axes of inertia apart, but for a slow spin.
+      double best = std::numeric_limits<double>::infinity();
+      ReducedVector<N> out = x;
+      for (const double turned : {0.0, 0.5 * std::numbers::pi}) {
+        const double angle = line_angle(principal + turned);
+        x[Layout::axis_place] = axis_coordinate(angle);
+        const double residual = largest_magnitude<N>(system(at).linearize(x).g);
+        const double apart = std::abs(line_angle(angle - near));
+        if (const double rank = std::max(residual, 1e-9) + 1e-12 * apart; rank < best) {
+          best = rank;
+          out = x;
+        }
+      }
+      return out;
+    }
+    return x;
+  }
+
+  SpinInertia<N> spin_inertia(const Member& member) const override {
+    const Inertia3<double> J{member.body.J1, member.body.J2, member.body.J3};
+    const ReducedVector<N> x = coordinates_of(member);
+    const auto y = all_coordinates<Layout>(x, 1.0);
+    const OrientedSystem<Layout> at{models_.get(), member.body, branch_, 1.0};
+    const auto pull = at.inertial(J, y, 1.0);  // -dI/2 of I = q^T C q at |nu| = 1
+    SpinInertia<N> out{0.0, ReducedVector<N>::Zero()};
+    const Stretch q = at.stretch(y).q;
+    out.own = q.vector().dot(centrifugal_matrix(J, at.spin(y, 1.0)) * q.vector());
+    for (int i = 0; i < N; ++i)
+      if (at.place(i) != oriented::phi) out.half_slope[i] = -pull[at.place(i)];
+    return out;
+  }
+
+  FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    ++this->evaluations_.jacobians;
+    const OrientedSystem<Layout> system = this->system(at);
+    const auto all = system.linearize(x);
+    FamilyLinearization<N> out;
+    out.g = all.g;
+    out.jacobian = all.jacobian.matrix();
+    const auto y = system.coordinates(x);
+    const Inertia3<double> J{at.body.J1, at.body.J2, at.body.J3};
+    out.nu_slope = rows(system.inertial(J, y, 2.0 * at.nu), all.scale);
+    if constexpr (Layout::axis) out.nu_slope[Layout::axis_place] = 0.0;
+    out.slope = along_nu() ? out.nu_slope : parameter_slope(at, system, y, all.scale);
+    return out;
+  }
+
+  Refined refine_at(ReducedVector<N>& x, ReducedVector<N>& tail, double p) const override {
+    constexpr int max_corrections = 8;
+    const Setting at = setting(p);
+    Refined out = refine(system(at), x, max_corrections, &tail);
+    out.error_bound *= bound_factor;
+    this->evaluations_.extended_residuals += out.steps;
+    this->evaluations_.jacobians += out.steps;
+    this->evaluations_.sensitivities += out.converged;
+    return out;
+  }
+
+  ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    ++this->evaluations_.extended_residuals;
+    ++this->evaluations_.jacobians;
+    return system(at).extended_residual(x);
+  }
+
+  ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    ++this->evaluations_.sensitivities;
+    ++this->evaluations_.jacobians;
+    return 0x1p-53 * system(at).input_sensitivity(x);
+  }
+
+  Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,
+                double error_bound) const override {
+    const Setting at = setting(p);
+    std::array<DoubleDouble, static_cast<std::size_t>(N)> wide;
+    if (tail.allFinite()) {
+      for (int i = 0; i < N; ++i) wide[index(i)] = DoubleDouble(x[i], tail[i]);
+    } else {
+      wide = extended_solution(system(at), x);
+    }
+    const auto y = all_coordinates<Layout>(wide, DoubleDouble(1.0));
+    const BasicStretch<DoubleDouble> q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
+    Vector3<DoubleDouble> nu = angular_velocity(branch_, DoubleDouble(at.nu));
+    if constexpr (Layout::axis) {
+      const AxisAngle<DoubleDouble> axis = axis_angle(y[4]);
+      nu = {at.nu * axis.cosine, at.nu * axis.sine, DoubleDouble(0.0)};
+    }
+    Member out;
+    out.parameter = p;
+    out.body = at.body;
+    out.nu = at.nu;
+    out.q = {double(q.alpha), x[0], x[1], x[2]};
+    out.angular_velocity = {double(nu[0]), double(nu[1]), double(nu[2])};
+    out.error_bound = error_bound;
+    ++this->evaluations_.second_derivatives;
+    const auto V = potential_derivatives<2>(at.models->plain, out.q);
+    const BalanceCheck check = check_balance(at.body, V, out.q, out.angular_velocity);
+    out.residual = check.residual;
+    out.compatibility = check.compatibility;
+    out.energy = energy(at.body, V.value, out.q, out.angular_velocity);
+    if constexpr (!Layout::alpha)
+      out.turn = turn_of(at.body, branch_, V.hessian(0, 0), out.q, at.nu);
+    if (options_.spectrum) {
+      ++this->evaluations_.spectra;
+      out.spectrum = oriented_stability({at.body, branch_, !Layout::axis}, *at.models, q, nu,
+                                        error_bound);
+    }
+    return out;
+  }
+
+  /// By the turn's sign along the family with alpha = 0.
+  std::optional<Member> mirror_point(const ReducedVector<N>& x, double p) const override {
+    if constexpr (!Layout::alpha) {
+      return std::nullopt;
+    } else {
+      const Branch straight = straight_branch(x);
+      ReducedVector<3> guess(x[0], x[1], x[2]);
+      const auto point = [&](double at) -> std::optional<StraightPoint> {
+        return straight_point(straight, guess, at);
+      };
+      const auto turn = [&](double at) {
+        const auto found = point(at);
+        return found ? found->turn : std::numeric_limits<double>::quiet_NaN();
+      };
+      for (double reach = 1e-6 * (1.0 + std::abs(p)); reach < 0.1 * (1.0 + std::abs(p));
+           reach *= 4.0) {
+        const double a = turn(p - reach);
+        const double b = turn(p + reach);
+        if (std::isnan(a) || std::isnan(b)) return std::nullopt;
+        if ((a < 0.0) == (b < 0.0)) continue;
+        std::uintmax_t evaluations = 80;
+        const auto [low, high] = boost::math::tools::toms748_solve(
+            turn, p - reach, p + reach, a, b, boost::math::tools::eps_tolerance<double>(52),
+            evaluations);
+        const auto found = point(0.5 * (low + high));
+        const auto ahead = point(p + reach);
+        const auto behind = point(p - reach);
+        if (!found || !ahead || !behind) return std::nullopt;
+        ReducedVector<N> at = x;
+        at.template head<3>() = found->x;
+        at[Layout::alpha_place] = 1.0;
+        if constexpr (Layout::axis) {
+          const double angle = straight == Branch::i ? 0.0 : 0.5 * std::numbers::pi;
+          at[Layout::axis_place] = axis_coordinate(std::copysign(angle, std::log(x[Layout::axis_place])));
+        }
+        // What the turn's own rounding leaves open of p, along the family.
+        constexpr double noise = 64.0 * 0x1p-53;
+        const double moved_by = (ahead->x.array() / behind->x.array()).log().abs().maxCoeff();
+        const double along = noise * moved_by / std::abs(b - a);
+        return member(at, ReducedVector<N>::Zero(), 0.5 * (low + high),
+                      2.0 * found->error_bound + along);
+      }
+      return std::nullopt;
+    }
+  }
+
+ private:
+  using Kind = FamilyParameter::Kind;
+  /// Of alpha over sqrt(xi zeta), tanh a, and of the axis' angle, against the bound of ln x.
+  static constexpr double bound_factor = Layout::axis ? 2.0 : Layout::alpha ? 1.25 : 1.0;
+
+  struct Setting {
+    Body body;
+    std::shared_ptr<const OrientedModels> models;
+    double nu;
+  };
+  struct StraightPoint {
+    ReducedVector<3> x;
+    double turn;
+    double error_bound;
+  };
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  Setting setting(double p) const {
+    Setting out{body_, models_, options_.nu};
+    const int k = options_.parameter.index;
+    switch (options_.parameter.kind) {
+      case Kind::nu:
+        out.nu = p;
+        break;
+      case Kind::inertia:
+        (k == 0 ? out.body.J1 : k == 1 ? out.body.J2 : out.body.J3) = p;
+        break;
+      default:
+        out.models = std::make_shared<const OrientedModels>(
+            models_->potential.with_coefficient(coefficient_place(), p));
+    }
+    return out;
+  }
+  int coefficient_place() const {
+    const AnisotropicPotential& V = models_->potential;
+    const int k = options_.parameter.index;
+    return options_.parameter.kind == Kind::thickness ? V.thickness_place() + k
+           : options_.parameter.kind == Kind::fibre   ? V.fibre_place() + k
+                                                      : k;
+  }
+
+  OrientedSystem<Layout> system(const Setting& at) const {
+    return {at.models.get(), at.body, branch_, at.nu};
+  }
+
+  template <class Parts>
+  static ReducedVector<N> rows(const Parts& parts, const ReducedVector<N>& scale) {
+    ReducedVector<N> out;
+    for (int i = 0; i < N; ++i) {
+      const std::size_t row = Layout::places[index(i)];
+      out[i] = row < parts.size() ? parts[row] * scale[i] : 0.0;
+    }
+    return out;
+  }
+
+  ReducedVector<N> parameter_slope(const Setting& at, const OrientedSystem<Layout>& system,
+                                   const std::array<double, 5>& y,
+                                   const ReducedVector<N>& scale) const {
+    if (options_.parameter.kind == Kind::inertia) {
+      const int k = options_.parameter.index;
+      Inertia3<double> one{0.0, 0.0, 0.0};
+      (k == 0 ? one.J1 : k == 1 ? one.J2 : one.J3) = 1.0;
+      return rows(system.inertial(one, y, at.nu * at.nu), scale);
+    }
+    const auto slopes = elastic_slopes(
+        at.models->potential, CoefficientDuals{coefficient_place(), false}, system.stretch(y));
+    std::array<double, 4> first;
+    for (std::size_t i = 0; i < 4; ++i) first[i] = slopes[i].slope[0];
+    return rows(first, scale);
+  }
+
+  /// x of a member, its axis as the member has it.
+  ReducedVector<N> coordinates_of(const Member& member) const {
+    const Stretch& q = member.q;
+    ReducedVector<N> x;
+    x[0] = q.xi;
+    x[1] = q.zeta;
+    x[Layout::thickness_place] = q.rho;
+    if constexpr (Layout::alpha) x[Layout::alpha_place] = shear_coordinate(q);
+    if constexpr (Layout::axis)
+      x[Layout::axis_place] =
+          axis_coordinate(std::atan2(member.angular_velocity[1], member.angular_velocity[0]));
+    return x;
+  }
+
+  Branch straight_branch(const ReducedVector<N>& x) const {
+    if constexpr (Layout::axis) {
+      return std::abs(axis_angle(x[Layout::axis_place]).cosine) > std::numbers::sqrt2 / 2.0
+                 ? Branch::i
+                 : Branch::ii;
+    } else {
+      return branch_;
+    }
+  }
+
+  std::optional<StraightPoint> straight_point(Branch branch, ReducedVector<3>& guess,
+                                              double p) const {
+    const Setting at = setting(p);
+    const OrientedSystem<StraightLayout> system{at.models.get(), at.body, branch, at.nu};
+    ReducedVector<3> x = guess;
+    if (!newton(system, x).converged) return std::nullopt;
+    const Refined refined = refine(system, x);
+    if (!refined.converged) return std::nullopt;
+    const Stretch q{0.0, x[0], x[1], x[2]};
+    const double V_aa = potential_derivatives<2>(at.models->plain, q).hessian(0, 0);
+    return StraightPoint{x, turn_of(at.body, branch, V_aa, q, at.nu), refined.error_bound};
+  }
+
+  Body body_;
+  Branch branch_;
+  AxisFamilyOptions options_;
+  std::shared_ptr<const OrientedModels> models_;
+};
+
+}  // namespace
+
+AnyFamily anisotropic_family(const Body& body, const AnisotropicPotential& potential, Branch branch,
+                             bool alpha_free, const AxisFamilyOptions& options) {
+  const bool even = potential.even_in_alpha();
+  if (branch == Branch::iii && (alpha_free || !even))
+    return std::make_unique<AnisotropicFamily<ShearedLayout>>(body, potential, branch, options);
+  if (!even)
+    throw std::invalid_argument("a potential even in alpha, for a family about axis 1 or 2");
+  return std::make_unique<AnisotropicFamily<StraightLayout>>(body, potential, branch, options);
+}
+
+std::unique_ptr<Family<5>> oblique_family(const Body& body, const AnisotropicPotential& potential,
+                                          const AxisFamilyOptions& options, Branch near) {
+  return std::make_unique<AnisotropicFamily<ObliqueLayout>>(body, potential, near, options);
+}
+
+}  // namespace stationary

@@ -1,0 +1,42 @@
+#include "solver/oriented_system.hpp"
+
+#include <numbers>
+
+namespace stationary {
+
+Direction<Dual2> CoefficientDuals::direction(double degrees) const {
+  const Direction<DoubleDouble> at = stationary::direction(degrees);
+  const double cosine = double(at.cosine);
+  const double sine = double(at.sine);
+  const Dual2 angle = seeded(0.0, (relative ? degrees : 1.0) * (std::numbers::pi / 180.0));
+  Direction<Dual2> out{Dual2(cosine), Dual2(sine)};
+  for (std::size_t k = 0; k < 2; ++k) {
+    out.cosine.slope[k] = -sine * angle.slope[k];
+    out.sine.slope[k] = cosine * angle.slope[k];
+  }
+  return out;
+}
+
+std::array<Dual2, 4> elastic_slopes(const AnisotropicPotential& potential,
+                                    const CoefficientDuals& duals,
+                                    const OrientedStretch<double>& at) {
+  const BasicStretch<double>& q = at.q;
+  const OrientedStretch<Dual2> point{{q.alpha, q.xi, q.zeta, q.rho}, at.root, at.tanh, at.sech};
+  const AnisotropicModel<Dual2> model = potential.model(duals);
+  const AnisotropicDerivatives<Dual2> V = model.evaluate<1>(point.invariants(), point.q);
+  OrientedBalance<Dual2> out;
+  add_in_logarithms<1>(point, V.isotropic, out);
+  add_in_logarithms<1>(point, V.directed.gradient, V.directed.hessian, out);
+  return {out.g[0], out.g[1], out.g[2], out.g[3]};
+}
+
+std::array<double, 5> inertial_part(const Inertia3<double>& J, const OrientedStretch<double>& at,
+                                    const SpinProducts<double>& n, const AxisAngle<double>* axis) {
+  OrientedBalance<double> out;
+  const Vector4<double> force = -(centrifugal_matrix(J, n) * at.q.vector());
+  add_in_logarithms<1>(at, force, Matrix4<double>(), out);
+  if (axis != nullptr) add_axis<1>(J, at, 0.0, *axis, out);
+  return out.g;
+}
+
+}  // namespace stationary

@@ -1,0 +1,23 @@
+// Small square matrices without symmetry, for systems whose rows are divided by their own sizes.
+#pragma once
+
+#include <Eigen/LU>
+
+namespace stationary {
+
+template <int N>
+struct SmallMatrix {
+  Eigen::Matrix<double, N, N> entries;
+
+  double operator()(int i, int j) const { return entries(i, j); }
+  const Eigen::Matrix<double, N, N>& matrix() const { return entries; }
+  double determinant() const { return entries.determinant(); }
+  /// Not finite where the matrix is singular.
+  SmallMatrix inverse() const { return {entries.inverse()}; }
+  SmallMatrix absolute() const { return {entries.cwiseAbs()}; }
+  Eigen::Matrix<double, N, 1> operator*(const Eigen::Matrix<double, N, 1>& x) const {
+    return entries * x;
+  }
+};
+
+}  // namespace stationary
