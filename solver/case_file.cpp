@@ -78,7 +78,7 @@ void require_domain(const CaseTree& tree, const ModelChoice& model) {
     const std::span<const double> values = model.coefficients;
     switch (model.description.kind) {
       case ModelDescription::Kind::planar:
-        Potential::planar(model.description.name, values);
+        Potential::oriented_plane(model.description.name, values);
         break;
       case ModelDescription::Kind::thickness:
         Potential::thickness(model.description.name, values);
@@ -87,7 +87,7 @@ void require_domain(const CaseTree& tree, const ModelChoice& model) {
         Potential::coupled(model.description.name, values);
         break;
       case ModelDescription::Kind::fibre:
-        break;
+        if (!(values[0] > 0.0)) throw std::invalid_argument("k > 0");
     }
   } catch (const std::invalid_argument& error) {
     const std::string_view inequality = error.what();
@@ -105,6 +105,11 @@ void require_domain(const CaseTree& tree, const ModelChoice& model) {
   }
 }
 
+/// Whether any of the models has directions of its own.
+bool anisotropic(std::span<const ModelChoice> models) {
+  return !std::ranges::all_of(models, [](const ModelChoice& m) { return m.description.isotropic; });
+}
+
 ModelChoice written_out(const CaseTree& tree, const std::string& slot, const toml::table& table) {
   WrittenPotential written = read_written_out(tree, slot, table);
   ModelDescription description{model_kind("potential." + slot),
@@ -118,17 +123,21 @@ ModelChoice written_out(const CaseTree& tree, const std::string& slot, const tom
 
 std::vector<ModelChoice> read_models(const CaseTree& tree) {
   std::vector<ModelChoice> out;
-  for (const std::string slot : {"plane", "thickness", "coupled"}) {
+  std::size_t bases = 0;
+  for (const std::string slot : {"plane", "thickness", "coupled", "fibre", "second_fibre"}) {
     const std::string path = "potential." + slot;
     const toml::node* node = find(tree, path);
     if (node == nullptr) continue;
     const toml::table& table = *node->as_table();
-    if (is_written_out(table)) {
+    const ModelDescription::Kind kind = model_kind(path);
+    const bool is_fibre = kind == ModelDescription::Kind::fibre;
+    if (!is_fibre) ++bases;
+    if (!is_fibre && is_written_out(table)) {
       out.push_back(written_out(tree, slot, table));
       continue;
     }
-    ModelChoice model{
-        slot, *find_model(model_kind(path), table.get("model")->value_or(std::string_view())), {}};
+    const std::string named = is_fibre ? "fibre" : table.get("model")->value_or(std::string());
+    ModelChoice model{slot, *find_model(kind, named), {}};
     for (const std::string& parameter : model.description.parameters)
       model.coefficients.push_back(table.get(parameter)->value<double>().value_or(0.0));
     out.push_back(std::move(model));
@@ -137,17 +146,25 @@ std::vector<ModelChoice> read_models(const CaseTree& tree) {
     return std::ranges::find(out, slot, &ModelChoice::slot) != out.end();
   };
   constexpr std::string_view rule = "plane and thickness, or coupled instead of both";
-  if (has("coupled") && out.size() > 1) {
+  if (has("coupled") && bases > 1) {
     const std::string other = has("plane") ? "plane" : "thickness";
     throw fault_at(tree, "potential.coupled", "found both coupled and " + other, std::string(rule),
                    "remove one of them");
   }
-  if (!has("coupled") && out.size() < 2) {
-    const std::string found = out.empty() ? "found neither" : "found " + out[0].slot + " alone";
+  if (!has("coupled") && bases < 2) {
+    const std::string found = bases == 0 ? "found neither" : "found " + out[0].slot + " alone";
     const std::string missing = has("plane") ? "thickness" : "plane";
     throw fault_at(tree, "potential." + missing, found, std::string(rule), "add " + missing);
   }
   for (const ModelChoice& model : out) require_domain(tree, model);
+  const bool written =
+      std::ranges::any_of(out, [](const ModelChoice& m) { return m.tape != nullptr; });
+  if (written && anisotropic(out)) {
+    const std::string key = "potential." + out.back().slot;
+    throw InputError(tree.key_origin(key), key, "found it beside a potential written out",
+                     "built-in models, plane and thickness or coupled, with it",
+                     "write the rest with built-in models");
+  }
   return out;
 }
 
@@ -172,19 +189,47 @@ double read_nu(const CaseTree& tree, std::string_view branch, std::string_view m
   return value_or(tree, "motion.nu", 0.0);
 }
 
+/// Branches whose mechanics ask for an isotropic potential, or for another.
+void require_symmetry(const CaseTree& tree, std::string_view branch, bool asks_isotropic,
+                      const std::vector<ModelChoice>& models) {
+  if (asks_isotropic != anisotropic(models)) return;
+  throw fault_at(tree, "motion.branch",
+                 fmt::format("found the string {} with an {} potential", in_quotes(branch),
+                             asks_isotropic ? "anisotropic" : "isotropic"),
+                 asks_isotropic ? "one of \"i\", \"ii\", \"iii\", \"oblique\""
+                                : "one of \"i\", \"ii\", \"iii\", \"tilted\", \"two-polar\"",
+                 asks_isotropic ? "its equations are an isotropic potential's"
+                                : "an oblique axis needs a potential with directions of its own");
+}
+
 AxisRotation read_axis_rotation(const CaseTree& tree, Branch branch) {
   constexpr std::string_view meaning = "nu (the spin along the branch's axis)";
-  refuse_key(tree, "plane", name(branch), meaning);
+  for (const std::string_view key : {"plane", "axis"}) refuse_key(tree, key, name(branch), meaning);
   return {branch, read_nu(tree, name(branch), meaning)};
 }
 
+/// motion.nu as the length of a vector.
+double read_length(const CaseTree& tree, std::string_view branch, std::string_view meaning) {
+  const double nu = read_nu(tree, branch, meaning);
+  if (nu > 0.0) return nu;
+  throw fault_at(tree, "motion.nu",
+                 fmt::format("found nu = {} with branch {}", nu, in_quotes(branch)), "nu > 0",
+                 "it is the length |nu| of a vector in a plane");
+}
+
+ObliqueRotation read_oblique(const CaseTree& tree) {
+  constexpr std::string_view meaning = "nu (its length |nu|), and axis";
+  refuse_key(tree, "plane", oblique_name, meaning);
+  ObliqueRotation out{read_length(tree, oblique_name, meaning)};
+  const std::string axis = value_or<std::string>(tree, "motion.axis", "");
+  if (!axis.empty()) out.near = axis == "1" ? Branch::i : Branch::ii;
+  return out;
+}
+
 TiltedMotion read_tilted(const CaseTree& tree) {
-  const double nu = read_nu(tree, tilted_name, "nu (its length |nu|), and plane");
-  if (!(nu > 0.0)) {
-    throw fault_at(tree, "motion.nu", fmt::format("found nu = {} with branch \"tilted\"", nu),
-                   "nu > 0", "it is the length |nu| of a vector in a plane");
-  }
-  TiltedMotion out{{}, nu};
+  constexpr std::string_view meaning = "nu (its length |nu|), and plane";
+  refuse_key(tree, "axis", tilted_name, meaning);
+  TiltedMotion out{{}, read_length(tree, tilted_name, meaning)};
   const std::string plane = value_or<std::string>(tree, "motion.plane", "");
   for (const TiltPlane each : {TiltPlane::one_three, TiltPlane::two_three})
     if (plane == name(each)) out.plane = each;
@@ -193,7 +238,7 @@ TiltedMotion read_tilted(const CaseTree& tree) {
 
 TwoPolarMotion read_two_polar(const CaseTree& tree, const Body& body) {
   constexpr std::string_view rule = "omega and theta_dot, or s3 and p_theta";
-  for (const std::string_view key : {"nu", "plane"})
+  for (const std::string_view key : {"nu", "plane", "axis"})
     refuse_key(tree, key, two_polar_name, std::string(rule) + ", instead");
   struct Pair {
     std::string_view first;
@@ -237,14 +282,17 @@ TwoPolarMotion read_two_polar(const CaseTree& tree, const Body& body) {
   return TwoPolarMomenta<double>{first, second};
 }
 
-Case::Motion read_motion(const CaseTree& tree, const Body& body) {
+Case::Motion read_motion(const CaseTree& tree, const Body& body,
+                         const std::vector<ModelChoice>& models) {
   const std::string named = value_or<std::string>(tree, "motion.branch", "");
   if (const auto branch = branch_from_name(named)) return read_axis_rotation(tree, *branch);
+  require_symmetry(tree, named, named != oblique_name, models);
+  if (named == oblique_name) return read_oblique(tree);
   if (named == tilted_name) return read_tilted(tree);
   return read_two_polar(tree, body);
 }
 
-Case::Solve read_solve(const CaseTree& tree, const Case::Motion& motion) {
+Case::Solve read_solve(const CaseTree& tree, const Case::Motion& motion, bool isotropic) {
   const bool two_polar = std::holds_alternative<TwoPolarMotion>(motion);
   const bool tilted = std::holds_alternative<TiltedMotion>(motion);
   Case::Solve out;
@@ -263,6 +311,14 @@ Case::Solve read_solve(const CaseTree& tree, const Case::Motion& motion) {
                    "\"auto\" or \"newton\"",
                    "tilted motions are had by Newton from solve.start, or by following the family");
   }
+  if (!isotropic && out.method != Method::automatic && out.method != Method::newton) {
+    throw fault_at(tree, "solve.method",
+                   fmt::format("found the string {} with an anisotropic potential",
+                               in_quotes(method)),
+                   "\"auto\" or \"newton\"",
+                   "with alpha unknown motions are had by Newton from solve.start, or by following "
+                   "the family from rest");
+  }
   out.all = value_or(tree, "solve.all", false);
   const std::vector<double> start = numbers(tree, "solve.start");
   if (start.empty()) return out;
@@ -274,9 +330,8 @@ Case::Solve read_solve(const CaseTree& tree, const Case::Motion& motion) {
                    fmt::format("found {} = {}", parts[k], start[k]), std::string(allowed),
                    std::string(remedy));
   };
-  if (start[0] != 0.0) {
-    refuse(0, "alpha = 0", "the built-in models are isotropic, and then alpha = 0 in every branch");
-  }
+  if (isotropic && start[0] != 0.0)
+    refuse(0, "alpha = 0", "the potential is isotropic, and then alpha = 0 in every branch");
   if (two_polar && start[1] == start[2])
     refuse(2, "lambda != mu", "on the circle the two-polar balance is singular");
   for (std::size_t k = 1; k < 4; ++k)
@@ -331,9 +386,13 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
                    fmt::format("found the empty range from {} to {}", out.from, out.to),
                    "from < to");
   }
-  if (std::holds_alternative<TiltedMotion>(family.motion) && !(out.from >= 0.0)) {
+  const bool oblique = std::holds_alternative<ObliqueRotation>(family.motion);
+  if ((oblique || std::holds_alternative<TiltedMotion>(family.motion)) && out.parameter == "nu" &&
+      !(out.from >= 0.0)) {
     throw fault_at(tree, "continuation.from",
-                   fmt::format("found {} with branch \"tilted\"", out.from), "from >= 0",
+                   fmt::format("found {} with branch {}", out.from,
+                               in_quotes(oblique ? oblique_name : tilted_name)),
+                   "from >= 0",
                    "nu is the length |nu| there");
   }
   if (!(out.tolerance > 0.0 && out.tolerance <= 1.0)) {
@@ -405,6 +464,18 @@ AnyThickness<> any_thickness(const ModelChoice& choice) {
 }  // namespace
 
 Potential make_potential(std::span<const ModelChoice> models) {
+  const auto name = [&](std::size_t k) -> std::string_view { return models[k].description.name; };
+  const auto values = [&](std::size_t k) { return std::span(models[k].coefficients); };
+  if (anisotropic(models)) {
+    std::vector<Fibre> fibres;
+    for (const ModelChoice& model : models)
+      if (model.description.kind == ModelDescription::Kind::fibre)
+        fibres.push_back({model.coefficients[0], model.coefficients[1]});
+    if (models[0].slot == "coupled")
+      return Potential(AnisotropicPotential(Potential::coupled(name(0), values(0)), fibres));
+    return Potential(AnisotropicPotential(Potential::oriented_plane(name(0), values(0)),
+                                          Potential::thickness(name(1), values(1)), fibres));
+  }
   const bool written_out =
       std::ranges::any_of(models, [](const ModelChoice& m) { return m.tape != nullptr; });
   if (written_out && models.size() == 1)
@@ -412,14 +483,13 @@ Potential make_potential(std::span<const ModelChoice> models) {
   if (written_out) {
     return Potential(SeparableExpression{any_plane(models[0]), any_thickness(models[1])});
   }
-  const auto name = [&](std::size_t k) -> std::string_view { return models[k].description.name; };
-  const auto values = [&](std::size_t k) { return std::span(models[k].coefficients); };
   if (models.size() == 1) return Potential(Potential::coupled(name(0), values(0)));
   return {Potential::planar(name(0), values(0)), Potential::thickness(name(1), values(1))};
 }
 
 std::string_view Case::branch_name() const {
   if (tilted()) return tilted_name;
+  if (oblique()) return oblique_name;
   return two_polar() ? two_polar_name : name(std::get<AxisRotation>(motion).branch);
 }
 
@@ -433,9 +503,9 @@ Case make_case(CaseTree tree) {
   require_known_keys(tree);
   const Body body = read_body(tree);
   const std::vector<ModelChoice> models = read_models(tree);
-  const Case::Motion motion = read_motion(tree, body);
+  const Case::Motion motion = read_motion(tree, body, models);
   const std::string title = value_or<std::string>(tree, "title", "");
-  const Case::Solve solve = read_solve(tree, motion);
+  const Case::Solve solve = read_solve(tree, motion, !anisotropic(models));
   const auto continuation = read_continuation(tree, {body, models, motion});
   const auto map = read_map(tree, {body, models, motion});
   const Case::Output output = read_output(tree);

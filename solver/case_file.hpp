@@ -1,7 +1,7 @@
 // A case: everything a command needs to know, read from a TOML file with overrides and validated in
 // full before anything is computed.
 //
-//   [body] J   [potential] plane + thickness | coupled
+//   [body] J   [potential] plane + thickness | coupled, and fibre, second_fibre beside either
 //   [motion] branch, nu, of "tilted" also plane (else both); or of branch "two-polar" omega and
 //   theta_dot | s3 and p_theta [solve] start, method   [continuation] parameter, from, to,
 //   tolerance   [output] spectrum, ...   [map] x, y
@@ -18,6 +18,7 @@
 #include "lib/body.hpp"
 #include "lib/motion.hpp"
 #include "lib/potential.hpp"
+#include "solver/anisotropic_family.hpp"
 #include "solver/case_map.hpp"
 #include "solver/case_tree.hpp"
 #include "solver/equilibrium.hpp"
@@ -31,14 +32,14 @@ namespace stationary {
 /// A model by name with its coefficients, or an expression with its parameters, as written under
 /// `potential.<slot>`.
 struct ModelChoice {
-  std::string slot;  ///< plane, thickness or coupled
+  std::string slot;  ///< plane, thickness, coupled, fibre or second_fibre
   ModelDescription description;
   std::vector<double> coefficients;                   ///< in the order of description.parameters
   std::shared_ptr<const expression::Tape> tape = {};  ///< of an expression
   std::vector<std::string> facts = {};                ///< found out about an expression
 };
 
-/// The potential of one coupled model, or of a planar and a thickness one. Throws
+/// The potential of one coupled model, or of a planar and a thickness one, with fibres or without. Throws
 /// std::invalid_argument with the violated inequality.
 Potential make_potential(std::span<const ModelChoice> models);
 
@@ -58,7 +59,7 @@ struct TiltedMotion {
 };
 
 struct Case {
-  using Motion = std::variant<AxisRotation, TiltedMotion, TwoPolarMotion>;
+  using Motion = std::variant<AxisRotation, TiltedMotion, TwoPolarMotion, ObliqueRotation>;
   struct Solve {
     std::optional<Stretch> start;  ///< two-polar: xi, zeta are lambda, mu
     Method method = Method::automatic;
@@ -83,7 +84,7 @@ struct Case {
 
   std::string title;
   Body body;
-  std::vector<ModelChoice> models;  ///< plane and thickness, or coupled
+  std::vector<ModelChoice> models;  ///< plane and thickness, or coupled; then fibres
   Potential potential;              ///< made of `models`
   Motion motion;
   Solve solve;
@@ -94,6 +95,7 @@ struct Case {
 
   bool two_polar() const { return std::holds_alternative<TwoPolarMotion>(motion); }
   bool tilted() const { return std::holds_alternative<TiltedMotion>(motion); }
+  bool oblique() const { return std::holds_alternative<ObliqueRotation>(motion); }
   std::string_view branch_name() const;
   /// Of an axis rotation (std::bad_variant_access otherwise).
   Problem problem() const {

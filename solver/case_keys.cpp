@@ -19,8 +19,8 @@ namespace {
 using enum KeyType;
 
 constexpr std::string_view branches[] = {name(Branch::i), name(Branch::ii), name(Branch::iii),
-                                         tilted_name, two_polar_name};
-constexpr std::string_view later_branches[] = {"oblique"};
+                                         tilted_name, oblique_name, two_polar_name};
+constexpr std::string_view oblique_axes[] = {"1", "2"};
 constexpr std::string_view a_boolean = "true or false";
 constexpr std::string_view a_number = "a finite number";
 
@@ -37,16 +37,19 @@ constexpr CaseKey keys[] = {
     {"potential.plane", model, false, "a table of model, or expression, and its coefficients"},
     {"potential.thickness", model, false, "a table of model, or expression, and its coefficients"},
     {"potential.coupled", model, false, "a table of model, or expression, and its coefficients"},
+    {"potential.fibre", coefficients, false, "a table, { k = 0.4, degrees = 30 }"},
+    {"potential.second_fibre", coefficients, false, "a table, { k = 0.4, degrees = 30 }"},
     {"motion", table, true, "a table with branch and nu, or two-polar's numbers instead of nu"},
-    {"motion.branch", text, true, "", 0, branches, later_branches},
-    // Which of these six a branch takes, the case reader checks.
+    {"motion.branch", text, true, "", 0, branches},
+    // Which of these seven a branch takes, the case reader checks.
     {"motion.nu", number, false,
-     "a finite number (the spin along the branch's axis; |nu| in \"tilted\")"},
+     "a finite number (the spin along the branch's axis; |nu| in \"tilted\", \"oblique\")"},
     {"motion.omega", number, false, a_number},
     {"motion.theta_dot", number, false, a_number},
     {"motion.s3", number, false, a_number},
     {"motion.p_theta", number, false, a_number},
     {"motion.plane", text, false, "", 0, tilt_plane_names},
+    {"motion.axis", text, false, "", 0, oblique_axes},
     {"solve", table, false, "a table"},
     {"solve.start", numbers, false, "four finite numbers, start = [alpha, xi, zeta, rho]", 4},
     {"solve.method", text, false, "", 0, method_names},
@@ -118,12 +121,8 @@ std::string place_of(std::string_view prefix) {
 void require_choice(const CaseTree& tree, const CaseKey& key, const std::string& value) {
   if (key.choices.empty()) return;
   if (std::ranges::find(key.choices, std::string_view(value)) != key.choices.end()) return;
-  const bool later = std::ranges::find(key.reserved, std::string_view(value)) != key.reserved.end();
-  throw fault_at(tree, key.path,
-                 "found the string " + in_quotes(value) +
-                     (later ? ", which is not available in this version" : ""),
-                 "one of " + listed(key.choices),
-                 later ? std::string() : did_you_mean(nearest_name(value, key.choices)));
+  throw fault_at(tree, key.path, "found the string " + in_quotes(value),
+                 "one of " + listed(key.choices), did_you_mean(nearest_name(value, key.choices)));
 }
 
 bool finite_number(const toml::node& node) {
@@ -146,14 +145,46 @@ void require_numbers(const CaseTree& tree, const std::string& path, const toml::
   }
 }
 
+/// Built-in models of a kind.
+std::vector<const ModelDescription*> models_of(ModelDescription::Kind kind) {
+  std::vector<const ModelDescription*> out;
+  for (const auto* list : {&model_descriptions(), &anisotropic_descriptions()})
+    for (const ModelDescription& each : *list)
+      if (each.kind == kind) out.push_back(&each);
+  return out;
+}
+
+/// All the coefficients of the model are there and finite, and no other key than those allowed.
+void require_coefficients(const CaseTree& tree, const std::string& path, const toml::table& table,
+                          const ModelDescription& description,
+                          std::vector<std::string_view> allowed) {
+  const std::vector<std::string_view> parameters(description.parameters.begin(),
+                                                 description.parameters.end());
+  allowed.insert(allowed.end(), parameters.begin(), parameters.end());
+  for (const auto& [name, value] : table) {
+    if (std::ranges::find(allowed, name.str()) == allowed.end())
+      refuse_unknown(tree, path, name.str(), allowed);
+  }
+  for (const std::string_view parameter : parameters) {
+    const std::string key = dotted(path, parameter);
+    const toml::node* value = table.get(parameter);
+    if (value == nullptr) {
+      throw fault_at(tree, key, "found no coefficient " + in_quotes(parameter),
+                     "all of " + listed(parameters) + " for " +
+                         in_quotes(description.name));
+    }
+    if (!finite_number(*value))
+      throw fault_at(tree, key, "found " + describe(*value), std::string(a_number));
+  }
+}
+
 /// `model` names a model of the kind, and the other keys are its coefficients, all of them; or the
 /// potential is written out.
 void require_model(const CaseTree& tree, const std::string& path, const toml::table& table) {
   if (is_written_out(table)) return require_written_out(tree, path, table);
   const ModelDescription::Kind kind = model_kind(path);
   std::vector<std::string_view> names;
-  for (const ModelDescription& each : model_descriptions())
-    if (each.kind == kind) names.push_back(each.name);
+  for (const ModelDescription* each : models_of(kind)) names.push_back(each->name);
 
   const std::string model_path = dotted(path, "model");
   const toml::node* model_node = table.get("model");
@@ -183,24 +214,7 @@ void require_model(const CaseTree& tree, const std::string& path, const toml::ta
     throw fault_at(tree, model_path, "found the string " + in_quotes(chosen),
                    "one of " + listed(names), remedy);
   }
-  const std::vector<std::string_view> parameters(description->parameters.begin(),
-                                                 description->parameters.end());
-  std::vector<std::string_view> allowed{"model"};
-  allowed.insert(allowed.end(), parameters.begin(), parameters.end());
-  for (const auto& [name, value] : table) {
-    if (std::ranges::find(allowed, name.str()) == allowed.end())
-      refuse_unknown(tree, path, name.str(), allowed);
-  }
-  for (const std::string_view parameter : parameters) {
-    const std::string key = dotted(path, parameter);
-    const toml::node* value = table.get(parameter);
-    if (value == nullptr) {
-      throw fault_at(tree, key, "found no coefficient " + in_quotes(parameter),
-                     "all of " + listed(parameters) + " for " + in_quotes(chosen));
-    }
-    if (!finite_number(*value))
-      throw fault_at(tree, key, "found " + describe(*value), std::string(a_number));
-  }
+  require_coefficients(tree, path, table, *description, {"model"});
 }
 
 void require_type(const CaseTree& tree, const CaseKey& key, const toml::node& node) {
@@ -213,6 +227,7 @@ void require_type(const CaseTree& tree, const CaseKey& key, const toml::node& no
   switch (key.type) {
     case table:
     case model:
+    case coefficients:
       require(node.is_table());
       break;
     case text:
@@ -251,6 +266,8 @@ void require_table(const CaseTree& tree, const std::string& prefix, const toml::
     require_type(tree, *key, node);
     if (key->type == KeyType::table) require_table(tree, path, *node.as_table());
     if (key->type == KeyType::model) require_model(tree, path, *node.as_table());
+    if (key->type == KeyType::coefficients)
+      require_coefficients(tree, path, *node.as_table(), *models_of(model_kind(path)).front(), {});
   }
   for (const CaseKey& key : keys) {
     if (!key.required || parent(key.path) != prefix || table.contains(last_name(key.path)))
@@ -274,12 +291,13 @@ const CaseKey* find_case_key(std::string_view path) {
 ModelDescription::Kind model_kind(std::string_view path) {
   const std::string_view slot = last_name(path);
   if (slot == "plane") return ModelDescription::Kind::planar;
+  if (slot == "fibre" || slot == "second_fibre") return ModelDescription::Kind::fibre;
   return slot == "thickness" ? ModelDescription::Kind::thickness : ModelDescription::Kind::coupled;
 }
 
 const ModelDescription* find_model(ModelDescription::Kind kind, std::string_view name) {
-  for (const ModelDescription& each : model_descriptions())
-    if (each.kind == kind && each.name == name) return &each;
+  for (const ModelDescription* each : models_of(kind))
+    if (each->name == name) return each;
   return nullptr;
 }
 

@@ -14,7 +14,8 @@ namespace stationary {
 
 enum class KeyType {
   table,
-  model,  ///< a table of `model` and that model's coefficients
+  model,         ///< a table of `model` and that model's coefficients
+  coefficients,  ///< a table of the coefficients of the one model it can be
   text,
   number,   ///< finite; integers count as numbers
   numbers,  ///< a fixed count of them
@@ -28,9 +29,7 @@ struct CaseKey {
   bool required;             ///< whenever the table it stands in is there
   std::string_view allowed;  ///< for messages
   int count = 0;             ///< of numbers
-  /// Names a text may hold, and names reserved for versions to come; none: any text.
-  std::span<const std::string_view> choices = {};
-  std::span<const std::string_view> reserved = {};
+  std::span<const std::string_view> choices = {};  ///< names a text may hold; none: any text
 };
 
 std::span<const CaseKey> case_keys();

@@ -14,6 +14,8 @@ double* motion_number(Case::Motion& motion, std::string_view key) {
   if (auto* rotation = std::get_if<AxisRotation>(&motion))
     return key == "nu" ? &rotation->nu : nullptr;
   if (auto* tilted = std::get_if<TiltedMotion>(&motion)) return key == "nu" ? &tilted->nu : nullptr;
+  if (auto* oblique = std::get_if<ObliqueRotation>(&motion))
+    return key == "nu" ? &oblique->nu : nullptr;
   TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
   if (auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar)) {
     if (key == "motion.omega") return &rates->omega;
@@ -37,7 +39,7 @@ double* find_number(FamilyParameters& family, std::string_view key) {
   if (double* number = motion_number(family.motion, key)) return number;
   Body& J = family.body;
   if (key == "body.J.2") return &J.J3;
-  if (std::holds_alternative<AxisRotation>(family.motion)) {
+  if (!std::holds_alternative<TwoPolarMotion>(family.motion)) {
     if (key == "body.J.0") return &J.J1;
     if (key == "body.J.1") return &J.J2;
   }
@@ -48,7 +50,7 @@ double* find_number(FamilyParameters& family, std::string_view key) {
 }
 
 std::vector<std::string> motion_and_body_keys(const Case::Motion& motion) {
-  if (std::holds_alternative<AxisRotation>(motion))
+  if (!std::holds_alternative<TwoPolarMotion>(motion))
     return {"nu", "body.J.0", "body.J.1", "body.J.2"};
   if (std::holds_alternative<TwoPolarRates<double>>(std::get<TwoPolarMotion>(motion)))
     return {"motion.omega", "motion.theta_dot", "body.J.2"};
@@ -89,7 +91,14 @@ FamilyParameter family_parameter(std::string_view key, const std::vector<ModelCh
   if (key.starts_with(inertia)) return {Kind::inertia, key[inertia.size()] - '0'};
   for (const ModelChoice& model : models) {
     const auto at = coefficient_index(model, key);
-    if (at) return {model.slot == "thickness" ? Kind::thickness : Kind::plane, *at};
+    if (!at) continue;
+    if (model.description.kind == ModelDescription::Kind::fibre) {
+      // Fibres come last: k and degrees of each.
+      const bool second = &model != models.data() &&
+                          (&model - 1)->description.kind == ModelDescription::Kind::fibre;
+      return {Kind::fibre, *at + (second ? 2 : 0)};
+    }
+    return {model.slot == "thickness" ? Kind::thickness : Kind::plane, *at};
   }
   const bool second = key == "motion.theta_dot" || key == "motion.p_theta";
   return {Kind::nu, second ? 1 : 0};

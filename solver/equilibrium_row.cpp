@@ -6,6 +6,7 @@
 
 #include "lib/inertia.hpp"
 #include "lib/two_polar.hpp"
+#include "solver/anisotropic_enclosure.hpp"
 #include "solver/tilted_enclosure.hpp"
 #include "solver/two_polar_enclosure.hpp"
 
@@ -176,6 +177,13 @@ RowProof prove_row(const Body& body, const Potential& potential, const TiltedRot
   return noted(certificate, spectrum, row, [&] {
     return enclose_spectrum(body, potential, motion, certificate, *spectrum).verdict;
   });
+}
+
+RowProof prove_row(const Body& body, const Potential& potential, const ObliqueRotation& motion,
+                   const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
+                   TableRow& row) {
+  const Certificate certificate = certify_oblique(body, potential, motion, equilibrium);
+  return noted(certificate, spectrum, row, [] { return std::optional<StabilityClass>(); });
 }
 
 RowProof prove_row(const Body& body, const Potential& potential, const TwoPolarMotion& motion,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lib/spectrum.hpp"
+#include "solver/anisotropic_family.hpp"
 #include "solver/batch_spectrum.hpp"
 #include "solver/enclosure.hpp"
 #include "solver/equilibrium.hpp"
@@ -65,6 +66,9 @@ struct RowProof {
 RowProof prove_row(const Problem& problem, const Equilibrium& equilibrium,
                    const std::optional<Spectrum>& spectrum, TableRow& row);
 RowProof prove_row(const Body& body, const Potential& potential, const TiltedRotation& motion,
+                   const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
+                   TableRow& row);
+RowProof prove_row(const Body& body, const Potential& potential, const ObliqueRotation& motion,
                    const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
                    TableRow& row);
 RowProof prove_row(const Body& body, const Potential& potential, const TwoPolarMotion& motion,

@@ -12,7 +12,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json model_json(const ModelChoice& model) {
-  Json out{{"model", model.description.name}};
+  Json out;
+  if (model.description.kind != ModelDescription::Kind::fibre)
+    out["model"] = model.description.name;
   for (std::size_t k = 0; k < model.coefficients.size(); ++k)
     out[std::string(model.description.parameters[k])] = model.coefficients[k];
   return out;
@@ -24,6 +26,11 @@ Json motion_json(const Case::Motion& motion) {
   if (const auto* tilted = std::get_if<TiltedMotion>(&motion)) {
     if (!tilted->plane) return {{"branch", tilted_name}, {"nu", tilted->nu}};
     return {{"branch", tilted_name}, {"plane", name(*tilted->plane)}, {"nu", tilted->nu}};
+  }
+  if (const auto* oblique = std::get_if<ObliqueRotation>(&motion)) {
+    if (!oblique->near) return {{"branch", oblique_name}, {"nu", oblique->nu}};
+    const char* axis = *oblique->near == Branch::i ? "1" : "2";
+    return {{"branch", oblique_name}, {"axis", axis}, {"nu", oblique->nu}};
   }
   const TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar)) {

@@ -10,7 +10,32 @@ ThicknessRule thickness_rule(const Potential& potential, Branch branch) {
   return branch == Branch::iii ? ThicknessRule::constant : ThicknessRule::closed_form;
 }
 
-std::vector<PlanItem> make_plan(const Body& body, Branch branch, ThicknessRule rule) {
+/// Of a potential that is not isotropic.
+std::vector<PlanItem> oriented_plan(const AnisotropicPotential& V, Branch branch) {
+  std::vector<PlanItem> plan;
+  const bool even = V.even_in_alpha();
+  if (branch != Branch::iii) {
+    plan.push_back({"alpha", "0, not an unknown",
+                    even ? "compatibility (J1 xi + J2 zeta) alpha = 0 leaves no other value"
+                         : "compatibility leaves no other value, and V_alpha != 0 there: such a "
+                           "motion exists by chance only"});
+  } else {
+    plan.push_back({"alpha", even ? "0 from rest; an unknown from another start" : "an unknown",
+                    even ? "V is even in alpha: alpha = 0 solves its equation"
+                         : "V_alpha != 0 at alpha = 0"});
+  }
+  plan.push_back({"rho", "an unknown",
+                  V.is_separable() ? "its equation has no other unknown in it; a search takes it apart"
+                                   : "the potential couples it to xi, zeta and alpha"});
+  plan.push_back({"xi, zeta", branch == Branch::iii && !even ? "4 equations with alpha and rho"
+                                                             : "3 equations with rho",
+                  "balance of elastic and centrifugal force"});
+  return plan;
+}
+
+std::vector<PlanItem> make_plan(const Body& body, const Potential& potential, Branch branch,
+                                ThicknessRule rule) {
+  if (!potential.is_isotropic()) return oriented_plan(potential.anisotropic(), branch);
   std::vector<PlanItem> plan;
   if (branch != Branch::iii) {
     plan.push_back({"alpha", "0, not an unknown",
@@ -49,6 +74,6 @@ Problem::Problem(const Body& body, const Potential& potential, Branch branch)
       potential_(potential),
       branch_(branch),
       thickness_rule_(stationary::thickness_rule(potential, branch)),
-      plan_(make_plan(body, branch, thickness_rule_)) {}
+      plan_(make_plan(body, potential, branch, thickness_rule_)) {}
 
 }  // namespace stationary

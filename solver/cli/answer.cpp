@@ -6,6 +6,8 @@
 
 #include "solver/cli/interrupt.hpp"
 #include "solver/cli/report.hpp"
+#include "solver/anisotropic_equilibrium.hpp"
+#include "solver/anisotropic_search.hpp"
 #include "solver/equilibrium_row.hpp"
 #include "solver/existence.hpp"
 #include "solver/metadata.hpp"
@@ -73,6 +75,32 @@ struct TiltedAnswers {
     Solution out;
     fill_row(tilted_name, input.body, input.potential, found, wanted, out.row);
     if (with_spectrum) out.spectrum = tilted_stability(input.body, input.potential, motion, found);
+    add_proof(
+        input,
+        [&] {
+          return prove_row(input.body, input.potential, motion, found, out.spectrum, out.row);
+        },
+        out);
+    return out;
+  }
+};
+
+struct ObliqueAnswers {
+  const Case& input;
+  ObliqueRotation motion;
+  bool with_spectrum;
+
+  Equilibrium one(const SolveOptions& options) const {
+    return solve_oblique(input.body, input.potential, motion, options);
+  }
+  SearchResult all(const SearchOptions& options) const {
+    return search_oblique(input.body, input.potential, motion, options);
+  }
+  std::optional<std::string> none_anywhere() const { return std::nullopt; }
+  Solution solution(const Equilibrium& found) const {
+    Solution out;
+    fill_row(oblique_name, input.body, input.potential, found, out.row);
+    if (with_spectrum) out.spectrum = oblique_stability(input.body, input.potential, found);
     add_proof(
         input,
         [&] {
@@ -182,8 +210,8 @@ void append(std::string& text, const std::string& more, std::string_view between
   text += more;
 }
 
-/// Both planes' answers as one: solved where either is, none where neither has any.
-Answer joined(std::vector<std::pair<std::string, Answer>> parts) {
+/// The answers of both planes, or axes, as one: solved where either is, none where neither has any.
+Answer joined(std::vector<std::pair<std::string, Answer>> parts, const std::string& what) {
   // What outweighs what in the status of the whole.
   constexpr SolveStatus order[] = {SolveStatus::interrupted, SolveStatus::solved,
                                    SolveStatus::failed, SolveStatus::not_found,
@@ -196,10 +224,10 @@ Answer joined(std::vector<std::pair<std::string, Answer>> parts) {
   }
   out.only_in_box = out.status == SolveStatus::none_exists;
   for (auto& [plane, part] : parts) {
-    append(out.message, plane + " plane: " + part.message);
-    if (!part.warning.empty()) append(out.warning, plane + " plane: " + part.warning);
+    append(out.message, plane + what + ": " + part.message);
+    if (!part.warning.empty()) append(out.warning, plane + what + ": " + part.warning);
     if (out.solved() && part.status == SolveStatus::failed)
-      append(out.warning, plane + " plane: " + part.message);
+      append(out.warning, plane + what + ": " + part.message);
     if (out.connection == Connection::unknown) out.connection = part.connection;
     for (const auto& [what, count] : part.counts) {
       const auto at =
@@ -222,7 +250,24 @@ Answer answer(const Case& input, const TiltedMotion& motion, const SolveOptions&
     const TiltedAnswers family{input, rotation, with_spectrum, wanted};
     parts.emplace_back(plane_text(rotation.plane), answer(input, family, options));
   }
-  return parts.size() == 1 ? std::move(parts[0].second) : joined(std::move(parts));
+  return parts.size() == 1 ? std::move(parts[0].second) : joined(std::move(parts), " plane");
+}
+
+/// Without axis and start the families of both axes, and where neither comes to anything whatever
+/// there is.
+Answer answer(const Case& input, const ObliqueRotation& motion, const SolveOptions& options,
+              bool with_spectrum) {
+  const ObliqueAnswers any{input, motion, with_spectrum};
+  if (input.solve.all || motion.near || options.start) return answer(input, any, options);
+  SolveOptions followed = options;
+  followed.search = false;
+  std::vector<std::pair<std::string, Answer>> parts;
+  for (const Branch near : {Branch::i, Branch::ii}) {
+    const ObliqueAnswers family{input, {motion.nu, near}, with_spectrum};
+    parts.emplace_back(near == Branch::i ? "axis 1" : "axis 2", answer(input, family, followed));
+  }
+  Answer out = joined(std::move(parts), "");
+  return out.status == SolveStatus::not_found ? answer(input, any, options) : out;
 }
 
 }  // namespace

@@ -34,6 +34,11 @@ AtlasOptions atlas_options(const Case& input, const AtlasCommand& options, bool 
     throw fault_at(input.source, "continuation", "found no such key",
                    "a table with parameter, from and to", "add [continuation]");
   }
+  if (!input.potential.is_isotropic()) {
+    throw fault_at(input.source, "potential", "found an anisotropic potential",
+                   "an isotropic one for atlas",
+                   "solve with solve.all = true finds every motion at one nu, continue follows it");
+  }
   const Case::Continuation& asked = *input.continuation;
   if (asked.parameter != "nu") {
     throw fault_at(input.source, "continuation.parameter", fmt::format("found {}", asked.parameter),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "solver/anisotropic_equilibrium.hpp"
 #include "solver/case_keys.hpp"
 #include "solver/cli/interrupt.hpp"
 #include "solver/cli/plan.hpp"
@@ -20,14 +21,17 @@ namespace {
 double start_parameter(const Case& input) {
   const Case::Continuation& range = *input.continuation;
   const bool in_nu = range.parameter == "nu";
-  if (in_nu && !input.tilted() && !input.solve.start && range.from <= 0.0 && range.to >= 0.0)
+  const bool from_rest = !input.tilted() && !input.oblique();
+  if (in_nu && from_rest && !input.solve.start && range.from <= 0.0 && range.to >= 0.0)
     return 0.0;
   const double own = parameter_value({input.body, input.models, input.motion}, range.parameter);
   if (own >= range.from && own <= range.to) return own;
-  if (!input.solve.start && !input.tilted()) return range.from;
+  if (!input.solve.start && from_rest) return range.from;
   throw fault_at(input.source, in_nu ? "motion.nu" : range.parameter,
                  fmt::format("found {} = {}, outside the range followed, with {}", range.parameter,
-                             own, input.solve.start ? "solve.start" : "branch \"tilted\""),
+                             own,
+                             input.solve.start ? std::string("solve.start")
+                                               : "branch " + in_quotes(input.branch_name())),
                  fmt::format("a value in [{}, {}]", range.from, range.to),
                  input.solve.start ? "solve.start is a guess of the solution there"
                                    : "the family is followed from its member there");
@@ -53,6 +57,8 @@ Start solved_start(const Case& input, const ComputeOptions& options) {
                          .stop = &stop_on_signals()};
   if (auto* tilted = std::get_if<TiltedMotion>(&out.at.motion)) {
     out.found = tilted_start(input, make_potential(out.at.models), *tilted, how);
+  } else if (const auto* oblique = std::get_if<ObliqueRotation>(&out.at.motion)) {
+    out.found = solve_oblique(out.at.body, make_potential(out.at.models), *oblique, how);
   } else if (const auto* two_polar = std::get_if<TwoPolarMotion>(&out.at.motion)) {
     const TwoPolarEquilibrium found =
         solve_two_polar(out.at.body, make_potential(out.at.models), *two_polar, how);
@@ -100,14 +106,24 @@ AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum, b
          .parameter = family_parameter(input.continuation->parameter, input.models),
          .spectrum = with_spectrum});
   }
+  if (const auto* oblique = std::get_if<ObliqueRotation>(&start.at.motion)) {
+    return oblique_family(
+        start.at.body, make_potential(start.at.models).anisotropic(),
+        {.nu = oblique->nu,
+         .parameter = family_parameter(input.continuation->parameter, input.models),
+         .spectrum = with_spectrum},
+        oblique->near.value_or(Branch::i));
+  }
   const AxisRotation motion = std::get<AxisRotation>(start.at.motion);
+  const bool alpha_free = start.found.q.alpha != 0.0;
   return axis_family(problem_of(start.at),
                      {.nu = motion.nu,
                       .parameter = family_parameter(input.continuation->parameter, input.models),
                       .spectrum = with_spectrum,
                       .errors = wants_column(input, Column::residual, to_table) ||
                                 wants_column(input, Column::compatibility, to_table),
-                      .energy = wants_column(input, Column::energy, to_table)});
+                      .energy = wants_column(input, Column::energy, to_table)},
+                     alpha_free);
 }
 
 void prove_rows(const Case& input, const Start& start, CurveTable& rows) {
@@ -116,6 +132,21 @@ void prove_rows(const Case& input, const Start& start, CurveTable& rows) {
     rows.prove([&input, plane](const Member& member, const Equilibrium& found, TableRow& row) {
       return prove_row(input.body, input.potential, TiltedRotation{plane, member.parameter}, found,
                        member.spectrum, row);
+    });
+    return;
+  }
+  if (input.oblique()) {
+    rows.prove([&input](const Member& member, const Equilibrium& found, TableRow& row) {
+      const FamilyParameters at = at_parameter(input, member.parameter);
+      return prove_row(at.body, make_potential(at.models), ObliqueRotation{member.nu}, found,
+                       member.spectrum, row);
+    });
+    return;
+  }
+  if (!input.potential.is_isotropic()) {  // its events have no enclosures
+    rows.prove([&input](const Member& member, const Equilibrium& found, TableRow& row) {
+      return prove_row(problem_of(at_parameter(input, member.parameter)), found, member.spectrum,
+                       row);
     });
     return;
   }

@@ -22,6 +22,7 @@ std::string coefficients_text(const ModelChoice& model) {
 std::string start_text(const Case& input) {
   const auto& start = input.solve.start;
   if (!start && input.tilted()) return "the tilts of the sheets connected to rest";
+  if (!start && input.oblique()) return "the families connected to rest";
   if (!start) return input.two_polar() ? "a global search" : "the solution connected to rest";
   return fmt::format("(alpha, {}, rho) = ({}, {}, {}, {})",
                      input.two_polar() ? "lambda, mu" : "xi, zeta", start->alpha, start->xi,
@@ -44,6 +45,13 @@ ExitCode check_case(const CaseOptions& options) {
     out.line("", model.description.formula);
     for (const std::string& fact : model.facts) out.line("", fact);
   }
+  const Potential& V = input.potential;
+  out.line("potential",
+           fmt::format("{}, {}", V.is_separable() ? "separable" : "coupled",
+                       V.is_isotropic()                  ? "isotropic"
+                       : V.anisotropic().even_in_alpha() ? "anisotropic, even in alpha: V_alpha = 0 at "
+                                                           "alpha = 0"
+                                                         : "anisotropic, V_alpha != 0 at alpha = 0"));
   out.line("motion", motion_text(input.motion));
   out.line("solve",
            fmt::format("method {}, start: {}", name(input.solve.method), start_text(input)));

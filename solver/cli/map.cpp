@@ -57,7 +57,12 @@ void require_map(const Case& input) {
     throw fault_at(input.source, "motion.branch",
                    "found the string " + in_quotes(input.branch_name()),
                    "one of \"i\", \"ii\", \"iii\" for map",
-                   "tilted and two-polar motions are solved one at a time in this version");
+                   "tilted, oblique and two-polar motions are solved one at a time in this version");
+  }
+  if (!input.potential.is_isotropic()) {
+    throw fault_at(input.source, "potential", "found an anisotropic potential",
+                   "an isotropic one for map",
+                   "motions of anisotropic bodies are solved one at a time in this version");
   }
 }
 

@@ -27,13 +27,15 @@ std::string_view heading(Kind kind) {
     case Kind::coupled:
       return "coupled, V(S, rho) of [potential] coupled";
     case Kind::fibre:
-      return "fibres, [potential] fibre, beside any of these";
+      return "fibres, beside any of them: fibre and second_fibre of [potential]";
   }
   return {};
 }
 
-std::string_view assumption(Kind kind) {
-  switch (kind) {
+std::string_view assumption(const ModelDescription& model) {
+  if (model.kind == Kind::planar && !model.isotropic)
+    return "axes 1 and 2 are axes of symmetry (even in alpha); separable";
+  switch (model.kind) {
     case Kind::planar:
       return "isotropic in the plane; separable: the thickness has a potential of its own";
     case Kind::thickness:
@@ -41,7 +43,7 @@ std::string_view assumption(Kind kind) {
     case Kind::coupled:
       return "isotropic; the thickness enters together with xi, zeta, alpha";
     case Kind::fibre:
-      return "a direction in the plane";
+      return "even in alpha only at 0 or 90 degrees, or as one of two like fibres at opposite angles";
   }
   return {};
 }
@@ -50,13 +52,14 @@ void add_model(Report& out, const ModelDescription& model) {
   out.line(model.name, model.formula);
   out.line("  parameters", joined(model.parameters));
   out.line("  domain", joined(model.domain));
-  out.line("  assumed", assumption(model.kind));
+  out.line("  assumed", assumption(model));
 }
 
 ExitCode list_models(const std::string& only) {
   constexpr std::size_t label_width = 26;
   Report out(label_width);
-  const std::vector<ModelDescription>& all = model_descriptions();
+  std::vector<ModelDescription> all = model_descriptions();
+  all.insert(all.end(), anisotropic_descriptions().begin(), anisotropic_descriptions().end());
   if (!only.empty()) {
     std::vector<std::string_view> names;
     for (const ModelDescription& model : all) {
@@ -73,7 +76,7 @@ ExitCode list_models(const std::string& only) {
   out.line("t = xi + zeta", "trace of the planar stretch S");
   out.line("d = xi zeta - alpha^2", "its determinant; tr S^2 = t^2 - 2 d, E = (S^2 - 1)/2");
   out.line("mu, lambda", "coefficients here, not the principal stretches");
-  for (const Kind kind : {Kind::planar, Kind::thickness, Kind::coupled}) {
+  for (const Kind kind : {Kind::planar, Kind::thickness, Kind::coupled, Kind::fibre}) {
     out.gap();
     out.line(heading(kind), "");
     for (const ModelDescription& model : all) {

@@ -31,10 +31,34 @@ std::vector<PlanItem> tilted_unknowns(const TiltedMotion& motion) {
           {"nu", "closed form", "the rest of the balance gives the squares of its components"}};
 }
 
+std::vector<PlanItem> oblique_unknowns(const Case& input) {
+  return {{"alpha", "an unknown", "nothing makes it 0 where the spin is about no material axis"},
+          {"axis", "an unknown, its angle in the plane of axes 1 and 2",
+           "compatibility: nu is an eigenvector of the locked inertia"},
+          {"xi, zeta, rho", "5 equations with alpha and the axis",
+           input.potential.is_separable()
+               ? "the balance; rho's has no other unknown in it, and a search takes it apart"
+               : "the balance"}};
+}
+
+/// Of a potential that is not isotropic.
+PlanItem oriented_spectrum_item(const Case& input) {
+  const bool even = input.potential.anisotropic().even_in_alpha();
+  const auto* rotation = std::get_if<AxisRotation>(&input.motion);
+  if (rotation != nullptr && even && rotation->nu != 0.0) {
+    return {"spectrum", "5 modes from blocks where alpha = 0, else from the whole problem",
+            "V is even in alpha: reflections split the dynamics about a material axis"};
+  }
+  return {"spectrum", "from the whole problem, by a structure-preserving method",
+          rotation == nullptr ? "no reflection makes blocks of the dynamics about an oblique axis"
+                              : "V is not even in alpha, or nu = 0: no blocks"};
+}
+
 /// The blocks that alpha = 0 and an isotropic potential split the linearization into.
 PlanItem spectrum_item(const Case& input) {
   constexpr const char* split = "alpha = 0 and an isotropic potential: reflections split the ";
   const bool separable = input.potential.is_separable();
+  if (!input.potential.is_isotropic()) return oriented_spectrum_item(input);
   if (input.two_polar()) {
     return {"spectrum",
             "4 modes from 2 blocks: lambda, mu, rho (3) and the wobble of axis 3 (1, none where "
@@ -94,6 +118,8 @@ ComputationPlan computation_plan(const Case& input, bool to_table) {
   ComputationPlan out;
   if (const auto* tilted = std::get_if<TiltedMotion>(&input.motion)) {
     out.computed = tilted_unknowns(*tilted);
+  } else if (input.oblique()) {
+    out.computed = oblique_unknowns(input);
   } else {
     out.computed = input.two_polar() ? two_polar_unknowns(input) : input.problem().plan();
   }

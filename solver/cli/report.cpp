@@ -97,6 +97,12 @@ std::string motion_text(const Case::Motion& motion) {
     return fmt::format("tilted in the {} plane, |nu| = {}",
                        tilted->plane ? plane_text(*tilted->plane) : "1-3 or the 2-3", tilted->nu);
   }
+  if (const auto* oblique = std::get_if<ObliqueRotation>(&motion)) {
+    const char* near = !oblique->near                ? ""
+                       : *oblique->near == Branch::i ? ", the family of axis 1"
+                                                     : ", the family of axis 2";
+    return fmt::format("about an axis in the plane of axes 1 and 2, |nu| = {}{}", oblique->nu, near);
+  }
   const TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar))
     return fmt::format("two-polar, omega = {}, theta_dot = {}", rates->omega, rates->theta_dot);

@@ -40,7 +40,7 @@ void add_state(Report& out, const Case& input, const TableRow& row) {
   } else {
     out.line("", "no angle: lambda = mu, a circle");
   }
-  if (input.tilted()) {
+  if (input.tilted() || input.oblique()) {
     out.row("axis", {{"nu1   ", row[Column::nu1]}, {"nu2   ", row[Column::nu2]}});
     out.row("", {{"nu3   ", row[Column::nu3]}});
   }
