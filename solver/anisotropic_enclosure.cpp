@@ -23,7 +23,7 @@ template <class Layout>
 void certify_at(const OrientedBoxSystem<Layout>& system, const Stretch& q,
                 const Vector3<double>& nu, Certificate& out) {
   constexpr int N = Layout::dimension;
-  ReducedVector<N> x;
+  ReducedVector<N> x = ones<N>();
   x[0] = q.xi;
   x[1] = q.zeta;
   x[Layout::thickness_place] = q.rho;

@@ -301,8 +301,11 @@ class AnisotropicSolve {
     out_.error_bound = member.error_bound;
     out_.connection = connection;
     out_.message = how;
+    // Near a material axis compatibility is a difference of small products: of |pi| |nu| then.
+    const Vector3<double> pi = locked_inertia(body_, out_.q) * out_.nu;
+    const double mismatch = compatibility_residual(body_, out_.q, out_.nu).norm();
     const bool solved = out_.residual <= acceptable_residual &&
-                        out_.compatibility <= acceptable_residual;
+                        mismatch <= acceptable_residual * pi.norm() * out_.nu.norm();
     out_.status = solved ? SolveStatus::solved : SolveStatus::failed;
     if (!solved) out_.message += "; but the recomputed residual is no equilibrium's";
   }

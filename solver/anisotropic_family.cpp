@@ -43,7 +43,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   }
 
   ReducedVector<N> coordinates(const Stretch& q, double p) const override {
-    ReducedVector<N> x;
+    ReducedVector<N> x = ones<N>();
     x[0] = q.xi;
     x[1] = q.zeta;
     x[Layout::thickness_place] = q.rho;
@@ -286,7 +286,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   /// x of a member, its axis as the member has it.
   ReducedVector<N> coordinates_of(const Member& member) const {
     const Stretch& q = member.q;
-    ReducedVector<N> x;
+    ReducedVector<N> x = ones<N>();
     x[0] = q.xi;
     x[1] = q.zeta;
     x[Layout::thickness_place] = q.rho;

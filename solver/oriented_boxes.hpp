@@ -49,6 +49,28 @@ struct OrientedBoxSystem {
     return out;
   }
 
+  /// By the sum of the rows of u and v, in which a fibre is 2 k n (n + 1) >= -k/2, however stiff,
+  /// and whatever the directions: of long stretches across it no row says as much.
+  bool excludes(const Box<N>& x) const {
+    const auto y = all_coordinates<Layout>(x, rho);
+    const OrientedStretch<Interval> at = oriented_stretch(y[0], y[1], y[2], y[3]);
+    AnisotropicModel<Interval> without = model;
+    without.fibre_count = 0;
+    const AxisAngle<Interval> axis = axis_angle(y[4]);
+    const auto b = oriented_balance<1>(
+        J, without, at,
+        Layout::axis ? in_plane_products(nu_squared, axis.cosine, axis.sine)
+                     : axis_products(branch, nu_squared));
+    Interval sum = b.g[oriented::u] + b.g[oriented::v];
+    for (std::size_t k = 0; k < model.fibre_count; ++k) {
+      const auto& [c, s] = model.fibres[k].along;
+      const Interval n = square(at.q.xi * c + at.q.alpha * s) +
+                         square(at.q.alpha * c + at.q.zeta * s) - Interval(1.0);
+      sum += 2.0 * (model.fibres[k].k * (square(n + Interval(0.5)) - Interval(0.25)));
+    }
+    return !sum.may_be(0.0);
+  }
+
   BasicStretch<Interval> stretch(const Box<N>& x) const {
     const auto y = all_coordinates<Layout>(x, rho);
     return oriented_stretch(y[0], y[1], y[2], y[3]).q;
