@@ -79,7 +79,7 @@ struct PlacementFlow {
     const Vector9<Jet> y = columns<Jet>(XJ);
     Eigen::Matrix<double, 9, 7> Dy;
     for (int k = 0; k < 9; ++k) Dy.row(k) = y[k].v.transpose();
-    const Vector7<double> dV = elastic_energy<Model, Jet>(model, XJ).v;
+    const Vector7<double> dV = elastic_energy(model, XJ).v;
 
     // (rho n)'' along the straight line X + t V: only the third column curves.
     const Vector3<double> a = X.head<3>();
