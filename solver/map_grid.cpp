@@ -57,8 +57,9 @@ MapGrid::MapGrid(const Case& input)
       case FamilyParameter::Kind::thickness:
         batch_.thickness[k] = std::move(each);
         break;
-      case FamilyParameter::Kind::nu:
-        break;  // the steps of every lane
+      case FamilyParameter::Kind::nu:  // the steps of every lane
+      case FamilyParameter::Kind::fibre:  // none of an isotropic potential's
+        break;
     }
   };
   vary(input.map->x, true);
