@@ -118,6 +118,10 @@ Certificate certify_oblique(const Body& body, const Potential& potential,
   Certificate out;
   if (equilibrium.nu[2] != 0.0) {
     out.reason = "nu does not lie in the plane";
+  } else if (motion.nu == 0.0 && usable(equilibrium, out)) {  // at rest, about no axis
+    certify_at(OrientedBoxSystem<ShearedLayout>(body, potential.anisotropic(), Branch::iii, 0.0,
+                                                inputs),
+               equilibrium.q, equilibrium.nu, out);
   } else if (usable(equilibrium, out)) {
     certify_at(OrientedBoxSystem<ObliqueLayout>(body, potential.anisotropic(), Branch::i, motion.nu,
                                                 inputs),

@@ -52,7 +52,7 @@ TEST(ShippedCases, CoverEveryBranchAndEveryModel) {
     seen.emplace(input.branch_name());
     for (const ModelChoice& model : input.models) seen.insert(model.description.name);
   }
-  for (const std::string_view branch : {"i", "ii", "iii", "tilted", "two-polar"})
+  for (const std::string_view branch : {"i", "ii", "iii", "tilted", "oblique", "two-polar"})
     EXPECT_TRUE(seen.contains(branch));
   for (const ModelDescription& model : model_descriptions())
     EXPECT_TRUE(seen.contains(model.name)) << model.name;

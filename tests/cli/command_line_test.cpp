@@ -76,7 +76,9 @@ TEST(CommandLine, MisspeltCommandsAndOptions) {
 TEST(Models, ListsAllOfThemWithFormulaParametersAndDomain) {
   const Outcome outcome = run_program({"models"});
   EXPECT_EQ(outcome.code, 0);
-  for (const ModelDescription& model : model_descriptions()) {
+  std::vector<ModelDescription> all = model_descriptions();
+  all.insert(all.end(), anisotropic_descriptions().begin(), anisotropic_descriptions().end());
+  for (const ModelDescription& model : all) {
     const Outcome one = run_program({"models", std::string(model.name)});
     EXPECT_EQ(one.code, 0);
     for (const std::string& text : {outcome.out, one.out}) {

@@ -187,7 +187,7 @@ const std::vector<Malformed>& malformed_cases() {
        {"did you mean \"iii\"?"}},
       {"branch_oblique",
        with_motion("[motion]\nbranch = \"oblique\"\nnu = 1\n"),
-       {"\"oblique\", which is not available in this version", "\"i\", \"ii\", \"iii\""}},
+       {"\"oblique\" with an isotropic potential", "\"i\", \"ii\", \"iii\""}},
       {"plane_of_another_branch",
        with_motion("[motion]\nbranch = \"i\"\nnu = 1\nplane = \"13\"\n"),
        {"case.toml:9:1", "motion.plane: found plane, which branch \"i\" does not take",

@@ -100,7 +100,7 @@ TEST_F(Override, ThatIsWrongNamesItself) {
   EXPECT_EQ(two.code, 2);
   EXPECT_THAT(two.err, HasSubstr("found more than one value"));
   expect_refused("potential.plane.mu=-1", {"expected mu > 0"});
-  expect_refused("motion.branch=oblique", {"not available"});
+  expect_refused("motion.branch=oblique", {"isotropic potential", "directions of its own"});
 }
 
 TEST_F(Override, OptionWithoutAValue) {

@@ -181,16 +181,15 @@ double bisected(Branch branch, double low, double high) {
   return 0.5 * (low + high);
 }
 
-Rows followed(Branch branch, double to) {
-  Rows out;
+void follow_straight(Branch branch, double to, Rows& out) {
   const Equilibrium start = solve(Problem(disc, along, branch), 0.3);
   follow(anisotropic_family(disc, along.anisotropic(), branch, false, in(Kind::nu)), start.q, 0.3,
          range(0.0, to), out);
-  return out;
 }
 
 TEST(AnisotropicFamily, ObliqueEventAndTheFamilyThatLeavesThere) {
-  const Rows sheet = followed(Branch::i, 0.76);
+  Rows sheet;
+  follow_straight(Branch::i, 0.76, sheet);
   const auto events = sheet.of(EventType::oblique);
   ASSERT_EQ(events.size(), 1U);
   EXPECT_NEAR(events[0].parameter, bisected(Branch::i, 0.6, 0.759), 1e-12);
@@ -222,7 +221,8 @@ TEST(AnisotropicFamily, ObliqueEventAndTheFamilyThatLeavesThere) {
 }
 
 TEST(AnisotropicFamily, ShearEventAndTheFamilyThatLeavesThere) {
-  const Rows sheet = followed(Branch::iii, 0.768);
+  Rows sheet;
+  follow_straight(Branch::iii, 0.768, sheet);
   const auto events = sheet.of(EventType::shear);
   ASSERT_EQ(events.size(), 1U);
   EXPECT_NEAR(events[0].parameter, bisected(Branch::iii, 0.7, 0.768), 1e-11);
