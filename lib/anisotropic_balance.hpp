@@ -6,20 +6,22 @@
 // The balance is that V - q^T C(nu) q/2 be critical in q, taken in coordinates that keep S positive
 // definite,
 //
-//   u = ln xi,  v = ln zeta,  w = ln rho,  a:  alpha = sqrt(xi zeta) tanh a,  so d = xi zeta sech^2 a
+//   u = ln xi,  v = ln zeta,  w = ln rho,  a:  alpha = sqrt(xi zeta) tanh a,  so d = xi zeta sech^2
+//   a
 //
 // and compatibility, in phi: nu is an eigenvector of the locked inertia I where
 //
 //   K = -(I22 - I11) sin(2 phi)/2 - I12 cos(2 phi) = 0.
 //
 // -K is 1/|nu|^2 times the derivative of q^T C q/2 by phi: all five are the gradient of one
-// function, and regular down to |nu| = 0. An isotropic W(t, l, r) has t = e^u + e^v, l = u + v + 2 ln sech a:
+// function, and regular down to |nu| = 0. An isotropic W(t, l, r) has t = e^u + e^v, l = u + v + 2
+// ln sech a:
 //
 //   F_u = xi W_t + W_l,  F_v = zeta W_t + W_l,  F_w = W_r,  F_a = -2 tanh(a) W_l.
 //
-// a and phi are numbers x > 0 here too, a = ln x and phi = 2 gd(ln x) (Gudermann's function): all is
-// rational in x but for sqrt(xi zeta), in any number type, and nothing happens where the axis passes
-// a material one.
+// a and phi are numbers x > 0 here too, a = ln x and phi = 2 gd(ln x) (Gudermann's function): all
+// is rational in x but for sqrt(xi zeta), in any number type, and nothing happens where the axis
+// passes a material one.
 #pragma once
 
 #include <array>
@@ -114,8 +116,9 @@ SpinProducts<S> in_plane_products(const S& nu_squared, const S& cosine, const S&
 template <class S>
 SpinProducts<S> axis_products(Branch branch, const S& nu_squared) {
   SpinProducts<S> out{S(0.0), S(0.0), S(0.0), S(0.0)};
-  (branch == Branch::i ? out.square_1 : branch == Branch::ii ? out.square_2 : out.square_3) =
-      nu_squared;
+  (branch == Branch::i    ? out.square_1
+   : branch == Branch::ii ? out.square_2
+                          : out.square_3) = nu_squared;
   return out;
 }
 
@@ -152,8 +155,8 @@ void add_in_logarithms(const OrientedStretch<S>& at, const Vector4<S>& gradient,
     const auto& H = hessian;
     auto& s = out.slope;
     const S curved = 0.5 * by_alpha + H(0, 0) * square(half);  // alpha_uu = alpha/4
-    s[u][u] += H(1, 1) * square(q.xi) + 2.0 * (H(0, 1) * (q.xi * half)) + curved +
-               gradient[1] * q.xi;
+    s[u][u] +=
+        H(1, 1) * square(q.xi) + 2.0 * (H(0, 1) * (q.xi * half)) + curved + gradient[1] * q.xi;
     s[v][v] += H(2, 2) * square(q.zeta) + 2.0 * (H(0, 2) * (q.zeta * half)) + curved +
                gradient[2] * q.zeta;
     s[w][w] += H(3, 3) * square(q.rho) + gradient[3] * q.rho;
@@ -268,8 +271,8 @@ template <class S>
 StraightState<S> straight_state(const Inertia3<S>& J, const AnisotropicModel<S>& model,
                                 const BasicStretch<S>& q, const S& omega) {
   const Matrix4<S> H = potential_derivatives<2>(model, q).hessian;
-  return {J,       q.xi,    q.zeta,  q.rho,   omega,   H(0, 0), H(1, 1),
-          H(1, 2), H(2, 2), H(1, 3), H(2, 3), H(3, 3)};
+  return {J,       q.xi,    q.zeta,  q.rho,   omega,   H(0, 0),
+          H(1, 1), H(1, 2), H(2, 2), H(1, 3), H(2, 3), H(3, 3)};
 }
 
 }  // namespace stationary

@@ -110,9 +110,9 @@ AnisotropicPotential AnisotropicPotential::with_coefficient(int place, double va
   int next = 0;
   const Replacing replace{place, value, &next};
   if (auto* separate = std::get_if<Model::Separate>(&out.model_.base)) {
-    const auto plane = std::visit(
-        [&](const auto& each) -> Plane { return with_coefficients(each, replace); },
-        separate->plane);
+    const auto plane =
+        std::visit([&](const auto& each) -> Plane { return with_coefficients(each, replace); },
+                   separate->plane);
     separate->plane = plane;
     const auto thickness = std::visit(
         [&](const auto& each) -> ThicknessPotential { return with_coefficients(each, replace); },

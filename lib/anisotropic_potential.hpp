@@ -76,8 +76,9 @@ struct AnisotropicModel {
           separate->thickness);
       out.isotropic.w_tr = out.isotropic.w_lr = C(0.0);
     } else {
-      std::visit([&](const auto& model) { out.isotropic = model.template evaluate<order>(x, q.rho); },
-                 std::get<CoupledModels<C>>(base));
+      std::visit(
+          [&](const auto& model) { out.isotropic = model.template evaluate<order>(x, q.rho); },
+          std::get<CoupledModels<C>>(base));
     }
     for (std::size_t k = 0; k < fibre_count; ++k) fibres[k].template add<order>(q, out.directed);
     return out;
@@ -88,8 +89,7 @@ struct AnisotropicModel {
 template <int order, class C>
 PotentialDerivatives<C> potential_derivatives(const AnisotropicModel<C>& model,
                                               const BasicStretch<C>& q) {
-  const AnisotropicDerivatives<C> parts =
-      model.template evaluate<order>(planar_invariants(q), q);
+  const AnisotropicDerivatives<C> parts = model.template evaluate<order>(planar_invariants(q), q);
   PotentialDerivatives<C> out = in_stretch<order>(parts.isotropic, q);
   out.value += parts.directed.value;
   if constexpr (order >= 1) out.gradient += parts.directed.gradient;
@@ -111,8 +111,8 @@ class AnisotropicPotential {
 
   /// V = V_plane(alpha, xi, zeta) + V_rho(rho).
   bool is_separable() const;
-  /// V(-alpha, xi, zeta, rho) = V(alpha, ...): the material axes 1, 2 are axes of symmetry. Of these
-  /// potentials the same as V_alpha = 0 at alpha = 0 for all xi, zeta, rho.
+  /// V(-alpha, xi, zeta, rho) = V(alpha, ...): the material axes 1, 2 are axes of symmetry. Of
+  /// these potentials the same as V_alpha = 0 at alpha = 0 for all xi, zeta, rho.
   bool even_in_alpha() const;
 
   const std::vector<Fibre>& fibres() const { return fibres_; }
@@ -167,9 +167,7 @@ class AnisotropicPotential {
 /// Coefficients as they are, the angle's functions in extended precision.
 struct AsExtended {
   DoubleDouble operator()(double c) const { return c; }
-  Direction<DoubleDouble> direction(double degrees) const {
-    return stationary::direction(degrees);
-  }
+  Direction<DoubleDouble> direction(double degrees) const { return stationary::direction(degrees); }
 };
 
 /// As inputs of a Conditioned computation.

@@ -33,8 +33,8 @@ struct GeneralFacts {
 
 Spectrum general_spectrum(const GeneralFacts& facts, const Leaf<long double>& leaf);
 
-/// From a stationary motion (q, nu): evaluates V_qq in extended precision. q's entries are inputs of
-/// their own relative uncertainty; alpha counts as known to that of sqrt(xi zeta).
+/// From a stationary motion (q, nu): evaluates V_qq in extended precision. q's entries are inputs
+/// of their own relative uncertainty; alpha counts as known to that of sqrt(xi zeta).
 Spectrum general_spectrum(const Body& body, const Potential& potential,
                           const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu,
                           double uncertainty);

@@ -14,7 +14,7 @@ namespace {
 template <class Layout>
 StretchBox stretch_box(const OrientedBoxSystem<Layout>& system, const Box<Layout::dimension>& x) {
   const auto q = system.stretch(x);
-  return {q.xi, q.zeta, q.rho, q.alpha};
+  return {q.xi, q.zeta, q.rho, Layout::alpha ? q.alpha : Interval(0.0)};
 }
 
 /// The proof, and the errors of the numbers themselves: of each stretch, of alpha over sqrt(xi
@@ -119,9 +119,9 @@ Certificate certify_oblique(const Body& body, const Potential& potential,
   if (equilibrium.nu[2] != 0.0) {
     out.reason = "nu does not lie in the plane";
   } else if (motion.nu == 0.0 && usable(equilibrium, out)) {  // at rest, about no axis
-    certify_at(OrientedBoxSystem<ShearedLayout>(body, potential.anisotropic(), Branch::iii, 0.0,
-                                                inputs),
-               equilibrium.q, equilibrium.nu, out);
+    certify_at(
+        OrientedBoxSystem<ShearedLayout>(body, potential.anisotropic(), Branch::iii, 0.0, inputs),
+        equilibrium.q, equilibrium.nu, out);
   } else if (usable(equilibrium, out)) {
     certify_at(OrientedBoxSystem<ObliqueLayout>(body, potential.anisotropic(), Branch::i, motion.nu,
                                                 inputs),
@@ -145,11 +145,10 @@ SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem,
     return out;
   }
   const BasicStretch<Interval> q{0.0, at.xi, at.zeta, at.rho};
-  return enclose_spectrum(
-      {problem.branch(), false, false, false, !V.is_separable()},
-      straight_state(inertia_intervals(problem.body(), inputs),
-                     V.model(AsIntervals{inputs}), q, as_input(nu, inputs)),
-      spectrum);
+  return enclose_spectrum({problem.branch(), false, false, false, !V.is_separable()},
+                          straight_state(inertia_intervals(problem.body(), inputs),
+                                         V.model(AsIntervals{inputs}), q, as_input(nu, inputs)),
+                          spectrum);
 }
 
 }  // namespace stationary

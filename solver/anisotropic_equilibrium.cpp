@@ -80,8 +80,7 @@ class AnisotropicSolve {
       return out_;
     }
     // At rest no axis is asked for; of an even V alpha = 0 is a choice.
-    const bool alpha_free =
-        branch == Branch::iii && options_.start && options_.start->alpha != 0.0;
+    const bool alpha_free = branch == Branch::iii && options_.start && options_.start->alpha != 0.0;
     const bool at_rest = nu == 0.0 && !V_.even_in_alpha();
     const AnyFamily family = anisotropic_family(body_, V_, at_rest ? Branch::iii : branch,
                                                 alpha_free, {.parameter = {}, .spectrum = false});
@@ -221,8 +220,7 @@ class AnisotropicSolve {
       return;
     }
     out_.status = SolveStatus::not_found;
-    out_.message =
-        what + " was followed " + ends.text() + ", without coming to |nu| = " + text(nu);
+    out_.message = what + " was followed " + ends.text() + ", without coming to |nu| = " + text(nu);
   }
 
   void oblique_from(Branch near, double nu) {
@@ -256,9 +254,9 @@ class AnisotropicSolve {
       failures += (failures.empty() ? "" : "; ") + out_.message;
     }
     out_.status = stopped() ? SolveStatus::interrupted : SolveStatus::not_found;
-    out_.message = sink.events.empty() ? "no axis leaves " + axis +
-                                             " on the sheet through the rest state"
-                                       : failures;
+    out_.message = sink.events.empty()
+                       ? "no axis leaves " + axis + " on the sheet through the rest state"
+                       : failures;
   }
 
   void off_axis(const Problem& problem, double nu) {
@@ -269,8 +267,8 @@ class AnisotropicSolve {
       return;
     }
     out_.message = "no stationary ellipse about this axis: " + all.message;
-    out_.status = all.status == SearchStatus::complete ? SolveStatus::none_exists
-                                                       : SolveStatus::not_found;
+    out_.status =
+        all.status == SearchStatus::complete ? SolveStatus::none_exists : SolveStatus::not_found;
   }
 
   void nearest_of(const SearchResult& all) {
@@ -347,8 +345,8 @@ std::optional<Member> off_axis_start(const Family<5>& family, const Member& even
   ArcVector<5> away = ArcVector<5>::Zero();
   away.segment<2>(3) = svd.matrixV().col(1);
   for (const double step : {1e-2, 3e-3, 1e-3}) {
-    const Corrected<5> at = corrector.correct(
-        moved<5>(x, ReducedVector<5>(step * away.head<5>())), event.parameter, away, step);
+    const Corrected<5> at = corrector.correct(moved<5>(x, ReducedVector<5>(step * away.head<5>())),
+                                              event.parameter, away, step);
     if (at.status != CorrectorStatus::converged) continue;
     return family.member(at.point.x, at.point.tail, at.point.p, at.point.error_bound);
   }

@@ -1,7 +1,7 @@
 #include "solver/anisotropic_family.hpp"
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -159,8 +159,8 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       out.turn = turn_of(at.body, branch_, V.hessian(0, 0), out.q, at.nu);
     if (options_.spectrum) {
       ++this->evaluations_.spectra;
-      out.spectrum = oriented_stability({at.body, branch_, !Layout::axis}, *at.models, q, nu,
-                                        error_bound);
+      out.spectrum =
+          oriented_stability({at.body, branch_, !Layout::axis}, *at.models, q, nu, error_bound);
     }
     return out;
   }
@@ -198,7 +198,8 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
         at[Layout::alpha_place] = 1.0;
         if constexpr (Layout::axis) {
           const double angle = straight == Branch::i ? 0.0 : 0.5 * std::numbers::pi;
-          at[Layout::axis_place] = axis_coordinate(std::copysign(angle, std::log(x[Layout::axis_place])));
+          at[Layout::axis_place] =
+              axis_coordinate(std::copysign(angle, std::log(x[Layout::axis_place])));
         }
         // What the turn's own rounding leaves open of p, along the family.
         constexpr double noise = 64.0 * 0x1p-53;

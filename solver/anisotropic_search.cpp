@@ -67,7 +67,8 @@ class OrientedSearch {
                                           long max_boxes) {
     const PruneOptions how{
         .min_width = options_.min_width, .max_boxes = max_boxes, .stop = options_.stop};
-    auto found = BranchAndPrune<System, BoxSystem>(system, boxes, Mirror::none, how).run(everything);
+    auto found =
+        BranchAndPrune<System, BoxSystem>(system, boxes, Mirror::none, how).run(everything);
     out_.boxes += found.boxes;
     if (found.interrupted) out_.status = SearchStatus::interrupted;
     return found;
@@ -78,11 +79,10 @@ class OrientedSearch {
   template <class Thickness>
   void run_thickness(const Thickness& model) {
     const Branch about = Layout::axis ? Branch::i : branch_;
-    const auto extended =
-        axis_rates(body_, about, two_product(system_.nu, system_.nu)).rho;
+    const auto extended = axis_rates(body_, about, two_product(system_.nu, system_.nu)).rho;
     const Interval rate = about == Branch::iii ? Interval(0.0) : boxes_.J.J3 * boxes_.nu_squared;
-    const auto interval = with_coefficients(
-        model, [this](double c) { return as_input(c, options_.inputs); });
+    const auto interval =
+        with_coefficients(model, [this](double c) { return as_input(c, options_.inputs); });
     const auto axial =
         prune(ThicknessSystem<Thickness>{model, extended},
               ThicknessBoxSystem<std::remove_const_t<decltype(interval)>>{interval, rate},

@@ -312,12 +312,12 @@ Case::Solve read_solve(const CaseTree& tree, const Case::Motion& motion, bool is
                    "tilted motions are had by Newton from solve.start, or by following the family");
   }
   if (!isotropic && out.method != Method::automatic && out.method != Method::newton) {
-    throw fault_at(tree, "solve.method",
-                   fmt::format("found the string {} with an anisotropic potential",
-                               in_quotes(method)),
-                   "\"auto\" or \"newton\"",
-                   "with alpha unknown motions are had by Newton from solve.start, or by following "
-                   "the family from rest");
+    throw fault_at(
+        tree, "solve.method",
+        fmt::format("found the string {} with an anisotropic potential", in_quotes(method)),
+        "\"auto\" or \"newton\"",
+        "with alpha unknown motions are had by Newton from solve.start, or by following "
+        "the family from rest");
   }
   out.all = value_or(tree, "solve.all", false);
   const std::vector<double> start = numbers(tree, "solve.start");
@@ -392,8 +392,7 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
     throw fault_at(tree, "continuation.from",
                    fmt::format("found {} with branch {}", out.from,
                                in_quotes(oblique ? oblique_name : tilted_name)),
-                   "from >= 0",
-                   "nu is the length |nu| there");
+                   "from >= 0", "nu is the length |nu| there");
   }
   if (!(out.tolerance > 0.0 && out.tolerance <= 1.0)) {
     throw fault_at(tree, "continuation.tolerance", fmt::format("found {}", out.tolerance),

@@ -39,8 +39,8 @@ struct ModelChoice {
   std::vector<std::string> facts = {};                ///< found out about an expression
 };
 
-/// The potential of one coupled model, or of a planar and a thickness one, with fibres or without. Throws
-/// std::invalid_argument with the violated inequality.
+/// The potential of one coupled model, or of a planar and a thickness one, with fibres or without.
+/// Throws std::invalid_argument with the violated inequality.
 Potential make_potential(std::span<const ModelChoice> models);
 
 /// A steady rotation about a material axis: branches (i), (ii), (iii).

@@ -19,7 +19,7 @@ namespace {
 using enum KeyType;
 
 constexpr std::string_view branches[] = {name(Branch::i), name(Branch::ii), name(Branch::iii),
-                                         tilted_name, oblique_name, two_polar_name};
+                                         tilted_name,     oblique_name,     two_polar_name};
 constexpr std::string_view oblique_axes[] = {"1", "2"};
 constexpr std::string_view a_boolean = "true or false";
 constexpr std::string_view a_number = "a finite number";
@@ -170,8 +170,7 @@ void require_coefficients(const CaseTree& tree, const std::string& path, const t
     const toml::node* value = table.get(parameter);
     if (value == nullptr) {
       throw fault_at(tree, key, "found no coefficient " + in_quotes(parameter),
-                     "all of " + listed(parameters) + " for " +
-                         in_quotes(description.name));
+                     "all of " + listed(parameters) + " for " + in_quotes(description.name));
     }
     if (!finite_number(*value))
       throw fault_at(tree, key, "found " + describe(*value), std::string(a_number));

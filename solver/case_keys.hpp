@@ -26,9 +26,9 @@ enum class KeyType {
 struct CaseKey {
   std::string_view path;  ///< dotted
   KeyType type;
-  bool required;             ///< whenever the table it stands in is there
-  std::string_view allowed;  ///< for messages
-  int count = 0;             ///< of numbers
+  bool required;                                   ///< whenever the table it stands in is there
+  std::string_view allowed;                        ///< for messages
+  int count = 0;                                   ///< of numbers
   std::span<const std::string_view> choices = {};  ///< names a text may hold; none: any text
 };
 

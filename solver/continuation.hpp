@@ -357,9 +357,9 @@ class Continuation {
   void end_at_mirror(const Attempt& attempt, int k) {
     const double gap = std::log(here_.arc.x[k]);
     const ArcVector<N> y = attempt.arc.at(gap / (gap - std::log(attempt.corrected.point.x[k])));
-    const auto at = curve_->family().mirror_point(
-        moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())),
-        here_.arc.p + curve_->corrector().scale() * y[N]);
+    const auto at =
+        curve_->family().mirror_point(moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())),
+                                      here_.arc.p + curve_->corrector().scale() * y[N]);
     if (!at) {
       finish(EventType::stalled, "alpha = 0 was passed, but the point there not found");
       return;

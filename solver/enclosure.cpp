@@ -56,8 +56,7 @@ bool mirror_symmetric(const Problem& problem, double nu) {
 }
 
 Certificate certify(const Problem& problem, const Equilibrium& equilibrium, Inputs inputs) {
-  if (!problem.potential().is_isotropic())
-    return certify_anisotropic(problem, equilibrium, inputs);
+  if (!problem.potential().is_isotropic()) return certify_anisotropic(problem, equilibrium, inputs);
   Certificate out;
   const Stretch& q = equilibrium.q;
   const double nu = equilibrium.nu[axis(problem.branch())];

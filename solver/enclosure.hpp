@@ -32,8 +32,8 @@ struct Certificate {
   StretchBox unique;    ///< holds all within error_bound, and exactly one solution with alpha = 0
   StretchBox solution;  ///< where it lies in there
   bool circle = false;  ///< proven: xi = zeta, by symmetry
-  /// Proven bound of the relative error of each of xi, zeta, rho (of alpha over sqrt(xi zeta), of an
-  /// oblique axis' angle); NaN where not proven.
+  /// Proven bound of the relative error of each of xi, zeta, rho (of alpha over sqrt(xi zeta), of
+  /// an oblique axis' angle); NaN where not proven.
   double error_bound = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -78,8 +78,8 @@ struct Equilibrium {
   double residual = std::numeric_limits<double>::quiet_NaN();       ///< BalanceCheck::residual
   double compatibility = std::numeric_limits<double>::quiet_NaN();  ///< BalanceCheck::compatibility
   /// Estimated bound of the relative error of each of xi, zeta, rho (of alpha relative to sqrt(xi
-  /// zeta), of an oblique axis' angle), in the max norm, against the exact solution for the decimal numbers of the case (each taken to be within half a unit of its
-  /// double).
+  /// zeta), of an oblique axis' angle), in the max norm, against the exact solution for the decimal
+  /// numbers of the case (each taken to be within half a unit of its double).
   double error_bound = std::numeric_limits<double>::quiet_NaN();
   Connection connection = Connection::unknown;
   Counts counts;

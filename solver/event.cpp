@@ -99,9 +99,9 @@ void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
   }
 }
 
-/// The locked inertias of a motion with alpha != 0 or an oblique axis: in the plane along the spin's
-/// axis and across it (in (iii) the smaller and the larger), and about axis 3. Where the spin's axis
-/// is one of the plane, tilt is where its inertia equals that about axis 3.
+/// The locked inertias of a motion with alpha != 0 or an oblique axis: in the plane along the
+/// spin's axis and across it (in (iii) the smaller and the larger), and about axis 3. Where the
+/// spin's axis is one of the plane, tilt is where its inertia equals that about axis 3.
 void set_inertia_tests(const Member& member, const TestContext& context, TestValues& out) {
   const Matrix3<double> I = locked_inertia(member.body, member.q);
   const double mean = 0.5 * (I(0, 0) + I(1, 1));

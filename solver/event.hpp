@@ -7,9 +7,11 @@
 //                      there: nu along one of its two axes is 0
 //   inertia-exchange   any other two locked inertias are equal
 //   ellipse            J1 = J2: K_alpha,alpha = 0 on the circle
-//   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2; an oblique family of an even
+//   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2; an oblique family of an
+//   even
 //                      V ends there
-//   shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; likewise; both, of isotropic
+//   shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; likewise; both, of
+//   isotropic
 //                      V, where another parameter passes J1 = J2 only
 //   hamiltonian-hopf   two imaginary pairs of one block meet and leave the axis
 //   real-collision     two real pairs of one block do

@@ -246,7 +246,8 @@ class EventSearch {
     const Spectrum& a = *from_->member.spectrum;
     const Spectrum& b = *to_->member.spectrum;
     if (a.modes != b.modes || a.negative == b.negative) return;
-    if constexpr (N >= 4) {  // spectra of the whole problem: what their bounds leave open is no event
+    if constexpr (N >=
+                  4) {  // spectra of the whole problem: what their bounds leave open is no event
       if (a.verdict == StabilityClass::marginal || b.verdict == StabilityClass::marginal) return;
     }
     int most = 0;

@@ -57,11 +57,10 @@ class Follower {
     int direction = end.direction;
     if (end.neighbour) {
       ArcVector<N> ahead;
-      ahead.template head<N>() =
-          (family_.coordinates(end.at.q, end.at.p).array() /
-           family_.coordinates(end.neighbour->q, end.neighbour->p).array())
-              .log()
-              .matrix();
+      ahead.template head<N>() = (family_.coordinates(end.at.q, end.at.p).array() /
+                                  family_.coordinates(end.neighbour->q, end.neighbour->p).array())
+                                     .log()
+                                     .matrix();
       ahead[N] = (end.at.p - end.neighbour->p) / curve_.corrector().scale();
       StepOptions& step = options_.continuation.step;
       step.first = std::clamp(ahead.norm(), 1e-6, step.max);

@@ -57,7 +57,7 @@ MapGrid::MapGrid(const Case& input)
       case FamilyParameter::Kind::thickness:
         batch_.thickness[k] = std::move(each);
         break;
-      case FamilyParameter::Kind::nu:  // the steps of every lane
+      case FamilyParameter::Kind::nu:     // the steps of every lane
       case FamilyParameter::Kind::fibre:  // none of an isotropic potential's
         break;
     }

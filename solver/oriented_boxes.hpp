@@ -38,8 +38,8 @@ struct OrientedBoxSystem {
         nu_squared(square(as_input(nu, inputs))) {}
 
   GeneralBoxLinearized<N> linearize(const Box<N>& x) const {
-    const auto b = balance_at<Layout, 2>(J, model, branch, nu_squared,
-                                         all_coordinates<Layout>(x, rho));
+    const auto b =
+        balance_at<Layout, 2>(J, model, branch, nu_squared, all_coordinates<Layout>(x, rho));
     GeneralBoxLinearized<N> out;
     for (std::size_t i = 0; i < Layout::places.size(); ++i) {
       out.g[i] = b.g[Layout::places[i]];
@@ -57,10 +57,10 @@ struct OrientedBoxSystem {
     AnisotropicModel<Interval> without = model;
     without.fibre_count = 0;
     const AxisAngle<Interval> axis = axis_angle(y[4]);
-    const auto b = oriented_balance<1>(
-        J, without, at,
-        Layout::axis ? in_plane_products(nu_squared, axis.cosine, axis.sine)
-                     : axis_products(branch, nu_squared));
+    const auto b =
+        oriented_balance<1>(J, without, at,
+                            Layout::axis ? in_plane_products(nu_squared, axis.cosine, axis.sine)
+                                         : axis_products(branch, nu_squared));
     Interval sum = b.g[oriented::u] + b.g[oriented::v];
     for (std::size_t k = 0; k < model.fibre_count; ++k) {
       const auto& [c, s] = model.fibres[k].along;

@@ -9,8 +9,8 @@ namespace stationary {
 
 struct OrientedSpin {
   Body body;
-  Branch branch;     ///< where the axis is a material one
-  bool about_axis;   ///< it is
+  Branch branch;    ///< where the axis is a material one
+  bool about_axis;  ///< it is
 };
 
 /// q, nu in extended precision. bound: as model_stability()'s.

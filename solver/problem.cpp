@@ -20,16 +20,18 @@ std::vector<PlanItem> oriented_plan(const AnisotropicPotential& V, Branch branch
                          : "compatibility leaves no other value, and V_alpha != 0 there: such a "
                            "motion exists by chance only"});
   } else {
-    plan.push_back({"alpha", even ? "0 from rest; an unknown from another start" : "an unknown",
-                    even ? "V is even in alpha: alpha = 0 solves its equation"
-                         : "V_alpha != 0 at alpha = 0"});
+    plan.push_back(
+        {"alpha", even ? "0 from rest; an unknown from another start" : "an unknown",
+         even ? "V is even in alpha: alpha = 0 solves its equation" : "V_alpha != 0 at alpha = 0"});
   }
   plan.push_back({"rho", "an unknown",
-                  V.is_separable() ? "its equation has no other unknown in it; a search takes it apart"
-                                   : "the potential couples it to xi, zeta and alpha"});
-  plan.push_back({"xi, zeta", branch == Branch::iii && !even ? "4 equations with alpha and rho"
-                                                             : "3 equations with rho",
-                  "balance of elastic and centrifugal force"});
+                  V.is_separable()
+                      ? "its equation has no other unknown in it; a search takes it apart"
+                      : "the potential couples it to xi, zeta and alpha"});
+  plan.push_back(
+      {"xi, zeta",
+       branch == Branch::iii && !even ? "4 equations with alpha and rho" : "3 equations with rho",
+       "balance of elastic and centrifugal force"});
   return plan;
 }
 

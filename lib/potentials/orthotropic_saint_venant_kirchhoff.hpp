@@ -24,8 +24,8 @@ struct OrthotropicSaintVenantKirchhoff {
   static constexpr std::string_view formula =
       "(1/2)(c11 E11^2 + c22 E22^2) + c12 E11 E22 + 2 c66 E12^2,  E = (S^2 - 1)/2";
   static constexpr std::array<std::string_view, 4> parameters{"c11", "c22", "c12", "c66"};
-  static constexpr std::array<std::string_view, 4> domain{"c11 > 0", "c22 > 0",
-                                                          "c11 c22 > c12^2", "c66 > 0"};
+  static constexpr std::array<std::string_view, 4> domain{"c11 > 0", "c22 > 0", "c11 c22 > c12^2",
+                                                          "c66 > 0"};
 
   std::array<C, 4> coefficients() const { return {c11, c22, c12, c66}; }
   std::array<bool, 4> in_domain() const {

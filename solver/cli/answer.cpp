@@ -4,10 +4,10 @@
 #include <chrono>
 #include <variant>
 
-#include "solver/cli/interrupt.hpp"
-#include "solver/cli/report.hpp"
 #include "solver/anisotropic_equilibrium.hpp"
 #include "solver/anisotropic_search.hpp"
+#include "solver/cli/interrupt.hpp"
+#include "solver/cli/report.hpp"
 #include "solver/equilibrium_row.hpp"
 #include "solver/existence.hpp"
 #include "solver/metadata.hpp"

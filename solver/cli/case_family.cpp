@@ -22,19 +22,18 @@ double start_parameter(const Case& input) {
   const Case::Continuation& range = *input.continuation;
   const bool in_nu = range.parameter == "nu";
   const bool from_rest = !input.tilted() && !input.oblique();
-  if (in_nu && from_rest && !input.solve.start && range.from <= 0.0 && range.to >= 0.0)
-    return 0.0;
+  if (in_nu && from_rest && !input.solve.start && range.from <= 0.0 && range.to >= 0.0) return 0.0;
   const double own = parameter_value({input.body, input.models, input.motion}, range.parameter);
   if (own >= range.from && own <= range.to) return own;
   if (!input.solve.start && from_rest) return range.from;
-  throw fault_at(input.source, in_nu ? "motion.nu" : range.parameter,
-                 fmt::format("found {} = {}, outside the range followed, with {}", range.parameter,
-                             own,
-                             input.solve.start ? std::string("solve.start")
-                                               : "branch " + in_quotes(input.branch_name())),
-                 fmt::format("a value in [{}, {}]", range.from, range.to),
-                 input.solve.start ? "solve.start is a guess of the solution there"
-                                   : "the family is followed from its member there");
+  throw fault_at(
+      input.source, in_nu ? "motion.nu" : range.parameter,
+      fmt::format("found {} = {}, outside the range followed, with {}", range.parameter, own,
+                  input.solve.start ? std::string("solve.start")
+                                    : "branch " + in_quotes(input.branch_name())),
+      fmt::format("a value in [{}, {}]", range.from, range.to),
+      input.solve.start ? "solve.start is a guess of the solution there"
+                        : "the family is followed from its member there");
 }
 
 FamilyParameters at_parameter(const Case& input, double p) {

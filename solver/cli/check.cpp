@@ -46,12 +46,12 @@ ExitCode check_case(const CaseOptions& options) {
     for (const std::string& fact : model.facts) out.line("", fact);
   }
   const Potential& V = input.potential;
-  out.line("potential",
-           fmt::format("{}, {}", V.is_separable() ? "separable" : "coupled",
-                       V.is_isotropic()                  ? "isotropic"
-                       : V.anisotropic().even_in_alpha() ? "anisotropic, even in alpha: V_alpha = 0 at "
-                                                           "alpha = 0"
-                                                         : "anisotropic, V_alpha != 0 at alpha = 0"));
+  out.line("potential", fmt::format("{}, {}", V.is_separable() ? "separable" : "coupled",
+                                    V.is_isotropic() ? "isotropic"
+                                    : V.anisotropic().even_in_alpha()
+                                        ? "anisotropic, even in alpha: V_alpha = 0 at "
+                                          "alpha = 0"
+                                        : "anisotropic, V_alpha != 0 at alpha = 0"));
   out.line("motion", motion_text(input.motion));
   out.line("solve",
            fmt::format("method {}, start: {}", name(input.solve.method), start_text(input)));

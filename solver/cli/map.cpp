@@ -54,10 +54,10 @@ void require_map(const Case& input) {
                    "add [map] with x = { parameter = \"nu\", from = 0.0, to = 1.5, count = 400 }");
   }
   if (!std::holds_alternative<AxisRotation>(input.motion)) {
-    throw fault_at(input.source, "motion.branch",
-                   "found the string " + in_quotes(input.branch_name()),
-                   "one of \"i\", \"ii\", \"iii\" for map",
-                   "tilted, oblique and two-polar motions are solved one at a time in this version");
+    throw fault_at(
+        input.source, "motion.branch", "found the string " + in_quotes(input.branch_name()),
+        "one of \"i\", \"ii\", \"iii\" for map",
+        "tilted, oblique and two-polar motions are solved one at a time in this version");
   }
   if (!input.potential.is_isotropic()) {
     throw fault_at(input.source, "potential", "found an anisotropic potential",

@@ -43,7 +43,8 @@ std::string_view assumption(const ModelDescription& model) {
     case Kind::coupled:
       return "isotropic; the thickness enters together with xi, zeta, alpha";
     case Kind::fibre:
-      return "even in alpha only at 0 or 90 degrees, or as one of two like fibres at opposite angles";
+      return "even in alpha only at 0 or 90 degrees, or as one of two like fibres at opposite "
+             "angles";
   }
   return {};
 }

@@ -101,7 +101,8 @@ std::string motion_text(const Case::Motion& motion) {
     const char* near = !oblique->near                ? ""
                        : *oblique->near == Branch::i ? ", the family of axis 1"
                                                      : ", the family of axis 2";
-    return fmt::format("about an axis in the plane of axes 1 and 2, |nu| = {}{}", oblique->nu, near);
+    return fmt::format("about an axis in the plane of axes 1 and 2, |nu| = {}{}", oblique->nu,
+                       near);
   }
   const TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar))

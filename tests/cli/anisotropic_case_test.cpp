@@ -31,8 +31,8 @@ TEST(AnisotropicCase, CheckPrintsTheFacts) {
   EXPECT_THAT(skew.out, HasSubstr("an unknown"));
   const Outcome even = run({"check", fibre_case}, {"potential.fibre.degrees=90"});
   EXPECT_THAT(even.out, HasSubstr("even in alpha: V_alpha = 0 at alpha = 0"));
-  const Outcome pair = run({"check", fibre_case}, {"potential.second_fibre.k=0.4",
-                                                   "potential.second_fibre.degrees=-30"});
+  const Outcome pair = run({"check", fibre_case},
+                           {"potential.second_fibre.k=0.4", "potential.second_fibre.degrees=-30"});
   EXPECT_THAT(pair.out, HasSubstr("even in alpha"));
   const Outcome oblique = run({"check", oblique_case});
   EXPECT_THAT(oblique.out, HasSubstr("about an axis in the plane of axes 1 and 2, |nu| = 0.5"));

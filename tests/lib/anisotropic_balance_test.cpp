@@ -34,8 +34,8 @@ struct Setting {
   /// V - q^T C q/2
   DoubleDouble function(const Point& x) const {
     const auto axis = axis_angle(x[4]);
-    const auto C = centrifugal_matrix(
-        J, in_plane_products(two_product(nu, nu), axis.cosine, axis.sine));
+    const auto C =
+        centrifugal_matrix(J, in_plane_products(two_product(nu, nu), axis.cosine, axis.sine));
     const auto q = stretch(x).q;
     DoubleDouble T(0.0);
     for (int i = 0; i < 4; ++i)
@@ -67,31 +67,30 @@ void over_settings(std::uint64_t seed, const F& f) {
 }
 
 TEST(AnisotropicBalance, IsTheGradientOfOneFunctionAndItsSlopes) {
-  over_settings(311, [](const Setting& at, const Body&, const std::string& text,
-                        support::Random& random) {
-    const Point x = random_point(random);
-    const auto b = at.balance<2>(x);
-    double scale = 1.0;
-    for (const auto& row : b.slope)
-      for (const DoubleDouble& entry : row) scale = std::max(scale, std::abs(double(entry)));
-    constexpr double h = 1e-8;
-    for (std::size_t k = 0; k < 5; ++k) {
-      const Point ahead = moved(x, k, h);
-      const Point behind = moved(x, k, -h);
-      const double slope = double(at.function(ahead) - at.function(behind)) / (2.0 * h);
-      // phi's row is for |nu| = 1 and the angle itself.
-      const double own =
-          k == 4 ? at.nu * at.nu * double(axis_angle(x[4]).rate) : 1.0;
-      EXPECT_NEAR(slope, own * double(b.g[k]), 1e-13 * scale) << text << ", row " << k;
-      const auto b_ahead = at.balance<1>(ahead);
-      const auto b_behind = at.balance<1>(behind);
-      for (std::size_t i = 0; i < 5; ++i) {
-        EXPECT_NEAR(double(b_ahead.g[i] - b_behind.g[i]) / (2.0 * h), double(b.slope[i][k]),
-                    1e-12 * scale)
-            << text << ", row " << i << " column " << k;
-      }
-    }
-  });
+  over_settings(
+      311, [](const Setting& at, const Body&, const std::string& text, support::Random& random) {
+        const Point x = random_point(random);
+        const auto b = at.balance<2>(x);
+        double scale = 1.0;
+        for (const auto& row : b.slope)
+          for (const DoubleDouble& entry : row) scale = std::max(scale, std::abs(double(entry)));
+        constexpr double h = 1e-8;
+        for (std::size_t k = 0; k < 5; ++k) {
+          const Point ahead = moved(x, k, h);
+          const Point behind = moved(x, k, -h);
+          const double slope = double(at.function(ahead) - at.function(behind)) / (2.0 * h);
+          // phi's row is for |nu| = 1 and the angle itself.
+          const double own = k == 4 ? at.nu * at.nu * double(axis_angle(x[4]).rate) : 1.0;
+          EXPECT_NEAR(slope, own * double(b.g[k]), 1e-13 * scale) << text << ", row " << k;
+          const auto b_ahead = at.balance<1>(ahead);
+          const auto b_behind = at.balance<1>(behind);
+          for (std::size_t i = 0; i < 5; ++i) {
+            EXPECT_NEAR(double(b_ahead.g[i] - b_behind.g[i]) / (2.0 * h), double(b.slope[i][k]),
+                        1e-12 * scale)
+                << text << ", row " << i << " column " << k;
+          }
+        }
+      });
 }
 
 TEST(AnisotropicBalance, HoldsWhereTheBalanceInTheStretchesAndCompatibilityDo) {
@@ -156,8 +155,7 @@ TEST(AnisotropicBalance, CoordinatesComeBack) {
   support::Random random(314);
   for (int k = 0; k < 100; ++k) {
     const Stretch q = random.stretch();
-    const Stretch back =
-        oriented_stretch(q.xi, q.zeta, q.rho, shear_coordinate(q)).q;
+    const Stretch back = oriented_stretch(q.xi, q.zeta, q.rho, shear_coordinate(q)).q;
     EXPECT_NEAR(back.alpha, q.alpha, 4e-16 * std::sqrt(q.xi * q.zeta));
     const double phi = random.uniform(-3.1, 3.1);
     const auto axis = axis_angle(axis_coordinate(phi));

@@ -78,7 +78,8 @@ TEST(AnisotropicPotential, EvenIsAsItSays) {
       const Stretch q = random.diagonal_stretch();
       const auto at = potential_derivatives<2>(of.V.model(), q);
       const double scale = at.hessian.cwiseAbs().maxCoeff();
-      for (const double odd : {at.gradient[0], at.hessian(0, 1), at.hessian(0, 2), at.hessian(0, 3)})
+      for (const double odd :
+           {at.gradient[0], at.hessian(0, 1), at.hessian(0, 2), at.hessian(0, 3)})
         worst = std::max(worst, std::abs(odd) / scale);
       Stretch sheared = random.stretch();
       const double V = potential_derivatives<0>(of.V.model(), sheared).value;

@@ -71,8 +71,7 @@ std::array<DoubleDouble, 5> exact_coordinates(const OrientedBody& at, const Equi
   const Inertia3<DoubleDouble> J{at.body.J1, at.body.J2, at.body.J3};
   const auto linearized = system.linearize(start);
   for (int step = 0; step < 4; ++step) {
-    const auto b = balance_at<Layout, 1>(J, models.extended, Branch::iii,
-                                         two_product(at.nu, at.nu),
+    const auto b = balance_at<Layout, 1>(J, models.extended, Branch::iii, two_product(at.nu, at.nu),
                                          all_coordinates<Layout>(x, DoubleDouble(1.0)));
     ReducedVector<N> g;
     for (int i = 0; i < N; ++i) g[i] = double(b.g[system.place(i)]) * linearized.scale[i];
@@ -141,11 +140,10 @@ TEST(AnisotropicEquilibrium, SymmetriesOfTheMaterialFrame) {
       const Equilibrium at = motion(body, degrees, near);
       ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
       const auto other = near ? std::optional(*near == Branch::i ? Branch::ii : Branch::i) : near;
-      const Equilibrium exchanged =
-          motion(Body(body.J2, body.J1, body.J3), 90.0 - degrees, other);
-      EXPECT_LE(difference({exchanged.q.alpha, exchanged.q.zeta, exchanged.q.xi, exchanged.q.rho},
-                           at.q),
-                4e-15);
+      const Equilibrium exchanged = motion(Body(body.J2, body.J1, body.J3), 90.0 - degrees, other);
+      EXPECT_LE(
+          difference({exchanged.q.alpha, exchanged.q.zeta, exchanged.q.xi, exchanged.q.rho}, at.q),
+          4e-15);
       const Equilibrium turned = motion(body, -degrees, near);
       EXPECT_LE(difference({-turned.q.alpha, turned.q.xi, turned.q.zeta, turned.q.rho}, at.q),
                 4e-15);
@@ -166,9 +164,9 @@ TEST(AnisotropicEquilibrium, SoftFibresLeaveTheIsotropicMotion) {
     double before = 0.0;
     for (const double k : {1e-4, 1e-6, 1e-8}) {
       const Potential V = fibred(NeoHookean<>{1.0, 2.0}, k, 30.0);
-      const Equilibrium with =
-          branch == Branch::iii ? solve(Problem(body, V, branch), 0.4)
-                                : solve_oblique(body, V, {0.4, branch}, without_search());
+      const Equilibrium with = branch == Branch::iii
+                                   ? solve(Problem(body, V, branch), 0.4)
+                                   : solve_oblique(body, V, {0.4, branch}, without_search());
       ASSERT_EQ(with.status, SolveStatus::solved) << with.message;
       const double apart = difference(with.q, without.q);
       EXPECT_LE(apart, 10.0 * k);

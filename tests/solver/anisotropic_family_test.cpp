@@ -96,11 +96,11 @@ TEST(AnisotropicFamily, SlopesInEveryParameter) {
     int index;
     double value;
   };
-  for (const Parameter& each :
-       {Parameter{Kind::nu, 0, nu}, Parameter{Kind::inertia, 0, 1.0}, Parameter{Kind::inertia, 1, 1.7},
-        Parameter{Kind::inertia, 2, 0.6}, Parameter{Kind::plane, 0, 1.0},
-        Parameter{Kind::plane, 1, 2.0}, Parameter{Kind::thickness, 1, 3.0},
-        Parameter{Kind::fibre, 0, 0.4}, Parameter{Kind::fibre, 1, 30.0}}) {
+  for (const Parameter& each : {Parameter{Kind::nu, 0, nu}, Parameter{Kind::inertia, 0, 1.0},
+                                Parameter{Kind::inertia, 1, 1.7}, Parameter{Kind::inertia, 2, 0.6},
+                                Parameter{Kind::plane, 0, 1.0}, Parameter{Kind::plane, 1, 2.0},
+                                Parameter{Kind::thickness, 1, 3.0}, Parameter{Kind::fibre, 0, 0.4},
+                                Parameter{Kind::fibre, 1, 30.0}}) {
     const AnyFamily family = anisotropic_family(disc, skew.anisotropic(), Branch::iii, false,
                                                 in(each.kind, each.index, nu));
     const auto& four = *std::get<std::unique_ptr<Family<4>>>(family);
@@ -113,8 +113,8 @@ TEST(AnisotropicFamily, SlopesInEveryParameter) {
 
 /// nu and |pi| turn at the located events and nowhere else.
 TEST(AnisotropicFamily, TurnsAreWhereTheEventsSay) {
-  for (const auto& near : {std::optional<Branch>(), std::optional(Branch::i),
-                           std::optional(Branch::ii)}) {
+  for (const auto& near :
+       {std::optional<Branch>(), std::optional(Branch::i), std::optional(Branch::ii)}) {
     Rows out;
     const FollowOptions how = range(0.0, 0.8);
     if (near) {
@@ -132,9 +132,8 @@ TEST(AnisotropicFamily, TurnsAreWhereTheEventsSay) {
       const Member& a = out.rows[k - 2].member;
       const Member& b = out.rows[k - 1].member;
       const Member& c = out.rows[k].member;
-      const bool momentum_turns = (spin_momentum(b) - spin_momentum(a)) *
-                                      (spin_momentum(c) - spin_momentum(b)) <
-                                  0.0;
+      const bool momentum_turns =
+          (spin_momentum(b) - spin_momentum(a)) * (spin_momentum(c) - spin_momentum(b)) < 0.0;
       const auto is = [&](EventType type) {
         return out.rows[k - 2].event == type || out.rows[k - 1].event == type ||
                out.rows[k].event == type;
@@ -147,8 +146,8 @@ TEST(AnisotropicFamily, TurnsAreWhereTheEventsSay) {
   }
 }
 
-/// A tilt of an oblique family: the inertias about its axis and about axis 3 are equal, and a pair of
-/// eigenvalues passes through zero.
+/// A tilt of an oblique family: the inertias about its axis and about axis 3 are equal, and a pair
+/// of eigenvalues passes through zero.
 TEST(AnisotropicFamily, TiltOfAnObliqueAxis) {
   const auto family = oblique_family(disc, skew.anisotropic(), in(Kind::nu), Branch::i);
   const Equilibrium start = solve_oblique(disc, skew, {0.5, Branch::i});
@@ -161,7 +160,8 @@ TEST(AnisotropicFamily, TiltOfAnObliqueAxis) {
   EXPECT_NEAR(axis.dot(I * axis), I(2, 2), 1e-10);
   double least = INFINITY;
   for (int k = 0; k < 5; ++k)
-    least = std::min(least, std::abs(tilts[0].spectrum->mode[static_cast<std::size_t>(k)].lambda_re));
+    least =
+        std::min(least, std::abs(tilts[0].spectrum->mode[static_cast<std::size_t>(k)].lambda_re));
   EXPECT_LE(least, 1e-10);
 }
 

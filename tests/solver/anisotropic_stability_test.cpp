@@ -46,8 +46,7 @@ struct Fibred {
   double degrees;
 
   Potential potential() const {
-    return Potential(
-        AnisotropicPotential(isotropic.plane, isotropic.thickness, {{k, degrees}}));
+    return Potential(AnisotropicPotential(isotropic.plane, isotropic.thickness, {{k, degrees}}));
   }
   PlacementFlow<FibredPlacement<Model>> flow() const { return {body, {isotropic, k, degrees}}; }
 };
@@ -96,8 +95,8 @@ Eigen::Matrix<double, 14, 14> linearized(const Fibred& at, const Vector14d& x,
       Vector14d behind = x;
       ahead[k] += j * h;
       behind[k] -= j * h;
-      sum += weight[j - 1] * (seen_turning(flow(ahead), ahead, nu) -
-                              seen_turning(flow(behind), behind, nu));
+      sum += weight[j - 1] *
+             (seen_turning(flow(ahead), ahead, nu) - seen_turning(flow(behind), behind, nu));
     }
     out.col(k) = sum / h;
   }
@@ -106,8 +105,7 @@ Eigen::Matrix<double, 14, 14> linearized(const Fibred& at, const Vector14d& x,
 
 void expect_verified(const Fibred& at, const Equilibrium& found, const Spectrum& spectrum,
                      const std::string& text) {
-  const Vector14d x =
-      placed_state(at.body, steady_point(at.body, found.q, found.nu));
+  const Vector14d x = placed_state(at.body, steady_point(at.body, found.q, found.nu));
   const double size = 1.0 + at.flow()(x).norm();
   EXPECT_LE(seen_turning(at.flow()(x), x, found.nu).norm(), 1e-12 * size) << text;
   const Eigen::VectorXcd in_space = linearized(at, x, found.nu).eigenvalues();

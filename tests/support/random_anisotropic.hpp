@@ -59,8 +59,8 @@ inline Anisotropic random_anisotropic(Random& random, int kind) {
     case 5:
       return plane(ReciprocalDeterminant<>{mu, 1.0 + lambda});
     case 6:
-      return plane(OrthotropicSaintVenantKirchhoff<>{2.0 + mu, 2.0 + lambda, 0.5 * lambda,
-                                                     0.3 * mu});
+      return plane(
+          OrthotropicSaintVenantKirchhoff<>{2.0 + mu, 2.0 + lambda, 0.5 * lambda, 0.3 * mu});
     default:
       return {AnisotropicPotential(NeoHookean3d<>{mu, lambda}, fibres), text.str()};
   }
