@@ -36,6 +36,7 @@ struct Numbers {
       case Kind::plane:
         return plane[k];
       case Kind::thickness:
+      case Kind::fibre:  // of no model here
         break;
     }
     return axial[k];
