@@ -49,7 +49,10 @@ PlanItem oriented_spectrum_item(const Case& input) {
     return {"spectrum", "5 modes from blocks where alpha = 0, else from the whole problem",
             "V is even in alpha: reflections split the dynamics about a material axis"};
   }
-  return {"spectrum", "from the whole problem, by a structure-preserving method",
+  const bool at_rest = rotation != nullptr && rotation->nu == 0.0;
+  return {"spectrum",
+          std::string(at_rest ? "4" : "5") +
+              " modes from the whole problem, by a structure-preserving method",
           rotation == nullptr ? "no reflection makes blocks of the dynamics about an oblique axis"
                               : "V is not even in alpha, or nu = 0: no blocks"};
 }
