@@ -231,9 +231,8 @@ Spectrum general_spectrum(const GeneralFacts& facts, const Leaf<long double>& le
   return out.finish();
 }
 
-Spectrum general_spectrum(const Body& body, const Potential& potential,
-                          const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu,
-                          double uncertainty) {
+Leaf<Real> motion_leaf(const Body& body, const Potential& potential,
+                       const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu) {
   const auto wide = [](const DoubleDouble& x) { return Real(x.hi) + Real(x.lo); };
   const auto input = [](const DoubleDouble& x) { return Conditioned::input(leading(x)); };
   Matrix4<Real> V_qq;
@@ -261,15 +260,23 @@ Spectrum general_spectrum(const Body& body, const Potential& potential,
          potential_derivatives<2>(V.model(AsConditioned()), q_c));
   }
   const BasicStretch<Real> q_wide{wide(q.alpha), wide(q.xi), wide(q.zeta), wide(q.rho)};
-  Vector3<Real> nu_wide{wide(nu[0]), wide(nu[1]), wide(nu[2])};
-  const bool at_rest = nu_wide.norm() == Real(0);
-  const bool circle = q_wide.alpha == Real(0) && q_wide.xi == q_wide.zeta;
+  const Vector3<Real> nu_wide{wide(nu[0]), wide(nu[1]), wide(nu[2])};
+  return leaf(body, q_wide, nu_wide, V_qq, condition);
+}
+
+Spectrum general_spectrum(const Body& body, const Potential& potential,
+                          const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu,
+                          double uncertainty) {
+  const bool at_rest = nu[0] == 0.0 && nu[1] == 0.0 && nu[2] == 0.0;
+  const bool circle = q.alpha == 0.0 && q.xi == q.zeta;
   const bool symmetric = potential.is_isotropic() && (body.symmetric() || at_rest);
   const MaterialSymmetry symmetry = !symmetric ? MaterialSymmetry::none
                                     : circle   ? MaterialSymmetry::circle
                                                : MaterialSymmetry::ellipse;
-  if (circle && nu_wide[2] < Real(0)) nu_wide = -nu_wide;  // see definite_with_momentum()
-  return general_spectrum({symmetry, uncertainty}, leaf(body, q_wide, nu_wide, V_qq, condition));
+  const bool turned = circle && nu[2] < 0.0;  // see definite_with_momentum()
+  return general_spectrum(
+      {symmetry, uncertainty},
+      motion_leaf(body, potential, q, turned ? Vector3<DoubleDouble>(-nu) : nu));
 }
 
 }  // namespace stationary

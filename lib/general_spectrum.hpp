@@ -31,10 +31,15 @@ struct GeneralFacts {
   double uncertainty;  ///< as BlockFacts::uncertainty
 };
 
+/// Also of a part of a leaf that the rest of it does not see.
 Spectrum general_spectrum(const GeneralFacts& facts, const Leaf<long double>& leaf);
 
-/// From a stationary motion (q, nu): evaluates V_qq in extended precision. q's entries are inputs
-/// of their own relative uncertainty; alpha counts as known to that of sqrt(xi zeta).
+/// The leaf of a motion: evaluates V_qq in extended precision. q's entries are inputs of their own
+/// relative uncertainty; alpha counts as known to that of sqrt(xi zeta).
+Leaf<long double> motion_leaf(const Body& body, const Potential& potential,
+                              const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu);
+
+/// From a stationary motion (q, nu), whole.
 Spectrum general_spectrum(const Body& body, const Potential& potential,
                           const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu,
                           double uncertainty);

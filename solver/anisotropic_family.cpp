@@ -6,7 +6,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "lib/general_spectrum.hpp"
 #include "solver/newton.hpp"
 #include "solver/oriented_stability.hpp"
 #include "solver/oriented_system.hpp"

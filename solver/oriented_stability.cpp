@@ -2,25 +2,79 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
+#include <vector>
 
 #include "lib/general_spectrum.hpp"
 
 namespace stationary {
 namespace {
 
-/// Names the block of the real Lambda nearest to one known by itself.
-void name_block(double lambda, Block block, Spectrum& spectrum) {
-  Mode* nearest = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < spectrum.modes; ++k) {
-    Mode& mode = spectrum.mode[static_cast<std::size_t>(k)];
-    const double apart = std::abs(mode.lambda_re - lambda);
-    if (mode.lambda_im != 0.0 || mode.block != Block::even || !(apart < least)) continue;
-    least = apart;
-    nearest = &mode;
+using Real = long double;
+using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// The part of a leaf with these coordinates and their momenta.
+Leaf<Real> part_of(const Leaf<Real>& whole, const std::vector<int>& coordinates) {
+  const auto n = static_cast<Eigen::Index>(coordinates.size());
+  Leaf<Real> out{static_cast<int>(n), Dense(2 * n, 2 * n), Dense(2 * n, 2 * n)};
+  const auto place = [&](Eigen::Index k) {
+    const int own = coordinates[static_cast<std::size_t>(k % n)];
+    return static_cast<Eigen::Index>(k < n ? own : own + whole.pairs);
+  };
+  for (Eigen::Index i = 0; i < 2 * n; ++i) {
+    for (Eigen::Index j = 0; j < 2 * n; ++j) {
+      out.second_variation(i, j) = whole.second_variation(place(i), place(j));
+      out.magnitude(i, j) = whole.magnitude(place(i), place(j));
+    }
   }
-  if (nearest != nullptr) nearest->block = block;
+  return out;
+}
+
+/// Spectra of parts that do not see each other, as one.
+Spectrum united(const std::vector<std::pair<Block, Spectrum>>& parts) {
+  Spectrum out;
+  const auto has = [&](StabilityClass verdict) {
+    return std::ranges::any_of(parts,
+                               [&](const auto& part) { return part.second.verdict == verdict; });
+  };
+  out.verdict = StabilityClass::stable;
+  for (const StabilityClass each : {StabilityClass::unstable, StabilityClass::marginal,
+                                    StabilityClass::oscillatory, StabilityClass::elliptic}) {
+    if (!has(each)) continue;
+    out.verdict = each;
+    break;
+  }
+  const bool grows =
+      out.verdict == StabilityClass::unstable || out.verdict == StabilityClass::oscillatory;
+  for (const auto& [block, part] : parts) {
+    out.negative += part.negative;
+    if (grows) out.growth = std::max(out.growth, part.growth);
+    for (int k = 0; k < part.modes; ++k) {
+      Mode& mode = out.mode[static_cast<std::size_t>(out.modes++)];
+      mode = part.mode[static_cast<std::size_t>(k)];
+      mode.block = block;
+    }
+  }
+  std::sort(out.mode.begin(), out.mode.begin() + out.modes,
+            [](const Mode& a, const Mode& b) { return a.im != b.im ? a.im < b.im : a.re < b.re; });
+  return out;
+}
+
+/// (iii), at any alpha: the reflection in the plane of axes 1 and 2 leaves pi1, pi2 to themselves,
+/// and of a separable V rho.
+Spectrum about_third(const Leaf<Real>& whole, bool separable, double uncertainty) {
+  const GeneralFacts facts{MaterialSymmetry::none, uncertainty};
+  const int first = whole.pairs == 5 ? 1 : 0;  // alpha; before it b1, where there is one
+  std::vector<std::pair<Block, Spectrum>> parts;
+  if (first == 1) parts.emplace_back(Block::odd, general_spectrum(facts, part_of(whole, {0})));
+  std::vector<int> plane{first, first + 1, first + 2};
+  if (separable) {
+    parts.emplace_back(Block::thickness, general_spectrum(facts, part_of(whole, {first + 3})));
+  } else {
+    plane.push_back(first + 3);
+  }
+  parts.emplace_back(Block::even, general_spectrum(facts, part_of(whole, plane)));
+  return united(parts);
 }
 
 }  // namespace
@@ -45,22 +99,10 @@ Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& mode
                        BasicStretch<Conditioned>{0.0, input(q.xi), input(q.zeta), input(q.rho)},
                        input(omega)));
   }
-  Spectrum out = general_spectrum(body, Potential(V), q, nu, uncertainty);
-  if (spin.about_axis && spin.branch == Branch::iii && double(omega) != 0.0) {
-    // The reflection in the plane of axes 1 and 2 leaves pi1, pi2 to themselves, and of a separable
-    // V rho.
-    const Stretch at{double(q.alpha), double(q.xi), double(q.zeta), double(q.rho)};
-    const Matrix3<double> I = locked_inertia(body, at);
-    const auto det = [](double a, double b, double c) { return a * c - b * b; };
-    const double spread =
-        det(I(2, 2) - I(0, 0), -I(0, 1), I(2, 2) - I(1, 1)) / det(I(0, 0), I(0, 1), I(1, 1));
-    name_block(-double(omega * omega) * spread, Block::odd, out);
-    if (V.is_separable()) {
-      const double V_rr = potential_derivatives<2>(models.plain, at).hessian(3, 3);
-      name_block(-V_rr / body.J3, Block::thickness, out);
-    }
-  }
-  return out;
+  // At rest there is no axis.
+  if (spin.about_axis && (spin.branch == Branch::iii || double(omega) == 0.0))
+    return about_third(motion_leaf(body, Potential(V), q, nu), V.is_separable(), uncertainty);
+  return general_spectrum(body, Potential(V), q, nu, uncertainty);
 }
 
 double turn_of(const Body& body, Branch branch, double V_aa, const Stretch& q, double nu) {
