@@ -1,6 +1,6 @@
-// Elementary functions of packs (pack.hpp) and of pairs of them beyond log, as a potential written
-// out may contain them. Lane by lane, each as of a double or an extended number: only + - * / and
-// log run in all lanes at once.
+// Elementary functions of packs (pack.hpp) and of pairs of them beyond sqrt and log, as a potential
+// written out may contain them. Lane by lane, each as of a double or an extended number: only + - *
+// /, sqrt and log run in all lanes at once.
 #pragma once
 
 #include <cmath>
@@ -55,11 +55,6 @@ struct LanesOf<Pair<Pack<bytes>>> {
 template <class P>
 concept Lanes = LanesOf<P>::are;
 
-template <Lanes P>
-inline P sqrt(const P& x) {
-  using std::sqrt;
-  return lane_by_lane([](const auto& lane) { return sqrt(lane); }, x);
-}
 template <Lanes P>
 inline P exp(const P& x) {
   using std::exp;
