@@ -30,6 +30,9 @@ Leaf<Real> part_of(const Leaf<Real>& whole, const std::vector<int>& coordinates)
   return out;
 }
 
+/// The order of a spectrum's modes.
+bool before(const Mode& a, const Mode& b) { return a.im != b.im ? a.im < b.im : a.re < b.re; }
+
 /// Spectra of parts that do not see each other, as one.
 Spectrum united(const std::vector<std::pair<Block, Spectrum>>& parts) {
   Spectrum out;
@@ -55,8 +58,9 @@ Spectrum united(const std::vector<std::pair<Block, Spectrum>>& parts) {
       mode.block = block;
     }
   }
-  std::sort(out.mode.begin(), out.mode.begin() + out.modes,
-            [](const Mode& a, const Mode& b) { return a.im != b.im ? a.im < b.im : a.re < b.re; });
+  for (std::size_t k = 1; k < static_cast<std::size_t>(out.modes); ++k)
+    for (std::size_t j = k; j > 0 && before(out.mode[j], out.mode[j - 1]); --j)
+      std::swap(out.mode[j], out.mode[j - 1]);
   return out;
 }
 
