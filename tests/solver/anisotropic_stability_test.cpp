@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cmath>
 #include <complex>
 
@@ -150,6 +151,39 @@ TEST(AnisotropicStability, MotionsAboutAxisThreeAgreeWithTheDynamicsInSpace) {
     ASSERT_NE(found.q.alpha, 0.0);
     expect_verified(at, found, stability(problem, found),
                     described("(iii)", at.body, found.q, found.nu));
+  }
+}
+
+/// What the reflection in the plane of axes 1 and 2 leaves to itself, by its closed forms.
+TEST(AnisotropicStability, WobbleAndThicknessOfAxisThreeAreBlocksOfTheirOwn) {
+  support::Random random(424);
+  for (int k = 0; k < 12; ++k) {
+    const Fibred at = random_fibred(random);
+    const Problem problem(at.body, at.potential(), Branch::iii);
+    const double nu = random.uniform(0.1, 0.6);
+    const Equilibrium found = solve(problem, nu, without_search());
+    ASSERT_EQ(found.status, SolveStatus::solved) << found.message;
+    const Spectrum spectrum = stability(problem, found);
+    const Matrix3<double> I = locked_inertia(at.body, found.q);
+    const Eigen::Matrix2d in_plane = I.topLeftCorner<2, 2>();
+    const double wobble = -nu * nu *
+                          (I(2, 2) * Eigen::Matrix2d::Identity() - in_plane).determinant() /
+                          in_plane.determinant();
+    const double V_rr = problem.potential().derivatives(found.q).hessian(3, 3);
+    int seen = 0;
+    for (int j = 0; j < spectrum.modes; ++j) {
+      const Mode& mode = spectrum.mode[static_cast<std::size_t>(j)];
+      if (mode.block == Block::odd) {
+        EXPECT_NEAR(mode.lambda_re, wobble, mode.lambda_error + 1e-13 * std::abs(wobble));
+      } else if (mode.block == Block::thickness) {
+        EXPECT_NEAR(mode.lambda_re, -V_rr / at.body.J3, 1e-13 * V_rr / at.body.J3);
+      } else {
+        continue;
+      }
+      ++seen;
+    }
+    EXPECT_EQ(seen, 2);
+    EXPECT_EQ(spectrum.modes, 5);
   }
 }
 
