@@ -50,13 +50,17 @@ std::vector<PlanItem> make_plan(const Body& body, const Potential& potential, Br
                     "J1 = J2 and an isotropic potential: material rotations are a symmetry, "
                     "solutions come in circles and theta = 0 is chosen"});
   }
+  const bool closed = potential.is_built_in();
   switch (rule) {
     case ThicknessRule::constant:
-      plan.push_back({"rho", "closed form, once for all nu",
-                      "separable potential; V_rho'(rho) = 0 has no nu in it"});
+      plan.push_back(
+          {"rho", closed ? "closed form, once for all nu" : "1 equation, from the rest thickness",
+           "separable potential; V_rho'(rho) = 0 has no nu in it"});
       break;
     case ThicknessRule::closed_form:
-      plan.push_back({"rho", "closed form, corrected in extended precision",
+      plan.push_back({"rho",
+                      closed ? "closed form, corrected in extended precision"
+                             : "1 equation, from the rest thickness",
                       "separable potential: V_rho'(rho) = J3 nu^2 rho has no xi, zeta in it"});
       break;
     case ThicknessRule::coupled:
