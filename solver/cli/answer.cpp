@@ -89,6 +89,7 @@ struct ObliqueAnswers {
   const Case& input;
   ObliqueRotation motion;
   bool with_spectrum;
+  const ColumnSet& wanted;
 
   Equilibrium one(const SolveOptions& options) const {
     return solve_oblique(input.body, input.potential, motion, options);
@@ -99,7 +100,7 @@ struct ObliqueAnswers {
   std::optional<std::string> none_anywhere() const { return std::nullopt; }
   Solution solution(const Equilibrium& found) const {
     Solution out;
-    fill_row(oblique_name, input.body, input.potential, found, out.row);
+    fill_row(oblique_name, input.body, input.potential, found, wanted, out.row);
     if (with_spectrum) out.spectrum = oblique_stability(input.body, input.potential, found);
     add_proof(
         input,
@@ -256,14 +257,14 @@ Answer answer(const Case& input, const TiltedMotion& motion, const SolveOptions&
 /// Without axis and start the families of both axes, and where neither comes to anything whatever
 /// there is.
 Answer answer(const Case& input, const ObliqueRotation& motion, const SolveOptions& options,
-              bool with_spectrum) {
-  const ObliqueAnswers any{input, motion, with_spectrum};
+              bool with_spectrum, const ColumnSet& wanted) {
+  const ObliqueAnswers any{input, motion, with_spectrum, wanted};
   if (input.solve.all || motion.near || options.start) return answer(input, any, options);
   SolveOptions followed = options;
   followed.search = false;
   std::vector<std::pair<std::string, Answer>> parts;
   for (const Branch near : {Branch::i, Branch::ii}) {
-    const ObliqueAnswers family{input, {motion.nu, near}, with_spectrum};
+    const ObliqueAnswers family{input, {motion.nu, near}, with_spectrum, wanted};
     parts.emplace_back(near == Branch::i ? "axis 1" : "axis 2", answer(input, family, followed));
   }
   Answer out = joined(std::move(parts), "");
