@@ -82,7 +82,7 @@ struct Rates {
 
 template <class Model>
 class PlanarIntervalTest : public testing::Test {};
-TYPED_TEST_SUITE(PlanarIntervalTest, PlanarModels, ModelName);
+TYPED_TEST_SUITE(PlanarIntervalTest, BuiltInPlanarModels, ModelName);
 
 TYPED_TEST(PlanarIntervalTest, DerivativesHoldEveryPointValue) {
   Random random(911);
@@ -134,7 +134,7 @@ TYPED_TEST(PlanarIntervalTest, BothWaysToTheBalanceAgree) {
 
 template <class Model>
 class CoupledIntervalTest : public testing::Test {};
-TYPED_TEST_SUITE(CoupledIntervalTest, CoupledModels, ModelName);
+TYPED_TEST_SUITE(CoupledIntervalTest, BuiltInCoupledModels, ModelName);
 
 TYPED_TEST(CoupledIntervalTest, BalanceHoldsEveryPointValueAndBothWaysAgree) {
   Random random(914);
@@ -162,7 +162,7 @@ TYPED_TEST(CoupledIntervalTest, BalanceHoldsEveryPointValueAndBothWaysAgree) {
 
 template <class Model>
 class ThicknessIntervalTest : public testing::Test {};
-TYPED_TEST_SUITE(ThicknessIntervalTest, ThicknessModels, ModelName);
+TYPED_TEST_SUITE(ThicknessIntervalTest, BuiltInThicknessModels, ModelName);
 
 TYPED_TEST(ThicknessIntervalTest, DerivativesHoldEveryPointValue) {
   Random random(915);

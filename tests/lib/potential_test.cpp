@@ -34,7 +34,7 @@ Vector3<Real50> random_trl(Random& random) {
 
 template <class Model>
 class PlanarModelTest : public testing::Test {};
-TYPED_TEST_SUITE(PlanarModelTest, PlanarModels, ModelName);
+TYPED_TEST_SUITE(PlanarModelTest, BuiltInPlanarModels, ModelName);
 
 TYPED_TEST(PlanarModelTest, DerivativesAreSlopes) {
   Random random(101);
@@ -104,7 +104,7 @@ TYPED_TEST(PlanarModelTest, ItsRestStateIsAMinimum) {
 
 template <class Model>
 class ThicknessModelTest : public testing::Test {};
-TYPED_TEST_SUITE(ThicknessModelTest, ThicknessModels, ModelName);
+TYPED_TEST_SUITE(ThicknessModelTest, BuiltInThicknessModels, ModelName);
 
 TYPED_TEST(ThicknessModelTest, DerivativesAreSlopes) {
   Random random(111);
@@ -154,7 +154,7 @@ TYPED_TEST(ThicknessModelTest, HasNoBalancedThicknessFromTheStiffnessOn) {
 
 template <class Model>
 class CoupledModelTest : public testing::Test {};
-TYPED_TEST_SUITE(CoupledModelTest, CoupledModels, ModelName);
+TYPED_TEST_SUITE(CoupledModelTest, BuiltInCoupledModels, ModelName);
 
 TYPED_TEST(CoupledModelTest, DerivativesAreSlopes) {
   Random random(121);

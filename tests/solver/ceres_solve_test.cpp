@@ -12,7 +12,7 @@ namespace {
 
 template <class Model>
 class CeresSolveTest : public ::testing::Test {};
-TYPED_TEST_SUITE(CeresSolveTest, support::PlanarModels, support::ModelName);
+TYPED_TEST_SUITE(CeresSolveTest, support::BuiltInPlanarModels, support::ModelName);
 
 /// Its parameter tolerance by default would leave errors of 1e-8.
 TYPED_TEST(CeresSolveTest, ReachesASlowRotationFromRestToFullPrecision) {

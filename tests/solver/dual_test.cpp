@@ -81,7 +81,7 @@ Model<Number50> scaled(const Model<double>& model, const std::array<Number50, 2>
 
 template <class Model>
 class PlanarSensitivityTest : public ::testing::Test {};
-TYPED_TEST_SUITE(PlanarSensitivityTest, support::PlanarModels, support::ModelName);
+TYPED_TEST_SUITE(PlanarSensitivityTest, support::BuiltInPlanarModels, support::ModelName);
 
 TYPED_TEST(PlanarSensitivityTest, IsTheDifferenceIn50Digits) {
   support::Random random(21);
@@ -105,7 +105,7 @@ TYPED_TEST(PlanarSensitivityTest, IsTheDifferenceIn50Digits) {
 
 template <class Model>
 class ThicknessSensitivityTest : public ::testing::Test {};
-TYPED_TEST_SUITE(ThicknessSensitivityTest, support::ThicknessModels, support::ModelName);
+TYPED_TEST_SUITE(ThicknessSensitivityTest, support::BuiltInThicknessModels, support::ModelName);
 
 TYPED_TEST(ThicknessSensitivityTest, IsTheDifferenceIn50Digits) {
   support::Random random(22);

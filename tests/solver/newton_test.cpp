@@ -10,7 +10,7 @@ namespace {
 
 template <class Model>
 class NewtonTest : public ::testing::Test {};
-TYPED_TEST_SUITE(NewtonTest, support::PlanarModels, support::ModelName);
+TYPED_TEST_SUITE(NewtonTest, support::BuiltInPlanarModels, support::ModelName);
 
 /// A state becomes an equilibrium of slow rates near rest: solve there from rest.
 TYPED_TEST(NewtonTest, ReachesASlowRotationFromRest) {

@@ -35,9 +35,9 @@ struct AsTypes<std::tuple<Models...>> {
   using type = ::testing::Types<Models...>;
 };
 
-using PlanarModels = TypesOf<PlanarPotential>::type;
-using ThicknessModels = TypesOf<ThicknessPotential>::type;
-using CoupledModels = TypesOf<CoupledPotential>::type;
+using BuiltInPlanarModels = TypesOf<PlanarPotential>::type;
+using BuiltInThicknessModels = TypesOf<ThicknessPotential>::type;
+using BuiltInCoupledModels = TypesOf<CoupledPotential>::type;
 
 /// Whole potentials: every planar model, every thickness model, every coupled one.
 using WholeModels = AsTypes<decltype(std::tuple_cat(
