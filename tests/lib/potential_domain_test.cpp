@@ -31,6 +31,8 @@ void make(const ModelDescription& model, const std::vector<double>& coefficients
     case Kind::coupled:
       Potential::coupled(model.name, coefficients);
       break;
+    case Kind::fibre:
+      FAIL() << "no model of its own";
   }
 }
 
@@ -56,10 +58,10 @@ TEST(ModelDescriptions, ListEveryModelOnceUnderItsName) {
     EXPECT_FALSE(model.parameters.empty());
     EXPECT_FALSE(model.domain.empty());
     // Every parameter occurs in the formula, and in some inequality.
-    for (const auto parameter : model.parameters) {
+    for (const std::string& parameter : model.parameters) {
       EXPECT_NE(model.formula.find(parameter), std::string_view::npos) << model.name << parameter;
       bool bounded = false;
-      for (const auto inequality : model.domain)
+      for (const std::string& inequality : model.domain)
         bounded = bounded || inequality.find(parameter) != std::string_view::npos;
       EXPECT_TRUE(bounded) << model.name << " " << parameter;
     }
@@ -83,8 +85,8 @@ TEST(PotentialDomain, EachInequalityIsEnforcedAndNamed) {
         if (!message.empty()) named.insert(message);
       }
     }
-    for (const auto inequality : model.domain)
-      EXPECT_TRUE(named.contains(std::string(inequality))) << model.name << ": " << inequality;
+    for (const std::string& inequality : model.domain)
+      EXPECT_TRUE(named.contains(inequality)) << model.name << ": " << inequality;
     EXPECT_EQ(named.size(), model.domain.size()) << model.name;
   }
 }
