@@ -20,6 +20,10 @@ struct AsDouble {
   }
 };
 
+constexpr auto coefficients_of = [](const auto& model) {
+  return static_cast<int>(model.coefficients().size());
+};
+
 /// Counts coefficients, and changes one.
 struct Replacing {
   int place;
@@ -31,23 +35,24 @@ struct Replacing {
 
 }  // namespace
 
-AnisotropicPotential::AnisotropicPotential(const Plane& plane, const ThicknessPotential& thickness,
+AnisotropicPotential::AnisotropicPotential(const Plane& plane, const AnyThickness<>& thickness,
                                            std::vector<Fibre> fibres)
     : fibres_(std::move(fibres)) {
   std::visit([](const auto& model) { require_domain(model); }, plane);
-  std::visit([](const auto& model) { require_domain(model); }, thickness);
-  if (fibres_.empty() && !std::holds_alternative<OrthotropicSaintVenantKirchhoff<>>(plane))
-    throw std::invalid_argument("a fibre, or an orthotropic plane");
+  thickness.visit([](const auto& model) { require_domain(model); });
   model_.base = Model::Separate{plane, thickness};
+  if (fibres_.empty() && !std::holds_alternative<OrthotropicSaintVenantKirchhoff<>>(plane) &&
+      directed_expression() == nullptr)
+    throw std::invalid_argument("a fibre, or an orthotropic or written-out anisotropic plane");
   add_fibres();
 }
 
-AnisotropicPotential::AnisotropicPotential(const CoupledPotential& coupled,
-                                           std::vector<Fibre> fibres)
+AnisotropicPotential::AnisotropicPotential(const Coupled& coupled, std::vector<Fibre> fibres)
     : fibres_(std::move(fibres)) {
   std::visit([](const auto& model) { require_domain(model); }, coupled);
-  if (fibres_.empty()) throw std::invalid_argument("a fibre");
   model_.base = coupled;
+  if (fibres_.empty() && directed_expression() == nullptr)
+    throw std::invalid_argument("a fibre, or a written-out anisotropic potential");
   add_fibres();
 }
 
@@ -65,7 +70,7 @@ bool AnisotropicPotential::is_separable() const {
 }
 
 // The odd part of a fibre's V is 2 k c s alpha (xi + zeta) (c^2 xi^2 + s^2 zeta^2 + alpha^2 - 1).
-bool AnisotropicPotential::even_in_alpha() const {
+bool AnisotropicPotential::fibres_even() const {
   double constant = 0.0;
   double of_cosine = 0.0;
   for (std::size_t k = 0; k < model_.fibre_count; ++k) {
@@ -76,29 +81,59 @@ bool AnisotropicPotential::even_in_alpha() const {
   return constant == 0.0 && of_cosine == 0.0;
 }
 
-double AnisotropicPotential::rest_stretch() const {
+const OrientedExpression<>* AnisotropicPotential::directed_expression() const {
   if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
-    return std::visit([](const auto& model) { return model.rest_stretch(); }, separate->plane);
-  return std::visit([](const auto& model) { return model.rest_stretch(); },
-                    std::get<CoupledPotential>(model_.base));
+    return std::get_if<OrientedExpression<>>(&separate->plane);
+  return std::get_if<OrientedExpression<>>(&std::get<Coupled>(model_.base));
+}
+
+bool AnisotropicPotential::even_in_alpha() const {
+  const auto* expression = directed_expression();
+  return fibres_even() && (expression == nullptr || expression->even());
+}
+
+bool AnisotropicPotential::shear_free() const {
+  const auto* expression = directed_expression();
+  return fibres_even() && (expression == nullptr || expression->shear_free());
+}
+
+double AnisotropicPotential::rest_stretch() const {
+  const auto own = [](const auto& model) {
+    if constexpr (requires { model.shear_free(); }) {
+      return std::numeric_limits<double>::quiet_NaN();
+    } else {
+      return model.rest_stretch();
+    }
+  };
+  if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
+    return std::visit(own, separate->plane);
+  return std::visit(own, std::get<Coupled>(model_.base));
 }
 
 double AnisotropicPotential::rest_thickness() const {
   if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
-    return std::visit([](const auto& model) { return model.balanced(0.0); }, separate->thickness);
-  return std::visit([](const auto& model) { return model.rest_thickness(); },
-                    std::get<CoupledPotential>(model_.base));
+    return separate->thickness.balanced(0.0);
+  return std::visit(
+      [](const auto& model) {
+        if constexpr (requires { model.shear_free(); }) {
+          return std::numeric_limits<double>::quiet_NaN();
+        } else {
+          return model.rest_thickness();
+        }
+      },
+      std::get<Coupled>(model_.base));
 }
 
 int AnisotropicPotential::thickness_place() const {
-  const auto size = [](const auto& model) { return static_cast<int>(model.coefficients().size()); };
   if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
-    return std::visit(size, separate->plane);
-  return std::visit(size, std::get<CoupledPotential>(model_.base));
+    return std::visit(coefficients_of, separate->plane);
+  return std::visit(coefficients_of, std::get<Coupled>(model_.base));
 }
 
 int AnisotropicPotential::fibre_place() const {
-  return thickness_place() + (is_separable() ? 2 : 0);
+  const auto* separate = std::get_if<Model::Separate>(&model_.base);
+  return thickness_place() +
+         (separate == nullptr ? 0 : separate->thickness.visit(coefficients_of));
 }
 
 int AnisotropicPotential::coefficient_count() const {
@@ -114,14 +149,13 @@ AnisotropicPotential AnisotropicPotential::with_coefficient(int place, double va
         std::visit([&](const auto& each) -> Plane { return with_coefficients(each, replace); },
                    separate->plane);
     separate->plane = plane;
-    const auto thickness = std::visit(
-        [&](const auto& each) -> ThicknessPotential { return with_coefficients(each, replace); },
-        separate->thickness);
+    const auto thickness = separate->thickness.visit(
+        [&](const auto& each) { return AnyThickness<>{{with_coefficients(each, replace)}}; });
     separate->thickness = thickness;
   } else {
-    const auto coupled = std::visit(
-        [&](const auto& each) -> CoupledPotential { return with_coefficients(each, replace); },
-        std::get<CoupledPotential>(out.model_.base));
+    const auto coupled =
+        std::visit([&](const auto& each) -> Coupled { return with_coefficients(each, replace); },
+                   std::get<Coupled>(out.model_.base));
     out.model_.base = coupled;
   }
   for (std::size_t k = 0; k < out.fibres_.size(); ++k) {

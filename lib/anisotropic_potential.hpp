@@ -1,5 +1,5 @@
 // A potential that is no function of the invariants of S: fibres (potentials/fibre.hpp) beside an
-// isotropic potential, or an orthotropic planar model with or without them,
+// isotropic potential, an orthotropic planar model or a written-out one with or without them,
 //
 //   V(q) = W(t, l, r) + directed terms in q,
 //
@@ -8,7 +8,7 @@
 // built on it is compiled once for a number type and not once for a model. AnisotropicPotential:
 // the numbers as a user gives them, the facts, and models in any number type made of them.
 //
-// What is to be added to V later is one more addend of evaluate().
+// Any isotropic part may be written out by its user too (potentials/expression.hpp).
 #pragma once
 
 #include <array>
@@ -20,6 +20,8 @@
 #include "lib/coefficients.hpp"
 #include "lib/isotropic_models.hpp"
 #include "lib/potential_derivatives.hpp"
+#include "lib/potentials/anisotropic_expression.hpp"
+#include "lib/potentials/any_model.hpp"
 #include "lib/potentials/fibre.hpp"
 #include "lib/potentials/orthotropic_saint_venant_kirchhoff.hpp"
 
@@ -29,7 +31,11 @@ namespace stationary {
 template <class C>
 using OrientedPlanarModels =
     std::variant<ReciprocalDeterminant<C>, SaintVenantKirchhoff<C>, Biot<C>, BiotLog<C>,
-                 NeoHookean<C>, Hencky<C>, OrthotropicSaintVenantKirchhoff<C>>;
+                 NeoHookean<C>, Hencky<C>, OrthotropicSaintVenantKirchhoff<C>,
+                 PlanarExpression<C>, OrientedExpression<C>>;
+template <class C>
+using OrientedCoupledModels =
+    std::variant<NeoHookean3d<C>, CoupledExpression<C>, OrientedExpression<C>>;
 
 /// What does not depend on the axes and what does.
 template <class C>
@@ -42,43 +48,41 @@ template <class C>
 struct AnisotropicModel {
   struct Separate {
     OrientedPlanarModels<C> plane;
-    ThicknessModels<C> thickness;
+    AnyThickness<C> thickness;
   };
   static constexpr std::size_t max_fibres = 4;
 
-  std::variant<Separate, CoupledModels<C>> base;
+  std::variant<Separate, OrientedCoupledModels<C>> base;
   std::array<FibreTerm<C>, max_fibres> fibres{};
   std::size_t fibre_count = 0;
 
   /// x: the invariants of q, which a caller may know better than by its entries.
   template <int order>
   AnisotropicDerivatives<C> evaluate(const PlanarInvariants<C>& x, const BasicStretch<C>& q) const {
+    const C none(0.0);
     AnisotropicDerivatives<C> out;
-    out.directed = {C(0.0), Vector4<C>::Constant(C(0.0)), Matrix4<C>::Constant(C(0.0))};
+    out.isotropic = {{none, none, none, none, none, none}, none, none, none, none};
+    out.directed = {none, Vector4<C>::Constant(none), Matrix4<C>::Constant(none)};
+    const auto take = [&](const auto& model) {
+      if constexpr (requires { model.template isotropic<order>(x, q.rho); })
+        out.isotropic = model.template isotropic<order>(x, q.rho);
+      if constexpr (requires { model.template add<order>(q, out.directed); }) {
+        model.template add<order>(q, out.directed);
+      } else if constexpr (requires { model.template evaluate<order>(x, q.rho); }) {
+        out.isotropic = model.template evaluate<order>(x, q.rho);
+      } else {
+        out.isotropic.plane = model.template evaluate<order>(x);
+      }
+    };
     if (const auto* separate = std::get_if<Separate>(&base)) {
-      std::visit(
-          [&](const auto& model) {
-            if constexpr (requires { model.template add<order>(q, out.directed); }) {
-              out.isotropic.plane = {C(0.0), C(0.0), C(0.0), C(0.0), C(0.0), C(0.0)};
-              model.template add<order>(q, out.directed);
-            } else {
-              out.isotropic.plane = model.template evaluate<order>(x);
-            }
-          },
-          separate->plane);
-      std::visit(
-          [&](const auto& model) {
-            const auto axial = model.template evaluate<order>(q.rho);
-            out.isotropic.plane.w = out.isotropic.plane.w + axial.v;
-            out.isotropic.w_r = axial.v_r;
-            out.isotropic.w_rr = axial.v_rr;
-          },
-          separate->thickness);
-      out.isotropic.w_tr = out.isotropic.w_lr = C(0.0);
+      std::visit(take, separate->plane);
+      const auto axial = separate->thickness.template evaluate<order>(q.rho);
+      out.isotropic.plane.w = out.isotropic.plane.w + axial.v;
+      out.isotropic.w_r = axial.v_r;
+      out.isotropic.w_rr = axial.v_rr;
+      out.isotropic.w_tr = out.isotropic.w_lr = none;
     } else {
-      std::visit(
-          [&](const auto& model) { out.isotropic = model.template evaluate<order>(x, q.rho); },
-          std::get<CoupledModels<C>>(base));
+      std::visit(take, std::get<OrientedCoupledModels<C>>(base));
     }
     for (std::size_t k = 0; k < fibre_count; ++k) fibres[k].template add<order>(q, out.directed);
     return out;
@@ -100,23 +104,34 @@ PotentialDerivatives<C> potential_derivatives(const AnisotropicModel<C>& model,
 class AnisotropicPotential {
  public:
   using Plane = OrientedPlanarModels<double>;
+  using Coupled = OrientedCoupledModels<double>;
   using Model = AnisotropicModel<double>;
 
   /// Throw std::invalid_argument with the violated inequality: of the models' domains, k > 0 and
   /// finite degrees of each fibre, at most Model::max_fibres of them, at least one where the rest
   /// is isotropic.
-  AnisotropicPotential(const Plane& plane, const ThicknessPotential& thickness,
+  AnisotropicPotential(const Plane& plane, const AnyThickness<>& thickness,
                        std::vector<Fibre> fibres);
-  AnisotropicPotential(const CoupledPotential& coupled, std::vector<Fibre> fibres);
+  AnisotropicPotential(const Plane& plane, const ThicknessPotential& thickness,
+                       std::vector<Fibre> fibres)
+      : AnisotropicPotential(plane, AnyThickness<>{{thickness}}, std::move(fibres)) {}
+  AnisotropicPotential(const Coupled& coupled, std::vector<Fibre> fibres);
 
   /// V = V_plane(alpha, xi, zeta) + V_rho(rho).
   bool is_separable() const;
-  /// V(-alpha, xi, zeta, rho) = V(alpha, ...): the material axes 1, 2 are axes of symmetry. Of
-  /// these potentials the same as V_alpha = 0 at alpha = 0 for all xi, zeta, rho.
+  /// Whether V(-alpha, xi, zeta, rho) = V(alpha, ...) is established: the material axes 1, 2 are
+  /// axes of symmetry.
   bool even_in_alpha() const;
+  /// Whether V_alpha = 0 at alpha = 0, for all xi, zeta, rho, is established; without a written-out
+  /// part the same as even_in_alpha().
+  bool shear_free() const;
+  /// Whether V_alpha != 0 at alpha = 0 where not shear_free(), by what the models are; of a
+  /// written-out anisotropic one it is only not known to vanish.
+  bool known_by_form() const { return directed_expression() == nullptr; }
 
   const std::vector<Fibre>& fibres() const { return fibres_; }
-  /// xi = zeta at rest without fibres, and rho (separable: of the thickness at nu = 0).
+  /// xi = zeta at rest without fibres, and rho (separable: of the thickness at nu = 0); NaN where a
+  /// written-out model has none that is known.
   double rest_stretch() const;
   double rest_thickness() const;
 
@@ -141,14 +156,15 @@ class AnisotropicPotential {
             return with_coefficients(each, convert);
           },
           separate->plane);
-      ThicknessModels<C> thickness = std::visit(
-          [&](const auto& each) -> ThicknessModels<C> { return with_coefficients(each, convert); },
-          separate->thickness);
-      out.base = typename AnisotropicModel<C>::Separate{plane, thickness};
+      AnyThickness<C> thickness = separate->thickness.visit(
+          [&](const auto& each) { return AnyThickness<C>{{with_coefficients(each, convert)}}; });
+      out.base = typename AnisotropicModel<C>::Separate{std::move(plane), std::move(thickness)};
     } else {
       out.base = std::visit(
-          [&](const auto& each) -> CoupledModels<C> { return with_coefficients(each, convert); },
-          std::get<CoupledModels<double>>(model_.base));
+          [&](const auto& each) -> OrientedCoupledModels<C> {
+            return with_coefficients(each, convert);
+          },
+          std::get<Coupled>(model_.base));
     }
     for (const Fibre& fibre : fibres_) {
       const C k = convert(fibre.k);
@@ -159,6 +175,9 @@ class AnisotropicPotential {
 
  private:
   void add_fibres();
+  /// Whether the odd parts of all fibres' V cancel.
+  bool fibres_even() const;
+  const OrientedExpression<>* directed_expression() const;
 
   std::vector<Fibre> fibres_;
   Model model_;

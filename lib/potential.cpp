@@ -25,8 +25,12 @@ Variant by_name(std::string_view name, std::span<const double> values) {
     throw std::invalid_argument("a built-in model, not \"" + std::string(name) + "\"");
   } else {
     using Model = std::variant_alternative_t<k, Variant>;
-    if (name != Model::name) return by_name<Variant, k + 1>(name, values);
-    return from_coefficients<Model>(values, std::make_index_sequence<Model::parameters.size()>{});
+    if constexpr (requires { Model::name; }) {
+      if (name == Model::name)
+        return from_coefficients<Model>(values,
+                                        std::make_index_sequence<Model::parameters.size()>{});
+    }
+    return by_name<Variant, k + 1>(name, values);
   }
 }
 

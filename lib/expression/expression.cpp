@@ -183,6 +183,23 @@ void require_room(const Expression& e) {
     throw TooLarge("at most " + std::to_string(largest_parameter_count) + " parameters");
 }
 
+/// The terms of a sum without alpha, xi and zeta, and the others; false where either are none.
+bool split_by_directions(Expression& e, NodeId& without, NodeId& with) {
+  Graph& g = e.graph;
+  if (g.is_coefficient(e.root) || g[e.root].kind != Kind::sum) return false;
+  const Node sum = g[e.root];
+  int of_invariants = 0;
+  without = sum.a;
+  with = g.zero();
+  for (const Term& term : sum.terms) {
+    const bool directed = occurs(g, term.node, {Variable::alpha, Variable::xi, Variable::zeta});
+    NodeId& part = directed ? with : without;
+    part = g.add(part, g.multiply(term.coefficient, term.node));
+    of_invariants += !directed;
+  }
+  return of_invariants > 0 && !g.is_zero(with);
+}
+
 constexpr Direction along_xi{Coordinate::log_xi, Variable::xi, Variable::rate_xi};
 constexpr Direction along_zeta{Coordinate::log_zeta, Variable::zeta, Variable::rate_zeta};
 constexpr Direction along_rho{Coordinate::log_rho, Variable::rho, Variable::rate_rho};
@@ -267,6 +284,34 @@ std::shared_ptr<const Tape> anisotropic_tape(Expression e) {
   constexpr std::array directions{along_xi, along_zeta, along_rho};
   return tape(e, in_stretch(e), coordinates, anisotropic_inputs, directions,
               coupled_balance_inputs);
+}
+
+std::shared_ptr<const Tape> oriented_tape(Expression e) {
+  require_room(e);
+  const bool shear_free = Facts::holds(shear_freedom(e));
+  const bool even = shear_free && Facts::holds(evenness(e));
+  const auto finished = [&](const Tape& directed, std::shared_ptr<const Tape> isotropic) {
+    auto out = std::make_shared<Tape>(directed);
+    out->text = e.text;
+    out->isotropic_terms = std::move(isotropic);
+    out->shear_free = shear_free;
+    out->even = even;
+    return out;
+  };
+  NodeId without = 0;
+  NodeId with = 0;
+  if (split_by_directions(e, without, with)) {
+    Expression isotropic = e;
+    Expression directed = e;
+    isotropic.root = without;
+    directed.root = with;
+    try {
+      auto terms = coupled_tape(std::move(isotropic));
+      return finished(*anisotropic_tape(std::move(directed)), std::move(terms));
+    } catch (const Unsuitable&) {  // lambda and mu_ are symmetric in both parts together only
+    }
+  }
+  return finished(*anisotropic_tape(e), nullptr);
 }
 
 }  // namespace stationary::expression

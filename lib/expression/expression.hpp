@@ -46,6 +46,12 @@ struct Tape {
   Program residual_slopes;
   std::vector<double> fixed_constants;  ///< the constants in which no parameter is
   bool has_principal_stretches = false;
+  /// Of oriented_tape(): the terms that are isotropic as they are written, where there are any, with
+  /// the same parameters; the programs above are then of the other terms.
+  std::shared_ptr<const Tape> isotropic_terms = {};
+  /// Of oriented_tape(), of the whole: established (facts.hpp).
+  bool shear_free = false;
+  bool even = false;
 };
 
 /// Inputs of the programs, in order.
@@ -69,6 +75,10 @@ std::shared_ptr<const Tape> coupled_tape(Expression expression);
 std::shared_ptr<const Tape> thickness_tape(Expression expression);
 /// V(alpha, xi, zeta, rho) with its derivatives in these, and the balance at alpha = 0.
 std::shared_ptr<const Tape> anisotropic_tape(Expression expression);
+
+/// The same in two parts, with what is known of alpha: sums of isotropic and of other terms are as
+/// accurate, and over intervals as narrow, as built-in models with fibres.
+std::shared_ptr<const Tape> oriented_tape(Expression expression);
 
 /// In t, d, t^2 - 4 d and rho alone; Unsuitable where the expression is not isotropic.
 NodeId in_invariants(Expression& expression);

@@ -70,13 +70,6 @@ std::string sentence(const char* what, Verdict verdict) {
   return std::string(what) + ": undecided, taken as not holding";
 }
 
-Verdict shear_freedom(Expression& e) {
-  Graph& g = e.graph;
-  const NodeId shear = Differentiation(g, Coordinate::alpha)(in_stretch(e));
-  return vanishes(g, g.expanded(substitute(g, shear, {{Variable::alpha, g.zero()}})),
-                  e.parameters.size());
-}
-
 Verdict separability(Expression& e) {
   Graph& g = e.graph;
   const NodeId force = Differentiation(g, Coordinate::rho)(in_stretch(e));
@@ -163,6 +156,21 @@ Verdict isotropy(Expression& e) {
   return vanishes(g, g.expanded(along_rotation), e.parameters.size());
 }
 
+Verdict shear_freedom(Expression& e) {
+  Graph& g = e.graph;
+  const NodeId shear = Differentiation(g, Coordinate::alpha)(in_stretch(e));
+  return vanishes(g, g.expanded(substitute(g, shear, {{Variable::alpha, g.zero()}})),
+                  e.parameters.size());
+}
+
+Verdict evenness(Expression& e) {
+  Graph& g = e.graph;
+  const NodeId v = in_stretch(e);
+  const NodeId opposite = g.multiply(g.number(-1.0), g.variable(Variable::alpha));
+  const NodeId mirrored = substitute(g, v, {{Variable::alpha, opposite}});
+  return vanishes(g, g.expanded(g.subtract(v, mirrored)), e.parameters.size());
+}
+
 Facts facts(Expression e, Slot slot) {
   Facts out;
   std::string names;
@@ -184,10 +192,16 @@ Facts facts(Expression e, Slot slot) {
   out.isotropic = isotropy(e);
   out.sentences.push_back(sentence("isotropic (a function of t, d and rho)", out.isotropic));
   if (out.is_isotropic()) {
-    out.shear_free = out.isotropic;
+    out.shear_free = out.even = out.isotropic;
   } else {
     out.shear_free = shear_freedom(e);
     out.sentences.push_back(sentence("V_alpha = 0 at alpha = 0", out.shear_free));
+    if (out.is_shear_free()) {
+      out.even = evenness(e);
+      out.sentences.push_back(sentence("even in alpha: V(-alpha) = V(alpha)", out.even));
+    } else {
+      out.even = out.shear_free;  // even implies shear-free
+    }
   }
   if (slot == Slot::plane) {
     out.separable = Verdict::term_by_term;

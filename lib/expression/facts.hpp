@@ -25,12 +25,14 @@ struct Facts {
   Verdict symmetric = Verdict::undecided;   ///< in lambda and mu_
   Verdict isotropic = Verdict::undecided;   ///< a function of t, d and rho
   Verdict shear_free = Verdict::undecided;  ///< V_alpha = 0 at alpha = 0
+  Verdict even = Verdict::undecided;        ///< V(-alpha) = V(alpha)
   Verdict separable = Verdict::undecided;   ///< V_plane + V_rho
   std::vector<std::string> sentences;       ///< all of it, for a person to read
 
   static bool holds(Verdict v) { return v == Verdict::term_by_term || v == Verdict::at_points; }
   bool is_isotropic() const { return holds(isotropic); }
   bool is_shear_free() const { return holds(shear_free); }
+  bool is_even() const { return holds(even); }
   bool is_separable() const { return holds(separable); }
 };
 
@@ -49,5 +51,9 @@ NodeId without_principal_stretches(Expression& expression);
 
 /// Of an expression in which lambda and mu_ enter symmetrically.
 Verdict isotropy(Expression& expression);
+/// V_alpha = 0 at alpha = 0, likewise.
+Verdict shear_freedom(Expression& expression);
+/// V(-alpha, xi, zeta, rho) = V(alpha, xi, zeta, rho), likewise.
+Verdict evenness(Expression& expression);
 
 }  // namespace stationary::expression

@@ -1,7 +1,12 @@
 // A potential V(alpha, xi, zeta, rho) written by its user that is no function of t, d and rho alone
 // (expression.hpp has those that are): its derivatives are taken in q = (alpha, xi, zeta, rho)
-// itself.
+// itself. OrientedExpression takes the terms that are such a function as they are written apart
+// (expression::oriented_tape), as what an anisotropic potential is made of:
+//
+//   V = W(t, l, r) + directed terms in q.
 #pragma once
+
+#include <optional>
 
 #include "lib/potential_derivatives.hpp"
 #include "lib/potentials/expression.hpp"
@@ -40,6 +45,40 @@ class AnisotropicExpression : public TapeModel<C> {
                                         const S& c_zeta, const S& c_rho) const {
     return this->template coupled_balance<Product<C, S>>(xi, zeta, rho, c_xi, c_zeta, c_rho);
   }
+};
+
+template <class C = double>
+class OrientedExpression : public AnisotropicExpression<C> {
+ public:
+  /// tape: of oriented_tape().
+  OrientedExpression(const std::shared_ptr<const expression::Tape>& tape,
+                     const CoefficientList<C>& coefficients)
+      : AnisotropicExpression<C>(tape, coefficients) {
+    if (tape->isotropic_terms) isotropic_.emplace(tape->isotropic_terms, coefficients);
+  }
+
+  /// Where it is known to be so: V_alpha = 0 at alpha = 0; V(-alpha) = V(alpha).
+  bool shear_free() const { return this->tape()->shear_free; }
+  bool even() const { return this->tape()->even; }
+
+  /// W; order 0, 1, 2 as in evaluate() of the other models.
+  template <int order>
+  CoupledDerivatives<C> isotropic(const PlanarInvariants<C>& x, const C& rho) const {
+    if (isotropic_) return isotropic_->template evaluate<order>(x, rho);
+    const C none(0.0);
+    return {{none, none, none, none, none, none}, none, none, none, none};
+  }
+  /// Adds the directed terms and their derivatives to `out`.
+  template <int order>
+  void add(const BasicStretch<C>& q, PotentialDerivatives<C>& out) const {
+    const PotentialDerivatives<C> own = this->template derivatives<order>(q);
+    out.value += own.value;
+    if constexpr (order >= 1) out.gradient += own.gradient;
+    if constexpr (order >= 2) out.hessian += own.hessian;
+  }
+
+ private:
+  std::optional<CoupledExpression<C>> isotropic_;
 };
 
 }  // namespace stationary
