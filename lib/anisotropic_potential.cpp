@@ -97,6 +97,12 @@ bool AnisotropicPotential::shear_free() const {
   return fibres_even() && (expression == nullptr || expression->shear_free());
 }
 
+bool AnisotropicPotential::sheared() const {
+  const auto* expression = directed_expression();
+  if (expression == nullptr || expression->shear_free()) return !fibres_even();
+  return expression->sheared() && fibres_even();
+}
+
 double AnisotropicPotential::rest_stretch() const {
   const auto own = [](const auto& model) {
     if constexpr (requires { model.shear_free(); }) {
@@ -132,8 +138,7 @@ int AnisotropicPotential::thickness_place() const {
 
 int AnisotropicPotential::fibre_place() const {
   const auto* separate = std::get_if<Model::Separate>(&model_.base);
-  return thickness_place() +
-         (separate == nullptr ? 0 : separate->thickness.visit(coefficients_of));
+  return thickness_place() + (separate == nullptr ? 0 : separate->thickness.visit(coefficients_of));
 }
 
 int AnisotropicPotential::coefficient_count() const {

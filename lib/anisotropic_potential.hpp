@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/conditioned.hpp"
 #include "lib/coefficients.hpp"
+#include "lib/conditioned.hpp"
 #include "lib/isotropic_models.hpp"
 #include "lib/potential_derivatives.hpp"
 #include "lib/potentials/anisotropic_expression.hpp"
@@ -31,8 +31,8 @@ namespace stationary {
 template <class C>
 using OrientedPlanarModels =
     std::variant<ReciprocalDeterminant<C>, SaintVenantKirchhoff<C>, Biot<C>, BiotLog<C>,
-                 NeoHookean<C>, Hencky<C>, OrthotropicSaintVenantKirchhoff<C>,
-                 PlanarExpression<C>, OrientedExpression<C>>;
+                 NeoHookean<C>, Hencky<C>, OrthotropicSaintVenantKirchhoff<C>, PlanarExpression<C>,
+                 OrientedExpression<C>>;
 template <class C>
 using OrientedCoupledModels =
     std::variant<NeoHookean3d<C>, CoupledExpression<C>, OrientedExpression<C>>;
@@ -125,9 +125,9 @@ class AnisotropicPotential {
   /// Whether V_alpha = 0 at alpha = 0, for all xi, zeta, rho, is established; without a written-out
   /// part the same as even_in_alpha().
   bool shear_free() const;
-  /// Whether V_alpha != 0 at alpha = 0 where not shear_free(), by what the models are; of a
-  /// written-out anisotropic one it is only not known to vanish.
-  bool known_by_form() const { return directed_expression() == nullptr; }
+  /// Whether it is established that V_alpha != 0 somewhere at alpha = 0. Neither may be, of a
+  /// written-out model.
+  bool sheared() const;
 
   const std::vector<Fibre>& fibres() const { return fibres_; }
   /// xi = zeta at rest without fibres, and rho (separable: of the thickness at nu = 0); NaN where a

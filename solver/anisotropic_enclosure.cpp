@@ -103,7 +103,7 @@ Certificate certify_anisotropic(const Problem& problem, const Equilibrium& equil
   }
   if (equilibrium.q.alpha != 0.0) {
     out.reason = "alpha != 0: compatibility leaves alpha = 0 only";
-  } else if (!V.even_in_alpha()) {
+  } else if (!V.shear_free()) {
     out.reason = "V_alpha is not proven to vanish there";
   } else {
     certify_at(OrientedBoxSystem<StraightLayout>(problem.body(), V, branch, nu, inputs),
@@ -138,7 +138,7 @@ SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem,
   const AnisotropicPotential& V = problem.potential().anisotropic();
   const StretchBox& at = certificate.solution;
   const double nu = equilibrium.nu[axis(problem.branch())];
-  if (!V.even_in_alpha() || at.alpha.lo != 0.0 || at.alpha.hi != 0.0 || nu == 0.0) {
+  if (!V.shear_free() || at.alpha.lo != 0.0 || at.alpha.hi != 0.0 || nu == 0.0) {
     SpectrumEnclosure out;
     out.modes = spectrum.modes;
     out.lambda.fill({Interval::entire(), Interval::entire()});

@@ -1,5 +1,6 @@
 #include "solver/anisotropic_equilibrium.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -75,13 +76,13 @@ class AnisotropicSolve {
   Equilibrium about_axis(Branch branch, double nu) {
     const double speed = std::abs(nu);
     const Problem problem(body_, potential_, branch);
-    if (branch != Branch::iii && nu != 0.0 && !V_.even_in_alpha()) {
+    if (branch != Branch::iii && nu != 0.0 && !V_.shear_free()) {
       off_axis(problem, nu);
       return out_;
     }
     // At rest no axis is asked for; of an even V alpha = 0 is a choice.
     const bool alpha_free = branch == Branch::iii && options_.start && options_.start->alpha != 0.0;
-    const bool at_rest = nu == 0.0 && !V_.even_in_alpha();
+    const bool at_rest = nu == 0.0 && !V_.shear_free();
     const AnyFamily family = anisotropic_family(body_, V_, at_rest ? Branch::iii : branch,
                                                 alpha_free, {.parameter = {}, .spectrum = false});
     std::visit([&](const auto& each) { one(*each, speed); }, family);
@@ -141,19 +142,62 @@ class AnisotropicSolve {
   }
 
   /// The rest state's stretch: Newton from that of the isotropic part, the fibres made stiff bit by
-  /// bit where that fails.
+  /// bit where that fails; without an isotropic part whose rest state is known, the minimum of V
+  /// nearest to S = 1 that is found.
   std::optional<Stretch> rest_state() {
     const double r = V_.rest_stretch();
-    const Stretch isotropic{0.0, r, r, V_.rest_thickness()};
-    for (const int steps : {1, 8, 64}) {
-      Stretch q = isotropic;
-      bool reached = true;
-      for (int k = 1; reached && k <= steps; ++k) reached = rest_at(double(k) / steps, q);
-      if (reached) return q;
+    const double rho = V_.rest_thickness();
+    if (std::isfinite(r) && std::isfinite(rho)) {
+      const Stretch isotropic{0.0, r, r, rho};
+      for (const int steps : {1, 8, 64}) {
+        Stretch q = isotropic;
+        bool reached = true;
+        for (int k = 1; reached && k <= steps; ++k) reached = rest_at(double(k) / steps, q);
+        if (reached) return q;
+      }
+      out_.message = "no rest state was found from that without fibres";
+    } else {
+      if (const auto found = nearest_minimum(std::isfinite(rho) ? rho : 1.0)) return found;
+      if (stopped()) {
+        out_.status = SolveStatus::interrupted;
+        return std::nullopt;
+      }
+      out_.message = "no rest state, a minimum of V, was found";
     }
     out_.status = SolveStatus::not_found;
-    out_.message = "no rest state was found from that without fibres";
     return std::nullopt;
+  }
+
+  /// By Newton from a few stretches around the unit, then among all of an exhaustive search.
+  std::optional<Stretch> nearest_minimum(double rho) {
+    std::optional<Stretch> out;
+    const auto consider = [&](const Stretch& q) {
+      if (is_minimum(q) && (!out || from_unit(q, rho) < from_unit(*out, rho))) out = q;
+    };
+    for (const double xi : {1.0, 0.7, 1.5}) {
+      for (const double zeta : {1.0, 0.7, 1.5}) {
+        for (const double shear : {0.0, 0.2, -0.2}) {
+          Stretch q{shear * std::sqrt(xi * zeta), xi, zeta, rho};
+          if (rest_at(1.0, q)) consider(q);
+        }
+      }
+    }
+    if (out || !wants_search()) return out;
+    const Problem problem(body_, potential_, Branch::iii);
+    for (const Equilibrium& each :
+         search_anisotropic(problem, 0.0, {.stop = options_.stop}).solutions)
+      consider(each.q);
+    return out;
+  }
+  bool is_minimum(const Stretch& q) const {
+    const Eigen::LLT<Matrix4<double>> factors(potential_.derivatives(q).hessian);
+    return factors.info() == Eigen::Success;
+  }
+  /// Largest |ln| of the principal stretches, those of the plane and rho over what it is at rest.
+  static double from_unit(const Stretch& q, double rho) {
+    const PrincipalStretches plane = principal_stretches(q);
+    return std::max({std::abs(std::log(plane.lambda)), std::abs(std::log(plane.mu)),
+                     std::abs(std::log(q.rho / rho))});
   }
   /// q corrected to the rest state with a share of the fibres' stiffness.
   bool rest_at(double share, Stretch& q) {
@@ -167,8 +211,8 @@ class AnisotropicSolve {
     out_.counts.newton_steps += found.steps;
     out_.counts.jacobians += found.steps;
     if (!found.converged) return false;
-    // Even: Newton from alpha = 0 stays there but for rounding.
-    if (V_.even_in_alpha()) x[3] = 1.0;
+    // Newton from alpha = 0 stays there but for rounding.
+    if (V_.shear_free() && q.alpha == 0.0) x[3] = 1.0;
     q = oriented_stretch(x[0], x[1], x[2], x[3]).q;
     return true;
   }
@@ -228,7 +272,7 @@ class AnisotropicSolve {
     if (!rest) return;
     const std::string axis = near == Branch::i ? "axis 1" : "axis 2";
     const auto family = oblique_family(near);
-    if (!V_.even_in_alpha()) {
+    if (!V_.shear_free()) {
       along(*family, *rest, 0.0, nu, "the family that starts about " + axis + " at rest");
       return;
     }
@@ -277,7 +321,8 @@ class AnisotropicSolve {
       out_.message += "; exhaustive search, " + all.message;
       return;
     }
-    const double r = V_.rest_stretch();
+    const double known = V_.rest_stretch();
+    const double r = std::isfinite(known) ? known : 1.0;
     const auto distance = [&](const Equilibrium& at) {
       return std::max({std::abs(std::log(at.q.xi / r)), std::abs(std::log(at.q.zeta / r)),
                        std::abs(at.q.alpha) / r});
@@ -388,7 +433,7 @@ std::optional<Spectrum> anisotropic_stability(const Problem& problem,
                                               const Equilibrium& equilibrium) {
   const double nu = equilibrium.nu[axis(problem.branch())];
   const AnisotropicPotential& V = problem.potential().anisotropic();
-  const Branch branch = nu == 0.0 && !V.even_in_alpha() ? Branch::iii : problem.branch();
+  const Branch branch = nu == 0.0 && !V.shear_free() ? Branch::iii : problem.branch();
   const AnyFamily family =
       anisotropic_family(problem.body(), V, branch, equilibrium.q.alpha != 0.0, {.parameter = {}});
   return std::visit([&](const auto& each) { return family_spectrum(*each, equilibrium, nu); },

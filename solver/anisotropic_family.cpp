@@ -333,8 +333,8 @@ AnyFamily anisotropic_family(const Body& body, const AnisotropicPotential& poten
   const bool even = potential.even_in_alpha();
   if (branch == Branch::iii && (alpha_free || !even))
     return std::make_unique<AnisotropicFamily<ShearedLayout>>(body, potential, branch, options);
-  if (!even)
-    throw std::invalid_argument("a potential even in alpha, for a family about axis 1 or 2");
+  if (!potential.shear_free())
+    throw std::invalid_argument("V_alpha = 0 at alpha = 0, for a family about axis 1 or 2");
   return std::make_unique<AnisotropicFamily<StraightLayout>>(body, potential, branch, options);
 }
 

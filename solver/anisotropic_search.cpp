@@ -39,7 +39,7 @@ class OrientedSearch {
     } else {
       const auto& parts =
           std::get<AnisotropicModel<double>::Separate>(models_.potential.model().base);
-      std::visit([&](const auto& thickness) { run_thickness(thickness); }, parts.thickness);
+      run_thickness(parts.thickness);
     }
     std::ranges::sort(out_.solutions, {}, [](const Equilibrium& each) {
       return std::tuple(each.q.xi, each.q.zeta, each.q.rho, each.q.alpha, each.nu[1]);
@@ -76,17 +76,15 @@ class OrientedSearch {
 
   Interval range() const { return {options_.min_stretch, options_.max_stretch}; }
 
-  template <class Thickness>
-  void run_thickness(const Thickness& model) {
+  void run_thickness(const AnyThickness<>& model) {
     const Branch about = Layout::axis ? Branch::i : branch_;
     const auto extended = axis_rates(body_, about, two_product(system_.nu, system_.nu)).rho;
     const Interval rate = about == Branch::iii ? Interval(0.0) : boxes_.J.J3 * boxes_.nu_squared;
     const auto interval =
         with_coefficients(model, [this](double c) { return as_input(c, options_.inputs); });
-    const auto axial =
-        prune(ThicknessSystem<Thickness>{model, extended},
-              ThicknessBoxSystem<std::remove_const_t<decltype(interval)>>{interval, rate},
-              Box<1>{range()}, options_.max_boxes);
+    const auto axial = prune(ThicknessSystem<AnyThickness<>>{model, extended},
+                             ThicknessBoxSystem<AnyThickness<Interval>>{interval, rate},
+                             Box<1>{range()}, options_.max_boxes);
     if (out_.status == SearchStatus::interrupted) return;
     // No thickness, no ellipsoid: whatever the plane does.
     if (axial.solutions.empty() && axial.undecided.empty()) return;
@@ -211,7 +209,7 @@ class OrientedSearch {
     const BalanceCheck check = check_balance(body_, potential_, found.q, found.nu);
     found.residual = check.residual;
     found.compatibility = check.compatibility;
-    if (!Layout::alpha && !models_.potential.even_in_alpha()) {
+    if (!Layout::alpha && !models_.potential.shear_free()) {
       nearest_ = std::min(nearest_, check.residual);
       if (!boxes_.shear_force(each.proof.solution).may_be(0.0)) return;
       StretchBox at = stretch_box(each.proof.solution);

@@ -42,7 +42,9 @@ Origin character_origin(const CaseTree& tree, const std::string& key, const toml
 }
 
 std::shared_ptr<const expression::Tape> compiled(ExpressionSlot slot,
-                                                 expression::Expression expression) {
+                                                 expression::Expression expression,
+                                                 bool isotropic) {
+  if (!isotropic) return expression::oriented_tape(std::move(expression));
   switch (slot) {
     case ExpressionSlot::plane:
       return expression::planar_tape(std::move(expression));
@@ -102,7 +104,8 @@ WrittenPotential read_written_out(const CaseTree& tree, std::string_view slot,
     expression::Facts facts = expression::facts(parsed.expression, slot_of(slot));
     out.facts = std::move(facts.sentences);
     out.facts.insert(out.facts.end(), parsed.notes.begin(), parsed.notes.end());
-    out.tape = compiled(slot_of(slot), std::move(parsed.expression));
+    out.isotropic = slot_of(slot) == ExpressionSlot::thickness || facts.is_isotropic();
+    out.tape = compiled(slot_of(slot), std::move(parsed.expression), out.isotropic);
   } catch (const ExpressionError& error) {
     throw InputError(character_origin(tree, key, node, error.offset()), key,
                      fmt::format("found {} at character {} of the expression",

@@ -22,6 +22,7 @@ struct WrittenPotential {
   std::shared_ptr<const expression::Tape> tape;
   std::vector<double> coefficients;  ///< in the order of tape->parameters
   std::vector<std::string> facts;    ///< what was found out about it, a sentence each
+  bool isotropic = true;             ///< else the tape is of oriented_tape()
 };
 
 /// Of a table that require_written_out() let pass. slot: plane, thickness or coupled. Throws

@@ -112,11 +112,8 @@ bool anisotropic(std::span<const ModelChoice> models) {
 
 ModelChoice written_out(const CaseTree& tree, const std::string& slot, const toml::table& table) {
   WrittenPotential written = read_written_out(tree, slot, table);
-  ModelDescription description{model_kind("potential." + slot),
-                               "expression",
-                               written.tape->text,
-                               written.tape->parameters,
-                               {}};
+  ModelDescription description{model_kind("potential." + slot), "expression", written.tape->text,
+                               written.tape->parameters,        {},           written.isotropic};
   return {slot, std::move(description), std::move(written.coefficients), std::move(written.tape),
           std::move(written.facts)};
 }
@@ -157,14 +154,6 @@ std::vector<ModelChoice> read_models(const CaseTree& tree) {
     throw fault_at(tree, "potential." + missing, found, std::string(rule), "add " + missing);
   }
   for (const ModelChoice& model : out) require_domain(tree, model);
-  const bool written =
-      std::ranges::any_of(out, [](const ModelChoice& m) { return m.tape != nullptr; });
-  if (written && anisotropic(out)) {
-    const std::string key = "potential." + out.back().slot;
-    throw InputError(tree.key_origin(key), key, "found it beside a potential written out",
-                     "built-in models, plane and thickness or coupled, with it",
-                     "write the rest with built-in models");
-  }
   return out;
 }
 
@@ -455,6 +444,23 @@ AnyPlane<> any_plane(const ModelChoice& choice) {
   return {{PlanarExpression<>(choice.tape, coefficient_list(choice.coefficients))}};
 }
 
+AnisotropicPotential::Plane oriented_plane(const ModelChoice& choice) {
+  if (!choice.tape) return Potential::oriented_plane(choice.description.name, choice.coefficients);
+  const auto coefficients = coefficient_list(choice.coefficients);
+  if (choice.description.isotropic) return PlanarExpression<>(choice.tape, coefficients);
+  return OrientedExpression<>(choice.tape, coefficients);
+}
+
+AnisotropicPotential::Coupled oriented_coupled(const ModelChoice& choice) {
+  if (!choice.tape) {
+    return std::visit([](const auto& model) -> AnisotropicPotential::Coupled { return model; },
+                      Potential::coupled(choice.description.name, choice.coefficients));
+  }
+  const auto coefficients = coefficient_list(choice.coefficients);
+  if (choice.description.isotropic) return CoupledExpression<>(choice.tape, coefficients);
+  return OrientedExpression<>(choice.tape, coefficients);
+}
+
 AnyThickness<> any_thickness(const ModelChoice& choice) {
   if (!choice.tape) return {{Potential::thickness(choice.description.name, choice.coefficients)}};
   return {{ThicknessExpression<>(choice.tape, coefficient_list(choice.coefficients))}};
@@ -471,9 +477,9 @@ Potential make_potential(std::span<const ModelChoice> models) {
       if (model.description.kind == ModelDescription::Kind::fibre)
         fibres.push_back({model.coefficients[0], model.coefficients[1]});
     if (models[0].slot == "coupled")
-      return Potential(AnisotropicPotential(Potential::coupled(name(0), values(0)), fibres));
-    return Potential(AnisotropicPotential(Potential::oriented_plane(name(0), values(0)),
-                                          Potential::thickness(name(1), values(1)), fibres));
+      return Potential(AnisotropicPotential(oriented_coupled(models[0]), fibres));
+    return Potential(
+        AnisotropicPotential(oriented_plane(models[0]), any_thickness(models[1]), fibres));
   }
   const bool written_out =
       std::ranges::any_of(models, [](const ModelChoice& m) { return m.tape != nullptr; });

@@ -108,11 +108,6 @@ std::optional<std::string> coupled_reason(const NeoHookean3d<>& m, const Rates& 
 std::optional<std::string> nonexistence_reason(const Problem& problem, double nu) {
   if (!problem.potential().is_built_in()) return std::nullopt;
   const Rates c = problem.rates(two_product(nu, nu));
-  if (!problem.potential().is_isotropic()) {
-    const auto& base = problem.potential().anisotropic().model().base;
-    const auto* parts = std::get_if<AnisotropicModel<double>::Separate>(&base);
-    return parts == nullptr ? std::nullopt : thickness_reason(parts->thickness, c);
-  }
   if (!problem.potential().is_separable()) {
     return std::visit([&](const auto& model) { return coupled_reason(model, c); },
                       problem.potential().coupled());

@@ -89,7 +89,7 @@ Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& mode
   const double uncertainty = std::isnan(bound) ? 1e-15 : std::max(bound, 0x1p-53);
   const Body& body = spin.body;
   const AnisotropicPotential& V = models.potential;
-  const bool straight = spin.about_axis && double(q.alpha) == 0.0 && V.even_in_alpha();
+  const bool straight = spin.about_axis && double(q.alpha) == 0.0 && V.shear_free();
   const DoubleDouble omega = nu[axis(spin.branch)];
   if (straight && double(omega) != 0.0) {
     const auto input = [](const auto& x) { return Conditioned::input(leading(x)); };

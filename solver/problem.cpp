@@ -14,15 +14,20 @@ ThicknessRule thickness_rule(const Potential& potential, Branch branch) {
 std::vector<PlanItem> oriented_plan(const AnisotropicPotential& V, Branch branch) {
   std::vector<PlanItem> plan;
   const bool even = V.even_in_alpha();
+  const bool known = V.sheared();
   if (branch != Branch::iii) {
-    plan.push_back({"alpha", "0, not an unknown",
-                    even ? "compatibility (J1 xi + J2 zeta) alpha = 0 leaves no other value"
-                         : "compatibility leaves no other value, and V_alpha != 0 there: such a "
-                           "motion exists by chance only"});
-  } else {
     plan.push_back(
-        {"alpha", even ? "0 from rest; an unknown from another start" : "an unknown",
-         even ? "V is even in alpha: alpha = 0 solves its equation" : "V_alpha != 0 at alpha = 0"});
+        {"alpha", "0, not an unknown",
+         V.shear_free() ? "compatibility (J1 xi + J2 zeta) alpha = 0 leaves no other value"
+         : known        ? "compatibility leaves no other value, and V_alpha != 0 there: such a "
+                          "motion exists by chance only"
+                        : "compatibility leaves no other value, and V_alpha is not known to vanish "
+                          "there: such a motion may exist by chance only"});
+  } else {
+    plan.push_back({"alpha", even ? "0 from rest; an unknown from another start" : "an unknown",
+                    even    ? "V is even in alpha: alpha = 0 solves its equation"
+                    : known ? "V_alpha != 0 at alpha = 0"
+                            : "V is not even in alpha, or not known to be"});
   }
   plan.push_back({"rho", "an unknown",
                   V.is_separable()

@@ -288,13 +288,15 @@ std::shared_ptr<const Tape> anisotropic_tape(Expression e) {
 
 std::shared_ptr<const Tape> oriented_tape(Expression e) {
   require_room(e);
-  const bool shear_free = Facts::holds(shear_freedom(e));
+  const Verdict shear = shear_freedom(e);
+  const bool shear_free = Facts::holds(shear);
   const bool even = shear_free && Facts::holds(evenness(e));
   const auto finished = [&](const Tape& directed, std::shared_ptr<const Tape> isotropic) {
     auto out = std::make_shared<Tape>(directed);
     out->text = e.text;
     out->isotropic_terms = std::move(isotropic);
     out->shear_free = shear_free;
+    out->sheared = shear == Verdict::refuted;
     out->even = even;
     return out;
   };

@@ -46,12 +46,13 @@ struct Tape {
   Program residual_slopes;
   std::vector<double> fixed_constants;  ///< the constants in which no parameter is
   bool has_principal_stretches = false;
-  /// Of oriented_tape(): the terms that are isotropic as they are written, where there are any, with
-  /// the same parameters; the programs above are then of the other terms.
+  /// Of oriented_tape(): the terms that are isotropic as they are written, where there are any,
+  /// with the same parameters; the programs above are then of the other terms.
   std::shared_ptr<const Tape> isotropic_terms = {};
-  /// Of oriented_tape(), of the whole: established (facts.hpp).
-  bool shear_free = false;
-  bool even = false;
+  /// Of oriented_tape(), of the whole: what is established (facts.hpp).
+  bool shear_free = false;  ///< V_alpha = 0 at alpha = 0
+  bool sheared = false;     ///< V_alpha != 0 there, somewhere
+  bool even = false;        ///< V(-alpha) = V(alpha)
 };
 
 /// Inputs of the programs, in order.

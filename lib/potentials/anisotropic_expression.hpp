@@ -57,8 +57,9 @@ class OrientedExpression : public AnisotropicExpression<C> {
     if (tape->isotropic_terms) isotropic_.emplace(tape->isotropic_terms, coefficients);
   }
 
-  /// Where it is known to be so: V_alpha = 0 at alpha = 0; V(-alpha) = V(alpha).
+  /// Where it is known to be so: V_alpha = 0 at alpha = 0; not so; V(-alpha) = V(alpha).
   bool shear_free() const { return this->tape()->shear_free; }
+  bool sheared() const { return this->tape()->sheared; }
   bool even() const { return this->tape()->even; }
 
   /// W; order 0, 1, 2 as in evaluate() of the other models.

@@ -29,6 +29,15 @@ std::string start_text(const Case& input) {
                      start->zeta, start->rho);
 }
 
+const char* symmetry_text(const Potential& potential) {
+  if (potential.is_isotropic()) return "isotropic";
+  const AnisotropicPotential& V = potential.anisotropic();
+  if (V.even_in_alpha()) return "anisotropic, even in alpha: V_alpha = 0 at alpha = 0";
+  if (V.shear_free()) return "anisotropic, V_alpha = 0 at alpha = 0";
+  return V.sheared() ? "anisotropic, V_alpha != 0 at alpha = 0"
+                     : "anisotropic, V_alpha at alpha = 0 is not known to vanish";
+}
+
 ExitCode check_case(const CaseOptions& options) {
   const Case input = options.read();
   constexpr std::size_t label_width = 14;
@@ -45,13 +54,9 @@ ExitCode check_case(const CaseOptions& options) {
     out.line("", model.description.formula);
     for (const std::string& fact : model.facts) out.line("", fact);
   }
-  const Potential& V = input.potential;
-  out.line("potential", fmt::format("{}, {}", V.is_separable() ? "separable" : "coupled",
-                                    V.is_isotropic() ? "isotropic"
-                                    : V.anisotropic().even_in_alpha()
-                                        ? "anisotropic, even in alpha: V_alpha = 0 at "
-                                          "alpha = 0"
-                                        : "anisotropic, V_alpha != 0 at alpha = 0"));
+  out.line("potential",
+           fmt::format("{}, {}", input.potential.is_separable() ? "separable" : "coupled",
+                       symmetry_text(input.potential)));
   out.line("motion", motion_text(input.motion));
   out.line("solve",
            fmt::format("method {}, start: {}", name(input.solve.method), start_text(input)));

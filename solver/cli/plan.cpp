@@ -43,18 +43,19 @@ std::vector<PlanItem> oblique_unknowns(const Case& input) {
 
 /// Of a potential that is not isotropic.
 PlanItem oriented_spectrum_item(const Case& input) {
-  const bool even = input.potential.anisotropic().even_in_alpha();
+  const bool straight = input.potential.anisotropic().shear_free();
   const auto* rotation = std::get_if<AxisRotation>(&input.motion);
-  if (rotation != nullptr && even && rotation->nu != 0.0) {
+  if (rotation != nullptr && straight && rotation->nu != 0.0) {
     return {"spectrum", "5 modes from blocks where alpha = 0, else from the whole problem",
-            "V is even in alpha: reflections split the dynamics about a material axis"};
+            "V_alpha = 0 at alpha = 0: reflections split the dynamics about a material axis"};
   }
   const bool at_rest = rotation != nullptr && rotation->nu == 0.0;
   return {"spectrum",
           std::string(at_rest ? "4" : "5") +
               " modes from the whole problem, by a structure-preserving method",
-          rotation == nullptr ? "no reflection makes blocks of the dynamics about an oblique axis"
-                              : "V is not even in alpha, or nu = 0: no blocks"};
+          rotation == nullptr
+              ? "no reflection makes blocks of the dynamics about an oblique axis"
+              : "V_alpha != 0 at alpha = 0, or not known to vanish, or nu = 0: no blocks"};
 }
 
 /// The blocks that alpha = 0 and an isotropic potential split the linearization into.
