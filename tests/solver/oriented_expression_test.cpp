@@ -2,11 +2,13 @@
 // types a solve has, and what is known of alpha.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "lib/anisotropic_potential.hpp"
+#include "solver/oriented_boxes.hpp"
 #include "tests/solver/written_potential.hpp"
 #include "tests/support/random_states.hpp"
 
@@ -78,6 +80,37 @@ TEST(OrientedExpression, IsTheBuiltInOneInAllNumberTypes) {
         EXPECT_LE(std::abs(double(a.gradient[i] - b.gradient[i])), 1e-27);
         for (int j = 0; j < 4; ++j)
           EXPECT_LE(std::abs(double(a.hessian(i, j) - b.hessian(i, j))), 1e-26);
+      }
+    }
+  }
+}
+
+TEST(OrientedExpression, IntervalsHoldThePointsOfBoxes) {
+  Random random(903);
+  for (const AnisotropicPotential& V : written()) {
+    const auto boxed = V.model(AsIntervals{Inputs::decimals});
+    for (int k = 0; k < 10; ++k) {
+      const Stretch low = random_stretch(random);
+      const double width = random.uniform(0.0, 0.1);
+      const auto side = [&](double x) { return Interval(x, x + width); };
+      const auto hull = potential_derivatives<2>(
+          boxed,
+          BasicStretch<Interval>{side(low.alpha), side(low.xi), side(low.zeta), side(low.rho)});
+      for (int point = 0; point < 5; ++point) {
+        const auto inside = [&](double x) {
+          return std::min(x + width * random.uniform(0.0, 1.0), x + width);
+        };
+        const Stretch q{inside(low.alpha), inside(low.xi), inside(low.zeta), inside(low.rho)};
+        const auto exact = potential_derivatives<2>(V.model(AsExtended()), as<DoubleDouble>(q));
+        const auto holds = [](const Interval& x, const DoubleDouble& value) {
+          return double(value - x.lo) >= 0.0 && double(x.hi - value) >= 0.0;
+        };
+        EXPECT_TRUE(holds(hull.value, exact.value));
+        for (int i = 0; i < 4; ++i) {
+          EXPECT_TRUE(holds(hull.gradient[i], exact.gradient[i])) << i;
+          for (int j = 0; j < 4; ++j)
+            EXPECT_TRUE(holds(hull.hessian(i, j), exact.hessian(i, j))) << i << j;
+        }
       }
     }
   }
