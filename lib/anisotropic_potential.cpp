@@ -43,7 +43,7 @@ AnisotropicPotential::AnisotropicPotential(const Plane& plane, const AnyThicknes
   model_.base = Model::Separate{plane, thickness};
   if (fibres_.empty() && !std::holds_alternative<OrthotropicSaintVenantKirchhoff<>>(plane) &&
       directed_expression() == nullptr)
-    throw std::invalid_argument("a fibre, or an orthotropic or written-out anisotropic plane");
+    throw std::invalid_argument("a fibre, or an anisotropic plane");
   add_fibres();
 }
 
@@ -52,7 +52,7 @@ AnisotropicPotential::AnisotropicPotential(const Coupled& coupled, std::vector<F
   std::visit([](const auto& model) { require_domain(model); }, coupled);
   model_.base = coupled;
   if (fibres_.empty() && directed_expression() == nullptr)
-    throw std::invalid_argument("a fibre, or a written-out anisotropic potential");
+    throw std::invalid_argument("a fibre, or an anisotropic potential");
   add_fibres();
 }
 

@@ -174,7 +174,7 @@ TEST(AnisotropicPotential, DomainIsHeld) {
   const auto plane = [&](const AnisotropicPotential::Plane& model, std::vector<Fibre> fibres) {
     return [=] { return AnisotropicPotential(model, thickness, fibres); };
   };
-  refused(plane(Biot<>{1.0, 1.0}, {}), "a fibre, or an orthotropic plane");
+  refused(plane(Biot<>{1.0, 1.0}, {}), "a fibre, or an anisotropic plane");
   refused(plane(Biot<>{-1.0, 1.0}, {{1.0, 3.0}}), "mu > 0");
   refused(plane(Biot<>{1.0, 1.0}, {{0.0, 3.0}}), "k > 0");
   refused(plane(Biot<>{1.0, 1.0}, {{1.0, INFINITY}}), "degrees finite");
