@@ -1,6 +1,5 @@
 #include "solver/anisotropic_equilibrium.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "solver/anisotropic_rest.hpp"
 #include "solver/anisotropic_search.hpp"
 #include "solver/existence.hpp"
 #include "solver/follow.hpp"
@@ -141,80 +141,14 @@ class AnisotropicSolve {
     }
   }
 
-  /// The rest state's stretch: Newton from that of the isotropic part, the fibres made stiff bit by
-  /// bit where that fails; without an isotropic part whose rest state is known, the minimum of V
-  /// nearest to S = 1 that is found.
   std::optional<Stretch> rest_state() {
-    const double r = V_.rest_stretch();
-    const double rho = V_.rest_thickness();
-    if (std::isfinite(r) && std::isfinite(rho)) {
-      const Stretch isotropic{0.0, r, r, rho};
-      for (const int steps : {1, 8, 64}) {
-        Stretch q = isotropic;
-        bool reached = true;
-        for (int k = 1; reached && k <= steps; ++k) reached = rest_at(double(k) / steps, q);
-        if (reached) return q;
-      }
-      out_.message = "no rest state was found from that without fibres";
-    } else {
-      if (const auto found = nearest_minimum(std::isfinite(rho) ? rho : 1.0)) return found;
-      if (stopped()) {
-        out_.status = SolveStatus::interrupted;
-        return std::nullopt;
-      }
-      out_.message = "no rest state, a minimum of V, was found";
-    }
-    out_.status = SolveStatus::not_found;
+    SolveOptions how = options_;
+    how.search = wants_search();
+    const AnisotropicRest rest = anisotropic_rest(body_, potential_, how, out_.counts);
+    if (rest.q) return rest.q;
+    out_.status = stopped() ? SolveStatus::interrupted : SolveStatus::not_found;
+    out_.message = rest.message;
     return std::nullopt;
-  }
-
-  /// By Newton from a few stretches around the unit, then among all of an exhaustive search.
-  std::optional<Stretch> nearest_minimum(double rho) {
-    std::optional<Stretch> out;
-    const auto consider = [&](const Stretch& q) {
-      if (is_minimum(q) && (!out || from_unit(q, rho) < from_unit(*out, rho))) out = q;
-    };
-    for (const double xi : {1.0, 0.7, 1.5}) {
-      for (const double zeta : {1.0, 0.7, 1.5}) {
-        for (const double shear : {0.0, 0.2, -0.2}) {
-          Stretch q{shear * std::sqrt(xi * zeta), xi, zeta, rho};
-          if (rest_at(1.0, q)) consider(q);
-        }
-      }
-    }
-    if (out || !wants_search()) return out;
-    const Problem problem(body_, potential_, Branch::iii);
-    for (const Equilibrium& each :
-         search_anisotropic(problem, 0.0, {.stop = options_.stop}).solutions)
-      consider(each.q);
-    return out;
-  }
-  bool is_minimum(const Stretch& q) const {
-    const Eigen::LLT<Matrix4<double>> factors(potential_.derivatives(q).hessian);
-    return factors.info() == Eigen::Success;
-  }
-  /// Largest |ln| of the principal stretches, those of the plane and rho over what it is at rest.
-  static double from_unit(const Stretch& q, double rho) {
-    const PrincipalStretches plane = principal_stretches(q);
-    return std::max({std::abs(std::log(plane.lambda)), std::abs(std::log(plane.mu)),
-                     std::abs(std::log(q.rho / rho))});
-  }
-  /// q corrected to the rest state with a share of the fibres' stiffness.
-  bool rest_at(double share, Stretch& q) {
-    AnisotropicPotential part = V_;
-    for (int place = V_.fibre_place(), k = 0; place < V_.coefficient_count(); place += 2, ++k)
-      part = part.with_coefficient(place, share * V_.fibres()[static_cast<std::size_t>(k)].k);
-    const OrientedModels models(part);
-    const OrientedSystem<ShearedLayout> system{&models, body_, Branch::iii, 0.0};
-    ReducedVector<4> x(q.xi, q.zeta, q.rho, shear_coordinate(q));
-    const NewtonResult found = newton(system, x);
-    out_.counts.newton_steps += found.steps;
-    out_.counts.jacobians += found.steps;
-    if (!found.converged) return false;
-    // Newton from alpha = 0 stays there but for rounding.
-    if (V_.shear_free() && q.alpha == 0.0) x[3] = 1.0;
-    q = oriented_stretch(x[0], x[1], x[2], x[3]).q;
-    return true;
   }
 
   template <int N>
