@@ -206,11 +206,10 @@ void add_in_logarithms(const OrientedStretch<S>& at, const CoupledDerivatives<S>
   }
 }
 
-/// The balance, in (u, v, w, a); of phi nothing.
+/// The balance, in (u, v, w, a), of V's derivatives there; of phi nothing.
 template <int order, class S>
-OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicModel<S>& model,
+OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicDerivatives<S>& V,
                                     const OrientedStretch<S>& at, const SpinProducts<S>& n) {
-  const AnisotropicDerivatives<S> V = model.template evaluate<order>(at.invariants(), at.q);
   OrientedBalance<S> out;
   add_in_logarithms<order>(at, V.isotropic, out);
   const Matrix4<S> C = centrifugal_matrix(J, n);
@@ -222,6 +221,12 @@ OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicModel
   const Matrix4<S> hessian = order >= 2 ? Matrix4<S>(V.directed.hessian - C) : V.directed.hessian;
   add_in_logarithms<order>(at, gradient, hessian, out);
   return out;
+}
+
+template <int order, class S>
+OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicModel<S>& model,
+                                    const OrientedStretch<S>& at, const SpinProducts<S>& n) {
+  return oriented_balance<order>(J, model.template evaluate<order>(at.invariants(), at.q), at, n);
 }
 
 /// I22 - I11, I12, I11 + I22 of the locked inertia, in the plane.

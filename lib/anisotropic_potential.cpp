@@ -42,7 +42,7 @@ AnisotropicPotential::AnisotropicPotential(const Plane& plane, const AnyThicknes
   thickness.visit([](const auto& model) { require_domain(model); });
   model_.base = Model::Separate{plane, thickness};
   if (fibres_.empty() && !std::holds_alternative<OrthotropicSaintVenantKirchhoff<>>(plane) &&
-      directed_expression() == nullptr)
+      model_.expression() == nullptr)
     throw std::invalid_argument("a fibre, or an anisotropic plane");
   add_fibres();
 }
@@ -51,7 +51,7 @@ AnisotropicPotential::AnisotropicPotential(const Coupled& coupled, std::vector<F
     : fibres_(std::move(fibres)) {
   std::visit([](const auto& model) { require_domain(model); }, coupled);
   model_.base = coupled;
-  if (fibres_.empty() && directed_expression() == nullptr)
+  if (fibres_.empty() && model_.expression() == nullptr)
     throw std::invalid_argument("a fibre, or an anisotropic potential");
   add_fibres();
 }
@@ -81,24 +81,18 @@ bool AnisotropicPotential::fibres_even() const {
   return constant == 0.0 && of_cosine == 0.0;
 }
 
-const OrientedExpression<>* AnisotropicPotential::directed_expression() const {
-  if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
-    return std::get_if<OrientedExpression<>>(&separate->plane);
-  return std::get_if<OrientedExpression<>>(&std::get<Coupled>(model_.base));
-}
-
 bool AnisotropicPotential::even_in_alpha() const {
-  const auto* expression = directed_expression();
+  const auto* expression = model_.expression();
   return fibres_even() && (expression == nullptr || expression->even());
 }
 
 bool AnisotropicPotential::shear_free() const {
-  const auto* expression = directed_expression();
+  const auto* expression = model_.expression();
   return fibres_even() && (expression == nullptr || expression->shear_free());
 }
 
 bool AnisotropicPotential::sheared() const {
-  const auto* expression = directed_expression();
+  const auto* expression = model_.expression();
   if (expression == nullptr || expression->shear_free()) return !fibres_even();
   return expression->sheared() && fibres_even();
 }

@@ -56,6 +56,13 @@ struct AnisotropicModel {
   std::array<FibreTerm<C>, max_fibres> fibres{};
   std::size_t fibre_count = 0;
 
+  /// The part that is a written-out anisotropic one, or nullptr.
+  const OrientedExpression<C>* expression() const {
+    if (const auto* separate = std::get_if<Separate>(&base))
+      return std::get_if<OrientedExpression<C>>(&separate->plane);
+    return std::get_if<OrientedExpression<C>>(&std::get<OrientedCoupledModels<C>>(base));
+  }
+
   /// x: the invariants of q, which a caller may know better than by its entries.
   template <int order>
   AnisotropicDerivatives<C> evaluate(const PlanarInvariants<C>& x, const BasicStretch<C>& q) const {
@@ -177,7 +184,6 @@ class AnisotropicPotential {
   void add_fibres();
   /// Whether the odd parts of all fibres' V cancel.
   bool fibres_even() const;
-  const OrientedExpression<>* directed_expression() const;
 
   std::vector<Fibre> fibres_;
   Model model_;

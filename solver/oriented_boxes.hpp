@@ -57,11 +57,17 @@ struct OrientedBoxSystem {
     AnisotropicModel<Interval> without = model;
     without.fibre_count = 0;
     const AxisAngle<Interval> axis = axis_angle(y[4]);
+    AnisotropicDerivatives<Interval> V = without.evaluate<1>(at.invariants(), at.q);
+    // What a written-out model pulls is narrower as one expression.
+    std::optional<Interval> written;
+    if (const auto* expression = model.expression()) written = expression->plane_pull(at.q);
+    if (written) V.directed.gradient.setConstant(Interval(0.0));
     const auto b =
-        oriented_balance<1>(J, without, at,
+        oriented_balance<1>(J, V, at,
                             Layout::axis ? in_plane_products(nu_squared, axis.cosine, axis.sine)
                                          : axis_products(branch, nu_squared));
     Interval sum = b.g[oriented::u] + b.g[oriented::v];
+    if (written) sum += *written;
     for (std::size_t k = 0; k < model.fibre_count; ++k) {
       const auto& [c, s] = model.fibres[k].along;
       const Interval n = square(at.q.xi * c + at.q.alpha * s) +

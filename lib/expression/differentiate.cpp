@@ -21,13 +21,14 @@ NodeId Differentiation::of_variable(Variable v) {
   const auto itself = [&](bool logarithm, bool plain) {
     return logarithm ? graph_.variable(v) : plain ? graph_.one() : graph_.zero();
   };
+  const bool plane = coordinate_ == Coordinate::log_plane;
   switch (v) {
     case Variable::alpha:
-      return itself(false, coordinate_ == Coordinate::alpha);
+      return itself(plane, coordinate_ == Coordinate::alpha);
     case Variable::xi:
-      return itself(coordinate_ == Coordinate::log_xi, coordinate_ == Coordinate::xi);
+      return itself(plane || coordinate_ == Coordinate::log_xi, coordinate_ == Coordinate::xi);
     case Variable::zeta:
-      return itself(coordinate_ == Coordinate::log_zeta, coordinate_ == Coordinate::zeta);
+      return itself(plane || coordinate_ == Coordinate::log_zeta, coordinate_ == Coordinate::zeta);
     case Variable::rho:
       return itself(coordinate_ == Coordinate::log_rho, coordinate_ == Coordinate::rho);
     case Variable::t:

@@ -15,13 +15,15 @@
 
 namespace stationary::expression {
 
-/// With respect to what: the logarithms of d (at fixed t), rho, xi, zeta; or a variable itself.
+/// With respect to what: the logarithms of d (at fixed t), rho, xi, zeta, of a factor of alpha, xi
+/// and zeta alike; or a variable itself.
 enum class Coordinate : std::uint8_t {
   t,
   log_d,
   log_rho,
   log_xi,
   log_zeta,
+  log_plane,
   alpha,
   xi,
   zeta,

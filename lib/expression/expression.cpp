@@ -144,6 +144,17 @@ Program slopes(TapeWriter& writer, Graph& graph, std::span<const NodeId> of,
   }
 }
 
+/// The derivative by a factor of alpha, xi and zeta alike.
+Program plane_pull(TapeWriter& writer, Graph& graph, NodeId potential,
+                   std::span<const Variable> inputs) {
+  const std::array<NodeId, 1> pull{Differentiation(graph, Coordinate::log_plane)(potential)};
+  try {
+    return writer.program(inputs, pull);
+  } catch (const TooLarge&) {
+    return {};
+  }
+}
+
 std::shared_ptr<const Tape> tape(Expression& e, NodeId smooth,
                                  std::span<const Coordinate> coordinates,
                                  std::span<const Variable> inputs,
@@ -164,6 +175,8 @@ std::shared_ptr<const Tape> tape(Expression& e, NodeId smooth,
   out->residual = writer.program(balance_inputs, residual);
   out->slopes = slopes(writer, e.graph, gradient, inputs, e.parameters);
   out->residual_slopes = slopes(writer, e.graph, residual, balance_inputs, e.parameters);
+  if (coordinates[0] == Coordinate::alpha)
+    out->plane_pull = plane_pull(writer, e.graph, smooth, inputs);
   out->has_principal_stretches = occurs(e.graph, smooth, {Variable::discriminant});
   out->coefficients = writer.coefficients();
   out->fixed_constants.resize(out->coefficients.constants.size());

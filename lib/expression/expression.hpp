@@ -53,6 +53,9 @@ struct Tape {
   bool shear_free = false;  ///< V_alpha = 0 at alpha = 0
   bool sheared = false;     ///< V_alpha != 0 there, somewhere
   bool even = false;        ///< V(-alpha) = V(alpha)
+  /// Of anisotropic_tape(): alpha V_alpha + xi V_xi + zeta V_zeta, as one expression: over
+  /// intervals narrower than that sum. No result where there is no room for it.
+  Program plane_pull = {};
 };
 
 /// Inputs of the programs, in order.

@@ -78,6 +78,17 @@ class OrientedExpression : public AnisotropicExpression<C> {
     if constexpr (order >= 2) out.hessian += own.hessian;
   }
 
+  /// alpha V_alpha + xi V_xi + zeta V_zeta of the directed terms, as one expression; none where the
+  /// tape has not got it.
+  std::optional<C> plane_pull(const BasicStretch<C>& q) const {
+    const expression::Program& program = this->programs().plane_pull;
+    if (program.results.empty()) return std::nullopt;
+    std::optional<C> out;
+    this->template run<C>(
+        program, [&](const auto& result) { out = result(0); }, q.alpha, q.xi, q.zeta, q.rho);
+    return out;
+  }
+
  private:
   std::optional<CoupledExpression<C>> isotropic_;
 };
