@@ -38,7 +38,7 @@ std::vector<AnisotropicPotential> written() {
   return {
       AnisotropicPotential(oriented(isotropic_text + " + " + fibre_text, names, values), axial, {}),
       AnisotropicPotential(
-          oriented("log(exp(" + isotropic_text + " + " + fibre_text + "))", names, values),
+          oriented("tan(atan(" + isotropic_text + " + " + fibre_text + "))", names, values),
           AnyThickness<>{{support::written_thickness("a/rho + b/2*rho^2", {"a", "b"}, {1.0, 3.0})}},
           {}),
       AnisotropicPotential(
