@@ -136,6 +136,25 @@ TEST(OrientedExpression, EveryCoefficientHasItsPlace) {
   }
 }
 
+TEST(OrientedExpression, PullOnThePlaneIsTheSumOfItsParts) {
+  Random random(904);
+  for (const AnisotropicPotential& V : written()) {
+    const OrientedExpression<>* expression = V.model().expression();
+    if (!V.fibres().empty()) {
+      EXPECT_EQ(expression, nullptr);
+      continue;
+    }
+    ASSERT_NE(expression, nullptr);
+    for (int k = 0; k < 10; ++k) {
+      const Stretch q = random_stretch(random);
+      const Vector4<double> force = expression->derivatives<1>(q).gradient;
+      const auto pull = expression->plane_pull(q);
+      ASSERT_TRUE(pull);
+      EXPECT_NEAR(*pull, force.head<3>().dot(q.vector().head<3>()), 1e-12);
+    }
+  }
+}
+
 TEST(OrientedExpression, WhatIsKnownOfAlpha) {
   struct Known {
     const char* text;
