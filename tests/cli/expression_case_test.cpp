@@ -45,8 +45,8 @@ TEST(ExpressionCase, WrongOnesAreRefusedAtTheirCharacter) {
       {"plane = { expression = \"mu*lgo(d)\", mu = 1.0 }", ":7:28", "log"},
       {"plane = { expression = \"mu*(d - 1\", mu = 1.0 }", ":7:34", "the end"},
       {"plane = { expression = \"mu*rho\", mu = 1.0 }", ":7:28", "rho"},
-      {"plane = { expression = \"d^2\", mu = 1.0 }", ":7:33", "does not occur"},
-      {"plane = { expression = \"abs(t - 2)\" }", ":7:24", "second derivative"},
+      {"plane = { expression = \"d^2\", mu = 1.0 }", ":7:31", "does not occur"},
+      {"plane = { expression = \"abs(t - 2)\" }", ":7:25", "second derivative"},
       {"plane = { expression = \"lambda^2 - mu_\" }", ":7:24", "lambda and mu_"},
       {"plane = { expression = 3 }", ":7:24", "a text"},
       {"plane = { expression = \"d\", model = \"biot\" }", ":7:29", "both model and expression"},
@@ -78,7 +78,7 @@ TEST(ExpressionCase, EveryStateOfRestIsFoundAndProven) {
     Row row = rows[k];
     EXPECT_NEAR(number(row["xi"]), std::sqrt(d[k]), 4e-16 * d[k]);
     EXPECT_EQ(row["xi"], row["zeta"]);
-    EXPECT_EQ(row["certified"], "proven");
+    EXPECT_EQ(row["certified"], "yes");
     EXPECT_EQ(row["class"], classes[k]);
   }
 }
@@ -145,7 +145,8 @@ TEST(ExpressionCase, IsFollowedInItsParameterAndMapped) {
   for (std::size_t k = 0; k < map.size(); ++k) {
     Row a = map[k];
     Row b = same[k];
-    EXPECT_EQ(a["status"], b["status"]);
+    // Only of a built-in model is it known that none exists.
+    EXPECT_EQ(a["status"] == "solved", b["status"] == "solved");
     EXPECT_EQ(a["class"], b["class"]);
     if (a["status"] == "solved") {
       EXPECT_NEAR(number(a["xi"]), number(b["xi"]), 4e-16);
