@@ -51,7 +51,8 @@ TEST(RunningError, BoundsTheBlocksOfASpectrum) {
     for (double& each : x) each = random.sign() * random.log_uniform(1e-3, 1e3);
     for (std::size_t k = 0; k < 6; ++k) x[k] = std::abs(x[k]);
     if (trial % 2 == 0) x[4] = x[3] * (1.0 + random.log_uniform(1e-12, 1e-3));  // cancels
-    const auto bounded = results_of(state_of<Bounded>(x, Bounded::input));
+    const auto bounded =
+        results_of(state_of<Bounded>(x, [](double each) { return Bounded::input(each); }));
     const auto exact = results_of(state_of<DoubleDouble>(
         x, [&](double each) { return two_sum(each, each * u * random.uniform(-1.0, 1.0)); }));
     for (std::size_t k = 0; k < exact.size(); ++k) {

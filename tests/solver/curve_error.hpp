@@ -26,7 +26,7 @@ std::vector<double> interpolation_errors(const Family<N>& family,
   for (const FollowedRow& row : all) {
     if (row.event != EventType::none && !is_end(row.event)) continue;
     if (!is_moderate(row.member.q)) continue;
-    Y at;
+    Y at = Y::Zero();
     at[0] = std::log(row.member.q.xi);
     at[1] = std::log(row.member.q.zeta);
     if constexpr (N == 3) at[2] = std::log(row.member.q.rho);

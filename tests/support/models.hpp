@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "lib/model_coefficients.hpp"
 #include "lib/potential.hpp"
 #include "tests/support/random_states.hpp"
 
@@ -98,18 +99,9 @@ std::string text_of(const Model& model) {
 }
 
 /// The same model with coefficients of type T.
-template <class T, template <class> class Model>
-Model<T> widen(const Model<double>& model) {
-  const auto c = model.coefficients();
-  return [&]<std::size_t... K>(std::index_sequence<K...>) { return Model<T>{T(c[K])...}; }
-  (std::make_index_sequence<std::tuple_size_v<decltype(c)>>{});
-}
-template <class T, class Plane, class Thickness>
-auto widen(const Separable<Plane, Thickness>& model) {
-  const auto plane = widen<T>(model.plane);
-  const auto thickness = widen<T>(model.thickness);
-  return Separable<std::remove_cv_t<decltype(plane)>, std::remove_cv_t<decltype(thickness)>>{
-      plane, thickness};
+template <class T, class Model>
+auto widen(const Model& model) {
+  return with_coefficients(model, [](double c) { return T(c); });
 }
 
 /// The model as the run-time class.
