@@ -84,8 +84,8 @@ TEST(Models, ListsAllOfThemWithFormulaParametersAndDomain) {
     for (const std::string& text : {outcome.out, one.out}) {
       EXPECT_THAT(text, HasSubstr(std::string(model.name)));
       EXPECT_THAT(text, HasSubstr(std::string(model.formula)));
-      for (const auto inequality : model.domain)
-        EXPECT_THAT(text, HasSubstr(std::string(inequality)));
+      for (const std::string& inequality : model.domain)
+        EXPECT_THAT(text, HasSubstr(inequality));
     }
   }
 }
