@@ -78,7 +78,7 @@ const std::vector<ModelDescription>& anisotropic_descriptions() {
       described<OrthotropicSaintVenantKirchhoff<>>(Kind::planar, false),
       {Kind::fibre,
        "fibre",
-       "(k/2) (f . S^2 f - 1)^2,  f = (cos, sin) of an angle in degrees from axis 1",
+       "(k/2) (f . S^2 f - 1)^2,  f at an angle of so many degrees to axis 1",
        {"k", "degrees"},
        {"k > 0"},
        false}};

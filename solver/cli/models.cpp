@@ -14,6 +14,8 @@ namespace {
 
 using Kind = ModelDescription::Kind;
 
+constexpr std::size_t label_width = 26;
+
 std::string joined(const std::vector<std::string>& parts) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -50,14 +52,15 @@ std::string_view assumption(const ModelDescription& model) {
 }
 
 void add_model(Report& out, const ModelDescription& model) {
-  out.line(model.name, model.formula);
+  const bool wide = model.name.size() >= label_width;
+  if (wide) out.line(model.name, "");
+  out.line(wide ? "" : model.name, model.formula);
   out.line("  parameters", joined(model.parameters));
   out.line("  domain", joined(model.domain));
   out.line("  assumed", assumption(model));
 }
 
 ExitCode list_models(const std::string& only) {
-  constexpr std::size_t label_width = 26;
   Report out(label_width);
   std::vector<ModelDescription> all = model_descriptions();
   all.insert(all.end(), anisotropic_descriptions().begin(), anisotropic_descriptions().end());
