@@ -7,7 +7,6 @@
 //   tolerance   [output] spectrum, ...   [map] x, y
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +19,7 @@
 #include "lib/potential.hpp"
 #include "solver/anisotropic_family.hpp"
 #include "solver/case_map.hpp"
+#include "solver/case_potential.hpp"
 #include "solver/case_tree.hpp"
 #include "solver/equilibrium.hpp"
 #include "solver/event.hpp"
@@ -28,20 +28,6 @@
 #include "solver/two_polar_equilibrium.hpp"
 
 namespace stationary {
-
-/// A model by name with its coefficients, or an expression with its parameters, as written under
-/// `potential.<slot>`.
-struct ModelChoice {
-  std::string slot;  ///< plane, thickness, coupled, fibre or second_fibre
-  ModelDescription description;
-  std::vector<double> coefficients;                   ///< in the order of description.parameters
-  std::shared_ptr<const expression::Tape> tape = {};  ///< of an expression
-  std::vector<std::string> facts = {};                ///< found out about an expression
-};
-
-/// The potential of one coupled model, or of a planar and a thickness one, with fibres or without.
-/// Throws std::invalid_argument with the violated inequality.
-Potential make_potential(std::span<const ModelChoice> models);
 
 /// A steady rotation about a material axis: branches (i), (ii), (iii).
 struct AxisRotation {

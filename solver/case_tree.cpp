@@ -135,4 +135,16 @@ const Origin& CaseTree::nearest(const Origins& origins, std::string_view key) {
   }
 }
 
+const toml::node* find(const CaseTree& tree, std::string_view path) {
+  const toml::node* at = &tree.root();
+  while (!path.empty()) {
+    const std::size_t dot = path.find('.');
+    const toml::table* table = at->as_table();
+    at = table == nullptr ? nullptr : table->get(path.substr(0, dot));
+    if (at == nullptr) return nullptr;
+    path = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
+  }
+  return at;
+}
+
 }  // namespace stationary

@@ -49,6 +49,9 @@ class CaseTree {
   std::map<std::string, std::string, std::less<>> overrides_;
 };
 
+/// The node at a dotted key of tables, or nullptr.
+const toml::node* find(const CaseTree& tree, std::string_view path);
+
 /// What a node is, for a message: `the string "fast"`, `the number nan`, `an array of 2 values`.
 std::string describe(const toml::node& node);
 
