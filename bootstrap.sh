@@ -93,8 +93,8 @@ if [[ $verb == run ]]; then
 else
   build release all
   run_tests release
-  # Under the sanitizers the mechanics, and the whole program from outside; the solver's own tests
-  # would double the time and reach no other code.
+  # Under the sanitizers the mechanics, and the whole program from outside; with the solver's own
+  # tests it would take twice as long: `cmake --workflow --preset sanitize` runs those too.
   build sanitize all -D STATIONARY_SOLVER_TESTS=OFF
   run_tests sanitize
 fi

@@ -70,6 +70,9 @@ void require_valid(const BatchInput& input) {
     if (values.size() != 1 && values.size() != input.lanes)
       throw std::invalid_argument("one value for all lanes, or one each");
   };
+  const BatchInput own(Problem({1.0, 1.0, 1.0}, input.potential, input.branch), 1, {});
+  if (input.plane.size() != own.plane.size() || input.thickness.size() != own.thickness.size())
+    throw std::invalid_argument("as many coefficients as the models have");
   for (const auto* values : {&input.plane, &input.thickness})
     for (const LaneValues& each : *values) require_size(each);
   for (const LaneValues& each : input.inertia) require_size(each);

@@ -150,6 +150,8 @@ Answer one(const Case& input, const Family& family, const SolveOptions& options)
   Answer out;
   out.status = found.status;
   out.message = found.message;
+  // Of an anisotropic body only a search says so.
+  out.only_in_box = found.status == SolveStatus::none_exists && !input.potential.is_isotropic();
   out.connection = connection_of(found, options);
   out.counts = named_counts(found.counts);
   if (!out.solved()) return out;

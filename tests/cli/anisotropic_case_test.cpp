@@ -113,6 +113,7 @@ TEST(AnisotropicCase, NoMotionAboutAnAxisThatIsNoneOfSymmetry) {
   const Outcome outcome = run({"solve", fibre_case}, {"motion.branch=\"i\""});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("no stationary ellipse about this axis"));
+  EXPECT_THAT(outcome.err, HasSubstr("no stationary ellipsoid in the box searched"));
   EXPECT_THAT(outcome.err, HasSubstr("the nearest residual is"));
 }
 

@@ -354,7 +354,9 @@ TEST(Batch, MisuseThrows) {
   refused(input, {}, "mu > 0");
   input.plane[0] = std::vector<double>{1.0, 1.0, 1.0};
   refused(input, {}, "one value for all lanes, or one each");
-  input.plane[0] = 1.0;
+  input.plane.pop_back();
+  refused(input, {}, "as many coefficients as the models have");
+  input.plane = {1.0, 2.0};
   input.nu = {std::numeric_limits<double>::quiet_NaN()};
   refused(input, {}, "nu finite");
   input.nu = {0.1};
