@@ -51,7 +51,7 @@ foreach(case IN LISTS cases)
   message(STATUS "${name}")
 endforeach()
 
-foreach(name neo_hookean apart near_degenerate circle double_well two_wells) # every sheet of these bodies
+foreach(name neo_hookean apart near_degenerate circle double_well two_wells fibre) # every sheet of these bodies
   run_program(atlas cases/${name}.toml -o ${INTO}/${name}_atlas.csv --quiet)
   foreach(format svg png)
     run_program(plot ${INTO}/${name}_atlas.csv -o ${INTO}/${name}_atlas.${format} --quiet)

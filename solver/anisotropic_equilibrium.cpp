@@ -1,6 +1,5 @@
 #include "solver/anisotropic_equilibrium.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,6 +9,7 @@
 
 #include "solver/anisotropic_rest.hpp"
 #include "solver/anisotropic_search.hpp"
+#include "solver/departure.hpp"
 #include "solver/existence.hpp"
 #include "solver/follow.hpp"
 #include "solver/newton.hpp"
@@ -224,7 +224,7 @@ class AnisotropicSolve {
     std::string failures;
     for (const Member& event : sink.events) {
       if (stopped()) break;
-      const auto start = off_axis_start(*family, event, near);
+      const auto start = leave_straight(*family, event, near);
       if (!start) continue;
       along(*family, start->q, start->parameter, nu,
             "the family that leaves " + axis + " at |nu| = " + text(event.nu));
@@ -311,26 +311,6 @@ void require_start(const SolveOptions& options) {
 }
 
 }  // namespace
-
-std::optional<Member> off_axis_start(const Family<5>& family, const Member& event, Branch near) {
-  const Corrector<5> corrector(family, event.nu, false);
-  ReducedVector<5> x;
-  const double angle = near == Branch::i ? 0.0 : 0.5 * std::numbers::pi;
-  x << event.q.xi, event.q.zeta, event.q.rho, 1.0, axis_coordinate(angle);
-  // The two directions of alpha and the axis, apart from the rest there.
-  const Eigen::Matrix2d block =
-      family.linearize(x, event.parameter).jacobian.bottomRightCorner<2, 2>();
-  const Eigen::JacobiSVD<Eigen::Matrix2d> svd(block, Eigen::ComputeFullV);
-  ArcVector<5> away = ArcVector<5>::Zero();
-  away.segment<2>(3) = svd.matrixV().col(1);
-  for (const double step : {1e-2, 3e-3, 1e-3}) {
-    const Corrected<5> at = corrector.correct(moved<5>(x, ReducedVector<5>(step * away.head<5>())),
-                                              event.parameter, away, step);
-    if (at.status != CorrectorStatus::converged) continue;
-    return family.member(at.point.x, at.point.tail, at.point.p, at.point.error_bound);
-  }
-  return std::nullopt;
-}
 
 Equilibrium solve_anisotropic(const Problem& problem, double nu, const SolveOptions& options) {
   require_start(options);

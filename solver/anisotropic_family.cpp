@@ -70,6 +70,19 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     return x;
   }
 
+  ReducedVector<N> coordinates_of(const Member& member) const override {
+    const Stretch& q = member.q;
+    ReducedVector<N> x = ones<N>();
+    x[0] = q.xi;
+    x[1] = q.zeta;
+    x[Layout::thickness_place] = q.rho;
+    if constexpr (Layout::alpha) x[Layout::alpha_place] = shear_coordinate(q);
+    if constexpr (Layout::axis)
+      x[Layout::axis_place] =
+          axis_coordinate(std::atan2(member.angular_velocity[1], member.angular_velocity[0]));
+    return x;
+  }
+
   SpinInertia<N> spin_inertia(const Member& member) const override {
     const Inertia3<double> J{member.body.J1, member.body.J2, member.body.J3};
     const ReducedVector<N> x = coordinates_of(member);
@@ -281,20 +294,6 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     std::array<double, 4> first;
     for (std::size_t i = 0; i < 4; ++i) first[i] = slopes[i].slope[0];
     return rows(first, scale);
-  }
-
-  /// x of a member, its axis as the member has it.
-  ReducedVector<N> coordinates_of(const Member& member) const {
-    const Stretch& q = member.q;
-    ReducedVector<N> x = ones<N>();
-    x[0] = q.xi;
-    x[1] = q.zeta;
-    x[Layout::thickness_place] = q.rho;
-    if constexpr (Layout::alpha) x[Layout::alpha_place] = shear_coordinate(q);
-    if constexpr (Layout::axis)
-      x[Layout::axis_place] =
-          axis_coordinate(std::atan2(member.angular_velocity[1], member.angular_velocity[0]));
-    return x;
   }
 
   Branch straight_branch(const ReducedVector<N>& x) const {

@@ -30,8 +30,4 @@ std::unique_ptr<Family<5>> oblique_family(const Body& body, const AnisotropicPot
                                           const AxisFamilyOptions& options,
                                           Branch near = Branch::i);
 
-/// A motion of an even V's oblique family a little way from the event where it leaves the axis of
-/// `near`.
-std::optional<Member> off_axis_start(const Family<5>& family, const Member& event, Branch near);
-
 }  // namespace stationary

@@ -14,8 +14,9 @@
 namespace stationary {
 namespace {
 
-/// More unknowns than the others' have, and coordinates that are not the balance's own.
-constexpr long box_factor = 20;
+/// More unknowns than the others' have, and coordinates that are not the balance's own: a few
+/// million boxes, some seconds, where a valley of V is nearly as steep as the centrifugal force.
+constexpr long box_factor = 200;
 
 template <class Layout>
 class OrientedSearch {

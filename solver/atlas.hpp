@@ -1,21 +1,23 @@
-// Every sheet of a body's steady rotations about its material axes over a range of nu, connected to
-// rest or not:
+// Every sheet of a body's steady rotations about its material axes, and of an anisotropic body
+// about oblique ones, over a range of nu, connected to rest or not:
 //
-//   1. at checkpoints inside the range all solutions of each branch are found, with proof
-//      (search.hpp);
+//   1. at checkpoints inside the range all motions of each kind are found, with proof (search.hpp,
+//      anisotropic_search.hpp);
 //   2. each that lies on no sheet known so far is followed both ways (follow.hpp);
-//   3. where a circle turns into ellipses and no sheet of these is known, one is entered there;
-//   4. where an axis can tilt and no tilted family begins or ends there yet, one is entered and
-//      followed (tilted_family.hpp);
-//   5. at every checkpoint the solutions on the sheets are counted against those proven: where they
+//   3. where a sheet lets others go (a circle turns into ellipses, an ellipse or an axis away from
+//      the material axes) and none of these is known, one is entered there;
+//   4. isotropic V: where an axis can tilt and no tilted family begins or ends there yet, one is
+//      entered and followed (tilted_family.hpp);
+//   5. at every checkpoint the motions on the sheets are counted against those proven: where they
 //      agree, no sheet that passes there is missing.
 //
-// nu and -nu are one, and with J1 = J2 so are (i) and (ii), an ellipse of (iii) and the same turned
-// by a right angle.
+// nu and -nu are one, and with J1 = J2 and an isotropic V so are (i) and (ii), an ellipse of (iii)
+// and the same turned by a right angle; with an even V S and its mirror image are.
 // The work is shared by threads; what comes out does not depend on their number.
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,14 +32,19 @@ namespace stationary {
 struct AtlasOptions {
   double from = 0.0;  ///< range of nu, 0 <= from < to
   double to = 1.0;
-  int checkpoints = 256;  ///< of each branch, in the middle of as many equal parts of the range
+  /// Of each kind of motion, in the middle of as many equal parts of the range. A search takes
+  /// microseconds to milliseconds; of an anisotropic body tenths of a second to seconds.
+  int checkpoints = 256;
   std::vector<Branch> branches{Branch::i, Branch::ii, Branch::iii};
+  bool oblique = true;  ///< of an anisotropic body its oblique motions too
   StepOptions step;
   long max_points = 1'000'000;  ///< of each sheet
   SearchOptions search;
   bool spectrum = true;
   int threads = 1;
   const std::atomic<bool>* stop = nullptr;  ///< becomes true: end with what is there
+  /// Called after each search with the fraction done of them, by one thread at a time.
+  std::function<void(double)> progress = {};
 };
 
 struct AtlasRow {
@@ -50,9 +57,12 @@ enum class Entry {
   rest,     ///< through the rest state
   search,   ///< through a solution found at a checkpoint
   ellipse,  ///< off a circle that turns into ellipses
+  shear,    ///< off a sheet of (iii) whose ellipse can turn away from the material axes
+  oblique,  ///< off a sheet of (i), (ii) whose axis can
   tilt      ///< off a sheet whose axis can tilt
 };
-constexpr std::string_view entry_names[] = {"rest", "search", "ellipse", "tilt"};
+constexpr std::string_view entry_names[] = {"rest",  "search",  "ellipse",
+                                            "shear", "oblique", "tilt"};
 constexpr std::string_view name(Entry e) { return entry_names[static_cast<int>(e)]; }
 
 /// Where the end of a sheet lies on another.
@@ -65,6 +75,7 @@ struct Junction {
 struct AtlasSheet {
   int number = 0;  ///< from 1
   Branch branch = Branch::i;
+  bool oblique = false;  ///< `branch` then has no meaning
   Entry entry = Entry::rest;
   double entry_nu = 0.0;
   std::optional<TiltPlane> plane;  ///< of a tilted family: `branch` is then that it was entered at
@@ -74,9 +85,10 @@ struct AtlasSheet {
   std::vector<AtlasRow> rows;
 };
 
-/// All solutions of a branch at one nu, against the sheets.
+/// All motions of a branch, or all oblique ones, at one nu, against the sheets.
 struct Checkpoint {
   Branch branch = Branch::i;
+  bool oblique = false;
   double nu = 0.0;
   SearchStatus status = SearchStatus::not_run;
   int proven = 0;     ///< solutions in the box searched
@@ -89,20 +101,26 @@ struct Checkpoint {
   }
 };
 
-/// What was come upon and not followed.
+/// What was come upon and not followed, or is not looked for.
 struct Remark {
   Branch branch;
-  Entry entry;
+  bool oblique;
+  std::optional<Entry> entry;  ///< none: of the whole kind of motion
   double nu;
   std::string reason;
 };
 
 struct Atlas {
-  std::vector<AtlasSheet> sheets;       ///< by branch, then as they were found; tilted ones last
+  /// By branch, then as they were found; then oblique ones, tilted ones last.
+  std::vector<AtlasSheet> sheets;
   std::vector<Checkpoint> checkpoints;  ///< by branch, then nu
   std::vector<Remark> remarks;
   bool interrupted = false;
 };
+
+/// The kind of motion as tables name it; of a tilted family, the plane.
+std::string_view kind_name(const AtlasSheet& sheet);
+std::string_view kind_name(Branch branch, bool oblique);
 
 /// Throws std::invalid_argument unless 0 <= from < to, both finite, and checkpoints > 0.
 Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& options);

@@ -104,6 +104,7 @@ WrittenPotential read_written_out(const CaseTree& tree, std::string_view slot,
     expression::Facts facts = expression::facts(parsed.expression, slot_of(slot));
     out.facts = std::move(facts.sentences);
     out.facts.insert(out.facts.end(), parsed.notes.begin(), parsed.notes.end());
+    out.at_points = facts.any_at_points();
     out.isotropic = slot_of(slot) == ExpressionSlot::thickness || facts.is_isotropic();
     out.tape = compiled(slot_of(slot), std::move(parsed.expression), out.isotropic);
   } catch (const ExpressionError& error) {

@@ -23,6 +23,7 @@ struct WrittenPotential {
   std::vector<double> coefficients;  ///< in the order of tape->parameters
   std::vector<std::string> facts;    ///< what was found out about it, a sentence each
   bool isotropic = true;             ///< else the tape is of oriented_tape()
+  bool at_points = false;            ///< one of the facts was found at points (facts.hpp)
 };
 
 /// Of a table that require_written_out() let pass. slot: plane, thickness or coupled. Throws

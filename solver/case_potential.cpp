@@ -75,8 +75,12 @@ ModelChoice written_out(const CaseTree& tree, const std::string& slot, const tom
   WrittenPotential written = read_written_out(tree, slot, table);
   ModelDescription description{model_kind("potential." + slot), "expression", written.tape->text,
                                written.tape->parameters,        {},           written.isotropic};
-  return {slot, std::move(description), std::move(written.coefficients), std::move(written.tape),
-          std::move(written.facts)};
+  return {slot,
+          std::move(description),
+          std::move(written.coefficients),
+          std::move(written.tape),
+          std::move(written.facts),
+          written.at_points};
 }
 
 }  // namespace

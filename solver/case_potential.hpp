@@ -19,6 +19,7 @@ struct ModelChoice {
   std::vector<double> coefficients;                   ///< in the order of description.parameters
   std::shared_ptr<const expression::Tape> tape = {};  ///< of an expression
   std::vector<std::string> facts = {};                ///< found out about an expression
+  bool facts_at_points = false;                       ///< one of them at points (facts.hpp)
 };
 
 /// The potential of one coupled model, or of a planar and a thickness one, with fibres or without.

@@ -149,6 +149,10 @@ class Family {
       throw std::logic_error("a family of this dimension has coordinates of its own");
     }
   }
+  /// x of a member, its axis (oblique) as the member has it.
+  virtual ReducedVector<N> coordinates_of(const Member& member) const {
+    return coordinates(member.q, member.parameter);
+  }
   virtual SpinInertia<N> spin_inertia(const Member& member) const {
     const CentrifugalRates<double> I = axis_rates(member.body, branch(), 1.0);
     const Stretch& q = member.q;

@@ -95,7 +95,7 @@ Json sheets_json(const std::vector<AtlasSheet>& sheets) {
   Json out = Json::array();
   for (const AtlasSheet& sheet : sheets) {
     Json each{{"sheet", sheet.number},
-              {"branch", sheet.plane ? tilted_name : name(sheet.branch)},
+              {"branch", kind_name(sheet)},
               {"entry", name(sheet.entry)},
               {"entry_nu", sheet.entry_nu},
               {"rows", sheet.rows.size()}};
@@ -120,10 +120,13 @@ Json sheets_json(const std::vector<AtlasSheet>& sheets) {
 Json remarks_json(const std::vector<Remark>& remarks) {
   Json out = Json::array();
   for (const Remark& each : remarks) {
-    out.push_back({{"branch", name(each.branch)},
-                   {"entry", name(each.entry)},
-                   {"nu", each.nu},
-                   {"reason", each.reason}});
+    Json remark{{"branch", kind_name(each.branch, each.oblique)}};
+    if (each.entry) {
+      remark["entry"] = name(*each.entry);
+      remark["nu"] = each.nu;
+    }
+    remark["reason"] = each.reason;
+    out.push_back(std::move(remark));
   }
   return out;
 }
@@ -131,7 +134,7 @@ Json remarks_json(const std::vector<Remark>& remarks) {
 Json checkpoints_json(const std::vector<Checkpoint>& checkpoints) {
   Json out = Json::array();
   for (const Checkpoint& at : checkpoints) {
-    out.push_back({{"branch", name(at.branch)},
+    out.push_back({{"branch", kind_name(at.branch, at.oblique)},
                    {"nu", at.nu},
                    {"search", name(at.status)},
                    {"proven", at.proven},

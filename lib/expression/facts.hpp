@@ -30,6 +30,12 @@ struct Facts {
   std::vector<std::string> sentences;       ///< all of it, for a person to read
 
   static bool holds(Verdict v) { return v == Verdict::term_by_term || v == Verdict::at_points; }
+  /// Whether one of them is known by points alone: beyond doubt, but not proven.
+  bool any_at_points() const {
+    for (const Verdict v : {symmetric, isotropic, shear_free, even, separable})
+      if (v == Verdict::at_points) return true;
+    return false;
+  }
   bool is_isotropic() const { return holds(isotropic); }
   bool is_shear_free() const { return holds(shear_free); }
   bool is_even() const { return holds(even); }

@@ -1,5 +1,6 @@
-// stationary atlas CASE: every sheet of the case's body and potential in branches (i), (ii), (iii)
-// over its range of nu, connected to rest or not, and what is proven of there being no others.
+// stationary atlas CASE: every sheet of the case's body and potential in branches (i), (ii), (iii),
+// of an anisotropic body the oblique ones too, over its range of nu, connected to rest or not, and
+// what is proven of there being no others.
 #include "solver/atlas.hpp"
 
 #include <fmt/format.h>
@@ -17,6 +18,7 @@
 #include "solver/cli/interrupt.hpp"
 #include "solver/cli/outcome.hpp"
 #include "solver/cli/plan.hpp"
+#include "solver/cli/progress.hpp"
 #include "solver/cli/report.hpp"
 #include "solver/cli/table_output.hpp"
 #include "solver/curve_table.hpp"
@@ -25,19 +27,17 @@
 namespace stationary::cli {
 namespace {
 
+/// Of an anisotropic body, whose searches take up to some seconds each.
+constexpr int few_checkpoints = 32;
+
 struct AtlasCommand : ComputeOptions {
-  int checkpoints = AtlasOptions{}.checkpoints;
+  std::optional<int> checkpoints;
 };
 
 AtlasOptions atlas_options(const Case& input, const AtlasCommand& options, bool with_spectrum) {
   if (!input.continuation) {
     throw fault_at(input.source, "continuation", "found no such key",
                    "a table with parameter, from and to", "add [continuation]");
-  }
-  if (!input.potential.is_isotropic()) {
-    throw fault_at(input.source, "potential", "found an anisotropic potential",
-                   "an isotropic one for atlas",
-                   "solve with solve.all = true finds every motion at one nu, continue follows it");
   }
   const Case::Continuation& asked = *input.continuation;
   if (asked.parameter != "nu") {
@@ -53,7 +53,8 @@ AtlasOptions atlas_options(const Case& input, const AtlasCommand& options, bool 
   out.step.first = asked.step;
   out.max_points = static_cast<long>(asked.max_points);
   out.spectrum = with_spectrum;
-  out.checkpoints = options.checkpoints;
+  out.checkpoints = options.checkpoints.value_or(
+      input.potential.is_isotropic() ? AtlasOptions{}.checkpoints : few_checkpoints);
   out.threads = options.threads;
   out.stop = &stop_on_signals();
   out.search.stop = out.stop;
@@ -68,14 +69,14 @@ std::string entry_text(Entry entry, double nu) {
       return fmt::format("found at nu = {:.6g}", nu);
     case Entry::ellipse:
       return fmt::format("off the circle at nu = {:.10g}", nu);
+    case Entry::shear:
+      return fmt::format("off the axes at nu = {:.10g}", nu);
+    case Entry::oblique:
+      return fmt::format("off an axis at nu = {:.10g}", nu);
     case Entry::tilt:
       break;
   }
   return fmt::format("off a tilt at nu = {:.10g}", nu);
-}
-
-std::string_view branch_name(const AtlasSheet& sheet) {
-  return sheet.plane ? tilted_name : name(sheet.branch);
 }
 
 std::string sheet_text(const AtlasSheet& sheet) {
@@ -83,7 +84,7 @@ std::string sheet_text(const AtlasSheet& sheet) {
     return fmt::format("{} at nu = {:.10g}",
                        row.event == EventType::none ? "open" : name(row.event), row.member.nu);
   };
-  std::string out = fmt::format("({}{}), {} rows, {}: {}, {}", branch_name(sheet),
+  std::string out = fmt::format("({}{}), {} rows, {}: {}, {}", kind_name(sheet),
                                 sheet.report.vertical ? ", vertical" : "", sheet.rows.size(),
                                 entry_text(sheet.entry, sheet.entry_nu), end(sheet.rows.front()),
                                 end(sheet.rows.back()));
@@ -99,23 +100,34 @@ void add_checkpoints(Report& out, const std::vector<Checkpoint>& all,
                      const SearchOptions& searched) {
   std::string_view label = "proven";
   for (auto first = all.begin(); first != all.end();) {
-    const auto last = std::find_if(first, all.end(),
-                                   [&](const Checkpoint& c) { return c.branch != first->branch; });
+    const auto last = std::find_if(first, all.end(), [&](const Checkpoint& c) {
+      return c.branch != first->branch || c.oblique != first->oblique;
+    });
     const auto complete =
         std::count_if(first, last, [](const Checkpoint& c) { return c.complete(); });
     out.line(std::exchange(label, {}),
              fmt::format(
                  "branch ({}): at {} of {} checkpoints from nu = {:.6g} to {:.6g} the sheets have "
                  "every solution with stretches in [{:g}, {:g}]",
-                 name(first->branch), complete, last - first, first->nu, (last - 1)->nu,
-                 searched.min_stretch, searched.max_stretch));
-    for (; first != last; ++first) {
-      if (first->complete()) continue;
-      out.line(
-          {}, fmt::format("  not shown at nu = {:.6g}: search {}, {} proven, {} of them on sheets, "
-                          "{} points of sheets not proven",
-                          first->nu, name(first->status), first->proven, first->on_sheets,
-                          first->beyond));
+                 kind_name(first->branch, first->oblique), complete, last - first, first->nu,
+                 (last - 1)->nu, searched.min_stretch, searched.max_stretch));
+    while (first != last) {
+      const auto alike = [&](const Checkpoint& c) {
+        return c.status == first->status && c.proven == first->proven &&
+               c.on_sheets == first->on_sheets && c.beyond == first->beyond;
+      };
+      const auto next = std::find_if_not(first, last, alike);
+      if (!first->complete()) {
+        const std::string place = next - first == 1
+                                      ? fmt::format("{:.6g}", first->nu)
+                                      : fmt::format("{:.6g} ... {:.6g} ({} checkpoints)", first->nu,
+                                                    (next - 1)->nu, next - first);
+        out.line({}, fmt::format("  not shown at nu = {}: search {}, {} proven, {} of them on "
+                                 "sheets, {} points of sheets not proven",
+                                 place, name(first->status), first->proven, first->on_sheets,
+                                 first->beyond));
+      }
+      first = next;
     }
   }
 }
@@ -137,8 +149,10 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
   add_checkpoints(out, found.checkpoints, asked.search);
   std::string_view label = "remarks";
   for (const Remark& each : found.remarks) {
-    out.line(std::exchange(label, {}), fmt::format("branch ({}), {}: {}", name(each.branch),
-                                                   entry_text(each.entry, each.nu), each.reason));
+    const std::string at = each.entry ? ", " + entry_text(*each.entry, each.nu) : std::string();
+    out.line(
+        std::exchange(label, {}),
+        fmt::format("branch ({}){}: {}", kind_name(each.branch, each.oblique), at, each.reason));
   }
   return out.text();
 }
@@ -149,6 +163,16 @@ void prove_rows(const Case& input, const AtlasSheet& sheet, CurveTable& out) {
                                              TableRow& row) {
       return prove_row(input.body, make_potential(input.models),
                        TiltedRotation{plane, member.parameter}, found, member.spectrum, row);
+    });
+  } else if (sheet.oblique) {
+    out.prove([&input](const Member& member, const Equilibrium& found, TableRow& row) {
+      return prove_row(input.body, make_potential(input.models), ObliqueRotation{member.nu}, found,
+                       member.spectrum, row);
+    });
+  } else if (!input.potential.is_isotropic()) {  // its events have no enclosures
+    out.prove([problem = Problem(input.body, input.potential, sheet.branch)](
+                  const Member& member, const Equilibrium& found, TableRow& row) {
+      return prove_row(problem, found, member.spectrum, row);
     });
   } else {
     out.prove([problem = Problem(input.body, make_potential(input.models), sheet.branch)](
@@ -162,7 +186,7 @@ CurveProofs write_sheets(const Case& input, Atlas& found, TableWriter* writer) {
   CurveProofs out;
   if (writer == nullptr && !input.output.certificate) return out;
   for (AtlasSheet& sheet : found.sheets) {
-    CurveTable rows(branch_name(sheet), writer, sheet.number);
+    CurveTable rows(kind_name(sheet), writer, sheet.number);
     if (input.output.certificate) prove_rows(input, sheet, rows);
     for (const AtlasRow& row : sheet.rows) rows.row(row.member, row.event);
     rows.add_enclosures(sheet.report.events);
@@ -176,7 +200,7 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
   const Case input = options.read();
   const bool to_table = !options.output.empty();
   const bool with_spectrum = wants_spectrum(input, to_table);
-  const AtlasOptions how = atlas_options(input, options, with_spectrum);
+  AtlasOptions how = atlas_options(input, options, with_spectrum);
   const std::vector<Column> columns = chosen_columns(
       input,
       equilibrium_columns(
@@ -185,8 +209,15 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
   std::optional<TableOutput> output;
   if (to_table) output.emplace(options.output, options.path);
 
+  ProgressBar progress;
+  if (progress.shown() && !options.quiet) {
+    how.progress = [&progress](double fraction) {
+      progress.show(fraction, "searching the checkpoints");
+    };
+  }
   const auto begin = std::chrono::steady_clock::now();
   Atlas found = atlas(input.body, make_potential(input.models), how);
+  progress.clear();
   std::optional<TableWriter> table;
   if (output) table.emplace(output->sink(), columns);
   const CurveProofs proofs = write_sheets(input, found, table ? &*table : nullptr);
@@ -226,9 +257,10 @@ void add_atlas(CLI::App& program, Session& session) {
   options->add_to(command);
   command
       .add_option("--checkpoints", options->checkpoints,
-                  "Values of nu at which every solution is found, with proof")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
+                  fmt::format("Values of nu at which every solution is found, with proof (default "
+                              "{}, of an anisotropic body {})",
+                              AtlasOptions{}.checkpoints, few_checkpoints))
+      ->check(CLI::Range(1, 1'000'000));
   command.callback([options, &session] {
     session.action = [options, &session] { return atlas_case(*options, session); };
   });

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
 #include "tests/cli/table_reading.hpp"
@@ -141,9 +142,31 @@ TEST(AnisotropicCase, WrongInputIsRefusedByName) {
     EXPECT_EQ(outcome.code, 2) << fault.fragment;
     EXPECT_THAT(outcome.err, HasSubstr(fault.fragment));
   }
-  const Outcome atlas = run({"atlas", fibre_case});
-  EXPECT_EQ(atlas.code, 2);
-  EXPECT_THAT(atlas.err, HasSubstr("anisotropic potential"));
+}
+
+TEST(AnisotropicCase, AtlasHasTheObliqueSheets) {
+  const TemporaryDirectory directory;
+  const std::vector<std::string> sets{"continuation.to=0.5", "continuation.tolerance=1e-6",
+                                      "output.certificate=true"};
+  const Outcome written =
+      run({"atlas", fibre_case, "-o", directory / "x.csv", "--checkpoints", "3"}, sets);
+  ASSERT_EQ(written.code, 0) << written.err;
+  const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  ASSERT_EQ(metadata["sheets"].size(), 3U);
+  EXPECT_EQ(metadata["sheets"][0]["branch"], "iii");
+  EXPECT_EQ(metadata["sheets"][2]["branch"], "oblique");
+  ASSERT_EQ(metadata["checkpoints"].size(), 6U);
+  for (const auto& at : metadata["checkpoints"]) EXPECT_TRUE(at["complete"].get<bool>()) << at;
+  EXPECT_EQ(metadata["remarks"][0]["branch"], "i");
+  long unproven = 0;
+  for (const Row& row : rows_of(text_of(directory / "x.csv")))
+    unproven += row.at("certified") != "yes";
+  EXPECT_EQ(metadata["counts"]["proven"].get<long>() + unproven, metadata["rows"].get<long>());
+  EXPECT_LE(unproven, 2);  // the rows of the oblique sheets at rest
+  const Outcome printed = run({"atlas", fibre_case, "--checkpoints", "3"}, sets);
+  ASSERT_EQ(printed.code, 0) << printed.err;
+  EXPECT_THAT(printed.out, HasSubstr("branch (oblique): at 3 of 3 checkpoints"));
+  EXPECT_THAT(printed.out, HasSubstr("branch (ii): not looked for"));
 }
 
 TEST(AnisotropicCase, OrthotropicPlaneInEveryBranch) {

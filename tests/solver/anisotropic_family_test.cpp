@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/departure.hpp"
 #include "solver/follow.hpp"
 #include "tests/solver/anisotropic_motions.hpp"
 
@@ -198,7 +199,7 @@ TEST(AnisotropicFamily, ObliqueEventAndTheFamilyThatLeavesThere) {
   ASSERT_EQ(events.size(), 1U);
   EXPECT_NEAR(events[0].parameter, bisected(first_axis, 0.6, 0.759), 1e-12);
   const auto family = oblique_family(disc, along.anisotropic(), in(Kind::nu), Branch::i);
-  const auto start = off_axis_start(*family, events[0], Branch::i);
+  const auto start = leave_straight(*family, events[0], Branch::i);
   ASSERT_TRUE(start);
   EXPECT_NE(start->q.alpha, 0.0);
   EXPECT_LE(start->residual, 1e-15);

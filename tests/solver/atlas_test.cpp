@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "tests/solver/atlas_text.hpp"
 #include "tests/solver/random_problem.hpp"
 #include "tests/support/random_states.hpp"
 
@@ -27,26 +28,6 @@ Atlas atlas_to(double to, const Body& body, const Potential& potential, int thre
   options.step.tolerance = 1e-6;
   options.threads = threads;
   return atlas(body, potential, options);
-}
-
-/// "iii: limit tilt escape; ..."
-std::string text_of(const Atlas& found) {
-  std::string out;
-  for (const AtlasSheet& sheet : found.sheets) {
-    out += std::string(sheet.plane ? name(*sheet.plane) : name(sheet.branch)) + ":";
-    for (const AtlasRow& row : sheet.rows)
-      if (row.event != EventType::none) out += " " + std::string(name(row.event));
-    out += "; ";
-  }
-  return out;
-}
-
-void expect_complete(const Atlas& found) {
-  EXPECT_FALSE(found.interrupted);
-  for (const Checkpoint& at : found.checkpoints) {
-    EXPECT_TRUE(at.complete()) << name(at.branch) << " " << at.nu << ": " << name(at.status) << " "
-                               << at.proven << " " << at.on_sheets << " " << at.beyond;
-  }
 }
 
 void expect_joined(const AtlasSheet& sheet, int from, int to) {
