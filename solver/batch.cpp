@@ -14,6 +14,7 @@
 #include <string>
 #include <variant>
 
+#include "solver/anisotropic_batch.hpp"
 #include "solver/batch_plan.hpp"
 #include "solver/existence.hpp"
 #include "solver/sweep.hpp"
@@ -123,33 +124,36 @@ class BatchRun {
   BatchRun(const BatchInput& input, const BatchOptions& options, BatchResult& out)
       : input_(input), options_(options), out_(out), plan_(march_plan(input.nu)) {
     constexpr std::size_t tile = BatchResult::tile;
-    tiles_ = (input.lanes + tile - 1) / tile;
+    const std::size_t tiles = (input.lanes + tile - 1) / tile;
+    // A lane that is followed takes milliseconds.
+    parts_ = oriented() ? input.lanes : tiles;
     out.lanes_ = input.lanes;
     out.slots_ = plan_.s.size();
     out.slot_ = plan_.slot;
-    const std::size_t cells = tiles_ * tile * out.slots_;
+    const std::size_t cells = tiles * tile * out.slots_;
     for (auto* column : {&out.xi_, &out.zeta_, &out.rho_}) column->resize(cells);
+    out.alpha_.resize(oriented() ? cells : 0);
     out.error_bound_.resize(options.error_bound ? cells : 0);
     out.status_.resize(cells);
   }
 
   void run() {
     std::atomic<std::size_t> fallbacks = 0;
-    const auto solve_tiles = [&](std::size_t begin, std::size_t end) {
+    const auto solve_parts = [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        fallbacks += solve_tile(k * BatchResult::tile);
+        fallbacks += oriented() ? follow_lane(k) : solve_tile(k * BatchResult::tile);
         report();
       }
     };
     if (options_.threads == 1) {
-      solve_tiles(0, tiles_);
+      solve_parts(0, parts_);
     } else {
       const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                         static_cast<std::size_t>(options_.threads));
       tbb::task_arena arena(options_.threads);
       arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles_),
-                          [&](const auto& range) { solve_tiles(range.begin(), range.end()); });
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts_),
+                          [&](const auto& range) { solve_parts(range.begin(), range.end()); });
       });
     }
     out_.fallbacks_ = fallbacks;
@@ -160,14 +164,15 @@ class BatchRun {
     return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
   }
 
+  bool oriented() const { return !input_.potential.is_isotropic(); }
   bool marches() const { return input_.potential.is_built_in() && input_.potential.is_separable(); }
 
-  /// One more tile is done.
+  /// One more part is done.
   void report() {
     const std::size_t done = ++done_;
     if (!options_.progress) return;
     if (const std::unique_lock lock(reporting_, std::try_to_lock); lock)
-      options_.progress(static_cast<double>(done) / static_cast<double>(tiles_));
+      options_.progress(static_cast<double>(done) / static_cast<double>(parts_));
   }
 
   void put(std::size_t lane, std::size_t slot, const SweepPoint& point) {
@@ -296,11 +301,30 @@ class BatchRun {
     }
   }
 
+  /// A lane of a potential that is not isotropic; returns 1.
+  std::size_t follow_lane(std::size_t lane) {
+    std::vector<double> nu;
+    for (const double s : plan_.s) nu.push_back(std::abs(input_.speed[lane] * s));
+    std::vector<LanePoint> points(nu.size());
+    solve_anisotropic_lane(input_.problem(lane), nu, options_.stop, points);
+    for (std::size_t slot = 0; slot < points.size(); ++slot) {
+      const LanePoint& point = points[slot];
+      const std::size_t i = out_.index(lane, slot);
+      out_.status_[i] = point.status;
+      out_.alpha_[i] = point.q.alpha;
+      out_.xi_[i] = point.q.xi;
+      out_.zeta_[i] = point.q.zeta;
+      out_.rho_[i] = point.q.rho;
+      if (options_.error_bound) out_.error_bound_[i] = point.error_bound;
+    }
+    return 1;
+  }
+
   const BatchInput& input_;
   const BatchOptions& options_;
   BatchResult& out_;
   MarchPlan plan_;
-  std::size_t tiles_ = 0;
+  std::size_t parts_ = 0;  ///< tiles, or lanes where each is followed by itself
   std::atomic<std::size_t> done_ = 0;
   std::mutex reporting_;
 };

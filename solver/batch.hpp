@@ -5,11 +5,14 @@
 //             lanes (batch_kernel.hpp), on the best instruction set of the processor
 //   fallback  a lane that cannot be marched on with goes on by the scalar path, Sweep and, where
 //             that ends, solve; coupled potentials and expressions take it from the start
+//   follow    lanes of an anisotropic potential, alpha an unknown in (iii): each by itself
+//             (anisotropic_batch.hpp)
 //
-// Both correct with a residual in extended precision, so S is rounded correctly; results do not
+// All correct with a residual in extended precision, so S is rounded correctly; results do not
 // depend on the instruction set, on the number of threads or on the other lanes. Every cell has a
-// status: solved; none_exists (proven, existence.hpp); not_found (the sheet ends before this nu,
-// which is no statement about other sheets); not_run (stopped).
+// status: solved; none_exists (proven, existence.hpp, or by the search there); not_found (the sheet
+// ends before this nu, which is no statement about other sheets); failed (what was found is no
+// equilibrium); not_run (stopped).
 #pragma once
 
 #include <atomic>
@@ -48,6 +51,7 @@ struct BatchOptions {
 
 struct BatchCell {
   SolveStatus status;
+  double alpha;  ///< 0 of every isotropic potential
   double xi;
   double zeta;
   double rho;
@@ -64,10 +68,14 @@ class BatchResult {
   std::size_t count() const { return slot_.size(); }
   BatchCell cell(std::size_t lane, std::size_t k) const {
     const std::size_t i = index(lane, slot_[k]);
-    return {status_[i], xi_[i], zeta_[i], rho_[i],
+    return {status_[i],
+            alpha_.empty() ? 0.0 : alpha_[i],
+            xi_[i],
+            zeta_[i],
+            rho_[i],
             error_bound_.empty() ? std::numeric_limits<double>::quiet_NaN() : error_bound_[i]};
   }
-  /// Lanes the scalar path had to go on with.
+  /// Lanes the scalar path had to go on with; of an anisotropic potential all of them.
   std::size_t fallbacks() const { return fallbacks_; }
 
  private:
@@ -81,6 +89,7 @@ class BatchResult {
   std::vector<std::size_t> slot_;  ///< of each nu
   std::size_t fallbacks_ = 0;
   std::vector<double> xi_, zeta_, rho_, error_bound_;
+  std::vector<double> alpha_;  ///< empty where it is 0 in every cell
   std::vector<SolveStatus> status_;
 };
 

@@ -37,6 +37,7 @@ struct BatchInput {
   std::array<LaneValues, 3> inertia;  ///< J1, J2, J3
   std::vector<LaneValues> plane;      ///< coefficients of the planar, or of the coupled, model
   std::vector<LaneValues> thickness;  ///< of a separable potential's thickness
+  std::vector<LaneValues> fibres;     ///< k and degrees of each of an anisotropic potential's
   LaneValues speed = 1.0;             ///< nu = speed nu_k (rounded)
   std::vector<double> nu;             ///< in any order, of any sign: nu and -nu are one
 

@@ -58,7 +58,7 @@ class SpectrumRun {
     const BatchCell cell = solved_.cell(place.lane, place.k);
     Equilibrium equilibrium;
     equilibrium.status = cell.status;  // stability() takes none that is not solved
-    equilibrium.q = {0.0, cell.xi, cell.zeta, cell.rho};
+    equilibrium.q = {cell.alpha, cell.xi, cell.zeta, cell.rho};
     equilibrium.nu = angular_velocity(input_.branch, input_.speed[place.lane] * input_.nu[place.k]);
     equilibrium.error_bound = cell.error_bound;
     const Spectrum all = stability(*problem_, equilibrium);

@@ -5,7 +5,7 @@
 // is certain 2^10 times over, and where one is not that cell is given to stability() itself. Class,
 // negative and Krein signatures are therefore those of stability(); re, im and growth agree to the
 // last places. Nothing depends on the instruction set or on which cells are asked for together.
-// Cells of coupled potentials and at nu = 0 take the scalar path.
+// Cells of coupled and of anisotropic potentials and at nu = 0 take the scalar path.
 #pragma once
 
 #include <array>

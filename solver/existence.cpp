@@ -85,6 +85,7 @@ struct PlanarReason {
   }
 };
 
+/// A built-in one.
 std::optional<std::string> thickness_reason(const ThicknessPotential& thickness, const Rates& c) {
   return std::visit(
       [&](const auto& model) -> std::optional<std::string> {
@@ -106,8 +107,15 @@ std::optional<std::string> coupled_reason(const NeoHookean3d<>& m, const Rates& 
 }  // namespace
 
 std::optional<std::string> nonexistence_reason(const Problem& problem, double nu) {
-  if (!problem.potential().is_built_in()) return std::nullopt;
   const Rates c = problem.rates(two_product(nu, nu));
+  if (!problem.potential().is_isotropic()) {
+    using Separate = AnisotropicPotential::Model::Separate;
+    const auto* separate = std::get_if<Separate>(&problem.potential().anisotropic().model().base);
+    if (separate == nullptr) return std::nullopt;
+    const auto* thickness = std::get_if<ThicknessPotential>(&separate->thickness.model);
+    return thickness == nullptr ? std::nullopt : thickness_reason(*thickness, c);
+  }
+  if (!problem.potential().is_built_in()) return std::nullopt;
   if (!problem.potential().is_separable()) {
     return std::visit([&](const auto& model) { return coupled_reason(model, c); },
                       problem.potential().coupled());

@@ -7,6 +7,7 @@
 //   biot: linear in (xi, zeta): its one solution must be positive
 //   hencky, (i), (ii): 2 x ln x of the pulled stretch <= 1/e bounds nu
 //
+// The first holds beside any planar potential, an anisotropic one too.
 // Proven statements (up to rounding of the inequality itself); no condition found proves nothing.
 #pragma once
 

@@ -57,8 +57,10 @@ MapGrid::MapGrid(const Case& input)
       case FamilyParameter::Kind::thickness:
         batch_.thickness[k] = std::move(each);
         break;
-      case FamilyParameter::Kind::nu:     // the steps of every lane
-      case FamilyParameter::Kind::fibre:  // none of an isotropic potential's
+      case FamilyParameter::Kind::fibre:
+        batch_.fibres[k] = std::move(each);
+        break;
+      case FamilyParameter::Kind::nu:  // the steps of every lane
         break;
     }
   };
@@ -101,7 +103,7 @@ RowCounts MapGrid::rows(const BatchResult& solved, std::size_t first, std::size_
     if (status == CellStatus::solved) {
       if (!problem || lane != at.lane) problem.emplace(batch_.problem(lane = at.lane));
       found.status = SolveStatus::solved;
-      found.q = {0.0, cell.xi, cell.zeta, cell.rho};
+      found.q = {cell.alpha, cell.xi, cell.zeta, cell.rho};
       found.error_bound = cell.error_bound;
       const BalanceCheck check =
           check_balance(problem->body(), problem->potential(), found.q, found.nu);

@@ -59,11 +59,6 @@ void require_map(const Case& input) {
         "one of \"i\", \"ii\", \"iii\" for map",
         "tilted, oblique and two-polar motions are solved one at a time in this version");
   }
-  if (!input.potential.is_isotropic()) {
-    throw fault_at(input.source, "potential", "found an anisotropic potential",
-                   "an isotropic one for map",
-                   "motions of anisotropic bodies are solved one at a time in this version");
-  }
 }
 
 /// The table of a map: CSV, or HDF5 by the extension.
