@@ -133,6 +133,24 @@ std::string axis_text(const MapAxis& axis) {
                      axis.count, axis.scale == AxisScale::log ? ", logarithmic" : "");
 }
 
+/// The case's, and what of it holds at its own numbers only.
+ComputationPlan map_plan(const Case& input, bool to_table) {
+  ComputationPlan out = computation_plan(input, to_table);
+  if (!input.potential.is_isotropic()) {
+    out.computed.push_back(
+        {"cells", "on the curve from the rest state, followed once for all nu of one body",
+         "anisotropic potential. What is said above of alpha and the spectrum is so at the case's "
+         "own numbers; at a cell's own V may be even in alpha or not, and nu may be 0"});
+  }
+  return out;
+}
+
+/// Of the march; none where every lane takes the scalar path.
+std::string instructions_text(const Potential& potential) {
+  const bool marches = potential.is_built_in() && potential.is_separable();
+  return marches ? std::string(name(best_instruction_set())) : "scalar";
+}
+
 std::string summary(const Case& input, const MapCounts& counts, double seconds) {
   constexpr std::size_t label_width = 14;
   Report out(label_width);
@@ -145,7 +163,7 @@ std::string summary(const Case& input, const MapCounts& counts, double seconds) 
   if (input.output.certificate) out.line("certificate", fmt::format("{} proven", counts.proven));
   out.line("cost", fmt::format("{:.2g} s", seconds));
   out.gap();
-  const ComputationPlan plan = computation_plan(input, false);
+  const ComputationPlan plan = map_plan(input, false);
   add_plan(out, plan.computed);
   add_plan(out, plan.skipped);
   return out.text();
@@ -153,7 +171,7 @@ std::string summary(const Case& input, const MapCounts& counts, double seconds) 
 
 Metadata describe(const Session& session, const Case& input, const MapCounts& counts,
                   const RowCounts& evaluated, const BatchResult& solved) {
-  ComputationPlan plan = computation_plan(input, true);
+  ComputationPlan plan = map_plan(input, true);
   Metadata out;
   out.version = STATIONARY_VERSION;
   out.command_line = session.command_line;
@@ -179,7 +197,7 @@ Metadata describe(const Session& session, const Case& input, const MapCounts& co
   }
   out.outcome = {{"command", "map"},
                  {"status", counts.rows < input.map->cells() ? "interrupted" : "done"},
-                 {"instructions", std::string(name(best_instruction_set()))}};
+                 {"instructions", instructions_text(input.potential)}};
   return out;
 }
 

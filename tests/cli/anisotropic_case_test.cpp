@@ -110,6 +110,103 @@ TEST(AnisotropicCase, ContinuesInTheAngle) {
   EXPECT_EQ(rows.back()["potential.fibre.degrees"], "90");
 }
 
+constexpr const char* map_over_nu = "map.x={parameter=\"nu\",from=0.0,to=0.95,count=6}";
+constexpr const char* map_over_angle =
+    "map.y={parameter=\"potential.fibre.degrees\",from=0,to=90,count=4}";
+
+/// A cell is what solve finds at its parameters, whichever these are; without the search for other
+/// sheets, which solve makes where that of rest ends.
+TEST(AnisotropicCase, MapsAreSolvesOfTheirOwn) {
+  for (const char* y : {"potential.fibre.degrees\",from=0,to=90",
+                        "potential.fibre.k\",from=0.1,to=2", "potential.plane.mu\",from=0.5,to=1.5",
+                        "potential.thickness.a\",from=0.5,to=2", "body.J.1\",from=0.3,to=3"}) {
+    const Outcome outcome =
+        run({"map", fibre_case, "-o", "-"},
+            {map_over_nu, "map.y={parameter=\"" + std::string(y) + ",count=4}"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const auto rows = rows_of(outcome.out);
+    ASSERT_EQ(rows.size(), 24U) << y;
+    const std::string key = std::string(y).substr(0, std::string(y).find('"'));
+    for (const std::size_t k : {0U, 8U, 15U, 21U}) {
+      ASSERT_EQ(rows[k].at("status"), "solved") << key << " " << k;
+      const Row one = only_row(run({"solve", fibre_case, "-o", "-"},
+                                   {"motion.nu=" + rows[k].at("nu"), key + "=" + rows[k].at(key)})
+                                   .out);
+      for (const char* column : {"class", "negative", "krein1"})
+        EXPECT_EQ(rows[k].at(column), one.at(column)) << key << " " << k << " " << column;
+      for (const char* column : {"alpha", "xi", "zeta", "rho", "angle", "pi3", "energy", "im5"}) {
+        EXPECT_EQ(rows[k].at(column).empty(), one.at(column).empty());
+        if (one.at(column).empty()) continue;  // no angle of a circle, no fifth mode at rest
+        EXPECT_NEAR(number(rows[k].at(column)), number(one.at(column)),
+                    1e-13 * (1.0 + std::abs(number(one.at(column)))))
+            << key << " " << k << " " << column;
+      }
+    }
+  }
+}
+
+TEST(AnisotropicCase, MapsDoNotDependOnThreadsOrTheGridsOrder) {
+  const std::vector<std::string> cells{map_over_nu, map_over_angle, "output.spectrum=false"};
+  const Outcome one = run({"map", fibre_case, "-o", "-", "--threads", "1"}, cells);
+  EXPECT_EQ(run({"map", fibre_case, "-o", "-", "--threads", "3"}, cells).out, one.out);
+  const Outcome turned = run({"map", fibre_case, "-o", "-"},
+                             {"map.y={parameter=\"nu\",from=0.0,to=0.95,count=6}",
+                              "map.x={parameter=\"potential.fibre.degrees\",from=0,to=90,count=4}",
+                              "output.spectrum=false"});
+  const auto rows = rows_of(one.out);
+  const auto turned_rows = rows_of(turned.out);
+  ASSERT_EQ(rows.size(), turned_rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Row& other = turned_rows[(k % 6) * 4 + k / 6];
+    for (const char* column : {"status", "alpha", "xi", "zeta", "rho", "error_bound"})
+      EXPECT_EQ(rows[k].at(column), other.at(column)) << k << " " << column;
+  }
+}
+
+TEST(AnisotropicCase, MapsComputeWhatIsAskedForAndSayHow) {
+  const TemporaryDirectory directory;
+  const auto metadata_of = [&](const std::vector<std::string>& options,
+                               const std::vector<std::string>& columns) {
+    std::vector<std::string> arguments{"map", fibre_case, "-o", directory / "x.csv"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    std::vector<std::string> sets{map_over_nu, map_over_angle};
+    sets.insert(sets.end(), columns.begin(), columns.end());
+    const Outcome outcome = run(arguments, sets);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  };
+  const auto bare = metadata_of({}, {R"(output.columns=["alpha"])"});
+  EXPECT_EQ(bare["counts"]["spectra"], 0);
+  EXPECT_EQ(bare["counts"]["potentials"], 0);
+  EXPECT_EQ(bare["counts"]["scalar_lanes"], 4);
+  EXPECT_EQ(bare["instructions"], "scalar");
+  EXPECT_EQ(bare["plan"].back()["quantity"], "cells");
+  const auto all = metadata_of({"--certify"}, {});
+  EXPECT_EQ(all["counts"]["spectra"], all["counts"]["solved"]);
+  EXPECT_EQ(all["counts"]["proven"], all["counts"]["solved"]);
+  EXPECT_LT(all["counts"]["solved"], 24) << "some sheets escape before";
+  for (const Row& row : rows_of(text_of(directory / "x.csv")))
+    EXPECT_EQ(row.at("certified"), row.at("status") == "solved" ? "yes" : "");
+}
+
+TEST(AnisotropicCase, MapsProveThatNoneIsAboutAnAxisThatIsNoneOfSymmetry) {
+  const std::vector<std::string> cells{
+      "motion.branch=\"i\"", "map.x={parameter=\"nu\",from=0.0,to=0.4,count=3}", map_over_angle};
+  const Outcome outcome = run({"map", fibre_case, "-o", "-"}, cells);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const Row& row : rows_of(outcome.out)) {
+    const double degrees = number(row.at("potential.fibre.degrees"));
+    const bool even = degrees == 0.0 || degrees == 90.0;
+    const bool rests = row.at("nu") == "0";
+    EXPECT_EQ(row.at("status"), even || rests ? "solved" : "none-exists") << row.at("point");
+  }
+  const Outcome none =
+      run({"map", fibre_case, "-o", "-"},
+          {"motion.branch=\"ii\"", "map.x={parameter=\"nu\",from=0.2,to=0.4,count=2}"});
+  EXPECT_EQ(none.code, 3);
+  EXPECT_THAT(none.err, HasSubstr("no stationary ellipsoid in any of 2 cells: 2 none-exists"));
+}
+
 TEST(AnisotropicCase, NoMotionAboutAnAxisThatIsNoneOfSymmetry) {
   const Outcome outcome = run({"solve", fibre_case}, {"motion.branch=\"i\""});
   EXPECT_EQ(outcome.code, 3);
@@ -142,6 +239,9 @@ TEST(AnisotropicCase, WrongInputIsRefusedByName) {
     EXPECT_EQ(outcome.code, 2) << fault.fragment;
     EXPECT_THAT(outcome.err, HasSubstr(fault.fragment));
   }
+  const Outcome map = run({"map", oblique_case}, {map_over_nu});
+  EXPECT_EQ(map.code, 2);
+  EXPECT_THAT(map.err, HasSubstr("one of \"i\", \"ii\", \"iii\" for map"));
 }
 
 TEST(AnisotropicCase, AtlasHasTheObliqueSheets) {
