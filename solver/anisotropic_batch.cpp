@@ -19,6 +19,8 @@ namespace {
 
 /// Of the curve between two rows, in (ln x, p over the range).
 constexpr double curve_tolerance = 1e-7;
+/// The range followed over the largest nu: near a turn of nu the end of a range is not met exactly.
+constexpr double beyond = 1.0 + 0x1p-10;
 
 bool is_set(const std::atomic<bool>* stop) {
   return stop != nullptr && stop->load(std::memory_order_relaxed);
@@ -60,7 +62,7 @@ class FollowedLane {
       correct(x, 0.0, out[k]);
     }
     if (k == nu.size()) return;
-    range_ = nu.back();
+    range_ = beyond * nu.back();
     const std::vector<Row> rows = followed(rest_, 0.0, range_);
     if (rows.empty()) return;
     positive_ = family_.linearize(rows.front().x, rows.front().p).jacobian.determinant() > 0.0;
@@ -105,12 +107,12 @@ class FollowedLane {
   /// At nu on the arc from a to b. False where what it is corrected to is not known to be its place
   /// on the curve.
   bool answer(const Row& a, const Row& b, const Arc<N>& arc, double nu, LanePoint& out) const {
-    const auto beyond = [&](double u) { return (a.p - nu) + range_ * arc.at(u)[N]; };
+    const auto ahead = [&](double u) { return (a.p - nu) + range_ * arc.at(u)[N]; };
     double u = 1.0;
-    if (nu < b.p && beyond(0.0) < 0.0 && beyond(1.0) > 0.0) {
+    if (nu < b.p && ahead(0.0) < 0.0 && ahead(1.0) > 0.0) {
       std::uintmax_t evaluations = 60;
       const auto [low, high] = boost::math::tools::toms748_solve(
-          beyond, 0.0, 1.0, boost::math::tools::eps_tolerance<double>(52), evaluations);
+          ahead, 0.0, 1.0, boost::math::tools::eps_tolerance<double>(52), evaluations);
       u = 0.5 * (low + high);
     }
     const ReducedVector<N> near =

@@ -1,7 +1,7 @@
 // One lane of a batch (batch.hpp) of a potential that is not isotropic, without SIMD: the family
 // through the lane's rest state (anisotropic_family.hpp) is followed once,
 //
-//   G(x(s); nu(s)) = 0,   s from rest, until |nu| is the largest asked for,
+//   G(x(s); nu(s)) = 0,   s from rest, until |nu| has passed the largest asked for,
 //
 // and each |nu| is answered where it is met first along the curve: on the arc (arc.hpp) between the
 // two rows around it, then corrected at that nu. Turns of nu are rows, so that between two rows nu

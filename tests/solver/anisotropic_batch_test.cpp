@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "solver/batch_spectrum.hpp"
 #include "solver/follow.hpp"
@@ -112,32 +113,55 @@ TEST(AnisotropicBatch, AgreesWithSolveOverRandomBodies) {
 class FirstFold final : public CurveSink {
  public:
   void row(const Member& member, EventType event) override {
-    if (event == EventType::fold_nu && std::isnan(nu)) nu = member.parameter;
+    if (event == EventType::fold_nu && !at) at = member;
   }
-  double nu = std::numeric_limits<double>::quiet_NaN();
+  std::optional<Member> at;
 };
 
-TEST(AnisotropicBatch, AgreesWithSolveUpToAFoldAndEndsThere) {
-  for (const double degrees : {0.0, 30.0, 90.0}) {
-    const Problem problem(plate, fibred(Hencky<>{1.1, 0.8}, 0.05, degrees), Branch::iii);
-    const Equilibrium rest = solve(problem, 0.0);
-    const AnyFamily family =
-        anisotropic_family(plate, problem.potential().anisotropic(), Branch::iii, false,
-                           {.parameter = {}, .spectrum = false});
-    FirstFold fold;
-    FollowOptions how;
-    how.continuation.to = 2.0;
-    how.events = EventSet::none().add(EventType::fold_nu);
-    follow(family, rest.q, 0.0, how, fold);
-    ASSERT_FALSE(std::isnan(fold.nu)) << degrees;
-    std::vector<double> nu;
-    for (int digits = 1; digits <= 9; ++digits) {
-      nu.push_back(fold.nu * (1.0 - std::pow(10.0, -digits)));
-      nu.push_back(fold.nu * (1.0 + std::pow(10.0, -digits)));
-    }
-    EXPECT_EQ(expect_as_solved_alone(BatchInput(problem, 1, nu), "fold"), 9);
+Member first_fold(const Problem& problem) {
+  const AnyFamily family =
+      anisotropic_family(problem.body(), problem.potential().anisotropic(), problem.branch(), false,
+                         {.parameter = {}, .spectrum = false});
+  FirstFold fold;
+  FollowOptions how;
+  how.continuation.to = 2.0;
+  how.events = EventSet::none().add(EventType::fold_nu);
+  follow(family, solve(problem, 0.0).q, 0.0, how, fold);
+  return fold.at.value();
+}
+
+class AnisotropicBatchFold : public ::testing::TestWithParam<double> {
+ protected:
+  const Problem problem_{plate, fibred(Hencky<>{1.1, 0.8}, 0.05, GetParam()), Branch::iii};
+  const Member fold_ = first_fold(problem_);
+};
+
+TEST_P(AnisotropicBatchFold, AgreesWithSolveUpToItAndEndsThere) {
+  std::vector<double> nu;
+  for (int digits = 1; digits <= 9; ++digits) {
+    nu.push_back(fold_.nu * (1.0 - std::pow(10.0, -digits)));
+    nu.push_back(fold_.nu * (1.0 + std::pow(10.0, -digits)));
+  }
+  EXPECT_EQ(expect_as_solved_alone(BatchInput(problem_, 1, nu), "fold"), 9);
+}
+
+/// 10^-k below it the side from rest is some 10^-(k/2) away, and the other as far beyond.
+TEST_P(AnisotropicBatchFold, CellsAreOnTheSideFromRest) {
+  std::vector<double> nu;
+  for (double apart = 1e-2; apart > 1e-13; apart *= 0.7) nu.push_back(fold_.nu * (1.0 - apart));
+  const BatchResult out = solved(BatchInput(problem_, 1, nu));
+  double before = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < nu.size(); ++k) {
+    ASSERT_EQ(out.cell(0, k).status, SolveStatus::solved) << 1.0 - nu[k] / fold_.nu;
+    const double to_fold =
+        std::log(fold_.q.xi * fold_.q.zeta / (out.cell(0, k).xi * out.cell(0, k).zeta));
+    EXPECT_GT(to_fold, 0.0) << 1.0 - nu[k] / fold_.nu;
+    EXPECT_LT(to_fold, 0.9 * before) << 1.0 - nu[k] / fold_.nu;
+    before = to_fold;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Degrees, AnisotropicBatchFold, ::testing::Values(0.0, 30.0, 90.0));
 
 /// The circle's bifurcation to ellipses, broken a little by a fibre or by J1 != J2: beyond it the
 /// sheet of rest goes to one side, close to one that goes straight on.
