@@ -126,13 +126,15 @@ int add_even_iii(const StraightState<Extended>& s, const StraightState<Condition
   const double u = facts.uncertainty;
   GyroscopicBlock<Extended> block = even_block_iii(s);
   GyroscopicBlock<Conditioned> conditioned = even_block_iii(c);
-  if (facts.material_symmetry || (leading(s.omega) == 0.0 && leading(s.xi) != leading(s.zeta))) {
+  // Not every K_alpha that is 0: an anisotropic V's is where its ellipse turns away (`shear`).
+  const bool forced =
+      facts.material_symmetry || (leading(s.omega) == 0.0 && leading(s.xi) != leading(s.zeta));
+  if (forced) {
     // The direction of the material symmetry (at rest V alone counts, and V is isotropic).
     block.K_alpha = Extended(0.0);
     conditioned.K_alpha = Conditioned(0.0);
   }
   const auto& K = conditioned.rest.K;
-  const bool forced = leading(block.K_alpha) == 0.0;
   const double det_K = leading(block.planar_determinant().c[0]);
   const bool planar_definite = positive_definite_2(K[0][0], K[0][1], K[1][1], u);
   bool definite = planar_definite && (forced || positive(conditioned.K_alpha, u));

@@ -204,6 +204,22 @@ TEST(AnisotropicStability, BlocksOfAnEvenPotentialAgreeWithTheDynamicsInSpace) {
   }
 }
 
+/// Neo-Hookean with a fibre along axis 2: K_alpha,alpha is 0, to the last bit, at J1 nu^2 = mu.
+TEST(AnisotropicStability, NoZeroIsASymmetrysWhereTheEllipseTurnsAway) {
+  const Problem problem(Body(1.0, 1.7, 0.6), fibred(NeoHookean<>{1.0, 2.0}, 0.4, 90.0),
+                        Branch::iii);
+  for (const auto& [nu, expected] :
+       {std::pair{0.999, StabilityClass::stable}, std::pair{1.0, StabilityClass::marginal},
+        std::pair{1.001, StabilityClass::unstable}}) {
+    const Equilibrium found = solve(problem, nu, without_search());
+    ASSERT_EQ(found.status, SolveStatus::solved) << found.message;
+    const Spectrum spectrum = stability(problem, found);
+    EXPECT_EQ(spectrum.verdict, expected) << nu;
+    for (int k = 0; k < spectrum.modes; ++k)
+      EXPECT_FALSE(spectrum.mode[static_cast<std::size_t>(k)].forced_zero) << nu;
+  }
+}
+
 /// Every oblique motion there is, found without a start.
 TEST(AnisotropicStability, AllObliqueMotionsOfASearchAgree) {
   const Fibred at{Body(1.0, 1.7, 0.6), {{1.0, 0.6}, {1.0, 3.0}}, 0.5, 30.0};
