@@ -97,7 +97,8 @@ class MapTable {
 template <class Take>
 RowCounts for_all_rows(const MapGrid& grid, const BatchResult& solved, const RowParts& parts,
                        const ColumnSet& wanted, int threads, const Take& take) {
-  constexpr std::size_t block = 512;
+  // A window's rows are had all or none: few where a spectrum takes a good part of a millisecond.
+  const std::size_t block = grid.batch().potential.is_isotropic() ? 512 : 32;
   const std::size_t blocks_at_once = 8 * static_cast<std::size_t>(threads);
   std::vector<std::vector<TableRow>> blocks(blocks_at_once);
   std::vector<RowCounts> counts(blocks_at_once);
