@@ -10,7 +10,8 @@ AnyFamily axis_family(const Problem& problem, const AxisFamilyOptions& options, 
     return anisotropic_family(problem.body(), problem.potential().anisotropic(), problem.branch(),
                               alpha_free, options);
   const bool constant = problem.thickness_rule() == ThicknessRule::constant &&
-                        options.parameter.kind != FamilyParameter::Kind::thickness;
+                        options.parameter.kind != FamilyParameter::Kind::thickness &&
+                        options.parameter.kind != FamilyParameter::Kind::shared;
   return problem.potential().visit([&](const auto& model) -> AnyFamily {
     using Model = std::decay_t<decltype(model)>;
     const auto make = [&]<int N>(std::integral_constant<int, N>) {

@@ -22,6 +22,7 @@ struct FamilyParameter {
     inertia,    ///< J_(index + 1)
     plane,      ///< coefficient `index` of the planar (or coupled) model
     thickness,  ///< of the thickness model
+    shared,     ///< of both, where a formula was taken apart
     fibre,      ///< of the fibres: k and degrees of each
   };
   Kind kind = Kind::nu;

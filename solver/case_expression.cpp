@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/expression/apart.hpp"
 #include "lib/expression/facts.hpp"
 #include "solver/case_keys.hpp"
 #include "solver/expression_parser.hpp"
@@ -106,6 +107,12 @@ WrittenPotential read_written_out(const CaseTree& tree, std::string_view slot,
     out.facts.insert(out.facts.end(), parsed.notes.begin(), parsed.notes.end());
     out.at_points = facts.any_at_points();
     out.isotropic = slot_of(slot) == ExpressionSlot::thickness || facts.is_isotropic();
+    if (out.isotropic && facts.is_separable() && slot_of(slot) == ExpressionSlot::coupled) {
+      if (auto parts = expression::taken_apart(parsed.expression)) {
+        out.parts = {expression::planar_tape(std::move(parts->plane)),
+                     expression::thickness_tape(std::move(parts->thickness))};
+      }
+    }
     out.tape = compiled(slot_of(slot), std::move(parsed.expression), out.isotropic);
   } catch (const ExpressionError& error) {
     throw InputError(character_origin(tree, key, node, error.offset()), key,

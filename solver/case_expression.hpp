@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,12 +19,19 @@ bool is_written_out(const toml::table& table);
 /// Throws InputError unless every other key is a finite number with the name of a parameter.
 void require_written_out(const CaseTree& tree, const std::string& path, const toml::table& table);
 
+/// A potential as the sum of two, each with all the parameters of the whole.
+struct ExpressionParts {
+  std::shared_ptr<const expression::Tape> plane;
+  std::shared_ptr<const expression::Tape> thickness;
+};
+
 struct WrittenPotential {
   std::shared_ptr<const expression::Tape> tape;
-  std::vector<double> coefficients;  ///< in the order of tape->parameters
-  std::vector<std::string> facts;    ///< what was found out about it, a sentence each
-  bool isotropic = true;             ///< else the tape is of oriented_tape()
-  bool at_points = false;            ///< one of the facts was found at points (facts.hpp)
+  std::vector<double> coefficients;           ///< in the order of tape->parameters
+  std::vector<std::string> facts;             ///< what was found out about it, a sentence each
+  bool isotropic = true;                      ///< else the tape is of oriented_tape()
+  bool at_points = false;                     ///< one of the facts was found at points (facts.hpp)
+  std::optional<ExpressionParts> parts = {};  ///< of a coupled isotropic one that is separable
 };
 
 /// Of a table that require_written_out() let pass. slot: plane, thickness or coupled. Throws

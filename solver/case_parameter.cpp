@@ -98,6 +98,7 @@ FamilyParameter family_parameter(std::string_view key, const std::vector<ModelCh
                           (&model - 1)->description.kind == ModelDescription::Kind::fibre;
       return {Kind::fibre, *at + (second ? 2 : 0)};
     }
+    if (model.parts && !anisotropic(models)) return {Kind::shared, *at};
     return {model.slot == "thickness" ? Kind::thickness : Kind::plane, *at};
   }
   const bool second = key == "motion.theta_dot" || key == "motion.p_theta";

@@ -80,7 +80,8 @@ ModelChoice written_out(const CaseTree& tree, const std::string& slot, const tom
           std::move(written.coefficients),
           std::move(written.tape),
           std::move(written.facts),
-          written.at_points};
+          written.at_points,
+          std::move(written.parts)};
 }
 
 }  // namespace
@@ -128,7 +129,8 @@ namespace {
 
 AnyPlane<> any_plane(const ModelChoice& choice) {
   if (!choice.tape) return {{Potential::planar(choice.description.name, choice.coefficients)}};
-  return {{PlanarExpression<>(choice.tape, coefficient_list(choice.coefficients))}};
+  return {{PlanarExpression<>(choice.parts ? choice.parts->plane : choice.tape,
+                              coefficient_list(choice.coefficients))}};
 }
 
 AnisotropicPotential::Plane oriented_plane(const ModelChoice& choice) {
@@ -150,7 +152,8 @@ AnisotropicPotential::Coupled oriented_coupled(const ModelChoice& choice) {
 
 AnyThickness<> any_thickness(const ModelChoice& choice) {
   if (!choice.tape) return {{Potential::thickness(choice.description.name, choice.coefficients)}};
-  return {{ThicknessExpression<>(choice.tape, coefficient_list(choice.coefficients))}};
+  return {{ThicknessExpression<>(choice.parts ? choice.parts->thickness : choice.tape,
+                                 coefficient_list(choice.coefficients))}};
 }
 
 }  // namespace
@@ -170,6 +173,8 @@ Potential make_potential(std::span<const ModelChoice> models) {
   }
   const bool written_out =
       std::ranges::any_of(models, [](const ModelChoice& m) { return m.tape != nullptr; });
+  if (written_out && models.size() == 1 && models[0].parts)
+    return Potential(SeparableExpression{any_plane(models[0]), any_thickness(models[0])});
   if (written_out && models.size() == 1)
     return Potential(CoupledExpression<>(models[0].tape, coefficient_list(models[0].coefficients)));
   if (written_out) {

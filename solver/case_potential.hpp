@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lib/potential.hpp"
+#include "solver/case_expression.hpp"
 #include "solver/case_tree.hpp"
 
 namespace stationary {
@@ -20,6 +21,8 @@ struct ModelChoice {
   std::shared_ptr<const expression::Tape> tape = {};  ///< of an expression
   std::vector<std::string> facts = {};                ///< found out about an expression
   bool facts_at_points = false;                       ///< one of them at points (facts.hpp)
+  /// Of a coupled isotropic expression that is separable: used where no fibre stands beside it.
+  std::optional<ExpressionParts> parts = {};
 };
 
 /// The potential of one coupled model, or of a planar and a thickness one, with fibres or without.

@@ -100,7 +100,10 @@ class EventSystem {
     const EventSetting& at = *setting_;
     const T p = T::logarithmic(y[stretches], stretches);
     const auto input = [&](double value, Kind kind, int index) {
-      const bool varied = at.parameter.kind == kind && at.parameter.index == index;
+      const bool in_part = kind == Kind::plane || kind == Kind::thickness;
+      const bool varied =
+          (at.parameter.kind == kind || (in_part && at.parameter.kind == Kind::shared)) &&
+          at.parameter.index == index;
       return varied ? p : T(as_input(value, at.inputs));
     };
     const double J[3] = {at.body.J1, at.body.J2, at.body.J3};

@@ -57,6 +57,10 @@ MapGrid::MapGrid(const Case& input)
       case FamilyParameter::Kind::thickness:
         batch_.thickness[k] = std::move(each);
         break;
+      case FamilyParameter::Kind::shared:
+        batch_.plane[k] = each;
+        batch_.thickness[k] = std::move(each);
+        break;
       case FamilyParameter::Kind::fibre:
         batch_.fibres[k] = std::move(each);
         break;

@@ -177,6 +177,7 @@ class ModelFamily final : public Family<N> {
         break;
       case Kind::plane:
       case Kind::thickness:
+      case Kind::shared:
         out.model = at_coefficient(out.model, options_.parameter, p);
         break;
       case Kind::fibre:

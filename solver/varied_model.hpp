@@ -19,9 +19,9 @@ template <class Model>
 Model at_coefficient(Model model, const FamilyParameter& parameter, double value) {
   using Kind = FamilyParameter::Kind;
   if constexpr (requires { model.plane; }) {
-    if (parameter.kind == Kind::plane)
+    if (parameter.kind == Kind::plane || parameter.kind == Kind::shared)
       model.plane = with_coefficient(model.plane, parameter.index, value);
-    if (parameter.kind == Kind::thickness)
+    if (parameter.kind == Kind::thickness || parameter.kind == Kind::shared)
       model.thickness = with_coefficient(model.thickness, parameter.index, value);
   } else {
     if (parameter.kind == Kind::plane) model = with_coefficient(model, parameter.index, value);
@@ -47,13 +47,15 @@ ReducedVector<N> coefficient_slope(const Model& model, const FamilyParameter& pa
   const auto invariants = planar_invariants(x[0], x[1]);
   ReducedVector<N> out = ReducedVector<N>::Zero();
   if constexpr (requires { model.plane; }) {
-    if (parameter.kind == FamilyParameter::Kind::plane) {
+    if (parameter.kind != FamilyParameter::Kind::thickness) {
       const auto w = with_duals(model.plane).template evaluate<1>(invariants);
       const auto b = planar_log_balance<1>(w, x[0], x[1], none);
       out[0] = b.g_xi.slope[direction];
       out[1] = b.g_zeta.slope[direction];
-    } else if constexpr (N == 3) {
-      out[2] = with_duals(model.thickness).template evaluate<1>(x[2]).v_r.slope[direction];
+    }
+    if constexpr (N == 3) {
+      if (parameter.kind != FamilyParameter::Kind::plane)
+        out[2] = with_duals(model.thickness).template evaluate<1>(x[2]).v_r.slope[direction];
     }
   } else {
     const auto w = with_duals(model).template evaluate<1>(invariants, x[2]);

@@ -109,6 +109,47 @@ TEST(ExpressionCase, NoStateOfRestIsSaidSo) {
   EXPECT_THAT(outcome.err, HasSubstr("no state of rest was found"));
 }
 
+/// A coupled formula that is separable is solved as plane and thickness are, and followed in a
+/// parameter that both parts have.
+TEST(ExpressionCase, ASeparableCoupledFormulaIsTakenApart) {
+  const TemporaryDirectory directory;
+  const std::string whole =
+      "coupled = { expression = \"mu/2*(I1 - 2 - 2*log(d)) + log(d)^2 + mu*(1/rho + rho)^2\", "
+      "mu = 1.0 }";
+  const std::string parts =
+      "plane = { expression = \"mu/2*(I1 - 2 - 2*log(d)) + log(d)^2\", mu = MU }\n"
+      "thickness = { expression = \"mu*(1/rho + rho)^2\", mu = MU }";
+  const auto in_parts = [&](const std::string& mu) {
+    std::string out = parts;
+    for (std::size_t k = out.find("MU"); k != std::string::npos; k = out.find("MU"))
+      out.replace(k, 2, mu);
+    return out;
+  };
+  const std::string coupled = directory.file("coupled.toml", case_with(whole));
+  const Outcome check = run_program({"check", coupled});
+  EXPECT_THAT(check.out, HasSubstr("potential     separable, isotropic"));
+  EXPECT_THAT(check.out, HasSubstr("1 equation, from the rest thickness"));
+  const std::vector<std::string> sets{"--set", "motion.branch=\"i\"", "--certify", "-o", "-"};
+  const auto solved = [&](const std::string& path) {
+    std::vector<std::string> arguments{"solve", path};
+    arguments.insert(arguments.end(), sets.begin(), sets.end());
+    return only_row(run_program(arguments).out);
+  };
+  Row a = solved(coupled);
+  Row b = solved(directory.file("parts.toml", case_with(in_parts("1.0"))));
+  EXPECT_EQ(a["certified"], "yes");
+  for (const char* column : {"xi", "zeta", "rho", "class", "negative"})
+    EXPECT_EQ(a[column], b[column]) << column;
+  const Outcome family = run_program(
+      {"continue", coupled, "--set", "motion.branch=\"i\"", "--set",
+       "continuation={ parameter = \"potential.coupled.mu\", from = 1.0, to = 2.0 }", "-o", "-"});
+  ASSERT_EQ(family.code, 0) << family.err;
+  Row last = rows_of(family.out).back();
+  Row expected = solved(directory.file("end.toml", case_with(in_parts("2.0"))));
+  for (const char* column : {"xi", "zeta", "rho", "growth", "im1"})
+    EXPECT_NEAR(number(last[column]), number(expected[column]), 1e-13) << column;
+}
+
 TEST(ExpressionCase, IsFollowedInItsParameterAndMapped) {
   const TemporaryDirectory directory;
   const std::string plane =

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <ostream>
 #include <string>
 
 #include "lib/balance.hpp"
@@ -70,6 +71,8 @@ struct Shipped {
   const char* name;
   Real50 (*value)(const Stretch50&);
 };
+
+void PrintTo(const Shipped& shipped, std::ostream* out) { *out << shipped.name; }
 
 Case case_of(const Shipped& shipped) {
   return read_case(std::string(STATIONARY_CASES "/") + shipped.name + ".toml");
