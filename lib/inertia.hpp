@@ -25,9 +25,9 @@ using Vector7 = Eigen::Matrix<S, 7, 1>;
 template <class S>
 using Matrix7 = Eigen::Matrix<S, 7, 7>;
 
-/// Locked inertia I(q), eq. (20).
-template <class S>
-Matrix3<S> locked_inertia(const Body& body, const BasicStretch<S>& q) {
+/// Locked inertia I(q), eq. (20). body, here and below: J1, J2, J3 as doubles or in S.
+template <class S, class Inertias>
+Matrix3<S> locked_inertia(const Inertias& body, const BasicStretch<S>& q) {
   const S alpha2 = q.alpha * q.alpha;
   const S xi2 = q.xi * q.xi;
   const S zeta2 = q.zeta * q.zeta;
@@ -58,7 +58,6 @@ struct CentrifugalRates {
   S rho;
 };
 
-/// body: J1, J2, J3 as doubles or in S.
 template <class S, class Inertias>
 CentrifugalRates<S> centrifugal_rates(const Inertias& body, const S& nu1_squared,
                                       const S& nu2_squared, const S& nu3_squared) {
@@ -76,7 +75,7 @@ struct SpinProducts {
   S product_12;
 };
 
-/// Centrifugal matrix C(nu): T_rot = q^T C q / 2. body: J1, J2, J3 as doubles or in S.
+/// Centrifugal matrix C(nu): T_rot = q^T C q / 2.
 template <class S, class Inertias>
 Matrix4<S> centrifugal_matrix(const Inertias& body, const SpinProducts<S>& n) {
   Matrix4<S> C = Matrix4<S>::Constant(S(0.0));
@@ -97,14 +96,14 @@ Matrix4<S> centrifugal_matrix(const Body& body, const Vector3<S>& nu) {
 }
 
 /// The row of M that couples nu3 to (alpha', xi', zeta'), eq. (21).
-template <class S>
-Vector3<S> gyroscopic_coupling(const Body& body, const BasicStretch<S>& q) {
+template <class S, class Inertias>
+Vector3<S> gyroscopic_coupling(const Inertias& body, const BasicStretch<S>& q) {
   return {-(body.J1 * q.xi - body.J2 * q.zeta), body.J1 * q.alpha, -(body.J2 * q.alpha)};
 }
 
 /// Mass matrix M(q), 7x7, symmetric positive definite wherever S is.
-template <class S>
-Matrix7<S> mass_matrix(const Body& body, const BasicStretch<S>& q) {
+template <class S, class Inertias>
+Matrix7<S> mass_matrix(const Inertias& body, const BasicStretch<S>& q) {
   Matrix7<S> M = Matrix7<S>::Constant(S(0.0));
   M.template topLeftCorner<3, 3>() = locked_inertia(body, q);
   const Vector3<S> coupling = gyroscopic_coupling(body, q);
@@ -124,8 +123,9 @@ Vector7<S> legendre(const Body& body, const BasicStretch<S>& q, const Vector7<S>
 
 /// Velocities of given momenta, in closed form: the inverse of legendre(), the paper's equations
 /// for nu1, nu2, nu3, d(alpha)/dt, d(xi)/dt, d(zeta)/dt, d(rho)/dt before (73).
-template <class S>
-Vector7<S> inverse_legendre(const Body& body, const BasicStretch<S>& q, const Vector7<S>& momenta) {
+template <class S, class Inertias>
+Vector7<S> inverse_legendre(const Inertias& body, const BasicStretch<S>& q,
+                            const Vector7<S>& momenta) {
   const Matrix3<S> I = locked_inertia(body, q);
   const S det = I(0, 0) * I(1, 1) - I(0, 1) * I(0, 1);
   const S sum = q.xi + q.zeta;
@@ -154,11 +154,11 @@ Vector7<S> steady_momenta(const Body& body, const BasicStretch<S>& q, const Vect
 }
 
 /// d(steady_momenta)/dq at fixed nu, 7x4: linear in q.
-template <class S>
-Eigen::Matrix<S, 7, 4> steady_momenta_jacobian(const Body& body, const BasicStretch<S>& q,
+template <class S, class Inertias>
+Eigen::Matrix<S, 7, 4> steady_momenta_jacobian(const Inertias& body, const BasicStretch<S>& q,
                                                const Vector3<S>& nu) {
-  const double J1 = body.J1;
-  const double J2 = body.J2;
+  const auto J1 = body.J1;
+  const auto J2 = body.J2;
   const S h = J1 * q.xi + J2 * q.zeta;
   Eigen::Matrix<S, 7, 4> N = Eigen::Matrix<S, 7, 4>::Constant(S(0.0));
   N(0, 0) = 2.0 * J1 * q.alpha * nu[0] - h * nu[1];

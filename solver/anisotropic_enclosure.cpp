@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "lib/leaf_enclosure.hpp"
 #include "solver/certificate_steps.hpp"
 #include "solver/oriented_boxes.hpp"
 
@@ -50,6 +51,7 @@ void certify_at(const OrientedBoxSystem<Layout>& system, const Stretch& q,
     add((Interval(q.alpha) - solution.alpha) / sqrt(solution.xi * solution.zeta));
   if constexpr (Layout::axis) {
     const AxisAngle<Interval> axis = axis_angle(proof.solution[at(Layout::axis_place)]);
+    out.axis = {axis.cosine, axis.sine};
     const Interval size = sqrt(square(Interval(nu[0])) + square(Interval(nu[1])));
     const Interval sine = (axis.cosine * nu[1] - axis.sine * nu[0]) / size;
     add(1.0000001 * sine);  // the angle, where it is small
@@ -79,6 +81,23 @@ bool usable(const Equilibrium& equilibrium, Certificate& out) {
   if (const char* inequality = violated_inequality(equilibrium.q))
     out.reason = std::string("S is not positive definite: it needs ") + inequality;
   return out.reason.empty();
+}
+
+void require_proven(const Certificate& certificate) {
+  if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
+}
+
+SpectrumEnclosure whole(const Body& body, const AnisotropicPotential& V,
+                        const Certificate& certificate, double nu, const Vector3<Interval>& axis,
+                        const Spectrum& spectrum, Inputs inputs) {
+  const StretchBox& at = certificate.solution;
+  const BasicStretch<Interval> q{at.alpha, at.xi, at.zeta, at.rho};
+  // nu and -nu: the same dynamics run backwards, with the same Lambda.
+  return enclose_leaf_spectrum(
+      {inertia_intervals(body, inputs), q,
+       nu == 0.0 ? Interval(0.0) : as_input(std::abs(nu), inputs), axis,
+       potential_derivatives<2>(V.model(AsIntervals{inputs}), q).hessian, !V.is_separable()},
+      spectrum);
 }
 
 }  // namespace
@@ -134,21 +153,27 @@ SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem,
                                                const Equilibrium& equilibrium,
                                                const Certificate& certificate,
                                                const Spectrum& spectrum, Inputs inputs) {
-  if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
+  require_proven(certificate);
   const AnisotropicPotential& V = problem.potential().anisotropic();
   const StretchBox& at = certificate.solution;
   const double nu = equilibrium.nu[axis(problem.branch())];
-  if (!V.shear_free() || at.alpha.lo != 0.0 || at.alpha.hi != 0.0 || nu == 0.0) {
-    SpectrumEnclosure out;
-    out.modes = spectrum.modes;
-    out.lambda.fill({Interval::entire(), Interval::entire()});
-    return out;
-  }
+  if (!V.shear_free() || at.alpha.lo != 0.0 || at.alpha.hi != 0.0 || nu == 0.0)
+    return whole(problem.body(), V, certificate, nu, {0.0, 0.0, 1.0}, spectrum, inputs);
   const BasicStretch<Interval> q{0.0, at.xi, at.zeta, at.rho};
   return enclose_spectrum({problem.branch(), false, false, false, !V.is_separable()},
                           straight_state(inertia_intervals(problem.body(), inputs),
                                          V.model(AsIntervals{inputs}), q, as_input(nu, inputs)),
                           spectrum);
+}
+
+SpectrumEnclosure enclose_oblique_spectrum(const Body& body, const Potential& potential,
+                                           const ObliqueRotation& motion,
+                                           const Certificate& certificate, const Spectrum& spectrum,
+                                           Inputs inputs) {
+  require_proven(certificate);
+  const auto& [first, second] = certificate.axis;
+  return whole(body, potential.anisotropic(), certificate, motion.nu, {first, second, 0.0},
+               spectrum, inputs);
 }
 
 }  // namespace stationary

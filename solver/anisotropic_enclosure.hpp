@@ -1,7 +1,7 @@
 // Proofs about one stationary ellipsoid of a potential that is not isotropic, as enclosure.hpp has
-// them: existence, uniqueness and error bound in every branch and about an oblique axis. Of the
-// spectrum only where alpha = 0, V is even in alpha and the axis is a material one: elsewhere
-// nothing is proven of it.
+// them: existence, uniqueness, error bound and class in every branch and about an oblique axis. The
+// spectrum is enclosed block by block where alpha = 0, V_alpha = 0 there and the axis is a material
+// one, else by the whole leaf (leaf_enclosure.hpp).
 #pragma once
 
 #include "solver/anisotropic_family.hpp"
@@ -21,5 +21,9 @@ SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem,
 Certificate certify_oblique(const Body& body, const Potential& potential,
                             const ObliqueRotation& motion, const Equilibrium& equilibrium,
                             Inputs inputs = Inputs::decimals);
+SpectrumEnclosure enclose_oblique_spectrum(const Body& body, const Potential& potential,
+                                           const ObliqueRotation& motion,
+                                           const Certificate& certificate, const Spectrum& spectrum,
+                                           Inputs inputs = Inputs::decimals);
 
 }  // namespace stationary

@@ -10,6 +10,7 @@
 // intervals do not decide (a fold within rounding errors).
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string>
 
@@ -32,6 +33,8 @@ struct Certificate {
   StretchBox unique;    ///< holds all within error_bound, and exactly one solution with alpha = 0
   StretchBox solution;  ///< where it lies in there
   bool circle = false;  ///< proven: xi = zeta, by symmetry
+  /// Of an oblique motion: where nu/|nu| lies, along axes 1 and 2.
+  std::array<Interval, 2> axis = {};
   /// Proven bound of the relative error of each of xi, zeta, rho (of alpha over sqrt(xi zeta), of
   /// an oblique axis' angle); NaN where not proven.
   double error_bound = std::numeric_limits<double>::quiet_NaN();

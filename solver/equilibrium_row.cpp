@@ -183,7 +183,9 @@ RowProof prove_row(const Body& body, const Potential& potential, const ObliqueRo
                    const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
                    TableRow& row) {
   const Certificate certificate = certify_oblique(body, potential, motion, equilibrium);
-  return noted(certificate, spectrum, row, [] { return std::optional<StabilityClass>(); });
+  return noted(certificate, spectrum, row, [&] {
+    return enclose_oblique_spectrum(body, potential, motion, certificate, *spectrum).verdict;
+  });
 }
 
 RowProof prove_row(const Body& body, const Potential& potential, const TwoPolarMotion& motion,

@@ -156,5 +156,53 @@ TEST(AnisotropicCertificate, ClassOfAnEvenPotentialAtAlphaZero) {
   }
 }
 
+/// Where there are none, from the whole leaf: whatever is proven is what stability says, and nearly
+/// always something is.
+TEST(AnisotropicCertificate, ClassOfAnyMotion) {
+  support::Random random(433);
+  int claimed = 0;
+  int proven = 0;
+  const auto compare = [&](const SpectrumEnclosure& found, const Spectrum& spectrum,
+                           const std::string& text) {
+    ASSERT_EQ(found.modes, spectrum.modes) << text;
+    for (int k = 0; k < found.modes; ++k) {
+      const Mode& m = spectrum.mode[static_cast<std::size_t>(k)];
+      const ComplexInterval& lambda = found.lambda[static_cast<std::size_t>(k)];
+      const Interval error(-m.lambda_error, m.lambda_error);
+      EXPECT_FALSE((m.lambda_re + error).apart_from(lambda.re)) << text << " mode " << k;
+      EXPECT_FALSE((m.lambda_im + error).apart_from(lambda.im)) << text << " mode " << k;
+    }
+    if (found.negative) {
+      EXPECT_EQ(*found.negative, spectrum.negative) << text;
+    }
+    if (spectrum.verdict == StabilityClass::marginal) return;
+    ++claimed;
+    if (!found.verdict) return;
+    ++proven;
+    EXPECT_EQ(name(*found.verdict), name(spectrum.verdict)) << text;
+  };
+  for (int k = 0; k < 60; ++k) {
+    OrientedBody at = random_oriented_body(random, k);
+    if (k % 10 == 9) at.nu = 0.0;
+    const Problem third = at.problem(Branch::iii);
+    const Potential V = at.potential();
+    const Equilibrium found = solve(third, at.nu, without_search());
+    const Certificate proof = certify(third, found);
+    if (!proof.proven) continue;
+    const Spectrum spectrum = anisotropic_stability(third, found).value();
+    compare(enclose_spectrum(third, found, proof, spectrum), spectrum, at.text);
+    if (at.V.even_in_alpha() || at.nu == 0.0) continue;
+    for (const Branch near : {Branch::i, Branch::ii}) {
+      const Equilibrium oblique = solve_oblique(at.body, V, {at.nu, near}, without_search());
+      const Certificate axis = certify_oblique(at.body, V, {at.nu}, oblique);
+      if (!axis.proven) continue;
+      const Spectrum modes = oblique_stability(at.body, V, oblique).value();
+      compare(enclose_oblique_spectrum(at.body, V, {at.nu}, axis, modes), modes, at.text);
+    }
+  }
+  EXPECT_GT(claimed, 80);
+  EXPECT_GT(proven, claimed * 9 / 10);
+}
+
 }  // namespace
 }  // namespace stationary

@@ -36,7 +36,8 @@ struct Numbers {
       case Kind::plane:
         return plane[k];
       case Kind::thickness:
-      case Kind::fibre:  // of no model here
+      case Kind::shared:  // of no model here
+      case Kind::fibre:
         break;
     }
     return axial[k];
@@ -260,6 +261,33 @@ INSTANTIATE_TEST_SUITE_P(Models, ParameterFamily,
                              if (c == '-') c = '_';
                            return text + "_" + std::string(name(std::get<1>(info.param)));
                          });
+
+/// A coefficient that plane and thickness share: both change, and each row has its own slope.
+TEST(SharedCoefficient, IsOneOfBothParts) {
+  Numbers numbers{.model = "neo-hookean", .branch = Branch::i};
+  numbers.axial = {numbers.plane[0], 3.0};
+  const Problem problem = numbers.problem();
+  const Equilibrium at = solve(problem, numbers.nu);
+  const auto slope = [&](Kind kind, double p) {
+    const AnyFamily family = numbers.family({kind, 0});
+    const auto& each = *std::get<std::unique_ptr<Family<3>>>(family);
+    return each.linearize(unknowns<3>(at.q), p).slope;
+  };
+  const double p = numbers.plane[0];
+  const ReducedVector<3> both = slope(Kind::shared, p);
+  EXPECT_EQ(both, ReducedVector<3>(slope(Kind::plane, p) + slope(Kind::thickness, p)));
+  EXPECT_NE(both[0], 0.0);
+  EXPECT_NE(both[2], 0.0);
+  Numbers changed = numbers;
+  changed.plane[0] = changed.axial[0] = 1.25;
+  const Equilibrium expected = solve(changed.problem(), numbers.nu);
+  const AnyFamily family = numbers.family({Kind::shared, 0});
+  const auto& shared = *std::get<std::unique_ptr<Family<3>>>(family);
+  ReducedVector<3> x = unknowns<3>(expected.q);
+  ReducedVector<3> tail;
+  ASSERT_TRUE(shared.refine_at(x, tail, 1.25).converged);
+  EXPECT_EQ(x, unknowns<3>(expected.q));
+}
 
 }  // namespace
 }  // namespace stationary
