@@ -34,6 +34,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
 
   Branch branch() const override { return Layout::axis ? Branch::i : branch_; }
   bool oblique() const override { return Layout::axis; }
+  bool sheared() const override { return Layout::alpha; }
   bool along_nu() const override { return options_.parameter.kind == Kind::nu; }
   bool material_symmetry() const override { return false; }
   std::optional<int> mirrored() const override {

@@ -22,9 +22,14 @@ class Curve {
         std::optional<double> pinned = std::nullopt, EventSet asked = {})
       : family_(&family),
         corrector_(family, scale, circle, pinned),
-        context_{family.branch(), family.material_symmetry(), circle,
-                 family.tilted(), family.two_polar(),         TestContext::sought_for(asked),
-                 family.oblique()} {}
+        context_{family.branch(),
+                 family.material_symmetry(),
+                 circle,
+                 family.tilted(),
+                 family.two_polar(),
+                 TestContext::sought_for(asked),
+                 family.oblique(),
+                 family.sheared()} {}
 
   const Family<N>& family() const { return *family_; }
   const Corrector<N>& corrector() const { return corrector_; }

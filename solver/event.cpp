@@ -99,7 +99,7 @@ void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
   }
 }
 
-/// The locked inertias of a motion with alpha != 0 or an oblique axis: in the plane along the
+/// The locked inertias where alpha is an unknown, about an oblique axis too: in the plane along the
 /// spin's axis and across it (in (iii) the smaller and the larger), and about axis 3. Where the
 /// spin's axis is one of the plane, tilt is where its inertia equals that about axis 3.
 void set_inertia_tests(const Member& member, const TestContext& context, TestValues& out) {
@@ -123,7 +123,7 @@ void set_inertia_tests(const Member& member, const TestContext& context, TestVal
 void set_axis_tests(const Member& member, const TestContext& context, const Vector3<double>& m,
                     TestValues& out) {
   const Body& J = member.body;
-  if (context.oblique || member.q.alpha != 0.0) {
+  if (context.sheared) {
     set_inertia_tests(member, context, out);
     return;
   }

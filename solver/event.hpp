@@ -127,6 +127,7 @@ struct TestContext {
   bool two_polar = false;
   EventSet sought = {};  ///< functions of no other events are evaluated or followed
   bool oblique = false;
+  bool sheared = false;  ///< alpha among the unknowns
 
   /// Those to look for so that the ones asked for are found: a turn of the parameter and the end of
   /// a tilted family end a sheet; between which zeros blocks keep their signs, all of them say.

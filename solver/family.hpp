@@ -133,6 +133,8 @@ class Family {
   virtual bool two_polar() const { return false; }
   /// nu in the plane of axes 1 and 2, its direction among the unknowns; branch(): (i).
   virtual bool oblique() const { return false; }
+  /// alpha among the unknowns.
+  virtual bool sheared() const { return false; }
   /// The unknown (its place in x) that a reflection of an even V inverts: x and its image are one
   /// motion and its mirror image, and where it is 1 a family with alpha = 0 is met.
   virtual std::optional<int> mirrored() const { return std::nullopt; }

@@ -166,6 +166,19 @@ TEST(AnisotropicFamily, TiltOfAnObliqueAxis) {
   EXPECT_LE(least, 1e-10);
 }
 
+/// Where alpha is 0 only at rest the inertias are the same functions there as beside it.
+TEST(AnisotropicFamily, NoEventIsMadeOfARestStateWithoutShear) {
+  const Body body(1.0, 1.3, 2.8);
+  const Potential V = fibred(BiotLog<>{1.0, 0.6}, 0.4, 85.0);
+  const Equilibrium rest = solve(Problem(body, V, Branch::iii), 0.0);
+  Rows out;
+  follow(anisotropic_family(body, V.anisotropic(), Branch::iii, false, in(Kind::nu)), rest.q, 0.0,
+         range(0.0, 0.2), out);
+  EXPECT_EQ(out.rows.front().member.q.alpha, 0.0);
+  EXPECT_NE(out.rows.back().member.q.alpha, 0.0);
+  EXPECT_TRUE(out.of(EventType::tilt).empty());
+}
+
 /// kappa (I1 - I2) - h^2 omega^2 in (i), K_alpha,alpha in (iii), from solutions at given nu.
 double turn_at(const Problem& problem, double nu) {
   const Body& body = problem.body();
