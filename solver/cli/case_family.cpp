@@ -4,11 +4,10 @@
 
 #include <algorithm>
 
-#include "solver/anisotropic_equilibrium.hpp"
 #include "solver/case_keys.hpp"
+#include "solver/cli/family_choice.hpp"
 #include "solver/cli/interrupt.hpp"
 #include "solver/cli/plan.hpp"
-#include "solver/cli/tilted_start.hpp"
 #include "solver/equilibrium_row.hpp"
 #include "solver/two_polar_family.hpp"
 
@@ -56,8 +55,8 @@ Start solved_start(const Case& input, const ComputeOptions& options) {
                          .stop = &stop_on_signals()};
   if (auto* tilted = std::get_if<TiltedMotion>(&out.at.motion)) {
     out.found = tilted_start(input, make_potential(out.at.models), *tilted, how);
-  } else if (const auto* oblique = std::get_if<ObliqueRotation>(&out.at.motion)) {
-    out.found = solve_oblique(out.at.body, make_potential(out.at.models), *oblique, how);
+  } else if (auto* oblique = std::get_if<ObliqueRotation>(&out.at.motion)) {
+    out.found = oblique_start(input, out.at.body, make_potential(out.at.models), *oblique, how);
   } else if (const auto* two_polar = std::get_if<TwoPolarMotion>(&out.at.motion)) {
     const TwoPolarEquilibrium found =
         solve_two_polar(out.at.body, make_potential(out.at.models), *two_polar, how);

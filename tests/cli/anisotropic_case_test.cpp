@@ -244,6 +244,20 @@ TEST(AnisotropicCase, WrongInputIsRefusedByName) {
   EXPECT_THAT(map.err, HasSubstr("one of \"i\", \"ii\", \"iii\" for map"));
 }
 
+TEST(AnisotropicCase, ContinueAsksWhichObliqueFamily) {
+  const std::vector<std::string> coarse{"motion.branch=\"oblique\"", "continuation.to=0.6",
+                                        "continuation.tolerance=1e-6"};
+  const Outcome neither = run({"continue", fibre_case}, coarse);
+  EXPECT_EQ(neither.code, 2);
+  EXPECT_THAT(neither.err, HasSubstr("motion.axis: found no such key, and oblique motions with "
+                                     "|nu| = 0.5 of the families of both axes"));
+  std::vector<std::string> second = coarse;
+  second.push_back("motion.axis=\"2\"");
+  const Outcome named = run({"continue", fibre_case, "-o", "-"}, second);
+  EXPECT_EQ(named.code, 0) << named.err;
+  EXPECT_GT(std::abs(number(rows_of(named.out).back()["nu2"])), 0.59);
+}
+
 TEST(AnisotropicCase, AtlasHasTheObliqueSheets) {
   const TemporaryDirectory directory;
   const std::vector<std::string> sets{"continuation.to=0.5", "continuation.tolerance=1e-6",
