@@ -1,5 +1,6 @@
 #include "lib/expression/graph.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -16,9 +17,56 @@ bool is_power_of_two(double x) {
 
 bool is_whole(double x) { return x == std::floor(x); }
 
+/// Whether x has a part that is infinite or no number whatever the variables are: 1/0, log 0, ...
+/// 0 times that is not 0. Such a node's index is 1, where an index means nothing else.
+bool is_singular(const Graph& graph, NodeId x) {
+  const Node& node = graph[x];
+  switch (node.kind) {
+    case Kind::literal:
+      return !std::isfinite(node.literal);
+    case Kind::parameter:
+    case Kind::variable:
+      return false;
+    case Kind::kernel:
+      return is_singular(graph, node.a) || is_singular(graph, node.b) || is_singular(graph, node.c);
+    default:
+      return node.index == 1;
+  }
+}
+
+/// Of a node that is about to be made.
+bool has_singular_part(const Graph& graph, const Node& node) {
+  const auto singular = [&](NodeId x) { return is_singular(graph, x); };
+  switch (node.kind) {
+    case Kind::coefficient_quotient:
+      return graph.is_zero(node.b) || singular(node.a) || singular(node.b);
+    case Kind::power: {
+      const bool known = graph[node.b].kind == Kind::literal && graph[node.b].literal > 0.0;
+      return (graph.is_zero(node.a) && !known) || singular(node.a) || singular(node.b);
+    }
+    case Kind::function:
+      return (graph.is_zero(node.a) && node.function == Function::log) || singular(node.a);
+    case Kind::coefficient_sum:
+    case Kind::coefficient_product:
+    case Kind::minimum:
+    case Kind::maximum:
+      return singular(node.a) || singular(node.b);
+    case Kind::sum:
+      return singular(node.a) || std::ranges::any_of(node.terms, [&](const Term& term) {
+               return singular(term.coefficient) || singular(term.node);
+             });
+    case Kind::product:
+      return std::ranges::any_of(node.terms,
+                                 [&](const Term& factor) { return singular(factor.node); });
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 NodeId Graph::intern(Node node) {
+  if (has_singular_part(*this, node)) node.index = 1;
   const auto found = known_.find(node);
   if (found != known_.end()) return found->second;
   if (nodes_.size() >= largest_size)
@@ -87,7 +135,8 @@ NodeId Graph::coefficient_add(NodeId x, NodeId y) {
 }
 
 NodeId Graph::coefficient_multiply(NodeId x, NodeId y) {
-  if (is_zero(x) || is_zero(y)) return zero();
+  if ((is_zero(x) && !is_singular(*this, y)) || (is_zero(y) && !is_singular(*this, x)))
+    return zero();
   if (is_literal(x, 1.0)) return y;
   if (is_literal(y, 1.0)) return x;
   if (is_exact_literal(y)) std::swap(x, y);
@@ -123,8 +172,8 @@ NodeId Graph::coefficient_multiply(NodeId x, NodeId y) {
 }
 
 NodeId Graph::coefficient_divide(NodeId x, NodeId y) {
-  if (is_zero(x) && !is_zero(y)) return x;
-  if (x == y && !is_zero(x)) return one();
+  if (is_zero(x) && !is_zero(y) && !is_singular(*this, y)) return x;
+  if (x == y && !is_zero(x) && !is_singular(*this, x)) return one();
   const Node& q = nodes_[y];
   if (is_exact_literal(y)) {
     if (q.literal == 1.0) return x;
@@ -185,7 +234,8 @@ NodeId Graph::from(const LinearForm& form) {
   node.kind = Kind::sum;
   node.a = form.constant;
   for (const auto& [term, coefficient] : form.coefficient)
-    if (!is_zero(coefficient)) node.terms.push_back({term, coefficient, 0});
+    if (!is_zero(coefficient) || is_singular(*this, term))
+      node.terms.push_back({term, coefficient, 0});
   if (node.terms.empty()) return form.constant;
   if (node.terms.size() == 1 && is_zero(node.a)) {
     if (is_literal(node.terms[0].coefficient, 1.0)) return node.terms[0].node;

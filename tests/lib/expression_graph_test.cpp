@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "lib/expression/differentiate.hpp"
 #include "lib/expression/expression.hpp"
@@ -35,6 +36,24 @@ TEST_F(GraphTest, WhatCancelsIsGone) {
   EXPECT_EQ(g.divide(g.multiply(t, d), d), t);
   EXPECT_TRUE(g.is_zero(g.subtract(g.multiply(mu, t), g.multiply(t, mu))));
   EXPECT_EQ(g.multiply(number(2.0), g.divide(g.multiply(mu, t), number(2.0))), g.multiply(mu, t));
+}
+
+/// 0 times what is infinite or no number is no 0.
+TEST_F(GraphTest, NothingTimesInfinityStays) {
+  const NodeId zero = g.zero();
+  const NodeId infinite = g.divide(g.one(), zero);
+  const NodeId power = g.power(zero, mu);
+  for (const NodeId x :
+       {infinite, g.apply(Function::log, zero), power, g.number(INFINITY), g.power(zero, -2),
+        g.add(infinite, mu), g.multiply(infinite, mu), g.multiply(t, infinite),
+        g.apply(Function::exp, g.multiply(t, infinite)), g.subtract(infinite, infinite)}) {
+    EXPECT_FALSE(g.is_zero(g.multiply(zero, x)));
+    EXPECT_FALSE(g.is_zero(g.multiply(x, zero)));
+    EXPECT_FALSE(g.is_zero(g.subtract(x, x)));
+  }
+  EXPECT_TRUE(g.is_zero(g.multiply(zero, g.divide(g.one(), mu))));
+  EXPECT_TRUE(g.is_zero(g.multiply(zero, g.power(zero, number(1.5)))));
+  EXPECT_TRUE(g.is_zero(g.multiply(zero, g.power(t, -1))));
 }
 
 TEST_F(GraphTest, LiteralsAreCombinedOnlyWhereThatIsExact) {
