@@ -396,6 +396,40 @@ TEST(ExpressionModels, RestStates) {
   EXPECT_TRUE(std::isnan(written_coupled("d*rho", {}, {}).rest_stretch()));
 }
 
+/// At a pole or a kink the slope of V turns from - to + as it does at a minimum, and so may the
+/// rounding error of a slope that is 0.
+TEST(ExpressionModels, RestIsAMinimumAndNoPoleOrNoise) {
+  const double r = written_plane("log((d-1.5)^2) + 3*(d-4)^2 + t^2/d", {}, {}).rest_stretch();
+  EXPECT_NEAR(1.0 / (r * r - 1.5) + 3.0 * (r * r - 4.0), 0.0, 1e-12);
+  EXPECT_GT(r, 1.9);
+  const double rho =
+      written_thickness("log((rho - 1.5)^2) + 3*(rho - 4)^2", {}, {}).rest_thickness();
+  EXPECT_NEAR(1.0 / (rho - 1.5) + 3.0 * (rho - 4.0), 0.0, 1e-12);
+  EXPECT_GT(rho, 3.0);
+  // A kink nearer to 1 than the minimum.
+  EXPECT_NEAR(written_thickness("sqrt((rho - 1.1)^2) + (1 - rho)*exp(-9*(rho - 1.5)^2)", {}, {})
+                  .rest_thickness(),
+              1.5, 0.3);
+  for (const char* text : {"t^2/d", "(t^2 - 4*d)*p", "log(t^2/d)*q", "exp(t/sqrt(d))"})
+    EXPECT_TRUE(std::isnan(written_plane(text, names, {0.1, 0.7}).rest_stretch())) << text;
+  EXPECT_TRUE(
+      std::isnan(written_thickness("log(p*rho^3) - log(q*rho) - 2*log(rho)", names, {0.1, 0.7})
+                     .rest_thickness()));
+  // A flat minimum is one.
+  EXPECT_NEAR(written_thickness("(rho - 1.3)^4", {}, {}).rest_thickness(), 1.3, 1e-12);
+}
+
+/// Of two minima that Newton finds the nearer one, whichever is found first.
+TEST(ExpressionModels, CoupledRestIsTheNearestMinimum) {
+  const auto in_plane =
+      written_coupled("(d - 0.25)^2*(d - 2.25)^2 + (rho - 1)^2 + 0*t*rho", {}, {});
+  EXPECT_NEAR(in_plane.rest_stretch(), 1.5, 1e-12);
+  EXPECT_NEAR(in_plane.rest_thickness(), 1.0, 1e-12);
+  const auto across = written_coupled("(d - 1)^2 + (rho - 0.4)^2*(rho - 2)^2", {}, {});
+  EXPECT_NEAR(across.rest_stretch(), 1.0, 1e-12);
+  EXPECT_NEAR(across.rest_thickness(), 2.0, 1e-12);
+}
+
 TEST(ExpressionModels, CoefficientsAreCounted) {
   const auto parsed = parse_expression("p*d", names, ExpressionSlot::plane);
   const std::vector<double> one{1.0};
