@@ -44,8 +44,16 @@ Origin character_origin(const CaseTree& tree, const std::string& key, const toml
 
 std::shared_ptr<const expression::Tape> compiled(ExpressionSlot slot,
                                                  expression::Expression expression,
-                                                 bool isotropic) {
-  if (!isotropic) return expression::oriented_tape(std::move(expression));
+                                                 const expression::Facts& facts) {
+  if (slot != ExpressionSlot::thickness && !facts.is_isotropic()) {
+    // With what is known of alpha for these values of the parameters.
+    auto out =
+        std::make_shared<expression::Tape>(*expression::oriented_tape(std::move(expression)));
+    out->shear_free = out->shear_free && facts.is_shear_free();
+    out->even = out->even && facts.is_even();
+    out->sheared = facts.shear_free == expression::Verdict::refuted;
+    return out;
+  }
   switch (slot) {
     case ExpressionSlot::plane:
       return expression::planar_tape(std::move(expression));
@@ -102,8 +110,9 @@ WrittenPotential read_written_out(const CaseTree& tree, std::string_view slot,
                        "found a parameter that does not occur in the expression",
                        "parameters of the expression", "remove it, or correct its name");
     }
-    expression::Facts facts = expression::facts(parsed.expression, slot_of(slot));
-    out.facts = std::move(facts.sentences);
+    const expression::Facts facts =
+        expression::facts(parsed.expression, slot_of(slot), out.coefficients);
+    out.facts = facts.sentences;
     out.facts.insert(out.facts.end(), parsed.notes.begin(), parsed.notes.end());
     out.at_points = facts.any_at_points();
     out.isotropic = slot_of(slot) == ExpressionSlot::thickness || facts.is_isotropic();
@@ -113,7 +122,7 @@ WrittenPotential read_written_out(const CaseTree& tree, std::string_view slot,
                      expression::thickness_tape(std::move(parts->thickness))};
       }
     }
-    out.tape = compiled(slot_of(slot), std::move(parsed.expression), out.isotropic);
+    out.tape = compiled(slot_of(slot), std::move(parsed.expression), facts);
   } catch (const ExpressionError& error) {
     throw InputError(character_origin(tree, key, node, error.offset()), key,
                      fmt::format("found {} at character {} of the expression",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "lib/expression/circle.hpp"
 #include "lib/expression/differentiate.hpp"
 #include "lib/expression/facts.hpp"
 #include "lib/expression/pairs.hpp"
@@ -262,6 +263,7 @@ NodeId in_invariants(Expression& e) {
                          {Variable::xi, g.variable(Variable::lambda)},
                          {Variable::zeta, g.variable(Variable::mu)}});
   }
+  require_smooth_at_circle(e);
   const NodeId t = g.variable(Variable::t);
   const NodeId d = g.variable(Variable::d);
   return substitute(
@@ -292,6 +294,7 @@ std::shared_ptr<const Tape> coupled_tape(Expression e) {
 
 std::shared_ptr<const Tape> anisotropic_tape(Expression e) {
   require_room(e);
+  require_smooth_at_circle(e);
   constexpr std::array coordinates{Coordinate::alpha, Coordinate::xi, Coordinate::zeta,
                                    Coordinate::rho};
   constexpr std::array directions{along_xi, along_zeta, along_rho};

@@ -1,24 +1,20 @@
 // What can be found out about a potential from its expression: which variables it has, whether it
 // turns with the body (isotropic), whether plane and thickness are apart, whether a body that lies
-// along its material axes feels no shear. Each comes with how it was established:
-//
-//   term by term     the identity's expression is 0 as it is written
-//   at points        it vanishes at fixed pseudo-random points, all parameters arbitrary too, to 20
-//                    digits of its terms; one point where it does not refutes it
+// along its material axes feels no shear. Each is an identity that holds whatever the parameters
+// are, and comes with how it was established: term by term or at points (vanishing.hpp).
 //
 // Isotropic:  V_alpha (xi - zeta) + 2 alpha (V_zeta - V_xi) = 0,  the derivative along a rotation.
 #pragma once
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "lib/expression/expression.hpp"
+#include "lib/expression/vanishing.hpp"
 
 namespace stationary::expression {
-
-/// undecided: the identity is defined at too few of the points.
-enum class Verdict : std::uint8_t { term_by_term, at_points, refuted, undecided };
 
 struct Facts {
   std::vector<Variable> variables;          ///< that occur
@@ -30,7 +26,7 @@ struct Facts {
   std::vector<std::string> sentences;       ///< all of it, for a person to read
 
   static bool holds(Verdict v) { return v == Verdict::term_by_term || v == Verdict::at_points; }
-  /// Whether one of them is known by points alone: beyond doubt, but not proven.
+  /// Whether one of them is known by points alone, which is no proof.
   bool any_at_points() const {
     for (const Verdict v : {symmetric, isotropic, shear_free, even, separable})
       if (v == Verdict::at_points) return true;
@@ -42,24 +38,22 @@ struct Facts {
   bool is_separable() const { return holds(separable); }
 };
 
-/// Throws Unsuitable where lambda and mu_ do not enter symmetrically, TooLarge.
-Facts facts(Expression expression, Slot slot);
+/// values: of the parameters, where they are known (vanishing.hpp). Throws Unsuitable where lambda
+/// and mu_ do not enter symmetrically or what they enter by is not smooth (circle.hpp), TooLarge.
+Facts facts(Expression expression, Slot slot, std::span<const double> values = {});
 
 /// Whether any of the variables occurs in x.
 bool occurs(const Graph& graph, NodeId x, std::initializer_list<Variable> variables);
-
-/// Whether x, of alpha, xi, zeta, rho and that many parameters, is 0 whatever they are.
-Verdict vanishes(const Graph& graph, NodeId x, std::size_t parameter_count);
 
 /// The expression with lambda and mu_ replaced by what is smooth at the circle (pairs.hpp); throws
 /// Unsuitable where they do not enter symmetrically.
 NodeId without_principal_stretches(Expression& expression);
 
 /// Of an expression in which lambda and mu_ enter symmetrically.
-Verdict isotropy(Expression& expression);
+Verdict isotropy(Expression& expression, std::span<const double> values = {});
 /// V_alpha = 0 at alpha = 0, likewise.
-Verdict shear_freedom(Expression& expression);
+Verdict shear_freedom(Expression& expression, std::span<const double> values = {});
 /// V(-alpha, xi, zeta, rho) = V(alpha, xi, zeta, rho), likewise.
-Verdict evenness(Expression& expression);
+Verdict evenness(Expression& expression, std::span<const double> values = {});
 
 }  // namespace stationary::expression

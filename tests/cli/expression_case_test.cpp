@@ -48,6 +48,8 @@ TEST(ExpressionCase, WrongOnesAreRefusedAtTheirCharacter) {
       {"plane = { expression = \"d^2\", mu = 1.0 }", ":7:31", "does not occur"},
       {"plane = { expression = \"abs(t - 2)\" }", ":7:25", "second derivative"},
       {"plane = { expression = \"lambda^2 - mu_\" }", ":7:24", "lambda and mu_"},
+      {"plane = { expression = \"d - log(d) + sqrt((lambda - mu_)^2)\" }", ":7:24", "has a kink"},
+      {"plane = { expression = \"d + sqrt((xi - zeta)^2 + 4*alpha^2)\" }", ":7:24", "has a kink"},
       {"plane = { expression = 3 }", ":7:24", "a text"},
       {"plane = { expression = \"d\", model = \"biot\" }", ":7:29", "both model and expression"},
       {"plane = { expresion = \"d\" }", ":7:", "did you mean \"expression\""},
@@ -107,6 +109,25 @@ TEST(ExpressionCase, NoStateOfRestIsSaidSo) {
   const Outcome outcome = run_program({"solve", path});
   EXPECT_EQ(outcome.code, 3) << outcome.out;
   EXPECT_THAT(outcome.err, HasSubstr("no state of rest was found"));
+}
+
+/// min(k, 0) is not 0 for this k: neither separable nor isotropic, whatever holds for k > 0.
+TEST(ExpressionCase, FactsAreThoseOfTheParametersGiven) {
+  const TemporaryDirectory directory;
+  const std::string isotropic = "mu/2*(I1 - 2 - 2*log(d)) + log(d)^2 + 1/rho + rho^2 + min(k, 0)*";
+  const auto check = [&](const std::string& term) {
+    const std::string path = directory.file(
+        "branch.toml",
+        case_with("coupled = { expression = \"" + isotropic + term + "\", mu = 1.0, k = -0.5 }"));
+    return run_program({"check", path}).out;
+  };
+  const std::string coupled = check("log(d)*log(rho)");
+  EXPECT_THAT(coupled, HasSubstr("potential     coupled, isotropic"));
+  EXPECT_THAT(coupled, HasSubstr("separable (a potential of the plane and one of the thickness): "
+                                 "does not hold"));
+  const std::string oriented = check("alpha");
+  EXPECT_THAT(oriented, HasSubstr("isotropic (a function of t, d and rho): does not hold"));
+  EXPECT_THAT(oriented, HasSubstr("V_alpha = 0 at alpha = 0: does not hold"));
 }
 
 /// A coupled formula that is separable is solved as plane and thickness are, and followed in a

@@ -82,6 +82,91 @@ TEST(ExpressionFacts, UnsymmetricFunctionsOfTheStretchesAreRefused) {
   EXPECT_THROW(written_plane("xi^2", names, {1.0, 2.0}), expression::Unsuitable);
 }
 
+/// What holds for one half of all parameters, or of all stretches, does not hold. Given values at
+/// which it does hold it is undecided, and taken as not holding as well.
+TEST(ExpressionFacts, HoldWhateverTheParametersAre) {
+  struct Branching {
+    const char* text;
+    Verdict Facts::*fact;
+    double holds;  ///< for such k
+  };
+  const Branching all[] = {
+      {"k*t^2 + n*log(d) + rho^2 + min(k, 0)*log(d)*log(rho)", &Facts::separable, 0.5},
+      {"t^2 + n*rho + max(k, 0)*d*rho", &Facts::separable, -0.5},
+      {"n*t^2 + min(k, 0)*alpha", &Facts::isotropic, 0.5},
+      {"n*t^2 + min(k, 0)*alpha", &Facts::shear_free, 0.5},
+      {"n*t^2 + (sqrt(k^2) - k)*alpha", &Facts::isotropic, 0.5},
+      {"n*t^2 + ((k^2)^0.5 - k)*alpha", &Facts::isotropic, 0.5},
+      {"n*t^2 + ((k^4)^0.25 - k)*alpha", &Facts::isotropic, 0.5},
+      {"n*t^2 + (exp(log(k^2)/2) - k)*alpha", &Facts::shear_free, 0.5},
+      {"n*t^2 + (atan(k) + atan(1/k) - pi/2)*alpha", &Facts::isotropic, 0.5},
+      {"n*t^2 + (abs(k) + k)*xi", &Facts::isotropic, -0.5},
+      {"n*xi + (abs(k) - k)*alpha^3", &Facts::even, 0.5}};
+  for (const Branching& each : all) {
+    const auto verdict = [&](const std::vector<double>& values) {
+      const auto parsed = parse_expression(each.text, names, ExpressionSlot::coupled);
+      return expression::facts(parsed.expression, ExpressionSlot::coupled, values).*each.fact;
+    };
+    EXPECT_EQ(verdict({}), Verdict::refuted) << each.text;
+    EXPECT_EQ(verdict({-each.holds, 1.25}), Verdict::refuted) << each.text;
+    EXPECT_EQ(verdict({each.holds, 1.25}), Verdict::undecided) << each.text;
+  }
+  EXPECT_EQ(written_facts("t^2 + alpha*exp(-200*(xi - 0.2))", {}).isotropic, Verdict::refuted);
+  EXPECT_EQ(written_facts("t^2 + alpha*exp(-200/xi)", {}).isotropic, Verdict::refuted);
+  EXPECT_THROW(written_facts("k*lambda + abs(k)*mu_", names), expression::Unsuitable);
+  EXPECT_THROW(written_facts("lambda + mu_ + min(k, 0)*lambda", names), expression::Unsuitable);
+}
+
+/// Branches that enter as one number do no harm, nor do those that no parameter decides.
+TEST(ExpressionFacts, HoldBesideBranches) {
+  for (const char* text :
+       {"abs(k)*t^2 + max(n, 0)*log(d) + min(k, n)*rho",
+        "sqrt(abs(k))*(xi^3 + zeta^3 + 3*alpha^2*t)",
+        "min(k, 0)*(xi*zeta - alpha^2) + k*t^2 + n*rho", "lambda^abs(n) + mu_^abs(n) + rho",
+        "sqrt(2)*sqrt(2)*(xi^2 + alpha^2) + 2*(zeta^2 + alpha^2)",
+        "(k^2)^0.25*(lambda - mu_)^2 + abs(n)*(lambda^k + mu_^k)"}) {
+    for (const std::vector<double>& values :
+         {std::vector<double>{}, {-1.25, 3.0}, {100.0, -0.25}}) {
+      const auto parsed = parse_expression(text, names, ExpressionSlot::coupled);
+      const Facts facts = expression::facts(parsed.expression, ExpressionSlot::coupled, values);
+      EXPECT_TRUE(facts.is_isotropic()) << text;
+      EXPECT_TRUE(facts.is_separable()) << text;
+    }
+  }
+  const auto parsed = parse_expression("k*alpha + n*xi", names, ExpressionSlot::coupled);
+  const std::vector<double> one{1.0};
+  EXPECT_THROW(expression::facts(parsed.expression, ExpressionSlot::coupled, one),
+               std::invalid_argument);
+}
+
+/// k |lambda - mu_| is symmetric and has a kink, however it is written.
+TEST(ExpressionFacts, KinksAtTheCircleAreRefused) {
+  for (const char* text :
+       {"k*sqrt((lambda - mu_)^2)", "((lambda - mu_)^2)^n", "((lambda^n - mu_^n)^2)^1.5",
+        "log((lambda - mu_)^2)", "sqrt(t^2 - 4*d)", "d*sqrt(I1/2 - d)", "1/(t^2 - 4*d)",
+        "(lambda^3 - mu_^3)/(lambda - mu_)", "sqrt(log(lambda/mu_)^2)"}) {
+    EXPECT_THROW(written_facts(text, names), expression::Unsuitable) << text;
+    EXPECT_THROW(written_plane(text, names, {1.0, 2.0}), expression::Unsuitable) << text;
+    const std::string beside = std::string(text) + " + alpha";
+    EXPECT_THROW(written_facts(beside, names), expression::Unsuitable) << beside;
+    EXPECT_THROW(written_anisotropic(beside, names, {1.0, 2.0}), expression::Unsuitable) << beside;
+  }
+  EXPECT_THROW(written_plane("sqrt((xi - zeta)^2 + 4*alpha^2)", {}, {}), expression::Unsuitable);
+  for (const char* text : {"((lambda - mu_)^2)^2.5", "sqrt((lambda - mu_)^2 + d)",
+                           "sqrt(1 + log(lambda/mu_)^2)", "log(t/2)/d", "(t - 2*sqrt(d))^2"})
+    EXPECT_NO_THROW(written_facts(text, names)) << text;
+}
+
+/// V_alpha of a kink is 0 times infinity at alpha = 0.
+TEST(ExpressionFacts, NothingIsKnownOfAKinkAtNoShear) {
+  for (const char* text : {"k*sqrt(alpha^2) + xi", "xi*sqrt(alpha^2)", "(alpha^2)^0.5*d + n*xi",
+                           "alpha*log(alpha^2) + xi"}) {
+    const Facts facts = written_facts(text, names);
+    EXPECT_FALSE(facts.is_shear_free() || facts.is_even()) << text;
+  }
+  EXPECT_TRUE(written_facts("k*sqrt(1 + alpha^2) + xi", names).is_even());
+}
+
 /// An isotropic potential is the same whichever of its two ways it is evaluated.
 TEST(ExpressionFacts, IsotropicExpressionsInTheStretchAndInItsInvariants) {
   Random random(431);
