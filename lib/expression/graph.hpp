@@ -78,7 +78,7 @@ struct Node {
   Kind kind = Kind::literal;
   Function function = Function::sqrt;  ///< of function and kernel
   std::uint8_t index = 0;              ///< variable, number of the parameter, part of the kernel;
-                                       ///< 1: a literal that only rounds to it; singular() others
+                                       ///< 1: a literal that only rounds to it; singular.hpp others
   double literal = 0.0;
   NodeId a = 0;
   NodeId b = 0;
