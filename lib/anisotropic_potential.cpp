@@ -166,6 +166,11 @@ AnisotropicPotential AnisotropicPotential::with_coefficient(int place, double va
   return out;
 }
 
+Direction<Conditioned> AsExactConditioned::direction(double degrees) const {
+  const auto at = AsDouble().direction(degrees);
+  return {{at.cosine}, {at.sine}};
+}
+
 Direction<Conditioned> AsConditioned::direction(double degrees) const {
   const auto middle = AsDouble().direction(degrees);
   const double radians = std::abs(degrees) * (std::numbers::pi / 180.0);

@@ -63,6 +63,20 @@ struct AnisotropicModel {
     return std::get_if<OrientedExpression<C>>(&std::get<OrientedCoupledModels<C>>(base));
   }
 
+  /// Whether a written-out part has decimals (TapeModel::has_decimals).
+  bool has_decimals() const {
+    const auto written = [](const auto& model) {
+      if constexpr (requires { model.has_decimals(); }) {
+        return model.has_decimals();
+      } else {
+        return false;
+      }
+    };
+    if (const auto* separate = std::get_if<Separate>(&base))
+      return std::visit(written, separate->plane) || separate->thickness.has_decimals();
+    return std::visit(written, std::get<OrientedCoupledModels<C>>(base));
+  }
+
   /// x: the invariants of q, which a caller may know better than by its entries.
   template <int order>
   AnisotropicDerivatives<C> evaluate(const PlanarInvariants<C>& x, const BasicStretch<C>& q) const {
@@ -193,6 +207,12 @@ class AnisotropicPotential {
 struct AsExtended {
   DoubleDouble operator()(double c) const { return c; }
   Direction<DoubleDouble> direction(double degrees) const { return stationary::direction(degrees); }
+};
+
+/// As exact numbers of a Conditioned computation.
+struct AsExactConditioned {
+  Conditioned operator()(double c) const { return {c}; }
+  Direction<Conditioned> direction(double degrees) const;
 };
 
 /// As inputs of a Conditioned computation.

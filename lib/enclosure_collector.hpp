@@ -75,6 +75,8 @@ class EnclosureCollector {
   void add_forced_zero() { lambda_.push_back({}); }
   /// Spectrum's: E'' + c (P -+ |pi|)'' is definite for some c though E'' is not.
   void set_definite_with_momentum() { definite_with_momentum_ = true; }
+  /// E'' is definite: the motion is stable, whatever of the Lambda is decided.
+  void set_definite() { proven_definite_ = true; }
   /// E'' has negative directions, whichever modes they are of.
   void set_indefinite() {
     indefinite_ = true;
@@ -86,7 +88,9 @@ class EnclosureCollector {
     out.modes = static_cast<int>(lambda_.size());
     out.negative = negative.total();
     assign(approximate, out);
-    if (real_) {
+    if (proven_definite_) {
+      out.verdict = StabilityClass::stable;
+    } else if (real_) {
       out.verdict = StabilityClass::unstable;
     } else if (decided_ && complex_) {
       out.verdict = StabilityClass::oscillatory;
@@ -128,6 +132,7 @@ class EnclosureCollector {
   bool definite_ = true;
   bool indefinite_ = false;
   bool definite_with_momentum_ = false;
+  bool proven_definite_ = false;
 };
 
 }  // namespace stationary

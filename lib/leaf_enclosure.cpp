@@ -161,6 +161,7 @@ class Parts {
     const std::optional<int> negative = negative_directions(E);
     out_.negative.add(negative);
     if (negative.value_or(0) > 0) out_.set_indefinite();
+    definite_ = definite_ && negative == 0;
     switch (coordinates.size()) {
       case 1:
         out_.add_real(square(E(0, 1)) - E(0, 0) * E(1, 1), proven_sign(E(0, 0)));
@@ -176,7 +177,10 @@ class Parts {
     }
   }
 
-  SpectrumEnclosure finish(const Spectrum& approximate) const { return out_.finish(approximate); }
+  SpectrumEnclosure finish(const Spectrum& approximate) {
+    if (definite_) out_.set_definite();
+    return out_.finish(approximate);
+  }
 
  private:
   /// Imaginary all of them where E'' is definite.
@@ -189,6 +193,7 @@ class Parts {
 
   const Form& whole_;
   EnclosureCollector out_;
+  bool definite_ = true;
 };
 
 }  // namespace

@@ -63,6 +63,7 @@ SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval>& forms,
   out.negative.add(in_B);
   // Definite but for the direction of the symmetry, which the reduced leaf leaves out.
   const bool definite = in_A == 0 && in_B == 0;
+  if (definite && !material_symmetry) out.set_definite();
   // Without negative directions in one of them B A has the eigenvalues of a symmetric matrix.
   const bool all_real = in_A == 0 || in_B == 0;
   const auto add = [&](const auto& roots) {

@@ -51,8 +51,10 @@ class CoordinateRows final : public CurveSink {
 template <int N>
 class FollowedLane {
  public:
-  FollowedLane(const Family<N>& family, const Stretch& rest, const std::atomic<bool>* stop)
-      : family_(family), rest_(rest), stop_(stop) {}
+  /// bare: the same family, its members without errors and energy.
+  FollowedLane(const Family<N>& family, const Family<N>& bare, const Stretch& rest,
+               const std::atomic<bool>* stop)
+      : family_(family), bare_(bare), rest_(rest), stop_(stop) {}
 
   /// What is not met stays as it is.
   void solve(std::span<const double> nu, std::span<LanePoint> out) {
@@ -88,7 +90,7 @@ class FollowedLane {
     how.events = EventSet::none().add(EventType::fold_nu);
     how.stop = stop_;
     CoordinateRows<N> sink(family_);
-    follow_family(family_, q, from, how, sink);
+    follow_family(bare_, q, from, how, sink);
     return sink.rows();
   }
 
@@ -149,6 +151,7 @@ class FollowedLane {
   }
 
   const Family<N>& family_;
+  const Family<N>& bare_;
   const Stretch& rest_;
   const std::atomic<bool>* stop_;
   double range_ = 0.0;
@@ -186,14 +189,18 @@ void solve_anisotropic_lane(const Problem& problem, std::span<const double> nu,
   Counts counts;
   const AnisotropicRest rest = anisotropic_rest(problem.body(), problem.potential(), how, counts);
   if (rest.q) {
-    const AnyFamily family =
-        anisotropic_family(problem.body(), V, off_axis ? Branch::iii : problem.branch(), false,
-                           {.parameter = {}, .spectrum = false});
+    const auto family = [&](bool errors) {
+      return anisotropic_family(
+          problem.body(), V, off_axis ? Branch::iii : problem.branch(), false,
+          {.parameter = {}, .spectrum = false, .errors = errors, .energy = false});
+    };
     std::visit(
-        [&](const auto& each) {
-          FollowedLane(*each, *rest.q, stop).solve(nu.first(followed), out.first(followed));
+        [&](const auto& each, const auto& bare) {
+          if constexpr (std::is_same_v<decltype(each), decltype(bare)>)
+            FollowedLane(*each, *bare, *rest.q, stop)
+                .solve(nu.first(followed), out.first(followed));
         },
-        family);
+        family(true), family(false));
   }
   if (is_set(stop)) return;  // what was not met may only not have been come to
   for (std::size_t k = 0; k < followed; ++k) {

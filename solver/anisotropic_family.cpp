@@ -162,14 +162,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     out.q = {double(q.alpha), x[0], x[1], x[2]};
     out.angular_velocity = {double(nu[0]), double(nu[1]), double(nu[2])};
     out.error_bound = error_bound;
-    ++this->evaluations_.second_derivatives;
-    const auto V = potential_derivatives<2>(at.models->plain, out.q);
-    const BalanceCheck check = check_balance(at.body, V, out.q, out.angular_velocity);
-    out.residual = check.residual;
-    out.compatibility = check.compatibility;
-    out.energy = energy(at.body, V.value, out.q, out.angular_velocity);
-    if constexpr (!Layout::alpha)
-      out.turn = turn_of(at.body, branch_, V.hessian(0, 0), out.q, at.nu);
+    if (options_.errors || options_.energy || !Layout::alpha) add_elastic(at, out);
     if (options_.spectrum) {
       ++this->evaluations_.spectra;
       out.spectrum =
@@ -242,6 +235,20 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   };
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  /// Of V at the member's q, as far as it is asked for.
+  void add_elastic(const Setting& at, Member& out) const {
+    ++this->evaluations_.second_derivatives;
+    const auto V = potential_derivatives<2>(at.models->plain, out.q);
+    if (options_.errors) {
+      const BalanceCheck check = check_balance(at.body, V, out.q, out.angular_velocity);
+      out.residual = check.residual;
+      out.compatibility = check.compatibility;
+    }
+    if (options_.energy) out.energy = energy(at.body, V.value, out.q, out.angular_velocity);
+    if constexpr (!Layout::alpha)
+      out.turn = turn_of(at.body, branch_, V.hessian(0, 0), out.q, at.nu);
+  }
 
   Setting setting(double p) const {
     Setting out{body_, models_, options_.nu};

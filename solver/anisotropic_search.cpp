@@ -14,8 +14,8 @@
 namespace stationary {
 namespace {
 
-/// More unknowns than the others' have, and coordinates that are not the balance's own: a few
-/// million boxes, some seconds, where a valley of V is nearly as steep as the centrifugal force.
+/// More unknowns than the others' have, and coordinates that are not the balance's own: two million
+/// boxes, ten seconds, where a valley of V is nearly as steep as the centrifugal force.
 constexpr long box_factor = 200;
 
 template <class Layout>

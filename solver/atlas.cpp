@@ -133,10 +133,13 @@ std::vector<std::unique_ptr<SheetSource>> axis_sources(const Body& body, const P
       const bool mirror_image = branch == Branch::ii && has_i && body.symmetric();
       if (!mirror_image) all.push_back(axis_sheets(problem));
     } else if (branch != Branch::iii && !potential.anisotropic().shear_free()) {
-      out.remarks.push_back(
-          {branch, false, std::nullopt, options.from,
-           "not looked for: V_alpha does not vanish at alpha = 0, so that motions "
-           "about this axis are possible at single nu only"});
+      const char* known =
+          potential.anisotropic().sheared()
+              ? "not looked for: V_alpha != 0 at alpha = 0, so that a spin about "
+                "this axis is a motion by chance only"
+              : "not looked for: V_alpha is not known to vanish at alpha = 0, and "
+                "where it does not a spin about this axis is a motion by chance only";
+      out.remarks.push_back({branch, false, std::nullopt, options.from, known});
     } else {
       all.push_back(anisotropic_sheets(problem));
     }

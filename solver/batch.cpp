@@ -165,8 +165,6 @@ class BatchRun {
   }
 
   bool oriented() const { return !input_.potential.is_isotropic(); }
-  bool marches() const { return input_.potential.is_built_in() && input_.potential.is_separable(); }
-
   /// One more part is done.
   void report() {
     const std::size_t done = ++done_;
@@ -193,7 +191,7 @@ class BatchRun {
       return 0;
     }
     std::ptrdiff_t end[BatchResult::tile] = {};
-    if (marches()) march_tile(first, end);
+    if (marches(input_.potential)) march_tile(first, end);
     std::size_t fallbacks = 0;
     for (std::size_t lane = first; lane < last; ++lane) {
       const std::ptrdiff_t reached = end[lane - first];

@@ -45,6 +45,11 @@ struct BatchInput {
   Problem problem(std::size_t lane) const;
 };
 
+/// Whether its lanes go in packs (batch.hpp): built in and separable. Others take the scalar path.
+inline bool marches(const Potential& potential) {
+  return potential.is_built_in() && potential.is_separable();
+}
+
 /// Throws std::invalid_argument: a nu that is not finite, a body or coefficient outside its domain
 /// (with the violated inequality), numbers of lanes that do not fit.
 void require_valid(const BatchInput& input);

@@ -149,7 +149,7 @@ std::size_t cell_spectra(const BatchInput& input, const BatchResult& solved,
   SpectrumRun run(input, solved, options);
   for (std::size_t i = 0; i < places.size(); i += SpectrumTile::size) {
     const std::size_t count = std::min(SpectrumTile::size, places.size() - i);
-    if (input.potential.is_built_in() && input.potential.is_separable()) {
+    if (marches(input.potential)) {
       run.solve(places.subspan(i, count), out.subspan(i, count));
     } else {
       for (std::size_t k = i; k < i + count; ++k) out[k] = run.alone(places[k]);

@@ -104,6 +104,20 @@ std::optional<std::string> coupled_reason(const NeoHookean3d<>& m, const Rates& 
               " lie on different sides of mu = ", m.mu);
 }
 
+/// Of the built-in part beside a written-out one.
+std::optional<std::string> reason_beside_expression(const Problem& problem, const Rates& c) {
+  if (!problem.potential().is_separable()) return std::nullopt;
+  return problem.potential().visit([&](const auto& model) -> std::optional<std::string> {
+    if constexpr (requires { model.plane.is_expression(); }) {
+      if (const auto* thickness = std::get_if<ThicknessPotential>(&model.thickness.model))
+        return thickness_reason(*thickness, c);
+      if (const auto* plane = std::get_if<PlanarPotential>(&model.plane.model))
+        return std::visit(PlanarReason{problem, c}, *plane);
+    }
+    return std::nullopt;
+  });
+}
+
 }  // namespace
 
 std::optional<std::string> nonexistence_reason(const Problem& problem, double nu) {
@@ -115,7 +129,7 @@ std::optional<std::string> nonexistence_reason(const Problem& problem, double nu
     const auto* thickness = std::get_if<ThicknessPotential>(&separate->thickness.model);
     return thickness == nullptr ? std::nullopt : thickness_reason(*thickness, c);
   }
-  if (!problem.potential().is_built_in()) return std::nullopt;
+  if (!problem.potential().is_built_in()) return reason_beside_expression(problem, c);
   if (!problem.potential().is_separable()) {
     return std::visit([&](const auto& model) { return coupled_reason(model, c); },
                       problem.potential().coupled());

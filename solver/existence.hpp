@@ -7,7 +7,8 @@
 //   biot: linear in (xi, zeta): its one solution must be positive
 //   hencky, (i), (ii): 2 x ln x of the pulled stretch <= 1/e bounds nu
 //
-// The first holds beside any planar potential, an anisotropic one too.
+// The first holds beside any planar potential, a written-out or an anisotropic one too, those of
+// planar models beside any thickness.
 // Proven statements (up to rounding of the inequality itself); no condition found proves nothing.
 #pragma once
 

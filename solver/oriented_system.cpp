@@ -17,17 +17,34 @@ Direction<Dual2> CoefficientDuals::direction(double degrees) const {
   return out;
 }
 
-std::array<Dual2, 4> elastic_slopes(const AnisotropicPotential& potential,
-                                    const CoefficientDuals& duals,
-                                    const OrientedStretch<double>& at) {
+namespace {
+
+/// dV in (u, v, w, a).
+template <class S>
+std::array<S, 4> elastic_part(const AnisotropicModel<S>& model, const OrientedStretch<double>& at) {
   const BasicStretch<double>& q = at.q;
-  const OrientedStretch<Dual2> point{{q.alpha, q.xi, q.zeta, q.rho}, at.root, at.tanh, at.sech};
-  const AnisotropicModel<Dual2> model = potential.model(duals);
-  const AnisotropicDerivatives<Dual2> V = model.evaluate<1>(point.invariants(), point.q);
-  OrientedBalance<Dual2> out;
+  const OrientedStretch<S> point{{q.alpha, q.xi, q.zeta, q.rho}, at.root, at.tanh, at.sech};
+  const AnisotropicDerivatives<S> V = model.template evaluate<1>(point.invariants(), point.q);
+  OrientedBalance<S> out;
   add_in_logarithms<1>(point, V.isotropic, out);
   add_in_logarithms<1>(point, V.directed.gradient, V.directed.hessian, out);
   return {out.g[0], out.g[1], out.g[2], out.g[3]};
+}
+
+}  // namespace
+
+std::array<Dual2, 4> elastic_slopes(const AnisotropicPotential& potential,
+                                    const CoefficientDuals& duals,
+                                    const OrientedStretch<double>& at) {
+  return elastic_part(potential.model(duals), at);
+}
+
+std::array<double, 4> decimal_conditions(const AnisotropicPotential& potential,
+                                         const OrientedStretch<double>& at) {
+  std::array<double, 4> out;
+  const auto pulls = elastic_part(potential.model(AsExactConditioned()), at);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = pulls[i].condition;
+  return out;
 }
 
 std::array<double, 5> inertial_part(const Inertia3<double>& J, const OrientedStretch<double>& at,

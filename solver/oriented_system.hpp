@@ -106,6 +106,10 @@ std::array<Dual2, 4> elastic_slopes(const AnisotropicPotential& potential,
                                     const CoefficientDuals& duals,
                                     const OrientedStretch<double>& at);
 
+/// Of the same four numbers the conditions with regard to the decimals of a formula.
+std::array<double, 4> decimal_conditions(const AnisotropicPotential& potential,
+                                         const OrientedStretch<double>& at);
+
 /// The centrifugal part, -C(nu) q in the coordinates, and phi's own equation: linear in J.
 std::array<double, 5> inertial_part(const Inertia3<double>& J, const OrientedStretch<double>& at,
                                     const SpinProducts<double>& n, const AxisAngle<double>* axis);
@@ -191,6 +195,10 @@ struct OrientedSystem {
       const auto slopes =
           elastic_slopes(models->potential, CoefficientDuals{first, true}, stretch(y));
       for (std::size_t i = 0; i < slopes.size(); ++i) sum[i] += sensitivity(slopes[i]);
+    }
+    if (models->plain.has_decimals()) {
+      const std::array<double, 4> decimals = decimal_conditions(models->potential, stretch(y));
+      for (std::size_t i = 0; i < decimals.size(); ++i) sum[i] += decimals[i];
     }
     const double J[3] = {body.J1, body.J2, body.J3};
     const auto all = inertial({J[0], J[1], J[2]}, y, nu * nu);

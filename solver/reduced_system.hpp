@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "lib/balance.hpp"
+#include "lib/conditioned_functions.hpp"
 #include "lib/model_coefficients.hpp"
 #include "lib/potential.hpp"
 #include "solver/dual.hpp"
@@ -63,6 +64,54 @@ double sensitivity(const Dual<double, N>& x) {
   return out;
 }
 
+/// at(the model with exact coefficients) where it has decimals in its formula: what depends on
+/// these is then as conditioned as they are uncertain. Their part of input_sensitivity().
+template <class Model, class At>
+void for_decimals(const Model& model, const At& at) {
+  const auto exact = [](double c) { return Conditioned(c); };
+  if constexpr (requires {
+                  model.plane;
+                  model.thickness;
+                }) {
+    if constexpr (requires { model.plane.has_decimals(); }) {
+      if (!model.plane.has_decimals() && !model.thickness.has_decimals()) return;
+      const auto plane = with_coefficients(model.plane, exact);
+      const auto thickness = with_coefficients(model.thickness, exact);
+      at(Separable<std::remove_cv_t<decltype(plane)>, std::remove_cv_t<decltype(thickness)>>{
+          plane, thickness});
+    }
+  } else if constexpr (requires { model.has_decimals(); }) {
+    if (model.has_decimals()) at(with_coefficients(model, exact));
+  }
+}
+
+/// Likewise of the gradient of V in (ln xi, ln zeta[, ln rho]).
+template <int N, class Model>
+ReducedVector<N> decimal_sensitivity(const Model& model, const ReducedVector<N>& x) {
+  ReducedVector<N> out = ReducedVector<N>::Zero();
+  for_decimals(model, [&](const auto& conditioned) {
+    if constexpr (N == 1) {
+      out[0] = conditioned.template evaluate<1>(Conditioned(x[0])).v_r.condition;
+    } else {
+      const Conditioned xi(x[0]);
+      const Conditioned zeta(x[1]);
+      const auto add = [&](const PlanarDerivatives<Conditioned>& w) {
+        out[0] = (xi * w.w_t + w.w_l).condition;
+        out[1] = (zeta * w.w_t + w.w_l).condition;
+      };
+      if constexpr (N == 2) {
+        add(conditioned.template evaluate<1>(planar_invariants(xi, zeta)));
+      } else {
+        const auto w =
+            conditioned.template evaluate<1>(planar_invariants(xi, zeta), Conditioned(x[2]));
+        add(w.plane);
+        out[2] = w.w_r.condition;
+      }
+    }
+  });
+  return out;
+}
+
 /// Linearized::magnitude of the planar equations. w_l is left out: at a solution it is the
 /// difference of terms that are in, and without it a Jacobian needs no logarithm.
 inline double planar_magnitude(const PlanarDerivatives<double>& w, double xi, double zeta,
@@ -94,10 +143,12 @@ struct ThicknessSystem {
     const auto v = model.template evaluate<1>(DoubleDouble(x[0]));
     return ReducedVector<1>(double(v.v_r - rate * two_product(x[0], x[0])));
   }
-  /// Sum over the inputs p of |p dG/dp|: a coefficient once, J once, nu twice (as nu^2).
+  /// Sum over the inputs p of |p dG/dp|: a coefficient once, and the decimals of a formula, J once,
+  /// nu twice (as nu^2).
   ReducedVector<1> input_sensitivity(const ReducedVector<1>& x) const {
     const auto v = with_relative_duals(model).template evaluate<1>(x[0]);
-    return ReducedVector<1>(sensitivity(v.v_r) + 3.0 * double(rate) * x[0] * x[0]);
+    return ReducedVector<1>(sensitivity(v.v_r) + 3.0 * double(rate) * x[0] * x[0]) +
+           decimal_sensitivity<1>(model, x);
   }
 };
 
@@ -134,6 +185,9 @@ struct PlanarSystem {
     return {double(b.g_xi), double(b.g_zeta)};
   }
   ReducedVector<2> input_sensitivity(const ReducedVector<2>& x) const {
+    return coefficient_sensitivity(x) + decimal_sensitivity<2>(model, x);
+  }
+  ReducedVector<2> coefficient_sensitivity(const ReducedVector<2>& x) const {
     if constexpr (requires { model.has_principal_stretches(); }) {
       if (model.has_principal_stretches()) {
         if (const auto of_model = model.residual_sensitivity(x[0], x[1]))
@@ -192,6 +246,9 @@ struct CoupledSystem {
     return {double(b.g_xi), double(b.g_zeta), double(b.g_rho)};
   }
   ReducedVector<3> input_sensitivity(const ReducedVector<3>& x) const {
+    return coefficient_sensitivity(x) + decimal_sensitivity<3>(model, x);
+  }
+  ReducedVector<3> coefficient_sensitivity(const ReducedVector<3>& x) const {
     if constexpr (requires { model.has_principal_stretches(); }) {
       if (model.has_principal_stretches()) {
         if (const auto of_model = model.residual_sensitivity(x[0], x[1], x[2]))

@@ -98,7 +98,7 @@ void SheetSet::follow_all(std::span<const AtlasSheet> others) {
   for (std::size_t k = 0; k < checkpoints_.size(); ++k) {
     for (const Place& at : solutions_[k]) {
       if (stopped()) return;
-      if (!on_a_sheet(at, k)) enter(at, checkpoints_[k].nu, Entry::search);
+      if (!on_a_sheet(at, k)) enter(at, checkpoints_[k].nu, Entry::search, checkpoints_[k].nu);
     }
   }
   if (source_->leaves_by() != EventType::none) {
@@ -107,7 +107,7 @@ void SheetSet::follow_all(std::span<const AtlasSheet> others) {
     add_partings(others, partings);
     for (const Parting& each : partings) {
       if (stopped()) return;
-      if (!has_child(each.at.nu)) leave(each);
+      if (!has_child(each)) leave(each);
     }
   }
   for (std::size_t k = 0; k < checkpoints_.size(); ++k) count(k);
@@ -120,21 +120,21 @@ bool SheetSet::stopped() const {
 void SheetSet::follow_rest() {
   SolveOptions how;
   how.stop = options_.stop;
-  for (const Place& each : source_->at_rest(how)) enter(each, 0.0, Entry::rest);
+  for (const Place& each : source_->at_rest(how)) enter(each, 0.0, Entry::rest, 0.0);
 }
 
 /// Follows the sheet through a motion and keeps it, unless it is one already kept.
-void SheetSet::enter(const Place& from, double nu, Entry entry) {
+void SheetSet::enter(const Place& from, double nu, Entry entry, double entry_nu) {
   AtlasSheet sheet;
   sheet.branch = source_->branch();
   sheet.oblique = source_->oblique();
   sheet.entry = entry;
-  sheet.entry_nu = nu;
+  sheet.entry_nu = entry_nu;
   const int family = source_->family_of(from);
   sheet.report =
       follow_rows(families_[static_cast<std::size_t>(family)], from.q, nu, options_, sheet.rows);
   if (!sheet.report.failure.empty()) {
-    remark(entry, nu, sheet.report.failure);
+    remark(entry, entry_nu, sheet.report.failure);
     return;
   }
   const auto is_it = [&](const AtlasSheet& other) { return same_ends(sheet, other); };
@@ -217,9 +217,13 @@ void SheetSet::add_partings(std::span<const AtlasSheet> sheets, std::vector<Part
   }
 }
 
-bool SheetSet::has_child(double nu) const {
+bool SheetSet::has_child(const Parting& parting) const {
+  const Place from = source_->canonical(
+      source_->place(parting.at.q, angular_velocity(parting.branch, parting.at.nu)));
   const auto ends_here = [&](const AtlasRow& row) {
-    return row.event == source_->leaves_by() && std::abs(row.member.nu - nu) <= 1e-9 * nu;
+    return row.event == source_->leaves_by() &&
+           std::abs(row.member.nu - parting.at.nu) <= 1e-9 * parting.at.nu &&
+           distance(place(row.member), from) < 1e-3;
   };
   return std::ranges::any_of(sheets_, [&](const AtlasSheet& sheet) {
     return ends_here(sheet.rows.front()) || ends_here(sheet.rows.back());
@@ -231,7 +235,7 @@ void SheetSet::leave(const Parting& parting) {
   const DepartureResult found =
       source_->departure(parting.branch, parting.at, options_.to - options_.from);
   if (const auto* start = std::get_if<Departure>(&found)) {
-    enter(start->at, start->nu, entry);
+    enter(start->at, start->nu, entry, parting.at.nu);
   } else {
     remark(entry, parting.at.nu, "not entered: " + std::get<std::string>(found));
   }

@@ -39,7 +39,7 @@ class SheetSet {
 
   bool stopped() const;
   void follow_rest();
-  void enter(const Place& from, double nu, Entry entry);
+  void enter(const Place& from, double nu, Entry entry, double entry_nu);
   void remark(Entry entry, double nu, std::string reason);
   bool same_ends(const AtlasSheet& a, const AtlasSheet& b) const;
   Place place(const Member& member) const;
@@ -49,7 +49,7 @@ class SheetSet {
   void count(std::size_t checkpoint);
   void add_partings(std::span<const AtlasSheet> sheets, std::vector<Parting>& out) const;
   void leave(const Parting& parting);
-  bool has_child(double nu) const;
+  bool has_child(const Parting& parting) const;
 
   const AtlasOptions& options_;
   std::unique_ptr<SheetSource> source_;

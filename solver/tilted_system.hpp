@@ -41,6 +41,9 @@ struct TiltedSystem {
         sensitivity(x[1] * w.plane.w_t + w.plane.w_l) + 3.0 * c.zeta * x[1] * x[1] +
             std::abs(b.vw)};
     out[axis(in_plane_branch(plane))] += sensitivity(w.w_r) + std::abs(b.ww);
+    const ReducedVector<3> decimals = decimal_sensitivity<3>(model, {x[0], x[1], rho});
+    out += decimals.head<2>();
+    out[axis(in_plane_branch(plane))] += decimals[2];
     return out;
   }
 

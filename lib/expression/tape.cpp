@@ -338,6 +338,7 @@ std::uint16_t TapeWriter::step(NodeId root) {
     switch (node.kind) {
       case Kind::literal:
         next.operation = node.index == 0 ? Operation::literal : Operation::decimal;
+        coefficients_.has_decimals = coefficients_.has_decimals || node.index != 0;
         next.a = literal(node.literal);
         break;
       case Kind::parameter:

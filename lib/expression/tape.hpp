@@ -97,6 +97,7 @@ struct Coefficients {
   std::vector<double> literals;
   std::vector<Instruction> steps;        ///< step k leaves its value in k
   std::vector<std::uint16_t> constants;  ///< which values are the constants
+  bool has_decimals = false;             ///< literals that are not the doubles they round to
 };
 
 /// Makes programs from one graph, with one list of coefficients.

@@ -156,6 +156,8 @@ class TapeModel {
   const std::shared_ptr<const expression::Tape>& tape() const { return tape_; }
   /// Then evaluate() has kernels (expression/kernel.hpp) to sum up, and the balance has not.
   bool has_principal_stretches() const { return tape_->has_principal_stretches; }
+  /// Numbers in the formula ("0.1") are inputs then, as uncertain as its parameters.
+  bool has_decimals() const { return tape_->coefficients.has_decimals; }
 
  protected:
   /// Results of a program on inputs: out(k) gives result k.

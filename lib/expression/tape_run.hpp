@@ -164,6 +164,8 @@ R coefficient_step(const Instruction& at, const double* literals, const R* param
     case Operation::decimal:
       if constexpr (over_intervals<R>()) {
         return R(Interval::decimal(literals[at.a]));
+      } else if constexpr (std::is_same_v<R, Conditioned>) {
+        return Conditioned::input(literals[at.a]);
       } else {
         return R(literals[at.a]);
       }

@@ -27,6 +27,10 @@ struct AnyModel {
     return std::visit(f, std::get<BuiltIn>(model));
   }
   bool is_expression() const { return std::holds_alternative<Expression>(model); }
+  bool has_decimals() const {
+    const auto* expression = std::get_if<Expression>(&model);
+    return expression != nullptr && expression->has_decimals();
+  }
 
   /// As many as an expression may have; zeros that nothing reads follow a model's own.
   auto coefficients() const {

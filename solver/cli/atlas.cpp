@@ -146,6 +146,7 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
       out.line({}, fmt::format("  {:<17} nu = {:.15g}", name(event.type), event.parameter));
   }
   out.gap();
+  if (const auto caveat = proof_caveat(input)) add_plan(out, {*caveat});
   add_checkpoints(out, found.checkpoints, asked.search);
   std::string_view label = "remarks";
   for (const Remark& each : found.remarks) {
@@ -233,6 +234,7 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
     if (input.output.certificate) metadata.counts.emplace_back("proven", proofs.proven);
     metadata.seconds = seconds;
     metadata.atlas = &found;
+    if (const auto caveat = proof_caveat(input)) metadata.plan.push_back(*caveat);
     metadata.outcome = {{"command", "atlas"},
                         {"status", found.interrupted ? "interrupted" : "done"}};
     output->commit(metadata);

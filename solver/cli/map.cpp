@@ -148,8 +148,7 @@ ComputationPlan map_plan(const Case& input, bool to_table) {
 
 /// Of the march; none where every lane takes the scalar path.
 std::string instructions_text(const Potential& potential) {
-  const bool marches = potential.is_built_in() && potential.is_separable();
-  return marches ? std::string(name(best_instruction_set())) : "scalar";
+  return marches(potential) ? std::string(name(best_instruction_set())) : "scalar";
 }
 
 std::string summary(const Case& input, const MapCounts& counts, double seconds) {

@@ -118,6 +118,14 @@ bool wants_column(const Case& input, Column column, bool to_table) {
   return to_table && (columns.empty() || std::ranges::find(columns, name(column)) != columns.end());
 }
 
+std::optional<PlanItem> proof_caveat(const Case& input) {
+  const bool at_points = std::ranges::any_of(
+      input.models, [](const ModelChoice& each) { return each.facts_at_points; });
+  if (!at_points) return std::nullopt;
+  return PlanItem{"proofs", "take the facts of the formula for granted",
+                  "found at points, not term by term (`check`)"};
+}
+
 ComputationPlan computation_plan(const Case& input, bool to_table) {
   ComputationPlan out;
   if (const auto* tilted = std::get_if<TiltedMotion>(&input.motion)) {
@@ -127,12 +135,7 @@ ComputationPlan computation_plan(const Case& input, bool to_table) {
   } else {
     out.computed = input.two_polar() ? two_polar_unknowns(input) : input.problem().plan();
   }
-  const bool at_points = std::ranges::any_of(
-      input.models, [](const ModelChoice& each) { return each.facts_at_points; });
-  if (at_points && (input.solve.all || input.output.certificate)) {
-    out.computed.push_back({"proofs", "take the facts of the formula for granted",
-                            "found at points, not term by term (`check`)"});
-  }
+  if (const auto caveat = proof_caveat(input)) out.computed.push_back(*caveat);
   if (input.solve.all) {
     out.computed.push_back({"all solutions", "exhaustive search, with proof",
                             "every stretch in [1e-3, 1e3]: boxes in interval arithmetic"});

@@ -2,6 +2,7 @@
 // and for the metadata.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "solver/case_file.hpp"
@@ -19,6 +20,9 @@ struct ComputationPlan {
 bool wants_spectrum(const Case& input, bool to_table);
 /// Likewise whether a column is written.
 bool wants_column(const Case& input, Column column, bool to_table);
+
+/// What proofs about the case rest on beside interval arithmetic, if anything.
+std::optional<PlanItem> proof_caveat(const Case& input);
 
 ComputationPlan computation_plan(const Case& input, bool to_table);
 

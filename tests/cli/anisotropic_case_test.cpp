@@ -276,7 +276,7 @@ TEST(AnisotropicCase, AtlasHasTheObliqueSheets) {
   for (const Row& row : rows_of(text_of(directory / "x.csv")))
     unproven += row.at("certified") != "yes";
   EXPECT_EQ(metadata["counts"]["proven"].get<long>() + unproven, metadata["rows"].get<long>());
-  EXPECT_LE(unproven, 2);  // the rows of the oblique sheets at rest
+  EXPECT_EQ(unproven, 0);
   const Outcome printed = run({"atlas", fibre_case, "--checkpoints", "3"}, sets);
   ASSERT_EQ(printed.code, 0) << printed.err;
   EXPECT_THAT(printed.out, HasSubstr("branch (oblique): at 3 of 3 checkpoints"));

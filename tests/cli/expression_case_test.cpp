@@ -169,6 +169,12 @@ TEST(ExpressionCase, ASeparableCoupledFormulaIsTakenApart) {
   Row expected = solved(directory.file("end.toml", case_with(in_parts("2.0"))));
   for (const char* column : {"xi", "zeta", "rho", "growth", "im1"})
     EXPECT_NEAR(number(last[column]), number(expected[column]), 1e-13) << column;
+  // Events in it are proven, of the one parameter in both parts.
+  const Outcome proven =
+      run_program({"continue", coupled, "--set", "motion.nu=0.7", "--certify", "--set",
+                   "continuation={ parameter = \"potential.coupled.mu\", from = 0.8, to = 2.0 }"});
+  EXPECT_EQ(proven.code, 0) << proven.err;
+  EXPECT_THAT(proven.out, HasSubstr("proven within"));
 }
 
 TEST(ExpressionCase, IsFollowedInItsParameterAndMapped) {
