@@ -137,14 +137,15 @@ ComputationPlan computation_plan(const Case& input, bool to_table) {
   }
   if (const auto caveat = proof_caveat(input)) out.computed.push_back(*caveat);
   if (input.solve.all) {
-    out.computed.push_back({"all solutions", "exhaustive search, with proof",
+    out.computed.push_back({"all solutions", "exhaustive search, to be proven complete",
                             "every stretch in [1e-3, 1e3]: boxes in interval arithmetic"});
     if (input.solve.start || input.solve.method != Method::automatic) {
       out.skipped.push_back({"start, method", "not used", "solve.all = true searches everywhere"});
     }
   }
   if (input.output.certificate) {
-    out.computed.push_back({"certificate", "existence, uniqueness, error bound and class proven",
+    out.computed.push_back({"certificate",
+                            "existence, uniqueness, error bound and class, to be proven",
                             "interval arithmetic, for all decimals that read as the inputs"});
   }
   if (input.continuation && !input.continuation->events.empty()) {
