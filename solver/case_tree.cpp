@@ -60,7 +60,8 @@ std::string describe(const toml::node& node) {
     case toml::node_type::string:
       return "the string " + in_quotes(node.as_string()->get());
     case toml::node_type::integer:
-      return fmt::format("the integer {}", node.as_integer()->get());
+      return fmt::format("the integer {}{}", node.as_integer()->get(),
+                         node.value<double>() ? "" : ", which no double is exactly");
     case toml::node_type::floating_point:
       return fmt::format("the number {}", node.as_floating_point()->get());
     case toml::node_type::boolean:
