@@ -156,36 +156,78 @@ Program plane_pull(TapeWriter& writer, Graph& graph, NodeId potential,
   }
 }
 
-std::shared_ptr<const Tape> tape(Expression& e, NodeId smooth,
-                                 std::span<const Coordinate> coordinates,
-                                 std::span<const Variable> inputs,
-                                 std::span<const Direction> directions,
-                                 std::span<const Variable> balance_inputs) {
-  const std::vector<NodeId> derivatives = with_derivatives(e.graph, smooth, coordinates);
-  const std::vector<NodeId> forces =
-      balance(e.graph, at_principal_axes(e.graph, e.root), directions);
-  TapeWriter writer(e.graph);
-  auto out = std::make_shared<Tape>();
-  const std::span<const NodeId> all(derivatives);
-  const auto gradient = all.first(1 + coordinates.size());
-  out->evaluate[0] = writer.program(inputs, all.first(1));
-  out->evaluate[1] = writer.program(inputs, gradient);
-  out->evaluate[2] = writer.program(inputs, all);
-  out->balance = writer.program(balance_inputs, forces);
-  const auto residual = std::span<const NodeId>(forces).first(directions.size());
-  out->residual = writer.program(balance_inputs, residual);
-  out->slopes = slopes(writer, e.graph, gradient, inputs, e.parameters);
-  out->residual_slopes = slopes(writer, e.graph, residual, balance_inputs, e.parameters);
-  if (coordinates[0] == Coordinate::alpha)
-    out->plane_pull = plane_pull(writer, e.graph, smooth, inputs);
-  out->has_principal_stretches = occurs(e.graph, smooth, {Variable::discriminant});
-  out->coefficients = writer.coefficients();
-  out->fixed_constants.resize(out->coefficients.constants.size());
-  const std::array<double, largest_parameter_count> any_parameters{1, 1, 1, 1, 1, 1, 1, 1};
-  compute_constants<double>(out->coefficients, any_parameters.data(), out->fixed_constants.data());
-  out->text = e.text;
-  out->parameters = e.parameters;
-  return out;
+/// A tape to which the programs are added that its model reads.
+class TapeInMaking {
+ public:
+  /// With value and derivatives.
+  TapeInMaking(Expression& e, NodeId smooth, std::span<const Coordinate> coordinates,
+               std::span<const Variable> inputs)
+      : e_(e),
+        inputs_(inputs),
+        derivatives_(with_derivatives(e.graph, smooth, coordinates)),
+        gradient_size_(1 + coordinates.size()),
+        writer_(e.graph) {
+    out_.evaluate[0] = writer_.program(inputs, std::span(derivatives_).first(1));
+    out_.evaluate[1] = writer_.program(inputs, gradient());
+    out_.evaluate[2] = writer_.program(inputs, derivatives_);
+    out_.has_principal_stretches = occurs(e.graph, smooth, {Variable::discriminant});
+  }
+
+  void add_balance(std::span<const Direction> directions, std::span<const Variable> inputs) {
+    balance_inputs_ = inputs;
+    forces_ = balance(e_.graph, at_principal_axes(e_.graph, e_.root), directions);
+    direction_count_ = directions.size();
+    out_.balance = writer_.program(inputs, forces_);
+  }
+  /// After add_balance().
+  void add_residual() { out_.residual = writer_.program(balance_inputs_, residual()); }
+  void add_slopes() { out_.slopes = slopes(writer_, e_.graph, gradient(), inputs_, e_.parameters); }
+  /// After add_balance().
+  void add_residual_slopes() {
+    out_.residual_slopes = slopes(writer_, e_.graph, residual(), balance_inputs_, e_.parameters);
+  }
+  /// Of an expression in alpha, xi, zeta and rho.
+  void add_plane_pull() {
+    out_.plane_pull = plane_pull(writer_, e_.graph, derivatives_[0], inputs_);
+  }
+
+  std::shared_ptr<const Tape> finished() {
+    out_.coefficients = writer_.coefficients();
+    out_.fixed_constants.resize(out_.coefficients.constants.size());
+    const std::array<double, largest_parameter_count> any_parameters{1, 1, 1, 1, 1, 1, 1, 1};
+    compute_constants<double>(out_.coefficients, any_parameters.data(),
+                              out_.fixed_constants.data());
+    out_.text = e_.text;
+    out_.parameters = e_.parameters;
+    return std::make_shared<Tape>(std::move(out_));
+  }
+
+ private:
+  std::span<const NodeId> gradient() const { return std::span(derivatives_).first(gradient_size_); }
+  std::span<const NodeId> residual() const { return std::span(forces_).first(direction_count_); }
+
+  Expression& e_;
+  std::span<const Variable> inputs_;
+  std::vector<NodeId> derivatives_;
+  std::size_t gradient_size_;
+  std::span<const Variable> balance_inputs_;
+  std::vector<NodeId> forces_;
+  std::size_t direction_count_ = 0;
+  TapeWriter writer_;
+  Tape out_;
+};
+
+/// Of models that are solved in (ln xi, ln zeta) and more, with error bounds.
+std::shared_ptr<const Tape> balanced_tape(Expression& e, std::span<const Coordinate> coordinates,
+                                          std::span<const Variable> inputs,
+                                          std::span<const Direction> directions,
+                                          std::span<const Variable> balance_inputs) {
+  TapeInMaking out(e, in_invariants(e), coordinates, inputs);
+  out.add_balance(directions, balance_inputs);
+  out.add_residual();
+  out.add_slopes();
+  out.add_residual_slopes();
+  return out.finished();
 }
 
 void require_room(const Expression& e) {
@@ -275,21 +317,24 @@ std::shared_ptr<const Tape> planar_tape(Expression e) {
   require_room(e);
   constexpr std::array coordinates{Coordinate::t, Coordinate::log_d};
   constexpr std::array directions{along_xi, along_zeta};
-  return tape(e, in_invariants(e), coordinates, planar_inputs, directions, planar_balance_inputs);
+  return balanced_tape(e, coordinates, planar_inputs, directions, planar_balance_inputs);
 }
 
 std::shared_ptr<const Tape> thickness_tape(Expression e) {
   require_room(e);
   constexpr std::array coordinates{Coordinate::log_rho};
   constexpr std::array directions{along_rho};
-  return tape(e, e.root, coordinates, thickness_inputs, directions, thickness_balance_inputs);
+  TapeInMaking out(e, e.root, coordinates, thickness_inputs);
+  out.add_balance(directions, thickness_balance_inputs);
+  out.add_slopes();
+  return out.finished();
 }
 
 std::shared_ptr<const Tape> coupled_tape(Expression e) {
   require_room(e);
   constexpr std::array coordinates{Coordinate::t, Coordinate::log_d, Coordinate::log_rho};
   constexpr std::array directions{along_xi, along_zeta, along_rho};
-  return tape(e, in_invariants(e), coordinates, coupled_inputs, directions, coupled_balance_inputs);
+  return balanced_tape(e, coordinates, coupled_inputs, directions, coupled_balance_inputs);
 }
 
 std::shared_ptr<const Tape> anisotropic_tape(Expression e) {
@@ -297,9 +342,9 @@ std::shared_ptr<const Tape> anisotropic_tape(Expression e) {
   require_smooth_at_circle(e);
   constexpr std::array coordinates{Coordinate::alpha, Coordinate::xi, Coordinate::zeta,
                                    Coordinate::rho};
-  constexpr std::array directions{along_xi, along_zeta, along_rho};
-  return tape(e, in_stretch(e), coordinates, anisotropic_inputs, directions,
-              coupled_balance_inputs);
+  TapeInMaking out(e, in_stretch(e), coordinates, anisotropic_inputs);
+  out.add_plane_pull();
+  return out.finished();
 }
 
 std::shared_ptr<const Tape> oriented_tape(Expression e) {
