@@ -3,43 +3,68 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "lib/expression/apart.hpp"
 #include "lib/expression/facts.hpp"
+#include "lib/expression/tape_run.hpp"
 #include "solver/case_keys.hpp"
+#include "solver/characters.hpp"
 #include "solver/expression_parser.hpp"
-#include "solver/nearest_name.hpp"
 
 namespace stationary {
 namespace {
 
 constexpr std::string_view expression_key = "expression";
 
-bool is_name(std::string_view text) {
-  const auto letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  return !text.empty() && letter(text[0]) &&
-         std::ranges::all_of(text, [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
-}
-
 ExpressionSlot slot_of(std::string_view slot) {
   if (slot == "plane") return ExpressionSlot::plane;
   return slot == "thickness" ? ExpressionSlot::thickness : ExpressionSlot::coupled;
 }
 
-/// Where a character of the text stands: exactly where the text is written as it is, between two
-/// quotes on one line; else where the text begins.
+/// Where the character at a byte of the text stands: exactly where the text is written as it is,
+/// between two quotes on one line; else where the text begins. Columns count characters.
 Origin character_origin(const CaseTree& tree, const std::string& key, const toml::node& node,
                         std::size_t offset) {
   Origin out = tree.origin(key);
   const auto& [begin, end, path] = node.source();
-  const std::size_t length = node.as_string()->get().size();
+  const std::string_view text = node.as_string()->get();
+  const std::size_t length = character_count(text);
   const bool as_it_is = out.option.empty() && begin.line == end.line &&
                         end.column == begin.column + static_cast<toml::source_index>(length) + 2;
-  if (as_it_is) out.column += 1 + static_cast<int>(offset);
+  if (as_it_is) out.column += 1 + static_cast<int>(character_count(text.substr(0, offset)));
   return out;
+}
+
+/// Whether a part of numbers and parameters is a finite number as a model has it: computed in
+/// extended precision, then rounded.
+bool is_finite(const expression::Graph& graph, expression::NodeId constant,
+               std::span<const double> parameters) {
+  expression::TapeWriter writer(graph);
+  writer.constant(constant);
+  std::array<DoubleDouble, expression::largest_parameter_count> given;
+  std::array<DoubleDouble, expression::largest_constant_count> value;
+  std::ranges::copy(parameters, given.begin());
+  expression::compute_constants<DoubleDouble>(writer.coefficients(), given.data(), value.data());
+  return std::isfinite(double(value[0]));
+}
+
+constexpr const char* not_finite = "a constant that is no finite number";
+constexpr const char* finite = "constants that are finite at the parameters given";
+
+/// Throws at the first constant that is not finite: as it is written, ExpressionError; as
+/// (k*d)^-1 becomes 1/k times 1/d, InputError.
+void require_finite_constants(const CaseTree& tree, const std::string& key,
+                              const ParsedExpression& parsed, std::span<const double> parameters) {
+  const expression::Graph& graph = parsed.expression.graph;
+  for (const auto& [node, offset] : parsed.constants)
+    if (!is_finite(graph, node, parameters)) throw ExpressionError(offset, not_finite, finite);
+  const std::array<expression::NodeId, 1> root{parsed.expression.root};
+  for (const expression::NodeId part : graph.parts(root))
+    if (graph.is_coefficient(part) && !is_finite(graph, part, parameters))
+      throw fault_at(tree, key, std::string("found ") + not_finite, finite);
 }
 
 std::shared_ptr<const expression::Tape> compiled(ExpressionSlot slot,
@@ -83,6 +108,10 @@ void require_written_out(const CaseTree& tree, const std::string& path, const to
       throw InputError(tree.key_origin(key), printable(key),
                        "found " + in_quotes(name.str()) + ", which an expression cannot name",
                        "a letter, then letters, digits and _");
+    } else if (is_reserved(name.str(), slot_of(path.substr(path.rfind('.') + 1)))) {
+      throw InputError(tree.key_origin(key), key, "found a parameter " + std::string(name.str()),
+                       "another name",
+                       "mu_ is the smaller principal stretch, mu is free for a parameter");
     } else if (!node.is_number() || !std::isfinite(node.value<double>().value_or(NAN))) {
       throw fault_at(tree, printable(key), "found " + describe(node), "a finite number");
     }
@@ -104,6 +133,7 @@ WrittenPotential read_written_out(const CaseTree& tree, std::string_view slot,
   const std::string& text = node.as_string()->get();
   try {
     ParsedExpression parsed = parse_expression(text, parameters, slot_of(slot));
+    require_finite_constants(tree, key, parsed, out.coefficients);
     if (!parsed.unused.empty()) {
       const std::string unused = dotted(path, parsed.unused[0]);
       throw InputError(tree.key_origin(unused), unused,
@@ -124,10 +154,11 @@ WrittenPotential read_written_out(const CaseTree& tree, std::string_view slot,
     }
     out.tape = compiled(slot_of(slot), std::move(parsed.expression), facts);
   } catch (const ExpressionError& error) {
-    throw InputError(character_origin(tree, key, node, error.offset()), key,
-                     fmt::format("found {} at character {} of the expression",
-                                 printable(error.found()), error.offset() + 1),
-                     error.allowed(), error.remedy());
+    throw InputError(
+        character_origin(tree, key, node, error.offset()), key,
+        fmt::format("found {} at character {} of the expression", error.found(),
+                    1 + character_count(std::string_view(text).substr(0, error.offset()))),
+        error.allowed(), error.remedy());
   } catch (const std::invalid_argument& error) {  // Unsuitable, NotSmooth
     throw fault_at(tree, key, "found an expression that cannot be used", "", error.what());
   } catch (const std::length_error& error) {

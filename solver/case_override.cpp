@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "solver/case_tree.hpp"
+#include "solver/characters.hpp"
 
 namespace stationary {
 namespace {
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_key_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-'; }
+bool is_key_character(char c) { return is_letter(c) || is_digit(c) || c == '-'; }
 
 /// One override while it is applied: its place for messages, and what it says.
 struct Assignment {

@@ -3,21 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 #include <utility>
 
 #include "solver/case_expression.hpp"
 #include "solver/case_keys.hpp"
+#include "solver/characters.hpp"
 
 namespace stationary {
 namespace {
 
 /// Whether an inequality such as "mu + lambda > 0" speaks of the parameter.
 bool mentions(std::string_view inequality, std::string_view parameter) {
-  const auto is_word = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-  };
+  const auto is_word = [](char c) { return is_letter(c) || is_digit(c); };
   for (std::size_t at = inequality.find(parameter); at != std::string_view::npos;
        at = inequality.find(parameter, at + 1)) {
     const std::size_t end = at + parameter.size();

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "lib/double_double.hpp"
+#include "solver/characters.hpp"
+#include "solver/input_error.hpp"
 #include "solver/nearest_name.hpp"
 
 namespace stationary {
@@ -94,12 +96,16 @@ bool is_double(std::string_view text, double value) {
   return product.hi == (exponent < 0 ? digits : value) && product.lo == 0.0;
 }
 
-std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
+bool is_variable_in(std::string_view name, ExpressionSlot slot) {
+  const auto found = std::ranges::find(variables, name, &NamedVariable::name);
+  return found != variables.end() && is_known_in(found->variable, slot);
+}
 
 }  // namespace
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_reserved(std::string_view name, ExpressionSlot slot) {
+  return name == "mu_" && is_variable_in(name, slot);
+}
 
 std::string token_at(std::string_view text, std::size_t offset) {
   if (offset >= text.size()) return "the end";
@@ -110,19 +116,21 @@ std::string token_at(std::string_view text, std::size_t offset) {
     while (end < text.size() && (is_digit(text[end]) || text[end] == '.')) ++end;
   } else {
     // A character of several bytes is shown whole.
-    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) ++end;
+    while (end < text.size() && is_continuation(text[end])) ++end;
   }
   return in_quotes(text.substr(offset, end - offset));
 }
 
-/// f(), its complaints about the graph as errors at `offset`.
 template <class F>
 NodeId ExpressionBuilder::at(std::size_t offset, const F& f) {
   try {
-    return f();
-  } catch (const expression::NotSmooth& error) {
-    throw ExpressionError(offset, token_at(text_, offset),
-                          "only numbers and parameters in it: " + std::string(error.what()));
+    const NodeId out = f();
+    if (graph().is_coefficient(out)) out_.constants.push_back({out, offset});
+    return out;
+  } catch (const expression::NotSmooth& error) {  // of a function: its name stands there
+    const std::string function = token_at(text_, offset);
+    throw ExpressionError(offset, function + " of a variable",
+                          function + " of numbers and parameters alone", error.what());
   } catch (const expression::TooLarge& error) {
     throw ExpressionError(offset, token_at(text_, offset), error.what());
   }
@@ -152,46 +160,57 @@ NodeId ExpressionBuilder::meaning(const Word& word) {
   const auto variable = std::ranges::find(variables, word.text, &NamedVariable::name);
   if (variable != variables.end()) {
     if (is_known_in(variable->variable, slot_)) return graph().variable(variable->variable);
-    throw ExpressionError(word.offset, in_quotes(word.text),
-                          slot_ == ExpressionSlot::plane
-                              ? "no rho in a potential of the plane"
-                              : "rho as the only variable in a potential of the thickness",
-                          "write one expression of both as `coupled`");
+    throw ExpressionError(word.offset, in_quotes(word.text), allowed_names(),
+                          std::string(word.text) + " does not occur in a potential of the " +
+                              (slot_ == ExpressionSlot::plane ? "plane" : "thickness") +
+                              "; write one expression of both as `coupled`");
   }
   if (word.text == "pi") return graph().pi();
   if (word.text == "e") return graph().euler();
   unknown_name(word);
 }
 
+std::vector<std::string_view> ExpressionBuilder::variable_names() const {
+  std::vector<std::string_view> out;
+  for (std::string_view name : expression_variables(slot_)) {
+    if (name == "lambda" && is_parameter(name)) name = "lambda_";
+    if (!is_parameter(name)) out.push_back(name);
+  }
+  return out;
+}
+
+std::string ExpressionBuilder::allowed_names() const {
+  std::string out = "a variable (" + listed(variable_names()) + ")";
+  if (!parameters_.empty()) {
+    const std::vector<std::string> own(parameters_.begin(), parameters_.end());
+    out += " or a parameter (" + listed(own) + ")";
+  }
+  return out;
+}
+
 void ExpressionBuilder::unknown_name(const Word& word) const {
   std::vector<std::string_view> known(parameters_.begin(), parameters_.end());
-  const std::vector<std::string_view> names = expression_variables(slot_);
+  const std::vector<std::string_view> names = variable_names();
   known.insert(known.end(), names.begin(), names.end());
   if (std::ranges::find(functions, word.text) != functions.end())
     throw ExpressionError(word.offset, in_quotes(word.text), "\"(\" after the name of a function");
   const auto nearest = nearest_name(word.text, known);
-  std::string allowed = "a variable (" + listed(names) + ")";
-  if (!parameters_.empty()) {
-    const std::vector<std::string> own(parameters_.begin(), parameters_.end());
-    allowed += " or a parameter (" + listed(own) + ")";
-  }
   throw ExpressionError(
-      word.offset, in_quotes(word.text), allowed,
+      word.offset, in_quotes(word.text), allowed_names(),
       nearest ? "did you mean " + in_quotes(*nearest) + "?"
               : "a parameter is given beside the expression: " + std::string(word.text) + " = 1.0");
 }
 
 void ExpressionBuilder::unknown_function(const Word& word) const {
-  const auto nearest = nearest_name(word.text, functions);
-  const bool is_name =
-      std::ranges::find(parameters_, word.text) != parameters_.end() ||
+  const auto nearest = word.text == "ln" ? std::optional<std::string_view>("log")
+                                         : nearest_name(word.text, functions);
+  const bool names_number =
+      is_parameter(word.text) ||
       std::ranges::find(variables, word.text, &NamedVariable::name) != variables.end() ||
       std::ranges::find(constants, word.text) != constants.end();
   throw ExpressionError(word.offset, in_quotes(std::string(word.text) + "("),
                         "a function (" + listed(functions) + ")",
-                        is_name   ? "a product is written with \"*\""
-                        : nearest ? "did you mean " + in_quotes(*nearest) + "?"
-                                  : "");
+                        names_number ? "a product is written with \"*\"" : did_you_mean(nearest));
 }
 
 void ExpressionBuilder::close_call() {
@@ -207,7 +226,7 @@ void ExpressionBuilder::close_call() {
   }
   const NodeId out = at(call.name.offset, [&] {
     if (wanted == 1) return graph().apply(static_cast<Function>(call.function), top(0));
-    if (call.name.text == "pow") return graph().power(top(1), top(0));
+    if (call.name.text == "pow") return power(top(1), top(0), call.name.offset);
     return call.name.text == "min" ? graph().minimum(top(1), top(0))
                                    : graph().maximum(top(1), top(0));
   });
@@ -221,13 +240,24 @@ void ExpressionBuilder::end_power() {
   if (count == 1) return;
   NodeId out = operands_.back().node;
   for (std::size_t k = operands_.size() - 1; k > first; --k) {
-    // The offset is not kept of every operand; the operators are met from the left.
+    // From the right: the last operator is the caret before the last operand.
     if (operands_[k].negative) out = graph().negate(out);
-    const Operator& caret = operators_.back();
-    out = at(caret.offset, [&] { return graph().power(operands_[k - 1].node, out); });
+    const std::size_t caret = operators_.back().offset;
     operators_.pop_back();
+    out = at(caret, [&] { return power(operands_[k - 1].node, out, caret); });
   }
   replace(count, out);
+}
+
+void ExpressionBuilder::require_divisor(NodeId x, std::size_t offset) const {
+  if (graph().is_zero(x))
+    throw ExpressionError(offset, "a division by 0", "a divisor that is not 0");
+}
+
+NodeId ExpressionBuilder::power(NodeId base, NodeId exponent, std::size_t offset) {
+  const expression::Node& by = graph()[exponent];
+  if (by.kind == expression::Kind::literal && by.literal < 0.0) require_divisor(base, offset);
+  return graph().power(base, exponent);
 }
 
 void ExpressionBuilder::apply_operation() {
@@ -242,8 +272,10 @@ void ExpressionBuilder::apply_operation() {
       case '*':
         return graph().multiply(top(1), top(0));
       default:
-        if (graph().is_zero(top(0)))
-          throw ExpressionError(by.offset, "a division by 0", "a divisor that is not 0");
+        require_divisor(top(0), by.offset);
+        // Which the graph makes a factor of: a constant too.
+        if (graph().is_coefficient(top(0)) && !graph().is_coefficient(top(1)))
+          at(by.offset, [&] { return graph().divide(graph().one(), top(0)); });
         return graph().divide(top(1), top(0));
     }
   });
@@ -255,13 +287,12 @@ ParsedExpression ExpressionBuilder::take() {
   for (std::size_t k = 0; k < parameters_.size(); ++k) {
     const std::string& name = parameters_[k];
     if (!used_[k]) out_.unused.push_back(name);
-    const bool hides_variable =
-        std::ranges::find(variables, name, &NamedVariable::name) != variables.end();
     const bool hides_constant = std::ranges::find(constants, name) != constants.end();
-    if (!used_[k] || (!hides_variable && !hides_constant)) continue;
+    if (!used_[k] || (!hides_constant && !is_variable_in(name, slot_))) continue;
+    const bool has_second_name = name == "lambda" && !is_parameter("lambda_");
     out_.notes.push_back(name + " is the parameter here, not the " +
                          (hides_constant ? "constant" : "variable") +
-                         (name == "lambda" ? " (the larger principal stretch is lambda_)" : ""));
+                         (has_second_name ? " (the larger principal stretch is lambda_)" : ""));
   }
   return std::move(out_);
 }
@@ -273,7 +304,5 @@ std::vector<std::string_view> expression_variables(ExpressionSlot slot) {
   out.insert(out.end(), constants.begin(), constants.end());
   return out;
 }
-
-std::span<const std::string_view> expression_functions() { return functions; }
 
 }  // namespace stationary

@@ -14,10 +14,7 @@
 
 namespace stationary {
 
-bool is_letter(char c);
-bool is_digit(char c);
-
-/// The word, number or character at an offset, as a message names it.
+/// The word, number or character that begins at an offset, as a message names it.
 std::string token_at(std::string_view text, std::size_t offset);
 
 /// Turns what the grammar finds into the graph: operands on a stack.
@@ -69,6 +66,7 @@ class ExpressionBuilder {
   };
 
   expression::Graph& graph() { return out_.expression.graph; }
+  const expression::Graph& graph() const { return out_.expression.graph; }
   expression::NodeId top(std::size_t below) const {
     return operands_[operands_.size() - 1 - below].node;
   }
@@ -81,10 +79,19 @@ class ExpressionBuilder {
     minus_.pop_back();
     return out;
   }
-  /// f(), its complaints about the graph as errors at `offset`.
+  /// f(), its complaints about the graph as errors at `offset`; notes a constant.
   template <class F>
   expression::NodeId at(std::size_t offset, const F& f);
+  void require_divisor(expression::NodeId x, std::size_t offset) const;
+  expression::NodeId power(expression::NodeId base, expression::NodeId exponent,
+                           std::size_t offset);
   expression::NodeId meaning(const Word& word);
+  bool is_parameter(std::string_view name) const {
+    return std::ranges::find(parameters_, name) != parameters_.end();
+  }
+  /// The names that may stand where an operand does, as a message lists them, and all of them.
+  std::string allowed_names() const;
+  std::vector<std::string_view> variable_names() const;
   [[noreturn]] void unknown_name(const Word& word) const;
   [[noreturn]] void unknown_function(const Word& word) const;
 

@@ -1,8 +1,11 @@
 #include "solver/expression_parser.hpp"
 
+#include <algorithm>
+#include <array>
 #include <tao/pegtl.hpp>
 #include <utility>
 
+#include "solver/characters.hpp"
 #include "solver/expression_builder.hpp"
 
 namespace stationary {
@@ -156,8 +159,51 @@ void require_shallow(std::string_view text) {
   }
 }
 
-/// Where two operands stand side by side, or two stars.
-std::string remedy_at(std::string_view text, std::size_t offset) {
+/// A sign of formulas that is none of the language, and what is written for it.
+struct Sign {
+  std::string_view sign;
+  std::string_view written;
+};
+constexpr std::array<Sign, 19> foreign_signs{{{"\u03b1", "alpha"},
+                                              {"\u03be", "xi"},
+                                              {"\u03b6", "zeta"},
+                                              {"\u03c1", "rho"},
+                                              {"\u03f1", "rho"},
+                                              {"\u03bb", "lambda"},
+                                              {"\u03bc", "mu_"},
+                                              {"\u00b5", "mu_"},  // the micro sign
+                                              {"\u03c0", "pi"},
+                                              {"\u2212", "\"-\""},
+                                              {"\u2013", "\"-\""},
+                                              {"\u00b2", "\"^2\""},
+                                              {"\u00b3", "\"^3\""},
+                                              {"\u00b7", "\"*\""},
+                                              {"\u22c5", "\"*\""},
+                                              {"\u00d7", "\"*\""},
+                                              {"\u00f7", "\"/\""},
+                                              {"\u221a", "sqrt( )"},
+                                              {"\u2044", "\"/\""}}};
+
+/// "write lambda" where a sign stands; nothing elsewhere. A parameter may have a stretch's name.
+std::string remedy_of_sign(std::string_view rest, std::span<const std::string> parameters) {
+  const auto found = std::ranges::find_if(
+      foreign_signs, [&](const Sign& each) { return rest.starts_with(each.sign); });
+  if (found == foreign_signs.end()) return {};
+  const std::string write = "write " + std::string(found->written);
+  const auto has = [&](std::string_view name) {
+    return std::ranges::find(parameters, name) != parameters.end();
+  };
+  if (found->written == "mu_" && has("mu")) return write + ", or mu for the parameter";
+  if (found->written == "lambda" && has("lambda"))
+    return "write lambda_, or lambda for the parameter";
+  return write;
+}
+
+/// Where a sign stands that the language has not got, two operands side by side, or two stars.
+std::string remedy_at(std::string_view text, std::size_t offset,
+                      std::span<const std::string> parameters) {
+  if (std::string sign = remedy_of_sign(text.substr(offset), parameters); !sign.empty())
+    return sign;
   const std::size_t before = text.substr(0, offset).find_last_not_of(" \t\n\r\v\f");
   if (offset >= text.size() || before == std::string_view::npos) return {};
   const char left = text[before];
@@ -170,7 +216,7 @@ std::string remedy_at(std::string_view text, std::size_t offset) {
 
 std::string one_line(std::size_t offset, const std::string& found, const std::string& allowed,
                      const std::string& remedy) {
-  std::string out = "column " + std::to_string(offset + 1) + ": found " + found;
+  std::string out = "byte " + std::to_string(offset + 1) + ": found " + found;
   if (!allowed.empty()) out += ", allowed: " + allowed;
   if (!remedy.empty()) out += "; " + remedy;
   return out;
@@ -192,6 +238,8 @@ ParsedExpression parse_expression(std::string_view text, std::span<const std::st
   if (parameters.size() > expression::largest_parameter_count)
     throw ExpressionError(0, std::to_string(parameters.size()) + " parameters",
                           "at most " + std::to_string(expression::largest_parameter_count));
+  for (const std::string& name : parameters)
+    if (is_reserved(name, slot)) throw ExpressionError(0, "a parameter " + name, "another name");
   ExpressionBuilder builder(text, parameters, slot);
   pegtl::memory_input<pegtl::tracking_mode::eager, pegtl::eol::lf> input(
       text.data(), text.data() + text.size(), "expression");
@@ -200,7 +248,7 @@ ParsedExpression parse_expression(std::string_view text, std::span<const std::st
   } catch (const pegtl::parse_error& error) {
     const std::size_t offset = error.positions().front().byte;
     throw ExpressionError(offset, token_at(text, offset), std::string(error.message()),
-                          remedy_at(text, offset));
+                          remedy_at(text, offset, parameters));
   }
   return builder.take();
 }

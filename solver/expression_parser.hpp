@@ -8,7 +8,8 @@
 //
 // ^ binds tightest and to the right: -x^2 is -(x^2), 2^3^2 is 2^9. lambda and mu_ are the principal
 // stretches, lambda >= mu_; mu without the stroke is free for a parameter. A parameter that is
-// called like a variable hides it (lambda_ is a second name of the stretch, for this).
+// called like a variable hides it (lambda_ is a second name of the stretch, for this); none may be
+// called mu_, which has no other name.
 #pragma once
 
 #include <span>
@@ -32,7 +33,7 @@ class ExpressionError : public std::invalid_argument {
   ExpressionError(std::size_t offset, std::string found, std::string allowed,
                   std::string remedy = {});
 
-  std::size_t offset() const { return offset_; }  ///< of the character, from 0
+  std::size_t offset() const { return offset_; }  ///< of the character's first byte, from 0
   const std::string& found() const { return found_; }
   const std::string& allowed() const { return allowed_; }  ///< may be empty
   const std::string& remedy() const { return remedy_; }    ///< may be empty
@@ -44,18 +45,28 @@ class ExpressionError : public std::invalid_argument {
   std::string remedy_;
 };
 
-struct ParsedExpression {
-  expression::Expression expression;
-  std::vector<std::string> notes;   ///< sentences: names that are hidden
-  std::vector<std::string> unused;  ///< parameters that do not occur
+/// A part made of numbers and parameters only, and where its function or operator stands. Of a
+/// variable's divisor the reciprocal.
+struct WrittenConstant {
+  expression::NodeId node;
+  std::size_t offset;
 };
 
-/// Throws ExpressionError.
+struct ParsedExpression {
+  expression::Expression expression;
+  std::vector<std::string> notes;          ///< sentences: names that are hidden
+  std::vector<std::string> unused;         ///< parameters that do not occur
+  std::vector<WrittenConstant> constants;  ///< each after what it is made of
+};
+
+/// Whether a parameter may not be called so: the variable it would hide has no other name.
+bool is_reserved(std::string_view name, ExpressionSlot slot);
+
+/// parameters: at most largest_parameter_count names, none reserved. Throws ExpressionError.
 ParsedExpression parse_expression(std::string_view text, std::span<const std::string> parameters,
                                   ExpressionSlot slot);
 
-/// The names a slot's expressions know, variables and constants and functions.
+/// The names a slot's expressions know, variables and constants.
 std::vector<std::string_view> expression_variables(ExpressionSlot slot);
-std::span<const std::string_view> expression_functions();
 
 }  // namespace stationary

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "solver/characters.hpp"
+
 namespace stationary {
 namespace {
 
@@ -58,8 +60,7 @@ std::string printable(std::string_view text) {
   constexpr std::size_t longest = 200;
   std::string out;
   for (std::size_t k = 0; k < text.size(); ++k) {
-    // Cut between characters: UTF-8 continuation bytes are 10xxxxxx.
-    if (k >= longest && (static_cast<unsigned char>(text[k]) & 0xC0U) != 0x80U) {
+    if (k >= longest && !is_continuation(text[k])) {  // cut between characters
       out += "...";
       break;
     }

@@ -11,18 +11,23 @@
 namespace stationary::expression {
 namespace {
 
-std::string sentence(const char* what, Verdict verdict) {
+std::string sentence(const std::string& what, Verdict verdict) {
   switch (verdict) {
     case Verdict::term_by_term:
-      return std::string(what) + ": holds term by term";
+      return what + ": holds term by term";
     case Verdict::at_points:
-      return std::string(what) + ": holds at pseudo-random points to 20 digits";
+      return what + ": holds at pseudo-random points to 20 digits";
     case Verdict::refuted:
-      return std::string(what) + ": does not hold";
+      return what + ": does not hold";
     case Verdict::undecided:
       break;
   }
-  return std::string(what) + ": undecided, taken as not holding";
+  return what + ": undecided, taken as not holding";
+}
+
+/// What the larger principal stretch is called: lambda may be a parameter.
+std::string larger_stretch(const Expression& e) {
+  return std::ranges::find(e.parameters, "lambda") == e.parameters.end() ? "lambda" : "lambda_";
 }
 
 Verdict separability(Expression& e, std::span<const double> values) {
@@ -66,11 +71,20 @@ NodeId without_principal_stretches(Expression& e) {
   Expression odd = e;
   odd.root = parts.odd;
   const NodeId in_q = in_stretch(odd);
-  if (!Facts::holds(vanishes(odd.graph, in_q, e.parameters.size())))
-    throw Unsuitable(
-        "lambda and mu_ must enter symmetrically (exchanging them must change nothing): only then "
-        "is the potential smooth at the circle lambda = mu_");
-  return parts.even;
+  const Verdict verdict = vanishes(odd.graph, in_q, e.parameters.size());
+  if (Facts::holds(verdict)) return parts.even;
+  const std::string lambda = larger_stretch(e);
+  const std::string required =
+      lambda +
+      " and mu_ must enter symmetrically (exchanging them must change nothing): only "
+      "then is the potential smooth at the circle " +
+      lambda + " = mu_";
+  if (verdict == Verdict::refuted) throw Unsuitable(required);
+  throw Unsuitable(
+      required +
+      ". Whether they do could not be decided: at nearly all of the "
+      "points where it is tried (stretches and parameters of all sizes) the formula is "
+      "not finite. In t, d and I1 nothing is to be decided");
 }
 
 Verdict isotropy(Expression& e, std::span<const double> values) {
@@ -108,8 +122,8 @@ Facts facts(Expression e, Slot slot, std::span<const double> values) {
   std::string names;
   for (const auto& [variable, word] : words) {
     if (!occurs(e.graph, e.root, {variable})) continue;
-    out.variables.push_back(variable);
-    names += names.empty() ? word : std::string(", ") + word;
+    if (!names.empty()) names += ", ";
+    names += variable == Variable::lambda ? larger_stretch(e) : word;
   }
   out.sentences.push_back(names.empty() ? "a constant: no variable occurs" : "made of " + names);
   if (slot == Slot::thickness) return out;
@@ -119,8 +133,8 @@ Facts facts(Expression e, Slot slot, std::span<const double> values) {
     without_principal_stretches(e);
     const NodeId odd = split_at_circle(e.graph, e.root).odd;
     if (!e.graph.is_zero(odd)) out.symmetric = Verdict::at_points;
-    out.sentences.push_back(
-        sentence("symmetric in lambda and mu_, so smooth at the circle", out.symmetric));
+    out.sentences.push_back(sentence(
+        "symmetric in " + larger_stretch(e) + " and mu_, so smooth at the circle", out.symmetric));
   }
   out.isotropic = isotropy(e, values);
   out.sentences.push_back(sentence("isotropic (a function of t, d and rho)", out.isotropic));

@@ -17,7 +17,6 @@
 namespace stationary::expression {
 
 struct Facts {
-  std::vector<Variable> variables;          ///< that occur
   Verdict symmetric = Verdict::undecided;   ///< in lambda and mu_
   Verdict isotropic = Verdict::undecided;   ///< a function of t, d and rho
   Verdict shear_free = Verdict::undecided;  ///< V_alpha = 0 at alpha = 0

@@ -15,6 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 std::string case_with(const std::string& potential, const std::string& more = "") {
@@ -55,6 +56,32 @@ TEST(ExpressionCase, WrongOnesAreRefusedAtTheirCharacter) {
       {"plane = { expresion = \"d\" }", ":7:", "did you mean \"expression\""},
       {"plane = { expression = \"m*d\", m = nan }", ":7:35", "a finite number"},
       {"plane = { expression = \"\" }", ":7:25", "the end"},
+      // Columns are counted in characters, as the file's are.
+      {"plane = { expression = \"I1 - 2*log(d) + foo*λ\" }", ":7:41",
+       "found \"foo\" at character 17"},
+      {"plane = { expression = \"mu_*λ\" }", ":7:29", "write lambda"},
+      {"plane = { expression = \"λ + μ\" }", ":7:25", "write lambda"},
+      {"plane = { expression = \"d − 1\" }", ":7:27", "write \"-\""},
+      {"plane = { expression = \"d²\" }", ":7:26", "write \"^2\""},
+      {"plane = { expression = \"d + ( λ\" }", ":7:31", "write lambda"},
+      {"plane = { expression = \"k*d\", k = 9007199254740993 }", ":7:35",
+       "the integer 9007199254740993, which no double is exactly; expected a finite number"},
+      {"plane = { expression = \"mu_*d\", mu_ = 1.0 }", ":7:33",
+       "mu_ is the smaller principal stretch"},
+      {"plane = { expression = \"(lambda+2*mu_)^1000+(2*lambda+mu_)^1000\" }", ":7:24",
+       "could not be decided"},
+      {"plane = { expression = \"lambda*lambda_^2 - mu_\", lambda = 1.0 }", ":7:24",
+       "lambda_ and mu_ must enter symmetrically"},
+      // Constants that are no numbers.
+      {"plane = { expression = \"d*0^-1\" }", ":7:28", "a division by 0"},
+      {"plane = { expression = \"d + log(0)\" }", ":7:29", "a constant that is no finite number"},
+      {"plane = { expression = \"d + log(-1)\" }", ":7:29", "a constant that is no finite number"},
+      {"plane = { expression = \"1/d+d+0*log(-1)\" }", ":7:33",
+       "a constant that is no finite number"},
+      {"plane = { expression = \"d + sqrt(k)\", k = -1.0 }", ":7:29", "no finite number"},
+      {"plane = { expression = \"(k*d)^-1\", k = 0.0 }", ":7:24", "no finite number"},
+      {"plane = { expression = \"d*d/k\", k = 0.0 }", ":7:28",
+       "a constant that is no finite number"},
   };
   for (const Wrong& each : wrong) {
     const std::string path =
@@ -65,6 +92,34 @@ TEST(ExpressionCase, WrongOnesAreRefusedAtTheirCharacter) {
     EXPECT_THAT(outcome.err, HasSubstr(each.says)) << each.potential;
     EXPECT_THAT(outcome.out, IsEmpty());
   }
+}
+
+/// What vanishes at the parameters is finite all the same.
+TEST(ExpressionCase, ConstantsThatAreZeroPass) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "zero.toml",
+      case_with(
+          "plane = { expression = \"I1/2 - log(d) + sqrt(k) + 0^a + k^a + (-2)^n + k^2*d + min(k, "
+          "1)*t + log(1 + k)\", k = 0.0, a = 0.5, n = 2.0 }\n" +
+          thickness));
+  const Outcome outcome = run_program({"check", path});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+/// A note is of names the potential would have; the facts call the stretch what it is called here.
+TEST(ExpressionCase, HiddenNamesInNotesAndFacts) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "hidden.toml",
+      case_with("plane = { expression = \"lambda*(lambda_^2 + mu_^2) - log(d)\", lambda = 0.5 }\n"
+                "thickness = { expression = \"t/rho+rho^2\", t = 1.0 }"));
+  const Outcome outcome = run_program({"check", path});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, Not(HasSubstr("t is the parameter")));
+  EXPECT_THAT(outcome.out, HasSubstr("lambda is the parameter here"));
+  EXPECT_THAT(outcome.out, HasSubstr("symmetric in lambda_ and mu_"));
+  EXPECT_THAT(outcome.out, HasSubstr("made of d, lambda_, mu_"));
 }
 
 TEST(ExpressionCase, EveryStateOfRestIsFoundAndProven) {

@@ -140,20 +140,34 @@ TEST(ExpressionParser, WrongExpressionsAreRefusedAtTheirCharacter) {
        "a parameter is given beside the expression: stiffness = 1.0"},
       {"1/0", 1, "a division by 0", "a divisor that is not 0", ""},
       {"t/(d - d)", 1, "a division by 0", "a divisor that is not 0", ""},
-      {"t + abs(d)", 4, R"("abs")",
-       "only numbers and parameters in it: abs has no second derivative where its argument is 0",
-       ""},
-      {"min(t, d)", 0, R"("min")",
-       "only numbers and parameters in it: min has no derivative where its arguments are equal",
-       ""},
-      {"max(k, rho)", 0, R"("max")",
-       "only numbers and parameters in it: max has no derivative where its arguments are equal",
-       ""},
+      {"d*0^-1", 3, "a division by 0", "a divisor that is not 0", ""},
+      {"d*pow(t - t, -0.5)", 2, "a division by 0", "a divisor that is not 0", ""},
+      {"t + abs(d)", 4, R"("abs" of a variable)", R"("abs" of numbers and parameters alone)",
+       "abs has no second derivative where its argument is 0"},
+      {"min(t, d)", 0, R"("min" of a variable)", R"("min" of numbers and parameters alone)",
+       "min has no derivative where its arguments are equal"},
+      {"max(k, rho)", 0, R"("max" of a variable)", R"("max" of numbers and parameters alone)",
+       "max has no derivative where its arguments are equal"},
+      {"ln(d)", 0, R"("ln(")", function, R"(did you mean "log"?)"},
       {"1e999*t", 0, R"("1e999")", number, ""},
       {"1e-999*t", 0, R"("1e-999")", number, ""},
       {"t & d", 2, R"("&")", more, ""},
       {"t = d", 2, R"("=")", more, ""},
       {"\xc3\xa9*t", 0, "\"\xc3\xa9\"", operand, ""},
+      {"t + \x01", 4, R"("\x01")", operand, ""},
+      {"λ + mu_", 0, R"("λ")", operand, "write lambda"},
+      {"lambda + μ", 9, R"("μ")", operand, "write mu_"},
+      {"\u00b5", 0, "\"\u00b5\"", operand, "write mu_"},
+      {"2ξ", 1, R"("ξ")", more, "write xi"},
+      {"ζ", 0, R"("ζ")", operand, "write zeta"},
+      {"α^2", 0, R"("α")", operand, "write alpha"},
+      {"1/ϱ", 2, R"("ϱ")", operand, "write rho"},
+      {"1/ρ", 2, R"("ρ")", operand, "write rho"},
+      {"d − 1", 2, R"("−")", more, R"(write "-")"},
+      {"d²", 1, R"("²")", more, R"(write "^2")"},
+      {"d³", 1, R"("³")", more, R"(write "^3")"},
+      {"2·d", 1, R"("·")", more, R"(write "*")"},
+      {"2×d", 1, R"("×")", more, R"(write "*")"},
       {"1.2.3*t", 3, R"(".")", more, ""},
       {"t^9999", 1, R"("^")", "whole powers up to 4096", ""},
       {"(t^3000)^3", 8, R"("^")", "whole powers up to 4096", ""}};
@@ -170,7 +184,43 @@ TEST(ExpressionParser, WrongExpressionsAreRefusedAtTheirCharacter) {
   }
 }
 
+/// A parameter has taken a name of the stretch, so that the message speaks of both.
+TEST(ExpressionParser, AForeignSignMayMeanAParameter) {
+  const auto remedy = [](const char* text, const std::vector<std::string>& names) {
+    try {
+      parse_expression(text, names, ExpressionSlot::plane);
+    } catch (const ExpressionError& error) {
+      return error.remedy();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(remedy("μ", {"mu"}), "write mu_, or mu for the parameter");
+  EXPECT_EQ(remedy("λ", {"lambda"}), "write lambda_, or lambda for the parameter");
+}
+
 TEST(ExpressionParser, ASlotKnowsItsVariables) {
+  struct Stranger {
+    ExpressionSlot slot;
+    const char* text;
+    const char* allowed;
+    const char* remedy;
+  };
+  const Stranger strangers[] = {
+      {ExpressionSlot::plane, "rho",
+       "a variable (alpha, xi, zeta, t, d, I1, lambda, mu_, pi or e) or a parameter (k or n)",
+       "rho does not occur in a potential of the plane; write one expression of both as `coupled`"},
+      {ExpressionSlot::thickness, "mu_", "a variable (rho, pi or e) or a parameter (k or n)",
+       "mu_ does not occur in a potential of the thickness; write one expression of both as "
+       "`coupled`"}};
+  for (const Stranger& each : strangers) {
+    try {
+      parse_expression(each.text, parameters, each.slot);
+      ADD_FAILURE() << each.text << " was taken";
+    } catch (const ExpressionError& error) {
+      EXPECT_EQ(error.allowed(), each.allowed);
+      EXPECT_EQ(error.remedy(), each.remedy);
+    }
+  }
   EXPECT_THROW(parse_expression("t*rho", parameters, ExpressionSlot::plane), ExpressionError);
   EXPECT_THROW(parse_expression("t*rho", parameters, ExpressionSlot::thickness), ExpressionError);
   EXPECT_NO_THROW(parse_expression("k*rho^2", parameters, ExpressionSlot::thickness));
@@ -190,12 +240,36 @@ TEST(ExpressionParser, AParameterHidesAVariableAndSaysSo) {
               2.0 * t + 3.0 * d, 1e-15 * 12.0);
 }
 
+TEST(ExpressionParser, AParameterHidesOnlyWhatTheSlotHas) {
+  const std::vector<std::string> names{"t", "e"};
+  EXPECT_EQ(parse_expression("t/rho + e", names, ExpressionSlot::thickness).notes,
+            std::vector<std::string>{"e is the parameter here, not the constant"});
+  EXPECT_EQ(parse_expression("t/d + e", names, ExpressionSlot::plane).notes.size(), 2U);
+}
+
+/// A hidden variable is not offered; the stretch keeps one name.
+TEST(ExpressionParser, HiddenNamesAreNotOffered) {
+  const std::vector<std::string> names{"lambda", "d"};
+  try {
+    parse_expression("nothing", names, ExpressionSlot::plane);
+    FAIL();
+  } catch (const ExpressionError& error) {
+    EXPECT_EQ(error.allowed(),
+              "a variable (alpha, xi, zeta, t, I1, lambda_, mu_, pi or e) or a parameter (lambda "
+              "or d)");
+  }
+  const std::vector<std::string> taken{"mu_"};
+  EXPECT_THROW(parse_expression("d", taken, ExpressionSlot::plane), ExpressionError);
+  EXPECT_THROW(parse_expression("d", taken, ExpressionSlot::coupled), ExpressionError);
+  EXPECT_NO_THROW(parse_expression("mu_*rho", taken, ExpressionSlot::thickness));
+}
+
 TEST(ExpressionParser, OneLineSaysAll) {
   try {
     parse_expression("k*lgo(d)", parameters, ExpressionSlot::plane);
     FAIL();
   } catch (const ExpressionError& error) {
-    EXPECT_EQ(std::string(error.what()), std::string("column 3: found \"lgo(\", allowed: ") +
+    EXPECT_EQ(std::string(error.what()), std::string("byte 3: found \"lgo(\", allowed: ") +
                                              function + "; did you mean \"log\"?");
   }
 }
