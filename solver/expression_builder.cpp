@@ -273,7 +273,7 @@ void ExpressionBuilder::apply_operation() {
         return graph().multiply(top(1), top(0));
       default:
         require_divisor(top(0), by.offset);
-        // Which the graph makes a factor of: a constant too.
+        // d/k is 1/k times d, in which 1/k is a constant that may not be finite.
         if (graph().is_coefficient(top(0)) && !graph().is_coefficient(top(1)))
           at(by.offset, [&] { return graph().divide(graph().one(), top(0)); });
         return graph().divide(top(1), top(0));

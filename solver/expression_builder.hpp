@@ -89,9 +89,10 @@ class ExpressionBuilder {
   bool is_parameter(std::string_view name) const {
     return std::ranges::find(parameters_, name) != parameters_.end();
   }
-  /// The names that may stand where an operand does, as a message lists them, and all of them.
-  std::string allowed_names() const;
+  /// The variables and constants that no parameter hides.
   std::vector<std::string_view> variable_names() const;
+  /// These and the parameters, for a message.
+  std::string allowed_names() const;
   [[noreturn]] void unknown_name(const Word& word) const;
   [[noreturn]] void unknown_function(const Word& word) const;
 

@@ -38,11 +38,11 @@ struct Tape {
   Coefficients coefficients;
   std::array<Program, 3> evaluate;  ///< by order; each also gives what the lower ones give
   Program balance;                  ///< LogBalance: residuals, then the upper triangle by rows
-  Program residual;                 ///< the residuals alone
+  Program residual;                 ///< the residuals alone; none of thickness_tape()
   /// Value and gradient, then the derivative of both in each parameter: of the inputs and the
   /// parameters. No results where it could not be had (slopes.hpp).
   Program slopes;
-  /// The same of the residuals.
+  /// The same of the residuals; none of thickness_tape(), as residual.
   Program residual_slopes;
   std::vector<double> fixed_constants;  ///< the constants in which no parameter is
   bool has_principal_stretches = false;
@@ -77,7 +77,7 @@ inline constexpr std::array anisotropic_inputs{Variable::alpha, Variable::xi, Va
 std::shared_ptr<const Tape> planar_tape(Expression expression);
 std::shared_ptr<const Tape> coupled_tape(Expression expression);
 std::shared_ptr<const Tape> thickness_tape(Expression expression);
-/// V(alpha, xi, zeta, rho) with its derivatives in these, and the balance at alpha = 0.
+/// V(alpha, xi, zeta, rho) with its derivatives in these; without balance, residual and slopes.
 std::shared_ptr<const Tape> anisotropic_tape(Expression expression);
 
 /// The same in two parts, with what is known of alpha: sums of isotropic and of other terms are as

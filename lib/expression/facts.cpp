@@ -76,15 +76,14 @@ NodeId without_principal_stretches(Expression& e) {
   const std::string lambda = larger_stretch(e);
   const std::string required =
       lambda +
-      " and mu_ must enter symmetrically (exchanging them must change nothing): only "
-      "then is the potential smooth at the circle " +
-      lambda + " = mu_";
+      " and mu_ must enter symmetrically (exchanging them must change nothing): only then " +
+      "is the potential smooth at the circle " + lambda + " = mu_";
   if (verdict == Verdict::refuted) throw Unsuitable(required);
   throw Unsuitable(
       required +
-      ". Whether they do could not be decided: at nearly all of the "
-      "points where it is tried (stretches and parameters of all sizes) the formula is "
-      "not finite. In t, d and I1 nothing is to be decided");
+      ". Whether they do could not be decided: at nearly all of the points where it is tried "
+      "(stretches and parameters of all sizes) the formula is not finite. In t, d and I1 nothing "
+      "is to be decided");
 }
 
 Verdict isotropy(Expression& e, std::span<const double> values) {

@@ -38,13 +38,6 @@ class AnisotropicExpression : public TapeModel<C> {
         q.alpha, q.xi, q.zeta, q.rho);
     return out;
   }
-
-  /// At alpha = 0, where that balances: V_alpha = 0 there (facts.hpp).
-  template <class S>
-  LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& rho, const S& c_xi,
-                                        const S& c_zeta, const S& c_rho) const {
-    return this->template coupled_balance<Product<C, S>>(xi, zeta, rho, c_xi, c_zeta, c_rho);
-  }
 };
 
 template <class C = double>

@@ -192,5 +192,22 @@ TEST(OrientedExpression, DomainIsFiniteParameters) {
                std::invalid_argument);
 }
 
+/// Programs that no model reads are not made: their room is the others'.
+TEST(OrientedExpression, ATapeHasTheProgramsItsModelReads) {
+  const auto parsed = parse_expression(fibre_text, names, ExpressionSlot::coupled);
+  const auto directed = expression::anisotropic_tape(parsed.expression);
+  EXPECT_FALSE(directed->plane_pull.results.empty());
+  EXPECT_TRUE(directed->balance.results.empty());
+  EXPECT_TRUE(directed->residual.results.empty());
+  EXPECT_TRUE(directed->slopes.results.empty());
+  EXPECT_TRUE(directed->residual_slopes.results.empty());
+  const auto axial_tape =
+      support::written_thickness("a/rho + b*rho", {"a", "b"}, {1.0, 3.0}).tape();
+  EXPECT_FALSE(axial_tape->balance.results.empty());
+  EXPECT_FALSE(axial_tape->slopes.results.empty());
+  EXPECT_TRUE(axial_tape->residual.results.empty());
+  EXPECT_TRUE(axial_tape->residual_slopes.results.empty());
+}
+
 }  // namespace
 }  // namespace stationary::testing
