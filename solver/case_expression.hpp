@@ -16,7 +16,8 @@ namespace stationary {
 /// Whether a table under `potential` writes its potential out.
 bool is_written_out(const toml::table& table);
 
-/// Throws InputError unless every other key is a finite number with the name of a parameter.
+/// Throws InputError unless every other key is a finite number with a name that a parameter may
+/// have (expression_parser.hpp).
 void require_written_out(const CaseTree& tree, const std::string& path, const toml::table& table);
 
 /// A potential as the sum of two, each with all the parameters of the whole.
@@ -35,7 +36,8 @@ struct WrittenPotential {
 };
 
 /// Of a table that require_written_out() let pass. slot: plane, thickness or coupled. Throws
-/// InputError at the character that is wrong, or for an expression that is no such potential.
+/// InputError at the character that is wrong, for constants that are not finite at the
+/// coefficients, or for an expression that is no such potential.
 WrittenPotential read_written_out(const CaseTree& tree, std::string_view slot,
                                   const toml::table& table);
 
