@@ -65,7 +65,10 @@ struct ModelName {
   }
   template <class Plane, class Thickness>
   static std::string text(const Separable<Plane, Thickness>*) {
-    return std::string(Plane::name) + "_with_" + std::string(Thickness::name);
+    std::string out(Plane::name);  // in steps: GCC 12 sees an overrun in the sum
+    out += "_with_";
+    out += Thickness::name;
+    return out;
   }
 };
 
