@@ -84,8 +84,8 @@ TEST(AnisotropicAtlas, AnObliqueFamilyBetweenCheckpointsIsEnteredAtItsEvent) {
   const Atlas found = atlas(disc, along, how);
   ASSERT_EQ(found.sheets.size(), 2U) << text_of(found);
   EXPECT_EQ(found.sheets[1].entry, Entry::oblique);
-  EXPECT_EQ(found.sheets[1].entry_nu, found.sheets[1].parent->nu);
-  EXPECT_TRUE(found.sheets[1].parent);
+  ASSERT_TRUE(found.sheets[1].parent);
+  EXPECT_NEAR(found.sheets[1].entry_nu, found.sheets[1].parent->nu, 1e-12);
 }
 
 TEST(AnisotropicAtlas, AnEllipseTurnsAwayFromTheAxes) {
@@ -105,25 +105,6 @@ TEST(AnisotropicAtlas, AnEllipseTurnsAwayFromTheAxes) {
   EXPECT_EQ(std::ranges::count_if(found.sheets,
                                   [](const AtlasSheet& sheet) { return sheet.parent.has_value(); }),
             1);
-}
-
-/// With J1 = J2 and fibres along both axes the two families leave (i) and (ii) at the same nu, and
-/// are the same motions turned: both are there.
-TEST(AnisotropicAtlas, EveryAxisLosesItsFamily) {
-  const Body square(1.0, 1.0, 0.6);
-  const Potential crossed(AnisotropicPotential(
-      NeoHookean<>{1.0, 2.0}, ReciprocalQuadratic<>{1.0, 3.0}, {{0.4, 0.0}, {0.4, 90.0}}));
-  AtlasOptions how = range(0.1, 0.9, 1);
-  how.branches = {Branch::i, Branch::ii};
-  how.search.max_boxes = 100;
-  const Atlas found = atlas(square, crossed, how);
-  std::vector<const AtlasSheet*> left;
-  for (const AtlasSheet& sheet : found.sheets)
-    if (sheet.oblique && sheet.parent) left.push_back(&sheet);
-  ASSERT_EQ(left.size() % 2, 0U) << text_of(found);
-  ASSERT_GE(left.size(), 2U) << text_of(found);
-  EXPECT_NE(left[0]->parent->sheet, left[1]->parent->sheet);
-  EXPECT_NEAR(left[0]->parent->nu, left[1]->parent->nu, 1e-9);
 }
 
 }  // namespace
