@@ -6,7 +6,7 @@
 //
 //   det(s - J E'') = p(s^2),   p of degree 5 (4 at rest),
 //
-// p by the recursion of U. J. J. Leverrier and D. K. Faddeev, its roots by discs (root_discs.hpp).
+// p and the negative directions as interval_form.hpp has them, its roots by discs (root_discs.hpp).
 // Parts of the leaf that do not see each other (about axis 3: b; alpha, xi, zeta; rho) have each
 // their own.
 #pragma once
@@ -24,6 +24,9 @@ struct EnclosedMotion {
   Vector3<Interval> axis;  ///< nu/|nu|: along axis 3, or in the plane of axes 1 and 2
   Matrix4<Interval> V_qq;
   bool rho_coupled;
+
+  bool spins() const { return speed.lo > 0.0; }
+  bool about_third() const { return axis[2].lo > 0.0; }
 };
 
 /// V without a material symmetry (not isotropic, or at rest about no axis of one). approximate is

@@ -43,11 +43,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   }
 
   ReducedVector<N> coordinates(const Stretch& q, double p) const override {
-    ReducedVector<N> x = ones<N>();
-    x[0] = q.xi;
-    x[1] = q.zeta;
-    x[Layout::thickness_place] = q.rho;
-    if constexpr (Layout::alpha) x[Layout::alpha_place] = shear_coordinate(q);
+    ReducedVector<N> x = stretch_coordinates(q);
     if constexpr (Layout::axis) {
       const Setting at = setting(p);
       const auto I = in_plane_inertia(Inertia3<double>{at.body.J1, at.body.J2, at.body.J3}, q);
@@ -72,12 +68,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   }
 
   ReducedVector<N> coordinates_of(const Member& member) const override {
-    const Stretch& q = member.q;
-    ReducedVector<N> x = ones<N>();
-    x[0] = q.xi;
-    x[1] = q.zeta;
-    x[Layout::thickness_place] = q.rho;
-    if constexpr (Layout::alpha) x[Layout::alpha_place] = shear_coordinate(q);
+    ReducedVector<N> x = stretch_coordinates(member.q);
     if constexpr (Layout::axis)
       x[Layout::axis_place] =
           axis_coordinate(std::atan2(member.angular_velocity[1], member.angular_velocity[0]));
@@ -219,6 +210,15 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   }
 
  private:
+  /// All unknowns but the axis.
+  static ReducedVector<N> stretch_coordinates(const Stretch& q) {
+    ReducedVector<N> x = ones<N>();
+    x[0] = q.xi;
+    x[1] = q.zeta;
+    x[Layout::thickness_place] = q.rho;
+    if constexpr (Layout::alpha) x[Layout::alpha_place] = shear_coordinate(q);
+    return x;
+  }
   using Kind = FamilyParameter::Kind;
   /// Of alpha over sqrt(xi zeta), tanh a, and of the axis' angle, against the bound of ln x.
   static constexpr double bound_factor = Layout::axis ? 2.0 : Layout::alpha ? 1.25 : 1.0;

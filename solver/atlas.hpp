@@ -118,7 +118,7 @@ struct Atlas {
   bool interrupted = false;
 };
 
-/// The kind of motion as tables name it; of a tilted family, the plane.
+/// The kind of motion as tables name it.
 std::string_view kind_name(const AtlasSheet& sheet);
 std::string_view kind_name(Branch branch, bool oblique);
 
