@@ -97,6 +97,35 @@ bool AnisotropicPotential::sheared() const {
   return expression->sheared() && fibres_even();
 }
 
+std::vector<ConditionValue> AnisotropicPotential::conditions_at(const Stretch& q) const {
+  std::vector<ConditionValue> out;
+  for_models([&](const auto& model) {
+    if constexpr (requires { model.conditions_at(q); }) {
+      const std::vector<ConditionValue> own = model.conditions_at(q);
+      out.insert(out.end(), own.begin(), own.end());
+    }
+  });
+  return out;
+}
+
+AnisotropicPotential AnisotropicPotential::on_part_of(const Stretch& q) const {
+  const auto restrict = [&](auto& models) {
+    std::visit(
+        [&](auto& model) {
+          if constexpr (requires { model.on_part_of(q); }) model = model.on_part_of(q);
+        },
+        models);
+  };
+  AnisotropicPotential out = *this;
+  if (auto* separate = std::get_if<Model::Separate>(&out.model_.base)) {
+    restrict(separate->plane);
+    separate->thickness = separate->thickness.on_part_of(q);
+  } else {
+    restrict(std::get<Coupled>(out.model_.base));
+  }
+  return out;
+}
+
 double AnisotropicPotential::rest_stretch() const {
   const auto own = [](const auto& model) {
     if constexpr (requires { model.shear_free(); }) {

@@ -63,6 +63,20 @@ struct AnisotropicModel {
     return std::get_if<OrientedExpression<C>>(&std::get<OrientedCoupledModels<C>>(base));
   }
 
+  /// Whether a written-out part is defined nowhere in a box.
+  bool outside_box(const BasicStretch<C>& q) const {
+    const auto own = [&](const auto& model) {
+      if constexpr (requires { model.outside_box(q); }) {
+        return model.outside_box(q);
+      } else {
+        return false;
+      }
+    };
+    if (const auto* separate = std::get_if<Separate>(&base))
+      return std::visit(own, separate->plane) || separate->thickness.visit(own);
+    return std::visit(own, std::get<OrientedCoupledModels<C>>(base));
+  }
+
   /// Whether a written-out part has decimals (TapeModel::has_decimals).
   bool has_decimals() const {
     const auto written = [](const auto& model) {
@@ -150,6 +164,11 @@ class AnisotropicPotential {
   /// written-out model.
   bool sheared() const;
 
+  /// The conditions of a written-out part and their values at q.
+  std::vector<ConditionValue> conditions_at(const Stretch& q) const;
+  /// Restricted to the part of its domain that q lies in.
+  AnisotropicPotential on_part_of(const Stretch& q) const;
+
   const std::vector<Fibre>& fibres() const { return fibres_; }
   /// xi = zeta at rest without fibres, and rho (separable: of the thickness at nu = 0); NaN where a
   /// written-out model has none that is known.
@@ -164,6 +183,17 @@ class AnisotropicPotential {
   AnisotropicPotential with_coefficient(int place, double value) const;
 
   const Model& model() const { return model_; }
+
+  /// f(each of its models but the fibres), as its own type.
+  template <class F>
+  void for_models(const F& f) const {
+    if (const auto* separate = std::get_if<typename Model::Separate>(&model_.base)) {
+      std::visit(f, separate->plane);
+      separate->thickness.visit(f);
+    } else {
+      std::visit(f, std::get<Coupled>(model_.base));
+    }
+  }
 
   /// The model in another number type: convert(c) of each coefficient c in their order, and
   /// convert.direction(degrees) of each angle.

@@ -7,7 +7,9 @@ namespace stationary {
 
 BalanceCheck check_balance(const Body& body, const Potential& potential, const Stretch& q,
                            const Vector3<double>& nu) {
-  return check_balance(body, potential.derivatives(q), q, nu);
+  BalanceCheck out = check_balance(body, potential.derivatives(q), q, nu);
+  if (!potential.defined_at(q)) out.residual = poison<double>();
+  return out;
 }
 
 BalanceCheck check_balance(const Body& body, const PotentialDerivatives<double>& v,

@@ -1,5 +1,7 @@
 #include "lib/potential.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "lib/model_domain.hpp"
@@ -127,14 +129,129 @@ AnisotropicPotential::Plane Potential::oriented_plane(std::string_view name,
   return by_name<AnisotropicPotential::Plane>(name, coefficients);
 }
 
+template <class F>
+void Potential::for_formulas(const F& f) const {
+  const auto one = [&](const auto& model) {
+    if constexpr (requires { model.tape(); }) f(model);
+  };
+  if (const auto* parts = std::get_if<SeparableExpression>(&models_)) {
+    parts->plane.visit(one);
+    parts->thickness.visit(one);
+  } else if (const auto* coupled = std::get_if<CoupledExpression<>>(&models_)) {
+    one(*coupled);
+  } else if (const auto* of_axes = std::get_if<AnisotropicPotential>(&models_)) {
+    of_axes->for_models(one);
+  }
+}
+
+namespace {
+
+/// Replaces what a formula that takes something for granted adds to a gradient by what the whole of
+/// it does. A formula that was taken apart comes as plane and thickness, with one whole.
+template <class C>
+class WholeFormulas {
+ public:
+  explicit WholeFormulas(const BasicStretch<C>& q) : q_(q) {}
+
+  template <class Model, class Convert>
+  void replace(const Model& model, const Convert& convert, Vector4<C>& gradient) {
+    const auto& whole = model.tape()->whole;
+    if (whole == nullptr) return;
+    const auto own = with_indexed_coefficients(model, convert);
+    gradient -= model_gradient(own);
+    if (whole == last_) return;
+    last_ = whole;
+    gradient +=
+        AnisotropicExpression<C>(whole, own.coefficients()).template derivatives<1>(q_).gradient;
+  }
+
+ private:
+  template <class Model>
+  Vector4<C> model_gradient(const Model& model) const {
+    if constexpr (requires { model.template derivatives<1>(q_); }) {
+      return model.template derivatives<1>(q_).gradient;
+    } else if constexpr (requires { model.template evaluate<1>(q_.rho); }) {
+      Vector4<C> out = Vector4<C>::Constant(C(0.0));
+      out[3] = model.template evaluate<1>(q_.rho).v_r / q_.rho;
+      return out;
+    } else {
+      const C none(0.0);
+      const auto x = planar_invariants(q_);
+      CoupledDerivatives<C> w{{none, none, none, none, none, none}, none, none, none, none};
+      if constexpr (requires { model.template evaluate<1>(x, q_.rho); }) {
+        w = model.template evaluate<1>(x, q_.rho);
+      } else {
+        w.plane = model.template evaluate<1>(x);
+      }
+      return in_stretch<1>(w, q_).gradient;
+    }
+  }
+
+  BasicStretch<C> q_;
+  std::shared_ptr<const expression::Tape> last_;
+};
+
+}  // namespace
+
 PotentialDerivatives<double> Potential::derivatives(const Stretch& q) const {
-  if (!is_isotropic()) return potential_derivatives<2>(anisotropic().model(), q);
-  return visit([&](const auto& model) { return potential_derivatives<2>(model, q); });
+  PotentialDerivatives<double> out =
+      is_isotropic() ? visit([&](const auto& model) { return potential_derivatives<2>(model, q); })
+                     : potential_derivatives<2>(anisotropic().model(), q);
+  WholeFormulas<double> whole(q);
+  for_formulas([&](const auto& model) {
+    whole.replace(
+        model, [](double c, std::size_t) { return c; }, out.gradient);
+  });
+  return out;
+}
+
+bool Potential::assumptions_refuted(const BasicStretch<Interval>& box, bool decimals) const {
+  Vector4<Interval> excess = Vector4<Interval>::Constant(Interval(0.0));
+  WholeFormulas<Interval> whole(box);
+  for_formulas([&](const auto& model) {
+    whole.replace(
+        model,
+        [decimals](double c, std::size_t) { return decimals ? Interval::decimal(c) : Interval(c); },
+        excess);
+  });
+  for (int i = 0; i < 4; ++i)
+    if (!excess[i].may_be(0.0)) return true;
+  return false;
 }
 
 double Potential::value(const Stretch& q) const {
   if (!is_isotropic()) return potential_derivatives<0>(anisotropic().model(), q).value;
   return visit([&](const auto& model) { return potential_derivatives<0>(model, q).value; });
+}
+
+std::vector<ConditionValue> Potential::conditions_at(const Stretch& q) const {
+  if (!is_isotropic()) return anisotropic().conditions_at(q);
+  return visit([&](const auto& model) { return model_conditions(model, q); });
+}
+
+std::vector<std::string> Potential::assumptions() const {
+  std::vector<std::string> out;
+  for_formulas([&out](const auto& model) {
+    for (const std::string& each : model.tape()->assumed)
+      if (std::ranges::find(out, each) == out.end()) out.push_back(each);
+  });
+  return out;
+}
+
+bool Potential::defined_at(const Stretch& q) const {
+  return std::ranges::all_of(conditions_at(q), &ConditionValue::holds) && std::isfinite(value(q));
+}
+
+Potential Potential::on_part_of(const Stretch& q) const {
+  Potential out = *this;
+  if (auto* parts = std::get_if<SeparableExpression>(&out.models_)) {
+    *parts = stationary::on_part_of(*parts, q);
+  } else if (auto* coupled = std::get_if<CoupledExpression<>>(&out.models_)) {
+    *coupled = coupled->on_part_of(q);
+  } else if (auto* anisotropic = std::get_if<AnisotropicPotential>(&out.models_)) {
+    *anisotropic = anisotropic->on_part_of(q);
+  }
+  return out;
 }
 
 }  // namespace stationary

@@ -146,7 +146,23 @@ class Potential {
                       std::get<CoupledPotential>(models_));
   }
 
-  /// Value, gradient and Hessian at a positive definite q (not checked).
+  /// The conditions under which its formulas are defined, and their values at q; none of built-in
+  /// models, which are defined at every positive definite q.
+  std::vector<ConditionValue> conditions_at(const Stretch& q) const;
+  /// Whether these hold and V is a finite number.
+  bool defined_at(const Stretch& q) const;
+  /// Identities of its formulas that all results take for granted, for they are known at points
+  /// only (expression/facts.hpp): a sentence each, mostly none.
+  std::vector<std::string> assumptions() const;
+  /// Whether these do not hold somewhere in a box: V_alpha, ..., V_rho of the whole formula are
+  /// other numbers than those of its models. decimals: of every case within half a unit of the last
+  /// place of the coefficients.
+  bool assumptions_refuted(const BasicStretch<Interval>& box, bool decimals) const;
+  /// Restricted to the part of its domain that q lies in: no number beyond a denominator's zero.
+  Potential on_part_of(const Stretch& q) const;
+
+  /// Value, gradient and Hessian at a positive definite q (not checked). The gradient is that of
+  /// the whole formula where something is taken for granted.
   PotentialDerivatives<double> derivatives(const Stretch& q) const;
   double value(const Stretch& q) const;
 
@@ -155,6 +171,9 @@ class Potential {
     PlanarPotential plane;
     ThicknessPotential thickness;
   };
+  /// f(each model that is a formula).
+  template <class F>
+  void for_formulas(const F& f) const;
   std::variant<SeparableModels, CoupledPotential, SeparableExpression, CoupledExpression<>,
                AnisotropicPotential>
       models_;

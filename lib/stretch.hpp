@@ -59,14 +59,14 @@ template <class S>
 PlanarInvariants<S> planar_invariants(const BasicStretch<S>& q) {
   const S difference = q.xi - q.zeta;
   return {q.xi + q.zeta, q.xi * q.zeta - q.alpha * q.alpha,
-          difference * difference + 4.0 * (q.alpha * q.alpha)};
+          square(difference) + 4.0 * square(q.alpha)};
 }
 
 /// At alpha = 0, where xi and zeta are themselves the principal stretches.
 template <class S>
 PlanarInvariants<S> planar_invariants(const S& xi, const S& zeta) {
   const S difference = xi - zeta;
-  return {xi + zeta, xi * zeta, difference * difference};
+  return {xi + zeta, xi * zeta, square(difference)};
 }
 
 /// Extended precision from doubles: t and d are exact (one rounding error each, kept).

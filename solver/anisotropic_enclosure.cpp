@@ -77,12 +77,6 @@ void certify_at(const OrientedBoxSystem<Layout>& system, const Stretch& q,
   conclude(unique, solution, bound, out);
 }
 
-bool usable(const Equilibrium& equilibrium, Certificate& out) {
-  if (const char* inequality = violated_inequality(equilibrium.q))
-    out.reason = std::string("S is not positive definite: it needs ") + inequality;
-  return out.reason.empty();
-}
-
 void require_proven(const Certificate& certificate) {
   if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
 }
@@ -104,7 +98,8 @@ SpectrumEnclosure whole(const Body& body, const AnisotropicPotential& V,
 
 Certificate certify_anisotropic(const Problem& problem, const Equilibrium& equilibrium,
                                 Inputs inputs) {
-  Certificate out;
+  Certificate out = begun(problem.potential(), equilibrium.q);
+  if (!out.reason.empty()) return out;
   const AnisotropicPotential& V = problem.potential().anisotropic();
   const Branch branch = problem.branch();
   const double nu = equilibrium.nu[axis(branch)];
@@ -112,7 +107,6 @@ Certificate certify_anisotropic(const Problem& problem, const Equilibrium& equil
     out.reason = "nu does not lie along the branch's axis";
     return out;
   }
-  if (!usable(equilibrium, out)) return out;
   if (branch == Branch::iii || nu == 0.0) {
     certify_at(OrientedBoxSystem<ShearedLayout>(problem.body(), V, Branch::iii, nu, inputs),
                equilibrium.q, equilibrium.nu, out);
@@ -125,23 +119,30 @@ Certificate certify_anisotropic(const Problem& problem, const Equilibrium& equil
   } else if (!V.shear_free()) {
     out.reason = "V_alpha is not proven to vanish there";
   } else {
-    certify_at(OrientedBoxSystem<StraightLayout>(problem.body(), V, branch, nu, inputs),
-               equilibrium.q, equilibrium.nu, out);
+    const OrientedBoxSystem<StraightLayout> system(problem.body(), V, branch, nu, inputs);
+    certify_at(system, equilibrium.q, equilibrium.nu, out);
+    const StretchBox& at = out.solution;
+    if (out.proven && !system.shear_force({at.xi, at.zeta, at.rho}).may_be(0.0)) {
+      out.proven = false;
+      out.reason = "proven not to be a solution: V_alpha does not vanish there";
+    }
   }
+  require_assumptions(problem.potential(), inputs, out);
   return out;
 }
 
 Certificate certify_oblique(const Body& body, const Potential& potential,
                             const ObliqueRotation& motion, const Equilibrium& equilibrium,
                             Inputs inputs) {
-  Certificate out;
+  Certificate out = begun(potential, equilibrium.q);
+  if (!out.reason.empty()) return out;
   if (equilibrium.nu[2] != 0.0) {
     out.reason = "nu does not lie in the plane";
-  } else if (motion.nu == 0.0 && usable(equilibrium, out)) {  // at rest, about no axis
+  } else if (motion.nu == 0.0) {  // at rest, about no axis
     certify_at(
         OrientedBoxSystem<ShearedLayout>(body, potential.anisotropic(), Branch::iii, 0.0, inputs),
         equilibrium.q, equilibrium.nu, out);
-  } else if (usable(equilibrium, out)) {
+  } else {
     certify_at(OrientedBoxSystem<ObliqueLayout>(body, potential.anisotropic(), Branch::i, motion.nu,
                                                 inputs),
                equilibrium.q, equilibrium.nu, out);

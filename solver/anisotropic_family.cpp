@@ -89,6 +89,11 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     return out;
   }
 
+  std::vector<ConditionValue> conditions(const ReducedVector<N>& x, double p) const override {
+    const auto y = all_coordinates<Layout>(x, 1.0);
+    return setting(p).models->potential.conditions_at(oriented_stretch(y[0], y[1], y[2], y[3]).q);
+  }
+
   FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const override {
     const Setting at = setting(p);
     ++this->evaluations_.jacobians;

@@ -42,12 +42,14 @@ class OrientedSearch {
           std::get<AnisotropicModel<double>::Separate>(models_.potential.model().base);
       run_thickness(parts.thickness);
     }
-    std::ranges::sort(out_.solutions, {}, [](const Equilibrium& each) {
-      return std::tuple(each.q.xi, each.q.zeta, each.q.rho, each.q.alpha, each.nu[1]);
-    });
+    for (auto* list : {&out_.solutions, &out_.unproven})
+      std::ranges::sort(*list, {}, [](const Equilibrium& each) {
+        return std::tuple(each.q.xi, each.q.zeta, each.q.rho, each.q.alpha, each.nu[1]);
+      });
     if (out_.status != SearchStatus::interrupted)
       out_.status = out_.undecided.empty() ? SearchStatus::complete : SearchStatus::undecided;
-    out_.message = search_message(options_, out_.status, out_.solutions.size(), out_.undecided);
+    out_.message = search_message(options_, out_.status, out_.solutions.size(), out_.undecided) +
+                   unproven_text(out_.unproven.size());
     if (nearest_ < std::numeric_limits<double>::infinity()) {
       std::ostringstream text;
       text.precision(2);
@@ -96,8 +98,9 @@ class OrientedSearch {
     const auto plane = prune(system_, boxes_, everything(), box_factor * options_.max_boxes);
     // One axis is found twice where it is at both ends of the half turn searched.
     std::vector<Found> kept;
-    for (const Found& each : plane.solutions)
-      if (!on_material_axis(each) && !again(each, kept)) kept.push_back(each);
+    for (const auto* list : {&plane.solutions, &plane.unproven})
+      for (const Found& each : *list)
+        if (!on_material_axis(each) && !again(each, kept)) kept.push_back(each);
     for (const Found& each : kept) with_thickness(each, axial);
     for (const Box<N>& box : plane.undecided) {
       StretchBox at = stretch_box(box);
@@ -180,11 +183,13 @@ class OrientedSearch {
     if (axial == nullptr) {
       if constexpr (Layout::thickness)
         add(each, each.x[Layout::thickness_place], each.proof.solution[Layout::thickness_place],
-            0.0);
+            0.0, true);
       return;
     }
-    for (const auto& rho : axial->solutions)
-      add(each, rho.x[0], rho.proof.solution[0], rho.proof.error_bound);
+    for (const auto* thicknesses : {&axial->solutions, &axial->unproven})
+      for (const auto& rho : *thicknesses)
+        add(each, rho.x[0], rho.proof.solution[0], rho.proof.error_bound, rho.proof.proven);
+    if (!each.proof.proven) return;
     for (const Box<1>& rho : axial->undecided) {
       StretchBox at = stretch_box(each.proof.solution);
       at.rho = rho[0];
@@ -192,14 +197,16 @@ class OrientedSearch {
     }
   }
 
-  void add(const Found& each, double rho, const Interval& proven_rho, double rho_bound) {
+  void add(const Found& each, double rho, const Interval& proven_rho, double rho_bound,
+           bool proven_thickness) {
+    const bool proven = each.proof.proven && proven_thickness;
     constexpr double factor = Layout::axis ? 2.0 : Layout::alpha ? 1.25 : 1.0;
     auto y = all_coordinates<Layout>(each.x, rho);
     y[oriented::w] = rho;
     if (Layout::alpha && !Layout::axis && own_mirror(each, false)) y[oriented::a] = 1.0;
     Equilibrium found;
     found.status = SolveStatus::solved;
-    found.message = "exhaustive search: proven to exist";
+    found.message = found_by_search(proven);
     found.q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
     found.error_bound = std::max(factor * each.proof.error_bound, rho_bound);
     found.nu = angular_velocity(branch_, system_.nu);
@@ -212,13 +219,17 @@ class OrientedSearch {
     found.compatibility = check.compatibility;
     if (!Layout::alpha && !models_.potential.shear_free()) {
       nearest_ = std::min(nearest_, check.residual);
-      if (!boxes_.shear_force(each.proof.solution).may_be(0.0)) return;
+      if (!proven || !boxes_.shear_force(each.proof.solution).may_be(0.0)) return;
       StretchBox at = stretch_box(each.proof.solution);
       at.rho = proven_rho;
       out_.undecided.push_back(at);
       return;
     }
-    out_.solutions.push_back(found);
+    if (proven) {
+      out_.solutions.push_back(found);
+    } else if (found.residual <= acceptable_residual) {
+      out_.unproven.push_back(found);
+    }
   }
 
   const Body& body_;

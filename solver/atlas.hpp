@@ -54,15 +54,16 @@ struct AtlasRow {
 
 /// How a sheet was come upon.
 enum class Entry {
-  rest,     ///< through the rest state
-  search,   ///< through a solution found at a checkpoint
-  ellipse,  ///< off a circle that turns into ellipses
-  shear,    ///< off a sheet of (iii) whose ellipse can turn away from the material axes
-  oblique,  ///< off a sheet of (i), (ii) whose axis can
-  tilt      ///< off a sheet whose axis can tilt
+  rest,      ///< through the rest state
+  search,    ///< through a solution found at a checkpoint
+  ellipse,   ///< off a circle that turns into ellipses
+  shear,     ///< off a sheet of (iii) whose ellipse can turn away from the material axes
+  oblique,   ///< off a sheet of (i), (ii) whose axis can
+  tilt,      ///< off a sheet whose axis can tilt
+  numerical  ///< through one found by Newton's method where the search at a checkpoint is undecided
 };
-constexpr std::string_view entry_names[] = {"rest",  "search",  "ellipse",
-                                            "shear", "oblique", "tilt"};
+constexpr std::string_view entry_names[] = {"rest",    "search", "ellipse",  "shear",
+                                            "oblique", "tilt",   "numerical"};
 constexpr std::string_view name(Entry e) { return entry_names[static_cast<int>(e)]; }
 
 /// Where the end of a sheet lies on another.
@@ -92,6 +93,7 @@ struct Checkpoint {
   double nu = 0.0;
   SearchStatus status = SearchStatus::not_run;
   int proven = 0;     ///< solutions in the box searched
+  int unproven = 0;   ///< others that Newton's method found in what is undecided
   int on_sheets = 0;  ///< of these, found on a sheet
   int beyond = 0;     ///< points of sheets in the box that are none of these
 

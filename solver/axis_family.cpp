@@ -4,6 +4,15 @@
 #include "solver/model_family.hpp"
 
 namespace stationary {
+namespace {
+
+template <class Model, int N>
+AnyFamily model_family(const Problem& problem, const Model& model,
+                       const AxisFamilyOptions& options) {
+  return std::make_unique<ModelFamily<Model, N>>(problem.body(), problem.branch(), model, options);
+}
+
+}  // namespace
 
 AnyFamily axis_family(const Problem& problem, const AxisFamilyOptions& options, bool alpha_free) {
   if (!problem.potential().is_isotropic())
@@ -12,16 +21,12 @@ AnyFamily axis_family(const Problem& problem, const AxisFamilyOptions& options, 
   const bool constant = problem.thickness_rule() == ThicknessRule::constant &&
                         options.parameter.kind != FamilyParameter::Kind::thickness &&
                         options.parameter.kind != FamilyParameter::Kind::shared;
-  return problem.potential().visit([&](const auto& model) -> AnyFamily {
+  return problem.potential().visit([&](const auto& model) {
     using Model = std::decay_t<decltype(model)>;
-    const auto make = [&]<int N>(std::integral_constant<int, N>) {
-      return std::make_unique<ModelFamily<Model, N>>(problem.body(), problem.branch(), model,
-                                                     options);
-    };
     // A thickness of which there may be several is carried along by each sheet.
     if constexpr (requires { model.plane; } && !several_thicknesses<Model>)
-      if (constant) return make(std::integral_constant<int, 2>{});
-    return make(std::integral_constant<int, 3>{});
+      if (constant) return model_family<Model, 2>(problem, model, options);
+    return model_family<Model, 3>(problem, model, options);
   });
 }
 

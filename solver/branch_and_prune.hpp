@@ -12,7 +12,8 @@
 // value that is not bounded decides nothing. Symmetric systems (G unchanged with x_0 and x_1
 // exchanged) are searched where x_0 >= x_1, and mirrored unless one of each pair is asked for.
 // A system that knows a box that holds all its solutions is searched there; one that knows more
-// than its G (signs that a motion must have) discards what that excludes.
+// than its G (signs that a motion must have) discards what that excludes; one that can bound its
+// solutions by more than G and its slopes narrows each box first.
 // Source: E. Hansen, G. W. Walster, Global Optimization Using Interval Analysis (2004), chapter 11.
 #pragma once
 
@@ -47,7 +48,10 @@ template <int N>
 struct PruneResult {
   std::vector<ProvenSolution<N>> solutions;
   std::vector<Box<N>> undecided;  ///< touching ones merged into their hull
-  long boxes = 0;                 ///< examined
+  /// What Newton's method found in those, with the error bound of refine(); nothing of it is
+  /// proven.
+  std::vector<ProvenSolution<N>> unproven;
+  long boxes = 0;  ///< examined
   bool interrupted = false;
 };
 
@@ -94,6 +98,7 @@ class BranchAndPrune {
       if (mirror_ == Mirror::both) add_mirrored();
       if (mirror_ == Mirror::one) keep_one_of_each_pair();
     }
+    look_into_undecided();
     return std::move(out_);
   }
 
@@ -128,6 +133,10 @@ class BranchAndPrune {
       }
       for (const auto& known : out_.solutions)
         if (within(box, known.proof.unique)) return;
+      if constexpr (requires { boxes_.contract(box); }) {
+        static const int CC = getenv("CC") ? atoi(getenv("CC")) : 8;
+        if (pass < CC && !boxes_.contract(box)) return;
+      }
       const auto over = boxes_.linearize(box);
       for (const Interval& g : over.g)
         if (!g.may_be(0.0)) return;
@@ -309,6 +318,44 @@ class BranchAndPrune {
         out_.solutions.push_back(each);
       }
     }
+  }
+
+  /// Newton's method from the middle of each box that is left and from a few points around.
+  void look_into_undecided() {
+    constexpr std::size_t most_boxes = 64;
+    constexpr std::size_t most_found = 32;
+    std::size_t examined = 0;
+    for (const Box<N>& box : out_.undecided) {
+      if (++examined > most_boxes) return;
+      for (int corner = 0; corner <= (1 << N); ++corner) {
+        ReducedVector<N> x = middle(box);
+        for (int i = 0; corner > 0 && i < N; ++i) {
+          const Interval& side = box[index(i)];
+          x[i] = std::sqrt(x[i] * ((((corner - 1) >> i) & 1) != 0 ? side.hi : side.lo));
+        }
+        if (out_.unproven.size() < most_found) try_unproven(x, box);
+      }
+    }
+  }
+
+  void try_unproven(ReducedVector<N> x, const Box<N>& box) {
+    if (!newton(system_, x).converged) return;
+    const Refined refined = refine(system_, x);
+    // At a double root, or on a line of solutions, any point would do.
+    constexpr double isolated = 1e-6;
+    if (!refined.converged || !(refined.error_bound < isolated)) return;
+    ProvenSolution<N> found{x, {}};
+    found.proof.error_bound = refined.error_bound;
+    for (int i = 0; i < N; ++i)
+      found.proof.solution[index(i)] =
+          x[i] * Interval(1.0 - 2.0 * refined.error_bound, 1.0 + 2.0 * refined.error_bound);
+    found.proof.unique = found.proof.solution;
+    if (apart(found.proof.solution, box)) return;
+    const auto same = [&](const ProvenSolution<N>& each) {
+      return !apart(each.proof.unique, found.proof.solution);
+    };
+    if (std::ranges::none_of(out_.solutions, same) && std::ranges::none_of(out_.unproven, same))
+      out_.unproven.push_back(found);
   }
 
   const System& system_;

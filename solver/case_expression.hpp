@@ -1,5 +1,6 @@
 // A potential that the case file writes out: { expression = "mu/2*(I1 - 2 - 2*log(d))", mu = 1.0 }
-// under potential.plane, .thickness or .coupled; every other key is a parameter of it.
+// under potential.plane, .thickness or .coupled. Beside it stand its parameters, and, where wanted,
+// parts with names, let = { J = "d*rho" }, and conditions, domain = "I1 < 4" or a list of them.
 #pragma once
 
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "lib/expression/expression.hpp"
 #include "solver/case_tree.hpp"
+#include "solver/expression_parser.hpp"
 
 namespace stationary {
 
@@ -17,7 +19,7 @@ namespace stationary {
 bool is_written_out(const toml::table& table);
 
 /// Throws InputError unless every other key is a finite number with a name that a parameter may
-/// have (expression_parser.hpp).
+/// have (expression_parser.hpp), `let` or `domain`, these of the right types.
 void require_written_out(const CaseTree& tree, const std::string& path, const toml::table& table);
 
 /// A potential as the sum of two, each with all the parameters of the whole.
@@ -27,11 +29,12 @@ struct ExpressionParts {
 };
 
 struct WrittenPotential {
+  Formula formula;
   std::shared_ptr<const expression::Tape> tape;
   std::vector<double> coefficients;           ///< in the order of tape->parameters
   std::vector<std::string> facts;             ///< what was found out about it, a sentence each
   bool isotropic = true;                      ///< else the tape is of oriented_tape()
-  bool at_points = false;                     ///< one of the facts was found at points (facts.hpp)
+  std::vector<std::string> assumed;           ///< facts known at points only (facts.hpp)
   std::optional<ExpressionParts> parts = {};  ///< of a coupled isotropic one that is separable
 };
 

@@ -78,7 +78,8 @@ ModelChoice written_out(const CaseTree& tree, const std::string& slot, const tom
           std::move(written.coefficients),
           std::move(written.tape),
           std::move(written.facts),
-          written.at_points,
+          std::move(written.assumed),
+          std::move(written.formula),
           std::move(written.parts)};
 }
 

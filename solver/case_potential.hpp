@@ -20,7 +20,8 @@ struct ModelChoice {
   std::vector<double> coefficients;                   ///< in the order of description.parameters
   std::shared_ptr<const expression::Tape> tape = {};  ///< of an expression
   std::vector<std::string> facts = {};                ///< found out about an expression
-  bool facts_at_points = false;                       ///< one of them at points (facts.hpp)
+  std::vector<std::string> assumed = {};              ///< of these, known at points only
+  Formula formula = {};                               ///< of an expression, its parts and domain
   /// Of a coupled isotropic expression that is separable: used where no fibre stands beside it.
   std::optional<ExpressionParts> parts = {};
 };

@@ -15,6 +15,32 @@ namespace stationary {
 /// Units in the last place by which a solution may be off before it is none.
 constexpr double allowed_error = 0x1p-50;
 
+/// What every certificate of a potential begins with: what it takes for granted, and that its
+/// formula is defined at q.
+inline Certificate begun(const Potential& potential, const Stretch& q) {
+  Certificate out;
+  out.assuming = potential.assumptions();
+  if (const char* inequality = violated_inequality(q)) {
+    out.reason = std::string("S is not positive definite: it needs ") + inequality;
+    return out;
+  }
+  for (const ConditionValue& each : potential.conditions_at(q))
+    if (!each.holds()) out.reason = "beyond the domain of the potential: " + each.condition->text;
+  return out;
+}
+
+/// What every proof ends with: that what is taken for granted is not refuted there.
+inline void require_assumptions(const Potential& potential, Inputs inputs, Certificate& out) {
+  if (!out.proven || out.assuming.empty()) return;
+  const StretchBox& at = out.solution;
+  if (!potential.assumptions_refuted({at.alpha, at.xi, at.zeta, at.rho},
+                                     inputs == Inputs::decimals))
+    return;
+  out.proven = false;
+  out.reason = "proven not to be a solution: there the formula is not as was taken for granted (" +
+               out.assuming.front() + ")";
+}
+
 /// The proof at x, or why there is none.
 template <class BoxSystem>
 Proof<BoxSystem::dimension> prove_solution(const Krawczyk<BoxSystem>& test,

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "solver/circle_end.hpp"
+#include "solver/domain_guard.hpp"
 #include "solver/event_search.hpp"
 #include "solver/step_control.hpp"
 
@@ -57,11 +58,13 @@ class Continuation {
         options_(options),
         control_(options.step),
         events_in_(curve),
+        guard_(curve),
         start_(start),
         here_(start),
         h_(options.step.first) {
     if (direction < 0) reverse(here_);
     start_ = here_;
+    guard_.enter(here_.arc);
     travelled_.setZero();
     if (leaves_range(here_)) finish(EventType::limit, "the start is at the end of the range");
   }
@@ -86,6 +89,9 @@ class Continuation {
         refuse(error.what(), 0.5 * h_);
       }
       ++counts_.rejected;
+      constexpr double near_border = 1e-6;
+      if (h_ < near_border && end_at_border(4.0 * h_)) return true;
+      if (end_ != EventType::none) return false;
     }
   }
 
@@ -141,6 +147,8 @@ class Continuation {
     out.arc = Arc<N>(ahead + out.corrected.correction, here_.arc.tangent, next.tangent);
     out.angle = Arc<N>::angle(here_.arc.tangent, next.tangent);
     if (!(out.angle <= max_angle)) return refuse("the tangent turned too far", 0.5 * h);
+    if (const auto* broken = guard_.broken_on(out.arc))
+      return refuse("beyond the domain of the potential: " + broken->text, 0.5 * h);
     out.mirrors = crosses_mirror(next);
     if (next.positive != here_.arc.positive && !out.mirrors) {
       return refuse("the bordered determinant changed sign: another sheet, or a branch point",
@@ -215,6 +223,7 @@ class Continuation {
   void settle(const CurvePoint<N>& next, const Attempt& attempt) {
     earlier_tests_ = here_.tests;
     here_ = next;
+    guard_.enter(here_.arc);
     arc_ = attempt.arc;
     has_arc_ = true;
     travelled_ += arc_.chord;
@@ -314,6 +323,45 @@ class Continuation {
     return true;
   }
 
+  /// Ends the sheet where the domain of the potential ends within `reach`: at the last point of the
+  /// curve inside, by bisection. False where it does not end there.
+  bool end_at_border(double reach) {
+    const auto* broken = guard_.broken_along(here_.arc.tangent, reach);
+    if (broken == nullptr) return false;
+    Attempt last;
+    double inside = 0.0;
+    double outside = reach;
+    for (int k = 0; k < 60 && outside - inside > 0x1p-52; ++k) {
+      const double s = 0.5 * (inside + outside);
+      Attempt attempt;
+      (reaches(s, attempt) ? inside : outside) = s;
+      if (inside == s) last = attempt;
+    }
+    finish(EventType::domain, "the domain of the potential ends: " + broken->text);
+    if (inside == 0.0) {
+      here_.member.error_bound += outside;
+      return false;  // at the point reached already
+    }
+    CurvePoint<N> next = completed(last.corrected.point);
+    next.member.error_bound += outside - inside;
+    events_.clear();
+    settle(next, last);
+    return true;
+  }
+
+  /// A point of the curve inside the domain, at a small distance.
+  bool reaches(double distance, Attempt& out) const {
+    const ArcVector<N> ahead = distance * here_.arc.tangent;
+    const Corrector<N>& corrector = curve_->corrector();
+    out.corrected = corrector.correct(
+        moved<N>(here_.arc.x, ReducedVector<N>(ahead.template head<N>())),
+        here_.arc.p + corrector.scale() * ahead[N], here_.arc.tangent, 1e-3 * distance + 1e-13);
+    if (out.corrected.status != CorrectorStatus::converged) return false;
+    const ArcPoint<N>& next = out.corrected.point;
+    out.arc = Arc<N>(ahead + out.corrected.correction, here_.arc.tangent, next.tangent);
+    return guard_.has(next);
+  }
+
   void end_if_closed(double h) {
     if (counts_.steps < 4 || farthest_ < 4.0 * h || travelled_.norm() > h) return;
     if (here_.arc.tangent.dot(start_.arc.tangent) < 0.9) return;
@@ -388,6 +436,7 @@ class Continuation {
   ContinuationOptions options_;
   StepControl control_;
   EventSearch<N> events_in_;
+  DomainGuard<N> guard_;
   CurvePoint<N> start_;
   CurvePoint<N> here_;
   CurvePoint<N> here_next_;

@@ -61,7 +61,7 @@ RowProof CurveTable::prove(const Member& member, EventType event) {
   const EventEnclosure proof = enclose_event(problem, parameter_, circle, event, member);
   out.proven = proof.proven;
   out.reason = std::string(name(event)) + ": " + proof.reason;
-  row_.certified = proof_word(proof.proven);
+  row_.certified = proof_word(proof.proven, out.assuming);
   row_[Column::error_bound] = proof.proven ? proof.error_bound : member.error_bound;
   if (proof.proven) events_.push_back({event, member.parameter, proof.parameter});
   return out;
@@ -84,7 +84,7 @@ void CurveTable::again(TableRow row) {
           ? std::nullopt
           : std::optional(static_cast<StabilityClass>(verdict - std::begin(stability_names))));
   if (proves())
-    count_proof(row.certified == proof_word(true), parameter_of(row), "as it was in the table");
+    count_proof(row.certified != proof_word(false), parameter_of(row), "as it was in the table");
   row[Column::sheet] = row_[Column::sheet];
   row[Column::point] = static_cast<double>(point_++);
   if (writer_ != nullptr) writer_->write(row);

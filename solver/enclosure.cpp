@@ -57,19 +57,19 @@ bool mirror_symmetric(const Problem& problem, double nu) {
 
 Certificate certify(const Problem& problem, const Equilibrium& equilibrium, Inputs inputs) {
   if (!problem.potential().is_isotropic()) return certify_anisotropic(problem, equilibrium, inputs);
-  Certificate out;
   const Stretch& q = equilibrium.q;
+  Certificate out = begun(problem.potential(), q);
   const double nu = equilibrium.nu[axis(problem.branch())];
+  if (!out.reason.empty()) return out;
   if (equilibrium.nu != angular_velocity(problem.branch(), nu) || !std::isfinite(nu)) {
     out.reason = "nu does not lie along the branch's axis";
-  } else if (const char* inequality = violated_inequality(q)) {
-    out.reason = std::string("S is not positive definite: it needs ") + inequality;
   } else if (q.alpha != 0.0) {
     out.reason = "alpha != 0: compatibility or the gauge leaves alpha = 0 only";
   } else {
     problem.potential().visit(
         [&](const auto& model) { certify_model(model, problem, q, nu, inputs, out); });
   }
+  require_assumptions(problem.potential(), inputs, out);
   if (out.proven && mirror_symmetric(problem, nu)) {
     // The mirror image solves the same equations; within `unique` it is the solution itself.
     out.circle = out.solution.xi.within(out.unique.zeta) && out.solution.zeta.within(out.unique.xi);

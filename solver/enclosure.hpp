@@ -13,6 +13,7 @@
 #include <array>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "lib/spectrum_enclosure.hpp"
 #include "solver/equilibrium.hpp"
@@ -29,7 +30,10 @@ struct StretchBox {
 
 struct Certificate {
   bool proven = false;
-  std::string reason;   ///< why not
+  std::string reason;  ///< why not
+  /// Identities of the potential's formula that the proof takes for granted: known at points only
+  /// (Potential::assumptions), mostly none.
+  std::vector<std::string> assuming;
   StretchBox unique;    ///< holds all within error_bound, and exactly one solution with alpha = 0
   StretchBox solution;  ///< where it lies in there
   bool circle = false;  ///< proven: xi = zeta, by symmetry

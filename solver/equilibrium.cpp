@@ -44,9 +44,10 @@ void solve_model(const Separable<Plane, Thickness>& model, const Problem& proble
     out.message = std::string("the thickness balance V_rho'(rho) = J3 nu^2 rho ") + unbalanced;
     return;
   }
-  const PlanarSystem<Plane> system{model.plane, rates};
   const double r = model.plane.rest_stretch();
   if (!options.start && no_rest_state(r, out)) return;
+  const Plane part = on_part_of(model.plane, options.start.value_or(Stretch{0.0, r, r, 1.0}));
+  const PlanarSystem<Plane> system{part, rates};
   std::optional<ReducedVector<2>> start;
   if (options.start) start = ReducedVector<2>(options.start->xi, options.start->zeta);
   const auto answer =
@@ -61,10 +62,11 @@ void solve_model(const Separable<Plane, Thickness>& model, const Problem& proble
 template <class Coupled>
 void solve_model(const Coupled& model, const Problem& problem, double nu,
                  const SolveOptions& options, Equilibrium& out) {
-  const CoupledSystem<Coupled> system{model, problem.rates(two_product(nu, nu))};
   const double r = model.rest_stretch();
   const ReducedVector<3> rest(r, r, model.rest_thickness());
   if (!options.start && no_rest_state(r, out)) return;
+  const Coupled part = on_part_of(model, options.start.value_or(Stretch{0.0, r, r, rest[2]}));
+  const CoupledSystem<Coupled> system{part, problem.rates(two_product(nu, nu))};
   std::optional<ReducedVector<3>> start;
   if (options.start) {
     start = ReducedVector<3>(options.start->xi, options.start->zeta, options.start->rho);

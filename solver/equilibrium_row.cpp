@@ -65,13 +65,14 @@ void fill_errors(const auto& solved, TableRow& row) {
 template <class Class>
 RowProof noted(const Certificate& certificate, const std::optional<Spectrum>& spectrum,
                TableRow& row, const Class& proven_class) {
-  RowProof out{certificate.proven, false, certificate.reason};
+  const bool assuming = !certificate.assuming.empty();
+  RowProof out{certificate.proven, false, assuming, certificate.reason};
   if (out.proven) {
     row[Column::error_bound] = certificate.error_bound;
     out.class_proven = spectrum && proven_class() == spectrum->verdict;
   }
-  row.certified = proof_word(out.proven);
-  if (spectrum) row.class_certified = proof_word(out.class_proven);
+  row.certified = proof_word(out.proven, assuming);
+  if (spectrum) row.class_certified = proof_word(out.class_proven, assuming);
   return out;
 }
 

@@ -58,7 +58,8 @@ void fill_spectrum(const CellSpectrum& spectrum, TableRow& row);
 struct RowProof {
   bool proven = false;
   bool class_proven = false;
-  std::string reason;  ///< why nothing is proven
+  bool assuming = false;  ///< what the certificate takes for granted
+  std::string reason;     ///< why nothing is proven
 };
 
 /// Proves what the row says of the equilibrium: certified, with the proven error_bound where there

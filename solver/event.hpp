@@ -17,8 +17,9 @@
 //   real-collision     two real pairs of one block do
 //   krein-pass         imaginary pairs of opposite signature, of two blocks, meet and pass
 //   unexplained        the count of negative directions changes and none of these accounts for it
-//   collapse escape limit closed stalled   ends of a sheet: d or rho -> 0; a stretch -> infinity;
-//                      the range asked for; back at the start; given up, the metadata say why
+//   collapse escape domain limit closed stalled   ends of a sheet: d or rho -> 0; a stretch ->
+//                      infinity; where the potential ceases to be defined; the range asked for;
+//                      back at the start; given up, the metadata say why
 //
 // Of a two-polar family: fold-nu where its parameter turns at given rates; fold-momentum where it
 // turns at given momenta, or where, at given rates, the stiffness at fixed momenta is singular;
@@ -51,27 +52,15 @@ enum class EventType : std::uint8_t {
   unexplained,
   collapse,
   escape,
+  domain,
   limit,
   closed,
   stalled
 };
-constexpr std::string_view event_names[] = {"",
-                                            "fold-nu",
-                                            "fold-momentum",
-                                            "tilt",
-                                            "inertia-exchange",
-                                            "ellipse",
-                                            "oblique",
-                                            "shear",
-                                            "hamiltonian-hopf",
-                                            "real-collision",
-                                            "krein-pass",
-                                            "unexplained",
-                                            "collapse",
-                                            "escape",
-                                            "limit",
-                                            "closed",
-                                            "stalled"};
+constexpr std::string_view event_names[] = {
+    "",         "fold-nu", "fold-momentum",    "tilt",           "inertia-exchange", "ellipse",
+    "oblique",  "shear",   "hamiltonian-hopf", "real-collision", "krein-pass",       "unexplained",
+    "collapse", "escape",  "domain",           "limit",          "closed",           "stalled"};
 constexpr std::string_view name(EventType e) { return event_names[static_cast<int>(e)]; }
 /// Types of events; all of them unless made of some.
 class EventSet {

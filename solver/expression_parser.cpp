@@ -51,6 +51,8 @@ struct sum_step : if_must<sum_operator, blanks, summand> {};
 struct sum : seq<product, star<sum_step>> {};
 struct end : eof {};
 struct whole : must<blanks, sum, end> {};
+struct relation : seq<one<'<', '>'>, opt<one<'='>>> {};
+struct comparison : must<blanks, sum, relation, blanks, sum, end> {};
 
 template <class>
 inline constexpr const char* expected = nullptr;
@@ -60,6 +62,8 @@ template <>
 inline constexpr const char* expected<call_close> = "an operator, \",\" or \")\"";
 template <>
 inline constexpr const char* expected<bracket_close> = "an operator or \")\"";
+template <>
+inline constexpr const char* expected<relation> = "an operator or one of < <= > >=";
 template <>
 inline constexpr const char* expected<end> = "an operator or the end";
 
@@ -90,7 +94,7 @@ template <>
 struct action<signs> {
   template <class Input>
   static void apply(const Input& in, ExpressionBuilder& to) {
-    to.signs(in.string_view());
+    to.signs(in.string_view(), in.position().byte);
   }
 };
 struct operator_action {
@@ -115,7 +119,24 @@ struct action<call_open> {
 };
 template <>
 struct action<call> {
-  static void apply0(ExpressionBuilder& to) { to.close_call(); }
+  template <class Input>
+  static void apply(const Input& in, ExpressionBuilder& to) {
+    to.close_call(in.position().byte + in.size());
+  }
+};
+template <>
+struct action<bracket> {
+  template <class Input>
+  static void apply(const Input& in, ExpressionBuilder& to) {
+    to.bracket(in.position().byte, in.position().byte + in.size());
+  }
+};
+template <>
+struct action<relation> {
+  template <class Input>
+  static void apply(const Input& in, ExpressionBuilder& to) {
+    to.comparison(in.string_view());
+  }
 };
 template <>
 struct action<begin_power> {
@@ -145,16 +166,17 @@ struct action<sum_step> {
 }  // namespace grammar
 
 /// Bounds before the parser, which calls itself for every parenthesis.
-void require_shallow(std::string_view text) {
+void require_shallow(std::string_view text, const FormulaPart& part) {
   if (text.size() > largest_expression_length)
     throw ExpressionError(largest_expression_length, std::to_string(text.size()) + " characters",
-                          "at most " + std::to_string(largest_expression_length));
+                          "at most " + std::to_string(largest_expression_length), "", part);
   int depth = 0;
   for (std::size_t k = 0; k < text.size(); ++k) {
     if (text[k] == '(' && ++depth > largest_expression_depth)
       throw ExpressionError(
           k, "\"(\"",
-          "at most " + std::to_string(largest_expression_depth) + " parentheses in one another");
+          "at most " + std::to_string(largest_expression_depth) + " parentheses in one another", "",
+          part);
     if (text[k] == ')') --depth;
   }
 }
@@ -200,7 +222,7 @@ std::string remedy_of_sign(std::string_view rest, std::span<const std::string> p
 }
 
 /// Where a sign stands that the language has not got, two operands side by side, or two stars.
-std::string remedy_at(std::string_view text, std::size_t offset,
+std::string remedy_at(std::string_view text, std::size_t offset, const FormulaPart& part,
                       std::span<const std::string> parameters) {
   if (std::string sign = remedy_of_sign(text.substr(offset), parameters); !sign.empty())
     return sign;
@@ -209,6 +231,9 @@ std::string remedy_at(std::string_view text, std::size_t offset,
   const char left = text[before];
   const char right = text[offset];
   if (left == '*' && right == '*') return "a power is written with \"^\"";
+  if (right == '<' || right == '>')
+    return part.kind == FormulaPart::Kind::condition ? "one comparison each, in a list of them"
+                                                     : "conditions are given by the key domain";
   const bool ends = is_letter(left) || is_digit(left) || left == ')';
   const bool begins = is_letter(right) || is_digit(right) || right == '(';
   return ends && begins ? "a product is written with \"*\"" : "";
@@ -222,35 +247,62 @@ std::string one_line(std::size_t offset, const std::string& found, const std::st
   return out;
 }
 
+/// Reads one text by the grammar's rule.
+template <class Rule>
+void read(std::string_view text, const FormulaPart& part, std::span<const std::string> parameters,
+          ExpressionBuilder& builder) {
+  require_shallow(text, part);
+  builder.begin(text, part);
+  pegtl::memory_input<pegtl::tracking_mode::eager, pegtl::eol::lf> input(
+      text.data(), text.data() + text.size(), "expression");
+  try {
+    pegtl::parse<Rule, grammar::action, grammar::control>(input, builder);
+  } catch (const pegtl::parse_error& error) {
+    const std::size_t offset = error.positions().front().byte;
+    throw ExpressionError(offset, token_at(text, offset), std::string(error.message()),
+                          remedy_at(text, offset, part, parameters), part);
+  }
+}
+
 }  // namespace
 
 ExpressionError::ExpressionError(std::size_t offset, std::string found, std::string allowed,
-                                 std::string remedy)
+                                 std::string remedy, const FormulaPart& part)
     : std::invalid_argument(one_line(offset, found, allowed, remedy)),
       offset_(offset),
       found_(std::move(found)),
       allowed_(std::move(allowed)),
-      remedy_(std::move(remedy)) {}
+      remedy_(std::move(remedy)),
+      part_(part) {}
+
+ParsedExpression parse_formula(const Formula& formula, std::span<const std::string> parameters,
+                               ExpressionSlot slot) {
+  using Kind = FormulaPart::Kind;
+  const auto at_most = [](std::size_t count, std::size_t most, const char* what) {
+    if (count > most)
+      throw ExpressionError(0, std::to_string(count) + what, "at most " + std::to_string(most));
+  };
+  at_most(parameters.size(), expression::largest_parameter_count, " parameters");
+  at_most(formula.parts.size(), largest_part_count, " parts");
+  at_most(formula.conditions.size(), largest_condition_count, " conditions");
+  for (const std::string& name : parameters)
+    if (is_reserved(name, slot)) throw ExpressionError(0, "a parameter " + name, "another name");
+  ExpressionBuilder builder(parameters, slot);
+  for (std::size_t k = 0; k < formula.parts.size(); ++k) {
+    read<grammar::whole>(formula.parts[k].text, {Kind::definition, k}, parameters, builder);
+    builder.define(formula.parts[k].name);
+  }
+  for (std::size_t k = 0; k < formula.conditions.size(); ++k) {
+    read<grammar::comparison>(formula.conditions[k], {Kind::condition, k}, parameters, builder);
+    builder.add_condition();
+  }
+  read<grammar::whole>(formula.expression, {}, parameters, builder);
+  return builder.take();
+}
 
 ParsedExpression parse_expression(std::string_view text, std::span<const std::string> parameters,
                                   ExpressionSlot slot) {
-  require_shallow(text);
-  if (parameters.size() > expression::largest_parameter_count)
-    throw ExpressionError(0, std::to_string(parameters.size()) + " parameters",
-                          "at most " + std::to_string(expression::largest_parameter_count));
-  for (const std::string& name : parameters)
-    if (is_reserved(name, slot)) throw ExpressionError(0, "a parameter " + name, "another name");
-  ExpressionBuilder builder(text, parameters, slot);
-  pegtl::memory_input<pegtl::tracking_mode::eager, pegtl::eol::lf> input(
-      text.data(), text.data() + text.size(), "expression");
-  try {
-    pegtl::parse<grammar::whole, grammar::action, grammar::control>(input, builder);
-  } catch (const pegtl::parse_error& error) {
-    const std::size_t offset = error.positions().front().byte;
-    throw ExpressionError(offset, token_at(text, offset), std::string(error.message()),
-                          remedy_at(text, offset, parameters));
-  }
-  return builder.take();
+  return parse_formula({{}, {}, std::string(text)}, parameters, slot);
 }
 
 }  // namespace stationary

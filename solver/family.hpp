@@ -11,9 +11,11 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "lib/balance.hpp"
 #include "lib/body.hpp"
+#include "lib/expression/tape_model.hpp"
 #include "lib/spectrum.hpp"
 #include "lib/stretch.hpp"
 #include "lib/two_polar.hpp"
@@ -170,6 +172,12 @@ class Family {
   virtual bool along_nu() const = 0;
   /// J1 = J2 and isotropic V at every p of the family: circles and mirror images.
   virtual bool material_symmetry() const = 0;
+
+  /// The conditions under which the potential is defined, and their values; none of built-in
+  /// models.
+  virtual std::vector<ConditionValue> conditions(const ReducedVector<N>&, double) const {
+    return {};
+  }
 
   /// In double. Values outside the domain (J <= 0, ...) give NaN, never an exception.
   virtual FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const = 0;

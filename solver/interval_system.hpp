@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "lib/balance.hpp"
 #include "lib/interval.hpp"
@@ -13,6 +14,7 @@
 #include "lib/model_coefficients.hpp"
 #include "solver/reduced_system.hpp"
 #include "solver/small_matrix.hpp"
+#include "solver/term_bounds.hpp"
 
 namespace stationary {
 
@@ -34,6 +36,19 @@ inline Inertia3<Interval> inertia_intervals(const Body& body, Inputs inputs) {
 template <class Model>
 auto interval_model(const Model& model, Inputs inputs) {
   return with_coefficients(model, [inputs](double c) { return as_input(c, inputs); });
+}
+
+/// Whether a model that may be an expression is defined nowhere in a box of what it depends on.
+template <class Model, class... Sides>
+bool defined_nowhere(const Model& model, const Sides&... box) {
+  if constexpr (requires { model.plane; }) {  // of all three stretches
+    const std::array<Interval, 3> all{box...};
+    return defined_nowhere(model.plane, all[0], all[1]) || defined_nowhere(model.thickness, all[2]);
+  } else if constexpr (requires { model.outside_in(box...); }) {
+    return model.outside_in(box...);
+  } else {
+    return false;
+  }
 }
 
 /// Residual and Jacobian over a box; the upper triangle as SmallSymmetric has it.
@@ -75,11 +90,14 @@ struct ThicknessBoxSystem {
   static constexpr int dimension = 1;
   Thickness model;
   Interval rate;
+  std::shared_ptr<const TermBounds<1>> terms = {};  ///< of a formula, for searches
 
   BoxLinearized<1> linearize(const Box<1>& x) const {
     const auto b = model.log_balance(x[0], rate);
     return {{b.g_rho}, {b.ww}};
   }
+  bool excludes(const Box<1>& x) const { return defined_nowhere(model, x[0]); }
+  bool contract(Box<1>& x) const { return !terms || terms->contract(x); }
 };
 
 template <class Plane>
@@ -87,11 +105,14 @@ struct PlanarBoxSystem {
   static constexpr int dimension = 2;
   Plane model;
   CentrifugalRates<Interval> rates;
+  std::shared_ptr<const TermBounds<2>> terms = {};
 
   BoxLinearized<2> linearize(const Box<2>& x) const {
     const auto b = model.log_balance(x[0], x[1], rates.xi, rates.zeta);
     return {{b.g_xi, b.g_zeta}, {b.uu, b.uv, b.vv}};
   }
+  bool excludes(const Box<2>& x) const { return defined_nowhere(model, x[0], x[1]); }
+  bool contract(Box<2>& x) const { return !terms || terms->contract(x); }
   /// Holds every solution, where the balance is linear in powers of the stretches and regular
   /// (Cramer's rule); entire elsewhere.
   Box<2> solution_box() const {
@@ -115,11 +136,14 @@ struct CoupledBoxSystem {
   static constexpr int dimension = 3;
   Coupled model;
   CentrifugalRates<Interval> rates;
+  std::shared_ptr<const TermBounds<3>> terms = {};
 
   BoxLinearized<3> linearize(const Box<3>& x) const {
     const auto b = model.log_balance(x[0], x[1], x[2], rates.xi, rates.zeta, rates.rho);
     return {{b.g_xi, b.g_zeta, b.g_rho}, {b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}};
   }
+  bool excludes(const Box<3>& x) const { return defined_nowhere(model, x[0], x[1], x[2]); }
+  bool contract(Box<3>& x) const { return !terms || terms->contract(x); }
 };
 
 }  // namespace stationary

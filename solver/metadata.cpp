@@ -13,8 +13,13 @@ using Json = nlohmann::ordered_json;
 
 Json model_json(const ModelChoice& model) {
   Json out;
-  if (model.description.kind != ModelDescription::Kind::fibre)
+  if (model.tape) {
+    out["expression"] = model.formula.expression;
+    for (const Formula::Part& part : model.formula.parts) out["let"][part.name] = part.text;
+    if (!model.formula.conditions.empty()) out["domain"] = model.formula.conditions;
+  } else if (model.description.kind != ModelDescription::Kind::fibre) {
     out["model"] = model.description.name;
+  }
   for (std::size_t k = 0; k < model.coefficients.size(); ++k)
     out[std::string(model.description.parameters[k])] = model.coefficients[k];
   return out;
@@ -138,6 +143,7 @@ Json checkpoints_json(const std::vector<Checkpoint>& checkpoints) {
                    {"nu", at.nu},
                    {"search", name(at.status)},
                    {"proven", at.proven},
+                   {"unproven", at.unproven},
                    {"on_sheets", at.on_sheets},
                    {"on_sheets_not_proven", at.beyond},
                    {"complete", at.complete()}});
@@ -180,6 +186,7 @@ std::string metadata_json(const Metadata& metadata) {
   out["rows"] = metadata.rows;
   out["seconds"] = metadata.seconds;
   if (!metadata.events.empty()) out["events"] = events_json(metadata.events);
+  if (!metadata.unproven_sheets.empty()) out["unproven_sheets"] = metadata.unproven_sheets;
   if (metadata.atlas != nullptr) {
     out["sheets"] = sheets_json(metadata.atlas->sheets);
     out["checkpoints"] = checkpoints_json(metadata.atlas->checkpoints);
@@ -188,6 +195,9 @@ std::string metadata_json(const Metadata& metadata) {
   Json counts = Json::object();
   for (const auto& [name, count] : metadata.counts) counts[std::string(name)] = count;
   out["counts"] = counts;
+  if (metadata.input != nullptr)
+    if (const auto assumed = metadata.input->potential.assumptions(); !assumed.empty())
+      out["assumed"] = assumed;
   out["plan"] = items_json(metadata.plan);
   out["skipped"] = items_json(metadata.skipped);
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

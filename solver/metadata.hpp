@@ -25,8 +25,10 @@ struct Metadata {
   std::vector<std::pair<std::string_view, long>> counts;
   std::vector<EventRecord> events;  ///< of `continue`
   const Atlas* atlas = nullptr;     ///< its sheets, checkpoints and remarks
-  std::vector<PlanItem> plan;       ///< how each unknown is had
-  std::vector<PlanItem> skipped;    ///< what was not computed, and why
+  /// Of `solve` with all: the sheets of rows found where the search is undecided, and not proven.
+  std::vector<int> unproven_sheets;
+  std::vector<PlanItem> plan;     ///< how each unknown is had
+  std::vector<PlanItem> skipped;  ///< what was not computed, and why
   /// Outcome, method, connection, message, class, ... by name.
   std::vector<std::pair<std::string_view, std::string>> outcome;
 };

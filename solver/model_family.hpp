@@ -37,6 +37,10 @@ class ModelFamily final : public Family<N> {
     return base_.body.symmetric() && !breaks;
   }
 
+  std::vector<ConditionValue> conditions(const ReducedVector<N>& x, double p) const override {
+    return model_conditions(setting(p).model, {0.0, x[0], x[1], rho_of(x)});
+  }
+
   FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const override {
     const Setting at = setting(p);
     const auto rates = extended_rates(at);

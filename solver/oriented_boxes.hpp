@@ -49,11 +49,13 @@ struct OrientedBoxSystem {
     return out;
   }
 
-  /// By the sum of the rows of u and v, in which a fibre is 2 k n (n + 1) >= -k/2, however stiff,
-  /// and whatever the directions: of long stretches across it no row says as much.
+  /// Where the potential is not defined, and by the sum of the rows of u and v, in which a fibre is
+  /// 2 k n (n + 1) >= -k/2, however stiff, and whatever the directions: of long stretches across it
+  /// no row says as much.
   bool excludes(const Box<N>& x) const {
     const auto y = all_coordinates<Layout>(x, rho);
     const OrientedStretch<Interval> at = oriented_stretch(y[0], y[1], y[2], y[3]);
+    if (model.outside_box(at.q)) return true;
     AnisotropicModel<Interval> without = model;
     without.fibre_count = 0;
     const AxisAngle<Interval> axis = axis_angle(y[4]);

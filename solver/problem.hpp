@@ -43,6 +43,9 @@ class Problem {
   int unknowns() const { return thickness_rule_ == ThicknessRule::coupled ? 3 : 2; }
   const std::vector<PlanItem>& plan() const { return plan_; }
 
+  /// With the potential restricted to the part of its domain that q lies in.
+  Problem on_part_of(const Stretch& q) const { return {body_, potential_.on_part_of(q), branch_}; }
+
   /// Rates of C(nu) for a given nu^2, in double or in extended precision.
   template <class S>
   CentrifugalRates<S> rates(const S& nu_squared) const {

@@ -169,6 +169,9 @@ class ReducedSolve {
       case WalkEnd::turned_back:
         text << " and back to nu = 0. ";
         break;
+      case WalkEnd::at_border:
+        text << ", to the border of the potential's domain (" << walked.border->text << "). ";
+        break;
       default:
         text << ", where the walk was given up. ";
         break;

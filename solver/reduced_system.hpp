@@ -11,6 +11,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -46,15 +47,6 @@ auto with_relative_duals(const Model<double>& model) {
   return with_indexed_coefficients(model, [](double p, std::size_t k) {
     return CoefficientDual<Model<double>>::along(p, p, k);
   });
-}
-
-/// The same directions in either part.
-template <class Plane, class Thickness>
-auto with_relative_duals(const Separable<Plane, Thickness>& model) {
-  const auto plane = with_relative_duals(model.plane);
-  const auto thickness = with_relative_duals(model.thickness);
-  return Separable<std::remove_cv_t<decltype(plane)>, std::remove_cv_t<decltype(thickness)>>{
-      plane, thickness};
 }
 
 template <std::size_t N>
@@ -112,6 +104,43 @@ ReducedVector<N> decimal_sensitivity(const Model& model, const ReducedVector<N>&
   return out;
 }
 
+/// Sum over the coefficients p of |p dg/dp|, g the gradient of V in (ln xi, ln zeta[, ln rho]).
+template <int N, class Model>
+ReducedVector<N> coefficient_sensitivity(const Model& model, const ReducedVector<N>& x) {
+  if constexpr (requires { model.is_expression(); }) {
+    return model.visit([&](const auto& own) { return coefficient_sensitivity<N>(own, x); });
+  } else if constexpr (requires { model.plane; }) {  // N = 3
+    ReducedVector<N> out;
+    out.template head<2>() = coefficient_sensitivity<2>(model.plane, ReducedVector<2>(x[0], x[1]));
+    out[2] = coefficient_sensitivity<1>(model.thickness, ReducedVector<1>(x[2]))[0];
+    return out;
+  } else {
+    if constexpr (requires { model.residual_sensitivity(x[0]); } && N == 1) {
+      if (const auto of_model = model.residual_sensitivity(x[0]))
+        return ReducedVector<1>(*of_model);
+    }
+    if constexpr (requires { model.residual_sensitivity(x[0], x[1]); } && N == 2) {
+      if (const auto of_model = model.residual_sensitivity(x[0], x[1]))
+        return {(*of_model)[0], (*of_model)[1]};
+    }
+    if constexpr (requires { model.residual_sensitivity(x[0], x[1], x[2]); } && N == 3) {
+      if (const auto of_model = model.residual_sensitivity(x[0], x[1], x[2]))
+        return {(*of_model)[0], (*of_model)[1], (*of_model)[2]};
+    }
+    const auto duals = with_relative_duals(model);
+    if constexpr (N == 1) {
+      return ReducedVector<1>(sensitivity(duals.template evaluate<1>(x[0]).v_r));
+    } else if constexpr (N == 2) {
+      const auto w = duals.template evaluate<1>(planar_invariants(x[0], x[1]));
+      return {sensitivity(x[0] * w.w_t + w.w_l), sensitivity(x[1] * w.w_t + w.w_l)};
+    } else {
+      const auto w = duals.template evaluate<1>(planar_invariants(x[0], x[1]), x[2]);
+      return {sensitivity(x[0] * w.plane.w_t + w.plane.w_l),
+              sensitivity(x[1] * w.plane.w_t + w.plane.w_l), sensitivity(w.w_r)};
+    }
+  }
+}
+
 /// Linearized::magnitude of the planar equations. w_l is left out: at a solution it is the
 /// difference of terms that are in, and without it a Jacobian needs no logarithm.
 inline double planar_magnitude(const PlanarDerivatives<double>& w, double xi, double zeta,
@@ -146,8 +175,8 @@ struct ThicknessSystem {
   /// Sum over the inputs p of |p dG/dp|: a coefficient once, and the decimals of a formula, J once,
   /// nu twice (as nu^2).
   ReducedVector<1> input_sensitivity(const ReducedVector<1>& x) const {
-    const auto v = with_relative_duals(model).template evaluate<1>(x[0]);
-    return ReducedVector<1>(sensitivity(v.v_r) + 3.0 * double(rate) * x[0] * x[0]) +
+    const auto elastic = coefficient_sensitivity<1>(model, x);
+    return ReducedVector<1>(elastic[0] + 3.0 * double(rate) * x[0] * x[0]) +
            decimal_sensitivity<1>(model, x);
   }
 };
@@ -185,19 +214,8 @@ struct PlanarSystem {
     return {double(b.g_xi), double(b.g_zeta)};
   }
   ReducedVector<2> input_sensitivity(const ReducedVector<2>& x) const {
-    return coefficient_sensitivity(x) + decimal_sensitivity<2>(model, x);
-  }
-  ReducedVector<2> coefficient_sensitivity(const ReducedVector<2>& x) const {
-    if constexpr (requires { model.has_principal_stretches(); }) {
-      if (model.has_principal_stretches()) {
-        if (const auto of_model = model.residual_sensitivity(x[0], x[1]))
-          return {(*of_model)[0] + 3.0 * double(rates.xi) * x[0] * x[0],
-                  (*of_model)[1] + 3.0 * double(rates.zeta) * x[1] * x[1]};
-      }
-    }
-    const auto w = with_relative_duals(model).template evaluate<1>(planar_invariants(x[0], x[1]));
-    return {sensitivity(x[0] * w.w_t + w.w_l) + 3.0 * double(rates.xi) * x[0] * x[0],
-            sensitivity(x[1] * w.w_t + w.w_l) + 3.0 * double(rates.zeta) * x[1] * x[1]};
+    const ReducedVector<2> pull(double(rates.xi) * x[0] * x[0], double(rates.zeta) * x[1] * x[1]);
+    return coefficient_sensitivity<2>(model, x) + 3.0 * pull + decimal_sensitivity<2>(model, x);
   }
   /// The system at a fraction tau of nu^2.
   PlanarSystem at_fraction(double tau) const {
@@ -246,22 +264,9 @@ struct CoupledSystem {
     return {double(b.g_xi), double(b.g_zeta), double(b.g_rho)};
   }
   ReducedVector<3> input_sensitivity(const ReducedVector<3>& x) const {
-    return coefficient_sensitivity(x) + decimal_sensitivity<3>(model, x);
-  }
-  ReducedVector<3> coefficient_sensitivity(const ReducedVector<3>& x) const {
-    if constexpr (requires { model.has_principal_stretches(); }) {
-      if (model.has_principal_stretches()) {
-        if (const auto of_model = model.residual_sensitivity(x[0], x[1], x[2]))
-          return {(*of_model)[0] + 3.0 * double(rates.xi) * x[0] * x[0],
-                  (*of_model)[1] + 3.0 * double(rates.zeta) * x[1] * x[1],
-                  (*of_model)[2] + 3.0 * double(rates.rho) * x[2] * x[2]};
-      }
-    }
-    const auto w =
-        with_relative_duals(model).template evaluate<1>(planar_invariants(x[0], x[1]), x[2]);
-    return {sensitivity(x[0] * w.plane.w_t + w.plane.w_l) + 3.0 * double(rates.xi) * x[0] * x[0],
-            sensitivity(x[1] * w.plane.w_t + w.plane.w_l) + 3.0 * double(rates.zeta) * x[1] * x[1],
-            sensitivity(w.w_r) + 3.0 * double(rates.rho) * x[2] * x[2]};
+    const ReducedVector<3> pull(double(rates.xi) * x[0] * x[0], double(rates.zeta) * x[1] * x[1],
+                                double(rates.rho) * x[2] * x[2]);
+    return coefficient_sensitivity<3>(model, x) + 3.0 * pull + decimal_sensitivity<3>(model, x);
   }
   CoupledSystem at_fraction(double tau) const {
     return {model, {rates.xi * tau, rates.zeta * tau, rates.rho * tau}};
@@ -271,5 +276,30 @@ struct CoupledSystem {
             -double(rates.rho) * x[2] * x[2]};
   }
 };
+
+/// The conditions under which the potential of a system is defined, at x.
+template <class System>
+std::vector<ConditionValue> system_conditions(const System& system,
+                                              const ReducedVector<System::dimension>& x) {
+  if constexpr (System::dimension == 3) {
+    return model_conditions(system.model, {0.0, x[0], x[1], x[2]});
+  } else {
+    return model_conditions(system.model, {0.0, x[0], x[1], 1.0});
+  }
+}
+
+/// Whether these hold between two points too, in the logarithms.
+template <class System>
+bool stays_inside(const System& system, const ReducedVector<System::dimension>& from,
+                  const ReducedVector<System::dimension>& to) {
+  if constexpr (!requires { system.model.conditions_at(Stretch()); }) return true;
+  if (system_conditions(system, to).empty()) return true;
+  for (const double u : {0.25, 0.5, 0.75}) {
+    ReducedVector<System::dimension> x;
+    for (int i = 0; i < System::dimension; ++i) x[i] = from[i] * std::pow(to[i] / from[i], u);
+    if (!std::ranges::all_of(system_conditions(system, x), &ConditionValue::holds)) return false;
+  }
+  return true;
+}
 
 }  // namespace stationary

@@ -26,6 +26,7 @@ enum class WalkEnd {
   reached,      ///< x lies on the rest sheet at tau = 1
   escaped,      ///< a stretch left [1e-8, 1e8]
   turned_back,  ///< the sheet came back to nu = 0
+  at_border,    ///< the domain of the potential ends
   stuck,        ///< the step became too small
   too_long,     ///< max_steps
   interrupted
@@ -47,6 +48,7 @@ struct WalkResult {
   ReducedVector<N> x;        ///< last point (at tau = 1 if reached)
   double largest_tau = 0.0;  ///< how far in nu^2 the sheet went
   int steps = 0;
+  const expression::TapeCondition* border = nullptr;  ///< what does not hold beyond it
 };
 
 template <class System>
@@ -77,8 +79,10 @@ class RestWalk {
       double angle = 0.0;
       if (!advance(step, next, &angle)) {
         step *= 0.5;
-        if (step < options_.min_step) return out;
-        continue;
+        if (step >= options_.min_step) continue;
+        out.border = border_ahead();
+        if (out.border != nullptr) out.end = WalkEnd::at_border;
+        return out;
       }
       ++out.steps;
       if (arrives(step, next, out)) return out;
@@ -177,9 +181,23 @@ class RestWalk {
     symmetrize(next.x);
     // A sheet met across the gap of a broken bifurcation goes on straight, with the other sign.
     if (!orient(next, here_.tangent) || next.positive != here_.positive) return false;
+    if (!stays_inside(system_, here_.x, next.x)) return false;
     const double cosine = std::clamp(next.tangent.dot(here_.tangent), -1.0, 1.0);
     *angle = std::acos(cosine);
     return *angle <= options_.max_angle;
+  }
+
+  /// The condition that does not hold a little ahead of where the walk is stuck.
+  const expression::TapeCondition* border_ahead() const {
+    const auto here = system_conditions(system_, here_.x);
+    for (double reach = options_.min_step; reach < 1e-3; reach *= 4.0) {
+      const auto ahead = system_conditions(
+          system_, moved<N>(here_.x, ReducedVector<N>(reach * here_.tangent.template head<N>())));
+      for (std::size_t k = 0; k < ahead.size(); ++k)
+        if (!ahead[k].holds() || (ahead[k].value < 0.0) != (here[k].value < 0.0))
+          return ahead[k].condition;
+    }
+    return nullptr;
   }
 
   /// Whether the step from here_ to next passes tau = 1, also by turning just above it: then the

@@ -13,6 +13,27 @@
 namespace stationary {
 namespace {
 
+/// Of a model that is an expression with a normal form.
+template <int D, class Model>
+std::shared_ptr<const TermBounds<D>> term_bounds(const Model& model,
+                                                 const std::array<Interval, D>& rates,
+                                                 Inputs inputs) {
+  if constexpr (requires { model.is_expression(); }) {
+    return model.visit([&](const auto& own) { return term_bounds<D>(own, rates, inputs); });
+  } else if constexpr (requires { model.tape(); }) {
+    constexpr std::array coordinates{0, 1, 2};
+    std::vector<Interval> parameters;
+    for (const double c : model.coefficients()) parameters.push_back(as_input(c, inputs));
+    const auto table = expression::term_table(
+        *model.tape()->source,
+        D == 1 ? std::span(coordinates).last(1) : std::span(coordinates).first(std::size_t(D)),
+        parameters);
+    return table ? std::make_shared<const TermBounds<D>>(table, rates) : nullptr;
+  } else {
+    return nullptr;
+  }
+}
+
 class Search {
  public:
   Search(const Problem& problem, double nu, const SearchOptions& options)
@@ -24,13 +45,15 @@ class Search {
 
   SearchResult run() {
     problem_.potential().visit([this](const auto& model) { run_model(model); });
-    std::ranges::sort(out_.solutions, {}, [](const Equilibrium& each) {
-      return std::tuple(each.q.xi, each.q.zeta, each.q.rho);
-    });
+    for (auto* list : {&out_.solutions, &out_.unproven})
+      std::ranges::sort(*list, {}, [](const Equilibrium& each) {
+        return std::tuple(each.q.xi, each.q.zeta, each.q.rho);
+      });
     if (out_.status != SearchStatus::interrupted) {
       out_.status = out_.undecided.empty() ? SearchStatus::complete : SearchStatus::undecided;
     }
-    out_.message = search_message(options_, out_.status, out_.solutions.size(), out_.undecided);
+    out_.message = search_message(options_, out_.status, out_.solutions.size(), out_.undecided) +
+                   unproven_text(out_.unproven.size());
     return std::move(out_);
   }
 
@@ -51,18 +74,24 @@ class Search {
 
   template <class Plane, class Thickness>
   void run_model(const Separable<Plane, Thickness>& model) {
-    const BoxSystems<Separable<Plane, Thickness>> boxes(problem_, model, nu_, options_.inputs);
+    BoxSystems<Separable<Plane, Thickness>> boxes(problem_, model, nu_, options_.inputs);
+    const CentrifugalRates<Interval>& rates = boxes.plane.rates;
+    boxes.thickness.terms = term_bounds<1>(model.thickness, {rates.rho}, options_.inputs);
+    boxes.plane.terms = term_bounds<2>(model.plane, {rates.xi, rates.zeta}, options_.inputs);
     const auto axial =
         prune(ThicknessSystem<Thickness>{model.thickness, rates_.rho}, boxes.thickness);
     if (out_.status == SearchStatus::interrupted) return;
     // No thickness, no ellipsoid: whatever the plane does.
     if (axial.solutions.empty() && axial.undecided.empty()) return;
     const auto planar = prune(PlanarSystem<Plane>{model.plane, rates_}, boxes.plane);
+    for (const auto* planes : {&planar.solutions, &planar.unproven})
+      for (const auto& plane : *planes)
+        for (const auto* thicknesses : {&axial.solutions, &axial.unproven})
+          for (const auto& rho : *thicknesses)
+            add({0.0, plane.x[0], plane.x[1], rho.x[0]},
+                std::max(plane.proof.error_bound, rho.proof.error_bound),
+                plane.proof.proven && rho.proof.proven);
     for (const auto& plane : planar.solutions) {
-      for (const auto& rho : axial.solutions) {
-        add({0.0, plane.x[0], plane.x[1], rho.x[0]},
-            std::max(plane.proof.error_bound, rho.proof.error_bound));
-      }
       for (const auto& rho : axial.undecided)
         out_.undecided.push_back({plane.proof.solution[0], plane.proof.solution[1], rho[0]});
     }
@@ -76,17 +105,20 @@ class Search {
 
   template <class Coupled>
   void run_model(const Coupled& model) {
-    const BoxSystems<Coupled> boxes(problem_, model, nu_, options_.inputs);
+    BoxSystems<Coupled> boxes(problem_, model, nu_, options_.inputs);
+    const CentrifugalRates<Interval>& rates = boxes.coupled.rates;
+    boxes.coupled.terms = term_bounds<3>(model, {rates.xi, rates.zeta, rates.rho}, options_.inputs);
     const auto found = prune(CoupledSystem<Coupled>{model, rates_}, boxes.coupled);
-    for (const auto& each : found.solutions)
-      add({0.0, each.x[0], each.x[1], each.x[2]}, each.proof.error_bound);
+    for (const auto* list : {&found.solutions, &found.unproven})
+      for (const auto& each : *list)
+        add({0.0, each.x[0], each.x[1], each.x[2]}, each.proof.error_bound, each.proof.proven);
     for (const auto& box : found.undecided) out_.undecided.push_back({box[0], box[1], box[2]});
   }
 
-  void add(const Stretch& q, double error_bound) {
+  void add(const Stretch& q, double error_bound, bool proven) {
     Equilibrium found;
     found.status = SolveStatus::solved;
-    found.message = "exhaustive search: proven to exist";
+    found.message = found_by_search(proven);
     found.q = q;
     found.nu = angular_velocity(problem_.branch(), nu_);
     found.error_bound = error_bound;
@@ -94,7 +126,11 @@ class Search {
         check_balance(problem_.body(), problem_.potential(), found.q, found.nu);
     found.residual = check.residual;
     found.compatibility = check.compatibility;
-    out_.solutions.push_back(found);
+    if (proven) {
+      out_.solutions.push_back(found);
+    } else if (found.residual <= acceptable_residual) {
+      out_.unproven.push_back(found);
+    }
   }
 
   const Problem& problem_;

@@ -45,7 +45,10 @@ struct SearchResult {
   /// Ascending in xi, then zeta, then rho; error_bound proven.
   std::vector<Equilibrium> solutions;
   std::vector<StretchBox> undecided;  ///< touching ones merged into their hull
-  long boxes = 0;                     ///< examined
+  /// Found by Newton's method in the undecided boxes, ascending likewise: error_bound estimated,
+  /// and not proven to exist, nor to be all.
+  std::vector<Equilibrium> unproven;
+  long boxes = 0;  ///< examined
 };
 
 /// Throws std::invalid_argument for a nu that is not finite, or unless

@@ -12,6 +12,16 @@ void require_box(const SearchOptions& options) {
     throw std::invalid_argument("1e-100 <= min_stretch < max_stretch <= 1e100");
 }
 
+std::string found_by_search(bool proven) {
+  return proven ? "exhaustive search: proven to exist"
+                : "found by Newton's method where an exhaustive search is undecided: not proven";
+}
+
+std::string unproven_text(std::size_t unproven) {
+  if (unproven == 0) return {};
+  return "; " + std::to_string(unproven) + " found by Newton's method there, not proven";
+}
+
 std::string search_message(const SearchOptions& options, SearchStatus status, std::size_t proven,
                            const std::vector<StretchBox>& undecided, std::string_view may_be,
                            const std::array<std::string_view, 3>& names) {

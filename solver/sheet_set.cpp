@@ -77,6 +77,7 @@ SheetSet::SheetSet(std::unique_ptr<SheetSource> source, const AtlasOptions& opti
                             .nu = options.from + (k + 0.5) * part});
   }
   solutions_.resize(checkpoints_.size());
+  unproven_.resize(checkpoints_.size());
   on_sheets_.resize(checkpoints_.size());
 }
 
@@ -84,13 +85,17 @@ void SheetSet::search_at(std::size_t checkpoint) {
   Checkpoint& at = checkpoints_[checkpoint];
   const SearchResult result = source_->search(at.nu, options_.search);
   at.status = result.status;
-  for (const Equilibrium& each : result.solutions) {
-    const Place found = source_->place(each.q, each.nu);
-    const Place kept = source_->canonical(found);
-    // Of two mirror images one.
-    if (distance(found, kept) < same_place) solutions_[checkpoint].push_back(kept);
-  }
-  at.proven = static_cast<int>(solutions_[checkpoint].size());
+  const auto places = [this](const std::vector<Equilibrium>& found, std::vector<Place>& out) {
+    for (const Equilibrium& each : found) {
+      const Place place = source_->place(each.q, each.nu);
+      const Place kept = source_->canonical(place);
+      // Of two mirror images one.
+      if (distance(place, kept) < same_place) out.push_back(kept);
+    }
+    return static_cast<int>(out.size());
+  };
+  at.proven = places(result.solutions, solutions_[checkpoint]);
+  at.unproven = places(result.unproven, unproven_[checkpoint]);
 }
 
 void SheetSet::follow_all(std::span<const AtlasSheet> others) {
@@ -99,6 +104,12 @@ void SheetSet::follow_all(std::span<const AtlasSheet> others) {
     for (const Place& at : solutions_[k]) {
       if (stopped()) return;
       if (!on_a_sheet(at, k)) enter(at, checkpoints_[k].nu, Entry::search, checkpoints_[k].nu);
+    }
+  }
+  for (std::size_t k = 0; k < checkpoints_.size(); ++k) {
+    for (const Place& at : unproven_[k]) {
+      if (stopped()) return;
+      if (!on_a_sheet(at, k)) enter(at, checkpoints_[k].nu, Entry::numerical, checkpoints_[k].nu);
     }
   }
   if (source_->leaves_by() != EventType::none) {

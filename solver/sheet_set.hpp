@@ -57,6 +57,7 @@ class SheetSet {
   std::vector<AnyFamily> plain_;  ///< without spectra
   std::vector<Checkpoint> checkpoints_;
   std::vector<std::vector<Place>> solutions_;  ///< proven at each checkpoint, canonical
+  std::vector<std::vector<Place>> unproven_;   ///< likewise, where a search is undecided
   std::vector<std::vector<Place>> on_sheets_;  ///< points there of the sheets so far
   std::vector<AtlasSheet> sheets_;
   std::vector<Remark> remarks_;

@@ -14,7 +14,7 @@ constexpr int max_attempts = 200;  // per point: enough to halve a step to nothi
 }  // namespace
 
 Sweep::Sweep(const Problem& problem, const Equilibrium& start, const SweepOptions& options)
-    : problem_(problem), options_(options) {
+    : problem_(problem.on_part_of(start.q)), options_(options) {
   if (start.status != SolveStatus::solved)
     throw std::invalid_argument("a sweep starts from a solved equilibrium");
   const double nu = start.nu[axis(problem.branch())];
@@ -74,9 +74,11 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
   if constexpr (requires { model.plane; }) {
     using Plane = decltype((model.plane));  // a reference: an expression is no small object
     ReducedVector<2> x(next[0], next[1]);
-    const Refined planar = refine<bound>(PlanarSystem<Plane>{model.plane, rates}, x, 6);
+    const PlanarSystem<Plane> system{model.plane, rates};
+    const Refined planar = refine<bound>(system, x, 6);
     out.steps += planar.steps;
     if (!planar.converged || !trusted(planar, 2)) return false;
+    if (!stays_inside(system, {past_[0].x[0], past_[0].x[1]}, x)) return false;
     next[0] = x[0];
     next[1] = x[1];
     if (constant_rho_known_) {
@@ -99,9 +101,11 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
     if (bound && planar.error_bound > error_bound) error_bound = planar.error_bound;
   } else {
     ReducedVector<3> x(next[0], next[1], next[2]);
-    const Refined refined = refine<bound>(CoupledSystem<const Model&>{model, rates}, x, 6);
+    const CoupledSystem<const Model&> system{model, rates};
+    const Refined refined = refine<bound>(system, x, 6);
     out.steps += refined.steps;
     if (!refined.converged || !trusted(refined, 3)) return false;
+    if (!stays_inside(system, {past_[0].x[0], past_[0].x[1], past_[0].x[2]}, x)) return false;
     next = {x[0], x[1], x[2]};
     error_bound = refined.error_bound;
   }

@@ -61,7 +61,7 @@ class Sweep {
   std::array<double, 3> predict(double nu) const;
   bool trusted(const Refined& refined, int unknowns) const;
 
-  const Problem& problem_;
+  Problem problem_;
   SweepOptions options_;
   std::array<Past, 3> past_;  ///< newest first
   int known_ = 1;

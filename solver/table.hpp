@@ -52,8 +52,11 @@ constexpr bool is_two_polar(Column c) { return c >= Column::omega && c <= Column
 /// "yes" where a proof stands behind the row's stretches and error_bound, and behind its class.
 constexpr bool is_certificate(Column c) { return c >= Column::certified; }
 
-constexpr std::string_view proof_words[] = {"no", "yes"};
-constexpr std::string_view proof_word(bool proven) { return proof_words[proven ? 1 : 0]; }
+constexpr std::string_view proof_words[] = {"no", "yes", "assuming"};
+/// assuming: with identities of the potential's formula taken for granted (the metadata name them).
+constexpr std::string_view proof_word(bool proven, bool assuming = false) {
+  return proof_words[!proven ? 0 : assuming ? 2 : 1];
+}
 
 /// Column "branch" of the two-polar family, beside name(Branch).
 constexpr std::string_view two_polar_name = "two-polar";

@@ -32,6 +32,7 @@ struct TiltedBoxSystem {
   }
   /// No solution in x is a motion.
   bool excludes(const Box<2>& x) const {
+    if (defined_nowhere(model, x[0], x[1], thickness(x))) return true;
     const TiltSquares<Interval> square = squares(x);
     return square.in_plane.negative() || square.normal.negative();
   }

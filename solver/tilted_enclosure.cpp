@@ -66,18 +66,18 @@ void certify_model(const Model& model, const Body& body, const TiltedRotation& m
 Certificate certify_tilted(const Body& body, const Potential& potential,
                            const TiltedRotation& motion, const Equilibrium& equilibrium,
                            Inputs inputs) {
-  Certificate out;
+  Certificate out = begun(potential, equilibrium.q);
+  if (!out.reason.empty()) return out;
   const int own = axis(in_plane_branch(motion.plane));
   if (!(motion.nu > 0.0 && std::isfinite(motion.nu)) || equilibrium.nu[1 - own] != 0.0) {
     out.reason = "nu does not lie in the plane";
-  } else if (const char* inequality = violated_inequality(equilibrium.q)) {
-    out.reason = std::string("S is not positive definite: it needs ") + inequality;
   } else if (equilibrium.q.alpha != 0.0) {
     out.reason = "alpha != 0: the axis lies in a plane of material axes";
   } else {
     potential.visit(
         [&](const auto& model) { certify_model(model, body, motion, equilibrium, inputs, out); });
   }
+  require_assumptions(potential, inputs, out);
   return out;
 }
 

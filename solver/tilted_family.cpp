@@ -23,6 +23,10 @@ class TiltedFamily final : public Family<2> {
   /// No member is a circle or its own mirror image, also where J1 = J2.
   bool material_symmetry() const override { return false; }
 
+  std::vector<ConditionValue> conditions(const ReducedVector<2>& x, double) const override {
+    return model_conditions(model_, {0.0, x[0], x[1], tilted_thickness(body_, plane_, x[0], x[1])});
+  }
+
   FamilyLinearization<2> linearize(const ReducedVector<2>& x, double p) const override {
     ++evaluations_.jacobians;
     const Linearized<2> at = system(p).linearize(x);
@@ -119,14 +123,18 @@ class TiltedFamily final : public Family<2> {
   bool spectrum_;
 };
 
+template <class Model>
+std::unique_ptr<Family<2>> family_of(const Body& body, const Potential& potential,
+                                     const Model& model, TiltPlane plane, bool spectrum) {
+  return std::make_unique<TiltedFamily<Model>>(body, potential, model, plane, spectrum);
+}
+
 }  // namespace
 
 std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& potential,
                                          TiltPlane plane, bool spectrum) {
-  return potential.visit([&](const auto& model) -> std::unique_ptr<Family<2>> {
-    return std::make_unique<TiltedFamily<std::decay_t<decltype(model)>>>(body, potential, model,
-                                                                         plane, spectrum);
-  });
+  return potential.visit(
+      [&](const auto& model) { return family_of(body, potential, model, plane, spectrum); });
 }
 
 std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, double nu) {

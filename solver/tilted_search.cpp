@@ -25,13 +25,15 @@ class TiltedSearch {
 
   SearchResult run() {
     potential_.visit([this](const auto& model) { run_model(model); });
-    std::ranges::sort(out_.solutions, {},
-                      [](const Equilibrium& each) { return std::tuple(each.q.xi, each.q.zeta); });
+    for (auto* list : {&out_.solutions, &out_.unproven})
+      std::ranges::sort(*list, {},
+                        [](const Equilibrium& each) { return std::tuple(each.q.xi, each.q.zeta); });
     if (out_.status != SearchStatus::interrupted)
       out_.status = out_.undecided.empty() ? SearchStatus::complete : SearchStatus::undecided;
     out_.message = search_message(options_, out_.status, out_.solutions.size(), out_.undecided,
                                   "a fold, a bifurcation, solutions that are not isolated, or an "
-                                  "axis within rounding of a material one");
+                                  "axis within rounding of a material one") +
+                   unproven_text(out_.unproven.size());
     return std::move(out_);
   }
 
@@ -58,6 +60,7 @@ class TiltedSearch {
     out_.boxes = found.boxes;
     if (found.interrupted) out_.status = SearchStatus::interrupted;
     for (const auto& each : found.solutions) add(boxes, each);
+    for (const auto& each : found.unproven) add(boxes, each);
     for (const auto& box : found.undecided) leave_undecided(boxes, box);
   }
 
@@ -76,19 +79,23 @@ class TiltedSearch {
     const Member member = family_->member(each.x, tail, motion_.nu, each.proof.error_bound);
     if (!square.in_plane.positive() || !square.normal.positive() ||
         !(member.tilt_in_plane > 0.0 && member.tilt_normal > 0.0)) {
-      leave_undecided(boxes, each.proof.solution);
+      if (each.proof.proven) leave_undecided(boxes, each.proof.solution);
       return;
     }
     Equilibrium motion;
     motion.status = SolveStatus::solved;
-    motion.message = "exhaustive search: proven to exist";
+    motion.message = found_by_search(each.proof.proven);
     motion.q = member.q;
     motion.nu = member.angular_velocity;
     motion.residual = member.residual;
     motion.compatibility = member.compatibility;
     motion.error_bound = std::max(each.proof.error_bound,
                                   (Interval(member.q.rho) / rho - Interval(1.0)).magnitude());
-    out_.solutions.push_back(motion);
+    if (each.proof.proven) {
+      out_.solutions.push_back(motion);
+    } else if (motion.residual <= acceptable_residual) {
+      out_.unproven.push_back(motion);
+    }
   }
 
   const Body& body_;

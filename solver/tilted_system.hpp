@@ -32,18 +32,15 @@ struct TiltedSystem {
   ReducedVector<2> input_sensitivity(const ReducedVector<2>& x) const {
     const double rho = tilted_thickness(body, plane, x[0], x[1]);
     const auto invariants = planar_invariants(x[0], x[1]);
-    const auto w = with_relative_duals(model).template evaluate<1>(invariants, rho);
     const auto b = coupled_log_balance<2>(model.template evaluate<2>(invariants, rho), x[0], x[1],
                                           rho, double_rates());
     const CentrifugalRates<double> c = double_rates();
-    ReducedVector<2> out{
-        sensitivity(x[0] * w.plane.w_t + w.plane.w_l) + 3.0 * c.xi * x[0] * x[0] + std::abs(b.uw),
-        sensitivity(x[1] * w.plane.w_t + w.plane.w_l) + 3.0 * c.zeta * x[1] * x[1] +
-            std::abs(b.vw)};
-    out[axis(in_plane_branch(plane))] += sensitivity(w.w_r) + std::abs(b.ww);
-    const ReducedVector<3> decimals = decimal_sensitivity<3>(model, {x[0], x[1], rho});
-    out += decimals.head<2>();
-    out[axis(in_plane_branch(plane))] += decimals[2];
+    const ReducedVector<3> at(x[0], x[1], rho);
+    const ReducedVector<3> elastic =
+        coefficient_sensitivity<3>(model, at) + decimal_sensitivity<3>(model, at);
+    ReducedVector<2> out{elastic[0] + 3.0 * c.xi * x[0] * x[0] + std::abs(b.uw),
+                         elastic[1] + 3.0 * c.zeta * x[1] * x[1] + std::abs(b.vw)};
+    out[axis(in_plane_branch(plane))] += elastic[2] + std::abs(b.ww);
     return out;
   }
 

@@ -56,6 +56,11 @@ struct TwoPolarBoxSystem {
   /// No solution with lambda >= mu in x, by the sum of the balance, in which nothing cancels, and
   /// by its difference where that has a pole.
   bool excludes(const Box<N>& x) const {
+    if constexpr (N == 2) {
+      if (defined_nowhere(model, x[0], x[1])) return true;
+    } else {
+      if (defined_nowhere(model, x[0], x[1], x[2])) return true;
+    }
     const auto b = elastic(x, 0.0);
     const Interval t = x[0] + x[1];
     if (!(b.g_xi / x[0] + b.g_zeta / x[1] - sum_pull(t)).may_be(0.0)) return true;

@@ -91,11 +91,10 @@ Certificate certify_two_polar(const Body& body, const Potential& potential,
                               const TwoPolarMotion& motion, const TwoPolarEquilibrium& equilibrium,
                               Inputs inputs) {
   require_two_polar(body, motion);
-  Certificate out;
   const Vector3<double>& x = equilibrium.x;
-  if (const char* inequality = violated_inequality({0.0, x[0], x[1], x[2]})) {
-    out.reason = std::string("S is not positive definite: it needs ") + inequality;
-  } else if (!has_motion(equilibrium, motion)) {
+  Certificate out = begun(potential, {0.0, x[0], x[1], x[2]});
+  if (!out.reason.empty()) return out;
+  if (!has_motion(equilibrium, motion)) {
     out.reason = "its motion is another than the prescribed one";
   } else {
     potential.visit([&](const auto& model) {
@@ -105,6 +104,7 @@ Certificate certify_two_polar(const Body& body, const Potential& potential,
     });
     if (out.proven) prove_shape(equilibrium.circle, out);
   }
+  require_assumptions(potential, inputs, out);
   return out;
 }
 

@@ -30,6 +30,15 @@ class TwoPolarFamily final
   bool along_nu() const override { return false; }
   bool material_symmetry() const override { return true; }
 
+  std::vector<ConditionValue> conditions(const ReducedVector<N>& x, double p) const override {
+    const Model model = setting(p).model;
+    if constexpr (N == 3) {
+      return model_conditions(model, {0.0, x[0], x[1], x[2]});
+    } else {  // rho is the same all along
+      return model_conditions(model.plane, {0.0, x[0], x[1], 1.0});
+    }
+  }
+
   FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const override {
     const Setting at = setting(p);
     ++this->evaluations_.jacobians;
@@ -177,6 +186,14 @@ class TwoPolarFamily final
   Setting base_;
 };
 
+template <class Model>
+AnyFamily family_of(const Body& body, const Model& model, const TwoPolarFamilyOptions& options) {
+  if (const auto* rates = std::get_if<TwoPolarRates<double>>(&options.motion))
+    return std::make_unique<TwoPolarFamily<Model, TwoPolarRates>>(body, model, *rates, options);
+  const auto& momenta = std::get<TwoPolarMomenta<double>>(options.motion);
+  return std::make_unique<TwoPolarFamily<Model, TwoPolarMomenta>>(body, model, momenta, options);
+}
+
 }  // namespace
 
 AnyFamily two_polar_family(const Body& body, const Potential& potential,
@@ -184,13 +201,7 @@ AnyFamily two_polar_family(const Body& body, const Potential& potential,
   require_two_polar(body, options.motion);
   if (options.parameter.kind == FamilyParameter::Kind::inertia && options.parameter.index != 2)
     throw std::invalid_argument("J1 = J2 is kept: J3 is the inertia that may vary");
-  return potential.visit([&](const auto& model) -> AnyFamily {
-    using Model = std::decay_t<decltype(model)>;
-    if (const auto* rates = std::get_if<TwoPolarRates<double>>(&options.motion))
-      return std::make_unique<TwoPolarFamily<Model, TwoPolarRates>>(body, model, *rates, options);
-    const auto& momenta = std::get<TwoPolarMomenta<double>>(options.motion);
-    return std::make_unique<TwoPolarFamily<Model, TwoPolarMomenta>>(body, model, momenta, options);
-  });
+  return potential.visit([&](const auto& model) { return family_of(body, model, options); });
 }
 
 }  // namespace stationary

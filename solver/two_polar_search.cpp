@@ -21,16 +21,18 @@ class TwoPolarSearch {
     potential_.visit([this](const auto& model) {
       visit_motion(motion_, [&](const auto& motion) { run_model(model, motion); });
     });
-    std::ranges::sort(out_.solutions, {}, [](const TwoPolarEquilibrium& each) {
-      return std::tuple(-each.x[0] / each.x[1], each.x[0], each.x[2]);
-    });
+    for (auto* list : {&out_.solutions, &out_.unproven})
+      std::ranges::sort(*list, {}, [](const TwoPolarEquilibrium& each) {
+        return std::tuple(-each.x[0] / each.x[1], each.x[0], each.x[2]);
+      });
     if (out_.status != SearchStatus::interrupted)
       out_.status = out_.undecided.empty() ? SearchStatus::complete : SearchStatus::undecided;
     out_.message =
         search_message(options_, out_.status, out_.solutions.size(), out_.undecided,
                        "a fold, the circle turning into ellipses, or solutions that are not "
                        "isolated",
-                       {"lambda", "mu", "rho"});
+                       {"lambda", "mu", "rho"}) +
+        unproven_text(out_.unproven.size());
     return std::move(out_);
   }
 
@@ -65,11 +67,14 @@ class TwoPolarSearch {
       if (axial.solutions.empty() && axial.undecided.empty()) return;
       if (out_.status == SearchStatus::interrupted) return;
       const auto planar = prune(system, boxes, Mirror::one);
+      for (const auto* planes : {&planar.solutions, &planar.unproven})
+        for (const auto& plane : *planes)
+          for (const auto* thicknesses : {&axial.solutions, &axial.unproven})
+            for (const auto& rho : *thicknesses)
+              add(plane.x[0], plane.x[1], rho.x[0], plane.proof, rho.proof.solution[0],
+                  std::max(plane.proof.error_bound, rho.proof.error_bound),
+                  plane.proof.proven && rho.proof.proven);
       for (const auto& plane : planar.solutions) {
-        for (const auto& rho : axial.solutions) {
-          add(plane.x[0], plane.x[1], rho.x[0], plane.proof, rho.proof.solution[0],
-              std::max(plane.proof.error_bound, rho.proof.error_bound));
-        }
         for (const auto& rho : axial.undecided)
           out_.undecided.push_back({plane.proof.solution[0], plane.proof.solution[1], rho[0]});
       }
@@ -81,26 +86,27 @@ class TwoPolarSearch {
       }
     } else {
       const auto found = prune(system, boxes, Mirror::one);
-      for (const auto& each : found.solutions)
-        add(each.x[0], each.x[1], each.x[2], each.proof, each.proof.solution[2],
-            each.proof.error_bound);
+      for (const auto* list : {&found.solutions, &found.unproven})
+        for (const auto& each : *list)
+          add(each.x[0], each.x[1], each.x[2], each.proof, each.proof.solution[2],
+              each.proof.error_bound, each.proof.proven);
       for (const auto& box : found.undecided) out_.undecided.push_back({box[0], box[1], box[2]});
     }
   }
 
   template <int N>
   void add(double lambda, double mu, double rho, const Proof<N>& proof, const Interval& rho_box,
-           double error_bound) {
+           double error_bound, bool proven) {
     const auto& [l, m] = std::tie(proof.solution[0], proof.solution[1]);
     // Its mirror image is a solution too; within `unique` it is the solution itself.
     const bool circle = l.within(proof.unique[1]) && m.within(proof.unique[0]);
     if (!circle && !(l.lo > m.hi)) {
-      out_.undecided.push_back({l, m, rho_box});
+      if (proven) out_.undecided.push_back({l, m, rho_box});
       return;
     }
     TwoPolarEquilibrium found;
     found.status = SolveStatus::solved;
-    found.message = "exhaustive search: proven to exist";
+    found.message = found_by_search(proven);
     found.circle = circle;
     if (circle)
       found.message += "; the circle lambda = mu, which depends on omega + theta_dot only";
@@ -109,7 +115,11 @@ class TwoPolarSearch {
     set_motion(body_, motion_, found);
     found.residual = two_polar_residual_check(
         body_, potential_.derivatives({0.0, found.x[0], found.x[1], found.x[2]}), found);
-    out_.solutions.push_back(found);
+    if (proven) {
+      out_.solutions.push_back(found);
+    } else if (found.residual <= acceptable_residual) {
+      out_.unproven.push_back(found);
+    }
   }
 
   const Body& body_;

@@ -18,8 +18,9 @@ struct TwoPolarSearchResult {
   std::string message;   ///< for a person
   /// Descending in lambda/mu (circles last), then ascending in lambda; error_bound proven.
   std::vector<TwoPolarEquilibrium> solutions;
-  std::vector<StretchBox> undecided;  ///< xi, zeta: lambda, mu
-  long boxes = 0;                     ///< examined
+  std::vector<StretchBox> undecided;          ///< xi, zeta: lambda, mu
+  std::vector<TwoPolarEquilibrium> unproven;  ///< as of SearchResult
+  long boxes = 0;                             ///< examined
 };
 
 /// Throws as require_two_polar(), and for a box search() refuses.

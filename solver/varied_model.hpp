@@ -37,32 +37,49 @@ auto with_duals(const Model<double>& model) {
   });
 }
 
+/// d/dc of the gradient of V in (ln xi, ln zeta), or in all three of a coupled model, c coefficient
+/// number `direction`.
+template <int N, class Model>
+ReducedVector<N> gradient_slope(const Model& model, std::size_t direction,
+                                const ReducedVector<N>& x) {
+  if constexpr (requires { model.is_expression(); }) {
+    return model.visit([&](const auto& own) { return gradient_slope<N>(own, direction, x); });
+  } else if constexpr (N == 1) {
+    return ReducedVector<1>(with_duals(model).template evaluate<1>(x[0]).v_r.slope[direction]);
+  } else {
+    const CentrifugalRates<double> none{0.0, 0.0, 0.0};
+    const auto invariants = planar_invariants(x[0], x[1]);
+    if constexpr (N == 2) {
+      const auto b = planar_log_balance<1>(with_duals(model).template evaluate<1>(invariants), x[0],
+                                           x[1], none);
+      return {b.g_xi.slope[direction], b.g_zeta.slope[direction]};
+    } else {
+      const auto b = coupled_log_balance<1>(
+          with_duals(model).template evaluate<1>(invariants, x[2]), x[0], x[1], x[2], none);
+      return {b.g_xi.slope[direction], b.g_zeta.slope[direction], b.g_rho.slope[direction]};
+    }
+  }
+}
+
 /// dG/dc of the reduced balance in (ln xi, ln zeta[, ln rho]), c the coefficient the parameter
 /// names; zero where it enters no equation of these.
 template <int N, class Model>
 ReducedVector<N> coefficient_slope(const Model& model, const FamilyParameter& parameter,
                                    const ReducedVector<N>& x) {
   const auto direction = static_cast<std::size_t>(parameter.index);
-  const CentrifugalRates<double> none{0.0, 0.0, 0.0};
-  const auto invariants = planar_invariants(x[0], x[1]);
-  ReducedVector<N> out = ReducedVector<N>::Zero();
   if constexpr (requires { model.plane; }) {
-    if (parameter.kind != FamilyParameter::Kind::thickness) {
-      const auto w = with_duals(model.plane).template evaluate<1>(invariants);
-      const auto b = planar_log_balance<1>(w, x[0], x[1], none);
-      out[0] = b.g_xi.slope[direction];
-      out[1] = b.g_zeta.slope[direction];
-    }
+    ReducedVector<N> out = ReducedVector<N>::Zero();
+    if (parameter.kind != FamilyParameter::Kind::thickness)
+      out.template head<2>() =
+          gradient_slope<2>(model.plane, direction, ReducedVector<2>(x[0], x[1]));
     if constexpr (N == 3) {
       if (parameter.kind != FamilyParameter::Kind::plane)
-        out[2] = with_duals(model.thickness).template evaluate<1>(x[2]).v_r.slope[direction];
+        out[2] = gradient_slope<1>(model.thickness, direction, ReducedVector<1>(x[2]))[0];
     }
+    return out;
   } else {
-    const auto w = with_duals(model).template evaluate<1>(invariants, x[2]);
-    const auto b = coupled_log_balance<1>(w, x[0], x[1], x[2], none);
-    out = {b.g_xi.slope[direction], b.g_zeta.slope[direction], b.g_rho.slope[direction]};
+    return gradient_slope<3>(model, direction, x);
   }
-  return out;
 }
 
 }  // namespace stationary

@@ -72,6 +72,12 @@ std::optional<PlaneAndThickness> taken_apart(const Expression& whole) {
   PlaneAndThickness out{e, e};
   out.plane.root = parts.plane();
   out.thickness.root = parts.thickness();
+  for (Expression* part : {&out.plane, &out.thickness}) part->conditions.clear();
+  for (const Condition& each : e.conditions) {
+    const bool of_the_plane = occurs(g, each.node, of_plane);
+    if (of_the_plane && occurs(g, each.node, of_thickness)) return std::nullopt;
+    (of_the_plane ? out.plane : out.thickness).conditions.push_back(each);
+  }
   return out;
 }
 

@@ -17,8 +17,8 @@ struct PlaneAndThickness {
   Expression thickness;  ///< both with the parameters of the whole
 };
 
-/// Of a separable expression (facts.hpp). Nothing where a part would be constant, or where their
-/// sum is not found to be the whole.
+/// Of a separable expression (facts.hpp). Nothing where a part would be constant, where their sum
+/// is not found to be the whole, or where a condition of its domain is one of both.
 std::optional<PlaneAndThickness> taken_apart(const Expression& whole);
 
 }  // namespace stationary::expression

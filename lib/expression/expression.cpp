@@ -83,17 +83,23 @@ NodeId gathered(Graph& g, NodeId x) {
   return out;
 }
 
-/// Where the balance is taken: alpha = 0, the stretches themselves.
-NodeId at_principal_axes(Graph& g, NodeId x) {
-  const NodeId xi = g.variable(Variable::xi);
-  const NodeId zeta = g.variable(Variable::zeta);
-  return substitute(g, x,
-                    {{Variable::alpha, g.zero()},
-                     {Variable::t, g.add(xi, zeta)},
-                     {Variable::d, g.multiply(xi, zeta)},
-                     {Variable::lambda, xi},
-                     {Variable::mu, zeta},
-                     {Variable::first_invariant, g.add(g.power(xi, 2), g.power(zeta, 2))}});
+/// lambda = (t + sqrt(t^2 - 4 d))/2 and mu = d/lambda, for conditions, which need not be smooth.
+std::map<Variable, NodeId> ordered_stretches(Graph& g, NodeId t, NodeId d, NodeId discriminant) {
+  const NodeId root = g.apply(Function::sqrt, discriminant);
+  const NodeId lambda = g.multiply(g.number(0.5), g.add(t, root));
+  return {{Variable::lambda, lambda}, {Variable::mu, g.divide(d, lambda)}};
+}
+
+/// Conditions of an isotropic expression as its tape evaluates it.
+NodeId condition_in_invariants(Graph& g, NodeId x) {
+  const NodeId t = g.variable(Variable::t);
+  const NodeId d = g.variable(Variable::d);
+  auto by = ordered_stretches(g, t, d, g.variable(Variable::discriminant));
+  by[Variable::first_invariant] = g.subtract(g.power(t, 2), g.multiply(g.number(2.0), d));
+  by[Variable::alpha] = g.zero();
+  by[Variable::xi] = by[Variable::lambda];
+  by[Variable::zeta] = by[Variable::mu];
+  return substitute(g, x, by);
 }
 
 struct Direction {
@@ -156,31 +162,39 @@ Program plane_pull(TapeWriter& writer, Graph& graph, NodeId potential,
   }
 }
 
+/// A condition in what a program is given.
+using ConditionForm = NodeId (*)(Graph& graph, NodeId x);
+
 /// A tape to which the programs are added that its model reads.
 class TapeInMaking {
  public:
   /// With value and derivatives.
   TapeInMaking(Expression& e, NodeId smooth, std::span<const Coordinate> coordinates,
-               std::span<const Variable> inputs)
+               std::span<const Variable> inputs, ConditionForm form)
       : e_(e),
         inputs_(inputs),
         derivatives_(with_derivatives(e.graph, smooth, coordinates)),
         gradient_size_(1 + coordinates.size()),
         writer_(e.graph) {
-    out_.evaluate[0] = writer_.program(inputs, std::span(derivatives_).first(1));
-    out_.evaluate[1] = writer_.program(inputs, gradient());
-    out_.evaluate[2] = writer_.program(inputs, derivatives_);
+    note_conditions();
+    const std::vector<NodeId> conditions = conditions_as(form);
+    out_.evaluate[0] = program(inputs, std::span(derivatives_).first(1), conditions);
+    out_.evaluate[1] = program(inputs, gradient(), conditions);
+    out_.evaluate[2] = program(inputs, derivatives_, conditions);
     out_.has_principal_stretches = occurs(e.graph, smooth, {Variable::discriminant});
   }
+
+  void keep_source(std::shared_ptr<const Expression> source) { out_.source = std::move(source); }
 
   void add_balance(std::span<const Direction> directions, std::span<const Variable> inputs) {
     balance_inputs_ = inputs;
     forces_ = balance(e_.graph, at_principal_axes(e_.graph, e_.root), directions);
+    balance_conditions_ = conditions_as(condition_at_principal_axes);
     direction_count_ = directions.size();
-    out_.balance = writer_.program(inputs, forces_);
+    out_.balance = program(inputs, forces_, balance_conditions_);
   }
   /// After add_balance().
-  void add_residual() { out_.residual = writer_.program(balance_inputs_, residual()); }
+  void add_residual() { out_.residual = program(balance_inputs_, residual(), balance_conditions_); }
   void add_slopes() { out_.slopes = slopes(writer_, e_.graph, gradient(), inputs_, e_.parameters); }
   /// After add_balance().
   void add_residual_slopes() {
@@ -194,11 +208,14 @@ class TapeInMaking {
   std::shared_ptr<const Tape> finished() {
     out_.coefficients = writer_.coefficients();
     out_.fixed_constants.resize(out_.coefficients.constants.size());
-    const std::array<double, largest_parameter_count> any_parameters{1, 1, 1, 1, 1, 1, 1, 1};
+    std::array<double, largest_parameter_count> any_parameters;
+    any_parameters.fill(1.0);
     compute_constants<double>(out_.coefficients, any_parameters.data(),
                               out_.fixed_constants.data());
     out_.text = e_.text;
     out_.parameters = e_.parameters;
+    out_.assumed = e_.assumed;
+    out_.whole = e_.whole;
     return std::make_shared<Tape>(std::move(out_));
   }
 
@@ -206,12 +223,39 @@ class TapeInMaking {
   std::span<const NodeId> gradient() const { return std::span(derivatives_).first(gradient_size_); }
   std::span<const NodeId> residual() const { return std::span(forces_).first(direction_count_); }
 
+  void note_conditions() {
+    for (const Condition& each : e_.conditions) {
+      const TapeCondition condition{each.text, each.positive};
+      if (e_.graph.is_coefficient(each.node)) {
+        out_.coefficient_conditions.push_back({condition, writer_.constant(each.node)});
+      } else {
+        out_.conditions.push_back(condition);
+      }
+    }
+    if (out_.conditions.size() > largest_tape_condition_count)
+      throw TooLarge("a formula with at most " + std::to_string(largest_tape_condition_count) +
+                     " conditions (logarithms, roots, powers and denominators that may vanish)");
+  }
+  std::vector<NodeId> conditions_as(ConditionForm form) {
+    std::vector<NodeId> out;
+    for (const Condition& each : e_.conditions)
+      if (!e_.graph.is_coefficient(each.node)) out.push_back(form(e_.graph, each.node));
+    return out;
+  }
+  Program program(std::span<const Variable> inputs, std::span<const NodeId> results,
+                  std::span<const NodeId> conditions) {
+    std::vector<NodeId> all(results.begin(), results.end());
+    all.insert(all.end(), conditions.begin(), conditions.end());
+    return writer_.program(inputs, all);
+  }
+
   Expression& e_;
   std::span<const Variable> inputs_;
   std::vector<NodeId> derivatives_;
   std::size_t gradient_size_;
   std::span<const Variable> balance_inputs_;
   std::vector<NodeId> forces_;
+  std::vector<NodeId> balance_conditions_;
   std::size_t direction_count_ = 0;
   TapeWriter writer_;
   Tape out_;
@@ -222,7 +266,9 @@ std::shared_ptr<const Tape> balanced_tape(Expression& e, std::span<const Coordin
                                           std::span<const Variable> inputs,
                                           std::span<const Direction> directions,
                                           std::span<const Variable> balance_inputs) {
-  TapeInMaking out(e, in_invariants(e), coordinates, inputs);
+  auto source = std::make_shared<const Expression>(e);
+  TapeInMaking out(e, in_invariants(e), coordinates, inputs, condition_in_invariants);
+  out.keep_source(std::move(source));
   out.add_balance(directions, balance_inputs);
   out.add_residual();
   out.add_slopes();
@@ -279,19 +325,53 @@ NodeId substitute(Graph& g, NodeId x, const std::map<Variable, NodeId>& by) {
   return now.at(x);
 }
 
-NodeId in_stretch(Expression& e) {
-  Graph& g = e.graph;
+namespace {
+
+/// The invariants in alpha, xi and zeta.
+std::map<Variable, NodeId> invariants_in_stretch(Graph& g) {
   const NodeId alpha2 = g.power(g.variable(Variable::alpha), 2);
   const NodeId xi = g.variable(Variable::xi);
   const NodeId zeta = g.variable(Variable::zeta);
   const auto number = [&](double x) { return g.number(x); };
-  return substitute(g, without_principal_stretches(e),
-                    {{Variable::t, g.add(xi, zeta)},
-                     {Variable::d, g.subtract(g.multiply(xi, zeta), alpha2)},
-                     {Variable::first_invariant, g.add(g.add(g.power(xi, 2), g.power(zeta, 2)),
-                                                       g.multiply(number(2.0), alpha2))},
-                     {Variable::discriminant,
-                      g.add(g.power(g.subtract(xi, zeta), 2), g.multiply(number(4.0), alpha2))}});
+  return {{Variable::t, g.add(xi, zeta)},
+          {Variable::d, g.subtract(g.multiply(xi, zeta), alpha2)},
+          {Variable::first_invariant,
+           g.add(g.add(g.power(xi, 2), g.power(zeta, 2)), g.multiply(number(2.0), alpha2))},
+          {Variable::discriminant,
+           g.add(g.power(g.subtract(xi, zeta), 2), g.multiply(number(4.0), alpha2))}};
+}
+
+}  // namespace
+
+NodeId in_stretch(Expression& e) {
+  const NodeId smooth = without_principal_stretches(e);
+  return substitute(e.graph, smooth, invariants_in_stretch(e.graph));
+}
+
+NodeId condition_in_stretch(Graph& g, NodeId x) {
+  auto by = invariants_in_stretch(g);
+  by.merge(ordered_stretches(g, by[Variable::t], by[Variable::d], by[Variable::discriminant]));
+  return substitute(g, x, by);
+}
+
+NodeId at_principal_axes(Graph& g, NodeId x) {
+  const NodeId xi = g.variable(Variable::xi);
+  const NodeId zeta = g.variable(Variable::zeta);
+  return substitute(g, x,
+                    {{Variable::alpha, g.zero()},
+                     {Variable::t, g.add(xi, zeta)},
+                     {Variable::d, g.multiply(xi, zeta)},
+                     {Variable::lambda, xi},
+                     {Variable::mu, zeta},
+                     {Variable::first_invariant, g.add(g.power(xi, 2), g.power(zeta, 2))}});
+}
+
+NodeId condition_at_principal_axes(Graph& g, NodeId x) {
+  const NodeId xi = g.variable(Variable::xi);
+  const NodeId zeta = g.variable(Variable::zeta);
+  auto by =
+      ordered_stretches(g, g.add(xi, zeta), g.multiply(xi, zeta), g.power(g.subtract(xi, zeta), 2));
+  return at_principal_axes(g, substitute(g, x, by));
 }
 
 NodeId in_invariants(Expression& e) {
@@ -324,7 +404,9 @@ std::shared_ptr<const Tape> thickness_tape(Expression e) {
   require_room(e);
   constexpr std::array coordinates{Coordinate::log_rho};
   constexpr std::array directions{along_rho};
-  TapeInMaking out(e, e.root, coordinates, thickness_inputs);
+  auto source = std::make_shared<const Expression>(e);
+  TapeInMaking out(e, e.root, coordinates, thickness_inputs, condition_in_invariants);
+  out.keep_source(std::move(source));
   out.add_balance(directions, thickness_balance_inputs);
   out.add_slopes();
   return out.finished();
@@ -342,7 +424,7 @@ std::shared_ptr<const Tape> anisotropic_tape(Expression e) {
   require_smooth_at_circle(e);
   constexpr std::array coordinates{Coordinate::alpha, Coordinate::xi, Coordinate::zeta,
                                    Coordinate::rho};
-  TapeInMaking out(e, in_stretch(e), coordinates, anisotropic_inputs);
+  TapeInMaking out(e, in_stretch(e), coordinates, anisotropic_inputs, condition_in_stretch);
   out.add_plane_pull();
   return out.finished();
 }
@@ -365,7 +447,8 @@ std::shared_ptr<const Tape> oriented_tape(Expression e) {
   NodeId with = 0;
   if (split_by_directions(e, without, with)) {
     Expression isotropic = e;
-    Expression directed = e;
+    Expression directed = e;  // with all of the conditions
+    isotropic.conditions.clear();
     isotropic.root = without;
     directed.root = with;
     try {

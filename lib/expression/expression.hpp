@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/expression/domain.hpp"
 #include "lib/expression/graph.hpp"
 #include "lib/expression/tape.hpp"
 
@@ -25,6 +26,11 @@ struct Expression {
   NodeId root = 0;
   std::string text;
   std::vector<std::string> parameters;  ///< names, in the order of their coefficients
+  std::vector<Condition> conditions;    ///< where it is defined
+  std::vector<std::string> assumed;     ///< what its tape takes for granted (Facts::assumed)
+  /// Where it takes something for granted: anisotropic_tape() of all of the formula, to hold what
+  /// is found against.
+  std::shared_ptr<const struct Tape> whole = {};
 };
 
 /// An expression that is no potential of the kind asked for; the message says why.
@@ -32,10 +38,30 @@ class Unsuitable : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// What has to hold where a tape is evaluated (domain.hpp).
+struct TapeCondition {
+  std::string text;
+  bool positive = true;  ///< else: not 0
+};
+/// Of a coefficient alone.
+struct CoefficientCondition {
+  TapeCondition condition;
+  std::uint16_t constant = 0;
+};
+
 struct Tape {
+  /// What it was made of; none of oriented_tape()'s parts.
+  std::shared_ptr<const Expression> source;
   std::string text;
   std::vector<std::string> parameters;
   Coefficients coefficients;
+  /// Identities that its programs take for granted, known at points only (Facts::assumed), and all
+  /// of the formula without them.
+  std::vector<std::string> assumed;
+  std::shared_ptr<const Tape> whole;
+  /// The last results of evaluate, balance and residual are the values of these, in this order.
+  std::vector<TapeCondition> conditions;
+  std::vector<CoefficientCondition> coefficient_conditions;
   std::array<Program, 3> evaluate;  ///< by order; each also gives what the lower ones give
   Program balance;                  ///< LogBalance: residuals, then the upper triangle by rows
   Program residual;                 ///< the residuals alone; none of thickness_tape()
@@ -83,6 +109,17 @@ std::shared_ptr<const Tape> anisotropic_tape(Expression expression);
 /// The same in two parts, with what is known of alpha: sums of isotropic and of other terms are as
 /// accurate, and over intervals as narrow, as built-in models with fibres.
 std::shared_ptr<const Tape> oriented_tape(Expression expression);
+
+/// Conditions that a tape has room for.
+constexpr std::size_t largest_tape_condition_count = 32;
+
+/// A condition in alpha, xi, zeta and rho alone, lambda and mu_ by the root of t^2 - 4 d.
+NodeId condition_in_stretch(Graph& graph, NodeId x);
+
+/// At alpha = 0 with xi and zeta the principal stretches: in xi, zeta and rho alone. A condition's
+/// lambda is the larger of them.
+NodeId at_principal_axes(Graph& graph, NodeId x);
+NodeId condition_at_principal_axes(Graph& graph, NodeId x);
 
 /// In t, d, t^2 - 4 d and rho alone; Unsuitable where the expression is not isotropic.
 NodeId in_invariants(Expression& expression);

@@ -15,6 +15,8 @@ std::string sentence(const std::string& what, Verdict verdict) {
   switch (verdict) {
     case Verdict::term_by_term:
       return what + ": holds term by term";
+    case Verdict::exactly:
+      return what + ": holds exactly";
     case Verdict::at_points:
       return what + ": holds at pseudo-random points to 20 digits";
     case Verdict::refuted:
@@ -64,14 +66,16 @@ bool occurs(const Graph& graph, NodeId x, std::initializer_list<Variable> variab
   });
 }
 
-NodeId without_principal_stretches(Expression& e) {
+NodeId without_principal_stretches(Expression& e, Verdict* how) {
   Graph& g = e.graph;
+  if (how != nullptr) *how = Verdict::term_by_term;
   if (!occurs(g, e.root, {Variable::lambda, Variable::mu})) return e.root;
   const EvenOdd parts = split_at_circle(g, e.root);
   Expression odd = e;
   odd.root = parts.odd;
   const NodeId in_q = in_stretch(odd);
   const Verdict verdict = vanishes(odd.graph, in_q, e.parameters.size());
+  if (how != nullptr) *how = verdict;
   if (Facts::holds(verdict)) return parts.even;
   const std::string lambda = larger_stretch(e);
   const std::string required =
@@ -86,11 +90,11 @@ NodeId without_principal_stretches(Expression& e) {
       "is to be decided");
 }
 
-Verdict isotropy(Expression& e, std::span<const double> values) {
-  Graph& g = e.graph;
-  if (!occurs(g, e.root, {Variable::alpha, Variable::xi, Variable::zeta}))
-    return Verdict::term_by_term;
-  const NodeId v = in_stretch(e);
+namespace {
+
+/// Whether a function v of alpha, xi, zeta and rho is the same when the body's axes turn.
+Verdict turns_with_body(Graph& g, NodeId v, std::size_t parameter_count,
+                        std::span<const double> values) {
   const NodeId alpha = g.variable(Variable::alpha);
   const NodeId difference = g.subtract(g.variable(Variable::xi), g.variable(Variable::zeta));
   const NodeId shear = Differentiation(g, Coordinate::alpha)(v);
@@ -98,7 +102,24 @@ Verdict isotropy(Expression& e, std::span<const double> values) {
       g.subtract(Differentiation(g, Coordinate::zeta)(v), Differentiation(g, Coordinate::xi)(v));
   const NodeId along_rotation =
       g.add(g.multiply(shear, difference), g.multiply(g.multiply(g.number(2.0), alpha), stretch));
-  return vanishes(g, g.expanded(along_rotation), e.parameters.size(), values);
+  return vanishes(g, g.expanded(along_rotation), parameter_count, values);
+}
+
+bool has_axes(const Graph& g, NodeId x) {
+  return occurs(g, x, {Variable::alpha, Variable::xi, Variable::zeta});
+}
+
+}  // namespace
+
+Verdict isotropy(Expression& e, std::span<const double> values) {
+  Graph& g = e.graph;
+  const std::size_t count = e.parameters.size();
+  Verdict out = Verdict::term_by_term;
+  if (has_axes(g, e.root)) out = turns_with_body(g, in_stretch(e), count, values);
+  for (const Condition& each : e.conditions)
+    if (has_axes(g, each.node))
+      out = std::max(out, turns_with_body(g, condition_in_stretch(g, each.node), count, values));
+  return out;
 }
 
 Verdict shear_freedom(Expression& e, std::span<const double> values) {
@@ -127,24 +148,23 @@ Facts facts(Expression e, Slot slot, std::span<const double> values) {
   out.sentences.push_back(names.empty() ? "a constant: no variable occurs" : "made of " + names);
   if (slot == Slot::thickness) return out;
   require_smooth_at_circle(e);
-  out.symmetric = Verdict::term_by_term;
-  if (occurs(e.graph, e.root, {Variable::lambda, Variable::mu})) {
-    without_principal_stretches(e);
-    const NodeId odd = split_at_circle(e.graph, e.root).odd;
-    if (!e.graph.is_zero(odd)) out.symmetric = Verdict::at_points;
-    out.sentences.push_back(sentence(
-        "symmetric in " + larger_stretch(e) + " and mu_, so smooth at the circle", out.symmetric));
-  }
+  const auto say = [&out](const std::string& what, Verdict verdict) {
+    out.sentences.push_back(sentence(what, verdict));
+    if (verdict == Verdict::at_points) out.assumed.push_back(what);
+  };
+  without_principal_stretches(e, &out.symmetric);
+  if (occurs(e.graph, e.root, {Variable::lambda, Variable::mu}))
+    say("symmetric in " + larger_stretch(e) + " and mu_, so smooth at the circle", out.symmetric);
   out.isotropic = isotropy(e, values);
-  out.sentences.push_back(sentence("isotropic (a function of t, d and rho)", out.isotropic));
+  say("isotropic (a function of t, d and rho)", out.isotropic);
   if (out.is_isotropic()) {
     out.shear_free = out.even = out.isotropic;
   } else {
     out.shear_free = shear_freedom(e, values);
-    out.sentences.push_back(sentence("V_alpha = 0 at alpha = 0", out.shear_free));
+    say("V_alpha = 0 at alpha = 0", out.shear_free);
     if (out.is_shear_free()) {
       out.even = evenness(e, values);
-      out.sentences.push_back(sentence("even in alpha: V(-alpha) = V(alpha)", out.even));
+      say("even in alpha: V(-alpha) = V(alpha)", out.even);
     } else {
       out.even = out.shear_free;  // even implies shear-free
     }
@@ -153,8 +173,7 @@ Facts facts(Expression e, Slot slot, std::span<const double> values) {
     out.separable = Verdict::term_by_term;
   } else {
     out.separable = separability(e, values);
-    out.sentences.push_back(
-        sentence("separable (a potential of the plane and one of the thickness)", out.separable));
+    say("separable (a potential of the plane and one of the thickness)", out.separable);
   }
   return out;
 }

@@ -1,7 +1,7 @@
 // What can be found out about a potential from its expression: which variables it has, whether it
 // turns with the body (isotropic), whether plane and thickness are apart, whether a body that lies
 // along its material axes feels no shear. Each is an identity that holds whatever the parameters
-// are, and comes with how it was established: term by term or at points (vanishing.hpp).
+// are, and comes with how it was established: term by term, exactly or at points (vanishing.hpp).
 //
 // Isotropic:  V_alpha (xi - zeta) + 2 alpha (V_zeta - V_xi) = 0,  the derivative along a rotation.
 #pragma once
@@ -24,13 +24,10 @@ struct Facts {
   Verdict separable = Verdict::undecided;   ///< V_plane + V_rho
   std::vector<std::string> sentences;       ///< all of it, for a person to read
 
-  static bool holds(Verdict v) { return v == Verdict::term_by_term || v == Verdict::at_points; }
-  /// Whether one of them is known by points alone, which is no proof.
-  bool any_at_points() const {
-    for (const Verdict v : {symmetric, isotropic, shear_free, even, separable})
-      if (v == Verdict::at_points) return true;
-    return false;
-  }
+  /// What is known by points alone, which is no proof: "isotropic (a function of ...)", ...
+  std::vector<std::string> assumed;
+
+  static bool holds(Verdict v) { return v <= Verdict::at_points; }
   bool is_isotropic() const { return holds(isotropic); }
   bool is_shear_free() const { return holds(shear_free); }
   bool is_even() const { return holds(even); }
@@ -45,10 +42,10 @@ Facts facts(Expression expression, Slot slot, std::span<const double> values = {
 bool occurs(const Graph& graph, NodeId x, std::initializer_list<Variable> variables);
 
 /// The expression with lambda and mu_ replaced by what is smooth at the circle (pairs.hpp); throws
-/// Unsuitable where they do not enter symmetrically.
-NodeId without_principal_stretches(Expression& expression);
+/// Unsuitable where they do not enter symmetrically. how: by which verdict they do.
+NodeId without_principal_stretches(Expression& expression, Verdict* how = nullptr);
 
-/// Of an expression in which lambda and mu_ enter symmetrically.
+/// Of an expression in which lambda and mu_ enter symmetrically, its domain included.
 Verdict isotropy(Expression& expression, std::span<const double> values = {});
 /// V_alpha = 0 at alpha = 0, likewise.
 Verdict shear_freedom(Expression& expression, std::span<const double> values = {});

@@ -57,10 +57,17 @@ NodeId Graph::leaf(Kind kind, int index) {
   return intern(std::move(node));
 }
 
-NodeId Graph::number(double value, bool decimal) {
+NodeId Graph::number(double value) {
   Node node;
-  node.index = decimal ? 1 : 0;
   node.literal = value == 0.0 ? 0.0 : value;  // no negative zero
+  return intern(std::move(node));
+}
+
+NodeId Graph::rounded_number(double value, const Decimal& written) {
+  Node node;
+  node.index = 1;
+  node.literal = value;
+  node.decimal = written;
   return intern(std::move(node));
 }
 

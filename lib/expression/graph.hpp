@@ -74,12 +74,21 @@ struct Term {
   auto operator<=>(const Term&) const = default;
 };
 
+/// digits 10^power; digits 0: more of them than fit.
+struct Decimal {
+  std::uint64_t digits = 0;
+  int power = 0;
+  bool known() const { return digits != 0; }
+  auto operator<=>(const Decimal&) const = default;
+};
+
 struct Node {
   Kind kind = Kind::literal;
   Function function = Function::sqrt;  ///< of function and kernel
   std::uint8_t index = 0;              ///< variable, number of the parameter, part of the kernel;
                                        ///< 1: a literal that only rounds to it; singular.hpp others
   double literal = 0.0;
+  Decimal decimal = {};  ///< of a literal that only rounds to a double: what was written
   NodeId a = 0;
   NodeId b = 0;
   NodeId c = 0;
@@ -105,8 +114,9 @@ class Graph {
   const Node& operator[](NodeId id) const { return nodes_[id]; }
   std::size_t size() const { return nodes_.size(); }
 
-  /// decimal: what was written is not a double, value is the nearest one.
-  NodeId number(double value, bool decimal = false);
+  NodeId number(double value);
+  /// A number that was written as a decimal and is no double; value is the nearest one.
+  NodeId rounded_number(double value, const Decimal& written);
   NodeId pi() { return leaf(Kind::pi, 0); }
   NodeId euler() { return leaf(Kind::euler, 0); }
   NodeId parameter(int index) { return leaf(Kind::parameter, index); }

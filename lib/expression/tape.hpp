@@ -88,9 +88,9 @@ struct Program {
 /// Bounds that a workspace on the stack is made for.
 constexpr std::size_t largest_node_count = 256;  ///< of the expression as it is written
 constexpr std::size_t largest_place_count = 96;
-constexpr std::size_t largest_constant_count = 48;
+constexpr std::size_t largest_constant_count = 96;
 constexpr std::size_t largest_coefficient_steps = 256;
-constexpr std::size_t largest_parameter_count = 8;
+constexpr std::size_t largest_parameter_count = 32;
 
 /// What the programs of one potential share.
 struct Coefficients {

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,6 +23,7 @@
 #include "lib/expression/expression.hpp"
 #include "lib/expression/tape_run.hpp"
 #include "lib/log_balance.hpp"
+#include "lib/stretch.hpp"
 
 namespace stationary {
 
@@ -61,6 +63,8 @@ class TapeConstants {
   TapeConstants(const expression::Tape& tape, const CoefficientList<C>& coefficients) {
     expression::compute_constants<C>(tape.coefficients, coefficients.data(), values_.data());
   }
+
+  const C* values() const { return values_.data(); }
 
   /// f(constants in R).
   template <class R, class F>
@@ -118,6 +122,8 @@ class TapeConstants<double> {
       rounded_[k] = double(extended_[k]);
   }
 
+  const double* values() const { return rounded_.data(); }
+
   template <class R, class F>
   void in(const expression::Tape& tape, const CoefficientList<double>& coefficients, F&& f) const {
     if constexpr (std::is_same_v<R, double>) {
@@ -138,17 +144,94 @@ class TapeConstants<double> {
   std::array<DoubleDouble, expression::largest_constant_count> extended_;
 };
 
-/// What the models below have in common.
+/// The sign of what is certain to have one: of a number its own, of an interval that of all of it.
+template <class R>
+int certain_sign(const R& x) {
+  if constexpr (expression::over_intervals<R>() && !std::is_same_v<R, Interval>) {
+    return certain_sign(x.value);
+  } else if constexpr (std::is_same_v<R, Interval>) {
+    return x.positive() ? 1 : x.negative() ? -1 : 0;
+  } else {
+    const double value = leading(x);
+    return value > 0.0 ? 1 : value < 0.0 ? -1 : 0;
+  }
+}
+
+/// A part of the domain of a formula: the signs of what must not be 0 in it. Bit k is for condition
+/// k of the tape.
+struct DomainPart {
+  std::uint32_t chosen = 0;    ///< which signs are asked for
+  std::uint32_t negative = 0;  ///< and which of these are minus
+
+  template <class R>
+  bool has(const expression::TapeCondition& condition, std::size_t k, const R& value) const {
+    const int sign = certain_sign(value);
+    if (condition.positive) return sign > 0;
+    const std::uint32_t bit = std::uint32_t{1} << k;
+    return sign != 0 && ((chosen & bit) == 0 || ((negative & bit) != 0) == (sign < 0));
+  }
+};
+
+/// The value of a condition of a formula at a point; it holds where that is positive, or not 0.
+struct ConditionValue {
+  const expression::TapeCondition* condition;
+  double value;
+
+  bool holds() const { return condition->positive ? value > 0.0 : value != 0.0; }
+};
+
+/// Of a model that may be an expression, or of a sum of two; none of a built-in one.
+template <class Model>
+std::vector<ConditionValue> model_conditions(const Model& model, const Stretch& q) {
+  if constexpr (requires { model.conditions_at(q); }) {
+    return model.conditions_at(q);
+  } else if constexpr (requires { model.plane; }) {
+    std::vector<ConditionValue> out = model_conditions(model.plane, q);
+    const std::vector<ConditionValue> axial = model_conditions(model.thickness, q);
+    out.insert(out.end(), axial.begin(), axial.end());
+    return out;
+  } else {
+    return {};
+  }
+}
+
+/// The model restricted to the part of its domain that q lies in.
+template <class Model>
+Model on_part_of(const Model& model, const Stretch& q) {
+  if constexpr (requires { model.on_part_of(q); }) {
+    return model.on_part_of(q);
+  } else if constexpr (requires { model.plane; }) {
+    return {on_part_of(model.plane, q), on_part_of(model.thickness, q)};
+  } else {
+    return model;
+  }
+}
+
+/// What the models below have in common. Where a condition of the formula does not hold, or not for
+/// certain all over an interval, every result is no number.
 template <class C>
 class TapeModel {
  public:
   /// As many coefficients as the tape has parameters (std::invalid_argument otherwise).
-  TapeModel(std::shared_ptr<const expression::Tape> tape, const CoefficientList<C>& coefficients)
-      : tape_(std::move(tape)), coefficients_(coefficients), constants_(*tape_, coefficients) {
+  TapeModel(std::shared_ptr<const expression::Tape> tape, const CoefficientList<C>& coefficients,
+            const DomainPart& part = {})
+      : tape_(std::move(tape)),
+        coefficients_(coefficients),
+        constants_(*tape_, coefficients),
+        part_(part) {
     if (coefficients.size() != tape_->parameters.size())
       throw std::invalid_argument("an expression of " + std::to_string(tape_->parameters.size()) +
                                   " parameters");
+    if constexpr (requires { constants_.values(); }) {
+      for (const auto& each : tape_->coefficient_conditions) {
+        const int sign = certain_sign(constants_.values()[each.constant]);
+        empty_domain_ = empty_domain_ || (each.condition.positive ? sign <= 0 : sign == 0);
+      }
+    }
   }
+
+  /// The signs of what must not be 0 that it is restricted to.
+  const DomainPart& part() const { return part_; }
 
   const CoefficientList<C>& coefficients() const { return coefficients_; }
   const std::string& text() const { return tape_->text; }
@@ -160,9 +243,37 @@ class TapeModel {
   bool has_decimals() const { return tape_->coefficients.has_decimals; }
 
  protected:
-  /// Results of a program on inputs: out(k) gives result k.
+  /// Results of a program on inputs: out(k) gives result k, and no number outside the domain.
   template <class R, class Out, class... Inputs>
   void run(const expression::Program& program, Out&& out, const Inputs&... inputs) const {
+    run_anywhere<R>(
+        program,
+        [&](const auto& result) {
+          const std::size_t count = tape_->conditions.size();
+          if (count == 0 && !empty_domain_) {
+            out(result);
+            return;
+          }
+          const std::size_t first = program.results.size() - count;
+          if constexpr (expression::Packed<R>) {
+            R beyond = outside_in_lanes<R>(empty_domain_, result(0));
+            for (std::size_t k = 0; k < count; ++k)
+              beyond = beyond + beyond_condition(k, result(first + k));
+            out([&](std::size_t i) { return R(result(i) + beyond); });
+          } else {
+            bool inside = !empty_domain_;
+            for (std::size_t k = 0; k < count; ++k)
+              inside = inside && part_.has(tape_->conditions[k], k, result(first + k));
+            const R none = poison<R>();
+            out([&](std::size_t i) -> const R& { return inside ? result(i) : none; });
+          }
+        },
+        inputs...);
+  }
+
+  /// The same of a program without conditions, or whatever they say.
+  template <class R, class Out, class... Inputs>
+  void run_anywhere(const expression::Program& program, Out&& out, const Inputs&... inputs) const {
     expression::Workspace<R, expression::largest_place_count> workspace;
     R* place = workspace.data();
     std::size_t k = 0;
@@ -174,6 +285,52 @@ class TapeModel {
         return result.constant ? constants[result.at] : place[result.at];
       });
     });
+  }
+
+  /// The values of the conditions, of doubles.
+  template <class... Inputs>
+  std::vector<ConditionValue> conditions(const Inputs&... inputs) const {
+    std::vector<ConditionValue> out;
+    const expression::Program& program = tape_->evaluate[0];
+    run_anywhere<double>(
+        program,
+        [&](const auto& result) {
+          const std::size_t first = program.results.size() - tape_->conditions.size();
+          for (std::size_t k = 0; k < tape_->conditions.size(); ++k)
+            out.push_back({&tape_->conditions[k], result(first + k)});
+        },
+        inputs...);
+    if constexpr (requires { constants_.values(); })
+      for (const auto& each : tape_->coefficient_conditions)
+        out.push_back({&each.condition, leading(constants_.values()[each.constant])});
+    return out;
+  }
+  /// The part of the domain that inputs lie in.
+  template <class... Inputs>
+  DomainPart part_of(const Inputs&... inputs) const {
+    DomainPart out;
+    const std::vector<ConditionValue> values = conditions(inputs...);
+    for (std::size_t k = 0; k < tape_->conditions.size(); ++k) {
+      if (tape_->conditions[k].positive) continue;
+      out.chosen |= std::uint32_t{1} << k;
+      if (values[k].value < 0.0) out.negative |= std::uint32_t{1} << k;
+    }
+    return out;
+  }
+  /// Whether a condition holds nowhere in a box of intervals: by the program of the balance.
+  template <class... Inputs>
+  bool outside(const expression::Program& program, const Inputs&... inputs) const {
+    bool out = false;
+    if (tape_->conditions.empty()) return out;
+    run_anywhere<Interval>(
+        program,
+        [&](const auto& result) {
+          const std::size_t first = program.results.size() - tape_->conditions.size();
+          for (std::size_t k = 0; k < tape_->conditions.size(); ++k)
+            if (tape_->conditions[k].positive) out = out || result(first + k).hi <= 0.0;
+        },
+        inputs...);
+    return out;
   }
 
   /// The balance of xi, zeta and rho.
@@ -243,12 +400,13 @@ class TapeModel {
         inputs...);
   }
 
-  /// Of each residual the sum over the parameters p of |p dg/dp|; the rates enter none.
+  /// Of each number x of a program of slopes the sum over the parameters p of |p dx/dp|.
   template <std::size_t n, class... Inputs>
-  std::optional<std::array<double, n>> sensitivity(const Inputs&... inputs) const {
+  std::optional<std::array<double, n>> sensitivity(const expression::Program& program,
+                                                   const Inputs&... inputs) const {
     std::array<double, n> out{};
     const bool known = run_slopes(
-        tape_->residual_slopes,
+        program,
         [&](std::size_t k, double, const auto& slope) {
           for (std::size_t i = 0; i < coefficients_.size(); ++i)
             out[k] += std::abs(coefficients_[i] * slope(i));
@@ -261,9 +419,31 @@ class TapeModel {
   const expression::Tape& programs() const { return *tape_; }
 
  private:
+  /// 0 in lanes that are inside, and no number in the others.
+  template <class R>
+  static R outside_in_lanes(bool all, const R& like) {
+    return lane_by_lane(
+        [all](const auto& lane) {
+          using T = std::remove_cvref_t<decltype(lane)>;
+          return all ? poison<T>() : T(0.0);
+        },
+        like);
+  }
+  template <class R>
+  R beyond_condition(std::size_t k, const R& value) const {
+    return lane_by_lane(
+        [&](const auto& lane) {
+          using T = std::remove_cvref_t<decltype(lane)>;
+          return part_.has(tape_->conditions[k], k, lane) ? T(0.0) : poison<T>();
+        },
+        value);
+  }
+
   std::shared_ptr<const expression::Tape> tape_;
   CoefficientList<C> coefficients_;
   TapeConstants<C> constants_;
+  DomainPart part_;
+  bool empty_domain_ = false;  ///< the coefficients alone say so
 };
 
 }  // namespace stationary

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lib/expression/expression.hpp"
+#include "lib/expression/residue.hpp"
 #include "lib/expression/tape_run.hpp"
 
 namespace stationary::expression {
@@ -173,14 +174,9 @@ Verdict at_points(const Test& test, const Coefficients& c, std::size_t parameter
   return zero >= fewest ? Verdict::at_points : Verdict::undecided;
 }
 
-}  // namespace
-
-Verdict vanishes(const Graph& graph, NodeId x, std::size_t parameter_count,
-                 std::span<const double> values) {
-  if (!values.empty() && values.size() != parameter_count)
-    throw std::invalid_argument("as many values as parameters, or none");
-  if (graph.is_zero(x)) return Verdict::term_by_term;
-  if (parameter_count > largest_parameter_count) return Verdict::undecided;
+/// The verdict of points, of all parameters and of those given.
+Verdict numerically(const Graph& graph, NodeId x, std::size_t parameter_count,
+                    std::span<const double> values) {
   const Test test(graph, x);
   std::size_t freed_count = parameter_count;
   const Coefficients freed = without_branches(test.coefficients(), freed_count);
@@ -193,6 +189,43 @@ Verdict vanishes(const Graph& graph, NodeId x, std::size_t parameter_count,
   const Verdict given = at_points(test, test.coefficients(), parameter_count, values);
   if (given == Verdict::refuted) return given;
   return anyhow == Verdict::at_points && given == anyhow ? anyhow : Verdict::undecided;
+}
+
+/// Functions that may be related by more than residues know.
+bool has_other_rules(const Graph& graph, NodeId x) {
+  const std::array<NodeId, 1> root{x};
+  return std::ranges::any_of(graph.parts(root), [&](NodeId id) {
+    const Node& node = graph[id];
+    switch (node.kind) {
+      case Kind::minimum:
+      case Kind::maximum:
+        return true;
+      case Kind::function:
+        return node.function != Function::sqrt && node.function != Function::exp &&
+               node.function != Function::log && node.function != Function::tanh;
+      case Kind::kernel:
+        return node.function != Function::exp && node.function != Function::log &&
+               node.function != Function::power;
+      default:
+        return false;
+    }
+  });
+}
+
+}  // namespace
+
+Verdict vanishes(const Graph& graph, NodeId x, std::size_t parameter_count,
+                 std::span<const double> values) {
+  if (!values.empty() && values.size() != parameter_count)
+    throw std::invalid_argument("as many values as parameters, or none");
+  if (graph.is_zero(x)) return Verdict::term_by_term;
+  if (parameter_count > largest_parameter_count) return Verdict::undecided;
+  const Residues formally = residues(graph, x);
+  if (formally == Residues::zero) return Verdict::exactly;
+  const Verdict out = numerically(graph, x, parameter_count, values);
+  // No identity by the rules of exp, log and powers, but small wherever it was tried.
+  const bool refuted = formally == Residues::not_zero && !has_other_rules(graph, x);
+  return out == Verdict::at_points && refuted ? Verdict::undecided : out;
 }
 
 }  // namespace stationary::expression

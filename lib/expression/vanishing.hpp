@@ -1,6 +1,8 @@
 // Whether an expression x of alpha, xi, zeta, rho and parameters is 0 whatever they are:
 //
 //   term by term     it is 0 as it is written
+//   exactly          it is 0 in residues at random points (residue.hpp): but for a probability
+//                    below 1e-30, for all stretches and parameters
 //   at points        |x| <= 2^-66 (the size of its terms) at fixed pseudo-random points: stretches
 //                    in [1e-3, 1e3], the matrix positive definite, parameters of both signs in
 //                    [1e-2, 1e2]; one point where it is not refutes it
@@ -9,7 +11,8 @@
 // values of their own at points, as if each were one more parameter: min(k, 0) is 0 for one half of
 // all k, which proves nothing about the other half. What is 0 only because of how such a
 // coefficient depends on its parameters is undecided.
-// Points are no proof: what is 0 nearly everywhere passes.
+// Points are no proof: what is 0 nearly everywhere passes. They are asked only where residues
+// cannot tell, because of functions whose rules they do not know (sin(x + y) = ...) or of roots.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +25,7 @@ namespace stationary::expression {
 
 /// refuted: for some values of the parameters, or for those given. undecided: none of the others,
 /// or x is defined at too few of the points.
-enum class Verdict : std::uint8_t { term_by_term, at_points, refuted, undecided };
+enum class Verdict : std::uint8_t { term_by_term, exactly, at_points, refuted, undecided };
 
 /// values: of the parameters, where they are known: points with these are looked at as well.
 Verdict vanishes(const Graph& graph, NodeId x, std::size_t parameter_count,

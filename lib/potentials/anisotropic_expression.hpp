@@ -18,6 +18,15 @@ class AnisotropicExpression : public TapeModel<C> {
  public:
   using TapeModel<C>::TapeModel;
 
+  std::vector<ConditionValue> conditions_at(
+      const Stretch& q) const requires std::is_same_v<C, double> {
+    return this->conditions(q.alpha, q.xi, q.zeta, q.rho);
+  }
+  /// Whether it is defined nowhere in a box.
+  bool outside_box(const BasicStretch<Interval>& q) const requires std::is_same_v<C, Interval> {
+    return this->outside(this->programs().evaluate[0], q.alpha, q.xi, q.zeta, q.rho);
+  }
+
   /// order 0, 1, 2 as in evaluate() of the other models; what was not asked for is NaN.
   template <int order, class S>
   PotentialDerivatives<Product<C, S>> derivatives(const BasicStretch<S>& q) const {
@@ -45,9 +54,14 @@ class OrientedExpression : public AnisotropicExpression<C> {
  public:
   /// tape: of oriented_tape().
   OrientedExpression(const std::shared_ptr<const expression::Tape>& tape,
-                     const CoefficientList<C>& coefficients)
-      : AnisotropicExpression<C>(tape, coefficients) {
+                     const CoefficientList<C>& coefficients, const DomainPart& part = {})
+      : AnisotropicExpression<C>(tape, coefficients, part) {
     if (tape->isotropic_terms) isotropic_.emplace(tape->isotropic_terms, coefficients);
+  }
+
+  /// Restricted to the part of its domain that q lies in.
+  OrientedExpression on_part_of(const Stretch& q) const requires std::is_same_v<C, double> {
+    return {this->tape(), this->coefficients(), this->part_of(q.alpha, q.xi, q.zeta, q.rho)};
   }
 
   /// Where it is known to be so: V_alpha = 0 at alpha = 0; not so; V(-alpha) = V(alpha).
@@ -77,7 +91,7 @@ class OrientedExpression : public AnisotropicExpression<C> {
     const expression::Program& program = this->programs().plane_pull;
     if (program.results.empty()) return std::nullopt;
     std::optional<C> out;
-    this->template run<C>(
+    this->template run_anywhere<C>(
         program, [&](const auto& result) { out = result(0); }, q.alpha, q.xi, q.zeta, q.rho);
     return out;
   }

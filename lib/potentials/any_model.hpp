@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "lib/coefficients.hpp"
 #include "lib/isotropic_models.hpp"
@@ -30,6 +31,23 @@ struct AnyModel {
   bool has_decimals() const {
     const auto* expression = std::get_if<Expression>(&model);
     return expression != nullptr && expression->has_decimals();
+  }
+
+  /// Of an expression (expression.hpp).
+  std::vector<ConditionValue> conditions_at(const Stretch& q) const {
+    const auto* expression = std::get_if<Expression>(&model);
+    return expression == nullptr ? std::vector<ConditionValue>() : expression->conditions_at(q);
+  }
+  bool outside_in(const auto&... box) const {
+    const auto* expression = std::get_if<Expression>(&model);
+    return expression != nullptr && expression->outside_in(box...);
+  }
+  /// Any, its expression restricted to the part of its domain that q lies in.
+  template <class Any>
+  Any restricted(const Stretch& q) const {
+    const auto* expression = std::get_if<Expression>(&model);
+    if (expression == nullptr) return Any{{model}};
+    return Any{{expression->on_part_of(q)}};
   }
 
   /// As many as an expression may have; zeros that nothing reads follow a model's own.
@@ -55,6 +73,7 @@ struct AnyModel {
 
 template <class C = double>
 struct AnyPlane : AnyModel<PlanarModels<C>, PlanarExpression<C>> {
+  AnyPlane on_part_of(const Stretch& q) const { return this->template restricted<AnyPlane>(q); }
   double rest_stretch() const {
     return this->visit([](const auto& m) { return m.rest_stretch(); });
   }
@@ -68,13 +87,13 @@ struct AnyPlane : AnyModel<PlanarModels<C>, PlanarExpression<C>> {
   auto residual(const S& xi, const S& zeta, const S& c_xi, const S& c_zeta) const {
     return std::get<PlanarExpression<C>>(this->model).residual(xi, zeta, c_xi, c_zeta);
   }
-  auto residual_sensitivity(double xi, double zeta) const {
-    return std::get<PlanarExpression<C>>(this->model).residual_sensitivity(xi, zeta);
-  }
 };
 
 template <class C = double>
 struct AnyThickness : AnyModel<ThicknessModels<C>, ThicknessExpression<C>> {
+  AnyThickness on_part_of(const Stretch& q) const {
+    return this->template restricted<AnyThickness>(q);
+  }
   double balanced(const DoubleDouble& m) const {
     return this->visit([&](const auto& each) { return each.balanced(m); });
   }

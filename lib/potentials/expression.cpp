@@ -175,13 +175,14 @@ double balanced_thickness_of(const ThicknessExpression<double>& model, const Dou
   const double rest = rest_thickness_of(model);
   if (!(double(m) > 0.0)) return rest;
   constexpr double step = 0.03125;
+  const ThicknessExpression<double> part = model.on_part_of({0.0, 1.0, 1.0, rest});
   const auto excess = [&](double rho) {
-    return double(model.evaluate<1>(DoubleDouble(rho)).v_r - m * two_product(rho, rho));
+    return double(part.evaluate<1>(DoubleDouble(rho)).v_r - m * two_product(rho, rho));
   };
   double a = std::log(rest);
   while (a < largest_logarithm) {
     const double b = a + step;
-    const auto v = model.evaluate<2>(std::exp(b));
+    const auto v = part.evaluate<2>(std::exp(b));
     if (excess(std::exp(b)) > 0.0) return crossing(excess, a, b);
     if (!(v.v_rr > 2.0 * v.v_r)) break;
     a = b;

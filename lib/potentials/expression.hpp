@@ -30,6 +30,22 @@ class PlanarExpression : public TapeModel<C> {
  public:
   using TapeModel<C>::TapeModel;
 
+  std::vector<ConditionValue> conditions_at(
+      const Stretch& q) const requires std::is_same_v<C, double> {
+    const auto x = planar_invariants(q);
+    return this->conditions(x.t, x.d, x.e);
+  }
+  /// Restricted to the part of its domain that q lies in.
+  PlanarExpression on_part_of(const Stretch& q) const requires std::is_same_v<C, double> {
+    const auto x = planar_invariants(q);
+    return {this->tape(), this->coefficients(), this->part_of(x.t, x.d, x.e)};
+  }
+  /// Whether it is defined nowhere in a box.
+  bool outside_in(const Interval& xi,
+                  const Interval& zeta) const requires std::is_same_v<C, Interval> {
+    return this->outside(this->programs().balance, xi, zeta, Interval(0.0), Interval(0.0));
+  }
+
   /// The circle xi = zeta nearest to 1 at which W has a minimum along the circles, within
   /// [1e-3, 1e3]; NaN where there is none.
   double rest_stretch() const requires std::is_same_v<C, double> { return rest_stretch_of(*this); }
@@ -83,7 +99,7 @@ class PlanarExpression : public TapeModel<C> {
   /// parameter enters by abs, min or max.
   std::optional<std::array<double, 2>> residual_sensitivity(
       double xi, double zeta) const requires std::is_same_v<C, double> {
-    return this->template sensitivity<2>(xi, zeta, 0.0, 0.0);
+    return this->template sensitivity<2>(this->programs().residual_slopes, xi, zeta, 0.0, 0.0);
   }
 
   /// g_xi and g_zeta of log_balance() alone.
@@ -108,9 +124,30 @@ class ThicknessExpression : public TapeModel<C> {
  public:
   using TapeModel<C>::TapeModel;
 
+  std::vector<ConditionValue> conditions_at(
+      const Stretch& q) const requires std::is_same_v<C, double> {
+    return this->conditions(q.rho);
+  }
+  /// As of PlanarExpression.
+  ThicknessExpression on_part_of(const Stretch& q) const requires std::is_same_v<C, double> {
+    return {this->tape(), this->coefficients(), this->part_of(q.rho)};
+  }
+  bool outside_box(const BasicStretch<Interval>& q) const requires std::is_same_v<C, Interval> {
+    return outside_in(q.rho);
+  }
+  bool outside_in(const Interval& rho) const requires std::is_same_v<C, Interval> {
+    return this->outside(this->programs().balance, rho, Interval(0.0));
+  }
+
   /// The rho nearest to 1 at which V has a minimum, within [1e-3, 1e3]; NaN where there is none.
   double rest_thickness() const requires std::is_same_v<C, double> {
     return rest_thickness_of(*this);
+  }
+
+  /// Sum over the parameters p of |p dV_r/dp|; none where a parameter enters by abs, min or max.
+  std::optional<double> residual_sensitivity(double rho) const requires std::is_same_v<C, double> {
+    const auto both = this->template sensitivity<2>(this->programs().slopes, rho);
+    return both ? std::optional((*both)[1]) : std::nullopt;
   }
 
   /// The solution of V' = m rho, m >= 0, that is connected to the rest thickness by solutions for
@@ -158,6 +195,22 @@ class CoupledExpression : public TapeModel<C> {
  public:
   using TapeModel<C>::TapeModel;
 
+  std::vector<ConditionValue> conditions_at(
+      const Stretch& q) const requires std::is_same_v<C, double> {
+    const auto x = planar_invariants(q);
+    return this->conditions(x.t, x.d, x.e, q.rho);
+  }
+  /// As of PlanarExpression.
+  CoupledExpression on_part_of(const Stretch& q) const requires std::is_same_v<C, double> {
+    const auto x = planar_invariants(q);
+    return {this->tape(), this->coefficients(), this->part_of(x.t, x.d, x.e, q.rho)};
+  }
+  bool outside_in(const Interval& xi, const Interval& zeta,
+                  const Interval& rho) const requires std::is_same_v<C, Interval> {
+    const Interval none(0.0);
+    return this->outside(this->programs().balance, xi, zeta, rho, none, none, none);
+  }
+
   /// xi = zeta and rho at the minimum of V among (xi, xi, rho) nearest to (1, 1, 1), within
   /// [1e-3, 1e3]; NaN where none was found.
   double rest_stretch() const requires std::is_same_v<C, double> { return rest()[0]; }
@@ -204,7 +257,8 @@ class CoupledExpression : public TapeModel<C> {
   /// As of PlanarExpression, g = (g_xi, g_zeta, g_rho).
   std::optional<std::array<double, 3>> residual_sensitivity(
       double xi, double zeta, double rho) const requires std::is_same_v<C, double> {
-    return this->template sensitivity<3>(xi, zeta, rho, 0.0, 0.0, 0.0);
+    return this->template sensitivity<3>(this->programs().residual_slopes, xi, zeta, rho, 0.0, 0.0,
+                                         0.0);
   }
 
   /// g_xi, g_zeta and g_rho of log_balance() alone.
@@ -233,7 +287,7 @@ auto with_indexed_coefficients(const Model<double>& model, const Convert& conver
   CoefficientList<C> coefficients(model.coefficients().size());
   for (std::size_t k = 0; k < coefficients.size(); ++k)
     coefficients[k] = convert(model.coefficients()[k], k);
-  return Model<C>(model.tape(), coefficients);
+  return Model<C>(model.tape(), coefficients, model.part());
 }
 
 }  // namespace stationary

@@ -171,12 +171,20 @@ Answer all(const Family& family, const SolveOptions& options) {
   out.message = found.message;
   out.counts = {{"boxes", found.boxes},
                 {"proven", static_cast<long>(found.solutions.size())},
-                {"undecided", static_cast<long>(found.undecided.size())}};
+                {"undecided", static_cast<long>(found.undecided.size())},
+                {"found_unproven", static_cast<long>(found.unproven.size())}};
   if (found.status == SearchStatus::interrupted) {
     out.status = SolveStatus::interrupted;
     return out;
   }
-  for (const auto& each : found.solutions) out.solutions.push_back(family.solution(each));
+  for (const auto& each : found.solutions) {
+    out.solutions.push_back(family.solution(each));
+    out.solutions.back().listed = Listed::proven;
+  }
+  for (const auto& each : found.unproven) {
+    out.solutions.push_back(family.solution(each));
+    out.solutions.back().listed = Listed::unproven;
+  }
   const bool complete = found.status == SearchStatus::complete;
   if (!out.solutions.empty()) {
     out.status = SolveStatus::solved;

@@ -14,11 +14,19 @@
 
 namespace stationary::cli {
 
+/// What an exhaustive search says of a solution.
+enum class Listed {
+  no,       ///< it was no such search
+  proven,   ///< to exist
+  unproven  ///< found by Newton's method in what is undecided
+};
+
 struct Solution {
   TableRow row;
   std::optional<Spectrum> spectrum;
   std::string proof;  ///< what is proven of it, for a person; empty: nothing was asked
   bool proven = false;
+  Listed listed = Listed::no;
 };
 
 struct Answer {

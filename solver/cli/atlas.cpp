@@ -73,6 +73,9 @@ std::string entry_text(Entry entry, double nu) {
       return fmt::format("off the axes at nu = {:.10g}", nu);
     case Entry::oblique:
       return fmt::format("off an axis at nu = {:.10g}", nu);
+    case Entry::numerical:
+      return fmt::format("found at nu = {:.6g} by Newton's method, where the search is undecided",
+                         nu);
     case Entry::tilt:
       break;
   }

@@ -119,11 +119,10 @@ bool wants_column(const Case& input, Column column, bool to_table) {
 }
 
 std::optional<PlanItem> proof_caveat(const Case& input) {
-  const bool at_points = std::ranges::any_of(
-      input.models, [](const ModelChoice& each) { return each.facts_at_points; });
-  if (!at_points) return std::nullopt;
-  return PlanItem{"proofs", "take the facts of the formula for granted",
-                  "found at points, not term by term (`check`)"};
+  const std::vector<std::string> assumed = input.potential.assumptions();
+  if (assumed.empty()) return std::nullopt;
+  return PlanItem{"proofs", "take for granted: " + fmt::format("{}", fmt::join(assumed, "; ")),
+                  "found at points, which is no proof (`check`)"};
 }
 
 ComputationPlan computation_plan(const Case& input, bool to_table) {

@@ -60,8 +60,9 @@ void add_solution(Report& out, const Case& input, const Solution& solution) {
   out.gap();
   out.line("residual", fmt::format("{:.1e} of the largest term", row[Column::residual]));
   out.line("compatible to", fmt::format("{:.1e} of the largest term", row[Column::compatibility]));
+  const bool proven = solution.listed == Listed::proven || solution.proven;
   out.line("error bound", fmt::format("{:.1e} relative, of S ({})", row[Column::error_bound],
-                                      input.solve.all || solution.proven ? "proven" : "estimated"));
+                                      proven ? "proven" : "estimated"));
   if (!solution.proof.empty()) out.line("certificate", solution.proof);
   if (solution.spectrum) {
     out.gap();
@@ -81,7 +82,8 @@ std::string summary(const Case& input, const Answer& found) {
   for (const Solution& each : found.solutions) {
     if (input.solve.all || found.solutions.size() > 1)
       out.line(fmt::format("solution {}", each.row[Column::sheet]),
-               fmt::format("of {}", found.solutions.size()));
+               fmt::format("of {}{}", found.solutions.size(),
+                           each.listed == Listed::unproven ? ", found but not proven" : ""));
     add_solution(out, input, each);
   }
   out.line("cost", cost_text(found));
@@ -109,6 +111,9 @@ Metadata describe(const Session& session, const Case& input, const Answer& found
       {"connection", std::string(name(found.connection))},
       {"message", found.message}};
   if (!found.warning.empty()) out.outcome.emplace_back("warning", found.warning);
+  for (const Solution& each : found.solutions)
+    if (each.listed == Listed::unproven)
+      out.unproven_sheets.push_back(static_cast<int>(each.row[Column::sheet]));
   if (found.solutions.size() == 1 && found.solutions[0].spectrum)
     out.outcome.emplace_back("class", name(found.solutions[0].spectrum->verdict));
   return out;

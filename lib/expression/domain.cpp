@@ -1,0 +1,160 @@
+#include "lib/expression/domain.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace stationary::expression {
+namespace {
+
+bool is_positive_variable(Variable v) {
+  switch (v) {
+    case Variable::xi:
+    case Variable::zeta:
+    case Variable::rho:
+    case Variable::t:
+    case Variable::d:
+    case Variable::lambda:
+    case Variable::mu:
+    case Variable::first_invariant:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Sign of_product(Sign x, Sign y) { return std::min(x, y); }
+/// Neither negative: positive where one of them is.
+Sign of_sum(Sign x, Sign y) {
+  return x == Sign::unknown || y == Sign::unknown ? Sign::unknown : std::max(x, y);
+}
+Sign even_power(Sign x) { return x == Sign::positive ? x : Sign::not_negative; }
+
+class Signs {
+ public:
+  explicit Signs(const Graph& graph) : graph_(graph), known_(graph.size(), Sign::unknown) {}
+
+  Sign operator()(NodeId x) {
+    const std::array<NodeId, 1> root{x};
+    for (const NodeId part : graph_.parts(root)) known_[part] = of(graph_[part]);
+    return known_[x];
+  }
+
+ private:
+  Sign of(const Node& node) const {
+    switch (node.kind) {
+      case Kind::literal:
+        return node.literal > 0.0    ? Sign::positive
+               : node.literal == 0.0 ? Sign::not_negative
+                                     : Sign::unknown;
+      case Kind::pi:
+      case Kind::euler:
+        return Sign::positive;
+      case Kind::coefficient_sum:
+        return of_sum(known_[node.a], known_[node.b]);
+      case Kind::coefficient_product:
+        if (node.a == node.b) return even_power(known_[node.a]);
+        return of_product(known_[node.a], known_[node.b]);
+      case Kind::coefficient_quotient:
+        return of_product(known_[node.a], known_[node.b]);
+      case Kind::maximum:
+        return std::max(known_[node.a], known_[node.b]);
+      case Kind::minimum:
+        return std::min(known_[node.a], known_[node.b]);
+      case Kind::function:
+        return of_function(node);
+      case Kind::power:
+        return Sign::positive;
+      case Kind::variable:
+        return is_positive_variable(static_cast<Variable>(node.index))       ? Sign::positive
+               : static_cast<Variable>(node.index) == Variable::discriminant ? Sign::not_negative
+                                                                             : Sign::unknown;
+      case Kind::sum: {
+        Sign out = known_[node.a];
+        for (const Term& term : node.terms)
+          out = of_sum(out, of_product(known_[term.coefficient], known_[term.node]));
+        return out;
+      }
+      case Kind::product: {
+        Sign out = Sign::positive;
+        for (const Term& factor : node.terms) {
+          const Sign base = known_[factor.node];
+          out = of_product(out, factor.exponent % 2 == 0 ? even_power(base) : base);
+        }
+        return out;
+      }
+      default:
+        return Sign::unknown;
+    }
+  }
+
+  Sign of_function(const Node& node) const {
+    switch (node.function) {
+      case Function::exp:
+      case Function::sqrt:
+        return Sign::positive;
+      case Function::tanh:
+      case Function::atan:
+        return known_[node.a];
+      case Function::abs:
+        return even_power(known_[node.a]);
+      default:
+        return Sign::unknown;
+    }
+  }
+
+  const Graph& graph_;
+  std::vector<Sign> known_;
+};
+
+void add(Condition condition, std::vector<Condition>& out) {
+  const auto same = [&](const Condition& each) {
+    return each.node == condition.node && each.positive == condition.positive;
+  };
+  if (std::ranges::none_of(out, same)) out.push_back(std::move(condition));
+}
+
+}  // namespace
+
+Sign sign(const Graph& graph, NodeId x) { return Signs(graph)(x); }
+
+void require_nonzero(Graph& graph, NodeId x, std::string_view text, std::vector<Condition>& out) {
+  if (sign(graph, x) == Sign::positive) return;
+  if (graph.is_exact_literal(x) && !graph.is_zero(x)) return;
+  const Term term = graph.scaled(x);
+  if (!graph.is_coefficient(x)) {
+    if (!graph.is_literal(term.coefficient, 1.0)) {
+      require_nonzero(graph, term.coefficient, text, out);
+      require_nonzero(graph, term.node, text, out);
+      return;
+    }
+    const Node node = graph[x];
+    if (node.kind == Kind::product) {
+      for (const Term& factor : node.terms) require_nonzero(graph, factor.node, text, out);
+      return;
+    }
+  }
+  add({x, false, std::string(text)}, out);
+}
+
+void require_positive(Graph& graph, NodeId x, std::string_view text, std::vector<Condition>& out) {
+  if (sign(graph, x) == Sign::positive) return;
+  const Term term = graph.scaled(x);
+  NodeId odd = term.coefficient;
+  if (!graph.is_coefficient(x)) {
+    const Node node = graph[term.node];
+    if (node.kind == Kind::product) {
+      for (const Term& factor : node.terms) {
+        if (factor.exponent % 2 == 0) {
+          require_nonzero(graph, factor.node, text, out);
+        } else if (sign(graph, factor.node) != Sign::positive) {
+          odd = graph.multiply(odd, factor.node);
+        }
+      }
+    } else if (sign(graph, term.node) != Sign::positive) {
+      odd = graph.multiply(odd, term.node);
+    }
+  }
+  if (sign(graph, odd) != Sign::positive) add({odd, true, std::string(text)}, out);
+}
+
+}  // namespace stationary::expression
