@@ -210,7 +210,7 @@ AffineForm<D> exp(const AffineForm<D>& x) {
   if (!(m > 0x1p-1000)) return AffineForm<D>::constant(range);
   const Interval slope(m);
   const Interval ends = hull(at_low - slope * Interval(y.lo), at_high - slope * Interval(y.hi));
-  const Interval least = slope - slope * log(slope);
+  const Interval least = slope - slope * log_of_double(m);
   return on_line(x, m, Interval(std::min(least.lo, ends.lo), ends.hi), range);
 }
 
@@ -226,7 +226,7 @@ AffineForm<D> log(const AffineForm<D>& x) {
   if (!(m > 0x1p-1000)) return AffineForm<D>::constant(range);
   const Interval slope(m);
   const Interval ends = hull(at_low - slope * Interval(y.lo), at_high - slope * Interval(y.hi));
-  const Interval most = -(log(slope) + Interval(1.0));
+  const Interval most = -(log_of_double(m) + Interval(1.0));
   return on_line(x, m, Interval(ends.lo, std::max(most.hi, ends.lo)), range);
 }
 

@@ -134,8 +134,7 @@ class BranchAndPrune {
       for (const auto& known : out_.solutions)
         if (within(box, known.proof.unique)) return;
       if constexpr (requires { boxes_.contract(box); }) {
-        static const int CC = getenv("CC") ? atoi(getenv("CC")) : 8;
-        if (pass < CC && !boxes_.contract(box)) return;
+        if (pass == 0 && !boxes_.contract(box)) return;
       }
       const auto over = boxes_.linearize(box);
       for (const Interval& g : over.g)

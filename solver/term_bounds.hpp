@@ -14,7 +14,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -106,6 +106,9 @@ class TermBounds {
   /// Bits of the bases that may have either sign in the box.
   unsigned undecided_bases() const;
   void keep(const Form& form, const Interval& values, Left& left) const;
+  /// Numbers of the scales that are largest in the middle of the box, the largest first: against
+  /// a small one the large terms only differ by more.
+  std::vector<std::size_t> largest_scales() const;
   void tighten(const Signs& signs, Left& left) const;
   SmallMatrix<D> middle_jacobian() const;
 
@@ -113,10 +116,9 @@ class TermBounds {
   std::vector<Entries> force_;       ///< with the centrifugal terms
   std::vector<Entries> directions_;  ///< rows, their sums and differences
   std::vector<std::vector<Entries>> slope_;
-  std::vector<int> scales_;
+  std::vector<Ratio> scales_;               ///< by 1
   std::vector<std::vector<Ratio>> ratios_;  ///< by scale, of every term
   std::vector<Ratio> terms_;                ///< by 1
-  std::vector<Ratio> scale_ratio_;
   std::vector<int> unsigned_;               ///< bases to whole negative powers alone
   // Of the box that is examined.
   mutable std::array<Form, 3> x_;
@@ -166,7 +168,7 @@ TermBounds<D>::TermBounds(std::shared_ptr<const expression::TermTable> table,
     std::vector<Ratio> all;
     for (const expression::Monomial& each : table_->terms) all.push_back(ratio(each, scale));
     ratios_.push_back(std::move(all));
-    scale_ratio_.push_back(ratio(scale, one));
+    scales_.push_back(ratio(scale, one));
   }
   atoms_.resize(table_->atoms.size());
   for (std::size_t k = 0; k < table_->atoms.size(); ++k)
@@ -407,6 +409,21 @@ SmallMatrix<D> TermBounds<D>::middle_jacobian() const {
 }
 
 template <int D>
+std::vector<std::size_t> TermBounds<D>::largest_scales() const {
+  // Fewer leave more boxes, more take longer over each: least work over published materials.
+  constexpr std::size_t most = 8;
+  std::vector<std::pair<double, std::size_t>> by_size;
+  for (std::size_t k = 0; k < scales_.size(); ++k) {
+    const auto value = evaluate(scales_[k]);
+    by_size.emplace_back(value ? std::abs(value->center) : 0.0, k);
+  }
+  std::ranges::sort(by_size, std::greater());
+  std::vector<std::size_t> out;
+  for (std::size_t k = 0; k < std::min(most, by_size.size()); ++k) out.push_back(by_size[k].second);
+  return out;
+}
+
+template <int D>
 void TermBounds<D>::tighten(const Signs& signs, Left& left) const {
   evaluate_atoms(signs, left);
   if (left.empty) return;
@@ -429,20 +446,7 @@ void TermBounds<D>::tighten(const Signs& signs, Left& left) const {
     if (finite && D > 1) rows.push_back(row);
   }
   std::vector<std::optional<Form>> terms(table_->terms.size());
-  static const int K = getenv("KS") ? atoi(getenv("KS")) : 100;
-  static const int DIRS = getenv("DIRS") ? atoi(getenv("DIRS")) : 3;
-  std::vector<std::pair<double, std::size_t>> order;
-  {
-    // by magnitude at the centre
-    for (std::size_t k = 0; k < ratios_.size(); ++k) {
-      const auto v = evaluate(scale_ratio_[k]);
-      order.push_back({v ? -std::log(std::abs(v->center)+1e-300) : 1e300, k});
-    }
-    std::sort(order.begin(), order.end());
-  }
-  int used_scales = 0;
-  for (const auto& [mag, which] : order) {
-    if (used_scales++ >= K) break;
+  for (const std::size_t which : largest_scales()) {
     const std::vector<Ratio>& by_scale = ratios_[which];
     bool usable = true;
     for (const Entries& row : force_)
@@ -458,14 +462,11 @@ void TermBounds<D>::tighten(const Signs& signs, Left& left) const {
         out.add(each.coefficient, *terms[static_cast<std::size_t>(each.term)]);
       return out.form();
     };
-    for (std::size_t dd = 0; dd < directions_.size(); ++dd) {
-      if (dd >= D && !(DIRS & 1)) break;
-      const Entries& direction = directions_[dd];
+    for (const Entries& direction : directions_) {
       keep(merged_sum(direction), Interval(0.0), left);
       if (left.empty) return;
     }
     for (const auto& row : rows) {
-      if (!(DIRS & 2)) break;
       Entries all;
       for (std::size_t i = 0; i < D; ++i) {
         for (const Entry& each : force_[i]) {
@@ -485,7 +486,8 @@ void TermBounds<D>::tighten(const Signs& signs, Left& left) const {
 
 template <int D>
 bool TermBounds<D>::contract(Sides& box) const {
-  static const int most_passes = getenv("PASS") ? atoi(getenv("PASS")) : 6;
+  constexpr int most_passes = 6;
+  constexpr double worth_another = 0.8;  // of a side that is left
   constexpr int most_undecided = 2;
   for (int pass = 0; pass < most_passes; ++pass) {
     Sides logs;
@@ -525,7 +527,7 @@ bool TermBounds<D>::contract(Sides& box) const {
       smallest = std::min(smallest, 0.5 * (kept.epsilon[j].hi - kept.epsilon[j].lo));
       box[j] = common(box[j], narrowed);
     }
-    static const double SH = getenv("SH") ? atof(getenv("SH")) : 0.8; if (!(smallest < SH)) break;
+    if (!(smallest < worth_another)) break;
   }
   return true;
 }

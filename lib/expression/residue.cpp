@@ -1,6 +1,7 @@
 #include "lib/expression/residue.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -44,6 +45,12 @@ constexpr std::uint64_t to_power(std::uint64_t x, std::uint64_t n, std::uint64_t
 }
 constexpr std::uint64_t inverse(std::uint64_t x, std::uint64_t modulus) {
   return to_power(x, modulus - 2, modulus);
+}
+/// Of 2 and 10, known once.
+constexpr std::uint64_t inverse_of(int base, std::uint64_t modulus) {
+  constexpr std::array of_two{inverse(2, p), inverse(2, m)};
+  constexpr std::array of_ten{inverse(10, p), inverse(10, m)};
+  return (base == 2 ? of_two : of_ten)[modulus == p ? 0 : 1];
 }
 constexpr bool is_square(std::uint64_t x) { return to_power(x, m, p) == 1; }
 constexpr std::uint64_t whole(long n, std::uint64_t modulus) {
@@ -169,11 +176,11 @@ Residue ResiduePoint::power(const Residue& base, const Residue& exponent) {
 
 /// An exact double is a whole number times a power of two.
 Residue ResiduePoint::literal(const Node& node) {
-  const auto modulo = [&](std::uint64_t modulus, std::uint64_t base, std::uint64_t digits,
-                          int power) {
-    const std::uint64_t scale =
-        to_power(base, static_cast<std::uint64_t>(std::abs(power)), modulus);
-    return times(digits % modulus, power < 0 ? inverse(scale, modulus) : scale, modulus);
+  const auto modulo = [](std::uint64_t modulus, int base, std::uint64_t digits, int power) {
+    const auto of_base = static_cast<std::uint64_t>(base);
+    const std::uint64_t unit = power < 0 ? inverse_of(base, modulus) : of_base;
+    return times(digits % modulus,
+                 to_power(unit, static_cast<std::uint64_t>(std::abs(power)), modulus), modulus);
   };
   if (node.index != 0) {
     if (!node.decimal.known())
@@ -184,8 +191,11 @@ Residue ResiduePoint::literal(const Node& node) {
   if (!std::isfinite(node.literal)) usable_ = false;
   int power = 0;
   const double fraction = std::frexp(std::abs(node.literal), &power);
-  const auto digits = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
-  const Residue out{modulo(p, 2, digits, power - 53), modulo(m, 2, digits, power - 53)};
+  auto digits = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
+  const int zeros = digits == 0 ? 0 : std::countr_zero(digits);
+  digits >>= zeros;
+  power += zeros - 53;
+  const Residue out{modulo(p, 2, digits, power), modulo(m, 2, digits, power)};
   return node.literal < 0.0 ? -out : out;
 }
 
