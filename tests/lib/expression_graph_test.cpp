@@ -63,9 +63,9 @@ TEST_F(GraphTest, LiteralsAreCombinedOnlyWhereThatIsExact) {
   EXPECT_EQ(g.divide(number(3.0), number(4.0)), number(0.75));
   EXPECT_EQ(g[g.divide(number(1.0), number(3.0))].kind, Kind::coefficient_quotient);
   // What only rounds to a double is no double.
-  const NodeId tenth = g.number(0.1, true);
+  const NodeId tenth = g.rounded_number(0.1, Decimal());
   EXPECT_NE(tenth, number(0.1));
-  EXPECT_NE(g[g.add(tenth, g.number(0.1, true))].kind, Kind::literal);
+  EXPECT_NE(g[g.add(tenth, g.rounded_number(0.1, Decimal()))].kind, Kind::literal);
 }
 
 TEST_F(GraphTest, DerivativeOfTheLogarithmOfTheDeterminantIsOne) {

@@ -60,12 +60,10 @@ TEST(ExpressionFacts, AreFound) {
 TEST(ExpressionFacts, SayHowTheyWereEstablished) {
   EXPECT_EQ(written_facts("k*t", names).isotropic, Verdict::term_by_term);
   const Facts facts = written_facts("xi^3 + zeta^3 + 3*alpha^2*(xi + zeta)", names);
-  EXPECT_EQ(facts.isotropic, Verdict::at_points);
+  EXPECT_EQ(facts.isotropic, Verdict::exactly);
   EXPECT_EQ(facts.sentences,
             (std::vector<std::string>{
-                "made of alpha, xi, zeta",
-                "isotropic (a function of t, d and rho): holds at pseudo-random points to 20 "
-                "digits",
+                "made of alpha, xi, zeta", "isotropic (a function of t, d and rho): holds exactly",
                 "separable (a potential of the plane and one of the thickness): holds term by "
                 "term"}));
   EXPECT_EQ(written_facts("k*alpha", names).shear_free, Verdict::refuted);

@@ -436,8 +436,8 @@ TEST(ExpressionModels, CoefficientsAreCounted) {
   EXPECT_THROW(
       PlanarExpression<>(expression::planar_tape(parsed.expression), coefficient_list(one)),
       std::invalid_argument);
-  const std::vector<double> nine(9, 1.0);
-  EXPECT_THROW(coefficient_list(nine), std::invalid_argument);
+  EXPECT_NO_THROW(coefficient_list(std::vector<double>(32, 1.0)));
+  EXPECT_THROW(coefficient_list(std::vector<double>(33, 1.0)), std::invalid_argument);
 }
 
 }  // namespace

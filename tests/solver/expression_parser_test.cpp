@@ -103,7 +103,8 @@ struct Wrong {
 
 constexpr const char* operand = R"(a number, a name, "(" or a sign)";
 constexpr const char* name =
-    "a variable (alpha, xi, zeta, rho, t, d, I1, lambda, mu_, pi or e) or a parameter (k or n)";
+    "a variable (alpha, xi, zeta, rho, t, d, I1, lambda, mu_, I2, I3, pi or e) or a parameter (k "
+    "or n)";
 constexpr const char* function =
     "a function (sqrt, exp, log, sin, cos, tan, tanh, atan, abs, pow, min or max)";
 constexpr const char* more = "an operator or the end";
@@ -148,7 +149,7 @@ TEST(ExpressionParser, WrongExpressionsAreRefusedAtTheirCharacter) {
        "min has no derivative where its arguments are equal"},
       {"max(k, rho)", 0, R"("max" of a variable)", R"("max" of numbers and parameters alone)",
        "max has no derivative where its arguments are equal"},
-      {"ln(d)", 0, R"("ln(")", function, R"(did you mean "log"?)"},
+      {"lg(d)", 0, R"("lg(")", function, R"(did you mean "log"?)"},
       {"1e999*t", 0, R"("1e999")", number, ""},
       {"1e-999*t", 0, R"("1e-999")", number, ""},
       {"t & d", 2, R"("&")", more, ""},
@@ -288,7 +289,7 @@ TEST(ExpressionParser, DepthAndLengthAreBounded) {
   std::string tower = "t";
   for (int i = 0; i < 2000; ++i) tower += "^1";
   EXPECT_NO_THROW(parse(tower));
-  const std::vector<std::string> many(9, "k");
+  const std::vector<std::string> many(33, "k");
   EXPECT_THROW(parse_expression("t", many, ExpressionSlot::plane), ExpressionError);
 }
 
