@@ -340,8 +340,9 @@ class BranchAndPrune {
   void try_unproven(ReducedVector<N> x, const Box<N>& box) {
     if (!newton(system_, x).converged) return;
     const Refined refined = refine(system_, x);
-    // At a double root, or on a line of solutions, any point would do.
-    constexpr double isolated = 1e-6;
+    // At a double root, or on a line of solutions, any point would do; and where half of a double's
+    // digits are lost the rounding of the case decides whether there is one.
+    constexpr double isolated = 1e-9;
     if (!refined.converged || !(refined.error_bound < isolated)) return;
     ProvenSolution<N> found{x, {}};
     found.proof.error_bound = refined.error_bound;

@@ -52,9 +52,18 @@ class DomainGuard {
     return nullptr;
   }
 
-  /// Whether a point near the one entered lies in the same part of the domain.
+  /// Whether a point near the one entered lies in the same part of the domain, and would where each
+  /// of its coordinates, and so what rounding does to a condition, were some units off.
   bool has(const ArcPoint<N>& point) const {
-    return broken_at(curve_->family().conditions(point.x, point.p)) == nullptr;
+    constexpr double some_units = 0x1p-48;
+    if (broken_at(curve_->family().conditions(point.x, point.p)) != nullptr) return false;
+    for (int k = 0; k < 2 * N; ++k) {
+      ReducedVector<N> step = ReducedVector<N>::Zero();
+      step[k / 2] = k % 2 == 0 ? some_units : -some_units;
+      if (broken_at(curve_->family().conditions(moved<N>(point.x, step), point.p)) != nullptr)
+        return false;
+    }
+    return true;
   }
 
   /// What is broken at a distance along a direction.

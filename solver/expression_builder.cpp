@@ -247,7 +247,7 @@ NodeId ExpressionBuilder::applied(const Call& call) {
   if (name == "min") return graph().minimum(top(1).node, top(0).node);
   if (name == "max") return graph().maximum(top(1).node, top(0).node);
   const Operand& x = top(0);
-  if (name == "log" || name == "sqrt") require_positive(x);
+  if (name == "log" || (name == "sqrt" && !graph().is_coefficient(x.node))) require_positive(x);
   if (name == "tan") {
     const NodeId cosine = graph().apply(Function::cos, x.node);
     expression::require_nonzero(graph(), cosine, "cos(" + condition(x, ") != 0"),
@@ -296,6 +296,9 @@ NodeId ExpressionBuilder::power(const Operand& base, NodeId exponent, std::size_
   const expression::Node by = graph()[exponent];
   const bool whole = graph().is_exact_literal(exponent) && by.literal == std::floor(by.literal);
   if (by.kind == expression::Kind::literal && by.literal < 0.0) require_divisor(base.node, offset);
+  // A root or power of numbers alone is a number, which the case is refused for where it is none.
+  if (graph().is_coefficient(base.node) && graph().is_coefficient(exponent))
+    return graph().power(base.node, exponent);
   if (!whole) {
     require_positive(base);
     if (by.kind == expression::Kind::parameter)

@@ -69,7 +69,7 @@ TEST(ExpressionCase, WrongOnesAreRefusedAtTheirCharacter) {
       {"plane = { expression = \"mu_*d\", mu_ = 1.0 }", ":7:33",
        "mu_ is the smaller principal stretch"},
       {"plane = { expression = \"(lambda+2*mu_+1e9)^1000+(2*lambda+mu_+1e9)^1000\" }", ":7:24",
-       "could not be decided"},
+       "numbers at a time"},
       {"plane = { expression = \"lambda*lambda_^2 - mu_\", lambda = 1.0 }", ":7:24",
        "lambda_ and mu_ must enter symmetrically"},
       // Constants that are no numbers.

@@ -88,8 +88,8 @@ TEST_P(PublishedMaterialTest, EverySpellingHasTheSameSheets) {
   // The last spelling is the least like the first.
   for (const std::string& spelling : {material().spellings.front(), material().spellings.back()}) {
     const std::string path = directory.file(
-        "material.toml",
-        case_of(material(), spelling, "i", "[continuation]\nfrom = 0.0\nto = 0.8\n"));
+        "material.toml", case_of(material(), spelling, "i",
+                                 "[continuation]\nparameter = \"nu\"\nfrom = 0.0\nto = 0.8\n"));
     const Outcome atlas =
         run_program({"atlas", path, "--checkpoints", "8", "-o", directory / "atlas.csv"});
     ASSERT_EQ(atlas.code, 0) << spelling << "\n" << atlas.err;

@@ -179,7 +179,7 @@ class Judge {
     SearchOptions options;
     options.min_stretch = min_stretch;
     options.max_stretch = max_stretch;
-    constexpr long most_boxes = 3000;
+    constexpr long most_boxes = 800;
     options.max_boxes = most_boxes;
     const double nu = std::stod(c_.nu);
     const SearchResult found = search(problem, nu, options);
