@@ -4,8 +4,10 @@
 //   stress DIRECTORY [SHARE]     stress.csv, stress_fold.csv, stress_fold.svg, stress_fold.png;
 //                                SHARE of the cases, by default 1: all
 //
-// Exit code 0: every claim was true; 1: the untrue ones are listed on standard error; 2: usage.
+// Exit code 0: every claim was true, and of random formulas enough were tried; 1: the untrue ones
+// are listed on standard error; 2: usage.
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -15,6 +17,7 @@
 #include "solver/gnuplot.hpp"
 #include "tests/stress/categories.hpp"
 #include "tests/stress/fold_figure.hpp"
+#include "tests/stress/formula_judge.hpp"
 
 namespace {
 
@@ -22,6 +25,7 @@ using namespace stationary;
 using namespace stationary::stress;
 
 constexpr long ladder_folds = 2000;
+constexpr long formulas = 3000;
 
 void write(const std::filesystem::path& path, const std::string& text) {
   AtomicFile file(path);
@@ -43,6 +47,20 @@ bool report(std::string_view name, const Tally& tally) {
   return tally.faults.empty() && tally.reported() == tally.tried;
 }
 
+/// Likewise, and whether so many claims of each kind were tried.
+bool report(const FormulaTally& tally, double share) {
+  std::fprintf(stderr, "random formulas      %s\n", text_of(tally).c_str());
+  for (const std::string& fault : tally.faults) std::fprintf(stderr, "  %s\n", fault.c_str());
+  const auto at_least = [&](long count, double wanted) {
+    return static_cast<double>(count) >= share * wanted;
+  };
+  const auto taken = static_cast<double>(tally.cases - tally.refused);
+  return tally.faults.empty() && at_least(tally.proven, 2000.0) && at_least(tally.none, 300.0) &&
+         at_least(tally.domain_ends, 200.0) &&
+         static_cast<double>(tally.anisotropic) >= 0.3 * taken &&
+         static_cast<double>(tally.poles) >= 0.2 * taken;
+}
+
 bool measure(const std::filesystem::path& into, double share) {
   bool all_true = true;
   std::string table = tally_header();
@@ -52,6 +70,11 @@ bool measure(const std::filesystem::path& into, double share) {
     table += tally_line(category.name, tally);
   }
   write(into / "stress.csv", table);
+
+  constexpr std::uint64_t seed = 2026;
+  all_true =
+      report(judged_formulas(std::lround(share * static_cast<double>(formulas)), seed), share) &&
+      all_true;
 
   const auto ladder = fold_ladder(std::lround(share * static_cast<double>(ladder_folds)));
   for (const Rung& rung : ladder) all_true = report("beside a fold", rung.tally) && all_true;
