@@ -185,6 +185,39 @@ TEST(ExpressionCase, FactsAreThoseOfTheParametersGiven) {
   EXPECT_THAT(oriented, HasSubstr("V_alpha = 0 at alpha = 0: does not hold"));
 }
 
+/// Numbers whose products are none: refused for what they are.
+TEST(ExpressionCase, SizesThatCannotBeComputedWithAreRefused) {
+  const TemporaryDirectory directory;
+  for (const char* size : {"1e200", "1e300", "1e-200"}) {
+    const std::string path =
+        directory.file("size.toml", case_with("plane = { expression = \"" + std::string(size) +
+                                              "*(I1 + 1/d)\" }\n" + thickness));
+    const Outcome outcome = run_program({"solve", path});
+    EXPECT_EQ(outcome.code, 2) << size;
+    EXPECT_THAT(outcome.err,
+                HasSubstr(":7:24: potential.plane.expression: found second derivatives"));
+    EXPECT_THAT(outcome.err, HasSubstr("from 1e-100 to 1e+100"));
+  }
+}
+
+/// Terms far larger than their sum: the energy is that of the sum, in a row as in a followed curve.
+TEST(ExpressionCase, EnergyIsThatOfTheSum) {
+  const TemporaryDirectory directory;
+  const auto energies = [&](const std::string& expression) {
+    const std::string path = directory.file(
+        "sum.toml", case_with("plane = { expression = \"" + expression + "\" }\n" + thickness,
+                              "[continuation]\nparameter = \"nu\"\nfrom = 0.0\nto = 0.3\n"));
+    std::vector<double> out;
+    out.push_back(number(only_row(run_program({"solve", path, "-o", "-"}).out)["energy"]));
+    out.push_back(number(rows_of(run_program({"continue", path, "-o", "-"}).out).back()["energy"]));
+    return out;
+  };
+  const auto plain = energies("I1 + 1/d");
+  EXPECT_NEAR(plain[0], plain[1], 1e-15);
+  for (const double each : energies("1e15*(d + 1) - 1e15*d - 1e15 + I1 + 1/d"))
+    EXPECT_NEAR(each, plain[0], 1e-14);
+}
+
 /// (iii) with J1 = J2, whichever part is a formula: the circle, and a vertical branch as of the
 /// built-in model that the formula writes out.
 TEST(ExpressionCase, CirclesAndVerticalBranches) {
