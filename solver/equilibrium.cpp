@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <type_traits>
 
@@ -146,8 +147,9 @@ Equilibrium solve(const Problem& problem, double nu, const SolveOptions& options
   out.compatibility = check.compatibility;
   if (!(out.residual <= acceptable_residual)) {
     out.status = SolveStatus::failed;
-    out.message += "; but the recomputed balance residual " + std::to_string(out.residual) +
-                   " is no equilibrium";
+    std::ostringstream text;
+    text << "; but the recomputed balance residual " << out.residual << " is no equilibrium's";
+    out.message += text.str();
   }
   return out;
 }

@@ -44,6 +44,13 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
     refuse(fmt::format("{} has {} rows, {} by its metadata", printable(path), out.rows.size(),
                        record->rows));
   }
+  TableChecksum checksum;
+  for (const TableRow& row : out.rows) checksum.add(row, columns, parameter.has_value());
+  if (checksum.text() != record->checksum) {
+    refuse(printable(path) +
+           " was changed since it was written: its rows are not those that its "
+           "metadata have the checksum of");
+  }
   out.events = std::move(record->events);
   return out;
 }
