@@ -38,7 +38,7 @@ struct MapCounts {
     ++rows;
     ++statuses[row.status];
     if (!row.stability.empty()) ++classes[row.stability];
-    if (row.certified != proof_word(false)) ++proven;
+    if (!row.certified.empty() && row.certified != proof_word(false)) ++proven;
   }
   std::size_t of(CellStatus status) const {
     const auto at = statuses.find(name(status));

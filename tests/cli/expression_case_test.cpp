@@ -188,7 +188,7 @@ TEST(ExpressionCase, FactsAreThoseOfTheParametersGiven) {
 /// Numbers whose products are none: refused for what they are.
 TEST(ExpressionCase, SizesThatCannotBeComputedWithAreRefused) {
   const TemporaryDirectory directory;
-  for (const char* size : {"1e200", "1e300", "1e-200"}) {
+  for (const char* size : {"1e120", "1e200", "1e300"}) {
     const std::string path =
         directory.file("size.toml", case_with("plane = { expression = \"" + std::string(size) +
                                               "*(I1 + 1/d)\" }\n" + thickness));
@@ -196,7 +196,7 @@ TEST(ExpressionCase, SizesThatCannotBeComputedWithAreRefused) {
     EXPECT_EQ(outcome.code, 2) << size;
     EXPECT_THAT(outcome.err,
                 HasSubstr(":7:24: potential.plane.expression: found second derivatives"));
-    EXPECT_THAT(outcome.err, HasSubstr("from 1e-100 to 1e+100"));
+    EXPECT_THAT(outcome.err, HasSubstr("at most 1e+100"));
   }
 }
 
