@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lib/elastic_energy.hpp"
 #include "lib/model_domain.hpp"
 
 namespace stationary {
@@ -220,8 +221,8 @@ bool Potential::assumptions_refuted(const BasicStretch<Interval>& box, bool deci
 }
 
 double Potential::value(const Stretch& q) const {
-  if (!is_isotropic()) return potential_derivatives<0>(anisotropic().model(), q).value;
-  return visit([&](const auto& model) { return potential_derivatives<0>(model, q).value; });
+  if (!is_isotropic()) return elastic_energy(anisotropic().model(AsExtended()), q);
+  return visit([&](const auto& model) { return elastic_energy(model, q); });
 }
 
 std::vector<ConditionValue> Potential::conditions_at(const Stretch& q) const {

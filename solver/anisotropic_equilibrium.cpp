@@ -87,7 +87,7 @@ class AnisotropicSolve {
                                                 alpha_free, {.parameter = {}, .spectrum = false});
     std::visit([&](const auto& each) { one(*each, speed); }, family);
     if (wants_search() && out_.status == SolveStatus::not_found)
-      nearest_of(search_anisotropic(problem, speed, {.stop = options_.stop}));
+      nearest_of(search_anisotropic(problem, speed, short_search()));
     out_.nu = angular_velocity(branch, nu);
     return out_;
   }
@@ -108,12 +108,14 @@ class AnisotropicSolve {
       if (out_.status == SolveStatus::not_found) out_.message = failures;
     }
     if (wants_search() && out_.status == SolveStatus::not_found)
-      nearest_of(search_oblique(body_, potential_, motion, {.stop = options_.stop}));
+      nearest_of(search_oblique(body_, potential_, motion, short_search()));
     return out_;
   }
 
  private:
   bool wants_search() const { return options_.search && options_.method == Method::automatic; }
+  /// For a solution and not for all: a tenth of the boxes, whose rest solve.all goes through.
+  SearchOptions short_search() const { return {.max_boxes = 1000, .stop = options_.stop}; }
   bool stopped() const {
     return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
   }

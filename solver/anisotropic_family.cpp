@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "lib/elastic_energy.hpp"
 #include "solver/newton.hpp"
 #include "solver/oriented_stability.hpp"
 #include "solver/oriented_system.hpp"
@@ -250,7 +251,10 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       out.residual = check.residual;
       out.compatibility = check.compatibility;
     }
-    if (options_.energy) out.energy = energy(at.body, V.value, out.q, out.angular_velocity);
+    if (options_.energy) {
+      out.energy =
+          energy(at.body, elastic_energy(at.models->extended, out.q), out.q, out.angular_velocity);
+    }
     if constexpr (!Layout::alpha)
       out.turn = turn_of(at.body, branch_, V.hessian(0, 0), out.q, at.nu);
   }

@@ -6,8 +6,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstddef>
 #include <cstring>
+#include <optional>
+#include <string>
 #include <system_error>
 
 namespace stationary {
@@ -29,6 +33,35 @@ int write_all(int descriptor, std::string_view bytes) {
 }
 
 [[noreturn]] void refuse(int reason) { throw UnwritableFile(std::strerror(reason)); }
+
+/// The process that made a temporary file of this name for `target`; none of any other name.
+std::optional<::pid_t> maker(const std::string& name, const std::string& target) {
+  const std::string before = "." + target + ".";
+  constexpr std::string_view after = ".tmp";
+  if (!name.starts_with(before) || !name.ends_with(after)) return std::nullopt;
+  const char* const end = name.data() + name.size() - after.size();
+  ::pid_t process = 0;
+  int attempt = 0;
+  const auto first = std::from_chars(name.data() + before.size(), end, process);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != '-') return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, attempt);
+  if (second.ec != std::errc() || second.ptr != end || process <= 0) return std::nullopt;
+  return process;
+}
+
+/// Removes what killed processes left of the same target.
+void clear_leftovers(const fs::path& target) {
+  std::error_code error;
+  const fs::path directory = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  fs::directory_iterator entries(directory, error);
+  for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
+    const auto process = maker(entries->path().filename().string(), target.filename().string());
+    if (process && ::kill(*process, 0) != 0 && errno == ESRCH) {
+      std::error_code ignored;
+      fs::remove(entries->path(), ignored);
+    }
+  }
+}
 
 constexpr mode_t all_may = 0666;  // less the umask
 
@@ -52,6 +85,7 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(target) {
     if (descriptor_ < 0) refuse(errno);
     return;
   }
+  clear_leftovers(target_);
   // The process id alone may repeat one of a killed run, so names are tried until one is new.
   constexpr int attempts = 100;
   for (int k = 0; k < attempts && descriptor_ < 0; ++k) {

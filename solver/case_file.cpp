@@ -276,10 +276,11 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
                    "a number > 0 and <= 0.5");
   }
   out.max_points = value_or(tree, "continuation.max_points", out.max_points);
-  if (!(out.max_points >= 2.0 && out.max_points <= 1e15 &&
+  constexpr double most_points = 1e8;  // those of one direction are kept until the other is known
+  if (!(out.max_points >= 2.0 && out.max_points <= most_points &&
         out.max_points == std::floor(out.max_points))) {
     throw fault_at(tree, "continuation.max_points", fmt::format("found {}", out.max_points),
-                   "a whole number >= 2");
+                   fmt::format("a whole number from 2 to {}", most_points));
   }
   out.events = read_names(tree, "continuation.events", locatable_events());
   // Both domains are convex, so the ends of the range answer for all of it.
@@ -293,6 +294,27 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
     }
   }
   return out;
+}
+
+/// A formula whose second derivatives, products of three of which are formed, can be computed with.
+void require_scale(const CaseTree& tree, const std::vector<ModelChoice>& models,
+                   const Potential& potential) {
+  constexpr double most = 1e100;
+  const auto written =
+      std::ranges::find_if(models, [](const ModelChoice& each) { return each.tape != nullptr; });
+  if (written == models.end()) return;
+  for (const double r : {1.0, 0.75, 1.5}) {
+    const Stretch q{0.0, r, r, r};
+    if (!std::ranges::all_of(potential.conditions_at(q), &ConditionValue::holds)) continue;
+    const double size = potential.derivatives(q).hessian.cwiseAbs().maxCoeff();
+    if (std::isnan(size)) continue;
+    if (size <= most) return;
+    throw fault_at(
+        tree, dotted(dotted("potential", written->slot), "expression"),
+        fmt::format("found second derivatives of size {:.0e} at S = {} times the unit", size, r),
+        fmt::format("at most {:.0e}", most),
+        "V and J in larger units leave S and nu as they are");
+  }
 }
 
 Case::Output read_output(const CaseTree& tree) {
@@ -342,10 +364,12 @@ Case make_case(CaseTree tree) {
   const auto continuation = read_continuation(tree, {body, models, motion});
   const auto map = read_map(tree, {body, models, motion});
   const Case::Output output = read_output(tree);
+  Potential potential = make_potential(models);
+  require_scale(tree, models, potential);
   return {.title = title,
           .body = body,
           .models = models,
-          .potential = make_potential(models),
+          .potential = std::move(potential),
           .motion = motion,
           .solve = solve,
           .continuation = continuation,

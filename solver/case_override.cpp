@@ -7,6 +7,7 @@
 
 #include "solver/case_tree.hpp"
 #include "solver/characters.hpp"
+#include "solver/toml_depth.hpp"
 
 namespace stationary {
 namespace {
@@ -53,6 +54,10 @@ Assignment split(std::string_view text) {
                  "a dotted key such as motion.nu", {});
     }
   }
+  if (out.path.size() > static_cast<std::size_t>(largest_key_parts)) {
+    out.refuse("found a key of " + std::to_string(out.path.size()) + " parts",
+               "at most " + std::to_string(largest_key_parts), {});
+  }
   if (out.value.empty())
     out.refuse("found no value", "key=value", "an empty text is written '" + out.key + "=\"\"'");
   return out;
@@ -60,6 +65,11 @@ Assignment split(std::string_view text) {
 
 /// The value as a table of one key "value": a node cannot be moved out of its tree without it.
 toml::table parse_value(const Assignment& assignment) {
+  if (too_deep(assignment.value)) {
+    assignment.refuse("found a value that nests more deeply than a case does",
+                      "at most " + std::to_string(largest_toml_depth) + " brackets in one another",
+                      {});
+  }
   try {
     toml::table out = toml::parse("value = " + assignment.value);
     if (out.size() == 1) return out;

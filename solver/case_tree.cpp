@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstddef>
@@ -10,6 +11,8 @@
 #include <filesystem>
 #include <memory>
 #include <utility>
+
+#include "solver/toml_depth.hpp"
 
 namespace stationary {
 namespace {
@@ -85,6 +88,15 @@ CaseTree CaseTree::parse(std::string_view text, const std::string& name) {
   CaseTree out;
   out.name_ = name;
   const Origin whole = Origin::in_file(name, 1, 1);
+  if (const auto at = too_deep(text)) {
+    const std::string_view before = text.substr(0, *at);
+    const std::size_t line_begin = before.rfind('\n') + 1;  // 0 on the first line
+    throw InputError(Origin::in_file(name, static_cast<int>(std::ranges::count(before, '\n')) + 1,
+                                     static_cast<int>(*at - line_begin) + 1),
+                     "", "found TOML that nests more deeply than a case does",
+                     fmt::format("keys of at most {} parts, and at most {} brackets in one another",
+                                 largest_key_parts, largest_toml_depth));
+  }
   try {
     out.root_ = toml::parse(text);
   } catch (const toml::parse_error& error) {

@@ -9,6 +9,7 @@
 
 #include "lib/motion.hpp"
 #include "lib/spectrum.hpp"
+#include "solver/event.hpp"
 #include "solver/hdf5_handle.hpp"
 #include "solver/map_grid.hpp"
 
@@ -37,7 +38,11 @@ std::vector<std::string_view> words(Column c) {
   };
   switch (c) {
     case Column::branch:
-      add(std::array{name(Branch::i), name(Branch::ii), name(Branch::iii)});
+      add(std::array{name(Branch::i), name(Branch::ii), name(Branch::iii), tilted_name,
+                     oblique_name, two_polar_name});
+      break;
+    case Column::event:
+      add(event_names);
       break;
     case Column::stability:
       add(stability_names);
@@ -122,6 +127,10 @@ struct Dataset {
     if (kind == CellKind::count) return counts.data();
     return codes.data();
   }
+  hid_t file_type() const {
+    if (kind == CellKind::text) return type.id();
+    return kind == CellKind::count ? H5T_STD_I32LE : H5T_IEEE_F64LE;
+  }
   hid_t memory_type() const {
     if (kind == CellKind::number) return H5T_NATIVE_DOUBLE;
     return kind == CellKind::count ? H5T_NATIVE_INT32 : type.id();
@@ -143,19 +152,29 @@ struct ColumnFileWriter::Data {
   std::vector<Dataset> columns;
   hsize_t written = 0;
   hsize_t waiting = 0;
+  bool created = false;
 
+  /// The datasets, of so many rows as far as is known.
+  void create(std::size_t rows) {
+    const hsize_t blocks = std::max<hsize_t>(1, (rows + longest_block - 1) / longest_block);
+    block = std::max<hsize_t>(1, (rows + blocks - 1) / blocks);
+    for (Dataset& each : columns) each.set = create(each.name, each.file_type());
+    created = true;
+  }
   Handle create(const std::string& name, hid_t type) const {
     const hsize_t none = 0;
     const hsize_t unlimited = H5S_UNLIMITED;
     const Handle space = require(Handle(H5Screate_simple(1, &none, &unlimited), H5Sclose), name);
     const Handle layout = require(Handle(H5Pcreate(H5P_DATASET_CREATE), H5Pclose), name);
     require(H5Pset_chunk(layout.id(), 1, &block), name);
+    require(H5Pset_obj_track_times(layout.id(), false), name);
     return require(Handle(H5Dcreate2(file.id(), name.c_str(), type, space.id(), H5P_DEFAULT,
                                      layout.id(), H5P_DEFAULT),
                           H5Dclose),
                    name);
   }
   void flush() {
+    if (!created) create(waiting);
     if (waiting == 0) return;
     const hsize_t total = written + waiting;
     for (Dataset& each : columns) {
@@ -180,19 +199,21 @@ bool is_column_file_extension(std::string_view extension) {
 }
 
 ColumnFileWriter::ColumnFileWriter(const std::string& path, const std::vector<Column>& columns,
-                                   const std::vector<std::string>& parameters, std::size_t rows)
-    : data_(std::make_unique<Data>()) {
+                                   const std::vector<std::string>& parameters,
+                                   std::optional<std::size_t> rows)
+    : RowSink(columns, parameters.size()), data_(std::make_unique<Data>()) {
   silence_hdf5();
   const Handle creation = require(Handle(H5Pcreate(H5P_FILE_CREATE), H5Pclose), path);
   require(H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
           path);
+  require(H5Pset_obj_track_times(creation.id(), false), path);
+  // The format of 1.8: metadata may be longer than the 64 KiB of an attribute before.
+  const Handle access = require(Handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), path);
+  require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_LATEST), path);
   data_->file = require(
-      Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), H5P_DEFAULT), H5Fclose), path);
-  const hsize_t blocks = std::max<hsize_t>(1, (rows + longest_block - 1) / longest_block);
-  data_->block = std::max<hsize_t>(1, (rows + blocks - 1) / blocks);
+      Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose), path);
   std::vector<std::string> names;
-  const auto add = [&](Dataset each, hid_t type) {
-    each.set = data_->create(each.name, type);
+  const auto add = [&](Dataset each) {
     names.push_back(each.name);
     data_->columns.push_back(std::move(each));
   };
@@ -203,28 +224,26 @@ ColumnFileWriter::ColumnFileWriter(const std::string& path, const std::vector<Co
                  .column = c,
                  .type = none(H5Tclose),
                  .set = none(H5Dclose)};
-    hid_t type = each.kind == CellKind::count ? H5T_STD_I32LE : H5T_IEEE_F64LE;
     if (each.kind == CellKind::text) {
       each.words = words(c);
       each.type = enumeration(each.words);
-      type = each.type.id();
     }
-    add(std::move(each), type);
+    add(std::move(each));
   }
   for (const std::string& parameter : parameters) {
     add({.name = parameter,
          .kind = CellKind::number,
          .parameter = static_cast<int>(&parameter - parameters.data()),
          .type = none(H5Tclose),
-         .set = none(H5Dclose)},
-        H5T_IEEE_F64LE);
+         .set = none(H5Dclose)});
   }
+  if (rows) data_->create(*rows);
   write_attribute(data_->file.id(), "columns", lines(names));
 }
 
 ColumnFileWriter::~ColumnFileWriter() = default;
 
-void ColumnFileWriter::write(const TableRow& row) {
+void ColumnFileWriter::put(const TableRow& row) {
   for (Dataset& each : data_->columns) each.take(row);
   if (++data_->waiting == data_->block) data_->flush();
 }

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <istream>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,22 +29,23 @@ constexpr std::int32_t missing_count = INT32_MIN;
 /// .h5 or .hdf5, with the dot.
 bool is_column_file_extension(std::string_view extension);
 
-class ColumnFileWriter {
+class ColumnFileWriter final : public RowSink {
  public:
-  /// Creates the file, or empties it; rows: how many are expected, for the datasets' layout.
+  /// Creates the file, or empties it; rows: how many are expected where that is known, for the
+  /// datasets' layout.
   /// Throws std::runtime_error where it cannot, here and below; std::invalid_argument for a column
   /// of texts without words of its own.
   ColumnFileWriter(const std::string& path, const std::vector<Column>& columns,
-                   const std::vector<std::string>& parameters, std::size_t rows);
-  ~ColumnFileWriter();
-  ColumnFileWriter(const ColumnFileWriter&) = delete;
-  ColumnFileWriter& operator=(const ColumnFileWriter&) = delete;
+                   const std::vector<std::string>& parameters,
+                   std::optional<std::size_t> rows = std::nullopt);
+  ~ColumnFileWriter() override;
 
-  void write(const TableRow& row);
   /// Writes what is left and the metadata, and closes. Without it the file is not complete.
   void finish(const std::string& metadata);
 
  private:
+  void put(const TableRow& row) override;
+
   struct Data;
   std::unique_ptr<Data> data_;
 };

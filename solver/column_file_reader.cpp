@@ -15,7 +15,7 @@ namespace stationary {
 namespace {
 
 [[noreturn]] void refuse(const std::string& path, std::string found) {
-  throw InputError(Origin::in_file(path), "", std::move(found), "an HDF5 file written by `map`");
+  throw InputError(Origin::in_file(path), "", std::move(found), "an HDF5 file of this program's");
 }
 
 /// Empty where there is none.
@@ -117,7 +117,7 @@ std::unique_ptr<std::istream> column_file_table(const std::string& path,
     if (columns.back().rows() != columns.front().rows())
       refuse(path, "found datasets of different lengths");
   }
-  if (columns.empty()) refuse(path, "found none of the columns of a map");
+  if (columns.empty()) refuse(path, "found none of a table's columns");
   std::string text = header + '\n';
   for (std::size_t row = 0; row < columns.front().rows(); ++row) {
     for (std::size_t k = 0; k < columns.size(); ++k) {

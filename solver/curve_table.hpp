@@ -53,7 +53,7 @@ class CurveTable final : public CurveSink {
  public:
   /// Rows of sheet `sheet` from point `point` on; branch: a name that outlives this; writer may be
   /// null: then only the summary is made.
-  CurveTable(std::string_view branch, TableWriter* writer, int sheet = 1, long point = 0)
+  CurveTable(std::string_view branch, RowSink* writer, int sheet = 1, long point = 0)
       : branch_(branch), writer_(writer), point_(point) {
     row_[Column::sheet] = sheet;
   }
@@ -90,7 +90,7 @@ class CurveTable final : public CurveSink {
   double parameter_of(const TableRow& row) const;
 
   std::string_view branch_;
-  TableWriter* writer_;
+  RowSink* writer_;
   long point_;
   TableRow row_;
   CurveSummary summary_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <type_traits>
 
@@ -10,7 +11,7 @@
 #include "solver/reduced_solve.hpp"
 #include "solver/search.hpp"
 #include "solver/thickness_balance.hpp"
-#include "solver/two_polar_equilibrium.hpp"
+#include "solver/vertical_branch.hpp"
 
 namespace stationary {
 namespace {
@@ -75,25 +76,6 @@ void solve_model(const Coupled& model, const Problem& problem, double nu,
       ReducedSolve<CoupledSystem<Coupled>>(system, rest, nu, options, out.counts).run(start);
   adopt(answer, out);
   if (answer.status == SolveStatus::solved) out.q = {0.0, answer.x[0], answer.x[1], answer.x[2]};
-}
-
-/// The condition under which (iii) with J1 = J2 has its ellipses at this nu and no other, all of
-/// them on a vertical branch, if nu meets it. Without that lambda no ellipse balances there.
-std::optional<std::string> vertical_condition(const Problem& problem, double nu) {
-  if (problem.branch() != Branch::iii || !problem.body().symmetric() ||
-      !problem.potential().is_separable())
-    return std::nullopt;
-  const bool held = std::visit(
-      [](const auto& model) {
-        using Model = std::decay_t<decltype(model)>;
-        if constexpr (std::is_same_v<Model, Biot<>>) return model.lambda > 0.0;
-        if constexpr (std::is_same_v<Model, NeoHookean<>>) return model.lambda != 0.0;
-        return false;
-      },
-      problem.potential().plane());
-  if (!held) return std::nullopt;
-  const auto verdict = rates_verdict(problem.body().J1, problem.potential(), {nu, 0.0});
-  return verdict && verdict->on_line ? std::optional(verdict->condition) : std::nullopt;
 }
 
 /// NLopt's samples may miss what branch and prune cannot: of all solutions in the box the one
@@ -165,8 +147,9 @@ Equilibrium solve(const Problem& problem, double nu, const SolveOptions& options
   out.compatibility = check.compatibility;
   if (!(out.residual <= acceptable_residual)) {
     out.status = SolveStatus::failed;
-    out.message += "; but the recomputed balance residual " + std::to_string(out.residual) +
-                   " is no equilibrium";
+    std::ostringstream text;
+    text << "; but the recomputed balance residual " << out.residual << " is no equilibrium's";
+    out.message += text.str();
   }
   return out;
 }

@@ -37,7 +37,12 @@ class Handle {
   Close close_;
 };
 
-/// What HDF5 would print on standard error is said in exceptions instead.
-inline void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// Before HDF5 is used. What it would print on standard error is said in exceptions instead; and
+/// its exit handler is left out, which fails on a file that a full disk kept it from closing.
+inline void silence_hdf5() {
+  static const bool without_handler = H5dont_atexit() >= 0;
+  (void)without_handler;
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 }  // namespace stationary

@@ -184,6 +184,7 @@ std::string metadata_json(const Metadata& metadata) {
   }
   for (const auto& [name, text] : metadata.outcome) out[std::string(name)] = text;
   out["rows"] = metadata.rows;
+  out["checksum"] = metadata.checksum;
   out["seconds"] = metadata.seconds;
   if (!metadata.events.empty()) out["events"] = events_json(metadata.events);
   if (!metadata.unproven_sheets.empty()) out["unproven_sheets"] = metadata.unproven_sheets;
@@ -219,7 +220,8 @@ bool is_of_case(std::string_view metadata, const Case& input) {
 std::optional<CurveRecord> curve_record(std::string_view metadata) {
   try {
     const Json found = Json::parse(metadata);
-    CurveRecord out{found.at("rows").get<std::size_t>(), {}};
+    CurveRecord out{
+        found.at("rows").get<std::size_t>(), found.at("checksum").get<std::string>(), {}};
     if (!found.contains("events")) return out;
     for (const Json& event : found["events"]) {
       const auto type = std::ranges::find(event_names, event.at("event").get<std::string>());

@@ -21,6 +21,7 @@ struct Metadata {
   std::vector<std::string> command_line;
   const Case* input = nullptr;
   std::size_t rows = 0;
+  std::string checksum;  ///< of the rows (TableChecksum)
   double seconds = 0.0;
   std::vector<std::pair<std::string_view, long>> counts;
   std::vector<EventRecord> events;  ///< of `continue`
@@ -43,6 +44,7 @@ bool is_of_case(std::string_view metadata, const Case& input);
 /// What metadata of `continue` say of its table.
 struct CurveRecord {
   std::size_t rows;
+  std::string checksum;
   std::vector<EventRecord> events;
 };
 /// Nothing where a text is no such metadata.

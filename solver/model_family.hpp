@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "lib/elastic_energy.hpp"
 #include "solver/axis_family.hpp"
 #include "solver/model_stability.hpp"
 #include "solver/thickness_balance.hpp"
@@ -199,10 +200,10 @@ class ModelFamily final : public Family<N> {
       const BalanceCheck check = check_balance(at.body, v, out.q, nu);
       out.residual = check.residual;
       out.compatibility = check.compatibility;
-      if (options_.energy) out.energy = energy(at.body, v.value, out.q, nu);
+      if (options_.energy) out.energy = energy(at.body, elastic_energy(at.model, out.q), out.q, nu);
     } else if (options_.energy) {
       ++this->evaluations_.potentials;
-      out.energy = energy(at.body, potential_derivatives<0>(at.model, out.q).value, out.q, nu);
+      out.energy = energy(at.body, elastic_energy(at.model, out.q), out.q, nu);
     }
     // What turns an ellipse or makes one; elsewhere it keeps its sign.
     const bool may_turn = at.body.symmetric() || options_.parameter.kind == Kind::inertia;

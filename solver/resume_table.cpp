@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "lib/spectrum.hpp"
+#include "solver/column_file.hpp"
 #include "solver/equilibrium_row.hpp"
 #include "solver/table_reader.hpp"
 
@@ -74,7 +75,8 @@ bool ends_a_line(const std::string& path) {
 
 ResumedTable read_resumed(const std::string& path, const std::vector<Column>& columns,
                           const std::optional<std::string>& parameter, std::string_view branch) {
-  TableReader table(path);
+  const bool columnar = is_column_file(path);
+  TableReader table = columnar ? TableReader(column_file_table(path, {}), path) : TableReader(path);
   std::vector<std::string> expected;
   for (const Column c : columns) expected.emplace_back(name(c));
   if (parameter) expected.push_back(*parameter);
@@ -82,7 +84,7 @@ ResumedTable read_resumed(const std::string& path, const std::vector<Column>& co
     throw InputError(Origin::in_file(path), "", "found other columns than this case's",
                      "the table to go on with", std::string(remedy));
   }
-  if (!ends_a_line(path)) {
+  if (!columnar && !ends_a_line(path)) {
     throw InputError(Origin::in_file(path), "", "found its last line cut short", "a whole table",
                      std::string(remedy));
   }

@@ -64,12 +64,46 @@ bool Sweep::trusted(const Refined& refined, int unknowns) const {
   return first_correction <= 0.1 * last_move;
 }
 
+/// Whether a long move stays on its sheet: it leads to a solution, and halfway in nu^2 there is one
+/// about halfway. On a parabola up to its very turn that is off the middle by 0.21 of the move;
+/// across a gap by half of it. middle(): the system there.
+template <class System, class Middle>
+bool Sweep::passes_middle(const System& end, const Middle& middle,
+                          const ReducedVector<System::dimension>& from,
+                          const ReducedVector<System::dimension>& to) {
+  constexpr double short_move = 0.02;
+  constexpr double off_middle = 0.25;
+  constexpr int N = System::dimension;
+  bool is_short = true;
+  for (int i = 0; i < N; ++i)
+    is_short = is_short && std::abs(to[i] - from[i]) <= short_move * from[i];
+  if (is_short) return true;
+  // A Jacobian that is singular to rounding lets no correction be seen.
+  const auto at = end.linearize(to);
+  if (!(largest_magnitude<N>(at.g) <= 0x1p-30 * at.magnitude)) return false;
+  ReducedVector<N> halfway;
+  double move = 0.0;
+  for (int i = 0; i < N; ++i) {
+    move = std::max(move, std::abs(std::log(to[i] / from[i])));
+    halfway[i] = std::sqrt(to[i]) * std::sqrt(from[i]);
+  }
+  ReducedVector<N> x = halfway;
+  if (!refine<false>(middle(), x).converged) return false;
+  for (int i = 0; i < N; ++i)
+    if (!(std::abs(std::log(x[i] / halfway[i])) <= off_middle * move)) return false;
+  return true;
+}
+
 /// One solve at nu from the predictor; on success the newest point of the past.
 template <class Model, bool bound>
 bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
   if (nu == past_[0].nu) known_ = 1;  // asked for again: no slope to extrapolate
   std::array<double, 3> next = predict(nu);
   const CentrifugalRates<DoubleDouble> rates = problem_.rates(two_product(nu, nu));
+  const auto middle_rates = [&] {
+    const double last = past_[0].nu;
+    return problem_.rates(0.5 * (two_product(nu, nu) + two_product(last, last)));
+  };
   double error_bound = std::numeric_limits<double>::quiet_NaN();
   if constexpr (requires { model.plane; }) {
     using Plane = decltype((model.plane));  // a reference: an expression is no small object
@@ -78,7 +112,10 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
     const Refined planar = refine<bound>(system, x, 6);
     out.steps += planar.steps;
     if (!planar.converged || !trusted(planar, 2)) return false;
-    if (!stays_inside(system, {past_[0].x[0], past_[0].x[1]}, x)) return false;
+    const ReducedVector<2> last(past_[0].x[0], past_[0].x[1]);
+    if (!stays_inside(system, last, x)) return false;
+    const auto halfway = [&] { return PlanarSystem<Plane>{model.plane, middle_rates()}; };
+    if (!passes_middle(system, halfway, last, x)) return false;
     next[0] = x[0];
     next[1] = x[1];
     if (constant_rho_known_) {
@@ -86,11 +123,17 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
       error_bound = constant_rho_bound_;
     } else {
       using Thickness = decltype((model.thickness));
+      const ThicknessSystem<Thickness> thickness{model.thickness, rates.rho};
       ReducedVector<1> rho(next[2]);
-      const Refined axial =
-          refine<bound>(ThicknessSystem<Thickness>{model.thickness, rates.rho}, rho, 6);
+      const Refined axial = refine<bound>(thickness, rho, 6);
       ++thickness_solves_;
       if (!axial.converged) return false;
+      const auto thickness_halfway = [&] {
+        return ThicknessSystem<Thickness>{model.thickness, middle_rates().rho};
+      };
+      if (problem_.thickness_rule() != ThicknessRule::constant &&
+          !passes_middle(thickness, thickness_halfway, ReducedVector<1>(past_[0].x[2]), rho))
+        return false;
       next[2] = rho[0];
       error_bound = axial.error_bound;
       if (problem_.thickness_rule() == ThicknessRule::constant) {
@@ -105,7 +148,10 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
     const Refined refined = refine<bound>(system, x, 6);
     out.steps += refined.steps;
     if (!refined.converged || !trusted(refined, 3)) return false;
-    if (!stays_inside(system, {past_[0].x[0], past_[0].x[1], past_[0].x[2]}, x)) return false;
+    const ReducedVector<3> last(past_[0].x[0], past_[0].x[1], past_[0].x[2]);
+    if (!stays_inside(system, last, x)) return false;
+    const auto halfway = [&] { return CoupledSystem<const Model&>{model, middle_rates()}; };
+    if (!passes_middle(system, halfway, last, x)) return false;
     next = {x[0], x[1], x[2]};
     error_bound = refined.error_bound;
   }

@@ -6,7 +6,9 @@
 //              the step in nu is halved and retried, so a neighbouring sheet is not picked up; nor
 //              is a point whose Jacobian has another sign of the determinant: on a sheet that turns
 //              in nu nowhere the sign is one (the circle of (iii), J1 = J2, excepted, where
-//              ellipses branch off and xi = zeta is kept by symmetry)
+//              ellipses branch off and xi = zeta is kept by symmetry); nor is a move of more than
+//              2% whose middle, solved for, does not lie near the middle of its ends: across the
+//              gap beyond a fold there is another sheet, if any
 //
 // After construction nothing allocates, and the potential is looked up once per run(). A sweep
 // stays on the sheet it starts on; where that ends, points say not_found.
@@ -60,6 +62,10 @@ class Sweep {
   bool attempt(const Model& model, double nu, SweepPoint& out);
   std::array<double, 3> predict(double nu) const;
   bool trusted(const Refined& refined, int unknowns) const;
+  template <class System, class Middle>
+  static bool passes_middle(const System& end, const Middle& middle,
+                            const ReducedVector<System::dimension>& from,
+                            const ReducedVector<System::dimension>& to);
 
   Problem problem_;
   SweepOptions options_;

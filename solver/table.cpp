@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -75,11 +76,44 @@ std::vector<Column> select_columns(std::span<const Column> computed,
   return out;
 }
 
+void TableChecksum::add(const TableRow& row, std::span<const Column> columns,
+                        std::size_t parameters) {
+  for (const Column c : columns) {
+    if (cell_kind(c) == CellKind::text) {
+      add(text_of(row, c));
+    } else {
+      add(row[c]);
+    }
+  }
+  if (parameters > 0) add(row.parameter);
+  if (parameters > 1) add(row.second_parameter);
+}
+
+/// Each step is one to one in the word: a single cell that differs always shows.
+void TableChecksum::add(std::uint64_t word) {
+  state_ = (state_ ^ word) * 0xd6e8feb86659fd93U;
+  state_ ^= state_ >> 32U;
+}
+
+void TableChecksum::add(std::string_view text) {
+  for (const char c : text) add(std::uint64_t{static_cast<unsigned char>(c)});
+  add(std::uint64_t{256});
+}
+
+void TableChecksum::add(double value) {
+  if (std::isnan(value)) value = std::numeric_limits<double>::quiet_NaN();
+  if (value == 0.0) value = 0.0;  // written without its sign
+  add(std::bit_cast<std::uint64_t>(value));
+}
+
+std::string TableChecksum::text() const { return fmt::format("{:016x}", state_); }
+
 TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
                          const std::optional<std::string>& parameter,
                          const std::optional<std::string>& second)
-    : sink_(&sink),
-      columns_(std::move(columns)),
+    : RowSink(std::move(columns),
+              std::size_t{parameter.has_value()} + std::size_t{second.has_value()}),
+      sink_(&sink),
       has_parameter_(parameter.has_value()),
       has_second_(second.has_value()),
       buffer_(block_size + longest_row),
@@ -88,7 +122,7 @@ TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
   const auto separate = [&] {
     if (!std::exchange(first, false)) *cursor_++ = ',';
   };
-  for (const Column c : columns_) {
+  for (const Column c : column_list()) {
     separate();
     append(name(c));
   }
@@ -100,9 +134,9 @@ TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
   *cursor_++ = '\n';
 }
 
-void TableWriter::write(const TableRow& row) {
+void TableWriter::put(const TableRow& row) {
   bool first = true;
-  for (const Column c : columns_) {
+  for (const Column c : column_list()) {
     if (!std::exchange(first, false)) *cursor_++ = ',';
     switch (cell_kind(c)) {
       case CellKind::text:
@@ -124,7 +158,6 @@ void TableWriter::write(const TableRow& row) {
     append(row.second_parameter);
   }
   *cursor_++ = '\n';
-  ++rows_;
   if (cursor_ >= buffer_.data() + block_size) flush();
 }
 

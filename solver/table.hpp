@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stationary {
@@ -116,6 +117,23 @@ struct TableRow {
   double operator[](Column c) const { return numbers[static_cast<std::size_t>(c)]; }
 };
 
+/// A number that tells whether a table read back is the one written: of the values of all cells in
+/// their order, not of how a file spells them.
+class TableChecksum {
+ public:
+  /// parameters: how many trailing columns it has.
+  void add(const TableRow& row, std::span<const Column> columns, std::size_t parameters);
+  /// In hexadecimal.
+  std::string text() const;
+
+ private:
+  void add(std::uint64_t word);
+  void add(std::string_view text);
+  void add(double value);
+
+  std::uint64_t state_ = 0x9e3779b97f4a7c15U;
+};
+
 /// Where bytes go. write() throws std::runtime_error where they cannot.
 class ByteSink {
  public:
@@ -136,30 +154,56 @@ std::string_view text_of(const TableRow& row, Column c);
 std::vector<Column> select_columns(std::span<const Column> computed,
                                    std::span<const std::string> asked);
 
-class TableWriter {
+/// What a command hands its rows to, whatever the file's format.
+class RowSink {
+ public:
+  /// parameters: how many trailing columns there are.
+  RowSink(std::vector<Column> columns, std::size_t parameters)
+      : columns_(std::move(columns)), parameters_(parameters) {}
+  RowSink(const RowSink&) = delete;
+  RowSink& operator=(const RowSink&) = delete;
+  virtual ~RowSink() = default;
+
+  void write(const TableRow& row) {
+    checksum_.add(row, columns_, parameters_);
+    ++rows_;
+    put(row);
+  }
+  /// What its rows need.
+  ColumnSet columns() const { return ColumnSet(columns_); }
+  std::size_t rows() const { return rows_; }
+  const TableChecksum& checksum() const { return checksum_; }
+
+ protected:
+  virtual void put(const TableRow& row) = 0;
+  const std::vector<Column>& column_list() const { return columns_; }
+
+ private:
+  std::vector<Column> columns_;
+  std::size_t parameters_;
+  TableChecksum checksum_;
+  std::size_t rows_ = 0;
+};
+
+class TableWriter final : public RowSink {
  public:
   /// parameter, second: headers of the trailing columns, if there are such. Writes the header.
   TableWriter(ByteSink& sink, std::vector<Column> columns,
               const std::optional<std::string>& parameter = std::nullopt,
               const std::optional<std::string>& second = std::nullopt);
 
-  void write(const TableRow& row);
-  /// What its rows need.
-  ColumnSet columns() const { return ColumnSet(columns_); }
   /// Hands the rest to the sink. Without it the last block is lost.
   void flush();
-  std::size_t rows() const { return rows_; }
 
  private:
+  void put(const TableRow& row) override;
   void append(std::string_view text);
   void append(double value);
   void append_count(double value);
 
   ByteSink* sink_;
-  std::vector<Column> columns_;
   bool has_parameter_;
   bool has_second_;
-  std::size_t rows_ = 0;
   std::vector<char> buffer_;
   char* cursor_;
 };

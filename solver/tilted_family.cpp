@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/elastic_energy.hpp"
 #include "lib/general_spectrum.hpp"
 #include "solver/curve_start.hpp"
 #include "solver/tilted_system.hpp"
@@ -90,7 +91,7 @@ class TiltedFamily final : public Family<2> {
     const BalanceCheck check = check_balance(body_, v, out.q, out.angular_velocity);
     out.residual = check.residual;
     out.compatibility = check.compatibility;
-    out.energy = energy(body_, v.value, out.q, out.angular_velocity);
+    out.energy = energy(body_, elastic_energy(model_, out.q), out.q, out.angular_velocity);
     if (spectrum_) {
       const double bound = std::isnan(error_bound) ? 1e-15 : std::max(error_bound, 0x1p-53);
       ++evaluations_.spectra;

@@ -7,6 +7,7 @@
 
 #include "solver/newton.hpp"
 #include "solver/nlopt_seed.hpp"
+#include "solver/separable_parts.hpp"
 #include "solver/stability.hpp"
 #include "solver/thickness_balance.hpp"
 #include "solver/two_polar_stability.hpp"
@@ -36,9 +37,8 @@ std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
       return verdict("J (omega - theta_dot)^2 = 2 mu", J * slip * slip, 2.0 * m.mu);
     return std::nullopt;
   };
-  if (!potential.is_built_in()) return std::nullopt;
-  return potential.is_separable() ? std::visit(plane, potential.plane())
-                                  : std::visit(plane, potential.coupled());
+  if (const auto parts = separable_parts(potential)) return parts->plane.visit(plane);
+  return potential.visit(plane);
 }
 
 namespace {

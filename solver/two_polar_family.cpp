@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "lib/elastic_energy.hpp"
 #include "solver/model_stability.hpp"
 #include "solver/thickness_balance.hpp"
 #include "solver/two_polar_stability.hpp"
@@ -98,7 +99,8 @@ class TwoPolarFamily final
     const auto v = potential_derivatives<2>(at.model, out.q);
     out.residual = two_polar_residual_check(body, v, found);
     out.compatibility = 0.0;  // both vectors lie along axis 3
-    out.energy = two_polar_kinetic_energy(body.J1, found.x, found.rates) + v.value;
+    out.energy =
+        two_polar_kinetic_energy(body.J1, found.x, found.rates) + elastic_energy(at.model, out.q);
     const Linearized<N> all = system(at).linearize(x);
     out.shear_stiffness = (all.jacobian(0, 0) - all.jacobian(0, 1)) / (x[0] * x[1]);
     if (spectrum_) out.spectrum = spectrum(at, found, with_tails(x, tail, rho), out.error_bound);

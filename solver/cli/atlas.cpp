@@ -186,7 +186,7 @@ void prove_rows(const Case& input, const AtlasSheet& sheet, CurveTable& out) {
 }
 
 /// All sheets in the table, if there is one; how many of their rows are proven.
-CurveProofs write_sheets(const Case& input, Atlas& found, TableWriter* writer) {
+CurveProofs write_sheets(const Case& input, Atlas& found, RowSink* writer) {
   CurveProofs out;
   if (writer == nullptr && !input.output.certificate) return out;
   for (AtlasSheet& sheet : found.sheets) {
@@ -222,18 +222,15 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   Atlas found = atlas(input.body, make_potential(input.models), how);
   progress.clear();
-  std::optional<TableWriter> table;
-  if (output) table.emplace(output->sink(), columns);
-  const CurveProofs proofs = write_sheets(input, found, table ? &*table : nullptr);
+  RowSink* const table = output ? &output->open(columns) : nullptr;
+  const CurveProofs proofs = write_sheets(input, found, table);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (output) {
-    table->flush();
     Metadata metadata;
     metadata.version = STATIONARY_VERSION;
     metadata.command_line = session.command_line;
     metadata.input = &input;
-    metadata.rows = table->rows();
     if (input.output.certificate) metadata.counts.emplace_back("proven", proofs.proven);
     metadata.seconds = seconds;
     metadata.atlas = &found;

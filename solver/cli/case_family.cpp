@@ -17,10 +17,18 @@ namespace {
 /// nu = 0 where the range has it and no start is given (the family through the rest state), else
 /// the case's own value if it lies in the range, else the range's beginning. A tilted family has no
 /// rest state: the case's own value.
+/// Whether the case's family about axis 1 or 2 is at rest alone: alpha = 0, which compatibility
+/// asks for there, leaves a force V_alpha.
+bool only_at_rest(const Case& input) {
+  const auto* rotation = std::get_if<AxisRotation>(&input.motion);
+  return rotation != nullptr && rotation->branch != Branch::iii &&
+         !input.potential.is_isotropic() && !input.potential.anisotropic().shear_free();
+}
+
 double start_parameter(const Case& input) {
   const Case::Continuation& range = *input.continuation;
   const bool in_nu = range.parameter == "nu";
-  const bool from_rest = !input.tilted() && !input.oblique();
+  const bool from_rest = !input.tilted() && !input.oblique() && !only_at_rest(input);
   if (in_nu && from_rest && !input.solve.start && range.from <= 0.0 && range.to >= 0.0) return 0.0;
   const double own = parameter_value({input.body, input.models, input.motion}, range.parameter);
   if (own >= range.from && own <= range.to) return own;
@@ -67,6 +75,12 @@ Start solved_start(const Case& input, const ComputeOptions& options) {
   } else {
     const AxisRotation motion = std::get<AxisRotation>(out.at.motion);
     out.found = solve(problem_of(out.at), motion.nu, how);
+    if (out.found.status == SolveStatus::solved && only_at_rest(input)) {
+      out.found.status = SolveStatus::none_exists;
+      out.found.message =
+          "at rest alone there is an ellipsoid: about this axis compatibility asks for alpha = 0, "
+          "which leaves a force V_alpha";
+    }
     if (out.found.status == SolveStatus::not_isolated && how.start) {
       out.found.status = SolveStatus::solved;
       out.found.message = "the given start, on a vertical branch";

@@ -29,13 +29,18 @@ void CaseOptions::add_to(CLI::App& command) {
       ->type_name("KEY=VALUE");
 }
 
+std::string not_empty(const std::string& name) {
+  return name.empty() ? "found an empty name; expected a file" : "";
+}
+
 void ComputeOptions::add_to(CLI::App& command) {
   CaseOptions::add_to(command);
   command
       .add_option("-o,--output", output,
-                  "Write the table (CSV) there, and FILE's .meta.json beside it; - is standard "
-                  "output")
-      ->type_name("FILE");
+                  "Write the table there, and FILE's .meta.json beside it: HDF5 with the suffix "
+                  ".h5 or .hdf5, else CSV; - is standard output")
+      ->type_name("FILE")
+      ->check(not_empty);
   command.add_flag("--certify", certify,
                    "Prove each row and its error bound, as output.certificate = true");
   command.add_flag("-q,--quiet", quiet, "No summary and no progress");

@@ -45,6 +45,9 @@ struct ComputeOptions : CaseOptions {
   Case read() const;
 };
 
+/// A check of an option that names a file: what is wrong, or nothing.
+std::string not_empty(const std::string& name);
+
 /// A command with the options all have in common.
 CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& description);
 

@@ -199,7 +199,10 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   if (to_table) output.emplace(options.output, options.path);
 
   const auto begin = std::chrono::steady_clock::now();
-  const Start start = old ? resumed_start(input, *old) : solved_start(input, options);
+  const Start start = [&] {
+    const WaitingSign waiting("solving at the start", options.quiet);
+    return old ? resumed_start(input, *old) : solved_start(input, options);
+  }();
   if (start.found.status != SolveStatus::solved) {
     complain(fmt::format("at the start {} = {}: {}", input.continuation->parameter, start.p,
                          failure_text(outcome(start.found.status), start.found.message)));
@@ -207,11 +210,13 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   }
   const AnyFamily family = family_of(input, start, with_spectrum, to_table);
   ProgressBar progress;
-  std::optional<TableWriter> table;
+  RowSink* table = nullptr;
   if (output) {
-    table.emplace(output->sink(), columns, parameter);
+    std::vector<std::string> trailing_columns;
+    if (parameter) trailing_columns.push_back(*parameter);
+    table = &output->open(columns, trailing_columns);
   }
-  CurveTable rows(input.branch_name(), table ? &*table : nullptr);
+  CurveTable rows(input.branch_name(), table);
   if (input.output.certificate) prove_rows(input, start, rows);
   const FollowOptions how = follow_options(input, options, progress);
   FollowReport report =
@@ -225,11 +230,9 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
     return ExitCode::failure;
   }
   if (output) {
-    table->flush();
     Metadata metadata =
         describe(session, input, start, report,
                  std::visit([](const auto& f) { return f->evaluations(); }, family), rows);
-    metadata.rows = table->rows();
     metadata.seconds = seconds;
     output->commit(metadata);
   }

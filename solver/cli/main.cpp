@@ -1,7 +1,9 @@
 // stationary: stationary ellipsoids of an affinely-rigid body, from a case file.
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <sstream>
 
 #include "solver/cli/command.hpp"
 
@@ -28,7 +30,9 @@ ExitCode run(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // --help, --version
-      program.exit(error);
+      std::ostringstream text;
+      program.exit(error, text, text);
+      cli::print(text.str());
       return ExitCode::done;
     }
     cli::complain(cli::refusal(program, error));
@@ -50,6 +54,8 @@ ExitCode run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A limit on the size of files is then met as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return static_cast<int>(run(argc, argv));
   } catch (const std::bad_alloc&) {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,7 +22,6 @@
 #include "solver/cli/progress.hpp"
 #include "solver/cli/report.hpp"
 #include "solver/cli/table_output.hpp"
-#include "solver/column_file.hpp"
 #include "solver/map_grid.hpp"
 
 namespace stationary::cli {
@@ -60,37 +58,6 @@ void require_map(const Case& input) {
         "tilted, oblique and two-polar motions are solved one at a time in this version");
   }
 }
-
-/// The table of a map: CSV, or HDF5 by the extension.
-class MapTable {
- public:
-  MapTable(const ComputeOptions& options, const Case& input, const std::vector<Column>& columns)
-      : output_(options.output, options.path) {
-    const std::string& x = input.map->x.parameter;
-    const auto y = input.map->y ? std::optional(input.map->y->parameter) : std::nullopt;
-    if (is_column_file_extension(std::filesystem::path(options.output).extension().string())) {
-      std::vector<std::string> parameters{x};
-      if (y) parameters.push_back(*y);
-      binary_.emplace(output_.file_to_write(), columns, parameters, input.map->cells());
-    } else {
-      text_.emplace(output_.sink(), columns, x, y);
-    }
-  }
-  void write(const TableRow& row) {
-    if (text_) text_->write(row);
-    if (binary_) binary_->write(row);
-  }
-  void commit(const Metadata& metadata) {
-    if (text_) text_->flush();
-    if (binary_) binary_->finish(metadata_json(metadata));
-    output_.commit(metadata);
-  }
-
- private:
-  TableOutput output_;
-  std::optional<TableWriter> text_;
-  std::optional<ColumnFileWriter> binary_;
-};
 
 /// Rows of the solved grid in their order, a window at a time computed by all threads; ends at a
 /// signal, after whole windows.
@@ -176,7 +143,6 @@ Metadata describe(const Session& session, const Case& input, const MapCounts& co
   out.version = STATIONARY_VERSION;
   out.command_line = session.command_line;
   out.input = &input;
-  out.rows = counts.rows;
   for (const std::string_view status : cell_status_names) {
     const auto at = counts.statuses.find(status);
     out.counts.emplace_back(status,
@@ -233,8 +199,11 @@ ExitCode map_case(const ComputeOptions& options, const Session& session) {
     std::ranges::sort(columns);
   }
   const std::atomic<bool>& stop = stop_on_signals();  // from here on files would be left behind
-  std::optional<MapTable> table;
-  if (to_table) table.emplace(options, input, columns);
+  std::optional<TableOutput> output;
+  if (to_table) output.emplace(options.output, options.path);
+  std::vector<std::string> parameters{input.map->x.parameter};
+  if (input.map->y) parameters.push_back(input.map->y->parameter);
+  RowSink* const table = output ? &output->open(columns, parameters, input.map->cells()) : nullptr;
 
   const auto begin = std::chrono::steady_clock::now();
   const MapGrid grid(input);
@@ -265,10 +234,10 @@ ExitCode map_case(const ComputeOptions& options, const Session& session) {
   progress.clear();
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (table) {
+  if (output) {
     Metadata metadata = describe(session, input, counts, evaluated, solved);
     metadata.seconds = seconds;
-    table->commit(metadata);
+    output->commit(std::move(metadata));
   }
   const ExitCode code = conclusion(input, counts, to_table);
   if (!table && !options.quiet && code != ExitCode::interrupted)

@@ -117,6 +117,7 @@ void add_plot(CLI::App& program, Session& session) {
       ->required();
   command.add_option("-o,--output", options->output, "Write the image there: .svg, .png or .pdf")
       ->type_name("FILE")
+      ->check(not_empty)
       ->required();
   command
       .add_option("--title", options->title,

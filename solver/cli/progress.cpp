@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
+#include <utility>
 
 namespace stationary::cli {
 namespace {
@@ -31,6 +33,30 @@ void ProgressBar::show(double fraction, const std::string& text) {
 void ProgressBar::clear() {
   if (drawn_) put(erase_line);
   drawn_ = false;
+}
+
+WaitingSign::WaitingSign(std::string text, bool quiet) : text_(std::move(text)) {
+  if (!quiet && isatty(STDERR_FILENO) == 1) thread_ = std::thread([this] { run(); });
+}
+
+WaitingSign::~WaitingSign() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    done_ = true;
+  }
+  ended_.notify_one();
+  thread_.join();
+}
+
+void WaitingSign::run() {
+  std::unique_lock lock(mutex_);
+  for (int seconds = 1;; ++seconds) {
+    if (ended_.wait_for(lock, std::chrono::seconds(1), [this] { return done_; })) break;
+    put(fmt::format("{}{}, {} s", erase_line, text_, seconds));
+    drawn_ = true;
+  }
+  if (drawn_) put(erase_line);
 }
 
 }  // namespace stationary::cli

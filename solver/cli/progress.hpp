@@ -2,7 +2,10 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace stationary::cli {
 
@@ -24,6 +27,26 @@ class ProgressBar {
   bool terminal_;
   bool drawn_ = false;
   std::chrono::steady_clock::time_point last_{};
+};
+
+/// While it lives, of work that cannot say how far it is: what is done and for how long, on
+/// standard error, from the first second on.
+class WaitingSign {
+ public:
+  WaitingSign(std::string text, bool quiet);
+  ~WaitingSign();
+  WaitingSign(const WaitingSign&) = delete;
+  WaitingSign& operator=(const WaitingSign&) = delete;
+
+ private:
+  void run();
+
+  std::string text_;
+  bool drawn_ = false;
+  bool done_ = false;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  std::thread thread_;
 };
 
 }  // namespace stationary::cli

@@ -5,12 +5,42 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include "solver/atomic_file.hpp"
+#include "solver/column_file.hpp"
 #include "solver/metadata.hpp"
 
 namespace stationary::cli {
 namespace {
+
+/// Compares what is written to it with a file from its beginning on.
+class SameBytes final : public ByteSink {
+ public:
+  explicit SameBytes(const std::string& path) : file_(path, std::ios::binary) {}
+  void write(std::string_view bytes) override {
+    std::string own(bytes.size(), '\0');
+    file_.read(own.data(), static_cast<std::streamsize>(own.size()));
+    same_ = same_ && file_ && own == bytes;
+  }
+  bool whole() { return same_ && file_.peek() == std::ifstream::traits_type::eof(); }
+
+ private:
+  std::ifstream file_;
+  bool same_ = true;
+};
+
+/// Whether a table has these rows in this program's own spelling.
+bool is_as_written(const std::string& path, const std::vector<TableRow>& rows,
+                   const std::vector<Column>& columns,
+                   const std::optional<std::string>& parameter) {
+  if (is_column_file(path)) return true;
+  SameBytes file(path);
+  TableWriter writer(file, columns, parameter);
+  for (const TableRow& row : rows) writer.write(row);
+  writer.flush();
+  return file.whole();
+}
 
 /// How a table that is not gone on with there ended.
 SheetEnd old_end(const TableRow& row) {
@@ -44,6 +74,10 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
     refuse(fmt::format("{} has {} rows, {} by its metadata", printable(path), out.rows.size(),
                        record->rows));
   }
+  TableChecksum checksum;
+  for (const TableRow& row : out.rows) checksum.add(row, columns, parameter.has_value());
+  if (checksum.text() != record->checksum || !is_as_written(path, out.rows, columns, parameter))
+    refuse(printable(path) + " was changed since it was written (its checksum is in the metadata)");
   out.events = std::move(record->events);
   return out;
 }

@@ -2,6 +2,7 @@
 // two-polar motion at its rates or momenta, and the spectrum there; with proofs if asked for.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -10,12 +11,18 @@
 #include "solver/cli/command.hpp"
 #include "solver/cli/outcome.hpp"
 #include "solver/cli/plan.hpp"
+#include "solver/cli/progress.hpp"
 #include "solver/cli/report.hpp"
 #include "solver/cli/table_output.hpp"
 #include "solver/equilibrium_row.hpp"
 
 namespace stationary::cli {
 namespace {
+
+constexpr std::string_view unused_start =
+    "solve.all looks for every solution, from nowhere in particular";
+
+bool start_is_unused(const Case& input) { return input.solve.all && input.solve.start.has_value(); }
 
 std::string cost_text(const Answer& found) {
   std::string out = fmt::format("{:.1e} s", found.seconds);
@@ -51,7 +58,11 @@ void add_state(Report& out, const Case& input, const TableRow& row) {
     out.row("momenta", {{"pi1   ", row[Column::pi1]}, {"pi2   ", row[Column::pi2]}});
     out.row("", {{"pi3   ", row[Column::pi3]}});
   }
-  out.row("energy", {{"T + V ", row[Column::energy]}});
+  if (const double energy = row[Column::energy]; std::isfinite(energy)) {
+    out.row("energy", {{"T + V ", energy}});
+  } else {
+    out.line("energy", "no finite number in double precision");
+  }
 }
 
 void add_solution(Report& out, const Case& input, const Solution& solution) {
@@ -104,6 +115,8 @@ Metadata describe(const Session& session, const Case& input, const Answer& found
   out.counts = found.counts;
   out.plan = std::move(plan.computed);
   out.skipped = std::move(plan.skipped);
+  if (start_is_unused(input))
+    out.skipped.push_back({"solve.start", "not used", std::string(unused_start)});
   out.outcome = {
       {"command", "solve"},
       {"status", std::string(found.outcome())},
@@ -131,9 +144,13 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
                      "solve", false);
   std::optional<TableOutput> output;
   if (to_table) output.emplace(options.output, options.path);
+  if (start_is_unused(input)) complain("solve.start is not used: " + std::string(unused_start));
 
-  const Answer found = answer_of(input, options.threads, with_spectrum,
-                                 to_table ? ColumnSet(columns) : ColumnSet::all());
+  const Answer found = [&] {
+    const WaitingSign waiting("solving", options.quiet);
+    return answer_of(input, options.threads, with_spectrum,
+                     to_table ? ColumnSet(columns) : ColumnSet::all());
+  }();
   const ExitCode code = exit_code(found.status);
   if (!found.solved()) {
     complain(failure_text(found.outcome(), found.message));
@@ -142,12 +159,9 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
   }
   // That there is no equilibrium is an answer, and its table has no rows; a failure is none.
   if (output && (found.solved() || code == ExitCode::no_equilibrium)) {
-    TableWriter table(output->sink(), columns);
+    RowSink& table = output->open(columns, {}, found.solutions.size());
     for (const Solution& each : found.solutions) table.write(each.row);
-    table.flush();
-    Metadata metadata = describe(session, input, found);
-    metadata.rows = table.rows();
-    output->commit(metadata);
+    output->commit(describe(session, input, found));
   }
   if (found.solved() && !output && !options.quiet) print(summary(input, found));
   return code;

@@ -98,6 +98,22 @@ TEST(AnisotropicCase, ContinuesTheObliqueFamilyAndGoesOn) {
   EXPECT_EQ(again.back()["event"], "limit");
 }
 
+/// About axis 1 a skew fibre leaves a force: nothing is there to be followed, as `solve` says.
+TEST(AnisotropicCase, NothingToContinueAboutAnAxisThatTheFibreLeaves) {
+  const std::vector<std::string> about{"motion.branch=\"i\"", "motion.nu=0.5"};
+  const Outcome solved = run({"solve", fibre_case}, about);
+  EXPECT_EQ(solved.code, 3);
+  const std::string reason = "leaves a force V_alpha";
+  EXPECT_THAT(solved.err, HasSubstr(reason));
+  for (const char* nu : {"motion.nu=0.5", "motion.nu=0.0"}) {
+    auto sets = about;
+    sets.emplace_back(nu);
+    const Outcome followed = run({"continue", fibre_case}, sets);
+    EXPECT_EQ(followed.code, 3) << followed.err;
+    EXPECT_THAT(followed.err, HasSubstr(reason));
+  }
+}
+
 TEST(AnisotropicCase, ContinuesInTheAngle) {
   const Outcome outcome =
       run({"continue", fibre_case, "-o", "-"},

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "lib/potential.hpp"
 #include "tests/cli/program.hpp"
 
@@ -41,6 +43,16 @@ TEST(CommandLine, HelpAndVersion) {
   }
 }
 
+TEST(CommandLine, HelpThatCannotBeWrittenIsAFailure) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--help"}, {"--version"}, {"solve", "--help"}}) {
+    const Outcome outcome = run_program(arguments, {.standard_output = "/dev/full"});
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_THAT(outcome.err, HasSubstr("No space left"));
+  }
+}
+
 TEST(CommandLine, MisspeltCommandsAndOptions) {
   struct Line {
     std::vector<std::string> arguments;
@@ -59,6 +71,8 @@ TEST(CommandLine, MisspeltCommandsAndOptions) {
       {{"solve", "x.toml", "--threads", "0"}, "--threads"},
       {{"solve", "x.toml", "--threads", "many"}, "--threads"},
       {{"solve", "x.toml", "-o"}, "-o"},
+      {{"solve", "x.toml", "-o", ""}, "found an empty name"},
+      {{"plot", "x.csv", "-o", ""}, "found an empty name"},
       {{"plto", "x.csv"}, "did you mean \"plot\"?"},
       {{"plot", "x.csv", "--titel=y"}, "did you mean \"--title\"?"},
       {{"plot", "x.csv"}, "--output is required"},
@@ -84,8 +98,7 @@ TEST(Models, ListsAllOfThemWithFormulaParametersAndDomain) {
     for (const std::string& text : {outcome.out, one.out}) {
       EXPECT_THAT(text, HasSubstr(std::string(model.name)));
       EXPECT_THAT(text, HasSubstr(std::string(model.formula)));
-      for (const std::string& inequality : model.domain)
-        EXPECT_THAT(text, HasSubstr(inequality));
+      for (const std::string& inequality : model.domain) EXPECT_THAT(text, HasSubstr(inequality));
     }
   }
 }

@@ -185,6 +185,84 @@ TEST(ExpressionCase, FactsAreThoseOfTheParametersGiven) {
   EXPECT_THAT(oriented, HasSubstr("V_alpha = 0 at alpha = 0: does not hold"));
 }
 
+/// Numbers whose products are none: refused for what they are.
+TEST(ExpressionCase, SizesThatCannotBeComputedWithAreRefused) {
+  const TemporaryDirectory directory;
+  for (const char* size : {"1e120", "1e200", "1e300"}) {
+    const std::string path =
+        directory.file("size.toml", case_with("plane = { expression = \"" + std::string(size) +
+                                              "*(I1 + 1/d)\" }\n" + thickness));
+    const Outcome outcome = run_program({"solve", path});
+    EXPECT_EQ(outcome.code, 2) << size;
+    EXPECT_THAT(outcome.err,
+                HasSubstr(":7:24: potential.plane.expression: found second derivatives"));
+    EXPECT_THAT(outcome.err, HasSubstr("at most 1e+100"));
+  }
+}
+
+/// Terms far larger than their sum: the energy is that of the sum, in a row as in a followed curve.
+TEST(ExpressionCase, EnergyIsThatOfTheSum) {
+  const TemporaryDirectory directory;
+  const auto energies = [&](const std::string& expression) {
+    const std::string path = directory.file(
+        "sum.toml", case_with("plane = { expression = \"" + expression + "\" }\n" + thickness,
+                              "[continuation]\nparameter = \"nu\"\nfrom = 0.0\nto = 0.3\n"));
+    std::vector<double> out;
+    out.push_back(number(only_row(run_program({"solve", path, "-o", "-"}).out)["energy"]));
+    out.push_back(number(rows_of(run_program({"continue", path, "-o", "-"}).out).back()["energy"]));
+    return out;
+  };
+  const auto plain = energies("I1 + 1/d");
+  EXPECT_NEAR(plain[0], plain[1], 1e-15);
+  for (const double each : energies("1e15*(d + 1) - 1e15*d - 1e15 + I1 + 1/d"))
+    EXPECT_NEAR(each, plain[0], 1e-14);
+}
+
+/// (iii) with J1 = J2, whichever part is a formula: the circle, and a vertical branch as of the
+/// built-in model that the formula writes out.
+TEST(ExpressionCase, CirclesAndVerticalBranches) {
+  const TemporaryDirectory directory;
+  const std::string head = "[body]\nJ = [1.0, 1.0, 0.6]\n[motion]\nbranch = \"iii\"\nnu = 0.3\n";
+  const std::string more =
+      "\n[continuation]\nfrom = 0.0\nto = 0.5\n parameter = \"nu\"\n"
+      "[map]\nx = { parameter = \"nu\", from = 0.0, to = 0.5, count = 3 }\n";
+  const std::string written_plane =
+      "plane = { expression = \"mu/2*(I1 - 2 - 2*log(d)) + la/2*log(d)^2\", mu = 0.64, la = 2.0 "
+      "}\n";
+  const std::string built_in = "plane = { model = \"neo-hookean\", mu = 0.64, lambda = 2.0 }\n";
+  const std::string written_thickness = "thickness = { expression = \"1.5*(rho - 1)^2\" }\n";
+  const std::string potentials[] = {built_in + thickness, written_plane + thickness,
+                                    built_in + written_thickness, written_plane + written_thickness,
+                                    "plane = { expression = \"I1 + 1/d\" }\n" + thickness};
+  std::vector<Row> neo_hookean;
+  for (const std::string& potential : potentials) {
+    const std::string path =
+        directory.file("circle.toml", head + "[potential]\n" + potential + more);
+    const bool isolated = potential.find("1/d") != std::string::npos;
+    const Outcome solved = run_program({"solve", path, "--certify", "-o", "-"});
+    EXPECT_EQ(solved.code, 0) << potential << solved.err;
+    Row circle = only_row(solved.out);
+    EXPECT_EQ(circle["xi"], circle["zeta"]);
+    EXPECT_EQ(circle["certified"], "yes") << potential;
+    for (const char* command : {"continue", "map"})
+      EXPECT_EQ(run_program({command, path, "--quiet", "-o", directory / "x.csv"}).code, 0)
+          << command << " " << potential;
+    EXPECT_EQ(run_program({"atlas", path, "--quiet", "--checkpoints", "4"}).code, 0) << potential;
+
+    const Outcome at_one_nu = run_program({"solve", path, "--set", "motion.nu=0.8"});
+    EXPECT_EQ(at_one_nu.code, isolated ? 0 : 3) << potential << at_one_nu.err;
+    if (isolated) continue;
+    neo_hookean.push_back(circle);
+    EXPECT_THAT(at_one_nu.err, HasSubstr("vertical branch"));
+    const Outcome followed =
+        run_program({"continue", path, "--set", "motion.nu=0.8", "--set", "continuation.to=1.0",
+                     "--set", "solve.start=[0, 2.2, 0.626, 1]", "-o", "-"});
+    EXPECT_EQ(followed.code, 0) << followed.err;
+    for (Row& row : rows_of(followed.out)) EXPECT_NEAR(number(row["nu3"]), 0.8, 1e-15);
+  }
+  for (Row& row : neo_hookean) EXPECT_NEAR(number(row["xi"]), number(neo_hookean[0]["xi"]), 4e-16);
+}
+
 /// A coupled formula that is separable is solved as plane and thickness are, and followed in a
 /// parameter that both parts have.
 TEST(ExpressionCase, ASeparableCoupledFormulaIsTakenApart) {

@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "solver/atomic_file.hpp"
+#include "solver/column_file.hpp"
 #include "tests/cli/program.hpp"
 
 namespace stationary::testing {
@@ -55,6 +58,72 @@ TEST_F(Files, MetadataThatCannotBeWrittenLeavesNoTable) {
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("x.meta.json"));
   EXPECT_THAT(directory_.names(), ElementsAre("case.toml", "x.meta.json"));
+}
+
+/// HDF5 or CSV by the suffix, of every command that writes a table; what is neither is refused
+/// before anything is computed.
+TEST_F(Files, TheSuffixSaysWhichFormat) {
+  std::ofstream(case_file_, std::ios::app)
+      << "\n[continuation]\nparameter = \"nu\"\nfrom = 0.0\nto = 0.3\ntolerance = 1e-6\n"
+         "[map]\nx = { parameter = \"nu\", from = 0.0, to = 0.3, count = 4 }\n";
+  for (const char* command : {"solve", "continue", "atlas", "map"}) {
+    const auto run = [&](const std::string& target) {
+      std::vector<std::string> arguments{command, case_file_, "--quiet", "-o", target};
+      if (std::string(command) == "atlas")
+        arguments.insert(arguments.end(), {"--checkpoints", "2"});
+      return run_program(arguments);
+    };
+    ASSERT_EQ(run(directory_ / "x.csv").code, 0) << command;
+    const std::string csv = text_of(directory_ / "x.csv");
+    ASSERT_EQ(run(directory_ / "plain").code, 0) << command;
+    EXPECT_EQ(text_of(directory_ / "plain"), csv) << command;
+    for (const char* name : {"x.h5", "x.hdf5", "x.h5"}) {
+      ASSERT_EQ(run(directory_ / name).code, 0) << command;
+      ASSERT_TRUE(is_column_file(directory_ / name)) << command;
+      std::ostringstream text;
+      text << column_file_table(directory_ / name, {})->rdbuf();
+      EXPECT_EQ(text.str(), csv) << command;
+    }
+    for (const char* name : {"x.json", "x.tsv", "x.csv.gz", "x.", "x.H5"}) {
+      const Outcome refused = run(directory_ / name);
+      EXPECT_EQ(refused.code, 2) << name;
+      EXPECT_THAT(refused.err, HasSubstr("expected .csv or none for CSV, .h5 or .hdf5 for HDF5"));
+      EXPECT_FALSE(fs::exists(directory_ / name));
+    }
+  }
+}
+
+/// A disk that is full while HDF5 writes: the message and the exit code, no more.
+TEST_F(Files, AFullDiskUnderHdf5IsAFailure) {
+  for (const long limit : {100L, 1000L, 5000L, 20'000L, 60'000L}) {
+    const Outcome outcome = run_program({"map", STATIONARY_CASES "/map_biot_log.toml", "--set",
+                                         "map.x.count=30", "-o", directory_ / "x.h5"},
+                                        {.file_size_limit = limit});
+    EXPECT_EQ(outcome.code, 4) << limit << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("HDF5 could not write")) << limit;
+    EXPECT_THAT(directory_.names(), ElementsAre("case.toml")) << limit;
+  }
+  const Outcome csv =
+      run_program({"solve", case_file_, "-o", directory_ / "x.csv"}, {.file_size_limit = 100});
+  EXPECT_EQ(csv.code, 4);
+  EXPECT_THAT(csv.err, HasSubstr("writing"));
+  EXPECT_THAT(directory_.names(), ElementsAre("case.toml"));
+}
+
+/// What killed runs left of the same file goes with the next; what others left stays.
+TEST_F(Files, LeftoversOfDeadProcessesAreCleared) {
+  const std::string living = std::to_string(::getpid());
+  const std::vector<std::string> stay{".x.csv." + living + "-0.tmp", ".x.csv.1234567x-0.tmp",
+                                      ".y.csv.999999999-0.tmp", "x.csv.999999999-0.tmp"};
+  for (const std::string& name : stay) directory_.file(name, "");
+  for (const char* name :
+       {".x.csv.999999999-0.tmp", ".x.csv.999999998-12.tmp", ".x.meta.json.999999999-0.tmp"})
+    directory_.file(name, "half");
+  ASSERT_EQ(run_program({"solve", case_file_, "-o", directory_ / "x.csv"}).code, 0);
+  std::vector<std::string> expected = stay;
+  expected.insert(expected.end(), {"case.toml", "x.csv", "x.meta.json"});
+  std::ranges::sort(expected);
+  EXPECT_EQ(directory_.names(), expected);
 }
 
 TEST_F(Files, TheCaseItselfIsNoTarget) {

@@ -28,6 +28,11 @@ struct Malformed {
   std::vector<const char*> fragments;
 };
 
+std::string repeated(const std::string& text, int times) {
+  std::string out;
+  for (int k = 0; k < times; ++k) out += text;
+  return out;
+}
 std::string with_body(const std::string& text) { return text + potential + motion; }
 std::string with_potential(const std::string& text) { return std::string(body) + text + motion; }
 std::string with_motion(const std::string& text) { return std::string(body) + potential + text; }
@@ -60,6 +65,15 @@ const std::vector<Malformed>& malformed_cases() {
       {"duplicate_table", with_more("[body]\nJ = [1, 1, 1]\n"), {"case.toml:9:", "TOML"}},
       {"not_utf8", "title = \"\xc3\x28\"\n", {"case.toml:1:", "TOML"}},
       {"deep_nesting", "title = " + std::string(5000, '['), {"case.toml:1:", "TOML"}},
+      {"deep_tables",
+       "x = " + repeated("{ a = ", 5000),
+       {"case.toml:1:", "nests more deeply", "at most 32 brackets in one another"}},
+      {"long_dotted_key",
+       "# \"\ntitle = \"\"\"\n#\"\"\"\na" + repeated(".a", 40000) + " = 1\n",
+       {"case.toml:4:", "nests more deeply", "keys of at most 16 parts"}},
+      {"long_table_name",
+       "[a" + repeated(". \"b\"", 40000) + "]\n",
+       {"case.toml:1:", "nests more deeply"}},
       {"huge_integer",
        with_motion("[motion]\nbranch = \"i\"\nnu = 99999999999999999999\n"),
        {"case.toml:8:", "TOML"}},

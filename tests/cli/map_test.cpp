@@ -164,6 +164,35 @@ TEST(Map, StatusesAtTheBoundaryOfExistence) {
   }
 }
 
+/// Beyond a fold whose sheet returns to rest, with another sheet and a stretch where the balance is
+/// singular to rounding further off: nothing there is the rest state's, and nothing has failed.
+TEST(Map, NothingIsFoundPastAFold) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "fold.toml",
+      "[body]\nJ = [0.79091, 0.90158, 1.7624]\n[potential]\n"
+      "plane = { expression = \"mu/2*(I1-2*d)+k*(d-1)^2*(d-2)^2\", mu = 1.0, k = 0.4 }\n"
+      "thickness = { model = \"harmonic\", k = 1.0, rest = 1.0 }\n"
+      "[motion]\nbranch = \"iii\"\nnu = 0.5\n[map]\n"
+      "x = { parameter = \"nu\", from = 0.0, to = 1.0, count = 21 }\n"
+      "y = { parameter = \"potential.plane.mu\", from = 0.5, to = 2.0, count = 151 }\n");
+  const Outcome outcome = run_program({"map", path, "-o", "-"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto rows = rows_of(outcome.out);
+  ASSERT_EQ(rows.size(), 21U * 151U);
+  int found = 0;
+  for (const Row& row : rows) {
+    if (row.at("status") != "solved") {
+      EXPECT_EQ(row.at("status"), "not-found") << row.at("point");
+      continue;
+    }
+    ++found;
+    EXPECT_LE(number(row.at("nu")), 0.35);
+    EXPECT_LT(number(row.at("xi")) * number(row.at("zeta")), 1.5) << row.at("point");
+  }
+  EXPECT_GE(found, 6 * 151);
+}
+
 TEST(Map, NothingInAnyCellIsNoEquilibrium) {
   const Outcome outcome =
       run_program({"map", STATIONARY_CASES "/disc.toml", "--set",

@@ -108,5 +108,21 @@ TEST_F(Override, OptionWithoutAValue) {
   EXPECT_EQ(outcome.code, 2);
 }
 
+/// Trees of tables are recursive: what nests deeply is refused before there is one.
+TEST_F(Override, DepthIsLimited) {
+  std::string key = "a";
+  std::string value = "1";
+  for (int k = 0; k < 20000; ++k) key += ".a";
+  for (int k = 0; k < 20000; ++k) value = "[" + value + "]";
+  const Outcome parts = run_program({"solve", case_file_, "--set", key + "=1"});
+  EXPECT_EQ(parts.code, 2);
+  EXPECT_THAT(parts.err, HasSubstr("found a key of 20001 parts; expected at most 16"));
+  for (const std::string& each : {value, "{ " + key + " = 1 }"}) {
+    const Outcome deep = run_program({"solve", case_file_, "--set", "solve.start=" + each});
+    EXPECT_EQ(deep.code, 2);
+    EXPECT_THAT(deep.err, HasSubstr("nests more deeply than a case does"));
+  }
+}
+
 }  // namespace
 }  // namespace stationary::testing

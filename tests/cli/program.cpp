@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,6 +32,11 @@ namespace fs = std::filesystem;
   ::dup2(out_file, STDOUT_FILENO);
   ::dup2(err_file, STDERR_FILENO);
   if (!options.directory.empty() && ::chdir(options.directory.c_str()) != 0) ::_exit(127);
+  if (options.file_size_limit >= 0) {
+    const auto bytes = static_cast<rlim_t>(options.file_size_limit);
+    const ::rlimit limit{bytes, bytes};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
   if (options.pending_signal != 0) {
     sigset_t blocked;
     sigemptyset(&blocked);

@@ -22,6 +22,7 @@ struct RunOptions {
   std::string interrupt_once_written = {};  ///< SIGINT when its temporary file holds something
   std::string standard_output = {};         ///< a file instead of a captured stream
   std::string directory = {};               ///< to run in
+  long file_size_limit = -1;                ///< of each file it writes, in bytes
 };
 
 Outcome run_program(const std::vector<std::string>& arguments, const RunOptions& options = {});

@@ -6,7 +6,9 @@
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "solver/column_file.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/table_reading.hpp"
 
@@ -335,6 +337,51 @@ TEST_F(Resume, TablesCutShortOrChanged) {
     directory_.file("x.csv", text);
     expect_refused(message);
   }
+}
+
+/// Any cell that is another, any two rows exchanged: the metadata's checksum tells.
+TEST_F(Resume, TablesWithOtherValues) {
+  stop_after(50);
+  const std::string good = text_of(table_);
+  std::vector<std::string> lines;
+  std::istringstream stream(good);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  const auto joined = [&] {
+    std::string out;
+    for (const std::string& line : lines) out += line + '\n';
+    return out;
+  };
+  const std::string message = "was changed since it was written";
+  for (const std::size_t k : {1U, 7U, 30U, 49U}) {
+    std::swap(lines[k], lines[k + 1]);
+    directory_.file("x.csv", joined());
+    expect_refused(message);
+    std::swap(lines[k], lines[k + 1]);
+    const std::string line = lines[k];
+    for (std::size_t at = 0; at < line.size(); at += 11) {
+      if (line[at] < '1' || line[at] > '9') continue;
+      lines[k][at] = line[at] == '1' ? '2' : static_cast<char>(line[at] - 1);
+      directory_.file("x.csv", joined());
+      const Outcome outcome = resume();
+      EXPECT_EQ(outcome.code, 2) << lines[k];
+      lines[k] = line;
+    }
+  }
+  auto beside = metadata();
+  beside.erase("checksum");
+  directory_.file("x.csv", good);
+  directory_.file("x.meta.json", beside.dump());
+  expect_refused("does not say what rows and events the table has");
+}
+
+TEST_F(Resume, FromHdf5) {
+  table_ = directory_ / "x.h5";
+  stop_after(60);
+  const Outcome outcome = resume();
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::ostringstream text;
+  text << column_file_table(table_, {})->rdbuf();
+  EXPECT_EQ(events_of(rows_of(text.str())).size(), 6U);
 }
 
 TEST_F(Resume, TablesWithoutAPlace) {

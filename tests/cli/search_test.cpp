@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -66,7 +67,7 @@ std::string nu_at_fold(double times) {
 TEST(SolveAll, OneRowASheet) {
   const Outcome outcome = solve(apart, {"-o", "-", "--set", "solve.all=true"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_THAT(outcome.err, HasSubstr("solve.start is not used"));
   EXPECT_THAT(std::string(header_of(outcome.out)), Not(HasSubstr("certified")));
   auto rows = rows_of(outcome.out);
   ASSERT_EQ(rows.size(), 2U);
@@ -270,6 +271,18 @@ TEST(Certify, TwoPolarMotionsByRatesAndByMomenta) {
     EXPECT_EQ(row["class_certified"], "yes") << file;
     EXPECT_LT(number(row["error_bound"]), 1e-13) << file;
   }
+}
+
+/// solve.all starts nowhere in particular: one line says so, and the metadata.
+TEST(SolveAll, AStartIsNotUsed) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "case.toml", std::string(good_case) + "\n[solve]\nall = true\nstart = [0, 1.1, 0.9, 1]\n");
+  const Outcome outcome = run_program({"solve", path, "-o", directory / "x.csv"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("solve.start is not used"));
+  EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1);
+  EXPECT_THAT(text_of(directory / "x.meta.json"), HasSubstr("\"quantity\": \"solve.start\""));
 }
 
 }  // namespace
