@@ -218,11 +218,13 @@ Spectrum general_spectrum(const GeneralFacts& facts, const Leaf<long double>& le
     }
     int krein = 1;
     if (!definite) {
+      // Of the leaf as it stands, so that only what was lost on the way to it counts.
       const Real energy = t.right.dot(E.cast<Complex>() * t.right).real();
-      const Real doubt = u * t.right.cwiseAbs().dot(magnitude * t.right.cwiseAbs());
+      const Real doubt = Real(0x1p-50) * t.right.cwiseAbs().dot(magnitude * t.right.cwiseAbs());
       krein = energy > doubt ? 1 : energy < -doubt ? -1 : 0;
     }
-    out.add_real(static_cast<double>(lambda.real()), error, krein);
+    out.add_real(static_cast<double>(lambda.real()), error, krein,
+                 definite ? Axis::stays : Axis::may_leave);
   }
   if (facts.symmetry == MaterialSymmetry::circle && leaf.pairs == 5 &&
       definite_with_momentum(leaf, u)) {
