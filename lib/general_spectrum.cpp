@@ -207,13 +207,8 @@ Spectrum general_spectrum(const GeneralFacts& facts, const Leaf<long double>& le
     const EigenTriple t = triple(H, magnitude, lambda, u);
     const auto error = static_cast<double>(t.error);
     if (lambda.imag() > Real(0)) {
-      if (std::abs(lambda.imag()) > t.error) {
-        out.add_complex(static_cast<double>(lambda.real()), static_cast<double>(lambda.imag()),
-                        error);
-      } else {
-        out.add_undecided(static_cast<double>(lambda.real()), static_cast<double>(lambda.imag()),
-                          error);
-      }
+      out.add_complex(static_cast<double>(lambda.real()), static_cast<double>(lambda.imag()),
+                      error);
       continue;
     }
     int krein = 1;

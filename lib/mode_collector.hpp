@@ -67,7 +67,8 @@ class ModeCollector {
     push(m, axis, std::abs(lambda) > error);
   }
 
-  /// A conjugate pair of Lambda with im > 0: a quadruple of s, two modes.
+  /// A conjugate pair of Lambda with im > 0: a quadruple of s, two modes; nothing is claimed of
+  /// them where within the error they may be two real ones.
   void add_complex(double re, double im, double error) {
     Mode m;
     m.lambda_re = re;
@@ -81,14 +82,9 @@ class ModeCollector {
       m.im = std::sqrt(0.5 * (size - re));
       m.re = 0.5 * im / m.im;
     }
-    push(m, Axis::may_leave, true);
-    push(m, Axis::may_leave, true);
-  }
-
-  /// A pair that may be real or complex: two modes, nothing claimed.
-  void add_undecided(double re, double im, double error) {
-    add_complex(re, im, error);
-    decided_[index(count_ - 1)] = decided_[index(count_ - 2)] = false;
+    const bool complex = 2.0 * error < im;  // apart from its conjugate, as in may_meet()
+    push(m, Axis::may_leave, complex);
+    push(m, Axis::may_leave, complex);
   }
 
   void add_forced_zero() {
@@ -110,7 +106,7 @@ class ModeCollector {
     if (close && collision_possible) {
       const double error = merging + std::sqrt(std::abs(separation));
       if (separation < 0.0) {
-        add_undecided(mean, std::sqrt(-separation), error);
+        add_complex(mean, std::sqrt(-separation), error);
       } else {
         add_real(leading(pair.small), error, 0, axis);
         add_real(leading(pair.large), error, 0, axis);

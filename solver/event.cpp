@@ -65,7 +65,7 @@ void set_collision(const BlockModes& block, TestValues& out) {
     const double relative = block.most_complex / block.complex_size;
     out.value[TestValues::collision] = -relative * relative;
     out.collides_imaginary = block.complex_re < 0.0;
-    require_beyond(block.most_complex, block.complex_error, TestValues::collision, out);
+    require_beyond(block.most_complex, 2.0 * block.complex_error, TestValues::collision, out);
     return;
   }
   double least = std::numeric_limits<double>::infinity();
@@ -75,7 +75,7 @@ void set_collision(const BlockModes& block, TestValues& out) {
     const double half = 0.5 * (b - a);
     const double mean = 0.5 * (b + a);
     const double relative = half * half / (mean * mean + half * half);
-    require_beyond(b - a, block.real[k - 1]->lambda_error + block.real[k]->lambda_error,
+    require_beyond(b - a, 2.0 * (block.real[k - 1]->lambda_error + block.real[k]->lambda_error),
                    TestValues::collision, out);
     if (!(relative < least)) continue;
     least = relative;
@@ -102,7 +102,7 @@ void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
           out.value[k] =
               (first.lambda_re - second.lambda_re) / -(first.lambda_re + second.lambda_re);
           require_beyond(first.lambda_re - second.lambda_re,
-                         first.lambda_error + second.lambda_error, k, out);
+                         2.0 * (first.lambda_error + second.lambda_error), k, out);
           if (first.krein * second.krein < 0)
             out.opposite |= 1U << static_cast<unsigned>(k - TestValues::crossings);
         }
