@@ -207,22 +207,19 @@ Spectrum general_spectrum(const GeneralFacts& facts, const Leaf<long double>& le
     const EigenTriple t = triple(H, magnitude, lambda, u);
     const auto error = static_cast<double>(t.error);
     if (lambda.imag() > Real(0)) {
-      if (std::abs(lambda.imag()) > t.error) {
-        out.add_complex(static_cast<double>(lambda.real()), static_cast<double>(lambda.imag()),
-                        error);
-      } else {
-        out.add_undecided(static_cast<double>(lambda.real()), static_cast<double>(lambda.imag()),
-                          error);
-      }
+      out.add_complex(static_cast<double>(lambda.real()), static_cast<double>(lambda.imag()),
+                      error);
       continue;
     }
     int krein = 1;
     if (!definite) {
+      // Of the leaf as it stands, so that only what was lost on the way to it counts.
       const Real energy = t.right.dot(E.cast<Complex>() * t.right).real();
-      const Real doubt = u * t.right.cwiseAbs().dot(magnitude * t.right.cwiseAbs());
+      const Real doubt = Real(0x1p-50) * t.right.cwiseAbs().dot(magnitude * t.right.cwiseAbs());
       krein = energy > doubt ? 1 : energy < -doubt ? -1 : 0;
     }
-    out.add_real(static_cast<double>(lambda.real()), error, krein);
+    out.add_real(static_cast<double>(lambda.real()), error, krein,
+                 definite ? Axis::stays : Axis::may_leave);
   }
   if (facts.symmetry == MaterialSymmetry::circle && leaf.pairs == 5 &&
       definite_with_momentum(leaf, u)) {

@@ -153,7 +153,8 @@ int add_even_iii(const StraightState<Extended>& s, const StraightState<Condition
     } else {
       const CubicRoots<Extended> roots = cubic_roots(p);
       const double single = leading(roots.single);
-      out.add_real(single, uncertain.root_error(single), krein(roots.single));
+      out.add_real(single, uncertain.root_error(single), krein(roots.single),
+                   definite ? Axis::stays : Axis::may_leave);
       out.add_pair(roots.pair, uncertain, !definite, krein);
     }
     return negative_alpha +
@@ -172,7 +173,8 @@ int add_even_iii(const StraightState<Extended>& s, const StraightState<Condition
     const CubicRoots<Extended> roots =
         cubic_roots(Polynomial<Extended, 3>{{p.c[1], p.c[2], p.c[3], p.c[4]}});
     const double single = leading(roots.single);
-    out.add_real(single, uncertain.root_error(single), krein(roots.single));
+    out.add_real(single, uncertain.root_error(single), krein(roots.single),
+                 definite ? Axis::stays : Axis::may_leave);
     out.add_pair(roots.pair, uncertain, !definite, krein);
   } else {
     const QuarticRoots<Extended> roots = quartic_roots(p);
@@ -233,12 +235,12 @@ int add_circle(const StraightState<Extended>& s, const StraightState<Conditioned
     const double slow = k / fast;  // Omega - omega, without cancellation
     const double spread_fast = u * w + 0.5 * spread_2 / leading(Omega);
     const double spread_slow = spread_k / fast + std::abs(slow) / fast * spread_fast;
-    out.add_real(-fast * fast, 2.0 * fast * spread_fast, 1);
+    out.add_real(-fast * fast, 2.0 * fast * spread_fast, 1, Axis::may_leave);
     // At slow = 0 the ellipse leaves the circle; the pair touches zero and does not cross.
     const bool decided = std::abs(slow) > spread_slow;
     out.add_real(-slow * slow,
                  decided ? 2.0 * std::abs(slow) * spread_slow : spread_slow * spread_slow,
-                 sign(slow));
+                 sign(slow), Axis::may_leave);
     // E'' + c (P - |pi|)'' > 0: -(Omega + omega)/2 < c < (Omega - omega)/2 and c < omega (I3/I1 -
     // 1).
     const Conditioned ratio = c.I3() / c.I1() - Conditioned(1.0);
@@ -264,6 +266,12 @@ int add_circle(const StraightState<Extended>& s, const StraightState<Conditioned
 }
 
 }  // namespace
+
+bool Spectrum::away_from_zero() const {
+  return std::all_of(mode.begin(), mode.begin() + modes, [](const Mode& m) {
+    return m.forced_zero || std::hypot(m.lambda_re, m.lambda_im) > m.lambda_error;
+  });
+}
 
 Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDouble>& state,
                         const StraightState<Conditioned>& conditioned) {

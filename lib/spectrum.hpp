@@ -10,7 +10,8 @@
 //   oscillatory  a complex quadruple, no real pair
 //   marginal     the error bounds do not decide: a Lambda not forced to zero contains zero, or two
 //   of
-//                opposite signature in one block may meet
+//                one block that may leave the axis, of opposite signature where they are imaginary,
+//                cannot be told apart
 //
 // A class is a claim: it is made only where the bound of every Lambda supports it. Zeros that a
 // symmetry forces are exactly zero and no obstacle. Krein signature: sign of E'' on an imaginary
@@ -42,7 +43,8 @@ enum class Block {
 struct Mode {
   double re = 0.0;
   double im = 0.0;
-  int krein = 0;  ///< +1, -1; 0: not imaginary, zero, or not decided
+  int krein = 0;            ///< +1, -1; 0: not imaginary, or zero
+  bool krein_open = false;  ///< imaginary as it stands here, but its signature is not certain
   double lambda_re = 0.0;
   double lambda_im = 0.0;     ///< >= 0
   double lambda_error = 0.0;  ///< bound of |change in Lambda| (see block_spectrum); 0 where forced
@@ -56,6 +58,9 @@ struct Spectrum {
   int negative = 0;     ///< negative directions of E'' on the leaf (10 dimensions; 8 at nu = 0)
   int modes = 0;        ///< 5, or 4 at nu = 0 and in the two-polar family
   std::array<Mode, 5> mode;  ///< ascending in im, then re
+
+  /// Whether no Lambda but a symmetry's can be zero: then `negative` is certain.
+  bool away_from_zero() const;
 };
 
 /// What a block path needs beside the state.

@@ -50,6 +50,8 @@ struct AtlasOptions {
 struct AtlasRow {
   Member member;
   EventType event;
+  /// The class on the curve between this row and the last, where both are of events.
+  std::optional<StabilityClass> before = std::nullopt;
 };
 
 /// How a sheet was come upon.

@@ -69,7 +69,7 @@ class SpectrumRun {
     out.growth = all.growth;
     out.modes = all.modes;
     for (std::size_t k = 0; k < static_cast<std::size_t>(all.modes); ++k)
-      out.mode[k] = {all.mode[k].re, all.mode[k].im, all.mode[k].krein};
+      out.mode[k] = {all.mode[k].re, all.mode[k].im, all.mode[k].krein, all.mode[k].krein_open};
     return out;
   }
 

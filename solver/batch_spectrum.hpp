@@ -27,6 +27,7 @@ struct CellMode {
   double re;
   double im;
   int krein;
+  bool krein_open = false;  ///< as Mode::krein_open
 };
 
 /// As Spectrum has them; growth NaN and no modes where they were not asked for.

@@ -73,6 +73,7 @@ class Continuation {
   /// and reason()). The step that reaches an end returns true and sets end().
   bool step() {
     events_.clear();
+    unresolved_.clear();
     if (end_ != EventType::none) return false;
     for (;;) {
       if (h_ < options_.step.min) {
@@ -98,6 +99,8 @@ class Continuation {
   const CurvePoint<N>& point() const { return here_; }
   /// Those between the last point and this one, in order.
   std::span<const Event> events() const { return events_; }
+  /// Those known from this point to lie somewhere before it (EventStatus::unresolved).
+  std::span<const Event> unresolved() const { return unresolved_; }
   EventType end() const { return end_; }
   const std::string& reason() const { return reason_; }
   ContinuationCounts counts() const {
@@ -218,9 +221,11 @@ class Continuation {
   void find_events(const CurvePoint<N>& next, const Arc<N>& arc) {
     events_ = events_in_.run(here_, next, arc, has_arc_ ? &earlier_tests_ : nullptr, arc_.length,
                              counts_.steps == 1);
+    unresolved_ = events_in_.unresolved();
   }
 
   void settle(const CurvePoint<N>& next, const Attempt& attempt) {
+    events_in_.settle();
     earlier_tests_ = here_.tests;
     here_ = next;
     guard_.enter(here_.arc);
@@ -449,6 +454,7 @@ class Continuation {
   ArcVector<N> travelled_;
   double farthest_ = 0.0;
   std::vector<Event> events_;
+  std::vector<Event> unresolved_;
   EventType end_ = EventType::none;
   std::string reason_;
   std::string refusal_ = "the first step";

@@ -43,7 +43,9 @@ class Curve {
     const auto [fold, momentum] = turns(arc, out.member);
     // A vertical curve turns nowhere: p is one and the same.
     const double turn = corrector_.vertical() ? std::numeric_limits<double>::quiet_NaN() : fold;
-    out.tests = test_values(out.member, context_, turn, momentum);
+    // At a turn of p the bound is of x at the row's p; on the curve x is far better known.
+    const double error = arc.at_turn || std::isnan(arc.error_bound) ? 0.0 : arc.error_bound;
+    out.tests = test_values(out.member, context_, turn, momentum, error);
     return out;
   }
 

@@ -6,34 +6,20 @@
 
 namespace stationary {
 
-void CurveSummary::add(double parameter, std::optional<StabilityClass> verdict) {
-  if (std::isnan(first_)) first_ = parameter;
-  last_ = parameter;
-  if (!verdict) return;
-  if (!all_.empty() && all_.back().stretch.verdict == *verdict) {
-    all_.back().stretch.to = parameter;
-    ++all_.back().points;
-  } else {
-    all_.push_back({{*verdict, parameter, parameter}, 1});
-  }
-}
-
-std::vector<CurveSummary::Stretch> CurveSummary::stretches() const {
-  std::vector<Stretch> out;
-  for (const auto& [stretch, points] : all_) {
-    if (points == 1 && all_.size() > 1) continue;
-    if (!out.empty() && out.back().verdict == stretch.verdict) {
-      out.back().to = stretch.to;
-    } else {
-      out.push_back(stretch);
-    }
-  }
-  return out;
+void CurveTable::place(EventType event, double parameter, bool at_rest,
+                       std::optional<StabilityClass> verdict) {
+  if (point_ == 0) first_parameter_ = parameter;
+  last_parameter_ = parameter;
+  last_event_ = event;
+  const bool voting = event == EventType::none && !at_rest;
+  row_[Column::segment] = segments_.row(point_, {event, parameter}, verdict, voting);
+  row_[Column::point] = static_cast<double>(point_);
+  if (event != EventType::none) events_.push_back({event, parameter, point_, std::nullopt});
 }
 
 void CurveTable::row(const Member& member, EventType event) {
-  summary_.add(member.parameter,
-               member.spectrum ? std::optional(member.spectrum->verdict) : std::nullopt);
+  place(event, member.parameter, member.nu == 0.0 && !member.two_polar,
+        member.spectrum ? std::optional(member.spectrum->verdict) : std::nullopt);
   if (writer_ != nullptr) fill_row(branch_, member, writer_->columns(), row_);
   if (proves()) {
     const RowProof proof = prove(member, event);
@@ -41,7 +27,6 @@ void CurveTable::row(const Member& member, EventType event) {
   }
   if (writer_ != nullptr) {
     row_.event = name(event);
-    row_[Column::point] = static_cast<double>(point_);
     writer_->write(row_);
   }
   ++point_;
@@ -63,31 +48,51 @@ RowProof CurveTable::prove(const Member& member, EventType event) {
   out.reason = std::string(name(event)) + ": " + proof.reason;
   row_.certified = proof_word(proof.proven, out.assuming);
   row_[Column::error_bound] = proof.proven ? proof.error_bound : member.error_bound;
-  if (proof.proven) events_.push_back({event, member.parameter, proof.parameter});
+  if (proof.proven) events_.back().enclosure = proof.parameter;
   return out;
 }
 
-void CurveTable::add_enclosures(std::vector<EventRecord>& events) const {
-  for (const ProvenEvent& proven : events_) {
-    const auto at = std::ranges::find_if(events, [&](const EventRecord& each) {
-      return each.type == proven.type && each.parameter == proven.parameter;
+void CurveTable::complete(std::vector<EventRecord>& events) const {
+  auto row = events_.begin();
+  for (EventRecord& each : events) {
+    if (each.status == EventStatus::unresolved) continue;
+    const auto at = std::find_if(row, events_.end(), [&](const EventRow& candidate) {
+      return candidate.type == each.type && candidate.parameter == each.parameter;
     });
-    if (at != events.end()) at->enclosure = proven.enclosure;
+    if (at == events_.end()) continue;
+    each.point = at->point;
+    if (at->enclosure) each.enclosure = at->enclosure;
+    row = std::next(at);
   }
 }
 
-void CurveTable::again(TableRow row) {
-  const auto verdict = std::ranges::find(stability_names, row.stability);
-  summary_.add(
-      parameter_of(row),
-      verdict == std::end(stability_names)
-          ? std::nullopt
-          : std::optional(static_cast<StabilityClass>(verdict - std::begin(stability_names))));
+SheetRecord CurveTable::record(const FollowReport& report) const {
+  SheetRecord out;
+  out.sheet = static_cast<int>(row_[Column::sheet]);
+  out.events = report.events;
+  out.segments = segments_.segments();
+  out.first = {report.backward.event, first_parameter_, report.backward.reason};
+  out.last = {report.forward.event, last_parameter_, report.forward.reason};
+  return out;
+}
+
+void CurveTable::again(TableRow row, std::optional<StabilityClass> verdict) {
+  const auto* const event = std::ranges::find(event_names, row.event);
+  const auto* const own = std::ranges::find(stability_names, row.stability);
+  const auto type = static_cast<EventType>(event - std::begin(event_names));
+  const bool at_rest = row[Column::nu1] == 0.0 && row[Column::nu2] == 0.0 &&
+                       row[Column::nu3] == 0.0 && std::isnan(row[Column::omega]);
+  if (verdict && type != EventType::none && last_event_ != EventType::none && point_ > 0)
+    segments_.between(*verdict);
+  place(type, parameter_of(row), at_rest,
+        own == std::end(stability_names)
+            ? std::nullopt
+            : std::optional(static_cast<StabilityClass>(own - std::begin(stability_names))));
   if (proves())
     count_proof(row.certified != proof_word(false), parameter_of(row), "as it was in the table");
-  row[Column::sheet] = row_[Column::sheet];
-  row[Column::point] = static_cast<double>(point_++);
+  for (const Column c : {Column::sheet, Column::point, Column::segment}) row[c] = row_[c];
   if (writer_ != nullptr) writer_->write(row);
+  ++point_;
 }
 
 void CurveTable::count_proof(bool proven, double parameter, const std::string& reason) {

@@ -1,4 +1,5 @@
-// A followed curve as rows of a table, and in short: where its stability changes.
+// A followed curve as rows of a table, and what is to be told of the whole: its segments of one
+// class, where its events stand, how it ended.
 #pragma once
 
 #include <functional>
@@ -12,33 +13,25 @@
 #include "solver/event_enclosure.hpp"
 #include "solver/follow.hpp"
 #include "solver/problem.hpp"
+#include "solver/segments.hpp"
 #include "solver/table.hpp"
 
 namespace stationary {
 
-/// Stretches of one class along a curve.
-class CurveSummary {
- public:
-  struct Stretch {
-    StabilityClass verdict;
-    double from;
-    double to;
-  };
+/// An end of a sheet in its table.
+struct EndRecord {
+  EventType event = EventType::none;  ///< none: not followed to its end
+  double parameter = std::numeric_limits<double>::quiet_NaN();
+  std::string reason;
+};
 
-  void add(double parameter, std::optional<StabilityClass> verdict);
-  double first_parameter() const { return first_; }
-  double last_parameter() const { return last_; }
-  /// Single points (an event's own class) are left out.
-  std::vector<Stretch> stretches() const;
-
- private:
-  struct Counted {
-    Stretch stretch;
-    long points;
-  };
-  std::vector<Counted> all_;
-  double first_ = std::numeric_limits<double>::quiet_NaN();
-  double last_ = std::numeric_limits<double>::quiet_NaN();
+/// A sheet beside its rows.
+struct SheetRecord {
+  int sheet = 1;
+  std::vector<EventRecord> events;
+  std::vector<Segment> segments;
+  EndRecord first;
+  EndRecord last;
 };
 
 /// How many rows are proven.
@@ -51,10 +44,10 @@ struct CurveProofs {
 
 class CurveTable final : public CurveSink {
  public:
-  /// Rows of sheet `sheet` from point `point` on; branch: a name that outlives this; writer may be
-  /// null: then only the summary is made.
-  CurveTable(std::string_view branch, RowSink* writer, int sheet = 1, long point = 0)
-      : branch_(branch), writer_(writer), point_(point) {
+  /// Rows of sheet `sheet`; branch: a name that outlives this; writer may be null: then there is
+  /// only what is told of the whole.
+  CurveTable(std::string_view branch, RowSink* writer, int sheet = 1)
+      : branch_(branch), writer_(writer) {
     row_[Column::sheet] = sheet;
   }
 
@@ -68,37 +61,46 @@ class CurveTable final : public CurveSink {
   using Prover = std::function<RowProof(const Member&, const Equilibrium&, TableRow&)>;
   /// Proves every row of a family whose events have no enclosures.
   void prove(Prover prover) { prover_ = std::move(prover); }
-  /// Adds the enclosures of the events of the rows so far.
-  void add_enclosures(std::vector<EventRecord>& events) const;
-
   void row(const Member& member, EventType event) override;
-  /// A row that was in a table already, with this table's sheet and next point.
-  void again(TableRow row);
-  const CurveSummary& summary() const { return summary_; }
+  void between(StabilityClass verdict) override { segments_.between(verdict); }
+  /// A row that was in a table already, with this table's sheet and next point; verdict: the class
+  /// of its segment there.
+  void again(TableRow row, std::optional<StabilityClass> verdict);
+  /// Adds to the events of the rows so far their rows and enclosures.
+  void complete(std::vector<EventRecord>& events) const;
+  /// Of the rows so far; report: what was told of following them, its events completed.
+  SheetRecord record(const FollowReport& report) const;
   const CurveProofs& proofs() const { return proofs_; }
 
  private:
-  struct ProvenEvent {
+  struct EventRow {
     EventType type;
     double parameter;
-    Interval enclosure;
+    long point;
+    std::optional<Interval> enclosure;
   };
 
   bool proves() const { return problem_at_ || prover_; }
   RowProof prove(const Member& member, EventType event);
   void count_proof(bool proven, double parameter, const std::string& reason);
   double parameter_of(const TableRow& row) const;
+  /// A row's place among the segments and the events; verdict: its own class.
+  void place(EventType event, double parameter, bool at_rest,
+             std::optional<StabilityClass> verdict);
 
   std::string_view branch_;
   RowSink* writer_;
-  long point_;
+  long point_ = 0;
   TableRow row_;
-  CurveSummary summary_;
+  SegmentBuilder segments_;
+  double first_parameter_ = std::numeric_limits<double>::quiet_NaN();
+  double last_parameter_ = std::numeric_limits<double>::quiet_NaN();
+  EventType last_event_ = EventType::none;
   std::function<Problem(double)> problem_at_;  ///< empty, and prover_ too: nothing is proven
   FamilyParameter parameter_;
   Prover prover_;
   CurveProofs proofs_;
-  std::vector<ProvenEvent> events_;
+  std::vector<EventRow> events_;
 };
 
 }  // namespace stationary

@@ -82,8 +82,9 @@ std::vector<Column> equilibrium_columns(const RowParts& parts) {
   std::vector<Column> out;
   for (std::size_t k = 0; k < column_count; ++k) {
     const auto c = static_cast<Column>(k);
-    if ((c == Column::event && !parts.events) || (is_spectral(c) && !parts.spectrum) ||
-        (is_two_polar(c) && !parts.two_polar) || (is_certificate(c) && !parts.certificate) ||
+    if (((c == Column::event || c == Column::segment) && !parts.events) ||
+        (needs_spectrum(c) && !parts.spectrum) || (is_two_polar(c) && !parts.two_polar) ||
+        (is_certificate(c) && !parts.certificate) ||
         (c == Column::class_certified && !parts.spectrum) || (c == Column::status && !parts.map) ||
         (c == Column::sheet && parts.map))
       continue;
@@ -154,7 +155,8 @@ void fill_from(const auto& spectrum, TableRow& row) {
     const auto& mode = spectrum.mode[static_cast<std::size_t>(k)];
     row[mode_column(k, ModePart::re)] = mode.re;
     row[mode_column(k, ModePart::im)] = mode.im;
-    row[mode_column(k, ModePart::krein)] = mode.krein;
+    row[mode_column(k, ModePart::krein)] =
+        mode.krein_open ? std::numeric_limits<double>::quiet_NaN() : mode.krein;
   }
 }
 

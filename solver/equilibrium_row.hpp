@@ -50,7 +50,8 @@ double spin(std::string_view branch, const TableRow& row);
 void fill_row(const Body& body, const Potential& potential, const TwoPolarEquilibrium& equilibrium,
               const ColumnSet& wanted, TableRow& row);
 
-/// class ... krein5; modes that do not exist, or were not computed, stay empty.
+/// class ... krein5; modes that do not exist, or were not computed, stay empty, and so does a
+/// signature that is not certain.
 void fill_spectrum(const Spectrum& spectrum, TableRow& row);
 void fill_spectrum(const CellSpectrum& spectrum, TableRow& row);
 

@@ -20,6 +20,7 @@ struct BlockModes {
   double most_complex = 0.0;  ///< largest imaginary part of a Lambda
   double complex_size = 0.0;
   double complex_re = 0.0;
+  double complex_error = 0.0;
 };
 
 std::array<BlockModes, 4> by_block(const Spectrum& spectrum) {
@@ -33,6 +34,7 @@ std::array<BlockModes, 4> by_block(const Spectrum& spectrum) {
         block.most_complex = mode.lambda_im;
         block.complex_re = mode.lambda_re;
         block.complex_size = std::hypot(mode.lambda_re, mode.lambda_im);
+        block.complex_error = mode.lambda_error;
       }
       continue;
     }
@@ -53,11 +55,17 @@ bool may_collide(Block block, const TestContext& context) {
          !(context.circle && block == Block::even);
 }
 
+/// Leaves the sign of function k open unless the value it has the sign of is beyond its error.
+void require_beyond(double value, double error, std::size_t k, TestValues& out) {
+  if (!(std::abs(value) > error)) out.uncertain |= 1U << static_cast<unsigned>(k);
+}
+
 void set_collision(const BlockModes& block, TestValues& out) {
   if (block.most_complex > 0.0) {
     const double relative = block.most_complex / block.complex_size;
     out.value[TestValues::collision] = -relative * relative;
     out.collides_imaginary = block.complex_re < 0.0;
+    require_beyond(block.most_complex, 2.0 * block.complex_error, TestValues::collision, out);
     return;
   }
   double least = std::numeric_limits<double>::infinity();
@@ -67,6 +75,8 @@ void set_collision(const BlockModes& block, TestValues& out) {
     const double half = 0.5 * (b - a);
     const double mean = 0.5 * (b + a);
     const double relative = half * half / (mean * mean + half * half);
+    require_beyond(b - a, 2.0 * (block.real[k - 1]->lambda_error + block.real[k]->lambda_error),
+                   TestValues::collision, out);
     if (!(relative < least)) continue;
     least = relative;
     out.collides_imaginary = mean < 0.0;
@@ -91,6 +101,8 @@ void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
           if (!(first.lambda_re < 0.0 && second.lambda_re < 0.0)) continue;
           out.value[k] =
               (first.lambda_re - second.lambda_re) / -(first.lambda_re + second.lambda_re);
+          require_beyond(first.lambda_re - second.lambda_re,
+                         2.0 * (first.lambda_error + second.lambda_error), k, out);
           if (first.krein * second.krein < 0)
             out.opposite |= 1U << static_cast<unsigned>(k - TestValues::crossings);
         }
@@ -199,7 +211,7 @@ bool TestContext::seeks(std::size_t function) const {
 }
 
 TestValues test_values(const Member& member, const TestContext& context, double fold,
-                       double momentum) {
+                       double momentum, double error) {
   TestValues out;
   out.value.fill(none);
   out.value[TestValues::fold] = fold;
@@ -216,6 +228,10 @@ TestValues test_values(const Member& member, const TestContext& context, double 
   } else {
     set_axis_tests(member, context, m, out);
   }
+  // The locked inertias are as uncertain as the squares of the stretches.
+  for (const std::size_t k :
+       {TestValues::inertia_12, TestValues::inertia_13, TestValues::inertia_23})
+    require_beyond(out.value[k], 2.0 * error + 0x1p-51, k, out);
   if (member.spectrum &&
       (context.seeks(TestValues::collision) || context.seeks(TestValues::crossings))) {
     const auto blocks = by_block(*member.spectrum);

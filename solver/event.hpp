@@ -105,6 +105,14 @@ struct TestValues {
   std::uint32_t composition = 0;    ///< which blocks have how many real and negative Lambda:
                                     ///< crossings compare only where this is equal
   bool collides_imaginary = false;  ///< the pair of `collision` has Lambda < 0
+  /// Bit k: the errors of the point leave the sign of value k open.
+  std::uint32_t uncertain = 0;
+
+  /// The sign of a function where it is certain: +1, -1; else 0.
+  int sign(std::size_t k) const {
+    if (((uncertain >> static_cast<unsigned>(k)) & 1U) != 0) return 0;
+    return (value[k] > 0.0) - (value[k] < 0.0);
+  }
 };
 
 /// What the test functions need beside the member.
@@ -124,9 +132,10 @@ struct TestContext {
   bool seeks(std::size_t function) const;
 };
 
-/// fold, momentum: as the curve's geometry gives them.
+/// fold, momentum: as the curve's geometry gives them. error: of the member as a point of the
+/// curve, relative.
 TestValues test_values(const Member& member, const TestContext& context, double fold,
-                       double momentum);
+                       double momentum, double error = 0.0);
 
 /// What a zero of function k is; none where it is no event (equal signatures, say).
 EventType event_type(std::size_t k, const TestContext& context, const TestValues& at);

@@ -6,12 +6,19 @@
 // three points dips towards zero inside the step, its extremum is sought on the curve: two zeros in
 // one step are found so. What remains of the change in the number of negative directions is
 // reported as unexplained.
+//
+// A sign counts where it is certain (TestValues::sign). Where it is not at an end of the step, the
+// curve is looked at a little before or beyond; where it is certain nowhere near, the last certain
+// sign is remembered, and the next one tells whether there was an event: one that is then known to
+// lie between two places and is not located.
 #pragma once
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,12 +26,22 @@
 
 namespace stationary {
 
+enum class EventStatus {
+  located,
+  bracketed,  ///< the member is the bracket's middle
+  unresolved  ///< the function's sign is certain at the bracket's ends only; no member
+};
+constexpr std::string_view event_status_names[] = {"located", "bracketed", "unresolved"};
+constexpr std::string_view name(EventStatus s) { return event_status_names[static_cast<int>(s)]; }
+
 struct Event {
   EventType type = EventType::none;
   Member member;      ///< error_bound: of the event's q
   double before = 0;  ///< bracket of the parameter
   double after = 0;
-  bool located = false;  ///< else only bracketed: the member is the bracket's middle
+  EventStatus status = EventStatus::bracketed;
+  /// The class on the curve between this event and the next in the same step, if there is one.
+  std::optional<StabilityClass> between = std::nullopt;
 };
 
 template <int N>
@@ -41,28 +58,33 @@ class EventSearch {
     to_ = &to;
     arc_ = &arc;
     found_.clear();
+    unresolved_.clear();
+    if (starts) known_ = known_at(from);
+    next_ = known_;
     for (std::size_t k = 0; k < TestValues::crossings; ++k) {
-      const double a = from.tests.value[k];
-      const double b = to.tests.value[k];
-      if (!curve_->context().seeks(k)) continue;
-      if (std::isnan(a) || std::isnan(b) || (starts && a == 0.0)) continue;
-      if ((a < 0.0) != (b < 0.0)) {
-        locate(k, {0.0, a}, {1.0, b});
-      } else if (k == TestValues::fold && curve_->family().along_nu()) {
+      if (!curve_->context().seeks(k) || !compare_ends(k)) continue;
+      if (k == TestValues::fold && curve_->family().along_nu()) {
         fold_dip();
       } else if (earlier != nullptr) {
         dip(k, earlier->value[k], earlier_length);
       }
     }
-    if (curve_->context().seeks(TestValues::crossings))
-      find_crossings(from.tests, to.tests, earlier, earlier_length);
+    if (curve_->context().seeks(TestValues::crossings)) find_crossings(earlier, earlier_length);
     if (curve_->context().sought.has(EventType::unexplained)) explain_negative();
     std::ranges::sort(found_, {}, &Found::u);
     std::vector<Event> out;
     out.reserve(found_.size());
-    for (Found& each : found_) out.push_back(std::move(each.event));
+    for (std::size_t k = 0; k < found_.size(); ++k) {
+      if (k + 1 < found_.size()) found_[k].event.between = class_between(found_[k], found_[k + 1]);
+      out.push_back(std::move(found_[k].event));
+    }
     return out;
   }
+
+  /// Events known from the last run() to lie between an earlier point and `to`, and not located.
+  const std::vector<Event>& unresolved() const { return unresolved_; }
+  /// The step of the last run() is taken: the next begins where it ended.
+  void settle() { known_ = next_; }
 
   /// Points evaluated so far.
   long evaluations() const { return evaluations_; }
@@ -76,6 +98,99 @@ class EventSearch {
     double u;
     double value;
   };
+  /// What is certain of the curve up to a point.
+  struct Known {
+    std::array<int, TestValues::count> sign{};  ///< the last that was; 0: none
+    std::array<double, TestValues::count> place{};
+    struct Negative {
+      int modes;
+      int count;
+      double place;
+      int change = 0;  ///< most that events since can have changed it by
+      bool exchange = false;
+    };
+    std::optional<Negative> negative;
+  };
+
+  static std::optional<typename Known::Negative> certain_negative(const Member& at) {
+    if (!at.spectrum || !at.spectrum->away_from_zero()) return std::nullopt;
+    return typename Known::Negative{at.spectrum->modes, at.spectrum->negative, at.parameter};
+  }
+
+  static Known known_at(const CurvePoint<N>& at) {
+    Known out;
+    for (std::size_t k = 0; k < TestValues::count; ++k) {
+      out.sign[k] = at.tests.sign(k);
+      out.place[k] = at.member.parameter;
+    }
+    out.negative = certain_negative(at.member);
+    return out;
+  }
+
+  /// How far beyond an end of the step a sign is looked for, in arcs.
+  static constexpr std::array aside_of_ends{1e-9, 1e-6, 1e-3, 0.03, 0.3, 1.0};
+
+  /// The nearest place from u on in a direction where the sign of function k is certain.
+  std::optional<Sample> certain_from(std::size_t k, double u, int direction) {
+    for (const double aside : aside_of_ends) {
+      CurvePoint<N> point;
+      const double at = u + direction * aside;
+      if (!evaluate(at, point) || point.member.beyond_end()) continue;
+      if (point.tests.sign(k) != 0) return Sample{at, point.tests.value[k]};
+    }
+    return std::nullopt;
+  }
+
+  /// Locates a change of sign of function k over the step. True where there is none and both ends
+  /// are certain.
+  bool compare_ends(std::size_t k) {
+    const double a = from_->tests.value[k];
+    const double b = to_->tests.value[k];
+    const int first = from_->tests.sign(k);
+    const int last = to_->tests.sign(k);
+    const int before = known_.sign[k];
+    if (last != 0 || std::isnan(b)) {
+      next_.sign[k] = last;
+      next_.place[k] = to_->member.parameter;
+    }
+    if (std::isnan(a) || std::isnan(b) || before == 0) return false;
+    if (first != 0 && last != 0) {
+      if (first == last) return true;
+      locate(k, {0.0, a}, {1.0, b});
+      return false;
+    }
+    const auto left = first != 0 ? Sample{0.0, a} : certain_from(k, 0.0, -1);
+    const auto right = last != 0 ? Sample{1.0, b} : certain_from(k, 1.0, +1);
+    if (left && right && (left->value > 0.0) == (before > 0) &&
+        (left->value > 0.0) != (right->value > 0.0)) {
+      // Beyond the step it is the next one's.
+      if (locate(k, *left, *right)) {
+        next_.sign[k] = -before;
+        next_.place[k] = to_->member.parameter;
+      }
+    } else if (last == -before) {
+      add_unresolved(event_type(k, curve_->context(), to_->tests), known_.place[k]);
+    }
+    return false;
+  }
+
+  void add_unresolved(EventType type, double since) {
+    if (type == EventType::none) return;
+    Event event;
+    event.type = type;
+    event.before = since;
+    event.after = to_->member.parameter;
+    event.member.parameter = 0.5 * (event.before + event.after);
+    event.status = EventStatus::unresolved;
+    unresolved_.push_back(std::move(event));
+  }
+
+  std::optional<StabilityClass> class_between(const Found& a, const Found& b) {
+    CurvePoint<N> point;
+    if (!a.event.member.spectrum || !evaluate(0.5 * (a.u + b.u), point)) return std::nullopt;
+    if (!point.member.spectrum) return std::nullopt;
+    return point.member.spectrum->verdict;
+  }
 
   /// The completed point at u; false where the corrector fails.
   bool evaluate(double u, CurvePoint<N>& out) {
@@ -95,31 +210,73 @@ class EventSearch {
     return std::isnan(f) ? otherwise : f;
   }
 
-  void locate(std::size_t k, Sample a, Sample b) {
+  /// False where the zero lies beyond the step. One before it, where a sign was not certain then,
+  /// is its beginning's.
+  bool locate(std::size_t k, Sample a, Sample b) {
     std::uintmax_t evaluations = 80;
     const auto f = [&](double u) { return value(k, u, a.value); };
     const auto close = [](double low, double high) { return high - low <= 0x1p-48; };
     const auto [low, high] =
         boost::math::tools::toms748_solve(f, a.u, b.u, a.value, b.value, close, evaluations);
-    add(k, low, high);
+    if (0.5 * (low + high) > 1.0) return false;
+    Bracket zero{low, high, a.u, b.u};
+    widen(k, zero);
+    add(k, zero);
+    return true;
   }
 
-  void add(std::size_t k, double low, double high) {
+  /// A zero, and how far around it the sign of its function may be certain.
+  struct Bracket {
+    double low;
+    double high;
+    double first;
+    double last;
+    double middle() const { return 0.5 * (low + high); }
+  };
+
+  /// Widens a bracket to where the signs are certain.
+  void widen(std::size_t k, Bracket& zero) {
+    const double middle = zero.middle();
+    const auto certain = [&](double u) {
+      CurvePoint<N> point;
+      return evaluate(u, point) && point.tests.sign(k) != 0;
+    };
+    for (const int side : {-1, 1}) {
+      double& end = side < 0 ? zero.low : zero.high;
+      const double most = side < 0 ? middle - zero.first : zero.last - middle;
+      for (double aside = std::abs(end - middle); aside < most && !certain(end);) {
+        aside = std::min(most, std::max(8.0 * aside, 0x1p-48));
+        end = middle + side * aside;
+      }
+    }
+  }
+
+  void add(std::size_t k, const Bracket& zero) {
+    // Farther apart the two places say that there is an event, and not where.
+    constexpr double resolved = 1e-6;
+    const bool located = (zero.high - zero.low) * arc_->length <= resolved;
     CurvePoint<N> point;
-    for (const double u : {0.5 * (low + high), low, high}) {
-      if (!evaluate(u, point) || point.member.beyond_end()) continue;
+    for (const double u : {zero.middle(), zero.low, zero.high}) {
+      if (!located || !evaluate(u, point) || point.member.beyond_end()) continue;
       const EventType type = event_type(k, curve_->context(), point.tests);
       if (type == EventType::none) return;
-      Found out{u, {type, point.member, parameter(low), parameter(high), true}};
-      out.event.member.error_bound = error_bound(k, u, 0.5 * (high - low), point);
+      Found out{
+          u, {type, point.member, parameter(zero.low), parameter(zero.high), EventStatus::located}};
+      const double half = std::max(zero.high - zero.middle(), zero.middle() - zero.low);
+      out.event.member.error_bound = error_bound(k, u, half, point);
       found_.push_back(std::move(out));
       return;
     }
-    // Known to be there, and no more.
     const EventType type = event_type(k, curve_->context(), from_->tests);
+    if (!located) {
+      add_unresolved(type, known_.place[k]);
+      return;
+    }
+    // Known to be there, and no more.
     if (type == EventType::none) return;
     found_.push_back(
-        {0.5 * (low + high), {type, from_->member, parameter(0.0), parameter(1.0), false}});
+        {zero.middle(),
+         {type, from_->member, parameter(0.0), parameter(1.0), EventStatus::bracketed}});
   }
 
   /// Of the curve itself; the arc's where the corrector fails.
@@ -184,25 +341,30 @@ class EventSearch {
     std::uintmax_t evaluations = 25;
     const auto [u, f] = boost::math::tools::brent_find_minima(
         [&](double s) { return sign * value(k, s, a); }, 0.0, 1.0, 20, evaluations);
-    if (!(f < 0.0)) return;
+    CurvePoint<N> lowest;
+    if (!(f < 0.0) || !evaluate(u, lowest) || lowest.tests.sign(k) == 0) return;
     locate(k, {0.0, a}, {u, sign * f});
     locate(k, {u, sign * f}, {1.0, b});
   }
 
   /// Crossings of different blocks: over stretches of the step where each block keeps its numbers
   /// of real and of negative Lambda.
-  void find_crossings(const TestValues& from, const TestValues& to, const TestValues* earlier,
-                      double earlier_length) {
+  void find_crossings(const TestValues* earlier, double earlier_length) {
+    const TestValues& from = from_->tests;
+    const TestValues& to = to_->tests;
     // A pair may touch zero and come back: then its signature is another, in the same composition.
-    if (from.composition == to.composition && found_.empty()) {
-      crossings_between({0.0, from}, {1.0, to});
-      if (earlier != nullptr && earlier->composition == from.composition) {
-        for (std::size_t k = TestValues::crossings; k < TestValues::count; ++k)
-          if ((from.value[k] < 0.0) == (to.value[k] < 0.0) && is_opposite(from, k))
-            dip(k, earlier->value[k], earlier_length);
+    const bool plain = from.composition == to.composition && found_.empty();
+    for (std::size_t k = TestValues::crossings; k < TestValues::count; ++k) {
+      const bool opposite = is_opposite(from, k) || is_opposite(to, k);
+      if (!plain || !opposite) {  // no event of its own, whether they meet or not
+        next_.sign[k] = to.sign(k);
+        next_.place[k] = to_->member.parameter;
+      } else if (compare_ends(k) && earlier != nullptr &&
+                 earlier->composition == from.composition && is_opposite(from, k)) {
+        dip(k, earlier->value[k], earlier_length);
       }
-      return;
     }
+    if (plain) return;
     std::vector<double> borders;
     for (const Found& each : found_) borders.push_back(each.u);
     std::ranges::sort(borders);
@@ -231,46 +393,49 @@ class EventSearch {
   void crossings_between(const Tested& a, const Tested& b) {
     if (a.tests.composition != b.tests.composition) return;
     for (std::size_t k = TestValues::crossings; k < TestValues::count; ++k) {
-      const double fa = a.tests.value[k];
-      const double fb = b.tests.value[k];
-      if (std::isnan(fa) || std::isnan(fb) || (fa < 0.0) == (fb < 0.0)) continue;
-      if (is_opposite(a.tests, k) || is_opposite(b.tests, k)) locate(k, {a.u, fa}, {b.u, fb});
+      if (a.tests.sign(k) * b.tests.sign(k) >= 0) continue;
+      if (is_opposite(a.tests, k) || is_opposite(b.tests, k))
+        locate(k, {a.u, a.tests.value[k]}, {b.u, b.tests.value[k]});
     }
   }
 
   /// Whether the located events account for the change of `negative`; else brackets the change.
   void explain_negative() {
-    if (!from_->member.spectrum || !to_->member.spectrum) return;
     // A circle's count is that of (iii), which its ellipses at other rates do not change.
     if (curve_->context().two_polar && curve_->context().circle) return;
-    const Spectrum& a = *from_->member.spectrum;
-    const Spectrum& b = *to_->member.spectrum;
-    if (a.modes != b.modes || a.negative == b.negative) return;
-    if constexpr (N >=
-                  4) {  // spectra of the whole problem: what their bounds leave open is no event
-      if (a.verdict == StabilityClass::marginal || b.verdict == StabilityClass::marginal) return;
+    if (next_.negative) {
+      for (const Found& each : found_) {
+        next_.negative->change += negative_change(each.event.type, curve_->context());
+        // J1 = J2: the direction conjugate to the symmetry may change its sign there.
+        next_.negative->exchange =
+            next_.negative->exchange || each.event.type == EventType::inertia_exchange;
+      }
     }
-    int most = 0;
-    bool exchange = false;
-    for (const Found& each : found_) {
-      most += negative_change(each.event.type, curve_->context());
-      // J1 = J2: the direction conjugate to the symmetry may change its sign there.
-      exchange = exchange || each.event.type == EventType::inertia_exchange;
+    const auto now = certain_negative(to_->member);
+    if (!now) {
+      if (!to_->member.spectrum) next_.negative.reset();
+      return;
     }
-    const int change = std::abs(a.negative - b.negative);
-    if (change <= most && (most - change) % 2 == 0) return;
-    if (exchange && curve_->context().material_symmetry) return;
+    const auto before = std::exchange(next_.negative, now);
+    if (!before || before->modes != now->modes) return;
+    const int change = std::abs(before->count - now->count);
+    if (change <= before->change && (before->change - change) % 2 == 0) return;
+    if (before->exchange && curve_->context().material_symmetry) return;
+    if (!certain_negative(from_->member)) {
+      add_unresolved(EventType::unexplained, before->place);
+      return;
+    }
     double low = 0.0;
     double high = 1.0;
     CurvePoint<N> middle = *to_;
     for (int k = 0; k < 50; ++k) {
       const double u = 0.5 * (low + high);
       if (!evaluate(u, middle)) break;
-      (middle.member.spectrum->negative == a.negative ? low : high) = u;
+      (middle.member.spectrum->negative == before->count ? low : high) = u;
     }
-    found_.push_back(
-        {0.5 * (low + high),
-         {EventType::unexplained, middle.member, parameter(low), parameter(high), false}});
+    found_.push_back({0.5 * (low + high),
+                      {EventType::unexplained, middle.member, parameter(low), parameter(high),
+                       EventStatus::bracketed}});
   }
 
   const Curve<N>* curve_;
@@ -278,6 +443,9 @@ class EventSearch {
   const CurvePoint<N>* to_ = nullptr;
   const Arc<N>* arc_ = nullptr;
   std::vector<Found> found_;
+  std::vector<Event> unresolved_;
+  Known known_;  ///< at from_
+  Known next_;   ///< at to_
   long evaluations_ = 0;
 };
 

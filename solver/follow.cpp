@@ -100,6 +100,12 @@ class Follower {
     ++report_.points;
   }
 
+  void record(const Event& event) {
+    if (!options_.events.has(event.type)) return;
+    report_.events.push_back(
+        {event.type, event.member.parameter, event.before, event.after, event.status});
+  }
+
   SheetEnd one(int direction, CurveSink& sink) {
     Continuation<N> walk(curve_, start_, direction, options_.continuation);
     SheetEnd out;
@@ -118,11 +124,17 @@ class Follower {
         last_is_end_ = true;
         break;
       }
+      for (const Event& event : walk.unresolved()) record(event);
+      std::optional<StabilityClass> between;
       for (const Event& event : walk.events()) {
-        if (!options_.events.has(event.type)) continue;  // looked for to know where a sheet ends
+        if (!options_.events.has(event.type)) {  // looked for to know where a sheet ends
+          between.reset();
+          continue;
+        }
+        if (between) sink.between(*between);
+        between = event.between;
         emit(sink, event.member, event.type);
-        report_.events.push_back(
-            {event.type, event.member.parameter, event.before, event.after, event.located});
+        record(event);
       }
       emit(sink, walk.point().member, walk.end());
       if (options_.progress && report_.points % 256 == 0)
@@ -136,7 +148,8 @@ class Follower {
     last_is_end_ = false;
     if (out.event != EventType::none && !is_end(out.event)) {  // an event proper ends the sheet
       const Member& m = walk.point().member;
-      report_.events.push_back({out.event, m.parameter, m.parameter, m.parameter, true});
+      report_.events.push_back(
+          {out.event, m.parameter, m.parameter, m.parameter, EventStatus::located});
     }
     report_.counts += walk.counts();
     return out;
@@ -153,8 +166,10 @@ class Follower {
 }  // namespace
 
 void HeldBack::give(CurveSink& sink) const {
-  for (auto each = rows_.rbegin(); each != rows_.rend(); ++each)
+  for (auto each = rows_.rbegin(); each != rows_.rend(); ++each) {
+    if (each != rows_.rbegin() && each->between) sink.between(*each->between);
     sink.row(each->member, each->event);
+  }
 }
 
 template <int N>

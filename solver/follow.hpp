@@ -26,6 +26,8 @@ class CurveSink {
   CurveSink& operator=(const CurveSink&) = delete;
   virtual ~CurveSink() = default;
   virtual void row(const Member& member, EventType event) = 0;
+  /// The class on the curve between two rows of events with no other between them.
+  virtual void between(StabilityClass) {}
 };
 
 struct FollowOptions {
@@ -45,11 +47,12 @@ struct SheetEnd {
 
 struct EventRecord {
   EventType type;
-  double parameter;
-  double before;  ///< bracket
+  double parameter;  ///< unresolved: the bracket's middle
+  double before;     ///< bracket
   double after;
-  bool located;
+  EventStatus status;
   std::optional<Interval> enclosure = std::nullopt;  ///< proven (event_enclosure.hpp)
+  std::optional<long> point = std::nullopt;          ///< its row; none of an unresolved one
 };
 
 struct FollowReport {
@@ -79,7 +82,8 @@ struct OpenEnd {
 /// Keeps rows that are computed from the end of a table backwards, to be given on in reverse.
 class HeldBack final : public CurveSink {
  public:
-  void row(const Member& member, EventType event) override { rows_.push_back({member, event}); }
+  void row(const Member& member, EventType event) override { rows_.push_back({member, event, {}}); }
+  void between(StabilityClass verdict) override { rows_.back().between = verdict; }
   void give(CurveSink& sink) const;
   bool empty() const { return rows_.empty(); }
 
@@ -87,6 +91,7 @@ class HeldBack final : public CurveSink {
   struct Row {
     Member member;
     EventType event;
+    std::optional<StabilityClass> between;  ///< this row and the one computed after it
   };
   std::vector<Row> rows_;
 };

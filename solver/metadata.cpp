@@ -84,14 +84,65 @@ Json case_json(const Case& input) {
   return out;
 }
 
+Json event_json(const EventRecord& event) {
+  Json out{{"event", name(event.type)},
+           {"parameter", event.parameter},
+           {"bracket", {event.before, event.after}},
+           {"status", name(event.status)}};
+  if (event.enclosure) out["enclosure"] = {event.enclosure->lo, event.enclosure->hi};
+  return out;
+}
+
 Json events_json(const std::vector<EventRecord>& events) {
   Json out = Json::array();
-  for (const EventRecord& event : events) {
-    out.push_back({{"event", name(event.type)},
-                   {"parameter", event.parameter},
-                   {"bracket", {event.before, event.after}},
-                   {"status", event.located ? "located" : "bracketed"}});
-    if (event.enclosure) out.back()["enclosure"] = {event.enclosure->lo, event.enclosure->hi};
+  for (const EventRecord& event : events) out.push_back(event_json(event));
+  return out;
+}
+
+/// All curves' events, with their rows: none of an unresolved one.
+Json events_json(const std::vector<SheetRecord>& curves) {
+  Json out = Json::array();
+  for (const SheetRecord& curve : curves) {
+    for (const EventRecord& event : curve.events) {
+      Json each{{"event", name(event.type)}, {"sheet", curve.sheet}, {"point", nullptr}};
+      if (event.point) each["point"] = *event.point;
+      each.update(event_json(event));
+      out.push_back(std::move(each));
+    }
+  }
+  return out;
+}
+
+Json segments_json(const std::vector<SheetRecord>& curves) {
+  Json out = Json::array();
+  const auto bound = [](const SegmentBound& at) -> Json {
+    return {{"event", name(at.event)}, {"parameter", at.parameter}};
+  };
+  for (const SheetRecord& curve : curves) {
+    for (const Segment& segment : curve.segments) {
+      out.push_back({{"sheet", curve.sheet},
+                     {"segment", segment.number},
+                     {"class", segment.verdict ? Json(name(*segment.verdict)) : Json()},
+                     {"first_point", segment.first_point},
+                     {"last_point", segment.last_point},
+                     {"from", bound(segment.from)},
+                     {"to", bound(segment.to)},
+                     {"ranges", segment.ranges}});
+    }
+  }
+  return out;
+}
+
+Json ends_json(const std::vector<SheetRecord>& curves) {
+  Json out = Json::array();
+  for (const SheetRecord& curve : curves) {
+    for (const auto& [side, end] : {std::pair{"first", &curve.first}, {"last", &curve.last}}) {
+      out.push_back({{"sheet", curve.sheet},
+                     {"side", side},
+                     {"event", name(end->event)},
+                     {"parameter", end->parameter},
+                     {"reason", end->reason}});
+    }
   }
   return out;
 }
@@ -172,6 +223,7 @@ std::vector<std::pair<std::string_view, long>> named_counts(const Counts& counts
 
 std::string metadata_json(const Metadata& metadata) {
   Json out;
+  out["schema"] = 2;
   out["program"] = "stationary";
   out["version"] = metadata.version;
   out["command_line"] = metadata.command_line;
@@ -186,7 +238,9 @@ std::string metadata_json(const Metadata& metadata) {
   out["rows"] = metadata.rows;
   out["checksum"] = metadata.checksum;
   out["seconds"] = metadata.seconds;
-  if (!metadata.events.empty()) out["events"] = events_json(metadata.events);
+  out["events"] = events_json(metadata.curves);
+  out["segments"] = segments_json(metadata.curves);
+  out["ends"] = ends_json(metadata.curves);
   if (!metadata.unproven_sheets.empty()) out["unproven_sheets"] = metadata.unproven_sheets;
   if (metadata.atlas != nullptr) {
     out["sheets"] = sheets_json(metadata.atlas->sheets);
@@ -221,20 +275,32 @@ std::optional<CurveRecord> curve_record(std::string_view metadata) {
   try {
     const Json found = Json::parse(metadata);
     CurveRecord out{
-        found.at("rows").get<std::size_t>(), found.at("checksum").get<std::string>(), {}};
-    if (!found.contains("events")) return out;
-    for (const Json& event : found["events"]) {
-      const auto type = std::ranges::find(event_names, event.at("event").get<std::string>());
-      if (type == std::end(event_names)) return std::nullopt;
+        found.at("rows").get<std::size_t>(), found.at("checksum").get<std::string>(), {}, {}};
+    for (const Json& event : found.at("events")) {
+      const auto* const type = std::ranges::find(event_names, event.at("event").get<std::string>());
+      const auto* const status =
+          std::ranges::find(event_status_names, event.at("status").get<std::string>());
+      if (type == std::end(event_names) || status == std::end(event_status_names))
+        return std::nullopt;
       out.events.push_back({static_cast<EventType>(type - std::begin(event_names)),
                             event.at("parameter").get<double>(),
                             event.at("bracket").at(0).get<double>(),
                             event.at("bracket").at(1).get<double>(),
-                            event.at("status").get<std::string>() == "located"});
+                            static_cast<EventStatus>(status - std::begin(event_status_names))});
       if (const auto proven = event.find("enclosure"); proven != event.end()) {
         out.events.back().enclosure =
             Interval(proven->at(0).get<double>(), proven->at(1).get<double>());
       }
+    }
+    for (const Json& segment : found.at("segments")) {
+      if (segment.at("class").is_null()) {  // as marginal: it says nothing of the curve
+        out.segments.push_back(StabilityClass::marginal);
+        continue;
+      }
+      const auto* const verdict =
+          std::ranges::find(stability_names, segment.at("class").get<std::string>());
+      if (verdict == std::end(stability_names)) return std::nullopt;
+      out.segments.push_back(static_cast<StabilityClass>(verdict - std::begin(stability_names)));
     }
     return out;
   } catch (const Json::exception&) {

@@ -1,5 +1,6 @@
-// x.meta.json beside x.csv: what was asked, with overrides and defaults applied, what it cost, and
-// what was not computed and why.
+// x.meta.json beside x.csv: what was asked, with overrides and defaults applied, what it cost, what
+// is to be told of the curves beside their rows, and what was not computed and why. Its JSON Schema
+// is metadata.schema.json.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +13,7 @@
 
 #include "solver/atlas.hpp"
 #include "solver/case_file.hpp"
-#include "solver/follow.hpp"
+#include "solver/curve_table.hpp"
 
 namespace stationary {
 
@@ -24,7 +25,7 @@ struct Metadata {
   std::string checksum;  ///< of the rows (TableChecksum)
   double seconds = 0.0;
   std::vector<std::pair<std::string_view, long>> counts;
-  std::vector<EventRecord> events;  ///< of `continue`
+  std::vector<SheetRecord> curves;  ///< the sheets followed
   const Atlas* atlas = nullptr;     ///< its sheets, checkpoints and remarks
   /// Of `solve` with all: the sheets of rows found where the search is undecided, and not proven.
   std::vector<int> unproven_sheets;
@@ -46,6 +47,7 @@ struct CurveRecord {
   std::size_t rows;
   std::string checksum;
   std::vector<EventRecord> events;
+  std::vector<StabilityClass> segments;  ///< their classes, in order
 };
 /// Nothing where a text is no such metadata.
 std::optional<CurveRecord> curve_record(std::string_view metadata);

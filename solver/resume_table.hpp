@@ -15,7 +15,9 @@ struct ResumedTable {
   std::vector<TableRow> rows;
   std::optional<OpenEnd> first;  ///< still to be followed, against the table's order
   std::optional<OpenEnd> last;
-  std::vector<EventRecord> events;  ///< of its metadata; read_resumed() leaves them out
+  // Of its metadata; read_resumed() leaves them out.
+  std::vector<EventRecord> events;
+  std::vector<StabilityClass> segments;  ///< their classes, in order
 };
 
 /// Throws InputError where the file is no such table: other columns than these (with the trailing

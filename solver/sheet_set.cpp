@@ -11,9 +11,13 @@ namespace {
 class Keep final : public CurveSink {
  public:
   explicit Keep(std::vector<AtlasRow>& rows) : rows_(&rows) {}
-  void row(const Member& member, EventType event) override { rows_->push_back({member, event}); }
+  void row(const Member& member, EventType event) override {
+    rows_->push_back({member, event, std::exchange(before_, std::nullopt)});
+  }
+  void between(StabilityClass verdict) override { before_ = verdict; }
 
  private:
+  std::optional<StabilityClass> before_;
   std::vector<AtlasRow>* rows_;
 };
 

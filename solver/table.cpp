@@ -37,6 +37,7 @@ CellKind cell_kind(Column c) {
     case Column::krein3:
     case Column::krein4:
     case Column::krein5:
+    case Column::segment:
       return CellKind::count;
     default:
       return CellKind::number;

@@ -26,7 +26,8 @@ enum class Column : std::uint8_t {
   re1, im1, krein1, re2, im2, krein2, re3, im3, krein3, re4, im4, krein4, re5, im5, krein5,
   omega, theta_dot, s3, p_theta,  // the two-polar family's
   status,                         // of a map's cell
-  certified, class_certified      // with output.certificate
+  certified, class_certified,     // with output.certificate
+  segment                         // of a curve with classes
   // clang-format on
 };
 
@@ -37,21 +38,25 @@ constexpr std::string_view column_names[] = {
     "lambda", "mu", "angle", "pi1", "pi2", "pi3", "energy", "residual", "compatibility",
     "error_bound", "class", "growth", "negative", "re1", "im1", "krein1", "re2", "im2", "krein2",
     "re3", "im3", "krein3", "re4", "im4", "krein4", "re5", "im5", "krein5", "omega", "theta_dot",
-    "s3", "p_theta", "status", "certified", "class_certified"
+    "s3", "p_theta", "status", "certified", "class_certified", "segment"
     // clang-format on
 };
 constexpr std::size_t column_count = std::size(column_names);
-static_assert(column_count == static_cast<std::size_t>(Column::class_certified) + 1);
+static_assert(column_count == static_cast<std::size_t>(Column::segment) + 1);
 
 constexpr std::string_view name(Column c) { return column_names[static_cast<std::size_t>(c)]; }
 std::optional<Column> find_column(std::string_view name);
 
 /// What the linearization gives: class ... krein5.
 constexpr bool is_spectral(Column c) { return c >= Column::stability && c <= Column::krein5; }
+/// What takes the linearization: those, and which segment of one class a curve's row is in.
+constexpr bool needs_spectrum(Column c) { return is_spectral(c) || c == Column::segment; }
 /// What only two-polar motions have.
 constexpr bool is_two_polar(Column c) { return c >= Column::omega && c <= Column::p_theta; }
 /// "yes" where a proof stands behind the row's stretches and error_bound, and behind its class.
-constexpr bool is_certificate(Column c) { return c >= Column::certified; }
+constexpr bool is_certificate(Column c) {
+  return c == Column::certified || c == Column::class_certified;
+}
 
 constexpr std::string_view proof_words[] = {"no", "yes", "assuming"};
 /// assuming: with identities of the potential's formula taken for granted (the metadata name them).

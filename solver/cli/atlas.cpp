@@ -136,17 +136,24 @@ void add_checkpoints(Report& out, const std::vector<Checkpoint>& all,
 }
 
 std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& found,
-                    const CurveProofs& proofs, double seconds) {
+                    const std::vector<SheetRecord>& records, const CurveProofs& proofs,
+                    double seconds) {
   constexpr std::size_t label_width = 14;
   Report out(label_width);
   if (!input.title.empty()) out.line("case", printable(input.title));
   out.line("sheets", fmt::format("{} in {:.2g} s", found.sheets.size(), seconds));
   if (input.output.certificate)
     out.line("certificate", fmt::format("{} of {} rows proven", proofs.proven, proofs.rows));
-  for (const AtlasSheet& sheet : found.sheets) {
+  for (std::size_t k = 0; k < found.sheets.size(); ++k) {
+    const AtlasSheet& sheet = found.sheets[k];
     out.line(fmt::format("{}", sheet.number), sheet_text(sheet));
-    for (const EventRecord& event : sheet.report.events)
-      out.line({}, fmt::format("  {:<17} nu = {:.15g}", name(event.type), event.parameter));
+    for (const EventRecord& event : sheet.report.events) {
+      out.line({}, event.status == EventStatus::unresolved
+                       ? fmt::format("  {:<17} nu between {:.15g} and {:.15g}, not located",
+                                     name(event.type), event.before, event.after)
+                       : fmt::format("  {:<17} nu = {:.15g}", name(event.type), event.parameter));
+    }
+    add_segments(out, records[k].segments, "nu");
   }
   out.gap();
   if (const auto caveat = proof_caveat(input)) add_plan(out, {*caveat});
@@ -185,15 +192,19 @@ void prove_rows(const Case& input, const AtlasSheet& sheet, CurveTable& out) {
   }
 }
 
-/// All sheets in the table, if there is one; how many of their rows are proven.
-CurveProofs write_sheets(const Case& input, Atlas& found, RowSink* writer) {
+/// All sheets in the table, if there is one, and what is told of each; how many rows are proven.
+CurveProofs write_sheets(const Case& input, Atlas& found, RowSink* writer,
+                         std::vector<SheetRecord>& records) {
   CurveProofs out;
-  if (writer == nullptr && !input.output.certificate) return out;
   for (AtlasSheet& sheet : found.sheets) {
     CurveTable rows(kind_name(sheet), writer, sheet.number);
     if (input.output.certificate) prove_rows(input, sheet, rows);
-    for (const AtlasRow& row : sheet.rows) rows.row(row.member, row.event);
-    rows.add_enclosures(sheet.report.events);
+    for (const AtlasRow& row : sheet.rows) {
+      if (row.before) rows.between(*row.before);
+      rows.row(row.member, row.event);
+    }
+    rows.complete(sheet.report.events);
+    records.push_back(rows.record(sheet.report));
     out.rows += rows.proofs().rows;
     out.proven += rows.proofs().proven;
   }
@@ -223,7 +234,8 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
   Atlas found = atlas(input.body, make_potential(input.models), how);
   progress.clear();
   RowSink* const table = output ? &output->open(columns) : nullptr;
-  const CurveProofs proofs = write_sheets(input, found, table);
+  std::vector<SheetRecord> records;
+  const CurveProofs proofs = write_sheets(input, found, table, records);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (output) {
@@ -234,12 +246,13 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
     if (input.output.certificate) metadata.counts.emplace_back("proven", proofs.proven);
     metadata.seconds = seconds;
     metadata.atlas = &found;
+    metadata.curves = records;
     if (const auto caveat = proof_caveat(input)) metadata.plan.push_back(*caveat);
     metadata.outcome = {{"command", "atlas"},
                         {"status", found.interrupted ? "interrupted" : "done"}};
     output->commit(metadata);
   } else if (!options.quiet) {
-    print(summary(input, how, found, proofs, seconds));
+    print(summary(input, how, found, records, proofs, seconds));
   }
   if (found.interrupted) {
     complain("interrupted: the atlas is not complete");

@@ -56,16 +56,20 @@ FollowOptions follow_options(const Case& input, const ContinueOptions& options,
   return out;
 }
 
-std::string end_text(const Case& input, const SheetEnd& end, double p) {
+std::string end_text(const Case& input, const EndRecord& end) {
   if (end.reason.empty()) return "not followed";
   return fmt::format(
       "{}at {} = {:.12g}: {}",
       end.event == EventType::none ? std::string() : fmt::format("{} ", name(end.event)),
-      input.continuation->parameter, p, end.reason);
+      input.continuation->parameter, end.parameter, end.reason);
 }
 
 /// With what is proven of it.
 std::string event_place(const EventRecord& event) {
+  if (event.status == EventStatus::unresolved)
+    return fmt::format(
+        "between {:.15g} and {:.15g}: not located, the error bounds do not resolve it",
+        event.before, event.after);
   if (!event.enclosure) return fmt::format("{:.15g}", event.parameter);
   return fmt::format("{:.17g}, proven within {:.1e}", event.parameter,
                      (*event.enclosure - Interval(event.parameter)).magnitude());
@@ -73,7 +77,7 @@ std::string event_place(const EventRecord& event) {
 
 std::string summary(const Case& input, const Start& start, const FollowReport& report,
                     const CurveTable& table, double seconds) {
-  const CurveSummary& curve = table.summary();
+  const SheetRecord curve = table.record(report);
   constexpr std::size_t label_width = 14;
   const std::string& parameter = input.continuation->parameter;
   Report out(label_width);
@@ -84,8 +88,8 @@ std::string summary(const Case& input, const Start& start, const FollowReport& r
   out.line("points", fmt::format("{} in {:.2g} s", report.points, seconds));
   if (report.vertical)
     out.line("vertical", "a branch at this one nu, followed in the eccentricity of its ellipses");
-  out.line("one end", end_text(input, report.backward, curve.first_parameter()));
-  out.line("other end", end_text(input, report.forward, curve.last_parameter()));
+  out.line("one end", end_text(input, curve.first));
+  out.line("other end", end_text(input, curve.last));
   if (input.output.certificate)
     out.line("certificate",
              fmt::format("{} of {} points proven", table.proofs().proven, table.proofs().rows));
@@ -93,16 +97,12 @@ std::string summary(const Case& input, const Start& start, const FollowReport& r
   std::string_view label = "events";
   for (const EventRecord& event : report.events) {
     out.line(std::exchange(label, {}),
-             fmt::format("{:<17} {} = {}", name(event.type), parameter, event_place(event)));
+             fmt::format("{:<17} {} {}{}", name(event.type), parameter,
+                         event.status == EventStatus::unresolved ? "" : "= ", event_place(event)));
   }
   if (report.events.empty()) out.line(label, "none");
-  if (!curve.stretches().empty()) out.gap();
-  label = "stability";
-  for (const CurveSummary::Stretch& each : curve.stretches()) {
-    out.line(std::exchange(label, {}),
-             fmt::format("{:<17} {} = {:.10g} ... {:.10g}", name(each.verdict), parameter,
-                         each.from, each.to));
-  }
+  if (!curve.segments.empty()) out.gap();
+  add_segments(out, curve.segments, parameter);
   out.gap();
   const ComputationPlan plan = computation_plan(input, false);
   add_plan(out, plan.computed);
@@ -132,7 +132,7 @@ std::vector<std::pair<std::string_view, long>> counts_of(const Start& start,
 Metadata describe(const Session& session, const Case& input, const Start& start,
                   const FollowReport& report, const EvaluationCounts& evaluations,
                   const CurveTable& table) {
-  const CurveSummary& curve = table.summary();
+  const SheetRecord curve = table.record(report);
   ComputationPlan plan = computation_plan(input, true);
   Metadata out;
   out.version = STATIONARY_VERSION;
@@ -142,15 +142,15 @@ Metadata describe(const Session& session, const Case& input, const Start& start,
   if (input.output.certificate) out.counts.emplace_back("proven", table.proofs().proven);
   out.plan = std::move(plan.computed);
   out.skipped = std::move(plan.skipped);
-  out.events = report.events;
+  out.curves = {curve};
   out.outcome = {{"command", "continue"},
                  {"status", report.interrupted     ? "interrupted"
                             : report.out_of_points ? "stopped at max_points"
                                                    : "done"},
                  {"start", start.found.message},
                  {"connection", std::string(name(start.found.connection))},
-                 {"first_end", end_text(input, report.backward, curve.first_parameter())},
-                 {"last_end", end_text(input, report.forward, curve.last_parameter())}};
+                 {"first_end", end_text(input, curve.first)},
+                 {"last_end", end_text(input, curve.last)}};
   if (report.vertical) out.outcome.emplace_back("vertical", "the sheet has this one nu");
   if (const std::string gap = gap_text(input, table.proofs()); !gap.empty())
     out.outcome.emplace_back("warning", gap);
@@ -222,7 +222,7 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   FollowReport report =
       old ? follow_on(family, *old, how, rows) : follow(family, start.found.q, start.p, how, rows);
   progress.clear();
-  rows.add_enclosures(report.events);
+  rows.complete(report.events);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!report.failure.empty()) {

@@ -97,7 +97,7 @@ PlanItem spectrum_item(const Case& input) {
 bool names_spectral_column(const std::vector<std::string>& names) {
   return std::ranges::any_of(names, [](const std::string& name) {
     const auto column = find_column(name);
-    return column && is_spectral(*column);
+    return column && needs_spectrum(*column);
   });
 }
 

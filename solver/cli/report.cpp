@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace stationary::cli {
 namespace {
@@ -50,6 +51,10 @@ void Report::line(std::string_view label, std::string_view value) {
   } while (!value.empty());
 }
 
+void Report::whole_line(std::string_view label, std::string_view value) {
+  text_ += fmt::format("{:<{}}{}\n", label, width_, value);
+}
+
 void Report::row(std::string_view label,
                  const std::vector<std::pair<std::string_view, double>>& values) {
   std::string text;
@@ -76,11 +81,32 @@ void add_spectrum(Report& report, const Spectrum& spectrum) {
                               "error bound of s^2"));
   for (int k = 0; k < spectrum.modes; ++k) {
     const Mode& mode = spectrum.mode[static_cast<std::size_t>(k)];
-    const std::string krein = mode.krein == 0 ? "0" : fmt::format("{:+d}", mode.krein);
+    const std::string krein = mode.krein_open   ? "?"
+                              : mode.krein == 0 ? "0"
+                                                : fmt::format("{:+d}", mode.krein);
     const std::string error =
         mode.forced_zero ? "0 (a symmetry's)" : fmt::format("{:.1e}", mode.lambda_error);
     report.line(
         "", fmt::format("{:<6}{:<24.16g}{:<24.16g}{:<7}{}", k + 1, mode.re, mode.im, krein, error));
+  }
+}
+
+void add_segments(Report& report, const std::vector<Segment>& segments,
+                  std::string_view parameter) {
+  const auto bound = [&](const SegmentBound& at) {
+    return fmt::format("{}{:.15g}",
+                       at.event == EventType::none ? "" : fmt::format("{} ", name(at.event)),
+                       at.parameter);
+  };
+  std::string_view label = "stability";
+  for (const Segment& each : segments) {
+    std::string covered;
+    for (const auto& [low, high] : each.ranges)
+      covered += fmt::format("{}[{:.12g}, {:.12g}]", covered.empty() ? "" : ", ", low, high);
+    report.whole_line(std::exchange(label, {}),
+                      fmt::format("{:<12} from {} to {}: {} in {}",
+                                  each.verdict ? name(*each.verdict) : "unknown", bound(each.from),
+                                  bound(each.to), parameter, covered));
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "lib/spectrum.hpp"
 #include "solver/case_file.hpp"
+#include "solver/segments.hpp"
 
 namespace stationary::cli {
 
@@ -17,6 +18,8 @@ class Report {
 
   /// "label   value"; an empty label continues the one above.
   void line(std::string_view label, std::string_view value);
+  /// Likewise, but never broken.
+  void whole_line(std::string_view label, std::string_view value);
   /// Several values in columns of equal width.
   void row(std::string_view label, const std::vector<std::pair<std::string_view, double>>& values);
   void gap() { text_ += '\n'; }
@@ -32,6 +35,9 @@ void add_plan(Report& report, const std::vector<PlanItem>& plan);
 
 /// The class, what it claims, and the modes with their error bounds.
 void add_spectrum(Report& report, const Spectrum& spectrum);
+
+/// A line a segment: its class, the events or ends that bound it, and what it covers.
+void add_segments(Report& report, const std::vector<Segment>& segments, std::string_view parameter);
 
 /// "1-3".
 std::string plane_text(TiltPlane plane);

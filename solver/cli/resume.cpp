@@ -79,6 +79,7 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
   if (checksum.text() != record->checksum || !is_as_written(path, out.rows, columns, parameter))
     refuse(printable(path) + " was changed since it was written (its checksum is in the metadata)");
   out.events = std::move(record->events);
+  out.segments = std::move(record->segments);
   return out;
 }
 
@@ -105,7 +106,13 @@ FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowO
     out.backward = old_end(old.rows.front());
   }
   out.events.insert(out.events.end(), old.events.begin(), old.events.end());
-  for (const TableRow& row : old.rows) table.again(row);
+  for (const TableRow& row : old.rows) {
+    const double number = row[Column::segment];
+    std::optional<StabilityClass> verdict;
+    if (number >= 1.0 && number <= static_cast<double>(old.segments.size()))
+      verdict = old.segments[static_cast<std::size_t>(number) - 1];
+    table.again(row, verdict);
+  }
   out.points += static_cast<long>(old.rows.size());
   if (old.last && !out.interrupted) {
     const FollowReport after = resume(family, *old.last, options, table);

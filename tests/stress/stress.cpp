@@ -16,6 +16,7 @@
 #include "solver/atomic_file.hpp"
 #include "solver/gnuplot.hpp"
 #include "tests/stress/categories.hpp"
+#include "tests/stress/curve_survey.hpp"
 #include "tests/stress/fold_figure.hpp"
 #include "tests/stress/formula_judge.hpp"
 
@@ -26,6 +27,7 @@ using namespace stationary::stress;
 
 constexpr long ladder_folds = 2000;
 constexpr long formulas = 3000;
+constexpr long surveyed_curves = 500;
 
 void write(const std::filesystem::path& path, const std::string& text) {
   AtomicFile file(path);
@@ -61,6 +63,16 @@ bool report(const FormulaTally& tally, double share) {
          static_cast<double>(tally.poles) >= 0.2 * taken;
 }
 
+bool report(const CurveSurvey& survey) {
+  std::fprintf(stderr,
+               "%-20s %ld families, %ld followed, %ld rows, %ld changes of stability, %ld events "
+               "located, %ld not resolved, %zu untrue\n",
+               "curves", survey.tried, survey.followed, survey.rows, survey.changes, survey.events,
+               survey.unresolved, survey.faults.size());
+  for (const std::string& fault : survey.faults) std::fprintf(stderr, "  %s\n", fault.c_str());
+  return survey.faults.empty();
+}
+
 bool measure(const std::filesystem::path& into, double share) {
   bool all_true = true;
   std::string table = tally_header();
@@ -78,6 +90,7 @@ bool measure(const std::filesystem::path& into, double share) {
 
   const auto ladder = fold_ladder(std::lround(share * static_cast<double>(ladder_folds)));
   for (const Rung& rung : ladder) all_true = report("beside a fold", rung.tally) && all_true;
+  all_true = report(survey_curves(0, std::lround(share * surveyed_curves))) && all_true;
   write(into / "stress_fold.csv", ladder_table(ladder));
   draw(into / "stress_fold.svg", fold_script(ladder, ImageFormat::svg));
   draw(into / "stress_fold.png", fold_script(ladder, ImageFormat::png));

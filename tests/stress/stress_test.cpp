@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "tests/stress/categories.hpp"
+#include "tests/stress/curve_survey.hpp"
 #include "tests/stress/fold_ladder.hpp"
 #include "tests/stress/hard_case.hpp"
 #include "tests/stress/two_polar_case.hpp"
@@ -45,6 +46,16 @@ INSTANTIATE_TEST_SUITE_P(Category, HardCases, ::testing::Range(std::size_t{0}, c
                                letter = '_';
                            return out;
                          });
+
+/// Of each kind of family a few: every change of stability has its event, and no step is too long
+/// to see one.
+TEST(CurveSurvey, EveryChangeHasItsEvent) {
+  const CurveSurvey survey = survey_curves(0, std::max(12L, 1800 / share));
+  for (const std::string& fault : survey.faults) ADD_FAILURE() << fault;
+  for (std::size_t kind = 0; kind < surveyed_kinds.size(); ++kind)
+    EXPECT_GT(survey.of_kind[kind], 0) << surveyed_kinds[kind];
+  EXPECT_GT(survey.changes, survey.followed / 4);
+}
 
 TEST(FoldLadder, EveryRungIsCorrectToTheLastPlace) {
   const auto ladder = fold_ladder(std::max(5L, 2000 / share));
