@@ -2,7 +2,8 @@
 //
 // Where a test function f (event.hpp) changes sign over the step, f = 0 and G = 0 are solved
 // together: a bracketing root finder (TOMS 748) on f along the arc, the bordered corrector bringing
-// each of its points onto the curve. Where f does not change sign but a parabola through the last
+// each of its points onto the curve, and from there the event's own equations in extended precision,
+// which say what it is known to. Where f does not change sign but a parabola through the last
 // three points dips towards zero inside the step, its extremum is sought on the curve: two zeros in
 // one step are found so. What remains of the change in the number of negative directions is
 // reported as unexplained.
@@ -12,6 +13,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,7 +24,7 @@ namespace stationary {
 struct Event {
   EventType type = EventType::none;
   Member member;      ///< error_bound: of the event's q
-  double before = 0;  ///< bracket of the parameter
+  double before = 0;  ///< bracket of the parameter, ascending
   double after = 0;
   bool located = false;  ///< else only bracketed: the member is the bracket's middle
 };
@@ -110,16 +112,39 @@ class EventSearch {
       if (!evaluate(u, point) || point.member.beyond_end()) continue;
       const EventType type = event_type(k, curve_->context(), point.tests);
       if (type == EventType::none) return;
-      Found out{u, {type, point.member, parameter(low), parameter(high), true}};
-      out.event.member.error_bound = error_bound(k, u, 0.5 * (high - low), point);
+      constexpr double reach = 0.02;  // of the step
+      if (auto known = curve_->event_at(type, point.member, reach * arc_->length + 1e-9);
+          known && !known->member.beyond_end()) {
+        found_.push_back({u, {type, std::move(known->member), known->before, known->after, true}});
+        return;
+      }
+      const double along = 0.5 * (high - low) + noise(k, point) / std::abs(slope(k, u));
+      if (!(along < 0.5)) {  // nowhere in the step is the sign of f certain
+        low = 0.0;
+        high = 1.0;
+        break;
+      }
+      Found out{u, {type, point.member, 0.0, 0.0, true}};
+      const double own = curve_->corrector().curve_error(point.arc);
+      out.event.member.error_bound = 2.0 * (along * arc_->length + own);
+      std::tie(out.event.before, out.event.after) = around(u - along, u + along);
       found_.push_back(std::move(out));
       return;
     }
     // Known to be there, and no more.
     const EventType type = event_type(k, curve_->context(), from_->tests);
     if (type == EventType::none) return;
-    found_.push_back(
-        {0.5 * (low + high), {type, from_->member, parameter(0.0), parameter(1.0), false}});
+    const auto [before, after] = around(0.0, 1.0);
+    found_.push_back({0.5 * (low + high), {type, from_->member, before, after, false}});
+  }
+
+  /// What the parameter is between at the ends of a part of the arc.
+  std::pair<double, double> around(double low, double high) const {
+    const double a = parameter(low);
+    const double b = parameter(high);
+    constexpr double rounding = 0x1p-50;
+    return {bracket_of(std::min(a, b), rounding * std::abs(a))[0],
+            bracket_of(std::max(a, b), rounding * std::abs(b))[1]};
   }
 
   /// Of the curve itself; the arc's where the corrector fails.
@@ -129,14 +154,23 @@ class EventSearch {
     return from_->arc.p + curve_->corrector().scale() * arc_->at(u)[N];
   }
 
-  /// Of the event's q: how far along the curve the zero may lie, and the curve's own error.
-  double error_bound(std::size_t k, double u, double half_bracket, const CurvePoint<N>& point) {
+  /// Of function k along the arc.
+  double slope(std::size_t k, double u) {
     constexpr double apart = 1e-3;
-    constexpr double noise = 32.0;  // of a test function, in errors of the point
-    const double own = curve_->corrector().curve_error(point.arc);
-    const double slope = (value(k, u + apart, 0.0) - value(k, u - apart, 0.0)) / (2.0 * apart);
-    const double along = half_bracket + noise * own / std::abs(slope);
-    return 2.0 * (along * arc_->length + own);
+    return (value(k, u + apart, 0.0) - value(k, u - apart, 0.0)) / (2.0 * apart);
+  }
+
+  /// What function k is known to, at a point: what its errors make of it, and those of the Lambdas.
+  double noise(std::size_t k, const CurvePoint<N>& point) const {
+    constexpr double errors = 32.0;
+    double out = errors * curve_->corrector().curve_error(point.arc);
+    if (k < TestValues::collision || !point.member.spectrum) return out;
+    for (int i = 0; i < point.member.spectrum->modes; ++i) {
+      const Mode& mode = point.member.spectrum->mode[static_cast<std::size_t>(i)];
+      const double size = std::hypot(mode.lambda_re, mode.lambda_im);
+      if (!mode.forced_zero && size > 0.0) out = std::max(out, mode.lambda_error / size);
+    }
+    return out;
   }
 
   /// Two zeros of function k inside the step? f at the earlier point, and its distance.
@@ -268,9 +302,10 @@ class EventSearch {
       if (!evaluate(u, middle)) break;
       (middle.member.spectrum->negative == a.negative ? low : high) = u;
     }
+    const auto [before, after] = around(low, high);
     found_.push_back(
         {0.5 * (low + high),
-         {EventType::unexplained, middle.member, parameter(low), parameter(high), false}});
+         {EventType::unexplained, middle.member, before, after, false}});
   }
 
   const Curve<N>* curve_;

@@ -1,18 +1,23 @@
-// The equations of an event (event_enclosure.hpp) over a box of all unknowns, with their slopes:
+// The equations of an event (event_enclosure.hpp) in all its unknowns,
 //
-//   y = (ln xi, ln zeta, ln rho, ln |p|[, ln |Lambda|]),  on the circle ln xi = ln zeta once,
+//   y = (xi, zeta, rho, p[, Lambda]),  on the circle xi = zeta once,
 //
-// in dual numbers over intervals. The stiffnesses the polynomials need come from the reduced
-// balance, F = V - (c_xi xi^2 + ...)/2:  F_xx = (F_uu - F_u)/xi^2 ..., W_d = (V_xi - V_zeta)/(zeta
-// - xi), V_xz - V_xx on the circle.
+// in any number type: extended precision for the event itself, numbers with their conditioning for
+// the size of its terms, dual numbers over intervals for a proof. The stiffnesses the polynomials
+// need come from the reduced balance, F = V - (c_xi xi^2 + ...)/2:  F_xx = (F_uu - F_u)/xi^2 ...,
+// W_d = (V_xi - V_zeta)/(zeta - xi), V_xz - V_xx on the circle.
 #pragma once
 
 #include <array>
+#include <vector>
 
+#include "lib/conditioned_functions.hpp"
+#include "lib/double_double_functions.hpp"
 #include "lib/linearization.hpp"
 #include "lib/spectrum.hpp"
 #include "solver/axis_family.hpp"
 #include "solver/dual.hpp"
+#include "solver/extended_root.hpp"
 #include "solver/interval_system.hpp"
 
 namespace stationary {
@@ -46,41 +51,45 @@ struct EventSetting {
   FamilyParameter parameter;
   bool circle;
   Inputs inputs;
+
+  /// Whether this number of the problem is the parameter.
+  bool varies(FamilyParameter::Kind kind, int index) const {
+    using Kind = FamilyParameter::Kind;
+    const bool in_part = kind == Kind::plane || kind == Kind::thickness;
+    return (parameter.kind == kind || (in_part && parameter.kind == Kind::shared)) &&
+           parameter.index == index;
+  }
 };
 
-/// circle: 2 stretches instead of 3; spectral: Lambda among the unknowns.
-template <bool circle, bool spectral>
-class EventSystem {
+/// circle: 2 stretches instead of 3; spectral: Lambda among the unknowns. Input: what a number of
+/// the problem (its value, kind and place) is in T.
+template <bool circle, bool spectral, class T>
+class EventEquations {
  public:
   static constexpr int stretches = circle ? 2 : 3;
   static constexpr int dimension = stretches + 1 + (spectral ? 1 : 0);
-  using T = Dual<Interval, dimension>;
+  using Unknowns = std::array<T, dimension>;
 
-  EventSystem(const EventSetting& setting, const EventFunction& function)
+  EventEquations(const EventSetting& setting, const EventFunction& function)
       : setting_(&setting), function_(function) {}
 
-  /// Over a box of (xi, [zeta,] rho, p[, Lambda]); slopes are those in the logarithms.
-  GeneralBoxLinearized<dimension> linearize(const Box<dimension>& y) const {
-    const State s = state(y);
-    std::array<T, dimension> equations;
+  template <class Input>
+  Unknowns values(const Unknowns& y, const Input& input) const {
+    const State s = state(y, input);
+    Unknowns out;
     std::size_t k = 0;
-    equations[k++] = s.balance.g_xi;
-    if constexpr (!circle) equations[k++] = s.balance.g_zeta;
-    equations[k++] = s.balance.g_rho;
+    out[k++] = s.balance.g_xi;
+    if constexpr (!circle) out[k++] = s.balance.g_zeta;
+    out[k++] = s.balance.g_rho;
     if constexpr (spectral) {
-      const T Lambda = T::logarithmic(y[dimension - 1], dimension - 1);
+      const T& Lambda = y[dimension - 1];
       const AtRoot first = characteristic(s, function_.first, Lambda);
-      equations[k++] = first.value;
-      equations[k++] = function_.kind == EventFunction::Kind::collision
-                           ? first.slope
-                           : characteristic(s, function_.second, Lambda).value;
+      out[k++] = first.value;
+      out[k++] = function_.kind == EventFunction::Kind::collision
+                     ? first.slope
+                     : characteristic(s, function_.second, Lambda).value;
     } else {
-      equations[k++] = function(s);
-    }
-    GeneralBoxLinearized<dimension> out;
-    for (std::size_t i = 0; i < k; ++i) {
-      out.g[i] = equations[i].value;
-      out.slope[i] = equations[i].slope;
+      out[k++] = function(s);
     }
     return out;
   }
@@ -96,25 +105,21 @@ class EventSystem {
     LogBalance<T> balance;
   };
 
-  State state(const Box<dimension>& y) const {
+  template <class Input>
+  State state(const Unknowns& y, const Input& number) const {
     const EventSetting& at = *setting_;
-    const T p = T::logarithmic(y[stretches], stretches);
     const auto input = [&](double value, Kind kind, int index) {
-      const bool in_part = kind == Kind::plane || kind == Kind::thickness;
-      const bool varied =
-          (at.parameter.kind == kind || (in_part && at.parameter.kind == Kind::shared)) &&
-          at.parameter.index == index;
-      return varied ? p : T(as_input(value, at.inputs));
+      return at.varies(kind, index) ? y[stretches] : number(value, kind, index);
     };
     const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
     State s;
     s.J.J1 = input(J[0], Kind::inertia, 0);
     s.J.J2 = circle ? s.J.J1 : input(J[1], Kind::inertia, 1);  // equal, whatever decimals they are
     s.J.J3 = input(J[2], Kind::inertia, 2);
-    s.nu = at.parameter.kind == Kind::nu ? p : T(as_input(at.nu, at.inputs));
-    s.xi = T::logarithmic(y[0], 0);
-    s.zeta = circle ? s.xi : T::logarithmic(y[1], 1);
-    s.rho = T::logarithmic(y[stretches - 1], stretches - 1);
+    s.nu = input(at.nu, Kind::nu, 0);
+    s.xi = y[0];
+    s.zeta = circle ? s.xi : y[1];
+    s.rho = y[stretches - 1];
     s.rates = axis_rates(s.J, at.branch, s.nu * s.nu);
     s.balance = at.potential.visit([&](const auto& model) { return balance(model, s, input); });
     return s;
@@ -297,6 +302,97 @@ class EventSystem {
 
   const EventSetting* setting_;
   EventFunction function_;
+};
+
+/// Over a box of the unknowns, slopes in their logarithms.
+template <bool circle, bool spectral>
+class EventSystem {
+ public:
+  static constexpr int stretches = circle ? 2 : 3;
+  static constexpr int dimension = stretches + 1 + (spectral ? 1 : 0);
+
+  EventSystem(const EventSetting& setting, const EventFunction& function)
+      : inputs_(setting.inputs), equations_(setting, function) {}
+
+  GeneralBoxLinearized<dimension> linearize(const Box<dimension>& box) const {
+    std::array<T, dimension> y;
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] = T::logarithmic(box[i], i);
+    const auto equations = equations_.values(
+        y, [&](double value, FamilyParameter::Kind, int) { return T(as_input(value, inputs_)); });
+    GeneralBoxLinearized<dimension> out;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      out.g[i] = equations[i].value;
+      out.slope[i] = equations[i].slope;
+    }
+    return out;
+  }
+
+ private:
+  using T = Dual<Interval, dimension>;
+  Inputs inputs_;
+  EventEquations<circle, spectral, T> equations_;
+};
+
+/// At a point in extended precision (extended_root.hpp).
+template <bool circle, bool spectral>
+class ExtendedEventSystem {
+ public:
+  static constexpr int stretches = circle ? 2 : 3;
+  static constexpr int dimension = stretches + 1 + (spectral ? 1 : 0);
+
+  ExtendedEventSystem(const EventSetting& setting, const EventFunction& function)
+      : extended_(setting, function), conditioned_(setting, function) {
+    using Kind = FamilyParameter::Kind;
+    const auto add = [&](Kind kind, int index) {
+      if (!setting.varies(kind, index)) inputs_.push_back({kind, index});
+    };
+    for (const int k : {0, 1, 2})
+      if (!circle || k != 1) add(Kind::inertia, k);
+    add(Kind::nu, 0);
+    setting.potential.visit([&](const auto& model) {
+      const auto add_all = [&](const auto& part, Kind kind) {
+        const auto coefficients = part.coefficients();
+        for (std::size_t k = 0; k < coefficients.size(); ++k)
+          if (coefficients[k] != 0.0) add(kind, static_cast<int>(k));
+        if constexpr (requires { part.has_decimals(); })
+          has_decimals_ = has_decimals_ || part.has_decimals();
+      };
+      if constexpr (requires { model.plane; }) {
+        add_all(model.plane, Kind::plane);
+        add_all(model.thickness, Kind::thickness);
+      } else {
+        add_all(model, Kind::plane);
+      }
+    });
+  }
+
+  std::size_t inputs() const { return inputs_.size(); }
+  bool has_decimals() const { return has_decimals_; }
+
+  ExtendedVector<dimension> values(const ExtendedVector<dimension>& y,
+                                   const InputChange& change) const {
+    return extended_.values(y, [&](double value, FamilyParameter::Kind kind, int index) {
+      const bool changed = change.input < inputs_.size() && inputs_[change.input].kind == kind &&
+                           inputs_[change.input].index == index;
+      return changed ? DoubleDouble(value) + value * change.relative : DoubleDouble(value);
+    });
+  }
+  std::array<Conditioned, dimension> conditioned(const std::array<Conditioned, dimension>& y,
+                                                 bool exact) const {
+    return conditioned_.values(y, [&](double value, FamilyParameter::Kind, int) {
+      return exact ? Conditioned(value) : Conditioned::input(value);
+    });
+  }
+
+ private:
+  struct Input {
+    FamilyParameter::Kind kind;
+    int index;
+  };
+  EventEquations<circle, spectral, DoubleDouble> extended_;
+  EventEquations<circle, spectral, Conditioned> conditioned_;
+  std::vector<Input> inputs_;
+  bool has_decimals_ = false;
 };
 
 }  // namespace stationary
