@@ -58,7 +58,9 @@ class EventSearch {
     }
     if (curve_->context().seeks(TestValues::crossings))
       find_crossings(from.tests, to.tests, earlier, earlier_length);
-    if (curve_->context().sought.has(EventType::unexplained)) explain_negative();
+    // A curve that starts where its parameter passes J1 = J2 starts at that event (follow.cpp).
+    const bool at_event = starts && from.tests.value[TestValues::turn] == 0.0;
+    if (curve_->context().sought.has(EventType::unexplained) && !at_event) explain_negative();
     std::ranges::sort(found_, {}, &Found::u);
     std::vector<Event> out;
     out.reserve(found_.size());

@@ -8,15 +8,15 @@
 // W_d = (V_xi - V_zeta)/(zeta - xi), V_xz - V_xx on the circle.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
-#include "lib/conditioned_functions.hpp"
-#include "lib/double_double_functions.hpp"
 #include "lib/linearization.hpp"
 #include "lib/spectrum.hpp"
 #include "solver/axis_family.hpp"
 #include "solver/dual.hpp"
+#include "solver/event_functions.hpp"
 #include "solver/extended_root.hpp"
 #include "solver/interval_system.hpp"
 
@@ -51,14 +51,6 @@ struct EventSetting {
   FamilyParameter parameter;
   bool circle;
   Inputs inputs;
-
-  /// Whether this number of the problem is the parameter.
-  bool varies(FamilyParameter::Kind kind, int index) const {
-    using Kind = FamilyParameter::Kind;
-    const bool in_part = kind == Kind::plane || kind == Kind::thickness;
-    return (parameter.kind == kind || (in_part && parameter.kind == Kind::shared)) &&
-           parameter.index == index;
-  }
 };
 
 /// circle: 2 stretches instead of 3; spectral: Lambda among the unknowns. Input: what a number of
@@ -109,7 +101,7 @@ class EventEquations {
   State state(const Unknowns& y, const Input& number) const {
     const EventSetting& at = *setting_;
     const auto input = [&](double value, Kind kind, int index) {
-      return at.varies(kind, index) ? y[stretches] : number(value, kind, index);
+      return varies(at.parameter, kind, index) ? y[stretches] : number(value, kind, index);
     };
     const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
     State s;
@@ -121,31 +113,8 @@ class EventEquations {
     s.zeta = circle ? s.xi : y[1];
     s.rho = y[stretches - 1];
     s.rates = axis_rates(s.J, at.branch, s.nu * s.nu);
-    s.balance = at.potential.visit([&](const auto& model) { return balance(model, s, input); });
+    s.balance = varied_balance(at.potential, s.xi, s.zeta, s.rho, s.rates, input);
     return s;
-  }
-
-  template <class Plane, class Thickness, class Input>
-  static LogBalance<T> balance(const Separable<Plane, Thickness>& model, const State& s,
-                               const Input& input) {
-    const auto plane = with_inputs(model.plane, Kind::plane, input);
-    const auto thickness = with_inputs(model.thickness, Kind::thickness, input);
-    LogBalance<T> out = plane.log_balance(s.xi, s.zeta, s.rates.xi, s.rates.zeta);
-    const LogBalance<T> axial = thickness.log_balance(s.rho, s.rates.rho);
-    out.g_rho = axial.g_rho;
-    out.ww = axial.ww;
-    out.uw = out.vw = T(0.0);
-    return out;
-  }
-  template <class Coupled, class Input>
-  static LogBalance<T> balance(const Coupled& model, const State& s, const Input& input) {
-    return with_inputs(model, Kind::plane, input)
-        .log_balance(s.xi, s.zeta, s.rho, s.rates.xi, s.rates.zeta, s.rates.rho);
-  }
-  template <template <class> class Model, class Input>
-  static auto with_inputs(const Model<double>& model, Kind kind, const Input& input) {
-    return with_indexed_coefficients(
-        model, [&](double c, std::size_t k) { return input(c, kind, static_cast<int>(k)); });
   }
 
   // The functions of x and p alone.
@@ -164,18 +133,14 @@ class EventEquations {
       case EventFunction::Kind::turn:
         return s.J.J1 - s.J.J2;
       case EventFunction::Kind::momentum:
-        return bordered(s);
+        return turning_momentum(s);
       default:
         return determinant(stiffness(s));
     }
   }
 
-  template <int N>
-  using Square =
-      std::array<std::array<T, static_cast<std::size_t>(N)>, static_cast<std::size_t>(N)>;
-
   /// dG/d ln x, on the circle along (1, 1).
-  static Square<stretches> stiffness(const State& s) {
+  static SquareArray<T, stretches> stiffness(const State& s) {
     const LogBalance<T>& b = s.balance;
     if constexpr (circle) {
       return {{{b.uu + b.uv, b.uw}, {2.0 * b.uw, b.ww}}};
@@ -184,46 +149,22 @@ class EventEquations {
     }
   }
 
-  /// d(I_a nu) along the kernel of [dG/d ln x  dG/d ln nu], but for its length.
-  T bordered(const State& s) const {
-    constexpr auto n = static_cast<std::size_t>(stretches);
-    const Square<stretches> J = stiffness(s);
+  T turning_momentum(const State& s) const {
     const CentrifugalRates<T> part = axis_rates(s.J, setting_->branch, T(1.0));
     const T xi2 = s.xi * s.xi;
     const T zeta2 = s.zeta * s.zeta;
     const T rho2 = s.rho * s.rho;
     const T own = part.xi * xi2 + part.zeta * zeta2 + part.rho * rho2;
-    Square<stretches + 1> out;
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) out[i][j] = J[i][j];
-    // dG_i/d ln nu = -2 c_i x_i^2;  d ln I_a/d ln x_i = 2 I_i x_i^2/I_a.
-    out[0][n] = -2.0 * (s.rates.xi * xi2);
-    if constexpr (!circle) out[1][n] = -2.0 * (s.rates.zeta * zeta2);
-    out[n - 1][n] = -2.0 * (s.rates.rho * rho2);
-    out[n][0] = 2.0 * (circle ? part.xi * xi2 + part.zeta * zeta2 : part.xi * xi2);
-    if constexpr (!circle) out[n][1] = 2.0 * (part.zeta * zeta2);
-    out[n][n - 1] = 2.0 * (part.rho * rho2);
-    out[n][n] = own;
-    return determinant(out);
-  }
-
-  /// By the first row.
-  template <std::size_t N>
-  static T determinant(const std::array<std::array<T, N>, N>& a) {
-    if constexpr (N == 1) {
-      return a[0][0];
-    } else {
-      T sum(0.0);
-      for (std::size_t j = 0; j < N; ++j) {
-        std::array<std::array<T, N - 1>, N - 1> minor;
-        for (std::size_t row = 1; row < N; ++row)
-          for (std::size_t column = 0, to = 0; column < N; ++column)
-            if (column != j) minor[row - 1][to++] = a[row][column];
-        const T term = a[0][j] * determinant(minor);
-        sum = j % 2 == 0 ? sum + term : sum - term;
-      }
-      return sum;
-    }
+    // dG_i/d ln nu = -2 c_i x_i^2;  dI_a/d ln x_i = 2 I_i x_i^2.
+    std::array<T, stretches> column;
+    std::array<T, stretches> row;
+    column[0] = -2.0 * (s.rates.xi * xi2);
+    if constexpr (!circle) column[1] = -2.0 * (s.rates.zeta * zeta2);
+    column[stretches - 1] = -2.0 * (s.rates.rho * rho2);
+    row[0] = 2.0 * (circle ? part.xi * xi2 + part.zeta * zeta2 : part.xi * xi2);
+    if constexpr (!circle) row[1] = 2.0 * (part.zeta * zeta2);
+    row[stretches - 1] = 2.0 * (part.rho * rho2);
+    return momentum_turn(stiffness(s), column, row, own);
   }
 
   // The characteristic polynomials.
@@ -341,29 +282,17 @@ class ExtendedEventSystem {
   static constexpr int dimension = stretches + 1 + (spectral ? 1 : 0);
 
   ExtendedEventSystem(const EventSetting& setting, const EventFunction& function)
-      : extended_(setting, function), conditioned_(setting, function) {
+      : extended_(setting, function),
+        conditioned_(setting, function),
+        inputs_(coefficient_inputs(setting.potential, setting.parameter)),
+        has_decimals_(stationary::has_decimals(setting.potential)) {
     using Kind = FamilyParameter::Kind;
     const auto add = [&](Kind kind, int index) {
-      if (!setting.varies(kind, index)) inputs_.push_back({kind, index});
+      if (!varies(setting.parameter, kind, index)) inputs_.push_back({kind, index});
     };
     for (const int k : {0, 1, 2})
       if (!circle || k != 1) add(Kind::inertia, k);
     add(Kind::nu, 0);
-    setting.potential.visit([&](const auto& model) {
-      const auto add_all = [&](const auto& part, Kind kind) {
-        const auto coefficients = part.coefficients();
-        for (std::size_t k = 0; k < coefficients.size(); ++k)
-          if (coefficients[k] != 0.0) add(kind, static_cast<int>(k));
-        if constexpr (requires { part.has_decimals(); })
-          has_decimals_ = has_decimals_ || part.has_decimals();
-      };
-      if constexpr (requires { model.plane; }) {
-        add_all(model.plane, Kind::plane);
-        add_all(model.thickness, Kind::thickness);
-      } else {
-        add_all(model, Kind::plane);
-      }
-    });
   }
 
   std::size_t inputs() const { return inputs_.size(); }
@@ -372,9 +301,10 @@ class ExtendedEventSystem {
   ExtendedVector<dimension> values(const ExtendedVector<dimension>& y,
                                    const InputChange& change) const {
     return extended_.values(y, [&](double value, FamilyParameter::Kind kind, int index) {
-      const bool changed = change.input < inputs_.size() && inputs_[change.input].kind == kind &&
-                           inputs_[change.input].index == index;
-      return changed ? DoubleDouble(value) + value * change.relative : DoubleDouble(value);
+      const auto place = std::ranges::find_if(inputs_, [&](const CoefficientInput& each) {
+        return each.kind == kind && each.index == index;
+      });
+      return change(value, static_cast<std::size_t>(place - inputs_.begin()));
     });
   }
   std::array<Conditioned, dimension> conditioned(const std::array<Conditioned, dimension>& y,
@@ -385,14 +315,10 @@ class ExtendedEventSystem {
   }
 
  private:
-  struct Input {
-    FamilyParameter::Kind kind;
-    int index;
-  };
   EventEquations<circle, spectral, DoubleDouble> extended_;
   EventEquations<circle, spectral, Conditioned> conditioned_;
-  std::vector<Input> inputs_;
-  bool has_decimals_ = false;
+  std::vector<CoefficientInput> inputs_;
+  bool has_decimals_;
 };
 
 }  // namespace stationary

@@ -23,17 +23,12 @@
 
 #include "lib/conditioned.hpp"
 #include "lib/double_double.hpp"
+#include "solver/varied_balance.hpp"
 
 namespace stationary {
 
 template <int N>
 using ExtendedVector = std::array<DoubleDouble, static_cast<std::size_t>(N)>;
-
-/// One of the inputs is larger by a relative amount; none where there is no such input.
-struct InputChange {
-  std::size_t input = std::numeric_limits<std::size_t>::max();
-  double relative = 0.0;
-};
 
 template <int N>
 struct ExtendedRoot {

@@ -156,6 +156,13 @@ class Family {
   virtual std::optional<Member> mirror_point(const ReducedVector<N>&, double) const {
     return std::nullopt;
   }
+  /// The circle near x that a sheet of ellipses at given momenta comes to, where these are equal:
+  /// nothing where the family has no such end.
+  virtual std::optional<Member> circle_point(const ReducedVector<N>&) const {
+    return std::nullopt;
+  }
+  /// The motion at p = 0 near x, of a family whose balance is singular there: no spin has an axis.
+  virtual std::optional<Member> rest_point(const ReducedVector<N>&) const { return std::nullopt; }
   /// x of a stretch that is a motion of the family at p.
   virtual ReducedVector<N> coordinates(const Stretch& q, double) const {
     if constexpr (N <= 3) {
