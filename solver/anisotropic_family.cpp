@@ -7,6 +7,9 @@
 #include <stdexcept>
 
 #include "lib/elastic_energy.hpp"
+#include "solver/event.hpp"
+#include "solver/event_functions.hpp"
+#include "solver/extended_root.hpp"
 #include "solver/newton.hpp"
 #include "solver/oriented_stability.hpp"
 #include "solver/oriented_system.hpp"
@@ -20,6 +23,185 @@ double line_angle(double angle) {
   const double out = std::remainder(angle, std::numbers::pi);
   return out <= -0.5 * std::numbers::pi ? out + std::numbers::pi : out;
 }
+
+/// The coefficients of a potential in T, in their order: the parameter p, the others by `number`.
+template <class T, class Number>
+struct VariedCoefficients {
+  int varied;  ///< place of the parameter; -1: none of them
+  T p;
+  Number number;
+  mutable int next = 0;
+
+  T operator()(double c) const {
+    const int k = next++;
+    return k == varied ? p : number(c, static_cast<std::size_t>(k));
+  }
+  Direction<T> direction(double degrees) const {
+    const T angle = (*this)(degrees);
+    const double near = leading(angle);
+    const Direction<DoubleDouble> at = stationary::direction(near);
+    const T rest = (angle - near) * (std::numbers::pi / 180.0);
+    if constexpr (std::is_same_v<T, Conditioned>) {
+      const double spread = rest.condition;
+      const double cosine = double(at.cosine);
+      const double sine = double(at.sine);
+      return {{cosine, std::abs(sine) * spread}, {sine, std::abs(cosine) * spread}};
+    } else {
+      const T bend = 1.0 - 0.5 * square(rest);
+      return {at.cosine * bend - at.sine * rest, at.sine * bend + at.cosine * rest};
+    }
+  }
+};
+
+/// The events of these families in x and the parameter, in any number type (extended_root.hpp).
+template <class Layout>
+class OrientedEventSystem {
+ public:
+  static constexpr int dimension = Layout::dimension + 1;
+  static constexpr std::size_t unknowns = Layout::places.size();
+  using Kind = FamilyParameter::Kind;
+  template <class T>
+  using Values = std::array<T, unknowns + 1>;
+
+  /// function: as of TestValues. place: of the coefficient that varies.
+  OrientedEventSystem(const AnisotropicPotential& potential, const Body& body, Branch branch,
+                      double nu, const FamilyParameter& parameter, int place, std::size_t function)
+      : potential_(&potential),
+        J_{body.J1, body.J2, body.J3},
+        branch_(branch),
+        nu_(nu),
+        parameter_(parameter),
+        place_(parameter.kind == Kind::nu || parameter.kind == Kind::inertia ? -1 : place),
+        function_(function) {}
+
+  std::size_t inputs() const {
+    return 4 + static_cast<std::size_t>(potential_->coefficient_count());
+  }
+  bool has_decimals() const { return potential_->model().has_decimals(); }
+
+  Values<DoubleDouble> values(const Values<DoubleDouble>& y, const InputChange& change) const {
+    return equations<DoubleDouble>(y, [&](double x, std::size_t k) { return change(x, k); });
+  }
+  Values<Conditioned> conditioned(const Values<Conditioned>& y, bool exact) const {
+    return equations<Conditioned>(
+        y, [&](double x, std::size_t) { return exact ? Conditioned(x) : Conditioned::input(x); });
+  }
+
+ private:
+  template <class T, class Number>
+  Values<T> equations(const Values<T>& y, const Number& number) const {
+    const T& p = y[unknowns];
+    const auto inertia = [&](int k) {
+      const bool varied = parameter_.kind == Kind::inertia && parameter_.index == k;
+      const auto at = static_cast<std::size_t>(k);
+      return varied ? p : number(J_[at], at);
+    };
+    const Inertia3<T> J{inertia(0), inertia(1), inertia(2)};
+    const T nu_squared = square(parameter_.kind == Kind::nu ? p : number(nu_, 3));
+    const auto coefficient = [&](double c, std::size_t k) { return number(c, k + 4); };
+    const auto model =
+        potential_->model(VariedCoefficients<T, decltype(coefficient)>{place_, p, coefficient});
+    std::array<T, unknowns> x;
+    std::copy_n(y.begin(), unknowns, x.begin());
+    const auto all = all_coordinates<Layout>(x, T(1.0));
+    const auto balance = balance_at<Layout, 2>(J, model, branch_, nu_squared, all);
+    Values<T> out;
+    for (std::size_t i = 0; i < unknowns; ++i) out[i] = balance.g[Layout::places[i]];
+    if (function_ == TestValues::fold || function_ == TestValues::momentum) {
+      SquareArray<T, unknowns> jacobian;
+      for (std::size_t i = 0; i < unknowns; ++i)
+        for (std::size_t j = 0; j < unknowns; ++j)
+          jacobian[i][j] = balance.slope[Layout::places[i]][Layout::places[j]];
+      out[unknowns] = function_ == TestValues::fold
+                          ? determinant(jacobian)
+                          : turning(J, model, nu_squared, all, balance, jacobian);
+    } else if (function_ == TestValues::turn) {
+      out[unknowns] = turn(J, model, nu_squared, all);
+    } else {
+      out[unknowns] = difference_of_inertias(J, all);
+    }
+    return out;
+  }
+
+  template <class T>
+  T turning(const Inertia3<T>& J, const AnisotropicModel<T>& model, const T& nu_squared,
+            const std::array<T, 5>& y, const OrientedBalance<T>& balance,
+            const SquareArray<T, unknowns>& jacobian) const {
+    const auto at_rest = balance_at<Layout, 1>(J, model, branch_, T(0.0), y);
+    std::array<T, unknowns> pull;  // -d(q^T C q/2), of the axis nothing
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      const std::size_t row = Layout::places[i];
+      pull[i] = row == oriented::phi ? T(0.0) : balance.g[row] - at_rest.g[row];
+    }
+    std::array<T, unknowns> nu_slope;
+    std::array<T, unknowns> inertia_slope;
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      nu_slope[i] = 2.0 * pull[i];
+      inertia_slope[i] = -2.0 * pull[i];
+    }
+    const Vector4<T> q = oriented_stretch(y[0], y[1], y[2], y[3]).q.vector();
+    const Vector4<T> force = centrifugal_matrix(J, spin(nu_squared, y)) * q;
+    T own(0.0);
+    for (int i = 0; i < 4; ++i) own += q[i] * force[i];
+    return momentum_turn(jacobian, nu_slope, inertia_slope, own);
+  }
+
+  /// At alpha = 0 (oriented_stability.hpp's turn_of()).
+  template <class T>
+  T turn(const Inertia3<T>& J, const AnisotropicModel<T>& model, const T& nu_squared,
+         const std::array<T, 5>& y) const {
+    const BasicStretch<T> q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
+    const T V_aa = potential_derivatives<2>(model, q).hessian(0, 0);
+    if (branch_ == Branch::iii) return V_aa - (J.J1 + J.J2) * nu_squared;
+    const T along_2 = J.J2 * square(q.zeta) - J.J1 * square(q.xi);
+    const T inertias = branch_ == Branch::i ? along_2 : -along_2;
+    const T own = branch_ == Branch::i ? J.J1 : J.J2;
+    return (V_aa - own * nu_squared) * inertias - square(J.J1 * q.xi + J.J2 * q.zeta) * nu_squared;
+  }
+
+  template <class T>
+  T difference_of_inertias(const Inertia3<T>& J, const std::array<T, 5>& y) const {
+    using std::sqrt;
+    const BasicStretch<T> q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
+    if constexpr (!Layout::alpha) {
+      const T m[3] = {J.J1 * square(q.xi), J.J2 * square(q.zeta), J.J3 * square(q.rho)};
+      if (function_ == TestValues::inertia_12) return m[1] - m[0];
+      return m[2] - m[function_ == TestValues::inertia_13 ? 0 : 1];
+    } else {
+      const Matrix3<T> I = locked_inertia(J, q);
+      T first;
+      if constexpr (Layout::axis) {
+        const AxisAngle<T> axis = axis_angle(y[4]);
+        first = square(axis.cosine) * I(0, 0) + square(axis.sine) * I(1, 1) +
+                2.0 * (axis.cosine * axis.sine * I(0, 1));
+      } else {
+        first = 0.5 * (I(0, 0) + I(1, 1)) -
+                sqrt(square(0.5 * (I(0, 0) - I(1, 1))) + square(I(0, 1)));
+      }
+      const T second = I(0, 0) + I(1, 1) - first;
+      if (function_ == TestValues::inertia_12) return first - second;
+      return I(2, 2) - (function_ == TestValues::inertia_13 ? first : second);
+    }
+  }
+
+  template <class T>
+  SpinProducts<T> spin(const T& nu_squared, const std::array<T, 5>& y) const {
+    if constexpr (Layout::axis) {
+      const AxisAngle<T> axis = axis_angle(y[4]);
+      return in_plane_products(nu_squared, axis.cosine, axis.sine);
+    } else {
+      return axis_products(branch_, nu_squared);
+    }
+  }
+
+  const AnisotropicPotential* potential_;
+  std::array<double, 3> J_;
+  Branch branch_;
+  double nu_;
+  FamilyParameter parameter_;
+  int place_;
+  std::size_t function_;
+};
 
 template <class Layout>
 class AnisotropicFamily final : public Family<Layout::dimension> {
@@ -136,6 +318,43 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     return 0x1p-53 * system(at).input_sensitivity(x);
   }
 
+  std::optional<Member> rest_point(const ReducedVector<N>& near) const override {
+    if constexpr (Layout::axis) {
+      if (!along_nu()) return std::nullopt;
+      const OrientedSystem<ShearedLayout> system{models_.get(), body_, branch_, 0.0};
+      ReducedVector<4> still = near.template head<4>();
+      if (!newton(system, still).converged) return std::nullopt;
+      ReducedVector<4> still_tail;
+      const Refined refined = refine(system, still, 8, &still_tail);
+      if (!refined.converged) return std::nullopt;
+      ReducedVector<N> x = near;
+      ReducedVector<N> tail = ReducedVector<N>::Zero();
+      x.template head<4>() = still;
+      tail.template head<4>() = still_tail;
+      return member(x, tail, 0.0, bound_factor * refined.error_bound);
+    } else {
+      return std::nullopt;
+    }
+  }
+
+  std::optional<ExtendedEvent<N>> event_at(EventType type, bool,
+                                           const Member& near) const override {
+    if (near.parameter == 0.0) return std::nullopt;
+    const TestContext context{.branch = branch(),
+                              .material_symmetry = false,
+                              .circle = false,
+                              .oblique = oblique(),
+                              .sheared = sheared()};
+    const TestValues at = test_values(near, context, 0.0, 0.0);
+    std::optional<std::size_t> function;
+    for (std::size_t k = 0; k < TestValues::collision; ++k) {
+      if (std::isnan(at.value[k]) || event_type(k, context, at) != type) continue;
+      if (!function || std::abs(at.value[k]) < std::abs(at.value[*function])) function = k;
+    }
+    if (!function) return std::nullopt;
+    return event_near<Layout>(branch_, *function, coordinates_of(near), near.parameter);
+  }
+
   Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,
                 double error_bound) const override {
     const Setting at = setting(p);
@@ -156,7 +375,10 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     out.parameter = p;
     out.body = at.body;
     out.nu = at.nu;
-    out.q = {double(q.alpha), x[0], x[1], x[2]};
+    // An alpha below the rounding of extended precision is none, and has no angle.
+    const double alpha = double(q.alpha);
+    const bool sheared = std::abs(alpha) > 0x1p-80 * std::sqrt(x[0] * x[1]);
+    out.q = {sheared ? alpha : 0.0, x[0], x[1], x[2]};
     out.angular_velocity = {double(nu[0]), double(nu[1]), double(nu[2])};
     out.error_bound = error_bound;
     if (options_.errors || options_.energy || !Layout::alpha) add_elastic(at, out);
@@ -203,6 +425,15 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
           const double angle = straight == Branch::i ? 0.0 : 0.5 * std::numbers::pi;
           at[Layout::axis_place] =
               axis_coordinate(std::copysign(angle, std::log(x[Layout::axis_place])));
+        }
+        if (const auto known = event_near<StraightLayout>(straight, TestValues::turn, found->x,
+                                                          0.5 * (low + high))) {
+          ReducedVector<N> tail = ReducedVector<N>::Zero();
+          for (int i = 0; i < 3; ++i) {
+            at[i] = double(known->x[index(i)]);
+            tail[i] = double(known->x[index(i)] - at[i]);
+          }
+          return member(at, tail, double(known->parameter), known->error_bound + 0x1p-53);
         }
         // What the turn's own rounding leaves open of p, along the family.
         constexpr double noise = 64.0 * 0x1p-53;
@@ -257,6 +488,25 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     }
     if constexpr (!Layout::alpha)
       out.turn = turn_of(at.body, branch_, V.hessian(0, 0), out.q, at.nu);
+  }
+
+  /// An event in a layout: this family's own, or the one with alpha = 0 that it branches off.
+  template <class Its, class X>
+  std::optional<ExtendedEvent<Its::dimension>> event_near(Branch branch, std::size_t function,
+                                                          const X& x, double p) const {
+    const OrientedEventSystem<Its> system(models_->potential, body_, branch, options_.nu,
+                                          options_.parameter, coefficient_place(), function);
+    ExtendedVector<Its::dimension + 1> y;
+    for (int i = 0; i < Its::dimension; ++i) y[index(i)] = x[i];
+    y.back() = p;
+    const auto root = extended_root(system, y);
+    if (!root) return std::nullopt;
+    ExtendedEvent<Its::dimension> out{{}, root->y.back(), 0.0, root->error.back()};
+    for (std::size_t i = 0; i < out.x.size(); ++i) {
+      out.x[i] = root->y[i];
+      out.error_bound = std::max(out.error_bound, bound_factor * root->error[i]);
+    }
+    return out;
   }
 
   Setting setting(double p) const {

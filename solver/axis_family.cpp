@@ -9,7 +9,8 @@ namespace {
 template <class Model, int N>
 AnyFamily model_family(const Problem& problem, const Model& model,
                        const AxisFamilyOptions& options) {
-  return std::make_unique<ModelFamily<Model, N>>(problem.body(), problem.branch(), model, options);
+  return std::make_unique<ModelFamily<Model, N>>(problem.body(), problem.branch(), model, options,
+                                                 problem);
 }
 
 }  // namespace

@@ -359,6 +359,8 @@ Case make_case(CaseTree tree) {
   const Body body = read_body(tree);
   const std::vector<ModelChoice> models = read_models(tree);
   const Case::Motion motion = read_motion(tree, body, models);
+  if (const auto fault = out_of_scale({body, models, motion}))
+    throw fault_at(tree, fault->key, fault->found, fault->allowed, OutOfScale::hint);
   const std::string title = value_or<std::string>(tree, "title", "");
   const Case::Solve solve = read_solve(tree, motion, !anisotropic(models));
   const auto continuation = read_continuation(tree, {body, models, motion});

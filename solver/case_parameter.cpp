@@ -1,9 +1,14 @@
 #include "solver/case_parameter.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace stationary {
 
@@ -57,7 +62,63 @@ std::vector<std::string> motion_and_body_keys(const Case::Motion& motion) {
   return {"motion.s3", "motion.p_theta", "body.J.2"};
 }
 
+constexpr double most = 1e90;   // of J, a coefficient, and V/J
+constexpr double fastest = 1e45;  // its square is one of V/J
+
+bool within(double x, double limit) {
+  return x == 0.0 || (std::abs(x) <= limit && std::abs(x) >= 1.0 / limit);
+}
+
+/// The motion's numbers, by their keys.
+std::vector<std::pair<std::string, double>> motion_numbers(const Case::Motion& motion) {
+  const auto one = [](double nu) {
+    return std::vector<std::pair<std::string, double>>{{"motion.nu", nu}};
+  };
+  if (const auto* axis = std::get_if<AxisRotation>(&motion)) return one(axis->nu);
+  if (const auto* tilted = std::get_if<TiltedMotion>(&motion)) return one(tilted->nu);
+  if (const auto* oblique = std::get_if<ObliqueRotation>(&motion)) return one(oblique->nu);
+  const auto& two_polar = std::get<TwoPolarMotion>(motion);
+  if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar))
+    return {{"motion.omega", rates->omega}, {"motion.theta_dot", rates->theta_dot}};
+  const auto& momenta = std::get<TwoPolarMomenta<double>>(two_polar);
+  return {{"motion.s3", momenta.s3}, {"motion.p_theta", momenta.p_theta}};
+}
+
 }  // namespace
+
+std::optional<OutOfScale> out_of_scale(const FamilyParameters& family) {
+  const auto range = [](double limit) {
+    return fmt::format("numbers from {:g} to {:g}", 1.0 / limit, limit);
+  };
+  const Body& J = family.body;
+  for (const double each : {J.J1, J.J2, J.J3})
+    if (!within(each, most)) return OutOfScale{"body.J", fmt::format("found {}", each), range(most)};
+  for (const auto& [key, value] : motion_numbers(family.motion)) {
+    const double limit = key == "motion.s3" || key == "motion.p_theta" ? most : fastest;
+    if (!(std::abs(value) <= limit))
+      return OutOfScale{key, fmt::format("found {}", value),
+                        fmt::format("numbers of at most {:g}", limit)};
+  }
+  double largest = 0.0;
+  for (const ModelChoice& model : family.models) {
+    if (model.tape) continue;  // its numbers may be anything
+    for (std::size_t k = 0; k < model.coefficients.size(); ++k) {
+      const std::string& name = model.description.parameters[k];
+      if (name == "degrees") continue;
+      if (!within(model.coefficients[k], most))
+        return OutOfScale{"potential." + model.slot + '.' + name,
+                          fmt::format("found {}", model.coefficients[k]), range(most)};
+      if (name != "rest") largest = std::max(largest, std::abs(model.coefficients[k]));
+    }
+  }
+  if (largest > 0.0 && (largest / most > std::min({J.J1, J.J2, J.J3}) ||
+                        std::max({J.J1, J.J2, J.J3}) / most > largest))
+    return OutOfScale{"body.J",
+                      fmt::format("found [{}, {}, {}] beside coefficients of the potential of {}",
+                                  J.J1, J.J2, J.J3, largest),
+                      fmt::format("ratios from {:g} to {:g}", 1.0 / most, most)};
+  return std::nullopt;
+}
 
 std::vector<std::string> case_parameters(const Case::Motion& motion,
                                          const std::vector<ModelChoice>& models) {
@@ -76,6 +137,8 @@ FamilyParameters with_parameter(FamilyParameters family, std::string_view key, d
   *number = value;
   family.body = Body(family.body.J1, family.body.J2, family.body.J3);  // its domain
   make_potential(family.models);
+  if (const auto fault = out_of_scale(family))
+    throw std::invalid_argument(fault->allowed + " (" + OutOfScale::hint + ")");
   return family;
 }
 

@@ -4,6 +4,7 @@
 // in nu.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,12 +21,22 @@ struct FamilyParameters {
   Case::Motion motion;
 };
 
+/// A number too large or too small beside the others for what is computed with it, the powers of a
+/// spectrum and their extended precision included: these must stay within 1e-300 ... 1e300.
+struct OutOfScale {
+  std::string key;
+  std::string found;
+  std::string allowed;
+  static constexpr const char* hint = "choose units in which J and V are of order one";
+};
+std::optional<OutOfScale> out_of_scale(const FamilyParameters& family);
+
 /// Valid keys for this motion and these models, in that order.
 std::vector<std::string> case_parameters(const Case::Motion& motion,
                                          const std::vector<ModelChoice>& models);
 
 /// With the parameter at a value. Throws std::invalid_argument with the violated inequality of
-/// body or model, or for a key that is not one of case_parameters().
+/// body or model, for a number out of scale, or for a key that is not one of case_parameters().
 FamilyParameters with_parameter(FamilyParameters family, std::string_view key, double value);
 
 /// The parameter's own value. Throws std::invalid_argument for a key that is not one of them.

@@ -46,6 +46,8 @@ std::optional<CurvePoint<N>> circle_within(const Curve<N>& ellipses, const Curve
         stiffness, -reach, reach, a, b, boost::math::tools::eps_tolerance<double>(52), evaluations);
     CurvePoint<N> out = at(0.5 * (low + high));
     out.member.error_bound *= 4.0;
+    if (auto known = circle.event_at(EventType::ellipse, out.member, reach))
+      out.member = std::move(known->member);
     return out;
   }
   return std::nullopt;

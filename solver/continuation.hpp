@@ -84,7 +84,7 @@ class Continuation {
         Attempt attempt;
         if (try_step(attempt)) {
           accept(attempt);
-          return true;
+          return !unresolved_;
         }
       } catch (const std::exception& error) {  // a failed step like any other
         refuse(error.what(), 0.5 * h_);
@@ -183,6 +183,10 @@ class Continuation {
   }
 
   void accept(Attempt& attempt) {
+    if (!resolves(attempt.corrected.point)) {
+      end_unresolved(attempt.arc);
+      return;
+    }
     CurvePoint<N> next = completed(attempt.corrected.point);
     ++counts_.steps;
     if (const auto k = curve_->family().mirrored(); attempt.mirrors && k) {
@@ -195,6 +199,7 @@ class Continuation {
     }
     find_events(next, attempt.arc);
     if (const std::optional<double> limit = passed_limit(next, attempt.arc)) {
+      if (*limit == 0.0 && end_at_rest(attempt)) return;
       if (!stop_at(*limit, attempt)) return;
       next = here_next_;
       find_events(next, attempt.arc);
@@ -269,6 +274,23 @@ class Continuation {
       }
     }
     return beyond(next.arc.p);
+  }
+
+  /// Ends it at p = 0, of a family whose balance is singular there. False: it is not, or the point
+  /// was not found.
+  bool end_at_rest(const Attempt& attempt) {
+    const double u = here_.arc.p / (here_.arc.p - attempt.corrected.point.p);
+    const ArcVector<N> y = attempt.arc.at(u);
+    const auto at = curve_->family().rest_point(
+        moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())));
+    if (!at) return false;
+    std::erase_if(events_, [&](const Event& event) {  // those of the mirror image beyond
+      return event.member.parameter * here_.arc.p <= 0.0;
+    });
+    here_.member = *at;
+    here_.arc.p = 0.0;
+    finish(EventType::limit, "the range asked for");
+    return true;
   }
 
   /// Ends the attempt at p = limit instead. False: the point there was not found.
@@ -380,20 +402,36 @@ class Continuation {
     const Stretch& q = here_.member.q;
     const double least = std::min({q.xi, q.zeta, q.rho});
     const double most = std::max({q.xi, q.zeta, q.rho});
+    if (most > options_.max_stretch || least < options_.min_stretch) {
+      finish(most > options_.max_stretch || escapes(arc_) ? EventType::escape
+                                                          : EventType::collapse,
+             "a stretch left the bounds followed");
+      return;
+    }
     // Near an asymptote in p a double no longer tells its points apart.
     constexpr double far = 1e3;
+    constexpr double coarse = 1e-5;  // of a bound that still holds
     const double resolved = std::abs(arc_.chord[N]) * curve_->corrector().scale() / arc_.length;
-    const bool unresolved = !curve_->corrector().vertical() && (most > far || least < 1.0 / far) &&
-                            options_.from != options_.to && resolved < 1e-9 * std::abs(here_.arc.p);
-    if (!(most > options_.max_stretch || least < options_.min_stretch || unresolved)) return;
-    // In the logarithms of the stretches: one that only grows along while another vanishes does not
-    // escape.
-    const ReducedVector<N> change = arc_.chord.template head<N>();
-    const double growth = change.maxCoeff();
-    const bool escapes = most > options_.max_stretch || growth > -0.1 * change.minCoeff();
-    finish(escapes ? EventType::escape : EventType::collapse,
-           unresolved ? "beyond this a double of the parameter does not resolve the stretches"
-                      : "a stretch left the bounds followed");
+    if (curve_->corrector().vertical() || options_.from == options_.to) return;
+    if (((most > far || least < 1.0 / far) && resolved < 1e-9 * std::abs(here_.arc.p)) ||
+        here_.arc.error_bound > coarse)
+      finish(escapes(arc_) ? EventType::escape : EventType::collapse, unresolved_reason);
+  }
+
+  /// In the logarithms of the stretches: one that only grows along while another vanishes does not
+  /// escape.
+  static bool escapes(const Arc<N>& arc) {
+    const ReducedVector<N> change = arc.chord.template head<N>();
+    return change.maxCoeff() > -0.1 * change.minCoeff();
+  }
+
+  /// Whether a bound of x at the point's p was found.
+  static bool resolves(const ArcPoint<N>& point) { return std::isfinite(point.error_bound); }
+
+  /// Ends the sheet at the last point: the next is none of a known p.
+  void end_unresolved(const Arc<N>& arc) {
+    unresolved_ = true;
+    finish(escapes(arc) ? EventType::escape : EventType::collapse, unresolved_reason);
   }
 
   /// A sheet of ellipses (J1 = J2, branch (iii)) that reaches xi = zeta meets the circle there and
@@ -426,6 +464,13 @@ class Continuation {
   }
 
   void end_at_circle(const Attempt& attempt, const CurvePoint<N>& next) {
+    if (const auto at = curve_->family().circle_point(next.arc.x)) {
+      here_.member = *at;
+      here_.member.spectrum.reset();
+      here_.arc.p = at->parameter;
+      finish(EventType::ellipse, "the momenta are equal: the ellipses have come to the circle");
+      return;
+    }
     const auto circle = circle_within(*curve_, here_, next, attempt.arc);
     if (!circle) {
       finish(EventType::stalled, "xi = zeta was passed, but the circle's own point not found");
@@ -436,6 +481,9 @@ class Continuation {
     if (curve_->context().two_polar) here_.member.spectrum.reset();
     finish(EventType::ellipse, "the ellipses meet the circle here and go on as mirror images");
   }
+
+  static constexpr const char* unresolved_reason =
+      "beyond this a double of the parameter does not resolve the stretches";
 
   const Curve<N>* curve_;
   ContinuationOptions options_;
@@ -456,6 +504,7 @@ class Continuation {
   std::vector<Event> events_;
   std::vector<Event> unresolved_;
   EventType end_ = EventType::none;
+  bool unresolved_ = false;  ///< ended before the step
   std::string reason_;
   std::string refusal_ = "the first step";
   ContinuationCounts counts_;

@@ -5,8 +5,8 @@
 //   [        border^T         ] [ dp / scale ] = - [ 0 ]     nonsingular at a simple turn of p
 //
 // then, p fixed at the double it has come to, the extended-precision correction every solve ends in
-// (refine.hpp). At a turn of p itself, where that is singular, the bordered system once more, with
-// the extended residual.
+// (refine.hpp). At a turn of p itself, or where p has an asymptote, where that is singular, the
+// bordered system once more, with the extended residual.
 //
 // Nothing is accepted that a jump to another sheet could have produced: the first correction must
 // be small against the step, the corrections must contract, and the sign of the bordered
@@ -14,9 +14,9 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <limits>
 #include <optional>
 
-#include "lib/conditioned.hpp"
 #include "solver/arc.hpp"
 
 namespace stationary {
@@ -265,15 +265,47 @@ class Corrector {
     }
   }
 
-  /// Where p turns. The bound is that of x at the row's p, about the square root of that of the
-  /// curve.
+  /// Where p hardly changes along the curve. The bound is that of x at the row's p: half a unit of p
+  /// and what the inputs may do to it, D, is a distance s along the curve,
+  ///   a turn:        |p''| s^2/2 = |p'| s + D   about the square root of D,
+  ///   an asymptote:  |p'| s = D                  without bound where a double does not resolve p.
   void correct_at_turn(const ArcVector<N>& border, Corrected<N>& out) const {
     correct_onto_curve(border, out);
+    out.point.error_bound = std::numeric_limits<double>::infinity();
+    const ArcVector<N> along = direction_near(out.point.x, out.point.p);
+    if (!along.allFinite()) return;
     const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
-    const Eigen::Matrix<double, N, N> inverse = at.jacobian.inverse().cwiseAbs();
-    const double kappa = std::min(inverse.rowwise().sum().maxCoeff(), 1e16);
-    const double largest = family_->input_perturbation(out.point.x, out.point.p).maxCoeff();
-    out.point.error_bound = with_curvature(kappa * largest + 0x1p-53, kappa);
+    const Bordered inverse = bordered(at, along).inverse();
+    const auto absolute = inverse.template leftCols<N>().cwiseAbs().eval();
+    const ArcVector<N> moved_by =
+        absolute * family_->input_perturbation(out.point.x, out.point.p);
+    const double across = moved_by.template head<N>().maxCoeff();
+    const double D = moved_by[N] + 0x1p-53 * std::abs(out.point.p) / scale_;
+    // In double, with its rounding.
+    const double rounding = 0x1p-50 * absolute.rowwise().sum().maxCoeff();
+    const double slope = std::abs(inverse(N, N) / inverse.col(N).norm());
+    constexpr double h = 1e-3;
+    const double bend = std::abs(slope_at(out, along, h) - slope_at(out, along, -h)) / (2.0 * h);
+    double s = std::numeric_limits<double>::infinity();
+    if (bend > 8.0 * rounding / h) {
+      const double steep = slope + rounding;
+      s = 2.0 * (steep + std::sqrt(steep * steep + bend * D)) / bend;  // p'' may be half as large
+      if (s > 10.0 * h) s = std::numeric_limits<double>::infinity();
+    }
+    if (const double left = slope - rounding; left > 0.0) {
+      const double straight = 2.0 * D / left;
+      if (straight * bend < 0.5 * left && straight < s) s = straight;
+    }
+    out.point.error_bound = across + s + 0x1p-53;
+  }
+
+  /// dp/ds of the curve at a distance along it.
+  double slope_at(const Corrected<N>& out, const ArcVector<N>& along, double distance) const {
+    const ReducedVector<N> x =
+        moved<N>(out.point.x, ReducedVector<N>(distance * along.template head<N>()));
+    const FamilyLinearization<N> at = linearize(x, out.point.p + distance * scale_ * along[N]);
+    const ArcVector<N> tangent = bordered(at, along).inverse().col(N);
+    return tangent[N] / tangent.norm();
   }
 
   const Family<N>* family_;

@@ -14,6 +14,20 @@ struct CurvePoint {
   TestValues tests;
 };
 
+/// An event by its own equations, and what its parameter lies between for every value the inputs may
+/// have.
+struct KnownEvent {
+  Member member;
+  double before;
+  double after;
+};
+
+/// [p - error, p + error], outward.
+inline std::array<double, 2> bracket_of(double p, double error) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {std::nextafter(p - error, -infinity), std::nextafter(p + error, infinity)};
+}
+
 template <int N>
 class Curve {
  public:
@@ -46,6 +60,31 @@ class Curve {
     // At a turn of p the bound is of x at the row's p; on the curve x is far better known.
     const double error = arc.at_turn || std::isnan(arc.error_bound) ? 0.0 : arc.error_bound;
     out.tests = test_values(out.member, context_, turn, momentum, error);
+    return out;
+  }
+
+  /// The event of this type near a located member, within a distance in y; nothing where its own
+  /// equations do not lead there.
+  std::optional<KnownEvent> event_at(EventType type, const Member& near, double distance) const {
+    const auto found = family_->event_at(type, context_.circle, near);
+    if (!found) return std::nullopt;
+    const double p = double(found->parameter);
+    const ReducedVector<N> from = family_->coordinates_of(near);
+    ReducedVector<N> x;
+    ReducedVector<N> tail;
+    double moved = std::abs(p - near.parameter) / corrector_.scale();
+    for (int i = 0; i < N; ++i) {
+      const DoubleDouble& exact = found->x[static_cast<std::size_t>(i)];
+      x[i] = double(exact);
+      tail[i] = double(exact - x[i]);
+      moved = std::max(moved, std::abs(std::log(x[i] / from[i])));
+    }
+    if (!(moved <= distance)) return std::nullopt;
+    const double rounding = 0x1p-53;
+    KnownEvent out{family_->member(x, tail, p, found->error_bound + rounding), 0.0, 0.0};
+    const auto ends = bracket_of(p, (found->parameter_bound + rounding) * std::abs(p));
+    out.before = ends[0];
+    out.after = ends[1];
     return out;
   }
 

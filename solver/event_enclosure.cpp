@@ -1,5 +1,6 @@
 #include "solver/event_enclosure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -157,6 +158,26 @@ void enclose(const EventSetting& setting, const Sought& what, const Member& memb
   out.error_bound = bound;
 }
 
+template <bool circle, bool spectral>
+std::optional<ExtendedEvent<3>> extended(const EventSetting& setting, const Sought& what,
+                                         const Member& member) {
+  using System = ExtendedEventSystem<circle, spectral>;
+  constexpr auto p = static_cast<std::size_t>(System::stretches);
+  ExtendedVector<System::dimension> y;
+  y[0] = member.q.xi;
+  if constexpr (!circle) y[1] = member.q.zeta;
+  y[p - 1] = member.q.rho;
+  y[p] = member.parameter;
+  if constexpr (spectral) y[p + 1] = what.lambda;
+  const System system(setting, what.function);
+  const auto root = extended_root(system, y);
+  if (!root) return std::nullopt;
+  return ExtendedEvent<3>{{root->y[0], root->y[circle ? 0 : 1], root->y[p - 1]},
+                          root->y[p],
+                          *std::max_element(root->error.begin(), root->error.begin() + p),
+                          root->error[p]};
+}
+
 }  // namespace
 
 bool has_enclosure(EventType type) {
@@ -186,6 +207,20 @@ EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& para
              : enclose<false, false>(setting, *what, member, out);
   }
   return out;
+}
+
+std::optional<ExtendedEvent<3>> extended_event(const Problem& problem,
+                                               const FamilyParameter& parameter, bool circle,
+                                               EventType type, const Member& member) {
+  const std::optional<Sought> what = sought(type, problem.branch(), member);
+  if (!what || member.parameter == 0.0) return std::nullopt;
+  const EventSetting setting{problem.body(), problem.potential(), problem.branch(), member.nu,
+                             parameter,      circle,              Inputs::doubles};
+  if (what->function.spectral())
+    return circle ? extended<true, true>(setting, *what, member)
+                  : extended<false, true>(setting, *what, member);
+  return circle ? extended<true, false>(setting, *what, member)
+                : extended<false, false>(setting, *what, member);
 }
 
 }  // namespace stationary

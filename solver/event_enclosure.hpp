@@ -7,9 +7,11 @@
 // form a system that is regular where G alone may be singular (a fold). Krawczyk's test
 // (krawczyk.hpp) on it, in the logarithms of all unknowns, shows exactly one such point near the
 // located one and encloses its p and its stretches. The slopes are exact: dual numbers over
-// intervals.
+// intervals. The same system in extended precision (extended_root.hpp) is what a located event is
+// corrected by, and its error bound comes from.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "solver/axis_family.hpp"
@@ -37,5 +39,11 @@ bool has_enclosure(EventType type);
 EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& parameter, bool circle,
                              EventType type, const Member& member,
                              Inputs inputs = Inputs::decimals);
+
+/// The event of this type near a located member by the same equations, in extended precision: x is
+/// (xi, zeta, rho). Nothing where they are singular or are not known.
+std::optional<ExtendedEvent<3>> extended_event(const Problem& problem,
+                                               const FamilyParameter& parameter, bool circle,
+                                               EventType type, const Member& member);
 
 }  // namespace stationary

@@ -2,10 +2,11 @@
 //
 // Where a test function f (event.hpp) changes sign over the step, f = 0 and G = 0 are solved
 // together: a bracketing root finder (TOMS 748) on f along the arc, the bordered corrector bringing
-// each of its points onto the curve. Where f does not change sign but a parabola through the last
-// three points dips towards zero inside the step, its extremum is sought on the curve: two zeros in
-// one step are found so. What remains of the change in the number of negative directions is
-// reported as unexplained.
+// each of its points onto the curve, and from there the event's own equations in extended
+// precision, which say what it is known to. Where f does not change sign but a parabola through the
+// last three points dips towards zero inside the step, its extremum is sought on the curve: two
+// zeros in one step are found so. What remains of the change in the number of negative directions
+// is reported as unexplained.
 //
 // A sign counts where it is certain (TestValues::sign). Where it is not at an end of the step, the
 // curve is looked at a little before or beyond; where it is certain nowhere near, the last certain
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -37,7 +39,7 @@ constexpr std::string_view name(EventStatus s) { return event_status_names[stati
 struct Event {
   EventType type = EventType::none;
   Member member;      ///< error_bound: of the event's q
-  double before = 0;  ///< bracket of the parameter
+  double before = 0;  ///< bracket of the parameter, ascending
   double after = 0;
   EventStatus status = EventStatus::bracketed;
   /// The class on the curve between this event and the next in the same step, if there is one.
@@ -60,6 +62,8 @@ class EventSearch {
     found_.clear();
     unresolved_.clear();
     if (starts) known_ = known_at(from);
+    // A curve that starts where its parameter passes J1 = J2 starts at that event (follow.cpp).
+    if (starts && from.tests.value[TestValues::turn] == 0.0) known_.negative.reset();
     next_ = known_;
     for (std::size_t k = 0; k < TestValues::crossings; ++k) {
       if (!curve_->context().seeks(k) || !compare_ends(k)) continue;
@@ -257,13 +261,26 @@ class EventSearch {
     const bool located = (zero.high - zero.low) * arc_->length <= resolved;
     CurvePoint<N> point;
     for (const double u : {zero.middle(), zero.low, zero.high}) {
-      if (!located || !evaluate(u, point) || point.member.beyond_end()) continue;
+      if (!evaluate(u, point) || point.member.beyond_end()) continue;
       const EventType type = event_type(k, curve_->context(), point.tests);
+      // Its own equations may tell more than the sign of its function does.
+      constexpr double reach = 0.02;  // of the step
+      if (auto known = curve_->event_at(type, point.member, reach * arc_->length + 1e-9);
+          known && !known->member.beyond_end()) {
+        found_.push_back(
+            {u,
+             {type, std::move(known->member), known->before, known->after, EventStatus::located}});
+        return;
+      }
+      if (!located) break;
       if (type == EventType::none) return;
-      Found out{
-          u, {type, point.member, parameter(zero.low), parameter(zero.high), EventStatus::located}};
       const double half = std::max(zero.high - zero.middle(), zero.middle() - zero.low);
-      out.event.member.error_bound = error_bound(k, u, half, point);
+      const double along = half + noise(k, point) / std::abs(slope(k, u));
+      if (!(along < 0.5)) break;  // nowhere in the step is the sign of f certain
+      const auto [before, after] = around(u - along, u + along);
+      Found out{u, {type, point.member, before, after, EventStatus::located}};
+      const double own = curve_->corrector().curve_error(point.arc);
+      out.event.member.error_bound = 2.0 * (along * arc_->length + own);
       found_.push_back(std::move(out));
       return;
     }
@@ -274,9 +291,17 @@ class EventSearch {
     }
     // Known to be there, and no more.
     if (type == EventType::none) return;
-    found_.push_back(
-        {zero.middle(),
-         {type, from_->member, parameter(0.0), parameter(1.0), EventStatus::bracketed}});
+    const auto [before, after] = around(0.0, 1.0);
+    found_.push_back({zero.middle(), {type, from_->member, before, after, EventStatus::bracketed}});
+  }
+
+  /// What the parameter is between at the ends of a part of the arc.
+  std::pair<double, double> around(double low, double high) const {
+    const double a = parameter(low);
+    const double b = parameter(high);
+    constexpr double rounding = 0x1p-50;
+    return {bracket_of(std::min(a, b), rounding * std::abs(a))[0],
+            bracket_of(std::max(a, b), rounding * std::abs(b))[1]};
   }
 
   /// Of the curve itself; the arc's where the corrector fails.
@@ -286,14 +311,23 @@ class EventSearch {
     return from_->arc.p + curve_->corrector().scale() * arc_->at(u)[N];
   }
 
-  /// Of the event's q: how far along the curve the zero may lie, and the curve's own error.
-  double error_bound(std::size_t k, double u, double half_bracket, const CurvePoint<N>& point) {
+  /// Of function k along the arc.
+  double slope(std::size_t k, double u) {
     constexpr double apart = 1e-3;
-    constexpr double noise = 32.0;  // of a test function, in errors of the point
-    const double own = curve_->corrector().curve_error(point.arc);
-    const double slope = (value(k, u + apart, 0.0) - value(k, u - apart, 0.0)) / (2.0 * apart);
-    const double along = half_bracket + noise * own / std::abs(slope);
-    return 2.0 * (along * arc_->length + own);
+    return (value(k, u + apart, 0.0) - value(k, u - apart, 0.0)) / (2.0 * apart);
+  }
+
+  /// What function k is known to, at a point: what its errors make of it, and those of the Lambdas.
+  double noise(std::size_t k, const CurvePoint<N>& point) const {
+    constexpr double errors = 32.0;
+    double out = errors * curve_->corrector().curve_error(point.arc);
+    if (k < TestValues::collision || !point.member.spectrum) return out;
+    for (int i = 0; i < point.member.spectrum->modes; ++i) {
+      const Mode& mode = point.member.spectrum->mode[static_cast<std::size_t>(i)];
+      const double size = std::hypot(mode.lambda_re, mode.lambda_im);
+      if (!mode.forced_zero && size > 0.0) out = std::max(out, mode.lambda_error / size);
+    }
+    return out;
   }
 
   /// Two zeros of function k inside the step? f at the earlier point, and its distance.
@@ -433,9 +467,10 @@ class EventSearch {
       if (!evaluate(u, middle)) break;
       (middle.member.spectrum->negative == before->count ? low : high) = u;
     }
-    found_.push_back({0.5 * (low + high),
-                      {EventType::unexplained, middle.member, parameter(low), parameter(high),
-                       EventStatus::bracketed}});
+    const auto [first, last] = around(low, high);
+    found_.push_back(
+        {0.5 * (low + high),
+         {EventType::unexplained, middle.member, first, last, EventStatus::bracketed}});
   }
 
   const Curve<N>* curve_;

@@ -1,18 +1,23 @@
-// The equations of an event (event_enclosure.hpp) over a box of all unknowns, with their slopes:
+// The equations of an event (event_enclosure.hpp) in all its unknowns,
 //
-//   y = (ln xi, ln zeta, ln rho, ln |p|[, ln |Lambda|]),  on the circle ln xi = ln zeta once,
+//   y = (xi, zeta, rho, p[, Lambda]),  on the circle xi = zeta once,
 //
-// in dual numbers over intervals. The stiffnesses the polynomials need come from the reduced
-// balance, F = V - (c_xi xi^2 + ...)/2:  F_xx = (F_uu - F_u)/xi^2 ..., W_d = (V_xi - V_zeta)/(zeta
-// - xi), V_xz - V_xx on the circle.
+// in any number type: extended precision for the event itself, numbers with their conditioning for
+// the size of its terms, dual numbers over intervals for a proof. The stiffnesses the polynomials
+// need come from the reduced balance, F = V - (c_xi xi^2 + ...)/2:  F_xx = (F_uu - F_u)/xi^2 ...,
+// W_d = (V_xi - V_zeta)/(zeta - xi), V_xz - V_xx on the circle.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "lib/linearization.hpp"
 #include "lib/spectrum.hpp"
 #include "solver/axis_family.hpp"
 #include "solver/dual.hpp"
+#include "solver/event_functions.hpp"
+#include "solver/extended_root.hpp"
 #include "solver/interval_system.hpp"
 
 namespace stationary {
@@ -48,39 +53,35 @@ struct EventSetting {
   Inputs inputs;
 };
 
-/// circle: 2 stretches instead of 3; spectral: Lambda among the unknowns.
-template <bool circle, bool spectral>
-class EventSystem {
+/// circle: 2 stretches instead of 3; spectral: Lambda among the unknowns. Input: what a number of
+/// the problem (its value, kind and place) is in T.
+template <bool circle, bool spectral, class T>
+class EventEquations {
  public:
   static constexpr int stretches = circle ? 2 : 3;
   static constexpr int dimension = stretches + 1 + (spectral ? 1 : 0);
-  using T = Dual<Interval, dimension>;
+  using Unknowns = std::array<T, dimension>;
 
-  EventSystem(const EventSetting& setting, const EventFunction& function)
+  EventEquations(const EventSetting& setting, const EventFunction& function)
       : setting_(&setting), function_(function) {}
 
-  /// Over a box of (xi, [zeta,] rho, p[, Lambda]); slopes are those in the logarithms.
-  GeneralBoxLinearized<dimension> linearize(const Box<dimension>& y) const {
-    const State s = state(y);
-    std::array<T, dimension> equations;
+  template <class Input>
+  Unknowns values(const Unknowns& y, const Input& input) const {
+    const State s = state(y, input);
+    Unknowns out;
     std::size_t k = 0;
-    equations[k++] = s.balance.g_xi;
-    if constexpr (!circle) equations[k++] = s.balance.g_zeta;
-    equations[k++] = s.balance.g_rho;
+    out[k++] = s.balance.g_xi;
+    if constexpr (!circle) out[k++] = s.balance.g_zeta;
+    out[k++] = s.balance.g_rho;
     if constexpr (spectral) {
-      const T Lambda = T::logarithmic(y[dimension - 1], dimension - 1);
+      const T& Lambda = y[dimension - 1];
       const AtRoot first = characteristic(s, function_.first, Lambda);
-      equations[k++] = first.value;
-      equations[k++] = function_.kind == EventFunction::Kind::collision
-                           ? first.slope
-                           : characteristic(s, function_.second, Lambda).value;
+      out[k++] = first.value;
+      out[k++] = function_.kind == EventFunction::Kind::collision
+                     ? first.slope
+                     : characteristic(s, function_.second, Lambda).value;
     } else {
-      equations[k++] = function(s);
-    }
-    GeneralBoxLinearized<dimension> out;
-    for (std::size_t i = 0; i < k; ++i) {
-      out.g[i] = equations[i].value;
-      out.slope[i] = equations[i].slope;
+      out[k++] = function(s);
     }
     return out;
   }
@@ -96,51 +97,24 @@ class EventSystem {
     LogBalance<T> balance;
   };
 
-  State state(const Box<dimension>& y) const {
+  template <class Input>
+  State state(const Unknowns& y, const Input& number) const {
     const EventSetting& at = *setting_;
-    const T p = T::logarithmic(y[stretches], stretches);
     const auto input = [&](double value, Kind kind, int index) {
-      const bool in_part = kind == Kind::plane || kind == Kind::thickness;
-      const bool varied =
-          (at.parameter.kind == kind || (in_part && at.parameter.kind == Kind::shared)) &&
-          at.parameter.index == index;
-      return varied ? p : T(as_input(value, at.inputs));
+      return varies(at.parameter, kind, index) ? y[stretches] : number(value, kind, index);
     };
     const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
     State s;
     s.J.J1 = input(J[0], Kind::inertia, 0);
     s.J.J2 = circle ? s.J.J1 : input(J[1], Kind::inertia, 1);  // equal, whatever decimals they are
     s.J.J3 = input(J[2], Kind::inertia, 2);
-    s.nu = at.parameter.kind == Kind::nu ? p : T(as_input(at.nu, at.inputs));
-    s.xi = T::logarithmic(y[0], 0);
-    s.zeta = circle ? s.xi : T::logarithmic(y[1], 1);
-    s.rho = T::logarithmic(y[stretches - 1], stretches - 1);
+    s.nu = input(at.nu, Kind::nu, 0);
+    s.xi = y[0];
+    s.zeta = circle ? s.xi : y[1];
+    s.rho = y[stretches - 1];
     s.rates = axis_rates(s.J, at.branch, s.nu * s.nu);
-    s.balance = at.potential.visit([&](const auto& model) { return balance(model, s, input); });
+    s.balance = varied_balance(at.potential, s.xi, s.zeta, s.rho, s.rates, input);
     return s;
-  }
-
-  template <class Plane, class Thickness, class Input>
-  static LogBalance<T> balance(const Separable<Plane, Thickness>& model, const State& s,
-                               const Input& input) {
-    const auto plane = with_inputs(model.plane, Kind::plane, input);
-    const auto thickness = with_inputs(model.thickness, Kind::thickness, input);
-    LogBalance<T> out = plane.log_balance(s.xi, s.zeta, s.rates.xi, s.rates.zeta);
-    const LogBalance<T> axial = thickness.log_balance(s.rho, s.rates.rho);
-    out.g_rho = axial.g_rho;
-    out.ww = axial.ww;
-    out.uw = out.vw = T(0.0);
-    return out;
-  }
-  template <class Coupled, class Input>
-  static LogBalance<T> balance(const Coupled& model, const State& s, const Input& input) {
-    return with_inputs(model, Kind::plane, input)
-        .log_balance(s.xi, s.zeta, s.rho, s.rates.xi, s.rates.zeta, s.rates.rho);
-  }
-  template <template <class> class Model, class Input>
-  static auto with_inputs(const Model<double>& model, Kind kind, const Input& input) {
-    return with_indexed_coefficients(
-        model, [&](double c, std::size_t k) { return input(c, kind, static_cast<int>(k)); });
   }
 
   // The functions of x and p alone.
@@ -159,18 +133,14 @@ class EventSystem {
       case EventFunction::Kind::turn:
         return s.J.J1 - s.J.J2;
       case EventFunction::Kind::momentum:
-        return bordered(s);
+        return turning_momentum(s);
       default:
         return determinant(stiffness(s));
     }
   }
 
-  template <int N>
-  using Square =
-      std::array<std::array<T, static_cast<std::size_t>(N)>, static_cast<std::size_t>(N)>;
-
   /// dG/d ln x, on the circle along (1, 1).
-  static Square<stretches> stiffness(const State& s) {
+  static SquareArray<T, stretches> stiffness(const State& s) {
     const LogBalance<T>& b = s.balance;
     if constexpr (circle) {
       return {{{b.uu + b.uv, b.uw}, {2.0 * b.uw, b.ww}}};
@@ -179,46 +149,22 @@ class EventSystem {
     }
   }
 
-  /// d(I_a nu) along the kernel of [dG/d ln x  dG/d ln nu], but for its length.
-  T bordered(const State& s) const {
-    constexpr auto n = static_cast<std::size_t>(stretches);
-    const Square<stretches> J = stiffness(s);
+  T turning_momentum(const State& s) const {
     const CentrifugalRates<T> part = axis_rates(s.J, setting_->branch, T(1.0));
     const T xi2 = s.xi * s.xi;
     const T zeta2 = s.zeta * s.zeta;
     const T rho2 = s.rho * s.rho;
     const T own = part.xi * xi2 + part.zeta * zeta2 + part.rho * rho2;
-    Square<stretches + 1> out;
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) out[i][j] = J[i][j];
-    // dG_i/d ln nu = -2 c_i x_i^2;  d ln I_a/d ln x_i = 2 I_i x_i^2/I_a.
-    out[0][n] = -2.0 * (s.rates.xi * xi2);
-    if constexpr (!circle) out[1][n] = -2.0 * (s.rates.zeta * zeta2);
-    out[n - 1][n] = -2.0 * (s.rates.rho * rho2);
-    out[n][0] = 2.0 * (circle ? part.xi * xi2 + part.zeta * zeta2 : part.xi * xi2);
-    if constexpr (!circle) out[n][1] = 2.0 * (part.zeta * zeta2);
-    out[n][n - 1] = 2.0 * (part.rho * rho2);
-    out[n][n] = own;
-    return determinant(out);
-  }
-
-  /// By the first row.
-  template <std::size_t N>
-  static T determinant(const std::array<std::array<T, N>, N>& a) {
-    if constexpr (N == 1) {
-      return a[0][0];
-    } else {
-      T sum(0.0);
-      for (std::size_t j = 0; j < N; ++j) {
-        std::array<std::array<T, N - 1>, N - 1> minor;
-        for (std::size_t row = 1; row < N; ++row)
-          for (std::size_t column = 0, to = 0; column < N; ++column)
-            if (column != j) minor[row - 1][to++] = a[row][column];
-        const T term = a[0][j] * determinant(minor);
-        sum = j % 2 == 0 ? sum + term : sum - term;
-      }
-      return sum;
-    }
+    // dG_i/d ln nu = -2 c_i x_i^2;  dI_a/d ln x_i = 2 I_i x_i^2.
+    std::array<T, stretches> column;
+    std::array<T, stretches> row;
+    column[0] = -2.0 * (s.rates.xi * xi2);
+    if constexpr (!circle) column[1] = -2.0 * (s.rates.zeta * zeta2);
+    column[stretches - 1] = -2.0 * (s.rates.rho * rho2);
+    row[0] = 2.0 * (circle ? part.xi * xi2 + part.zeta * zeta2 : part.xi * xi2);
+    if constexpr (!circle) row[1] = 2.0 * (part.zeta * zeta2);
+    row[stretches - 1] = 2.0 * (part.rho * rho2);
+    return momentum_turn(stiffness(s), column, row, own);
   }
 
   // The characteristic polynomials.
@@ -297,6 +243,82 @@ class EventSystem {
 
   const EventSetting* setting_;
   EventFunction function_;
+};
+
+/// Over a box of the unknowns, slopes in their logarithms.
+template <bool circle, bool spectral>
+class EventSystem {
+ public:
+  static constexpr int stretches = circle ? 2 : 3;
+  static constexpr int dimension = stretches + 1 + (spectral ? 1 : 0);
+
+  EventSystem(const EventSetting& setting, const EventFunction& function)
+      : inputs_(setting.inputs), equations_(setting, function) {}
+
+  GeneralBoxLinearized<dimension> linearize(const Box<dimension>& box) const {
+    std::array<T, dimension> y;
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] = T::logarithmic(box[i], i);
+    const auto equations = equations_.values(
+        y, [&](double value, FamilyParameter::Kind, int) { return T(as_input(value, inputs_)); });
+    GeneralBoxLinearized<dimension> out;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      out.g[i] = equations[i].value;
+      out.slope[i] = equations[i].slope;
+    }
+    return out;
+  }
+
+ private:
+  using T = Dual<Interval, dimension>;
+  Inputs inputs_;
+  EventEquations<circle, spectral, T> equations_;
+};
+
+/// At a point in extended precision (extended_root.hpp).
+template <bool circle, bool spectral>
+class ExtendedEventSystem {
+ public:
+  static constexpr int stretches = circle ? 2 : 3;
+  static constexpr int dimension = stretches + 1 + (spectral ? 1 : 0);
+
+  ExtendedEventSystem(const EventSetting& setting, const EventFunction& function)
+      : extended_(setting, function),
+        conditioned_(setting, function),
+        inputs_(coefficient_inputs(setting.potential, setting.parameter)),
+        has_decimals_(stationary::has_decimals(setting.potential)) {
+    using Kind = FamilyParameter::Kind;
+    const auto add = [&](Kind kind, int index) {
+      if (!varies(setting.parameter, kind, index)) inputs_.push_back({kind, index});
+    };
+    for (const int k : {0, 1, 2})
+      if (!circle || k != 1) add(Kind::inertia, k);
+    add(Kind::nu, 0);
+  }
+
+  std::size_t inputs() const { return inputs_.size(); }
+  bool has_decimals() const { return has_decimals_; }
+
+  ExtendedVector<dimension> values(const ExtendedVector<dimension>& y,
+                                   const InputChange& change) const {
+    return extended_.values(y, [&](double value, FamilyParameter::Kind kind, int index) {
+      const auto place = std::ranges::find_if(inputs_, [&](const CoefficientInput& each) {
+        return each.kind == kind && each.index == index;
+      });
+      return change(value, static_cast<std::size_t>(place - inputs_.begin()));
+    });
+  }
+  std::array<Conditioned, dimension> conditioned(const std::array<Conditioned, dimension>& y,
+                                                 bool exact) const {
+    return conditioned_.values(y, [&](double value, FamilyParameter::Kind, int) {
+      return exact ? Conditioned(value) : Conditioned::input(value);
+    });
+  }
+
+ private:
+  EventEquations<circle, spectral, DoubleDouble> extended_;
+  EventEquations<circle, spectral, Conditioned> conditioned_;
+  std::vector<CoefficientInput> inputs_;
+  bool has_decimals_;
 };
 
 }  // namespace stationary

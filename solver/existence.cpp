@@ -54,6 +54,7 @@ struct PlanarReason {
     const DoubleDouble xi_left = 2.0 * m.mu - c.zeta;
     const DoubleDouble zeta_left = 2.0 * m.mu - c.xi;
     const DoubleDouble det = zeta_left * xi_left + m.lambda * (xi_left + zeta_left);
+    if (!std::isfinite(double(det))) return std::nullopt;  // an overflow proves nothing
     const bool positive = (double(det) > 0.0 && double(xi_left) > 0.0 && double(zeta_left) > 0.0) ||
                           (double(det) < 0.0 && double(xi_left) < 0.0 && double(zeta_left) < 0.0);
     if (positive) return std::nullopt;
@@ -69,7 +70,7 @@ struct PlanarReason {
   std::optional<std::string> operator()(const Hencky<>& m) const {
     if (problem.branch() == Branch::iii) return std::nullopt;
     // The unpulled stretch follows; 2 kappa ln x = c x^2 remains, and ln x / x^2 <= 1/(2 e).
-    const double kappa = 2.0 * m.mu * (m.mu + m.lambda) / (2.0 * m.mu + m.lambda);
+    const double kappa = 2.0 * m.mu * ((m.mu + m.lambda) / (2.0 * m.mu + m.lambda));
     const double rate = problem.branch() == Branch::i ? double(c.zeta) : double(c.xi);
     const double largest = kappa / std::numbers::e;
     if (rate <= largest * (1.0 + 1e-14)) return std::nullopt;
@@ -89,7 +90,7 @@ struct PlanarReason {
 std::optional<std::string> thickness_reason(const ThicknessPotential& thickness, const Rates& c) {
   return std::visit(
       [&](const auto& model) -> std::optional<std::string> {
-        if (std::isfinite(model.balanced(c.rho))) return std::nullopt;
+        if (!std::isnan(model.balanced(c.rho))) return std::nullopt;
         return text("V_rho'(rho) = J3 nu^2 rho has no solution: it needs ", model.existence,
                     ", and J3 nu^2 = ", double(c.rho));
       },
@@ -122,6 +123,10 @@ std::optional<std::string> reason_beside_expression(const Problem& problem, cons
 
 std::optional<std::string> nonexistence_reason(const Problem& problem, double nu) {
   const Rates c = problem.rates(two_product(nu, nu));
+  // What overflows, or is not a number, proves nothing.
+  if (!std::isfinite(double(c.xi)) || !std::isfinite(double(c.zeta)) ||
+      !std::isfinite(double(c.rho)))
+    return std::nullopt;
   if (!problem.potential().is_isotropic()) {
     using Separate = AnisotropicPotential::Model::Separate;
     const auto* separate = std::get_if<Separate>(&problem.potential().anisotropic().model().base);

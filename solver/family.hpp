@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -87,6 +88,16 @@ Stretch with_unknowns(Stretch q, const ReducedVector<N>& x) {
   return q;
 }
 
+/// An event by its own equations, in extended precision (extended_root.hpp).
+template <int N>
+struct ExtendedEvent {
+  std::array<DoubleDouble, static_cast<std::size_t>(N)> x;
+  DoubleDouble parameter;
+  double error_bound;      ///< relative, of the stretches
+  double parameter_bound;  ///< relative
+};
+enum class EventType : std::uint8_t;
+
 /// The locked inertia about the spin's axis and half its derivatives in ln x.
 template <int N>
 struct SpinInertia {
@@ -145,6 +156,13 @@ class Family {
   virtual std::optional<Member> mirror_point(const ReducedVector<N>&, double) const {
     return std::nullopt;
   }
+  /// The circle near x that a sheet of ellipses at given momenta comes to, where these are equal:
+  /// nothing where the family has no such end.
+  virtual std::optional<Member> circle_point(const ReducedVector<N>&) const {
+    return std::nullopt;
+  }
+  /// The motion at p = 0 near x, of a family whose balance is singular there: no spin has an axis.
+  virtual std::optional<Member> rest_point(const ReducedVector<N>&) const { return std::nullopt; }
   /// x of a stretch that is a motion of the family at p.
   virtual ReducedVector<N> coordinates(const Stretch& q, double) const {
     if constexpr (N <= 3) {
@@ -187,6 +205,12 @@ class Family {
   virtual ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const = 0;
   /// |change of G| by half a unit in the last place of every input, rows divided likewise.
   virtual ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const = 0;
+  /// The event near a located member of this type by its own equations. Nothing where there are none
+  /// or they are singular.
+  virtual std::optional<ExtendedEvent<N>> event_at(EventType, bool /*circle*/,
+                                                   const Member&) const {
+    return std::nullopt;
+  }
   /// tail: from refine_at; NaN makes the spectrum correct x once more.
   virtual Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,
                         double error_bound) const = 0;

@@ -15,7 +15,7 @@ class Follower {
   Follower(const Family<N>& family, const Stretch& q, double p, const FollowOptions& options)
       : options_(options),
         family_(family),
-        curve_(family, options.continuation.to - options.continuation.from, is_circle(family, q),
+        curve_(family, scale_of(family, q, p, options.continuation), is_circle(family, q),
                std::nullopt, options.events) {
     const ReducedVector<N> x = family.coordinates(q, p);
     if (may_be_vertical(family, q)) {
@@ -41,7 +41,7 @@ class Follower {
     report_.backward = one(-1, held);
     std::ranges::reverse(report_.events);
     held.give(sink);
-    sink.row(start_.member, end_at_start(held.empty()));
+    sink.row(start_.member, event_at_start(held.empty()));
     const bool closed = report_.backward.event == EventType::closed;
     if (closed) report_.forward = report_.backward;
     if (!report_.interrupted && !closed) report_.forward = one(+1, sink);
@@ -77,6 +77,26 @@ class Follower {
     return ((start_.arc.x.array() / x.array()).log().abs() <= same).all();
   }
 
+  /// Of p in the distance along the curve: the range asked for, where it is neither nothing but
+  /// rounding nor far beyond what changes the body.
+  static double scale_of(const Family<N>& family, const Stretch& q, double p,
+                         const ContinuationOptions& range) {
+    constexpr double least = 1e-9;
+    constexpr double most = 1e3;
+    const double largest = std::max(std::abs(range.from), std::abs(range.to));
+    const double length = std::max(range.to - range.from, least * largest);
+    if (!family.along_nu() || family.two_polar()) return length;
+    // The centrifugal share of the balance, about half of it at a spin of the body's own scale.
+    const ReducedVector<N> x = family.coordinates(q, p);
+    double nu = length;
+    for (int k = 0; k < 600; ++k, nu *= 0.5) {
+      const double share =
+          0.5 * nu * family.linearize(x, nu).nu_slope.template lpNorm<Eigen::Infinity>();
+      if (share <= 0.25) break;
+    }
+    return std::min(length, most * nu);
+  }
+
   static bool is_circle(const Family<N>& family, const Stretch& q) {
     return family.branch() == Branch::iii && family.material_symmetry() &&
            std::abs(q.xi - q.zeta) <= 8.0 * 0x1p-53 * q.xi;
@@ -93,6 +113,19 @@ class Follower {
     if (nothing_behind || report_.backward.event == EventType::closed)
       return report_.backward.event;
     return Continuation<N>(curve_, start_, +1, options_.continuation).end();
+  }
+
+  /// Likewise where the parameter's start is J1 = J2, of a family that passes it.
+  EventType event_at_start(bool nothing_behind) {
+    const EventType end = end_at_start(nothing_behind);
+    constexpr std::size_t turn = TestValues::turn;
+    if (end != EventType::none || curve_.context().two_polar || start_.tests.value[turn] != 0.0)
+      return end;
+    const EventType type = event_type(turn, curve_.context(), start_.tests);
+    if (!options_.events.has(type)) return end;
+    const double p = start_.member.parameter;
+    report_.events.push_back({type, p, p, p, true});
+    return type;
   }
 
   void emit(CurveSink& sink, const Member& member, EventType event) {

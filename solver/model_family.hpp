@@ -9,6 +9,7 @@
 
 #include "lib/elastic_energy.hpp"
 #include "solver/axis_family.hpp"
+#include "solver/event_enclosure.hpp"
 #include "solver/model_stability.hpp"
 #include "solver/thickness_balance.hpp"
 #include "solver/varied_model.hpp"
@@ -18,8 +19,13 @@ namespace stationary {
 template <class Model, int N>
 class ModelFamily final : public Family<N> {
  public:
-  ModelFamily(const Body& body, Branch branch, const Model& model, const AxisFamilyOptions& options)
-      : branch_(branch), options_(options), base_{body, model, options.nu} {
+  /// problem: the same body, model and branch, for the events' own equations; none without it.
+  ModelFamily(const Body& body, Branch branch, const Model& model, const AxisFamilyOptions& options,
+              std::optional<Problem> problem = std::nullopt)
+      : branch_(branch),
+        options_(options),
+        base_{body, model, options.nu},
+        problem_(std::move(problem)) {
     if constexpr (constant_thickness) {
       const ThicknessBalance thickness = balanced_thickness(model.thickness, DoubleDouble(0.0));
       rho_ = thickness.rho;
@@ -123,6 +129,16 @@ class ModelFamily final : public Family<N> {
       return system.input_sensitivity(y);
     });
     return 0x1p-53 * out;
+  }
+
+  std::optional<ExtendedEvent<N>> event_at(EventType type, bool circle,
+                                           const Member& near) const override {
+    if (!problem_) return std::nullopt;
+    const auto found = extended_event(*problem_, options_.parameter, circle, type, near);
+    if (!found) return std::nullopt;
+    ExtendedEvent<N> out{{}, found->parameter, found->error_bound, found->parameter_bound};
+    for (std::size_t i = 0; i < out.x.size(); ++i) out.x[i] = found->x[i];
+    return out;
   }
 
   Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,
@@ -288,6 +304,7 @@ class ModelFamily final : public Family<N> {
   Branch branch_;
   AxisFamilyOptions options_;
   Setting base_;
+  std::optional<Problem> problem_;
   double rho_ = std::numeric_limits<double>::quiet_NaN();
   DoubleDouble extended_rho_;
   double rho_bound_ = std::numeric_limits<double>::quiet_NaN();

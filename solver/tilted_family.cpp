@@ -6,10 +6,88 @@
 #include "lib/elastic_energy.hpp"
 #include "lib/general_spectrum.hpp"
 #include "solver/curve_start.hpp"
+#include "solver/event_functions.hpp"
+#include "solver/extended_root.hpp"
 #include "solver/tilted_system.hpp"
 
 namespace stationary {
 namespace {
+
+/// The events of a tilted axis in (xi, zeta, |nu|), in any number type (extended_root.hpp).
+class TiltedEventSystem {
+ public:
+  static constexpr int dimension = 3;
+  enum class Kind { fold, momentum, inertia, in_plane, normal };
+
+  TiltedEventSystem(const Body& body, const Potential& potential, TiltPlane plane, Kind kind)
+      : J_{body.J1, body.J2, body.J3}, plane_(plane), kind_(kind), elastic_(potential, {}) {}
+
+  std::size_t inputs() const { return J_.size() + elastic_.inputs(); }
+  bool has_decimals() const { return elastic_.has_decimals(); }
+
+  ExtendedVector<3> values(const ExtendedVector<3>& y, const InputChange& change) const {
+    const Inertia3<DoubleDouble> J{change(J_[0], 0), change(J_[1], 1), change(J_[2], 2)};
+    return equations(J, y, [&](const auto&... x) { return elastic_.at(x..., change.from(3)); });
+  }
+  std::array<Conditioned, 3> conditioned(const std::array<Conditioned, 3>& y, bool exact) const {
+    const auto number = [&](double x) { return exact ? Conditioned(x) : Conditioned::input(x); };
+    const Inertia3<Conditioned> J{number(J_[0]), number(J_[1]), number(J_[2])};
+    return equations(J, y, [&](const auto&... x) { return elastic_.at(x..., exact); });
+  }
+
+ private:
+  template <class T, class Elastic>
+  std::array<T, 3> equations(const Inertia3<T>& J, const std::array<T, 3>& y,
+                             const Elastic& elastic_at) const {
+    const T& xi = y[0];
+    const T& zeta = y[1];
+    const T& p = y[2];
+    const T rho = tilted_thickness(J, plane_, xi, zeta);
+    const LogBalance<T> elastic = elastic_at(xi, zeta, rho, p);
+    const T m_xi = J.J1 * square(xi);
+    const T m_zeta = J.J2 * square(zeta);
+    const T square_nu = square(p);
+    LogBalance<T> at = elastic;
+    at.g_xi -= m_xi * square_nu;
+    at.g_zeta -= m_zeta * square_nu;
+    at.uu -= 2.0 * (m_xi * square_nu);
+    at.vv -= 2.0 * (m_zeta * square_nu);
+    at = tied_to_plane<2>(at, plane_);
+    const SquareArray<T, 2> jacobian{{{at.uu, at.uv}, {at.uv, at.vv}}};
+    const auto vanishing = [&]() -> T {
+      if (kind_ == Kind::fold) return determinant(jacobian);
+      if (kind_ == Kind::inertia) return m_zeta - m_xi;
+      if (kind_ == Kind::momentum)
+        return momentum_turn(jacobian, {-2.0 * (m_xi * square_nu), -2.0 * (m_zeta * square_nu)},
+                             {2.0 * m_xi, 2.0 * m_zeta}, T(m_xi + m_zeta));
+      const auto squares = tilt_squares(J, plane_, elastic, xi, zeta, rho);
+      return kind_ == Kind::in_plane ? squares.in_plane : squares.normal;
+    };
+    return {at.g_xi, at.g_zeta, vanishing()};
+  }
+
+  std::array<double, 3> J_;
+  TiltPlane plane_;
+  Kind kind_;
+  VariedElastic elastic_;
+};
+
+std::optional<TiltedEventSystem::Kind> vanishing_at(EventType type, const Member& near) {
+  using Kind = TiltedEventSystem::Kind;
+  switch (type) {
+    case EventType::fold_nu:
+      return Kind::fold;
+    case EventType::fold_momentum:
+      return Kind::momentum;
+    case EventType::inertia_exchange:
+      return Kind::inertia;
+    case EventType::tilt:
+      return std::abs(near.tilt_in_plane) < std::abs(near.tilt_normal) ? Kind::in_plane
+                                                                       : Kind::normal;
+    default:
+      return std::nullopt;
+  }
+}
 
 template <class Model>
 class TiltedFamily final : public Family<2> {
@@ -62,6 +140,20 @@ class TiltedFamily final : public Family<2> {
     ++evaluations_.sensitivities;
     ++evaluations_.jacobians;
     return 0x1p-53 * at.input_sensitivity(x) / at.linearize(x).magnitude;
+  }
+
+  std::optional<ExtendedEvent<2>> event_at(EventType type, bool,
+                                           const Member& near) const override {
+    const auto kind = vanishing_at(type, near);
+    if (!kind) return std::nullopt;
+    const auto root = extended_root(TiltedEventSystem(body_, potential_, plane_, *kind),
+                                    {near.q.xi, near.q.zeta, near.parameter});
+    if (!root) return std::nullopt;
+    return ExtendedEvent<2>{{root->y[0], root->y[1]},
+                            root->y[2],
+                            // rho has its own error of the J that tie it
+                            std::max(root->error[0], root->error[1]) + 0x1p-53,
+                            root->error[2]};
   }
 
   Member member(const ReducedVector<2>& x, const ReducedVector<2>& tail, double p,

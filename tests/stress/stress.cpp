@@ -18,6 +18,7 @@
 #include "tests/stress/categories.hpp"
 #include "tests/stress/curve_survey.hpp"
 #include "tests/stress/fold_figure.hpp"
+#include "tests/stress/followed_rows.hpp"
 #include "tests/stress/formula_judge.hpp"
 
 namespace {
@@ -28,6 +29,7 @@ using namespace stationary::stress;
 constexpr long ladder_folds = 2000;
 constexpr long formulas = 3000;
 constexpr long surveyed_curves = 500;
+constexpr long followed_sheets = 2000;
 
 void write(const std::filesystem::path& path, const std::string& text) {
   AtomicFile file(path);
@@ -87,6 +89,11 @@ bool measure(const std::filesystem::path& into, double share) {
   all_true =
       report(judged_formulas(std::lround(share * static_cast<double>(formulas)), seed), share) &&
       all_true;
+  const FollowedRows rows = followed_rows(std::lround(share * followed_sheets));
+  std::fprintf(stderr, "%-20s %ld sheets, %ld rows, %ld events, %zu untrue\n", "followed",
+               rows.sheets, rows.rows, rows.events, rows.faults.size());
+  for (const std::string& fault : rows.faults) std::fprintf(stderr, "  %s\n", fault.c_str());
+  all_true = rows.faults.empty() && all_true;
 
   const auto ladder = fold_ladder(std::lround(share * static_cast<double>(ladder_folds)));
   for (const Rung& rung : ladder) all_true = report("beside a fold", rung.tally) && all_true;

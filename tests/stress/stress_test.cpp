@@ -8,6 +8,7 @@
 #include "tests/stress/categories.hpp"
 #include "tests/stress/curve_survey.hpp"
 #include "tests/stress/fold_ladder.hpp"
+#include "tests/stress/followed_rows.hpp"
 #include "tests/stress/hard_case.hpp"
 #include "tests/stress/two_polar_case.hpp"
 
@@ -66,6 +67,15 @@ TEST(FoldLadder, EveryRungIsCorrectToTheLastPlace) {
   }
   // What it takes an extended-precision residual for.
   EXPECT_GT(ladder.back().worst_plain_error, 1e-12);
+}
+
+TEST(FollowedRows, HoldTheirBounds) {
+  const FollowedRows all = followed_rows(2000 / share);
+  for (const std::string& fault : all.faults) ADD_FAILURE() << fault;
+  EXPECT_LE(all.worst_error_over_bound, 1.0);
+  EXPECT_GT(all.rows, 20 * all.sheets);
+  EXPECT_GE(3 * all.events, all.sheets);
+  EXPECT_GE(4 * all.ends, all.sheets);
 }
 
 /// A saddle on a sheet apart from rest, in a basin NLopt's samples miss: the exhaustive search has

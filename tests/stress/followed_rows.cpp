@@ -1,0 +1,170 @@
+#include "tests/stress/followed_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "solver/event_system.hpp"
+#include "solver/follow.hpp"
+#include "tests/stress/hard_case.hpp"
+#include "tests/support/high_precision.hpp"
+
+namespace stationary::stress {
+namespace {
+
+using testing::Number50;
+
+class Kept final : public CurveSink {
+ public:
+  struct Row {
+    Member member;
+    EventType event;
+  };
+  void row(const Member& member, EventType event) override { rows.push_back({member, event}); }
+  std::vector<Row> rows;
+};
+
+Ingredients stiff_body(Random& random) {
+  for (;;) {
+    Ingredients out = random_ingredients(random, 2.0);
+    // Of those with coefficients mu and lambda.
+    if (out.model.model == "reciprocal-determinant") continue;
+    out.plane[1] = out.plane[0] * power_of_ten(random, -1.0, 10.0);
+    if (random.integer(0, 3) == 0) out.J2 = out.J1;
+    out.nu = 0.2 * escape_speed(out);
+    return out;
+  }
+}
+
+/// What vanishes at an event of these types, of the pair of inertias that is nearest to equal.
+std::optional<EventFunction> function_of(EventType type, Branch branch, const Member& at) {
+  if (type == EventType::fold_nu) return EventFunction{.kind = EventFunction::Kind::fold};
+  if (type == EventType::fold_momentum) return EventFunction{.kind = EventFunction::Kind::momentum};
+  if (type != EventType::tilt && type != EventType::inertia_exchange) return std::nullopt;
+  const Vector3<double> m = second_moments(at.body, at.q);
+  std::optional<EventFunction> out;
+  double least = 1.0;
+  for (const auto [a, b] : {std::array{0, 2}, std::array{1, 2}, std::array{0, 1}}) {
+    const bool tilts = b == 2 && !(branch == Branch::i && a == 1) && !(branch == Branch::ii && a == 0);
+    const double gap = std::abs(m[a] - m[b]) / (m[a] + m[b]);
+    if (tilts != (type == EventType::tilt) || gap >= least) continue;
+    least = gap;
+    out = EventFunction{.kind = EventFunction::Kind::inertia, .a = a, .b = b};
+  }
+  return out;
+}
+
+/// The event's own equations in 50 digits: (xi, zeta, rho, nu).
+std::array<Number50, 4> event_50(const Problem& problem, const EventFunction& function,
+                                 const Member& at) {
+  const EventSetting setting{problem.body(), problem.potential(), problem.branch(), at.nu, {},
+                             false,          Inputs::doubles};
+  const EventEquations<false, false, Number50> equations(setting, function);
+  const auto values = [&](const std::array<Number50, 4>& y) {
+    return equations.values(
+        y, [](double x, FamilyParameter::Kind, int) { return Number50(x); });
+  };
+  return testing::newton_50<4>(
+      {Number50(at.q.xi), Number50(at.q.zeta), Number50(at.q.rho), Number50(at.parameter)},
+      [&](const std::array<Number50, 4>& y) {
+        testing::Linearized50<4> out;
+        out.first = values(y);
+        const Number50 h("1e-17");
+        for (std::size_t k = 0; k < 4; ++k) {
+          auto ahead = y;
+          auto behind = y;
+          ahead[k] *= 1 + h;
+          behind[k] *= 1 - h;
+          const auto a = values(ahead);
+          const auto b = values(behind);
+          for (std::size_t i = 0; i < 4; ++i) out.second[i][k] = (a[i] - b[i]) / (2 * h);
+        }
+        return out;
+      });
+}
+
+class Judge {
+ public:
+  Judge(const HardCase& c, const FollowReport& report, FollowedRows& out)
+      : case_(&c), report_(&report), out_(&out) {}
+
+  void row(const Kept::Row& row) {
+    const Member& at = row.member;
+    if (at.parameter == 0.0) return;
+    if (row.event == EventType::none || is_end(row.event)) {
+      ++out_->rows;
+      hold(testing::reference_solution(case_->problem, at.nu, at.q), row);
+    } else if (const auto function = function_of(row.event, case_->problem.branch(), at);
+               function && at.q.xi != at.q.zeta) {
+      ++out_->events;
+      const auto y = event_50(case_->problem, *function, at);
+      hold({y[0], y[1], y[2]}, row);
+      const bool inside = std::ranges::any_of(report_->events, [&](const EventRecord& each) {
+        return each.type == row.event && each.parameter == at.parameter && each.before <= y[3] &&
+               y[3] <= each.after;
+      });
+      if (!inside) fault(row, "is outside its bracket");
+    }
+  }
+
+  void fault(const Kept::Row& row, const std::string& what) {
+    std::ostringstream text;
+    text.precision(17);
+    text << case_->text << ": " << name(row.event) << " row at nu " << row.member.parameter << " "
+         << what;
+    out_->faults.push_back(text.str());
+  }
+
+ private:
+  void hold(const std::array<Number50, 3>& exact, const Kept::Row& row) {
+    const double error = testing::relative_error(row.member.q, exact);
+    const double bound = row.member.error_bound;
+    out_->worst_error_over_bound = std::max(out_->worst_error_over_bound, error / bound);
+    out_->widest_bound = std::max(out_->widest_bound, bound);
+    if (error <= bound) return;
+    std::ostringstream text;
+    text << "is off by " << error << ", bound " << bound;
+    fault(row, text.str());
+  }
+
+  const HardCase* case_;
+  const FollowReport* report_;
+  FollowedRows* out_;
+};
+
+}  // namespace
+
+FollowedRows followed_rows(long sheets) {
+  Random random(16);
+  FollowedRows out;
+  while (out.sheets < sheets) {
+    const Ingredients body = stiff_body(random);
+    const HardCase c = body.posed();
+    const Equilibrium at = solve(c.problem, c.nu, c.options);
+    if (at.status != SolveStatus::solved) continue;
+    ++out.sheets;
+    FollowOptions how;
+    how.continuation.to = 5.0 * escape_speed(body);
+    how.continuation.step.tolerance = 1e-5;
+    how.max_points = 400;
+    Kept kept;
+    const FollowReport report = follow(
+        axis_family(c.problem, {.nu = 0.0, .parameter = {}, .spectrum = false}), at.q, c.nu, how,
+        kept);
+    out.ends += report.forward.event == EventType::collapse ||
+                report.forward.event == EventType::escape;
+    Judge judge(c, report, out);
+    for (const Kept::Row& row : kept.rows) {
+      try {
+        judge.row(row);
+      } catch (const std::runtime_error& error) {
+        judge.fault(row, error.what());
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace stationary::stress
