@@ -84,7 +84,7 @@ class Continuation {
         Attempt attempt;
         if (try_step(attempt)) {
           accept(attempt);
-          return !unresolved_;
+          return !ended_before_step_;
         }
       } catch (const std::exception& error) {  // a failed step like any other
         refuse(error.what(), 0.5 * h_);
@@ -430,7 +430,7 @@ class Continuation {
 
   /// Ends the sheet at the last point: the next is none of a known p.
   void end_unresolved(const Arc<N>& arc) {
-    unresolved_ = true;
+    ended_before_step_ = true;
     finish(escapes(arc) ? EventType::escape : EventType::collapse, unresolved_reason);
   }
 
@@ -504,7 +504,7 @@ class Continuation {
   std::vector<Event> events_;
   std::vector<Event> unresolved_;
   EventType end_ = EventType::none;
-  bool unresolved_ = false;  ///< ended before the step
+  bool ended_before_step_ = false;
   std::string reason_;
   std::string refusal_ = "the first step";
   ContinuationCounts counts_;

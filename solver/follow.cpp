@@ -124,7 +124,7 @@ class Follower {
     const EventType type = event_type(turn, curve_.context(), start_.tests);
     if (!options_.events.has(type)) return end;
     const double p = start_.member.parameter;
-    report_.events.push_back({type, p, p, p, true});
+    report_.events.push_back({type, p, p, p, EventStatus::located});
     return type;
   }
 

@@ -26,7 +26,7 @@ const EventRecord* record_of(const Followed& sheet, EventType type) {
 }
 
 void expect_holds(const EventRecord& record, const Real50& exact) {
-  EXPECT_TRUE(record.located);
+  EXPECT_EQ(record.status, EventStatus::located);
   EXPECT_LE(Real50(record.before), exact);
   EXPECT_LE(exact, Real50(record.after));
 }
