@@ -115,6 +115,15 @@ TEST(Refine, SingularJacobianLeavesXAsItIs) {
   EXPECT_EQ(x, ReducedVector<2>(1.0, 1.0));
 }
 
+TEST(Refine, ACorrectionLostInTheInverseIsNoConvergence) {
+  // The determinant is too large for a double: the inverse is 0, and no correction follows from it.
+  const PlanarSystem<NeoHookean<>> system{{1e200, 1e200}, {0.1, 0.1, 0.0}};
+  ReducedVector<2> x(2.0, 3.0);
+  ASSERT_GT(std::abs(system.linearize(x).g[0]), 1e199);
+  EXPECT_FALSE(refine(system, x).converged);
+  EXPECT_EQ(x, ReducedVector<2>(2.0, 3.0));
+}
+
 TEST(Refine, ResidualNotFiniteLeavesXAsItIs) {
   const PlanarSystem<NeoHookean<>> system{{1.0, 0.5}, {0.1, 0.1, 0.0}};
   const double nan = std::numeric_limits<double>::quiet_NaN();
