@@ -54,8 +54,8 @@ ReducedVector<N> ones() {
 
 /// Corrects x in place. bound = false leaves error_bound NaN and evaluates nothing for it.
 /// tail: what rounding x left of the solution, to about 2^-86; NaN where that is not known.
-/// Not converged: x is the last iterate, or unchanged where the Jacobian is singular or the
-/// residual not finite.
+/// Not converged: x is the last iterate, or unchanged where the Jacobian is singular, also only to
+/// rounding, or the residual not finite.
 template <bool bound = true, class System>
 Refined refine(const System& system, ReducedVector<System::dimension>& x, int max_steps = 8,
                ReducedVector<System::dimension>* tail = nullptr) {
@@ -70,6 +70,8 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
     const ReducedVector<N> step = inverse * g;  // minus delta
     const double size = largest_magnitude<N>(step);
     if (!(size < 0.5)) return out;  // NaN included: no correction is that large
+    // A Jacobian that is singular to rounding may be inverted to next to nothing.
+    if (largest_magnitude<N>(g) > 64.0 * at.magnitude * size) return out;
     if (out.steps++ == 0) out.first_correction = size;
     out.positive = at.jacobian.determinant() > 0.0;
     const ReducedVector<N> corrected = moved<N>(x, step, -1.0);

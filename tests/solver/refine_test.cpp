@@ -115,6 +115,29 @@ TEST(Refine, SingularJacobianLeavesXAsItIs) {
   EXPECT_EQ(x, ReducedVector<2>(1.0, 1.0));
 }
 
+/// Far out on a polynomial of d: singular to rounding, and the columns of the inverse cancel in
+/// what they make of the residual.
+struct NearlySingular {
+  static constexpr int dimension = 2;
+  double diagonal = 1.6566827054078875e+21;
+  double beside = 1.6566827054078873e+21;
+  double residual = 4.1416700297242096e+20;
+
+  ReducedVector<2> extended_residual(const ReducedVector<2>&) const { return {residual, residual}; }
+  Linearized<2> linearize(const ReducedVector<2>& x) const {
+    return {extended_residual(x), {{diagonal, beside, diagonal}}, diagonal};
+  }
+  ReducedVector<2> input_sensitivity(const ReducedVector<2>&) const { return {0.0, 0.0}; }
+};
+
+TEST(Refine, ACorrectionLostInTheInverseIsNoConvergence) {
+  const NearlySingular system;
+  ReducedVector<2> x(354.0, 357.0);
+  ASSERT_EQ((system.linearize(x).jacobian.inverse() * system.extended_residual(x)).norm(), 0.0);
+  EXPECT_FALSE(refine(system, x).converged);
+  EXPECT_EQ(x, ReducedVector<2>(354.0, 357.0));
+}
+
 TEST(Refine, ResidualNotFiniteLeavesXAsItIs) {
   const PlanarSystem<NeoHookean<>> system{{1.0, 0.5}, {0.1, 0.1, 0.0}};
   const double nan = std::numeric_limits<double>::quiet_NaN();
