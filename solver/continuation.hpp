@@ -73,7 +73,7 @@ class Continuation {
   /// and reason()). The step that reaches an end returns true and sets end().
   bool step() {
     events_.clear();
-    unresolved_.clear();
+    unlocated_.clear();
     if (end_ != EventType::none) return false;
     for (;;) {
       if (h_ < options_.step.min) {
@@ -100,7 +100,7 @@ class Continuation {
   /// Those between the last point and this one, in order.
   std::span<const Event> events() const { return events_; }
   /// Those known from this point to lie somewhere before it (EventStatus::unresolved).
-  std::span<const Event> unresolved() const { return unresolved_; }
+  std::span<const Event> unlocated() const { return unlocated_; }
   EventType end() const { return end_; }
   const std::string& reason() const { return reason_; }
   ContinuationCounts counts() const {
@@ -226,7 +226,7 @@ class Continuation {
   void find_events(const CurvePoint<N>& next, const Arc<N>& arc) {
     events_ = events_in_.run(here_, next, arc, has_arc_ ? &earlier_tests_ : nullptr, arc_.length,
                              counts_.steps == 1);
-    unresolved_ = events_in_.unresolved();
+    unlocated_ = events_in_.unresolved();
   }
 
   void settle(const CurvePoint<N>& next, const Attempt& attempt) {
@@ -502,7 +502,7 @@ class Continuation {
   ArcVector<N> travelled_;
   double farthest_ = 0.0;
   std::vector<Event> events_;
-  std::vector<Event> unresolved_;
+  std::vector<Event> unlocated_;
   EventType end_ = EventType::none;
   bool ended_before_step_ = false;
   std::string reason_;

@@ -102,7 +102,7 @@ void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
           out.value[k] =
               (first.lambda_re - second.lambda_re) / -(first.lambda_re + second.lambda_re);
           require_beyond(first.lambda_re - second.lambda_re,
-                         2.0 * (first.lambda_error + second.lambda_error), k, out);
+                         first.lambda_error + second.lambda_error, k, out);
           if (first.krein * second.krein < 0)
             out.opposite |= 1U << static_cast<unsigned>(k - TestValues::crossings);
         }

@@ -223,76 +223,72 @@ class EventSearch {
     const auto [low, high] =
         boost::math::tools::toms748_solve(f, a.u, b.u, a.value, b.value, close, evaluations);
     if (0.5 * (low + high) > 1.0) return false;
-    Bracket zero{low, high, a.u, b.u};
-    widen(k, zero);
-    add(k, zero);
+    if (add_known(k, low, high)) return true;
+    // Where its sign is certain only farther apart, the function is known to vanish, and not where.
+    constexpr double resolved = 1e-6;
+    if (uncertain_stretch(k, low, a.u) + uncertain_stretch(k, high, b.u) + (high - low) <=
+        resolved / arc_->length) {
+      add(k, low, high);
+    } else {
+      add_unresolved(event_type(k, curve_->context(), to_->tests), known_.place[k]);
+    }
     return true;
   }
 
-  /// A zero, and how far around it the sign of its function may be certain.
-  struct Bracket {
-    double low;
-    double high;
-    double first;
-    double last;
-    double middle() const { return 0.5 * (low + high); }
-  };
-
-  /// Widens a bracket to where the signs are certain.
-  void widen(std::size_t k, Bracket& zero) {
-    const double middle = zero.middle();
-    const auto certain = [&](double u) {
+  /// How far from u, towards a place where the sign of function k is certain, it is not.
+  double uncertain_stretch(std::size_t k, double u, double certain) {
+    const double most = std::abs(certain - u);
+    for (double aside = 0.0; aside < most; aside = std::max(8.0 * aside, 0x1p-48)) {
       CurvePoint<N> point;
-      return evaluate(u, point) && point.tests.sign(k) != 0;
-    };
-    for (const int side : {-1, 1}) {
-      double& end = side < 0 ? zero.low : zero.high;
-      const double most = side < 0 ? middle - zero.first : zero.last - middle;
-      for (double aside = std::abs(end - middle); aside < most && !certain(end);) {
-        aside = std::min(most, std::max(8.0 * aside, 0x1p-48));
-        end = middle + side * aside;
-      }
+      if (evaluate(u + std::copysign(aside, certain - u), point) && point.tests.sign(k) != 0)
+        return aside;
     }
+    return most;
   }
 
-  void add(std::size_t k, const Bracket& zero) {
-    // Farther apart the two places say that there is an event, and not where.
-    constexpr double resolved = 1e-6;
-    const bool located = (zero.high - zero.low) * arc_->length <= resolved;
+  /// The event near a zero by its own equations, which tell more than its function's sign; false
+  /// where it has none or they do not lead there.
+  bool add_known(std::size_t k, double low, double high) {
     CurvePoint<N> point;
-    for (const double u : {zero.middle(), zero.low, zero.high}) {
+    for (const double u : {0.5 * (low + high), low, high}) {
       if (!evaluate(u, point) || point.member.beyond_end()) continue;
       const EventType type = event_type(k, curve_->context(), point.tests);
-      // Its own equations may tell more than the sign of its function does.
       constexpr double reach = 0.02;  // of the step
-      if (auto known = curve_->event_at(type, point.member, reach * arc_->length + 1e-9);
-          known && !known->member.beyond_end()) {
-        found_.push_back(
-            {u,
-             {type, std::move(known->member), known->before, known->after, EventStatus::located}});
-        return;
-      }
-      if (!located) break;
+      auto known = curve_->event_at(type, point.member, reach * arc_->length + 1e-9);
+      if (!known || known->member.beyond_end()) return false;
+      found_.push_back({u,
+                        {type,
+                         std::move(known->member),
+                         known->before,
+                         known->after,
+                         EventStatus::located,
+                         {}}});
+      return true;
+    }
+    return false;
+  }
+
+  void add(std::size_t k, double low, double high) {
+    CurvePoint<N> point;
+    for (const double u : {0.5 * (low + high), low, high}) {
+      if (!evaluate(u, point) || point.member.beyond_end()) continue;
+      const EventType type = event_type(k, curve_->context(), point.tests);
       if (type == EventType::none) return;
-      const double half = std::max(zero.high - zero.middle(), zero.middle() - zero.low);
-      const double along = half + noise(k, point) / std::abs(slope(k, u));
+      const double along = 0.5 * (high - low) + noise(k, point) / std::abs(slope(k, u));
       if (!(along < 0.5)) break;  // nowhere in the step is the sign of f certain
       const auto [before, after] = around(u - along, u + along);
-      Found out{u, {type, point.member, before, after, EventStatus::located}};
+      Found out{u, {type, point.member, before, after, EventStatus::located, {}}};
       const double own = curve_->corrector().curve_error(point.arc);
       out.event.member.error_bound = 2.0 * (along * arc_->length + own);
       found_.push_back(std::move(out));
       return;
     }
-    const EventType type = event_type(k, curve_->context(), from_->tests);
-    if (!located) {
-      add_unresolved(type, known_.place[k]);
-      return;
-    }
     // Known to be there, and no more.
+    const EventType type = event_type(k, curve_->context(), from_->tests);
     if (type == EventType::none) return;
     const auto [before, after] = around(0.0, 1.0);
-    found_.push_back({zero.middle(), {type, from_->member, before, after, EventStatus::bracketed}});
+    found_.push_back(
+        {0.5 * (low + high), {type, from_->member, before, after, EventStatus::bracketed, {}}});
   }
 
   /// What the parameter is between at the ends of a part of the arc.

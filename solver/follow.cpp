@@ -157,7 +157,7 @@ class Follower {
         last_is_end_ = true;
         break;
       }
-      for (const Event& event : walk.unresolved()) record(event);
+      for (const Event& event : walk.unlocated()) record(event);
       std::optional<StabilityClass> between;
       for (const Event& event : walk.events()) {
         if (!options_.events.has(event.type)) {  // looked for to know where a sheet ends

@@ -25,7 +25,7 @@ constexpr const char* without_spectrum =
     "residual,compatibility,error_bound";
 constexpr const char* spectral =
     ",class,growth,negative,re1,im1,krein1,re2,im2,krein2,re3,im3,krein3,re4,im4,krein4,re5,im5,"
-    "krein5";
+    "krein5,segment";
 
 /// "continue", a case and overrides of it.
 std::vector<std::string> command(const std::string& case_file,
@@ -249,7 +249,7 @@ TEST_P(ContinueIn, RowsAreWhatSolveFinds) {
       {"continuation.parameter=" + parameter(), "continuation.from=" + std::to_string(0.9 * own),
        "continuation.to=" + std::to_string(1.1 * own), "continuation.tolerance=1e-5"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_TRUE(header_of(outcome.out).ends_with("krein5," + parameter()));
+  EXPECT_TRUE(header_of(outcome.out).ends_with("krein5,segment," + parameter()));
   const auto rows = rows_of(outcome.out);
   ASSERT_GE(rows.size(), 3U);
   EXPECT_EQ(rows.front().at("event"), "limit");

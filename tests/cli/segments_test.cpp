@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "tests/cli/json_schema.hpp"
@@ -18,8 +20,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 using Json = nlohmann::json;
 
 constexpr auto stable = StabilityClass::stable;
@@ -163,7 +163,7 @@ void expect_consistent(const std::string& csv, const Json& metadata) {
     EXPECT_EQ(in.back().at("point"), segment["last_point"].dump());
     for (const Row& row : in) {
       double nu = 0.0;
-      for (const char* column : {"nu1", "nu2", "nu3"}) nu += number(row.at(column));
+      for (const char* column : {"nu1", "nu2", "nu3"}) nu = std::hypot(nu, number(row.at(column)));
       if (row.at("event").empty() && nu != 0.0) {
         EXPECT_EQ(row.at("class"), segment["class"].get<std::string>());
       }
@@ -231,7 +231,7 @@ TEST(Segments, OfAnAtlas) {
 /// to collide differs with the tolerance, and is said of none.
 TEST(Segments, WhatIsNotResolvedIsNoEvent) {
   const TemporaryDirectory directory;
-  const std::string path = directory.file("x.toml", R"(
+  const std::string path = directory.file("x.toml", R"case(
 [body]
 J = [1.0, 1.7, 0.6]
 [potential]
@@ -244,32 +244,32 @@ nu = 0.3
 parameter = "nu"
 from = 0.0
 to = 3.0
-)");
+)case");
   for (const char* tolerance : {"1e-6", "1e-8", "1e-9"}) {
-  const Outcome outcome = run_program({"continue", path, "-o", directory / "x.csv", "--set",
-                                       std::string("continuation.tolerance=") + tolerance});
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const auto rows = rows_of(text_of(directory / "x.csv"));
-  std::vector<std::string> events;
-  int open = 0;
-  for (const Row& row : rows) {
-    if (!row.at("event").empty()) events.push_back(row.at("event"));
-    for (const char* k : {"1", "2", "3", "4", "5"}) {
-      if (row.at(std::string("re") + k).empty()) continue;
-      const bool imaginary = number(row.at(std::string("re") + k)) == 0.0 &&
-                             number(row.at(std::string("im") + k)) > 0.0;
-      const std::string& krein = row.at(std::string("krein") + k);
-      if (imaginary) {
-        EXPECT_NE(krein, "0") << "point " << row.at("point");
-        open += krein.empty();
-      } else {
-        EXPECT_EQ(krein, "0") << "point " << row.at("point");
+    const Outcome outcome = run_program({"continue", path, "-o", directory / "x.csv", "--set",
+                                         std::string("continuation.tolerance=") + tolerance});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto rows = rows_of(text_of(directory / "x.csv"));
+    std::vector<std::string> events;
+    int open = 0;
+    for (const Row& row : rows) {
+      if (!row.at("event").empty()) events.push_back(row.at("event"));
+      for (const char* k : {"1", "2", "3", "4", "5"}) {
+        if (row.at(std::string("re") + k).empty()) continue;
+        const bool imaginary = number(row.at(std::string("re") + k)) == 0.0 &&
+                               number(row.at(std::string("im") + k)) > 0.0;
+        const std::string& krein = row.at(std::string("krein") + k);
+        if (imaginary) {
+          EXPECT_NE(krein, "0") << "point " << row.at("point");
+          open += krein.empty();
+        } else {
+          EXPECT_EQ(krein, "0") << "point " << row.at("point");
+        }
       }
     }
+    EXPECT_THAT(events, ElementsAre("limit", "inertia-exchange", "fold-nu", "escape"));
+    EXPECT_GT(open, 0);
   }
-  EXPECT_THAT(events, ElementsAre("limit", "inertia-exchange", "fold-nu", "escape"));
-  EXPECT_GT(open, 0);
-}
 }
 
 }  // namespace

@@ -103,9 +103,8 @@ TEST(Unresolved, ACertainChangeOfSignIsLocated) {
   ASSERT_EQ(found.report.events.size(), 1U);
   const EventRecord& event = found.report.events[0];
   EXPECT_EQ(event.status, EventStatus::located);
-  EXPECT_LT(event.before, collision);
-  EXPECT_GT(event.after, collision);
-  EXPECT_NEAR(event.before, event.after, 1e-12);
+  EXPECT_NEAR(event.before, collision, 1e-12);
+  EXPECT_NEAR(event.after, collision, 1e-12);
 }
 
 TEST(Unresolved, WithinTheErrorsThereIsABracketAndNoRow) {

@@ -35,7 +35,7 @@ std::optional<Begun> about_an_axis(const Problem& problem, double nu, const std:
 }
 
 std::optional<Begun> tilted(Random& random) {
-  const Ingredients of = random_ingredients(random, 1.0);
+  const Ingredients of = random_ingredients(random, 2.0);
   const HardCase c = of.posed();
   const auto plane = random.integer(0, 1) == 0 ? TiltPlane::one_three : TiltPlane::two_three;
   const double nu = std::abs(of.nu);
@@ -88,7 +88,7 @@ std::optional<Begun> begun(Random& random, std::size_t kind) {
   if (kind == 3) return tilted(random);
   if (kind == 4) return two_polar(random);
   if (kind == 5) return anisotropic(random);
-  Ingredients of = random_ingredients(random, 1.0);
+  Ingredients of = random_ingredients(random, 2.0);
   if (kind == 0) of.branch = random.integer(0, 1) == 0 ? Branch::i : Branch::ii;
   if (kind == 1) of.branch = Branch::iii;
   if (kind == 2) of.J2 = of.J1;
@@ -114,7 +114,7 @@ struct Sweep {
 
 Sweep swept(const Begun& from, double tolerance) {
   FollowOptions options;
-  const double reach = 1.5 * std::abs(from.p);
+  const double reach = 3.0 * std::abs(from.p);
   options.continuation.from = from.p < 0.0 ? -reach : 0.0;
   options.continuation.to = from.p < 0.0 ? 0.0 : reach;
   options.continuation.step.tolerance = tolerance;
