@@ -339,6 +339,17 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   std::optional<ExtendedEvent<N>> event_at(EventType type, bool,
                                            const Member& near) const override {
     if (near.parameter == 0.0) return std::nullopt;
+    if (Layout::alpha && (type == EventType::shear || type == EventType::oblique)) {
+      // Where alpha comes to 0: of the family it branches off.
+      const ReducedVector<N> x = coordinates_of(near);
+      const auto straight = event_near<StraightLayout>(straight_branch(x), TestValues::turn, x,
+                                                       near.parameter);
+      if (!straight) return std::nullopt;
+      ExtendedEvent<N> out{{}, straight->parameter, straight->error_bound,
+                           straight->parameter_bound};
+      for (int i = 0; i < N; ++i) out.x[index(i)] = i < 3 ? straight->x[index(i)] : x[i];
+      return out;
+    }
     const TestContext context{.branch = branch(),
                               .material_symmetry = false,
                               .circle = false,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -38,20 +39,17 @@ Ingredients stiff_body(Random& random) {
   }
 }
 
-/// What vanishes at an event of these types, of the pair of inertias that is nearest to equal.
-std::optional<EventFunction> function_of(EventType type, Branch branch, const Member& at) {
-  if (type == EventType::fold_nu) return EventFunction{.kind = EventFunction::Kind::fold};
-  if (type == EventType::fold_momentum) return EventFunction{.kind = EventFunction::Kind::momentum};
-  if (type != EventType::tilt && type != EventType::inertia_exchange) return std::nullopt;
-  const Vector3<double> m = second_moments(at.body, at.q);
-  std::optional<EventFunction> out;
-  double least = 1.0;
+/// What may vanish at an event of these types.
+std::vector<EventFunction> functions_of(EventType type, Branch branch) {
+  if (type == EventType::fold_nu) return {{.kind = EventFunction::Kind::fold}};
+  if (type == EventType::fold_momentum) return {{.kind = EventFunction::Kind::momentum}};
+  if (type != EventType::tilt && type != EventType::inertia_exchange) return {};
+  std::vector<EventFunction> out;
   for (const auto [a, b] : {std::array{0, 2}, std::array{1, 2}, std::array{0, 1}}) {
-    const bool tilts = b == 2 && !(branch == Branch::i && a == 1) && !(branch == Branch::ii && a == 0);
-    const double gap = std::abs(m[a] - m[b]) / (m[a] + m[b]);
-    if (tilts != (type == EventType::tilt) || gap >= least) continue;
-    least = gap;
-    out = EventFunction{.kind = EventFunction::Kind::inertia, .a = a, .b = b};
+    const bool tilts =
+        b == 2 && !(branch == Branch::i && a == 1) && !(branch == Branch::ii && a == 0);
+    if (tilts == (type == EventType::tilt))
+      out.push_back({.kind = EventFunction::Kind::inertia, .a = a, .b = b});
   }
   return out;
 }
@@ -96,17 +94,26 @@ class Judge {
     if (row.event == EventType::none || is_end(row.event)) {
       ++out_->rows;
       hold(testing::reference_solution(case_->problem, at.nu, at.q), row);
-    } else if (const auto function = function_of(row.event, case_->problem.branch(), at);
-               function && at.q.xi != at.q.zeta) {
-      ++out_->events;
-      const auto y = event_50(case_->problem, *function, at);
-      hold({y[0], y[1], y[2]}, row);
-      const bool inside = std::ranges::any_of(report_->events, [&](const EventRecord& each) {
-        return each.type == row.event && each.parameter == at.parameter && each.before <= y[3] &&
-               y[3] <= each.after;
-      });
-      if (!inside) fault(row, "is outside its bracket");
+      return;
     }
+    const auto functions = functions_of(row.event, case_->problem.branch());
+    if (functions.empty() || at.q.xi == at.q.zeta) return;
+    ++out_->events;
+    std::optional<std::array<Number50, 4>> event;
+    for (const EventFunction& function : functions) {
+      const auto y = nearby(function, at);
+      if (y && (!event || abs((*y)[3] - at.parameter) < abs((*event)[3] - at.parameter))) event = y;
+    }
+    if (!event) {
+      fault(row, "is no event");
+      return;
+    }
+    hold({(*event)[0], (*event)[1], (*event)[2]}, row);
+    const bool inside = std::ranges::any_of(report_->events, [&](const EventRecord& each) {
+      return each.type == row.event && each.parameter == at.parameter &&
+             each.before <= (*event)[3] && (*event)[3] <= each.after;
+    });
+    if (!inside) fault(row, "is outside its bracket");
   }
 
   void fault(const Kept::Row& row, const std::string& what) {
@@ -118,6 +125,15 @@ class Judge {
   }
 
  private:
+  std::optional<std::array<Number50, 4>> nearby(const EventFunction& function,
+                                                const Member& at) const {
+    try {
+      return event_50(case_->problem, function, at);
+    } catch (const std::runtime_error&) {  // none near by
+      return std::nullopt;
+    }
+  }
+
   void hold(const std::array<Number50, 3>& exact, const Kept::Row& row) {
     const double error = testing::relative_error(row.member.q, exact);
     const double bound = row.member.error_bound;
