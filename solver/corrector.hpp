@@ -275,8 +275,8 @@ class Corrector {
     }
   }
 
-  /// Where p hardly changes along the curve. The bound is that of x at the row's p: half a unit of p
-  /// and what the inputs may do to it, D, is a distance s along the curve,
+  /// Where p hardly changes along the curve. The bound is that of x at the row's p: half a unit of
+  /// p and what the inputs may do to it, D, is a distance s along the curve,
   ///   a turn:        |p''| s^2/2 = |p'| s + D   about the square root of D,
   ///   an asymptote:  |p'| s = D                  without bound where a double does not resolve p.
   void correct_at_turn(const ArcVector<N>& border, Corrected<N>& out) const {
@@ -287,8 +287,7 @@ class Corrector {
     const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
     const Bordered inverse = inverted(bordered(at, along));
     const auto absolute = inverse.template leftCols<N>().cwiseAbs().eval();
-    const ArcVector<N> moved_by =
-        absolute * family_->input_perturbation(out.point.x, out.point.p);
+    const ArcVector<N> moved_by = absolute * family_->input_perturbation(out.point.x, out.point.p);
     const double across = moved_by.template head<N>().maxCoeff();
     const double D = moved_by[N] + 0x1p-53 * std::abs(out.point.p) / scale_;
     // In double, with its rounding.

@@ -226,8 +226,9 @@ std::optional<ExtendedEvent<3>> extended_event(const Problem& problem,
                                                const FamilyParameter& parameter, bool circle,
                                                EventType type, const Member& member) {
   if (member.parameter == 0.0) return std::nullopt;
-  const EventSetting setting{problem.body(), problem.potential(), problem.branch(), member.nu,
-                             parameter,      circle,              Inputs::doubles};
+  const EventSetting setting{problem.body(), problem.potential(), problem.branch(),
+                             member.nu,      parameter,           circle,
+                             Inputs::doubles};
   for (const Sought& what : sought(type, problem.branch(), member)) {
     const auto found = what.function.spectral()
                            ? (circle ? extended<true, true>(setting, what, member)

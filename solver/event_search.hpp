@@ -2,11 +2,11 @@
 //
 // Where a test function f (event.hpp) changes sign over the step, f = 0 and G = 0 are solved
 // together: a bracketing root finder (TOMS 748) on f along the arc, the bordered corrector bringing
-// each of its points onto the curve, and from there the event's own equations in extended precision,
-// which say what it is known to. Where f does not change sign but a parabola through the last
-// three points dips towards zero inside the step, its extremum is sought on the curve: two zeros in
-// one step are found so. What remains of the change in the number of negative directions is
-// reported as unexplained.
+// each of its points onto the curve, and from there the event's own equations in extended
+// precision, which say what it is known to. Where f does not change sign but a parabola through the
+// last three points dips towards zero inside the step, its extremum is sought on the curve: two
+// zeros in one step are found so. What remains of the change in the number of negative directions
+// is reported as unexplained.
 #pragma once
 
 #include <algorithm>
@@ -48,6 +48,8 @@ class EventSearch {
       const double b = to.tests.value[k];
       if (!curve_->context().seeks(k)) continue;
       if (std::isnan(a) || std::isnan(b) || (starts && a == 0.0)) continue;
+      // At rest a round body's inertias are equal: where the curve ends that is no event.
+      if (to.member.nu == 0.0 && std::abs(b) <= 0x1p-50) continue;
       if ((a < 0.0) != (b < 0.0)) {
         locate(k, {0.0, a}, {1.0, b});
       } else if (k == TestValues::fold && curve_->family().along_nu()) {
@@ -117,6 +119,7 @@ class EventSearch {
       constexpr double reach = 0.02;  // of the step
       if (auto known = curve_->event_at(type, point.member, reach * arc_->length + 1e-9);
           known && !known->member.beyond_end()) {
+        ++evaluations_;
         found_.push_back({u, {type, std::move(known->member), known->before, known->after, true}});
         return;
       }
@@ -306,8 +309,7 @@ class EventSearch {
     }
     const auto [before, after] = around(low, high);
     found_.push_back(
-        {0.5 * (low + high),
-         {EventType::unexplained, middle.member, before, after, false}});
+        {0.5 * (low + high), {EventType::unexplained, middle.member, before, after, false}});
   }
 
   const Curve<N>* curve_;

@@ -129,7 +129,8 @@ class Follower {
     return type;
   }
 
-  /// Of an event that ends the sheet; half a unit of what it was taken at where it has no equations.
+  /// Of an event that ends the sheet; half a unit of what it was taken at where it has no
+  /// equations.
   std::array<double, 2> bracket_at_end(EventType event, const Member& at) const {
     constexpr double rounding = 0x1p-53;
     double p = at.parameter;

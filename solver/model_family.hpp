@@ -17,15 +17,17 @@
 namespace stationary {
 
 /// A system whose Jacobian is inverted by elimination. A coupled potential may be far stiffer in
-/// volume than in shape, lambda/mu, and then the cofactors of three unknowns cancel to (mu/lambda)^2
-/// of themselves.
+/// volume than in shape, lambda/mu, and then the cofactors of three unknowns cancel to
+/// (mu/lambda)^2 of themselves.
 template <class System>
 struct Eliminated : System {
   static constexpr int N = System::dimension;
   struct Matrix {
     Eigen::Matrix<double, N, N> entries;
 
-    Matrix inverse() const { return {Eigen::PartialPivLU<Eigen::Matrix<double, N, N>>(entries).inverse()}; }
+    Matrix inverse() const {
+      return {Eigen::PartialPivLU<Eigen::Matrix<double, N, N>>(entries).inverse()};
+    }
     Matrix absolute() const { return {entries.cwiseAbs()}; }
     double determinant() const {
       return Eigen::PartialPivLU<Eigen::Matrix<double, N, N>>(entries).determinant();
@@ -134,8 +136,8 @@ class ModelFamily final : public Family<N> {
       }
       return out;
     } else {
-      return counted(refine(Eliminated<CoupledSystem<Model>>{{at.model, rates}}, x,
-                            max_corrections, &tail));
+      return counted(
+          refine(Eliminated<CoupledSystem<Model>>{{at.model, rates}}, x, max_corrections, &tail));
     }
   }
 

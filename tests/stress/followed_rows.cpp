@@ -61,8 +61,7 @@ std::array<Number50, 4> event_50(const Problem& problem, const EventFunction& fu
                              false,          Inputs::doubles};
   const EventEquations<false, false, Number50> equations(setting, function);
   const auto values = [&](const std::array<Number50, 4>& y) {
-    return equations.values(
-        y, [](double x, FamilyParameter::Kind, int) { return Number50(x); });
+    return equations.values(y, [](double x, FamilyParameter::Kind, int) { return Number50(x); });
   };
   return testing::newton_50<4>(
       {Number50(at.q.xi), Number50(at.q.zeta), Number50(at.q.rho), Number50(at.parameter)},
@@ -109,11 +108,18 @@ class Judge {
       return;
     }
     hold({(*event)[0], (*event)[1], (*event)[2]}, row);
-    const bool inside = std::ranges::any_of(report_->events, [&](const EventRecord& each) {
-      return each.type == row.event && each.parameter == at.parameter &&
-             each.before <= (*event)[3] && (*event)[3] <= each.after;
+    const auto record = std::ranges::find_if(report_->events, [&](const EventRecord& each) {
+      return each.type == row.event && each.parameter == at.parameter;
     });
-    if (!inside) fault(row, "is outside its bracket");
+    if (record == report_->events.end()) {
+      fault(row, "has no record");
+    } else if (!(record->before <= (*event)[3] && (*event)[3] <= record->after)) {
+      std::ostringstream text;
+      text.precision(20);
+      text << "is at " << (*event)[3] << ", outside its bracket " << record->before << " ... "
+           << record->after;
+      fault(row, text.str());
+    }
   }
 
   void fault(const Kept::Row& row, const std::string& what) {
@@ -128,7 +134,9 @@ class Judge {
   std::optional<std::array<Number50, 4>> nearby(const EventFunction& function,
                                                 const Member& at) const {
     try {
-      return event_50(case_->problem, function, at);
+      const auto y = event_50(case_->problem, function, at);
+      const Number50 moved = abs(y[3] / at.parameter - 1);
+      return moved < 0.01 ? std::optional(y) : std::nullopt;
     } catch (const std::runtime_error&) {  // none near by
       return std::nullopt;
     }
@@ -166,11 +174,11 @@ FollowedRows followed_rows(long sheets) {
     how.continuation.step.tolerance = 1e-5;
     how.max_points = 400;
     Kept kept;
-    const FollowReport report = follow(
-        axis_family(c.problem, {.nu = 0.0, .parameter = {}, .spectrum = false}), at.q, c.nu, how,
-        kept);
-    out.ends += report.forward.event == EventType::collapse ||
-                report.forward.event == EventType::escape;
+    const FollowReport report =
+        follow(axis_family(c.problem, {.nu = 0.0, .parameter = {}, .spectrum = false}), at.q, c.nu,
+               how, kept);
+    out.ends +=
+        report.forward.event == EventType::collapse || report.forward.event == EventType::escape;
     Judge judge(c, report, out);
     for (const Kept::Row& row : kept.rows) {
       try {
