@@ -175,8 +175,8 @@ class OrientedEventSystem {
         first = square(axis.cosine) * I(0, 0) + square(axis.sine) * I(1, 1) +
                 2.0 * (axis.cosine * axis.sine * I(0, 1));
       } else {
-        first = 0.5 * (I(0, 0) + I(1, 1)) -
-                sqrt(square(0.5 * (I(0, 0) - I(1, 1))) + square(I(0, 1)));
+        first =
+            0.5 * (I(0, 0) + I(1, 1)) - sqrt(square(0.5 * (I(0, 0) - I(1, 1))) + square(I(0, 1)));
       }
       const T second = I(0, 0) + I(1, 1) - first;
       if (function_ == TestValues::inertia_12) return first - second;
@@ -340,6 +340,17 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   std::optional<ExtendedEvent<N>> event_at(EventType type, bool,
                                            const Member& near) const override {
     if (near.parameter == 0.0) return std::nullopt;
+    if (Layout::alpha && (type == EventType::shear || type == EventType::oblique)) {
+      // Where alpha comes to 0: of the family it branches off.
+      const ReducedVector<N> x = coordinates_of(near);
+      const auto straight =
+          event_near<StraightLayout>(straight_branch(x), TestValues::turn, x, near.parameter);
+      if (!straight) return std::nullopt;
+      ExtendedEvent<N> out{
+          {}, straight->parameter, straight->error_bound, straight->parameter_bound};
+      for (int i = 0; i < N; ++i) out.x[index(i)] = i < 3 ? straight->x[index(i)] : x[i];
+      return out;
+    }
     const TestContext context{.branch = branch(),
                               .material_symmetry = false,
                               .circle = false,

@@ -62,7 +62,7 @@ std::vector<std::string> motion_and_body_keys(const Case::Motion& motion) {
   return {"motion.s3", "motion.p_theta", "body.J.2"};
 }
 
-constexpr double most = 1e90;   // of J, a coefficient, and V/J
+constexpr double most = 1e90;     // of J, a coefficient, and V/J
 constexpr double fastest = 1e45;  // its square is one of V/J
 
 bool within(double x, double limit) {
@@ -92,7 +92,8 @@ std::optional<OutOfScale> out_of_scale(const FamilyParameters& family) {
   };
   const Body& J = family.body;
   for (const double each : {J.J1, J.J2, J.J3})
-    if (!within(each, most)) return OutOfScale{"body.J", fmt::format("found {}", each), range(most)};
+    if (!within(each, most))
+      return OutOfScale{"body.J", fmt::format("found {}", each), range(most)};
   for (const auto& [key, value] : motion_numbers(family.motion)) {
     const double limit = key == "motion.s3" || key == "motion.p_theta" ? most : fastest;
     if (!(std::abs(value) <= limit))

@@ -281,8 +281,8 @@ class Continuation {
   bool end_at_rest(const Attempt& attempt) {
     const double u = here_.arc.p / (here_.arc.p - attempt.corrected.point.p);
     const ArcVector<N> y = attempt.arc.at(u);
-    const auto at = curve_->family().rest_point(
-        moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())));
+    const auto at =
+        curve_->family().rest_point(moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())));
     if (!at) return false;
     std::erase_if(events_, [&](const Event& event) {  // those of the mirror image beyond
       return event.member.parameter * here_.arc.p <= 0.0;
@@ -403,8 +403,7 @@ class Continuation {
     const double least = std::min({q.xi, q.zeta, q.rho});
     const double most = std::max({q.xi, q.zeta, q.rho});
     if (most > options_.max_stretch || least < options_.min_stretch) {
-      finish(most > options_.max_stretch || escapes(arc_) ? EventType::escape
-                                                          : EventType::collapse,
+      finish(most > options_.max_stretch || escapes(arc_) ? EventType::escape : EventType::collapse,
              "a stretch left the bounds followed");
       return;
     }

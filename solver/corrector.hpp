@@ -129,7 +129,7 @@ class Corrector {
   /// |change of y| that half a unit in the last place of every input makes: across the curve, and
   /// along it where x is that of the row's rounded p.
   double curve_error(const ArcPoint<N>& point) const {
-    const Bordered inverse = bordered(point.at, point.tangent).inverse();
+    const Bordered inverse = inverted(bordered(point.at, point.tangent));
     const ReducedVector<N> perturbation = family_->input_perturbation(point.x, point.p);
     const double across = (inverse.template leftCols<N>().cwiseAbs() * perturbation).maxCoeff();
     const double along =
@@ -139,7 +139,7 @@ class Corrector {
 
   /// What of a correction is the rounding of G in double precision: some units of its magnitude.
   double correction_rounding(const ArcPoint<N>& point) const {
-    const Bordered inverse = bordered(point.at, point.tangent).inverse();
+    const Bordered inverse = inverted(bordered(point.at, point.tangent));
     return 0x1p-50 * inverse.template leftCols<N>().cwiseAbs().rowwise().sum().maxCoeff();
   }
 
@@ -152,6 +152,16 @@ class Corrector {
     A.template topRightCorner<N, 1>() = scale_ * at.slope;
     A.row(N) = border.transpose();
     return A;
+  }
+
+  /// By elimination where there are four or more: the cofactors of a body that is far stiffer in
+  /// volume than in shape cancel twice.
+  static Bordered inverted(const Bordered& A) {
+    if constexpr (N < 3) {
+      return A.inverse();
+    } else {
+      return Eigen::PartialPivLU<Bordered>(A).inverse();
+    }
   }
 
   /// G restricted to xi = zeta, the direction (1, -1) given the eigenvalue 1.
@@ -187,7 +197,7 @@ class Corrector {
     for (int k = 0; k < max_iterations; ++k) {
       const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
       ++out.linearizations;
-      const ArcVector<N> delta = bordered(at, border).inverse().template leftCols<N>() * -at.g;
+      const ArcVector<N> delta = inverted(bordered(at, border)).template leftCols<N>() * -at.g;
       const double size = delta.norm();
       if (!std::isfinite(size)) return CorrectorStatus::not_finite;
       if (k == 0) {
@@ -232,7 +242,7 @@ class Corrector {
     Bordered inverse = Bordered::Zero();
     double determinant = 0.0;
     bool invertible = false;
-    if constexpr (N <= 3) {
+    if constexpr (N < 3) {
       A.computeInverseAndDetWithCheck(inverse, determinant, invertible, 0.0);
     } else {
       const Eigen::PartialPivLU<Bordered> lu(A);
@@ -256,7 +266,7 @@ class Corrector {
       const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
       ReducedVector<N> g = family_->extended_residual(out.point.x, out.point.p);
       if (circle_) g[0] = g[1] = 0.5 * (g[0] + g[1]);
-      const ArcVector<N> delta = bordered(at, border).inverse().template leftCols<N>() * -g;
+      const ArcVector<N> delta = inverted(bordered(at, border)).template leftCols<N>() * -g;
       if (!(delta.norm() < 1e-3)) {
         out.status = CorrectorStatus::left_curve;
         return;
@@ -265,8 +275,8 @@ class Corrector {
     }
   }
 
-  /// Where p hardly changes along the curve. The bound is that of x at the row's p: half a unit of p
-  /// and what the inputs may do to it, D, is a distance s along the curve,
+  /// Where p hardly changes along the curve. The bound is that of x at the row's p: half a unit of
+  /// p and what the inputs may do to it, D, is a distance s along the curve,
   ///   a turn:        |p''| s^2/2 = |p'| s + D   about the square root of D,
   ///   an asymptote:  |p'| s = D                  without bound where a double does not resolve p.
   void correct_at_turn(const ArcVector<N>& border, Corrected<N>& out) const {
@@ -275,10 +285,9 @@ class Corrector {
     const ArcVector<N> along = direction_near(out.point.x, out.point.p);
     if (!along.allFinite()) return;
     const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
-    const Bordered inverse = bordered(at, along).inverse();
+    const Bordered inverse = inverted(bordered(at, along));
     const auto absolute = inverse.template leftCols<N>().cwiseAbs().eval();
-    const ArcVector<N> moved_by =
-        absolute * family_->input_perturbation(out.point.x, out.point.p);
+    const ArcVector<N> moved_by = absolute * family_->input_perturbation(out.point.x, out.point.p);
     const double across = moved_by.template head<N>().maxCoeff();
     const double D = moved_by[N] + 0x1p-53 * std::abs(out.point.p) / scale_;
     // In double, with its rounding.
@@ -304,7 +313,7 @@ class Corrector {
     const ReducedVector<N> x =
         moved<N>(out.point.x, ReducedVector<N>(distance * along.template head<N>()));
     const FamilyLinearization<N> at = linearize(x, out.point.p + distance * scale_ * along[N]);
-    const ArcVector<N> tangent = bordered(at, along).inverse().col(N);
+    const ArcVector<N> tangent = inverted(bordered(at, along)).col(N);
     return tangent[N] / tangent.norm();
   }
 

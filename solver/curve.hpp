@@ -14,8 +14,8 @@ struct CurvePoint {
   TestValues tests;
 };
 
-/// An event by its own equations, and what its parameter lies between for every value the inputs may
-/// have.
+/// An event by its own equations, and what its parameter lies between for every value the inputs
+/// may have.
 struct KnownEvent {
   Member member;
   double before;

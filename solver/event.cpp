@@ -170,8 +170,8 @@ void set_two_polar_tests(const Member& member, const TestContext& context, const
     const double pull = 2.0 * member.body.J1 * member.nu * member.nu;
     out.value[TestValues::ellipse] =
         member.shear_stiffness / (std::abs(member.shear_stiffness) + pull);
-    // Ellipses branch off at these rates, and where the circle itself, as a motion of (iii), has its
-    // own: only omega + theta' matters to it.
+    // Ellipses branch off at these rates, and where the circle itself, as a motion of (iii), has
+    // its own: only omega + theta' matters to it.
     const double own = member.body.J1 * member.nu * member.nu;
     out.value[TestValues::turn] = member.turn / (std::abs(member.turn) + 2.0 * own);
     out.value[TestValues::inertia_13] = relative_difference(m[2], m[0]);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <vector>
 
 #include "lib/inertia.hpp"
 #include "solver/event_system.hpp"
@@ -49,30 +50,33 @@ std::optional<Sought> meeting_modes(const Spectrum& spectrum, EventType type) {
   return out;
 }
 
-/// Of the axes (a, 1), (a, 2) ... the pair whose inertias are equal: as moments of the stretches.
-EventFunction equal_inertias(EventType type, Branch branch, const Member& member) {
+/// The pairs of inertias whose equality is an event of the type, as moments of the stretches; the
+/// nearest to equal first.
+std::vector<Sought> equal_inertias(EventType type, Branch branch, const Member& member) {
   const Vector3<double> moment = second_moments(member.body, member.q);
+  std::vector<Sought> out;
   struct Pair {
     int a;
     int b;
   };
-  EventFunction out{.kind = EventFunction::Kind::inertia};
-  double least = std::numeric_limits<double>::infinity();
   for (const Pair each : {Pair{0, 2}, Pair{1, 2}, Pair{0, 1}}) {
     // A tilt's, unless the spin is about the axis left over.
     const bool tilts = each.b == 2 && !(branch == Branch::i && each.a == 1) &&
                        !(branch == Branch::ii && each.a == 0);
-    const double gap = relative_gap(moment[each.a], moment[each.b]);
-    if (tilts != (type == EventType::tilt) || !(gap < least)) continue;
-    least = gap;
-    out.a = each.a;
-    out.b = each.b;
+    if (tilts == (type == EventType::tilt))
+      out.push_back({{.kind = EventFunction::Kind::inertia, .a = each.a, .b = each.b}});
   }
+  std::ranges::sort(out, {}, [&](const Sought& each) {
+    return relative_gap(moment[each.function.a], moment[each.function.b]);
+  });
   return out;
 }
 
-std::optional<Sought> sought(EventType type, Branch branch, const Member& member) {
-  const auto plain = [](EventFunction::Kind kind) { return Sought{EventFunction{.kind = kind}}; };
+/// What may vanish at a located event of the type, the likeliest first.
+std::vector<Sought> sought(EventType type, Branch branch, const Member& member) {
+  const auto plain = [](EventFunction::Kind kind) {
+    return std::vector{Sought{EventFunction{.kind = kind}}};
+  };
   switch (type) {
     case EventType::fold_nu:
       return plain(EventFunction::Kind::fold);
@@ -85,13 +89,15 @@ std::optional<Sought> sought(EventType type, Branch branch, const Member& member
       return plain(EventFunction::Kind::turn);
     case EventType::tilt:
     case EventType::inertia_exchange:
-      return Sought{equal_inertias(type, branch, member)};
+      return equal_inertias(type, branch, member);
     case EventType::hamiltonian_hopf:
     case EventType::real_collision:
     case EventType::krein_pass:
-      return member.spectrum ? meeting_modes(*member.spectrum, type) : std::nullopt;
+      if (member.spectrum)
+        if (const auto meeting = meeting_modes(*member.spectrum, type)) return {*meeting};
+      return {};
     default:
-      return std::nullopt;
+      return {};
   }
 }
 
@@ -178,6 +184,15 @@ std::optional<ExtendedEvent<3>> extended(const EventSetting& setting, const Soug
                           root->error[p]};
 }
 
+/// Whether an event found is the one located, and not another of its kind.
+bool is_near(const ExtendedEvent<3>& found, const Member& located) {
+  constexpr double near = 1e-3;
+  const double x[3] = {located.q.xi, located.q.zeta, located.q.rho};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(std::abs(std::log(double(found.x[i]) / x[i])) < near)) return false;
+  return true;
+}
+
 }  // namespace
 
 bool has_enclosure(EventType type) {
@@ -191,20 +206,18 @@ EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& para
     out.reason = "the equations of events are an isotropic potential's";
     return out;
   }
-  const std::optional<Sought> what = sought(type, problem.branch(), member);
-  if (!what) {
-    out.reason = "it has no equations to prove, or no spectrum was computed";
-    return out;
-  }
+  out.reason = "it has no equations to prove, or no spectrum was computed";
   const EventSetting setting{
       problem.body(), problem.potential(), problem.branch(), member.nu, parameter, circle, inputs};
-  const bool spectral = what->function.spectral();
-  if (circle) {
-    spectral ? enclose<true, true>(setting, *what, member, out)
-             : enclose<true, false>(setting, *what, member, out);
-  } else {
-    spectral ? enclose<false, true>(setting, *what, member, out)
-             : enclose<false, false>(setting, *what, member, out);
+  for (const Sought& what : sought(type, problem.branch(), member)) {
+    if (what.function.spectral()) {
+      circle ? enclose<true, true>(setting, what, member, out)
+             : enclose<false, true>(setting, what, member, out);
+    } else {
+      circle ? enclose<true, false>(setting, what, member, out)
+             : enclose<false, false>(setting, what, member, out);
+    }
+    if (out.proven) break;
   }
   return out;
 }
@@ -212,15 +225,19 @@ EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& para
 std::optional<ExtendedEvent<3>> extended_event(const Problem& problem,
                                                const FamilyParameter& parameter, bool circle,
                                                EventType type, const Member& member) {
-  const std::optional<Sought> what = sought(type, problem.branch(), member);
-  if (!what || member.parameter == 0.0) return std::nullopt;
-  const EventSetting setting{problem.body(), problem.potential(), problem.branch(), member.nu,
-                             parameter,      circle,              Inputs::doubles};
-  if (what->function.spectral())
-    return circle ? extended<true, true>(setting, *what, member)
-                  : extended<false, true>(setting, *what, member);
-  return circle ? extended<true, false>(setting, *what, member)
-                : extended<false, false>(setting, *what, member);
+  if (member.parameter == 0.0) return std::nullopt;
+  const EventSetting setting{problem.body(), problem.potential(), problem.branch(),
+                             member.nu,      parameter,           circle,
+                             Inputs::doubles};
+  for (const Sought& what : sought(type, problem.branch(), member)) {
+    const auto found = what.function.spectral()
+                           ? (circle ? extended<true, true>(setting, what, member)
+                                     : extended<false, true>(setting, what, member))
+                           : (circle ? extended<true, false>(setting, what, member)
+                                     : extended<false, false>(setting, what, member));
+    if (found && is_near(*found, member)) return found;
+  }
+  return std::nullopt;
 }
 
 }  // namespace stationary

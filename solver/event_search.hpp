@@ -66,7 +66,10 @@ class EventSearch {
     if (starts && from.tests.value[TestValues::turn] == 0.0) known_.negative.reset();
     next_ = known_;
     for (std::size_t k = 0; k < TestValues::crossings; ++k) {
-      if (!curve_->context().seeks(k) || !compare_ends(k)) continue;
+      if (!curve_->context().seeks(k)) continue;
+      // At rest a round body's inertias are equal: where the curve ends that is no event.
+      if (to.member.nu == 0.0 && std::abs(to.tests.value[k]) <= 0x1p-50) continue;
+      if (!compare_ends(k)) continue;
       if (k == TestValues::fold && curve_->family().along_nu()) {
         fold_dip();
       } else if (earlier != nullptr) {
@@ -256,6 +259,7 @@ class EventSearch {
       constexpr double reach = 0.02;  // of the step
       auto known = curve_->event_at(type, point.member, reach * arc_->length + 1e-9);
       if (!known || known->member.beyond_end()) return false;
+      ++evaluations_;
       found_.push_back({u,
                         {type,
                          std::move(known->member),

@@ -158,9 +158,7 @@ class Family {
   }
   /// The circle near x that a sheet of ellipses at given momenta comes to, where these are equal:
   /// nothing where the family has no such end.
-  virtual std::optional<Member> circle_point(const ReducedVector<N>&) const {
-    return std::nullopt;
-  }
+  virtual std::optional<Member> circle_point(const ReducedVector<N>&) const { return std::nullopt; }
   /// The motion at p = 0 near x, of a family whose balance is singular there: no spin has an axis.
   virtual std::optional<Member> rest_point(const ReducedVector<N>&) const { return std::nullopt; }
   /// x of a stretch that is a motion of the family at p.
@@ -205,8 +203,8 @@ class Family {
   virtual ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const = 0;
   /// |change of G| by half a unit in the last place of every input, rows divided likewise.
   virtual ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const = 0;
-  /// The event near a located member of this type by its own equations. Nothing where there are none
-  /// or they are singular.
+  /// The event near a located member of this type by its own equations. Nothing where there are
+  /// none or they are singular.
   virtual std::optional<ExtendedEvent<N>> event_at(EventType, bool /*circle*/,
                                                    const Member&) const {
     return std::nullopt;

@@ -1,6 +1,7 @@
 #include "solver/follow.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -128,6 +129,19 @@ class Follower {
     return type;
   }
 
+  /// Of an event that ends the sheet; half a unit of what it was taken at where it has no
+  /// equations.
+  std::array<double, 2> bracket_at_end(EventType event, const Member& at) const {
+    constexpr double rounding = 0x1p-53;
+    double p = at.parameter;
+    double bound = rounding;
+    if (const auto known = family_.event_at(event, event == EventType::ellipse, at)) {
+      p = double(known->parameter);
+      bound += known->parameter_bound;
+    }
+    return bracket_of(p, bound * std::abs(p));
+  }
+
   void emit(CurveSink& sink, const Member& member, EventType event) {
     sink.row(member, event);
     ++report_.points;
@@ -181,8 +195,9 @@ class Follower {
     last_is_end_ = false;
     if (out.event != EventType::none && !is_end(out.event)) {  // an event proper ends the sheet
       const Member& m = walk.point().member;
+      const auto bracket = bracket_at_end(out.event, m);
       report_.events.push_back(
-          {out.event, m.parameter, m.parameter, m.parameter, EventStatus::located});
+          {out.event, m.parameter, bracket[0], bracket[1], EventStatus::located});
     }
     report_.counts += walk.counts();
     return out;

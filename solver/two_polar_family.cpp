@@ -45,8 +45,8 @@ class TwoPolarEventSystem {
         motion_(motion),
         parameter_(parameter),
         what_(what),
-        elastic_(potential, {parameter.kind == Kind::nu ? Kind::inertia : parameter.kind,
-                             parameter.index}) {}
+        elastic_(potential,
+                 {parameter.kind == Kind::nu ? Kind::inertia : parameter.kind, parameter.index}) {}
 
   std::size_t inputs() const { return 4 + elastic_.inputs(); }
   bool has_decimals() const { return elastic_.has_decimals(); }
@@ -60,8 +60,7 @@ class TwoPolarEventSystem {
   std::array<Conditioned, static_cast<std::size_t>(dimension)> conditioned(
       const std::array<Conditioned, static_cast<std::size_t>(dimension)>& y, bool exact) const {
     return equations<Conditioned>(
-        y,
-        [&](double x, std::size_t) { return exact ? Conditioned(x) : Conditioned::input(x); },
+        y, [&](double x, std::size_t) { return exact ? Conditioned(x) : Conditioned::input(x); },
         [&](const auto&... x) { return elastic_.at(x..., exact); });
   }
 
@@ -102,8 +101,8 @@ class TwoPolarEventSystem {
       case TwoPolarVanishing::fold:
         return singular(elastic, pull);
       case TwoPolarVanishing::momentum_fold:
-        return singular(elastic, two_polar_pull(J, lambda, mu, momenta_of(first, second, J, lambda,
-                                                                          mu, rates)));
+        return singular(elastic, two_polar_pull(J, lambda, mu,
+                                                momenta_of(first, second, J, lambda, mu, rates)));
       case TwoPolarVanishing::ellipse:
         return across;
       case TwoPolarVanishing::shear:
@@ -116,8 +115,7 @@ class TwoPolarEventSystem {
         break;
     }
     const T s3 = momenta_of(first, second, J, lambda, mu, rates).s3;
-    const T inertia =
-        (what_ == TwoPolarVanishing::leaves_mu ? second : first) + third;
+    const T inertia = (what_ == TwoPolarVanishing::leaves_mu ? second : first) + third;
     return rates.omega * inertia - s3;
   }
 
@@ -126,7 +124,8 @@ class TwoPolarEventSystem {
     const T ll = elastic.uu - pull.ll;
     const T lm = elastic.uv - pull.lm;
     if constexpr (circle) {
-      return determinant(SquareArray<T, 2>{{{ll + lm, elastic.uw}, {2.0 * elastic.uw, elastic.ww}}});
+      return determinant(
+          SquareArray<T, 2>{{{ll + lm, elastic.uw}, {2.0 * elastic.uw, elastic.ww}}});
     } else {
       return determinant(SquareArray<T, 3>{{{ll, lm, elastic.uw},
                                             {lm, elastic.vv - pull.mm, elastic.vw},
@@ -174,7 +173,7 @@ std::optional<TwoPolarVanishing> vanishing_at(EventType type, bool circle, const
     case EventType::ellipse:
       if (!circle) return std::nullopt;
       return std::abs(near.shear_stiffness) < std::abs(near.turn) ? TwoPolarVanishing::ellipse
-                                                                   : TwoPolarVanishing::shear;
+                                                                  : TwoPolarVanishing::shear;
     case EventType::tilt:
       if (circle) return TwoPolarVanishing::leaves_circle;
       return gap(rates.omega, s3 / (m[1] + m[2])) < gap(rates.omega, s3 / (m[0] + m[2]))
@@ -256,8 +255,8 @@ class TwoPolarFamily final
       const double equal = parameter_.index == 0 ? p_theta : s3;
       ReducedVector<N> x = near;
       x[0] = x[1] = std::sqrt(near[0] * near[1]);
-      const TwoPolarSystem<Elastic, TwoPolarEqualMomenta> system{elastic_system(base_.model),
-                                                                 base_.body.J1, {equal}};
+      const TwoPolarSystem<Elastic, TwoPolarEqualMomenta> system{
+          elastic_system(base_.model), base_.body.J1, {equal}};
       if (!newton(system, x).converged) return std::nullopt;
       ReducedVector<N> tail;
       const Refined refined = refine(system, x, 8, &tail);

@@ -87,8 +87,8 @@ class VariedElastic {
                               const DoubleDouble& rho, const DoubleDouble& p,
                               const InputChange& change) const;
   /// exact: the coefficients are, else inputs.
-  LogBalance<Conditioned> at(const Conditioned& xi, const Conditioned& zeta,
-                             const Conditioned& rho, const Conditioned& p, bool exact) const;
+  LogBalance<Conditioned> at(const Conditioned& xi, const Conditioned& zeta, const Conditioned& rho,
+                             const Conditioned& p, bool exact) const;
 
  private:
   Potential potential_;

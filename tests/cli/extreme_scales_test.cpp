@@ -1,6 +1,6 @@
-// The same body in other units: J in one of mass times length squared, V in one of energy, nu in the
-// time that goes with them. All powers of two: what comes out is the same number in those units, to
-// the last bit, or the case is refused; never is a claim made of an overflow.
+// The same body in other units: J in one of mass times length squared, V in one of energy, nu in
+// the time that goes with them. All powers of two: what comes out is the same number in those
+// units, to the last bit, or the case is refused; never is a claim made of an overflow.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,10 +27,8 @@ struct Units {
   int rate() const { return (energy - inertia) / 2; }
 
   std::map<std::string, int> columns() const {
-    std::map<std::string, int> out{{"nu1", rate()},
-                                   {"pi1", inertia + rate()},
-                                   {"energy", energy},
-                                   {"growth", rate()}};
+    std::map<std::string, int> out{
+        {"nu1", rate()}, {"pi1", inertia + rate()}, {"energy", energy}, {"growth", rate()}};
     for (const char* part : {"re", "im"})
       for (int k = 1; k <= 5; ++k) out[part + std::to_string(k)] = rate();
     return out;
@@ -79,10 +77,11 @@ TEST(ExtremeScales, TheSameInOtherUnitsOrRefused) {
     int same = 0;
     int refused = 0;
     for (const Units units :
-         {Units{40, 0}, Units{-40, 0}, Units{290, 0}, Units{-290, 0}, Units{0, 290}, Units{0, -290},
-          Units{290, 290}, Units{-290, -290}, Units{145, -145}, Units{-145, 145}, Units{310, 0},
-          Units{-310, 0}, Units{500, 0}, Units{0, 500}, Units{0, -500}, Units{-1000, 0},
-          Units{1000, 0}, Units{0, 1000}, Units{900, 900}, Units{-900, -900}, Units{290, -290}}) {
+         {Units{40, 0},    Units{-40, 0},   Units{290, 0},     Units{-290, 0},   Units{0, 290},
+          Units{0, -290},  Units{290, 290}, Units{-290, -290}, Units{145, -145}, Units{-145, 145},
+          Units{310, 0},   Units{-310, 0},  Units{500, 0},     Units{0, 500},    Units{0, -500},
+          Units{-1000, 0}, Units{1000, 0},  Units{0, 1000},    Units{900, 900},  Units{-900, -900},
+          Units{290, -290}}) {
       SCOPED_TRACE(std::string(command) + " " + std::to_string(units.inertia) + " " +
                    std::to_string(units.energy));
       const Outcome scaled = run_in(units, command);
@@ -103,12 +102,12 @@ TEST(ExtremeScales, TheSameInOtherUnitsOrRefused) {
 /// A rate whose square overflows beside inertias that make up for it.
 TEST(ExtremeScales, AnOverflowIsNoProof) {
   const TemporaryDirectory directory;
-  const std::string path = directory.file(
-      "case.toml",
-      "[body]\nJ = [1e-303, 1.7e-303, 0.6e-303]\n[potential]\n"
-      "plane = { model = \"neo-hookean\", mu = 1.0, lambda = 2.0 }\n"
-      "thickness = { model = \"reciprocal-quadratic\", a = 1.0, b = 3.0 }\n"
-      "[motion]\nbranch = \"i\"\nnu = 1e151\n");
+  const std::string path =
+      directory.file("case.toml",
+                     "[body]\nJ = [1e-303, 1.7e-303, 0.6e-303]\n[potential]\n"
+                     "plane = { model = \"neo-hookean\", mu = 1.0, lambda = 2.0 }\n"
+                     "thickness = { model = \"reciprocal-quadratic\", a = 1.0, b = 3.0 }\n"
+                     "[motion]\nbranch = \"i\"\nnu = 1e151\n");
   const Outcome outcome = run_program({"solve", path});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("body.J"));
@@ -119,8 +118,8 @@ TEST(ExtremeScales, AnyRangeIsFollowed) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("case.toml", Units{0, 0}.case_text());
   const auto rows = [&](const std::string& from, const std::string& to) {
-    const Outcome out = run_program({"continue", path, "--set", "continuation.from=" + from, "--set",
-                                     "continuation.to=" + to, "-o", "-"});
+    const Outcome out = run_program({"continue", path, "--set", "continuation.from=" + from,
+                                     "--set", "continuation.to=" + to, "-o", "-"});
     EXPECT_EQ(out.code, 0) << out.err;
     return rows_of(out.out);
   };

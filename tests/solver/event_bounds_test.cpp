@@ -34,10 +34,10 @@ void expect_holds(const EventRecord& record, const Real50& exact) {
 /// (i), hencky: zeta = sqrt(e), nu^2 = 2 mu (mu + lambda)/((2 mu + lambda) e J2), however stiff.
 TEST(EventBounds, HoldAtTheFoldsOfStiffBodies) {
   for (const double lambda : {1.0, 1e2, 1e4, 1e7, 1e10}) {
-    const Problem problem(
-        Body(1.0, 1.0, 1.0),
-        Potential(PlanarPotential(Hencky<>{1.0, lambda}), ThicknessPotential(Harmonic<>{100.0, 1.0})),
-        Branch::i);
+    const Problem problem(Body(1.0, 1.0, 1.0),
+                          Potential(PlanarPotential(Hencky<>{1.0, lambda}),
+                                    ThicknessPotential(Harmonic<>{100.0, 1.0})),
+                          Branch::i);
     const Followed sheet = followed(problem, 0.1, range(0.0, 3.0));
     const auto folds = sheet.events({EventType::fold_nu});
     ASSERT_EQ(folds.size(), 1U) << lambda << ": " << sheet.text();
@@ -46,8 +46,7 @@ TEST(EventBounds, HoldAtTheFoldsOfStiffBodies) {
     EXPECT_LE(error, folds[0].member.error_bound) << lambda;
     EXPECT_LE(folds[0].member.error_bound, 1e-14 * std::max(1.0, 1e-6 * lambda)) << lambda;
     const Real50 stiff(lambda);
-    expect_holds(*record_of(sheet, EventType::fold_nu),
-                 sqrt(2 * (1 + stiff) / ((2 + stiff) * e)));
+    expect_holds(*record_of(sheet, EventType::fold_nu), sqrt(2 * (1 + stiff) / ((2 + stiff) * e)));
   }
 }
 
@@ -75,8 +74,7 @@ TEST(EventBounds, RowsHoldNearEscape) {
   const Real50 lambda("12.011");
   const Real50 J("245.05");
   const Problem problem(Body(245.05, 245.05, 1.5486),
-                        Potential(CoupledPotential(NeoHookean3d<>{0.019223, 12.011})),
-                        Branch::iii);
+                        Potential(CoupledPotential(NeoHookean3d<>{0.019223, 12.011})), Branch::iii);
   const Followed sheet = followed(problem, 0.004, range(0.0, 0.15, 1e-4));
   const auto xi2 = [&](const Real50& rho) -> Real50 {
     return exp((mu - mu * rho * rho) / lambda) / rho;
@@ -87,7 +85,9 @@ TEST(EventBounds, RowsHoldNearEscape) {
     const Member& at = row.member;
     if (at.parameter == 0.0 || at.q.xi != at.q.zeta) continue;
     const Real50 square = Real50(at.parameter) * at.parameter * J;
-    const auto f = [&](const Real50& rho) -> Real50 { return mu - mu * rho * rho / xi2(rho) - square; };
+    const auto f = [&](const Real50& rho) -> Real50 {
+      return mu - mu * rho * rho / xi2(rho) - square;
+    };
     Real50 rho(at.q.rho);
     for (int k = 0; k < 60; ++k) {
       const Real50 h = rho * Real50("1e-20");
@@ -105,8 +105,8 @@ TEST(EventBounds, RowsHoldNearEscape) {
   EXPECT_EQ(sheet.report.forward.event, EventType::escape) << sheet.report.forward.reason;
 }
 
-/// (ii), reciprocal-determinant: I1 = I2 at nu^2 = k (1 - J1/J2)/J1, for the decimals given; J2 - J1
-/// is some units in the last place.
+/// (ii), reciprocal-determinant: I1 = I2 at nu^2 = k (1 - J1/J2)/J1, for the decimals given; J2 -
+/// J1 is some units in the last place.
 TEST(EventBounds, TheBracketHoldsWhatTheDecimalsMean) {
   const Problem problem(Body(2.0515, 2.051500000000002, 1.0853),
                         Potential(PlanarPotential(ReciprocalDeterminant<>{0.58953, 1.0067}),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -38,20 +39,17 @@ Ingredients stiff_body(Random& random) {
   }
 }
 
-/// What vanishes at an event of these types, of the pair of inertias that is nearest to equal.
-std::optional<EventFunction> function_of(EventType type, Branch branch, const Member& at) {
-  if (type == EventType::fold_nu) return EventFunction{.kind = EventFunction::Kind::fold};
-  if (type == EventType::fold_momentum) return EventFunction{.kind = EventFunction::Kind::momentum};
-  if (type != EventType::tilt && type != EventType::inertia_exchange) return std::nullopt;
-  const Vector3<double> m = second_moments(at.body, at.q);
-  std::optional<EventFunction> out;
-  double least = 1.0;
+/// What may vanish at an event of these types.
+std::vector<EventFunction> functions_of(EventType type, Branch branch) {
+  if (type == EventType::fold_nu) return {{.kind = EventFunction::Kind::fold}};
+  if (type == EventType::fold_momentum) return {{.kind = EventFunction::Kind::momentum}};
+  if (type != EventType::tilt && type != EventType::inertia_exchange) return {};
+  std::vector<EventFunction> out;
   for (const auto [a, b] : {std::array{0, 2}, std::array{1, 2}, std::array{0, 1}}) {
-    const bool tilts = b == 2 && !(branch == Branch::i && a == 1) && !(branch == Branch::ii && a == 0);
-    const double gap = std::abs(m[a] - m[b]) / (m[a] + m[b]);
-    if (tilts != (type == EventType::tilt) || gap >= least) continue;
-    least = gap;
-    out = EventFunction{.kind = EventFunction::Kind::inertia, .a = a, .b = b};
+    const bool tilts =
+        b == 2 && !(branch == Branch::i && a == 1) && !(branch == Branch::ii && a == 0);
+    if (tilts == (type == EventType::tilt))
+      out.push_back({.kind = EventFunction::Kind::inertia, .a = a, .b = b});
   }
   return out;
 }
@@ -63,8 +61,7 @@ std::array<Number50, 4> event_50(const Problem& problem, const EventFunction& fu
                              false,          Inputs::doubles};
   const EventEquations<false, false, Number50> equations(setting, function);
   const auto values = [&](const std::array<Number50, 4>& y) {
-    return equations.values(
-        y, [](double x, FamilyParameter::Kind, int) { return Number50(x); });
+    return equations.values(y, [](double x, FamilyParameter::Kind, int) { return Number50(x); });
   };
   return testing::newton_50<4>(
       {Number50(at.q.xi), Number50(at.q.zeta), Number50(at.q.rho), Number50(at.parameter)},
@@ -96,16 +93,32 @@ class Judge {
     if (row.event == EventType::none || is_end(row.event)) {
       ++out_->rows;
       hold(testing::reference_solution(case_->problem, at.nu, at.q), row);
-    } else if (const auto function = function_of(row.event, case_->problem.branch(), at);
-               function && at.q.xi != at.q.zeta) {
-      ++out_->events;
-      const auto y = event_50(case_->problem, *function, at);
-      hold({y[0], y[1], y[2]}, row);
-      const bool inside = std::ranges::any_of(report_->events, [&](const EventRecord& each) {
-        return each.type == row.event && each.parameter == at.parameter && each.before <= y[3] &&
-               y[3] <= each.after;
-      });
-      if (!inside) fault(row, "is outside its bracket");
+      return;
+    }
+    const auto functions = functions_of(row.event, case_->problem.branch());
+    if (functions.empty() || at.q.xi == at.q.zeta) return;
+    ++out_->events;
+    std::optional<std::array<Number50, 4>> event;
+    for (const EventFunction& function : functions) {
+      const auto y = nearby(function, at);
+      if (y && (!event || abs((*y)[3] - at.parameter) < abs((*event)[3] - at.parameter))) event = y;
+    }
+    if (!event) {
+      fault(row, "is no event");
+      return;
+    }
+    hold({(*event)[0], (*event)[1], (*event)[2]}, row);
+    const auto record = std::ranges::find_if(report_->events, [&](const EventRecord& each) {
+      return each.type == row.event && each.parameter == at.parameter;
+    });
+    if (record == report_->events.end()) {
+      fault(row, "has no record");
+    } else if (!(record->before <= (*event)[3] && (*event)[3] <= record->after)) {
+      std::ostringstream text;
+      text.precision(20);
+      text << "is at " << (*event)[3] << ", outside its bracket " << record->before << " ... "
+           << record->after;
+      fault(row, text.str());
     }
   }
 
@@ -118,6 +131,17 @@ class Judge {
   }
 
  private:
+  std::optional<std::array<Number50, 4>> nearby(const EventFunction& function,
+                                                const Member& at) const {
+    try {
+      const auto y = event_50(case_->problem, function, at);
+      const Number50 moved = abs(y[3] / at.parameter - 1);
+      return moved < 0.01 ? std::optional(y) : std::nullopt;
+    } catch (const std::runtime_error&) {  // none near by
+      return std::nullopt;
+    }
+  }
+
   void hold(const std::array<Number50, 3>& exact, const Kept::Row& row) {
     const double error = testing::relative_error(row.member.q, exact);
     const double bound = row.member.error_bound;
@@ -150,11 +174,11 @@ FollowedRows followed_rows(long sheets) {
     how.continuation.step.tolerance = 1e-5;
     how.max_points = 400;
     Kept kept;
-    const FollowReport report = follow(
-        axis_family(c.problem, {.nu = 0.0, .parameter = {}, .spectrum = false}), at.q, c.nu, how,
-        kept);
-    out.ends += report.forward.event == EventType::collapse ||
-                report.forward.event == EventType::escape;
+    const FollowReport report =
+        follow(axis_family(c.problem, {.nu = 0.0, .parameter = {}, .spectrum = false}), at.q, c.nu,
+               how, kept);
+    out.ends +=
+        report.forward.event == EventType::collapse || report.forward.event == EventType::escape;
     Judge judge(c, report, out);
     for (const Kept::Row& row : kept.rows) {
       try {

@@ -1,5 +1,5 @@
-// Sheets of stiff bodies followed to their ends, every row's stretches held against 50 digits at the
-// row's own numbers, an event's at the event: its bound must hold, and its bracket the event.
+// Sheets of stiff bodies followed to their ends, every row's stretches held against 50 digits at
+// the row's own numbers, an event's at the event: its bound must hold, and its bracket the event.
 #pragma once
 
 #include <string>

@@ -70,7 +70,7 @@ TEST(FoldLadder, EveryRungIsCorrectToTheLastPlace) {
 }
 
 TEST(FollowedRows, HoldTheirBounds) {
-  const FollowedRows all = followed_rows(2000 / share);
+  const FollowedRows all = followed_rows(std::max(20L, 2000 / share));
   for (const std::string& fault : all.faults) ADD_FAILURE() << fault;
   EXPECT_LE(all.worst_error_over_bound, 1.0);
   EXPECT_GT(all.rows, 20 * all.sheets);
