@@ -278,7 +278,7 @@ class EventSearch {
       if (!evaluate(u, point) || point.member.beyond_end()) continue;
       const EventType type = event_type(k, curve_->context(), point.tests);
       if (type == EventType::none) return;
-      const double along = 0.5 * (high - low) + noise(k, point) / std::abs(slope(k, u));
+      const double along = 0.5 * (high - low) + noise(k, u, point) / std::abs(slope(k, u));
       if (!(along < 0.5)) break;  // nowhere in the step is the sign of f certain
       const auto [before, after] = around(u - along, u + along);
       Found out{u, {type, point.member, before, after, EventStatus::located, {}}};
@@ -317,13 +317,25 @@ class EventSearch {
     return (value(k, u + apart, 0.0) - value(k, u - apart, 0.0)) / (2.0 * apart);
   }
 
-  /// What function k is known to, at a point: what its errors make of it, and those of the Lambdas.
-  double noise(std::size_t k, const CurvePoint<N>& point) const {
+  /// What function k is known to at u: what the point's errors make of it, and those of the
+  /// Lambdas. Where two collide their own errors are roots of what their square's is: beside it.
+  double noise(std::size_t k, double u, const CurvePoint<N>& point) {
     constexpr double errors = 32.0;
-    double out = errors * curve_->corrector().curve_error(point.arc);
-    if (k < TestValues::collision || !point.member.spectrum) return out;
-    for (int i = 0; i < point.member.spectrum->modes; ++i) {
-      const Mode& mode = point.member.spectrum->mode[static_cast<std::size_t>(i)];
+    constexpr double apart = 1e-3;
+    const double own = errors * curve_->corrector().curve_error(point.arc);
+    if (k < TestValues::collision) return own;
+    if (k > TestValues::collision) return std::max(own, mode_noise(point.member));
+    CurvePoint<N> beside;
+    if (!evaluate(u + apart, beside) && !evaluate(u - apart, beside)) return own;
+    const double root = std::sqrt(std::abs(beside.tests.value[k]));
+    return std::max(own, 2.0 * root * mode_noise(beside.member));
+  }
+
+  /// The largest relative error of a Lambda that no symmetry forces.
+  static double mode_noise(const Member& at) {
+    double out = 0.0;
+    for (int i = 0; at.spectrum && i < at.spectrum->modes; ++i) {
+      const Mode& mode = at.spectrum->mode[static_cast<std::size_t>(i)];
       const double size = std::hypot(mode.lambda_re, mode.lambda_im);
       if (!mode.forced_zero && size > 0.0) out = std::max(out, mode.lambda_error / size);
     }
