@@ -123,7 +123,7 @@ Sweep swept(const Begun& from, double tolerance) {
   options.continuation.from = from.p < 0.0 ? -reach : 0.0;
   options.continuation.to = from.p < 0.0 ? 0.0 : reach;
   options.continuation.step.tolerance = tolerance;
-  options.max_points = 20'000;
+  options.max_points = 2'000;
   Kept kept;
   Sweep out;
   out.report = follow(from.family, from.q, from.p, options, kept);
@@ -227,7 +227,8 @@ CurveSurvey survey_curves(long first, long count) {
     out.unresolved += static_cast<long>(coarse.report.events.size() - located(coarse).size());
     judge_rows(*from, coarse, out);
     judge_rows(*from, fine, out);
-    judge_sweeps(*from, coarse, fine, out);
+    const bool whole = !coarse.report.out_of_points && !fine.report.out_of_points;
+    if (whole) judge_sweeps(*from, coarse, fine, out);
   }
   return out;
 }
