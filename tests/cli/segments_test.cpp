@@ -235,8 +235,7 @@ TEST(Segments, WhatIsNotResolvedIsNoEvent) {
 [body]
 J = [1.0, 1.7, 0.6]
 [potential]
-coupled = { expression = "a*(I1+rho^2-3) + b*(d^2+rho^2*I1-3) + c*((d*rho)^2-1) - (a+2*b+c)*log((d*rho)^2)", a = 0.4, b = 0.1, c = 0.3
-}
+coupled = { expression = "a*(I1+rho^2-3) + b*(d^2+rho^2*I1-3) + c*((d*rho)^2-1) - (a+2*b+c)*log((d*rho)^2)", a = 0.4, b = 0.1, c = 0.3 }
 [motion]
 branch = "ii"
 nu = 0.3
