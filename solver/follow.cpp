@@ -172,14 +172,14 @@ class Follower {
         break;
       }
       for (const Event& event : walk.unlocated()) record(event);
-      std::optional<StabilityClass> between;
+      const Event* before = nullptr;
       for (const Event& event : walk.events()) {
         if (!options_.events.has(event.type)) {  // looked for to know where a sheet ends
-          between.reset();
+          before = nullptr;
           continue;
         }
-        if (between) sink.between(*between);
-        between = event.between;
+        if (before != nullptr && before->between) sink.between(*before->between);
+        before = &event;
         emit(sink, event.member, event.type);
         record(event);
       }
