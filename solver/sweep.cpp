@@ -64,20 +64,34 @@ bool Sweep::trusted(const Refined& refined, int unknowns) const {
   return first_correction <= 0.1 * last_move;
 }
 
+namespace {
+
+/// One copy for each system, and not for each pair of a plane and a thickness: it is what takes the
+/// compiler its time.
+template <bool bound, class System>
+[[gnu::noinline]] Refined corrected(const System& system, ReducedVector<System::dimension>& x) {
+  constexpr int most_steps = 6;
+  return refine<bound>(system, x, most_steps);
+}
+
+template <int N>
+bool is_short_move(const ReducedVector<N>& from, const ReducedVector<N>& to) {
+  constexpr double short_move = 0.02;
+  for (int i = 0; i < N; ++i)
+    if (!(std::abs(to[i] - from[i]) <= short_move * from[i])) return false;
+  return true;
+}
+
 /// Whether a long move stays on its sheet: it leads to a solution, and halfway in nu^2 there is one
 /// about halfway. On a parabola up to its very turn that is off the middle by 0.21 of the move;
-/// across a gap by half of it. middle(): the system there.
-template <class System, class Middle>
-bool Sweep::passes_middle(const System& end, const Middle& middle,
-                          const ReducedVector<System::dimension>& from,
-                          const ReducedVector<System::dimension>& to) {
-  constexpr double short_move = 0.02;
+/// across a gap by half of it. middle: the system there. Rarely asked: one copy for each system,
+/// apart from the solve that it follows.
+template <class System>
+[[gnu::cold, gnu::noinline]] bool passes_middle(const System& end, const System& middle,
+                                                const ReducedVector<System::dimension>& from,
+                                                const ReducedVector<System::dimension>& to) {
   constexpr double off_middle = 0.25;
   constexpr int N = System::dimension;
-  bool is_short = true;
-  for (int i = 0; i < N; ++i)
-    is_short = is_short && std::abs(to[i] - from[i]) <= short_move * from[i];
-  if (is_short) return true;
   // A Jacobian that is singular to rounding lets no correction be seen.
   const auto at = end.linearize(to);
   if (!(largest_magnitude<N>(at.g) <= 0x1p-30 * at.magnitude)) return false;
@@ -88,11 +102,13 @@ bool Sweep::passes_middle(const System& end, const Middle& middle,
     halfway[i] = std::sqrt(to[i]) * std::sqrt(from[i]);
   }
   ReducedVector<N> x = halfway;
-  if (!refine<false>(middle(), x).converged) return false;
+  if (!refine<false>(middle, x).converged) return false;
   for (int i = 0; i < N; ++i)
     if (!(std::abs(std::log(x[i] / halfway[i])) <= off_middle * move)) return false;
   return true;
 }
+
+}  // namespace
 
 /// One solve at nu from the predictor; on success the newest point of the past.
 template <class Model, bool bound>
@@ -109,13 +125,14 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
     using Plane = decltype((model.plane));  // a reference: an expression is no small object
     ReducedVector<2> x(next[0], next[1]);
     const PlanarSystem<Plane> system{model.plane, rates};
-    const Refined planar = refine<bound>(system, x, 6);
+    const Refined planar = corrected<bound>(system, x);
     out.steps += planar.steps;
     if (!planar.converged || !trusted(planar, 2)) return false;
     const ReducedVector<2> last(past_[0].x[0], past_[0].x[1]);
     if (!stays_inside(system, last, x)) return false;
-    const auto halfway = [&] { return PlanarSystem<Plane>{model.plane, middle_rates()}; };
-    if (!passes_middle(system, halfway, last, x)) return false;
+    if (!is_short_move(last, x) &&
+        !passes_middle(system, PlanarSystem<Plane>{model.plane, middle_rates()}, last, x))
+      return false;
     next[0] = x[0];
     next[1] = x[1];
     if (constant_rho_known_) {
@@ -125,14 +142,13 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
       using Thickness = decltype((model.thickness));
       const ThicknessSystem<Thickness> thickness{model.thickness, rates.rho};
       ReducedVector<1> rho(next[2]);
-      const Refined axial = refine<bound>(thickness, rho, 6);
+      const Refined axial = corrected<bound>(thickness, rho);
       ++thickness_solves_;
       if (!axial.converged) return false;
-      const auto thickness_halfway = [&] {
-        return ThicknessSystem<Thickness>{model.thickness, middle_rates().rho};
-      };
-      if (problem_.thickness_rule() != ThicknessRule::constant &&
-          !passes_middle(thickness, thickness_halfway, ReducedVector<1>(past_[0].x[2]), rho))
+      const ReducedVector<1> last_rho(past_[0].x[2]);
+      if (problem_.thickness_rule() != ThicknessRule::constant && !is_short_move(last_rho, rho) &&
+          !passes_middle(thickness, ThicknessSystem<Thickness>{model.thickness, middle_rates().rho},
+                         last_rho, rho))
         return false;
       next[2] = rho[0];
       error_bound = axial.error_bound;
@@ -145,13 +161,14 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
   } else {
     ReducedVector<3> x(next[0], next[1], next[2]);
     const CoupledSystem<const Model&> system{model, rates};
-    const Refined refined = refine<bound>(system, x, 6);
+    const Refined refined = corrected<bound>(system, x);
     out.steps += refined.steps;
     if (!refined.converged || !trusted(refined, 3)) return false;
     const ReducedVector<3> last(past_[0].x[0], past_[0].x[1], past_[0].x[2]);
     if (!stays_inside(system, last, x)) return false;
-    const auto halfway = [&] { return CoupledSystem<const Model&>{model, middle_rates()}; };
-    if (!passes_middle(system, halfway, last, x)) return false;
+    if (!is_short_move(last, x) &&
+        !passes_middle(system, CoupledSystem<const Model&>{model, middle_rates()}, last, x))
+      return false;
     next = {x[0], x[1], x[2]};
     error_bound = refined.error_bound;
   }

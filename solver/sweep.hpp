@@ -62,10 +62,6 @@ class Sweep {
   bool attempt(const Model& model, double nu, SweepPoint& out);
   std::array<double, 3> predict(double nu) const;
   bool trusted(const Refined& refined, int unknowns) const;
-  template <class System, class Middle>
-  static bool passes_middle(const System& end, const Middle& middle,
-                            const ReducedVector<System::dimension>& from,
-                            const ReducedVector<System::dimension>& to);
 
   Problem problem_;
   SweepOptions options_;
