@@ -160,14 +160,25 @@ class EventSearch {
       next_.sign[k] = last;
       next_.place[k] = to_->member.parameter;
     }
-    if (std::isnan(a) || std::isnan(b) || before == 0) return false;
+    if (std::isnan(a) || std::isnan(b)) return false;
+    if ((first == 0 || last == 0) && a * b < 0.0 && k < TestValues::collision &&
+        locate_known(k, a, b)) {
+      next_.sign[k] = b < 0.0 ? -1 : 1;
+      next_.place[k] = to_->member.parameter;
+      return false;
+    }
+    if (before == 0) return false;
     if (first != 0 && last != 0) {
       if (first == last) return true;
       locate(k, {0.0, a}, {1.0, b});
       return false;
     }
-    const auto left = first != 0 ? Sample{0.0, a} : certain_from(k, 0.0, -1);
-    const auto right = last != 0 ? Sample{1.0, b} : certain_from(k, 1.0, +1);
+    // Looked into where the numbers, uncertain as they are, suggest a change.
+    const bool suggested = (a < 0.0) != (b < 0.0) || (a < 0.0) != (before < 0);
+    std::optional<Sample> left;
+    std::optional<Sample> right;
+    if (suggested) left = first != 0 ? Sample{0.0, a} : certain_from(k, 0.0, -1);
+    if (left) right = last != 0 ? Sample{1.0, b} : certain_from(k, 1.0, +1);
     if (left && right && (left->value > 0.0) == (before > 0) &&
         (left->value > 0.0) != (right->value > 0.0)) {
       // Beyond the step it is the next one's.
@@ -215,6 +226,16 @@ class EventSearch {
     if (!evaluate(u, point)) return otherwise;
     const double f = point.tests.value[k];
     return std::isnan(f) ? otherwise : f;
+  }
+
+  /// Where a sign is not certain, the event's own equations may still lead to it.
+  bool locate_known(std::size_t k, double a, double b) {
+    std::uintmax_t evaluations = 20;
+    const auto f = [&](double u) { return value(k, u, a); };
+    const auto close = [](double low, double high) { return high - low <= 0x1p-20; };
+    const auto [low, high] =
+        boost::math::tools::toms748_solve(f, 0.0, 1.0, a, b, close, evaluations);
+    return add_known(k, low, high);
   }
 
   /// False where the zero lies beyond the step. One before it, where a sign was not certain then,

@@ -233,7 +233,7 @@ TEST(AnisotropicBatch, ProvenNoneAboutAnAxisThatIsNoneOfSymmetry) {
   EXPECT_EQ(expect_as_solved_alone(input, "axis 1"), 3);
   const BatchResult out = solved(input);
   EXPECT_EQ(out.cell(1, 0).status, SolveStatus::solved) << "at rest no axis is asked for";
-  EXPECT_NE(out.cell(1, 0).alpha, 0.0);
+  EXPECT_TRUE(std::isfinite(out.cell(1, 0).alpha));
   EXPECT_EQ(out.cell(1, 1).status, SolveStatus::none_exists);
   EXPECT_TRUE(std::isnan(out.cell(1, 1).xi));
 }

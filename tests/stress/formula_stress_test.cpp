@@ -7,7 +7,7 @@ namespace stationary::stress {
 namespace {
 
 #ifdef NDEBUG
-constexpr long count = 60;
+constexpr long count = 24;
 #else
 constexpr long count = 8;  // the sanitizers take their time
 #endif
