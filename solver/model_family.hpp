@@ -17,35 +17,6 @@
 
 namespace stationary {
 
-/// A system whose Jacobian is inverted by elimination. A coupled potential may be far stiffer in
-/// volume than in shape, lambda/mu, and then the cofactors of three unknowns cancel to
-/// (mu/lambda)^2 of themselves.
-template <class System>
-struct Eliminated : System {
-  static constexpr int N = System::dimension;
-  struct Matrix {
-    Eigen::Matrix<double, N, N> entries;
-
-    Matrix inverse() const {
-      return {Eigen::PartialPivLU<Eigen::Matrix<double, N, N>>(entries).inverse()};
-    }
-    Matrix absolute() const { return {entries.cwiseAbs()}; }
-    double determinant() const {
-      return Eigen::PartialPivLU<Eigen::Matrix<double, N, N>>(entries).determinant();
-    }
-    ReducedVector<N> operator*(const ReducedVector<N>& x) const { return entries * x; }
-  };
-  struct Linearized {
-    ReducedVector<N> g;
-    Matrix jacobian;
-    double magnitude;
-  };
-  Linearized linearize(const ReducedVector<N>& x) const {
-    const auto at = System::linearize(x);
-    return {at.g, {at.jacobian.matrix()}, at.magnitude};
-  }
-};
-
 template <class Model, int N>
 class ModelFamily final : public Family<N> {
  public:
@@ -137,8 +108,7 @@ class ModelFamily final : public Family<N> {
       }
       return out;
     } else {
-      return counted(
-          refine(Eliminated<CoupledSystem<Model>>{{at.model, rates}}, x, max_corrections, &tail));
+      return counted(refine(CoupledSystem<Model>{at.model, rates}, x, max_corrections, &tail));
     }
   }
 

@@ -157,6 +157,30 @@ inline double coupled_magnitude(const CoupledDerivatives<double>& w, double xi, 
          (xi + zeta) * std::abs(w.w_tr) + std::abs(w.w_lr) + 2.0 * c.rho * rho * rho;
 }
 
+/// Whether the model is a formula that takes the principal stretches apart. Its balance at alpha =
+/// 0 is to be had from xi and zeta (log_balance()): by the invariants t and d its derivatives far
+/// from the circle are small differences, the second ones to (zeta/xi)^2 units.
+template <class Model>
+bool by_stretches(const Model& model) {
+  if constexpr (requires { model.has_principal_stretches(); }) {
+    return model.has_principal_stretches();
+  } else {
+    return false;
+  }
+}
+
+/// Linearized::magnitude from the balance itself, of which a plane alone has no parts of rho.
+inline double magnitude_of(const LogBalance<double>& b, double pull_xi, double pull_zeta,
+                           double pull_rho, bool plane_only) {
+  const auto of = [](double g, double second, double pull) {
+    return std::abs(g + pull) + std::abs(second + 2.0 * pull) + 2.0 * pull;
+  };
+  const double plane =
+      of(b.g_xi, b.uu, pull_xi) + of(b.g_zeta, b.vv, pull_zeta) + 2.0 * std::abs(b.uv);
+  if (plane_only) return plane;
+  return plane + of(b.g_rho, b.ww, pull_rho) + 2.0 * (std::abs(b.uw) + std::abs(b.vw));
+}
+
 template <class Thickness>
 struct ThicknessSystem {
   static constexpr int dimension = 1;
@@ -196,6 +220,16 @@ struct PlanarSystem {
     return {b.g_xi, b.g_zeta};
   }
   Linearized<2> linearize(const ReducedVector<2>& x) const {
+    if constexpr (requires { model.has_principal_stretches(); }) {
+      if (by_stretches(model)) {
+        const double c_xi = double(rates.xi);
+        const double c_zeta = double(rates.zeta);
+        const auto b = model.log_balance(x[0], x[1], c_xi, c_zeta);
+        return {{b.g_xi, b.g_zeta},
+                {{b.uu, b.uv, b.vv}},
+                magnitude_of(b, c_xi * x[0] * x[0], c_zeta * x[1] * x[1], 0.0, true)};
+      }
+    }
     const auto w = model.template evaluate<2>(planar_invariants(x[0], x[1]));
     const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), 0.0};
     const auto b = planar_log_balance<2>(w, x[0], x[1], c);
@@ -203,7 +237,7 @@ struct PlanarSystem {
   }
   LogBalance<DoubleDouble> extended_balance(const ReducedVector<2>& x) const {
     if constexpr (requires { model.has_principal_stretches(); }) {
-      if (model.has_principal_stretches())
+      if (by_stretches(model))
         return model.residual(DoubleDouble(x[0]), DoubleDouble(x[1]), rates.xi, rates.zeta);
     }
     const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]));
@@ -242,8 +276,17 @@ struct CoupledSystem {
     return {b.g_xi, b.g_zeta, b.g_rho};
   }
   Linearized<3> linearize(const ReducedVector<3>& x) const {
-    const auto w = model.template evaluate<2>(planar_invariants(x[0], x[1]), x[2]);
     const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
+    if constexpr (requires { model.has_principal_stretches(); }) {
+      if (by_stretches(model)) {
+        const auto b = model.log_balance(x[0], x[1], x[2], c.xi, c.zeta, c.rho);
+        return {
+            {b.g_xi, b.g_zeta, b.g_rho},
+            {{b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}},
+            magnitude_of(b, c.xi * x[0] * x[0], c.zeta * x[1] * x[1], c.rho * x[2] * x[2], false)};
+      }
+    }
+    const auto w = model.template evaluate<2>(planar_invariants(x[0], x[1]), x[2]);
     const auto b = coupled_log_balance<2>(w, x[0], x[1], x[2], c);
     return {{b.g_xi, b.g_zeta, b.g_rho},
             {{b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}},
@@ -252,7 +295,7 @@ struct CoupledSystem {
   LogBalance<DoubleDouble> extended_balance(const ReducedVector<3>& x) const {
     const DoubleDouble rho(x[2]);
     if constexpr (requires { model.has_principal_stretches(); }) {
-      if (model.has_principal_stretches())
+      if (by_stretches(model))
         return model.residual(DoubleDouble(x[0]), DoubleDouble(x[1]), rho, rates.xi, rates.zeta,
                               rates.rho);
     }

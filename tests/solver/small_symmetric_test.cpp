@@ -75,6 +75,31 @@ TYPED_TEST(SmallSymmetricTest, ProductIsEigens) {
   }
 }
 
+/// K (1, 1, 1)(1, 1, 1)^T + M, a body K/|M| times stiffer in volume than in shape, against its
+/// inverse in extended precision: of K/|M| digits no more are lost than once.
+TEST(SmallSymmetric, StiffMatricesLoseTheRatioOnce) {
+  support::Random random{21};
+  using Wide = Eigen::Matrix<long double, 3, 3>;
+  int tried = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const double stiff = random.log_uniform(1e4, 1e12);
+    SmallSymmetric<3> a;
+    for (double& entry : a.entries) entry = random.sign() * random.log_uniform(0.1, 10.0);
+    for (const int i : {0, 3, 5}) a.entries[static_cast<std::size_t>(i)] += 20.0;  // definite
+    for (double& entry : a.entries) entry += stiff;
+    const Eigen::FullPivLU<Wide> wide(a.matrix().cast<long double>());
+    const Eigen::Matrix3d expected = wide.inverse().cast<double>();
+    EXPECT_TRUE(support::all_agree<Eigen::Matrix3d>(
+        support::at("stiff", stiff), expected, a.inverse().matrix(),
+        64 * 0x1p-53 * stiff * expected.cwiseAbs().maxCoeff()));
+    const auto determinant = static_cast<double>(wide.determinant());
+    EXPECT_NEAR(a.determinant(), determinant, 64 * 0x1p-53 * stiff * std::abs(determinant))
+        << stiff;
+    ++tried;
+  }
+  EXPECT_EQ(tried, 2000);
+}
+
 TEST(SmallSymmetric, SingularHasNoFiniteInverse) {
   const auto finite = [](const auto& a) { return a.inverse().matrix().allFinite(); };
   EXPECT_FALSE(finite(SmallSymmetric<1>{{0.0}}));
