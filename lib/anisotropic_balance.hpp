@@ -29,7 +29,6 @@
 
 #include "lib/anisotropic_potential.hpp"
 #include "lib/inertia.hpp"
-#include "lib/linearization.hpp"
 #include "lib/motion.hpp"
 
 namespace stationary {

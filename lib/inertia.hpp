@@ -25,6 +25,14 @@ using Vector7 = Eigen::Matrix<S, 7, 1>;
 template <class S>
 using Matrix7 = Eigen::Matrix<S, 7, 7>;
 
+/// J as numbers of type S (as inputs of a Conditioned computation, say).
+template <class S>
+struct Inertia3 {
+  S J1;
+  S J2;
+  S J3;
+};
+
 /// Locked inertia I(q), eq. (20). body, here and below: J1, J2, J3 as doubles or in S.
 template <class S, class Inertias>
 Matrix3<S> locked_inertia(const Inertias& body, const BasicStretch<S>& q) {

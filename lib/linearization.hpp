@@ -29,19 +29,12 @@
 // arithmetic: extended precision for values, Conditioned for their error bounds.
 #pragma once
 
+#include "lib/inertia.hpp"
 #include "lib/motion.hpp"
 #include "lib/polynomial.hpp"
 #include "lib/potential.hpp"
 
 namespace stationary {
-
-/// J as numbers of type S (as inputs of a Conditioned computation, say).
-template <class S>
-struct Inertia3 {
-  S J1;
-  S J2;
-  S J3;
-};
 
 /// State and second derivatives of V at alpha = 0, in q coordinates.
 template <class S>

@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "lib/coefficients.hpp"
-#include "lib/potential.hpp"
+#include "lib/isotropic_models.hpp"
+#include "lib/potentials/separable.hpp"
 
 namespace stationary {
 

@@ -16,7 +16,7 @@
 #include <limits>
 #include <span>
 
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/problem.hpp"
 
 namespace stationary {

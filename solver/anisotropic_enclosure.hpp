@@ -4,7 +4,7 @@
 // one, else by the whole leaf (leaf_enclosure.hpp).
 #pragma once
 
-#include "solver/anisotropic_family.hpp"
+#include "solver/rotations.hpp"
 #include "solver/enclosure.hpp"
 
 namespace stationary {

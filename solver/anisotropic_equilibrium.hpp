@@ -12,7 +12,7 @@
 #pragma once
 
 #include "solver/anisotropic_family.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 
 namespace stationary {
 

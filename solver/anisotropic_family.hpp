@@ -1,24 +1,20 @@
 // Families of stationary ellipsoids of a potential that is not isotropic (anisotropic_balance.hpp),
 // in nu or in any other number of the problem:
 //
-//   x = (xi, zeta, rho)               (i), (ii), where V is even in alpha; (iii) likewise, alpha =
-//   0 x = (xi, zeta, rho, e^a)          (iii) else x = (xi, zeta, rho, e^a, x_phi)   oblique, nu =
-//   |nu| (cos phi, sin phi, 0)
+//   x = (xi, zeta, rho)               (i), (ii), where V is even in alpha; (iii) likewise, alpha = 0
+//   x = (xi, zeta, rho, e^a)          (iii) else
+//   x = (xi, zeta, rho, e^a, x_phi)   oblique, nu = |nu| (cos phi, sin phi, 0)
 //
 // The last is regular down to |nu| = 0, where compatibility alone says which axes motions start
 // about: those of the in-plane inertia at rest. Where V is even in alpha a family with alpha != 0
 // ends where it meets the one with alpha = 0 it branches off (events shear, oblique).
 #pragma once
 
-#include "solver/axis_family.hpp"
+#include "solver/family_parameter.hpp"
+#include "solver/problem.hpp"
+#include "solver/rotations.hpp"
 
 namespace stationary {
-
-struct ObliqueRotation {
-  double nu;  ///< |nu| > 0
-  /// The branch, (i) or (ii), whose axis the family's is at rest, or which it leaves at an event.
-  std::optional<Branch> near = std::nullopt;
-};
 
 /// alpha_free: of an even V in (iii), the family with alpha != 0. Throws std::invalid_argument for
 /// (i), (ii) with a V that is not even in alpha: no such family exists.

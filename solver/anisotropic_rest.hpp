@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 
 namespace stationary {
 

@@ -8,7 +8,7 @@
 // message says how far from a motion the nearest one is.
 #pragma once
 
-#include "solver/anisotropic_family.hpp"
+#include "solver/rotations.hpp"
 #include "solver/search.hpp"
 
 namespace stationary {

@@ -25,7 +25,7 @@
 
 #include "solver/batch_input.hpp"
 #include "solver/batch_march.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 
 namespace stationary {
 

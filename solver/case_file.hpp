@@ -21,7 +21,7 @@
 #include "solver/case_map.hpp"
 #include "solver/case_potential.hpp"
 #include "solver/case_tree.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/event.hpp"
 #include "solver/problem.hpp"
 #include "solver/tilted_family.hpp"

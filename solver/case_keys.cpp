@@ -9,7 +9,7 @@
 #include "lib/motion.hpp"
 #include "solver/case_expression.hpp"
 #include "solver/case_map.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/nearest_name.hpp"
 #include "solver/table.hpp"
 

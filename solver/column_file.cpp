@@ -11,7 +11,6 @@
 #include "lib/spectrum.hpp"
 #include "solver/event.hpp"
 #include "solver/hdf5_handle.hpp"
-#include "solver/map_grid.hpp"
 
 namespace stationary {
 namespace {

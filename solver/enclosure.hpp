@@ -15,9 +15,11 @@
 #include <string>
 #include <vector>
 
+#include "lib/potential.hpp"
 #include "lib/spectrum_enclosure.hpp"
 #include "solver/equilibrium.hpp"
 #include "solver/interval_system.hpp"
+#include "solver/problem.hpp"
 
 namespace stationary {
 

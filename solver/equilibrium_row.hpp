@@ -11,7 +11,7 @@
 #include "solver/anisotropic_family.hpp"
 #include "solver/batch_spectrum.hpp"
 #include "solver/enclosure.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/family.hpp"
 #include "solver/table.hpp"
 #include "solver/tilted_family.hpp"

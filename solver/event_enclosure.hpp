@@ -14,7 +14,8 @@
 #include <optional>
 #include <string>
 
-#include "solver/axis_family.hpp"
+#include "solver/family_parameter.hpp"
+#include "solver/problem.hpp"
 #include "solver/enclosure.hpp"
 #include "solver/event.hpp"
 

@@ -14,7 +14,8 @@
 
 #include "lib/linearization.hpp"
 #include "lib/spectrum.hpp"
-#include "solver/axis_family.hpp"
+#include "solver/family_parameter.hpp"
+#include "solver/problem.hpp"
 #include "solver/dual.hpp"
 #include "solver/event_functions.hpp"
 #include "solver/extended_root.hpp"

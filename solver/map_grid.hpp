@@ -16,11 +16,6 @@
 
 namespace stationary {
 
-/// Column "status".
-enum class CellStatus { solved, none_exists, not_found, failed };
-constexpr std::string_view cell_status_names[] = {"solved", "none-exists", "not-found", "failed"};
-constexpr std::string_view name(CellStatus s) { return cell_status_names[static_cast<int>(s)]; }
-
 /// What making rows took.
 struct RowCounts {
   long potentials = 0;      ///< for energies

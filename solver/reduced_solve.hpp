@@ -7,7 +7,7 @@
 #include <string>
 
 #include "solver/ceres_solve.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/newton.hpp"
 #include "solver/nlopt_seed.hpp"
 #include "solver/rest_walk.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lib/spectrum.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/problem.hpp"
 
 namespace stationary {

@@ -18,7 +18,7 @@
 #include <limits>
 #include <span>
 
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/problem.hpp"
 #include "solver/refine.hpp"
 

@@ -31,6 +31,11 @@ enum class Column : std::uint8_t {
   // clang-format on
 };
 
+/// Column "status".
+enum class CellStatus { solved, none_exists, not_found, failed };
+constexpr std::string_view cell_status_names[] = {"solved", "none-exists", "not-found", "failed"};
+constexpr std::string_view name(CellStatus s) { return cell_status_names[static_cast<int>(s)]; }
+
 /// Header names, by Column.
 constexpr std::string_view column_names[] = {
     // clang-format off

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "solver/enclosure.hpp"
-#include "solver/tilted_family.hpp"
+#include "solver/rotations.hpp"
 
 namespace stationary {
 

@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/tilted_family.hpp"
 
 namespace stationary {

@@ -12,13 +12,9 @@
 
 #include "lib/potential.hpp"
 #include "solver/family.hpp"
+#include "solver/rotations.hpp"
 
 namespace stationary {
-
-struct TiltedRotation {
-  TiltPlane plane;
-  double nu;  ///< |nu| > 0
-};
 
 std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& potential,
                                          TiltPlane plane, bool spectrum);

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "solver/search.hpp"
-#include "solver/tilted_family.hpp"
+#include "solver/rotations.hpp"
 
 namespace stationary {
 

@@ -13,7 +13,7 @@
 #include <type_traits>
 
 #include "solver/interval_system.hpp"
-#include "solver/two_polar_equilibrium.hpp"
+#include "solver/two_polar_motion.hpp"
 #include "solver/two_polar_system.hpp"
 
 namespace stationary {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "solver/enclosure.hpp"
-#include "solver/two_polar_equilibrium.hpp"
+#include "solver/two_polar_motion.hpp"
 
 namespace stationary {
 

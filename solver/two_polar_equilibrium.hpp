@@ -1,64 +1,16 @@
 // Two-polar stationary motions (J1 = J2): lambda, mu, rho given the rates (omega, theta') or the
 // momenta (s3, p_theta); equations in lib/two_polar.hpp.
 //
-// An answer has lambda > mu. At fixed rates some potentials have lambda != mu only on a line of
-// solutions, which is said instead of returning one of them:
-//   reciprocal-determinant, neo-hookean: only where J (omega^2 + theta'^2) = k (mu), t free;
-//   neo-hookean-3d likewise with mu;  biot: only where J (omega - theta')^2 = 2 mu, d free.
-// Such a line is isolated at fixed momenta. Where no lambda > mu is found, the circle lambda = mu,
+// An answer has lambda > mu. Where the rates lie on a line of solutions (two_polar_motion.hpp) that is
+// said instead of returning one of them. Where no lambda > mu is found, the circle lambda = mu,
 // which depends on omega + theta' only and has s3 = p_theta, is returned and named.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <variant>
-
 #include "lib/spectrum.hpp"
-#include "lib/two_polar.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
+#include "solver/two_polar_motion.hpp"
 
 namespace stationary {
-
-using TwoPolarMotion = std::variant<TwoPolarRates<double>, TwoPolarMomenta<double>>;
-
-struct TwoPolarEquilibrium {
-  SolveStatus status = SolveStatus::not_run;
-  std::string message;
-  /// (lambda, mu, rho), NaN unless solved.
-  Vector3<double> x = Vector3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
-  TwoPolarRates<double> rates{std::numeric_limits<double>::quiet_NaN(),
-                              std::numeric_limits<double>::quiet_NaN()};
-  TwoPolarMomenta<double> momenta{std::numeric_limits<double>::quiet_NaN(),
-                                  std::numeric_limits<double>::quiet_NaN()};
-  double residual = std::numeric_limits<double>::quiet_NaN();     ///< as Equilibrium::residual
-  double error_bound = std::numeric_limits<double>::quiet_NaN();  ///< as Equilibrium::error_bound
-  bool circle = false;
-  Counts counts;
-};
-
-/// The line of solutions at fixed rates, or that there is none off the circle: the reason, and
-/// whether the rates lie on it.
-struct RatesVerdict {
-  std::string condition;
-  bool on_line = false;
-  std::string line_message() const;  ///< of rates on it
-};
-
-/// Nothing for a potential whose ellipses are isolated.
-std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
-                                          const TwoPolarRates<double>& rates);
-
-/// The equilibrium's rates and momenta, from x and circle; on the circle of given momenta, where
-/// s3 = p_theta and only the sum of the rates is determined, theta' = 0.
-void set_motion(const Body& body, const TwoPolarMotion& motion, TwoPolarEquilibrium& at);
-
-/// The balance residual from the numbers x and rates, relative to the largest term; v at x, to
-/// second order.
-double two_polar_residual_check(const Body& body, const PotentialDerivatives<double>& v,
-                                const TwoPolarEquilibrium& at);
-
-/// Throws std::invalid_argument unless J1 = J2 and the motion is finite.
-void require_two_polar(const Body& body, const TwoPolarMotion& motion);
 
 /// Throws as require_two_polar(). options.method is not
 /// used: the search is global (NLopt), then Newton, then refine; options.start replaces the search.

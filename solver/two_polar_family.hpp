@@ -7,7 +7,7 @@
 #pragma once
 
 #include "solver/axis_family.hpp"
-#include "solver/two_polar_equilibrium.hpp"
+#include "solver/two_polar_motion.hpp"
 
 namespace stationary {
 

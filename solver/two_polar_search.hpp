@@ -8,7 +8,7 @@
 #pragma once
 
 #include "solver/search.hpp"
-#include "solver/two_polar_equilibrium.hpp"
+#include "solver/two_polar_motion.hpp"
 
 namespace stationary {
 

@@ -10,7 +10,8 @@
 #include "lib/double_double_functions.hpp"
 #include "lib/inertia.hpp"
 #include "lib/model_coefficients.hpp"
-#include "solver/axis_family.hpp"
+#include "solver/family_parameter.hpp"
+#include "solver/problem.hpp"
 
 namespace stationary {
 

@@ -7,7 +7,7 @@
 #include "lib/conditioned_functions.hpp"
 #include "lib/conditioned_model.hpp"
 #include "solver/separable_parts.hpp"
-#include "solver/two_polar_equilibrium.hpp"
+#include "solver/two_polar_motion.hpp"
 
 namespace stationary {
 namespace {

@@ -19,7 +19,7 @@
 #include "lib/expression/kernel.hpp"
 #include "lib/interval_functions.hpp"
 #include "lib/number.hpp"
-#include "lib/potentials/hencky.hpp"
+#include "lib/odd_reciprocal.hpp"
 
 namespace stationary::expression {
 

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "lib/interval.hpp"
+#include "lib/odd_reciprocal.hpp"
 #include "lib/potentials/derivatives.hpp"
 #include "lib/stretch.hpp"
 
@@ -23,23 +24,6 @@ struct AtanhRatio {
   S b;
   S b_x = poison<S>();
 };
-
-/// 1/(2 k + 1) in S, 0 <= k < 128 from a table where S is one of the solver's own types: the series
-/// is in the warm path, and a division is what it would spend its time on.
-template <class S>
-S odd_reciprocal(int k) {
-  if constexpr (std::is_same_v<S, double> || std::is_same_v<S, DoubleDouble>) {
-    static constexpr auto table = [] {
-      std::array<S, 128> out{};
-      for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = S(1.0) / S(2.0 * static_cast<double>(i) + 1.0);
-      return out;
-    }();
-    return table[static_cast<std::size_t>(k)];
-  } else {
-    return S(1.0) / S(2.0 * k + 1.0);
-  }
-}
 
 /// Below x = 1/4 the series sum x^k/(2k+1), its length chosen from x; above it, where nothing
 /// cancels by more than a factor of ten, B from a logarithm and x B' = (1/(1 - x) - B)/2. A value

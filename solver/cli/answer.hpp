@@ -9,7 +9,7 @@
 
 #include "solver/case_file.hpp"
 #include "solver/cli/outcome.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/table.hpp"
 
 namespace stationary::cli {

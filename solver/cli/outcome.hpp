@@ -8,7 +8,7 @@
 
 #include "solver/case_file.hpp"
 #include "solver/cli/exit_code.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/table.hpp"
 
 namespace stationary::cli {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lib/double_double.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 
 namespace stationary::bench {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/case_file.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/table_reading.hpp"
 

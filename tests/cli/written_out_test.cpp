@@ -12,7 +12,7 @@
 #include "solver/case_file.hpp"
 #include "solver/case_parameter.hpp"
 #include "solver/enclosure.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/search.hpp"
 #include "solver/stability.hpp"
 #include "tests/solver/followed.hpp"

@@ -12,7 +12,7 @@
 #include "lib/coefficients.hpp"
 #include "lib/potential.hpp"
 #include "solver/case_file.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/random_states.hpp"
 #include "tests/support/slope.hpp"

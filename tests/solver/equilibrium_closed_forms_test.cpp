@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "tests/solver/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/high_precision.hpp"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/newton.hpp"
 #include "tests/solver/random_problem.hpp"
 

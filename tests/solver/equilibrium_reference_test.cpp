@@ -1,7 +1,7 @@
 // solve() against independently computed digits, and against 50-digit solutions of random families.
 #include <gtest/gtest.h>
 
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "tests/solver/random_problem.hpp"
 #include "tests/support/high_precision.hpp"
 #include "tests/support/law.hpp"

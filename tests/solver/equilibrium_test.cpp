@@ -1,5 +1,5 @@
 // Laws of solve() that hold whatever the model: symmetries, rest, misuse, interruption, poison.
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "solver/anisotropic_equilibrium.hpp"
 #include "solver/case_file.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/stability.hpp"
 
 namespace stationary {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/follow.hpp"
 
 namespace stationary::testing {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/problem.hpp"
 #include "tests/support/random_states.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/problem.hpp"
 #include "tests/support/motions.hpp"
 #include "tests/support/random_states.hpp"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "lib/general_spectrum.hpp"
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 #include "solver/problem.hpp"
 #include "solver/stability.hpp"
 #include "tests/support/random_states.hpp"

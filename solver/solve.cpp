@@ -1,4 +1,4 @@
-#include "solver/equilibrium.hpp"
+#include "solver/solve.hpp"
 
 #include <algorithm>
 #include <cmath>
