@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "lib/expression/kernel.hpp"
+#include "lib/expression/symmetric_kernel.hpp"
 
 namespace stationary::expression {
 

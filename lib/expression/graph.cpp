@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "lib/double_double.hpp"
+#include "lib/number/double_double.hpp"
 #include "lib/expression/singular.hpp"
 
 namespace stationary::expression {

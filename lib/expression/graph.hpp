@@ -60,7 +60,7 @@ enum class Kind : std::uint8_t {
   variable,
   sum,
   product,
-  // Of the symmetric part of functions of the principal stretches (pairs.hpp).
+  // Of the symmetric part of functions of the principal stretches (principal_pairs.hpp).
   kernel
 };
 
@@ -133,7 +133,7 @@ class Graph {
   /// Of coefficients only; NotSmooth otherwise.
   NodeId minimum(NodeId x, NodeId y);
   NodeId maximum(NodeId x, NodeId y);
-  /// As read: no simplification. See kernel.hpp.
+  /// As read: no simplification. See symmetric_kernel.hpp.
   NodeId kernel(Function f, int which, NodeId a, NodeId y, NodeId norm, NodeId exponent);
 
   NodeId zero() { return number(0.0); }

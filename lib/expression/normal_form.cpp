@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "lib/double_double_functions.hpp"
-#include "lib/interval_functions.hpp"
+#include "lib/number/double_double_functions.hpp"
+#include "lib/number/interval_functions.hpp"
 
 namespace stationary::expression {
 namespace {

@@ -23,7 +23,7 @@
 
 #include "lib/expression/graph.hpp"
 #include "lib/expression/residue.hpp"
-#include "lib/interval.hpp"
+#include "lib/number/interval.hpp"
 
 namespace stationary::expression {
 

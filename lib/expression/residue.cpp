@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "lib/expression/kernel.hpp"
+#include "lib/expression/symmetric_kernel.hpp"
 
 namespace stationary::expression {
 namespace {
@@ -359,7 +359,7 @@ Residue ResiduePoint::derivative(const Node& kernel, int n, const Residue& x,
   }
 }
 
-/// From the values at a +- r, r^2 = y (kernel.hpp).
+/// From the values at a +- r, r^2 = y (symmetric_kernel.hpp).
 Residue ResiduePoint::kernel(const Node& node) {
   const Residue& a = *known_[node.a];
   const Residue& y = *known_[node.b];

@@ -8,7 +8,7 @@
 #include <utility>
 #include <variant>
 
-#include "solver/problem.hpp"
+#include "solver/motion/problem.hpp"
 
 namespace stationary::bench {
 

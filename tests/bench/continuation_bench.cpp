@@ -19,10 +19,10 @@
 #include <string>
 #include <vector>
 
-#include "solver/curve_table.hpp"
-#include "solver/equilibrium_row.hpp"
+#include "solver/program/rows/curve_table.hpp"
+#include "solver/program/rows/equilibrium_row.hpp"
 #include "tests/bench/bodies.hpp"
-#include "tests/solver/curve_error.hpp"
+#include "tests/support/curve_error.hpp"
 
 namespace stationary::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "tests/bench/bodies.hpp"
-#include "tests/solver/curve_error.hpp"
+#include "tests/support/curve_error.hpp"
 
 namespace stationary::bench {
 namespace {

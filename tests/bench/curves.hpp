@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "solver/axis_family.hpp"
+#include "solver/family/axis_family.hpp"
 #include "tests/bench/measurement.hpp"
 
 namespace stationary::bench {

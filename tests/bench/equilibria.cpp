@@ -3,7 +3,7 @@
 #include <limits>
 #include <memory>
 
-#include "solver/enclosure.hpp"
+#include "solver/proof/certify.hpp"
 #include "tests/bench/bodies.hpp"
 #include "tests/bench/four_equations.hpp"
 #include "tests/bench/march.hpp"

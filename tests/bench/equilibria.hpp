@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/sweep.hpp"
+#include "solver/batch/sweep.hpp"
 #include "tests/bench/measurement.hpp"
 
 namespace stationary::bench {

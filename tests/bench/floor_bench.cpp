@@ -18,10 +18,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "lib/balance.hpp"
-#include "lib/linearization.hpp"
-#include "solver/stability.hpp"
-#include "solver/sweep.hpp"
+#include "lib/balance/balance.hpp"
+#include "lib/stability/linearization.hpp"
+#include "solver/solve/stability.hpp"
+#include "solver/batch/sweep.hpp"
 
 namespace stationary {
 namespace {

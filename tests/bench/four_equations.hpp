@@ -12,7 +12,7 @@
 
 #include <Eigen/LU>
 
-#include "lib/balance.hpp"
+#include "lib/balance/balance.hpp"
 
 namespace stationary::bench {
 

@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "solver/batch_spectrum.hpp"
-#include "solver/stability.hpp"
-#include "solver/sweep.hpp"
+#include "solver/batch_spectrum/batch_spectrum.hpp"
+#include "solver/solve/stability.hpp"
+#include "solver/batch/sweep.hpp"
 #include "tests/bench/bodies.hpp"
 #include "tests/support/high_precision.hpp"
 

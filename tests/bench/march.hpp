@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "lib/motion.hpp"
-#include "lib/stretch.hpp"
+#include "lib/body/motion.hpp"
+#include "lib/body/stretch.hpp"
 
 namespace stationary::bench {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/motion.hpp"
+#include "lib/body/motion.hpp"
 
 namespace stationary::bench {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "lib/balance.hpp"
+#include "lib/balance/balance.hpp"
 
 namespace stationary::bench {
 

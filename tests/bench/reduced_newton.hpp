@@ -4,9 +4,9 @@
 // extended precision.
 #pragma once
 
-#include "solver/newton.hpp"
-#include "solver/problem.hpp"
-#include "solver/refine.hpp"
+#include "solver/newton/newton.hpp"
+#include "solver/motion/problem.hpp"
+#include "solver/newton/refine.hpp"
 
 namespace stationary::bench {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "lib/double_double.hpp"
-#include "solver/solve.hpp"
+#include "lib/number/double_double.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary::bench {
 

@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "solver/atlas.hpp"
-#include "solver/enclosure.hpp"
-#include "solver/search.hpp"
-#include "solver/stability.hpp"
+#include "solver/atlas/atlas.hpp"
+#include "solver/proof/certify.hpp"
+#include "solver/search/search.hpp"
+#include "solver/solve/stability.hpp"
 
 namespace stationary {
 namespace {

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/sweep.hpp"
+#include "solver/batch/sweep.hpp"
 #include "tests/bench/bodies.hpp"
 #include "tests/bench/four_equations.hpp"
 #include "tests/bench/march.hpp"

@@ -15,7 +15,7 @@
 #include <exception>
 #include <list>
 
-#include "solver/atomic_file.hpp"
+#include "solver/program/table/atomic_file.hpp"
 #include "tests/bench/bodies.hpp"
 #include "tests/bench/curves.hpp"
 #include "tests/bench/equilibria.hpp"

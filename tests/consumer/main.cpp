@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <stationary/solver/equilibrium.hpp>
-#include <stationary/solver/problem.hpp>
+#include <stationary/solver/solve/solve.hpp>
 
 int main() {
   const double nu = 0.5;

@@ -4,8 +4,8 @@
 //   xi^4 = c A2^(1/2) A1^(-3/2),  zeta^4 = c A1^(1/2) A2^(-3/2),  rho^3 = a/(b - J3 nu^2).
 #include <cmath>
 #include <cstdio>
-#include <stationary/lib/balance.hpp>
-#include <stationary/lib/double_double.hpp>
+#include <stationary/lib/balance/balance.hpp>
+#include <stationary/lib/number/double_double.hpp>
 
 int main() {
   const double c = 1.0;

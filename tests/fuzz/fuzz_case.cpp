@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "solver/case_file.hpp"
-#include "solver/cli/plan.hpp"
-#include "solver/metadata.hpp"
+#include "solver/program/case/case_file.hpp"
+#include "solver/program/session/computation_plan.hpp"
+#include "solver/program/rows/metadata.hpp"
 
 namespace {
 

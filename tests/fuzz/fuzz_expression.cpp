@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/expression/facts.hpp"
-#include "lib/potentials/anisotropic_expression.hpp"
-#include "solver/expression_parser.hpp"
+#include "lib/formula/facts.hpp"
+#include "lib/material/models/anisotropic_expression.hpp"
+#include "solver/program/text/expression_parser.hpp"
 
 namespace {
 

@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/case_file.hpp"
-#include "solver/metadata.hpp"
-#include "solver/resume_table.hpp"
-#include "solver/table_reader.hpp"
+#include "solver/program/case/case_file.hpp"
+#include "solver/program/rows/metadata.hpp"
+#include "solver/program/rows/resume_table.hpp"
+#include "solver/program/table/table_reader.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/plot.hpp"
+#include "solver/program/plot/plot.hpp"
 #include "tests/stress/fold_ladder.hpp"
 
 namespace stationary::stress {

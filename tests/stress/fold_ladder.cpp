@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "solver/newton.hpp"
+#include "solver/newton/newton.hpp"
 #include "tests/stress/near_event.hpp"
 
 namespace stationary::stress {

@@ -8,11 +8,11 @@
 #include <exception>
 #include <optional>
 
-#include "solver/case_file.hpp"
-#include "solver/case_tree.hpp"
-#include "solver/enclosure.hpp"
-#include "solver/follow.hpp"
-#include "solver/search.hpp"
+#include "solver/program/case/case_file.hpp"
+#include "solver/program/case/case_toml.hpp"
+#include "solver/proof/certify.hpp"
+#include "solver/family/follow_sheet.hpp"
+#include "solver/search/search.hpp"
 #include "tests/support/wide_numbers.hpp"
 
 namespace stationary::stress {

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lib/potential.hpp"
+#include "lib/material/potential.hpp"
 
 namespace stationary::stress {
 namespace {

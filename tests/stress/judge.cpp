@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "solver/enclosure.hpp"
-#include "solver/follow.hpp"
-#include "solver/search.hpp"
+#include "solver/proof/certify.hpp"
+#include "solver/family/follow_sheet.hpp"
+#include "solver/search/search.hpp"
 #include "tests/support/wide_spectrum.hpp"
 
 namespace stationary::stress {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "solver/enclosure.hpp"
+#include "solver/proof/certify.hpp"
 #include "tests/stress/hard_case.hpp"
 #include "tests/support/high_precision.hpp"
 

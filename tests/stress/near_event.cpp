@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "solver/follow.hpp"
+#include "solver/family/follow_sheet.hpp"
 #include "tests/support/high_precision.hpp"
 
 namespace stationary::stress {

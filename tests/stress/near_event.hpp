@@ -10,7 +10,7 @@
 #include <array>
 #include <initializer_list>
 
-#include "solver/event.hpp"
+#include "solver/motion/event.hpp"
 #include "tests/stress/hard_case.hpp"
 
 namespace stationary::stress {

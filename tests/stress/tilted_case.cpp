@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "solver/tilted_enclosure.hpp"
-#include "solver/tilted_equilibrium.hpp"
+#include "solver/proof/tilted_enclosure.hpp"
+#include "solver/solve/tilted_equilibrium.hpp"
 #include "tests/stress/near_event.hpp"
 #include "tests/support/high_precision.hpp"
 

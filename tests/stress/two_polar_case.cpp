@@ -3,9 +3,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "lib/two_polar.hpp"
-#include "solver/two_polar_enclosure.hpp"
-#include "solver/two_polar_equilibrium.hpp"
+#include "lib/balance/two_polar.hpp"
+#include "solver/proof/two_polar_enclosure.hpp"
+#include "solver/solve/two_polar_equilibrium.hpp"
 #include "tests/support/high_precision.hpp"
 
 namespace stationary::stress {

@@ -2,7 +2,7 @@
 // them.
 #pragma once
 
-#include "solver/two_polar_equilibrium.hpp"
+#include "solver/solve/two_polar_equilibrium.hpp"
 #include "tests/stress/judge.hpp"
 
 namespace stationary::stress {

@@ -15,11 +15,11 @@
 #include <limits>
 #include <optional>
 
-#include "lib/body.hpp"
-#include "lib/motion.hpp"
-#include "lib/potentials/reciprocal_determinant.hpp"
-#include "lib/potentials/thickness.hpp"
-#include "lib/stretch.hpp"
+#include "lib/body/body.hpp"
+#include "lib/body/motion.hpp"
+#include "lib/material/models/reciprocal_determinant.hpp"
+#include "lib/material/models/thickness.hpp"
+#include "lib/body/stretch.hpp"
 
 namespace stationary::support {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lib/double_double.hpp"
+#include "lib/number/double_double.hpp"
 #include "tests/support/random_states.hpp"
 
 namespace stationary::support {

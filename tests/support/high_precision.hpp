@@ -6,9 +6,9 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <stdexcept>
 
-#include "lib/balance.hpp"
-#include "lib/linearization.hpp"
-#include "solver/problem.hpp"
+#include "lib/balance/balance.hpp"
+#include "lib/stability/linearization.hpp"
+#include "solver/motion/problem.hpp"
 
 namespace stationary::testing {
 

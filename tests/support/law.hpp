@@ -9,8 +9,8 @@
 #include <string>
 #include <type_traits>
 
-#include "lib/body.hpp"
-#include "lib/stretch.hpp"
+#include "lib/body/body.hpp"
+#include "lib/body/stretch.hpp"
 #include "tests/support/wide_numbers.hpp"
 
 namespace stationary::support {

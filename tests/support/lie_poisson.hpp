@@ -12,8 +12,8 @@
 #include <complex>
 #include <vector>
 
-#include "lib/inertia.hpp"
-#include "lib/potential.hpp"
+#include "lib/body/inertia.hpp"
+#include "lib/material/potential.hpp"
 #include "tests/support/high_precision.hpp"
 
 namespace stationary::testing {

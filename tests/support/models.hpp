@@ -1,4 +1,4 @@
-// The built-in models as lists of types, read off the variants in lib/potential.hpp: a model added
+// The built-in models as lists of types, read off the variants in lib/material/potential.hpp: a model added
 // there is put through every typed suite without a line added here.
 #pragma once
 
@@ -9,8 +9,8 @@
 #include <utility>
 #include <variant>
 
-#include "lib/model_coefficients.hpp"
-#include "lib/potential.hpp"
+#include "lib/material/models/model_coefficients.hpp"
+#include "lib/material/potential.hpp"
 #include "tests/support/random_states.hpp"
 
 namespace stationary::support {

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "lib/general_spectrum.hpp"
-#include "solver/solve.hpp"
-#include "solver/problem.hpp"
-#include "solver/stability.hpp"
+#include "lib/stability/general_spectrum.hpp"
+#include "solver/solve/solve.hpp"
+#include "solver/motion/problem.hpp"
+#include "solver/solve/stability.hpp"
 #include "tests/support/random_states.hpp"
 
 namespace stationary::testing {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/anisotropic_potential.hpp"
+#include "lib/material/anisotropic_potential.hpp"
 #include "tests/support/random_states.hpp"
 
 namespace stationary::support {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "lib/body.hpp"
-#include "lib/stretch.hpp"
+#include "lib/body/body.hpp"
+#include "lib/body/stretch.hpp"
 
 namespace stationary::support {
 

@@ -19,8 +19,8 @@
 #include <variant>
 #include <vector>
 
-#include "lib/motion.hpp"
-#include "lib/potential.hpp"
+#include "lib/body/motion.hpp"
+#include "lib/material/potential.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/wide_numbers.hpp"
 

@@ -1,0 +1,40 @@
+#include "lib/body/stretch.hpp"
+
+#include <stdexcept>
+
+namespace stationary {
+
+const char* violated_inequality(const Stretch& q) {
+  if (!q.vector().allFinite()) return "alpha, xi, zeta, rho finite";
+  if (!(q.xi > 0.0)) return "xi > 0";
+  if (!(q.zeta > 0.0)) return "zeta > 0";
+  if (!(q.rho > 0.0)) return "rho > 0";
+  const DoubleDouble d = two_product(q.xi, q.zeta) - two_product(q.alpha, q.alpha);
+  if (!(double(d) > 0.0)) return "xi zeta - alpha^2 > 0";
+  return nullptr;
+}
+
+void require_positive_definite(const Stretch& q) {
+  if (const char* inequality = violated_inequality(q)) throw std::invalid_argument(inequality);
+}
+
+PrincipalStretches principal_stretches(const Stretch& q) {
+  if (q.alpha == 0.0) {
+    if (q.xi == q.zeta) return {q.xi, q.zeta, std::nullopt};
+    return {std::fmax(q.xi, q.zeta), std::fmin(q.xi, q.zeta), 0.5 * std::atan2(0.0, q.xi - q.zeta)};
+  }
+  const double t = q.xi + q.zeta;
+  const DoubleDouble d = two_product(q.xi, q.zeta) - two_product(q.alpha, q.alpha);
+  const double lambda = 0.5 * (t + std::hypot(q.xi - q.zeta, 2.0 * q.alpha));
+  return {lambda, double(d) / lambda, 0.5 * std::atan2(2.0 * q.alpha, q.xi - q.zeta)};
+}
+
+Stretch stretch_from_principal(const PrincipalStretches& planar, double rho) {
+  const double theta = planar.theta.value_or(0.0);
+  const double c = std::cos(theta);
+  const double s = std::sin(theta);
+  return {(planar.lambda - planar.mu) * s * c, planar.lambda * c * c + planar.mu * s * s,
+          planar.lambda * s * s + planar.mu * c * c, rho};
+}
+
+}  // namespace stationary

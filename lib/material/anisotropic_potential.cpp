@@ -1,0 +1,210 @@
+#include "lib/material/anisotropic_potential.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "lib/material/model_domain.hpp"
+
+namespace stationary {
+namespace {
+
+struct AsDouble {
+  double operator()(double c) const { return c; }
+  Direction<double> direction(double degrees) const {
+    const auto extended = stationary::direction(degrees);
+    return {double(extended.cosine), double(extended.sine)};
+  }
+};
+
+constexpr auto coefficients_of = [](const auto& model) {
+  return static_cast<int>(model.coefficients().size());
+};
+
+/// Counts coefficients, and changes one.
+struct Replacing {
+  int place;
+  double value;
+  int* next;
+
+  double operator()(double c) const { return (*next)++ == place ? value : c; }
+};
+
+}  // namespace
+
+AnisotropicPotential::AnisotropicPotential(const Plane& plane, const AnyThickness<>& thickness,
+                                           std::vector<Fibre> fibres)
+    : fibres_(std::move(fibres)) {
+  std::visit([](const auto& model) { require_domain(model); }, plane);
+  thickness.visit([](const auto& model) { require_domain(model); });
+  model_.base = Model::Separate{plane, thickness};
+  if (fibres_.empty() && !std::holds_alternative<OrthotropicSaintVenantKirchhoff<>>(plane) &&
+      model_.expression() == nullptr)
+    throw std::invalid_argument("a fibre, or an anisotropic plane");
+  add_fibres();
+}
+
+AnisotropicPotential::AnisotropicPotential(const Coupled& coupled, std::vector<Fibre> fibres)
+    : fibres_(std::move(fibres)) {
+  std::visit([](const auto& model) { require_domain(model); }, coupled);
+  model_.base = coupled;
+  if (fibres_.empty() && model_.expression() == nullptr)
+    throw std::invalid_argument("a fibre, or an anisotropic potential");
+  add_fibres();
+}
+
+void AnisotropicPotential::add_fibres() {
+  if (fibres_.size() > Model::max_fibres) throw std::invalid_argument("at most 4 fibres");
+  for (const Fibre& fibre : fibres_) {
+    if (!(std::isfinite(fibre.k) && fibre.k > 0.0)) throw std::invalid_argument("k > 0");
+    if (!std::isfinite(fibre.degrees)) throw std::invalid_argument("degrees finite");
+    model_.fibres[model_.fibre_count++] = {fibre.k, AsDouble().direction(fibre.degrees)};
+  }
+}
+
+bool AnisotropicPotential::is_separable() const {
+  return std::holds_alternative<Model::Separate>(model_.base);
+}
+
+// The odd part of a fibre's V is 2 k c s alpha (xi + zeta) (c^2 xi^2 + s^2 zeta^2 + alpha^2 - 1).
+bool AnisotropicPotential::fibres_even() const {
+  double constant = 0.0;
+  double of_cosine = 0.0;
+  for (std::size_t k = 0; k < model_.fibre_count; ++k) {
+    const auto& [c, s] = model_.fibres[k].along;
+    constant += model_.fibres[k].k * (c * s);
+    of_cosine += model_.fibres[k].k * (c * s) * (c * c);
+  }
+  return constant == 0.0 && of_cosine == 0.0;
+}
+
+bool AnisotropicPotential::even_in_alpha() const {
+  const auto* expression = model_.expression();
+  return fibres_even() && (expression == nullptr || expression->even());
+}
+
+bool AnisotropicPotential::shear_free() const {
+  const auto* expression = model_.expression();
+  return fibres_even() && (expression == nullptr || expression->shear_free());
+}
+
+bool AnisotropicPotential::sheared() const {
+  const auto* expression = model_.expression();
+  if (expression == nullptr || expression->shear_free()) return !fibres_even();
+  return expression->sheared() && fibres_even();
+}
+
+std::vector<ConditionValue> AnisotropicPotential::conditions_at(const Stretch& q) const {
+  std::vector<ConditionValue> out;
+  for_models([&](const auto& model) {
+    if constexpr (requires { model.conditions_at(q); }) {
+      const std::vector<ConditionValue> own = model.conditions_at(q);
+      out.insert(out.end(), own.begin(), own.end());
+    }
+  });
+  return out;
+}
+
+AnisotropicPotential AnisotropicPotential::on_part_of(const Stretch& q) const {
+  const auto restrict = [&](auto& models) {
+    std::visit(
+        [&](auto& model) {
+          if constexpr (requires { model.on_part_of(q); }) model = model.on_part_of(q);
+        },
+        models);
+  };
+  AnisotropicPotential out = *this;
+  if (auto* separate = std::get_if<Model::Separate>(&out.model_.base)) {
+    restrict(separate->plane);
+    separate->thickness = separate->thickness.on_part_of(q);
+  } else {
+    restrict(std::get<Coupled>(out.model_.base));
+  }
+  return out;
+}
+
+double AnisotropicPotential::rest_stretch() const {
+  const auto own = [](const auto& model) {
+    if constexpr (requires { model.shear_free(); }) {
+      return std::numeric_limits<double>::quiet_NaN();
+    } else {
+      return model.rest_stretch();
+    }
+  };
+  if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
+    return std::visit(own, separate->plane);
+  return std::visit(own, std::get<Coupled>(model_.base));
+}
+
+double AnisotropicPotential::rest_thickness() const {
+  if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
+    return separate->thickness.balanced(0.0);
+  return std::visit(
+      [](const auto& model) {
+        if constexpr (requires { model.shear_free(); }) {
+          return std::numeric_limits<double>::quiet_NaN();
+        } else {
+          return model.rest_thickness();
+        }
+      },
+      std::get<Coupled>(model_.base));
+}
+
+int AnisotropicPotential::thickness_place() const {
+  if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
+    return std::visit(coefficients_of, separate->plane);
+  return std::visit(coefficients_of, std::get<Coupled>(model_.base));
+}
+
+int AnisotropicPotential::fibre_place() const {
+  const auto* separate = std::get_if<Model::Separate>(&model_.base);
+  return thickness_place() + (separate == nullptr ? 0 : separate->thickness.visit(coefficients_of));
+}
+
+int AnisotropicPotential::coefficient_count() const {
+  return fibre_place() + 2 * static_cast<int>(fibres_.size());
+}
+
+AnisotropicPotential AnisotropicPotential::with_coefficient(int place, double value) const {
+  AnisotropicPotential out = *this;
+  int next = 0;
+  const Replacing replace{place, value, &next};
+  if (auto* separate = std::get_if<Model::Separate>(&out.model_.base)) {
+    const auto plane =
+        std::visit([&](const auto& each) -> Plane { return with_coefficients(each, replace); },
+                   separate->plane);
+    separate->plane = plane;
+    const auto thickness = separate->thickness.visit(
+        [&](const auto& each) { return AnyThickness<>{{with_coefficients(each, replace)}}; });
+    separate->thickness = thickness;
+  } else {
+    const auto coupled =
+        std::visit([&](const auto& each) -> Coupled { return with_coefficients(each, replace); },
+                   std::get<Coupled>(out.model_.base));
+    out.model_.base = coupled;
+  }
+  for (std::size_t k = 0; k < out.fibres_.size(); ++k) {
+    Fibre& fibre = out.fibres_[k];
+    fibre.k = replace(fibre.k);
+    fibre.degrees = replace(fibre.degrees);
+    out.model_.fibres[k] = {fibre.k, AsDouble().direction(fibre.degrees)};
+  }
+  return out;
+}
+
+Direction<Conditioned> AsExactConditioned::direction(double degrees) const {
+  const auto at = AsDouble().direction(degrees);
+  return {{at.cosine}, {at.sine}};
+}
+
+Direction<Conditioned> AsConditioned::direction(double degrees) const {
+  const auto middle = AsDouble().direction(degrees);
+  const double radians = std::abs(degrees) * (std::numbers::pi / 180.0);
+  return {{middle.cosine, std::abs(middle.cosine) + std::abs(middle.sine) * radians},
+          {middle.sine, std::abs(middle.sine) + std::abs(middle.cosine) * radians}};
+}
+
+}  // namespace stationary

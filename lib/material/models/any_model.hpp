@@ -1,0 +1,111 @@
+// A planar or thickness model whose kind is known at run time only: a built-in one or an expression
+// of the user's. Each evaluation asks which, so that a potential with an expression in it is one
+// type to the solvers, whatever its other part is.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "lib/material/models/coefficients.hpp"
+#include "lib/material/models/isotropic_models.hpp"
+#include "lib/material/models/expression.hpp"
+
+namespace stationary {
+
+/// What AnyPlane and AnyThickness have in common: f(the model) of whichever it is.
+template <class BuiltIn, class Expression>
+struct AnyModel {
+  std::variant<BuiltIn, Expression> model;
+
+  template <class F>
+  decltype(auto) visit(F&& f) const {
+    if (const auto* expression = std::get_if<Expression>(&model)) return f(*expression);
+    return std::visit(f, std::get<BuiltIn>(model));
+  }
+  bool is_expression() const { return std::holds_alternative<Expression>(model); }
+  bool has_decimals() const {
+    const auto* expression = std::get_if<Expression>(&model);
+    return expression != nullptr && expression->has_decimals();
+  }
+
+  /// Of an expression (expression.hpp).
+  std::vector<ConditionValue> conditions_at(const Stretch& q) const {
+    const auto* expression = std::get_if<Expression>(&model);
+    return expression == nullptr ? std::vector<ConditionValue>() : expression->conditions_at(q);
+  }
+  bool outside_in(const auto&... box) const {
+    const auto* expression = std::get_if<Expression>(&model);
+    return expression != nullptr && expression->outside_in(box...);
+  }
+  /// Any, its expression restricted to the part of its domain that q lies in.
+  template <class Any>
+  Any restricted(const Stretch& q) const {
+    const auto* expression = std::get_if<Expression>(&model);
+    if (expression == nullptr) return Any{{model}};
+    return Any{{expression->on_part_of(q)}};
+  }
+
+  /// As many as an expression may have; zeros that nothing reads follow a model's own.
+  auto coefficients() const {
+    return visit([](const auto& m) {
+      using C = std::remove_cvref_t<decltype(m.coefficients()[0])>;
+      std::array<C, expression::largest_parameter_count> out{};
+      const auto& c = m.coefficients();
+      std::copy(c.begin(), c.end(), out.begin());
+      return out;
+    });
+  }
+
+  template <class... S>
+  auto log_balance(const S&... arguments) const {
+    return visit([&](const auto& m) { return m.log_balance(arguments...); });
+  }
+  template <int order, class State>
+  auto evaluate(const State& state) const {
+    return visit([&](const auto& m) { return m.template evaluate<order>(state); });
+  }
+};
+
+template <class C = double>
+struct AnyPlane : AnyModel<PlanarModels<C>, PlanarExpression<C>> {
+  AnyPlane on_part_of(const Stretch& q) const { return this->template restricted<AnyPlane>(q); }
+  double rest_stretch() const {
+    return this->visit([](const auto& m) { return m.rest_stretch(); });
+  }
+  /// As of the expressions (expression.hpp); no built-in model gains by it.
+  bool has_principal_stretches() const {
+    const auto* expression = std::get_if<PlanarExpression<C>>(&this->model);
+    return expression != nullptr && expression->has_principal_stretches();
+  }
+  /// Only where that is so.
+  template <class S>
+  auto residual(const S& xi, const S& zeta, const S& c_xi, const S& c_zeta) const {
+    return std::get<PlanarExpression<C>>(this->model).residual(xi, zeta, c_xi, c_zeta);
+  }
+};
+
+template <class C = double>
+struct AnyThickness : AnyModel<ThicknessModels<C>, ThicknessExpression<C>> {
+  AnyThickness on_part_of(const Stretch& q) const {
+    return this->template restricted<AnyThickness>(q);
+  }
+  double balanced(const DoubleDouble& m) const {
+    return this->visit([&](const auto& each) { return each.balanced(m); });
+  }
+};
+
+/// Any<C> with convert(c, k) for its coefficient c number k.
+template <template <class> class Any, class Convert>
+requires requires(const Any<double>& model) { model.is_expression(); }
+auto with_indexed_coefficients(const Any<double>& model, const Convert& convert) {
+  using C = std::remove_cvref_t<decltype(convert(0.0, std::size_t(0)))>;
+  return model.visit(
+      [&](const auto& m) { return Any<C>{{with_indexed_coefficients(m, convert)}}; });
+}
+
+}  // namespace stationary

@@ -1,0 +1,16 @@
+// A potential whose coefficients are inputs of a Conditioned computation: a coefficient that is
+// added (w_tt = mu, w_ll = lambda - mu d) then counts like one multiplied in, which a double does
+// not.
+#pragma once
+
+#include "lib/number/first_order_bound.hpp"
+#include "lib/material/models/model_coefficients.hpp"
+
+namespace stationary {
+
+template <class Model>
+auto conditioned_model(const Model& model) {
+  return with_coefficients(model, Conditioned::input);
+}
+
+}  // namespace stationary

@@ -1,0 +1,40 @@
+// Elementary functions of a number with its conditioning (first_order_bound.hpp) beyond sqrt and log:
+//
+//   f(x): condition |f'(x)| c,   x^p: condition |x^p| (|p|/|x| c_x + |log x| c_p).
+#pragma once
+
+#include <cmath>
+
+#include "lib/number/first_order_bound.hpp"
+
+namespace stationary {
+
+inline Conditioned exp(const Conditioned& x) {
+  const double value = std::exp(x.value);
+  return {value, value * x.condition};
+}
+inline Conditioned sin(const Conditioned& x) {
+  return {std::sin(x.value), std::abs(std::cos(x.value)) * x.condition};
+}
+inline Conditioned cos(const Conditioned& x) {
+  return {std::cos(x.value), std::abs(std::sin(x.value)) * x.condition};
+}
+inline Conditioned tan(const Conditioned& x) {
+  const double value = std::tan(x.value);
+  return {value, (1.0 + value * value) * x.condition};
+}
+inline Conditioned tanh(const Conditioned& x) {
+  const double reciprocal = 1.0 / std::cosh(x.value);
+  return {std::tanh(x.value), reciprocal * reciprocal * x.condition};
+}
+inline Conditioned atan(const Conditioned& x) {
+  return {std::atan(x.value), x.condition / (1.0 + x.value * x.value)};
+}
+inline Conditioned pow(const Conditioned& x, const Conditioned& p) {
+  const double value = std::pow(x.value, p.value);
+  const double of_base = std::abs(p.value / x.value) * x.condition;
+  const double of_exponent = p.condition == 0.0 ? 0.0 : std::abs(std::log(x.value)) * p.condition;
+  return {value, std::abs(value) * (of_base + of_exponent)};
+}
+
+}  // namespace stationary

@@ -1,0 +1,224 @@
+// Interval arithmetic: [lo, hi] holds every value the exact operands can give,
+//
+//   x in X, y in Y  =>  x o y in X o Y,   o one of + - * /, and sqrt, log, exp.
+//
+// The rounding mode stays to nearest; each bound is then moved outward past the next double,
+//   above(x) = fl(x + fl(phi |x| + eta)) >= succ(x),  phi = 2^-53 (1 + 2^-52),  eta = 2^-1022
+// (S. M. Rump, P. Zimmermann, S. Boldo, G. Melquiond, BIT 49 (2009) 419; their eta is the smallest
+// subnormal, a larger one keeps the slow subnormals out). log and exp are series with proven
+// remainders and rounding errors, not the run-time library's.
+//
+// An interval is bounded, or it is entire: overflow, division by an interval that holds 0, a
+// logarithm of what may not be positive, NaN. Entire (or a NaN) decides nothing: no test below is
+// true of it but may_be().
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "lib/number/number.hpp"
+
+namespace stationary {
+
+[[gnu::always_inline]] inline double above(double x) {
+  return x + (0x1.0000000000001p-53 * std::abs(x) + 0x1p-1022);
+}
+[[gnu::always_inline]] inline double below(double x) {
+  return x - (0x1.0000000000001p-53 * std::abs(x) + 0x1p-1022);
+}
+
+struct Interval {
+  double lo = 0.0;
+  double hi = 0.0;
+
+  constexpr Interval() = default;
+  constexpr Interval(double x) : lo(x), hi(x) {}  // NOLINT(google-explicit-constructor)
+  constexpr Interval(double lower, double upper) : lo(lower), hi(upper) {}
+
+  static constexpr Interval entire() {
+    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  }
+  /// Bounds rounded to nearest, moved outward.
+  [[gnu::always_inline]] static Interval outward(double lower, double upper) {
+    const Interval out(below(lower), above(upper));
+    return out.bounded() ? out : entire();
+  }
+  /// The doubles next to x and all between: what a decimal number that reads as x may have been.
+  static Interval decimal(double x) {
+    if (x == 0.0) return x;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {std::nextafter(x, -infinity), std::nextafter(x, infinity)};
+  }
+
+  bool bounded() const { return hi - lo < std::numeric_limits<double>::infinity(); }
+  /// Some double in it; NaN of an unbounded one.
+  double mid() const { return lo == hi ? lo : lo + 0.5 * (hi - lo); }
+  /// Largest |x|, and smallest.
+  double magnitude() const { return std::max(std::abs(lo), std::abs(hi)); }
+  double mignitude() const { return lo > 0.0 ? lo : hi < 0.0 ? -hi : 0.0; }
+  double width() const { return above(hi - lo); }
+
+  bool positive() const { return lo > 0.0 && bounded(); }
+  bool negative() const { return hi < 0.0 && bounded(); }
+  bool may_be(double x) const { return !(x < lo) && !(x > hi); }
+  /// True only of bounded intervals.
+  bool within(const Interval& other) const { return other.lo <= lo && hi <= other.hi && bounded(); }
+  bool inside(const Interval& other) const { return other.lo < lo && hi < other.hi && bounded(); }
+  bool apart_from(const Interval& other) const { return hi < other.lo || other.hi < lo; }
+};
+
+[[gnu::always_inline]] inline Interval operator-(const Interval& x) { return {-x.hi, -x.lo}; }
+[[gnu::always_inline]] inline Interval operator+(const Interval& x, const Interval& y) {
+  return Interval::outward(x.lo + y.lo, x.hi + y.hi);
+}
+[[gnu::always_inline]] inline Interval operator-(const Interval& x, const Interval& y) {
+  return Interval::outward(x.lo - y.hi, x.hi - y.lo);
+}
+/// Of an entire operand every product is infinite or NaN, and so is its result's width: entire.
+[[gnu::always_inline]] inline Interval operator*(const Interval& x, const Interval& y) {
+  const double a = x.lo * y.lo;
+  const double b = x.lo * y.hi;
+  const double c = x.hi * y.lo;
+  const double d = x.hi * y.hi;
+  return Interval::outward(std::min(std::min(a, b), std::min(c, d)),
+                           std::max(std::max(a, b), std::max(c, d)));
+}
+[[gnu::always_inline]] inline Interval operator*(double a, const Interval& y) {
+  const double b = a * y.lo;
+  const double c = a * y.hi;
+  return Interval::outward(std::min(b, c), std::max(b, c));
+}
+[[gnu::always_inline]] inline Interval operator*(const Interval& x, double a) { return a * x; }
+inline Interval operator/(const Interval& x, const Interval& y) {
+  if (!y.positive() && !y.negative()) return Interval::entire();
+  const double a = x.lo / y.lo;
+  const double b = x.lo / y.hi;
+  const double c = x.hi / y.lo;
+  const double d = x.hi / y.hi;
+  return Interval::outward(std::min(std::min(a, b), std::min(c, d)),
+                           std::max(std::max(a, b), std::max(c, d)));
+}
+inline Interval& operator+=(Interval& x, const Interval& y) { return x = x + y; }
+inline Interval& operator-=(Interval& x, const Interval& y) { return x = x - y; }
+inline Interval& operator*=(Interval& x, const Interval& y) { return x = x * y; }
+inline Interval& operator/=(Interval& x, const Interval& y) { return x = x / y; }
+
+inline Interval hull(const Interval& x, const Interval& y) {
+  return {std::min(x.lo, y.lo), std::max(x.hi, y.hi)};
+}
+/// Only where they are not apart.
+inline Interval common(const Interval& x, const Interval& y) {
+  return {std::max(x.lo, y.lo), std::min(x.hi, y.hi)};
+}
+
+/// {x^2 : x in X}: never negative, unlike X X.
+inline Interval square(const Interval& x) {
+  const double far = x.magnitude();
+  const double near = x.mignitude();
+  const Interval out = Interval::outward(near * near, far * far);
+  return out.bounded() ? Interval(std::max(out.lo, 0.0), out.hi) : out;
+}
+
+/// The square root of IEEE 754 is rounded to nearest.
+inline Interval sqrt(const Interval& x) {
+  if (!(x.lo >= 0.0) || !x.bounded()) return Interval::entire();
+  const Interval out = Interval::outward(std::sqrt(x.lo), std::sqrt(x.hi));
+  return {std::max(out.lo, 0.0), out.hi};
+}
+
+/// ln 2.
+constexpr Interval interval_log_two{0x1.62e42fefa39efp-1, 0x1.62e42fefa39f0p-1};
+
+/// Its first 33 bits, so that a multiple by an exponent is exact, and the rest.
+constexpr double log_two_head = 0x1.62e42feep-1;
+constexpr Interval log_two_tail{0x1.a39ef35793c76p-33, 0x1.a39ef35793c77p-33};
+
+/// Logarithm of one double x > 0, normal: x = 2^k m, 0.7 < m < 1.42, s = (m - 1)/(m + 1),
+///   log m = 2 atanh s = 2 s (1 + P),  P = sum_{j >= 1} t^j/(2 j + 1),  t = s^2 < 0.0305.
+/// s is its rounded value and an interval of the rest. P is cut after j = 12 (the rest is below
+/// t^13/27/(1 - t) < 2^-64 t) and summed in double: its terms are positive, and the one of order j,
+/// which is below t^(j - 1) P, carries 2 j + 2 roundings of Horner's rule, one of its coefficient
+/// and 5 j of t, so P errs by less than 16 * 2^-53 of itself.
+inline Interval log_of_double(double x) {
+  constexpr std::uint64_t first_mantissa = 0x3fe6a09e667f3bcd;  // sqrt(1/2)
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const std::uint64_t offset = bits - first_mantissa;
+  const auto exponent = static_cast<double>(static_cast<std::int64_t>(offset) >> 52);
+  const double m = std::bit_cast<double>(bits - (offset & 0xfff0000000000000));
+  if (m == 1.0 && exponent == 0.0) return 0.0;
+  // m - 1 is exact, and so is its difference from the product below, one or two units of it.
+  const DoubleDouble denominator = two_sum(m, 1.0);
+  const double s = (m - 1.0) / denominator.hi;
+  const DoubleDouble product = two_product(s, denominator.hi);
+  const Interval rest =
+      (Interval((m - 1.0) - product.hi) - product.lo - s * Interval(denominator.lo)) /
+      (Interval(denominator.hi) + denominator.lo);
+  const double t = s * s;
+  double sum = 1.0 / 25.0;
+  for (const double odd : {23.0, 21.0, 19.0, 17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0})
+    sum = sum * t + 1.0 / odd;
+  sum *= t;
+  const Interval P = Interval::outward(sum * (1.0 - 0x1p-49), sum * (1.0 + 0x1p-49) + t * 0x1p-64);
+  // The largest terms first and exactly, so that the end is the only rounding of their size.
+  const DoubleDouble main = two_sum(exponent * log_two_head, 2.0 * s);
+  const Interval small = 2.0 * (s * P + rest * (Interval(1.0) + P)) + main.lo;
+  return Interval(main.hi) + (exponent == 0.0 ? small : exponent * log_two_tail + small);
+}
+
+inline Interval log(const Interval& x) {
+  if (!(x.lo >= 0x1p-1022) || !x.bounded()) return Interval::entire();
+  return {log_of_double(x.lo).lo, log_of_double(x.hi).hi};
+}
+
+/// Exponential of one double |x| < 700: x = k log 2 + r, |r| < 0.35,
+///   e^r = 1 + r + r^2 Q,  Q = sum_{j >= 0} r^j/(j + 2)!.
+/// Q is cut after j = 11 (the rest is below 0.35^12/14!/(1 - 0.35) < 2^-53) and summed in double at
+/// the middle of r, even and odd j apart, which with |Q'| < 0.25 errs by less than a quarter of r's
+/// width; term j carries at most 2 j + 4 roundings, together below 3 * 2^-53.
+inline Interval exp_of_double(double x) {
+  if (x == 0.0) return 1.0;
+  constexpr double to_integer = 0x1.8p52;  // added and taken away it rounds to an integer
+  const double k = (x * 0x1.71547652b82fep+0 + to_integer) - to_integer;
+  const Interval r = Interval(x) - k * interval_log_two;
+  const double middle = 0.5 * (r.lo + r.hi);
+  static constexpr auto reciprocal = [] {  // 1/(j + 2)!; the factorials are exact
+    std::array<double, 12> out{};
+    double factorial = 1.0;
+    for (std::size_t j = 0; j < out.size(); ++j) {
+      factorial *= static_cast<double>(j + 2);
+      out[j] = 1.0 / factorial;
+    }
+    return out;
+  }();
+  const double middle2 = middle * middle;
+  double even = reciprocal[10];
+  double odd = reciprocal[11];
+  for (std::size_t j = 10; j > 0; j -= 2) {
+    even = even * middle2 + reciprocal[j - 2];
+    odd = odd * middle2 + reciprocal[j - 1];
+  }
+  const double sum = even + middle * odd;
+  const double error = 0x1p-50 + 0.25 * r.width();
+  const Interval Q = Interval::outward(sum - error, sum + error);
+  const Interval power = Interval(1.0) + r + square(r) * Q;
+  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + static_cast<int>(k)) << 52) *
+         power;
+}
+
+inline Interval exp(const Interval& x) {
+  if (!(x.lo > -700.0) || !(x.hi < 700.0)) return Interval::entire();
+  return {exp_of_double(x.lo).lo, exp_of_double(x.hi).hi};
+}
+
+/// A place in the interval, for code that only starts an iteration from it. Never a reason to
+/// choose a formula: that must hold over all of the interval.
+inline double leading(const Interval& x) { return x.mid(); }
+
+}  // namespace stationary
+
+template <>
+class std::numeric_limits<stationary::Interval> : public std::numeric_limits<double> {};

@@ -1,0 +1,261 @@
+// Polynomials of degree up to four in Lambda = s^2 and their roots, in any number type.
+//
+// The roots start in double and are polished in S by Newton on the polynomial itself (a real root)
+// or on a quadratic factor (Bairstow), so two roots that all but coincide stay one well-conditioned
+// factor: in extended precision their distance is resolved to about 1e-15 of their size. Small
+// roots keep their relative accuracy as far as the coefficients carry it.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "lib/number/number.hpp"
+
+namespace stationary {
+
+/// sum c[k] x^k, degree D.
+template <class S, int D>
+struct Polynomial {
+  std::array<S, D + 1> c;
+
+  S operator()(const S& x) const {
+    S sum = c[D];
+    for (std::size_t k = D; k-- > 0;) sum = sum * x + c[k];
+    return sum;
+  }
+  S slope(const S& x) const {
+    S sum = static_cast<double>(D) * c[D];
+    for (std::size_t k = D; k-- > 1;) sum = sum * x + static_cast<double>(k) * c[k];
+    return sum;
+  }
+  S curvature(const S& x) const {
+    S sum = static_cast<double>(D * (D - 1)) * c[D];
+    for (std::size_t k = D; k-- > 2;) sum = sum * x + static_cast<double>(k * (k - 1)) * c[k];
+    return sum;
+  }
+};
+
+template <class S, int D, int E>
+Polynomial<S, D + E> operator*(const Polynomial<S, D>& p, const Polynomial<S, E>& q) {
+  Polynomial<S, D + E> out;
+  for (std::size_t i = 0; i <= D; ++i) {
+    for (std::size_t j = 0; j <= E; ++j) {
+      const S product = p.c[i] * q.c[j];
+      out.c[i + j] = i == 0 || j == E ? product : out.c[i + j] + product;
+    }
+  }
+  return out;
+}
+template <class S, int D>
+Polynomial<S, D> operator*(const S& a, const Polynomial<S, D>& p) {
+  Polynomial<S, D> out;
+  for (std::size_t k = 0; k <= D; ++k) out.c[k] = a * p.c[k];
+  return out;
+}
+template <class S, int D, int E>
+Polynomial<S, (D > E ? D : E)> operator+(const Polynomial<S, D>& p, const Polynomial<S, E>& q) {
+  Polynomial<S, (D > E ? D : E)> out;
+  for (std::size_t k = 0; k < out.c.size(); ++k) {
+    if (k > D) {
+      out.c[k] = q.c[k];
+    } else {
+      out.c[k] = k > E ? p.c[k] : p.c[k] + q.c[k];
+    }
+  }
+  return out;
+}
+template <class S, int D>
+Polynomial<S, D> operator-(const Polynomial<S, D>& p) {
+  Polynomial<S, D> out;
+  for (std::size_t k = 0; k <= D; ++k) out.c[k] = -p.c[k];
+  return out;
+}
+template <class S, int D, int E>
+auto operator-(const Polynomial<S, D>& p, const Polynomial<S, E>& q) {
+  return p + (-q);
+}
+/// x p(x).
+template <class S, int D>
+Polynomial<S, D + 1> raised(const Polynomial<S, D>& p) {
+  Polynomial<S, D + 1> out;
+  out.c[0] = S(0.0);
+  for (std::size_t k = 0; k <= D; ++k) out.c[k + 1] = p.c[k];
+  return out;
+}
+template <class S>
+Polynomial<S, 0> constant(const S& a) {
+  return {{a}};
+}
+
+/// mean +- sqrt(separation): two real roots, or a conjugate pair where separation < 0. `small` is
+/// the real root of smaller magnitude, without cancellation (mean where complex).
+template <class S>
+struct RootPair {
+  S mean;
+  S separation;
+  S large;
+  S small;
+  bool real() const { return !(leading(separation) < 0.0); }
+};
+
+/// Roots of x^2 + b x + c.
+template <class S>
+RootPair<S> quadratic_roots(const S& b, const S& c) {
+  using std::sqrt;
+  RootPair<S> out;
+  out.mean = -0.5 * b;
+  out.separation = renormalized(out.mean * out.mean - c);
+  out.large = out.small = out.mean;
+  if (out.real()) {
+    const S root = sqrt(out.separation);
+    out.large = renormalized(leading(out.mean) < 0.0 ? S(out.mean - root) : S(out.mean + root));
+    out.small = leading(out.large) == 0.0 ? out.large : c / out.large;
+  }
+  return out;
+}
+
+template <class S>
+struct CubicRoots {
+  S single;          ///< the real root farther from the other two
+  RootPair<S> pair;  ///< the others
+};
+
+/// Roots of c3 x^3 + ..., c3 != 0.
+template <class S>
+CubicRoots<S> cubic_roots(const Polynomial<S, 3>& p) {
+  const S inverse = S(1.0) / p.c[3];
+  const Polynomial<S, 3> monic{{p.c[0] * inverse, p.c[1] * inverse, p.c[2] * inverse, S(1.0)}};
+  const Polynomial<double, 3> rough{
+      {leading(monic.c[0]), leading(monic.c[1]), leading(monic.c[2]), 1.0}};
+  // Newton from beyond the isolated root's side of the inflection, where it converges
+  // monotonically: y^3 + P y + Q in y = x - inflection has its isolated root on the side of -Q.
+  const S inflection = -monic.c[2] / S(3.0);
+  const double Q = leading(monic(inflection));
+  const double P = leading(monic.slope(inflection));
+  S x = inflection;
+  if (Q != 0.0) {
+    // Three real roots: the isolated one lies within sqrt(-P) 1 ... 2/sqrt(3).
+    double bound = std::sqrt(std::fmax(-4.0 * P / 3.0, 0.0));
+    if (4.0 * P * P * P + 27.0 * Q * Q > 0.0) bound += std::cbrt(std::abs(Q));
+    double r = leading(inflection) + (Q < 0.0 ? bound : -bound);
+    for (int k = 0; k < 60; ++k) {
+      const double step = rough(r) / rough.slope(r);
+      if (!std::isfinite(step)) break;
+      r -= step;
+      if (std::abs(step) <= 1e-9 * std::abs(r)) break;
+    }
+    x = S(r);
+    constexpr int polish = significand_bits<S>() > 106 ? 5 : 3;
+    for (int k = 0; k < polish; ++k) {
+      const S slope = monic.slope(x);
+      if (leading(slope) == 0.0) break;
+      const S step = renormalized(monic(x)) / slope;
+      x = renormalized(S(x - step));
+      // The error left is about step^2 over the distance from the inflection.
+      const double size = leading(step);
+      const double reach = leading(x) * (leading(x) - leading(inflection));
+      if (size * size <= leading(std::numeric_limits<S>::epsilon()) * std::abs(reach)) break;
+    }
+  }
+  CubicRoots<S> out;
+  out.single = x;
+  // x^3 + ... = (x - r)(x^2 + b x + c), from the end where nothing cancels.
+  const double r = leading(x);
+  S b;
+  S c;
+  if (std::abs(r * r * r) >= std::abs(leading(monic.c[0])) && r != 0.0) {
+    c = -monic.c[0] / x;
+    b = renormalized(S((c - monic.c[1]) / x));
+  } else {
+    b = renormalized(S(monic.c[2] + x));
+    c = renormalized(S(monic.c[1] + x * b));
+  }
+  out.pair = quadratic_roots(b, c);
+  return out;
+}
+
+template <class S>
+struct QuarticRoots {
+  RootPair<S> first;
+  RootPair<S> second;
+};
+
+/// Roots of c4 x^4 + ..., c4 != 0, as two quadratic factors: the nearest roots share a factor.
+template <class S>
+QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
+  using Complex = std::complex<double>;
+  const S inverse = S(1.0) / p.c[4];
+  std::array<S, 4> m;
+  std::array<double, 4> rough;
+  for (std::size_t k = 0; k < 4; ++k) {
+    m[k] = p.c[k] * inverse;
+    rough[k] = leading(m[k]);
+  }
+  // Durand-Kerner, scaled to a root size of about one.
+  double scale = 0.0;
+  for (std::size_t k = 0; k < 4; ++k)
+    scale = std::fmax(scale, std::pow(std::abs(rough[k]), 1.0 / static_cast<double>(4 - k)));
+  if (scale == 0.0) scale = 1.0;
+  std::array<Complex, 4> z;
+  for (std::size_t k = 0; k < 4; ++k)
+    z[k] = std::pow(Complex(0.4, 0.9), static_cast<double>(k)) * scale;
+  for (int sweep = 0; sweep < 200; ++sweep) {
+    double moved = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Complex value =
+          (((z[i] + rough[3]) * z[i] + rough[2]) * z[i] + rough[1]) * z[i] + rough[0];
+      Complex others = 1.0;
+      for (std::size_t j = 0; j < 4; ++j)
+        if (j != i) others *= z[i] - z[j];
+      if (others == 0.0) continue;
+      z[i] -= value / others;
+      moved = std::fmax(moved, std::abs(value / others));
+    }
+    if (moved <= 1e-15 * scale) break;
+  }
+  // Of the three pairings the one whose factors lie farthest apart, conjugates together.
+  constexpr std::size_t pairings[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
+  double best = -1.0;
+  Complex sum;
+  Complex product;
+  for (const auto& i : pairings) {
+    const Complex s = z[i[0]] + z[i[1]];
+    const Complex q = z[i[0]] * z[i[1]];
+    if (std::abs(s.imag()) > 1e-6 * scale || std::abs(q.imag()) > 1e-6 * scale * scale) continue;
+    double apart = std::numeric_limits<double>::infinity();
+    for (std::size_t a = 0; a < 2; ++a)
+      for (std::size_t b = 2; b < 4; ++b) apart = std::fmin(apart, std::abs(z[i[a]] - z[i[b]]));
+    if (apart > best) {
+      best = apart;
+      sum = s;
+      product = q;
+    }
+  }
+  // Bairstow: x^4 + ... = (x^2 + b x + c)(x^2 + e x + f) + r1 x + r0, Newton on (b, c) until r = 0.
+  S b = S(-sum.real());
+  S c = S(product.real());
+  S e;
+  S f;
+  for (int k = 0; k < 8; ++k) {
+    e = renormalized(S(m[3] - b));
+    f = renormalized(S(m[2] - c - b * e));
+    const S r1 = renormalized(S(m[1] - b * f - c * e));
+    const S r0 = renormalized(S(m[0] - c * f));
+    // Derivatives of the remainder, from e_b = -1, f_b = b - e, f_c = -1.
+    const S r1_b = -f - b * (b - e) + c;
+    const S r1_c = b - e;
+    const S r0_b = -c * (b - e);
+    const S r0_c = c - f;
+    const S det = renormalized(S(r1_b * r0_c - r1_c * r0_b));
+    if (leading(det) == 0.0) break;
+    b = renormalized(S(b - (r1 * r0_c - r1_c * r0) / det));
+    c = renormalized(S(c - (r1_b * r0 - r1 * r0_b) / det));
+  }
+  e = renormalized(S(m[3] - b));
+  f = renormalized(S(m[2] - c - b * e));
+  return {quadratic_roots(b, c), quadratic_roots(e, f)};
+}
+
+}  // namespace stationary

@@ -1,0 +1,138 @@
+// Modes with their enclosures into a SpectrumEnclosure: the class is claimed where every Lambda
+// that enters it is decided, as mode_collector.hpp does with error bounds.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "lib/stability/spectrum_enclosure.hpp"
+
+namespace stationary {
+
+constexpr int unknown = 0;
+
+/// +1, -1, or unknown.
+inline int proven_sign(const Interval& x) { return x.positive() ? 1 : x.negative() ? -1 : unknown; }
+
+/// A count that stays known as long as all that enters it is.
+class Count {
+ public:
+  void add(std::optional<int> more) {
+    if (more && total_) {
+      *total_ += *more;
+    } else {
+      total_.reset();
+    }
+  }
+  /// One for a negative x, none for a positive one.
+  void add_if_negative(const Interval& x) {
+    const int sign = proven_sign(x);
+    add(sign == unknown ? std::nullopt : std::optional(sign < 0 ? 1 : 0));
+  }
+  const std::optional<int>& total() const { return total_; }
+
+ private:
+  std::optional<int> total_ = 0;
+};
+
+/// Negative eigenvalues of [a b; b c], b^2 = a c - det.
+inline std::optional<int> negatives_2(const Interval& a, const Interval& c, const Interval& det) {
+  const int sign = proven_sign(det);
+  if (sign == unknown) return std::nullopt;
+  if (sign < 0) return 1;
+  const int trace = proven_sign(a + c);
+  if (trace == unknown) return std::nullopt;
+  return trace < 0 ? 2 : 0;
+}
+
+/// Enclosed modes into what is proven of them together.
+class EnclosureCollector {
+ public:
+  Count negative;
+
+  /// Imaginary where Lambda < 0, with this Krein signature (unknown: 0).
+  void add(const RootEnclosure& root, int krein_if_imaginary, bool semisimple) {
+    lambda_.push_back(root.z);
+    if (!root.real()) {
+      const bool complex = root.simple && !root.z.im.may_be(0.0);
+      decided_ = decided_ && complex;
+      complex_ = complex_ || complex;
+      return;
+    }
+    const int sign = proven_sign(root.z.re);
+    decided_ = decided_ && sign != unknown && (root.simple || semisimple);
+    if (sign > 0) real_ = true;
+    if (sign < 0) {
+      definite_ = definite_ && krein_if_imaginary > 0;
+      indefinite_ = indefinite_ || krein_if_imaginary < 0;
+    }
+  }
+  void add_real(const Interval& lambda, int krein_if_imaginary) {
+    add({{lambda, 0.0}, true}, krein_if_imaginary, true);
+  }
+  void add_forced_zero() { lambda_.push_back({}); }
+  /// Spectrum's: E'' + c (P -+ |pi|)'' is definite for some c though E'' is not.
+  void set_definite_with_momentum() { definite_with_momentum_ = true; }
+  /// E'' is definite: the motion is stable, whatever of the Lambda is decided.
+  void set_definite() { proven_definite_ = true; }
+  /// E'' has negative directions, whichever modes they are of.
+  void set_indefinite() {
+    indefinite_ = true;
+    definite_ = false;
+  }
+
+  SpectrumEnclosure finish(const Spectrum& approximate) const {
+    SpectrumEnclosure out;
+    out.modes = static_cast<int>(lambda_.size());
+    out.negative = negative.total();
+    assign(approximate, out);
+    if (proven_definite_) {
+      out.verdict = StabilityClass::stable;
+    } else if (real_) {
+      out.verdict = StabilityClass::unstable;
+    } else if (decided_ && complex_) {
+      out.verdict = StabilityClass::oscillatory;
+    } else if (decided_ && (definite_ || definite_with_momentum_)) {
+      out.verdict = StabilityClass::stable;
+    } else if (decided_ && indefinite_) {
+      out.verdict = StabilityClass::elliptic;
+    }
+    return out;
+  }
+
+ private:
+  /// To each approximate mode the enclosure nearest to it; a complex one, which stands for the
+  /// whole quadruple, with im >= 0.
+  void assign(const Spectrum& approximate, SpectrumEnclosure& out) const {
+    std::vector<ComplexInterval> left = lambda_;
+    for (int k = 0; k < out.modes && k < approximate.modes; ++k) {
+      const Mode& mode = approximate.mode[static_cast<std::size_t>(k)];
+      std::size_t nearest = 0;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < left.size(); ++i) {
+        const double off = std::hypot(left[i].re.mid() - mode.lambda_re,
+                                      std::abs(left[i].im.mid()) - mode.lambda_im);
+        if (!(off < least)) continue;
+        least = off;
+        nearest = i;
+      }
+      ComplexInterval& chosen = out.lambda[static_cast<std::size_t>(k)];
+      chosen = left[nearest];
+      if (chosen.im.negative()) chosen.im = -chosen.im;
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(nearest));
+    }
+  }
+
+  std::vector<ComplexInterval> lambda_;
+  bool real_ = false;
+  bool complex_ = false;
+  bool decided_ = true;
+  bool definite_ = true;
+  bool indefinite_ = false;
+  bool definite_with_momentum_ = false;
+  bool proven_definite_ = false;
+};
+
+}  // namespace stationary

@@ -1,0 +1,156 @@
+#include "lib/stability/leaf_enclosure.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "lib/stability/enclosure_collector.hpp"
+#include "lib/stability/interval_form.hpp"
+
+namespace stationary {
+namespace {
+
+/// In (b1, alpha, xi, zeta, rho; b2, p_alpha, ...).
+constexpr std::size_t pairs = 5;
+using Whole = IntervalForm<2 * pairs>;
+
+/// E'' = (dm - N dq)^T M^-1 (dm - N dq) + dq^T (V_qq - C) dq - |nu| (db1^2 + db2^2); at rest there
+/// is no b, and what is in its place has no meaning.
+Whole second_variation(const EnclosedMotion& at) {
+  const Vector3<Interval> nu{at.speed * at.axis[0], at.speed * at.axis[1], at.speed * at.axis[2]};
+  const auto N = steady_momenta_jacobian(at.J, at.q, nu);
+  // dm - N dq of each coordinate.
+  std::array<Vector7<Interval>, 2 * pairs> rate;
+  rate.fill(Vector7<Interval>::Constant(Interval(0.0)));
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (int i = 0; i < 7; ++i) rate[1 + k][i] = -N(i, static_cast<int>(k));
+    rate[pairs + 1 + k][3 + static_cast<int>(k)] = Interval(1.0);
+  }
+  if (at.spins()) {
+    // (e1, e2, axis) right-handed, e1 in the plane of axes 1 and 2.
+    const bool third = at.about_third();
+    const Vector3<Interval> e1 =
+        third ? Vector3<Interval>{1.0, 0.0, 0.0} : Vector3<Interval>{-at.axis[1], at.axis[0], 0.0};
+    const Vector3<Interval> e2 =
+        third ? Vector3<Interval>{0.0, 1.0, 0.0} : Vector3<Interval>{0.0, 0.0, 1.0};
+    const Matrix3<Interval> I = locked_inertia(at.J, at.q);
+    Interval own;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) own += at.axis[i] * I(i, j) * at.axis[j];
+    const Interval root = sqrt(own * at.speed);
+    for (int i = 0; i < 3; ++i) {
+      rate[0][i] = root * e1[i];
+      rate[pairs][i] = root * e2[i];
+    }
+  }
+  Whole out;
+  for (std::size_t i = 0; i < 2 * pairs; ++i) {
+    const Vector7<Interval> v = inverse_legendre(at.J, at.q, rate[i]);
+    for (std::size_t j = 0; j <= i; ++j) {
+      for (int k = 0; k < 7; ++k) out[i][j] += v[k] * rate[j][k];
+      out[j][i] = out[i][j];
+    }
+  }
+  const Matrix4<Interval> C = centrifugal_matrix(
+      at.J, SpinProducts<Interval>{square(nu[0]), square(nu[1]), square(nu[2]), nu[0] * nu[1]});
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j)
+      out[1 + static_cast<std::size_t>(i)][1 + static_cast<std::size_t>(j)] +=
+          at.V_qq(i, j) - C(i, j);
+  }
+  out[0][0] -= at.speed;
+  out[pairs][pairs] -= at.speed;
+  return out;
+}
+
+/// The part of some coordinates and their momenta, both diagonals alike in size: x_k -> c_k x_k,
+/// p_k -> p_k/c_k with powers of two.
+template <std::size_t n>
+IntervalForm<2 * n> part_of(const Whole& whole, const std::array<std::size_t, n>& coordinates) {
+  std::array<std::size_t, 2 * n> place;
+  std::array<double, 2 * n> scale;
+  for (std::size_t k = 0; k < n; ++k) {
+    place[k] = coordinates[k];
+    place[n + k] = pairs + coordinates[k];
+    const double q = whole[place[k]][place[k]].magnitude();
+    const double p = whole[place[n + k]][place[n + k]].magnitude();
+    const double c = std::exp2(std::round(0.25 * std::log2(p / q)));
+    const bool usable = std::isfinite(c) && c > 0.0;
+    scale[k] = usable ? c : 1.0;
+    scale[n + k] = 1.0 / scale[k];
+  }
+  IntervalForm<2 * n> out;
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    for (std::size_t j = 0; j < 2 * n; ++j)
+      out[i][j] = (scale[i] * scale[j]) * whole[place[i]][place[j]];
+  return out;
+}
+
+/// det(s - J E'') as a polynomial in s^2.
+template <std::size_t n>
+Polynomial<Interval, static_cast<int>(n)> in_squares(const IntervalForm<2 * n>& E) {
+  IntervalForm<2 * n> H;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < 2 * n; ++j) {
+      H[i][j] = E[n + i][j];
+      H[n + i][j] = -E[i][j];
+    }
+  }
+  const auto c = characteristic<2 * n>(H, /*even=*/true);
+  Polynomial<Interval, static_cast<int>(n)> out;
+  for (std::size_t k = 0; k <= n; ++k) out.c[k] = c[2 * k];
+  return out;
+}
+
+class Parts {
+ public:
+  explicit Parts(const Whole& whole) : whole_(whole) {}
+
+  template <class... Places>
+  void add(Places... coordinates) {
+    constexpr std::size_t n = sizeof...(Places);
+    const auto E = part_of<n>(whole_, {static_cast<std::size_t>(coordinates)...});
+    const std::optional<int> negative = negative_directions(E);
+    out_.negative.add(negative);
+    if (negative.value_or(0) > 0) out_.set_indefinite();
+    const bool definite = negative == 0;
+    definite_ = definite_ && definite;
+    if constexpr (n == 1) {
+      out_.add_real(square(E[0][1]) - E[0][0] * E[1][1], proven_sign(E[0][0]));
+    } else {  // imaginary all of them where E'' is definite
+      for (const RootEnclosure& root : enclose_roots(in_squares<n>(E), definite))
+        out_.add(root, definite ? 1 : unknown, definite);
+    }
+  }
+
+  SpectrumEnclosure finish(const Spectrum& approximate) {
+    if (definite_) out_.set_definite();
+    return out_.finish(approximate);
+  }
+
+ private:
+  const Whole& whole_;
+  EnclosureCollector out_;
+  bool definite_ = true;
+};
+
+}  // namespace
+
+SpectrumEnclosure enclose_leaf_spectrum(const EnclosedMotion& motion, const Spectrum& approximate) {
+  const Whole whole = second_variation(motion);
+  Parts parts(whole);
+  if (motion.spins() && !motion.about_third()) {
+    parts.add(0, 1, 2, 3, 4);
+    return parts.finish(approximate);
+  }
+  if (motion.spins()) parts.add(0);
+  if (motion.rho_coupled) {
+    parts.add(1, 2, 3, 4);
+  } else {
+    parts.add(1, 2, 3);
+    parts.add(4);
+  }
+  return parts.finish(approximate);
+}
+
+}  // namespace stationary

@@ -1,0 +1,36 @@
+// What is proven of the spectrum of any stationary motion whose state is known in intervals, as
+// spectrum_enclosure.hpp where no reflection makes blocks: alpha != 0, an oblique axis, rest.
+//
+// From the second variation on the leaf (symplectic_leaf.hpp): its negative directions by Sylvester's law, and
+// of the modes
+//
+//   det(s - J E'') = p(s^2),   p of degree 5 (4 at rest),
+//
+// p and the negative directions as interval_form.hpp has them, its roots by discs (root_discs.hpp).
+// Parts of the leaf that do not see each other (about axis 3: b; alpha, xi, zeta; rho) have each
+// their own.
+#pragma once
+
+#include "lib/body/inertia.hpp"
+#include "lib/stability/spectrum_enclosure.hpp"
+
+namespace stationary {
+
+/// A stationary motion, and only such (not checked): nu an eigenvector of the locked inertia.
+struct EnclosedMotion {
+  Inertia3<Interval> J;
+  BasicStretch<Interval> q;
+  Interval speed;          ///< |nu|: > 0, or exactly 0
+  Vector3<Interval> axis;  ///< nu/|nu|: along axis 3, or in the plane of axes 1 and 2
+  Matrix4<Interval> V_qq;
+  bool rho_coupled;
+
+  bool spins() const { return speed.lo > 0.0; }
+  bool about_third() const { return axis[2].lo > 0.0; }
+};
+
+/// V without a material symmetry (not isotropic, or at rest about no axis of one). approximate is
+/// only used for the order of the modes.
+SpectrumEnclosure enclose_leaf_spectrum(const EnclosedMotion& motion, const Spectrum& approximate);
+
+}  // namespace stationary

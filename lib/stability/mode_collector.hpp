@@ -1,0 +1,222 @@
+// Gathers the Lambdas of the blocks, each with its bound, and turns them into sorted modes and the
+// verdict of spectrum.hpp.
+//
+// Whether two Lambda of one block can be told apart is asked here, of all of them, once: two that
+// cannot may be a pair that has left the axis, unless both are imaginary and of one signature, or
+// their block is a symmetric problem. The signature of a Lambda that is apart from zero and from
+// all such others is certain: on the way to any other inputs within the bounds it cannot change.
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include "lib/number/polynomial.hpp"
+#include "lib/stability/spectrum.hpp"
+
+namespace stationary {
+
+/// A polynomial known through its conditioning: values and |change| <= u condition per coefficient.
+template <int D>
+struct UncertainPolynomial {
+  Polynomial<double, D> value;
+  Polynomial<double, D> spread;  ///< u condition
+
+  UncertainPolynomial(const Polynomial<Conditioned, D>& p, double u) {
+    for (std::size_t k = 0; k <= D; ++k) {
+      value.c[k] = p.c[k].value;
+      spread.c[k] = u * p.c[k].condition;
+    }
+  }
+  /// Bound of a simple root's change: first order, corrected for curvature.
+  double root_error(double root) const {
+    const double slope = std::abs(value.slope(root));
+    const double kappa = 0.5 * std::abs(value.curvature(root)) / slope;
+    return with_curvature(spread(std::abs(root)) / slope, kappa) + 0x1p-53 * std::abs(root);
+  }
+  double pair_error(double re, double im) const {
+    // |p'| at a complex root.
+    double slope_re = 0.0;
+    double slope_im = 0.0;
+    for (std::size_t k = D; k > 0; --k) {
+      const double real = slope_re * re - slope_im * im + static_cast<double>(k) * value.c[k];
+      slope_im = slope_re * im + slope_im * re;
+      slope_re = real;
+    }
+    const double size = std::hypot(re, im);
+    return spread(size) / std::hypot(slope_re, slope_im) + 0x1p-53 * size;
+  }
+  /// Half the distance two roots around `mean` must keep to be told apart from a double root.
+  double merging_distance(double mean) const {
+    return std::sqrt(2.0 * spread(std::abs(mean)) / std::abs(value.curvature(mean)));
+  }
+};
+
+/// Whether a Lambda can meet others of its block and leave the real axis with one of them.
+enum class Axis { stays, may_leave };
+
+class ModeCollector {
+ public:
+  /// krein_if_imaginary: of the Lambda as it stands; 0 where even that is not known.
+  void add_real(double lambda, double error, int krein_if_imaginary, Axis axis = Axis::stays) {
+    Mode m;
+    m.lambda_re = lambda;
+    m.lambda_error = error;
+    m.re = lambda > 0.0 ? std::sqrt(lambda) : 0.0;
+    m.im = lambda < 0.0 ? std::sqrt(-lambda) : 0.0;
+    m.krein = lambda < 0.0 ? krein_if_imaginary : 0;
+    push(m, axis, std::abs(lambda) > error);
+  }
+
+  /// A conjugate pair of Lambda with im > 0: a quadruple of s, two modes; nothing is claimed of
+  /// them where within the error they may be two real ones.
+  void add_complex(double re, double im, double error) {
+    Mode m;
+    m.lambda_re = re;
+    m.lambda_im = im;
+    m.lambda_error = error;
+    const double size = std::hypot(re, im);
+    if (re > 0.0) {
+      m.re = std::sqrt(0.5 * (size + re));
+      m.im = 0.5 * im / m.re;
+    } else {
+      m.im = std::sqrt(0.5 * (size - re));
+      m.re = 0.5 * im / m.im;
+    }
+    const bool complex = 2.0 * error < im;  // apart from its conjugate, as in may_meet()
+    push(m, Axis::may_leave, complex);
+    push(m, Axis::may_leave, complex);
+  }
+
+  void add_forced_zero() {
+    Mode m;
+    m.forced_zero = true;
+    push(m, Axis::stays, true);
+  }
+
+  /// The two roots of one quadratic factor. `collision_possible`: opposite signatures may meet
+  /// here; krein(lambda) is the signature of a simple imaginary mode.
+  template <int D, class S, class Krein>
+  void add_pair(const RootPair<S>& pair, const UncertainPolynomial<D>& p, bool collision_possible,
+                const Krein& krein) {
+    const double mean = leading(pair.mean);
+    const double separation = leading(pair.separation);
+    const double merging = p.merging_distance(mean);
+    const bool close = std::abs(separation) <= merging * merging;
+    const Axis axis = collision_possible ? Axis::may_leave : Axis::stays;
+    if (close && collision_possible) {
+      const double error = merging + std::sqrt(std::abs(separation));
+      if (separation < 0.0) {
+        add_complex(mean, std::sqrt(-separation), error);
+      } else {
+        add_real(leading(pair.small), error, 0, axis);
+        add_real(leading(pair.large), error, 0, axis);
+      }
+      return;
+    }
+    if (separation < 0.0 && collision_possible) {
+      const double im = std::sqrt(-separation);
+      add_complex(mean, im, p.pair_error(mean, im));
+      return;
+    }
+    for (const S& root : {pair.small, pair.large}) {
+      const double lambda = leading(root);
+      // Close roots that cannot leave the axis are known as well as their double root is.
+      const double error =
+          close ? merging + std::sqrt(std::fmax(separation, 0.0)) : p.root_error(lambda);
+      add_real(lambda, error, krein(root), axis);
+    }
+  }
+
+  /// The modes added from here on belong to this block.
+  void begin(Block block) { block_ = block; }
+  void set_negative(int count) { negative_ = count; }
+  /// E'' + c (P -+ |pi|)'' is definite for some c though E'' is not.
+  void set_definite_with_momentum() { definite_with_momentum_ = true; }
+
+  Spectrum finish() const {
+    Spectrum out;
+    out.modes = count_;
+    out.mode = modes_;
+    out.negative = negative_;
+    bool real = false;
+    bool complex = false;
+    bool undecided = false;
+    bool all_positive = true;
+    bool some_negative = false;
+    for (int k = 0; k < count_; ++k) {
+      Mode& m = out.mode[index(k)];
+      if (m.forced_zero) continue;
+      if (!decided_[index(k)] || may_meet_another(k)) {
+        undecided = true;
+        m.krein_open = m.im > 0.0 && m.re == 0.0;
+        m.krein = 0;
+      } else if (m.lambda_im > 0.0) {
+        complex = true;
+      } else if (m.lambda_re > 0.0) {
+        real = true;
+      } else {
+        m.krein_open = m.krein == 0;
+        all_positive = all_positive && m.krein > 0;
+        some_negative = some_negative || m.krein < 0;
+      }
+    }
+    const auto before = [](const Mode& a, const Mode& b) {
+      return a.im != b.im ? a.im < b.im : a.re < b.re;
+    };
+    for (std::size_t k = 1; k < index(count_); ++k)
+      for (std::size_t j = k; j > 0 && before(out.mode[j], out.mode[j - 1]); --j)
+        std::swap(out.mode[j], out.mode[j - 1]);
+    if (real) {
+      out.verdict = StabilityClass::unstable;
+    } else if (undecided) {
+      out.verdict = StabilityClass::marginal;
+    } else if (complex) {
+      out.verdict = StabilityClass::oscillatory;
+    } else if (all_positive || definite_with_momentum_) {
+      out.verdict = StabilityClass::stable;
+    } else {
+      out.verdict = some_negative ? StabilityClass::elliptic : StabilityClass::marginal;
+    }
+    if (real || out.verdict == StabilityClass::oscillatory)
+      for (int k = 0; k < count_; ++k) out.growth = std::fmax(out.growth, modes_[index(k)].re);
+    return out;
+  }
+
+ private:
+  static std::size_t index(int k) { return static_cast<std::size_t>(k); }
+  void push(const Mode& m, Axis axis, bool decided) {
+    modes_[index(count_)] = m;
+    modes_[index(count_)].block = block_;
+    axis_[index(count_)] = axis;
+    decided_[index(count_++)] = decided;
+  }
+
+  bool may_meet_another(int k) const {
+    for (int j = 0; j < count_; ++j)
+      if (j != k && may_meet(j, k)) return true;
+    return false;
+  }
+
+  /// Real ones that their bounds do not tell apart. The bounds are first-order: they hold where
+  /// they are small against the distance.
+  bool may_meet(int j, int k) const {
+    const Mode& a = modes_[index(j)];
+    const Mode& b = modes_[index(k)];
+    if (a.block != b.block || axis_[index(j)] == Axis::stays || axis_[index(k)] == Axis::stays)
+      return false;
+    if (a.lambda_im > 0.0 || b.lambda_im > 0.0) return false;
+    if (a.krein * b.krein > 0 && decided_[index(j)] && decided_[index(k)]) return false;
+    const double error = std::fmax(a.lambda_error, b.lambda_error);
+    return !(4.0 * error < std::abs(a.lambda_re - b.lambda_re));
+  }
+
+  std::array<Mode, 5> modes_;
+  std::array<Axis, 5> axis_{};
+  std::array<bool, 5> decided_{};
+  Block block_ = Block::even;
+  int count_ = 0;
+  int negative_ = 0;
+  bool definite_with_momentum_ = false;
+};
+
+}  // namespace stationary

@@ -1,0 +1,327 @@
+#include "lib/stability/spectrum.hpp"
+
+#include <algorithm>
+
+#include "lib/stability/mode_collector.hpp"
+
+namespace stationary {
+namespace {
+
+using Extended = DoubleDouble;
+
+int sign(double x) { return (x > 0.0) - (x < 0.0); }
+
+/// Certainly positive for inputs uncertain by u.
+bool positive(const Conditioned& x, double u) { return x.value > u * x.condition; }
+
+bool positive_definite_2(const Conditioned& a, const Conditioned& b, const Conditioned& c,
+                         double u) {
+  return positive(a, u) && positive(a * c - b * b, u);
+}
+
+/// Negative eigenvalues of [a b; b c] given its determinant.
+int negatives_2(double a, double c, double det) {
+  if (det < 0.0) return 1;
+  if (det == 0.0) return a + c < 0.0 ? 1 : 0;
+  return a + c < 0.0 ? 2 : 0;
+}
+
+/// |change of an eigenvalue| of mass^-1 K: Weyl, on mass^-1/2 K mass^-1/2.
+double pencil_error(const SymmetricPencil<Conditioned>& pencil, double u) {
+  double worst = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    double row = 0.0;
+    for (int j = 0; j < 3; ++j) {
+      const Conditioned& k = pencil.K[std::min(i, j)][std::max(i, j)];
+      row += (k.condition + std::abs(k.value)) /
+             std::sqrt(pencil.mass[i].value * pencil.mass[j].value);
+    }
+    worst = std::max(worst, u * row);
+  }
+  return worst;
+}
+
+/// A symmetric block: three real Lambda, all energies +1 where imaginary. Returns the negative
+/// directions.
+int add_symmetric(const SymmetricPencil<Extended>& pencil,
+                  const SymmetricPencil<Conditioned>& conditioned, double u, ModeCollector& out) {
+  const CubicRoots<Extended> roots = cubic_roots(pencil.characteristic());
+  const double error = pencil_error(conditioned, u);
+  int negative = 0;
+  for (const Extended& root : {roots.single, roots.pair.small, roots.pair.large}) {
+    const double lambda = leading(root);
+    out.add_real(lambda, error + 0x1p-53 * std::abs(lambda), 1);
+    negative += lambda > 0.0;
+  }
+  return negative;
+}
+
+int add_odd_i(const StraightState<Extended>& s, const StraightState<Conditioned>& c,
+              bool material_symmetry, double u, ModeCollector& out) {
+  OddForms<Extended> odd = odd_forms_i(s);
+  OddForms<Conditioned> conditioned = odd_forms_i(c);
+  if (material_symmetry) {
+    odd.det_Q1 = Extended(0.0);
+    conditioned.det_Q1 = Conditioned(0.0);
+  }
+  const double q1[3] = {leading(odd.Q1[0]), leading(odd.Q1[1]), leading(odd.Q1[2])};
+  const double det_q1 = leading(odd.det_Q1);
+  const double det_p = leading(odd.det_P);
+  const int negative = negatives_2(q1[0], q1[2], det_q1) + (det_p < 0.0 ? 1 : 0);
+
+  // Energy of the mode with m = -Lambda: Q1 on the eigenvector of P Q1.
+  const double p[3] = {leading(odd.P[0]), leading(odd.P[1]), leading(odd.P[2])};
+  const auto krein = [&](const Extended& lambda) {
+    const double m = -leading(lambda);
+    const double n11 = p[0] * q1[0] + p[1] * q1[1];
+    const double n12 = p[0] * q1[1] + p[1] * q1[2];
+    const double n21 = p[1] * q1[0] + p[2] * q1[1];
+    const double n22 = p[1] * q1[1] + p[2] * q1[2];
+    double x = n12;
+    double y = m - n11;
+    if (std::abs(n21) * q1[0] * q1[0] + std::abs(m - n22) > std::abs(x) + std::abs(y)) {
+      x = m - n22;
+      y = n21;
+    }
+    return sign(q1[0] * x * x + 2.0 * q1[1] * x * y + q1[2] * y * y);
+  };
+
+  const Polynomial<Extended, 2> characteristic = odd.characteristic();
+  const UncertainPolynomial<2> uncertain(conditioned.characteristic(), u);
+  if (material_symmetry) {
+    out.add_forced_zero();
+    const double lambda = -leading(characteristic.c[1]);
+    out.add_real(lambda, uncertain.spread.c[1] + 0x1p-53 * std::abs(lambda),
+                 krein(Extended(lambda)));
+    return negative;
+  }
+  const bool definite =
+      positive(conditioned.det_P, u) || positive(conditioned.det_Q1, u);  // then Lambda is real
+  out.add_pair(quadratic_roots(characteristic.c[1], characteristic.c[0]), uncertain, !definite,
+               krein);
+  return negative;
+}
+
+/// (iii), odd: the rigid body's pair.
+int add_odd_iii(const StraightState<Extended>& s, const StraightState<Conditioned>& c, double u,
+                ModeCollector& out) {
+  const double lambda = leading(odd_lambda_iii(s));
+  const double error = u * odd_lambda_iii(c).condition + 0x1p-53 * std::abs(lambda);
+  const int s1 = sign(leading(s.I3() - s.I1()));
+  const int s2 = sign(leading(s.I3() - s.I2()));
+  out.add_real(lambda, error, s1 > 0 ? 1 : -1);
+  return (s1 < 0) + (s2 < 0);
+}
+
+int add_rho(const StraightState<Extended>& s, const StraightState<Conditioned>& c, double u,
+            ModeCollector& out) {
+  const double lambda = -leading(s.V_rr / s.J.J3);
+  out.add_real(lambda, u * (c.V_rr / c.J.J3).condition + 0x1p-53 * std::abs(lambda), 1);
+  return lambda > 0.0;
+}
+
+/// (iii), even, away from the circle.
+int add_even_iii(const StraightState<Extended>& s, const StraightState<Conditioned>& c,
+                 const BlockFacts& facts, ModeCollector& out) {
+  const double u = facts.uncertainty;
+  GyroscopicBlock<Extended> block = even_block_iii(s);
+  GyroscopicBlock<Conditioned> conditioned = even_block_iii(c);
+  // Not every K_alpha that is 0: an anisotropic V's is where its ellipse turns away (`shear`).
+  const bool forced =
+      facts.material_symmetry || (leading(s.omega) == 0.0 && leading(s.xi) != leading(s.zeta));
+  if (forced) {
+    // The direction of the material symmetry (at rest V alone counts, and V is isotropic).
+    block.K_alpha = Extended(0.0);
+    conditioned.K_alpha = Conditioned(0.0);
+  }
+  const auto& K = conditioned.rest.K;
+  const double det_K = leading(block.planar_determinant().c[0]);
+  const bool planar_definite = positive_definite_2(K[0][0], K[0][1], K[1][1], u);
+  bool definite = planar_definite && (forced || positive(conditioned.K_alpha, u));
+  const int negative_alpha = leading(block.K_alpha) < 0.0 ? 1 : 0;
+
+  if (!facts.rho_coupled) {
+    const auto p = block.characteristic();
+    const UncertainPolynomial<3> uncertain(conditioned.characteristic(), u);
+    const auto trace = block.trace_adjugate();
+    const auto krein = [&](const Extended& lambda) {
+      return definite ? 1 : sign(leading(p.slope(lambda)) * leading(trace(lambda)));
+    };
+    if (forced) {
+      out.add_forced_zero();
+      out.add_pair(quadratic_roots(p.c[2] / p.c[3], p.c[1] / p.c[3]), uncertain, !definite, krein);
+    } else {
+      const CubicRoots<Extended> roots = cubic_roots(p);
+      const double single = leading(roots.single);
+      out.add_real(single, uncertain.root_error(single), krein(roots.single),
+                   definite ? Axis::stays : Axis::may_leave);
+      out.add_pair(roots.pair, uncertain, !definite, krein);
+    }
+    return negative_alpha +
+           negatives_2(leading(block.rest.K[0][0]), leading(block.rest.K[1][1]), det_K);
+  }
+
+  const auto p = block.characteristic_coupled();
+  const UncertainPolynomial<4> uncertain(conditioned.characteristic_coupled(), u);
+  const auto trace = block.trace_adjugate_coupled();
+  definite = definite && positive(conditioned.rest.characteristic().c[0], u);
+  const auto krein = [&](const Extended& lambda) {
+    return definite ? 1 : sign(leading(p.slope(lambda)) * leading(trace(lambda)));
+  };
+  if (forced) {
+    out.add_forced_zero();
+    const CubicRoots<Extended> roots =
+        cubic_roots(Polynomial<Extended, 3>{{p.c[1], p.c[2], p.c[3], p.c[4]}});
+    const double single = leading(roots.single);
+    out.add_real(single, uncertain.root_error(single), krein(roots.single),
+                 definite ? Axis::stays : Axis::may_leave);
+    out.add_pair(roots.pair, uncertain, !definite, krein);
+  } else {
+    const QuarticRoots<Extended> roots = quartic_roots(p);
+    out.add_pair(roots.first, uncertain, !definite, krein);
+    out.add_pair(roots.second, uncertain, !definite, krein);
+  }
+  // Sylvester: the (xi, zeta, rho) stiffness has as many negative eigenvalues as its pencil with
+  // mass has positive Lambda.
+  const CubicRoots<Extended> stiffness = cubic_roots(block.rest.characteristic());
+  int negative = negative_alpha;
+  for (const Extended& root : {stiffness.single, stiffness.pair.small, stiffness.pair.large})
+    negative += leading(root) > 0.0;
+  return negative;
+}
+
+/// (iii), even, on the circle xi = zeta (J1 = J2): breathing (with rho where coupled) apart from
+/// the two shears, which in the plane (xi - zeta, 2 alpha) are an isotropic oscillator seen from a
+/// frame turning at omega: s = i (omega +- Omega), Omega^2 = omega^2 + K_aa/(2 J), energies (Omega
+/// +- omega).
+int add_circle(const StraightState<Extended>& s, const StraightState<Conditioned>& c,
+               const BlockFacts& facts, ModeCollector& out) {
+  const double u = facts.uncertainty;
+  const auto block = even_block_iii(s);
+  const auto conditioned = even_block_iii(c);
+  int negative = 0;
+
+  // Breathing: (xi + zeta)/2 with mass 2 J and stiffness 2 (K_xx + K_xz).
+  const Extended breathing = block.rest.K[0][0] + block.rest.K[0][1];
+  const Conditioned breathing_c = conditioned.rest.K[0][0] + conditioned.rest.K[0][1];
+  if (facts.rho_coupled) {
+    const Extended b = (breathing / s.J.J1) + (s.V_rr / s.J.J3);
+    const Extended coupling = 2.0 * (s.V_xr * s.V_xr);
+    const Extended det = (breathing * s.V_rr - coupling) / (s.J.J1 * s.J.J3);
+    const Conditioned det_c = (breathing_c * c.V_rr - 2.0 * (c.V_xr * c.V_xr)) / (c.J.J1 * c.J.J3);
+    const Conditioned b_c = breathing_c / c.J.J1 + c.V_rr / c.J.J3;
+    const UncertainPolynomial<2> uncertain(
+        Polynomial<Conditioned, 2>{{det_c, b_c, Conditioned(1.0)}}, u);
+    const auto pair = quadratic_roots(b, det);
+    out.add_pair(pair, uncertain, false, [](const Extended&) { return 1; });
+    negative += (leading(pair.small) > 0.0) + (leading(pair.large) > 0.0);
+  } else {
+    const double lambda = -leading(breathing / s.J.J1);
+    out.add_real(lambda, u * (breathing_c / c.J.J1).condition + 0x1p-53 * std::abs(lambda), 1);
+    negative += lambda > 0.0;
+  }
+
+  out.begin(Block::shear);
+  const Extended omega = leading(s.omega) < 0.0 ? -s.omega : s.omega;
+  const Extended shear = block.K_alpha / (2.0 * s.J.J1);
+  const Extended Omega2 = renormalized(omega * omega + shear);
+  const double w = leading(omega);
+  const double k = leading(shear);
+  const double spread_k = u * (conditioned.K_alpha / (2.0 * c.J.J1)).condition;
+  const double spread_2 = spread_k + 2.0 * u * w * w;
+  if (leading(Omega2) > spread_2) {
+    const Extended Omega = sqrt(Omega2);
+    const double fast = w + leading(Omega);
+    const double slow = k / fast;  // Omega - omega, without cancellation
+    const double spread_fast = u * w + 0.5 * spread_2 / leading(Omega);
+    const double spread_slow = spread_k / fast + std::abs(slow) / fast * spread_fast;
+    out.add_real(-fast * fast, 2.0 * fast * spread_fast, 1, Axis::may_leave);
+    // At slow = 0 the ellipse leaves the circle; the pair touches zero and does not cross.
+    const bool decided = std::abs(slow) > spread_slow;
+    out.add_real(-slow * slow,
+                 decided ? 2.0 * std::abs(slow) * spread_slow : spread_slow * spread_slow,
+                 sign(slow), Axis::may_leave);
+    // E'' + c (P - |pi|)'' > 0: -(Omega + omega)/2 < c < (Omega - omega)/2 and c < omega (I3/I1 -
+    // 1).
+    const Conditioned ratio = c.I3() / c.I1() - Conditioned(1.0);
+    const Conditioned margin =
+        Conditioned(fast, spread_fast / u) * Conditioned(0.5) + Conditioned::input(w) * ratio;
+    if (w > 0.0 && positive(margin, u)) out.set_definite_with_momentum();
+  } else if (leading(Omega2) < -spread_2) {
+    const double rate = std::sqrt(-leading(Omega2));
+    const double re = rate * rate - w * w;
+    const double error = spread_2 + 2.0 * u * w * w + u * w * rate;
+    if (w > 0.0) {
+      out.add_complex(re, 2.0 * w * rate, error);
+    } else {
+      out.add_real(re, error, 0);
+      out.add_real(re, error, 0);
+    }
+  } else {
+    // The two shears may be about to collide: not decided.
+    out.add_real(-w * w, 2.0 * w * std::sqrt(spread_2) + w * w + spread_2, 0);
+    out.add_real(-w * w, 2.0 * w * std::sqrt(spread_2) + w * w + spread_2, 0);
+  }
+  return negative + (k < 0.0 ? 2 : 0);
+}
+
+}  // namespace
+
+bool Spectrum::away_from_zero() const {
+  return std::all_of(mode.begin(), mode.begin() + modes, [](const Mode& m) {
+    return m.forced_zero || std::hypot(m.lambda_re, m.lambda_im) > m.lambda_error;
+  });
+}
+
+Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDouble>& state,
+                        const StraightState<Conditioned>& conditioned) {
+  ModeCollector out;
+  int negative = 0;
+  const double u = facts.uncertainty;
+  const bool at_rest = leading(state.omega) == 0.0;
+  if (facts.branch != Branch::iii && !at_rest) {
+    const bool second = facts.branch == Branch::ii;
+    const auto s = second ? state.exchanged() : state;
+    const auto c = second ? conditioned.exchanged() : conditioned;
+    negative += add_symmetric(even_pencil_i(s), even_pencil_i(c), u, out);
+    out.begin(Block::odd);
+    negative += add_odd_i(s, c, facts.material_symmetry, u, out);
+  } else {
+    out.begin(Block::odd);
+    if (!at_rest) negative += add_odd_iii(state, conditioned, u, out);
+    out.begin(Block::thickness);
+    if (!facts.rho_coupled) negative += add_rho(state, conditioned, u, out);
+    out.begin(Block::even);
+    const bool circle = facts.material_symmetry && leading(state.xi) == leading(state.zeta);
+    negative += circle ? add_circle(state, conditioned, facts, out)
+                       : add_even_iii(state, conditioned, facts, out);
+  }
+  out.set_negative(negative);
+  return out.finish();
+}
+
+Spectrum two_polar_spectrum(const StraightState<DoubleDouble>& state, const DoubleDouble& theta_dot,
+                            const StraightState<Conditioned>& conditioned,
+                            const Conditioned& theta_dot_conditioned, double s3,
+                            double uncertainty) {
+  ModeCollector out;
+  int negative =
+      add_symmetric(two_polar_pencil(state, theta_dot),
+                    two_polar_pencil(conditioned, theta_dot_conditioned), uncertainty, out);
+  if (s3 != 0.0) {
+    out.begin(Block::odd);
+    const auto wobble = two_polar_wobble(state, theta_dot);
+    const auto wobble_c = two_polar_wobble(conditioned, theta_dot_conditioned);
+    const int energy_1 = -sign(leading(wobble.a)) * sign(s3);
+    const int energy_2 = -sign(leading(wobble.b)) * sign(s3);
+    const double lambda = -leading(wobble.a * wobble.b);
+    const double error =
+        uncertainty * (wobble_c.a * wobble_c.b).condition + 0x1p-53 * std::abs(lambda);
+    out.add_real(lambda, error, energy_1);
+    negative += (energy_1 < 0) + (energy_2 < 0);
+  }
+  out.set_negative(negative);
+  return out.finish();
+}
+
+}  // namespace stationary

@@ -1,0 +1,15 @@
+#include "lib/tape/tape_run.hpp"
+
+namespace stationary::expression {
+
+template void compute_constants(const Coefficients&, const double*, double*);
+template void compute_constants(const Coefficients&, const DoubleDouble*, DoubleDouble*);
+template void compute_constants(const Coefficients&, const Interval*, Interval*);
+template void compute_constants(const Coefficients&, const Conditioned*, Conditioned*);
+
+template void run(const Program&, const double*, const double*, double*);
+template void run(const Program&, const double*, const DoubleDouble*, DoubleDouble*);
+template void run(const Program&, const double*, const Interval*, Interval*);
+template void run(const Program&, const double*, const Conditioned*, Conditioned*);
+
+}  // namespace stationary::expression

@@ -1,0 +1,141 @@
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "lib/balance/anisotropic_balance.hpp"
+#include "solver/family/anisotropic_family.hpp"
+#include "solver/search/anisotropic_search.hpp"
+#include "solver/family/branch_switch.hpp"
+#include "solver/atlas/sheet_source.hpp"
+
+namespace stationary {
+namespace {
+
+constexpr const char* not_found = "none was found beside it";
+constexpr double right_angle = 0.5 * std::numbers::pi;
+
+/// Of S and its mirror image, alpha and the axis' angle reversed, that with alpha > 0; alpha = 0 to
+/// rounding: exactly.
+Place mirrored_upwards(const Place& at) {
+  const double a = std::log(shear_coordinate(at.q));
+  Place out = at;
+  if (std::abs(a) < same_place) {
+    out.q.alpha = 0.0;
+    out.axis = std::abs(at.axis);
+  } else if (a < 0.0) {
+    out.q.alpha = -at.q.alpha;
+    out.axis = -at.axis;
+  }
+  return out;
+}
+
+class AnisotropicSheets final : public SheetSource {
+ public:
+  explicit AnisotropicSheets(const Problem& problem)
+      : problem_(problem), V_(problem_.potential().anisotropic()) {
+    if (branch() != Branch::iii && !V_.shear_free())
+      throw std::invalid_argument("V_alpha = 0 at alpha = 0, for sheets about axis 1 or 2");
+  }
+
+  Branch branch() const override { return problem_.branch(); }
+
+  SearchResult search(double nu, const SearchOptions& options) const override {
+    return search_anisotropic(problem_, nu, options);
+  }
+
+  std::vector<Place> at_rest(const SolveOptions& options) const override {
+    const Equilibrium rest = solve(problem_, 0.0, options);
+    if (rest.status != SolveStatus::solved) return {};
+    return {Place{rest.q}};
+  }
+
+  /// Of an even V in (iii): that with alpha = 0, then that with any other.
+  int families() const override { return bends() ? 2 : 1; }
+  int family_of(const Place& at) const override { return bends() && at.q.alpha != 0.0 ? 1 : 0; }
+  AnyFamily family(int which, bool spectrum) const override {
+    return anisotropic_family(problem_.body(), V_, branch(), which == 1,
+                              {.parameter = {}, .spectrum = spectrum});
+  }
+
+  Place canonical(const Place& at) const override {
+    return V_.even_in_alpha() ? mirrored_upwards(at) : at;
+  }
+
+  EventType leaves_by() const override { return bends() ? EventType::shear : EventType::none; }
+  bool leaves_at(const Member& at) const override { return at.q.alpha == 0.0; }
+  DepartureResult departure(Branch, const Member& at, double) const override {
+    const auto family = this->family(1, false);
+    const auto found = leave_straight(*std::get<std::unique_ptr<Family<4>>>(family), at, branch());
+    if (!found) return not_found;
+    return Departure{{found->q}, found->parameter};
+  }
+
+ private:
+  bool bends() const { return branch() == Branch::iii && V_.even_in_alpha(); }
+
+  Problem problem_;
+  const AnisotropicPotential& V_;
+};
+
+class ObliqueSheets final : public SheetSource {
+ public:
+  ObliqueSheets(const Body& body, const Potential& potential)
+      : body_(body), potential_(potential), V_(potential_.anisotropic()) {}
+
+  Branch branch() const override { return Branch::i; }
+  bool oblique() const override { return true; }
+
+  SearchResult search(double nu, const SearchOptions& options) const override {
+    return search_oblique(body_, potential_, {nu}, options);
+  }
+
+  /// About either axis of inertia, unless the families about these axes are branches (i), (ii).
+  std::vector<Place> at_rest(const SolveOptions& options) const override {
+    if (V_.shear_free()) return {};
+    const Equilibrium rest = solve(Problem(body_, potential_, Branch::iii), 0.0, options);
+    if (rest.status != SolveStatus::solved) return {};
+    return {Place{rest.q, 0.0}, Place{rest.q, right_angle}};
+  }
+
+  /// By the axis it is nearer to.
+  int families() const override { return 2; }
+  int family_of(const Place& at) const override {
+    return std::abs(at.axis) > 0.5 * right_angle ? 1 : 0;
+  }
+  AnyFamily family(int which, bool spectrum) const override {
+    return oblique_family(body_, V_, {.parameter = {}, .spectrum = spectrum},
+                          which == 0 ? Branch::i : Branch::ii);
+  }
+
+  Place canonical(const Place& at) const override {
+    return V_.even_in_alpha() ? mirrored_upwards(at) : at;
+  }
+
+  EventType leaves_by() const override {
+    return V_.shear_free() ? EventType::oblique : EventType::none;
+  }
+  bool leaves_at(const Member& at) const override { return at.q.alpha == 0.0; }
+  DepartureResult departure(Branch parent, const Member& at, double) const override {
+    const auto family = oblique_family(body_, V_, {.parameter = {}, .spectrum = false}, parent);
+    const auto found = leave_straight(*family, at, parent);
+    if (!found) return not_found;
+    return Departure{place(found->q, found->angular_velocity), found->parameter};
+  }
+
+ private:
+  Body body_;
+  Potential potential_;
+  const AnisotropicPotential& V_;
+};
+
+}  // namespace
+
+std::unique_ptr<SheetSource> anisotropic_sheets(const Problem& problem) {
+  return std::make_unique<AnisotropicSheets>(problem);
+}
+
+std::unique_ptr<SheetSource> oblique_sheets(const Body& body, const Potential& potential) {
+  return std::make_unique<ObliqueSheets>(body, potential);
+}
+
+}  // namespace stationary

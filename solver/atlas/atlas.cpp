@@ -1,0 +1,216 @@
+#include "solver/atlas/atlas.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+#include "lib/body/inertia.hpp"
+#include "solver/atlas/sheet_set.hpp"
+
+namespace stationary {
+namespace {
+
+/// Also, with J1 = J2 and an isotropic V, where one is the other's mirror image.
+bool at_same_place(const Member& a, const Member& b, bool axes_alike) {
+  const Stretch mirrored{0.0, b.q.zeta, b.q.xi, b.q.rho};
+  const bool alike = distance({a.q}, {b.q}) < same_place ||
+                     (axes_alike && distance({a.q}, {mirrored}) < same_place);
+  return alike && std::abs(a.nu - b.nu) <= 1e-9 * std::abs(b.nu);
+}
+
+/// Where on another sheet, one about a material axis, this end lies.
+std::optional<Junction> junction(const std::vector<AtlasSheet>& sheets, const AtlasSheet& of,
+                                 const AtlasRow& end, bool axes_alike) {
+  const bool same_branch = end.event == EventType::ellipse || end.event == EventType::shear;
+  if (!same_branch && end.event != EventType::oblique && end.event != EventType::tilt)
+    return std::nullopt;
+  for (const AtlasSheet& other : sheets) {
+    if (other.plane || other.oblique || other.number == of.number) continue;
+    if (same_branch && other.branch != of.branch) continue;
+    const auto met = [&](const AtlasRow& row) {
+      return row.event == end.event && at_same_place(row.member, end.member, axes_alike);
+    };
+    if (std::ranges::any_of(other.rows, met))
+      return Junction{other.number, end.event, end.member.nu};
+  }
+  return std::nullopt;
+}
+
+void find_junctions(std::vector<AtlasSheet>& sheets, bool axes_alike) {
+  for (AtlasSheet& sheet : sheets) {
+    sheet.parent = junction(sheets, sheet, sheet.rows.front(), axes_alike);
+    sheet.joins = junction(sheets, sheet, sheet.rows.back(), axes_alike);
+    if (!sheet.parent) std::swap(sheet.parent, sheet.joins);
+    // Of a tilted family's two, the one it was entered at.
+    const bool both = sheet.parent && sheet.joins;
+    if (both &&
+        std::abs(sheet.joins->nu - sheet.entry_nu) < std::abs(sheet.parent->nu - sheet.entry_nu))
+      std::swap(sheet.parent, sheet.joins);
+  }
+}
+
+/// The plane a branch's axis tilts in at such an event.
+std::optional<TiltPlane> plane_of(Branch branch, const Member& at) {
+  const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-6 * (a + b); };
+  const Vector3<double> m = second_moments(at.body, at.q);
+  if (branch != Branch::ii && equal(m[0], m[2])) return TiltPlane::one_three;
+  if (branch != Branch::i && equal(m[1], m[2])) return TiltPlane::two_three;
+  return std::nullopt;
+}
+
+/// Tilted families from the tilts of the sheets known, each once.
+void enter_tilted(const Body& body, const Potential& potential, const AtlasOptions& options,
+                  bool axes_alike, Atlas& out) {
+  const std::size_t known = out.sheets.size();
+  const auto met = [&](const Member& at) {
+    return std::any_of(out.sheets.begin() + static_cast<std::ptrdiff_t>(known), out.sheets.end(),
+                       [&](const AtlasSheet& tilted) {
+                         return at_same_place(tilted.rows.front().member, at, axes_alike) ||
+                                at_same_place(tilted.rows.back().member, at, axes_alike);
+                       });
+  };
+  for (std::size_t s = 0; s < known; ++s) {
+    for (std::size_t k = 0; k < out.sheets[s].rows.size(); ++k) {
+      const AtlasRow row = out.sheets[s].rows[k];
+      if (row.event != EventType::tilt || met(row.member)) continue;
+      AtlasSheet sheet;
+      sheet.branch = out.sheets[s].branch;
+      sheet.plane = plane_of(sheet.branch, row.member);
+      sheet.entry = Entry::tilt;
+      sheet.entry_nu = row.member.nu;
+      sheet.number = static_cast<int>(out.sheets.size()) + 1;
+      const auto remark = [&](const std::string& reason) {
+        out.remarks.push_back({sheet.branch, false, Entry::tilt, row.member.nu, reason});
+      };
+      if (!sheet.plane) {
+        remark("tilted motions not entered: no plane has two equal locked inertias");
+        continue;
+      }
+      const auto start = just_inside(*tilted_family(body, potential, *sheet.plane, false),
+                                     row.member.q, row.member.nu);
+      if (!start) {
+        remark("tilted motions not entered: none was found beside it");
+        continue;
+      }
+      sheet.report = follow_rows(tilted_family(body, potential, *sheet.plane, options.spectrum),
+                                 start->q, start->nu, options, sheet.rows);
+      if (sheet.report.failure.empty()) {
+        out.sheets.push_back(std::move(sheet));
+      } else {
+        remark(sheet.report.failure);
+      }
+    }
+  }
+}
+
+/// Where a tilted family of an anisotropic body would be left for.
+void remark_tilts(Atlas& out) {
+  for (const AtlasSheet& sheet : out.sheets) {
+    for (const AtlasRow& row : sheet.rows) {
+      if (row.event != EventType::tilt) continue;
+      out.remarks.push_back({sheet.branch, sheet.oblique, Entry::tilt, row.member.nu,
+                             "motions with an axis out of the plane of axes 1 and 2 are not sought "
+                             "of an anisotropic body"});
+    }
+  }
+}
+
+/// Motions about the material axes.
+std::vector<std::unique_ptr<SheetSource>> axis_sources(const Body& body, const Potential& potential,
+                                                       const AtlasOptions& options, Atlas& out) {
+  std::vector<std::unique_ptr<SheetSource>> all;
+  const bool has_i = std::ranges::find(options.branches, Branch::i) != options.branches.end();
+  for (const Branch branch : options.branches) {
+    const Problem problem(body, potential, branch);
+    if (potential.is_isotropic()) {
+      const bool mirror_image = branch == Branch::ii && has_i && body.symmetric();
+      if (!mirror_image) all.push_back(axis_sheets(problem));
+    } else if (branch != Branch::iii && !potential.anisotropic().shear_free()) {
+      const char* known =
+          potential.anisotropic().sheared()
+              ? "not looked for: V_alpha != 0 at alpha = 0, so that a spin about "
+                "this axis is a motion by chance only"
+              : "not looked for: V_alpha is not known to vanish at alpha = 0, and "
+                "where it does not a spin about this axis is a motion by chance only";
+      out.remarks.push_back({branch, false, std::nullopt, options.from, known});
+    } else {
+      all.push_back(anisotropic_sheets(problem));
+    }
+  }
+  return all;
+}
+
+void add(SheetSet& set, Atlas& out) {
+  for (AtlasSheet& sheet : set.sheets()) {
+    sheet.number = static_cast<int>(out.sheets.size()) + 1;
+    out.sheets.push_back(std::move(sheet));
+  }
+  out.checkpoints.insert(out.checkpoints.end(), set.checkpoints().begin(), set.checkpoints().end());
+  out.remarks.insert(out.remarks.end(), set.remarks().begin(), set.remarks().end());
+}
+
+}  // namespace
+
+std::string_view kind_name(const AtlasSheet& sheet) {
+  return sheet.plane ? tilted_name : kind_name(sheet.branch, sheet.oblique);
+}
+std::string_view kind_name(Branch branch, bool oblique) {
+  return oblique ? oblique_name : name(branch);
+}
+
+Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& options) {
+  if (!(options.from >= 0.0 && options.from < options.to && std::isfinite(options.to)))
+    throw std::invalid_argument("an atlas needs 0 <= from < to");
+  if (options.checkpoints < 1) throw std::invalid_argument("an atlas needs a checkpoint");
+  Atlas out;
+  std::vector<SheetSet> parts;
+  for (std::unique_ptr<SheetSource>& each : axis_sources(body, potential, options, out))
+    parts.emplace_back(std::move(each), options);
+  const std::size_t about_axes = parts.size();
+  if (!potential.is_isotropic() && options.oblique)
+    parts.emplace_back(oblique_sheets(body, potential), options);
+  const auto each = static_cast<std::size_t>(options.checkpoints);
+  const int threads = std::max(1, options.threads);
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  const std::size_t searches = parts.size() * each;
+  std::atomic<std::size_t> done = 0;
+  std::mutex reporting;
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, searches, [&](std::size_t k) {
+      parts[k / each].search_at(k % each);
+      const std::size_t so_far = ++done;
+      if (!options.progress) return;
+      if (const std::unique_lock lock(reporting, std::try_to_lock); lock)
+        options.progress(static_cast<double>(so_far) / static_cast<double>(searches));
+    });
+    tbb::parallel_for(std::size_t{0}, about_axes, [&](std::size_t k) { parts[k].follow_all(); });
+  });
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    // Oblique sheets leave those about the axes.
+    if (k >= about_axes) parts[k].follow_all(out.sheets);
+    add(parts[k], out);
+  }
+  for (const Checkpoint& at : out.checkpoints)
+    out.interrupted = out.interrupted || at.status == SearchStatus::interrupted;
+  const bool axes_alike = potential.is_isotropic() && body.symmetric();
+  if (potential.is_isotropic()) {
+    enter_tilted(body, potential, options, axes_alike, out);
+  } else {
+    remark_tilts(out);
+  }
+  for (const AtlasSheet& sheet : out.sheets)
+    out.interrupted = out.interrupted || sheet.report.interrupted;
+  find_junctions(out.sheets, axes_alike);
+  return out;
+}
+
+}  // namespace stationary

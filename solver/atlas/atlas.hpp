@@ -1,0 +1,132 @@
+// Every sheet of a body's steady rotations about its material axes, and of an anisotropic body
+// about oblique ones, over a range of nu, connected to rest or not:
+//
+//   1. at checkpoints inside the range all motions of each kind are found, with proof (search.hpp,
+//      anisotropic_search.hpp);
+//   2. each that lies on no sheet known so far is followed both ways (follow_sheet.hpp);
+//   3. where a sheet lets others go (a circle turns into ellipses, an ellipse or an axis away from
+//      the material axes) and none of these is known, one is entered there;
+//   4. isotropic V: where an axis can tilt and no tilted family begins or ends there yet, one is
+//      entered and followed (tilted_family.hpp);
+//   5. at every checkpoint the motions on the sheets are counted against those proven: where they
+//      agree, no sheet that passes there is missing.
+//
+// nu and -nu are one, and with J1 = J2 and an isotropic V so are (i) and (ii), an ellipse of (iii)
+// and the same turned by a right angle; with an even V S and its mirror image are.
+// The work is shared by threads; what comes out does not depend on their number.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/family/follow_sheet.hpp"
+#include "solver/search/search.hpp"
+#include "solver/family/tilted_family.hpp"
+
+namespace stationary {
+
+struct AtlasOptions {
+  double from = 0.0;  ///< range of nu, 0 <= from < to
+  double to = 1.0;
+  /// Of each kind of motion, in the middle of as many equal parts of the range. A search takes
+  /// microseconds to milliseconds; of an anisotropic body tenths of a second to seconds.
+  int checkpoints = 256;
+  std::vector<Branch> branches{Branch::i, Branch::ii, Branch::iii};
+  bool oblique = true;  ///< of an anisotropic body its oblique motions too
+  StepOptions step;
+  long max_points = 1'000'000;  ///< of each sheet
+  SearchOptions search;
+  bool spectrum = true;
+  int threads = 1;
+  const std::atomic<bool>* stop = nullptr;  ///< becomes true: end with what is there
+  /// Called after each search with the fraction done of them, by one thread at a time.
+  std::function<void(double)> progress = {};
+};
+
+struct AtlasRow {
+  Member member;
+  EventType event;
+  /// The class on the curve between this row and the last, where both are of events.
+  std::optional<StabilityClass> before = std::nullopt;
+};
+
+/// How a sheet was come upon.
+enum class Entry {
+  rest,      ///< through the rest state
+  search,    ///< through a solution found at a checkpoint
+  ellipse,   ///< off a circle that turns into ellipses
+  shear,     ///< off a sheet of (iii) whose ellipse can turn away from the material axes
+  oblique,   ///< off a sheet of (i), (ii) whose axis can
+  tilt,      ///< off a sheet whose axis can tilt
+  numerical  ///< through one found by Newton's method where the search at a checkpoint is undecided
+};
+constexpr std::string_view entry_names[] = {"rest",    "search", "ellipse",  "shear",
+                                            "oblique", "tilt",   "numerical"};
+constexpr std::string_view name(Entry e) { return entry_names[static_cast<int>(e)]; }
+
+/// Where the end of a sheet lies on another.
+struct Junction {
+  int sheet;  ///< its number
+  EventType event;
+  double nu;
+};
+
+struct AtlasSheet {
+  int number = 0;  ///< from 1
+  Branch branch = Branch::i;
+  bool oblique = false;  ///< `branch` then has no meaning
+  Entry entry = Entry::rest;
+  double entry_nu = 0.0;
+  std::optional<TiltPlane> plane;  ///< of a tilted family: `branch` is then that it was entered at
+  std::optional<Junction> parent;  ///< the sheet it leaves
+  std::optional<Junction> joins;   ///< the sheet its other end lies on
+  FollowReport report;
+  std::vector<AtlasRow> rows;
+};
+
+/// All motions of a branch, or all oblique ones, at one nu, against the sheets.
+struct Checkpoint {
+  Branch branch = Branch::i;
+  bool oblique = false;
+  double nu = 0.0;
+  SearchStatus status = SearchStatus::not_run;
+  int proven = 0;     ///< solutions in the box searched
+  int unproven = 0;   ///< others that Newton's method found in what is undecided
+  int on_sheets = 0;  ///< of these, found on a sheet
+  int beyond = 0;     ///< points of sheets in the box that are none of these
+
+  /// No sheet that passes here inside the box is missing.
+  bool complete() const {
+    return status == SearchStatus::complete && proven == on_sheets && beyond == 0;
+  }
+};
+
+/// What was come upon and not followed, or is not looked for.
+struct Remark {
+  Branch branch;
+  bool oblique;
+  std::optional<Entry> entry;  ///< none: of the whole kind of motion
+  double nu;
+  std::string reason;
+};
+
+struct Atlas {
+  /// By branch, then as they were found; then oblique ones, tilted ones last.
+  std::vector<AtlasSheet> sheets;
+  std::vector<Checkpoint> checkpoints;  ///< by branch, then nu
+  std::vector<Remark> remarks;
+  bool interrupted = false;
+};
+
+/// The kind of motion as tables name it.
+std::string_view kind_name(const AtlasSheet& sheet);
+std::string_view kind_name(Branch branch, bool oblique);
+
+/// Throws std::invalid_argument unless 0 <= from < to, both finite, and checkpoints > 0.
+Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& options);
+
+}  // namespace stationary

@@ -1,0 +1,259 @@
+#include "solver/atlas/sheet_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace stationary {
+namespace {
+
+class Keep final : public CurveSink {
+ public:
+  explicit Keep(std::vector<AtlasRow>& rows) : rows_(&rows) {}
+  void row(const Member& member, EventType event) override {
+    rows_->push_back({member, event, std::exchange(before_, std::nullopt)});
+  }
+  void between(StabilityClass verdict) override { before_ = verdict; }
+
+ private:
+  std::optional<StabilityClass> before_;
+  std::vector<AtlasRow>* rows_;
+};
+
+Entry entry_at(EventType event) {
+  switch (event) {
+    case EventType::shear:
+      return Entry::shear;
+    case EventType::oblique:
+      return Entry::oblique;
+    default:
+      return Entry::ellipse;
+  }
+}
+
+/// The motion of a family at nu between two of its rows.
+template <int N>
+std::optional<Member> between(const Family<N>& family, Member a, Member b, double nu) {
+  // A row at rest has no axis of its own.
+  for (Member* each : {&a, &b})
+    if (each->nu == 0.0) each->angular_velocity = (each == &a ? b : a).angular_velocity;
+  // An axis is a line: both ways along it are one, and the angle between the two is what they turn.
+  if (a.angular_velocity[0] < 0.0) a.angular_velocity *= -1.0;
+  if (a.angular_velocity.dot(b.angular_velocity) < 0.0) b.angular_velocity *= -1.0;
+  const double u = (nu - a.nu) / (b.nu - a.nu);
+  const ReducedVector<N> from = family.coordinates_of(a);
+  ReducedVector<N> x = from.array() * (family.coordinates_of(b).array() / from.array()).pow(u);
+  ReducedVector<N> tail;
+  const Refined refined = family.refine_at(x, tail, nu);
+  if (!refined.converged) return std::nullopt;
+  return family.member(x, tail, nu, refined.error_bound);
+}
+
+FollowOptions follow_options(const AtlasOptions& options) {
+  FollowOptions out;
+  out.continuation.from = options.from;
+  out.continuation.to = options.to;
+  out.continuation.step = options.step;
+  out.max_points = options.max_points;
+  out.stop = options.stop;
+  return out;
+}
+
+}  // namespace
+
+FollowReport follow_rows(const AnyFamily& family, const Stretch& q, double nu,
+                         const AtlasOptions& options, std::vector<AtlasRow>& rows) {
+  Keep keep(rows);
+  return follow(family, q, nu, follow_options(options), keep);
+}
+
+SheetSet::SheetSet(std::unique_ptr<SheetSource> source, const AtlasOptions& options)
+    : options_(options), source_(std::move(source)) {
+  for (int k = 0; k < source_->families(); ++k) {
+    families_.push_back(source_->family(k, options.spectrum));
+    plain_.push_back(source_->family(k, false));
+  }
+  const double part = (options.to - options.from) / options.checkpoints;
+  for (int k = 0; k < options.checkpoints; ++k) {
+    checkpoints_.push_back({.branch = source_->branch(),
+                            .oblique = source_->oblique(),
+                            .nu = options.from + (k + 0.5) * part});
+  }
+  solutions_.resize(checkpoints_.size());
+  unproven_.resize(checkpoints_.size());
+  on_sheets_.resize(checkpoints_.size());
+}
+
+void SheetSet::search_at(std::size_t checkpoint) {
+  Checkpoint& at = checkpoints_[checkpoint];
+  const SearchResult result = source_->search(at.nu, options_.search);
+  at.status = result.status;
+  const auto places = [this](const std::vector<Equilibrium>& found, std::vector<Place>& out) {
+    for (const Equilibrium& each : found) {
+      const Place place = source_->place(each.q, each.nu);
+      const Place kept = source_->canonical(place);
+      // Of two mirror images one.
+      if (distance(place, kept) < same_place) out.push_back(kept);
+    }
+    return static_cast<int>(out.size());
+  };
+  at.proven = places(result.solutions, solutions_[checkpoint]);
+  at.unproven = places(result.unproven, unproven_[checkpoint]);
+}
+
+void SheetSet::follow_all(std::span<const AtlasSheet> others) {
+  if (options_.from == 0.0) follow_rest();
+  for (std::size_t k = 0; k < checkpoints_.size(); ++k) {
+    for (const Place& at : solutions_[k]) {
+      if (stopped()) return;
+      if (!on_a_sheet(at, k)) enter(at, checkpoints_[k].nu, Entry::search, checkpoints_[k].nu);
+    }
+  }
+  for (std::size_t k = 0; k < checkpoints_.size(); ++k) {
+    for (const Place& at : unproven_[k]) {
+      if (stopped()) return;
+      if (!on_a_sheet(at, k)) enter(at, checkpoints_[k].nu, Entry::numerical, checkpoints_[k].nu);
+    }
+  }
+  if (source_->leaves_by() != EventType::none) {
+    std::vector<Parting> partings;
+    add_partings(sheets_, partings);
+    add_partings(others, partings);
+    for (const Parting& each : partings) {
+      if (stopped()) return;
+      if (!has_child(each)) leave(each);
+    }
+  }
+  for (std::size_t k = 0; k < checkpoints_.size(); ++k) count(k);
+}
+
+bool SheetSet::stopped() const {
+  return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
+}
+
+void SheetSet::follow_rest() {
+  SolveOptions how;
+  how.stop = options_.stop;
+  for (const Place& each : source_->at_rest(how)) enter(each, 0.0, Entry::rest, 0.0);
+}
+
+/// Follows the sheet through a motion and keeps it, unless it is one already kept.
+void SheetSet::enter(const Place& from, double nu, Entry entry, double entry_nu) {
+  AtlasSheet sheet;
+  sheet.branch = source_->branch();
+  sheet.oblique = source_->oblique();
+  sheet.entry = entry;
+  sheet.entry_nu = entry_nu;
+  const int family = source_->family_of(from);
+  sheet.report =
+      follow_rows(families_[static_cast<std::size_t>(family)], from.q, nu, options_, sheet.rows);
+  if (!sheet.report.failure.empty()) {
+    remark(entry, entry_nu, sheet.report.failure);
+    return;
+  }
+  const auto is_it = [&](const AtlasSheet& other) { return same_ends(sheet, other); };
+  if (std::ranges::any_of(sheets_, is_it)) return;
+  for (std::size_t k = 0; k < checkpoints_.size(); ++k)
+    add_crossings(sheet, family, checkpoints_[k].nu, on_sheets_[k]);
+  sheets_.push_back(std::move(sheet));
+}
+
+void SheetSet::remark(Entry entry, double nu, std::string reason) {
+  remarks_.push_back({source_->branch(), source_->oblique(), entry, nu, std::move(reason)});
+}
+
+Place SheetSet::place(const Member& member) const {
+  return source_->canonical(source_->place(member.q, member.angular_velocity));
+}
+
+bool SheetSet::same_ends(const AtlasSheet& a, const AtlasSheet& b) const {
+  const auto same_row = [this](const AtlasRow& x, const AtlasRow& y) {
+    // At an escape or a collapse the last steps differ.
+    const double near = x.event == EventType::limit ? same_place : 0.5;
+    return x.event == y.event && distance(place(x.member), place(y.member)) < near &&
+           std::abs(x.member.nu - y.member.nu) <= 1e-3 * near * std::abs(y.member.nu);
+  };
+  const auto all_same = [&](const AtlasRow& x0, const AtlasRow& x1) {
+    return same_row(x0, b.rows.front()) && same_row(x1, b.rows.back());
+  };
+  return all_same(a.rows.front(), a.rows.back()) || all_same(a.rows.back(), a.rows.front());
+}
+
+/// Adds the points of a sheet at nu, corrected.
+void SheetSet::add_crossings(const AtlasSheet& sheet, int family, double nu,
+                             std::vector<Place>& out) const {
+  for (std::size_t k = 1; k < sheet.rows.size(); ++k) {
+    const Member& a = sheet.rows[k - 1].member;
+    const Member& b = sheet.rows[k].member;
+    if ((a.nu < nu) == (b.nu < nu)) continue;
+    const std::optional<Member> found =
+        std::visit([&](const auto& f) { return between(*f, a, b, nu); },
+                   plain_[static_cast<std::size_t>(family)]);
+    if (found) out.push_back(place(*found));
+  }
+}
+
+bool SheetSet::on_a_sheet(const Place& at, std::size_t checkpoint) const {
+  return std::ranges::any_of(on_sheets_[checkpoint],
+                             [&](const Place& p) { return distance(p, at) < same_place; });
+}
+
+void SheetSet::count(std::size_t checkpoint) {
+  Checkpoint& at = checkpoints_[checkpoint];
+  const std::vector<Place>& proven = solutions_[checkpoint];
+  std::vector<bool> met(proven.size(), false);
+  for (const Place& p : on_sheets_[checkpoint]) {
+    const auto same_as_p = [&](const Place& q) { return distance(p, q) < same_place; };
+    const auto found = std::ranges::find_if(proven, same_as_p);
+    if (found != proven.end()) {
+      met[static_cast<std::size_t>(found - proven.begin())] = true;
+    } else if (in_box(p.q)) {
+      ++at.beyond;
+    }
+  }
+  at.on_sheets = static_cast<int>(std::ranges::count(met, true));
+}
+
+bool SheetSet::in_box(const Stretch& q) const {
+  const PrincipalStretches planar = principal_stretches(q);
+  return std::min(planar.mu, q.rho) > options_.search.min_stretch &&
+         std::max(planar.lambda, q.rho) < options_.search.max_stretch;
+}
+
+/// The places on sheets, but for their ends, where sheets of this kind begin.
+void SheetSet::add_partings(std::span<const AtlasSheet> sheets, std::vector<Parting>& out) const {
+  for (const AtlasSheet& sheet : sheets) {
+    for (std::size_t k = 1; k + 1 < sheet.rows.size(); ++k) {
+      const AtlasRow& row = sheet.rows[k];
+      if (row.event == source_->leaves_by() && source_->leaves_at(row.member))
+        out.push_back({sheet.branch, row.member});
+    }
+  }
+}
+
+bool SheetSet::has_child(const Parting& parting) const {
+  const Place from = source_->canonical(
+      source_->place(parting.at.q, angular_velocity(parting.branch, parting.at.nu)));
+  const auto ends_here = [&](const AtlasRow& row) {
+    return row.event == source_->leaves_by() &&
+           std::abs(row.member.nu - parting.at.nu) <= 1e-9 * parting.at.nu &&
+           distance(place(row.member), from) < 1e-3;
+  };
+  return std::ranges::any_of(sheets_, [&](const AtlasSheet& sheet) {
+    return ends_here(sheet.rows.front()) || ends_here(sheet.rows.back());
+  });
+}
+
+void SheetSet::leave(const Parting& parting) {
+  const Entry entry = entry_at(source_->leaves_by());
+  const DepartureResult found =
+      source_->departure(parting.branch, parting.at, options_.to - options_.from);
+  if (const auto* start = std::get_if<Departure>(&found)) {
+    enter(start->at, start->nu, entry, parting.at.nu);
+  } else {
+    remark(entry, parting.at.nu, "not entered: " + std::get<std::string>(found));
+  }
+}
+
+}  // namespace stationary

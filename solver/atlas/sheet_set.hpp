@@ -1,0 +1,66 @@
+// The sheets of one kind of motion (sheet_source.hpp) over a range of nu, against all its motions
+// at checkpoints there: steps 1, 2, 3 and 5 of an atlas (atlas.hpp).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "solver/atlas/atlas.hpp"
+#include "solver/atlas/sheet_source.hpp"
+
+namespace stationary {
+
+/// From a solved motion both ways, as an atlas follows sheets.
+FollowReport follow_rows(const AnyFamily& family, const Stretch& q, double nu,
+                         const AtlasOptions& options, std::vector<AtlasRow>& rows);
+
+class SheetSet {
+ public:
+  /// options must outlive this.
+  SheetSet(std::unique_ptr<SheetSource> source, const AtlasOptions& options);
+
+  /// All motions at one checkpoint; different ones by different threads, if they like.
+  void search_at(std::size_t checkpoint);
+
+  /// Then every sheet: from rest, through the motions found that lie on none, and off the sheets of
+  /// this set, and of the others given.
+  void follow_all(std::span<const AtlasSheet> others = {});
+
+  const std::vector<Checkpoint>& checkpoints() const { return checkpoints_; }
+  std::vector<AtlasSheet>& sheets() { return sheets_; }
+  const std::vector<Remark>& remarks() const { return remarks_; }
+
+ private:
+  struct Parting {
+    Branch branch;  ///< of the sheet left
+    Member at;
+  };
+
+  bool stopped() const;
+  void follow_rest();
+  void enter(const Place& from, double nu, Entry entry, double entry_nu);
+  void remark(Entry entry, double nu, std::string reason);
+  bool same_ends(const AtlasSheet& a, const AtlasSheet& b) const;
+  Place place(const Member& member) const;
+  void add_crossings(const AtlasSheet& sheet, int family, double nu, std::vector<Place>& out) const;
+  bool on_a_sheet(const Place& at, std::size_t checkpoint) const;
+  bool in_box(const Stretch& q) const;
+  void count(std::size_t checkpoint);
+  void add_partings(std::span<const AtlasSheet> sheets, std::vector<Parting>& out) const;
+  void leave(const Parting& parting);
+  bool has_child(const Parting& parting) const;
+
+  const AtlasOptions& options_;
+  std::unique_ptr<SheetSource> source_;
+  std::vector<AnyFamily> families_;
+  std::vector<AnyFamily> plain_;  ///< without spectra
+  std::vector<Checkpoint> checkpoints_;
+  std::vector<std::vector<Place>> solutions_;  ///< proven at each checkpoint, canonical
+  std::vector<std::vector<Place>> unproven_;   ///< likewise, where a search is undecided
+  std::vector<std::vector<Place>> on_sheets_;  ///< points there of the sheets so far
+  std::vector<AtlasSheet> sheets_;
+  std::vector<Remark> remarks_;
+};
+
+}  // namespace stationary

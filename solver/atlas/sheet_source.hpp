@@ -1,0 +1,78 @@
+// What an atlas (atlas.hpp) asks of one kind of motion, about one of the material axes or oblique:
+// all its motions at one nu, the families that its sheets belong to, and where its sheets leave
+// others.
+//
+// A motion is a place: S and, oblique, the axis. Of a place and its mirror image (of the material's
+// own symmetry) one is kept, the canonical one.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "solver/family/axis_family.hpp"
+#include "solver/motion/event.hpp"
+#include "solver/search/search.hpp"
+
+namespace stationary {
+
+struct Place {
+  Stretch q;
+  double axis = 0.0;  ///< oblique: angle from axis 1, that of a line; else 0
+};
+
+/// Nearer than this two places are the same: sheets of one kind meet only at branch points.
+constexpr double same_place = 1e-6;
+
+/// The largest difference of the ln of xi, zeta, rho and of the angles: atanh of
+/// alpha/sqrt(xi zeta), and the axis'.
+double distance(const Place& a, const Place& b);
+
+/// A motion a little way along a sheet that leaves another, or why none was found.
+struct Departure {
+  Place at;
+  double nu;
+};
+using DepartureResult = std::variant<Departure, std::string>;
+
+class SheetSource {
+ public:
+  SheetSource() = default;
+  SheetSource(const SheetSource&) = delete;
+  SheetSource& operator=(const SheetSource&) = delete;
+  virtual ~SheetSource() = default;
+
+  virtual Branch branch() const = 0;
+  virtual bool oblique() const { return false; }
+
+  /// Every motion at nu > 0, mirror images among them. May be called by several threads.
+  virtual SearchResult search(double nu, const SearchOptions& options) const = 0;
+  /// Where sheets begin at nu = 0; none where the rest state is not found.
+  virtual std::vector<Place> at_rest(const SolveOptions& options) const = 0;
+
+  /// The families its sheets are followed in, by number, and which one a place is of.
+  virtual int families() const { return 1; }
+  virtual int family_of(const Place&) const { return 0; }
+  virtual AnyFamily family(int which, bool spectrum) const = 0;
+
+  Place place(const Stretch& q, const Vector3<double>& nu) const;
+  virtual Place canonical(const Place& at) const { return at; }
+
+  /// The event on other sheets at which sheets of this kind begin, or none.
+  virtual EventType leaves_by() const { return EventType::none; }
+  /// Whether, at that event, this is a place where they do.
+  virtual bool leaves_at(const Member&) const { return false; }
+  /// parent: the branch of the sheet left. range: of nu, for the scale.
+  virtual DepartureResult departure(Branch parent, const Member& at, double range) const = 0;
+};
+
+/// Of an isotropic V about a material axis.
+std::unique_ptr<SheetSource> axis_sheets(const Problem& problem);
+
+/// Of another V; about axis 1 or 2 of a shear-free one (else there are no sheets: throws
+/// std::invalid_argument).
+std::unique_ptr<SheetSource> anisotropic_sheets(const Problem& problem);
+std::unique_ptr<SheetSource> oblique_sheets(const Body& body, const Potential& potential);
+
+}  // namespace stationary

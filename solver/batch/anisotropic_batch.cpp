@@ -1,0 +1,213 @@
+#include "solver/batch/anisotropic_batch.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "solver/family/anisotropic_family.hpp"
+#include "solver/solve/anisotropic_rest.hpp"
+#include "solver/continuation/corrector.hpp"
+#include "solver/solve/nonexistence.hpp"
+#include "solver/family/follow_sheet.hpp"
+
+namespace stationary {
+namespace {
+
+/// Of the curve between two rows, in (ln x, p over the range).
+constexpr double curve_tolerance = 1e-7;
+/// The range followed over the largest nu: near a turn of nu the end of a range is not met exactly.
+constexpr double beyond = 1.0 + 0x1p-10;
+
+bool is_set(const std::atomic<bool>* stop) {
+  return stop != nullptr && stop->load(std::memory_order_relaxed);
+}
+
+/// The rows of a sheet in its family's coordinates.
+template <int N>
+class CoordinateRows final : public CurveSink {
+ public:
+  struct Row {
+    ReducedVector<N> x;
+    double p;
+  };
+
+  explicit CoordinateRows(const Family<N>& family) : family_(family) {}
+
+  void row(const Member& member, EventType) override {
+    rows_.push_back({family_.coordinates(member.q, member.parameter), member.parameter});
+  }
+  const std::vector<Row>& rows() const { return rows_; }
+
+ private:
+  const Family<N>& family_;
+  std::vector<Row> rows_;
+};
+
+/// A family through a rest state, at many nu.
+template <int N>
+class FollowedLane {
+ public:
+  /// bare: the same family, its members without errors and energy.
+  FollowedLane(const Family<N>& family, const Family<N>& bare, const Stretch& rest,
+               const std::atomic<bool>* stop)
+      : family_(family), bare_(bare), rest_(rest), stop_(stop) {}
+
+  /// What is not met stays as it is.
+  void solve(std::span<const double> nu, std::span<LanePoint> out) {
+    std::size_t k = 0;
+    for (; k < nu.size() && nu[k] == 0.0; ++k) {
+      ReducedVector<N> x = family_.coordinates(rest_, 0.0);
+      correct(x, 0.0, out[k]);
+    }
+    if (k == nu.size()) return;
+    range_ = beyond * nu.back();
+    const std::vector<Row> rows = followed(rest_, 0.0, range_);
+    if (rows.empty()) return;
+    positive_ = family_.linearize(rows.front().x, rows.front().p).jacobian.determinant() > 0.0;
+    for (std::size_t b = 1; b < rows.size(); ++b) {
+      std::optional<Arc<N>> arc;
+      for (; k < nu.size() && nu[k] <= rows[b].p; ++k) {
+        if (is_set(stop_)) return;
+        if (!arc) arc = arc_between(rows[b - 1], rows[b]);
+        if (!answer(rows[b - 1], rows[b], *arc, nu[k], out[k])) go_on(rows[b - 1], nu[k], out[k]);
+      }
+    }
+  }
+
+ private:
+  using Row = typename CoordinateRows<N>::Row;
+
+  /// Empty where the start is no point of a curve.
+  std::vector<Row> followed(const Stretch& q, double from, double to) const {
+    FollowOptions how;
+    how.continuation.from = from;
+    how.continuation.to = to;
+    how.continuation.step.tolerance = curve_tolerance;
+    how.events = EventSet::none().add(EventType::fold_nu);
+    how.stop = stop_;
+    CoordinateRows<N> sink(family_);
+    follow_family(bare_, q, from, how, sink);
+    return sink.rows();
+  }
+
+  Arc<N> arc_between(const Row& a, const Row& b) const {
+    const Corrector<N> corrector(family_, range_, false);
+    ArcVector<N> chord;
+    chord.template head<N>() = (b.x.array() / a.x.array()).log().matrix();
+    chord[N] = (b.p - a.p) / range_;
+    const auto ahead = [&](const Row& at) {
+      const ArcVector<N> along = corrector.direction_near(at.x, at.p);
+      return along.dot(chord) < 0.0 ? ArcVector<N>(-along) : along;
+    };
+    return Arc<N>(chord, ahead(a), ahead(b));
+  }
+
+  /// At nu on the arc from a to b. False where what it is corrected to is not known to be its place
+  /// on the curve.
+  bool answer(const Row& a, const Row& b, const Arc<N>& arc, double nu, LanePoint& out) const {
+    const auto ahead = [&](double u) { return (a.p - nu) + range_ * arc.at(u)[N]; };
+    double u = 1.0;
+    if (nu < b.p && ahead(0.0) < 0.0 && ahead(1.0) > 0.0) {
+      std::uintmax_t evaluations = 60;
+      const auto [low, high] = boost::math::tools::toms748_solve(
+          ahead, 0.0, 1.0, boost::math::tools::eps_tolerance<double>(52), evaluations);
+      u = 0.5 * (low + high);
+    }
+    const ReducedVector<N> near =
+        u < 1.0 ? moved<N>(a.x, ReducedVector<N>(arc.at(u).template head<N>())) : b.x;
+    // At this nu, and not across the curve: the steeper the curve the farther.
+    constexpr double few = 8.0;
+    const double steepness = 1.0 / std::max(arc.direction(u)[N], 1e-3);
+    ReducedVector<N> x = near;
+    const Refined refined = correct(x, nu, out);
+    const double moved_by = (x.array() / near.array()).log().abs().maxCoeff();
+    return refined.converged && refined.positive == positive_ &&
+           moved_by <= few * curve_tolerance * steepness;
+  }
+
+  /// Along the curve from a row to nu.
+  void go_on(const Row& from, double nu, LanePoint& out) const {
+    out = LanePoint();
+    const Member start = family_.member(from.x, ReducedVector<N>::Zero(), from.p, 0.0);
+    const std::vector<Row> rows = followed(start.q, from.p, nu);
+    if (rows.empty() || rows.back().p != nu) return;
+    ReducedVector<N> x = rows.back().x;
+    correct(x, nu, out);
+  }
+
+  Refined correct(ReducedVector<N>& x, double nu, LanePoint& out) const {
+    ReducedVector<N> tail;
+    const Refined refined = family_.refine_at(x, tail, nu);
+    if (!refined.converged) return refined;
+    const Member member = family_.member(x, tail, nu, refined.error_bound);
+    out.status = member.residual <= acceptable_residual ? SolveStatus::solved : SolveStatus::failed;
+    out.q = member.q;
+    out.error_bound = member.error_bound;
+    return refined;
+  }
+
+  const Family<N>& family_;
+  const Family<N>& bare_;
+  const Stretch& rest_;
+  const std::atomic<bool>* stop_;
+  double range_ = 0.0;
+  bool positive_ = true;  ///< det dG/d ln x where the sheet begins
+};
+
+/// About an axis that V_alpha leaves no motion but by chance.
+void solve_off_axis(const Problem& problem, std::span<const double> nu,
+                    const std::atomic<bool>* stop, std::span<LanePoint> out) {
+  SolveOptions how;
+  how.stop = stop;
+  for (std::size_t k = 0; k < nu.size(); ++k) {
+    if (is_set(stop)) return;
+    const Equilibrium at = solve(problem, nu[k], how);
+    if (at.status == SolveStatus::interrupted) return;
+    out[k] = {at.status, at.q, at.error_bound};
+  }
+}
+
+}  // namespace
+
+void solve_anisotropic_lane(const Problem& problem, std::span<const double> nu,
+                            const std::atomic<bool>* stop, std::span<LanePoint> out) {
+  std::ranges::fill(out, LanePoint());
+  const AnisotropicPotential& V = problem.potential().anisotropic();
+  const bool off_axis = problem.branch() != Branch::iii && !V.shear_free();
+  // At rest no axis is asked for.
+  const auto spinning = static_cast<std::size_t>(
+      std::ranges::find_if(nu, [](double each) { return each > 0.0; }) - nu.begin());
+  const std::size_t followed = off_axis ? spinning : nu.size();
+  if (off_axis) solve_off_axis(problem, nu.subspan(spinning), stop, out.subspan(spinning));
+  if (followed == 0 || is_set(stop)) return;
+  SolveOptions how;
+  how.stop = stop;
+  Counts counts;
+  const AnisotropicRest rest = anisotropic_rest(problem.body(), problem.potential(), how, counts);
+  if (rest.q) {
+    const auto family = [&](bool errors) {
+      return anisotropic_family(
+          problem.body(), V, off_axis ? Branch::iii : problem.branch(), false,
+          {.parameter = {}, .spectrum = false, .errors = errors, .energy = false});
+    };
+    std::visit(
+        [&](const auto& each, const auto& bare) {
+          if constexpr (std::is_same_v<decltype(each), decltype(bare)>)
+            FollowedLane(*each, *bare, *rest.q, stop)
+                .solve(nu.first(followed), out.first(followed));
+        },
+        family(true), family(false));
+  }
+  if (is_set(stop)) return;  // what was not met may only not have been come to
+  for (std::size_t k = 0; k < followed; ++k) {
+    if (out[k].status != SolveStatus::not_run) continue;
+    out[k].status =
+        nonexistence_reason(problem, nu[k]) ? SolveStatus::none_exists : SolveStatus::not_found;
+  }
+}
+
+}  // namespace stationary

@@ -1,0 +1,512 @@
+// Pseudo-arclength continuation of a family from a point, in one direction:
+//
+//   predictor      cubic through the last two points and their tangents (hermite_arc.hpp)
+//   corrector      bordered Newton, then extended precision (corrector.hpp)
+//   step control   the error the first correction shows, against the tolerance (step_control.hpp)
+//   events         between the last two points (event_search.hpp)
+//
+// step() advances one point; whoever calls it writes, reports and stops. A step is taken back and
+// halved where anything the corrector observed could be a jump to another sheet: a large first
+// correction, slow contraction, a large angle between tangents, or the other sign of the bordered
+// determinant (a sheet met across the gap of a broken bifurcation goes on straight, with that
+// sign).
+#pragma once
+
+#include <exception>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "solver/continuation/ellipse_end.hpp"
+#include "solver/continuation/domain_guard.hpp"
+#include "solver/continuation/event_search.hpp"
+#include "solver/continuation/step_control.hpp"
+
+namespace stationary {
+
+struct ContinuationOptions {
+  double from = 0.0;  ///< range of the parameter, from < to
+  double to = 1.0;
+  StepOptions step;
+  double min_stretch = 1e-6;  ///< a sheet ends (collapse, escape) where a stretch leaves these
+  double max_stretch = 1e6;
+};
+
+struct ContinuationCounts {
+  long steps = 0;
+  long rejected = 0;        ///< steps taken back
+  long linearizations = 0;  ///< of G, the extended-precision corrections' not counted
+  long members = 0;         ///< points completed, those of event searches included
+
+  ContinuationCounts& operator+=(const ContinuationCounts& other) {
+    steps += other.steps;
+    rejected += other.rejected;
+    linearizations += other.linearizations;
+    members += other.members;
+    return *this;
+  }
+};
+
+template <int N>
+class Continuation {
+ public:
+  /// start: a completed point of the curve. direction: +1 along its tangent, -1 against.
+  Continuation(const Curve<N>& curve, const CurvePoint<N>& start, int direction,
+               const ContinuationOptions& options)
+      : curve_(&curve),
+        options_(options),
+        control_(options.step),
+        events_in_(curve),
+        guard_(curve),
+        start_(start),
+        here_(start),
+        h_(options.step.first) {
+    if (direction < 0) reverse(here_);
+    start_ = here_;
+    guard_.enter(here_.arc);
+    travelled_.setZero();
+    if (leaves_range(here_)) finish(EventType::limit, "the start is at the end of the range");
+  }
+
+  /// Advances to the next point. False where the sheet has ended: before, or in a failure (end()
+  /// and reason()). The step that reaches an end returns true and sets end().
+  bool step() {
+    events_.clear();
+    unlocated_.clear();
+    if (end_ != EventType::none) return false;
+    for (;;) {
+      if (h_ < options_.step.min) {
+        finish(EventType::stalled, "the step became too small: " + refusal_);
+        return false;
+      }
+      try {
+        Attempt attempt;
+        if (try_step(attempt)) {
+          accept(attempt);
+          return !ended_before_step_;
+        }
+      } catch (const std::exception& error) {  // a failed step like any other
+        refuse(error.what(), 0.5 * h_);
+      }
+      ++counts_.rejected;
+      constexpr double near_border = 1e-6;
+      if (h_ < near_border && end_at_border(4.0 * h_)) return true;
+      if (end_ != EventType::none) return false;
+    }
+  }
+
+  const CurvePoint<N>& point() const { return here_; }
+  /// Those between the last point and this one, in order.
+  std::span<const Event> events() const { return events_; }
+  /// Those known from this point to lie somewhere before it (EventStatus::unresolved).
+  std::span<const Event> unlocated() const { return unlocated_; }
+  EventType end() const { return end_; }
+  const std::string& reason() const { return reason_; }
+  ContinuationCounts counts() const {
+    ContinuationCounts out = counts_;
+    out.members += events_in_.evaluations();
+    return out;
+  }
+
+ private:
+  struct Attempt {
+    Corrected<N> corrected;
+    Arc<N> arc;
+    double D = 0.0;  ///< fourth derivative shown
+    double angle = 0.0;
+    bool mirrors = false;  ///< a sheet of ellipses passes through its circle
+  };
+
+  void reverse(CurvePoint<N>& point) const {
+    point.arc.tangent = -point.arc.tangent;
+    point.arc.positive = !point.arc.positive;
+    // Those that follow the tangent; the cofactors' do not.
+    if (!curve_->family().along_nu()) return;
+    point.tests.value[TestValues::fold] *= -1.0;
+    point.tests.value[TestValues::momentum] *= -1.0;
+  }
+
+  bool refuse(const std::string& why, double next_step) {
+    refusal_ = why;
+    h_ = next_step;
+    return false;
+  }
+
+  /// One predictor-corrector step of length h_ from here_. Where it is refused h_ is shortened.
+  bool try_step(Attempt& out) {
+    const double h = h_;
+    const double max_angle = options_.step.max_angle;
+    const ArcVector<N> ahead = has_arc_ ? ArcVector<N>(arc_.at(1.0 + h / arc_.length) - arc_.chord)
+                                        : ArcVector<N>(h * here_.arc.tangent);
+    const double scale = curve_->corrector().scale();
+    out.corrected = curve_->corrector().correct(
+        moved<N>(here_.arc.x, ReducedVector<N>(ahead.template head<N>())),
+        here_.arc.p + scale * ahead[N], here_.arc.tangent, 0.5 * max_angle * h + 1e-13);
+    counts_.linearizations += out.corrected.linearizations;
+    if (out.corrected.status != CorrectorStatus::converged)
+      return refuse(std::string(name(out.corrected.status)), 0.5 * h);
+    const ArcPoint<N>& next = out.corrected.point;
+    out.arc = Arc<N>(ahead + out.corrected.correction, here_.arc.tangent, next.tangent);
+    out.angle = Arc<N>::angle(here_.arc.tangent, next.tangent);
+    if (!(out.angle <= max_angle)) return refuse("the tangent turned too far", 0.5 * h);
+    if (const auto* broken = guard_.broken_on(out.arc))
+      return refuse("beyond the domain of the potential: " + broken->text, 0.5 * h);
+    out.mirrors = crosses_mirror(next);
+    if (next.positive != here_.arc.positive && !out.mirrors) {
+      return refuse("the bordered determinant changed sign: another sheet, or a branch point",
+                    0.5 * h);
+    }
+    if (has_arc_) {
+      const double correction = out.corrected.first_correction;
+      out.D = StepControl::fourth_derivative(correction, h, arc_.length);
+      if (control_.shortens(out.D, h) && correction < 1e-8) {
+        // Rounding of G may be in it: believe the last step, as far as what is left allows.
+        const double left = correction - curve_->corrector().correction_rounding(next);
+        out.D = std::clamp(D_, StepControl::fourth_derivative(left, h, arc_.length), out.D);
+      }
+      if (control_.too_long(out.D, h)) {
+        return refuse("the curve bends more than the tolerance allows",
+                      std::max(0.25 * h, std::min(0.5 * h, control_.next(out.D, 0.0, h, 0.0))));
+      }
+      return true;
+    }
+    // The first step shows no fourth derivative: its middle does, against the cubic.
+    const Corrected<N> middle = curve_->at(here_.arc, out.arc, 0.5);
+    counts_.linearizations += middle.linearizations;
+    if (middle.status != CorrectorStatus::converged)
+      return refuse(std::string(name(middle.status)), 0.5 * h);
+    out.D = 384.0 * std::max(middle.first_correction, 1e-16) / (h * h * h * h);
+    if (control_.too_long(out.D, h))
+      return refuse("the curve bends more than the tolerance allows", 0.5 * h);
+    return true;
+  }
+
+  void accept(Attempt& attempt) {
+    if (!resolves(attempt.corrected.point)) {
+      end_unresolved(attempt.arc);
+      return;
+    }
+    CurvePoint<N> next = completed(attempt.corrected.point);
+    ++counts_.steps;
+    if (const auto k = curve_->family().mirrored(); attempt.mirrors && k) {
+      end_at_mirror(attempt, *k);
+      return;
+    }
+    if (attempt.mirrors) {
+      end_at_circle(attempt, next);
+      return;
+    }
+    find_events(next, attempt.arc);
+    if (const std::optional<double> limit = passed_limit(next, attempt.arc)) {
+      if (*limit == 0.0 && end_at_rest(attempt)) return;
+      if (!stop_at(*limit, attempt)) return;
+      next = here_next_;
+      find_events(next, attempt.arc);
+      if (ends_tilted(next, attempt)) return;
+      settle(next, attempt);
+      finish(EventType::limit, "the range asked for");
+      return;
+    }
+    if (ends_tilted(next, attempt)) return;
+    const double D_before = D_;
+    const double h = h_;
+    settle(next, attempt);
+    h_ = control_.next(attempt.D, D_before, h, attempt.angle);
+    D_ = attempt.D;
+    end_if_closed(h);
+    if (end_ == EventType::none) end_if_out_of_bounds();
+  }
+
+  CurvePoint<N> completed(const ArcPoint<N>& arc) {
+    ++counts_.members;
+    return curve_->complete(arc);
+  }
+
+  void find_events(const CurvePoint<N>& next, const Arc<N>& arc) {
+    events_ = events_in_.run(here_, next, arc, has_arc_ ? &earlier_tests_ : nullptr, arc_.length,
+                             counts_.steps == 1);
+    unlocated_ = events_in_.unresolved();
+  }
+
+  void settle(const CurvePoint<N>& next, const Attempt& attempt) {
+    events_in_.settle();
+    earlier_tests_ = here_.tests;
+    here_ = next;
+    guard_.enter(here_.arc);
+    arc_ = attempt.arc;
+    has_arc_ = true;
+    travelled_ += arc_.chord;
+    farthest_ = std::max(farthest_, travelled_.norm());
+  }
+
+  // Ends.
+
+  void finish(EventType end, std::string reason) {
+    end_ = end;
+    reason_ = std::move(reason);
+  }
+
+  bool leaves_range(const CurvePoint<N>& at) const {
+    const double ahead = at.arc.tangent[N];
+    return (at.arc.p <= options_.from && ahead < 0.0) || (at.arc.p >= options_.to && ahead > 0.0);
+  }
+
+  /// The limit of the range the step passes, also by turning just beyond it.
+  std::optional<double> passed_limit(const CurvePoint<N>& next, const Arc<N>& arc) {
+    const auto beyond = [&](double p) -> std::optional<double> {
+      if (p > options_.to) return options_.to;
+      if (p < options_.from) return options_.from;
+      return std::nullopt;
+    };
+    reach_ = 1.0;
+    for (const Event& event : events_) {
+      if (event.type != EventType::fold_nu) continue;
+      if (const auto limit = beyond(event.member.parameter)) {
+        const double half = arc.chord[N];  // p(u) is a cubic: its turn, from the tangents
+        const double a = arc.from[N] * arc.length;
+        const double b = arc.to[N] * arc.length;
+        const double A = 3.0 * (a + b - 2.0 * half);
+        const double B = 2.0 * (3.0 * half - 2.0 * a - b);
+        const double root = std::sqrt(std::max(0.0, B * B - 4.0 * A * a));
+        reach_ = std::clamp(-2.0 * a / (B + (B > 0.0 ? root : -root)), 0.0, 1.0);
+        return limit;
+      }
+    }
+    return beyond(next.arc.p);
+  }
+
+  /// Ends it at p = 0, of a family whose balance is singular there. False: it is not, or the point
+  /// was not found.
+  bool end_at_rest(const Attempt& attempt) {
+    const double u = here_.arc.p / (here_.arc.p - attempt.corrected.point.p);
+    const ArcVector<N> y = attempt.arc.at(u);
+    const auto at =
+        curve_->family().rest_point(moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())));
+    if (!at) return false;
+    std::erase_if(events_, [&](const Event& event) {  // those of the mirror image beyond
+      return event.member.parameter * here_.arc.p <= 0.0;
+    });
+    here_.member = *at;
+    here_.arc.p = 0.0;
+    finish(EventType::limit, "the range asked for");
+    return true;
+  }
+
+  /// Ends the attempt at p = limit instead. False: the point there was not found.
+  bool stop_at(double limit, Attempt& attempt) {
+    const double scale = curve_->corrector().scale();
+    const auto distance = [&](double u) {
+      return here_.arc.p + scale * attempt.arc.at(u)[N] - limit;
+    };
+    const double a = distance(0.0);
+    const double b = distance(reach_);
+    double u = reach_;
+    if ((a < 0.0) != (b < 0.0) && a != 0.0) {
+      std::uintmax_t evaluations = 60;
+      const auto bracket = boost::math::tools::toms748_solve(
+          distance, 0.0, reach_, a, b, boost::math::tools::eps_tolerance<double>(52), evaluations);
+      u = 0.5 * (bracket.first + bracket.second);
+    }
+    const ArcVector<N> y = attempt.arc.at(u);
+    Corrected<N> at = curve_->corrector().correct_at(
+        moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())), limit,
+        attempt.arc.direction(u));
+    if (at.status != CorrectorStatus::converged) {
+      finish(EventType::stalled,
+             "the end of the range was not reached: " + std::string(name(at.status)));
+      return false;
+    }
+    here_next_ = completed(at.point);
+    attempt.arc = Arc<N>(y, here_.arc.tangent, at.point.tangent);
+    return true;
+  }
+
+  /// Ends a tilted family where its axis has come to a material one inside the step: at the event
+  /// located there, if the point beyond is none of the family.
+  bool ends_tilted(const CurvePoint<N>& next, Attempt& attempt) {
+    if (!curve_->context().tilted) return false;
+    const auto at = std::ranges::find(events_, EventType::tilt, &Event::type);
+    if (at == events_.end() && !next.member.beyond_end()) return false;
+    const Member end = at == events_.end() ? here_.member : at->member;
+    finish(EventType::tilt, end.tilt_in_plane < end.tilt_normal
+                                ? "the axis has come to axis 3, on branch (iii)"
+                                : "the axis has come to the plane of axes 1 and 2");
+    if (at == events_.end()) return true;  // it was there at the start
+    const ReducedVector<N> x = curve_->family().coordinates(end.q, end.parameter);
+    const Corrected<N> corrected = curve_->corrector().correct_at(x, end.parameter, attempt.arc.to);
+    if (corrected.status == CorrectorStatus::converged) {
+      ArcVector<N> chord;
+      chord.template head<N>() = (x.array() / here_.arc.x.array()).log().matrix();
+      chord[N] = (end.parameter - here_.arc.p) / curve_->corrector().scale();
+      attempt.arc = Arc<N>(chord, here_.arc.tangent, corrected.point.tangent);
+      CurvePoint<N> last = completed(corrected.point);
+      last.member.spectrum.reset();    // a pair is zero there, and of no sign
+      find_events(last, attempt.arc);  // once more, of what is left of the step
+      settle(last, attempt);
+    }
+    std::erase_if(events_, [](const Event& event) { return event.type == EventType::tilt; });
+    here_.member = end;
+    return true;
+  }
+
+  /// Ends the sheet where the domain of the potential ends within `reach`: at the last point of the
+  /// curve inside, by bisection. False where it does not end there.
+  bool end_at_border(double reach) {
+    const auto* broken = guard_.broken_along(here_.arc.tangent, reach);
+    if (broken == nullptr) return false;
+    Attempt last;
+    double inside = 0.0;
+    double outside = reach;
+    for (int k = 0; k < 60 && outside - inside > 0x1p-52; ++k) {
+      const double s = 0.5 * (inside + outside);
+      Attempt attempt;
+      (reaches(s, attempt) ? inside : outside) = s;
+      if (inside == s) last = attempt;
+    }
+    finish(EventType::domain, "the domain of the potential ends: " + broken->text);
+    if (inside == 0.0) {
+      here_.member.error_bound += outside;
+      return false;  // at the point reached already
+    }
+    CurvePoint<N> next = completed(last.corrected.point);
+    next.member.error_bound += outside - inside;
+    events_.clear();
+    settle(next, last);
+    return true;
+  }
+
+  /// A point of the curve inside the domain, at a small distance.
+  bool reaches(double distance, Attempt& out) const {
+    const ArcVector<N> ahead = distance * here_.arc.tangent;
+    const Corrector<N>& corrector = curve_->corrector();
+    out.corrected = corrector.correct(
+        moved<N>(here_.arc.x, ReducedVector<N>(ahead.template head<N>())),
+        here_.arc.p + corrector.scale() * ahead[N], here_.arc.tangent, 1e-3 * distance + 1e-13);
+    if (out.corrected.status != CorrectorStatus::converged) return false;
+    const ArcPoint<N>& next = out.corrected.point;
+    out.arc = Arc<N>(ahead + out.corrected.correction, here_.arc.tangent, next.tangent);
+    return guard_.has(next);
+  }
+
+  void end_if_closed(double h) {
+    if (counts_.steps < 4 || farthest_ < 4.0 * h || travelled_.norm() > h) return;
+    if (here_.arc.tangent.dot(start_.arc.tangent) < 0.9) return;
+    // Not past the start yet: one more step.
+    if (travelled_.dot(start_.arc.tangent) < 0.0) return;
+    here_ = start_;
+    finish(EventType::closed, "the sheet is closed: back at the start");
+  }
+
+  void end_if_out_of_bounds() {
+    const Stretch& q = here_.member.q;
+    const double least = std::min({q.xi, q.zeta, q.rho});
+    const double most = std::max({q.xi, q.zeta, q.rho});
+    if (most > options_.max_stretch || least < options_.min_stretch) {
+      finish(most > options_.max_stretch || escapes(arc_) ? EventType::escape : EventType::collapse,
+             "a stretch left the bounds followed");
+      return;
+    }
+    // Near an asymptote in p a double no longer tells its points apart.
+    constexpr double far = 1e3;
+    constexpr double coarse = 1e-5;  // of a bound that still holds
+    const double resolved = std::abs(arc_.chord[N]) * curve_->corrector().scale() / arc_.length;
+    if (curve_->corrector().vertical() || options_.from == options_.to) return;
+    if (((most > far || least < 1.0 / far) && resolved < 1e-9 * std::abs(here_.arc.p)) ||
+        here_.arc.error_bound > coarse)
+      finish(escapes(arc_) ? EventType::escape : EventType::collapse, unresolved_reason);
+  }
+
+  /// In the logarithms of the stretches: one that only grows along while another vanishes does not
+  /// escape.
+  static bool escapes(const Arc<N>& arc) {
+    const ReducedVector<N> change = arc.chord.template head<N>();
+    return change.maxCoeff() > -0.1 * change.minCoeff();
+  }
+
+  /// Whether a bound of x at the point's p was found.
+  static bool resolves(const ArcPoint<N>& point) { return std::isfinite(point.error_bound); }
+
+  /// Ends the sheet at the last point: the next is none of a known p.
+  void end_unresolved(const Arc<N>& arc) {
+    ended_before_step_ = true;
+    finish(escapes(arc) ? EventType::escape : EventType::collapse, unresolved_reason);
+  }
+
+  /// A sheet of ellipses (J1 = J2, branch (iii)) that reaches xi = zeta meets the circle there and
+  /// goes on as its own mirror image.
+  /// One with alpha != 0 of an even V likewise meets alpha = 0.
+  bool crosses_mirror(const ArcPoint<N>& next) const {
+    const TestContext& context = curve_->context();
+    if (const auto k = curve_->family().mirrored())
+      return (here_.arc.x[*k] < 1.0) != (next.x[*k] < 1.0);
+    if (!context.material_symmetry || context.circle || context.branch != Branch::iii) return false;
+    return (here_.arc.x[0] < here_.arc.x[1]) != (next.x[0] < next.x[1]);
+  }
+
+  void end_at_mirror(const Attempt& attempt, int k) {
+    const double gap = std::log(here_.arc.x[k]);
+    const ArcVector<N> y = attempt.arc.at(gap / (gap - std::log(attempt.corrected.point.x[k])));
+    const auto at =
+        curve_->family().mirror_point(moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())),
+                                      here_.arc.p + curve_->corrector().scale() * y[N]);
+    if (!at) {
+      finish(EventType::stalled, "alpha = 0 was passed, but the point there not found");
+      return;
+    }
+    here_.member = *at;
+    here_.arc.p = at->parameter;
+    const bool in_plane = curve_->context().oblique;
+    finish(in_plane ? EventType::oblique : EventType::shear,
+           in_plane ? "the axis has come to a material one, alpha to 0"
+                    : "alpha has come to 0; beyond are mirror images");
+  }
+
+  void end_at_circle(const Attempt& attempt, const CurvePoint<N>& next) {
+    if (const auto at = curve_->family().circle_point(next.arc.x)) {
+      here_.member = *at;
+      here_.member.spectrum.reset();
+      here_.arc.p = at->parameter;
+      finish(EventType::ellipse, "the momenta are equal: the ellipses have come to the circle");
+      return;
+    }
+    const auto circle = circle_within(*curve_, here_, next, attempt.arc);
+    if (!circle) {
+      finish(EventType::stalled, "xi = zeta was passed, but the circle's own point not found");
+      return;
+    }
+    here_ = *circle;
+    // The circle's modes are those of (iii), on another leaf.
+    if (curve_->context().two_polar) here_.member.spectrum.reset();
+    finish(EventType::ellipse, "the ellipses meet the circle here and go on as mirror images");
+  }
+
+  static constexpr const char* unresolved_reason =
+      "beyond this a double of the parameter does not resolve the stretches";
+
+  const Curve<N>* curve_;
+  ContinuationOptions options_;
+  StepControl control_;
+  EventSearch<N> events_in_;
+  DomainGuard<N> guard_;
+  CurvePoint<N> start_;
+  CurvePoint<N> here_;
+  CurvePoint<N> here_next_;
+  TestValues earlier_tests_{};
+  Arc<N> arc_;  ///< of the last step
+  bool has_arc_ = false;
+  double h_;
+  double D_ = 0.0;
+  double reach_ = 1.0;  ///< of the last step, to its first turn beyond the range
+  ArcVector<N> travelled_;
+  double farthest_ = 0.0;
+  std::vector<Event> events_;
+  std::vector<Event> unlocated_;
+  EventType end_ = EventType::none;
+  bool ended_before_step_ = false;
+  std::string reason_;
+  std::string refusal_ = "the first step";
+  ContinuationCounts counts_;
+};
+
+}  // namespace stationary

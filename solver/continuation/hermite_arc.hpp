@@ -1,0 +1,64 @@
+// A curve G(x; p) = 0 in the coordinates continuation measures in,
+//
+//   y = (ln x, p/scale) in R^(N+1),
+//
+// points on it with their unit tangents, and the arc between two of them as the cubic that has both
+// points and both tangents (error l^4/384 of its fourth derivative).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/motion/family.hpp"
+
+namespace stationary {
+
+template <int N>
+using ArcVector = Eigen::Matrix<double, N + 1, 1>;
+
+template <int N>
+struct ArcPoint {
+  ReducedVector<N> x;
+  ReducedVector<N> tail = ReducedVector<N>::Constant(std::numeric_limits<double>::quiet_NaN());
+  double p = std::numeric_limits<double>::quiet_NaN();
+  ArcVector<N> tangent;
+  /// Sign of det [dG/dy; tangent^T]: one and the same all along a sheet.
+  bool positive = true;
+  double error_bound = std::numeric_limits<double>::quiet_NaN();  ///< of x at p
+  bool at_turn = false;  ///< x was corrected onto the curve, not to p
+  FamilyLinearization<N> at;
+};
+
+template <int N>
+struct Arc {
+  ArcVector<N> chord;  ///< from its beginning to its end
+  ArcVector<N> from;   ///< tangents
+  ArcVector<N> to;
+  double length = 0.0;
+
+  Arc() = default;
+  /// length: that of the circle with this chord and this angle between the tangents.
+  Arc(const ArcVector<N>& between, const ArcVector<N>& t0, const ArcVector<N>& t1)
+      : chord(between), from(t0), to(t1) {
+    const double half = 0.5 * angle(t0, t1);
+    length = chord.norm() * (half > 1e-4 ? half / std::sin(half) : 1.0 + half * half / 6.0);
+  }
+
+  /// y(u) - y(0), u = 0 ... 1 and, extrapolating, beyond.
+  ArcVector<N> at(double u) const {
+    return (u * (u - 1.0) * (u - 1.0) * length) * from + (u * u * (3.0 - 2.0 * u)) * chord +
+           (u * u * (u - 1.0) * length) * to;
+  }
+  /// dy/du, normalized.
+  ArcVector<N> direction(double u) const {
+    return (((3.0 * u - 4.0) * u + 1.0) * length * from + (6.0 * u * (1.0 - u)) * chord +
+            (u * (3.0 * u - 2.0) * length) * to)
+        .normalized();
+  }
+
+  static double angle(const ArcVector<N>& a, const ArcVector<N>& b) {
+    return 2.0 * std::asin(std::min(1.0, 0.5 * (a - b).norm()));  // accurate where small
+  }
+};
+
+}  // namespace stationary

@@ -1,0 +1,623 @@
+#include "solver/family/anisotropic_family.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "lib/material/elastic_energy.hpp"
+#include "solver/motion/event.hpp"
+#include "solver/motion/event_functions.hpp"
+#include "solver/motion/extended_root.hpp"
+#include "solver/newton/newton.hpp"
+#include "solver/motion/oriented_stability.hpp"
+#include "solver/motion/oriented_system.hpp"
+#include "solver/newton/refine.hpp"
+
+namespace stationary {
+namespace {
+
+/// An angle of a line, in (-pi/2, pi/2].
+double line_angle(double angle) {
+  const double out = std::remainder(angle, std::numbers::pi);
+  return out <= -0.5 * std::numbers::pi ? out + std::numbers::pi : out;
+}
+
+/// The coefficients of a potential in T, in their order: the parameter p, the others by `number`.
+template <class T, class Number>
+struct VariedCoefficients {
+  int varied;  ///< place of the parameter; -1: none of them
+  T p;
+  Number number;
+  mutable int next = 0;
+
+  T operator()(double c) const {
+    const int k = next++;
+    return k == varied ? p : number(c, static_cast<std::size_t>(k));
+  }
+  Direction<T> direction(double degrees) const {
+    const T angle = (*this)(degrees);
+    const double near = leading(angle);
+    const Direction<DoubleDouble> at = stationary::direction(near);
+    const T rest = (angle - near) * (std::numbers::pi / 180.0);
+    if constexpr (std::is_same_v<T, Conditioned>) {
+      const double spread = rest.condition;
+      const double cosine = double(at.cosine);
+      const double sine = double(at.sine);
+      return {{cosine, std::abs(sine) * spread}, {sine, std::abs(cosine) * spread}};
+    } else {
+      const T bend = 1.0 - 0.5 * square(rest);
+      return {at.cosine * bend - at.sine * rest, at.sine * bend + at.cosine * rest};
+    }
+  }
+};
+
+/// The events of these families in x and the parameter, in any number type (extended_root.hpp).
+template <class Layout>
+class OrientedEventSystem {
+ public:
+  static constexpr int dimension = Layout::dimension + 1;
+  static constexpr std::size_t unknowns = Layout::places.size();
+  using Kind = FamilyParameter::Kind;
+  template <class T>
+  using Values = std::array<T, unknowns + 1>;
+
+  /// function: as of TestValues. place: of the coefficient that varies.
+  OrientedEventSystem(const AnisotropicPotential& potential, const Body& body, Branch branch,
+                      double nu, const FamilyParameter& parameter, int place, std::size_t function)
+      : potential_(&potential),
+        J_{body.J1, body.J2, body.J3},
+        branch_(branch),
+        nu_(nu),
+        parameter_(parameter),
+        place_(parameter.kind == Kind::nu || parameter.kind == Kind::inertia ? -1 : place),
+        function_(function) {}
+
+  std::size_t inputs() const {
+    return 4 + static_cast<std::size_t>(potential_->coefficient_count());
+  }
+  bool has_decimals() const { return potential_->model().has_decimals(); }
+
+  Values<DoubleDouble> values(const Values<DoubleDouble>& y, const InputChange& change) const {
+    return equations<DoubleDouble>(y, [&](double x, std::size_t k) { return change(x, k); });
+  }
+  Values<Conditioned> conditioned(const Values<Conditioned>& y, bool exact) const {
+    return equations<Conditioned>(
+        y, [&](double x, std::size_t) { return exact ? Conditioned(x) : Conditioned::input(x); });
+  }
+
+ private:
+  template <class T, class Number>
+  Values<T> equations(const Values<T>& y, const Number& number) const {
+    const T& p = y[unknowns];
+    const auto inertia = [&](int k) {
+      const bool varied = parameter_.kind == Kind::inertia && parameter_.index == k;
+      const auto at = static_cast<std::size_t>(k);
+      return varied ? p : number(J_[at], at);
+    };
+    const Inertia3<T> J{inertia(0), inertia(1), inertia(2)};
+    const T nu_squared = square(parameter_.kind == Kind::nu ? p : number(nu_, 3));
+    const auto coefficient = [&](double c, std::size_t k) { return number(c, k + 4); };
+    const auto model =
+        potential_->model(VariedCoefficients<T, decltype(coefficient)>{place_, p, coefficient});
+    std::array<T, unknowns> x;
+    std::copy_n(y.begin(), unknowns, x.begin());
+    const auto all = all_coordinates<Layout>(x, T(1.0));
+    const auto balance = balance_at<Layout, 2>(J, model, branch_, nu_squared, all);
+    Values<T> out;
+    for (std::size_t i = 0; i < unknowns; ++i) out[i] = balance.g[Layout::places[i]];
+    if (function_ == TestValues::fold || function_ == TestValues::momentum) {
+      SquareArray<T, unknowns> jacobian;
+      for (std::size_t i = 0; i < unknowns; ++i)
+        for (std::size_t j = 0; j < unknowns; ++j)
+          jacobian[i][j] = balance.slope[Layout::places[i]][Layout::places[j]];
+      out[unknowns] = function_ == TestValues::fold
+                          ? determinant(jacobian)
+                          : turning(J, model, nu_squared, all, balance, jacobian);
+    } else if (function_ == TestValues::turn) {
+      out[unknowns] = turn(J, model, nu_squared, all);
+    } else {
+      out[unknowns] = difference_of_inertias(J, all);
+    }
+    return out;
+  }
+
+  template <class T>
+  T turning(const Inertia3<T>& J, const AnisotropicModel<T>& model, const T& nu_squared,
+            const std::array<T, 5>& y, const OrientedBalance<T>& balance,
+            const SquareArray<T, unknowns>& jacobian) const {
+    const auto at_rest = balance_at<Layout, 1>(J, model, branch_, T(0.0), y);
+    std::array<T, unknowns> pull;  // -d(q^T C q/2), of the axis nothing
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      const std::size_t row = Layout::places[i];
+      pull[i] = row == oriented::phi ? T(0.0) : balance.g[row] - at_rest.g[row];
+    }
+    std::array<T, unknowns> nu_slope;
+    std::array<T, unknowns> inertia_slope;
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      nu_slope[i] = 2.0 * pull[i];
+      inertia_slope[i] = -2.0 * pull[i];
+    }
+    const Vector4<T> q = oriented_stretch(y[0], y[1], y[2], y[3]).q.vector();
+    const Vector4<T> force = centrifugal_matrix(J, spin(nu_squared, y)) * q;
+    T own(0.0);
+    for (int i = 0; i < 4; ++i) own += q[i] * force[i];
+    return momentum_turn(jacobian, nu_slope, inertia_slope, own);
+  }
+
+  /// At alpha = 0 (oriented_stability.hpp's turn_of()).
+  template <class T>
+  T turn(const Inertia3<T>& J, const AnisotropicModel<T>& model, const T& nu_squared,
+         const std::array<T, 5>& y) const {
+    const BasicStretch<T> q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
+    const T V_aa = potential_derivatives<2>(model, q).hessian(0, 0);
+    if (branch_ == Branch::iii) return V_aa - (J.J1 + J.J2) * nu_squared;
+    const T along_2 = J.J2 * square(q.zeta) - J.J1 * square(q.xi);
+    const T inertias = branch_ == Branch::i ? along_2 : -along_2;
+    const T own = branch_ == Branch::i ? J.J1 : J.J2;
+    return (V_aa - own * nu_squared) * inertias - square(J.J1 * q.xi + J.J2 * q.zeta) * nu_squared;
+  }
+
+  template <class T>
+  T difference_of_inertias(const Inertia3<T>& J, const std::array<T, 5>& y) const {
+    using std::sqrt;
+    const BasicStretch<T> q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
+    if constexpr (!Layout::alpha) {
+      const T m[3] = {J.J1 * square(q.xi), J.J2 * square(q.zeta), J.J3 * square(q.rho)};
+      if (function_ == TestValues::inertia_12) return m[1] - m[0];
+      return m[2] - m[function_ == TestValues::inertia_13 ? 0 : 1];
+    } else {
+      const Matrix3<T> I = locked_inertia(J, q);
+      T first;
+      if constexpr (Layout::axis) {
+        const AxisAngle<T> axis = axis_angle(y[4]);
+        first = square(axis.cosine) * I(0, 0) + square(axis.sine) * I(1, 1) +
+                2.0 * (axis.cosine * axis.sine * I(0, 1));
+      } else {
+        first =
+            0.5 * (I(0, 0) + I(1, 1)) - sqrt(square(0.5 * (I(0, 0) - I(1, 1))) + square(I(0, 1)));
+      }
+      const T second = I(0, 0) + I(1, 1) - first;
+      if (function_ == TestValues::inertia_12) return first - second;
+      return I(2, 2) - (function_ == TestValues::inertia_13 ? first : second);
+    }
+  }
+
+  template <class T>
+  SpinProducts<T> spin(const T& nu_squared, const std::array<T, 5>& y) const {
+    if constexpr (Layout::axis) {
+      const AxisAngle<T> axis = axis_angle(y[4]);
+      return in_plane_products(nu_squared, axis.cosine, axis.sine);
+    } else {
+      return axis_products(branch_, nu_squared);
+    }
+  }
+
+  const AnisotropicPotential* potential_;
+  std::array<double, 3> J_;
+  Branch branch_;
+  double nu_;
+  FamilyParameter parameter_;
+  int place_;
+  std::size_t function_;
+};
+
+template <class Layout>
+class AnisotropicFamily final : public Family<Layout::dimension> {
+ public:
+  static constexpr int N = Layout::dimension;
+
+  AnisotropicFamily(const Body& body, const AnisotropicPotential& potential, Branch branch,
+                    const AxisFamilyOptions& options)
+      : body_(body),
+        branch_(branch),
+        options_(options),
+        models_(std::make_shared<const OrientedModels>(potential)) {}
+
+  Branch branch() const override { return Layout::axis ? Branch::i : branch_; }
+  bool oblique() const override { return Layout::axis; }
+  bool sheared() const override { return Layout::alpha; }
+  bool along_nu() const override { return options_.parameter.kind == Kind::nu; }
+  bool material_symmetry() const override { return false; }
+  std::optional<int> mirrored() const override {
+    if (!Layout::alpha || !models_->potential.even_in_alpha()) return std::nullopt;
+    return Layout::alpha_place;
+  }
+
+  ReducedVector<N> coordinates(const Stretch& q, double p) const override {
+    ReducedVector<N> x = stretch_coordinates(q);
+    if constexpr (Layout::axis) {
+      const Setting at = setting(p);
+      const auto I = in_plane_inertia(Inertia3<double>{at.body.J1, at.body.J2, at.body.J3}, q);
+      const double principal = 0.5 * std::atan2(2.0 * I.product, -I.difference);
+      const double near = branch_ == Branch::i ? 0.0 : 0.5 * std::numbers::pi;
+      // The balance tells the two axes of inertia apart, but for a slow spin.
+      double best = std::numeric_limits<double>::infinity();
+      ReducedVector<N> out = x;
+      for (const double turned : {0.0, 0.5 * std::numbers::pi}) {
+        const double angle = line_angle(principal + turned);
+        x[Layout::axis_place] = axis_coordinate(angle);
+        const double residual = largest_magnitude<N>(system(at).linearize(x).g);
+        const double apart = std::abs(line_angle(angle - near));
+        if (const double rank = std::max(residual, 1e-9) + 1e-12 * apart; rank < best) {
+          best = rank;
+          out = x;
+        }
+      }
+      return out;
+    }
+    return x;
+  }
+
+  ReducedVector<N> coordinates_of(const Member& member) const override {
+    ReducedVector<N> x = stretch_coordinates(member.q);
+    if constexpr (Layout::axis)
+      x[Layout::axis_place] =
+          axis_coordinate(std::atan2(member.angular_velocity[1], member.angular_velocity[0]));
+    return x;
+  }
+
+  SpinInertia<N> spin_inertia(const Member& member) const override {
+    const Inertia3<double> J{member.body.J1, member.body.J2, member.body.J3};
+    const ReducedVector<N> x = coordinates_of(member);
+    const auto y = all_coordinates<Layout>(x, 1.0);
+    const OrientedSystem<Layout> at{models_.get(), member.body, branch_, 1.0};
+    const auto pull = at.inertial(J, y, 1.0);  // -dI/2 of I = q^T C q at |nu| = 1
+    SpinInertia<N> out{0.0, ReducedVector<N>::Zero()};
+    const Stretch q = at.stretch(y).q;
+    out.own = q.vector().dot(centrifugal_matrix(J, at.spin(y, 1.0)) * q.vector());
+    for (int i = 0; i < N; ++i)
+      if (at.place(i) != oriented::phi) out.half_slope[i] = -pull[at.place(i)];
+    return out;
+  }
+
+  std::vector<ConditionValue> conditions(const ReducedVector<N>& x, double p) const override {
+    const auto y = all_coordinates<Layout>(x, 1.0);
+    return setting(p).models->potential.conditions_at(oriented_stretch(y[0], y[1], y[2], y[3]).q);
+  }
+
+  FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    ++this->evaluations_.jacobians;
+    const OrientedSystem<Layout> system = this->system(at);
+    const auto all = system.linearize(x);
+    FamilyLinearization<N> out;
+    out.g = all.g;
+    out.jacobian = all.jacobian.matrix();
+    const auto y = system.coordinates(x);
+    const Inertia3<double> J{at.body.J1, at.body.J2, at.body.J3};
+    out.nu_slope = rows(system.inertial(J, y, 2.0 * at.nu), all.scale);
+    if constexpr (Layout::axis) out.nu_slope[Layout::axis_place] = 0.0;
+    out.slope = along_nu() ? out.nu_slope : parameter_slope(at, system, y, all.scale);
+    return out;
+  }
+
+  Refined refine_at(ReducedVector<N>& x, ReducedVector<N>& tail, double p) const override {
+    constexpr int max_corrections = 8;
+    const Setting at = setting(p);
+    Refined out = refine(system(at), x, max_corrections, &tail);
+    out.error_bound *= bound_factor;
+    this->evaluations_.extended_residuals += out.steps;
+    this->evaluations_.jacobians += out.steps;
+    this->evaluations_.sensitivities += out.converged;
+    return out;
+  }
+
+  ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    ++this->evaluations_.extended_residuals;
+    ++this->evaluations_.jacobians;
+    return system(at).extended_residual(x);
+  }
+
+  ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    ++this->evaluations_.sensitivities;
+    ++this->evaluations_.jacobians;
+    return 0x1p-53 * system(at).input_sensitivity(x);
+  }
+
+  std::optional<Member> rest_point(const ReducedVector<N>& near) const override {
+    if constexpr (Layout::axis) {
+      if (!along_nu()) return std::nullopt;
+      const OrientedSystem<ShearedLayout> system{models_.get(), body_, branch_, 0.0};
+      ReducedVector<4> still = near.template head<4>();
+      if (!newton(system, still).converged) return std::nullopt;
+      ReducedVector<4> still_tail;
+      const Refined refined = refine(system, still, 8, &still_tail);
+      if (!refined.converged) return std::nullopt;
+      ReducedVector<N> x = near;
+      ReducedVector<N> tail = ReducedVector<N>::Zero();
+      x.template head<4>() = still;
+      tail.template head<4>() = still_tail;
+      return member(x, tail, 0.0, bound_factor * refined.error_bound);
+    } else {
+      return std::nullopt;
+    }
+  }
+
+  std::optional<ExtendedEvent<N>> event_at(EventType type, bool,
+                                           const Member& near) const override {
+    if (near.parameter == 0.0) return std::nullopt;
+    if (Layout::alpha && (type == EventType::shear || type == EventType::oblique)) {
+      // Where alpha comes to 0: of the family it branches off.
+      const ReducedVector<N> x = coordinates_of(near);
+      const auto straight =
+          event_near<StraightLayout>(straight_branch(x), TestValues::turn, x, near.parameter);
+      if (!straight) return std::nullopt;
+      ExtendedEvent<N> out{
+          {}, straight->parameter, straight->error_bound, straight->parameter_bound};
+      for (int i = 0; i < N; ++i) out.x[index(i)] = i < 3 ? straight->x[index(i)] : x[i];
+      return out;
+    }
+    const TestContext context{.branch = branch(),
+                              .material_symmetry = false,
+                              .circle = false,
+                              .oblique = oblique(),
+                              .sheared = sheared()};
+    const TestValues at = test_values(near, context, 0.0, 0.0);
+    std::optional<std::size_t> function;
+    for (std::size_t k = 0; k < TestValues::collision; ++k) {
+      if (std::isnan(at.value[k]) || event_type(k, context, at) != type) continue;
+      if (!function || std::abs(at.value[k]) < std::abs(at.value[*function])) function = k;
+    }
+    if (!function) return std::nullopt;
+    return event_near<Layout>(branch_, *function, coordinates_of(near), near.parameter);
+  }
+
+  Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,
+                double error_bound) const override {
+    const Setting at = setting(p);
+    std::array<DoubleDouble, static_cast<std::size_t>(N)> wide;
+    if (tail.allFinite()) {
+      for (int i = 0; i < N; ++i) wide[index(i)] = DoubleDouble(x[i], tail[i]);
+    } else {
+      wide = extended_solution(system(at), x);
+    }
+    const auto y = all_coordinates<Layout>(wide, DoubleDouble(1.0));
+    const BasicStretch<DoubleDouble> q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
+    Vector3<DoubleDouble> nu = angular_velocity(branch_, DoubleDouble(at.nu));
+    if constexpr (Layout::axis) {
+      const AxisAngle<DoubleDouble> axis = axis_angle(y[4]);
+      nu = {at.nu * axis.cosine, at.nu * axis.sine, DoubleDouble(0.0)};
+    }
+    Member out;
+    out.parameter = p;
+    out.body = at.body;
+    out.nu = at.nu;
+    // An alpha below the rounding of extended precision is none, and has no angle.
+    const double alpha = double(q.alpha);
+    const bool sheared = std::abs(alpha) > 0x1p-80 * std::sqrt(x[0] * x[1]);
+    out.q = {sheared ? alpha : 0.0, x[0], x[1], x[2]};
+    out.angular_velocity = {double(nu[0]), double(nu[1]), double(nu[2])};
+    out.error_bound = error_bound;
+    if (options_.errors || options_.energy || !Layout::alpha) add_elastic(at, out);
+    if (options_.spectrum) {
+      ++this->evaluations_.spectra;
+      out.spectrum =
+          oriented_stability({at.body, branch_, !Layout::axis}, *at.models, q, nu, error_bound);
+    }
+    return out;
+  }
+
+  /// By the turn's sign along the family with alpha = 0.
+  std::optional<Member> mirror_point(const ReducedVector<N>& x, double p) const override {
+    if constexpr (!Layout::alpha) {
+      return std::nullopt;
+    } else {
+      const Branch straight = straight_branch(x);
+      ReducedVector<3> guess(x[0], x[1], x[2]);
+      const auto point = [&](double at) -> std::optional<StraightPoint> {
+        return straight_point(straight, guess, at);
+      };
+      const auto turn = [&](double at) {
+        const auto found = point(at);
+        return found ? found->turn : std::numeric_limits<double>::quiet_NaN();
+      };
+      for (double reach = 1e-6 * (1.0 + std::abs(p)); reach < 0.1 * (1.0 + std::abs(p));
+           reach *= 4.0) {
+        const double a = turn(p - reach);
+        const double b = turn(p + reach);
+        if (std::isnan(a) || std::isnan(b)) return std::nullopt;
+        if ((a < 0.0) == (b < 0.0)) continue;
+        std::uintmax_t evaluations = 80;
+        const auto [low, high] = boost::math::tools::toms748_solve(
+            turn, p - reach, p + reach, a, b, boost::math::tools::eps_tolerance<double>(52),
+            evaluations);
+        const auto found = point(0.5 * (low + high));
+        const auto ahead = point(p + reach);
+        const auto behind = point(p - reach);
+        if (!found || !ahead || !behind) return std::nullopt;
+        ReducedVector<N> at = x;
+        at.template head<3>() = found->x;
+        at[Layout::alpha_place] = 1.0;
+        if constexpr (Layout::axis) {
+          const double angle = straight == Branch::i ? 0.0 : 0.5 * std::numbers::pi;
+          at[Layout::axis_place] =
+              axis_coordinate(std::copysign(angle, std::log(x[Layout::axis_place])));
+        }
+        if (const auto known = event_near<StraightLayout>(straight, TestValues::turn, found->x,
+                                                          0.5 * (low + high))) {
+          ReducedVector<N> tail = ReducedVector<N>::Zero();
+          for (int i = 0; i < 3; ++i) {
+            at[i] = double(known->x[index(i)]);
+            tail[i] = double(known->x[index(i)] - at[i]);
+          }
+          return member(at, tail, double(known->parameter), known->error_bound + 0x1p-53);
+        }
+        // What the turn's own rounding leaves open of p, along the family.
+        constexpr double noise = 64.0 * 0x1p-53;
+        const double moved_by = (ahead->x.array() / behind->x.array()).log().abs().maxCoeff();
+        const double along = noise * moved_by / std::abs(b - a);
+        return member(at, ReducedVector<N>::Zero(), 0.5 * (low + high),
+                      2.0 * found->error_bound + along);
+      }
+      return std::nullopt;
+    }
+  }
+
+ private:
+  /// All unknowns but the axis.
+  static ReducedVector<N> stretch_coordinates(const Stretch& q) {
+    ReducedVector<N> x = ones<N>();
+    x[0] = q.xi;
+    x[1] = q.zeta;
+    x[Layout::thickness_place] = q.rho;
+    if constexpr (Layout::alpha) x[Layout::alpha_place] = shear_coordinate(q);
+    return x;
+  }
+  using Kind = FamilyParameter::Kind;
+  /// Of alpha over sqrt(xi zeta), tanh a, and of the axis' angle, against the bound of ln x.
+  static constexpr double bound_factor = Layout::axis ? 2.0 : Layout::alpha ? 1.25 : 1.0;
+
+  struct Setting {
+    Body body;
+    std::shared_ptr<const OrientedModels> models;
+    double nu;
+  };
+  struct StraightPoint {
+    ReducedVector<3> x;
+    double turn;
+    double error_bound;
+  };
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  /// Of V at the member's q, as far as it is asked for.
+  void add_elastic(const Setting& at, Member& out) const {
+    ++this->evaluations_.second_derivatives;
+    const auto V = potential_derivatives<2>(at.models->plain, out.q);
+    if (options_.errors) {
+      const BalanceCheck check = check_balance(at.body, V, out.q, out.angular_velocity);
+      out.residual = check.residual;
+      out.compatibility = check.compatibility;
+    }
+    if (options_.energy) {
+      out.energy =
+          energy(at.body, elastic_energy(at.models->extended, out.q), out.q, out.angular_velocity);
+    }
+    if constexpr (!Layout::alpha)
+      out.turn = turn_of(at.body, branch_, V.hessian(0, 0), out.q, at.nu);
+  }
+
+  /// An event in a layout: this family's own, or the one with alpha = 0 that it branches off.
+  template <class Its, class X>
+  std::optional<ExtendedEvent<Its::dimension>> event_near(Branch branch, std::size_t function,
+                                                          const X& x, double p) const {
+    const OrientedEventSystem<Its> system(models_->potential, body_, branch, options_.nu,
+                                          options_.parameter, coefficient_place(), function);
+    ExtendedVector<Its::dimension + 1> y;
+    for (int i = 0; i < Its::dimension; ++i) y[index(i)] = x[i];
+    y.back() = p;
+    const auto root = extended_root(system, y);
+    if (!root) return std::nullopt;
+    ExtendedEvent<Its::dimension> out{{}, root->y.back(), 0.0, root->error.back()};
+    for (std::size_t i = 0; i < out.x.size(); ++i) {
+      out.x[i] = root->y[i];
+      out.error_bound = std::max(out.error_bound, bound_factor * root->error[i]);
+    }
+    return out;
+  }
+
+  Setting setting(double p) const {
+    Setting out{body_, models_, options_.nu};
+    const int k = options_.parameter.index;
+    switch (options_.parameter.kind) {
+      case Kind::nu:
+        out.nu = p;
+        break;
+      case Kind::inertia:
+        (k == 0 ? out.body.J1 : k == 1 ? out.body.J2 : out.body.J3) = p;
+        break;
+      default:
+        out.models = std::make_shared<const OrientedModels>(
+            models_->potential.with_coefficient(coefficient_place(), p));
+    }
+    return out;
+  }
+  int coefficient_place() const {
+    const AnisotropicPotential& V = models_->potential;
+    const int k = options_.parameter.index;
+    return options_.parameter.kind == Kind::thickness ? V.thickness_place() + k
+           : options_.parameter.kind == Kind::fibre   ? V.fibre_place() + k
+                                                      : k;
+  }
+
+  OrientedSystem<Layout> system(const Setting& at) const {
+    return {at.models.get(), at.body, branch_, at.nu};
+  }
+
+  template <class Parts>
+  static ReducedVector<N> rows(const Parts& parts, const ReducedVector<N>& scale) {
+    ReducedVector<N> out;
+    for (int i = 0; i < N; ++i) {
+      const std::size_t row = Layout::places[index(i)];
+      out[i] = row < parts.size() ? parts[row] * scale[i] : 0.0;
+    }
+    return out;
+  }
+
+  ReducedVector<N> parameter_slope(const Setting& at, const OrientedSystem<Layout>& system,
+                                   const std::array<double, 5>& y,
+                                   const ReducedVector<N>& scale) const {
+    if (options_.parameter.kind == Kind::inertia) {
+      const int k = options_.parameter.index;
+      Inertia3<double> one{0.0, 0.0, 0.0};
+      (k == 0 ? one.J1 : k == 1 ? one.J2 : one.J3) = 1.0;
+      return rows(system.inertial(one, y, at.nu * at.nu), scale);
+    }
+    const auto slopes = elastic_slopes(
+        at.models->potential, CoefficientDuals{coefficient_place(), false}, system.stretch(y));
+    std::array<double, 4> first;
+    for (std::size_t i = 0; i < 4; ++i) first[i] = slopes[i].slope[0];
+    return rows(first, scale);
+  }
+
+  Branch straight_branch(const ReducedVector<N>& x) const {
+    if constexpr (Layout::axis) {
+      return std::abs(axis_angle(x[Layout::axis_place]).cosine) > std::numbers::sqrt2 / 2.0
+                 ? Branch::i
+                 : Branch::ii;
+    } else {
+      return branch_;
+    }
+  }
+
+  std::optional<StraightPoint> straight_point(Branch branch, ReducedVector<3>& guess,
+                                              double p) const {
+    const Setting at = setting(p);
+    const OrientedSystem<StraightLayout> system{at.models.get(), at.body, branch, at.nu};
+    ReducedVector<3> x = guess;
+    if (!newton(system, x).converged) return std::nullopt;
+    const Refined refined = refine(system, x);
+    if (!refined.converged) return std::nullopt;
+    const Stretch q{0.0, x[0], x[1], x[2]};
+    const double V_aa = potential_derivatives<2>(at.models->plain, q).hessian(0, 0);
+    return StraightPoint{x, turn_of(at.body, branch, V_aa, q, at.nu), refined.error_bound};
+  }
+
+  Body body_;
+  Branch branch_;
+  AxisFamilyOptions options_;
+  std::shared_ptr<const OrientedModels> models_;
+};
+
+}  // namespace
+
+AnyFamily anisotropic_family(const Body& body, const AnisotropicPotential& potential, Branch branch,
+                             bool alpha_free, const AxisFamilyOptions& options) {
+  const bool even = potential.even_in_alpha();
+  if (branch == Branch::iii && (alpha_free || !even))
+    return std::make_unique<AnisotropicFamily<ShearedLayout>>(body, potential, branch, options);
+  if (!potential.shear_free())
+    throw std::invalid_argument("V_alpha = 0 at alpha = 0, for a family about axis 1 or 2");
+  return std::make_unique<AnisotropicFamily<StraightLayout>>(body, potential, branch, options);
+}
+
+std::unique_ptr<Family<5>> oblique_family(const Body& body, const AnisotropicPotential& potential,
+                                          const AxisFamilyOptions& options, Branch near) {
+  return std::make_unique<AnisotropicFamily<ObliqueLayout>>(body, potential, near, options);
+}
+
+}  // namespace stationary

@@ -1,0 +1,29 @@
+// Families of stationary ellipsoids of a potential that is not isotropic (anisotropic_balance.hpp),
+// in nu or in any other number of the problem:
+//
+//   x = (xi, zeta, rho)               (i), (ii), where V is even in alpha; (iii) likewise, alpha = 0
+//   x = (xi, zeta, rho, e^a)          (iii) else
+//   x = (xi, zeta, rho, e^a, x_phi)   oblique, nu = |nu| (cos phi, sin phi, 0)
+//
+// The last is regular down to |nu| = 0, where compatibility alone says which axes motions start
+// about: those of the in-plane inertia at rest. Where V is even in alpha a family with alpha != 0
+// ends where it meets the one with alpha = 0 it branches off (events shear, oblique).
+#pragma once
+
+#include "solver/motion/family_parameter.hpp"
+#include "solver/motion/problem.hpp"
+#include "solver/motion/rotations.hpp"
+
+namespace stationary {
+
+/// alpha_free: of an even V in (iii), the family with alpha != 0. Throws std::invalid_argument for
+/// (i), (ii) with a V that is not even in alpha: no such family exists.
+AnyFamily anisotropic_family(const Body& body, const AnisotropicPotential& potential, Branch branch,
+                             bool alpha_free, const AxisFamilyOptions& options);
+
+/// near: decides which axis a stretch is taken to spin about where it spins about both (at rest).
+std::unique_ptr<Family<5>> oblique_family(const Body& body, const AnisotropicPotential& potential,
+                                          const AxisFamilyOptions& options,
+                                          Branch near = Branch::i);
+
+}  // namespace stationary

@@ -1,0 +1,38 @@
+#include "solver/family/branch_switch.hpp"
+
+#include <Eigen/SVD>
+#include <numbers>
+
+#include "lib/balance/anisotropic_balance.hpp"
+#include "solver/continuation/corrector.hpp"
+
+namespace stationary {
+
+template <int N>
+std::optional<Member> leave_straight(const Family<N>& family, const Member& event, Branch branch) {
+  const Corrector<N> corrector(family, event.nu, false);
+  ReducedVector<N> x = ReducedVector<N>::Ones();
+  x.template head<3>() << event.q.xi, event.q.zeta, event.q.rho;
+  if constexpr (N == 5) x[4] = axis_coordinate(branch == Branch::i ? 0.0 : 0.5 * std::numbers::pi);
+  ArcVector<N> away = ArcVector<N>::Zero();
+  if constexpr (N == 4) {
+    away[3] = 1.0;
+  } else {
+    const Eigen::Matrix2d block =
+        family.linearize(x, event.parameter).jacobian.template bottomRightCorner<2, 2>();
+    const Eigen::JacobiSVD<Eigen::Matrix2d> svd(block, Eigen::ComputeFullV);
+    away.template segment<2>(3) = svd.matrixV().col(1);
+  }
+  for (const double step : {1e-2, 3e-3, 1e-3}) {
+    const Corrected<N> at = corrector.correct(
+        moved<N>(x, ReducedVector<N>(step * away.template head<N>())), event.parameter, away, step);
+    if (at.status != CorrectorStatus::converged) continue;
+    return family.member(at.point.x, at.point.tail, at.point.p, at.point.error_bound);
+  }
+  return std::nullopt;
+}
+
+template std::optional<Member> leave_straight<4>(const Family<4>&, const Member&, Branch);
+template std::optional<Member> leave_straight<5>(const Family<5>&, const Member&, Branch);
+
+}  // namespace stationary

@@ -1,0 +1,85 @@
+// A model with one of its coefficients varied, and the slope of the reduced balance in it.
+#pragma once
+
+#include "solver/family/axis_family.hpp"
+#include "solver/newton/reduced_system.hpp"
+
+namespace stationary {
+
+/// model with one coefficient at another value.
+template <template <class> class Model>
+Model<double> with_coefficient(const Model<double>& model, int index, double value) {
+  return with_indexed_coefficients(model, [&](double c, std::size_t k) {
+    return k == static_cast<std::size_t>(index) ? value : c;
+  });
+}
+
+/// model with the coefficient the parameter names, if it names one, at another value.
+template <class Model>
+Model at_coefficient(Model model, const FamilyParameter& parameter, double value) {
+  using Kind = FamilyParameter::Kind;
+  if constexpr (requires { model.plane; }) {
+    if (parameter.kind == Kind::plane || parameter.kind == Kind::shared)
+      model.plane = with_coefficient(model.plane, parameter.index, value);
+    if (parameter.kind == Kind::thickness || parameter.kind == Kind::shared)
+      model.thickness = with_coefficient(model.thickness, parameter.index, value);
+  } else {
+    if (parameter.kind == Kind::plane) model = with_coefficient(model, parameter.index, value);
+  }
+  return model;
+}
+
+/// model with its coefficients as dual numbers of slope one: direction k is coefficient k.
+template <template <class> class Model>
+auto with_duals(const Model<double>& model) {
+  return with_indexed_coefficients(model, [](double c, std::size_t k) {
+    return CoefficientDual<Model<double>>::along(c, 1.0, k);
+  });
+}
+
+/// d/dc of the gradient of V in (ln xi, ln zeta), or in all three of a coupled model, c coefficient
+/// number `direction`.
+template <int N, class Model>
+ReducedVector<N> gradient_slope(const Model& model, std::size_t direction,
+                                const ReducedVector<N>& x) {
+  if constexpr (requires { model.is_expression(); }) {
+    return model.visit([&](const auto& own) { return gradient_slope<N>(own, direction, x); });
+  } else if constexpr (N == 1) {
+    return ReducedVector<1>(with_duals(model).template evaluate<1>(x[0]).v_r.slope[direction]);
+  } else {
+    const CentrifugalRates<double> none{0.0, 0.0, 0.0};
+    const auto invariants = planar_invariants(x[0], x[1]);
+    if constexpr (N == 2) {
+      const auto b = planar_log_balance<1>(with_duals(model).template evaluate<1>(invariants), x[0],
+                                           x[1], none);
+      return {b.g_xi.slope[direction], b.g_zeta.slope[direction]};
+    } else {
+      const auto b = coupled_log_balance<1>(
+          with_duals(model).template evaluate<1>(invariants, x[2]), x[0], x[1], x[2], none);
+      return {b.g_xi.slope[direction], b.g_zeta.slope[direction], b.g_rho.slope[direction]};
+    }
+  }
+}
+
+/// dG/dc of the reduced balance in (ln xi, ln zeta[, ln rho]), c the coefficient the parameter
+/// names; zero where it enters no equation of these.
+template <int N, class Model>
+ReducedVector<N> coefficient_slope(const Model& model, const FamilyParameter& parameter,
+                                   const ReducedVector<N>& x) {
+  const auto direction = static_cast<std::size_t>(parameter.index);
+  if constexpr (requires { model.plane; }) {
+    ReducedVector<N> out = ReducedVector<N>::Zero();
+    if (parameter.kind != FamilyParameter::Kind::thickness)
+      out.template head<2>() =
+          gradient_slope<2>(model.plane, direction, ReducedVector<2>(x[0], x[1]));
+    if constexpr (N == 3) {
+      if (parameter.kind != FamilyParameter::Kind::plane)
+        out[2] = gradient_slope<1>(model.thickness, direction, ReducedVector<1>(x[2]))[0];
+    }
+    return out;
+  } else {
+    return gradient_slope<3>(model, direction, x);
+  }
+}
+
+}  // namespace stationary

@@ -1,0 +1,249 @@
+#include "solver/family/follow_sheet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "solver/continuation/curve_start.hpp"
+
+namespace stationary {
+namespace {
+
+template <int N>
+class Follower {
+ public:
+  Follower(const Family<N>& family, const Stretch& q, double p, const FollowOptions& options)
+      : options_(options),
+        family_(family),
+        curve_(family, scale_of(family, q, p, options.continuation), is_circle(family, q),
+               std::nullopt, options.events) {
+    const ReducedVector<N> x = family.coordinates(q, p);
+    if (may_be_vertical(family, q)) {
+      if (const auto pinned = pinned_parameter(curve_, x, p)) {
+        curve_ = Curve<N>(family, curve_.corrector().scale(), false, pinned, options.events);
+        report_.vertical = true;
+      }
+    }
+    const Corrected<N> start = start_of(curve_, x, p);
+    if (start.status != CorrectorStatus::converged) {
+      report_.failure =
+          "the start is no regular point of a curve: " + std::string(name(start.status));
+      return;
+    }
+    start_ = curve_.complete(start.point);
+    report_.counts.members = 1;
+  }
+
+  FollowReport both(CurveSink& sink) {
+    if (!report_.failure.empty()) return report_;
+    report_.points = 1;  // the start, written when what is before it is known
+    HeldBack held;
+    report_.backward = one(-1, held);
+    std::ranges::reverse(report_.events);
+    held.give(sink);
+    sink.row(start_.member, event_at_start(held.empty()));
+    const bool closed = report_.backward.event == EventType::closed;
+    if (closed) report_.forward = report_.backward;
+    if (!report_.interrupted && !closed) report_.forward = one(+1, sink);
+    return report_;
+  }
+
+  FollowReport onward(const OpenEnd& end, CurveSink& sink) {
+    if (!report_.failure.empty()) return report_;
+    if (!is_at(family_.coordinates(end.at.q, end.at.p))) {
+      report_.failure = "the end of the table is no point of the curve: another solves there";
+      return report_;
+    }
+    int direction = end.direction;
+    if (end.neighbour) {
+      ArcVector<N> ahead;
+      ahead.template head<N>() = (family_.coordinates(end.at.q, end.at.p).array() /
+                                  family_.coordinates(end.neighbour->q, end.neighbour->p).array())
+                                     .log()
+                                     .matrix();
+      ahead[N] = (end.at.p - end.neighbour->p) / curve_.corrector().scale();
+      StepOptions& step = options_.continuation.step;
+      step.first = std::clamp(ahead.norm(), 1e-6, step.max);
+      direction = start_.arc.tangent.dot(ahead) < 0.0 ? -1 : 1;
+    }
+    report_.forward = one(direction, sink);
+    return report_;
+  }
+
+ private:
+  /// Whether the start is this x; near a fold the rounding of p moves it by some 1e-8.
+  bool is_at(const ReducedVector<N>& x) const {
+    constexpr double same = 1e-6;
+    return ((start_.arc.x.array() / x.array()).log().abs() <= same).all();
+  }
+
+  /// Of p in the distance along the curve: the range asked for, where it is neither nothing but
+  /// rounding nor far beyond what changes the body.
+  static double scale_of(const Family<N>& family, const Stretch& q, double p,
+                         const ContinuationOptions& range) {
+    constexpr double least = 1e-9;
+    constexpr double most = 1e3;
+    const double largest = std::max(std::abs(range.from), std::abs(range.to));
+    const double length = std::max(range.to - range.from, least * largest);
+    if (!family.along_nu() || family.two_polar()) return length;
+    // The centrifugal share of the balance, about half of it at a spin of the body's own scale.
+    const ReducedVector<N> x = family.coordinates(q, p);
+    double nu = length;
+    for (int k = 0; k < 600; ++k, nu *= 0.5) {
+      const double share =
+          0.5 * nu * family.linearize(x, nu).nu_slope.template lpNorm<Eigen::Infinity>();
+      if (share <= 0.25) break;
+    }
+    return std::min(length, most * nu);
+  }
+
+  static bool is_circle(const Family<N>& family, const Stretch& q) {
+    return family.branch() == Branch::iii && family.material_symmetry() &&
+           std::abs(q.xi - q.zeta) <= 8.0 * 0x1p-53 * q.xi;
+  }
+
+  /// Ellipses of a body with J1 = J2: some potentials have them at one nu only, all of them there.
+  static bool may_be_vertical(const Family<N>& family, const Stretch& q) {
+    return family.branch() == Branch::iii && family.material_symmetry() && family.along_nu() &&
+           !is_circle(family, q);
+  }
+
+  /// The start's own event: it may be an end of the sheet, in either direction.
+  EventType end_at_start(bool nothing_behind) const {
+    if (nothing_behind || report_.backward.event == EventType::closed)
+      return report_.backward.event;
+    return Continuation<N>(curve_, start_, +1, options_.continuation).end();
+  }
+
+  /// Likewise where the parameter's start is J1 = J2, of a family that passes it.
+  EventType event_at_start(bool nothing_behind) {
+    const EventType end = end_at_start(nothing_behind);
+    constexpr std::size_t turn = TestValues::turn;
+    if (end != EventType::none || curve_.context().two_polar || start_.tests.value[turn] != 0.0)
+      return end;
+    const EventType type = event_type(turn, curve_.context(), start_.tests);
+    if (!options_.events.has(type)) return end;
+    const double p = start_.member.parameter;
+    report_.events.push_back({type, p, p, p, EventStatus::located});
+    return type;
+  }
+
+  /// Of an event that ends the sheet; half a unit of what it was taken at where it has no
+  /// equations.
+  std::array<double, 2> bracket_at_end(EventType event, const Member& at) const {
+    constexpr double rounding = 0x1p-53;
+    double p = at.parameter;
+    double bound = rounding;
+    if (const auto known = family_.event_at(event, event == EventType::ellipse, at)) {
+      p = double(known->parameter);
+      bound += known->parameter_bound;
+    }
+    return bracket_of(p, bound * std::abs(p));
+  }
+
+  void emit(CurveSink& sink, const Member& member, EventType event) {
+    sink.row(member, event);
+    ++report_.points;
+  }
+
+  void record(const Event& event) {
+    if (!options_.events.has(event.type)) return;
+    report_.events.push_back(
+        {event.type, event.member.parameter, event.before, event.after, event.status});
+  }
+
+  SheetEnd one(int direction, CurveSink& sink) {
+    Continuation<N> walk(curve_, start_, direction, options_.continuation);
+    SheetEnd out;
+    while (walk.end() == EventType::none) {
+      if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
+        report_.interrupted = true;
+        out.reason = "interrupted";
+        break;
+      }
+      if (report_.points >= options_.max_points) {
+        report_.out_of_points = true;
+        out.reason = "continuation.max_points is reached";
+        break;
+      }
+      if (!walk.step()) {  // given up at the last point, which is written already
+        last_is_end_ = true;
+        break;
+      }
+      for (const Event& event : walk.unlocated()) record(event);
+      const Event* before = nullptr;
+      for (const Event& event : walk.events()) {
+        if (!options_.events.has(event.type)) {  // looked for to know where a sheet ends
+          before = nullptr;
+          continue;
+        }
+        if (before != nullptr && before->between) sink.between(*before->between);
+        before = &event;
+        emit(sink, event.member, event.type);
+        record(event);
+      }
+      emit(sink, walk.point().member, walk.end());
+      if (options_.progress && report_.points % 256 == 0)
+        options_.progress(walk.point().arc.p, report_.points);
+    }
+    if (walk.end() != EventType::none) {
+      out = {walk.end(), walk.reason()};
+      // A failure is found beyond the last point: the row says so, once more.
+      if (last_is_end_) emit(sink, walk.point().member, walk.end());
+    }
+    last_is_end_ = false;
+    if (out.event != EventType::none && !is_end(out.event)) {  // an event proper ends the sheet
+      const Member& m = walk.point().member;
+      const auto bracket = bracket_at_end(out.event, m);
+      report_.events.push_back(
+          {out.event, m.parameter, bracket[0], bracket[1], EventStatus::located});
+    }
+    report_.counts += walk.counts();
+    return out;
+  }
+
+  FollowOptions options_;
+  const Family<N>& family_;
+  Curve<N> curve_;
+  CurvePoint<N> start_;
+  FollowReport report_;
+  bool last_is_end_ = false;
+};
+
+}  // namespace
+
+void HeldBack::give(CurveSink& sink) const {
+  for (auto each = rows_.rbegin(); each != rows_.rend(); ++each) {
+    if (each != rows_.rbegin() && each->between) sink.between(*each->between);
+    sink.row(each->member, each->event);
+  }
+}
+
+template <int N>
+FollowReport follow_family(const Family<N>& family, const Stretch& q, double p,
+                           const FollowOptions& options, CurveSink& sink) {
+  return Follower<N>(family, q, p, options).both(sink);
+}
+template FollowReport follow_family(const Family<2>&, const Stretch&, double, const FollowOptions&,
+                                    CurveSink&);
+template FollowReport follow_family(const Family<3>&, const Stretch&, double, const FollowOptions&,
+                                    CurveSink&);
+template FollowReport follow_family(const Family<4>&, const Stretch&, double, const FollowOptions&,
+                                    CurveSink&);
+template FollowReport follow_family(const Family<5>&, const Stretch&, double, const FollowOptions&,
+                                    CurveSink&);
+
+FollowReport follow(const AnyFamily& family, const Stretch& q, double p,
+                    const FollowOptions& options, CurveSink& sink) {
+  return std::visit([&](const auto& f) { return follow_family(*f, q, p, options, sink); }, family);
+}
+
+FollowReport resume(const AnyFamily& family, const OpenEnd& end, const FollowOptions& options,
+                    CurveSink& sink) {
+  return std::visit(
+      [&](const auto& f) { return Follower(*f, end.at.q, end.at.p, options).onward(end, sink); },
+      family);
+}
+
+}  // namespace stationary

@@ -1,0 +1,314 @@
+// A family of steady rotations about a material axis (axis_family.hpp) of a model known by its
+// type: a Separable of a planar and a thickness model, or a coupled one. All formulas are lib's;
+// this gathers them for continuation and lets one number of them vary.
+#pragma once
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "lib/material/elastic_energy.hpp"
+#include "solver/family/axis_family.hpp"
+#include "solver/proof/event_enclosure.hpp"
+#include "solver/motion/model_stability.hpp"
+#include "solver/newton/thickness_balance.hpp"
+#include "solver/family/coefficient_slope.hpp"
+
+namespace stationary {
+
+template <class Model, int N>
+class ModelFamily final : public Family<N> {
+ public:
+  /// problem: the same body, model and branch, for the events' own equations; none without it.
+  ModelFamily(const Body& body, Branch branch, const Model& model, const AxisFamilyOptions& options,
+              std::optional<Problem> problem = std::nullopt)
+      : branch_(branch),
+        options_(options),
+        base_{body, model, options.nu},
+        problem_(std::move(problem)) {
+    if constexpr (constant_thickness) {
+      const ThicknessBalance thickness = balanced_thickness(model.thickness, DoubleDouble(0.0));
+      rho_ = thickness.rho;
+      extended_rho_ = extended_solution(
+          ThicknessSystem<std::decay_t<decltype(model.thickness)>>{model.thickness,
+                                                                   DoubleDouble(0.0)},
+          ReducedVector<1>(rho_))[0];
+      rho_bound_ = thickness.refined.error_bound;
+    }
+  }
+
+  Branch branch() const override { return branch_; }
+  bool along_nu() const override { return options_.parameter.kind == Kind::nu; }
+  bool material_symmetry() const override {
+    const bool breaks = options_.parameter.kind == Kind::inertia && options_.parameter.index < 2;
+    return base_.body.symmetric() && !breaks;
+  }
+
+  std::vector<ConditionValue> conditions(const ReducedVector<N>& x, double p) const override {
+    return model_conditions(setting(p).model, {0.0, x[0], x[1], rho_of(x)});
+  }
+
+  FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    const auto rates = extended_rates(at);
+    this->evaluations_.jacobians += systems;
+    FamilyLinearization<N> out;
+    ReducedVector<N> scale;
+    if constexpr (separable) {
+      const Linearized<2> planar = planar_system(at, rates).linearize({x[0], x[1]});
+      scale[0] = scale[1] = 1.0 / planar.magnitude;
+      out.g[0] = planar.g[0];
+      out.g[1] = planar.g[1];
+      out.jacobian.setZero();
+      out.jacobian.template topLeftCorner<2, 2>() = planar.jacobian.matrix();
+      if constexpr (N == 3) {
+        const Linearized<1> axial = thickness_system(at, rates).linearize(ReducedVector<1>(x[2]));
+        scale[2] = 1.0 / axial.magnitude;
+        out.g[2] = axial.g[0];
+        out.jacobian(2, 2) = axial.jacobian(0, 0);
+      }
+    } else {
+      const Linearized<3> all = CoupledSystem<Model>{at.model, rates}.linearize(x);
+      scale.setConstant(1.0 / all.magnitude);
+      out.g = all.g;
+      out.jacobian = all.jacobian.matrix();
+    }
+    out.nu_slope = minus_pull(axis_rates(at.body, branch_, 2.0 * at.nu), x);
+    out.slope = along_nu() ? out.nu_slope : parameter_slope(at, rates, x);
+    for (int i = 0; i < N; ++i) {
+      out.g[i] *= scale[i];
+      out.slope[i] *= scale[i];
+      out.nu_slope[i] *= scale[i];
+      out.jacobian.row(i) *= scale[i];
+    }
+    return out;
+  }
+
+  Refined refine_at(ReducedVector<N>& x, ReducedVector<N>& tail, double p) const override {
+    const Setting at = setting(p);
+    const auto rates = extended_rates(at);
+    if constexpr (separable) {
+      ReducedVector<2> plane(x[0], x[1]);
+      ReducedVector<2> planar_tail;
+      Refined out = counted(refine(planar_system(at, rates), plane, max_corrections, &planar_tail));
+      x.template head<2>() = plane;
+      tail.template head<2>() = planar_tail;
+      if constexpr (N == 3) {
+        ReducedVector<1> rho(x[2]);
+        ReducedVector<1> rho_tail;
+        const Refined axial =
+            counted(refine(thickness_system(at, rates), rho, max_corrections, &rho_tail));
+        x[2] = rho[0];
+        tail[2] = rho_tail[0];
+        out.converged = out.converged && axial.converged;
+        out.error_bound = std::max(out.error_bound, axial.error_bound);
+      } else {
+        out.error_bound = std::max(out.error_bound, rho_bound_);
+      }
+      return out;
+    } else {
+      return counted(refine(CoupledSystem<Model>{at.model, rates}, x, max_corrections, &tail));
+    }
+  }
+
+  ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    const auto rates = extended_rates(at);
+    this->evaluations_.extended_residuals += systems;
+    this->evaluations_.jacobians += systems;
+    return by_rows(at, rates, x,
+                   [](const auto& system, const auto& y) { return system.extended_residual(y); });
+  }
+
+  ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const override {
+    const Setting at = setting(p);
+    const auto rates = extended_rates(at);
+    this->evaluations_.sensitivities += systems;
+    this->evaluations_.jacobians += systems;
+    ReducedVector<N> out = by_rows(at, rates, x, [](const auto& system, const auto& y) {
+      return system.input_sensitivity(y);
+    });
+    return 0x1p-53 * out;
+  }
+
+  std::optional<ExtendedEvent<N>> event_at(EventType type, bool circle,
+                                           const Member& near) const override {
+    if (!problem_) return std::nullopt;
+    const auto found = extended_event(*problem_, options_.parameter, circle, type, near);
+    if (!found) return std::nullopt;
+    ExtendedEvent<N> out{{}, found->parameter, found->error_bound, found->parameter_bound};
+    for (std::size_t i = 0; i < out.x.size(); ++i) out.x[i] = found->x[i];
+    return out;
+  }
+
+  Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,
+                double error_bound) const override {
+    const Setting at = setting(p);
+    Member out;
+    out.parameter = p;
+    out.body = at.body;
+    out.nu = at.nu;
+    out.q = {0.0, x[0], x[1], rho_of(x)};
+    out.error_bound = error_bound;
+    const Vector3<double> nu = angular_velocity(branch_, at.nu);
+    out.angular_velocity = nu;
+    add_elastic(at, out);
+    if (options_.spectrum) {
+      ++this->evaluations_.spectra;
+      const std::array<DoubleDouble, 3> q =
+          tail.allFinite() ? with_tails(x, tail)
+                           : extended_q(at.body, branch_, at.model, out.q, at.nu);
+      out.spectrum = model_stability(at.body, branch_, at.model, q, at.nu, error_bound);
+    }
+    return out;
+  }
+
+ private:
+  static constexpr int max_corrections = 8;
+  using Kind = FamilyParameter::Kind;
+  static constexpr bool separable = requires(const Model& m) { m.plane; };
+  static constexpr bool constant_thickness = separable && N == 2;
+
+  /// Planar and thickness balances that are unknowns' own.
+  static constexpr int systems = separable ? N - 1 : 1;
+
+  Refined counted(const Refined& refined) const {
+    this->evaluations_.extended_residuals += refined.steps;
+    this->evaluations_.jacobians += refined.steps;
+    this->evaluations_.sensitivities += refined.converged;
+    return refined;
+  }
+
+  /// The problem at one value of the parameter.
+  struct Setting {
+    Body body;
+    Model model;
+    double nu;
+  };
+
+  Setting setting(double p) const {
+    Setting out = base_;
+    const int k = options_.parameter.index;
+    switch (options_.parameter.kind) {
+      case Kind::nu:
+        out.nu = p;
+        break;
+      case Kind::inertia:
+        (k == 0 ? out.body.J1 : k == 1 ? out.body.J2 : out.body.J3) = p;
+        break;
+      case Kind::plane:
+      case Kind::thickness:
+      case Kind::shared:
+        out.model = at_coefficient(out.model, options_.parameter, p);
+        break;
+      case Kind::fibre:
+        break;  // none of an isotropic potential's
+    }
+    return out;
+  }
+
+  /// Of V at the member's q, as far as it is asked for.
+  void add_elastic(const Setting& at, Member& out) const {
+    const Vector3<double>& nu = out.angular_velocity;
+    if (options_.errors) {
+      ++this->evaluations_.second_derivatives;
+      const auto v = potential_derivatives<2>(at.model, out.q);
+      const BalanceCheck check = check_balance(at.body, v, out.q, nu);
+      out.residual = check.residual;
+      out.compatibility = check.compatibility;
+      if (options_.energy) out.energy = energy(at.body, elastic_energy(at.model, out.q), out.q, nu);
+    } else if (options_.energy) {
+      ++this->evaluations_.potentials;
+      out.energy = energy(at.body, elastic_energy(at.model, out.q), out.q, nu);
+    }
+    // What turns an ellipse or makes one; elsewhere it keeps its sign.
+    const bool may_turn = at.body.symmetric() || options_.parameter.kind == Kind::inertia;
+    if (branch_ != Branch::iii || !may_turn) return;
+    ++this->evaluations_.potentials;
+    const auto x = planar_invariants(out.q.xi, out.q.zeta);
+    const auto w = at.model.template evaluate<1>(x, out.q.rho);
+    out.shear_stiffness = -2.0 * w.plane.w_l / x.d - centrifugal_matrix(at.body, nu)(0, 0);
+  }
+
+  CentrifugalRates<DoubleDouble> extended_rates(const Setting& at) const {
+    return axis_rates(at.body, branch_, two_product(at.nu, at.nu));
+  }
+  static auto planar_system(const Setting& at, const CentrifugalRates<DoubleDouble>& rates) {
+    return PlanarSystem<std::decay_t<decltype(at.model.plane)>>{at.model.plane, rates};
+  }
+  static auto thickness_system(const Setting& at, const CentrifugalRates<DoubleDouble>& rates) {
+    return ThicknessSystem<std::decay_t<decltype(at.model.thickness)>>{at.model.thickness,
+                                                                       rates.rho};
+  }
+
+  double rho_of(const ReducedVector<N>& x) const {
+    if constexpr (N == 3) {
+      return x[2];
+    } else {
+      return rho_;
+    }
+  }
+
+  std::array<DoubleDouble, 3> with_tails(const ReducedVector<N>& x,
+                                         const ReducedVector<N>& tail) const {
+    std::array<DoubleDouble, 3> out{DoubleDouble(x[0], tail[0]), DoubleDouble(x[1], tail[1]),
+                                    extended_rho_};
+    if constexpr (N == 3) out[2] = DoubleDouble(x[2], tail[2]);
+    return out;
+  }
+
+  /// -c_i x_i^2.
+  static ReducedVector<N> minus_pull(const CentrifugalRates<double>& c, const ReducedVector<N>& x) {
+    ReducedVector<N> out;
+    out[0] = -c.xi * x[0] * x[0];
+    out[1] = -c.zeta * x[1] * x[1];
+    if constexpr (N == 3) out[2] = -c.rho * x[2] * x[2];
+    return out;
+  }
+
+  /// dG/dp of an inertia or a coefficient, rows not divided.
+  ReducedVector<N> parameter_slope(const Setting& at, const CentrifugalRates<DoubleDouble>& rates,
+                                   const ReducedVector<N>& x) const {
+    const int k = options_.parameter.index;
+    if (options_.parameter.kind != Kind::inertia)
+      return coefficient_slope<N>(at.model, options_.parameter, x);
+    // The pull on x_k is J_k times nu^2 or nothing, and on no other.
+    ReducedVector<N> out = ReducedVector<N>::Zero();
+    const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
+    const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
+    if (k < N) out[k] = minus_pull(c, x)[k] / J[k];
+    return out;
+  }
+
+  /// part(system, unknowns) of each uncoupled system, rows divided by its magnitude.
+  template <class Part>
+  static ReducedVector<N> by_rows(const Setting& at, const CentrifugalRates<DoubleDouble>& rates,
+                                  const ReducedVector<N>& x, const Part& part) {
+    if constexpr (separable) {
+      ReducedVector<N> out;
+      const auto planar = planar_system(at, rates);
+      const ReducedVector<2> plane(x[0], x[1]);
+      out.template head<2>() = part(planar, plane) / planar.linearize(plane).magnitude;
+      if constexpr (N == 3) {
+        const auto axial = thickness_system(at, rates);
+        const ReducedVector<1> rho(x[2]);
+        out[2] = part(axial, rho)[0] / axial.linearize(rho).magnitude;
+      }
+      return out;
+    } else {
+      const CoupledSystem<Model> system{at.model, rates};
+      return part(system, x) / system.linearize(x).magnitude;
+    }
+  }
+
+  Branch branch_;
+  AxisFamilyOptions options_;
+  Setting base_;
+  std::optional<Problem> problem_;
+  double rho_ = std::numeric_limits<double>::quiet_NaN();
+  DoubleDouble extended_rho_;
+  double rho_bound_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+}  // namespace stationary

@@ -1,0 +1,249 @@
+#include "solver/family/tilted_family.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/material/elastic_energy.hpp"
+#include "lib/stability/general_spectrum.hpp"
+#include "solver/continuation/curve_start.hpp"
+#include "solver/motion/event_functions.hpp"
+#include "solver/motion/extended_root.hpp"
+#include "solver/motion/tilted_system.hpp"
+
+namespace stationary {
+namespace {
+
+/// The events of a tilted axis in (xi, zeta, |nu|), in any number type (extended_root.hpp).
+class TiltedEventSystem {
+ public:
+  static constexpr int dimension = 3;
+  enum class Kind { fold, momentum, inertia, in_plane, normal };
+
+  TiltedEventSystem(const Body& body, const Potential& potential, TiltPlane plane, Kind kind)
+      : J_{body.J1, body.J2, body.J3}, plane_(plane), kind_(kind), elastic_(potential, {}) {}
+
+  std::size_t inputs() const { return J_.size() + elastic_.inputs(); }
+  bool has_decimals() const { return elastic_.has_decimals(); }
+
+  ExtendedVector<3> values(const ExtendedVector<3>& y, const InputChange& change) const {
+    const Inertia3<DoubleDouble> J{change(J_[0], 0), change(J_[1], 1), change(J_[2], 2)};
+    return equations(J, y, [&](const auto&... x) { return elastic_.at(x..., change.from(3)); });
+  }
+  std::array<Conditioned, 3> conditioned(const std::array<Conditioned, 3>& y, bool exact) const {
+    const auto number = [&](double x) { return exact ? Conditioned(x) : Conditioned::input(x); };
+    const Inertia3<Conditioned> J{number(J_[0]), number(J_[1]), number(J_[2])};
+    return equations(J, y, [&](const auto&... x) { return elastic_.at(x..., exact); });
+  }
+
+ private:
+  template <class T, class Elastic>
+  std::array<T, 3> equations(const Inertia3<T>& J, const std::array<T, 3>& y,
+                             const Elastic& elastic_at) const {
+    const T& xi = y[0];
+    const T& zeta = y[1];
+    const T& p = y[2];
+    const T rho = tilted_thickness(J, plane_, xi, zeta);
+    const LogBalance<T> elastic = elastic_at(xi, zeta, rho, p);
+    const T m_xi = J.J1 * square(xi);
+    const T m_zeta = J.J2 * square(zeta);
+    const T square_nu = square(p);
+    LogBalance<T> at = elastic;
+    at.g_xi -= m_xi * square_nu;
+    at.g_zeta -= m_zeta * square_nu;
+    at.uu -= 2.0 * (m_xi * square_nu);
+    at.vv -= 2.0 * (m_zeta * square_nu);
+    at = tied_to_plane<2>(at, plane_);
+    const SquareArray<T, 2> jacobian{{{at.uu, at.uv}, {at.uv, at.vv}}};
+    const auto vanishing = [&]() -> T {
+      if (kind_ == Kind::fold) return determinant(jacobian);
+      if (kind_ == Kind::inertia) return m_zeta - m_xi;
+      if (kind_ == Kind::momentum)
+        return momentum_turn(jacobian, {-2.0 * (m_xi * square_nu), -2.0 * (m_zeta * square_nu)},
+                             {2.0 * m_xi, 2.0 * m_zeta}, T(m_xi + m_zeta));
+      const auto squares = tilt_squares(J, plane_, elastic, xi, zeta, rho);
+      return kind_ == Kind::in_plane ? squares.in_plane : squares.normal;
+    };
+    return {at.g_xi, at.g_zeta, vanishing()};
+  }
+
+  std::array<double, 3> J_;
+  TiltPlane plane_;
+  Kind kind_;
+  VariedElastic elastic_;
+};
+
+std::optional<TiltedEventSystem::Kind> vanishing_at(EventType type, const Member& near) {
+  using Kind = TiltedEventSystem::Kind;
+  switch (type) {
+    case EventType::fold_nu:
+      return Kind::fold;
+    case EventType::fold_momentum:
+      return Kind::momentum;
+    case EventType::inertia_exchange:
+      return Kind::inertia;
+    case EventType::tilt:
+      return std::abs(near.tilt_in_plane) < std::abs(near.tilt_normal) ? Kind::in_plane
+                                                                       : Kind::normal;
+    default:
+      return std::nullopt;
+  }
+}
+
+template <class Model>
+class TiltedFamily final : public Family<2> {
+ public:
+  TiltedFamily(const Body& body, const Potential& potential, const Model& model, TiltPlane plane,
+               bool spectrum)
+      : body_(body), potential_(potential), model_(model), plane_(plane), spectrum_(spectrum) {}
+
+  Branch branch() const override { return Branch::iii; }
+  bool tilted() const override { return true; }
+  bool along_nu() const override { return true; }
+  /// No member is a circle or its own mirror image, also where J1 = J2.
+  bool material_symmetry() const override { return false; }
+
+  std::vector<ConditionValue> conditions(const ReducedVector<2>& x, double) const override {
+    return model_conditions(model_, {0.0, x[0], x[1], tilted_thickness(body_, plane_, x[0], x[1])});
+  }
+
+  FamilyLinearization<2> linearize(const ReducedVector<2>& x, double p) const override {
+    ++evaluations_.jacobians;
+    const Linearized<2> at = system(p).linearize(x);
+    const double scale = 1.0 / at.magnitude;
+    const CentrifugalRates<double> c = axis_rates(body_, Branch::iii, 2.0 * p);
+    FamilyLinearization<2> out;
+    out.g = scale * at.g;
+    out.jacobian = scale * at.jacobian.matrix();
+    out.slope = -scale * ReducedVector<2>(c.xi * x[0] * x[0], c.zeta * x[1] * x[1]);
+    out.nu_slope = out.slope;
+    return out;
+  }
+
+  Refined refine_at(ReducedVector<2>& x, ReducedVector<2>& tail, double p) const override {
+    constexpr int max_corrections = 8;
+    const Refined out = refine(system(p), x, max_corrections, &tail);
+    evaluations_.extended_residuals += out.steps;
+    evaluations_.jacobians += out.steps;
+    evaluations_.sensitivities += out.converged;
+    return out;
+  }
+
+  ReducedVector<2> extended_residual(const ReducedVector<2>& x, double p) const override {
+    const TiltedSystem<Model> at = system(p);
+    ++evaluations_.extended_residuals;
+    ++evaluations_.jacobians;
+    return at.extended_residual(x) / at.linearize(x).magnitude;
+  }
+
+  ReducedVector<2> input_perturbation(const ReducedVector<2>& x, double p) const override {
+    const TiltedSystem<Model> at = system(p);
+    ++evaluations_.sensitivities;
+    ++evaluations_.jacobians;
+    return 0x1p-53 * at.input_sensitivity(x) / at.linearize(x).magnitude;
+  }
+
+  std::optional<ExtendedEvent<2>> event_at(EventType type, bool,
+                                           const Member& near) const override {
+    const auto kind = vanishing_at(type, near);
+    if (!kind) return std::nullopt;
+    const auto root = extended_root(TiltedEventSystem(body_, potential_, plane_, *kind),
+                                    {near.q.xi, near.q.zeta, near.parameter});
+    if (!root) return std::nullopt;
+    return ExtendedEvent<2>{{root->y[0], root->y[1]},
+                            root->y[2],
+                            // rho has its own error of the J that tie it
+                            std::max(root->error[0], root->error[1]) + 0x1p-53,
+                            root->error[2]};
+  }
+
+  Member member(const ReducedVector<2>& x, const ReducedVector<2>& tail, double p,
+                double error_bound) const override {
+    const auto wide = tail.allFinite()
+                          ? std::array{DoubleDouble(x[0], tail[0]), DoubleDouble(x[1], tail[1])}
+                          : extended_solution(system(p), x);
+    const BasicStretch<DoubleDouble> q{0.0, wide[0], wide[1],
+                                       tilted_thickness(body_, plane_, wide[0], wide[1])};
+    const auto w = model_.template evaluate<1>(planar_invariants(q.xi, q.zeta), q.rho);
+    const CentrifugalRates<DoubleDouble> at_rest{0.0, 0.0, 0.0};
+    const auto elastic = coupled_log_balance<1>(w, q.xi, q.zeta, q.rho, at_rest);
+    const auto squares = tilt_squares(body_, plane_, elastic, q.xi, q.zeta, q.rho);
+    Member out;
+    out.parameter = out.nu = p;
+    out.body = body_;
+    out.q = {0.0, x[0], x[1], double(q.rho)};
+    out.error_bound = error_bound;
+    out.tilt_in_plane = share(squares.in_plane, p, error_bound);
+    out.tilt_normal = share(squares.normal, p, error_bound);
+    if (out.beyond_end()) return out;
+    const DoubleDouble along[2] = {root(squares.in_plane, out.tilt_in_plane),
+                                   root(squares.normal, out.tilt_normal)};
+    out.angular_velocity = angular_velocity(plane_, double(along[0]), double(along[1]));
+    ++evaluations_.second_derivatives;
+    const auto v = potential_derivatives<2>(model_, out.q);
+    const BalanceCheck check = check_balance(body_, v, out.q, out.angular_velocity);
+    out.residual = check.residual;
+    out.compatibility = check.compatibility;
+    out.energy = energy(body_, elastic_energy(model_, out.q), out.q, out.angular_velocity);
+    if (spectrum_) {
+      const double bound = std::isnan(error_bound) ? 1e-15 : std::max(error_bound, 0x1p-53);
+      ++evaluations_.spectra;
+      out.spectrum = general_spectrum(body_, potential_, q,
+                                      angular_velocity(plane_, along[0], along[1]), bound);
+    }
+    return out;
+  }
+
+ private:
+  TiltedSystem<Model> system(double p) const {
+    return {model_, body_, plane_, axis_rates(body_, Branch::iii, two_product(p, p))};
+  }
+
+  /// Of nu^2 = p^2; zero where the rounding of p, which moves q by the bound, leaves no more.
+  static double share(const DoubleDouble& square, double p, double error_bound) {
+    constexpr double most = 1e-11;  // at a turn of p the bound is not that of the curve
+    const double rounding = std::min(16.0 * error_bound, most);
+    const double out = double(square) / (p * p);
+    return std::abs(out) <= rounding ? 0.0 : out;
+  }
+  static DoubleDouble root(const DoubleDouble& square, double share) {
+    return share > 0.0 ? sqrt(square) : DoubleDouble(0.0);
+  }
+
+  Body body_;
+  Potential potential_;
+  Model model_;
+  TiltPlane plane_;
+  bool spectrum_;
+};
+
+template <class Model>
+std::unique_ptr<Family<2>> family_of(const Body& body, const Potential& potential,
+                                     const Model& model, TiltPlane plane, bool spectrum) {
+  return std::make_unique<TiltedFamily<Model>>(body, potential, model, plane, spectrum);
+}
+
+}  // namespace
+
+std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& potential,
+                                         TiltPlane plane, bool spectrum) {
+  return potential.visit(
+      [&](const auto& model) { return family_of(body, potential, model, plane, spectrum); });
+}
+
+std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, double nu) {
+  const Curve<2> curve(family, nu, false);
+  const Corrected<2> at = start_of(curve, unknowns<2>(q), nu);
+  if (at.status != CorrectorStatus::converged) return std::nullopt;
+  for (const double step : {1e-3, -1e-3, 1e-5, -1e-5}) {
+    const ArcVector<2> y = step * at.point.tangent;
+    const Corrected<2> inside = curve.corrector().correct(
+        moved<2>(at.point.x, ReducedVector<2>(y.head<2>())),
+        at.point.p + curve.corrector().scale() * y[2], at.point.tangent, std::abs(step));
+    if (inside.status != CorrectorStatus::converged) continue;
+    const Member member = curve.complete(inside.point).member;
+    if (!member.beyond_end()) return member;
+  }
+  return std::nullopt;
+}
+
+}  // namespace stationary

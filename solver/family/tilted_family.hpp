@@ -1,0 +1,25 @@
+// The family of steady rotations about an axis tilted in the plane of axes 1, 3 or 2, 3
+// (balance.hpp), in p = |nu|:
+//
+//   x = (xi, zeta),   rho = sqrt(J1/J3) xi in the 1-3 plane
+//
+// G knows no tilt and goes on where nu1^2 or nu3^2 has become negative: there the family ends, on
+// branch (iii) or (i). Continuation stops at that zero (EventType::tilt). Isotropic V, alpha = 0.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "lib/material/potential.hpp"
+#include "solver/motion/family.hpp"
+#include "solver/motion/rotations.hpp"
+
+namespace stationary {
+
+std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& potential,
+                                         TiltPlane plane, bool spectrum);
+
+/// A member of the family that begins where a branch's axis tilts (q, nu), a little along it.
+std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, double nu);
+
+}  // namespace stationary

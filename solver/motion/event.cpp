@@ -1,0 +1,294 @@
+#include "solver/motion/event.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lib/body/inertia.hpp"
+
+namespace stationary {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+double relative_difference(double a, double b) { return (a - b) / (a + b); }
+
+/// The Lambdas of one block, ascending, and how many complex pairs it has.
+struct BlockModes {
+  std::array<const Mode*, 5> real{};
+  std::size_t count = 0;
+  double most_complex = 0.0;  ///< largest imaginary part of a Lambda
+  double complex_size = 0.0;
+  double complex_re = 0.0;
+  double complex_error = 0.0;
+};
+
+std::array<BlockModes, 4> by_block(const Spectrum& spectrum) {
+  std::array<BlockModes, 4> out;
+  for (int k = 0; k < spectrum.modes; ++k) {
+    const Mode& mode = spectrum.mode[static_cast<std::size_t>(k)];
+    if (mode.forced_zero) continue;
+    BlockModes& block = out[static_cast<std::size_t>(mode.block)];
+    if (mode.lambda_im > 0.0) {
+      if (mode.lambda_im >= block.most_complex) {
+        block.most_complex = mode.lambda_im;
+        block.complex_re = mode.lambda_re;
+        block.complex_size = std::hypot(mode.lambda_re, mode.lambda_im);
+        block.complex_error = mode.lambda_error;
+      }
+      continue;
+    }
+    block.real[block.count++] = &mode;
+  }
+  for (BlockModes& block : out) {
+    std::sort(block.real.begin(), block.real.begin() + static_cast<std::ptrdiff_t>(block.count),
+              [](const Mode* a, const Mode* b) { return a->lambda_re < b->lambda_re; });
+  }
+  return out;
+}
+
+/// Blocks whose Lambda may leave the real axis; the others are symmetric problems.
+bool may_collide(Block block, const TestContext& context) {
+  if (context.two_polar && !context.circle) return false;
+  if (block == Block::shear || context.oblique) return true;
+  return block == (context.branch == Branch::iii ? Block::even : Block::odd) &&
+         !(context.circle && block == Block::even);
+}
+
+/// Leaves the sign of function k open unless the value it has the sign of is beyond its error.
+void require_beyond(double value, double error, std::size_t k, TestValues& out) {
+  if (!(std::abs(value) > error)) out.uncertain |= 1U << static_cast<unsigned>(k);
+}
+
+void set_collision(const BlockModes& block, TestValues& out) {
+  if (block.most_complex > 0.0) {
+    const double relative = block.most_complex / block.complex_size;
+    out.value[TestValues::collision] = -relative * relative;
+    out.collides_imaginary = block.complex_re < 0.0;
+    require_beyond(block.most_complex, 2.0 * block.complex_error, TestValues::collision, out);
+    return;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < block.count; ++k) {
+    const double a = block.real[k - 1]->lambda_re;
+    const double b = block.real[k]->lambda_re;
+    const double half = 0.5 * (b - a);
+    const double mean = 0.5 * (b + a);
+    const double relative = half * half / (mean * mean + half * half);
+    require_beyond(b - a, 2.0 * (block.real[k - 1]->lambda_error + block.real[k]->lambda_error),
+                   TestValues::collision, out);
+    if (!(relative < least)) continue;
+    least = relative;
+    out.collides_imaginary = mean < 0.0;
+  }
+  if (std::isfinite(least)) out.value[TestValues::collision] = least;
+}
+
+void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
+  std::size_t k = TestValues::crossings;
+  for (std::size_t a = 0; a < blocks.size(); ++a) {
+    const auto is_negative = [](const Mode* mode) {
+      return mode != nullptr && mode->lambda_re < 0.0;
+    };
+    const auto negative = std::ranges::count_if(blocks[a].real, is_negative);
+    out.composition = 64 * out.composition + 8 * static_cast<std::uint32_t>(blocks[a].count) +
+                      static_cast<std::uint32_t>(negative);
+    for (std::size_t b = a + 1; b < blocks.size(); ++b) {
+      for (std::size_t i = 0; i < blocks[a].count; ++i) {
+        for (std::size_t j = 0; j < blocks[b].count && k < TestValues::count; ++j, ++k) {
+          const Mode& first = *blocks[a].real[i];
+          const Mode& second = *blocks[b].real[j];
+          if (!(first.lambda_re < 0.0 && second.lambda_re < 0.0)) continue;
+          out.value[k] =
+              (first.lambda_re - second.lambda_re) / -(first.lambda_re + second.lambda_re);
+          require_beyond(first.lambda_re - second.lambda_re,
+                         first.lambda_error + second.lambda_error, k, out);
+          if (first.krein * second.krein < 0)
+            out.opposite |= 1U << static_cast<unsigned>(k - TestValues::crossings);
+        }
+      }
+    }
+  }
+}
+
+/// The locked inertias where alpha is an unknown, about an oblique axis too: in the plane along the
+/// spin's axis and across it (in (iii) the smaller and the larger), and about axis 3. Where the
+/// spin's axis is one of the plane, tilt is where its inertia equals that about axis 3.
+void set_inertia_tests(const Member& member, const TestContext& context, TestValues& out) {
+  const Matrix3<double> I = locked_inertia(member.body, member.q);
+  const double mean = 0.5 * (I(0, 0) + I(1, 1));
+  const double radius = std::hypot(0.5 * (I(0, 0) - I(1, 1)), I(0, 1));
+  double first = mean - radius;
+  double second = mean + radius;
+  if (context.oblique) {
+    if (member.nu == 0.0) return;
+    const Vector3<double> axis = member.angular_velocity.normalized();
+    first = axis.dot(I * axis);
+    second = I(0, 0) + I(1, 1) - first;
+    out.value[TestValues::inertia_12] = relative_difference(first, second);
+  }
+  out.value[TestValues::inertia_13] = relative_difference(I(2, 2), first);
+  out.value[TestValues::inertia_23] = relative_difference(I(2, 2), second);
+}
+
+/// Those of a spin about a material axis; m: second_moments().
+void set_axis_tests(const Member& member, const TestContext& context, const Vector3<double>& m,
+                    TestValues& out) {
+  const Body& J = member.body;
+  if (context.sheared) {
+    set_inertia_tests(member, context, out);
+    return;
+  }
+  out.value[TestValues::inertia_13] = relative_difference(m[2], m[0]);
+  if (!context.circle) {  // there the axes 1 and 2 are alike
+    out.value[TestValues::inertia_12] = relative_difference(m[1], m[0]);
+    out.value[TestValues::inertia_23] = relative_difference(m[2], m[1]);
+  }
+  if (!std::isnan(member.turn)) {
+    out.value[TestValues::turn] = member.turn;
+  } else if (context.branch == Branch::iii) {
+    const double pull = (J.J1 + J.J2) * member.nu * member.nu;  // of alpha
+    const double shear = member.shear_stiffness / (std::abs(member.shear_stiffness) + 2.0 * pull);
+    if (context.circle) {
+      out.value[TestValues::ellipse] = shear;
+    } else if (!context.material_symmetry) {
+      out.value[TestValues::turn] = shear;
+    }
+  } else if (!context.material_symmetry) {
+    // K_aa (I1 - I2) - h^2 omega^2 of an isotropic V, but for factors that keep their sign.
+    out.value[TestValues::turn] = relative_difference(J.J1, J.J2);
+  }
+}
+
+/// a and b of the wobble Lambda = -a b (lib/stability/linearization.hpp); the stiffness at fixed momenta by
+/// its Lambdas, which are real.
+void set_two_polar_tests(const Member& member, const TestContext& context, const Vector3<double>& m,
+                         TestValues& out) {
+  const auto& rates = member.two_polar->rates;
+  const auto& momenta = member.two_polar->momenta;
+  if (context.circle) {
+    const double pull = 2.0 * member.body.J1 * member.nu * member.nu;
+    out.value[TestValues::ellipse] =
+        member.shear_stiffness / (std::abs(member.shear_stiffness) + pull);
+    // Ellipses branch off at these rates, and where the circle itself, as a motion of (iii), has
+    // its own: only omega + theta' matters to it.
+    const double own = member.body.J1 * member.nu * member.nu;
+    out.value[TestValues::turn] = member.turn / (std::abs(member.turn) + 2.0 * own);
+    out.value[TestValues::inertia_13] = relative_difference(m[2], m[0]);
+    return;
+  }
+  const auto axis_leaves = [&](double inertia) {
+    const double turn = momenta.s3 / inertia;
+    return (rates.omega - turn) / (std::abs(rates.omega) + std::abs(turn));
+  };
+  out.value[TestValues::inertia_13] = axis_leaves(m[1] + m[2]);
+  out.value[TestValues::inertia_23] = axis_leaves(m[0] + m[2]);
+  if (member.two_polar->by_momenta) {  // what turns is a momentum
+    out.value[TestValues::momentum] = out.value[TestValues::fold];
+    out.value[TestValues::fold] = none;
+  } else if (member.spectrum) {
+    double product = 1.0;
+    double largest = 0.0;
+    const auto blocks = by_block(*member.spectrum);
+    for (const Mode* mode : blocks[static_cast<std::size_t>(Block::even)].real) {
+      if (mode == nullptr) continue;
+      product *= mode->lambda_re;
+      largest = std::max(largest, std::abs(mode->lambda_re));
+    }
+    out.value[TestValues::momentum] = product / (largest * largest * largest);
+  }
+}
+
+}  // namespace
+
+EventSet TestContext::sought_for(EventSet asked) {
+  if (asked.has(EventType::krein_pass) || asked.has(EventType::unexplained)) return {};
+  return asked.add(EventType::fold_nu).add(EventType::tilt);
+}
+
+bool TestContext::seeks(std::size_t function) const {
+  if (function == TestValues::collision) {
+    return sought.has(EventType::hamiltonian_hopf) || sought.has(EventType::real_collision);
+  }
+  if (function >= TestValues::crossings) return sought.has(EventType::krein_pass);
+  return sought.has(event_type(function, *this, {}));
+}
+
+TestValues test_values(const Member& member, const TestContext& context, double fold,
+                       double momentum, double error) {
+  TestValues out;
+  out.value.fill(none);
+  out.value[TestValues::fold] = fold;
+  out.value[TestValues::momentum] = momentum;
+  const Vector3<double> m = second_moments(member.body, member.q);
+  out.value[TestValues::tilt_in_plane] = member.tilt_in_plane;
+  out.value[TestValues::tilt_normal] = member.tilt_normal;
+  if (context.two_polar) {
+    set_two_polar_tests(member, context, m, out);
+  } else if (context.tilted) {
+    // Where J1 = J2 only an end is on the circle.
+    if (!member.body.symmetric())
+      out.value[TestValues::inertia_12] = relative_difference(m[1], m[0]);
+  } else {
+    set_axis_tests(member, context, m, out);
+  }
+  // The locked inertias are as uncertain as the squares of the stretches.
+  for (const std::size_t k :
+       {TestValues::inertia_12, TestValues::inertia_13, TestValues::inertia_23})
+    require_beyond(out.value[k], 2.0 * error + 0x1p-51, k, out);
+  if (member.spectrum &&
+      (context.seeks(TestValues::collision) || context.seeks(TestValues::crossings))) {
+    const auto blocks = by_block(*member.spectrum);
+    for (const Block block : {Block::even, Block::odd, Block::shear}) {
+      if (may_collide(block, context)) set_collision(blocks[static_cast<std::size_t>(block)], out);
+    }
+    set_crossings(blocks, out);
+  }
+  return out;
+}
+
+EventType event_type(std::size_t k, const TestContext& context, const TestValues& at) {
+  switch (k) {
+    case TestValues::fold:
+      return EventType::fold_nu;
+    case TestValues::momentum:
+      return EventType::fold_momentum;
+    case TestValues::inertia_12:
+      return EventType::inertia_exchange;
+    case TestValues::inertia_13:
+      return context.branch == Branch::ii ? EventType::inertia_exchange : EventType::tilt;
+    case TestValues::inertia_23:
+      return context.branch == Branch::i ? EventType::inertia_exchange : EventType::tilt;
+    case TestValues::tilt_in_plane:
+    case TestValues::tilt_normal:
+      return EventType::tilt;
+    case TestValues::ellipse:
+      return EventType::ellipse;
+    case TestValues::turn:
+      if (context.two_polar) return EventType::ellipse;
+      return context.branch == Branch::iii ? EventType::shear : EventType::oblique;
+    case TestValues::collision:
+      return at.collides_imaginary ? EventType::hamiltonian_hopf : EventType::real_collision;
+    default:
+      break;
+  }
+  const bool opposite = (at.opposite >> static_cast<unsigned>(k - TestValues::crossings)) & 1U;
+  return opposite ? EventType::krein_pass : EventType::none;
+}
+
+int negative_change(EventType event, const TestContext& context) {
+  switch (event) {
+    case EventType::tilt:
+      return context.circle ? 2 : 1;  // both axes of its plane at once
+    case EventType::fold_momentum:
+    case EventType::oblique:
+    case EventType::shear:
+      return 1;
+    case EventType::ellipse:
+      return 2;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace stationary

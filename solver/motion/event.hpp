@@ -1,0 +1,146 @@
+// Events along a family and the functions whose sign changes give them away (t the unit tangent,
+// I_a the locked inertia about the spin's axis a, c the kernel of [dG/d ln x  dG/dnu]):
+//
+//   fold-nu            c_nu = 0: nu turns, V_nu'' singular in the family's symmetric subspace
+//   fold-momentum      d(I_a nu) along c = 0: |pi| turns, a zero of the spectrum's symmetric block
+//   tilt               I_a = I_b, b = 3 in (i), (ii), b = 1 or 2 in (iii); a tilted family ends
+//                      there: nu along one of its two axes is 0
+//   inertia-exchange   any other two locked inertias are equal
+//   ellipse            J1 = J2: K_alpha,alpha = 0 on the circle
+//   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2; an oblique family of an
+//   even
+//                      V ends there
+//   shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; likewise; both, of
+//   isotropic
+//                      V, where another parameter passes J1 = J2 only
+//   hamiltonian-hopf   two imaginary pairs of one block meet and leave the axis
+//   real-collision     two real pairs of one block do
+//   krein-pass         imaginary pairs of opposite signature, of two blocks, meet and pass
+//   unexplained        the count of negative directions changes and none of these accounts for it
+//   collapse escape domain limit closed stalled   ends of a sheet: d or rho -> 0; a stretch ->
+//                      infinity; where the potential ceases to be defined; the range asked for;
+//                      back at the start; given up, the metadata say why
+//
+// Of a two-polar family: fold-nu where its parameter turns at given rates; fold-momentum where it
+// turns at given momenta, or where, at given rates, the stiffness at fixed momenta is singular;
+// tilt where omega = s3/I_1 or s3/I_2; ellipse where it leaves the circle.
+//
+// At a parameter other than nu the same functions are followed: a fold of the parameter is where
+// nu would turn too.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "solver/motion/family.hpp"
+
+namespace stationary {
+
+enum class EventType : std::uint8_t {
+  none,
+  fold_nu,
+  fold_momentum,
+  tilt,
+  inertia_exchange,
+  ellipse,
+  oblique,
+  shear,
+  hamiltonian_hopf,
+  real_collision,
+  krein_pass,
+  unexplained,
+  collapse,
+  escape,
+  domain,
+  limit,
+  closed,
+  stalled
+};
+constexpr std::string_view event_names[] = {
+    "",         "fold-nu", "fold-momentum",    "tilt",           "inertia-exchange", "ellipse",
+    "oblique",  "shear",   "hamiltonian-hopf", "real-collision", "krein-pass",       "unexplained",
+    "collapse", "escape",  "domain",           "limit",          "closed",           "stalled"};
+constexpr std::string_view name(EventType e) { return event_names[static_cast<int>(e)]; }
+/// Types of events; all of them unless made of some.
+class EventSet {
+ public:
+  constexpr EventSet() = default;
+  static constexpr EventSet none() { return EventSet(0); }
+  constexpr EventSet& add(EventType e) {
+    bits_ |= bit(e);
+    return *this;
+  }
+  constexpr bool has(EventType e) const { return (bits_ & bit(e)) != 0; }
+
+ private:
+  explicit constexpr EventSet(std::uint32_t bits) : bits_(bits) {}
+  static constexpr std::uint32_t bit(EventType e) { return 1U << static_cast<unsigned>(e); }
+
+  std::uint32_t bits_ = ~0U;
+};
+/// Those found among the Lambdas, or by the count of negative directions.
+inline constexpr std::array spectral_events{EventType::hamiltonian_hopf, EventType::real_collision,
+                                            EventType::krein_pass, EventType::unexplained};
+
+constexpr bool is_end(EventType e) { return e >= EventType::collapse; }
+
+/// The functions at one point, each of order one; NaN where it has no meaning.
+struct TestValues {
+  static constexpr std::size_t fold = 0;
+  static constexpr std::size_t momentum = 1;
+  static constexpr std::size_t inertia_12 = 2;
+  static constexpr std::size_t inertia_13 = 3;
+  static constexpr std::size_t inertia_23 = 4;
+  static constexpr std::size_t ellipse = 5;
+  static constexpr std::size_t turn = 6;       ///< in the plane: oblique, shear
+  static constexpr std::size_t collision = 7;  ///< ((Lambda_1 - Lambda_2)/2)^2, < 0 of a quadruple
+  static constexpr std::size_t tilt_in_plane = 8;  ///< shares of nu^2, of a tilted family
+  static constexpr std::size_t tilt_normal = 9;
+  static constexpr std::size_t crossings = 10;  ///< Lambda_1 - Lambda_2 of two blocks
+  static constexpr std::size_t count = crossings + 10;
+
+  std::array<double, count> value;
+  std::uint32_t opposite = 0;       ///< bit k: the pairs of crossing k have opposite signatures
+  std::uint32_t composition = 0;    ///< which blocks have how many real and negative Lambda:
+                                    ///< crossings compare only where this is equal
+  bool collides_imaginary = false;  ///< the pair of `collision` has Lambda < 0
+  /// Bit k: the errors of the point leave the sign of value k open.
+  std::uint32_t uncertain = 0;
+
+  /// The sign of a function where it is certain: +1, -1; else 0.
+  int sign(std::size_t k) const {
+    if (((uncertain >> static_cast<unsigned>(k)) & 1U) != 0) return 0;
+    return (value[k] > 0.0) - (value[k] < 0.0);
+  }
+};
+
+/// What the test functions need beside the member.
+struct TestContext {
+  Branch branch;
+  bool material_symmetry;
+  bool circle;
+  bool tilted = false;
+  bool two_polar = false;
+  EventSet sought = {};  ///< functions of no other events are evaluated or followed
+  bool oblique = false;
+  bool sheared = false;  ///< alpha among the unknowns
+
+  /// Those to look for so that the ones asked for are found: a turn of the parameter and the end of
+  /// a tilted family end a sheet; between which zeros blocks keep their signs, all of them say.
+  static EventSet sought_for(EventSet asked);
+  bool seeks(std::size_t function) const;
+};
+
+/// fold, momentum: as the curve's geometry gives them. error: of the member as a point of the
+/// curve, relative.
+TestValues test_values(const Member& member, const TestContext& context, double fold,
+                       double momentum, double error = 0.0);
+
+/// What a zero of function k is; none where it is no event (equal signatures, say).
+EventType event_type(std::size_t k, const TestContext& context, const TestValues& at);
+
+/// How many negative directions a crossing of this event changes at most, and with which parity.
+int negative_change(EventType event, const TestContext& context);
+
+}  // namespace stationary

@@ -1,0 +1,145 @@
+// The root of a square system in extended precision, and how far the inputs' rounding moves it.
+//
+//   F(y; inputs) = 0,   unknowns y by their relative changes,
+//
+// Newton with F in pairs of doubles and its Jacobian from central differences of the same values,
+// h = 2^-27:  their errors, h^2 of a third derivative and 2^-82/h of a value, are both at 2^-54.
+// To first order the root moves by
+//
+//   |dy| <= 2^-53 sum over inputs |A^-1 dF/d ln input|   decimals, half a unit of each
+//         + |A^-1| 2^-80 (size of F's terms)             F's own rounding
+//
+// with each input's own sign in all equations: what is common to them cancels. This is what an
+// event asks, whose own equations are regular where the balance alone is not.
+#pragma once
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include "lib/number/first_order_bound.hpp"
+#include "lib/number/double_double.hpp"
+#include "solver/motion/varied_balance.hpp"
+
+namespace stationary {
+
+template <int N>
+using ExtendedVector = std::array<DoubleDouble, static_cast<std::size_t>(N)>;
+
+template <int N>
+struct ExtendedRoot {
+  ExtendedVector<N> y;
+  std::array<double, static_cast<std::size_t>(N)> error;  ///< bounds, relative to each of y
+};
+
+/// System: dimension, inputs(), values(y, change) in extended precision, and conditioned(y, exact),
+/// the same with its conditioning, the problem's numbers exact or inputs; has_decimals(), whether
+/// there are others, written out in a formula, that are inputs in any case.
+template <class System>
+class ExtendedRootFinder {
+ public:
+  static constexpr int N = System::dimension;
+
+  explicit ExtendedRootFinder(const System& system) : system_(&system) {}
+
+  /// The root near y; nothing where the equations are singular there.
+  std::optional<ExtendedRoot<N>> from(ExtendedVector<N> y) {
+    constexpr int most = 16;
+    double before = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < most; ++k) {
+      linearize(y);
+      const Vector step = lu_.solve(scaled(system_->values(y, {})));
+      const double size = step.cwiseAbs().maxCoeff();
+      if (!std::isfinite(size) || size > 0.3) return std::nullopt;
+      if (size < 0x1p-45 && size >= 0.25 * before) return bounded(y, size);  // at rounding
+      for (std::size_t i = 0; i < y.size(); ++i) y[i] = renormalized(y[i] - y[i] * step[place(i)]);
+      if (size < 0x1p-80) return bounded(y, size);
+      before = size;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using Matrix = Eigen::Matrix<double, N, N>;
+  static Eigen::Index place(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+  static Vector difference(const ExtendedVector<N>& a, const ExtendedVector<N>& b) {
+    Vector out;
+    for (std::size_t i = 0; i < a.size(); ++i) out[place(i)] = double(a[i] - b[i]) / (2.0 * h);
+    return out;
+  }
+  Vector scaled(const ExtendedVector<N>& values) const {
+    Vector out;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      out[place(i)] = double(values[i]) * scale_[place(i)];
+    return out;
+  }
+
+  void linearize(const ExtendedVector<N>& y) {
+    Matrix A;
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      ExtendedVector<N> ahead = y;
+      ExtendedVector<N> behind = y;
+      ahead[k] = y[k] + h * y[k];
+      behind[k] = y[k] - h * y[k];
+      A.col(place(k)) = difference(system_->values(ahead, {}), system_->values(behind, {}));
+    }
+    for (Eigen::Index i = 0; i < N; ++i) {
+      scale_[i] = 1.0 / A.row(i).cwiseAbs().maxCoeff();
+      A.row(i) *= scale_[i];
+    }
+    lu_.setThreshold(0.0);  // columns are of any size: an event may hang on the last digits of J
+    lu_.compute(A);
+  }
+
+  std::optional<ExtendedRoot<N>> bounded(const ExtendedVector<N>& y, double last) {
+    constexpr double rounding = 0x1p-80;
+    constexpr double half_unit = 0x1p-53;
+    const Matrix inverse = lu_.inverse().cwiseAbs();
+    std::array<Conditioned, static_cast<std::size_t>(N)> known;
+    std::array<Conditioned, static_cast<std::size_t>(N)> rounded;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      known[i] = Conditioned(double(y[i]));
+      rounded[i] = Conditioned::input(double(y[i]));
+    }
+    const auto sizes = system_->conditioned(rounded, false);
+    Vector spread;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      spread[place(i)] = rounding * sizes[i].condition * scale_[place(i)];
+    if (system_->has_decimals()) {
+      const auto decimals = system_->conditioned(known, true);
+      for (std::size_t i = 0; i < y.size(); ++i)
+        spread[place(i)] += half_unit * decimals[i].condition * scale_[place(i)];
+    }
+    Vector error = inverse * spread + Vector::Constant(2.0 * last);
+    for (std::size_t k = 0; k < system_->inputs(); ++k) {
+      const Vector slope = difference(system_->values(y, {k, h}), system_->values(y, {k, -h}));
+      error += half_unit * lu_.solve(slope.cwiseProduct(scale_)).cwiseAbs();
+    }
+    ExtendedRoot<N> out{y, {}};
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const double first = error[place(i)];
+      out.error[i] = first * (1.0 + 4.0 * first);  // what is beyond the first order
+      if (!std::isfinite(first)) return std::nullopt;
+    }
+    return out;
+  }
+
+  static constexpr double h = 0x1p-27;
+  const System* system_;
+  Vector scale_;
+  Eigen::FullPivLU<Matrix> lu_;
+};
+
+template <class System>
+std::optional<ExtendedRoot<System::dimension>> extended_root(
+    const System& system, const ExtendedVector<System::dimension>& y) {
+  return ExtendedRootFinder<System>(system).from(y);
+}
+
+}  // namespace stationary

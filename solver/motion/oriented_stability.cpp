@@ -1,0 +1,129 @@
+#include "solver/motion/oriented_stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "lib/stability/general_spectrum.hpp"
+
+namespace stationary {
+namespace {
+
+using Real = long double;
+using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// The part of a leaf with these coordinates and their momenta.
+Leaf<Real> part_of(const Leaf<Real>& whole, const std::vector<int>& coordinates) {
+  const auto n = static_cast<Eigen::Index>(coordinates.size());
+  Leaf<Real> out{static_cast<int>(n), Dense(2 * n, 2 * n), Dense(2 * n, 2 * n)};
+  const auto place = [&](Eigen::Index k) {
+    const int own = coordinates[static_cast<std::size_t>(k % n)];
+    return static_cast<Eigen::Index>(k < n ? own : own + whole.pairs);
+  };
+  for (Eigen::Index i = 0; i < 2 * n; ++i) {
+    for (Eigen::Index j = 0; j < 2 * n; ++j) {
+      out.second_variation(i, j) = whole.second_variation(place(i), place(j));
+      out.magnitude(i, j) = whole.magnitude(place(i), place(j));
+    }
+  }
+  return out;
+}
+
+/// The order of a spectrum's modes.
+bool before(const Mode& a, const Mode& b) { return a.im != b.im ? a.im < b.im : a.re < b.re; }
+
+/// Spectra of parts that do not see each other, as one.
+Spectrum united(const std::vector<std::pair<Block, Spectrum>>& parts) {
+  Spectrum out;
+  const auto has = [&](StabilityClass verdict) {
+    return std::ranges::any_of(parts,
+                               [&](const auto& part) { return part.second.verdict == verdict; });
+  };
+  out.verdict = StabilityClass::stable;
+  for (const StabilityClass each : {StabilityClass::unstable, StabilityClass::marginal,
+                                    StabilityClass::oscillatory, StabilityClass::elliptic}) {
+    if (!has(each)) continue;
+    out.verdict = each;
+    break;
+  }
+  const bool grows =
+      out.verdict == StabilityClass::unstable || out.verdict == StabilityClass::oscillatory;
+  for (const auto& [block, part] : parts) {
+    out.negative += part.negative;
+    if (grows) out.growth = std::max(out.growth, part.growth);
+    for (int k = 0; k < part.modes; ++k) {
+      Mode& mode = out.mode[static_cast<std::size_t>(out.modes++)];
+      mode = part.mode[static_cast<std::size_t>(k)];
+      mode.block = block;
+    }
+  }
+  for (std::size_t k = 1; k < static_cast<std::size_t>(out.modes); ++k)
+    for (std::size_t j = k; j > 0 && before(out.mode[j], out.mode[j - 1]); --j)
+      std::swap(out.mode[j], out.mode[j - 1]);
+  return out;
+}
+
+/// (iii), at any alpha: the reflection in the plane of axes 1 and 2 leaves pi1, pi2 to themselves,
+/// and of a separable V rho.
+Spectrum about_third(const Leaf<Real>& whole, bool separable, double uncertainty) {
+  const GeneralFacts facts{MaterialSymmetry::none, uncertainty};
+  const int first = whole.pairs == 5 ? 1 : 0;  // alpha; before it b1, where there is one
+  std::vector<std::pair<Block, Spectrum>> parts;
+  if (first == 1) parts.emplace_back(Block::odd, general_spectrum(facts, part_of(whole, {0})));
+  std::vector<int> plane{first, first + 1, first + 2};
+  if (separable) {
+    parts.emplace_back(Block::thickness, general_spectrum(facts, part_of(whole, {first + 3})));
+  } else {
+    plane.push_back(first + 3);
+  }
+  parts.emplace_back(Block::even, general_spectrum(facts, part_of(whole, plane)));
+  return united(parts);
+}
+
+}  // namespace
+
+Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& models,
+                            const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu,
+                            double bound) {
+  const double uncertainty = std::isnan(bound) ? 1e-15 : std::max(bound, 0x1p-53);
+  const Body& body = spin.body;
+  const AnisotropicPotential& V = models.potential;
+  const bool straight = spin.about_axis && double(q.alpha) == 0.0 && V.shear_free();
+  const DoubleDouble omega = nu[axis(spin.branch)];
+  if (straight && double(omega) != 0.0) {
+    const auto input = [](const auto& x) { return Conditioned::input(leading(x)); };
+    const BlockFacts facts{spin.branch, false, !V.is_separable(), uncertainty};
+    return block_spectrum(
+        facts,
+        straight_state(Inertia3<DoubleDouble>{body.J1, body.J2, body.J3}, models.extended, q,
+                       omega),
+        straight_state(Inertia3<Conditioned>{input(body.J1), input(body.J2), input(body.J3)},
+                       V.model(AsConditioned()),
+                       BasicStretch<Conditioned>{0.0, input(q.xi), input(q.zeta), input(q.rho)},
+                       input(omega)));
+  }
+  // At rest there is no axis.
+  if (spin.about_axis && (spin.branch == Branch::iii || double(omega) == 0.0))
+    return about_third(motion_leaf(body, Potential(V), q, nu), V.is_separable(), uncertainty);
+  return general_spectrum(body, Potential(V), q, nu, uncertainty);
+}
+
+double turn_of(const Body& body, Branch branch, double V_aa, const Stretch& q, double nu) {
+  const double omega2 = nu * nu;
+  if (branch == Branch::iii) {
+    const double pull = (body.J1 + body.J2) * omega2;
+    const double stiffness = V_aa - pull;
+    return stiffness / (std::abs(stiffness) + 2.0 * pull);
+  }
+  const double own = branch == Branch::i ? body.J1 : body.J2;
+  const Vector3<double> m = second_moments(body, q);
+  // I1 - I2 is the difference of the moments along 2 and 1; (ii) exchanges them.
+  const double inertias = branch == Branch::i ? m[1] - m[0] : m[0] - m[1];
+  const double h = body.J1 * q.xi + body.J2 * q.zeta;
+  const double stiff = (V_aa - own * omega2) * inertias;
+  const double pull = h * h * omega2;
+  return (stiff - pull) / (std::abs(stiff) + pull);
+}
+
+}  // namespace stationary

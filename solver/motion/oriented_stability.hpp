@@ -1,0 +1,24 @@
+// The spectrum of a stationary motion of a potential that is not isotropic: by blocks where alpha =
+// 0, V is even in alpha and the spin is about a material axis, else as a whole.
+#pragma once
+
+#include "lib/stability/spectrum.hpp"
+#include "solver/motion/oriented_system.hpp"
+
+namespace stationary {
+
+struct OrientedSpin {
+  Body body;
+  Branch branch;    ///< where the axis is a material one
+  bool about_axis;  ///< it is
+};
+
+/// q, nu in extended precision. bound: as model_stability()'s.
+Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& models,
+                            const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu,
+                            double bound);
+
+/// Member::turn of a motion with alpha = 0.
+double turn_of(const Body& body, Branch branch, double V_aa, const Stretch& q, double nu);
+
+}  // namespace stationary

@@ -1,0 +1,220 @@
+// The balance of a potential that need not be isotropic (anisotropic_balance.hpp) as reduced
+// systems, by what is unknown beside xi and zeta:
+//
+//   rho      always, but where a separable V leaves it to itself and a search takes it apart
+//   alpha    in (iii) and oblique; 0 in (i), (ii) and where an even V is followed in (iii)
+//   axis     oblique
+//
+// x holds xi, zeta[, rho][, e^a][, x_phi]. Each row is divided by the magnitude of its own terms:
+// magnitude is 1, and rows of any stiffness, or of a slow spin, weigh the same.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "lib/balance/anisotropic_balance.hpp"
+#include "lib/number/dual.hpp"
+#include "solver/newton/reduced_system.hpp"
+#include "lib/number/small_matrix.hpp"
+
+namespace stationary {
+
+template <bool thickness_unknown, bool alpha_unknown, bool axis_unknown>
+struct OrientedLayout {
+  static constexpr bool thickness = thickness_unknown;
+  static constexpr bool alpha = alpha_unknown;
+  static constexpr bool axis = axis_unknown;
+  static constexpr int dimension = 2 + int(thickness) + int(alpha) + int(axis);
+  /// Of each unknown, in oriented::.
+  static constexpr std::array<std::size_t, static_cast<std::size_t>(dimension)> places = [] {
+    std::array<std::size_t, static_cast<std::size_t>(dimension)> out{oriented::u, oriented::v};
+    std::size_t k = 2;
+    if (thickness) out[k++] = oriented::w;
+    if (alpha) out[k++] = oriented::a;
+    if (axis) out[k++] = oriented::phi;
+    return out;
+  }();
+  /// Place of an unknown in x.
+  static constexpr int thickness_place = 2;
+  static constexpr int alpha_place = 2 + int(thickness);
+  static constexpr int axis_place = alpha_place + 1;
+};
+
+using StraightLayout = OrientedLayout<true, false, false>;
+using ShearedLayout = OrientedLayout<true, true, false>;
+using ObliqueLayout = OrientedLayout<true, true, true>;
+
+/// All five coordinates from x, those that are no unknowns at their values.
+template <class Layout, class S, class X>
+std::array<S, 5> all_coordinates(const X& x, const S& rho) {
+  std::array<S, 5> out{S(1.0), S(1.0), rho, S(1.0), S(1.0)};
+  for (std::size_t k = 0; k < Layout::places.size(); ++k) {
+    if constexpr (requires { x.rows(); }) {
+      out[Layout::places[k]] = S(x[static_cast<Eigen::Index>(k)]);
+    } else {
+      out[Layout::places[k]] = x[k];
+    }
+  }
+  return out;
+}
+
+/// Of the coordinates, the balance of the motion they are. nu_squared: of |nu|.
+template <class Layout, int order, class S>
+OrientedBalance<S> balance_at(const Inertia3<S>& J, const AnisotropicModel<S>& model, Branch branch,
+                              const S& nu_squared, const std::array<S, 5>& y) {
+  const OrientedStretch<S> at = oriented_stretch(y[0], y[1], y[2], y[3]);
+  if constexpr (Layout::axis) {
+    const AxisAngle<S> axis = axis_angle(y[4]);
+    auto out = oriented_balance<order>(J, model, at,
+                                       in_plane_products(nu_squared, axis.cosine, axis.sine));
+    add_axis<order>(J, at, nu_squared, axis, out);
+    return out;
+  } else {
+    return oriented_balance<order>(J, model, at, axis_products(branch, nu_squared));
+  }
+}
+
+/// Made once of a potential.
+struct OrientedModels {
+  AnisotropicPotential potential;
+  AnisotropicModel<double> plain;
+  AnisotropicModel<DoubleDouble> extended;
+
+  explicit OrientedModels(const AnisotropicPotential& from)
+      : potential(from), plain(from.model()), extended(from.model(AsExtended())) {}
+};
+
+/// |p dG/dp| or dG/dp of coefficients in y, two at a time; G elastic, all of (u, v, w, a).
+struct CoefficientDuals {
+  int first;      ///< place of the one in direction 0
+  bool relative;  ///< slopes to relative changes
+  mutable int next = 0;
+
+  Dual2 operator()(double c) const { return seeded(c, relative ? c : 1.0); }
+  Direction<Dual2> direction(double degrees) const;
+
+ private:
+  Dual2 seeded(double value, double slope) const {
+    Dual2 out(value);
+    const int k = next++ - first;
+    if (k == 0 || k == 1) out.slope[static_cast<std::size_t>(k)] = slope;
+    return out;
+  }
+};
+
+std::array<Dual2, 4> elastic_slopes(const AnisotropicPotential& potential,
+                                    const CoefficientDuals& duals,
+                                    const OrientedStretch<double>& at);
+
+/// Of the same four numbers the conditions with regard to the decimals of a formula.
+std::array<double, 4> decimal_conditions(const AnisotropicPotential& potential,
+                                         const OrientedStretch<double>& at);
+
+/// The centrifugal part, -C(nu) q in the coordinates, and phi's own equation: linear in J.
+std::array<double, 5> inertial_part(const Inertia3<double>& J, const OrientedStretch<double>& at,
+                                    const SpinProducts<double>& n, const AxisAngle<double>* axis);
+
+/// Residual and Jacobian, rows divided by `scale`.
+template <int N>
+struct OrientedLinearized {
+  ReducedVector<N> g;
+  SmallMatrix<N> jacobian;
+  ReducedVector<N> scale;
+  double magnitude = 1.0;
+};
+
+template <class Layout>
+struct OrientedSystem {
+  static constexpr int dimension = Layout::dimension;
+  static constexpr int N = dimension;
+
+  const OrientedModels* models;
+  Body body;
+  Branch branch;  ///< where the axis is no unknown
+  double nu;
+  double rho = 1.0;  ///< where that is no unknown
+
+  OrientedStretch<double> stretch(const std::array<double, 5>& y) const {
+    return oriented_stretch(y[0], y[1], y[2], y[3]);
+  }
+  std::array<double, 5> coordinates(const ReducedVector<N>& x) const {
+    return all_coordinates<Layout>(x, rho);
+  }
+  SpinProducts<double> spin(const std::array<double, 5>& y, double nu_squared) const {
+    if constexpr (Layout::axis) {
+      const AxisAngle<double> axis = axis_angle(y[4]);
+      return in_plane_products(nu_squared, axis.cosine, axis.sine);
+    } else {
+      return axis_products(branch, nu_squared);
+    }
+  }
+  /// inertial_part() with other J.
+  std::array<double, 5> inertial(const Inertia3<double>& J, const std::array<double, 5>& y,
+                                 double nu_squared) const {
+    const AxisAngle<double> axis = axis_angle(y[4]);
+    return inertial_part(J, stretch(y), spin(y, nu_squared), Layout::axis ? &axis : nullptr);
+  }
+
+  OrientedLinearized<N> linearize(const ReducedVector<N>& x) const {
+    const auto y = coordinates(x);
+    const Inertia3<double> J{body.J1, body.J2, body.J3};
+    const auto b = balance_at<Layout, 2>(J, models->plain, branch, nu * nu, y);
+    const auto pull = inertial(J, y, nu * nu);
+    OrientedLinearized<N> out;
+    for (int i = 0; i < N; ++i) {
+      const std::size_t row = place(i);
+      double magnitude = 0.0;
+      for (int j = 0; j < N; ++j) magnitude += std::abs(b.slope[row][place(j)]);
+      magnitude += row == oriented::phi ? in_plane_inertia(J, stretch(y).q).sum
+                                        : std::abs(b.g[row]) + 2.0 * std::abs(pull[row]);
+      out.scale[i] = 1.0 / magnitude;
+      out.g[i] = b.g[row] * out.scale[i];
+      for (int j = 0; j < N; ++j)
+        out.jacobian.entries(i, j) = b.slope[row][place(j)] * out.scale[i];
+    }
+    return out;
+  }
+  ReducedVector<N> extended_residual(const ReducedVector<N>& x) const {
+    return extended_residual(x, linearize(x).scale);
+  }
+  ReducedVector<N> extended_residual(const ReducedVector<N>& x,
+                                     const ReducedVector<N>& scale) const {
+    const Inertia3<DoubleDouble> J{body.J1, body.J2, body.J3};
+    const auto b = balance_at<Layout, 1>(J, models->extended, branch, two_product(nu, nu),
+                                         all_coordinates<Layout>(x, DoubleDouble(rho)));
+    ReducedVector<N> out;
+    for (int i = 0; i < N; ++i) out[i] = double(b.g[place(i)]) * scale[i];
+    return out;
+  }
+  /// Sum over the inputs p of |p dG/dp|: a coefficient once, J once, nu twice (as nu^2).
+  ReducedVector<N> input_sensitivity(const ReducedVector<N>& x) const {
+    const auto y = coordinates(x);
+    const ReducedVector<N> scale = linearize(x).scale;
+    std::array<double, 5> sum{};
+    for (int first = 0; first < models->potential.coefficient_count(); first += 2) {
+      const auto slopes =
+          elastic_slopes(models->potential, CoefficientDuals{first, true}, stretch(y));
+      for (std::size_t i = 0; i < slopes.size(); ++i) sum[i] += sensitivity(slopes[i]);
+    }
+    if (models->plain.has_decimals()) {
+      const std::array<double, 4> decimals = decimal_conditions(models->potential, stretch(y));
+      for (std::size_t i = 0; i < decimals.size(); ++i) sum[i] += decimals[i];
+    }
+    const double J[3] = {body.J1, body.J2, body.J3};
+    const auto all = inertial({J[0], J[1], J[2]}, y, nu * nu);
+    for (std::size_t k = 0; k < 3; ++k) {
+      Inertia3<double> one{0.0, 0.0, 0.0};
+      (k == 0 ? one.J1 : k == 1 ? one.J2 : one.J3) = J[k];
+      const auto part = inertial(one, y, nu * nu);
+      for (std::size_t i = 0; i < 5; ++i) sum[i] += std::abs(part[i]);
+    }
+    for (std::size_t i = 0; i < 4; ++i) sum[i] += 2.0 * std::abs(all[i]);
+    ReducedVector<N> out;
+    for (int i = 0; i < N; ++i) out[i] = sum[place(i)] * scale[i];
+    return out;
+  }
+
+  static constexpr std::size_t place(int i) { return Layout::places[static_cast<std::size_t>(i)]; }
+};
+
+}  // namespace stationary

@@ -1,0 +1,90 @@
+#include "solver/motion/problem.hpp"
+
+#include <string>
+
+namespace stationary {
+namespace {
+
+ThicknessRule thickness_rule(const Potential& potential, Branch branch) {
+  if (!potential.is_separable()) return ThicknessRule::coupled;
+  return branch == Branch::iii ? ThicknessRule::constant : ThicknessRule::closed_form;
+}
+
+/// Of a potential that is not isotropic.
+std::vector<PlanItem> oriented_plan(const AnisotropicPotential& V, Branch branch) {
+  std::vector<PlanItem> plan;
+  const bool even = V.even_in_alpha();
+  const bool known = V.sheared();
+  if (branch != Branch::iii) {
+    plan.push_back(
+        {"alpha", "0, not an unknown",
+         V.shear_free() ? "compatibility (J1 xi + J2 zeta) alpha = 0 leaves no other value"
+         : known        ? "compatibility leaves no other value, and V_alpha != 0 there: such a "
+                          "motion exists by chance only"
+                        : "compatibility leaves no other value, and V_alpha is not known to vanish "
+                          "there: such a motion may exist by chance only"});
+  } else {
+    plan.push_back({"alpha", even ? "0 from rest; an unknown from another start" : "an unknown",
+                    even    ? "V is even in alpha: alpha = 0 solves its equation"
+                    : known ? "V_alpha != 0 at alpha = 0"
+                            : "V is not even in alpha, or not known to be"});
+  }
+  plan.push_back({"rho", "an unknown",
+                  V.is_separable()
+                      ? "its equation has no other unknown in it; a search takes it apart"
+                      : "the potential couples it to xi, zeta and alpha"});
+  plan.push_back(
+      {"xi, zeta",
+       branch == Branch::iii && !even ? "4 equations with alpha and rho" : "3 equations with rho",
+       "balance of elastic and centrifugal force"});
+  return plan;
+}
+
+std::vector<PlanItem> make_plan(const Body& body, const Potential& potential, Branch branch,
+                                ThicknessRule rule) {
+  if (!potential.is_isotropic()) return oriented_plan(potential.anisotropic(), branch);
+  std::vector<PlanItem> plan;
+  if (branch != Branch::iii) {
+    plan.push_back({"alpha", "0, not an unknown",
+                    "compatibility (J1 xi + J2 zeta) alpha = 0 leaves no other value"});
+  } else if (!body.symmetric()) {
+    plan.push_back({"alpha", "0, not an unknown",
+                    "isotropic potential and J1 != J2: the spin lies along a principal axis"});
+  } else {
+    plan.push_back({"alpha", "0, not an unknown",
+                    "J1 = J2 and an isotropic potential: material rotations are a symmetry, "
+                    "solutions come in circles and theta = 0 is chosen"});
+  }
+  const bool closed = potential.is_built_in();
+  switch (rule) {
+    case ThicknessRule::constant:
+      plan.push_back(
+          {"rho", closed ? "closed form, once for all nu" : "1 equation, from the rest thickness",
+           "separable potential; V_rho'(rho) = 0 has no nu in it"});
+      break;
+    case ThicknessRule::closed_form:
+      plan.push_back({"rho",
+                      closed ? "closed form, corrected in extended precision"
+                             : "1 equation, from the rest thickness",
+                      "separable potential: V_rho'(rho) = J3 nu^2 rho has no xi, zeta in it"});
+      break;
+    case ThicknessRule::coupled:
+      plan.push_back({"rho", "an unknown", "the potential couples it to xi and zeta"});
+      break;
+  }
+  plan.push_back({"xi, zeta",
+                  rule == ThicknessRule::coupled ? "3 equations with rho" : "2 equations",
+                  "balance of elastic and centrifugal force"});
+  return plan;
+}
+
+}  // namespace
+
+Problem::Problem(const Body& body, const Potential& potential, Branch branch)
+    : body_(body),
+      potential_(potential),
+      branch_(branch),
+      thickness_rule_(stationary::thickness_rule(potential, branch)),
+      plan_(make_plan(body, potential, branch, thickness_rule_)) {}
+
+}  // namespace stationary

@@ -1,0 +1,77 @@
+#include "solver/newton/ceres_solve.hpp"
+
+#include <ceres/ceres.h>
+
+namespace stationary {
+namespace {
+
+template <class System>
+struct Residual {
+  static constexpr int N = System::dimension;
+  System system;
+  double inverse_scale;
+
+  template <class T>
+  bool operator()(const T* const log_x, T* out) const {
+    using std::exp;
+    std::array<T, N> x;
+    for (std::size_t i = 0; i < N; ++i) x[i] = exp(log_x[i]);
+    const auto g = system.residual(x);
+    for (std::size_t i = 0; i < N; ++i) {
+      out[i] = g[i] * inverse_scale;
+      if (!std::isfinite(leading(out[i]))) return false;
+    }
+    return true;
+  }
+};
+
+}  // namespace
+
+template <class System>
+CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>& x, int threads) {
+  constexpr int N = System::dimension;
+  Eigen::Matrix<double, N, 1> log_x = x.array().log();
+  ceres::Problem problem;
+  problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Residual<System>, N, N>(
+                               new Residual<System>{system, 1.0 / system.linearize(x).magnitude}),
+                           nullptr, log_x.data());
+  ceres::Solver::Options options;
+  options.minimizer_type = ceres::TRUST_REGION;
+  options.trust_region_strategy_type = ceres::LEVENBERG_MARQUARDT;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.initial_trust_region_radius = 1e4;
+  options.max_num_iterations = 200;
+  options.max_num_consecutive_invalid_steps = 20;
+  options.function_tolerance = 1e-30;
+  options.gradient_tolerance = 1e-30;
+  options.parameter_tolerance = 1e-16;
+  options.num_threads = threads;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+
+  CeresOutcome out;
+  out.iterations = static_cast<int>(summary.iterations.size());
+  out.residuals = summary.num_residual_evaluations;
+  out.jacobians = summary.num_jacobian_evaluations;
+  out.report = summary.BriefReport();
+  const ReducedVector<N> found = log_x.array().exp();
+  out.usable = found.allFinite() && found.minCoeff() > 0.0 && summary.IsSolutionUsable();
+  if (out.usable) x = found;
+  return out;
+}
+
+template CeresOutcome ceres_solve(const PlanarSystem<ReciprocalDeterminant<>>&, ReducedVector<2>&,
+                                  int);
+template CeresOutcome ceres_solve(const PlanarSystem<SaintVenantKirchhoff<>>&, ReducedVector<2>&,
+                                  int);
+template CeresOutcome ceres_solve(const PlanarSystem<Biot<>>&, ReducedVector<2>&, int);
+template CeresOutcome ceres_solve(const PlanarSystem<BiotLog<>>&, ReducedVector<2>&, int);
+template CeresOutcome ceres_solve(const PlanarSystem<NeoHookean<>>&, ReducedVector<2>&, int);
+template CeresOutcome ceres_solve(const PlanarSystem<Hencky<>>&, ReducedVector<2>&, int);
+template CeresOutcome ceres_solve(const PlanarSystem<AnyPlane<>>&, ReducedVector<2>&, int);
+template CeresOutcome ceres_solve(const CoupledSystem<NeoHookean3d<>>&, ReducedVector<3>&, int);
+template CeresOutcome ceres_solve(const CoupledSystem<CoupledExpression<>>&, ReducedVector<3>&,
+                                  int);
+
+}  // namespace stationary

@@ -1,0 +1,27 @@
+// A reduced system by Ceres: Levenberg-Marquardt over the residuals of lib, derivatives by Jets
+// through the same source, unknowns ln x (the domain cannot be left).
+//
+//   minimize |G(x)|^2 / (2 s^2),  s = magnitude of G's terms at the start
+//
+// All of Ceres' tolerances are set (its default parameter_tolerance would stop at an error of
+// 1e-8). Its verdict is not used: the caller refines and recomputes the residual.
+#pragma once
+
+#include "lib/material/potential.hpp"
+#include "solver/newton/reduced_system.hpp"
+
+namespace stationary {
+
+struct CeresOutcome {
+  bool usable = false;  ///< Ceres returned a finite point no worse than the start
+  int iterations = 0;
+  int residuals = 0;
+  int jacobians = 0;
+  std::string report;  ///< Ceres' brief report, for messages
+};
+
+/// x in place, threads >= 1. Instantiated for the built-in models in ceres_solve.cpp.
+template <class System>
+CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>& x, int threads);
+
+}  // namespace stationary

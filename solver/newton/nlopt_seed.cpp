@@ -1,0 +1,75 @@
+#include "solver/newton/nlopt_seed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlopt.hpp>
+#include <utility>
+
+namespace stationary {
+namespace {
+
+template <int N>
+struct Recorder {
+  const std::function<double(const ReducedVector<N>&)>& objective;
+  const std::atomic<bool>* stop;
+  nlopt::opt* optimizer;
+  std::vector<std::pair<double, ReducedVector<N>>> sampled;  // f, ln x
+
+  static double evaluate(const std::vector<double>& log_x, std::vector<double>&, void* self) {
+    auto& recorder = *static_cast<Recorder*>(self);
+    if (recorder.stop != nullptr && recorder.stop->load(std::memory_order_relaxed))
+      recorder.optimizer->force_stop();
+    const ReducedVector<N> point = Eigen::Map<const ReducedVector<N>>(log_x.data());
+    const double f = recorder.objective(point.array().exp());
+    if (!std::isfinite(f)) return std::numeric_limits<double>::max();
+    recorder.sampled.emplace_back(f, point);
+    return f;
+  }
+};
+
+}  // namespace
+
+template <int N>
+Seeds<N> nlopt_seeds(const std::function<double(const ReducedVector<N>&)>& objective,
+                     const SeedOptions& options) {
+  nlopt::opt optimizer(nlopt::GN_DIRECT_L, N);
+  Recorder<N> recorder{objective, options.stop, &optimizer, {}};
+  recorder.sampled.reserve(static_cast<std::size_t>(options.evaluations));
+  optimizer.set_min_objective(&Recorder<N>::evaluate, &recorder);
+  optimizer.set_lower_bounds(std::log(options.min_stretch));
+  optimizer.set_upper_bounds(std::log(options.max_stretch));
+  optimizer.set_maxeval(options.evaluations);
+
+  Seeds<N> out;
+  std::vector<double> log_x(N, 0.0);
+  double smallest = 0.0;
+  try {
+    optimizer.optimize(log_x, smallest);
+  } catch (const nlopt::forced_stop&) {
+    out.interrupted = true;
+  } catch (const nlopt::roundoff_limited&) {
+    // The points sampled so far are as good as any: the caller polishes and checks them.
+  }
+  out.evaluations = optimizer.get_numevals();
+  auto& sampled = recorder.sampled;
+  std::stable_sort(sampled.begin(), sampled.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<ReducedVector<N>> kept;
+  for (const auto& sample : sampled) {
+    const ReducedVector<N>& point = sample.second;
+    if (static_cast<int>(kept.size()) == options.seeds) break;
+    const bool apart = std::all_of(kept.begin(), kept.end(), [&](const ReducedVector<N>& other) {
+      return (point - other).cwiseAbs().maxCoeff() >= options.separation;
+    });
+    if (apart) kept.push_back(point);
+  }
+  for (const auto& point : kept) out.points.emplace_back(point.array().exp());
+  return out;
+}
+
+template Seeds<2> nlopt_seeds<2>(const std::function<double(const ReducedVector<2>&)>&,
+                                 const SeedOptions&);
+template Seeds<3> nlopt_seeds<3>(const std::function<double(const ReducedVector<3>&)>&,
+                                 const SeedOptions&);
+
+}  // namespace stationary

@@ -1,0 +1,348 @@
+// The reduced balance of a family as a small square system in logarithmic coordinates,
+//
+//   G(x; nu^2) = elastic(x) - pull(x),   pull_i = c_i x_i^2,   unknowns ln x,
+//
+// symmetric Jacobian dG/d ln x. Three systems, by what a Problem leaves coupled:
+//   ThicknessSystem  x = (rho)             V_rho' = m rho, of a separable V
+//   PlanarSystem     x = (xi, zeta)        of a separable V
+//   CoupledSystem    x = (xi, zeta, rho)   of a coupled V
+// All formulas are lib's (balance.hpp); these only gather them for the solvers, in double, in
+// extended precision and for ceres::Jet. x > 0 throughout; not checked here.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lib/balance/balance.hpp"
+#include "lib/number/first_order_bound_functions.hpp"
+#include "lib/material/models/model_coefficients.hpp"
+#include "lib/material/potential.hpp"
+#include "lib/number/dual.hpp"
+#include "lib/number/small_symmetric.hpp"
+
+namespace stationary {
+
+template <int N>
+using ReducedVector = Eigen::Matrix<double, N, 1>;
+
+/// Residual, Jacobian and a magnitude of the terms that enter them (and, all being products of
+/// powers and logarithms of x, of their further derivatives in ln x).
+template <int N>
+struct Linearized {
+  ReducedVector<N> g;
+  SmallSymmetric<N> jacobian;
+  double magnitude;
+};
+
+/// A direction for each coefficient.
+template <class Model>
+using CoefficientDual = Dual<double, most_coefficients<Model>>;
+
+/// model with its coefficients as dual numbers: coefficient k has derivative p_k in direction k, so
+/// derivatives come out as sensitivities to relative changes.
+template <template <class> class Model>
+auto with_relative_duals(const Model<double>& model) {
+  return with_indexed_coefficients(model, [](double p, std::size_t k) {
+    return CoefficientDual<Model<double>>::along(p, p, k);
+  });
+}
+
+template <std::size_t N>
+double sensitivity(const Dual<double, N>& x) {
+  double out = 0.0;
+  for (const double slope : x.slope) out += std::abs(slope);
+  return out;
+}
+
+/// at(the model with exact coefficients) where it has decimals in its formula: what depends on
+/// these is then as conditioned as they are uncertain. Their part of input_sensitivity().
+template <class Model, class At>
+void for_decimals(const Model& model, const At& at) {
+  const auto exact = [](double c) { return Conditioned(c); };
+  if constexpr (requires {
+                  model.plane;
+                  model.thickness;
+                }) {
+    if constexpr (requires { model.plane.has_decimals(); }) {
+      if (!model.plane.has_decimals() && !model.thickness.has_decimals()) return;
+      const auto plane = with_coefficients(model.plane, exact);
+      const auto thickness = with_coefficients(model.thickness, exact);
+      at(Separable<std::remove_cv_t<decltype(plane)>, std::remove_cv_t<decltype(thickness)>>{
+          plane, thickness});
+    }
+  } else if constexpr (requires { model.has_decimals(); }) {
+    if (model.has_decimals()) at(with_coefficients(model, exact));
+  }
+}
+
+/// Likewise of the gradient of V in (ln xi, ln zeta[, ln rho]).
+template <int N, class Model>
+ReducedVector<N> decimal_sensitivity(const Model& model, const ReducedVector<N>& x) {
+  ReducedVector<N> out = ReducedVector<N>::Zero();
+  for_decimals(model, [&](const auto& conditioned) {
+    if constexpr (N == 1) {
+      out[0] = conditioned.template evaluate<1>(Conditioned(x[0])).v_r.condition;
+    } else {
+      const Conditioned xi(x[0]);
+      const Conditioned zeta(x[1]);
+      const auto add = [&](const PlanarDerivatives<Conditioned>& w) {
+        out[0] = (xi * w.w_t + w.w_l).condition;
+        out[1] = (zeta * w.w_t + w.w_l).condition;
+      };
+      if constexpr (N == 2) {
+        add(conditioned.template evaluate<1>(planar_invariants(xi, zeta)));
+      } else {
+        const auto w =
+            conditioned.template evaluate<1>(planar_invariants(xi, zeta), Conditioned(x[2]));
+        add(w.plane);
+        out[2] = w.w_r.condition;
+      }
+    }
+  });
+  return out;
+}
+
+/// Sum over the coefficients p of |p dg/dp|, g the gradient of V in (ln xi, ln zeta[, ln rho]).
+template <int N, class Model>
+ReducedVector<N> coefficient_sensitivity(const Model& model, const ReducedVector<N>& x) {
+  if constexpr (requires { model.is_expression(); }) {
+    return model.visit([&](const auto& own) { return coefficient_sensitivity<N>(own, x); });
+  } else if constexpr (requires { model.plane; }) {  // N = 3
+    ReducedVector<N> out;
+    out.template head<2>() = coefficient_sensitivity<2>(model.plane, ReducedVector<2>(x[0], x[1]));
+    out[2] = coefficient_sensitivity<1>(model.thickness, ReducedVector<1>(x[2]))[0];
+    return out;
+  } else {
+    if constexpr (requires { model.residual_sensitivity(x[0]); } && N == 1) {
+      if (const auto of_model = model.residual_sensitivity(x[0]))
+        return ReducedVector<1>(*of_model);
+    }
+    if constexpr (requires { model.residual_sensitivity(x[0], x[1]); } && N == 2) {
+      if (const auto of_model = model.residual_sensitivity(x[0], x[1]))
+        return {(*of_model)[0], (*of_model)[1]};
+    }
+    if constexpr (requires { model.residual_sensitivity(x[0], x[1], x[2]); } && N == 3) {
+      if (const auto of_model = model.residual_sensitivity(x[0], x[1], x[2]))
+        return {(*of_model)[0], (*of_model)[1], (*of_model)[2]};
+    }
+    const auto duals = with_relative_duals(model);
+    if constexpr (N == 1) {
+      return ReducedVector<1>(sensitivity(duals.template evaluate<1>(x[0]).v_r));
+    } else if constexpr (N == 2) {
+      const auto w = duals.template evaluate<1>(planar_invariants(x[0], x[1]));
+      return {sensitivity(x[0] * w.w_t + w.w_l), sensitivity(x[1] * w.w_t + w.w_l)};
+    } else {
+      const auto w = duals.template evaluate<1>(planar_invariants(x[0], x[1]), x[2]);
+      return {sensitivity(x[0] * w.plane.w_t + w.plane.w_l),
+              sensitivity(x[1] * w.plane.w_t + w.plane.w_l), sensitivity(w.w_r)};
+    }
+  }
+}
+
+/// Linearized::magnitude of the planar equations. w_l is left out: at a solution it is the
+/// difference of terms that are in, and without it a Jacobian needs no logarithm.
+inline double planar_magnitude(const PlanarDerivatives<double>& w, double xi, double zeta,
+                               const CentrifugalRates<double>& c) {
+  const double t = xi + zeta;
+  return t * (std::abs(w.w_t) + t * std::abs(w.w_tt) + 2.0 * std::abs(w.w_tl)) + std::abs(w.w_ll) +
+         2.0 * (c.xi * xi * xi + c.zeta * zeta * zeta);
+}
+
+/// Of all three.
+inline double coupled_magnitude(const CoupledDerivatives<double>& w, double xi, double zeta,
+                                double rho, const CentrifugalRates<double>& c) {
+  return planar_magnitude(w.plane, xi, zeta, c) + std::abs(w.w_r) + std::abs(w.w_rr) +
+         (xi + zeta) * std::abs(w.w_tr) + std::abs(w.w_lr) + 2.0 * c.rho * rho * rho;
+}
+
+/// Whether the model is a formula that takes the principal stretches apart. Its balance at alpha =
+/// 0 is to be had from xi and zeta (log_balance()): by the invariants t and d its derivatives far
+/// from the circle are small differences, the second ones to (zeta/xi)^2 units.
+template <class Model>
+bool by_stretches(const Model& model) {
+  if constexpr (requires { model.has_principal_stretches(); }) {
+    return model.has_principal_stretches();
+  } else {
+    return false;
+  }
+}
+
+/// Linearized::magnitude from the balance itself, of which a plane alone has no parts of rho.
+inline double magnitude_of(const LogBalance<double>& b, double pull_xi, double pull_zeta,
+                           double pull_rho, bool plane_only) {
+  const auto of = [](double g, double second, double pull) {
+    return std::abs(g + pull) + std::abs(second + 2.0 * pull) + 2.0 * pull;
+  };
+  const double plane =
+      of(b.g_xi, b.uu, pull_xi) + of(b.g_zeta, b.vv, pull_zeta) + 2.0 * std::abs(b.uv);
+  if (plane_only) return plane;
+  return plane + of(b.g_rho, b.ww, pull_rho) + 2.0 * (std::abs(b.uw) + std::abs(b.vw));
+}
+
+template <class Thickness>
+struct ThicknessSystem {
+  static constexpr int dimension = 1;
+  Thickness model;
+  DoubleDouble rate;  ///< m = J3 (nu1^2 + nu2^2)
+
+  Linearized<1> linearize(const ReducedVector<1>& x) const {
+    const auto v = model.template evaluate<2>(x[0]);
+    const double pull = double(rate) * x[0] * x[0];
+    return {ReducedVector<1>(v.v_r - pull), {{v.v_rr - 2.0 * pull}}, std::abs(v.v_rr) + 2.0 * pull};
+  }
+  ReducedVector<1> extended_residual(const ReducedVector<1>& x) const {
+    const auto v = model.template evaluate<1>(DoubleDouble(x[0]));
+    return ReducedVector<1>(double(v.v_r - rate * two_product(x[0], x[0])));
+  }
+  /// Sum over the inputs p of |p dG/dp|: a coefficient once, and the decimals of a formula, J once,
+  /// nu twice (as nu^2).
+  ReducedVector<1> input_sensitivity(const ReducedVector<1>& x) const {
+    const auto elastic = coefficient_sensitivity<1>(model, x);
+    return ReducedVector<1>(elastic[0] + 3.0 * double(rate) * x[0] * x[0]) +
+           decimal_sensitivity<1>(model, x);
+  }
+};
+
+template <class Plane>
+struct PlanarSystem {
+  static constexpr int dimension = 2;
+  using ModelType = Plane;
+  Plane model;
+  CentrifugalRates<DoubleDouble> rates;
+
+  template <class S>
+  std::array<S, 2> residual(const std::array<S, 2>& x) const {
+    const auto w = model.template evaluate<1>(planar_invariants(x[0], x[1]));
+    const CentrifugalRates<S> c{S(double(rates.xi)), S(double(rates.zeta)), S(0.0)};
+    const auto b = planar_log_balance<1>(w, x[0], x[1], c);
+    return {b.g_xi, b.g_zeta};
+  }
+  Linearized<2> linearize(const ReducedVector<2>& x) const {
+    if constexpr (requires { model.has_principal_stretches(); }) {
+      if (by_stretches(model)) {
+        const double c_xi = double(rates.xi);
+        const double c_zeta = double(rates.zeta);
+        const auto b = model.log_balance(x[0], x[1], c_xi, c_zeta);
+        return {{b.g_xi, b.g_zeta},
+                {{b.uu, b.uv, b.vv}},
+                magnitude_of(b, c_xi * x[0] * x[0], c_zeta * x[1] * x[1], 0.0, true)};
+      }
+    }
+    const auto w = model.template evaluate<2>(planar_invariants(x[0], x[1]));
+    const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), 0.0};
+    const auto b = planar_log_balance<2>(w, x[0], x[1], c);
+    return {{b.g_xi, b.g_zeta}, {{b.uu, b.uv, b.vv}}, planar_magnitude(w, x[0], x[1], c)};
+  }
+  LogBalance<DoubleDouble> extended_balance(const ReducedVector<2>& x) const {
+    if constexpr (requires { model.has_principal_stretches(); }) {
+      if (by_stretches(model))
+        return model.residual(DoubleDouble(x[0]), DoubleDouble(x[1]), rates.xi, rates.zeta);
+    }
+    const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]));
+    return planar_log_balance<1>(w, DoubleDouble(x[0]), DoubleDouble(x[1]), rates);
+  }
+  ReducedVector<2> extended_residual(const ReducedVector<2>& x) const {
+    const auto b = extended_balance(x);
+    return {double(b.g_xi), double(b.g_zeta)};
+  }
+  ReducedVector<2> input_sensitivity(const ReducedVector<2>& x) const {
+    const ReducedVector<2> pull(double(rates.xi) * x[0] * x[0], double(rates.zeta) * x[1] * x[1]);
+    return coefficient_sensitivity<2>(model, x) + 3.0 * pull + decimal_sensitivity<2>(model, x);
+  }
+  /// The system at a fraction tau of nu^2.
+  PlanarSystem at_fraction(double tau) const {
+    return {model, {rates.xi * tau, rates.zeta * tau, rates.rho * tau}};
+  }
+  /// dG/dtau of at_fraction: minus the centrifugal pull at tau = 1.
+  ReducedVector<2> minus_pull(const ReducedVector<2>& x) const {
+    return {-double(rates.xi) * x[0] * x[0], -double(rates.zeta) * x[1] * x[1]};
+  }
+};
+
+template <class Coupled>
+struct CoupledSystem {
+  static constexpr int dimension = 3;
+  using ModelType = Coupled;
+  Coupled model;
+  CentrifugalRates<DoubleDouble> rates;
+
+  template <class S>
+  std::array<S, 3> residual(const std::array<S, 3>& x) const {
+    const auto w = model.template evaluate<1>(planar_invariants(x[0], x[1]), x[2]);
+    const CentrifugalRates<S> c{S(double(rates.xi)), S(double(rates.zeta)), S(double(rates.rho))};
+    const auto b = coupled_log_balance<1>(w, x[0], x[1], x[2], c);
+    return {b.g_xi, b.g_zeta, b.g_rho};
+  }
+  Linearized<3> linearize(const ReducedVector<3>& x) const {
+    const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
+    if constexpr (requires { model.has_principal_stretches(); }) {
+      if (by_stretches(model)) {
+        const auto b = model.log_balance(x[0], x[1], x[2], c.xi, c.zeta, c.rho);
+        return {
+            {b.g_xi, b.g_zeta, b.g_rho},
+            {{b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}},
+            magnitude_of(b, c.xi * x[0] * x[0], c.zeta * x[1] * x[1], c.rho * x[2] * x[2], false)};
+      }
+    }
+    const auto w = model.template evaluate<2>(planar_invariants(x[0], x[1]), x[2]);
+    const auto b = coupled_log_balance<2>(w, x[0], x[1], x[2], c);
+    return {{b.g_xi, b.g_zeta, b.g_rho},
+            {{b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}},
+            coupled_magnitude(w, x[0], x[1], x[2], c)};
+  }
+  LogBalance<DoubleDouble> extended_balance(const ReducedVector<3>& x) const {
+    const DoubleDouble rho(x[2]);
+    if constexpr (requires { model.has_principal_stretches(); }) {
+      if (by_stretches(model))
+        return model.residual(DoubleDouble(x[0]), DoubleDouble(x[1]), rho, rates.xi, rates.zeta,
+                              rates.rho);
+    }
+    const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]), rho);
+    return coupled_log_balance<1>(w, DoubleDouble(x[0]), DoubleDouble(x[1]), rho, rates);
+  }
+  ReducedVector<3> extended_residual(const ReducedVector<3>& x) const {
+    const auto b = extended_balance(x);
+    return {double(b.g_xi), double(b.g_zeta), double(b.g_rho)};
+  }
+  ReducedVector<3> input_sensitivity(const ReducedVector<3>& x) const {
+    const ReducedVector<3> pull(double(rates.xi) * x[0] * x[0], double(rates.zeta) * x[1] * x[1],
+                                double(rates.rho) * x[2] * x[2]);
+    return coefficient_sensitivity<3>(model, x) + 3.0 * pull + decimal_sensitivity<3>(model, x);
+  }
+  CoupledSystem at_fraction(double tau) const {
+    return {model, {rates.xi * tau, rates.zeta * tau, rates.rho * tau}};
+  }
+  ReducedVector<3> minus_pull(const ReducedVector<3>& x) const {
+    return {-double(rates.xi) * x[0] * x[0], -double(rates.zeta) * x[1] * x[1],
+            -double(rates.rho) * x[2] * x[2]};
+  }
+};
+
+/// The conditions under which the potential of a system is defined, at x.
+template <class System>
+std::vector<ConditionValue> system_conditions(const System& system,
+                                              const ReducedVector<System::dimension>& x) {
+  if constexpr (System::dimension == 3) {
+    return model_conditions(system.model, {0.0, x[0], x[1], x[2]});
+  } else {
+    return model_conditions(system.model, {0.0, x[0], x[1], 1.0});
+  }
+}
+
+/// Whether these hold between two points too, in the logarithms.
+template <class System>
+bool stays_inside(const System& system, const ReducedVector<System::dimension>& from,
+                  const ReducedVector<System::dimension>& to) {
+  if constexpr (!requires { system.model.conditions_at(Stretch()); }) return true;
+  if (system_conditions(system, to).empty()) return true;
+  for (const double u : {0.25, 0.5, 0.75}) {
+    ReducedVector<System::dimension> x;
+    for (int i = 0; i < System::dimension; ++i) x[i] = from[i] * std::pow(to[i] / from[i], u);
+    if (!std::ranges::all_of(system_conditions(system, x), &ConditionValue::holds)) return false;
+  }
+  return true;
+}
+
+}  // namespace stationary

@@ -1,0 +1,121 @@
+// The last correction of every solve: Newton in ln x with the residual in extended precision and
+// the Jacobian in double,
+//
+//   delta = -J(x)^-1 G_ext(x),   x <- x exp(delta),
+//
+// which rounds x correctly to about half a unit in the last place, and an error bound:
+//
+//   e <= |J^-1| ( 2^-53 sum_p |p dG/dp|     inputs given as decimals: half a unit of each
+//               + 2^-80 magnitude )         extended-precision residual
+//        + kappa (delta^2 + 2^-50 |delta|)  what the step leaves: curvature, J in double
+//        + 2^-53                            rounding x
+//   kappa = |J^-1| magnitude,   then e <- e + kappa e^2 solved for e (near a fold e ~ sqrt); never
+//                                          below the first, which kappa may overrate
+//
+// Accepted only when kappa delta^2 <= 2^-56: near a fold kappa is large and another step is taken.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "lib/number/first_order_bound.hpp"
+#include "solver/newton/reduced_system.hpp"
+
+namespace stationary {
+
+struct Refined {
+  bool converged = false;
+  int steps = 0;
+  bool positive = false;  ///< det J > 0 at the last step
+  double first_correction = std::numeric_limits<double>::quiet_NaN();  ///< max |delta| of step 1
+  double error_bound = std::numeric_limits<double>::quiet_NaN();       ///< relative, max over x
+};
+
+/// x exp(scale delta), the exponential by its series where its argument is small.
+template <int N>
+ReducedVector<N> moved(const ReducedVector<N>& x, const ReducedVector<N>& delta,
+                       double scale = 1.0) {
+  ReducedVector<N> out;
+  for (int i = 0; i < N; ++i) {
+    const double d = scale * delta[i];
+    out[i] =
+        std::abs(d) < 0x1p-13 ? x[i] + x[i] * (d + d * d * (0.5 + d / 6.0)) : x[i] * std::exp(d);
+  }
+  return out;
+}
+
+template <int N>
+ReducedVector<N> ones() {
+  ReducedVector<N> out;
+  for (int i = 0; i < N; ++i) out[i] = 1.0;
+  return out;
+}
+
+/// Corrects x in place. bound = false leaves error_bound NaN and evaluates nothing for it.
+/// tail: what rounding x left of the solution, to about 2^-86; NaN where that is not known.
+/// Not converged: x is the last iterate, or unchanged where the Jacobian is singular, also only to
+/// rounding, or the residual not finite.
+template <bool bound = true, class System>
+Refined refine(const System& system, ReducedVector<System::dimension>& x, int max_steps = 8,
+               ReducedVector<System::dimension>* tail = nullptr) {
+  constexpr int N = System::dimension;
+  Refined out;
+  if (tail != nullptr) tail->setConstant(std::numeric_limits<double>::quiet_NaN());
+  while (out.steps < max_steps) {
+    const ReducedVector<N> g = system.extended_residual(x);
+    const auto at = system.linearize(x);
+    const auto inverse = at.jacobian.inverse();
+    const auto absolute = inverse.absolute();
+    const ReducedVector<N> step = inverse * g;  // minus delta
+    const double size = largest_magnitude<N>(step);
+    if (!(size < 0.5)) return out;  // NaN included: no correction is that large
+    // A Jacobian that is singular to rounding may be inverted to next to nothing.
+    if (largest_magnitude<N>(g) > 64.0 * at.magnitude * size) return out;
+    if (out.steps++ == 0) out.first_correction = size;
+    out.positive = at.jacobian.determinant() > 0.0;
+    const ReducedVector<N> corrected = moved<N>(x, step, -1.0);
+    const double kappa = largest_magnitude<N>(absolute * ones<N>()) * at.magnitude;
+    if (kappa * size * size <= 0x1p-56) {
+      out.converged = true;
+      if constexpr (bound) {
+        ReducedVector<N> perturbation = system.input_sensitivity(x);
+        for (int i = 0; i < N; ++i)
+          perturbation[i] = 0x1p-53 * perturbation[i] + 0x1p-80 * at.magnitude;
+        const double linear = largest_magnitude<N>(absolute * perturbation) +
+                              kappa * size * (size + 0x1p-50) + 0x1p-53;
+        // Without such an e, that of a fold: below `linear` where kappa is far above the curvature.
+        out.error_bound = std::fmax(linear, with_curvature(linear, kappa));
+      }
+      if (tail != nullptr && kappa * size * (size + 0x1p-50) <= 0x1p-86) {
+        for (int i = 0; i < N; ++i) {
+          const DoubleDouble sum = two_sum(x[i], -x[i] * step[i]);
+          (*tail)[i] = (sum.hi - corrected[i]) + sum.lo;
+        }
+      }
+      x = corrected;
+      return out;
+    }
+    x = corrected;
+  }
+  return out;
+}
+
+/// x with the correction its extended residual asks for, unrounded.
+template <class System>
+std::array<DoubleDouble, System::dimension> extended_solution(
+    const System& system, const ReducedVector<System::dimension>& x) {
+  constexpr int N = System::dimension;
+  const ReducedVector<N> step =
+      system.linearize(x).jacobian.inverse() * system.extended_residual(x);
+  std::array<DoubleDouble, N> out;
+  for (int i = 0; i < N; ++i) {
+    const double correction = -x[i] * step[i];
+    // A correction beyond the last place says the Jacobian is useless here: keep the double.
+    out[static_cast<std::size_t>(i)] =
+        std::abs(step[i]) < 1e-10 ? two_sum(x[i], correction) : DoubleDouble(x[i]);
+  }
+  return out;
+}
+
+}  // namespace stationary

@@ -1,0 +1,383 @@
+#include "solver/program/case/case_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include "solver/program/case/case_schema.hpp"
+#include "solver/program/case/case_parameter.hpp"
+#include "solver/program/text/nearest_name.hpp"
+#include "solver/program/table/table.hpp"
+
+namespace stationary {
+namespace {
+
+/// The value at a key, or the default; its type has been checked.
+template <class T>
+T value_or(const CaseTree& tree, std::string_view path, T otherwise) {
+  const toml::node* node = find(tree, path);
+  return node == nullptr ? otherwise : node->value<T>().value_or(otherwise);
+}
+
+std::vector<double> numbers(const CaseTree& tree, std::string_view path) {
+  std::vector<double> out;
+  if (const toml::node* node = find(tree, path))
+    for (const toml::node& element : *node->as_array())
+      out.push_back(element.value<double>().value_or(0.0));
+  return out;
+}
+
+Body read_body(const CaseTree& tree) {
+  const std::vector<double> J = numbers(tree, "body.J");
+  for (std::size_t k = 0; k < J.size(); ++k) {
+    if (J[k] > 0.0) continue;
+    throw fault_at(tree, fmt::format("body.J.{}", k), fmt::format("found J{} = {}", k + 1, J[k]),
+                   fmt::format("J{} > 0", k + 1));
+  }
+  return {J[0], J[1], J[2]};
+}
+
+/// Throws where the motion has a key that is not the branch's.
+void refuse_key(const CaseTree& tree, std::string_view key, std::string_view branch,
+                std::string_view instead) {
+  const std::string path = dotted("motion", key);
+  if (find(tree, path) == nullptr) return;
+  throw InputError(tree.key_origin(path), path,
+                   fmt::format("found {}, which branch \"{}\" does not take", key, branch),
+                   std::string(instead), fmt::format("remove {}", key));
+}
+
+/// motion.nu, of a branch that takes it and no other number.
+double read_nu(const CaseTree& tree, std::string_view branch, std::string_view meaning) {
+  for (const std::string_view key : {"omega", "theta_dot", "s3", "p_theta"})
+    refuse_key(tree, key, branch, meaning);
+  if (find(tree, "motion.nu") == nullptr) {
+    throw fault_at(tree, "motion.nu", "found no such key",
+                   std::string(find_case_key("motion.nu")->allowed), "add nu in [motion]");
+  }
+  return value_or(tree, "motion.nu", 0.0);
+}
+
+/// Branches whose mechanics ask for an isotropic potential, or for another.
+void require_symmetry(const CaseTree& tree, std::string_view branch, bool asks_isotropic,
+                      const std::vector<ModelChoice>& models) {
+  if (asks_isotropic != anisotropic(models)) return;
+  throw fault_at(tree, "motion.branch",
+                 fmt::format("found the string {} with an {} potential", in_quotes(branch),
+                             asks_isotropic ? "anisotropic" : "isotropic"),
+                 asks_isotropic ? "one of \"i\", \"ii\", \"iii\", \"oblique\""
+                                : "one of \"i\", \"ii\", \"iii\", \"tilted\", \"two-polar\"",
+                 asks_isotropic ? "its equations are an isotropic potential's"
+                                : "an oblique axis needs a potential with directions of its own");
+}
+
+AxisRotation read_axis_rotation(const CaseTree& tree, Branch branch) {
+  constexpr std::string_view meaning = "nu (the spin along the branch's axis)";
+  for (const std::string_view key : {"plane", "axis"}) refuse_key(tree, key, name(branch), meaning);
+  return {branch, read_nu(tree, name(branch), meaning)};
+}
+
+/// motion.nu as the length of a vector.
+double read_length(const CaseTree& tree, std::string_view branch, std::string_view meaning) {
+  const double nu = read_nu(tree, branch, meaning);
+  if (nu > 0.0) return nu;
+  throw fault_at(tree, "motion.nu",
+                 fmt::format("found nu = {} with branch {}", nu, in_quotes(branch)), "nu > 0",
+                 "it is the length |nu| of a vector in a plane");
+}
+
+ObliqueRotation read_oblique(const CaseTree& tree) {
+  constexpr std::string_view meaning = "nu (its length |nu|), and axis";
+  refuse_key(tree, "plane", oblique_name, meaning);
+  ObliqueRotation out{read_length(tree, oblique_name, meaning)};
+  const std::string axis = value_or<std::string>(tree, "motion.axis", "");
+  if (!axis.empty()) out.near = axis == "1" ? Branch::i : Branch::ii;
+  return out;
+}
+
+TiltedMotion read_tilted(const CaseTree& tree) {
+  constexpr std::string_view meaning = "nu (its length |nu|), and plane";
+  refuse_key(tree, "axis", tilted_name, meaning);
+  TiltedMotion out{{}, read_length(tree, tilted_name, meaning)};
+  const std::string plane = value_or<std::string>(tree, "motion.plane", "");
+  for (const TiltPlane each : {TiltPlane::one_three, TiltPlane::two_three})
+    if (plane == name(each)) out.plane = each;
+  return out;
+}
+
+TwoPolarMotion read_two_polar(const CaseTree& tree, const Body& body) {
+  constexpr std::string_view rule = "omega and theta_dot, or s3 and p_theta";
+  for (const std::string_view key : {"nu", "plane", "axis"})
+    refuse_key(tree, key, two_polar_name, std::string(rule) + ", instead");
+  struct Pair {
+    std::string_view first;
+    std::string_view second;
+    bool has_first;
+    bool has_second;
+    bool any() const { return has_first || has_second; }
+    std::string_view given() const { return has_first ? first : second; }
+    std::string_view missing() const { return has_first ? second : first; }
+  };
+  const auto pair = [&](std::string_view first, std::string_view second) {
+    return Pair{first, second, find(tree, dotted("motion", first)) != nullptr,
+                find(tree, dotted("motion", second)) != nullptr};
+  };
+  const Pair rates = pair("omega", "theta_dot");
+  const Pair momenta = pair("s3", "p_theta");
+  if (!rates.any() && !momenta.any()) {
+    throw fault_at(tree, "motion", "found none of omega, theta_dot, s3, p_theta", std::string(rule),
+                   "add one of the two pairs");
+  }
+  if (rates.any() && momenta.any()) {
+    const std::string key = dotted("motion", momenta.given());
+    throw InputError(tree.key_origin(key), key,
+                     fmt::format("found both {} and {}", rates.given(), momenta.given()),
+                     std::string(rule), "keep one of the two pairs");
+  }
+  const Pair& chosen = rates.any() ? rates : momenta;
+  if (!chosen.has_first || !chosen.has_second) {
+    throw fault_at(tree, dotted("motion", chosen.missing()),
+                   fmt::format("found {} alone", chosen.given()), std::string(rule),
+                   fmt::format("add {} in [motion]", chosen.missing()));
+  }
+  if (!body.symmetric()) {
+    throw fault_at(tree, "body.J", fmt::format("found J1 = {}, J2 = {}", body.J1, body.J2),
+                   "J1 = J2 in branch \"two-polar\"",
+                   "these motions exist because material rotations about axis 3 are a symmetry");
+  }
+  const double first = value_or(tree, dotted("motion", chosen.first), 0.0);
+  const double second = value_or(tree, dotted("motion", chosen.second), 0.0);
+  if (rates.any()) return TwoPolarRates<double>{first, second};
+  return TwoPolarMomenta<double>{first, second};
+}
+
+Case::Motion read_motion(const CaseTree& tree, const Body& body,
+                         const std::vector<ModelChoice>& models) {
+  const std::string named = value_or<std::string>(tree, "motion.branch", "");
+  if (const auto branch = branch_from_name(named)) return read_axis_rotation(tree, *branch);
+  require_symmetry(tree, named, named != oblique_name, models);
+  if (named == oblique_name) return read_oblique(tree);
+  if (named == tilted_name) return read_tilted(tree);
+  return read_two_polar(tree, body);
+}
+
+Case::Solve read_solve(const CaseTree& tree, const Case::Motion& motion, bool isotropic) {
+  const bool two_polar = std::holds_alternative<TwoPolarMotion>(motion);
+  const bool tilted = std::holds_alternative<TiltedMotion>(motion);
+  Case::Solve out;
+  const std::string method = value_or<std::string>(tree, "solve.method", "auto");
+  const auto at = std::ranges::find(method_names, std::string_view(method));
+  out.method = static_cast<Method>(at - std::begin(method_names));
+  if (two_polar && out.method != Method::automatic && out.method != Method::nlopt) {
+    throw fault_at(tree, "solve.method",
+                   fmt::format("found the string {} with branch \"two-polar\"", in_quotes(method)),
+                   "\"auto\" or \"nlopt\"",
+                   "two-polar motions are searched for globally, by NLopt, then corrected");
+  }
+  if (tilted && out.method != Method::automatic && out.method != Method::newton) {
+    throw fault_at(tree, "solve.method",
+                   fmt::format("found the string {} with branch \"tilted\"", in_quotes(method)),
+                   "\"auto\" or \"newton\"",
+                   "tilted motions are had by Newton from solve.start, or by following the family");
+  }
+  if (!isotropic && out.method != Method::automatic && out.method != Method::newton) {
+    throw fault_at(
+        tree, "solve.method",
+        fmt::format("found the string {} with an anisotropic potential", in_quotes(method)),
+        "\"auto\" or \"newton\"",
+        "with alpha unknown motions are had by Newton from solve.start, or by following "
+        "the family from rest");
+  }
+  out.all = value_or(tree, "solve.all", false);
+  const std::vector<double> start = numbers(tree, "solve.start");
+  if (start.empty()) return out;
+  out.start = Stretch{start[0], start[1], start[2], start[3]};
+  const std::string_view parts[] = {"alpha", two_polar ? "lambda" : "xi", two_polar ? "mu" : "zeta",
+                                    "rho"};
+  const auto refuse = [&](std::size_t k, std::string_view allowed, std::string_view remedy) {
+    throw fault_at(tree, fmt::format("solve.start.{}", k),
+                   fmt::format("found {} = {}", parts[k], start[k]), std::string(allowed),
+                   std::string(remedy));
+  };
+  if (isotropic && start[0] != 0.0)
+    refuse(0, "alpha = 0", "the potential is isotropic, and then alpha = 0 in every branch");
+  if (two_polar && start[1] == start[2])
+    refuse(2, "lambda != mu", "on the circle the two-polar balance is singular");
+  for (std::size_t k = 1; k < 4; ++k)
+    if (!(start[k] > 0.0)) refuse(k, fmt::format("{} > 0", parts[k]), "S is positive definite");
+  if (const char* inequality = violated_inequality(*out.start))
+    throw fault_at(tree, "solve.start", "found S not positive definite", inequality);
+  return out;
+}
+
+std::string read_parameter(const CaseTree& tree, const FamilyParameters& family) {
+  std::string found = value_or<std::string>(tree, "continuation.parameter", "");
+  if (found == "motion.nu") found = "nu";  // the dotted key of the same number
+  const std::vector<std::string> valid = case_parameters(family.motion, family.models);
+  if (std::ranges::find(valid, found) != valid.end()) return found;
+  const std::vector<std::string_view> names(valid.begin(), valid.end());
+  throw fault_at(tree, "continuation.parameter", "found the string " + in_quotes(found),
+                 "one of " + listed(names), did_you_mean(nearest_name(found, names)));
+}
+
+/// The names of an array of texts, each one of the allowed.
+std::vector<std::string> read_names(const CaseTree& tree, const std::string& key,
+                                    std::span<const std::string_view> allowed) {
+  std::vector<std::string> out;
+  const toml::node* names = find(tree, key);
+  if (names == nullptr) return out;
+  for (const toml::node& element : *names->as_array()) {
+    const std::string& name = element.as_string()->get();
+    if (std::ranges::find(allowed, name) == allowed.end()) {
+      throw fault_at(tree, fmt::format("{}.{}", key, out.size()),
+                     "found the string " + in_quotes(name), "names of " + listed(allowed),
+                     did_you_mean(nearest_name(name, allowed)));
+    }
+    out.push_back(name);
+  }
+  return out;
+}
+
+/// Names of all events but the ends of a sheet.
+std::span<const std::string_view> locatable_events() {
+  return std::span(event_names).subspan(1, static_cast<std::size_t>(EventType::unexplained));
+}
+
+std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
+                                                    const FamilyParameters& family) {
+  if (find(tree, "continuation") == nullptr) return std::nullopt;
+  Case::Continuation out{.parameter = read_parameter(tree, family),
+                         .from = value_or(tree, "continuation.from", 0.0),
+                         .to = value_or(tree, "continuation.to", 0.0)};
+  out.tolerance = value_or(tree, "continuation.tolerance", out.tolerance);
+  if (!(out.from < out.to)) {
+    throw fault_at(tree, "continuation.to",
+                   fmt::format("found the empty range from {} to {}", out.from, out.to),
+                   "from < to");
+  }
+  const bool oblique = std::holds_alternative<ObliqueRotation>(family.motion);
+  if ((oblique || std::holds_alternative<TiltedMotion>(family.motion)) && out.parameter == "nu" &&
+      !(out.from >= 0.0)) {
+    throw fault_at(tree, "continuation.from",
+                   fmt::format("found {} with branch {}", out.from,
+                               in_quotes(oblique ? oblique_name : tilted_name)),
+                   "from >= 0", "nu is the length |nu| there");
+  }
+  if (!(out.tolerance > 0.0 && out.tolerance <= 1.0)) {
+    throw fault_at(tree, "continuation.tolerance", fmt::format("found {}", out.tolerance),
+                   "a number > 0 and <= 1 (1e-13 is the least that double precision keeps)");
+  }
+  out.step = value_or(tree, "continuation.step", out.step);
+  if (!(out.step > 0.0 && out.step <= 0.5)) {
+    throw fault_at(tree, "continuation.step", fmt::format("found {}", out.step),
+                   "a number > 0 and <= 0.5");
+  }
+  out.max_points = value_or(tree, "continuation.max_points", out.max_points);
+  constexpr double most_points = 1e8;  // those of one direction are kept until the other is known
+  if (!(out.max_points >= 2.0 && out.max_points <= most_points &&
+        out.max_points == std::floor(out.max_points))) {
+    throw fault_at(tree, "continuation.max_points", fmt::format("found {}", out.max_points),
+                   fmt::format("a whole number from 2 to {}", most_points));
+  }
+  out.events = read_names(tree, "continuation.events", locatable_events());
+  // Both domains are convex, so the ends of the range answer for all of it.
+  for (const bool end : {false, true}) {
+    const double value = end ? out.to : out.from;
+    try {
+      (void)with_parameter(family, out.parameter, value);
+    } catch (const std::invalid_argument& error) {
+      throw fault_at(tree, end ? "continuation.to" : "continuation.from",
+                     fmt::format("found {} = {}", out.parameter, value), error.what());
+    }
+  }
+  return out;
+}
+
+/// A formula whose second derivatives, products of three of which are formed, can be computed with.
+void require_scale(const CaseTree& tree, const std::vector<ModelChoice>& models,
+                   const Potential& potential) {
+  constexpr double most = 1e100;
+  const auto written =
+      std::ranges::find_if(models, [](const ModelChoice& each) { return each.tape != nullptr; });
+  if (written == models.end()) return;
+  for (const double r : {1.0, 0.75, 1.5}) {
+    const Stretch q{0.0, r, r, r};
+    if (!std::ranges::all_of(potential.conditions_at(q), &ConditionValue::holds)) continue;
+    const double size = potential.derivatives(q).hessian.cwiseAbs().maxCoeff();
+    if (std::isnan(size)) continue;
+    if (size <= most) return;
+    throw fault_at(
+        tree, dotted(dotted("potential", written->slot), "expression"),
+        fmt::format("found second derivatives of size {:.0e} at S = {} times the unit", size, r),
+        fmt::format("at most {:.0e}", most),
+        "V and J in larger units leave S and nu as they are");
+  }
+}
+
+Case::Output read_output(const CaseTree& tree) {
+  Case::Output out;
+  out.spectrum = value_or(tree, "output.spectrum", true);
+  out.certificate = value_or(tree, "output.certificate", false);
+  out.columns = read_names(tree, "output.columns", column_names);
+  return out;
+}
+
+}  // namespace
+
+EventSet Case::Continuation::event_set() const {
+  if (events.empty()) return {};
+  EventSet out = EventSet::none();
+  for (const std::string& each : events) {
+    const auto* const at = std::ranges::find(event_names, each);
+    out.add(static_cast<EventType>(at - std::begin(event_names)));
+  }
+  return out;
+}
+
+std::vector<TiltedRotation> TiltedMotion::rotations() const {
+  if (plane) return {{*plane, nu}};
+  return {{TiltPlane::one_three, nu}, {TiltPlane::two_three, nu}};
+}
+
+std::string_view Case::branch_name() const {
+  if (tilted()) return tilted_name;
+  if (oblique()) return oblique_name;
+  return two_polar() ? two_polar_name : name(std::get<AxisRotation>(motion).branch);
+}
+
+Case read_case(const std::string& path, std::span<const std::string> overrides) {
+  CaseTree tree = CaseTree::read(path);
+  for (const std::string& each : overrides) tree.override_key(each);
+  return make_case(std::move(tree));
+}
+
+Case make_case(CaseTree tree) {
+  require_known_keys(tree);
+  const Body body = read_body(tree);
+  const std::vector<ModelChoice> models = read_models(tree);
+  const Case::Motion motion = read_motion(tree, body, models);
+  if (const auto fault = out_of_scale({body, models, motion}))
+    throw fault_at(tree, fault->key, fault->found, fault->allowed, OutOfScale::hint);
+  const std::string title = value_or<std::string>(tree, "title", "");
+  const Case::Solve solve = read_solve(tree, motion, !anisotropic(models));
+  const auto continuation = read_continuation(tree, {body, models, motion});
+  const auto map = read_map(tree, {body, models, motion});
+  const Case::Output output = read_output(tree);
+  Potential potential = make_potential(models);
+  require_scale(tree, models, potential);
+  return {.title = title,
+          .body = body,
+          .models = models,
+          .potential = std::move(potential),
+          .motion = motion,
+          .solve = solve,
+          .continuation = continuation,
+          .map = map,
+          .output = output,
+          .source = std::move(tree)};
+}
+
+}  // namespace stationary

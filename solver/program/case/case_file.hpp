@@ -1,0 +1,98 @@
+// A case: everything a command needs to know, read from a TOML file with overrides and validated in
+// full before anything is computed.
+//
+//   [body] J   [potential] plane + thickness | coupled, and fibre, second_fibre beside either
+//   [motion] branch, nu, of "tilted" also plane (else both); or of branch "two-polar" omega and
+//   theta_dot | s3 and p_theta [solve] start, method   [continuation] parameter, from, to,
+//   tolerance   [output] spectrum, ...   [map] x, y
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "lib/body/body.hpp"
+#include "lib/body/motion.hpp"
+#include "lib/material/potential.hpp"
+#include "solver/family/anisotropic_family.hpp"
+#include "solver/program/case/case_grid.hpp"
+#include "solver/program/case/case_potential.hpp"
+#include "solver/program/case/case_toml.hpp"
+#include "solver/solve/solve.hpp"
+#include "solver/motion/event.hpp"
+#include "solver/motion/problem.hpp"
+#include "solver/family/tilted_family.hpp"
+#include "solver/solve/two_polar_equilibrium.hpp"
+
+namespace stationary {
+
+/// A steady rotation about a material axis: branches (i), (ii), (iii).
+struct AxisRotation {
+  Branch branch;
+  double nu;
+};
+
+/// A steady rotation about a tilted axis, in a plane or in either.
+struct TiltedMotion {
+  std::optional<TiltPlane> plane;  ///< empty: both are looked in
+  double nu;                       ///< |nu| > 0
+
+  /// One for each plane.
+  std::vector<TiltedRotation> rotations() const;
+};
+
+struct Case {
+  using Motion = std::variant<AxisRotation, TiltedMotion, TwoPolarMotion, ObliqueRotation>;
+  struct Solve {
+    std::optional<Stretch> start;  ///< two-polar: xi, zeta are lambda, mu
+    Method method = Method::automatic;
+    bool all = false;
+  };
+  struct Continuation {
+    std::string parameter;  ///< one of case_parameters()
+    double from;
+    double to;
+    double tolerance = 1e-10;
+    double step = 0.01;  ///< the first, in ln S and the parameter over its range
+    double max_points = 1e6;
+    std::vector<std::string> events{};  ///< to be located; empty: all
+
+    EventSet event_set() const;
+  };
+  struct Output {
+    bool spectrum = true;
+    bool certificate = false;
+    std::vector<std::string> columns;  ///< empty: all that was computed
+  };
+
+  std::string title;
+  Body body;
+  std::vector<ModelChoice> models;  ///< plane and thickness, or coupled; then fibres
+  Potential potential;              ///< made of `models`
+  Motion motion;
+  Solve solve;
+  std::optional<Continuation> continuation;
+  std::optional<CaseMap> map;
+  Output output;
+  CaseTree source;  ///< where each key comes from
+
+  bool two_polar() const { return std::holds_alternative<TwoPolarMotion>(motion); }
+  bool tilted() const { return std::holds_alternative<TiltedMotion>(motion); }
+  bool oblique() const { return std::holds_alternative<ObliqueRotation>(motion); }
+  std::string_view branch_name() const;
+  /// Of an axis rotation (std::bad_variant_access otherwise).
+  Problem problem() const {
+    return Problem(body, potential, std::get<AxisRotation>(motion).branch);
+  }
+};
+
+/// Reads, overrides and validates. Throws InputError at the first fault.
+Case read_case(const std::string& path, std::span<const std::string> overrides = {});
+
+/// The same of a tree at hand.
+Case make_case(CaseTree tree);
+
+}  // namespace stationary

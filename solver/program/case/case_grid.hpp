@@ -1,0 +1,51 @@
+// The table [map] of a case: a grid over one or two of its parameters (case_parameter.hpp).
+//
+//   [map]
+//   x = { parameter = "nu", from = 0.0, to = 1.5, count = 400 }
+//   y = { parameter = "body.J.1", from = 0.5, to = 2.0, count = 300, scale = "log" }
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/program/case/case_toml.hpp"
+
+namespace stationary {
+
+struct FamilyParameters;
+
+enum class AxisScale { linear, log };
+constexpr std::string_view axis_scale_names[] = {"linear", "log"};
+constexpr std::string_view name(AxisScale scale) {
+  return axis_scale_names[static_cast<int>(scale)];
+}
+
+struct MapAxis {
+  std::string parameter;  ///< one of case_parameters()
+  double from;
+  double to;
+  std::size_t count;
+  AxisScale scale = AxisScale::linear;
+
+  /// `count` of them, evenly spaced in the scale, from and to among them.
+  std::vector<double> values() const;
+};
+
+struct CaseMap {
+  MapAxis x;
+  std::optional<MapAxis> y;
+
+  std::vector<const MapAxis*> axes() const;
+  std::size_t cells() const { return x.count * (y ? y->count : 1); }
+};
+
+constexpr std::size_t most_map_cells = 20'000'000;  ///< 36 bytes each while solved
+
+/// Nothing where the case has no map. Throws InputError: no parameter of the family, an empty
+/// range, a count that is not whole or too large, a value outside the domain of body or model.
+std::optional<CaseMap> read_map(const CaseTree& tree, const FamilyParameters& family);
+
+}  // namespace stationary

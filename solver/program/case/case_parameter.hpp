@@ -1,0 +1,48 @@
+// The numbers of a case that may be varied along a family, by their dotted keys: those of its
+// motion (nu; motion.omega ... of a two-polar one), body.J.0 ... body.J.2 and every coefficient of
+// the case's models (potential.plane.c). A two-polar body keeps its J1 = J2; a tilted family is one
+// in nu.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/family/axis_family.hpp"
+#include "solver/program/case/case_file.hpp"
+
+namespace stationary {
+
+/// What a parameter acts on.
+struct FamilyParameters {
+  Body body;
+  std::vector<ModelChoice> models;
+  Case::Motion motion;
+};
+
+/// A number too large or too small beside the others for what is computed with it, the powers of a
+/// spectrum and their extended precision included: these must stay within 1e-300 ... 1e300.
+struct OutOfScale {
+  std::string key;
+  std::string found;
+  std::string allowed;
+  static constexpr const char* hint = "choose units in which J and V are of order one";
+};
+std::optional<OutOfScale> out_of_scale(const FamilyParameters& family);
+
+/// Valid keys for this motion and these models, in that order.
+std::vector<std::string> case_parameters(const Case::Motion& motion,
+                                         const std::vector<ModelChoice>& models);
+
+/// With the parameter at a value. Throws std::invalid_argument with the violated inequality of
+/// body or model, for a number out of scale, or for a key that is not one of case_parameters().
+FamilyParameters with_parameter(FamilyParameters family, std::string_view key, double value);
+
+/// The parameter's own value. Throws std::invalid_argument for a key that is not one of them.
+double parameter_value(FamilyParameters family, std::string_view key);
+
+/// The parameter as the motion's family knows it; the key is one of case_parameters().
+FamilyParameter family_parameter(std::string_view key, const std::vector<ModelChoice>& models);
+
+}  // namespace stationary

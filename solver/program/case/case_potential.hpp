@@ -1,0 +1,40 @@
+// The potential of a case file: the tables under [potential], read and made into one.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lib/material/potential.hpp"
+#include "solver/program/case/case_expression.hpp"
+#include "solver/program/case/case_toml.hpp"
+
+namespace stationary {
+
+/// A model by name with its coefficients, or an expression with its parameters, as written under
+/// `potential.<slot>`.
+struct ModelChoice {
+  std::string slot;  ///< plane, thickness, coupled, fibre or second_fibre
+  ModelDescription description;
+  std::vector<double> coefficients;                   ///< in the order of description.parameters
+  std::shared_ptr<const expression::Tape> tape = {};  ///< of an expression
+  std::vector<std::string> facts = {};                ///< found out about an expression
+  std::vector<std::string> assumed = {};              ///< of these, known at points only
+  Formula formula = {};                               ///< of an expression, its parts and domain
+  /// Of a coupled isotropic expression that is separable: used where no fibre stands beside it.
+  std::optional<ExpressionParts> parts = {};
+};
+
+/// The potential of one coupled model, or of a planar and a thickness one, with fibres or without.
+/// Throws std::invalid_argument with the violated inequality.
+Potential make_potential(std::span<const ModelChoice> models);
+
+/// Whether any of the models has directions of its own.
+bool anisotropic(std::span<const ModelChoice> models);
+
+/// Of a tree that require_known_keys() let pass. Throws InputError: models that do not go together,
+/// coefficients outside their domains, an expression that is wrong.
+std::vector<ModelChoice> read_models(const CaseTree& tree);
+
+}  // namespace stationary

@@ -1,0 +1,320 @@
+#include "solver/program/case/case_schema.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "lib/body/motion.hpp"
+#include "solver/program/case/case_expression.hpp"
+#include "solver/program/case/case_grid.hpp"
+#include "solver/solve/solve.hpp"
+#include "solver/program/text/nearest_name.hpp"
+#include "solver/program/table/table.hpp"
+
+namespace stationary {
+namespace {
+
+using enum KeyType;
+
+constexpr std::string_view branches[] = {name(Branch::i), name(Branch::ii), name(Branch::iii),
+                                         tilted_name,     oblique_name,     two_polar_name};
+constexpr std::string_view oblique_axes[] = {"1", "2"};
+constexpr std::string_view a_boolean = "true or false";
+constexpr std::string_view a_number = "a finite number";
+
+constexpr std::string_view map_axis =
+    "a table, { parameter = \"nu\", from = 0.0, to = 1.5, count = 400 }";
+constexpr std::string_view map_parameter = "\"nu\" or the dotted key of a number of the case";
+constexpr std::string_view map_count = "a whole number >= 2";
+
+constexpr CaseKey keys[] = {
+    {"title", text, false, "a text"},
+    {"body", table, true, "a table with J"},
+    {"body.J", numbers, true, "three finite numbers > 0, J = [J1, J2, J3]", 3},
+    {"potential", table, true, "a table with plane and thickness, or coupled"},
+    {"potential.plane", model, false, "a table of model, or expression, and its coefficients"},
+    {"potential.thickness", model, false, "a table of model, or expression, and its coefficients"},
+    {"potential.coupled", model, false, "a table of model, or expression, and its coefficients"},
+    {"potential.fibre", coefficients, false, "a table, { k = 0.4, degrees = 30 }"},
+    {"potential.second_fibre", coefficients, false, "a table, { k = 0.4, degrees = 30 }"},
+    {"motion", table, true, "a table with branch and nu, or two-polar's numbers instead of nu"},
+    {"motion.branch", text, true, "", 0, branches},
+    // Which of these seven a branch takes, the case reader checks.
+    {"motion.nu", number, false,
+     "a finite number (the spin along the branch's axis; |nu| in \"tilted\", \"oblique\")"},
+    {"motion.omega", number, false, a_number},
+    {"motion.theta_dot", number, false, a_number},
+    {"motion.s3", number, false, a_number},
+    {"motion.p_theta", number, false, a_number},
+    {"motion.plane", text, false, "", 0, tilt_plane_names},
+    {"motion.axis", text, false, "", 0, oblique_axes},
+    {"solve", table, false, "a table"},
+    {"solve.start", numbers, false, "four finite numbers, start = [alpha, xi, zeta, rho]", 4},
+    {"solve.method", text, false, "", 0, method_names},
+    {"solve.all", boolean, false, a_boolean},
+    {"continuation", table, false, "a table with parameter, from and to"},
+    {"continuation.parameter", text, true, "\"nu\" or the dotted key of a number of the case"},
+    {"continuation.from", number, true, a_number},
+    {"continuation.to", number, true, a_number},
+    {"continuation.tolerance", number, false, "a number > 0 and <= 1"},
+    {"continuation.step", number, false, "a number > 0 and <= 0.5"},
+    {"continuation.max_points", number, false, "a whole number >= 2"},
+    {"continuation.events", texts, false, "an array of names of events"},
+    {"map", table, false, "a table with x, and y for two parameters"},
+    {"map.x", table, true, map_axis},
+    {"map.x.parameter", text, true, map_parameter},
+    {"map.x.from", number, true, a_number},
+    {"map.x.to", number, true, a_number},
+    {"map.x.count", number, true, map_count},
+    {"map.x.scale", text, false, "", 0, axis_scale_names},
+    {"map.y", table, false, map_axis},
+    {"map.y.parameter", text, true, map_parameter},
+    {"map.y.from", number, true, a_number},
+    {"map.y.to", number, true, a_number},
+    {"map.y.count", number, true, map_count},
+    {"map.y.scale", text, false, "", 0, axis_scale_names},
+    {"output", table, false, "a table"},
+    {"output.spectrum", boolean, false, a_boolean},
+    {"output.certificate", boolean, false, a_boolean},
+    {"output.columns", texts, false, "an array of column names"},
+};
+
+std::string_view last_name(std::string_view path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string_view::npos ? path : path.substr(dot + 1);
+}
+
+std::string_view parent(std::string_view path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
+}
+
+std::vector<std::string_view> names_below(std::string_view prefix) {
+  std::vector<std::string_view> out;
+  for (const CaseKey& key : keys)
+    if (parent(key.path) == prefix) out.push_back(last_name(key.path));
+  return out;
+}
+
+std::string place_of(std::string_view prefix) {
+  return prefix.empty() ? "at the top level" : "in [" + std::string(prefix) + "]";
+}
+
+[[noreturn]] void refuse_unknown(const CaseTree& tree, std::string_view prefix,
+                                 std::string_view name,
+                                 const std::vector<std::string_view>& allowed) {
+  std::string remedy = did_you_mean(nearest_name(name, allowed));
+  if (remedy.empty()) {
+    // The right key in the wrong table.
+    for (const CaseKey& key : keys)
+      if (last_name(key.path) == name && parent(key.path) != prefix)
+        remedy = did_you_mean(std::optional(key.path));
+  }
+  const std::string path = dotted(prefix, name);
+  throw InputError(tree.key_origin(path), printable(path), "found an unknown key",
+                   "one of " + listed(allowed) + ' ' + place_of(prefix), remedy);
+}
+
+/// The text is one of the choices.
+void require_choice(const CaseTree& tree, const CaseKey& key, const std::string& value) {
+  if (key.choices.empty()) return;
+  if (std::ranges::find(key.choices, std::string_view(value)) != key.choices.end()) return;
+  throw fault_at(tree, key.path, "found the string " + in_quotes(value),
+                 "one of " + listed(key.choices), did_you_mean(nearest_name(value, key.choices)));
+}
+
+bool finite_number(const toml::node& node) {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  return value && std::isfinite(*value);
+}
+
+void require_numbers(const CaseTree& tree, const std::string& path, const toml::node& node,
+                     const CaseKey& key) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->size() != static_cast<std::size_t>(key.count))
+    throw fault_at(tree, path, "found " + describe(node), std::string(key.allowed));
+  std::size_t index = 0;
+  for (const toml::node& element : *array) {
+    if (!finite_number(element)) {
+      throw fault_at(tree, dotted(path, std::to_string(index)), "found " + describe(element),
+                     std::string(key.allowed));
+    }
+    ++index;
+  }
+}
+
+/// Built-in models of a kind.
+std::vector<const ModelDescription*> models_of(ModelDescription::Kind kind) {
+  std::vector<const ModelDescription*> out;
+  for (const auto* list : {&model_descriptions(), &anisotropic_descriptions()})
+    for (const ModelDescription& each : *list)
+      if (each.kind == kind) out.push_back(&each);
+  return out;
+}
+
+/// All the coefficients of the model are there and finite, and no other key than those allowed.
+void require_coefficients(const CaseTree& tree, const std::string& path, const toml::table& table,
+                          const ModelDescription& description,
+                          std::vector<std::string_view> allowed) {
+  const std::vector<std::string_view> parameters(description.parameters.begin(),
+                                                 description.parameters.end());
+  allowed.insert(allowed.end(), parameters.begin(), parameters.end());
+  for (const auto& [name, value] : table) {
+    if (std::ranges::find(allowed, name.str()) == allowed.end())
+      refuse_unknown(tree, path, name.str(), allowed);
+  }
+  for (const std::string_view parameter : parameters) {
+    const std::string key = dotted(path, parameter);
+    const toml::node* value = table.get(parameter);
+    if (value == nullptr) {
+      throw fault_at(tree, key, "found no coefficient " + in_quotes(parameter),
+                     "all of " + listed(parameters) + " for " + in_quotes(description.name));
+    }
+    if (!finite_number(*value))
+      throw fault_at(tree, key, "found " + describe(*value), std::string(a_number));
+  }
+}
+
+/// `model` names a model of the kind, and the other keys are its coefficients, all of them; or the
+/// potential is written out.
+void require_model(const CaseTree& tree, const std::string& path, const toml::table& table) {
+  if (is_written_out(table)) return require_written_out(tree, path, table);
+  const ModelDescription::Kind kind = model_kind(path);
+  std::vector<std::string_view> names;
+  for (const ModelDescription* each : models_of(kind)) names.push_back(each->name);
+
+  const std::string model_path = dotted(path, "model");
+  const toml::node* model_node = table.get("model");
+  if (model_node == nullptr) {
+    std::string remedy;
+    for (const auto& [name, value] : table)
+      for (const std::string_view meant : {"model", "expression"})
+        if (remedy.empty() && edit_distance(name.str(), meant) <= 2)
+          remedy =
+              in_quotes(name.str()) + " is no key here; did you mean " + in_quotes(meant) + "?";
+    throw fault_at(tree, model_path, "found no model",
+                   "model = one of " + listed(names) + ", or expression = \"...\"", remedy);
+  }
+  if (!model_node->is_string())
+    throw fault_at(tree, model_path, "found " + describe(*model_node), "one of " + listed(names));
+  const std::string& chosen = model_node->as_string()->get();
+  const ModelDescription* description = find_model(kind, chosen);
+  if (description == nullptr) {
+    std::string remedy = did_you_mean(nearest_name(chosen, names));
+    for (const ModelDescription& each : model_descriptions()) {
+      if (each.name != chosen) continue;
+      const std::string_view slot = each.kind == ModelDescription::Kind::planar      ? "plane"
+                                    : each.kind == ModelDescription::Kind::thickness ? "thickness"
+                                                                                     : "coupled";
+      remedy = in_quotes(chosen) + " belongs under potential." + std::string(slot);
+    }
+    throw fault_at(tree, model_path, "found the string " + in_quotes(chosen),
+                   "one of " + listed(names), remedy);
+  }
+  require_coefficients(tree, path, table, *description, {"model"});
+}
+
+void require_type(const CaseTree& tree, const CaseKey& key, const toml::node& node) {
+  const auto require = [&](bool right) {
+    if (right) return;
+    const std::string allowed =
+        key.choices.empty() ? std::string(key.allowed) : "one of " + listed(key.choices);
+    throw fault_at(tree, key.path, "found " + describe(node), allowed);
+  };
+  switch (key.type) {
+    case table:
+    case model:
+    case coefficients:
+      require(node.is_table());
+      break;
+    case text:
+      require(node.is_string());
+      require_choice(tree, key, node.as_string()->get());
+      break;
+    case number:
+      require(finite_number(node));
+      break;
+    case numbers:
+      require_numbers(tree, std::string(key.path), node, key);
+      break;
+    case boolean:
+      require(node.is_boolean());
+      break;
+    case texts: {
+      require(node.is_array());
+      int index = 0;
+      for (const toml::node& element : *node.as_array()) {
+        if (!element.is_string()) {
+          throw fault_at(tree, dotted(key.path, std::to_string(index)),
+                         "found " + describe(element), std::string(key.allowed));
+        }
+        ++index;
+      }
+    }
+  }
+}
+
+void require_table(const CaseTree& tree, const std::string& prefix, const toml::table& table) {
+  for (const auto& [name, node] : table) {
+    const std::string path = dotted(prefix, name.str());
+    const bool plain = name.str().find('.') == std::string_view::npos && !name.empty();
+    const CaseKey* key = plain ? find_case_key(path) : nullptr;
+    if (key == nullptr) refuse_unknown(tree, prefix, name.str(), names_below(prefix));
+    require_type(tree, *key, node);
+    if (key->type == KeyType::table) require_table(tree, path, *node.as_table());
+    if (key->type == KeyType::model) require_model(tree, path, *node.as_table());
+    if (key->type == KeyType::coefficients)
+      require_coefficients(tree, path, *node.as_table(), *models_of(model_kind(path)).front(), {});
+  }
+  for (const CaseKey& key : keys) {
+    if (!key.required || parent(key.path) != prefix || table.contains(last_name(key.path)))
+      continue;
+    const std::string allowed =
+        key.choices.empty() ? std::string(key.allowed) : "one of " + listed(key.choices);
+    throw fault_at(tree, key.path, "found no such key", allowed,
+                   "add " + std::string(last_name(key.path)) + ' ' + place_of(prefix));
+  }
+}
+
+}  // namespace
+
+std::span<const CaseKey> case_keys() { return keys; }
+
+const CaseKey* find_case_key(std::string_view path) {
+  const auto at = std::ranges::find(keys, path, &CaseKey::path);
+  return at == std::end(keys) ? nullptr : &*at;
+}
+
+ModelDescription::Kind model_kind(std::string_view path) {
+  const std::string_view slot = last_name(path);
+  if (slot == "plane") return ModelDescription::Kind::planar;
+  if (slot == "fibre" || slot == "second_fibre") return ModelDescription::Kind::fibre;
+  return slot == "thickness" ? ModelDescription::Kind::thickness : ModelDescription::Kind::coupled;
+}
+
+const ModelDescription* find_model(ModelDescription::Kind kind, std::string_view name) {
+  for (const ModelDescription* each : models_of(kind))
+    if (each->name == name) return each;
+  return nullptr;
+}
+
+void require_known_keys(const CaseTree& tree) { require_table(tree, "", tree.root()); }
+
+InputError fault_at(const CaseTree& tree, std::string_view key, std::string found,
+                    std::string allowed, std::string remedy) {
+  return InputError(tree.origin(key), printable(key), std::move(found), std::move(allowed),
+                    std::move(remedy));
+}
+
+std::string listed(std::span<const std::string_view> names) {
+  std::string out;
+  for (const std::string_view each : names) {
+    if (!out.empty()) out += ", ";
+    out += in_quotes(each);
+  }
+  return out;
+}
+
+}  // namespace stationary

@@ -1,0 +1,61 @@
+// A case file as parsed, before its meaning is looked at: the TOML tree with overrides applied, and
+// for each dotted key where it was written.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "solver/program/text/input_error.hpp"
+
+namespace stationary {
+
+class CaseTree {
+ public:
+  /// Reads a file. Throws InputError: unreadable, no regular text, larger than 1 MiB, not TOML.
+  static CaseTree read(const std::string& path);
+
+  /// From text; `name` is what messages call it. Throws InputError.
+  static CaseTree parse(std::string_view text, const std::string& name);
+
+  /// Applies one `key=value` of --set: value in TOML, a bare word counts as a string; a key may end
+  /// in the index of an array, from 0. Throws InputError.
+  void override_key(std::string_view assignment);
+
+  const toml::table& root() const { return root_; }
+  const std::string& name() const { return name_; }
+
+  /// Where a key's value was written; of an absent key, where its nearest parent was.
+  const Origin& origin(std::string_view key) const { return nearest(values_, key); }
+  /// Likewise, of the key itself.
+  const Origin& key_origin(std::string_view key) const { return nearest(keys_, key); }
+
+  /// Option text of every override, by key, in the order of keys.
+  const std::map<std::string, std::string, std::less<>>& overrides() const { return overrides_; }
+
+ private:
+  using Origins = std::map<std::string, Origin, std::less<>>;
+
+  void locate(const toml::node& node, const std::string& key);
+  void set_origin(const std::string& key, const Origin& origin);
+  static const Origin& nearest(const Origins& origins, std::string_view key);
+
+  toml::table root_;
+  std::string name_;
+  Origins values_;
+  Origins keys_;
+  std::map<std::string, std::string, std::less<>> overrides_;
+};
+
+/// The node at a dotted key of tables, or nullptr.
+const toml::node* find(const CaseTree& tree, std::string_view path);
+
+/// What a node is, for a message: `the string "fast"`, `the number nan`, `an array of 2 values`.
+std::string describe(const toml::node& node);
+
+/// prefix.name, or name at the top.
+std::string dotted(std::string_view prefix, std::string_view name);
+
+}  // namespace stationary

@@ -1,0 +1,71 @@
+// stationary: stationary ellipsoids of an affinely-rigid body, from a case file.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <sstream>
+
+#include "solver/program/session/command.hpp"
+
+namespace {
+
+using stationary::cli::ExitCode;
+
+ExitCode run(int argc, char** argv) {
+  using namespace stationary;
+  CLI::App program("Stationary ellipsoids of an affinely-rigid body", "stationary");
+  program.set_version_flag("--version", STATIONARY_VERSION, "Print the version and exit");
+  program.footer(
+      "Exit codes: 0 done; 2 the input is wrong; 3 no stationary ellipsoid exists or was found; "
+      "4 a failure; 130 interrupted.");
+  cli::Session session{{argv, argv + argc}, {}};
+  cli::add_solve(program, session);
+  cli::add_continue(program, session);
+  cli::add_atlas(program, session);
+  cli::add_map(program, session);
+  cli::add_check(program, session);
+  cli::add_models(program, session);
+  cli::add_plot(program, session);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {  // --help, --version
+      std::ostringstream text;
+      program.exit(error, text, text);
+      cli::print(text.str());
+      return ExitCode::done;
+    }
+    cli::complain(cli::refusal(program, error));
+    return ExitCode::wrong_input;
+  }
+  if (!session.action) {
+    cli::complain("no command given\n");
+    std::fputs(program.help().c_str(), stderr);
+    return ExitCode::wrong_input;
+  }
+  try {
+    return session.action();
+  } catch (const InputError& error) {
+    cli::complain(error.what());
+    return ExitCode::wrong_input;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A limit on the size of files is then met as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    return static_cast<int>(run(argc, argv));
+  } catch (const std::bad_alloc&) {
+    std::fputs("stationary: out of memory\n", stderr);
+  } catch (const std::exception& error) {
+    std::fputs("stationary: failed: ", stderr);
+    std::fputs(error.what(), stderr);
+    std::fputs("\n", stderr);
+  } catch (...) {
+    std::fputs("stationary: failed for an unknown reason\n", stderr);
+  }
+  return static_cast<int>(ExitCode::failure);
+}

@@ -1,0 +1,261 @@
+// stationary map CASE: the case's grid over one or two of its parameters, every cell solved on the
+// rest state's sheet, by all threads; the table in the grid's order, as CSV or HDF5.
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "solver/program/case/case_schema.hpp"
+#include "solver/program/session/command.hpp"
+#include "solver/program/session/interrupt.hpp"
+#include "solver/program/session/exit_status.hpp"
+#include "solver/program/session/computation_plan.hpp"
+#include "solver/program/session/progress.hpp"
+#include "solver/program/session/report.hpp"
+#include "solver/program/session/table_output.hpp"
+#include "solver/program/rows/map_grid.hpp"
+
+namespace stationary::cli {
+namespace {
+
+/// What a map's cells came to.
+struct MapCounts {
+  std::map<std::string_view, std::size_t> statuses;
+  std::map<std::string_view, std::size_t> classes;
+  std::size_t rows = 0;
+  std::size_t proven = 0;
+
+  void add(const TableRow& row) {
+    ++rows;
+    ++statuses[row.status];
+    if (!row.stability.empty()) ++classes[row.stability];
+    if (!row.certified.empty() && row.certified != proof_word(false)) ++proven;
+  }
+  std::size_t of(CellStatus status) const {
+    const auto at = statuses.find(name(status));
+    return at == statuses.end() ? 0 : at->second;
+  }
+};
+
+void require_map(const Case& input) {
+  if (!input.map) {
+    throw fault_at(input.source, "map", "found no such key", "a table with x, and y",
+                   "add [map] with x = { parameter = \"nu\", from = 0.0, to = 1.5, count = 400 }");
+  }
+  if (!std::holds_alternative<AxisRotation>(input.motion)) {
+    throw fault_at(
+        input.source, "motion.branch", "found the string " + in_quotes(input.branch_name()),
+        "one of \"i\", \"ii\", \"iii\" for map",
+        "tilted, oblique and two-polar motions are solved one at a time in this version");
+  }
+}
+
+/// Rows of the solved grid in their order, a window at a time computed by all threads; ends at a
+/// signal, after whole windows.
+template <class Take>
+RowCounts for_all_rows(const MapGrid& grid, const BatchResult& solved, const RowParts& parts,
+                       const ColumnSet& wanted, int threads, const Take& take) {
+  // A window's rows are had all or none: few where a spectrum takes a good part of a millisecond.
+  const std::size_t block = grid.batch().potential.is_isotropic() ? 512 : 32;
+  const std::size_t blocks_at_once = 8 * static_cast<std::size_t>(threads);
+  std::vector<std::vector<TableRow>> blocks(blocks_at_once);
+  std::vector<RowCounts> counts(blocks_at_once);
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  for (std::size_t begin = 0; begin < grid.size(); begin += block * blocks_at_once) {
+    arena.execute([&] {
+      tbb::parallel_for(std::size_t{0}, blocks_at_once, [&](std::size_t k) {
+        const std::size_t first = std::min(begin + k * block, grid.size());
+        counts[k] += grid.rows(solved, first, std::min(first + block, grid.size()), parts, wanted,
+                               blocks[k]);
+      });
+    });
+    if (stop_on_signals()) break;
+    for (const std::vector<TableRow>& rows : blocks)
+      for (const TableRow& row : rows) take(row);
+  }
+  RowCounts all;
+  for (const RowCounts& each : counts) all += each;
+  return all;
+}
+
+std::string counted(const std::map<std::string_view, std::size_t>& counts) {
+  std::string out;
+  for (const auto& [what, count] : counts)
+    out += fmt::format("{}{} {}", out.empty() ? "" : ", ", count, what);
+  return out;
+}
+
+std::string axis_text(const MapAxis& axis) {
+  return fmt::format("{} from {} to {}, {} values{}", axis.parameter, axis.from, axis.to,
+                     axis.count, axis.scale == AxisScale::log ? ", logarithmic" : "");
+}
+
+/// The case's, and what of it holds at its own numbers only.
+ComputationPlan map_plan(const Case& input, bool to_table) {
+  ComputationPlan out = computation_plan(input, to_table);
+  if (!input.potential.is_isotropic()) {
+    out.computed.push_back(
+        {"cells", "on the curve from the rest state, followed once for all nu of one body",
+         "anisotropic potential. What is said above of alpha and the spectrum is so at the case's "
+         "own numbers; at a cell's own V may be even in alpha or not, and nu may be 0"});
+  }
+  return out;
+}
+
+/// Of the march; none where every lane takes the scalar path.
+std::string instructions_text(const Potential& potential) {
+  return marches(potential) ? std::string(name(best_instruction_set())) : "scalar";
+}
+
+std::string summary(const Case& input, const MapCounts& counts, double seconds) {
+  constexpr std::size_t label_width = 14;
+  Report out(label_width);
+  if (!input.title.empty()) out.line("case", printable(input.title));
+  out.line("motion", motion_text(input.motion));
+  out.line("x", axis_text(input.map->x));
+  if (input.map->y) out.line("y", axis_text(*input.map->y));
+  out.line("cells", fmt::format("{}: {}", counts.rows, counted(counts.statuses)));
+  if (!counts.classes.empty()) out.line("classes", counted(counts.classes));
+  if (input.output.certificate) out.line("certificate", fmt::format("{} proven", counts.proven));
+  out.line("cost", fmt::format("{:.2g} s", seconds));
+  out.gap();
+  const ComputationPlan plan = map_plan(input, false);
+  add_plan(out, plan.computed);
+  add_plan(out, plan.skipped);
+  return out.text();
+}
+
+Metadata describe(const Session& session, const Case& input, const MapCounts& counts,
+                  const RowCounts& evaluated, const BatchResult& solved) {
+  ComputationPlan plan = map_plan(input, true);
+  Metadata out;
+  out.version = STATIONARY_VERSION;
+  out.command_line = session.command_line;
+  out.input = &input;
+  for (const std::string_view status : cell_status_names) {
+    const auto at = counts.statuses.find(status);
+    out.counts.emplace_back(status,
+                            at == counts.statuses.end() ? 0 : static_cast<long>(at->second));
+  }
+  for (const auto& [verdict, count] : counts.classes)
+    out.counts.emplace_back(verdict, static_cast<long>(count));
+  if (input.output.certificate) out.counts.emplace_back("proven", static_cast<long>(counts.proven));
+  out.counts.emplace_back("scalar_lanes", static_cast<long>(solved.fallbacks()));
+  out.counts.emplace_back("potentials", evaluated.potentials);
+  out.counts.emplace_back("spectra", evaluated.spectra);
+  out.counts.emplace_back("scalar_spectra", evaluated.scalar_spectra);
+  out.plan = std::move(plan.computed);
+  out.skipped = std::move(plan.skipped);
+  if (input.solve.start || input.solve.all || input.solve.method != Method::automatic) {
+    out.skipped.push_back({"start, method, all", "not used",
+                           "every cell is solved on the sheet of its own rest state"});
+  }
+  out.outcome = {{"command", "map"},
+                 {"status", counts.rows < input.map->cells() ? "interrupted" : "done"},
+                 {"instructions", instructions_text(input.potential)}};
+  return out;
+}
+
+/// What the end says, and its exit code.
+ExitCode conclusion(const Case& input, const MapCounts& counts, bool written) {
+  if (counts.rows < input.map->cells()) {
+    complain(fmt::format("interrupted after {} of {} cells{}", counts.rows, input.map->cells(),
+                         written ? ", which are written" : ""));
+    return ExitCode::interrupted;
+  }
+  if (const std::size_t failed = counts.of(CellStatus::failed); failed > 0) {
+    complain(fmt::format("numerical failure in {} of {} cells", failed, counts.rows));
+    return ExitCode::failure;
+  }
+  if (counts.of(CellStatus::solved) == 0) {
+    complain(fmt::format("no stationary ellipsoid in any of {} cells: {}", counts.rows,
+                         counted(counts.statuses)));
+    return ExitCode::no_equilibrium;
+  }
+  return ExitCode::done;
+}
+
+ExitCode map_case(const ComputeOptions& options, const Session& session) {
+  const Case input = options.read();
+  require_map(input);
+  const bool to_table = !options.output.empty();
+  const RowParts parts{.spectrum = wants_spectrum(input, to_table),
+                       .certificate = input.output.certificate,
+                       .map = true};
+  std::vector<Column> columns = chosen_columns(input, equilibrium_columns(parts), "map", true);
+  if (std::ranges::find(columns, Column::status) == columns.end()) {
+    columns.push_back(Column::status);  // a cell without one would say nothing where it is empty
+    std::ranges::sort(columns);
+  }
+  const std::atomic<bool>& stop = stop_on_signals();  // from here on files would be left behind
+  std::optional<TableOutput> output;
+  if (to_table) output.emplace(options.output, options.path);
+  std::vector<std::string> parameters{input.map->x.parameter};
+  if (input.map->y) parameters.push_back(input.map->y->parameter);
+  RowSink* const table = output ? &output->open(columns, parameters, input.map->cells()) : nullptr;
+
+  const auto begin = std::chrono::steady_clock::now();
+  const MapGrid grid(input);
+  BatchResult solved;
+  BatchOptions how;
+  how.threads = options.threads;
+  how.stop = &stop;
+  ProgressBar progress;
+  const bool with_progress = progress.shown() && !options.quiet;
+  if (with_progress) {
+    how.progress = [&](double fraction) {
+      progress.show(fraction, fmt::format("solving {} cells", grid.size()));
+    };
+  }
+  solve_batch(grid.batch(), how, solved);
+  MapCounts counts;
+  // Without a table the classes are counted.
+  const ColumnSet wanted = table ? ColumnSet(columns) : ColumnSet();
+  const auto take = [&](const TableRow& row) {
+    counts.add(row);
+    if (table) table->write(row);
+    if (with_progress && counts.rows % 4096 == 0) {
+      progress.show(static_cast<double>(counts.rows) / static_cast<double>(grid.size()),
+                    fmt::format("{} rows", counts.rows));
+    }
+  };
+  const RowCounts evaluated = for_all_rows(grid, solved, parts, wanted, options.threads, take);
+  progress.clear();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (output) {
+    Metadata metadata = describe(session, input, counts, evaluated, solved);
+    metadata.seconds = seconds;
+    output->commit(std::move(metadata));
+  }
+  const ExitCode code = conclusion(input, counts, to_table);
+  if (!table && !options.quiet && code != ExitCode::interrupted)
+    print(summary(input, counts, seconds));
+  return code;
+}
+
+}  // namespace
+
+void add_map(CLI::App& program, Session& session) {
+  CLI::App& command =
+      add_command(program, "map", "Solve the case on a grid of one or two parameters: [map] x, y");
+  const auto options = std::make_shared<ComputeOptions>();
+  options->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options->add_to(command);
+  command.callback([options, &session] {
+    session.action = [options, &session] { return map_case(*options, session); };
+  });
+}
+
+}  // namespace stationary::cli

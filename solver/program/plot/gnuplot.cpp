@@ -1,0 +1,142 @@
+#include "solver/program/plot/gnuplot.hpp"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include "solver/program/text/input_error.hpp"
+
+namespace stationary {
+namespace {
+
+/// A file without a name, gone when closed. Unlike a pipe it holds everything, so that neither side
+/// waits for the other.
+using Scratch = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+Scratch scratch() {
+  Scratch file(std::tmpfile(), &std::fclose);
+  if (!file) throw std::system_error(errno, std::generic_category(), "a temporary file");
+  return file;
+}
+
+std::string text_of(std::FILE* file) {
+  std::string out;
+  std::rewind(file);
+  char block[4096];
+  while (const std::size_t count = std::fread(block, 1, sizeof block, file))
+    out.append(block, count);
+  return out;
+}
+
+/// On one line.
+std::string message_of(std::FILE* errors) {
+  std::string out;
+  for (const char c : text_of(errors)) {
+    if (c != '\n' && c != ' ') {
+      out += c;
+    } else if (!out.empty() && out.back() != ' ') {
+      out += ' ';
+    }
+  }
+  return out.empty() ? "no message" : printable(out);
+}
+
+/// Bytes of the UTF-8 character a text begins with; 0 if it begins with none.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  const unsigned first = byte(0);
+  if (first < 0x80U) return 1;
+  const std::size_t length = first < 0xC2U ? 0 : first < 0xE0U ? 2 : first < 0xF0U ? 3 : 4;
+  if (length == 0 || first > 0xF4U || text.size() < length) return 0;
+  for (std::size_t k = 1; k < length; ++k)
+    if ((byte(k) & 0xC0U) != 0x80U) return 0;
+  const unsigned second = byte(1);
+  const bool overlong = (first == 0xE0U && second < 0xA0U) || (first == 0xF0U && second < 0x90U);
+  const bool outside = (first == 0xEDU && second > 0x9FU) || (first == 0xF4U && second > 0x8FU);
+  return overlong || outside ? 0 : length;
+}
+
+/// With what is no UTF-8 replaced: an SVG that contained it would not open.
+std::string well_formed(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    out += length > 0 ? text.substr(0, length) : "\uFFFD";
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return out;
+}
+
+class FileActions {
+ public:
+  FileActions() { posix_spawn_file_actions_init(&actions_); }
+  FileActions(const FileActions&) = delete;
+  FileActions& operator=(const FileActions&) = delete;
+  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
+  void give(int ours, int theirs) { posix_spawn_file_actions_adddup2(&actions_, ours, theirs); }
+  const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+}  // namespace
+
+std::string in_gnuplot_quotes(std::string_view text) {
+  std::string out = "'";
+  for (const char c : well_formed(printable(text))) {
+    if (c == '\'') out += '\'';
+    out += c;
+  }
+  return out + '\'';
+}
+
+void run_gnuplot(std::string_view script, int image) {
+  const Scratch input = scratch();
+  const Scratch errors = scratch();
+  if (std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() ||
+      std::fflush(input.get()) != 0)
+    throw std::system_error(errno, std::generic_category(), "a temporary file");
+  std::rewind(input.get());
+
+  FileActions streams;
+  streams.give(::fileno(input.get()), STDIN_FILENO);
+  streams.give(image, STDOUT_FILENO);
+  streams.give(::fileno(errors.get()), STDERR_FILENO);
+  char program[] = "gnuplot";
+  char no_personal_settings[] = "-d";
+  char* const arguments[] = {program, no_personal_settings, nullptr};
+  ::pid_t child = 0;
+  if (const int reason =
+          ::posix_spawnp(&child, program, streams.get(), nullptr, arguments, ::environ)) {
+    throw std::runtime_error(
+        fmt::format("gnuplot cannot be run: {}; is it installed (Debian: gnuplot-nox)?",
+                    std::strerror(reason)));
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "gnuplot");
+  }
+  if (WIFSIGNALED(status))
+    throw std::runtime_error(fmt::format("gnuplot was ended by signal {}", WTERMSIG(status)));
+  if (WEXITSTATUS(status) != 0) {
+    throw std::runtime_error(fmt::format("gnuplot ended with exit code {}: {}", WEXITSTATUS(status),
+                                         message_of(errors.get())));
+  }
+  // The descriptor's place is common to both processes; a pipe has none.
+  if (::lseek(image, 0, SEEK_CUR) == 0)
+    throw std::runtime_error("gnuplot wrote nothing: " + message_of(errors.get()));
+}
+
+}  // namespace stationary

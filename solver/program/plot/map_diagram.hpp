@@ -1,0 +1,42 @@
+// What a heat map shows of a table of `map` over two parameters: one of its columns, or the class,
+// over the grid, and where there is no solution to show.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/program/rows/map_grid.hpp"
+#include "solver/program/table/table_reader.hpp"
+
+namespace stationary {
+
+/// One of the grid's parameters: evenly spaced values, or logarithms of them.
+struct MapDiagramAxis {
+  std::string parameter;
+  std::vector<double> values;  ///< ascending
+  AxisScale scale = AxisScale::linear;
+};
+
+struct MapDiagram {
+  MapDiagramAxis x;
+  MapDiagramAxis y;
+  std::string quantity;  ///< the column's name
+  /// Row by row of y, x fastest: the quantity, of a class its index in stability_names; NaN where
+  /// it is not computed.
+  std::vector<double> values;
+  std::vector<std::optional<CellStatus>> statuses;  ///< none: no such row (interrupted)
+
+  bool of_class() const { return quantity == "class"; }
+};
+
+/// Its parameters, of which a map has one or two: the trailing columns; none: it is no map's table.
+std::vector<std::string> map_parameters(const std::vector<std::string>& columns);
+
+/// quantity: a column of numbers, or class; default: class, growth, lambda, the first that is
+/// there. Throws InputError: no such column, cells that are none, values that make up no grid.
+MapDiagram read_map_diagram(TableReader& table, const std::optional<std::string>& quantity);
+
+}  // namespace stationary

@@ -1,0 +1,111 @@
+#include "solver/program/rows/curve_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace stationary {
+
+void CurveTable::place(EventType event, double parameter, bool at_rest,
+                       std::optional<StabilityClass> verdict) {
+  if (point_ == 0) first_parameter_ = parameter;
+  last_parameter_ = parameter;
+  last_event_ = event;
+  const bool voting = event == EventType::none && !at_rest;
+  row_[Column::segment] = segments_.row(point_, {event, parameter}, verdict, voting);
+  row_[Column::point] = static_cast<double>(point_);
+  if (event != EventType::none) events_.push_back({event, parameter, point_, std::nullopt});
+}
+
+void CurveTable::row(const Member& member, EventType event) {
+  place(event, member.parameter, member.nu == 0.0 && !member.two_polar,
+        member.spectrum ? std::optional(member.spectrum->verdict) : std::nullopt);
+  if (writer_ != nullptr) fill_row(branch_, member, writer_->columns(), row_);
+  if (proves()) {
+    const RowProof proof = prove(member, event);
+    count_proof(proof.proven, member.parameter, proof.reason);
+  }
+  if (writer_ != nullptr) {
+    row_.event = name(event);
+    writer_->write(row_);
+  }
+  ++point_;
+}
+
+RowProof CurveTable::prove(const Member& member, EventType event) {
+  Equilibrium at;
+  at.q = member.q;
+  at.nu = member.angular_velocity;
+  if (prover_) return prover_(member, at, row_);
+  const Problem problem = problem_at_(member.parameter);
+  RowProof out = prove_row(problem, at, member.spectrum, row_);
+  if (!has_enclosure(event)) return out;
+  // The row says more than that its stretches are in equilibrium, and at a fold less.
+  const bool circle = event == EventType::ellipse ||
+                      (mirror_symmetric(problem, member.nu) && member.q.xi == member.q.zeta);
+  const EventEnclosure proof = enclose_event(problem, parameter_, circle, event, member);
+  out.proven = proof.proven;
+  out.reason = std::string(name(event)) + ": " + proof.reason;
+  row_.certified = proof_word(proof.proven, out.assuming);
+  row_[Column::error_bound] = proof.proven ? proof.error_bound : member.error_bound;
+  if (proof.proven) events_.back().enclosure = proof.parameter;
+  return out;
+}
+
+void CurveTable::complete(std::vector<EventRecord>& events) const {
+  auto row = events_.begin();
+  for (EventRecord& each : events) {
+    if (each.status == EventStatus::unresolved) continue;
+    const auto at = std::find_if(row, events_.end(), [&](const EventRow& candidate) {
+      return candidate.type == each.type && candidate.parameter == each.parameter;
+    });
+    if (at == events_.end()) continue;
+    each.point = at->point;
+    if (at->enclosure) each.enclosure = at->enclosure;
+    row = std::next(at);
+  }
+}
+
+SheetRecord CurveTable::record(const FollowReport& report) const {
+  SheetRecord out;
+  out.sheet = static_cast<int>(row_[Column::sheet]);
+  out.events = report.events;
+  out.segments = segments_.segments();
+  out.first = {report.backward.event, first_parameter_, report.backward.reason};
+  out.last = {report.forward.event, last_parameter_, report.forward.reason};
+  return out;
+}
+
+void CurveTable::again(TableRow row, std::optional<StabilityClass> verdict) {
+  const auto* const event = std::ranges::find(event_names, row.event);
+  const auto* const own = std::ranges::find(stability_names, row.stability);
+  const auto type = static_cast<EventType>(event - std::begin(event_names));
+  const bool at_rest = row[Column::nu1] == 0.0 && row[Column::nu2] == 0.0 &&
+                       row[Column::nu3] == 0.0 && std::isnan(row[Column::omega]);
+  if (verdict && type != EventType::none && last_event_ != EventType::none && point_ > 0)
+    segments_.between(*verdict);
+  place(type, parameter_of(row), at_rest,
+        own == std::end(stability_names)
+            ? std::nullopt
+            : std::optional(static_cast<StabilityClass>(own - std::begin(stability_names))));
+  if (proves())
+    count_proof(row.certified != proof_word(false), parameter_of(row), "as it was in the table");
+  for (const Column c : {Column::sheet, Column::point, Column::segment}) row[c] = row_[c];
+  if (writer_ != nullptr) writer_->write(row);
+  ++point_;
+}
+
+void CurveTable::count_proof(bool proven, double parameter, const std::string& reason) {
+  if (!proven && proofs_.proven == proofs_.rows) {
+    proofs_.first_gap = parameter;
+    proofs_.reason = reason;
+  }
+  ++proofs_.rows;
+  proofs_.proven += proven;
+}
+
+double CurveTable::parameter_of(const TableRow& row) const {
+  return std::isnan(row.parameter) ? spin(branch_, row) : row.parameter;
+}
+
+}  // namespace stationary

@@ -1,0 +1,106 @@
+// A followed curve as rows of a table, and what is to be told of the whole: its segments of one
+// class, where its events stand, how it ended.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/program/rows/equilibrium_row.hpp"
+#include "solver/proof/event_enclosure.hpp"
+#include "solver/family/follow_sheet.hpp"
+#include "solver/motion/problem.hpp"
+#include "solver/program/rows/segments.hpp"
+#include "solver/program/table/table.hpp"
+
+namespace stationary {
+
+/// An end of a sheet in its table.
+struct EndRecord {
+  EventType event = EventType::none;  ///< none: not followed to its end
+  double parameter = std::numeric_limits<double>::quiet_NaN();
+  std::string reason;
+};
+
+/// A sheet beside its rows.
+struct SheetRecord {
+  int sheet = 1;
+  std::vector<EventRecord> events;
+  std::vector<Segment> segments;
+  EndRecord first;
+  EndRecord last;
+};
+
+/// How many rows are proven.
+struct CurveProofs {
+  long rows = 0;
+  long proven = 0;
+  double first_gap = std::numeric_limits<double>::quiet_NaN();  ///< parameter of one that is not
+  std::string reason;                                           ///< why that one is not
+};
+
+class CurveTable final : public CurveSink {
+ public:
+  /// Rows of sheet `sheet`; branch: a name that outlives this; writer may be null: then there is
+  /// only what is told of the whole.
+  CurveTable(std::string_view branch, RowSink* writer, int sheet = 1)
+      : branch_(branch), writer_(writer) {
+    row_[Column::sheet] = sheet;
+  }
+
+  /// Proves every row (prove_row()), and of an event's row that the event is there
+  /// (event_enclosure.hpp); problem_at(p) is the problem at the parameter p.
+  void prove(std::function<Problem(double)> problem_at, const FamilyParameter& parameter) {
+    problem_at_ = std::move(problem_at);
+    parameter_ = parameter;
+  }
+  /// prove_row() of a member whose row is filled.
+  using Prover = std::function<RowProof(const Member&, const Equilibrium&, TableRow&)>;
+  /// Proves every row of a family whose events have no enclosures.
+  void prove(Prover prover) { prover_ = std::move(prover); }
+  void row(const Member& member, EventType event) override;
+  void between(StabilityClass verdict) override { segments_.between(verdict); }
+  /// A row that was in a table already, with this table's sheet and next point; verdict: the class
+  /// of its segment there.
+  void again(TableRow row, std::optional<StabilityClass> verdict);
+  /// Adds to the events of the rows so far their rows and enclosures.
+  void complete(std::vector<EventRecord>& events) const;
+  /// Of the rows so far; report: what was told of following them, its events completed.
+  SheetRecord record(const FollowReport& report) const;
+  const CurveProofs& proofs() const { return proofs_; }
+
+ private:
+  struct EventRow {
+    EventType type;
+    double parameter;
+    long point;
+    std::optional<Interval> enclosure;
+  };
+
+  bool proves() const { return problem_at_ || prover_; }
+  RowProof prove(const Member& member, EventType event);
+  void count_proof(bool proven, double parameter, const std::string& reason);
+  double parameter_of(const TableRow& row) const;
+  /// A row's place among the segments and the events; verdict: its own class.
+  void place(EventType event, double parameter, bool at_rest,
+             std::optional<StabilityClass> verdict);
+
+  std::string_view branch_;
+  RowSink* writer_;
+  long point_ = 0;
+  TableRow row_;
+  SegmentBuilder segments_;
+  double first_parameter_ = std::numeric_limits<double>::quiet_NaN();
+  double last_parameter_ = std::numeric_limits<double>::quiet_NaN();
+  EventType last_event_ = EventType::none;
+  std::function<Problem(double)> problem_at_;  ///< empty, and prover_ too: nothing is proven
+  FamilyParameter parameter_;
+  Prover prover_;
+  CurveProofs proofs_;
+  std::vector<EventRow> events_;
+};
+
+}  // namespace stationary

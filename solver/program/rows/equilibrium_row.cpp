@@ -1,0 +1,203 @@
+#include "solver/program/rows/equilibrium_row.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "lib/body/inertia.hpp"
+#include "lib/balance/two_polar.hpp"
+#include "solver/proof/anisotropic_enclosure.hpp"
+#include "solver/proof/tilted_enclosure.hpp"
+#include "solver/proof/two_polar_enclosure.hpp"
+
+namespace stationary {
+namespace {
+
+void fill_stretch(const Stretch& q, const ColumnSet& wanted, TableRow& row) {
+  row[Column::alpha] = q.alpha;
+  row[Column::xi] = q.xi;
+  row[Column::zeta] = q.zeta;
+  row[Column::rho] = q.rho;
+  if (!wanted.has_any(Column::lambda, Column::angle)) return;
+  const PrincipalStretches principal = principal_stretches(q);
+  row[Column::lambda] = principal.lambda;
+  row[Column::mu] = principal.mu;
+  row[Column::angle] = principal.theta.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+void fill_motion(const Vector3<double>& nu, TableRow& row) {
+  row[Column::nu1] = nu[0];
+  row[Column::nu2] = nu[1];
+  row[Column::nu3] = nu[2];
+}
+
+void fill_momentum(const Vector3<double>& pi, TableRow& row) {
+  row[Column::pi1] = pi[0];
+  row[Column::pi2] = pi[1];
+  row[Column::pi3] = pi[2];
+}
+
+/// pi = I nu.
+void fill_rotation(const Body& body, const Stretch& q, const Vector3<double>& nu,
+                   const ColumnSet& wanted, TableRow& row) {
+  fill_motion(nu, row);
+  if (wanted.has_any(Column::pi1, Column::pi3)) fill_momentum(locked_inertia(body, q) * nu, row);
+}
+
+/// At the moment theta = 0.
+void fill_two_polar(const TwoPolarRates<double>& rates, const TwoPolarMomenta<double>& momenta,
+                    TableRow& row) {
+  fill_motion({0.0, 0.0, rates.omega + rates.theta_dot}, row);
+  fill_momentum({0.0, 0.0, momenta.s3}, row);
+  row[Column::omega] = rates.omega;
+  row[Column::theta_dot] = rates.theta_dot;
+  row[Column::s3] = momenta.s3;
+  row[Column::p_theta] = momenta.p_theta;
+}
+
+void fill_errors(const auto& solved, TableRow& row) {
+  row[Column::residual] = solved.residual;
+  row[Column::compatibility] = solved.compatibility;
+  row[Column::error_bound] = solved.error_bound;
+}
+
+/// What is proven, in its columns; proven_class() of a proven motion whose spectrum is there.
+template <class Class>
+RowProof noted(const Certificate& certificate, const std::optional<Spectrum>& spectrum,
+               TableRow& row, const Class& proven_class) {
+  const bool assuming = !certificate.assuming.empty();
+  RowProof out{certificate.proven, false, assuming, certificate.reason};
+  if (out.proven) {
+    row[Column::error_bound] = certificate.error_bound;
+    out.class_proven = spectrum && proven_class() == spectrum->verdict;
+  }
+  row.certified = proof_word(out.proven, assuming);
+  if (spectrum) row.class_certified = proof_word(out.class_proven, assuming);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Column> equilibrium_columns(const RowParts& parts) {
+  std::vector<Column> out;
+  for (std::size_t k = 0; k < column_count; ++k) {
+    const auto c = static_cast<Column>(k);
+    if (((c == Column::event || c == Column::segment) && !parts.events) ||
+        (needs_spectrum(c) && !parts.spectrum) || (is_two_polar(c) && !parts.two_polar) ||
+        (is_certificate(c) && !parts.certificate) ||
+        (c == Column::class_certified && !parts.spectrum) || (c == Column::status && !parts.map) ||
+        (c == Column::sheet && parts.map))
+      continue;
+    out.push_back(c);
+  }
+  return out;
+}
+
+void fill_row(std::string_view branch, const Body& body, const Potential& potential,
+              const Equilibrium& equilibrium, const ColumnSet& wanted, TableRow& row) {
+  const Stretch& q = equilibrium.q;
+  const Vector3<double>& nu = equilibrium.nu;
+  row.branch = branch;
+  fill_stretch(q, wanted, row);
+  fill_rotation(body, q, nu, wanted, row);
+  if (wanted.has(Column::energy)) row[Column::energy] = energy(body, potential, q, nu);
+  fill_errors(equilibrium, row);
+}
+
+void fill_row(std::string_view branch, const Member& member, const ColumnSet& wanted,
+              TableRow& row) {
+  row.branch = branch;
+  fill_stretch(member.q, wanted, row);
+  if (member.two_polar) {
+    fill_two_polar(member.two_polar->rates, member.two_polar->momenta, row);
+  } else {
+    fill_rotation(member.body, member.q, member.angular_velocity, wanted, row);
+  }
+  row[Column::energy] = member.energy;
+  fill_errors(member, row);
+  row.parameter = member.parameter;
+  if (member.spectrum) fill_spectrum(*member.spectrum, row);
+}
+
+double spin(std::string_view branch, const TableRow& row) {
+  constexpr Column nu[] = {Column::nu1, Column::nu2, Column::nu3};
+  if (const auto about = branch_from_name(branch)) return row[nu[axis(*about)]];
+  return std::hypot(row[nu[0]], row[nu[1]], row[nu[2]]);
+}
+
+void fill_row(const Body& body, const Potential& potential, const TwoPolarEquilibrium& equilibrium,
+              const ColumnSet& wanted, TableRow& row) {
+  const Vector3<double>& x = equilibrium.x;
+  const Stretch q{0.0, x[0], x[1], x[2]};
+  const TwoPolarRates<double>& rates = equilibrium.rates;
+  const TwoPolarMomenta<double>& momenta = equilibrium.momenta;
+  row.branch = two_polar_name;
+  fill_stretch(q, wanted, row);
+  fill_two_polar(rates, momenta, row);
+  if (wanted.has(Column::energy))
+    row[Column::energy] = two_polar_kinetic_energy(body.J1, x, rates) + potential.value(q);
+  row[Column::residual] = equilibrium.residual;
+  row[Column::compatibility] = 0.0;  // both vectors lie along axis 3
+  row[Column::error_bound] = equilibrium.error_bound;
+}
+
+namespace {
+
+/// Of a Spectrum or a CellSpectrum.
+void fill_from(const auto& spectrum, TableRow& row) {
+  row.stability = name(spectrum.verdict);
+  row[Column::growth] = spectrum.growth;
+  row[Column::negative] = spectrum.negative;
+  for (int k = spectrum.modes; k < mode_count; ++k)
+    for (const ModePart part : {ModePart::re, ModePart::im, ModePart::krein})
+      row[mode_column(k, part)] = std::numeric_limits<double>::quiet_NaN();
+  for (int k = 0; k < spectrum.modes; ++k) {
+    const auto& mode = spectrum.mode[static_cast<std::size_t>(k)];
+    row[mode_column(k, ModePart::re)] = mode.re;
+    row[mode_column(k, ModePart::im)] = mode.im;
+    row[mode_column(k, ModePart::krein)] =
+        mode.krein_open ? std::numeric_limits<double>::quiet_NaN() : mode.krein;
+  }
+}
+
+}  // namespace
+
+void fill_spectrum(const Spectrum& spectrum, TableRow& row) { fill_from(spectrum, row); }
+void fill_spectrum(const CellSpectrum& spectrum, TableRow& row) { fill_from(spectrum, row); }
+
+RowProof prove_row(const Problem& problem, const Equilibrium& equilibrium,
+                   const std::optional<Spectrum>& spectrum, TableRow& row) {
+  const Certificate certificate = certify(problem, equilibrium);
+  return noted(certificate, spectrum, row, [&] {
+    return enclose_spectrum(problem, equilibrium, certificate, *spectrum).verdict;
+  });
+}
+
+RowProof prove_row(const Body& body, const Potential& potential, const TiltedRotation& motion,
+                   const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
+                   TableRow& row) {
+  const Certificate certificate = certify_tilted(body, potential, motion, equilibrium);
+  return noted(certificate, spectrum, row, [&] {
+    return enclose_spectrum(body, potential, motion, certificate, *spectrum).verdict;
+  });
+}
+
+RowProof prove_row(const Body& body, const Potential& potential, const ObliqueRotation& motion,
+                   const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
+                   TableRow& row) {
+  const Certificate certificate = certify_oblique(body, potential, motion, equilibrium);
+  return noted(certificate, spectrum, row, [&] {
+    return enclose_oblique_spectrum(body, potential, motion, certificate, *spectrum).verdict;
+  });
+}
+
+RowProof prove_row(const Body& body, const Potential& potential, const TwoPolarMotion& motion,
+                   const TwoPolarEquilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
+                   TableRow& row) {
+  const Certificate certificate = certify_two_polar(body, potential, motion, equilibrium);
+  return noted(certificate, spectrum, row, [&] {
+    return enclose_spectrum(body, potential, motion, equilibrium, certificate, *spectrum).verdict;
+  });
+}
+
+}  // namespace stationary

@@ -1,0 +1,80 @@
+// One stationary ellipsoid as a row of the table: everything that follows from its equilibrium, and
+// from its spectrum where that was computed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/stability/spectrum.hpp"
+#include "solver/family/anisotropic_family.hpp"
+#include "solver/batch_spectrum/batch_spectrum.hpp"
+#include "solver/proof/certify.hpp"
+#include "solver/solve/solve.hpp"
+#include "solver/motion/family.hpp"
+#include "solver/program/table/table.hpp"
+#include "solver/family/tilted_family.hpp"
+#include "solver/solve/two_polar_equilibrium.hpp"
+
+namespace stationary {
+
+/// What a table's rows carry beside the motion, its stretches and their errors.
+struct RowParts {
+  bool two_polar = false;
+  bool events = false;
+  bool spectrum = false;
+  bool certificate = false;
+  bool map = false;  ///< a map's cells, which have a status and no sheet
+};
+
+/// The columns fill_row(), fill_spectrum(), prove_row() and the caller's sheet, point and
+/// event make up, in order.
+std::vector<Column> equilibrium_columns(const RowParts& parts);
+
+/// Motion, stretch, principal stretches (no angle on the circle), momenta, energy and the errors
+/// of a solved equilibrium; leaves the other columns as they are, and so those of principal
+/// stretches, momenta and energy of which none is wanted.
+void fill_row(std::string_view branch, const Body& body, const Potential& potential,
+              const Equilibrium& equilibrium, const ColumnSet& wanted, TableRow& row);
+
+/// Likewise of a member of a family, its parameter and, where it was computed, its spectrum.
+void fill_row(std::string_view branch, const Member& member, const ColumnSet& wanted,
+              TableRow& row);
+
+/// nu along a branch's axis, |nu| of a tilted motion; NaN where its columns are.
+double spin(std::string_view branch, const TableRow& row);
+
+/// Likewise of a two-polar motion, at the moment theta = 0: S = diag(lambda, mu, rho), nu3 = omega
+/// + theta' (the paper's L^-1 L'), pi3 = s3.
+void fill_row(const Body& body, const Potential& potential, const TwoPolarEquilibrium& equilibrium,
+              const ColumnSet& wanted, TableRow& row);
+
+/// class ... krein5; modes that do not exist, or were not computed, stay empty, and so does a
+/// signature that is not certain.
+void fill_spectrum(const Spectrum& spectrum, TableRow& row);
+void fill_spectrum(const CellSpectrum& spectrum, TableRow& row);
+
+/// What the columns `certified` and `class_certified` say.
+struct RowProof {
+  bool proven = false;
+  bool class_proven = false;
+  bool assuming = false;  ///< what the certificate takes for granted
+  std::string reason;     ///< why nothing is proven
+};
+
+/// Proves what the row says of the equilibrium: certified, with the proven error_bound where there
+/// is one, and class_certified where there is a spectrum.
+RowProof prove_row(const Problem& problem, const Equilibrium& equilibrium,
+                   const std::optional<Spectrum>& spectrum, TableRow& row);
+RowProof prove_row(const Body& body, const Potential& potential, const TiltedRotation& motion,
+                   const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
+                   TableRow& row);
+RowProof prove_row(const Body& body, const Potential& potential, const ObliqueRotation& motion,
+                   const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
+                   TableRow& row);
+RowProof prove_row(const Body& body, const Potential& potential, const TwoPolarMotion& motion,
+                   const TwoPolarEquilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
+                   TableRow& row);
+
+}  // namespace stationary

@@ -1,0 +1,147 @@
+#include "solver/program/rows/map_grid.hpp"
+
+#include <limits>
+#include <optional>
+#include <variant>
+
+#include "solver/batch_spectrum/batch_spectrum.hpp"
+#include "solver/program/case/case_parameter.hpp"
+#include "solver/solve/stability.hpp"
+
+namespace stationary {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+CellStatus cell_status(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::solved:
+      return CellStatus::solved;
+    case SolveStatus::none_exists:
+      return CellStatus::none_exists;
+    case SolveStatus::not_found:
+      return CellStatus::not_found;
+    default:
+      return CellStatus::failed;
+  }
+}
+
+}  // namespace
+
+MapGrid::MapGrid(const Case& input)
+    : branch_(std::get<AxisRotation>(input.motion).branch),
+      x_(input.map.value().x.values()),
+      y_(input.map->y ? input.map->y->values() : std::vector<double>{not_a_number}),
+      x_is_nu_(input.map->x.parameter == "nu"),
+      y_is_nu_(input.map->y && input.map->y->parameter == "nu"),
+      batch_(input.problem(),
+             x_is_nu_   ? y_.size()
+             : y_is_nu_ ? x_.size()
+                        : size(),
+             x_is_nu_   ? x_
+             : y_is_nu_ ? y_
+                        : std::vector<double>{std::get<AxisRotation>(input.motion).nu}) {
+  const auto vary = [&](const MapAxis& axis, bool is_x) {
+    std::vector<double> each(batch_.lanes);
+    for (std::size_t row = 0; row < size(); ++row)
+      each[place(row).lane] = is_x ? x_[row % x_.size()] : y_[row / x_.size()];
+    const FamilyParameter what = family_parameter(axis.parameter, input.models);
+    const auto k = static_cast<std::size_t>(what.index);
+    switch (what.kind) {
+      case FamilyParameter::Kind::inertia:
+        batch_.inertia[k] = std::move(each);
+        break;
+      case FamilyParameter::Kind::plane:
+        batch_.plane[k] = std::move(each);
+        break;
+      case FamilyParameter::Kind::thickness:
+        batch_.thickness[k] = std::move(each);
+        break;
+      case FamilyParameter::Kind::shared:
+        batch_.plane[k] = each;
+        batch_.thickness[k] = std::move(each);
+        break;
+      case FamilyParameter::Kind::fibre:
+        batch_.fibres[k] = std::move(each);
+        break;
+      case FamilyParameter::Kind::nu:  // the steps of every lane
+        break;
+    }
+  };
+  vary(input.map->x, true);
+  if (input.map->y) vary(*input.map->y, false);
+}
+
+MapGrid::Place MapGrid::place(std::size_t row) const {
+  const std::size_t x = row % x_.size();
+  const std::size_t y = row / x_.size();
+  if (x_is_nu_) return {y, x};
+  if (y_is_nu_) return {x, y};
+  return {row, 0};
+}
+
+RowCounts MapGrid::rows(const BatchResult& solved, std::size_t first, std::size_t last,
+                        const RowParts& parts, const ColumnSet& wanted,
+                        std::vector<TableRow>& out) const {
+  out.clear();
+  RowCounts counts;
+  std::optional<Problem> problem;
+  std::size_t lane = 0;
+  std::vector<CellPlace> places;  // whose spectra are made together, and which rows these are
+  std::vector<std::size_t> rows;
+  for (std::size_t k = first; k < last; ++k) {
+    const Place at = place(k);
+    const BatchCell cell = solved.cell(at.lane, at.step);
+    if (cell.status == SolveStatus::not_run) continue;
+    TableRow& row = out.emplace_back();
+    row.branch = name(branch_);
+    row[Column::point] = static_cast<double>(k);
+    row.parameter = x_[k % x_.size()];
+    row.second_parameter = y_[k / x_.size()];
+    Equilibrium found;
+    found.nu = angular_velocity(branch_, batch_.nu[at.step]);
+    row[Column::nu1] = found.nu[0];
+    row[Column::nu2] = found.nu[1];
+    row[Column::nu3] = found.nu[2];
+    CellStatus status = cell_status(cell.status);
+    if (status == CellStatus::solved) {
+      if (!problem || lane != at.lane) problem.emplace(batch_.problem(lane = at.lane));
+      found.status = SolveStatus::solved;
+      found.q = {cell.alpha, cell.xi, cell.zeta, cell.rho};
+      found.error_bound = cell.error_bound;
+      const BalanceCheck check =
+          check_balance(problem->body(), problem->potential(), found.q, found.nu);
+      found.residual = check.residual;
+      found.compatibility = check.compatibility;
+      if (check.residual <= acceptable_residual) {
+        fill_row(name(branch_), problem->body(), problem->potential(), found, wanted, row);
+        counts.potentials += wanted.has(Column::energy);
+        if (parts.certificate) {
+          // A proof asks for all that is known of the spectrum.
+          std::optional<Spectrum> spectrum;
+          if (parts.spectrum) spectrum = stability(*problem, found);
+          if (spectrum) fill_spectrum(*spectrum, row);
+          counts.spectra += parts.spectrum;
+          counts.scalar_spectra += parts.spectrum;
+          (void)prove_row(*problem, found, spectrum, row);
+        } else if (parts.spectrum) {
+          places.push_back({at.lane, at.step});
+          rows.push_back(out.size() - 1);
+        }
+      } else {
+        status = CellStatus::failed;
+      }
+    }
+    row.status = name(status);
+  }
+  std::vector<CellSpectrum> spectra(places.size());
+  const SpectrumOptions options{.modes = wanted.has(Column::growth) ||
+                                         wanted.has_any(Column::re1, Column::krein5)};
+  counts.spectra += static_cast<long>(places.size());
+  counts.scalar_spectra +=
+      static_cast<long>(cell_spectra(batch_, solved, places, options, spectra));
+  for (std::size_t i = 0; i < rows.size(); ++i) fill_spectrum(spectra[i], out[rows[i]]);
+  return counts;
+}
+
+}  // namespace stationary

@@ -1,0 +1,318 @@
+#include "solver/program/rows/metadata.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "solver/program/table/table.hpp"
+
+namespace stationary {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json model_json(const ModelChoice& model) {
+  Json out;
+  if (model.tape) {
+    out["expression"] = model.formula.expression;
+    for (const Formula::Part& part : model.formula.parts) out["let"][part.name] = part.text;
+    if (!model.formula.conditions.empty()) out["domain"] = model.formula.conditions;
+  } else if (model.description.kind != ModelDescription::Kind::fibre) {
+    out["model"] = model.description.name;
+  }
+  for (std::size_t k = 0; k < model.coefficients.size(); ++k)
+    out[std::string(model.description.parameters[k])] = model.coefficients[k];
+  return out;
+}
+
+Json motion_json(const Case::Motion& motion) {
+  if (const auto* rotation = std::get_if<AxisRotation>(&motion))
+    return {{"branch", name(rotation->branch)}, {"nu", rotation->nu}};
+  if (const auto* tilted = std::get_if<TiltedMotion>(&motion)) {
+    if (!tilted->plane) return {{"branch", tilted_name}, {"nu", tilted->nu}};
+    return {{"branch", tilted_name}, {"plane", name(*tilted->plane)}, {"nu", tilted->nu}};
+  }
+  if (const auto* oblique = std::get_if<ObliqueRotation>(&motion)) {
+    if (!oblique->near) return {{"branch", oblique_name}, {"nu", oblique->nu}};
+    const char* axis = *oblique->near == Branch::i ? "1" : "2";
+    return {{"branch", oblique_name}, {"axis", axis}, {"nu", oblique->nu}};
+  }
+  const TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
+  if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar)) {
+    return {{"branch", two_polar_name}, {"omega", rates->omega}, {"theta_dot", rates->theta_dot}};
+  }
+  const auto& momenta = std::get<TwoPolarMomenta<double>>(two_polar);
+  return {{"branch", two_polar_name}, {"s3", momenta.s3}, {"p_theta", momenta.p_theta}};
+}
+
+Json axis_json(const MapAxis& axis) {
+  return {{"parameter", axis.parameter},
+          {"from", axis.from},
+          {"to", axis.to},
+          {"count", axis.count},
+          {"scale", name(axis.scale)}};
+}
+
+/// The case file's own keys, defaults included.
+Json case_json(const Case& input) {
+  Json out;
+  out["title"] = input.title;
+  out["body"]["J"] = {input.body.J1, input.body.J2, input.body.J3};
+  for (const ModelChoice& model : input.models) out["potential"][model.slot] = model_json(model);
+  out["motion"] = motion_json(input.motion);
+  Json& solve = out["solve"];
+  if (const auto& start = input.solve.start)
+    solve["start"] = {start->alpha, start->xi, start->zeta, start->rho};
+  solve["method"] = name(input.solve.method);
+  solve["all"] = input.solve.all;
+  if (const auto& continuation = input.continuation) {
+    out["continuation"] = {{"parameter", continuation->parameter},
+                           {"from", continuation->from},
+                           {"to", continuation->to},
+                           {"tolerance", continuation->tolerance},
+                           {"step", continuation->step},
+                           {"max_points", continuation->max_points},
+                           {"events", continuation->events}};
+  }
+  if (input.map) {
+    out["map"]["x"] = axis_json(input.map->x);
+    if (input.map->y) out["map"]["y"] = axis_json(*input.map->y);
+  }
+  out["output"] = {{"spectrum", input.output.spectrum},
+                   {"certificate", input.output.certificate},
+                   {"columns", input.output.columns}};
+  return out;
+}
+
+Json event_json(const EventRecord& event) {
+  Json out{{"event", name(event.type)},
+           {"parameter", event.parameter},
+           {"bracket", {event.before, event.after}},
+           {"status", name(event.status)}};
+  if (event.enclosure) out["enclosure"] = {event.enclosure->lo, event.enclosure->hi};
+  return out;
+}
+
+Json events_json(const std::vector<EventRecord>& events) {
+  Json out = Json::array();
+  for (const EventRecord& event : events) out.push_back(event_json(event));
+  return out;
+}
+
+/// All curves' events, with their rows: none of an unresolved one.
+Json events_json(const std::vector<SheetRecord>& curves) {
+  Json out = Json::array();
+  for (const SheetRecord& curve : curves) {
+    for (const EventRecord& event : curve.events) {
+      Json each{{"event", name(event.type)}, {"sheet", curve.sheet}, {"point", nullptr}};
+      if (event.point) each["point"] = *event.point;
+      each.update(event_json(event));
+      out.push_back(std::move(each));
+    }
+  }
+  return out;
+}
+
+Json segments_json(const std::vector<SheetRecord>& curves) {
+  Json out = Json::array();
+  const auto bound = [](const SegmentBound& at) -> Json {
+    return {{"event", name(at.event)}, {"parameter", at.parameter}};
+  };
+  for (const SheetRecord& curve : curves) {
+    for (const Segment& segment : curve.segments) {
+      out.push_back({{"sheet", curve.sheet},
+                     {"segment", segment.number},
+                     {"class", segment.verdict ? Json(name(*segment.verdict)) : Json()},
+                     {"first_point", segment.first_point},
+                     {"last_point", segment.last_point},
+                     {"from", bound(segment.from)},
+                     {"to", bound(segment.to)},
+                     {"ranges", segment.ranges}});
+    }
+  }
+  return out;
+}
+
+Json ends_json(const std::vector<SheetRecord>& curves) {
+  Json out = Json::array();
+  for (const SheetRecord& curve : curves) {
+    for (const auto& [side, end] : {std::pair{"first", &curve.first}, {"last", &curve.last}}) {
+      out.push_back({{"sheet", curve.sheet},
+                     {"side", side},
+                     {"event", name(end->event)},
+                     {"parameter", end->parameter},
+                     {"reason", end->reason}});
+    }
+  }
+  return out;
+}
+
+Json sheets_json(const std::vector<AtlasSheet>& sheets) {
+  Json out = Json::array();
+  for (const AtlasSheet& sheet : sheets) {
+    Json each{{"sheet", sheet.number},
+              {"branch", kind_name(sheet)},
+              {"entry", name(sheet.entry)},
+              {"entry_nu", sheet.entry_nu},
+              {"rows", sheet.rows.size()}};
+    for (const auto& [key, junction] :
+         {std::pair{"parent", sheet.parent}, {"joins", sheet.joins}}) {
+      if (!junction) continue;
+      each[key] = {
+          {"sheet", junction->sheet}, {"event", name(junction->event)}, {"nu", junction->nu}};
+    }
+    const auto end = [](const AtlasRow& row, const SheetEnd& why) -> Json {
+      return {{"event", name(row.event)}, {"nu", row.member.nu}, {"reason", why.reason}};
+    };
+    if (sheet.report.vertical) each["vertical"] = true;
+    each["first_end"] = end(sheet.rows.front(), sheet.report.backward);
+    each["last_end"] = end(sheet.rows.back(), sheet.report.forward);
+    each["events"] = events_json(sheet.report.events);
+    out.push_back(std::move(each));
+  }
+  return out;
+}
+
+Json remarks_json(const std::vector<Remark>& remarks) {
+  Json out = Json::array();
+  for (const Remark& each : remarks) {
+    Json remark{{"branch", kind_name(each.branch, each.oblique)}};
+    if (each.entry) {
+      remark["entry"] = name(*each.entry);
+      remark["nu"] = each.nu;
+    }
+    remark["reason"] = each.reason;
+    out.push_back(std::move(remark));
+  }
+  return out;
+}
+
+Json checkpoints_json(const std::vector<Checkpoint>& checkpoints) {
+  Json out = Json::array();
+  for (const Checkpoint& at : checkpoints) {
+    out.push_back({{"branch", kind_name(at.branch, at.oblique)},
+                   {"nu", at.nu},
+                   {"search", name(at.status)},
+                   {"proven", at.proven},
+                   {"unproven", at.unproven},
+                   {"on_sheets", at.on_sheets},
+                   {"on_sheets_not_proven", at.beyond},
+                   {"complete", at.complete()}});
+  }
+  return out;
+}
+
+Json items_json(const std::vector<PlanItem>& items) {
+  Json out = Json::array();
+  for (const PlanItem& item : items)
+    out.push_back({{"quantity", item.quantity}, {"how", item.how}, {"why", item.why}});
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string_view, long>> named_counts(const Counts& counts) {
+  return {{"residuals", counts.residuals},
+          {"jacobians", counts.jacobians},
+          {"extended_residuals", counts.extended_residuals},
+          {"newton_steps", counts.newton_steps},
+          {"ceres_iterations", counts.ceres_iterations},
+          {"nlopt_evaluations", counts.nlopt_evaluations},
+          {"walk_steps", counts.walk_steps}};
+}
+
+std::string metadata_json(const Metadata& metadata) {
+  Json out;
+  out["schema"] = 2;
+  out["program"] = "stationary";
+  out["version"] = metadata.version;
+  out["command_line"] = metadata.command_line;
+  if (metadata.input != nullptr) {
+    out["case_file"] = metadata.input->source.name();
+    out["case"] = case_json(*metadata.input);
+    Json overrides = Json::object();
+    for (const auto& [key, option] : metadata.input->source.overrides()) overrides[key] = option;
+    out["overrides"] = overrides;
+  }
+  for (const auto& [name, text] : metadata.outcome) out[std::string(name)] = text;
+  out["rows"] = metadata.rows;
+  out["checksum"] = metadata.checksum;
+  out["seconds"] = metadata.seconds;
+  out["events"] = events_json(metadata.curves);
+  out["segments"] = segments_json(metadata.curves);
+  out["ends"] = ends_json(metadata.curves);
+  if (!metadata.unproven_sheets.empty()) out["unproven_sheets"] = metadata.unproven_sheets;
+  if (metadata.atlas != nullptr) {
+    out["sheets"] = sheets_json(metadata.atlas->sheets);
+    out["checkpoints"] = checkpoints_json(metadata.atlas->checkpoints);
+    out["remarks"] = remarks_json(metadata.atlas->remarks);
+  }
+  Json counts = Json::object();
+  for (const auto& [name, count] : metadata.counts) counts[std::string(name)] = count;
+  out["counts"] = counts;
+  if (metadata.input != nullptr)
+    if (const auto assumed = metadata.input->potential.assumptions(); !assumed.empty())
+      out["assumed"] = assumed;
+  out["plan"] = items_json(metadata.plan);
+  out["skipped"] = items_json(metadata.skipped);
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+bool is_of_case(std::string_view metadata, const Case& input) {
+  using Unordered = nlohmann::json;
+  auto found = Unordered::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  if (!found.is_object() || !found.contains("case")) return false;
+  auto expected = Unordered::parse(case_json(input).dump());  // numbers as they are read back
+  for (Unordered* each : {&found["case"], &expected}) {
+    if (!each->is_object() || !each->contains("continuation")) return false;
+    if (!(*each)["continuation"].is_object()) return false;
+    for (const char* key : {"step", "max_points"}) (*each)["continuation"].erase(key);
+  }
+  return found["case"] == expected;
+}
+
+std::optional<CurveRecord> curve_record(std::string_view metadata) {
+  try {
+    const Json found = Json::parse(metadata);
+    CurveRecord out{
+        found.at("rows").get<std::size_t>(), found.at("checksum").get<std::string>(), {}, {}};
+    for (const Json& event : found.at("events")) {
+      const auto* const type = std::ranges::find(event_names, event.at("event").get<std::string>());
+      const auto* const status =
+          std::ranges::find(event_status_names, event.at("status").get<std::string>());
+      if (type == std::end(event_names) || status == std::end(event_status_names))
+        return std::nullopt;
+      out.events.push_back({static_cast<EventType>(type - std::begin(event_names)),
+                            event.at("parameter").get<double>(),
+                            event.at("bracket").at(0).get<double>(),
+                            event.at("bracket").at(1).get<double>(),
+                            static_cast<EventStatus>(status - std::begin(event_status_names))});
+      if (const auto proven = event.find("enclosure"); proven != event.end()) {
+        out.events.back().enclosure =
+            Interval(proven->at(0).get<double>(), proven->at(1).get<double>());
+      }
+    }
+    for (const Json& segment : found.at("segments")) {
+      if (segment.at("class").is_null()) {  // as marginal: it says nothing of the curve
+        out.segments.push_back(StabilityClass::marginal);
+        continue;
+      }
+      const auto* const verdict =
+          std::ranges::find(stability_names, segment.at("class").get<std::string>());
+      if (verdict == std::end(stability_names)) return std::nullopt;
+      out.segments.push_back(static_cast<StabilityClass>(verdict - std::begin(stability_names)));
+    }
+    return out;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::string case_title(std::string_view metadata) {
+  const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  const Json::json_pointer place("/case/title");
+  return found.contains(place) && found[place].is_string() ? found[place].get<std::string>()
+                                                           : std::string();
+}
+
+}  // namespace stationary

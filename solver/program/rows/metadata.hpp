@@ -1,0 +1,61 @@
+// x.meta.json beside x.csv: what was asked, with overrides and defaults applied, what it cost, what
+// is to be told of the curves beside their rows, and what was not computed and why. Its JSON Schema
+// is metadata.schema.json.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "solver/atlas/atlas.hpp"
+#include "solver/program/case/case_file.hpp"
+#include "solver/program/rows/curve_table.hpp"
+
+namespace stationary {
+
+struct Metadata {
+  std::string version;
+  std::vector<std::string> command_line;
+  const Case* input = nullptr;
+  std::size_t rows = 0;
+  std::string checksum;  ///< of the rows (TableChecksum)
+  double seconds = 0.0;
+  std::vector<std::pair<std::string_view, long>> counts;
+  std::vector<SheetRecord> curves;  ///< the sheets followed
+  const Atlas* atlas = nullptr;     ///< its sheets, checkpoints and remarks
+  /// Of `solve` with all: the sheets of rows found where the search is undecided, and not proven.
+  std::vector<int> unproven_sheets;
+  std::vector<PlanItem> plan;     ///< how each unknown is had
+  std::vector<PlanItem> skipped;  ///< what was not computed, and why
+  /// Outcome, method, connection, message, class, ... by name.
+  std::vector<std::pair<std::string_view, std::string>> outcome;
+};
+
+/// The evaluation counts of one solve, by name.
+std::vector<std::pair<std::string_view, long>> named_counts(const Counts& counts);
+
+/// Whether metadata (JSON text) are of the same case but for how far and how finely it is followed
+/// (continuation.step and max_points).
+bool is_of_case(std::string_view metadata, const Case& input);
+
+/// What metadata of `continue` say of its table.
+struct CurveRecord {
+  std::size_t rows;
+  std::string checksum;
+  std::vector<EventRecord> events;
+  std::vector<StabilityClass> segments;  ///< their classes, in order
+};
+/// Nothing where a text is no such metadata.
+std::optional<CurveRecord> curve_record(std::string_view metadata);
+
+/// JSON text, indented, ending in a newline; bytes that are not UTF-8 are replaced.
+std::string metadata_json(const Metadata& metadata);
+
+/// The title of the case in such a text; empty where it has none, or is no such text.
+std::string case_title(std::string_view metadata);
+
+}  // namespace stationary

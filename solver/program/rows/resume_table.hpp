@@ -1,0 +1,28 @@
+// A table of `continue` that is to be gone on with: its rows, and which of its two ends are open
+// (the sheet's end would stand in their event cell).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/family/follow_sheet.hpp"
+#include "solver/program/table/table.hpp"
+
+namespace stationary {
+
+struct ResumedTable {
+  std::vector<TableRow> rows;
+  std::optional<OpenEnd> first;  ///< still to be followed, against the table's order
+  std::optional<OpenEnd> last;
+  // Of its metadata; read_resumed() leaves them out.
+  std::vector<EventRecord> events;
+  std::vector<StabilityClass> segments;  ///< their classes, in order
+};
+
+/// Throws InputError where the file is no such table: other columns than these (with the trailing
+/// parameter, if it has one), no rows, or without what a place on the curve takes.
+ResumedTable read_resumed(const std::string& path, const std::vector<Column>& columns,
+                          const std::optional<std::string>& parameter, std::string_view branch);
+
+}  // namespace stationary

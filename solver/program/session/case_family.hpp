@@ -1,0 +1,33 @@
+// The family a case is about, at any value of its parameter, and where following it starts.
+#pragma once
+
+#include "solver/program/case/case_parameter.hpp"
+#include "solver/program/session/command.hpp"
+#include "solver/program/rows/curve_table.hpp"
+#include "solver/family/follow_sheet.hpp"
+#include "solver/program/rows/resume_table.hpp"
+
+namespace stationary::cli {
+
+/// The family, and a solved member to start from.
+struct Start {
+  FamilyParameters at;  ///< with the parameter at p
+  double p;
+  Equilibrium found;
+};
+
+/// By solving at the case's own value of the parameter or at the beginning of its range;
+/// start.found says whether that came to something. Throws InputError for a start outside the
+/// range.
+Start solved_start(const Case& input, const ComputeOptions& options);
+
+/// Where a table goes on.
+Start resumed_start(const Case& input, const ResumedTable& old);
+
+/// Members as far as their outputs are asked for.
+AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum, bool to_table);
+
+/// Makes the table prove its rows.
+void prove_rows(const Case& input, const Start& start, CurveTable& rows);
+
+}  // namespace stationary::cli

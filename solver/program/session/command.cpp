@@ -1,0 +1,93 @@
+#include "solver/program/session/command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <string_view>
+
+#include "solver/program/table/atomic_file.hpp"
+#include "solver/program/text/input_error.hpp"
+#include "solver/program/text/nearest_name.hpp"
+
+namespace stationary::cli {
+
+CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& description) {
+  CLI::App& command = *program.add_subcommand(name, description);
+  command.set_version_flag("--version", STATIONARY_VERSION, "Print the version and exit");
+  return command;
+}
+
+void CaseOptions::add_to(CLI::App& command) {
+  command.add_option("CASE", path, "Case file (TOML)")->required();
+  command
+      .add_option("--set", overrides,
+                  "Override a key of the case, e.g. --set motion.nu=0.3 --set body.J=[1,1.7,0.6]; "
+                  "repeatable, the last one counts")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
+}
+
+std::string not_empty(const std::string& name) {
+  return name.empty() ? "found an empty name; expected a file" : "";
+}
+
+void ComputeOptions::add_to(CLI::App& command) {
+  CaseOptions::add_to(command);
+  command
+      .add_option("-o,--output", output,
+                  "Write the table there, and FILE's .meta.json beside it: HDF5 with the suffix "
+                  ".h5 or .hdf5, else CSV; - is standard output")
+      ->type_name("FILE")
+      ->check(not_empty);
+  command.add_flag("--certify", certify,
+                   "Prove each row and its error bound, as output.certificate = true");
+  command.add_flag("-q,--quiet", quiet, "No summary and no progress");
+  command.add_option("--threads", threads, "Threads to use")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+}
+
+Case ComputeOptions::read() const {
+  Case out = CaseOptions::read();
+  out.output.certificate = out.output.certificate || certify;
+  return out;
+}
+
+void complain(const std::string& message) {
+  const std::string line = "stationary: " + message + '\n';
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+void print(const std::string& text) { StandardOutput().write(text); }
+
+std::string refusal(const CLI::App& program, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& command = chosen.empty() ? program : *chosen.front();
+  const std::string help =
+      fmt::format("\nRun \"{}{} --help\" for what is allowed.", program.get_name(),
+                  chosen.empty() ? "" : " " + command.get_name());
+  // What was not understood explains more than what is missing because of it.
+  const std::vector<std::string> unknown = program.remaining(true);
+  if (unknown.empty()) return printable(error.what()) + help;
+
+  const std::string& word = unknown.front();
+  const bool is_option = word.starts_with('-');
+  std::vector<std::string> names;
+  if (is_option) {
+    for (const CLI::Option* option : command.get_options())
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  } else if (chosen.empty()) {
+    for (const CLI::App* each : program.get_subcommands({})) names.push_back(each->get_name());
+  }
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  std::string remedy =
+      did_you_mean(nearest_name(std::string_view(word).substr(0, word.find('=')), candidates));
+  if (!remedy.empty()) remedy = "; " + remedy;
+  const std::string_view what = is_option ? "option" : chosen.empty() ? "command" : "argument";
+  return fmt::format("unknown {} {}{}{}", what, in_quotes(word), remedy, help);
+}
+
+}  // namespace stationary::cli

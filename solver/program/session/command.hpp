@@ -1,0 +1,63 @@
+// A command: one file each, which adds its options to the program and, if chosen, leaves its
+// action.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "solver/program/case/case_file.hpp"
+#include "solver/program/session/exit_code.hpp"
+
+namespace stationary::cli {
+
+struct Session {
+  std::vector<std::string> command_line;
+  std::function<ExitCode()> action;  ///< of the command chosen; empty if none was
+};
+
+void add_solve(CLI::App& program, Session& session);
+void add_continue(CLI::App& program, Session& session);
+void add_atlas(CLI::App& program, Session& session);
+void add_map(CLI::App& program, Session& session);
+void add_check(CLI::App& program, Session& session);
+void add_models(CLI::App& program, Session& session);
+void add_plot(CLI::App& program, Session& session);
+
+/// CASE and --set.
+struct CaseOptions {
+  std::string path;
+  std::vector<std::string> overrides;
+
+  void add_to(CLI::App& command);
+  Case read() const { return read_case(path, overrides); }
+};
+
+/// What every computing command takes beside.
+struct ComputeOptions : CaseOptions {
+  std::string output;  ///< empty: a summary for a person; "-": CSV on standard output
+  bool certify = false;
+  bool quiet = false;
+  int threads = 1;
+
+  void add_to(CLI::App& command);
+  Case read() const;
+};
+
+/// A check of an option that names a file: what is wrong, or nothing.
+std::string not_empty(const std::string& name);
+
+/// A command with the options all have in common.
+CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& description);
+
+/// One line on standard error, after the program's name.
+void complain(const std::string& message);
+
+/// One block of text on standard output. Throws std::runtime_error where it cannot be written.
+void print(const std::string& text);
+
+/// The message for arguments CLI11 refused, with the nearest command or option.
+std::string refusal(const CLI::App& program, const CLI::ParseError& error);
+
+}  // namespace stationary::cli

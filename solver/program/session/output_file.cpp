@@ -1,0 +1,33 @@
+#include "solver/program/session/output_file.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "solver/program/text/input_error.hpp"
+
+namespace stationary::cli {
+
+void refuse_output(const std::string& path, const std::string& found, const std::string& remedy) {
+  throw InputError(Origin::of_option("-o " + path), "", found, "a file that can be written",
+                   remedy);
+}
+
+void refuse_to_replace(const std::string& path, const std::filesystem::path& target,
+                       const std::string& input, std::string_view what) {
+  std::error_code error;
+  if (std::filesystem::equivalent(target, input, error))
+    refuse_output(path, fmt::format("{} is {}", printable(target.string()), what),
+                  "choose another name");
+}
+
+void open_output(std::optional<AtomicFile>& file, const std::string& path) {
+  try {
+    file.emplace(path);
+  } catch (const UnwritableFile& reason) {
+    refuse_output(path, std::string("cannot write it: ") + reason.what(),
+                  "check the directory and its permissions");
+  }
+}
+
+}  // namespace stationary::cli

@@ -1,0 +1,24 @@
+// The file named after -o: refused with a reason before anything is computed, or opened.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "solver/program/table/atomic_file.hpp"
+
+namespace stationary::cli {
+
+/// Throws InputError about "-o path"; remedy may be empty.
+[[noreturn]] void refuse_output(const std::string& path, const std::string& found,
+                                const std::string& remedy);
+
+/// Refuses a target, of those "-o path" implies, that is the input; what says what that is.
+void refuse_to_replace(const std::string& path, const std::filesystem::path& target,
+                       const std::string& input, std::string_view what);
+
+/// Opens it, or refuses.
+void open_output(std::optional<AtomicFile>& file, const std::string& path);
+
+}  // namespace stationary::cli

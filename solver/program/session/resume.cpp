@@ -1,0 +1,130 @@
+#include "solver/program/session/resume.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "solver/program/table/atomic_file.hpp"
+#include "solver/program/table/column_file.hpp"
+#include "solver/program/rows/metadata.hpp"
+
+namespace stationary::cli {
+namespace {
+
+/// Compares what is written to it with a file from its beginning on.
+class SameBytes final : public ByteSink {
+ public:
+  explicit SameBytes(const std::string& path) : file_(path, std::ios::binary) {}
+  void write(std::string_view bytes) override {
+    std::string own(bytes.size(), '\0');
+    file_.read(own.data(), static_cast<std::streamsize>(own.size()));
+    same_ = same_ && file_ && own == bytes;
+  }
+  bool whole() { return same_ && file_.peek() == std::ifstream::traits_type::eof(); }
+
+ private:
+  std::ifstream file_;
+  bool same_ = true;
+};
+
+/// Whether a table has these rows in this program's own spelling.
+bool is_as_written(const std::string& path, const std::vector<TableRow>& rows,
+                   const std::vector<Column>& columns,
+                   const std::optional<std::string>& parameter) {
+  if (is_column_file(path)) return true;
+  SameBytes file(path);
+  TableWriter writer(file, columns, parameter);
+  for (const TableRow& row : rows) writer.write(row);
+  writer.flush();
+  return file.whole();
+}
+
+/// How a table that is not gone on with there ended.
+SheetEnd old_end(const TableRow& row) {
+  const auto* const event = std::ranges::find(event_names, row.event);
+  return {static_cast<EventType>(event - std::begin(event_names)),
+          "as it was in the table resumed"};
+}
+
+}  // namespace
+
+ResumedTable resumed_table(const Case& input, const std::string& path,
+                           const std::vector<Column>& columns,
+                           const std::optional<std::string>& parameter) {
+  const auto refuse = [&](const std::string& found) {
+    throw InputError(Origin::of_option("--resume"), "", found,
+                     "-o FILE, a table of this case that `continue` was interrupted in",
+                     "its .meta.json beside it says which case it is of");
+  };
+  if (path.empty() || path == "-") refuse("found no file");
+  const std::string metadata = metadata_path(path).string();
+  std::ifstream file(metadata, std::ios::binary);
+  if (!file) refuse("cannot read " + printable(metadata));
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!is_of_case(text, input)) refuse(printable(metadata) + " is of another case");
+  std::optional<CurveRecord> record = curve_record(text);
+  if (!record) refuse(printable(metadata) + " does not say what rows and events the table has");
+  const bool has_alpha = std::ranges::find(columns, Column::alpha) != columns.end();
+  if (!input.potential.is_isotropic() && !has_alpha) refuse("found no column alpha");
+  ResumedTable out = read_resumed(path, columns, parameter, input.branch_name());
+  if (out.rows.size() != record->rows) {
+    refuse(fmt::format("{} has {} rows, {} by its metadata", printable(path), out.rows.size(),
+                       record->rows));
+  }
+  TableChecksum checksum;
+  for (const TableRow& row : out.rows) checksum.add(row, columns, parameter.has_value());
+  if (checksum.text() != record->checksum || !is_as_written(path, out.rows, columns, parameter))
+    refuse(printable(path) + " was changed since it was written (its checksum is in the metadata)");
+  out.events = std::move(record->events);
+  out.segments = std::move(record->segments);
+  return out;
+}
+
+FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowOptions options,
+                       CurveTable& table) {
+  FollowReport out;
+  options.max_points -= static_cast<long>(old.rows.size());
+  const auto add = [&](const FollowReport& part) {
+    out.counts += part.counts;
+    out.points += part.points;
+    out.interrupted = out.interrupted || part.interrupted;
+    out.out_of_points = out.out_of_points || part.out_of_points;
+    options.max_points -= part.points;
+    if (out.failure.empty()) out.failure = part.failure;
+  };
+  if (old.first) {
+    HeldBack held;
+    const FollowReport before = resume(family, *old.first, options, held);
+    add(before);
+    held.give(table);
+    out.backward = before.forward;
+    out.events.assign(before.events.rbegin(), before.events.rend());
+  } else {
+    out.backward = old_end(old.rows.front());
+  }
+  out.events.insert(out.events.end(), old.events.begin(), old.events.end());
+  for (const TableRow& row : old.rows) {
+    const double number = row[Column::segment];
+    std::optional<StabilityClass> verdict;
+    if (number >= 1.0 && number <= static_cast<double>(old.segments.size()))
+      verdict = old.segments[static_cast<std::size_t>(number) - 1];
+    table.again(row, verdict);
+  }
+  out.points += static_cast<long>(old.rows.size());
+  if (old.last && !out.interrupted) {
+    const FollowReport after = resume(family, *old.last, options, table);
+    add(after);
+    out.forward = after.forward;
+    out.events.insert(out.events.end(), after.events.begin(), after.events.end());
+  } else if (old.last) {
+    out.forward.reason = "interrupted";
+  } else {
+    out.forward = old_end(old.rows.back());
+  }
+  return out;
+}
+
+}  // namespace stationary::cli

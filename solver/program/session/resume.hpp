@@ -1,0 +1,25 @@
+// `continue --resume`: the interrupted table read back, and the curve followed on from its open
+// ends.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/program/case/case_file.hpp"
+#include "solver/program/rows/curve_table.hpp"
+#include "solver/family/follow_sheet.hpp"
+#include "solver/program/rows/resume_table.hpp"
+
+namespace stationary::cli {
+
+/// The table at `path`, of this case and with these columns. Throws InputError where it is another.
+ResumedTable resumed_table(const Case& input, const std::string& path,
+                           const std::vector<Column>& columns,
+                           const std::optional<std::string>& parameter);
+
+/// New rows before the table's own, those, new rows after them.
+FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowOptions options,
+                       CurveTable& table);
+
+}  // namespace stationary::cli

@@ -1,0 +1,67 @@
+#include "solver/program/session/table_output.hpp"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "solver/program/session/output_file.hpp"
+#include "solver/program/text/input_error.hpp"
+
+namespace stationary::cli {
+namespace fs = std::filesystem;
+
+namespace {
+
+void require_suffix(const std::string& path) {
+  const std::string suffix = fs::path(path).extension().string();
+  if (suffix.empty() || suffix == ".csv" || is_column_file_extension(suffix)) return;
+  throw InputError(Origin::of_option("-o " + path), "", "found the suffix " + in_quotes(suffix),
+                   ".csv or none for CSV, .h5 or .hdf5 for HDF5");
+}
+
+}  // namespace
+
+TableOutput::TableOutput(const std::string& path, const std::string& case_path) {
+  if (path == "-") return;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  const bool regular = !fs::exists(status) || fs::is_regular_file(status);
+  if (regular) require_suffix(path);
+  const fs::path metadata = metadata_path(path);
+  for (const fs::path& target : {fs::path(path), metadata})
+    refuse_to_replace(path, target, case_path, "the case file");
+  open_output(file_, path);
+  if (!file_->is_regular()) return;  // nothing stands beside a device
+  as_columns_ = is_column_file_extension(fs::path(path).extension().string());
+  try {
+    metadata_file_.emplace(metadata);
+  } catch (const UnwritableFile& reason) {
+    refuse_output(
+        path, "cannot write " + printable(metadata.string()) + " beside it: " + reason.what(), {});
+  }
+}
+
+RowSink& TableOutput::open(const std::vector<Column>& columns,
+                           const std::vector<std::string>& parameters,
+                           std::optional<std::size_t> rows) {
+  if (as_columns_) return binary_.emplace(file_->path().string(), columns, parameters, rows);
+  const auto header = [&](std::size_t k) {
+    return k < parameters.size() ? std::optional(parameters[k]) : std::nullopt;
+  };
+  ByteSink& sink = file_ ? static_cast<ByteSink&>(*file_) : standard_output_;
+  return text_.emplace(sink, columns, header(0), header(1));
+}
+
+void TableOutput::commit(Metadata metadata) {
+  const RowSink& table = text_ ? static_cast<const RowSink&>(*text_) : *binary_;
+  metadata.rows = table.rows();
+  metadata.checksum = table.checksum().text();
+  const std::string text = metadata_json(metadata);
+  if (text_) text_->flush();
+  if (binary_) binary_->finish(text);
+  if (metadata_file_) metadata_file_->write(text);
+  if (file_) file_->commit();
+  if (metadata_file_) metadata_file_->commit();
+}
+
+}  // namespace stationary::cli

@@ -1,0 +1,56 @@
+// A file that is either there in full or not at all: written under a temporary name in the same
+// directory, renamed at commit(), removed if that is never reached. What a killed process left of
+// the same file is removed by the next.
+//
+// What exists and is no regular file (a device, a pipe) is written directly; a link is followed.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "solver/program/table/table.hpp"
+
+namespace stationary {
+
+/// The target cannot be written; known before anything was. what() is the reason alone.
+class UnwritableFile : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class AtomicFile : public ByteSink {
+ public:
+  /// Opens the temporary file. Throws UnwritableFile.
+  explicit AtomicFile(const std::filesystem::path& target);
+  ~AtomicFile() override;
+
+  /// Throws std::runtime_error naming the target, for instance on a full disk.
+  void write(std::string_view bytes) override;
+  void commit();
+  /// For another process to write to; this object's until commit().
+  int descriptor() const { return descriptor_; }
+
+  /// The file written to until commit(), for a library that opens it by name.
+  const std::filesystem::path& path() const { return is_regular() ? temporary_ : target_; }
+
+  bool is_regular() const { return !temporary_.empty(); }
+
+ private:
+  [[noreturn]] void fail(std::string_view doing, int reason) const;
+
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;  ///< empty: written directly, or committed
+  int descriptor_ = -1;
+};
+
+/// Standard output; what is written is there at once.
+class StandardOutput : public ByteSink {
+ public:
+  void write(std::string_view bytes) override;
+};
+
+/// x.meta.json beside x.csv.
+std::filesystem::path metadata_path(const std::filesystem::path& table);
+
+}  // namespace stationary

@@ -1,0 +1,258 @@
+#include "solver/program/table/column_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "lib/body/motion.hpp"
+#include "lib/stability/spectrum.hpp"
+#include "solver/motion/event.hpp"
+#include "solver/program/table/hdf5_handle.hpp"
+
+namespace stationary {
+namespace {
+
+[[noreturn]] void fail(std::string_view what) {
+  throw std::runtime_error(fmt::format("HDF5 could not write {}", what));
+}
+
+Handle require(Handle handle, std::string_view what) {
+  if (!handle.valid()) fail(what);
+  return handle;
+}
+
+void require(herr_t result, std::string_view what) {
+  if (result < 0) fail(what);
+}
+
+/// The words a column of texts may hold; "" is one of all of them.
+std::vector<std::string_view> words(Column c) {
+  std::vector<std::string_view> out{""};
+  const auto add = [&](const auto& names) {
+    for (const std::string_view each : names)
+      if (!each.empty()) out.push_back(each);
+  };
+  switch (c) {
+    case Column::branch:
+      add(std::array{name(Branch::i), name(Branch::ii), name(Branch::iii), tilted_name,
+                     oblique_name, two_polar_name});
+      break;
+    case Column::event:
+      add(event_names);
+      break;
+    case Column::stability:
+      add(stability_names);
+      break;
+    case Column::status:
+      add(cell_status_names);
+      break;
+    case Column::certified:
+    case Column::class_certified:
+      add(proof_words);
+      break;
+    default:
+      throw std::invalid_argument(std::string(name(c)) + " has no words of its own");
+  }
+  return out;
+}
+
+Handle enumeration(const std::vector<std::string_view>& of) {
+  Handle type = require(Handle(H5Tenum_create(H5T_STD_U8LE), H5Tclose), "an enumeration");
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    const auto value = static_cast<std::uint8_t>(k);
+    // HDF5 has no empty names.
+    const std::string word(of[k].empty() ? " " : of[k]);
+    require(H5Tenum_insert(type.id(), word.c_str(), &value), "an enumeration");
+  }
+  return type;
+}
+
+Handle string_type(std::size_t length) {
+  Handle type = require(Handle(H5Tcopy(H5T_C_S1), H5Tclose), "a type of strings");
+  require(H5Tset_size(type.id(), std::max<std::size_t>(length, 1)), "a type of strings");
+  require(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "a type of strings");
+  require(H5Tset_cset(type.id(), H5T_CSET_UTF8), "a type of strings");
+  return type;
+}
+
+void write_attribute(hid_t file, const char* what, const std::string& text) {
+  const Handle type = string_type(text.size());
+  const Handle space = require(Handle(H5Screate(H5S_SCALAR), H5Sclose), what);
+  const Handle attribute = require(
+      Handle(H5Acreate2(file, what, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose),
+      what);
+  require(H5Awrite(attribute.id(), type.id(), text.c_str()), what);
+}
+
+/// Names one after the other, a line each: h5py gives them back by splitlines().
+std::string lines(const std::vector<std::string>& names) {
+  std::string out;
+  for (const std::string& each : names) out += each + '\n';
+  if (!out.empty()) out.pop_back();
+  return out;
+}
+
+/// One column on its way into the file.
+struct Dataset {
+  std::string name;
+  CellKind kind;
+  Column column{};     ///< where it is no parameter
+  int parameter = -1;  ///< 0, 1
+  std::vector<std::string_view> words{};
+  Handle type;
+  Handle set;
+  std::vector<double> numbers{};
+  std::vector<std::int32_t> counts{};
+  std::vector<std::uint8_t> codes{};
+
+  void take(const TableRow& row) {
+    if (parameter >= 0) {
+      numbers.push_back(parameter == 0 ? row.parameter : row.second_parameter);
+    } else if (kind == CellKind::number) {
+      numbers.push_back(row[column]);
+    } else if (kind == CellKind::count) {
+      const double value = row[column];
+      counts.push_back(std::isnan(value) ? missing_count : static_cast<std::int32_t>(value));
+    } else {
+      const auto at = std::ranges::find(words, text_of(row, column));
+      codes.push_back(static_cast<std::uint8_t>(at == words.end() ? 0 : at - words.begin()));
+    }
+  }
+  const void* values() const {
+    if (kind == CellKind::number) return numbers.data();
+    if (kind == CellKind::count) return counts.data();
+    return codes.data();
+  }
+  hid_t file_type() const {
+    if (kind == CellKind::text) return type.id();
+    return kind == CellKind::count ? H5T_STD_I32LE : H5T_IEEE_F64LE;
+  }
+  hid_t memory_type() const {
+    if (kind == CellKind::number) return H5T_NATIVE_DOUBLE;
+    return kind == CellKind::count ? H5T_NATIVE_INT32 : type.id();
+  }
+  void clear() {
+    numbers.clear();
+    counts.clear();
+    codes.clear();
+  }
+};
+
+constexpr hsize_t longest_block = 32768;  // rows
+
+}  // namespace
+
+struct ColumnFileWriter::Data {
+  Handle file{H5I_INVALID_HID, H5Fclose};
+  hsize_t block = longest_block;
+  std::vector<Dataset> columns;
+  hsize_t written = 0;
+  hsize_t waiting = 0;
+  bool created = false;
+
+  /// The datasets, of so many rows as far as is known.
+  void create(std::size_t rows) {
+    const hsize_t blocks = std::max<hsize_t>(1, (rows + longest_block - 1) / longest_block);
+    block = std::max<hsize_t>(1, (rows + blocks - 1) / blocks);
+    for (Dataset& each : columns) each.set = create(each.name, each.file_type());
+    created = true;
+  }
+  Handle create(const std::string& name, hid_t type) const {
+    const hsize_t none = 0;
+    const hsize_t unlimited = H5S_UNLIMITED;
+    const Handle space = require(Handle(H5Screate_simple(1, &none, &unlimited), H5Sclose), name);
+    const Handle layout = require(Handle(H5Pcreate(H5P_DATASET_CREATE), H5Pclose), name);
+    require(H5Pset_chunk(layout.id(), 1, &block), name);
+    require(H5Pset_obj_track_times(layout.id(), false), name);
+    return require(Handle(H5Dcreate2(file.id(), name.c_str(), type, space.id(), H5P_DEFAULT,
+                                     layout.id(), H5P_DEFAULT),
+                          H5Dclose),
+                   name);
+  }
+  void flush() {
+    if (!created) create(waiting);
+    if (waiting == 0) return;
+    const hsize_t total = written + waiting;
+    for (Dataset& each : columns) {
+      require(H5Dset_extent(each.set.id(), &total), each.name);
+      const Handle space = require(Handle(H5Dget_space(each.set.id()), H5Sclose), each.name);
+      require(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &written, nullptr, &waiting, nullptr),
+              each.name);
+      const Handle memory =
+          require(Handle(H5Screate_simple(1, &waiting, nullptr), H5Sclose), each.name);
+      require(H5Dwrite(each.set.id(), each.memory_type(), memory.id(), space.id(), H5P_DEFAULT,
+                       each.values()),
+              each.name);
+      each.clear();
+    }
+    written = total;
+    waiting = 0;
+  }
+};
+
+bool is_column_file_extension(std::string_view extension) {
+  return extension == ".h5" || extension == ".hdf5";
+}
+
+ColumnFileWriter::ColumnFileWriter(const std::string& path, const std::vector<Column>& columns,
+                                   const std::vector<std::string>& parameters,
+                                   std::optional<std::size_t> rows)
+    : RowSink(columns, parameters.size()), data_(std::make_unique<Data>()) {
+  silence_hdf5();
+  const Handle creation = require(Handle(H5Pcreate(H5P_FILE_CREATE), H5Pclose), path);
+  require(H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
+          path);
+  require(H5Pset_obj_track_times(creation.id(), false), path);
+  // The format of 1.8: metadata may be longer than the 64 KiB of an attribute before.
+  const Handle access = require(Handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), path);
+  require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_LATEST), path);
+  data_->file = require(
+      Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose), path);
+  std::vector<std::string> names;
+  const auto add = [&](Dataset each) {
+    names.push_back(each.name);
+    data_->columns.push_back(std::move(each));
+  };
+  const auto none = [](Handle::Close close) { return Handle(H5I_INVALID_HID, close); };
+  for (const Column c : columns) {
+    Dataset each{.name = std::string(stationary::name(c)),
+                 .kind = cell_kind(c),
+                 .column = c,
+                 .type = none(H5Tclose),
+                 .set = none(H5Dclose)};
+    if (each.kind == CellKind::text) {
+      each.words = words(c);
+      each.type = enumeration(each.words);
+    }
+    add(std::move(each));
+  }
+  for (const std::string& parameter : parameters) {
+    add({.name = parameter,
+         .kind = CellKind::number,
+         .parameter = static_cast<int>(&parameter - parameters.data()),
+         .type = none(H5Tclose),
+         .set = none(H5Dclose)});
+  }
+  if (rows) data_->create(*rows);
+  write_attribute(data_->file.id(), "columns", lines(names));
+}
+
+ColumnFileWriter::~ColumnFileWriter() = default;
+
+void ColumnFileWriter::put(const TableRow& row) {
+  for (Dataset& each : data_->columns) each.take(row);
+  if (++data_->waiting == data_->block) data_->flush();
+}
+
+void ColumnFileWriter::finish(const std::string& metadata) {
+  data_->flush();
+  write_attribute(data_->file.id(), "metadata", metadata);
+  for (Dataset& each : data_->columns)
+    if (!each.set.close() || !each.type.close()) fail(each.name);
+  if (!data_->file.close()) fail("the end of the file");
+}
+
+}  // namespace stationary

@@ -1,0 +1,64 @@
+// A table (table.hpp) as an HDF5 file: one dataset a column, all of one length, in the order in
+// which they were created; the parameters' columns under their dotted keys. h5py, h5dump and MATLAB
+// read it.
+//
+//   numbers   64-bit floating point, NaN where nothing was computed
+//   counts    32-bit integers, missing_count where nothing was computed
+//   texts     enumerations of 8 bits, by the words of the column; "" where nothing was computed
+//
+// Attributes of the file: "columns" (their names in order) and "metadata" (the text of the
+// .meta.json).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/program/table/table.hpp"
+
+namespace stationary {
+
+constexpr std::int32_t missing_count = INT32_MIN;
+
+/// .h5 or .hdf5, with the dot.
+bool is_column_file_extension(std::string_view extension);
+
+class ColumnFileWriter final : public RowSink {
+ public:
+  /// Creates the file, or empties it; rows: how many are expected where that is known, for the
+  /// datasets' layout.
+  /// Throws std::runtime_error where it cannot, here and below; std::invalid_argument for a column
+  /// of texts without words of its own.
+  ColumnFileWriter(const std::string& path, const std::vector<Column>& columns,
+                   const std::vector<std::string>& parameters,
+                   std::optional<std::size_t> rows = std::nullopt);
+  ~ColumnFileWriter() override;
+
+  /// Writes what is left and the metadata, and closes. Without it the file is not complete.
+  void finish(const std::string& metadata);
+
+ private:
+  void put(const TableRow& row) override;
+
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+/// Whether a file begins as HDF5 does; false where it cannot be read.
+bool is_column_file(const std::string& path);
+
+/// Those of the wanted columns that the file has (all of its columns if none is named), as CSV for
+/// TableReader. Throws InputError where it is no file of ColumnFileWriter's.
+std::unique_ptr<std::istream> column_file_table(const std::string& path,
+                                                std::span<const std::string> wanted);
+
+/// Its metadata; empty where it has none, or is no such file.
+std::string column_file_metadata(const std::string& path);
+
+}  // namespace stationary

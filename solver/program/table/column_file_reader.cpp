@@ -1,0 +1,137 @@
+// column_file.hpp, the reading of it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include "solver/program/table/column_file.hpp"
+#include "solver/program/table/hdf5_handle.hpp"
+#include "solver/program/text/input_error.hpp"
+
+namespace stationary {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, std::string found) {
+  throw InputError(Origin::in_file(path), "", std::move(found), "an HDF5 file of this program's");
+}
+
+/// Empty where there is none.
+std::string text_attribute(hid_t file, const char* what) {
+  const Handle attribute(H5Aopen(file, what, H5P_DEFAULT), H5Aclose);
+  if (!attribute.valid()) return {};
+  const Handle type(H5Aget_type(attribute.id()), H5Tclose);
+  if (!type.valid() || H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0)
+    return {};
+  std::string out(H5Tget_size(type.id()), '\0');
+  if (H5Aget_storage_size(attribute.id()) != out.size() ||
+      H5Aread(attribute.id(), type.id(), out.data()) < 0)
+    return {};
+  return out;
+}
+
+/// A column read back, as the text of its cells.
+class ReadColumn {
+ public:
+  ReadColumn(const std::string& path, hid_t file, const std::string& column) {
+    const Handle set(H5Dopen2(file, column.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!set.valid()) refuse(path, "found no dataset " + in_quotes(column));
+    const Handle type(H5Dget_type(set.id()), H5Tclose);
+    const Handle space(H5Dget_space(set.id()), H5Sclose);
+    const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+    if (count < 0) refuse(path, "found a broken dataset " + in_quotes(column));
+    rows_ = static_cast<std::size_t>(count);
+    herr_t result = 0;
+    switch (H5Tget_class(type.id())) {
+      case H5T_ENUM: {
+        codes_.resize(rows_);
+        for (int k = 0; k < H5Tget_nmembers(type.id()); ++k) {
+          char* word = H5Tget_member_name(type.id(), static_cast<unsigned>(k));
+          words_.emplace_back(word == nullptr || *word == ' ' ? "" : word);
+          H5free_memory(word);
+        }
+        result = H5Tget_size(type.id()) == 1
+                     ? H5Dread(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, codes_.data())
+                     : -1;
+        break;
+      }
+      case H5T_INTEGER:
+        counts_.resize(rows_);
+        result = H5Dread(set.id(), H5T_NATIVE_INT32, H5S_ALL, H5S_ALL, H5P_DEFAULT, counts_.data());
+        break;
+      case H5T_FLOAT:
+        numbers_.resize(rows_);
+        result =
+            H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers_.data());
+        break;
+      default:
+        result = -1;
+    }
+    if (result < 0) refuse(path, "found an unreadable dataset " + in_quotes(column));
+  }
+
+  std::size_t rows() const { return rows_; }
+  void append(std::size_t row, std::string& to) const {
+    if (!numbers_.empty()) {
+      if (!std::isnan(numbers_[row])) fmt::format_to(std::back_inserter(to), "{}", numbers_[row]);
+    } else if (!counts_.empty()) {
+      if (counts_[row] != missing_count) fmt::format_to(std::back_inserter(to), "{}", counts_[row]);
+    } else if (codes_[row] < words_.size()) {
+      to += words_[codes_[row]];
+    }
+  }
+
+ private:
+  std::size_t rows_ = 0;
+  std::vector<double> numbers_;
+  std::vector<std::int32_t> counts_;
+  std::vector<std::uint8_t> codes_;
+  std::vector<std::string> words_;
+};
+
+Handle open_to_read(const std::string& path) {
+  silence_hdf5();
+  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
+}
+
+}  // namespace
+
+bool is_column_file(const std::string& path) {
+  silence_hdf5();
+  return H5Fis_hdf5(path.c_str()) > 0;
+}
+
+std::unique_ptr<std::istream> column_file_table(const std::string& path,
+                                                std::span<const std::string> wanted) {
+  const Handle file = open_to_read(path);
+  if (!file.valid()) refuse(path, "no readable HDF5 file");
+  std::istringstream names(text_attribute(file.id(), "columns"));
+  std::string header;
+  std::vector<ReadColumn> columns;
+  for (std::string column; std::getline(names, column);) {
+    if (!wanted.empty() && std::ranges::find(wanted, column) == wanted.end()) continue;
+    header += (header.empty() ? "" : ",") + column;
+    columns.emplace_back(path, file.id(), column);
+    if (columns.back().rows() != columns.front().rows())
+      refuse(path, "found datasets of different lengths");
+  }
+  if (columns.empty()) refuse(path, "found none of a table's columns");
+  std::string text = header + '\n';
+  for (std::size_t row = 0; row < columns.front().rows(); ++row) {
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (k > 0) text += ',';
+      columns[k].append(row, text);
+    }
+    text += '\n';
+  }
+  return std::make_unique<std::istringstream>(std::move(text));
+}
+
+std::string column_file_metadata(const std::string& path) {
+  const Handle file = open_to_read(path);
+  return file.valid() ? text_attribute(file.id(), "metadata") : std::string();
+}
+
+}  // namespace stationary

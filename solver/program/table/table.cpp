@@ -1,0 +1,200 @@
+#include "solver/program/table/table.hpp"
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace stationary {
+namespace {
+
+constexpr std::size_t block_size = 1U << 16U;
+constexpr std::size_t longest_text = 256;   // quoted
+constexpr std::size_t longest_number = 32;  // shortest round trip takes 24
+// Eight texts (six columns and, in the header, the parameters) and the rest numbers.
+constexpr std::size_t longest_row = 8 * longest_text + (column_count + 2) * longest_number;
+
+}  // namespace
+
+CellKind cell_kind(Column c) {
+  switch (c) {
+    case Column::branch:
+    case Column::event:
+    case Column::stability:
+    case Column::status:
+    case Column::certified:
+    case Column::class_certified:
+      return CellKind::text;
+    case Column::sheet:
+    case Column::point:
+    case Column::negative:
+    case Column::krein1:
+    case Column::krein2:
+    case Column::krein3:
+    case Column::krein4:
+    case Column::krein5:
+    case Column::segment:
+      return CellKind::count;
+    default:
+      return CellKind::number;
+  }
+}
+
+std::string_view text_of(const TableRow& row, Column c) {
+  switch (c) {
+    case Column::branch:
+      return row.branch;
+    case Column::event:
+      return row.event;
+    case Column::status:
+      return row.status;
+    case Column::certified:
+      return row.certified;
+    case Column::class_certified:
+      return row.class_certified;
+    default:
+      return row.stability;
+  }
+}
+
+std::optional<Column> find_column(std::string_view name) {
+  const auto at = std::ranges::find(column_names, name);
+  if (at == std::end(column_names)) return std::nullopt;
+  return static_cast<Column>(at - std::begin(column_names));
+}
+
+std::vector<Column> select_columns(std::span<const Column> computed,
+                                   std::span<const std::string> asked) {
+  std::vector<Column> out(computed.begin(), computed.end());
+  std::ranges::sort(out);
+  if (!asked.empty()) {
+    std::erase_if(out, [&](Column c) { return std::ranges::find(asked, name(c)) == asked.end(); });
+  }
+  return out;
+}
+
+void TableChecksum::add(const TableRow& row, std::span<const Column> columns,
+                        std::size_t parameters) {
+  for (const Column c : columns) {
+    if (cell_kind(c) == CellKind::text) {
+      add(text_of(row, c));
+    } else {
+      add(row[c]);
+    }
+  }
+  if (parameters > 0) add(row.parameter);
+  if (parameters > 1) add(row.second_parameter);
+}
+
+/// Each step is one to one in the word: a single cell that differs always shows.
+void TableChecksum::add(std::uint64_t word) {
+  state_ = (state_ ^ word) * 0xd6e8feb86659fd93U;
+  state_ ^= state_ >> 32U;
+}
+
+void TableChecksum::add(std::string_view text) {
+  for (const char c : text) add(std::uint64_t{static_cast<unsigned char>(c)});
+  add(std::uint64_t{256});
+}
+
+void TableChecksum::add(double value) {
+  if (std::isnan(value)) value = std::numeric_limits<double>::quiet_NaN();
+  if (value == 0.0) value = 0.0;  // written without its sign
+  add(std::bit_cast<std::uint64_t>(value));
+}
+
+std::string TableChecksum::text() const { return fmt::format("{:016x}", state_); }
+
+TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
+                         const std::optional<std::string>& parameter,
+                         const std::optional<std::string>& second)
+    : RowSink(std::move(columns),
+              std::size_t{parameter.has_value()} + std::size_t{second.has_value()}),
+      sink_(&sink),
+      has_parameter_(parameter.has_value()),
+      has_second_(second.has_value()),
+      buffer_(block_size + longest_row),
+      cursor_(buffer_.data()) {
+  bool first = true;
+  const auto separate = [&] {
+    if (!std::exchange(first, false)) *cursor_++ = ',';
+  };
+  for (const Column c : column_list()) {
+    separate();
+    append(name(c));
+  }
+  for (const auto* trailing : {&parameter, &second}) {
+    if (!*trailing) continue;
+    separate();
+    append(**trailing);
+  }
+  *cursor_++ = '\n';
+}
+
+void TableWriter::put(const TableRow& row) {
+  bool first = true;
+  for (const Column c : column_list()) {
+    if (!std::exchange(first, false)) *cursor_++ = ',';
+    switch (cell_kind(c)) {
+      case CellKind::text:
+        append(text_of(row, c));
+        break;
+      case CellKind::count:
+        append_count(row[c]);
+        break;
+      case CellKind::number:
+        append(row[c]);
+    }
+  }
+  if (has_parameter_) {
+    if (!first) *cursor_++ = ',';
+    append(row.parameter);
+  }
+  if (has_second_) {
+    *cursor_++ = ',';
+    append(row.second_parameter);
+  }
+  *cursor_++ = '\n';
+  if (cursor_ >= buffer_.data() + block_size) flush();
+}
+
+void TableWriter::flush() {
+  const auto size = static_cast<std::size_t>(cursor_ - buffer_.data());
+  cursor_ = buffer_.data();
+  sink_->write({buffer_.data(), size});
+}
+
+void TableWriter::append(std::string_view text) {
+  // Quoted, a text may double in length; the names of this program are far shorter.
+  text = text.substr(0, (longest_text - 2) / 2);
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    cursor_ = std::copy(text.begin(), text.end(), cursor_);
+    return;
+  }
+  *cursor_++ = '"';
+  for (const char c : text) {
+    if (c == '"') *cursor_++ = '"';
+    *cursor_++ = c;
+  }
+  *cursor_++ = '"';
+}
+
+void TableWriter::append(double value) {
+  if (std::isnan(value)) return;
+  if (value == 0.0) {  // a zero's sign says nothing
+    *cursor_++ = '0';
+    return;
+  }
+  cursor_ = fmt::format_to(cursor_, FMT_COMPILE("{}"), value);
+}
+
+void TableWriter::append_count(double value) {
+  if (std::isnan(value)) return;
+  cursor_ = fmt::format_to(cursor_, FMT_COMPILE("{}"), static_cast<long>(value));
+}
+
+}  // namespace stationary

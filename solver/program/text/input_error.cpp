@@ -1,0 +1,79 @@
+#include "solver/program/text/input_error.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <utility>
+
+#include "solver/program/text/ascii.hpp"
+
+namespace stationary {
+namespace {
+
+std::string compose(const Origin& origin, std::string_view key, std::string_view found,
+                    std::string_view allowed, std::string_view remedy) {
+  std::string out = origin.text();
+  const auto add = [&out](std::string_view separator, std::string_view part) {
+    if (part.empty()) return;
+    if (!out.empty()) out += separator;
+    out += part;
+  };
+  add(": ", key);
+  add(": ", found);
+  add("; expected ", allowed);
+  add("; ", remedy);
+  return out;
+}
+
+}  // namespace
+
+Origin Origin::in_file(std::string file, int line, int column) {
+  Origin out;
+  out.file = std::move(file);
+  out.line = line;
+  out.column = column;
+  return out;
+}
+
+Origin Origin::of_option(std::string option) {
+  Origin out;
+  out.option = std::move(option);
+  return out;
+}
+
+std::string Origin::text() const {
+  if (!option.empty()) return printable(option);
+  if (line <= 0) return printable(file);
+  return fmt::format("{}:{}:{}", printable(file), line, column);
+}
+
+InputError::InputError(Origin origin, std::string key, std::string found, std::string allowed,
+                       std::string remedy)
+    : std::runtime_error(compose(origin, key, found, allowed, remedy)),
+      origin_(std::move(origin)),
+      key_(std::move(key)),
+      found_(std::move(found)),
+      allowed_(std::move(allowed)),
+      remedy_(std::move(remedy)) {}
+
+std::string printable(std::string_view text) {
+  constexpr std::size_t longest = 200;
+  std::string out;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (k >= longest && !is_continuation(text[k])) {  // cut between characters
+      out += "...";
+      break;
+    }
+    const auto byte = static_cast<unsigned char>(text[k]);
+    if (byte < 0x20U || byte == 0x7FU) {
+      out += fmt::format("\\x{:02X}", byte);
+    } else {
+      out += text[k];
+    }
+  }
+  return out;
+}
+
+std::string in_quotes(std::string_view text) { return '"' + printable(text) + '"'; }
+
+}  // namespace stationary

@@ -1,0 +1,180 @@
+#include "solver/proof/anisotropic_enclosure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "lib/stability/leaf_enclosure.hpp"
+#include "solver/proof/certificate.hpp"
+#include "solver/proof/oriented_boxes.hpp"
+
+namespace stationary {
+namespace {
+
+template <class Layout>
+StretchBox stretch_box(const OrientedBoxSystem<Layout>& system, const Box<Layout::dimension>& x) {
+  const auto q = system.stretch(x);
+  return {q.xi, q.zeta, q.rho, Layout::alpha ? q.alpha : Interval(0.0)};
+}
+
+/// The proof, and the errors of the numbers themselves: of each stretch, of alpha over sqrt(xi
+/// zeta), of the angle of the axis.
+template <class Layout>
+void certify_at(const OrientedBoxSystem<Layout>& system, const Stretch& q,
+                const Vector3<double>& nu, Certificate& out) {
+  constexpr int N = Layout::dimension;
+  ReducedVector<N> x = ones<N>();
+  x[0] = q.xi;
+  x[1] = q.zeta;
+  x[Layout::thickness_place] = q.rho;
+  if constexpr (Layout::alpha) x[Layout::alpha_place] = shear_coordinate(q);
+  if constexpr (Layout::axis) x[Layout::axis_place] = axis_coordinate(std::atan2(nu[1], nu[0]));
+  const Krawczyk test(system, x);
+  const auto proof = test.prove();
+  if (!proof.proven) {
+    out.reason =
+        "no solution could be proven near these numbers: there is none, or a second one (a fold, a "
+        "bifurcation) is too near";
+    return;
+  }
+  const auto at = [](int k) { return static_cast<std::size_t>(k); };
+  double bound = 0.0;
+  double least = 0.0;
+  const auto add = [&](const Interval& error) {
+    bound = std::max(bound, error.magnitude());
+    least = std::max(least, error.mignitude());
+  };
+  for (int i = 0; i < 3; ++i) add(Interval(x[i]) / proof.solution[at(i)] - Interval(1.0));
+  const StretchBox solution = stretch_box(system, proof.solution);
+  if constexpr (Layout::alpha)
+    add((Interval(q.alpha) - solution.alpha) / sqrt(solution.xi * solution.zeta));
+  if constexpr (Layout::axis) {
+    const AxisAngle<Interval> axis = axis_angle(proof.solution[at(Layout::axis_place)]);
+    out.axis = {axis.cosine, axis.sine};
+    const Interval size = sqrt(square(Interval(nu[0])) + square(Interval(nu[1])));
+    const Interval sine = (axis.cosine * nu[1] - axis.sine * nu[0]) / size;
+    add(1.0000001 * sine);  // the angle, where it is small
+  }
+  if (least > 4.0 * allowed_error) {
+    out.reason = "proven not to be a solution: the nearest is farther off than rounding";
+    return;
+  }
+  if (!(bound < 1e-4)) {
+    out.reason = "a second solution (a fold, a bifurcation) may lie within the error bound";
+    return;
+  }
+  // |d ln x| of what is within the bound: alpha's is sech^2 a times that of a, the angle's at most
+  // twice.
+  std::optional<StretchBox> unique;
+  double spread = bound;
+  if constexpr (Layout::alpha) {
+    const double t = q.alpha / std::sqrt(q.xi * q.zeta);
+    spread = 2.5 * bound / (1.0 - t * t);
+  }
+  if (const auto box = test.unique_within(std::max(spread, proof.error_bound)))
+    unique = stretch_box(system, *box);
+  conclude(unique, solution, bound, out);
+}
+
+void require_proven(const Certificate& certificate) {
+  if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
+}
+
+SpectrumEnclosure whole(const Body& body, const AnisotropicPotential& V,
+                        const Certificate& certificate, double nu, const Vector3<Interval>& axis,
+                        const Spectrum& spectrum, Inputs inputs) {
+  const StretchBox& at = certificate.solution;
+  const BasicStretch<Interval> q{at.alpha, at.xi, at.zeta, at.rho};
+  // nu and -nu: the same dynamics run backwards, with the same Lambda.
+  return enclose_leaf_spectrum(
+      {inertia_intervals(body, inputs), q,
+       nu == 0.0 ? Interval(0.0) : as_input(std::abs(nu), inputs), axis,
+       potential_derivatives<2>(V.model(AsIntervals{inputs}), q).hessian, !V.is_separable()},
+      spectrum);
+}
+
+}  // namespace
+
+Certificate certify_anisotropic(const Problem& problem, const Equilibrium& equilibrium,
+                                Inputs inputs) {
+  Certificate out = begun(problem.potential(), equilibrium.q);
+  if (!out.reason.empty()) return out;
+  const AnisotropicPotential& V = problem.potential().anisotropic();
+  const Branch branch = problem.branch();
+  const double nu = equilibrium.nu[axis(branch)];
+  if (equilibrium.nu != angular_velocity(branch, nu) || !std::isfinite(nu)) {
+    out.reason = "nu does not lie along the branch's axis";
+    return out;
+  }
+  if (branch == Branch::iii || nu == 0.0) {
+    certify_at(OrientedBoxSystem<ShearedLayout>(problem.body(), V, Branch::iii, nu, inputs),
+               equilibrium.q, equilibrium.nu, out);
+    // The mirror image solves the same equations; where `unique` holds both they are one.
+    if (out.proven && V.even_in_alpha() && equilibrium.q.alpha == 0.0) out.solution.alpha = 0.0;
+    return out;
+  }
+  if (equilibrium.q.alpha != 0.0) {
+    out.reason = "alpha != 0: compatibility leaves alpha = 0 only";
+  } else if (!V.shear_free()) {
+    out.reason = "V_alpha is not proven to vanish there";
+  } else {
+    const OrientedBoxSystem<StraightLayout> system(problem.body(), V, branch, nu, inputs);
+    certify_at(system, equilibrium.q, equilibrium.nu, out);
+    const StretchBox& at = out.solution;
+    if (out.proven && !system.shear_force({at.xi, at.zeta, at.rho}).may_be(0.0)) {
+      out.proven = false;
+      out.reason = "proven not to be a solution: V_alpha does not vanish there";
+    }
+  }
+  require_assumptions(problem.potential(), inputs, out);
+  return out;
+}
+
+Certificate certify_oblique(const Body& body, const Potential& potential,
+                            const ObliqueRotation& motion, const Equilibrium& equilibrium,
+                            Inputs inputs) {
+  Certificate out = begun(potential, equilibrium.q);
+  if (!out.reason.empty()) return out;
+  if (equilibrium.nu[2] != 0.0) {
+    out.reason = "nu does not lie in the plane";
+  } else if (motion.nu == 0.0) {  // at rest, about no axis
+    certify_at(
+        OrientedBoxSystem<ShearedLayout>(body, potential.anisotropic(), Branch::iii, 0.0, inputs),
+        equilibrium.q, equilibrium.nu, out);
+  } else {
+    certify_at(OrientedBoxSystem<ObliqueLayout>(body, potential.anisotropic(), Branch::i, motion.nu,
+                                                inputs),
+               equilibrium.q, equilibrium.nu, out);
+  }
+  return out;
+}
+
+SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem,
+                                               const Equilibrium& equilibrium,
+                                               const Certificate& certificate,
+                                               const Spectrum& spectrum, Inputs inputs) {
+  require_proven(certificate);
+  const AnisotropicPotential& V = problem.potential().anisotropic();
+  const StretchBox& at = certificate.solution;
+  const double nu = equilibrium.nu[axis(problem.branch())];
+  if (!V.shear_free() || at.alpha.lo != 0.0 || at.alpha.hi != 0.0 || nu == 0.0)
+    return whole(problem.body(), V, certificate, nu, {0.0, 0.0, 1.0}, spectrum, inputs);
+  const BasicStretch<Interval> q{0.0, at.xi, at.zeta, at.rho};
+  return enclose_spectrum({problem.branch(), false, false, false, !V.is_separable()},
+                          straight_state(inertia_intervals(problem.body(), inputs),
+                                         V.model(AsIntervals{inputs}), q, as_input(nu, inputs)),
+                          spectrum);
+}
+
+SpectrumEnclosure enclose_oblique_spectrum(const Body& body, const Potential& potential,
+                                           const ObliqueRotation& motion,
+                                           const Certificate& certificate, const Spectrum& spectrum,
+                                           Inputs inputs) {
+  require_proven(certificate);
+  const auto& [first, second] = certificate.axis;
+  return whole(body, potential.anisotropic(), certificate, motion.nu, {first, second, 0.0},
+               spectrum, inputs);
+}
+
+}  // namespace stationary

@@ -1,0 +1,325 @@
+// The equations of an event (event_enclosure.hpp) in all its unknowns,
+//
+//   y = (xi, zeta, rho, p[, Lambda]),  on the circle xi = zeta once,
+//
+// in any number type: extended precision for the event itself, numbers with their conditioning for
+// the size of its terms, dual numbers over intervals for a proof. The stiffnesses the polynomials
+// need come from the reduced balance, F = V - (c_xi xi^2 + ...)/2:  F_xx = (F_uu - F_u)/xi^2 ...,
+// W_d = (V_xi - V_zeta)/(zeta - xi), V_xz - V_xx on the circle.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "lib/stability/linearization.hpp"
+#include "lib/stability/spectrum.hpp"
+#include "solver/motion/family_parameter.hpp"
+#include "solver/motion/problem.hpp"
+#include "lib/number/dual.hpp"
+#include "solver/motion/event_functions.hpp"
+#include "solver/motion/extended_root.hpp"
+#include "solver/proof/box_balance.hpp"
+
+namespace stationary {
+
+/// What vanishes at the event beside the balance.
+struct EventFunction {
+  enum class Kind {
+    fold,       ///< det dG/d ln x
+    momentum,   ///< det of that bordered by dG/d ln nu and d ln (I_a nu)
+    inertia,    ///< J_a x_a^2 - J_b x_b^2
+    ellipse,    ///< the circle's dG along (1, -1)
+    turn,       ///< J1 - J2: of isotropic V, what K_aa (I1 - I2) = h^2 omega^2 and K_aa = 0 come to
+    collision,  ///< P and P' of `first`
+    crossing    ///< P of `first` and of `second`
+  };
+  Kind kind = Kind::fold;
+  int a = 0;  ///< of `inertia`: 0, 1, 2 are xi, zeta, rho
+  int b = 0;
+  Block first = Block::even;
+  Block second = Block::odd;
+
+  bool spectral() const { return kind == Kind::collision || kind == Kind::crossing; }
+};
+
+/// A family, at whose numbers the equations are taken.
+struct EventSetting {
+  Body body;
+  Potential potential;
+  Branch branch;
+  double nu;
+  FamilyParameter parameter;
+  bool circle;
+  Inputs inputs;
+};
+
+/// circle: 2 stretches instead of 3; spectral: Lambda among the unknowns. Input: what a number of
+/// the problem (its value, kind and place) is in T.
+template <bool circle, bool spectral, class T>
+class EventEquations {
+ public:
+  static constexpr int stretches = circle ? 2 : 3;
+  static constexpr int dimension = stretches + 1 + (spectral ? 1 : 0);
+  using Unknowns = std::array<T, dimension>;
+
+  EventEquations(const EventSetting& setting, const EventFunction& function)
+      : setting_(&setting), function_(function) {}
+
+  template <class Input>
+  Unknowns values(const Unknowns& y, const Input& input) const {
+    const State s = state(y, input);
+    Unknowns out;
+    std::size_t k = 0;
+    out[k++] = s.balance.g_xi;
+    if constexpr (!circle) out[k++] = s.balance.g_zeta;
+    out[k++] = s.balance.g_rho;
+    if constexpr (spectral) {
+      const T& Lambda = y[dimension - 1];
+      const AtRoot first = characteristic(s, function_.first, Lambda);
+      out[k++] = first.value;
+      out[k++] = function_.kind == EventFunction::Kind::collision
+                     ? first.slope
+                     : characteristic(s, function_.second, Lambda).value;
+    } else {
+      out[k++] = function(s);
+    }
+    return out;
+  }
+
+ private:
+  using Kind = FamilyParameter::Kind;
+
+  struct State {
+    Inertia3<T> J;
+    T nu;
+    T xi, zeta, rho;
+    CentrifugalRates<T> rates;
+    LogBalance<T> balance;
+  };
+
+  template <class Input>
+  State state(const Unknowns& y, const Input& number) const {
+    const EventSetting& at = *setting_;
+    const auto input = [&](double value, Kind kind, int index) {
+      return varies(at.parameter, kind, index) ? y[stretches] : number(value, kind, index);
+    };
+    const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
+    State s;
+    s.J.J1 = input(J[0], Kind::inertia, 0);
+    s.J.J2 = circle ? s.J.J1 : input(J[1], Kind::inertia, 1);  // equal, whatever decimals they are
+    s.J.J3 = input(J[2], Kind::inertia, 2);
+    s.nu = input(at.nu, Kind::nu, 0);
+    s.xi = y[0];
+    s.zeta = circle ? s.xi : y[1];
+    s.rho = y[stretches - 1];
+    s.rates = axis_rates(s.J, at.branch, s.nu * s.nu);
+    s.balance = varied_balance(at.potential, s.xi, s.zeta, s.rho, s.rates, input);
+    return s;
+  }
+
+  // The functions of x and p alone.
+
+  static T moment(const State& s, int k) {
+    const T& x = k == 0 ? s.xi : k == 1 ? s.zeta : s.rho;
+    return (k == 0 ? s.J.J1 : k == 1 ? s.J.J2 : s.J.J3) * (x * x);
+  }
+
+  T function(const State& s) const {
+    switch (function_.kind) {
+      case EventFunction::Kind::inertia:
+        return moment(s, function_.a) - moment(s, function_.b);
+      case EventFunction::Kind::ellipse:
+        return s.balance.uu - s.balance.uv;
+      case EventFunction::Kind::turn:
+        return s.J.J1 - s.J.J2;
+      case EventFunction::Kind::momentum:
+        return turning_momentum(s);
+      default:
+        return determinant(stiffness(s));
+    }
+  }
+
+  /// dG/d ln x, on the circle along (1, 1).
+  static SquareArray<T, stretches> stiffness(const State& s) {
+    const LogBalance<T>& b = s.balance;
+    if constexpr (circle) {
+      return {{{b.uu + b.uv, b.uw}, {2.0 * b.uw, b.ww}}};
+    } else {
+      return {{{b.uu, b.uv, b.uw}, {b.uv, b.vv, b.vw}, {b.uw, b.vw, b.ww}}};
+    }
+  }
+
+  T turning_momentum(const State& s) const {
+    const CentrifugalRates<T> part = axis_rates(s.J, setting_->branch, T(1.0));
+    const T xi2 = s.xi * s.xi;
+    const T zeta2 = s.zeta * s.zeta;
+    const T rho2 = s.rho * s.rho;
+    const T own = part.xi * xi2 + part.zeta * zeta2 + part.rho * rho2;
+    // dG_i/d ln nu = -2 c_i x_i^2;  dI_a/d ln x_i = 2 I_i x_i^2.
+    std::array<T, stretches> column;
+    std::array<T, stretches> row;
+    column[0] = -2.0 * (s.rates.xi * xi2);
+    if constexpr (!circle) column[1] = -2.0 * (s.rates.zeta * zeta2);
+    column[stretches - 1] = -2.0 * (s.rates.rho * rho2);
+    row[0] = 2.0 * (circle ? part.xi * xi2 + part.zeta * zeta2 : part.xi * xi2);
+    if constexpr (!circle) row[1] = 2.0 * (part.zeta * zeta2);
+    row[stretches - 1] = 2.0 * (part.rho * rho2);
+    return momentum_turn(stiffness(s), column, row, own);
+  }
+
+  // The characteristic polynomials.
+
+  struct AtRoot {
+    T value;
+    T slope;
+  };
+  template <int D>
+  static AtRoot evaluate(const Polynomial<T, D>& p, const T& x) {
+    return {p(x), p.slope(x)};
+  }
+
+  bool coupled() const { return !setting_->potential.is_separable(); }
+
+  static StraightState<T> straight(const State& s) {
+    const LogBalance<T>& b = s.balance;
+    const T xi2 = s.xi * s.xi;
+    const T zeta2 = s.zeta * s.zeta;
+    const T rho2 = s.rho * s.rho;
+    StraightState<T> out{s.J, s.xi, s.zeta, s.rho, s.nu, {}, {}, {}, {}, {}, {}, {}};
+    out.V_xx = (b.uu - b.g_xi) / xi2 + s.rates.xi;
+    out.V_zz = (b.vv - b.g_zeta) / zeta2 + s.rates.zeta;
+    out.V_rr = (b.ww - b.g_rho) / rho2 + s.rates.rho;
+    out.V_xz = b.uv / (s.xi * s.zeta);
+    out.V_xr = b.uw / (s.xi * s.rho);
+    out.V_zr = b.vw / (s.zeta * s.rho);
+    if constexpr (circle) {
+      out.V_aa = 2.0 * (out.V_xx - out.V_xz);
+    } else {
+      const T V_xi = b.g_xi / s.xi + s.rates.xi * s.xi;
+      const T V_zeta = b.g_zeta / s.zeta + s.rates.zeta * s.zeta;
+      out.V_aa = 2.0 * ((V_xi - V_zeta) / (s.xi - s.zeta));
+    }
+    return out;
+  }
+
+  AtRoot characteristic(const State& at, Block block, const T& Lambda) const {
+    const StraightState<T> s = straight(at);
+    if (setting_->branch != Branch::iii) {
+      const StraightState<T> first = setting_->branch == Branch::ii ? s.exchanged() : s;
+      return block == Block::odd ? evaluate(odd_forms_i(first).characteristic(), Lambda)
+                                 : evaluate(even_pencil_i(first).characteristic(), Lambda);
+    }
+    switch (block) {
+      case Block::odd:
+        return {Lambda - odd_lambda_iii(s), T(1.0)};
+      case Block::thickness:
+        return {Lambda + s.V_rr / s.J.J3, T(1.0)};
+      case Block::shear:
+        return evaluate(circle_shears(s), Lambda);
+      default:
+        break;
+    }
+    const GyroscopicBlock<T> even = even_block_iii(s);
+    if constexpr (circle) {
+      const T breathing = (even.rest.K[0][0] + even.rest.K[0][1]) / s.J.J1;
+      if (!coupled()) return {Lambda + breathing, T(1.0)};
+      const T thickness = s.V_rr / s.J.J3;
+      const T mixed = 2.0 * (s.V_xr * s.V_xr) / (s.J.J1 * s.J.J3);
+      return evaluate(Polynomial<T, 2>{{breathing * thickness - mixed, breathing + thickness, 1.0}},
+                      Lambda);
+    } else {
+      return coupled() ? evaluate(even.characteristic_coupled(), Lambda)
+                       : evaluate(even.characteristic(), Lambda);
+    }
+  }
+
+  /// s = i (omega +- Omega): Lambda^2 + 2 (omega^2 + Omega^2) Lambda + (Omega^2 - omega^2)^2,
+  /// Omega^2 - omega^2 = K_aa/(2 J).
+  static Polynomial<T, 2> circle_shears(const StraightState<T>& s) {
+    const T omega2 = s.omega * s.omega;
+    const T k = s.V_aa / (2.0 * s.J.J1) - omega2;
+    return {{k * k, 2.0 * (2.0 * omega2 + k), 1.0}};
+  }
+
+  const EventSetting* setting_;
+  EventFunction function_;
+};
+
+/// Over a box of the unknowns, slopes in their logarithms.
+template <bool circle, bool spectral>
+class EventSystem {
+ public:
+  static constexpr int stretches = circle ? 2 : 3;
+  static constexpr int dimension = stretches + 1 + (spectral ? 1 : 0);
+
+  EventSystem(const EventSetting& setting, const EventFunction& function)
+      : inputs_(setting.inputs), equations_(setting, function) {}
+
+  GeneralBoxLinearized<dimension> linearize(const Box<dimension>& box) const {
+    std::array<T, dimension> y;
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] = T::logarithmic(box[i], i);
+    const auto equations = equations_.values(
+        y, [&](double value, FamilyParameter::Kind, int) { return T(as_input(value, inputs_)); });
+    GeneralBoxLinearized<dimension> out;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      out.g[i] = equations[i].value;
+      out.slope[i] = equations[i].slope;
+    }
+    return out;
+  }
+
+ private:
+  using T = Dual<Interval, dimension>;
+  Inputs inputs_;
+  EventEquations<circle, spectral, T> equations_;
+};
+
+/// At a point in extended precision (extended_root.hpp).
+template <bool circle, bool spectral>
+class ExtendedEventSystem {
+ public:
+  static constexpr int stretches = circle ? 2 : 3;
+  static constexpr int dimension = stretches + 1 + (spectral ? 1 : 0);
+
+  ExtendedEventSystem(const EventSetting& setting, const EventFunction& function)
+      : extended_(setting, function),
+        conditioned_(setting, function),
+        inputs_(coefficient_inputs(setting.potential, setting.parameter)),
+        has_decimals_(stationary::has_decimals(setting.potential)) {
+    using Kind = FamilyParameter::Kind;
+    const auto add = [&](Kind kind, int index) {
+      if (!varies(setting.parameter, kind, index)) inputs_.push_back({kind, index});
+    };
+    for (const int k : {0, 1, 2})
+      if (!circle || k != 1) add(Kind::inertia, k);
+    add(Kind::nu, 0);
+  }
+
+  std::size_t inputs() const { return inputs_.size(); }
+  bool has_decimals() const { return has_decimals_; }
+
+  ExtendedVector<dimension> values(const ExtendedVector<dimension>& y,
+                                   const InputChange& change) const {
+    return extended_.values(y, [&](double value, FamilyParameter::Kind kind, int index) {
+      const auto place = std::ranges::find_if(inputs_, [&](const CoefficientInput& each) {
+        return each.kind == kind && each.index == index;
+      });
+      return change(value, static_cast<std::size_t>(place - inputs_.begin()));
+    });
+  }
+  std::array<Conditioned, dimension> conditioned(const std::array<Conditioned, dimension>& y,
+                                                 bool exact) const {
+    return conditioned_.values(y, [&](double value, FamilyParameter::Kind, int) {
+      return exact ? Conditioned(value) : Conditioned::input(value);
+    });
+  }
+
+ private:
+  EventEquations<circle, spectral, DoubleDouble> extended_;
+  EventEquations<circle, spectral, Conditioned> conditioned_;
+  std::vector<CoefficientInput> inputs_;
+  bool has_decimals_;
+};
+
+}  // namespace stationary

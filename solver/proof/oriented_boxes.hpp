@@ -1,0 +1,92 @@
+// The balance of a potential that need not be isotropic over a box of its unknowns, in interval
+// arithmetic, with J, coefficients, angles and nu as intervals.
+#pragma once
+
+#include <cmath>
+
+#include "solver/proof/box_balance.hpp"
+#include "solver/motion/oriented_system.hpp"
+
+namespace stationary {
+
+struct AsIntervals {
+  Inputs inputs;
+
+  Interval operator()(double c) const { return as_input(c, inputs); }
+  Direction<Interval> direction(double degrees) const {
+    const Interval input = as_input(degrees, inputs);
+    return direction_interval(degrees, std::max(input.hi - degrees, degrees - input.lo));
+  }
+};
+
+template <class Layout>
+struct OrientedBoxSystem {
+  static constexpr int dimension = Layout::dimension;
+  static constexpr int N = dimension;
+
+  AnisotropicModel<Interval> model;
+  Inertia3<Interval> J;
+  Branch branch;
+  Interval nu_squared;
+  Interval rho = 1.0;  ///< where that is no unknown
+
+  OrientedBoxSystem(const Body& body, const AnisotropicPotential& potential, Branch about,
+                    double nu, Inputs inputs)
+      : model(potential.model(AsIntervals{inputs})),
+        J(inertia_intervals(body, inputs)),
+        branch(about),
+        nu_squared(square(as_input(nu, inputs))) {}
+
+  GeneralBoxLinearized<N> linearize(const Box<N>& x) const {
+    const auto b =
+        balance_at<Layout, 2>(J, model, branch, nu_squared, all_coordinates<Layout>(x, rho));
+    GeneralBoxLinearized<N> out;
+    for (std::size_t i = 0; i < Layout::places.size(); ++i) {
+      out.g[i] = b.g[Layout::places[i]];
+      for (std::size_t j = 0; j < Layout::places.size(); ++j)
+        out.slope[i][j] = b.slope[Layout::places[i]][Layout::places[j]];
+    }
+    return out;
+  }
+
+  /// Where the potential is not defined, and by the sum of the rows of u and v, in which a fibre is
+  /// 2 k n (n + 1) >= -k/2, however stiff, and whatever the directions: of long stretches across it
+  /// no row says as much.
+  bool excludes(const Box<N>& x) const {
+    const auto y = all_coordinates<Layout>(x, rho);
+    const OrientedStretch<Interval> at = oriented_stretch(y[0], y[1], y[2], y[3]);
+    if (model.outside_box(at.q)) return true;
+    AnisotropicModel<Interval> without = model;
+    without.fibre_count = 0;
+    const AxisAngle<Interval> axis = axis_angle(y[4]);
+    AnisotropicDerivatives<Interval> V = without.evaluate<1>(at.invariants(), at.q);
+    // What a written-out model pulls is narrower as one expression.
+    std::optional<Interval> written;
+    if (const auto* expression = model.expression()) written = expression->plane_pull(at.q);
+    if (written) V.directed.gradient.setConstant(Interval(0.0));
+    const auto b =
+        oriented_balance<1>(J, V, at,
+                            Layout::axis ? in_plane_products(nu_squared, axis.cosine, axis.sine)
+                                         : axis_products(branch, nu_squared));
+    Interval sum = b.g[oriented::u] + b.g[oriented::v];
+    if (written) sum += *written;
+    for (std::size_t k = 0; k < model.fibre_count; ++k) {
+      const auto& [c, s] = model.fibres[k].along;
+      const Interval n = square(at.q.xi * c + at.q.alpha * s) +
+                         square(at.q.alpha * c + at.q.zeta * s) - Interval(1.0);
+      sum += 2.0 * (model.fibres[k].k * (square(n + Interval(0.5)) - Interval(0.25)));
+    }
+    return !sum.may_be(0.0);
+  }
+
+  BasicStretch<Interval> stretch(const Box<N>& x) const {
+    const auto y = all_coordinates<Layout>(x, rho);
+    return oriented_stretch(y[0], y[1], y[2], y[3]).q;
+  }
+  /// alpha's own force at alpha = 0: zero where a spin about axis 1 or 2 is possible.
+  Interval shear_force(const Box<N>& x) const {
+    return potential_derivatives<1>(model, stretch(x)).gradient[0];
+  }
+};
+
+}  // namespace stationary

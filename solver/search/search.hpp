@@ -1,0 +1,58 @@
+// Every stationary ellipsoid of a family at one nu, with proof: all solutions of the balance with
+// stretches in a box, each shown to exist and to be the only one near by, and everything else of
+// the box shown to hold none (branch_and_prune.hpp), but for the boxes the result names as
+// undecided.
+//
+// A double root (a fold, a bifurcation) and a continuum of solutions cannot be decided this way and
+// end as undecided boxes after a bounded amount of work. With J1 = J2 in (iii), and at rest, the
+// mirror image (xi, zeta) -> (zeta, xi) of a solution is one too; both are listed.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/proof/certify.hpp"
+#include "solver/motion/equilibrium.hpp"
+#include "solver/motion/problem.hpp"
+
+namespace stationary {
+
+struct SearchOptions {
+  double min_stretch = 1e-3;  ///< of each of xi, zeta, rho
+  double max_stretch = 1e3;
+  Inputs inputs = Inputs::decimals;
+  double min_width = 0x1p-26;               ///< of ln x, below which a box stays undecided
+  long max_boxes = 10000;                   ///< of each system searched
+  const std::atomic<bool>* stop = nullptr;  ///< becomes true: return with status interrupted
+};
+
+enum class SearchStatus {
+  not_run,
+  complete,   ///< every box decided: `solutions` are all there are in the box
+  undecided,  ///< `solutions` are all there are outside the undecided boxes
+  interrupted
+};
+
+constexpr std::string_view search_status_names[] = {"not run", "complete", "undecided",
+                                                    "interrupted"};
+constexpr std::string_view name(SearchStatus s) { return search_status_names[static_cast<int>(s)]; }
+
+struct SearchResult {
+  SearchStatus status = SearchStatus::not_run;
+  std::string message;  ///< for a person
+  /// Ascending in xi, then zeta, then rho; error_bound proven.
+  std::vector<Equilibrium> solutions;
+  std::vector<StretchBox> undecided;  ///< touching ones merged into their hull
+  /// Found by Newton's method in the undecided boxes, ascending likewise: error_bound estimated,
+  /// and not proven to exist, nor to be all.
+  std::vector<Equilibrium> unproven;
+  long boxes = 0;  ///< examined
+};
+
+/// Throws std::invalid_argument for a nu that is not finite, or unless
+/// 1e-100 <= min_stretch < max_stretch <= 1e100.
+SearchResult search(const Problem& problem, double nu, const SearchOptions& options = {});
+
+}  // namespace stationary

@@ -1,0 +1,367 @@
+#include "solver/solve/anisotropic_equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "solver/solve/anisotropic_rest.hpp"
+#include "solver/search/anisotropic_search.hpp"
+#include "solver/family/branch_switch.hpp"
+#include "solver/solve/nonexistence.hpp"
+#include "solver/family/follow_sheet.hpp"
+#include "solver/newton/newton.hpp"
+#include "solver/motion/oriented_stability.hpp"
+#include "solver/motion/oriented_system.hpp"
+
+namespace stationary {
+namespace {
+
+/// A family's equations at one p, as Newton's method takes them.
+template <int N>
+struct AtParameter {
+  static constexpr int dimension = N;
+  struct At {
+    ReducedVector<N> g;
+    SmallMatrix<N> jacobian;
+  };
+  const Family<N>& family;
+  double p;
+
+  At linearize(const ReducedVector<N>& x) const {
+    const FamilyLinearization<N> at = family.linearize(x, p);
+    return {at.g, {at.jacobian}};
+  }
+};
+
+/// Keeps the two ends, and events of one type.
+class EndSink final : public CurveSink {
+ public:
+  explicit EndSink(EventType kept = EventType::none) : kept_(kept) {}
+
+  void row(const Member& member, EventType event) override {
+    if (count_++ == 0) first_ = {member, event};
+    last_ = {member, event};
+    if (event == kept_ && event != EventType::none) events.push_back(member);
+  }
+  /// The end that is the limit of the range at p.
+  const Member* at(double p) const {
+    for (const auto* end : {&first_, &last_})
+      if (end->second == EventType::limit && end->first.parameter == p) return &end->first;
+    return nullptr;
+  }
+  std::string text() const {
+    std::ostringstream out;
+    out << "from |nu| = " << first_.first.parameter << " (" << name(first_.second) << ") to "
+        << last_.first.parameter << " (" << name(last_.second) << ")";
+    return out.str();
+  }
+
+  std::vector<Member> events;
+
+ private:
+  EventType kept_;
+  long count_ = 0;
+  std::pair<Member, EventType> first_;
+  std::pair<Member, EventType> last_;
+};
+
+class AnisotropicSolve {
+ public:
+  AnisotropicSolve(const Body& body, const Potential& potential, const SolveOptions& options)
+      : body_(body), potential_(potential), V_(potential.anisotropic()), options_(options) {}
+
+  Equilibrium about_axis(Branch branch, double nu) {
+    const double speed = std::abs(nu);
+    const Problem problem(body_, potential_, branch);
+    if (branch != Branch::iii && nu != 0.0 && !V_.shear_free()) {
+      off_axis(problem, nu);
+      return out_;
+    }
+    // At rest no axis is asked for; of an even V alpha = 0 is a choice.
+    const bool alpha_free = branch == Branch::iii && options_.start && options_.start->alpha != 0.0;
+    const bool at_rest = nu == 0.0 && !V_.shear_free();
+    const AnyFamily family = anisotropic_family(body_, V_, at_rest ? Branch::iii : branch,
+                                                alpha_free, {.parameter = {}, .spectrum = false});
+    std::visit([&](const auto& each) { one(*each, speed); }, family);
+    if (wants_search() && out_.status == SolveStatus::not_found)
+      nearest_of(search_anisotropic(problem, speed, short_search()));
+    out_.nu = angular_velocity(branch, nu);
+    return out_;
+  }
+
+  Equilibrium oblique(const ObliqueRotation& motion) {
+    if (options_.start || options_.method == Method::newton) {
+      const auto family = oblique_family(motion.near.value_or(Branch::i));
+      one(*family, motion.nu);
+    } else {
+      std::string failures;
+      for (const Branch near : {Branch::i, Branch::ii}) {
+        if (motion.near && *motion.near != near) continue;
+        out_ = Equilibrium();
+        oblique_from(near, motion.nu);
+        if (out_.status == SolveStatus::solved || out_.status == SolveStatus::interrupted) break;
+        failures += (failures.empty() ? "" : "; ") + out_.message;
+      }
+      if (out_.status == SolveStatus::not_found) out_.message = failures;
+    }
+    if (wants_search() && out_.status == SolveStatus::not_found)
+      nearest_of(search_oblique(body_, potential_, motion, short_search()));
+    return out_;
+  }
+
+ private:
+  bool wants_search() const { return options_.search && options_.method == Method::automatic; }
+  /// For a solution and not for all: a tenth of the boxes, whose rest solve.all goes through.
+  SearchOptions short_search() const { return {.max_boxes = 1000, .stop = options_.stop}; }
+  bool stopped() const {
+    return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
+  }
+  std::unique_ptr<Family<5>> oblique_family(Branch near) const {
+    return stationary::oblique_family(body_, V_, {.parameter = {}, .spectrum = false}, near);
+  }
+
+  /// From the start, or along the family through the rest state.
+  template <int N>
+  void one(const Family<N>& family, double nu) {
+    if (options_.start) {
+      by_newton(family, family.coordinates(*options_.start, nu), nu, Connection::given_start,
+                "Newton from the given start");
+      return;
+    }
+    const auto rest = rest_state();
+    if (!rest) return;
+    if (options_.method == Method::newton) {
+      by_newton(family, family.coordinates(*rest, nu), nu, Connection::unknown,
+                "Newton from the rest state");
+    } else if (nu == 0.0) {
+      by_newton(family, family.coordinates(*rest, nu), nu, Connection::rest, "the rest state");
+    } else {
+      along(family, *rest, 0.0, nu, "the family through the rest state");
+    }
+  }
+
+  std::optional<Stretch> rest_state() {
+    SolveOptions how = options_;
+    how.search = wants_search();
+    const AnisotropicRest rest = anisotropic_rest(body_, potential_, how, out_.counts);
+    if (rest.q) return rest.q;
+    out_.status = stopped() ? SolveStatus::interrupted : SolveStatus::not_found;
+    out_.message = rest.message;
+    return std::nullopt;
+  }
+
+  template <int N>
+  void by_newton(const Family<N>& family, ReducedVector<N> x, double nu, Connection connection,
+                 const std::string& how) {
+    const NewtonResult found = newton(AtParameter<N>{family, nu}, x);
+    out_.counts.newton_steps += found.steps;
+    out_.counts.jacobians += found.steps;
+    ReducedVector<N> tail;
+    Refined refined;
+    if (found.converged) refined = family.refine_at(x, tail, nu);
+    out_.counts.extended_residuals += refined.steps;
+    if (!refined.converged) {
+      out_.status = SolveStatus::not_found;
+      out_.message = how + " did not converge";
+      return;
+    }
+    adopt(family.member(x, tail, nu, refined.error_bound), connection, how);
+  }
+
+  /// From a motion of the family at p to nu.
+  template <int N>
+  void along(const Family<N>& family, const Stretch& q, double p, double nu,
+             const std::string& what) {
+    FollowOptions how;
+    how.continuation.from = std::min(p, nu);
+    how.continuation.to = std::max(p, nu);
+    how.continuation.step.tolerance = 1e-7;
+    how.stop = options_.stop;
+    how.events = EventSet::none();
+    EndSink ends;
+    const FollowReport report = follow_family(family, q, p, how, ends);
+    out_.counts.walk_steps += report.counts.steps;
+    out_.counts.jacobians += report.counts.linearizations;
+    if (report.interrupted) {
+      out_.status = SolveStatus::interrupted;
+      return;
+    }
+    if (!report.failure.empty()) {
+      out_.status = SolveStatus::not_found;
+      out_.message = what + ": " + report.failure;
+      return;
+    }
+    if (const Member* member = ends.at(nu)) {
+      adopt(*member, Connection::rest,
+            "along " + what + " in " + std::to_string(report.counts.steps) + " steps");
+      return;
+    }
+    out_.status = SolveStatus::not_found;
+    out_.message = what + " was followed " + ends.text() + ", without coming to |nu| = " + text(nu);
+  }
+
+  void oblique_from(Branch near, double nu) {
+    const auto rest = rest_state();
+    if (!rest) return;
+    const std::string axis = near == Branch::i ? "axis 1" : "axis 2";
+    const auto family = oblique_family(near);
+    if (!V_.shear_free()) {
+      along(*family, *rest, 0.0, nu, "the family that starts about " + axis + " at rest");
+      return;
+    }
+    // Where the sheet of (i) or (ii) through the rest state lets the axis go.
+    const AnyFamily straight =
+        anisotropic_family(body_, V_, near, false, {.parameter = {}, .spectrum = false});
+    FollowOptions how;
+    how.continuation.from = 0.0;
+    how.continuation.to = std::max(10.0 * rate(*rest), 2.0 * nu);
+    how.continuation.step.tolerance = 1e-7;
+    how.stop = options_.stop;
+    how.events = EventSet::none().add(EventType::oblique);
+    EndSink sink(EventType::oblique);
+    out_.counts.walk_steps += follow(straight, *rest, 0.0, how, sink).counts.steps;
+    std::string failures;
+    for (const Member& event : sink.events) {
+      if (stopped()) break;
+      const auto start = leave_straight(*family, event, near);
+      if (!start) continue;
+      along(*family, start->q, start->parameter, nu,
+            "the family that leaves " + axis + " at |nu| = " + text(event.nu));
+      if (out_.status == SolveStatus::solved) return;
+      failures += (failures.empty() ? "" : "; ") + out_.message;
+    }
+    out_.status = stopped() ? SolveStatus::interrupted : SolveStatus::not_found;
+    out_.message = sink.events.empty()
+                       ? "no axis leaves " + axis + " on the sheet through the rest state"
+                       : failures;
+  }
+
+  void off_axis(const Problem& problem, double nu) {
+    const SearchResult all = search_anisotropic(problem, std::abs(nu), {.stop = options_.stop});
+    out_.nu = angular_velocity(problem.branch(), nu);
+    if (all.status == SearchStatus::interrupted) {
+      out_.status = SolveStatus::interrupted;
+      return;
+    }
+    out_.message = "no stationary ellipse about this axis: " + all.message;
+    out_.status =
+        all.status == SearchStatus::complete ? SolveStatus::none_exists : SolveStatus::not_found;
+  }
+
+  void nearest_of(const SearchResult& all) {
+    if (all.status == SearchStatus::interrupted) out_.status = SolveStatus::interrupted;
+    if (all.solutions.empty()) {
+      out_.message += "; exhaustive search, " + all.message;
+      return;
+    }
+    const double known = V_.rest_stretch();
+    const double r = std::isfinite(known) ? known : 1.0;
+    const auto distance = [&](const Equilibrium& at) {
+      return std::max({std::abs(std::log(at.q.xi / r)), std::abs(std::log(at.q.zeta / r)),
+                       std::abs(at.q.alpha) / r});
+    };
+    const Equilibrium& nearest = *std::ranges::min_element(all.solutions, {}, distance);
+    const Counts counts = out_.counts;
+    out_ = nearest;
+    out_.counts = counts;
+    out_.connection = Connection::unknown;
+    out_.message =
+        "Found by an exhaustive search; whether it is connected to the rest state is not known.";
+  }
+
+  void adopt(const Member& member, Connection connection, const std::string& how) {
+    out_.q = member.q;
+    out_.nu = member.angular_velocity;
+    out_.residual = member.residual;
+    out_.compatibility = member.compatibility;
+    out_.error_bound = member.error_bound;
+    out_.connection = connection;
+    out_.message = how;
+    // Near a material axis compatibility is a difference of small products: of |pi| |nu| then.
+    const Vector3<double> pi = locked_inertia(body_, out_.q) * out_.nu;
+    const double mismatch = compatibility_residual(body_, out_.q, out_.nu).norm();
+    const bool solved = out_.residual <= acceptable_residual &&
+                        mismatch <= acceptable_residual * pi.norm() * out_.nu.norm();
+    out_.status = solved ? SolveStatus::solved : SolveStatus::failed;
+    if (!solved) out_.message += "; but the recomputed residual is no equilibrium's";
+  }
+
+  double rate(const Stretch& rest) const {
+    const double stiffness = potential_.derivatives(rest).hessian.diagonal().maxCoeff();
+    return std::sqrt(stiffness / std::min({body_.J1, body_.J2, body_.J3}));
+  }
+  static std::string text(double x) {
+    std::ostringstream out;
+    out << x;
+    return out.str();
+  }
+
+  const Body& body_;
+  const Potential& potential_;
+  const AnisotropicPotential& V_;
+  const SolveOptions& options_;
+  Equilibrium out_;
+};
+
+void require_start(const SolveOptions& options) {
+  if (options.start) require_positive_definite(*options.start);
+  if (options.method != Method::automatic && options.method != Method::newton)
+    throw std::invalid_argument("method auto or newton, for an anisotropic potential");
+}
+
+}  // namespace
+
+Equilibrium solve_anisotropic(const Problem& problem, double nu, const SolveOptions& options) {
+  require_start(options);
+  return AnisotropicSolve(problem.body(), problem.potential(), options)
+      .about_axis(problem.branch(), nu);
+}
+
+Equilibrium solve_oblique(const Body& body, const Potential& potential,
+                          const ObliqueRotation& motion, const SolveOptions& options) {
+  if (potential.is_isotropic())
+    throw std::invalid_argument("an anisotropic potential, for an oblique axis");
+  if (!(motion.nu > 0.0 && std::isfinite(motion.nu)))
+    throw std::invalid_argument("|nu| finite and > 0");
+  require_start(options);
+  return AnisotropicSolve(body, potential, options).oblique(motion);
+}
+
+namespace {
+
+/// At the solution in extended precision.
+template <int N>
+std::optional<Spectrum> family_spectrum(const Family<N>& family, const Equilibrium& equilibrium,
+                                        double nu) {
+  ReducedVector<N> x = family.coordinates(equilibrium.q, nu);
+  ReducedVector<N> tail;
+  const Refined refined = family.refine_at(x, tail, nu);
+  if (!refined.converged) return std::nullopt;
+  return family.member(x, tail, nu, equilibrium.error_bound).spectrum;
+}
+
+}  // namespace
+
+std::optional<Spectrum> anisotropic_stability(const Problem& problem,
+                                              const Equilibrium& equilibrium) {
+  const double nu = equilibrium.nu[axis(problem.branch())];
+  const AnisotropicPotential& V = problem.potential().anisotropic();
+  const Branch branch = nu == 0.0 && !V.shear_free() ? Branch::iii : problem.branch();
+  const AnyFamily family =
+      anisotropic_family(problem.body(), V, branch, equilibrium.q.alpha != 0.0, {.parameter = {}});
+  return std::visit([&](const auto& each) { return family_spectrum(*each, equilibrium, nu); },
+                    family);
+}
+
+std::optional<Spectrum> oblique_stability(const Body& body, const Potential& potential,
+                                          const Equilibrium& equilibrium) {
+  const bool first = std::abs(equilibrium.nu[0]) >= std::abs(equilibrium.nu[1]);
+  const auto family = oblique_family(body, potential.anisotropic(), {.parameter = {}},
+                                     first ? Branch::i : Branch::ii);
+  return family_spectrum(*family, equilibrium, equilibrium.nu.norm());
+}
+
+}  // namespace stationary

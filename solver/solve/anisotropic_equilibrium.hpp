@@ -1,0 +1,33 @@
+// One stationary ellipsoid of a potential that is not isotropic: S, and of an oblique motion the
+// axis, given nu.
+//
+// With a start: Newton there. Without: the family through the rest state is followed to nu;
+// oblique, that which starts at rest about one of the axes of inertia there or, where V is even in
+// alpha, which leaves (i) or (ii) at an event `oblique`. Where neither comes to anything branch and
+// prune decides (anisotropic_search.hpp). All end in the family's correction with an
+// extended-precision residual; what is returned is recomputed in lib, and that decides.
+//
+// About axis 1 or 2 with a V that is not even in alpha there is as good as never a motion: the
+// answer says so, and how far from one the nearest solution of the balance is.
+#pragma once
+
+#include "solver/family/anisotropic_family.hpp"
+#include "solver/solve/solve.hpp"
+
+namespace stationary {
+
+/// As solve(), of a problem whose potential is not isotropic. options.method: automatic or newton.
+Equilibrium solve_anisotropic(const Problem& problem, double nu, const SolveOptions& options);
+
+/// near not given: the family near axis 1 first. Throws std::invalid_argument for an isotropic
+/// potential, a nu that is not finite and > 0, or a start that is not positive definite.
+Equilibrium solve_oblique(const Body& body, const Potential& potential,
+                          const ObliqueRotation& motion, const SolveOptions& options = {});
+
+/// Of a solved one.
+std::optional<Spectrum> anisotropic_stability(const Problem& problem,
+                                              const Equilibrium& equilibrium);
+std::optional<Spectrum> oblique_stability(const Body& body, const Potential& potential,
+                                          const Equilibrium& equilibrium);
+
+}  // namespace stationary

@@ -1,0 +1,107 @@
+#include "solver/solve/anisotropic_rest.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "solver/search/anisotropic_search.hpp"
+#include "solver/newton/newton.hpp"
+#include "solver/motion/oriented_system.hpp"
+
+namespace stationary {
+namespace {
+
+class RestSearch {
+ public:
+  RestSearch(const Body& body, const Potential& potential, const SolveOptions& options,
+             Counts& counts)
+      : body_(body),
+        potential_(potential),
+        V_(potential.anisotropic()),
+        options_(options),
+        counts_(counts) {}
+
+  std::optional<Stretch> from_isotropic(const Stretch& isotropic) {
+    for (const int steps : {1, 8, 64}) {
+      Stretch q = isotropic;
+      bool reached = true;
+      for (int k = 1; reached && k <= steps; ++k) reached = correct(double(k) / steps, q);
+      if (reached) return q;
+    }
+    return std::nullopt;
+  }
+
+  /// rho: of the thickness at rest, or near it.
+  std::optional<Stretch> nearest_minimum(double rho) {
+    std::optional<Stretch> out;
+    const auto consider = [&](const Stretch& q) {
+      if (is_minimum(q) && (!out || from_unit(q, rho) < from_unit(*out, rho))) out = q;
+    };
+    for (const double xi : {1.0, 0.7, 1.5}) {
+      for (const double zeta : {1.0, 0.7, 1.5}) {
+        for (const double shear : {0.0, 0.2, -0.2}) {
+          Stretch q{shear * std::sqrt(xi * zeta), xi, zeta, rho};
+          if (correct(1.0, q)) consider(q);
+        }
+      }
+    }
+    if (out || !options_.search) return out;
+    const Problem problem(body_, potential_, Branch::iii);
+    const SearchResult all = search_anisotropic(problem, 0.0, {.stop = options_.stop});
+    for (const Equilibrium& each : all.solutions) consider(each.q);
+    return out;
+  }
+
+ private:
+  /// q to the rest state with a share of the fibres' stiffness, by Newton; unchanged where false.
+  bool correct(double share, Stretch& q) {
+    AnisotropicPotential part = V_;
+    for (int place = V_.fibre_place(), k = 0; place < V_.coefficient_count(); place += 2, ++k)
+      part = part.with_coefficient(place, share * V_.fibres()[static_cast<std::size_t>(k)].k);
+    const OrientedModels models(part);
+    const OrientedSystem<ShearedLayout> system{&models, body_, Branch::iii, 0.0};
+    ReducedVector<4> x(q.xi, q.zeta, q.rho, shear_coordinate(q));
+    const NewtonResult found = newton(system, x);
+    counts_.newton_steps += found.steps;
+    counts_.jacobians += found.steps;
+    if (!found.converged) return false;
+    // Newton from alpha = 0 stays there but for rounding.
+    if (V_.shear_free() && q.alpha == 0.0) x[3] = 1.0;
+    q = oriented_stretch(x[0], x[1], x[2], x[3]).q;
+    return true;
+  }
+
+  bool is_minimum(const Stretch& q) const {
+    const Eigen::LLT<Matrix4<double>> factors(potential_.derivatives(q).hessian);
+    return factors.info() == Eigen::Success;
+  }
+
+  /// Largest |ln| of the principal stretches, rho's over what it is at rest.
+  static double from_unit(const Stretch& q, double rho) {
+    const PrincipalStretches plane = principal_stretches(q);
+    return std::max({std::abs(std::log(plane.lambda)), std::abs(std::log(plane.mu)),
+                     std::abs(std::log(q.rho / rho))});
+  }
+
+  const Body& body_;
+  const Potential& potential_;
+  const AnisotropicPotential& V_;
+  const SolveOptions& options_;
+  Counts& counts_;
+};
+
+}  // namespace
+
+AnisotropicRest anisotropic_rest(const Body& body, const Potential& potential,
+                                 const SolveOptions& options, Counts& counts) {
+  RestSearch search(body, potential, options, counts);
+  const double r = potential.anisotropic().rest_stretch();
+  const double rho = potential.anisotropic().rest_thickness();
+  if (std::isfinite(r) && std::isfinite(rho))
+    return {search.from_isotropic({0.0, r, r, rho}),
+            "no rest state was found from that without fibres"};
+  return {search.nearest_minimum(std::isfinite(rho) ? rho : 1.0),
+          "no rest state, a minimum of V, was found"};
+}
+
+}  // namespace stationary

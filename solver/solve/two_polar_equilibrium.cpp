@@ -1,0 +1,333 @@
+#include "solver/solve/two_polar_equilibrium.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <type_traits>
+
+#include "solver/newton/newton.hpp"
+#include "solver/newton/nlopt_seed.hpp"
+#include "solver/newton/separable_parts.hpp"
+#include "solver/solve/stability.hpp"
+#include "solver/newton/thickness_balance.hpp"
+#include "solver/motion/two_polar_stability.hpp"
+#include "solver/motion/two_polar_system.hpp"
+
+namespace stationary {
+namespace {
+
+constexpr double least_ellipse = 1e-7;  // lambda/mu - 1 below this is the circle
+
+class Solver {
+ public:
+  Solver(const Body& body, const Potential& potential, const SolveOptions& options,
+         TwoPolarEquilibrium& out)
+      : body_(body), potential_(potential), options_(options), out_(out) {}
+
+  template <template <class> class Motion>
+  void run(const Motion<double>& motion) {
+    potential_.visit([&](const auto& model) { run_model(model, motion); });
+  }
+
+  /// The circle with s3 = p_theta, which the pull of equal momenta keeps lambda = mu: by Newton
+  /// from rest.
+  void circle(double s3) {
+    potential_.visit([&](const auto& model) { circle_model(model, s3); });
+  }
+
+  /// The circle out.x, had at omega + theta' rounded, corrected at the two rates. Whether it
+  /// converged.
+  bool correct_circle(const TwoPolarRates<double>& rates) {
+    return potential_.visit([&](const auto& model) { return correct_circle_of(model, rates); });
+  }
+
+ private:
+  template <class Model>
+  bool correct_circle_of(const Model& model, const TwoPolarRates<double>& rates) {
+    using Elastic = decltype(elastic_system(model));
+    constexpr int N = Elastic::dimension;
+    const TwoPolarSystem<Elastic, TwoPolarRates> system{elastic_system(model), body_.J1, rates};
+    ReducedVector<N> x = out_.x.template head<N>();
+    const Refined refined = refine(system, x);
+    out_.counts.extended_residuals += refined.steps;
+    if (!refined.converged || x[0] != x[1]) return false;
+    out_.error_bound = refined.error_bound;
+    set_stretches(model, x);
+    return true;
+  }
+
+  template <class Model>
+  void circle_model(const Model& model, double s3) {
+    using Elastic = decltype(elastic_system(model));
+    constexpr int N = Elastic::dimension;
+    const TwoPolarSystem<Elastic, TwoPolarEqualMomenta> system{elastic_system(model), body_.J1,
+                                                               TwoPolarEqualMomenta<double>{s3}};
+    ReducedVector<N> x;
+    x[0] = x[1] = system.elastic.model.rest_stretch();
+    if constexpr (N == 3) x[2] = system.elastic.model.rest_thickness();
+    if (!newton_counted<N>(system, x)) return;
+    const Refined refined = refine(system, x);
+    out_.counts.extended_residuals += refined.steps;
+    if (!refined.converged || x[0] != x[1]) return;
+    out_.status = SolveStatus::solved;
+    out_.circle = true;
+    out_.error_bound = refined.error_bound;
+    out_.message +=
+        "; this is the circle lambda = mu, where only omega + theta_dot matters: "
+        "theta_dot = 0 is written";
+    set_stretches(model, x);
+  }
+
+  /// (lambda, mu, rho), rho by its own balance where it is not an unknown.
+  template <class Model, int N>
+  void set_stretches(const Model& model, const Eigen::Matrix<double, N, 1>& x) {
+    out_.x = {x[0], x[1], 0.0};
+    if constexpr (N == 3) {
+      out_.x[2] = x[2];
+    } else {
+      const ThicknessBalance thickness = balanced_thickness(model.thickness, DoubleDouble(0.0));
+      out_.x[2] = thickness.rho;
+      out_.error_bound = std::max(out_.error_bound, thickness.refined.error_bound);
+      if (!thickness.refined.converged) {
+        out_.status = SolveStatus::failed;
+        out_.message = std::string("the thickness balance V_rho'(rho) = 0 ") + unbalanced;
+      }
+    }
+  }
+
+  template <class Model, template <class> class Motion>
+  void run_model(const Model& model, const Motion<double>& motion) {
+    using Elastic = decltype(elastic_system(model));
+    constexpr int N = Elastic::dimension;
+    const TwoPolarSystem<Elastic, Motion> system{elastic_system(model), body_.J1, motion};
+    ReducedVector<N> x = ones<N>();
+    bool found = false;
+    if constexpr (std::is_same_v<Motion<double>, TwoPolarRates<double>>) {
+      const double J = body_.J1;
+      const double slip = motion.omega - motion.theta_dot;
+      const TwoPolarInvariantSystem<typename Elastic::ModelType, N> invariants{
+          system.elastic.model,
+          J * (motion.omega * motion.omega + motion.theta_dot * motion.theta_dot), J * slip * slip};
+      found = search<N>(
+          system, x,
+          [&](const ReducedVector<N>& at) { return invariants.linearize(to_invariants<N>(at)); },
+          [&](ReducedVector<N>& at) {
+            ReducedVector<N> y = to_invariants<N>(at);
+            return newton_counted<N>(invariants, y) && from_invariants<N>(y, at);
+          });
+    } else {
+      found = search<N>(
+          system, x, [&](const ReducedVector<N>& at) { return system.linearize(at); },
+          [&](ReducedVector<N>& at) { return newton_counted<N>(system, at); });
+    }
+    if (found) set_stretches(model, x);
+  }
+
+  template <int N>
+  static ReducedVector<N> to_invariants(const ReducedVector<N>& x) {
+    ReducedVector<N> y = x;
+    y[0] = x[0] + x[1];
+    y[1] = x[0] * x[1];
+    return y;
+  }
+  /// False where t^2 < 4 d: no real stretches.
+  template <int N>
+  static bool from_invariants(const ReducedVector<N>& y, ReducedVector<N>& x) {
+    const double e = y[0] * y[0] - 4.0 * y[1];
+    if (!(e > 0.0)) return false;
+    x = y;
+    x[0] = 0.5 * (y[0] + std::sqrt(e));
+    x[1] = y[1] / x[0];
+    return true;
+  }
+
+  template <int N, class System>
+  bool newton_counted(const System& system, ReducedVector<N>& x) {
+    NewtonOptions careful;
+    careful.max_log_step = 0.5;
+    const NewtonResult result = newton(system, x, careful);
+    out_.counts.newton_steps += result.steps;
+    out_.counts.jacobians += result.steps;
+    return result.converged;
+  }
+
+  template <int N, class System>
+  bool finish(const System& system, ReducedVector<N>& x, double& bound) {
+    const Refined refined = refine(system, x);
+    out_.counts.extended_residuals += refined.steps;
+    if (!refined.converged) return false;
+    if (x[0] < x[1]) std::swap(x[0], x[1]);
+    bound = refined.error_bound;
+    return x[0] - x[1] > least_ellipse * x[1];
+  }
+
+  /// The solution with lambda > mu nearest to the unit stretches among those the seeds lead to.
+  /// linearize: the system searched for starts; polish: Newton on it, in place.
+  template <int N, class System, class Linearize, class Polish>
+  bool search(const System& system, ReducedVector<N>& x, const Linearize& linearize,
+              const Polish& polish) {
+    SeedOptions seed_options;
+    seed_options.stop = options_.stop;
+    if constexpr (N == 3) seed_options.evaluations *= 4;
+    Seeds<N> seeds;
+    if (options_.start) {
+      ReducedVector<N> start;
+      start[0] = options_.start->xi;
+      start[1] = options_.start->zeta;
+      if constexpr (N == 3) start[2] = options_.start->rho;
+      seeds.points.push_back(start);
+    } else {
+      seeds = nlopt_seeds<N>(
+          [&](const ReducedVector<N>& at) {
+            const Linearized<N> l = linearize(at);
+            return (l.g / l.magnitude).squaredNorm();
+          },
+          seed_options);
+      out_.counts.nlopt_evaluations += seeds.evaluations;
+      out_.counts.residuals += seeds.evaluations;
+    }
+    if (seeds.interrupted) {
+      out_.status = SolveStatus::interrupted;
+      return false;
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    for (ReducedVector<N> candidate : seeds.points) {
+      double bound = 0.0;
+      if (!polish(candidate) || !finish<N>(system, candidate, bound)) continue;
+      if (candidate.minCoeff() < 0.1 * seed_options.min_stretch ||
+          candidate.maxCoeff() > 10.0 * seed_options.max_stretch) {
+        continue;
+      }
+      const double distance = candidate.array().log().abs().maxCoeff();
+      if (distance < nearest) {
+        nearest = distance;
+        x = candidate;
+        out_.error_bound = bound;
+      }
+    }
+    if (std::isfinite(nearest)) {
+      out_.status = SolveStatus::solved;
+      out_.message = options_.start ? "Newton from the given start" : "global search, then Newton";
+      return true;
+    }
+    out_.status = SolveStatus::not_found;
+    std::ostringstream text;
+    text << "no lambda > mu was found in stretches [" << seed_options.min_stretch << ", "
+         << seed_options.max_stretch << "], which is no proof that none exists";
+    out_.message = text.str();
+    return false;
+  }
+
+  const Body& body_;
+  const Potential& potential_;
+  const SolveOptions& options_;
+  TwoPolarEquilibrium& out_;
+};
+
+void circle_instead(const Body& body, const Potential& potential,
+                    const TwoPolarRates<double>& rates, const SolveOptions& options, Solver& solver,
+                    TwoPolarEquilibrium& out) {
+  SolveOptions from_rest = options;
+  from_rest.start.reset();
+  const Equilibrium circle =
+      solve(Problem(body, potential, Branch::iii), rates.omega + rates.theta_dot, from_rest);
+  out.counts += circle.counts;
+  if (circle.status == SolveStatus::interrupted) out.status = SolveStatus::interrupted;
+  if (circle.status != SolveStatus::solved) return;
+  out.status = SolveStatus::solved;
+  out.circle = true;
+  out.x = {circle.q.xi, circle.q.zeta, circle.q.rho};
+  if (!solver.correct_circle(rates)) {
+    out.status = SolveStatus::failed;
+    out.message += "; the circle lambda = mu did not converge";
+    return;
+  }
+  out.message += "; this is the circle lambda = mu, which depends on omega + theta_dot only";
+}
+
+}  // namespace
+
+TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential,
+                                    const TwoPolarMotion& motion, const SolveOptions& options) {
+  require_two_polar(body, motion);
+  if (options.start) require_positive_definite(*options.start);
+
+  TwoPolarEquilibrium out;
+  Solver solver(body, potential, options, out);
+  if (const auto* rates = std::get_if<TwoPolarRates<double>>(&motion)) {
+    const auto verdict = rates_verdict(body.J1, potential, *rates);
+    if (verdict && verdict->on_line) {
+      out.status = SolveStatus::not_isolated;
+      out.message = verdict->line_message();
+      return out;
+    }
+    if (verdict) {
+      out.status = SolveStatus::none_exists;
+      out.message = "lambda != mu exists only where " + verdict->condition;
+    } else {
+      solver.run(*rates);
+    }
+    if (out.status == SolveStatus::none_exists || out.status == SolveStatus::not_found)
+      circle_instead(body, potential, *rates, options, solver, out);
+  } else {
+    const auto& momenta = std::get<TwoPolarMomenta<double>>(motion);
+    if (momenta.s3 == momenta.p_theta) {
+      solver.run(TwoPolarEqualMomenta<double>{momenta.s3});
+      if (out.status == SolveStatus::not_found) solver.circle(momenta.s3);
+    } else {
+      solver.run(momenta);
+    }
+  }
+  if (out.status != SolveStatus::solved) return out;
+  set_motion(body, motion, out);
+  out.residual = two_polar_residual_check(
+      body, potential.derivatives({0.0, out.x[0], out.x[1], out.x[2]}), out);
+  if (!(out.residual <= 1e-9)) {
+    out.status = SolveStatus::failed;
+    out.message += "; but the recomputed balance residual is no equilibrium's";
+  }
+  return out;
+}
+
+Spectrum stability(const Body& body, const Potential& potential,
+                   const TwoPolarEquilibrium& equilibrium) {
+  if (equilibrium.status != SolveStatus::solved)
+    throw std::invalid_argument("a spectrum needs a solved equilibrium");
+  const Vector3<double>& x = equilibrium.x;
+  if (equilibrium.circle) {
+    Equilibrium circle;
+    circle.status = SolveStatus::solved;
+    circle.q = {0.0, x[0], x[1], x[2]};
+    const TwoPolarRates<double>& rates = equilibrium.rates;
+    const double spin = rates.omega + rates.theta_dot;
+    circle.nu = {0.0, 0.0, spin};
+    // Rates of opposite sense cancel in their sum, half a unit of each does not.
+    const double spin_error =
+        spin == 0.0
+            ? 0.0
+            : 0x1p-53 * (std::abs(rates.omega) + std::abs(rates.theta_dot)) / std::abs(spin);
+    circle.error_bound = std::max(equilibrium.error_bound, spin_error);
+    return stability(Problem(body, potential, Branch::iii), circle);
+  }
+  const double u = std::max(equilibrium.error_bound, 0x1p-53);
+  return potential.visit([&](const auto& model) {
+    // One more correction of (lambda, mu[, rho]) at the computed rates, kept unrounded.
+    using Elastic = decltype(elastic_system(model));
+    constexpr int N = Elastic::dimension;
+    const TwoPolarSystem<Elastic, TwoPolarRates> system{elastic_system(model), body.J1,
+                                                        equilibrium.rates};
+    const auto planar = extended_solution(system, ReducedVector<N>(x.head<N>()));
+    DoubleDouble rho;
+    if constexpr (N == 3) {
+      rho = planar[2];
+    } else {
+      using Thickness = std::decay_t<decltype(model.thickness)>;
+      rho = extended_solution(ThicknessSystem<Thickness>{model.thickness, DoubleDouble(0.0)},
+                              ReducedVector<1>(x[2]))[0];
+    }
+    return two_polar_stability(body, model, {planar[0], planar[1], rho}, equilibrium.rates,
+                               equilibrium.momenta.s3, u);
+  });
+}
+
+}  // namespace stationary

@@ -1,0 +1,25 @@
+// Two-polar stationary motions (J1 = J2): lambda, mu, rho given the rates (omega, theta') or the
+// momenta (s3, p_theta); equations in lib/balance/two_polar.hpp.
+//
+// An answer has lambda > mu. Where the rates lie on a line of solutions (two_polar_motion.hpp) that is
+// said instead of returning one of them. Where no lambda > mu is found, the circle lambda = mu,
+// which depends on omega + theta' only and has s3 = p_theta, is returned and named.
+#pragma once
+
+#include "lib/stability/spectrum.hpp"
+#include "solver/solve/solve.hpp"
+#include "solver/motion/two_polar_motion.hpp"
+
+namespace stationary {
+
+/// Throws as require_two_polar(). options.method is not
+/// used: the search is global (NLopt), then Newton, then refine; options.start replaces the search.
+TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential,
+                                    const TwoPolarMotion& motion, const SolveOptions& options = {});
+
+/// Its spectrum on the leaf |s|, p_theta fixed (lambda != mu), or that of (iii) with nu3 = omega +
+/// theta' on the circle.
+Spectrum stability(const Body& body, const Potential& potential,
+                   const TwoPolarEquilibrium& equilibrium);
+
+}  // namespace stationary

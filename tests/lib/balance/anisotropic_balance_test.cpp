@@ -1,0 +1,168 @@
+// The balance with alpha and the axis unknown, against lib's own in q and against the slopes of the
+// one function it is the gradient of.
+#include "lib/balance/anisotropic_balance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "lib/balance/balance.hpp"
+#include "tests/support/random_anisotropic.hpp"
+
+namespace stationary {
+namespace {
+
+using Point = std::array<DoubleDouble, 5>;
+
+struct Setting {
+  Inertia3<DoubleDouble> J;
+  AnisotropicModel<DoubleDouble> model;
+  double nu;
+
+  OrientedStretch<DoubleDouble> stretch(const Point& x) const {
+    return oriented_stretch(x[0], x[1], x[2], x[3]);
+  }
+  template <int order>
+  OrientedBalance<DoubleDouble> balance(const Point& x) const {
+    const auto axis = axis_angle(x[4]);
+    auto out = oriented_balance<order>(
+        J, model, stretch(x), in_plane_products(two_product(nu, nu), axis.cosine, axis.sine));
+    add_axis<order>(J, stretch(x), two_product(nu, nu), axis, out);
+    return out;
+  }
+  /// V - q^T C q/2
+  DoubleDouble function(const Point& x) const {
+    const auto axis = axis_angle(x[4]);
+    const auto C =
+        centrifugal_matrix(J, in_plane_products(two_product(nu, nu), axis.cosine, axis.sine));
+    const auto q = stretch(x).q;
+    DoubleDouble T(0.0);
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) T += q.vector()[i] * C(i, j) * q.vector()[j];
+    return potential_derivatives<0>(model, q).value - 0.5 * T;
+  }
+};
+
+/// x e^h to first order, and back by the same.
+Point moved(Point x, std::size_t k, double h) {
+  x[k] = x[k] * (1.0 + DoubleDouble(h));
+  return x;
+}
+
+Point random_point(support::Random& random) {
+  return {random.log_uniform(0.3, 3.0), random.log_uniform(0.3, 3.0), random.log_uniform(0.3, 3.0),
+          random.log_uniform(0.4, 2.5), random.log_uniform(0.3, 3.0)};
+}
+
+template <class F>
+void over_settings(std::uint64_t seed, const F& f) {
+  support::Random random(seed);
+  for (int k = 0; k < 32; ++k) {
+    const auto of = support::random_anisotropic(random, k);
+    const Body body = random.body();
+    f(Setting{{body.J1, body.J2, body.J3}, of.V.model(AsExtended()), random.uniform(0.1, 2.0)},
+      body, of.text, random);
+  }
+}
+
+TEST(AnisotropicBalance, IsTheGradientOfOneFunctionAndItsSlopes) {
+  over_settings(
+      311, [](const Setting& at, const Body&, const std::string& text, support::Random& random) {
+        const Point x = random_point(random);
+        const auto b = at.balance<2>(x);
+        double scale = 1.0;
+        for (const auto& row : b.slope)
+          for (const DoubleDouble& entry : row) scale = std::max(scale, std::abs(double(entry)));
+        constexpr double h = 1e-8;
+        for (std::size_t k = 0; k < 5; ++k) {
+          const Point ahead = moved(x, k, h);
+          const Point behind = moved(x, k, -h);
+          const double slope = double(at.function(ahead) - at.function(behind)) / (2.0 * h);
+          // phi's row is for |nu| = 1 and the angle itself.
+          const double own = k == 4 ? at.nu * at.nu * double(axis_angle(x[4]).rate) : 1.0;
+          EXPECT_NEAR(slope, own * double(b.g[k]), 1e-13 * scale) << text << ", row " << k;
+          const auto b_ahead = at.balance<1>(ahead);
+          const auto b_behind = at.balance<1>(behind);
+          for (std::size_t i = 0; i < 5; ++i) {
+            EXPECT_NEAR(double(b_ahead.g[i] - b_behind.g[i]) / (2.0 * h), double(b.slope[i][k]),
+                        1e-12 * scale)
+                << text << ", row " << i << " column " << k;
+          }
+        }
+      });
+}
+
+TEST(AnisotropicBalance, HoldsWhereTheBalanceInTheStretchesAndCompatibilityDo) {
+  over_settings(312, [](const Setting& at, const Body& body, const std::string& text,
+                        support::Random& random) {
+    const Point x = random_point(random);
+    const auto b = at.balance<1>(x);
+    const auto axis = axis_angle(x[4]);
+    const auto q = at.stretch(x).q;
+    const Vector3<DoubleDouble> nu{at.nu * axis.cosine, at.nu * axis.sine, 0.0};
+    const Vector4<DoubleDouble> F = balance_residual(body, at.model, q, nu);
+    // The rows are the stretches' own times dq/dy.
+    EXPECT_NEAR(double(b.g[0]), double(F[1] * q.xi + 0.5 * (F[0] * q.alpha)), 1e-13) << text;
+    EXPECT_NEAR(double(b.g[1]), double(F[2] * q.zeta + 0.5 * (F[0] * q.alpha)), 1e-13) << text;
+    EXPECT_NEAR(double(b.g[2]), double(F[3] * q.rho), 1e-13) << text;
+    const DoubleDouble root = sqrt(q.xi * q.zeta);
+    const DoubleDouble alpha_a = root * (1.0 - square(q.alpha / root));
+    EXPECT_NEAR(double(b.g[3]), double(F[0] * alpha_a), 1e-13) << text;
+    const auto K = compatibility_residual(body, q, nu);
+    EXPECT_NEAR(double(b.g[4]) * at.nu * at.nu, double(K[2]), 1e-13) << text;
+  });
+}
+
+TEST(AnisotropicBalance, IntervalsHoldThePointValues) {
+  support::Random random(313);
+  struct AsBox {
+    Interval operator()(double c) const { return c; }
+    Direction<Interval> direction(double degrees) const { return direction_interval(degrees, 0.0); }
+  };
+  for (int k = 0; k < 32; ++k) {
+    const auto of = support::random_anisotropic(random, k);
+    const auto model = of.V.model(AsBox());
+    const Inertia3<Interval> J{1.3, 0.7, 0.5};
+    const double nu = 0.8;
+    const Setting at{{1.3, 0.7, 0.5}, of.V.model(AsExtended()), nu};
+    const Point x = random_point(random);
+    std::array<Interval, 5> box;
+    const double width = random.log_uniform(1e-12, 0.3);
+    for (std::size_t i = 0; i < 5; ++i)
+      box[i] = {double(x[i]) * (1.0 - width), double(x[i]) * (1.0 + width)};
+    const auto stretch = oriented_stretch(box[0], box[1], box[2], box[3]);
+    const auto axis = axis_angle(box[4]);
+    const Interval nu_squared = square(Interval(nu));
+    auto over = oriented_balance<2>(J, model, stretch,
+                                    in_plane_products(nu_squared, axis.cosine, axis.sine));
+    add_axis<2>(J, stretch, nu_squared, axis, over);
+    for (int trial = 0; trial < 4; ++trial) {
+      Point inside = x;
+      for (auto& each : inside) each = each * (1.0 + width * random.uniform(-0.999, 0.999));
+      const auto point = at.balance<2>(inside);
+      for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_TRUE(over.g[i].may_be(double(point.g[i]))) << of.text << ", row " << i;
+        for (std::size_t j = 0; j < 5; ++j)
+          EXPECT_TRUE(over.slope[i][j].may_be(double(point.slope[i][j])))
+              << of.text << ", entry " << i << " " << j;
+      }
+    }
+  }
+}
+
+TEST(AnisotropicBalance, CoordinatesComeBack) {
+  support::Random random(314);
+  for (int k = 0; k < 100; ++k) {
+    const Stretch q = random.stretch();
+    const Stretch back = oriented_stretch(q.xi, q.zeta, q.rho, shear_coordinate(q)).q;
+    EXPECT_NEAR(back.alpha, q.alpha, 4e-16 * std::sqrt(q.xi * q.zeta));
+    const double phi = random.uniform(-3.1, 3.1);
+    const auto axis = axis_angle(axis_coordinate(phi));
+    EXPECT_NEAR(axis.cosine, std::cos(phi), 1e-13);
+    EXPECT_NEAR(axis.sine, std::sin(phi), 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace stationary

@@ -1,0 +1,107 @@
+// Commands, options, help, version; what the command line itself gets wrong ends with 2.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "lib/material/potential.hpp"
+#include "tests/program/program.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(CommandLine, NoCommandPrintsHelpAndFails) {
+  const Outcome outcome = run_program({});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.out, IsEmpty());
+  EXPECT_THAT(outcome.err, HasSubstr("Usage: stationary"));
+}
+
+TEST(CommandLine, HelpAndVersion) {
+  for (const auto& arguments : std::vector<std::vector<std::string>>{{"--help"},
+                                                                     {"solve", "--help"},
+                                                                     {"continue", "--help"},
+                                                                     {"check", "--help"},
+                                                                     {"models", "--help"},
+                                                                     {"plot", "--help"}}) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.out, HasSubstr("Usage: stationary"));
+    EXPECT_THAT(outcome.err, IsEmpty());
+  }
+  for (const auto& arguments : std::vector<std::vector<std::string>>{{"--version"},
+                                                                     {"solve", "--version"},
+                                                                     {"continue", "--version"},
+                                                                     {"check", "--version"},
+                                                                     {"plot", "--version"}}) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.out, ::testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  }
+}
+
+TEST(CommandLine, HelpThatCannotBeWrittenIsAFailure) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--help"}, {"--version"}, {"solve", "--help"}}) {
+    const Outcome outcome = run_program(arguments, {.standard_output = "/dev/full"});
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_THAT(outcome.err, HasSubstr("No space left"));
+  }
+}
+
+TEST(CommandLine, MisspeltCommandsAndOptions) {
+  struct Line {
+    std::vector<std::string> arguments;
+    const char* fragment;
+  };
+  const std::vector<Line> lines{
+      {{"slove", "x.toml"}, "unknown command \"slove\"; did you mean \"solve\"?"},
+      {{"continu", "x.toml"}, "did you mean \"continue\"?"},
+      {{"continue", "x.toml", "--resme"}, "did you mean \"--resume\"?"},
+      {{"modles"}, "did you mean \"models\"?"},
+      {{"solve", "x.toml", "--quite"}, "unknown option \"--quite\"; did you mean \"--quiet\"?"},
+      {{"solve", "x.toml", "--outptu=y"}, "did you mean \"--output\"?"},
+      {{"solve", "--thread"}, "did you mean \"--threads\"?"},
+      {{"solve"}, "CASE is required"},
+      {{"solve", "x.toml", "y.toml"}, "unknown argument \"y.toml\""},
+      {{"solve", "x.toml", "--threads", "0"}, "--threads"},
+      {{"solve", "x.toml", "--threads", "many"}, "--threads"},
+      {{"solve", "x.toml", "-o"}, "-o"},
+      {{"solve", "x.toml", "-o", ""}, "found an empty name"},
+      {{"plot", "x.csv", "-o", ""}, "found an empty name"},
+      {{"plto", "x.csv"}, "did you mean \"plot\"?"},
+      {{"plot", "x.csv", "--titel=y"}, "did you mean \"--title\"?"},
+      {{"plot", "x.csv"}, "--output is required"},
+      {{"models", "hencki"}, "did you mean \"hencky\"?"},
+      {{""}, "stationary: "},
+  };
+  for (const Line& line : lines) {
+    const Outcome outcome = run_program(line.arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.out, IsEmpty());
+    EXPECT_THAT(outcome.err, HasSubstr(line.fragment));
+  }
+}
+
+TEST(Models, ListsAllOfThemWithFormulaParametersAndDomain) {
+  const Outcome outcome = run_program({"models"});
+  EXPECT_EQ(outcome.code, 0);
+  std::vector<ModelDescription> all = model_descriptions();
+  all.insert(all.end(), anisotropic_descriptions().begin(), anisotropic_descriptions().end());
+  for (const ModelDescription& model : all) {
+    const Outcome one = run_program({"models", std::string(model.name)});
+    EXPECT_EQ(one.code, 0);
+    for (const std::string& text : {outcome.out, one.out}) {
+      EXPECT_THAT(text, HasSubstr(std::string(model.name)));
+      EXPECT_THAT(text, HasSubstr(std::string(model.formula)));
+      for (const std::string& inequality : model.domain) EXPECT_THAT(text, HasSubstr(inequality));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stationary::testing

@@ -1,0 +1,468 @@
+// continue from outside: the table and its events, other parameters, metadata, what is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "solver/program/case/case_file.hpp"
+#include "solver/motion/event.hpp"
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+constexpr const char* without_spectrum =
+    "branch,sheet,point,event,nu1,nu2,nu3,alpha,xi,zeta,rho,lambda,mu,angle,pi1,pi2,pi3,energy,"
+    "residual,compatibility,error_bound";
+constexpr const char* spectral =
+    ",class,growth,negative,re1,im1,krein1,re2,im2,krein2,re3,im3,krein3,re4,im4,krein4,re5,im5,"
+    "krein5,segment";
+
+/// "continue", a case and overrides of it.
+std::vector<std::string> command(const std::string& case_file,
+                                 const std::vector<std::string>& overrides) {
+  std::vector<std::string> out{"continue", case_file};
+  for (const std::string& each : overrides) {
+    out.emplace_back("--set");
+    out.push_back(each);
+  }
+  return out;
+}
+
+Outcome continued(const std::string& case_file, const std::vector<std::string>& overrides = {},
+                  const std::string& target = "-") {
+  auto arguments = command(case_file, overrides);
+  arguments.insert(arguments.end(), {"-o", target});
+  return run_program(arguments);
+}
+
+/// The case's range in nu, in place of whatever it has.
+std::vector<std::string> along_nu(const std::string& from, const std::string& to) {
+  return {"continuation.parameter=nu", "continuation.from=" + from, "continuation.to=" + to};
+}
+
+bool is_end_name(const std::string& event) {
+  for (const EventType end : {EventType::collapse, EventType::escape, EventType::limit,
+                              EventType::closed, EventType::stalled})
+    if (event == name(end)) return true;
+  return false;
+}
+
+/// "limit tilt ... escape"
+std::string events_of(const std::vector<Row>& rows) {
+  std::string out;
+  for (const Row& row : rows)
+    if (!row.at("event").empty()) out += (out.empty() ? "" : " ") + row.at("event");
+  return out;
+}
+
+std::size_t place_of(const std::vector<Row>& rows, const std::string& event) {
+  std::size_t k = 0;
+  while (k < rows.size() && rows[k].at("event") != event) ++k;
+  EXPECT_LT(k, rows.size()) << "no " << event;
+  return k;
+}
+
+double number(const Row& row, const std::string& column) { return testing::number(row.at(column)); }
+
+TEST(Continue, ColumnsInTheirOrder) {
+  const Outcome outcome = continued(shipped("disc.toml"));
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_EQ(header_of(outcome.out), std::string(without_spectrum) + spectral);
+  EXPECT_TRUE(outcome.out.ends_with("\n"));
+  EXPECT_EQ(outcome.out.find('\r'), std::string::npos);
+  const Outcome plain = continued(shipped("disc.toml"), {"output.spectrum=false"});
+  EXPECT_EQ(header_of(plain.out), without_spectrum);
+  const Outcome other = continued(
+      shipped("disc.toml"), {"continuation.parameter=potential.plane.c", "continuation.from=0.5"});
+  EXPECT_EQ(header_of(other.out), std::string(without_spectrum) + spectral + ",potential.plane.c");
+}
+
+TEST(Continue, ChosenColumnsKeepTheirOrder) {
+  const std::string columns = R"(output.columns=["class", "nu1", "omega", "event", "xi"])";
+  const Outcome outcome = continued(shipped("disc.toml"), {columns});
+  EXPECT_EQ(header_of(outcome.out), "event,nu1,xi,class");
+  EXPECT_THAT(outcome.out, HasSubstr("\nlimit,0,0.8408964152537145,"));
+  // The parameter that varies is always there.
+  const Outcome other = continued(
+      shipped("disc.toml"),
+      {columns, "continuation.parameter=body.J.1", "continuation.from=1", "continuation.to=2"});
+  EXPECT_EQ(header_of(other.out), "event,nu1,xi,class,body.J.1");
+  const Outcome only = continued(
+      shipped("disc.toml"),
+      {R"(output.columns=["omega"])", "continuation.from=0.5", "continuation.parameter=body.J.1"});
+  EXPECT_EQ(header_of(only.out), "body.J.1");
+  const Outcome none = continued(shipped("disc.toml"), {R"(output.columns=["omega"])"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("output.columns: found no column that continue computes"));
+}
+
+TEST(Continue, SpectrumOffChangesNoOtherCell) {
+  const std::vector<std::string> quick{"continuation.tolerance=1e-6"};
+  const auto with = rows_of(continued(shipped("disc.toml"), quick).out);
+  const auto without =
+      rows_of(continued(shipped("disc.toml"), {quick[0], "output.spectrum=false"}).out);
+  ASSERT_EQ(with.size(), without.size());
+  for (std::size_t k = 0; k < with.size(); ++k)
+    for (const auto& [column, cell] : without[k]) EXPECT_EQ(with[k].at(column), cell) << column;
+}
+
+/// Every shipped case with an axis of spin (a tilted one ends where its tilt does), from rest to
+/// its end or nu = 3.
+TEST(Continue, EveryCaseIsFollowedFromEndToEnd) {
+  for (const auto& entry : std::filesystem::directory_iterator(STATIONARY_CASES)) {
+    const Case input = read_case(entry.path().string());
+    if (input.two_polar()) continue;
+    const bool own = input.continuation.has_value();
+    const Outcome outcome =
+        continued(entry.path().string(), own ? std::vector<std::string>() : along_nu("0", "3"));
+    ASSERT_EQ(outcome.code, 0) << entry.path() << outcome.err;
+    EXPECT_THAT(outcome.err, IsEmpty()) << entry.path();
+    const auto rows = rows_of(outcome.out);
+    ASSERT_GE(rows.size(), 2U);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const bool at_end = k == 0 || k + 1 == rows.size();
+      const std::string& event = rows[k].at("event");
+      EXPECT_EQ(is_end_name(event) || (input.tilted() && event == "tilt"), at_end)
+          << entry.path() << " row " << k;
+      EXPECT_EQ(rows[k].at("branch"), input.branch_name());
+      EXPECT_EQ(rows[k].at("sheet"), "1");
+      EXPECT_EQ(rows[k].at("point"), std::to_string(k));
+      EXPECT_LE(number(rows[k], "residual"), 1e-14) << entry.path() << " row " << k;
+    }
+    EXPECT_EQ(events_of(rows).find("unexplained"), std::string::npos) << entry.path();
+  }
+}
+
+TEST(Continue, EndsAtTheLimitsAsked) {
+  const auto rows = rows_of(continued(shipped("disc.toml"), along_nu("-0.625", "0.75")).out);
+  EXPECT_EQ(rows.front().at("event"), "limit");
+  EXPECT_EQ(rows.front().at("nu1"), "-0.625");
+  EXPECT_EQ(rows.back().at("event"), "limit");
+  EXPECT_EQ(rows.back().at("nu1"), "0.75");
+  for (std::size_t k = 1; k < rows.size(); ++k)
+    EXPECT_LT(number(rows[k - 1], "nu1"), number(rows[k], "nu1"));
+}
+
+/// The fold by its closed form (cases/fold.toml), and nu at rest on either side of it.
+TEST(Continue, AFoldStandsWhereTheSpinIsGreatest) {
+  const auto rows = rows_of(continued(shipped("fold.toml"), along_nu("0", "3")).out);
+  EXPECT_EQ(events_of(rows), "limit fold-nu tilt escape");
+  const std::size_t fold = place_of(rows, "fold-nu");
+  constexpr double mu = 1.1;
+  constexpr double lambda = 0.8;
+  const double greatest =
+      std::sqrt(2.0 * mu * (mu + lambda) / ((2.0 * mu + lambda) * std::numbers::e * 1.7));
+  EXPECT_NEAR(number(rows[fold], "nu1"), greatest, 1e-15);
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const double step = number(rows[k], "nu1") - number(rows[k - 1], "nu1");
+    EXPECT_GE(k <= fold ? step : -step, 0.0) << k;
+    EXPECT_LT(number(rows[k - 1], "zeta"), number(rows[k], "zeta")) << k;
+  }
+  EXPECT_GT(number(rows.back(), "zeta"), 9e5);
+}
+
+/// I1 = I3 at a tilt of (i): the class changes there and nowhere else.
+TEST(Continue, ATiltStandsWhereTwoInertiasAreEqual) {
+  const auto rows = rows_of(continued(shipped("neo_hookean.toml"), along_nu("0", "0.766")).out);
+  EXPECT_EQ(events_of(rows), "limit tilt limit");
+  const std::size_t tilt = place_of(rows, "tilt");
+  const double xi = number(rows[tilt], "xi");
+  const double rho = number(rows[tilt], "rho");
+  EXPECT_NEAR(xi * xi, 0.6 * rho * rho, 1e-13);
+  for (std::size_t k = 1; k < rows.size(); ++k)
+    EXPECT_EQ(rows[k].at("class"), k < tilt ? "unstable" : k > tilt ? "stable" : "marginal") << k;
+}
+
+TEST(Continue, OverridesOfTheContinuation) {
+  const auto with = [](const std::string& override) {
+    auto all = along_nu("0", "1.05");
+    all.push_back(override);
+    return rows_of(continued(shipped("disc.toml"), all).out);
+  };
+  EXPECT_LT(3 * with("continuation.tolerance=1e-6").size(),
+            with("continuation.tolerance=1e-10").size());
+  EXPECT_EQ(with("continuation.tolerance=1e-20"), with("continuation.tolerance=1e-13"));
+  const auto rows = with("continuation.step=0.001");
+  // The step is an arc of ln S and of nu over its range.
+  EXPECT_NEAR(number(rows[1], "nu1"), 0.001 * 1.05, 1e-6);
+  EXPECT_EQ(continued(shipped("disc.toml"), {"continuation.parameter=motion.nu"}).out,
+            continued(shipped("disc.toml")).out);
+}
+
+TEST(Continue, MaxPointsEndsTheTableOpen) {
+  const TemporaryDirectory directory;
+  for (const auto& [most, from] : {std::pair{2, "0"}, {17, "0"}, {2, "-1"}, {17, "-1"}}) {
+    const Outcome outcome = continued(shipped("disc.toml"),
+                                      {"continuation.max_points=" + std::to_string(most),
+                                       std::string("continuation.from=") + from},
+                                      directory / "x.csv");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("continuation.max_points; --resume goes on"));
+    const auto rows = rows_of(text_of(directory / "x.csv"));
+    EXPECT_EQ(rows.size(), static_cast<std::size_t>(most)) << from;
+    EXPECT_EQ(rows.back().at("event"), "");
+    const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    EXPECT_EQ(metadata["status"], "stopped at max_points");
+    EXPECT_THAT(metadata["last_end"].get<std::string>(),
+                HasSubstr("continuation.max_points is reached"));
+  }
+}
+
+// Other parameters: the spin is held.
+
+class ContinueIn : public ::testing::TestWithParam<std::tuple<const char*, const char*>> {
+ protected:
+  std::string case_file() const { return shipped(std::get<0>(GetParam())); }
+  std::string parameter() const { return std::get<1>(GetParam()); }
+};
+
+/// "potential.plane.c" of the case's tree.
+double own_value(const Case& input, const std::string& key) {
+  if (key.starts_with("body")) {
+    const double J[] = {input.body.J1, input.body.J2, input.body.J3};
+    return J[key.back() - '0'];
+  }
+  for (const ModelChoice& model : input.models)
+    for (std::size_t k = 0; k < model.coefficients.size(); ++k)
+      if (key == "potential." + model.slot + "." + model.description.parameters[k])
+        return model.coefficients[k];
+  ADD_FAILURE() << key;
+  return 0.0;
+}
+
+TEST_P(ContinueIn, RowsAreWhatSolveFinds) {
+  const Case input = read_case(case_file());
+  const double own = own_value(input, parameter());
+  const Outcome outcome = continued(
+      case_file(),
+      {"continuation.parameter=" + parameter(), "continuation.from=" + std::to_string(0.9 * own),
+       "continuation.to=" + std::to_string(1.1 * own), "continuation.tolerance=1e-5"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(header_of(outcome.out).ends_with("krein5,segment," + parameter()));
+  const auto rows = rows_of(outcome.out);
+  ASSERT_GE(rows.size(), 3U);
+  EXPECT_EQ(rows.front().at("event"), "limit");
+  EXPECT_EQ(rows.back().at("event"), "limit");
+  for (std::size_t k = 0; k < rows.size(); k += 1 + rows.size() / 4) {
+    const Row& row = rows[k];
+    const Outcome solved = run_program(
+        {"solve", case_file(), "-o", "-", "--set", parameter() + "=" + row.at(parameter())});
+    ASSERT_EQ(solved.code, 0) << solved.err;
+    const Row cold = only_row(solved.out);
+    const double bounds = number(row, "error_bound") + number(cold, "error_bound");
+    for (const char* column : {"xi", "zeta", "rho"})
+      EXPECT_NEAR(number(row, column), number(cold, column), 1.01 * bounds * number(cold, column));
+    for (const char* column : {"branch", "nu1", "nu2", "nu3", "alpha", "compatibility", "class",
+                               "negative", "krein1", "krein5"})
+      EXPECT_EQ(row.at(column), cold.at(column)) << column;
+    for (const char* column : {"energy", "pi1", "pi2", "pi3", "im4", "growth"}) {
+      EXPECT_NEAR(number(row, column), number(cold, column),
+                  1e-13 * (1.0 + std::abs(number(cold, column))))
+          << column;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, ContinueIn,
+    ::testing::Values(std::tuple{"disc.toml", "body.J.0"}, std::tuple{"disc.toml", "body.J.1"},
+                      std::tuple{"disc.toml", "body.J.2"},
+                      std::tuple{"disc.toml", "potential.plane.c"},
+                      std::tuple{"neo_hookean.toml", "potential.plane.lambda"},
+                      std::tuple{"second_axis.toml", "potential.plane.mu"},
+                      std::tuple{"second_axis.toml", "potential.thickness.b"},
+                      std::tuple{"third_axis.toml", "potential.thickness.rest"},
+                      std::tuple{"third_axis.toml", "potential.thickness.k"},
+                      std::tuple{"third_axis.toml", "body.J.2"},
+                      std::tuple{"thick.toml", "potential.thickness.rest"},
+                      std::tuple{"coupled.toml", "potential.coupled.lambda"},
+                      std::tuple{"coupled.toml", "body.J.0"}),
+    [](const auto& info) {
+      std::string text = std::string(std::get<0>(info.param)) + "_" + std::get<1>(info.param);
+      for (char& c : text)
+        if (c == '.') c = '_';
+      return text;
+    });
+
+// What stands beside the table.
+
+TEST(Continue, MetadataTellTheEventsOfTheTable) {
+  const TemporaryDirectory directory;
+  for (const char* file : {"fold.toml", "circle.toml", "apart.toml", "disc.toml"}) {
+    const Outcome outcome = continued(shipped(file), along_nu("0", "3"), directory / "x.csv");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, IsEmpty());
+    EXPECT_THAT(directory.names(), ElementsAre("x.csv", "x.meta.json"));
+    const auto rows = rows_of(text_of(directory / "x.csv"));
+    const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    EXPECT_EQ(metadata["command"], "continue");
+    EXPECT_EQ(metadata["status"], "done");
+    EXPECT_EQ(metadata["rows"], rows.size());
+    EXPECT_EQ(metadata["case"]["continuation"]["to"], 3.0);
+    EXPECT_EQ(metadata["overrides"]["continuation.to"], "--set continuation.to=3");
+    EXPECT_THAT(metadata["first_end"].get<std::string>(),
+                StartsWith(rows.front().at("event") + " at nu = "));
+    EXPECT_THAT(metadata["last_end"].get<std::string>(),
+                StartsWith(rows.back().at("event") + " at nu = "));
+    const auto& counts = metadata["counts"];
+    EXPECT_EQ(counts["spectra"], counts["points_evaluated"]);
+    EXPECT_GE(counts["points_evaluated"], rows.size() - 1);
+    EXPECT_GE(counts["continuation_jacobians"], counts["continuation_steps"]);
+
+    std::vector<Row> events;
+    for (const Row& row : rows)
+      if (!row.at("event").empty() && !is_end_name(row.at("event"))) events.push_back(row);
+    ASSERT_EQ(metadata.contains("events") ? metadata["events"].size() : 0, events.size()) << file;
+    const std::string nu =
+        "nu" + std::to_string(1 + axis(read_case(shipped(file)).problem().branch()));
+    for (std::size_t k = 0; k < events.size(); ++k) {
+      const auto& event = metadata["events"][k];
+      EXPECT_EQ(event["event"], events[k].at("event"));
+      const double at = event["parameter"];
+      EXPECT_EQ(at, number(events[k], nu));
+      EXPECT_EQ(event["status"], "located");
+      // A turn of nu is passed on one side of it.
+      for (const double end : event["bracket"]) EXPECT_NEAR(end, at, 1e-13 * at) << event;
+    }
+  }
+}
+
+TEST(Continue, SummaryForAPerson) {
+  const Outcome outcome = run_program(command(shipped("fold.toml"), along_nu("0", "3")));
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty());
+  for (const char* words :
+       {"branch (i) in nu, from 0 to 3", "walk from the rest state", "limit at nu = 0",
+        "escape at nu = ", "fold-nu           nu = 0.54910552293", "tilt", "unstable", "stable"})
+    EXPECT_THAT(outcome.out, HasSubstr(words));
+  auto quiet = command(shipped("fold.toml"), along_nu("0", "3"));
+  quiet.emplace_back("--quiet");
+  EXPECT_THAT(run_program(quiet).out, IsEmpty());
+}
+
+/// Only the events named are in the table, where they were; the spectrum comes with those that need
+/// it; residuals and energy with their columns.
+TEST(Continue, EventsAndColumnsAskedFor) {
+  const std::string path = shipped("apart.toml");
+  const Outcome all = continued(path, {});
+  const Outcome some = continued(path, {"continuation.events=[\"tilt\",\"krein-pass\"]",
+                                        "output.columns=[\"event\",\"nu3\",\"xi\"]"});
+  ASSERT_EQ(some.code, 0) << some.err;
+  std::vector<std::pair<std::string, std::string>> expected;
+  for (auto& row : rows_of(all.out))
+    if (row["event"] == "tilt" || row["event"] == "krein-pass")
+      expected.emplace_back(row["event"], row["nu3"]);
+  ASSERT_EQ(expected.size(), 2U);
+  std::vector<std::pair<std::string, std::string>> found;
+  for (auto& row : rows_of(some.out))
+    if (row["event"] == "tilt" || row["event"] == "krein-pass" || row["event"] == "fold-momentum")
+      found.emplace_back(row["event"], row["nu3"]);
+  EXPECT_EQ(found, expected);
+
+  const TemporaryDirectory directory;
+  const Outcome bare = run_program({"continue", path, "-o", directory / "x.csv", "--set",
+                                    "output.columns=[\"event\",\"nu3\",\"xi\"]"});
+  ASSERT_EQ(bare.code, 0) << bare.err;
+  const auto counts = nlohmann::json::parse(text_of(directory / "x.meta.json"))["counts"];
+  for (const char* skipped : {"spectra", "potentials", "second_derivatives", "certificates"})
+    EXPECT_EQ(counts[skipped], 0) << skipped;
+  EXPECT_GT(counts["continuation_extended_residuals"], counts["continuation_steps"]);
+
+  const Outcome wrong = continued(path, {"continuation.events=[\"tilts\"]"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("\"tilt\"?"));
+}
+
+// What is refused.
+
+struct Refused {
+  const char* file;
+  std::vector<std::string> overrides;
+  const char* message;
+};
+
+TEST(Continue, WrongInputIsTwoAndNamesThePlace) {
+  const std::vector<Refused> all{
+      {"disc.toml", {"continuation.step=0.6"}, "--set continuation.step=0.6: continuation.step: "},
+      {"disc.toml", {"continuation.step=0"}, "continuation.step: found 0"},
+      {"disc.toml", {"continuation.from=2"}, "disc.toml:25:6: continuation.to: found the empty"},
+      {"disc.toml", {"continuation.to=0"}, "continuation.to: found the empty range from 0 to 0"},
+      {"disc.toml", {"continuation.tolerance=0"}, "continuation.tolerance: found 0"},
+      {"disc.toml", {"continuation.tolerance=2"}, "continuation.tolerance: found 2"},
+      {"disc.toml", {"continuation.tolerance=nan"}, "continuation.tolerance: found"},
+      {"disc.toml", {"continuation.to=inf"}, "continuation.to: found"},
+      {"disc.toml", {"continuation.max_points=1"}, "continuation.max_points: found 1"},
+      {"disc.toml", {"continuation.max_points=9.5"}, "continuation.max_points: found 9.5"},
+      {"disc.toml", {"continuation.parameter=potential.plane.z"}, "\"potential.plane.c\"?"},
+      {"disc.toml", {"continuation.parameter=body.J.3"}, "continuation.parameter: found"},
+      {"disc.toml", {"continuation.parameter=motion.omega"}, "continuation.parameter: found"},
+      {"disc.toml",
+       {"continuation.parameter=body.J.0"},
+       "disc.toml:24:8: continuation.from: found body.J.0 = 0; expected J1 > 0"},
+      {"disc.toml",
+       {"continuation.parameter=potential.plane.k", "continuation.from=-1"},
+       "continuation.from: found potential.plane.k = -1"},
+      {"neo_hookean.toml",
+       {"continuation.parameter=potential.plane.lambda", "continuation.from=-5"},
+       "continuation.from: found potential.plane.lambda = -5"},
+      {"disc.toml",
+       {"solve.start=[0,1,1,0.7]", "continuation.from=0.6"},
+       "disc.toml:20:6: motion.nu: found nu = 0.5, outside the range"},
+      {"two_polar.toml", {"continuation.parameter=nu"}, "continuation.parameter: found"},
+      {"two_polar.toml", {"continuation.parameter=body.J.0"}, "continuation.parameter: found"},
+      {"too_fast.toml", {}, "too_fast.toml:1:1: continuation: found no such key"},
+      {"too_fast.toml", {"continuation.from=0", "continuation.to=1"}, "continuation.parameter: "},
+  };
+  for (const Refused& each : all) {
+    const Outcome outcome = continued(shipped(each.file), each.overrides);
+    EXPECT_EQ(outcome.code, 2) << each.message;
+    EXPECT_THAT(outcome.err, HasSubstr(each.message));
+    EXPECT_THAT(outcome.out, IsEmpty());
+  }
+}
+
+TEST(Continue, NoneAtTheStartIsThreeAndLeavesTheOldTable) {
+  const TemporaryDirectory directory;
+  const std::string target = directory.file("x.csv", "old\n");
+  const Outcome outcome = continued(shipped("too_fast.toml"), along_nu("2.4", "3"), target);
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("at the start nu = 2.5: no stationary ellipsoid exists: V_rho'"));
+  EXPECT_EQ(text_of(target), "old\n");
+  EXPECT_THAT(directory.names(), ElementsAre("x.csv"));
+}
+
+TEST(Continue, AnOldTableIsReplacedOnlyByAWholeOne) {
+  const TemporaryDirectory directory;
+  const std::string target = directory.file("x.csv", "old\n");
+  EXPECT_EQ(continued(shipped("disc.toml"), {"continuation.step=9"}, target).code, 2);
+  EXPECT_EQ(text_of(target), "old\n");
+  EXPECT_EQ(continued(shipped("disc.toml"), {}, target).code, 0);
+  EXPECT_EQ(text_of(target), continued(shipped("disc.toml")).out);
+  EXPECT_EQ(continued(shipped("disc.toml"), {}, directory / "no/x.csv").code, 2);
+  EXPECT_THAT(directory.names(), ElementsAre("x.csv", "x.meta.json"));
+}
+
+TEST(Continue, AFullDiskIsAFailure) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  const Outcome outcome = continued(shipped("disc.toml"), {}, "/dev/full");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("No space left"));
+  auto streamed = command(shipped("disc.toml"), {});
+  streamed.insert(streamed.end(), {"-o", "-"});
+  EXPECT_EQ(run_program(streamed, {.standard_output = "/dev/full"}).code, 4);
+}
+
+}  // namespace
+}  // namespace stationary::testing

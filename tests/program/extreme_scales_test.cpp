@@ -1,0 +1,136 @@
+// The same body in other units: J in one of mass times length squared, V in one of energy, nu in
+// the time that goes with them. All powers of two: what comes out is the same number in those
+// units, to the last bit, or the case is refused; never is a claim made of an overflow.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string number_text(double x) {
+  char out[40];
+  std::snprintf(out, sizeof out, "%.17g", x);
+  return out;
+}
+
+struct Units {
+  int inertia;  ///< exponents of two
+  int energy;
+  int rate() const { return (energy - inertia) / 2; }
+
+  std::map<std::string, int> columns() const {
+    std::map<std::string, int> out{
+        {"nu1", rate()}, {"pi1", inertia + rate()}, {"energy", energy}, {"growth", rate()}};
+    for (const char* part : {"re", "im"})
+      for (int k = 1; k <= 5; ++k) out[part + std::to_string(k)] = rate();
+    return out;
+  }
+
+  std::string case_text() const {
+    const auto J = [&](double x) { return number_text(std::ldexp(x, inertia)); };
+    const auto V = [&](double x) { return number_text(std::ldexp(x, energy)); };
+    const auto nu = [&](double x) { return number_text(std::ldexp(x, rate())); };
+    return "[body]\nJ = [" + J(1.0) + ", " + J(1.7) + ", " + J(0.6) + "]\n[potential]\n" +
+           "plane = { model = \"neo-hookean\", mu = " + V(1.0) + ", lambda = " + V(2.0) + " }\n" +
+           "thickness = { model = \"reciprocal-quadratic\", a = " + V(1.0) + ", b = " + V(3.0) +
+           " }\n[motion]\nbranch = \"i\"\nnu = " + nu(0.5) +
+           "\n[continuation]\nparameter = \"nu\"\nfrom = 0.0\nto = " + nu(0.7) +
+           "\ntolerance = 1e-5\n";
+  }
+};
+
+Outcome run_in(const Units& units, const char* command) {
+  const TemporaryDirectory directory;
+  return run_program({command, directory.file("case.toml", units.case_text()), "-o", "-"});
+}
+
+void expect_same(const std::string& plain, const std::string& scaled, const Units& units) {
+  const auto a = rows_of(plain);
+  const auto b = rows_of(scaled);
+  ASSERT_EQ(a.size(), b.size());
+  const auto exponents = units.columns();
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    for (const auto& [column, text] : a[k]) {
+      const auto exponent = exponents.find(column);
+      if (exponent == exponents.end() || text.empty()) {
+        EXPECT_EQ(text, b[k].at(column)) << column << " in row " << k;
+      } else {
+        EXPECT_EQ(std::ldexp(number(text), exponent->second), number(b[k].at(column)))
+            << column << " in row " << k;
+      }
+    }
+  }
+}
+
+TEST(ExtremeScales, TheSameInOtherUnitsOrRefused) {
+  for (const char* command : {"solve", "continue"}) {
+    const Outcome plain = run_in({0, 0}, command);
+    ASSERT_EQ(plain.code, 0) << plain.err;
+    int same = 0;
+    int refused = 0;
+    for (const Units units :
+         {Units{40, 0},    Units{-40, 0},   Units{290, 0},     Units{-290, 0},   Units{0, 290},
+          Units{0, -290},  Units{290, 290}, Units{-290, -290}, Units{145, -145}, Units{-145, 145},
+          Units{310, 0},   Units{-310, 0},  Units{500, 0},     Units{0, 500},    Units{0, -500},
+          Units{-1000, 0}, Units{1000, 0},  Units{0, 1000},    Units{900, 900},  Units{-900, -900},
+          Units{290, -290}}) {
+      SCOPED_TRACE(std::string(command) + " " + std::to_string(units.inertia) + " " +
+                   std::to_string(units.energy));
+      const Outcome scaled = run_in(units, command);
+      if (scaled.code == 0) {
+        expect_same(plain.out, scaled.out, units);
+        ++same;
+      } else {
+        EXPECT_EQ(scaled.code, 2) << scaled.err;
+        EXPECT_THAT(scaled.err, HasSubstr("units"));
+        ++refused;
+      }
+    }
+    EXPECT_EQ(same, 10);
+    EXPECT_EQ(refused, 11);
+  }
+}
+
+/// A rate whose square overflows beside inertias that make up for it.
+TEST(ExtremeScales, AnOverflowIsNoProof) {
+  const TemporaryDirectory directory;
+  const std::string path =
+      directory.file("case.toml",
+                     "[body]\nJ = [1e-303, 1.7e-303, 0.6e-303]\n[potential]\n"
+                     "plane = { model = \"neo-hookean\", mu = 1.0, lambda = 2.0 }\n"
+                     "thickness = { model = \"reciprocal-quadratic\", a = 1.0, b = 3.0 }\n"
+                     "[motion]\nbranch = \"i\"\nnu = 1e151\n");
+  const Outcome outcome = run_program({"solve", path});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("body.J"));
+}
+
+/// A range far beyond the body's own scale, and one that is nothing but rounding.
+TEST(ExtremeScales, AnyRangeIsFollowed) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("case.toml", Units{0, 0}.case_text());
+  const auto rows = [&](const std::string& from, const std::string& to) {
+    const Outcome out = run_program({"continue", path, "--set", "continuation.from=" + from,
+                                     "--set", "continuation.to=" + to, "-o", "-"});
+    EXPECT_EQ(out.code, 0) << out.err;
+    return rows_of(out.out);
+  };
+  const auto far = rows("0.0", "1e12");
+  EXPECT_EQ(far.back().at("event"), "escape");
+  EXPECT_NEAR(number(far.back().at("nu1")), 0.766964988845, 1e-9);
+  const auto near = rows("0.5", "0.5000000000000001");
+  ASSERT_EQ(near.size(), 2U);
+  EXPECT_EQ(near.front().at("event"), "limit");
+  EXPECT_EQ(near.back().at("nu1"), "0.5000000000000001");
+}
+
+}  // namespace
+}  // namespace stationary::testing

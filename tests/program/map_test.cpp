@@ -1,0 +1,438 @@
+// map from outside: the table in CSV and HDF5, its statuses, that threads do not matter, what is
+// refused, what an interruption leaves, and its figures.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "solver/program/table/column_file.hpp"
+#include "solver/program/plot/map_diagram.hpp"
+#include "solver/program/plot/map_plot.hpp"
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+const std::string map_case = STATIONARY_CASES "/map_biot_log.toml";
+
+/// map of the shipped case on 13 by 9 cells, with more overrides.
+std::vector<std::string> command(const std::vector<std::string>& overrides = {}) {
+  std::vector<std::string> out{"map", map_case};
+  std::vector<std::string> all{"map.x.count=13", "map.y.count=9"};
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  for (const std::string& each : all) {
+    out.emplace_back("--set");
+    out.push_back(each);
+  }
+  return out;
+}
+
+Outcome mapped(const std::vector<std::string>& overrides = {},
+               const std::vector<std::string>& options = {"-o", "-"}) {
+  auto arguments = command(overrides);
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return run_program(arguments);
+}
+
+TEST(Map, HasARowACellInTheGridsOrder) {
+  const Outcome outcome = mapped();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_EQ(header_of(outcome.out),
+            "branch,point,nu1,nu2,nu3,alpha,xi,zeta,rho,lambda,mu,angle,pi1,pi2,pi3,energy,"
+            "residual,compatibility,error_bound,class,growth,negative,re1,im1,krein1,re2,im2,"
+            "krein2,re3,im3,krein3,re4,im4,krein4,re5,im5,krein5,status,nu,body.J.1");
+  const auto rows = rows_of(outcome.out);
+  ASSERT_EQ(rows.size(), 13U * 9U);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    EXPECT_EQ(rows[k].at("point"), std::to_string(k));
+    EXPECT_NEAR(number(rows[k].at("nu")), 1.5 * static_cast<double>(k % 13) / 12.0, 1e-15);
+    EXPECT_EQ(rows[k].at("nu"), rows[k].at("nu1"));
+    EXPECT_NEAR(number(rows[k].at("body.J.1")),
+                0.3 * std::pow(10.0, static_cast<double>(k / 13) / 8.0), 1e-15);
+    const bool solved = rows[k].at("status") == "solved";
+    EXPECT_EQ(rows[k].at("xi").empty(), !solved);
+    EXPECT_EQ(rows[k].at("class").empty(), !solved);
+  }
+}
+
+/// A cell is what solve finds at its parameters.
+TEST(Map, CellsAreSolvesOfTheirOwn) {
+  const auto rows = rows_of(mapped().out);
+  for (const std::size_t k : {0U, 30U, 58U, 90U, 116U}) {
+    const Outcome solve = run_program({"solve", map_case, "--set", "motion.nu=" + rows[k].at("nu"),
+                                       "--set", "body.J.1=" + rows[k].at("body.J.1"), "-o", "-"});
+    if (rows[k].at("status") != "solved") continue;
+    const Row one = only_row(solve.out);
+    for (const char* column : {"xi", "zeta", "rho", "class", "negative"})
+      EXPECT_EQ(rows[k].at(column), one.at(column)) << k << " " << column;
+  }
+}
+
+/// Columns left out cost nothing; those left in are what they are among all.
+TEST(Map, ColumnsAskedForAloneAreComputed) {
+  const TemporaryDirectory directory;
+  const auto all = rows_of(mapped().out);
+  const auto counts_with = [&](const std::string& columns, const std::vector<std::string>& same) {
+    const Outcome one = mapped({"output.columns=" + columns}, {"-o", directory / "x.csv"});
+    EXPECT_EQ(one.code, 0) << one.err;
+    const auto rows = rows_of(text_of(directory / "x.csv"));
+    EXPECT_EQ(rows.size(), all.size());
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      for (const std::string& column : same)
+        EXPECT_EQ(rows[k].at(column), all[k].at(column)) << k << " " << column;
+    return nlohmann::json::parse(text_of(directory / "x.meta.json"))["counts"];
+  };
+  const auto bare = counts_with(R"(["xi","residual"])", {"xi", "residual"});
+  EXPECT_EQ(bare["potentials"], 0);
+  EXPECT_EQ(bare["spectra"], 0);
+  const auto energy = counts_with(R"(["energy"])", {"energy"});
+  EXPECT_EQ(energy["potentials"], energy["solved"]);
+  EXPECT_EQ(energy["spectra"], 0);
+  const auto classes = counts_with(R"(["class","negative","pi1"])", {"class", "negative", "pi1"});
+  EXPECT_EQ(classes["spectra"], classes["solved"]);
+  EXPECT_EQ(classes["potentials"], 0);
+  EXPECT_LE(classes["scalar_spectra"], 9) << "nu = 0 alone";
+  (void)counts_with(R"(["growth","im3","krein2"])", {"growth", "im3", "krein2"});
+}
+
+TEST(Map, ThreadsAndTheGridsOrderDoNotMatter) {
+  const std::vector<std::string> larger{"map.x.count=61", "map.y.count=40"};
+  const Outcome one = mapped(larger, {"-o", "-", "--threads", "1"});
+  EXPECT_EQ(mapped(larger, {"-o", "-", "--threads", "7"}).out, one.out);
+  const Outcome turned =
+      mapped({"map.y={parameter=\"nu\",from=0.0,to=1.5,count=61}",
+              "map.x={parameter=\"body.J.1\",from=0.3,to=3.0,count=40,scale=\"log\"}"});
+  const auto rows = rows_of(one.out);
+  const auto turned_rows = rows_of(turned.out);
+  ASSERT_EQ(rows.size(), turned_rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Row& other = turned_rows[(k % 61) * 40 + k / 61];
+    for (const char* column : {"nu", "body.J.1", "status", "xi", "zeta", "rho", "error_bound"})
+      ASSERT_EQ(rows[k].at(column), other.at(column)) << k << " " << column;
+  }
+}
+
+TEST(Map, OneParameterAndNeitherIsNu) {
+  const std::string text =
+      "title = \"t\"\n[body]\nJ = [1.0, 1.7, 0.6]\n[potential]\n"
+      "plane = { model = \"neo-hookean\", mu = 1.0, lambda = 2.0 }\n"
+      "thickness = { model = \"harmonic\", k = 3.0, rest = 0.7 }\n"
+      "[motion]\nbranch = \"iii\"\nnu = 0.4\n"
+      "[map]\nx = { parameter = \"potential.plane.mu\", from = 0.5, to = 2, count = 5 }\n";
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("one.toml", text);
+  const auto rows = rows_of(run_program({"map", file, "-o", "-"}).out);
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_EQ(rows[2].at("potential.plane.mu"), "1.25");
+  const Row one =
+      only_row(run_program({"solve", file, "--set", "potential.plane.mu=1.25", "-o", "-"}).out);
+  EXPECT_EQ(rows[2].at("xi"), one.at("xi"));
+  const auto both =
+      rows_of(run_program({"map", file, "--set",
+                           "map.y={parameter=\"potential.thickness.rest\",from=0.7,to=1,count=4}",
+                           "-o", "-"})
+                  .out);
+  ASSERT_EQ(both.size(), 20U);
+  EXPECT_EQ(both[2].at("rho"), rows[2].at("rho"));
+  EXPECT_EQ(both[19].at("potential.thickness.rest"), "1");
+  EXPECT_EQ(both[19].at("rho"), "1");
+}
+
+/// reciprocal-determinant (i): J2 nu^2 < k, and what lies beyond does not exist.
+TEST(Map, StatusesAtTheBoundaryOfExistence) {
+  const Outcome outcome =
+      run_program({"map", STATIONARY_CASES "/disc.toml", "--set", "body.J=[1,2,0.1]", "--set",
+                   "map.x={parameter=\"nu\",from=0.5,to=1.5,count=101}", "-o", "-"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const Row& row : rows_of(outcome.out)) {
+    EXPECT_EQ(row.at("status"), number(row.at("nu")) < 1.0 ? "solved" : "none-exists")
+        << row.at("nu");
+  }
+}
+
+/// Beyond a fold whose sheet returns to rest, with another sheet and a stretch where the balance is
+/// singular to rounding further off: nothing there is the rest state's, and nothing has failed.
+TEST(Map, NothingIsFoundPastAFold) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "fold.toml",
+      "[body]\nJ = [0.79091, 0.90158, 1.7624]\n[potential]\n"
+      "plane = { expression = \"mu/2*(I1-2*d)+k*(d-1)^2*(d-2)^2\", mu = 1.0, k = 0.4 }\n"
+      "thickness = { model = \"harmonic\", k = 1.0, rest = 1.0 }\n"
+      "[motion]\nbranch = \"iii\"\nnu = 0.5\n[map]\n"
+      "x = { parameter = \"nu\", from = 0.0, to = 1.0, count = 21 }\n"
+      "y = { parameter = \"potential.plane.mu\", from = 0.5, to = 2.0, count = 151 }\n");
+  const Outcome outcome = run_program({"map", path, "-o", "-"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto rows = rows_of(outcome.out);
+  ASSERT_EQ(rows.size(), 21U * 151U);
+  int found = 0;
+  for (const Row& row : rows) {
+    if (row.at("status") != "solved") {
+      EXPECT_EQ(row.at("status"), "not-found") << row.at("point");
+      continue;
+    }
+    ++found;
+    EXPECT_LE(number(row.at("nu")), 0.35);
+    EXPECT_LT(number(row.at("xi")) * number(row.at("zeta")), 1.5) << row.at("point");
+  }
+  EXPECT_GE(found, 6 * 151);
+}
+
+TEST(Map, NothingInAnyCellIsNoEquilibrium) {
+  const Outcome outcome =
+      run_program({"map", STATIONARY_CASES "/disc.toml", "--set",
+                   "map.x={parameter=\"nu\",from=1.5,to=2,count=3}", "-o", "-"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("no stationary ellipsoid in any of 3 cells: 3 none-exists"));
+  EXPECT_EQ(rows_of(outcome.out).size(), 3U);
+}
+
+TEST(Map, ColumnsAsAskedAndAlwaysTheStatus) {
+  const Outcome outcome = mapped({"output.columns=[\"zeta\",\"xi\"]"});
+  EXPECT_EQ(header_of(outcome.out), "xi,zeta,status,nu,body.J.1");
+  const Outcome certified =
+      mapped({"output.columns=[\"class\",\"certified\"]"}, {"-o", "-", "--certify"});
+  EXPECT_EQ(header_of(certified.out), "class,status,certified,nu,body.J.1");
+  for (const Row& row : rows_of(certified.out))
+    EXPECT_EQ(row.at("certified").empty(), row.at("status") != "solved");
+}
+
+TEST(Map, SummaryForAPerson) {
+  const Outcome outcome = mapped({}, {});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("x             nu from 0 to 1.5, 13 values"),
+                                 HasSubstr("9 values, logarithmic"),
+                                 HasSubstr("cells         117:"), HasSubstr("classes")));
+}
+
+TEST(Map, MetadataBesideTheTable) {
+  const TemporaryDirectory directory;
+  EXPECT_EQ(mapped({}, {"-o", directory / "m.csv"}).code, 0);
+  EXPECT_THAT(directory.names(), ElementsAre("m.csv", "m.meta.json"));
+  const auto metadata = nlohmann::json::parse(text_of(directory / "m.meta.json"));
+  EXPECT_EQ(metadata.at("rows"), 117);
+  EXPECT_EQ(metadata.at("command"), "map");
+  EXPECT_EQ(metadata.at("status"), "done");
+  EXPECT_EQ(metadata.at("case").at("map").at("y").at("scale"), "log");
+  EXPECT_EQ(metadata.at("counts").at("solved").get<int>() +
+                metadata.at("counts").at("not-found").get<int>(),
+            117);
+}
+
+TEST(Map, WrongInputIsRefusedWithItsPlace) {
+  const auto refused = [](const std::vector<std::string>& overrides, const std::string& why) {
+    const Outcome outcome = mapped(overrides);
+    EXPECT_EQ(outcome.code, 2) << why;
+    EXPECT_THAT(outcome.err, HasSubstr(why));
+    EXPECT_THAT(outcome.out, IsEmpty());
+  };
+  refused({"map.x.parameter=mu"}, "map.x.parameter: found the string \"mu\"; expected one of");
+  refused({"map.y.parameter=body.J.3"}, "did you mean \"body.J.0\"?");
+  refused({"map.y.parameter=motion.nu"}, "which is x's too");
+  refused({"map.x.count=1"}, "map.x.count: found 1; expected a whole number from 2 to");
+  refused({"map.x.count=2.5"}, "found 2.5; expected a whole number");
+  refused({"map.x.count=5000000"}, "map.y.count: found 5000000 by 9 cells; expected at most");
+  refused({"map.x.to=-1"}, "map.x.to: found the empty range from 0 to -1; expected from < to");
+  refused({"map.x.scale=log"}, "map.x.from: found 0 with scale = \"log\"; expected from > 0");
+  refused({"map.x.scale=logarithmic"}, "expected one of \"linear\", \"log\"");
+  refused({"map.y={parameter=\"potential.plane.mu\",from=-1.0,to=1.0,count=4}"},
+          "map.y.from: found potential.plane.mu = -1; expected mu > 0");
+  refused({"map.z=1"}, "expected one of \"x\", \"y\" in [map]");
+  refused({"map.x.cuont=1"}, "did you mean \"count\"?");
+  refused({"map.x=1"}, "map.x: found the integer 1; expected a table");
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("bad.toml", std::string(text_of(map_case)) + "\nz = 1\n");
+  EXPECT_THAT(run_program({"map", file}).err, HasSubstr("bad.toml:"));
+  const Outcome without = run_program({"map", STATIONARY_CASES "/disc.toml"});
+  EXPECT_EQ(without.code, 2);
+  EXPECT_THAT(without.err, HasSubstr("map: found no such key"));
+  const Outcome tilted = run_program({"map", STATIONARY_CASES "/tilted.toml", "--set",
+                                      "map.x={parameter=\"nu\",from=0.1,to=2,count=3}"});
+  EXPECT_EQ(tilted.code, 2);
+  EXPECT_THAT(tilted.err, HasSubstr("one of \"i\", \"ii\", \"iii\" for map"));
+}
+
+TEST(Map, CornersOfTheDomainInWhicheverOrder) {
+  // mu + lambda > 0 holds on the grid though not with x and the case's own lambda.
+  const Outcome outcome =
+      mapped({"potential.plane.lambda=-0.5",
+              "map.x={parameter=\"potential.plane.mu\",from=0.1,to=1.0,count=3}",
+              "map.y={parameter=\"potential.plane.lambda\",from=0.5,to=1.0,count=3}"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST(Map, InterruptedWritesWhatIsComplete) {
+  for (const char* name : {"m.csv", "m.h5"}) {
+    const TemporaryDirectory directory;
+    const std::string target = directory / name;
+    auto arguments = command({"map.x.count=3000", "map.y.count=2000"});
+    arguments.insert(arguments.end(), {"-o", target, "--threads", "1"});
+    const Outcome outcome = run_program(arguments, {.interrupt_once_written = target});
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_THAT(outcome.err, HasSubstr("of 6000000 cells, which are written"));
+    const std::string stem = std::string(name).substr(0, 1);
+    EXPECT_THAT(directory.names(), ElementsAre(name, stem + ".meta.json"));
+    const auto metadata = nlohmann::json::parse(text_of(directory / "m.meta.json"));
+    EXPECT_EQ(metadata.at("status"), "interrupted");
+    const auto rows = metadata.at("rows").get<std::size_t>();
+    EXPECT_LT(rows, 6000000U);
+    const std::vector<std::string> wanted{"point"};
+    TableReader table = is_column_file(target)
+                            ? TableReader(column_file_table(target, wanted), target)
+                            : TableReader(target);
+    std::size_t read = 0;
+    while (table.next()) ++read;
+    EXPECT_EQ(read, rows);
+  }
+}
+
+class MapFile : public ::testing::Test {
+ protected:
+  MapFile() {
+    mapped({}, {"-o", csv_, "-q"});
+    mapped({}, {"-o", h5_, "-q"});
+  }
+  Outcome plot(const std::string& table, const std::string& image,
+               const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> arguments{"plot", table, "-o", directory_ / image};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_program(arguments);
+  }
+
+  TemporaryDirectory directory_;
+  std::string csv_ = directory_ / "m.csv";
+  std::string h5_ = directory_ / "n.h5";
+};
+
+TEST_F(MapFile, Hdf5HoldsTheSameTable) {
+  ASSERT_TRUE(is_column_file(h5_));
+  EXPECT_FALSE(is_column_file(csv_));
+  std::ostringstream text;
+  text << column_file_table(h5_, {})->rdbuf();
+  EXPECT_EQ(text.str(), text_of(csv_));
+  std::ostringstream part;
+  const std::vector<std::string> wanted{"status", "xi"};
+  part << column_file_table(h5_, wanted)->rdbuf();
+  EXPECT_TRUE(part.str().starts_with("xi,status\n1,solved\n"));
+  EXPECT_EQ(nlohmann::json::parse(column_file_metadata(h5_)).at("rows"), 117);
+  EXPECT_EQ(column_file_metadata(csv_), "");
+}
+
+/// With the HDF5 library alone: a dataset a column, 64-bit numbers, words as enumerations.
+TEST_F(MapFile, Hdf5IsPlain) {
+  const hid_t file = H5Fopen(h5_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  ASSERT_GE(file, 0);
+  const hid_t xi = H5Dopen2(file, "xi", H5P_DEFAULT);
+  std::vector<double> values(117);
+  ASSERT_GE(H5Dread(xi, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  EXPECT_EQ(values[0], 1.0);
+  EXPECT_TRUE(std::isnan(values[116]));
+  const hid_t verdict = H5Dopen2(file, "class", H5P_DEFAULT);
+  const hid_t type = H5Dget_type(verdict);
+  EXPECT_EQ(H5Tget_class(type), H5T_ENUM);
+  EXPECT_EQ(H5Tget_size(type), 1U);
+  EXPECT_GT(H5Aexists(file, "metadata"), 0);
+  EXPECT_GT(H5Lexists(file, "body.J.1", H5P_DEFAULT), 0);
+  H5Tclose(type);
+  H5Dclose(verdict);
+  H5Dclose(xi);
+  H5Fclose(file);
+}
+
+TEST_F(MapFile, IsDrawnTheSameFromEither) {
+  EXPECT_EQ(plot(csv_, "a.svg", {"--title", "t"}).out,
+            directory_ / "a.svg" + ": 13 by 9 cells, class\n");
+  EXPECT_EQ(plot(h5_, "b.svg", {"--title", "t"}).code, 0);
+  EXPECT_EQ(text_of(directory_ / "a.svg"), text_of(directory_ / "b.svg"));
+  EXPECT_THAT(text_of(directory_ / "a.svg"), AllOf(HasSubstr("elliptic"), HasSubstr("unstable"),
+                                                   HasSubstr("body.J.1"), HasSubstr("ν")));
+  EXPECT_EQ(plot(h5_, "c.png", {"--show", "growth", "-q"}).out, "");
+  EXPECT_GT(std::filesystem::file_size(directory_ / "c.png"), 1000U);
+  const Outcome titled = plot(h5_, "d.svg");
+  EXPECT_THAT(text_of(directory_ / "d.svg"), HasSubstr("Biot-log bodies"));
+}
+
+TEST_F(MapFile, WhatCannotBeShownIsRefused) {
+  const Outcome unknown = plot(csv_, "a.svg", {"--show", "growht"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("--show growht: found no such column"));
+  EXPECT_THAT(unknown.err, HasSubstr("did you mean \"growth\"?"));
+  const std::string curve = directory_.file("c.csv", "branch,nu1,rho\ni,0.5,1\ni,0.6,1.1\n");
+  EXPECT_THAT(plot(curve, "a.svg", {"--show", "rho"}).err, HasSubstr("found no map"));
+  const std::string broken = directory_.file("x.h5", text_of(h5_).substr(0, 700));
+  EXPECT_EQ(plot(broken, "a.svg").code, 2);
+}
+
+TEST_F(MapFile, OneParameterIsACurve) {
+  const std::string table = directory_ / "curve.h5";
+  const Outcome made =
+      run_program({"map", STATIONARY_CASES "/disc.toml", "--set",
+                   "map.x={parameter=\"nu\",from=0.0,to=1.0,count=50}", "-o", table});
+  ASSERT_EQ(made.code, 0) << made.err;
+  const Outcome drawn = plot(table, "curve.svg");
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_THAT(text_of(directory_ / "curve.svg"),
+              AllOf(HasSubstr("principal stretch"), HasSubstr("ν")));
+}
+
+MapDiagram diagram_of(const std::string& csv, const std::optional<std::string>& quantity = {}) {
+  TableReader table(std::make_unique<std::istringstream>(csv), "x.csv");
+  return read_map_diagram(table, quantity);
+}
+
+TEST(MapDiagram, GridFromTheRows) {
+  const MapDiagram diagram = diagram_of(
+      "xi,class,status,nu,body.J.0\n1,stable,solved,0,1\n,,not-found,0.5,1\n"
+      "2,unstable,solved,0,10\n,,none-exists,0.5,10\n3,stable,solved,0,100\n");
+  EXPECT_EQ(diagram.x.parameter, "nu");
+  EXPECT_EQ(diagram.x.scale, AxisScale::linear);
+  EXPECT_EQ(diagram.y.scale, AxisScale::log);
+  EXPECT_EQ(diagram.quantity, "class");
+  EXPECT_EQ(diagram.values[2], 2.0);
+  EXPECT_EQ(diagram.statuses[1], CellStatus::not_found);
+  EXPECT_EQ(diagram.statuses[3], CellStatus::none_exists);
+  EXPECT_FALSE(diagram.statuses[5].has_value()) << "interrupted before it";
+  const std::string script = gnuplot_script(diagram, ImageFormat::svg, "Title");
+  EXPECT_THAT(script, AllOf(HasSubstr("$codes << END_OF_DATA\n0 7 \n2 6 \n0 5 \n"),
+                            HasSubstr("title 'not found'"), Not(HasSubstr("title 'failed'"))));
+  const std::string numbers =
+      gnuplot_script(diagram_of("xi,status,nu,body.J.0\n1,solved,0,1\n,not-found,0.5,1\n100,solved,"
+                                "0,2\n60,solved,0.5,2\n"),
+                     ImageFormat::svg, "");
+  EXPECT_THAT(numbers, AllOf(HasSubstr("$numbers << END_OF_DATA\n1 NaN \n100 60 \n"),
+                             HasSubstr("set logscale cb")));
+}
+
+TEST(MapDiagram, WhatIsNoGridIsRefused) {
+  const auto refused = [](const std::string& csv, const std::string& why) {
+    try {
+      diagram_of(csv);
+      ADD_FAILURE() << "accepted: " << csv;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(why));
+    }
+  };
+  refused("xi,status,nu,body.J.0\n", "found no rows");
+  refused("xi,status,nu,body.J.0\n1,solved,0,1\n1,solved,0.1,1\n1,solved,0.5,1\n", "no grid's");
+  refused("xi,status,nu,body.J.0\n1,well,0,1\n", "expected solved, none-exists");
+  refused("class,status,nu,body.J.0\nbad,solved,0,1\n", "expected stable, elliptic");
+  refused("xi,status,nu,body.J.0\n1,solved,,1\n", "expected a finite number");
+}
+
+}  // namespace
+}  // namespace stationary::testing

@@ -1,0 +1,128 @@
+// --set: applied in order, before validation, and named in messages instead of a place in the file.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/program/program.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Override : public ::testing::Test {
+ protected:
+  Outcome check(const std::vector<std::string>& overrides) { return run("check", overrides); }
+  Outcome run(const std::string& command, const std::vector<std::string>& overrides) {
+    std::vector<std::string> arguments{command, case_file_};
+    for (const std::string& each : overrides) {
+      arguments.emplace_back("--set");
+      arguments.push_back(each);
+    }
+    return run_program(arguments);
+  }
+  void expect_refused(const std::string& text, const std::vector<const char*>& fragments) {
+    const Outcome outcome = check({text});
+    EXPECT_EQ(outcome.code, 2) << text;
+    EXPECT_THAT(outcome.err, HasSubstr("--set " + text));
+    for (const char* fragment : fragments) EXPECT_THAT(outcome.err, HasSubstr(fragment));
+  }
+
+  TemporaryDirectory directory_;
+  std::string case_file_ = directory_.file("case.toml", good_case);
+};
+
+TEST_F(Override, OfNumbersTextsArraysAndElements) {
+  const Outcome outcome = check({"motion.nu=0.25", "motion.branch=iii", "body.J.1=2.5",
+                                 "solve.start=[0, 1, 2, 3]", "title = Something else"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("branch (iii), nu = (0, 0, 0.25)"));
+  EXPECT_THAT(outcome.out, HasSubstr("J = (1, 2.5, 0.6)"));
+  EXPECT_THAT(outcome.out, HasSubstr("(0, 1, 2, 3)"));
+  EXPECT_THAT(outcome.out, HasSubstr("Something else"));
+}
+
+TEST_F(Override, TheLastOneCounts) {
+  const Outcome outcome = check({"motion.nu=0.25", "motion.nu=0.125"});
+  EXPECT_THAT(outcome.out, HasSubstr("nu = (0.125, 0, 0)"));
+  EXPECT_THAT(outcome.out, HasSubstr("motion.nu by --set motion.nu=0.125"));
+}
+
+TEST_F(Override, OfAWholeTable) {
+  const Outcome outcome =
+      check({"potential.plane={ model = \"biot\", mu = 2, lambda = 3 }", "potential.plane.mu=4"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("biot: mu = 4, lambda = 3"));
+}
+
+TEST_F(Override, OfAnotherWholeArrayAfterAnElement) {
+  const Outcome outcome = check({"body.J.0=-1", "body.J=[3, 2, 1]"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("J = (3, 2, 1)"));
+}
+
+TEST_F(Override, MakesAWrongFileRight) {
+  case_file_ = directory_.file("case.toml", std::string(good_case) + "[solve]\nmethod = \"x\"\n");
+  EXPECT_EQ(check({}).code, 2);
+  EXPECT_EQ(check({"solve.method=newton"}).code, 0);
+}
+
+TEST_F(Override, ReachesTheMetadata) {
+  const std::string table = directory_ / "t.csv";
+  const Outcome outcome =
+      run_program({"solve", case_file_, "--set", "motion.nu=0.25", "-o", table});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto metadata = nlohmann::json::parse(text_of(directory_ / "t.meta.json"));
+  EXPECT_EQ(metadata["case"]["motion"]["nu"], 0.25);
+  EXPECT_EQ(metadata["overrides"]["motion.nu"], "--set motion.nu=0.25");
+}
+
+TEST_F(Override, ThatIsWrongNamesItself) {
+  expect_refused("motion.nu=fast", {"motion.nu: found the string \"fast\"", "a finite number"});
+  expect_refused("motion.nu=nan", {"found the number nan"});
+  expect_refused("motoin.nu=1", {"did you mean \"motion\"?"});
+  expect_refused("motion.mu=1", {"motion.mu: found an unknown key", "did you mean \"nu\"?"});
+  expect_refused("motion.branch=iv", {"found the string \"iv\""});
+  expect_refused("body.J=[1,2]", {"an array of 2 values"});
+  expect_refused("body.J.3=1", {"found the index \"3\"", "from 0 to 2"});
+  expect_refused("body.J.x=1", {"found the index \"x\""});
+  expect_refused("body.J.0=0", {"found J1 = 0", "J1 > 0"});
+  expect_refused("body.J.0.5=0", {"body.J.0 is the number 1"});
+  expect_refused("title.x=1", {"title is the string \"A case\""});
+  expect_refused("motion.nu", {"no \"=\""});
+  expect_refused("motion..nu=1", {"an empty name"});
+  expect_refused("=1", {"an empty name"});
+  expect_refused("motion nu=1", {"the character \" \""});
+  expect_refused("motion.nu=", {"no value"});
+  expect_refused("motion.nu=[1", {"a TOML value"});
+  const Outcome two = check({"motion.nu=1\nx=2"});
+  EXPECT_EQ(two.code, 2);
+  EXPECT_THAT(two.err, HasSubstr("found more than one value"));
+  expect_refused("potential.plane.mu=-1", {"expected mu > 0"});
+  expect_refused("motion.branch=oblique", {"isotropic potential", "directions of its own"});
+}
+
+TEST_F(Override, OptionWithoutAValue) {
+  const Outcome outcome = run_program({"check", case_file_, "--set"});
+  EXPECT_EQ(outcome.code, 2);
+}
+
+/// Trees of tables are recursive: what nests deeply is refused before there is one.
+TEST_F(Override, DepthIsLimited) {
+  std::string key = "a";
+  std::string value = "1";
+  for (int k = 0; k < 20000; ++k) key += ".a";
+  for (int k = 0; k < 20000; ++k) value = "[" + value + "]";
+  const Outcome parts = run_program({"solve", case_file_, "--set", key + "=1"});
+  EXPECT_EQ(parts.code, 2);
+  EXPECT_THAT(parts.err, HasSubstr("found a key of 20001 parts; expected at most 16"));
+  for (const std::string& each : {value, "{ " + key + " = 1 }"}) {
+    const Outcome deep = run_program({"solve", case_file_, "--set", "solve.start=" + each});
+    EXPECT_EQ(deep.code, 2);
+    EXPECT_THAT(deep.err, HasSubstr("nests more deeply than a case does"));
+  }
+}
+
+}  // namespace
+}  // namespace stationary::testing

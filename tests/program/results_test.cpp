@@ -1,0 +1,193 @@
+// Every shipped result is what the program makes of its case today: a curve's rows on the curve,
+// its events and ends the same, a solution's numbers the same.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+std::vector<std::string> stems_in(const std::string& directory, const std::string& extension) {
+  std::vector<std::string> out;
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    if (entry.path().extension() == extension) out.push_back(entry.path().stem().string());
+  std::ranges::sort(out);
+  return out;
+}
+
+std::string case_of(const std::string& stem) { return STATIONARY_CASES "/" + stem + ".toml"; }
+std::string result_of(const std::string& file) { return STATIONARY_RESULTS "/" + file; }
+
+/// The spin and the logarithms of the stretches.
+using Place = std::array<double, 4>;
+
+Place place_of(const Row& row) {
+  double nu = 0.0;
+  for (const char* column : {"nu1", "nu2", "nu3"}) nu += number(row.at(column));
+  return {nu, std::log(number(row.at("xi"))), std::log(number(row.at("zeta"))),
+          std::log(number(row.at("rho")))};
+}
+
+double distance_to_line(const Place& p, const Place& a, const Place& b) {
+  double along = 0.0;
+  double length = 0.0;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    along += (p[k] - a[k]) * (b[k] - a[k]);
+    length += (b[k] - a[k]) * (b[k] - a[k]);
+  }
+  const double u = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
+  double square = 0.0;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const double off = p[k] - a[k] - u * (b[k] - a[k]);
+    square += off * off;
+  }
+  return std::sqrt(square);
+}
+
+void expect_on_the_curve(const std::vector<Row>& rows, const std::vector<Row>& curve) {
+  std::vector<Place> line;
+  for (const Row& row : curve) line.push_back(place_of(row));
+  for (const Row& row : rows) {
+    if (row.at("event") == "escape" || row.at("event") == "collapse") continue;
+    const Place at = place_of(row);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k < line.size(); ++k)
+      least = std::min(least, distance_to_line(at, line[k - 1], line[k]));
+    EXPECT_LE(least, 2e-3) << "point " << row.at("point");
+  }
+}
+
+std::vector<Row> events_of(const std::vector<Row>& rows) {
+  std::vector<Row> out;
+  std::ranges::copy_if(rows, std::back_inserter(out),
+                       [](const Row& row) { return !row.at("event").empty(); });
+  return out;
+}
+
+/// `negative` along the curve, once where it stays. At an event the sign of a zero may be either.
+std::vector<std::string> negative_counts(const std::vector<Row>& rows) {
+  std::vector<std::string> out;
+  for (const Row& row : rows) {
+    if (!row.at("event").empty()) continue;
+    if (out.empty() || out.back() != row.at("negative")) out.push_back(row.at("negative"));
+  }
+  return out;
+}
+
+void expect_same_curve(const std::vector<Row>& rows, const std::vector<Row>& today) {
+  const auto events = events_of(rows);
+  const auto events_today = events_of(today);
+  ASSERT_EQ(events.size(), events_today.size());
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    const std::string& name = events[k].at("event");
+    EXPECT_EQ(name, events_today[k].at("event"));
+    const double nu = place_of(events_today[k])[0];
+    const double tolerance = name == "escape" || name == "collapse" ? 1e-5 : 1e-10;
+    EXPECT_NEAR(place_of(events[k])[0], nu, tolerance * (1.0 + std::abs(nu))) << name;
+  }
+  EXPECT_EQ(negative_counts(rows), negative_counts(today));
+  expect_on_the_curve(rows, today);
+  expect_on_the_curve(today, rows);
+}
+
+void expect_same_solutions(const std::vector<Row>& rows, const std::vector<Row>& today) {
+  ASSERT_EQ(rows.size(), today.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (const auto& [column, cell] : rows[k]) {
+      const std::string& now = today[k].at(column);
+      const bool rounding =
+          column == "residual" || column == "compatibility" || column == "error_bound";
+      if (cell == now || rounding) continue;
+      EXPECT_NEAR(number(cell), number(now), 1e-12 * (1.0 + std::abs(number(now)))) << column;
+    }
+  }
+}
+
+constexpr std::string_view atlas_suffix = "_atlas";
+
+bool is_atlas(const std::string& stem) { return stem.ends_with(atlas_suffix); }
+
+std::vector<std::vector<Row>> sheets_of(const std::vector<Row>& rows) {
+  std::vector<std::vector<Row>> out;
+  for (const Row& row : rows) {
+    if (out.empty() || out.back().back().at("sheet") != row.at("sheet")) out.emplace_back();
+    out.back().push_back(row);
+  }
+  return out;
+}
+
+class ShippedResult : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(ShippedResult, IsWhatTheProgramMakesOfItsCase) {
+  const std::string& stem = GetParam();
+  const bool curve = text_of(case_of(stem)).find("\n[continuation]") != std::string::npos;
+  const TemporaryDirectory directory;
+  const std::string path = directory / "today.csv";
+  const Outcome run = run_program({curve ? "continue" : "solve", case_of(stem), "-o", path, "-q"});
+  EXPECT_EQ(run.code, stem == "too_fast" ? 3 : 0) << run.err;
+  const std::string shipped = text_of(result_of(stem + ".csv"));
+  const std::string today = text_of(path);
+  EXPECT_EQ(header_of(shipped), header_of(today));
+  if (curve) {
+    expect_same_curve(rows_of(shipped), rows_of(today));
+    for (const char* extension : {".svg", ".png"})
+      EXPECT_GT(std::filesystem::file_size(result_of(stem + extension)), 1000U) << extension;
+  } else {
+    expect_same_solutions(rows_of(shipped), rows_of(today));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedResult,
+                         ::testing::ValuesIn(stems_in(STATIONARY_CASES, ".toml")),
+                         [](const auto& param) { return param.param; });
+
+/// The atlases among them: sheet by sheet.
+TEST(ShippedResults, AtlasesAreWhatTheProgramMakesOfTheirCases) {
+  int compared = 0;
+  for (const std::string& stem : stems_in(STATIONARY_RESULTS, ".csv")) {
+    if (!is_atlas(stem)) continue;
+    const TemporaryDirectory directory;
+    const std::string path = directory / "today.csv";
+    const std::string toml = case_of(stem.substr(0, stem.size() - atlas_suffix.size()));
+    std::vector<std::string> arguments{"atlas", toml, "-o", path, "-q"};
+    // Its searches take seconds, and its sheets are all connected to rest.
+    if (text_of(toml).find("\nfibre ") != std::string::npos)
+      arguments.insert(arguments.end(), {"--checkpoints", "4"});
+    const Outcome run = run_program(arguments);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto shipped = sheets_of(rows_of(text_of(result_of(stem + ".csv"))));
+    const auto today = sheets_of(rows_of(text_of(path)));
+    ASSERT_EQ(shipped.size(), today.size()) << stem;
+    for (std::size_t k = 0; k < shipped.size(); ++k) expect_same_curve(shipped[k], today[k]);
+    ++compared;
+  }
+  EXPECT_GE(compared, 3);
+}
+
+TEST(ShippedResults, AreOfTheCasesAndNothingElse) {
+  const auto cases = stems_in(STATIONARY_CASES, ".toml");
+  const auto of_cases = [](std::vector<std::string> stems) {
+    std::erase_if(stems, is_atlas);
+    // Measured: work_precision_test.cpp; the whole of stress_test.cpp.
+    std::erase_if(stems, [](const std::string& stem) {
+      return stem == "work_precision" || stem.starts_with("stress");
+    });
+    return stems;
+  };
+  EXPECT_EQ(of_cases(stems_in(STATIONARY_RESULTS, ".csv")), cases);
+  for (const char* extension : {".svg", ".png"})
+    EXPECT_THAT(cases, ::testing::IsSupersetOf(of_cases(stems_in(STATIONARY_RESULTS, extension))));
+}
+
+}  // namespace
+}  // namespace stationary::testing

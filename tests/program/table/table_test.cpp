@@ -1,0 +1,121 @@
+// The table writer alone: header, order, empty cells, round trip, quoting.
+#include "solver/program/table/table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+
+namespace stationary {
+namespace {
+
+class Text : public ByteSink {
+ public:
+  void write(std::string_view bytes) override { text += bytes; }
+  std::string text;
+};
+
+TEST(Table, ColumnNamesAreTheContract) {
+  EXPECT_EQ(name(Column::stability), "class");
+  EXPECT_EQ(name(mode_column(0, ModePart::re)), "re1");
+  EXPECT_EQ(name(mode_column(4, ModePart::krein)), "krein5");
+  for (const std::string_view each : column_names) EXPECT_EQ(name(*find_column(each)), each);
+  EXPECT_FALSE(find_column("stability"));
+}
+
+TEST(Table, OrderIsTheContractsWhateverWasAsked) {
+  const Column computed[] = {Column::energy, Column::branch, Column::xi};
+  const std::string asked[] = {"xi", "growth", "branch"};
+  EXPECT_THAT(select_columns(computed, asked), ::testing::ElementsAre(Column::branch, Column::xi));
+  EXPECT_THAT(select_columns(computed, {}),
+              ::testing::ElementsAre(Column::branch, Column::xi, Column::energy));
+}
+
+TEST(Table, AllColumnsAndTheParameter) {
+  std::vector<Column> all;
+  for (std::size_t k = 0; k < column_count; ++k) all.push_back(static_cast<Column>(k));
+  Text sink;
+  TableWriter table(sink, all, "body.J.0");
+  TableRow row;
+  table.write(row);
+  row.branch = "iii";
+  row.event = "fold-nu";
+  row.stability = "stable";
+  row.status = "solved";
+  row.certified = "yes";
+  row.class_certified = "no";
+  row[Column::sheet] = 12;
+  row[Column::point] = 4500000;
+  row[Column::negative] = 0;
+  row[mode_column(1, ModePart::krein)] = -1;
+  row[Column::xi] = 0.1;
+  row.parameter = 1e300;
+  table.write(row);
+  table.flush();
+  EXPECT_EQ(table.rows(), 2U);
+  EXPECT_EQ(sink.text,
+            "branch,sheet,point,event,nu1,nu2,nu3,alpha,xi,zeta,rho,lambda,mu,angle,pi1,pi2,pi3,"
+            "energy,residual,compatibility,error_bound,class,growth,negative,re1,im1,krein1,re2,"
+            "im2,krein2,re3,im3,krein3,re4,im4,krein4,re5,im5,krein5,omega,theta_dot,s3,p_theta,"
+            "status,certified,class_certified,segment,body.J.0\n" +
+                std::string(47, ',') +
+                "\niii,12,4500000,fold-nu,,,,,0.1,,,,,,,,,,,,,stable,,0,,,,,,-1,,,,,,,,,,,,,,"
+                "solved,yes,no,,"
+                "1e+300\n");
+}
+
+TEST(Table, EveryDoubleReadsBack) {
+  std::mt19937_64 random(1);
+  std::vector<double> values{0.1,  1.0, -2.5, 1e22, 1e23, 5e-324, 1.7976931348623157e308,
+                             1e15, 1e16};
+  for (int k = 0; k < 20000; ++k) {
+    const double x = std::bit_cast<double>(static_cast<std::uint64_t>(random()));
+    if (std::isfinite(x)) values.push_back(x);
+  }
+  Text sink;
+  TableWriter table(sink, {Column::xi});
+  for (const double x : values) {
+    TableRow row;
+    row[Column::xi] = x;
+    table.write(row);
+  }
+  table.flush();
+  const char* at = sink.text.data() + sink.text.find('\n') + 1;
+  const char* end = sink.text.data() + sink.text.size();
+  for (const double x : values) {
+    double back = 0.0;
+    at = std::from_chars(at, end, back).ptr;
+    EXPECT_EQ(back, x);
+    ASSERT_EQ(*at++, '\n');
+  }
+  EXPECT_EQ(at, end);
+}
+
+TEST(Table, ZeroHasNoSign) {
+  Text sink;
+  TableWriter table(sink, {Column::alpha, Column::xi});
+  TableRow row;
+  row[Column::alpha] = -0.0;
+  row[Column::xi] = 0.0;
+  table.write(row);
+  table.flush();
+  EXPECT_EQ(sink.text, "alpha,xi\n0,0\n");
+}
+
+TEST(Table, TextsAreQuotedWhereTheyMustBe) {
+  Text sink;
+  TableWriter table(sink, {Column::event});
+  TableRow row;
+  row.event = "a,\"b\"";
+  table.write(row);
+  table.flush();
+  EXPECT_EQ(sink.text, "event\n\"a,\"\"b\"\"\"\n");
+}
+
+}  // namespace
+}  // namespace stationary

@@ -1,0 +1,58 @@
+#include "tests/program/table_reading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+namespace stationary::testing {
+namespace {
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> out(1);
+  for (const char c : line) {
+    if (c == ',') {
+      out.emplace_back();
+    } else {
+      out.back() += c;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string_view header_of(std::string_view csv) { return csv.substr(0, csv.find('\n')); }
+
+std::vector<Row> rows_of(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  const auto keys = cells(line);
+  std::vector<Row> out;
+  while (std::getline(lines, line)) {
+    const auto entries = cells(line);
+    EXPECT_EQ(keys.size(), entries.size()) << line;
+    Row& row = out.emplace_back();
+    for (std::size_t k = 0; k < std::min(keys.size(), entries.size()); ++k)
+      row[keys[k]] = entries[k];
+  }
+  return out;
+}
+
+Row only_row(const std::string& csv) {
+  const std::vector<Row> rows = rows_of(csv);
+  EXPECT_EQ(rows.size(), 1U);
+  return rows.empty() ? Row() : rows.front();
+}
+
+double number(const std::string& text) {
+  double value = std::nan("");
+  const auto end = text.data() + text.size();
+  EXPECT_EQ(std::from_chars(text.data(), end, value).ptr, end) << text;
+  return value;
+}
+
+}  // namespace stationary::testing

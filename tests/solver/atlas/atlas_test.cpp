@@ -1,0 +1,192 @@
+// Every sheet over a range: the known ones, also those apart from rest; nothing twice; the same
+// whatever the threads.
+#include "solver/atlas/atlas.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "tests/support/atlas_text.hpp"
+#include "tests/support/random_problem.hpp"
+#include "tests/support/random_states.hpp"
+
+namespace stationary {
+namespace {
+
+using namespace testing;
+
+Potential potential_of(const char* plane, double p1, double p2, double a = 1.0, double b = 3.0) {
+  return {Potential::planar(plane, std::array{p1, p2}),
+          Potential::thickness("reciprocal-quadratic", std::array{a, b})};
+}
+
+Atlas atlas_to(double to, const Body& body, const Potential& potential, int threads = 2) {
+  AtlasOptions options;
+  options.to = to;
+  options.step.tolerance = 1e-6;
+  options.threads = threads;
+  return atlas(body, potential, options);
+}
+
+void expect_joined(const AtlasSheet& sheet, int from, int to) {
+  ASSERT_TRUE(sheet.parent && sheet.joins);
+  EXPECT_EQ(sheet.parent->sheet, from);
+  EXPECT_EQ(sheet.joins->sheet, to);
+  EXPECT_EQ(sheet.joins->event, EventType::tilt);
+}
+
+const Body plate(1.0, 1.7, 0.6);
+
+TEST(Atlas, OfANeoHookeanBodyIsItsSheetsFromRestAndOneBeyond) {
+  const Atlas found = atlas_to(1.1, plate, potential_of("neo-hookean", 1.0, 2.0));
+  EXPECT_EQ(text_of(found),
+            "i: limit tilt escape; ii: limit inertia-exchange tilt escape; iii: limit tilt escape; "
+            "iii: escape tilt fold-momentum fold-nu escape; 13: tilt tilt; "
+            "23: tilt hamiltonian-hopf real-collision tilt; ");
+  expect_complete(found);
+  constexpr Entry entries[] = {Entry::rest,   Entry::rest, Entry::rest,
+                               Entry::search, Entry::tilt, Entry::tilt};
+  for (std::size_t k = 0; k < found.sheets.size(); ++k)
+    EXPECT_EQ(found.sheets[k].entry, entries[k]) << k;
+  // Tilted in the 1-3 plane from (i) to (iii), in the 2-3 plane to the sheet apart from rest.
+  expect_joined(found.sheets[4], 1, 3);
+  expect_joined(found.sheets[5], 2, 4);
+  EXPECT_NEAR(found.sheets[5].joins->nu, 1.0033331936, 1e-9);
+}
+
+TEST(Atlas, ATiltedFamilyMayEscape) {
+  const Atlas found =
+      atlas_to(2.0, Body(1.7, 1.0, 0.6), potential_of("reciprocal-determinant", 1.0, 2.0));
+  expect_complete(found);
+  const auto escapes = std::ranges::find_if(found.sheets, [](const AtlasSheet& sheet) {
+    return sheet.plane && sheet.rows.back().event == EventType::escape;
+  });
+  ASSERT_NE(escapes, found.sheets.end()) << text_of(found);
+  EXPECT_EQ(escapes->parent->sheet, 1);
+  EXPECT_NEAR(escapes->parent->nu, 1.40523, 1e-5);
+  EXPECT_FALSE(escapes->joins.has_value());
+}
+
+TEST(Atlas, FindsTheSheetApartFromRest) {
+  const Atlas biot = atlas_to(2.0, plate, potential_of("biot-log", 1.0, 0.6));
+  EXPECT_EQ(text_of(biot),
+            "i: limit tilt escape; ii: limit inertia-exchange tilt escape; iii: limit tilt escape; "
+            "iii: escape fold-nu fold-momentum tilt krein-pass escape; 13: tilt tilt; "
+            "23: tilt hamiltonian-hopf hamiltonian-hopf tilt; ");
+  expect_complete(biot);
+  EXPECT_FALSE(biot.sheets[3].parent.has_value());
+  expect_joined(biot.sheets[5], 2, 4);
+  const Atlas soft = atlas_to(1.0, Body(1.046, 0.972, 0.234),
+                              potential_of("neo-hookean", 0.0525, 2.3792, 0.591, 1.917));
+  EXPECT_EQ(std::ranges::count_if(soft.sheets, [](const auto& sheet) { return !sheet.plane; }), 4)
+      << text_of(soft);
+  expect_complete(soft);
+}
+
+TEST(Atlas, EllipsesComeFromTheCircleAndOnce) {
+  const Atlas found = atlas_to(3.0, Body(1.0, 1.0, 0.6), potential_of("biot-log", 1.0, 4.0));
+  // (ii) is (i) turned; the tilted family joins (i) to the ellipses.
+  EXPECT_EQ(text_of(found),
+            "i: limit tilt escape; iii: limit ellipse fold-nu fold-nu ellipse escape; "
+            "iii: ellipse tilt escape; iii: ellipse escape; 13: tilt tilt; ");
+  ASSERT_EQ(found.sheets.size(), 5U);
+  expect_complete(found);
+  expect_joined(found.sheets[4], 1, 3);
+  for (const std::size_t k : {2U, 3U}) {
+    const AtlasSheet& ellipses = found.sheets[k];
+    ASSERT_TRUE(ellipses.parent.has_value()) << k;
+    EXPECT_EQ(ellipses.parent->sheet, 2);
+    EXPECT_EQ(ellipses.parent->event, EventType::ellipse);
+    for (const AtlasRow& row : ellipses.rows) {
+      EXPECT_EQ(row.event == EventType::ellipse, row.member.q.xi == row.member.q.zeta);
+    }
+  }
+}
+
+/// Where no checkpoint meets the ellipses they are entered at the circle.
+TEST(Atlas, EllipsesBetweenCheckpointsAreEnteredAtTheCircle) {
+  AtlasOptions options;
+  options.from = 0.0;
+  options.to = 1.08;
+  options.checkpoints = 3;
+  options.branches = {Branch::iii};
+  const Atlas found = atlas(Body(1.0, 1.0, 0.6), potential_of("biot-log", 1.0, 4.0), options);
+  ASSERT_EQ(found.sheets.size(), 2U) << text_of(found);
+  EXPECT_EQ(found.sheets[1].entry, Entry::ellipse);
+  ASSERT_TRUE(found.sheets[1].parent.has_value());
+  EXPECT_EQ(found.sheets[1].parent->sheet, 1);
+}
+
+/// biot, J1 = J2: ellipses of any eccentricity at J nu^2 = 2 mu.
+TEST(Atlas, AVerticalBranchIsFollowed) {
+  AtlasOptions options;
+  options.to = 1.5;
+  options.checkpoints = 7;
+  options.branches = {Branch::iii};
+  const Atlas found = atlas(Body(1.0, 1.0, 0.6), potential_of("biot", 1.0, 2.0), options);
+  EXPECT_TRUE(found.remarks.empty());
+  ASSERT_EQ(found.sheets.size(), 3U) << text_of(found);
+  EXPECT_TRUE(found.sheets[1].report.vertical);
+  EXPECT_NEAR(found.sheets[1].entry_nu, std::sqrt(2.0), 1e-14);
+  EXPECT_TRUE(found.sheets[2].plane.has_value());  // off a tilt on it
+}
+
+TEST(Atlas, DoesNotDependOnTheThreads) {
+  const Potential potential = potential_of("biot-log", 1.0, 0.6);
+  const Atlas one = atlas_to(2.0, plate, potential, 1);
+  for (const int threads : {2, 5}) {
+    const Atlas many = atlas_to(2.0, plate, potential, threads);
+    ASSERT_EQ(one.sheets.size(), many.sheets.size());
+    for (std::size_t s = 0; s < one.sheets.size(); ++s) {
+      ASSERT_EQ(one.sheets[s].rows.size(), many.sheets[s].rows.size());
+      for (std::size_t k = 0; k < one.sheets[s].rows.size(); ++k) {
+        EXPECT_EQ(one.sheets[s].rows[k].member.nu, many.sheets[s].rows[k].member.nu);
+        EXPECT_EQ(one.sheets[s].rows[k].member.q.xi, many.sheets[s].rows[k].member.q.xi);
+      }
+    }
+  }
+}
+
+/// Random bodies and models: every sheet's point at a checkpoint is a proven solution, and every
+/// proven solution is on a sheet; what is not shown is said so, and rare.
+TEST(Atlas, RandomBodiesAreComplete) {
+  support::Random random(417);
+  int checkpoints = 0;
+  int complete = 0;
+  for (int k = 0; k < 60; ++k) {
+    const Posed posed = random_problem(random, 2.0);
+    AtlasOptions options;
+    options.to = 2.0 * std::abs(posed.nu);
+    options.checkpoints = 12;
+    options.step.tolerance = 1e-5;
+    options.spectrum = false;
+    options.threads = 2;
+    const Atlas found = atlas(posed.problem.body(), posed.problem.potential(), options);
+    for (const Checkpoint& at : found.checkpoints) {
+      ++checkpoints;
+      complete += at.complete();
+      EXPECT_TRUE(at.complete() || at.status != SearchStatus::complete)
+          << posed.text << name(at.branch) << " " << at.nu << ": " << at.proven << " "
+          << at.on_sheets << " " << at.beyond << " " << text_of(found);
+    }
+  }
+  EXPECT_GE(complete, checkpoints * 98 / 100) << checkpoints;
+}
+
+TEST(Atlas, RefusesARangeThatIsNone) {
+  const Potential potential = potential_of("neo-hookean", 1.0, 2.0);
+  for (const auto& [from, to] : {std::pair{-1.0, 1.0}, {1.0, 1.0}, {2.0, 1.0}, {0.0, INFINITY}}) {
+    AtlasOptions options;
+    options.from = from;
+    options.to = to;
+    EXPECT_THROW(atlas(plate, potential, options), std::invalid_argument);
+  }
+  AtlasOptions none;
+  none.checkpoints = 0;
+  EXPECT_THROW(atlas(plate, potential, none), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace stationary

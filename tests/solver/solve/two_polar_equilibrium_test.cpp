@@ -1,0 +1,168 @@
+// Two-polar motions: the table of independently computed rows at given rates and at given momenta,
+// theta' -> 0 as branch (iii), duality, lines of solutions, the circle.
+#include "solver/solve/two_polar_equilibrium.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "solver/solve/stability.hpp"
+#include "tests/support/reference_table.hpp"
+
+namespace stationary {
+namespace {
+
+using support::nearest;
+using support::Real50;
+using support::reference_table;
+using support::ReferenceRow;
+
+Potential potential(const char* model, double p1, double p2, double a = 1.0, double b = 3.0) {
+  const double plane[] = {p1, p2};
+  const double thickness[] = {a, b};
+  return {Potential::planar(model, plane), Potential::thickness("reciprocal-quadratic", thickness)};
+}
+
+void expect_row(const ReferenceRow& row, const Body& body, const Potential& V,
+                const TwoPolarEquilibrium& found) {
+  ASSERT_EQ(found.status, SolveStatus::solved) << row.where() << ": " << found.message;
+  EXPECT_FALSE(found.circle);
+  const char* names[] = {"lambda", "mu", "rho"};
+  for (int k = 0; k < 3; ++k) {
+    const auto exact = row.number<Real50>(names[k]);
+    const double error = nearest(Real50(abs(Real50(found.x[k]) - exact) / exact));
+    EXPECT_LE(error, 4e-15) << row.where() << " " << names[k];
+    EXPECT_LE(error, found.error_bound) << row.where() << " " << names[k];
+  }
+  const Spectrum spectrum = stability(body, V, found);
+  ASSERT_EQ(spectrum.modes, 4) << row.where();
+  double size = 0.0;
+  for (int k = 0; k < 4; ++k)
+    size = std::max(size, std::abs(spectrum.mode[static_cast<std::size_t>(k)].lambda_re));
+  int real_pairs = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto re = row.number<Real50>("re" + std::to_string(k + 1));
+    const auto im = row.number<Real50>("im" + std::to_string(k + 1));
+    real_pairs += re > 0;
+    const Mode& m = spectrum.mode[k];
+    const double error = nearest(Real50(abs(Real50(m.lambda_re) - (re * re - im * im))));
+    EXPECT_LE(error, 1e-13 * size) << row.where() << " mode " << k + 1;
+    EXPECT_LE(error, 1e-11 * std::abs(m.lambda_re)) << row.where() << " mode " << k + 1;
+    EXPECT_LE(error, m.lambda_error) << row.where() << " mode " << k + 1;
+  }
+  EXPECT_EQ(spectrum.verdict == StabilityClass::unstable, real_pairs > 0) << row.where();
+}
+
+TEST(TwoPolarTable, EveryRowByRatesAndByMomenta) {
+  const auto rows = reference_table("two_polar.csv");
+  ASSERT_EQ(rows.size(), 4U);
+  for (const ReferenceRow& row : rows) {
+    const auto value = [&](const char* column) { return row.number<double>(column); };
+    const Body body(value("J"), value("J"), value("J3"));
+    const Potential V =
+        potential(row.text("model").c_str(), value("v1"), value("v2"), value("a"), value("b"));
+    const TwoPolarEquilibrium by_rates =
+        solve_two_polar(body, V, TwoPolarRates<double>{value("omega"), value("theta_dot")});
+    expect_row(row, body, V, by_rates);
+    const TwoPolarEquilibrium by_momenta = solve_two_polar(body, V, by_rates.momenta);
+    expect_row(row, body, V, by_momenta);
+    EXPECT_NEAR(by_momenta.rates.omega, value("omega"), 1e-14);
+    EXPECT_NEAR(by_momenta.rates.theta_dot, value("theta_dot"), 1e-14);
+  }
+}
+
+TEST(TwoPolar, WithoutThetaDotIsBranchThree) {
+  // An ellipse of (iii) at J1 = J2: its planar modes and wobble are those of the two-polar motion
+  // at theta' = 0, whose leaf has no zero pair.
+  const Body body(1.0, 1.0, 1.5);
+  const Potential V = potential("biot-log", 1.0, 4.0, 0.8, 1.3);
+  const double omega = 1.2;
+  const TwoPolarEquilibrium at = solve_two_polar(body, V, TwoPolarRates<double>{omega, 0.0});
+  ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
+  ASSERT_FALSE(at.circle) << at.message;
+  SolveOptions near;
+  near.start = Stretch{0.0, at.x[0], at.x[1], at.x[2]};
+  const Problem three(body, V, Branch::iii);
+  const Equilibrium same = solve(three, omega, near);
+  ASSERT_EQ(same.status, SolveStatus::solved) << same.message;
+  EXPECT_NEAR(same.q.xi, at.x[0], 4e-15 * at.x[0]);
+  EXPECT_NEAR(same.q.zeta, at.x[1], 4e-15 * at.x[1]);
+  const Spectrum two_polar = stability(body, V, at);
+  const Spectrum ellipse = stability(three, same);
+  ASSERT_EQ(two_polar.modes, 4);
+  ASSERT_EQ(ellipse.modes, 5);
+  EXPECT_TRUE(ellipse.mode[0].forced_zero);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Mode& a = two_polar.mode[k];
+    const Mode& b = ellipse.mode[k + 1];
+    EXPECT_NEAR(a.lambda_re, b.lambda_re, a.lambda_error + b.lambda_error) << k;
+    EXPECT_EQ(a.krein, b.krein) << k;
+  }
+  EXPECT_EQ(two_polar.verdict, ellipse.verdict);
+}
+
+TEST(TwoPolar, ExchangingTheRatesKeepsTheStretches) {
+  const Body body(0.8, 0.8, 2.3);
+  const Potential V = potential("saint-venant-kirchhoff", 0.9, 2.1, 1.1, 1.5);
+  const auto one = solve_two_polar(body, V, TwoPolarRates<double>{1.2, -0.35});
+  const auto other = solve_two_polar(body, V, TwoPolarRates<double>{-0.35, 1.2});
+  ASSERT_EQ(one.status, SolveStatus::solved);
+  ASSERT_EQ(other.status, SolveStatus::solved);
+  EXPECT_EQ(one.x, other.x);
+  EXPECT_EQ(one.momenta.s3, other.momenta.p_theta);
+}
+
+TEST(TwoPolar, LinesOfSolutionsAreSaidNotSampled) {
+  const Body body(1.0, 1.0, 0.6);
+  // J (omega^2 + theta'^2) = 0.36 + 0.64 = 1 and J (omega - theta')^2 = 4 exactly.
+  const TwoPolarRates<double> unit{1.0, 0.0};
+  const TwoPolarRates<double> slip{1.5, -0.5};
+  for (const auto& [V, rates] : {std::pair{potential("reciprocal-determinant", 1.0, 1.0), unit},
+                                 std::pair{potential("neo-hookean", 1.0, 2.0), unit},
+                                 std::pair{potential("biot", 2.0, 1.0), slip}}) {
+    const auto found = solve_two_polar(body, V, rates);
+    EXPECT_EQ(found.status, SolveStatus::not_isolated) << found.message;
+    EXPECT_NE(found.message.find("prescribe s3 and p_theta"), std::string::npos);
+    EXPECT_TRUE(std::isnan(found.x[0]));
+    // Off the line there is the circle only, and it is named.
+    const auto circle =
+        solve_two_polar(body, V, TwoPolarRates<double>{0.3 * rates.omega, 0.3 * rates.theta_dot});
+    ASSERT_EQ(circle.status, SolveStatus::solved) << circle.message;
+    EXPECT_TRUE(circle.circle);
+    EXPECT_EQ(circle.x[0], circle.x[1]);
+    EXPECT_NE(circle.message.find("circle"), std::string::npos);
+    EXPECT_EQ(stability(body, V, circle).modes, 5);
+  }
+}
+
+TEST(TwoPolar, AnEllipseOfALineIsFoundByItsMomenta) {
+  // The line of reciprocal-determinant: J (omega^2 + theta'^2) = k.
+  const Body body(1.0, 1.0, 0.6);
+  const Potential V = potential("reciprocal-determinant", 1.0, 1.0);
+  const auto found = solve_two_polar(body, V, TwoPolarMomenta<double>{2.0, -1.5});
+  ASSERT_EQ(found.status, SolveStatus::solved) << found.message;
+  EXPECT_GT(found.x[0], found.x[1]);
+  EXPECT_NEAR(found.rates.omega * found.rates.omega + found.rates.theta_dot * found.rates.theta_dot,
+              1.0, 1e-14);
+}
+
+TEST(TwoPolar, WithoutSpinMomentumThereIsNoWobble) {
+  const Body body(1.0, 1.0, 0.6);
+  const Potential V = potential("reciprocal-determinant", 1.0, 1.0);
+  const auto found = solve_two_polar(body, V, TwoPolarMomenta<double>{0.0, 2.0});
+  ASSERT_EQ(found.status, SolveStatus::solved) << found.message;
+  EXPECT_EQ(stability(body, V, found).modes, 3);
+}
+
+TEST(TwoPolar, MisuseThrows) {
+  const Potential V = potential("biot", 1.0, 1.0);
+  EXPECT_THROW(solve_two_polar(Body(1.0, 1.1, 1.0), V, TwoPolarRates<double>{1.0, 0.0}),
+               std::invalid_argument);
+  EXPECT_THROW(solve_two_polar(Body(1.0, 1.0, 1.0), V, TwoPolarRates<double>{1.0, std::nan("")}),
+               std::invalid_argument);
+  EXPECT_THROW(stability(Body(1.0, 1.0, 1.0), V, TwoPolarEquilibrium{}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace stationary
