@@ -27,9 +27,9 @@
 #include <array>
 #include <cmath>
 
-#include "lib/material/anisotropic_potential.hpp"
 #include "lib/body/inertia.hpp"
 #include "lib/body/motion.hpp"
+#include "lib/material/anisotropic_potential.hpp"
 
 namespace stationary {
 
@@ -268,15 +268,6 @@ void add_axis(const Inertia3<S>& J, const OrientedStretch<S>& at, const S& nu_sq
       out.slope[i][phi] = nu_squared * (in_q.g[i] * axis.rate);
     }
   }
-}
-
-/// At alpha = 0, from V's second derivatives there.
-template <class S>
-StraightState<S> straight_state(const Inertia3<S>& J, const AnisotropicModel<S>& model,
-                                const BasicStretch<S>& q, const S& omega) {
-  const Matrix4<S> H = potential_derivatives<2>(model, q).hessian;
-  return {J,       q.xi,    q.zeta,  q.rho,   omega,   H(0, 0),
-          H(1, 1), H(1, 2), H(2, 2), H(1, 3), H(2, 3), H(3, 3)};
 }
 
 }  // namespace stationary

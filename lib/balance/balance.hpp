@@ -10,8 +10,9 @@
 //
 // At alpha = 0 and a spin about one axis (a) is, in u = ln xi, v = ln zeta, w = ln rho and each row
 // times its stretch, the gradient of V - q^T C q / 2 in logarithmic coordinates,
-//   G_xi = xi W_t + W_l - c_xi xi^2,  G_zeta = zeta W_t + W_l - c_zeta zeta^2,  G_rho = W_r - c_rho
-//   rho^2,
+//   G_xi   = xi W_t + W_l - c_xi xi^2,
+//   G_zeta = zeta W_t + W_l - c_zeta zeta^2,
+//   G_rho  = W_r - c_rho rho^2,
 // with a symmetric Jacobian; the domain is kept by construction. That is what the solvers solve.
 //
 // A tilted axis, nu = (nu1, 0, nu3), needs I11 = I33, that is rho = sqrt(J1/J3) xi. Of the balance
@@ -25,10 +26,10 @@
 
 #include "lib/body/body.hpp"
 #include "lib/body/inertia.hpp"
-#include "lib/material/models/log_balance.hpp"
 #include "lib/body/motion.hpp"
-#include "lib/material/potential.hpp"
 #include "lib/body/stretch.hpp"
+#include "lib/material/models/log_balance.hpp"
+#include "lib/material/potential.hpp"
 
 namespace stationary {
 

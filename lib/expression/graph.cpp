@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "lib/number/double_double.hpp"
 #include "lib/expression/singular.hpp"
+#include "lib/number/double_double.hpp"
 
 namespace stationary::expression {
 namespace {

@@ -367,7 +367,8 @@ NormalForms::Normalized NormalForms::normalize(const NormalSum& x) {
 
 /// c tau N^n > 0, n odd and c > 0, is N > 0.
 void NormalForms::note_positive(const NormalSum& x) {
-  if (x.size() != 1 || !x[0].coefficient.value.positive() || !x[0].monomial.is_exponential()) return;
+  if (x.size() != 1 || !x[0].coefficient.value.positive() || !x[0].monomial.is_exponential())
+    return;
   Atom* only = nullptr;
   for (const Monomial::Power& each : x[0].monomial.powers) {
     Atom& atom = atoms_[static_cast<std::size_t>(each.atom)];

@@ -6,8 +6,7 @@
 //   x^r      of a square x, r modulo m:  x^r x^s = x^(r+s),  (x y)^r = x^r y^r,  sqrt(x)^2 = x
 //   exp(x)   g^x, x evaluated modulo m at variables of its own:  exp(x + y) = exp(x) exp(y)
 //   log(x)   the sum of the logarithms of the factors of x; of what has none, and whatever its
-//   sign,
-//            a random residue that depends on |x| alone
+//            sign, a random residue that depends on |x| alone
 //   sin, cos, tan  the rational functions of one random residue;  atan, ...: a random residue each
 //
 // Each rule holds of the functions themselves wherever both sides are defined, so what is 0 by them

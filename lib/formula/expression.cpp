@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <span>
 
-#include "lib/formula/circle_smoothness.hpp"
 #include "lib/expression/differentiate.hpp"
-#include "lib/formula/facts.hpp"
 #include "lib/expression/principal_pairs.hpp"
 #include "lib/expression/slopes.hpp"
+#include "lib/formula/circle_smoothness.hpp"
+#include "lib/formula/facts.hpp"
 #include "lib/tape/tape_run.hpp"
 
 namespace stationary::expression {

@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
-#include "lib/formula/circle_smoothness.hpp"
 #include "lib/expression/differentiate.hpp"
 #include "lib/expression/principal_pairs.hpp"
+#include "lib/formula/circle_smoothness.hpp"
 
 namespace stationary::expression {
 namespace {

@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "lib/formula/expression.hpp"
 #include "lib/expression/normal_form.hpp"
+#include "lib/formula/expression.hpp"
 
 namespace stationary::expression {
 

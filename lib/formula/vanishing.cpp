@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lib/formula/expression.hpp"
 #include "lib/expression/residue.hpp"
+#include "lib/formula/expression.hpp"
 #include "lib/tape/tape_run.hpp"
 
 namespace stationary::expression {

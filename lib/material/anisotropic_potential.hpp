@@ -16,14 +16,14 @@
 #include <string>
 #include <vector>
 
-#include "lib/material/models/coefficients.hpp"
-#include "lib/number/first_order_bound.hpp"
-#include "lib/material/models/isotropic_models.hpp"
-#include "lib/material/models/potential_derivatives.hpp"
 #include "lib/material/models/anisotropic_expression.hpp"
 #include "lib/material/models/any_model.hpp"
+#include "lib/material/models/coefficients.hpp"
 #include "lib/material/models/fibre.hpp"
+#include "lib/material/models/isotropic_models.hpp"
 #include "lib/material/models/orthotropic_saint_venant_kirchhoff.hpp"
+#include "lib/material/models/potential_derivatives.hpp"
+#include "lib/number/first_order_bound.hpp"
 
 namespace stationary {
 

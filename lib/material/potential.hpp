@@ -17,12 +17,12 @@
 #include <variant>
 #include <vector>
 
+#include "lib/body/stretch.hpp"
 #include "lib/material/anisotropic_potential.hpp"
+#include "lib/material/models/any_model.hpp"
 #include "lib/material/models/isotropic_models.hpp"
 #include "lib/material/models/potential_derivatives.hpp"
-#include "lib/material/models/any_model.hpp"
 #include "lib/material/models/separable.hpp"
-#include "lib/body/stretch.hpp"
 
 namespace stationary {
 
@@ -54,6 +54,8 @@ const std::vector<ModelDescription>& anisotropic_descriptions();
 
 /// A separable potential with an expression in it, as one model.
 using SeparableExpression = Separable<AnyPlane<>, AnyThickness<>>;
+/// One of built-in models.
+using BuiltInParts = Separable<BuiltInPlane<>, BuiltInThickness<>>;
 
 class Potential {
  public:
@@ -111,9 +113,17 @@ class Potential {
           parts->plane, parts->thickness);
     }
     if (const auto* parts = std::get_if<SeparableExpression>(&models_)) return f(*parts);
-    if (const auto* coupled = std::get_if<CoupledExpression<>>(&models_)) return f(*coupled);
-    return std::visit([&](const auto& model) -> decltype(auto) { return f(model); },
-                      std::get<CoupledPotential>(models_));
+    return visit_coupled(f);
+  }
+
+  /// Likewise, but every separable potential of built-in parts as the same type: for what is slow
+  /// beside asking at each evaluation which they are.
+  template <class F>
+  decltype(auto) visit_parts(F&& f) const {
+    if (const auto* parts = std::get_if<SeparableModels>(&models_))
+      return f(BuiltInParts{{{parts->plane}}, {{parts->thickness}}});
+    if (const auto* parts = std::get_if<SeparableExpression>(&models_)) return f(*parts);
+    return visit_coupled(f);
   }
 
   /// The conditions under which its formulas are defined, and their values at q; none of built-in
@@ -141,6 +151,13 @@ class Potential {
     PlanarPotential plane;
     ThicknessPotential thickness;
   };
+  template <class F>
+  decltype(auto) visit_coupled(F&& f) const {
+    if (!is_isotropic()) throw std::invalid_argument("an isotropic potential");
+    if (const auto* coupled = std::get_if<CoupledExpression<>>(&models_)) return f(*coupled);
+    return std::visit([&](const auto& model) -> decltype(auto) { return f(model); },
+                      std::get<CoupledPotential>(models_));
+  }
   /// f(each model that is a formula).
   template <class F>
   void for_formulas(const F& f) const;

@@ -119,7 +119,9 @@ EigenTriple triple(const Dense& H, const Dense& magnitude, Complex lambda, Real 
   out.s = std::sqrt(lambda);
   ComplexDense shifted = H.cast<Complex>();
   shifted.diagonal().array() -= out.s;
-  const Eigen::JacobiSVD<ComplexDense> svd(shifted, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  // Of a square matrix: no factorization before it.
+  const Eigen::JacobiSVD<ComplexDense, Eigen::NoQRPreconditioner> svd(
+      shifted, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::Index last = H.rows() - 1;
   out.right = svd.matrixV().col(last);
   const ComplexVector left = svd.matrixU().col(last);

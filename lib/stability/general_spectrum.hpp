@@ -1,21 +1,19 @@
 // The spectrum of any stationary motion, by structure-preserving methods on the leaf (symplectic_leaf.hpp):
 //
 //   E'' = L L^T definite:  x' = J E'' x is similar to the skew-symmetric L^T J L; its eigenvalues
-//   are
-//                          imaginary by construction
+//                          are imaginary by construction
 //   else:                  Van Loan's square-reduced form: an orthogonal symplectic similarity
-//   takes
-//                          (J E'')^2 to [[A, *], [0, A^T]]; the five eigenvalues of A are the
-//                          Lambda, each once, so s comes in +- pairs by construction
+//                          takes (J E'')^2 to [[A, *], [0, A^T]]; the five eigenvalues of A are
+//                          the Lambda, each once, so s comes in +- pairs by construction
 //
 // after a symplectic scaling, in the widest hardware format. Error bounds from left and right
 // eigenvectors and the leaf's magnitudes. Source: C. F. Van Loan, Lin. Alg. Appl. 61 (1984) 233.
 // The blocks (spectrum.hpp) are faster and sharper wherever they apply; the two agree there.
 #pragma once
 
-#include "lib/stability/symplectic_leaf.hpp"
 #include "lib/material/potential.hpp"
 #include "lib/stability/spectrum.hpp"
+#include "lib/stability/symplectic_leaf.hpp"
 
 namespace stationary {
 

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "lib/stability/enclosure_collector.hpp"
 #include "lib/number/interval.hpp"
+#include "lib/stability/enclosure_collector.hpp"
 
 namespace stationary {
 

@@ -31,8 +31,8 @@
 
 #include "lib/body/inertia.hpp"
 #include "lib/body/motion.hpp"
-#include "lib/number/polynomial.hpp"
 #include "lib/material/potential.hpp"
+#include "lib/number/polynomial.hpp"
 
 namespace stationary {
 
@@ -73,6 +73,15 @@ StraightState<S> straight_state(const Inertia3<S>& J, const Model& model, const 
   out.V_zr = (w.w_tr + w.w_lr * inverse_zeta) * inverse_rho;
   out.V_rr = (w.w_rr - w.w_r) * (inverse_rho * inverse_rho);
   return out;
+}
+
+/// At alpha = 0, from V's second derivatives there.
+template <class S>
+StraightState<S> straight_state(const Inertia3<S>& J, const AnisotropicModel<S>& model,
+                                const BasicStretch<S>& q, const S& omega) {
+  const Matrix4<S> H = potential_derivatives<2>(model, q).hessian;
+  return {J,       q.xi,    q.zeta,  q.rho,   omega,   H(0, 0),
+          H(1, 1), H(1, 2), H(2, 2), H(1, 3), H(2, 3), H(3, 3)};
 }
 
 /// A symmetric pencil Lambda diag(mass) + K of three coordinates.

@@ -1,17 +1,15 @@
 // Eigenvalues s = +-sqrt(Lambda) of the linearized dynamics at a stationary ellipsoid, what they
 // and the second variation of E = H - kappa |pi|^2/2 say of its stability.
 //
-//   stable       E'' definite (positive) on the leaf, reduced by the material symmetry where J1 =
-//   J2;
-//                on the circle of (iii) also where E'' + c (P -+ |pi|)'' is, P the material
-//                momentum
+//   stable       E'' definite (positive) on the leaf, reduced by the material symmetry where
+//                J1 = J2; on the circle of (iii) also where E'' + c (P -+ |pi|)'' is, P the
+//                material momentum
 //   elliptic     all eigenvalues imaginary and semisimple, E'' indefinite: spectrally stable only
 //   unstable     a real pair (also where a quadruple is present)
 //   oscillatory  a complex quadruple, no real pair
-//   marginal     the error bounds do not decide: a Lambda not forced to zero contains zero, or two
-//   of
-//                one block that may leave the axis, of opposite signature where they are imaginary,
-//                cannot be told apart
+//   marginal     the error bounds do not decide: a Lambda not forced to zero contains zero, or
+//                two of one block that may leave the axis, of opposite signature where they are
+//                imaginary, cannot be told apart
 //
 // A class is a claim: it is made only where the bound of every Lambda supports it. Zeros that a
 // symmetry forces are exactly zero and no obstacle. Krein signature: sign of E'' on an imaginary

@@ -10,8 +10,8 @@
 #include <array>
 #include <optional>
 
-#include "lib/stability/linearization.hpp"
 #include "lib/number/root_discs.hpp"
+#include "lib/stability/linearization.hpp"
 #include "lib/stability/spectrum.hpp"
 
 namespace stationary {

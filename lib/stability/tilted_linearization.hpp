@@ -6,14 +6,15 @@
 //   E'' = u^T A u + v^T B v,   u' = B v,  v' = -A u,   so the Lambda are the eigenvalues of -B A,
 //
 // with the leaf's coordinates (symplectic_leaf.hpp): delta pi = sqrt|pi| (b1 e1 + b2 e2), e1 in the plane.
-// With I = I1 = I3 (what compatibility asks for), n = nu/|nu|, P = |pi| = I |nu|, g = J1 xi - J2
-// zeta, h = J1 xi + J2 zeta, D = J1 J2 (xi + zeta)^2 and the linear forms of u that the momenta
-// leave,
+// With I = I1 = I3 (what compatibility asks for), n = nu/|nu|, P = |pi| = I |nu|,
+// g = J1 xi - J2 zeta, h = J1 xi + J2 zeta, D = J1 J2 (xi + zeta)^2 and the linear forms of u that
+// the momenta leave,
 //   w1 = -sqrt P n3 b1 - 2 J2 zeta nu1 dzeta - 2 J3 rho nu1 drho,
-//   w3 =  sqrt P n1 b1 - 2 J1 xi nu3 dxi - 2 J2 zeta nu3 dzeta,   wa = p_alpha + J1 nu3 dxi - J2
-//   nu3 dzeta, A = w1^2/I + [(J1 + J2) w3^2 + 2 g w3 wa + I wa^2]/D + V_xx - diag(J1 nu3^2, J2
-//   |nu|^2, J3 nu1^2)
-//       - P b1^2/I,   whose b1 b1 entry is P n1^2 g^2/(D I).
+//   w3 =  sqrt P n1 b1 - 2 J1 xi nu3 dxi - 2 J2 zeta nu3 dzeta,
+//   wa =  p_alpha + J1 nu3 dxi - J2 nu3 dzeta,
+//   A  =  w1^2/I + [(J1 + J2) w3^2 + 2 g w3 wa + I wa^2]/D
+//         + V_xx - diag(J1 nu3^2, J2 |nu|^2, J3 nu1^2) - P b1^2/I,
+// whose b1 b1 entry is P n1^2 g^2/(D I).
 // The 2-3 plane: axes 1 and 2 exchanged.
 #pragma once
 

@@ -14,9 +14,9 @@
 #include <cstddef>
 #include <limits>
 
-#include "lib/number/first_order_bound_functions.hpp"
-#include "lib/number/double_double_functions.hpp"
 #include "lib/expression/symmetric_kernel.hpp"
+#include "lib/number/double_double_functions.hpp"
+#include "lib/number/first_order_bound_functions.hpp"
 #include "lib/number/interval_functions.hpp"
 #include "lib/number/number.hpp"
 #include "lib/number/odd_reciprocal.hpp"

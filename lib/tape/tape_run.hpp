@@ -10,12 +10,12 @@
 #include <memory>
 #include <type_traits>
 
-#include "lib/number/first_order_bound_functions.hpp"
 #include "lib/number/double_double_functions.hpp"
-#include "lib/tape/kernel_value.hpp"
-#include "lib/tape/tape.hpp"
+#include "lib/number/first_order_bound_functions.hpp"
 #include "lib/number/interval_functions.hpp"
 #include "lib/number/number.hpp"
+#include "lib/tape/kernel_value.hpp"
+#include "lib/tape/tape.hpp"
 
 namespace stationary::expression {
 
@@ -287,7 +287,7 @@ void run(const Program& program, const double* literals, const R* constants, R* 
         break;
       }
       default:
-        break;
+        out = poison<R>();
     }
   }
 }

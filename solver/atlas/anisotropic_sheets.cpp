@@ -3,10 +3,10 @@
 #include <stdexcept>
 
 #include "lib/balance/anisotropic_balance.hpp"
-#include "solver/family/anisotropic_family.hpp"
-#include "solver/search/anisotropic_search.hpp"
-#include "solver/family/branch_switch.hpp"
 #include "solver/atlas/sheet_source.hpp"
+#include "solver/family/anisotropic_family.hpp"
+#include "solver/family/branch_switch.hpp"
+#include "solver/search/anisotropic_search.hpp"
 
 namespace stationary {
 namespace {

@@ -24,8 +24,8 @@
 #include <vector>
 
 #include "solver/family/follow_sheet.hpp"
-#include "solver/search/search.hpp"
 #include "solver/family/tilted_family.hpp"
+#include "solver/search/search.hpp"
 
 namespace stationary {
 

@@ -14,6 +14,7 @@
 #include "solver/family/axis_family.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/search/search.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary {
 

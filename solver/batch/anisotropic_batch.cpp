@@ -8,11 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "solver/family/anisotropic_family.hpp"
-#include "solver/solve/anisotropic_rest.hpp"
 #include "solver/continuation/corrector.hpp"
-#include "solver/solve/nonexistence.hpp"
+#include "solver/family/anisotropic_family.hpp"
 #include "solver/family/follow_sheet.hpp"
+#include "solver/solve/anisotropic_rest.hpp"
+#include "solver/solve/nonexistence.hpp"
 
 namespace stationary {
 namespace {

@@ -16,8 +16,8 @@
 #include <limits>
 #include <span>
 
-#include "solver/solve/solve.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary {
 

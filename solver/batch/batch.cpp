@@ -16,8 +16,8 @@
 
 #include "solver/batch/anisotropic_batch.hpp"
 #include "solver/batch/march_plan.hpp"
-#include "solver/solve/nonexistence.hpp"
 #include "solver/batch/sweep.hpp"
+#include "solver/solve/nonexistence.hpp"
 
 namespace stationary {
 namespace {

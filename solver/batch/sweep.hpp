@@ -18,9 +18,9 @@
 #include <limits>
 #include <span>
 
-#include "solver/solve/solve.hpp"
 #include "solver/motion/problem.hpp"
 #include "solver/newton/refine.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary {
 

@@ -2,8 +2,8 @@
 // certain, each `threshold` times over (spectrum_kernel.hpp).
 #pragma once
 
-#include "lib/stability/linearization.hpp"
 #include "lib/number/running_error.hpp"
+#include "lib/stability/linearization.hpp"
 #include "lib/stability/spectrum.hpp"
 
 namespace stationary {

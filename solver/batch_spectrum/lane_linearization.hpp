@@ -6,8 +6,8 @@
 // on the circle 2 (V_xi,xi - V_xi,zeta).
 #pragma once
 
-#include "lib/stability/linearization.hpp"
 #include "lib/number/running_error.hpp"
+#include "lib/stability/linearization.hpp"
 #include "solver/batch/march_kernel.hpp"
 #include "solver/batch_spectrum/spectrum_tile.hpp"
 

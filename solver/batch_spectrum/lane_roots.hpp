@@ -6,8 +6,8 @@
 // then the quadratic, its smaller root as a quotient.
 #pragma once
 
-#include "lib/number/simd_pack.hpp"
 #include "lib/number/polynomial.hpp"
+#include "lib/number/simd_pack.hpp"
 
 namespace stationary {
 

@@ -9,9 +9,9 @@
 // leaf is another, and an ellipse of J1 = J2 in (iii).
 #pragma once
 
-#include "solver/batch_spectrum/lane_modes.hpp"
-#include "solver/batch_spectrum/lane_linearization.hpp"
 #include "solver/batch_spectrum/lane_class.hpp"
+#include "solver/batch_spectrum/lane_linearization.hpp"
+#include "solver/batch_spectrum/lane_modes.hpp"
 
 namespace stationary {
 

@@ -18,8 +18,8 @@
 #include <string>
 #include <utility>
 
-#include "solver/continuation/ellipse_end.hpp"
 #include "solver/continuation/domain_guard.hpp"
+#include "solver/continuation/ellipse_end.hpp"
 #include "solver/continuation/event_search.hpp"
 #include "solver/continuation/step_control.hpp"
 

@@ -10,9 +10,9 @@
 #include "solver/motion/event.hpp"
 #include "solver/motion/event_functions.hpp"
 #include "solver/motion/extended_root.hpp"
-#include "solver/newton/newton.hpp"
 #include "solver/motion/oriented_stability.hpp"
 #include "solver/motion/oriented_system.hpp"
+#include "solver/newton/newton.hpp"
 #include "solver/newton/refine.hpp"
 
 namespace stationary {

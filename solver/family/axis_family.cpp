@@ -22,7 +22,7 @@ AnyFamily axis_family(const Problem& problem, const AxisFamilyOptions& options, 
   const bool constant = problem.thickness_rule() == ThicknessRule::constant &&
                         options.parameter.kind != FamilyParameter::Kind::thickness &&
                         options.parameter.kind != FamilyParameter::Kind::shared;
-  return problem.potential().visit([&](const auto& model) {
+  return problem.potential().visit_parts([&](const auto& model) {
     using Model = std::decay_t<decltype(model)>;
     // A thickness of which there may be several is carried along by each sheet.
     if constexpr (requires { model.plane; } && !several_thicknesses<Model>)

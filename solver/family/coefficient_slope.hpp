@@ -42,7 +42,7 @@ auto with_duals(const Model<double>& model) {
 template <int N, class Model>
 ReducedVector<N> gradient_slope(const Model& model, std::size_t direction,
                                 const ReducedVector<N>& x) {
-  if constexpr (requires { model.is_expression(); }) {
+  if constexpr (requires { model.of_any_kind; }) {
     return model.visit([&](const auto& own) { return gradient_slope<N>(own, direction, x); });
   } else if constexpr (N == 1) {
     return ReducedVector<1>(with_duals(model).template evaluate<1>(x[0]).v_r.slope[direction]);

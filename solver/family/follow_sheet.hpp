@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "lib/number/interval.hpp"
-#include "solver/family/axis_family.hpp"
 #include "solver/continuation/continuation.hpp"
+#include "solver/family/axis_family.hpp"
 
 namespace stationary {
 

@@ -10,10 +10,10 @@
 
 #include "lib/material/elastic_energy.hpp"
 #include "solver/family/axis_family.hpp"
-#include "solver/proof/event_enclosure.hpp"
+#include "solver/family/coefficient_slope.hpp"
 #include "solver/motion/model_stability.hpp"
 #include "solver/newton/thickness_balance.hpp"
-#include "solver/family/coefficient_slope.hpp"
+#include "solver/proof/event_enclosure.hpp"
 
 namespace stationary {
 

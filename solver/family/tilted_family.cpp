@@ -226,7 +226,7 @@ std::unique_ptr<Family<2>> family_of(const Body& body, const Potential& potentia
 
 std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& potential,
                                          TiltPlane plane, bool spectrum) {
-  return potential.visit(
+  return potential.visit_parts(
       [&](const auto& model) { return family_of(body, potential, model, plane, spectrum); });
 }
 

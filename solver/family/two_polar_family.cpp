@@ -7,15 +7,15 @@
 #include <type_traits>
 
 #include "lib/material/elastic_energy.hpp"
+#include "solver/family/coefficient_slope.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/event_functions.hpp"
 #include "solver/motion/extended_root.hpp"
 #include "solver/motion/model_stability.hpp"
-#include "solver/newton/newton.hpp"
-#include "solver/newton/thickness_balance.hpp"
 #include "solver/motion/two_polar_stability.hpp"
 #include "solver/motion/two_polar_system.hpp"
-#include "solver/family/coefficient_slope.hpp"
+#include "solver/newton/newton.hpp"
+#include "solver/newton/thickness_balance.hpp"
 
 namespace stationary {
 namespace {
@@ -435,7 +435,7 @@ AnyFamily two_polar_family(const Body& body, const Potential& potential,
   require_two_polar(body, options.motion);
   if (options.parameter.kind == FamilyParameter::Kind::inertia && options.parameter.index != 2)
     throw std::invalid_argument("J1 = J2 is kept: J3 is the inertia that may vary");
-  return potential.visit(
+  return potential.visit_parts(
       [&](const auto& model) { return family_of(body, potential, model, options); });
 }
 

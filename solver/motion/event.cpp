@@ -91,8 +91,8 @@ void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
       return mode != nullptr && mode->lambda_re < 0.0;
     };
     const auto negative = std::ranges::count_if(blocks[a].real, is_negative);
-    out.composition = 64 * out.composition + 8 * static_cast<std::uint32_t>(blocks[a].count) +
-                      static_cast<std::uint32_t>(negative);
+    out.composition[a] = {static_cast<std::uint8_t>(blocks[a].count),
+                          static_cast<std::uint8_t>(negative)};
     for (std::size_t b = a + 1; b < blocks.size(); ++b) {
       for (std::size_t i = 0; i < blocks[a].count; ++i) {
         for (std::size_t j = 0; j < blocks[b].count && k < TestValues::count; ++j, ++k) {

@@ -8,11 +8,9 @@
 //   inertia-exchange   any other two locked inertias are equal
 //   ellipse            J1 = J2: K_alpha,alpha = 0 on the circle
 //   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2; an oblique family of an
-//   even
-//                      V ends there
-//   shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; likewise; both, of
-//   isotropic
-//                      V, where another parameter passes J1 = J2 only
+//                      even V ends there
+//   shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; likewise. Both, of an
+//                      isotropic V, where another parameter passes J1 = J2 only
 //   hamiltonian-hopf   two imaginary pairs of one block meet and leave the axis
 //   real-collision     two real pairs of one block do
 //   krein-pass         imaginary pairs of opposite signature, of two blocks, meet and pass
@@ -102,8 +100,9 @@ struct TestValues {
 
   std::array<double, count> value;
   std::uint32_t opposite = 0;       ///< bit k: the pairs of crossing k have opposite signatures
-  std::uint32_t composition = 0;    ///< which blocks have how many real and negative Lambda:
-                                    ///< crossings compare only where this is equal
+  /// Of each block how many Lambda are real, and how many of these negative: crossings compare only
+  /// where these are equal.
+  std::array<std::array<std::uint8_t, 2>, 4> composition{};
   bool collides_imaginary = false;  ///< the pair of `collision` has Lambda < 0
   /// Bit k: the errors of the point leave the sign of value k open.
   std::uint32_t uncertain = 0;

@@ -21,8 +21,8 @@
 #include <limits>
 #include <optional>
 
-#include "lib/number/first_order_bound.hpp"
 #include "lib/number/double_double.hpp"
+#include "lib/number/first_order_bound.hpp"
 #include "solver/motion/varied_balance.hpp"
 
 namespace stationary {

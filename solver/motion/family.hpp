@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "lib/balance/balance.hpp"
+#include "lib/balance/two_polar.hpp"
 #include "lib/body/body.hpp"
+#include "lib/body/stretch.hpp"
 #include "lib/material/models/tape_model.hpp"
 #include "lib/stability/spectrum.hpp"
-#include "lib/body/stretch.hpp"
-#include "lib/balance/two_polar.hpp"
 #include "solver/newton/refine.hpp"
 
 namespace stationary {

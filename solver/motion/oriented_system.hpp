@@ -14,8 +14,8 @@
 
 #include "lib/balance/anisotropic_balance.hpp"
 #include "lib/number/dual.hpp"
-#include "solver/newton/reduced_system.hpp"
 #include "lib/number/small_matrix.hpp"
+#include "solver/newton/reduced_system.hpp"
 
 namespace stationary {
 

@@ -2,9 +2,9 @@
 // solved.
 //
 //   separable V: rho decouples, V_rho'(rho) = J3 nu^2 rho in (i), (ii) and V_rho' = 0 in (iii)
-//   isotropic V: alpha = 0, by compatibility in (i), (ii), and because nu lies along a principal
-//   axis
-//                (J1 != J2) or by the choice of gauge on the circle of solutions (J1 = J2) in (iii)
+//   isotropic V: alpha = 0, by compatibility in (i), (ii); in (iii) because nu lies along a
+//                principal axis (J1 != J2), or by the choice of gauge on the circle of solutions
+//                (J1 = J2)
 // so (xi, zeta) remain, or (xi, zeta, rho) where V couples them. Worked out once; the solvers ask.
 #pragma once
 

@@ -11,8 +11,9 @@
 #include <string>
 #include <variant>
 
-#include "lib/material/potential.hpp"
 #include "lib/balance/two_polar.hpp"
+#include "lib/body/body.hpp"
+#include "lib/material/potential.hpp"
 #include "solver/motion/equilibrium.hpp"
 
 namespace stationary {

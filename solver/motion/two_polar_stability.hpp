@@ -4,9 +4,9 @@
 
 #include <array>
 
+#include "lib/balance/two_polar.hpp"
 #include "lib/material/models/first_order_bound_model.hpp"
 #include "lib/stability/spectrum.hpp"
-#include "lib/balance/two_polar.hpp"
 
 namespace stationary {
 

@@ -8,7 +8,7 @@ std::vector<CoefficientInput> coefficient_inputs(const Potential& potential,
                                                  const FamilyParameter& parameter) {
   using Kind = FamilyParameter::Kind;
   std::vector<CoefficientInput> out;
-  potential.visit([&](const auto& model) {
+  potential.visit_parts([&](const auto& model) {
     const auto add = [&](const auto& part, Kind kind) {
       const auto coefficients = part.coefficients();
       for (std::size_t k = 0; k < coefficients.size(); ++k)
@@ -34,7 +34,7 @@ bool has_decimals(const Potential& potential) {
       return false;
     }
   };
-  return potential.visit([&](const auto& model) {
+  return potential.visit_parts([&](const auto& model) {
     if constexpr (requires { model.plane; }) {
       return of(model.plane) || of(model.thickness);
     } else {

@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include "lib/number/first_order_bound_functions.hpp"
-#include "lib/number/double_double_functions.hpp"
 #include "lib/body/inertia.hpp"
 #include "lib/material/models/model_coefficients.hpp"
+#include "lib/number/double_double_functions.hpp"
+#include "lib/number/first_order_bound_functions.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"
 
@@ -48,7 +48,7 @@ LogBalance<T> varied_balance(const Potential& potential, const T& xi, const T& z
     return with_indexed_coefficients(
         model, [&](double c, std::size_t k) { return number(c, kind, static_cast<int>(k)); });
   };
-  return potential.visit([&](const auto& model) -> LogBalance<T> {
+  return potential.visit_parts([&](const auto& model) -> LogBalance<T> {
     if constexpr (requires { model.plane; }) {
       const auto plane = with_numbers(model.plane, Kind::plane);
       const auto thickness = with_numbers(model.thickness, Kind::thickness);

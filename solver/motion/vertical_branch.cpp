@@ -4,10 +4,10 @@
 #include <initializer_list>
 #include <type_traits>
 
-#include "lib/number/first_order_bound_functions.hpp"
 #include "lib/material/models/first_order_bound_model.hpp"
-#include "solver/newton/separable_parts.hpp"
+#include "lib/number/first_order_bound_functions.hpp"
 #include "solver/motion/two_polar_motion.hpp"
+#include "solver/newton/separable_parts.hpp"
 
 namespace stationary {
 namespace {

@@ -16,10 +16,10 @@
 #include <cmath>
 
 #include "lib/balance/balance.hpp"
-#include "lib/number/first_order_bound_functions.hpp"
 #include "lib/material/models/model_coefficients.hpp"
 #include "lib/material/potential.hpp"
 #include "lib/number/dual.hpp"
+#include "lib/number/first_order_bound_functions.hpp"
 #include "lib/number/small_symmetric.hpp"
 
 namespace stationary {
@@ -107,7 +107,7 @@ ReducedVector<N> decimal_sensitivity(const Model& model, const ReducedVector<N>&
 /// Sum over the coefficients p of |p dg/dp|, g the gradient of V in (ln xi, ln zeta[, ln rho]).
 template <int N, class Model>
 ReducedVector<N> coefficient_sensitivity(const Model& model, const ReducedVector<N>& x) {
-  if constexpr (requires { model.is_expression(); }) {
+  if constexpr (requires { model.of_any_kind; }) {
     return model.visit([&](const auto& own) { return coefficient_sensitivity<N>(own, x); });
   } else if constexpr (requires { model.plane; }) {  // N = 3
     ReducedVector<N> out;

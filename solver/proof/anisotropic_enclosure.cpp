@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "lib/stability/leaf_enclosure.hpp"
+#include "solver/newton/refine.hpp"
 #include "solver/proof/certificate.hpp"
 #include "solver/proof/oriented_boxes.hpp"
 

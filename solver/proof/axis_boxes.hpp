@@ -1,8 +1,8 @@
 // The interval systems of one problem at one nu, with its inputs as intervals.
 #pragma once
 
-#include "solver/proof/box_balance.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/proof/box_balance.hpp"
 
 namespace stationary {
 

@@ -9,11 +9,11 @@
 #include <memory>
 
 #include "lib/balance/balance.hpp"
-#include "lib/number/interval.hpp"
-#include "lib/stability/linearization.hpp"
 #include "lib/material/models/model_coefficients.hpp"
-#include "solver/newton/reduced_system.hpp"
+#include "lib/number/interval.hpp"
 #include "lib/number/small_matrix.hpp"
+#include "lib/stability/linearization.hpp"
+#include "solver/newton/reduced_system.hpp"
 #include "solver/proof/term_bounds.hpp"
 
 namespace stationary {

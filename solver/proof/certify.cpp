@@ -66,7 +66,7 @@ Certificate certify(const Problem& problem, const Equilibrium& equilibrium, Inpu
   } else if (q.alpha != 0.0) {
     out.reason = "alpha != 0: compatibility or the gauge leaves alpha = 0 only";
   } else {
-    problem.potential().visit(
+    problem.potential().visit_parts(
         [&](const auto& model) { certify_model(model, problem, q, nu, inputs, out); });
   }
   require_assumptions(problem.potential(), inputs, out);
@@ -90,7 +90,7 @@ SpectrumEnclosure enclose_spectrum(const Problem& problem, const Equilibrium& eq
   const Inertia3<Interval> J = inertia_intervals(body, inputs);
   StretchBox at = certificate.solution;
   if (certificate.circle) at.xi = at.zeta = common(at.xi, at.zeta);
-  return problem.potential().visit([&](const auto& model) {
+  return problem.potential().visit_parts([&](const auto& model) {
     const auto state = straight_state(J, interval_model(model, inputs), at.xi, at.zeta, at.rho,
                                       as_input(nu, inputs));
     return enclose_spectrum(facts, state, spectrum);

@@ -18,8 +18,8 @@
 #include "lib/material/potential.hpp"
 #include "lib/stability/spectrum_enclosure.hpp"
 #include "solver/motion/equilibrium.hpp"
-#include "solver/proof/box_balance.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/proof/box_balance.hpp"
 
 namespace stationary {
 

@@ -14,10 +14,10 @@
 #include <optional>
 #include <string>
 
+#include "solver/motion/event.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"
 #include "solver/proof/certify.hpp"
-#include "solver/motion/event.hpp"
 
 namespace stationary {
 

@@ -12,13 +12,13 @@
 #include <array>
 #include <vector>
 
+#include "lib/number/dual.hpp"
 #include "lib/stability/linearization.hpp"
 #include "lib/stability/spectrum.hpp"
-#include "solver/motion/family_parameter.hpp"
-#include "solver/motion/problem.hpp"
-#include "lib/number/dual.hpp"
 #include "solver/motion/event_functions.hpp"
 #include "solver/motion/extended_root.hpp"
+#include "solver/motion/family_parameter.hpp"
+#include "solver/motion/problem.hpp"
 #include "solver/proof/box_balance.hpp"
 
 namespace stationary {

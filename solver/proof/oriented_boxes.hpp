@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "solver/proof/box_balance.hpp"
 #include "solver/motion/oriented_system.hpp"
+#include "solver/proof/box_balance.hpp"
 
 namespace stationary {
 

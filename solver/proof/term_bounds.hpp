@@ -21,8 +21,8 @@
 #include <utility>
 #include <vector>
 
-#include "lib/number/affine_form.hpp"
 #include "lib/formula/term_table.hpp"
+#include "lib/number/affine_form.hpp"
 #include "lib/number/interval_functions.hpp"
 #include "lib/number/small_matrix.hpp"
 

@@ -74,7 +74,7 @@ Certificate certify_tilted(const Body& body, const Potential& potential,
   } else if (equilibrium.q.alpha != 0.0) {
     out.reason = "alpha != 0: the axis lies in a plane of material axes";
   } else {
-    potential.visit(
+    potential.visit_parts(
         [&](const auto& model) { certify_model(model, body, motion, equilibrium, inputs, out); });
   }
   require_assumptions(potential, inputs, out);
@@ -86,7 +86,7 @@ SpectrumEnclosure enclose_spectrum(const Body& body, const Potential& potential,
                                    const Spectrum& spectrum, Inputs inputs) {
   if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
   const StretchBox& at = certificate.solution;
-  return potential.visit([&](const auto& model) {
+  return potential.visit_parts([&](const auto& model) {
     const auto system = tilted_box_system(body, model, motion.plane, motion.nu, inputs);
     const auto square = system.squares({at.xi, at.zeta});
     const auto state =

@@ -3,8 +3,8 @@
 // nu are its components.
 #pragma once
 
-#include "solver/proof/certify.hpp"
 #include "solver/motion/rotations.hpp"
+#include "solver/proof/certify.hpp"
 
 namespace stationary {
 

@@ -12,9 +12,9 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "solver/proof/box_balance.hpp"
 #include "solver/motion/two_polar_motion.hpp"
 #include "solver/motion/two_polar_system.hpp"
+#include "solver/proof/box_balance.hpp"
 
 namespace stationary {
 

@@ -97,7 +97,7 @@ Certificate certify_two_polar(const Body& body, const Potential& potential,
   if (!has_motion(equilibrium, motion)) {
     out.reason = "its motion is another than the prescribed one";
   } else {
-    potential.visit([&](const auto& model) {
+    potential.visit_parts([&](const auto& model) {
       visit_motion(motion, [&](const auto& own) {
         certify_model(model, own, body, equilibrium, inputs, out);
       });
@@ -119,7 +119,7 @@ SpectrumEnclosure enclose_spectrum(const Body& body, const Potential& potential,
   if (certificate.circle) at.xi = at.zeta = common(at.xi, at.zeta);
   const auto rates = rates_at(J.J1, at, certificate.circle, motion, inputs);
   const bool still = no_spin(equilibrium);
-  return potential.visit([&](const auto& model) {
+  return potential.visit_parts([&](const auto& model) {
     const auto coefficients = interval_model(model, inputs);
     if (certificate.circle) {
       const Interval omega = still ? Interval(0.0) : rates.omega + rates.theta_dot;

@@ -3,8 +3,8 @@
 // where its spectrum lies. Of s3 = p_theta the proof is for equal ones.
 #pragma once
 
-#include "solver/proof/certify.hpp"
 #include "solver/motion/two_polar_motion.hpp"
+#include "solver/proof/certify.hpp"
 
 namespace stationary {
 

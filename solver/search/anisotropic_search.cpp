@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "solver/search/branch_and_prune.hpp"
 #include "solver/proof/oriented_boxes.hpp"
+#include "solver/search/branch_and_prune.hpp"
 #include "solver/search/search_message.hpp"
 
 namespace stationary {

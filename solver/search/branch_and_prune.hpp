@@ -24,8 +24,8 @@
 #include <utility>
 #include <vector>
 
-#include "solver/proof/krawczyk.hpp"
 #include "solver/newton/newton.hpp"
+#include "solver/proof/krawczyk.hpp"
 
 namespace stationary {
 

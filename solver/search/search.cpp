@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "solver/search/anisotropic_search.hpp"
 #include "solver/proof/axis_boxes.hpp"
+#include "solver/search/anisotropic_search.hpp"
 #include "solver/search/branch_and_prune.hpp"
 #include "solver/search/search_message.hpp"
 
@@ -44,7 +44,7 @@ class Search {
         mirror_(mirror_symmetric(problem, nu) ? Mirror::both : Mirror::none) {}
 
   SearchResult run() {
-    problem_.potential().visit([this](const auto& model) { run_model(model); });
+    problem_.potential().visit_parts([this](const auto& model) { run_model(model); });
     for (auto* list : {&out_.solutions, &out_.unproven})
       std::ranges::sort(*list, {}, [](const Equilibrium& each) {
         return std::tuple(each.q.xi, each.q.zeta, each.q.rho);

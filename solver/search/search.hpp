@@ -13,9 +13,9 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/proof/certify.hpp"
 #include "solver/motion/equilibrium.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/proof/certify.hpp"
 
 namespace stationary {
 

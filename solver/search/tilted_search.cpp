@@ -5,10 +5,11 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "solver/motion/tilted_system.hpp"
+#include "solver/family/tilted_family.hpp"
+#include "solver/proof/tilted_boxes.hpp"
 #include "solver/search/branch_and_prune.hpp"
 #include "solver/search/search_message.hpp"
-#include "solver/proof/tilted_boxes.hpp"
-#include "solver/motion/tilted_system.hpp"
 
 namespace stationary {
 namespace {
@@ -24,7 +25,7 @@ class TiltedSearch {
         family_(tilted_family(body, potential, motion.plane, false)) {}
 
   SearchResult run() {
-    potential_.visit([this](const auto& model) { run_model(model); });
+    potential_.visit_parts([this](const auto& model) { run_model(model); });
     for (auto* list : {&out_.solutions, &out_.unproven})
       std::ranges::sort(*list, {},
                         [](const Equilibrium& each) { return std::tuple(each.q.xi, each.q.zeta); });

@@ -4,8 +4,8 @@
 // to a material one.
 #pragma once
 
-#include "solver/search/search.hpp"
 #include "solver/motion/rotations.hpp"
+#include "solver/search/search.hpp"
 
 namespace stationary {
 

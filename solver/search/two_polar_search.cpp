@@ -4,9 +4,9 @@
 #include <tuple>
 #include <utility>
 
+#include "solver/proof/two_polar_boxes.hpp"
 #include "solver/search/branch_and_prune.hpp"
 #include "solver/search/search_message.hpp"
-#include "solver/proof/two_polar_boxes.hpp"
 
 namespace stationary {
 namespace {
@@ -18,7 +18,7 @@ class TwoPolarSearch {
       : body_(body), potential_(potential), motion_(motion), options_(options) {}
 
   TwoPolarSearchResult run() {
-    potential_.visit([this](const auto& model) {
+    potential_.visit_parts([this](const auto& model) {
       visit_motion(motion_, [&](const auto& motion) { run_model(model, motion); });
     });
     for (auto* list : {&out_.solutions, &out_.unproven})

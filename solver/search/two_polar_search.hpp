@@ -7,8 +7,8 @@
 // continuum ends as undecided boxes.
 #pragma once
 
-#include "solver/search/search.hpp"
 #include "solver/motion/two_polar_motion.hpp"
+#include "solver/search/search.hpp"
 
 namespace stationary {
 

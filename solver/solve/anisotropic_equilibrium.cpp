@@ -7,14 +7,14 @@
 #include <stdexcept>
 #include <vector>
 
-#include "solver/solve/anisotropic_rest.hpp"
-#include "solver/search/anisotropic_search.hpp"
 #include "solver/family/branch_switch.hpp"
-#include "solver/solve/nonexistence.hpp"
 #include "solver/family/follow_sheet.hpp"
-#include "solver/newton/newton.hpp"
 #include "solver/motion/oriented_stability.hpp"
 #include "solver/motion/oriented_system.hpp"
+#include "solver/newton/newton.hpp"
+#include "solver/search/anisotropic_search.hpp"
+#include "solver/solve/anisotropic_rest.hpp"
+#include "solver/solve/nonexistence.hpp"
 
 namespace stationary {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/search/anisotropic_search.hpp"
-#include "solver/newton/newton.hpp"
 #include "solver/motion/oriented_system.hpp"
+#include "solver/newton/newton.hpp"
+#include "solver/search/anisotropic_search.hpp"
 
 namespace stationary {
 namespace {

@@ -6,11 +6,11 @@
 #include <sstream>
 #include <string>
 
+#include "solver/continuation/rest_walk.hpp"
 #include "solver/newton/ceres_solve.hpp"
-#include "solver/solve/solve.hpp"
 #include "solver/newton/newton.hpp"
 #include "solver/newton/nlopt_seed.hpp"
-#include "solver/continuation/rest_walk.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary {
 

@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "solver/motion/vertical_branch.hpp"
+#include "solver/newton/thickness_balance.hpp"
+#include "solver/search/search.hpp"
 #include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/solve/nonexistence.hpp"
 #include "solver/solve/reduced_solve.hpp"
-#include "solver/search/search.hpp"
-#include "solver/newton/thickness_balance.hpp"
-#include "solver/motion/vertical_branch.hpp"
 
 namespace stationary {
 namespace {
@@ -86,7 +86,7 @@ void search_all(const Problem& problem, double nu, const SolveOptions& options, 
   const SearchResult all = search(problem, nu, how);
   if (all.status == SearchStatus::interrupted) out.status = SolveStatus::interrupted;
   if (all.solutions.empty()) return;
-  const Stretch rest = problem.potential().visit([](const auto& model) {
+  const Stretch rest = problem.potential().visit_parts([](const auto& model) {
     if constexpr (requires { model.plane; }) {
       const double r = model.plane.rest_stretch();
       return Stretch{0.0, r, r, 1.0};  // a separable potential's rho is the same for all
@@ -135,7 +135,7 @@ Equilibrium solve(const Problem& problem, double nu, const SolveOptions& options
                   "for every eccentricity: `continue` follows it from a start on it";
     return out;
   }
-  problem.potential().visit(
+  problem.potential().visit_parts(
       [&](const auto& model) { solve_model(model, problem, nu, options, out); });
   if (out.status == SolveStatus::not_found && options.method == Method::automatic && options.search)
     search_all(problem, nu, options, out);

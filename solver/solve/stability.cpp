@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/motion/model_stability.hpp"
+#include "solver/solve/anisotropic_equilibrium.hpp"
 
 namespace stationary {
 
@@ -17,7 +17,7 @@ Spectrum stability(const Problem& problem, const Equilibrium& equilibrium) {
   }
   const Branch branch = problem.branch();
   const double nu = equilibrium.nu[axis(branch)];
-  return problem.potential().visit([&](const auto& model) {
+  return problem.potential().visit_parts([&](const auto& model) {
     return model_stability(problem.body(), branch, model,
                            extended_q(problem.body(), branch, model, equilibrium.q, nu), nu,
                            equilibrium.error_bound);

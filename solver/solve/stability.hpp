@@ -2,8 +2,8 @@
 #pragma once
 
 #include "lib/stability/spectrum.hpp"
-#include "solver/solve/solve.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary {
 

@@ -190,7 +190,7 @@ class TiltedSolve {
       out_.message = text.str();
       return;
     }
-    constexpr double acceptable_residual = 1e-12;
+
     out_.q = member.q;
     out_.nu = member.angular_velocity;
     out_.residual = member.residual;

@@ -9,8 +9,8 @@
 
 #include <optional>
 
-#include "solver/solve/solve.hpp"
 #include "solver/family/tilted_family.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary {
 

@@ -5,13 +5,13 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "solver/motion/two_polar_stability.hpp"
+#include "solver/motion/two_polar_system.hpp"
 #include "solver/newton/newton.hpp"
 #include "solver/newton/nlopt_seed.hpp"
 #include "solver/newton/separable_parts.hpp"
-#include "solver/solve/stability.hpp"
 #include "solver/newton/thickness_balance.hpp"
-#include "solver/motion/two_polar_stability.hpp"
-#include "solver/motion/two_polar_system.hpp"
+#include "solver/solve/stability.hpp"
 
 namespace stationary {
 namespace {
@@ -26,19 +26,19 @@ class Solver {
 
   template <template <class> class Motion>
   void run(const Motion<double>& motion) {
-    potential_.visit([&](const auto& model) { run_model(model, motion); });
+    potential_.visit_parts([&](const auto& model) { run_model(model, motion); });
   }
 
   /// The circle with s3 = p_theta, which the pull of equal momenta keeps lambda = mu: by Newton
   /// from rest.
   void circle(double s3) {
-    potential_.visit([&](const auto& model) { circle_model(model, s3); });
+    potential_.visit_parts([&](const auto& model) { circle_model(model, s3); });
   }
 
   /// The circle out.x, had at omega + theta' rounded, corrected at the two rates. Whether it
   /// converged.
   bool correct_circle(const TwoPolarRates<double>& rates) {
-    return potential_.visit([&](const auto& model) { return correct_circle_of(model, rates); });
+    return potential_.visit_parts([&](const auto& model) { return correct_circle_of(model, rates); });
   }
 
  private:
@@ -310,7 +310,7 @@ Spectrum stability(const Body& body, const Potential& potential,
     return stability(Problem(body, potential, Branch::iii), circle);
   }
   const double u = std::max(equilibrium.error_bound, 0x1p-53);
-  return potential.visit([&](const auto& model) {
+  return potential.visit_parts([&](const auto& model) {
     // One more correction of (lambda, mu[, rho]) at the computed rates, kept unrounded.
     using Elastic = decltype(elastic_system(model));
     constexpr int N = Elastic::dimension;

@@ -7,8 +7,8 @@
 #pragma once
 
 #include "lib/stability/spectrum.hpp"
-#include "solver/solve/solve.hpp"
 #include "solver/motion/two_polar_motion.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary {
 

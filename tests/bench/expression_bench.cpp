@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/program/case/case_file.hpp"
 #include "solver/batch/sweep.hpp"
+#include "solver/program/case/case_file.hpp"
 #include "tests/bench/measurement.hpp"
 #include "tests/support/written_out.hpp"
 

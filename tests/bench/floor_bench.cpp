@@ -20,8 +20,8 @@
 
 #include "lib/balance/balance.hpp"
 #include "lib/stability/linearization.hpp"
-#include "solver/solve/stability.hpp"
 #include "solver/batch/sweep.hpp"
+#include "solver/solve/stability.hpp"
 
 namespace stationary {
 namespace {

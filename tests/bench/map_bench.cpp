@@ -2,8 +2,8 @@
 //   sweep      the scalar path, body after body (sweep.hpp), with an error bound on every point
 //   INSTRUCTIONS-double, INSTRUCTIONS-corrected
 //              the batch (batch.hpp) on one instruction set each, with residuals in double and
-//              with residuals in pairs of doubles (S rounded correctly); -bounded: with error
-//              bounds
+//              with residuals in pairs of doubles (S rounded correctly); -bounded: with
+//              error bounds
 //   sweep-spectrum, INSTRUCTIONS-class, INSTRUCTIONS-spectrum
 //              sweep and stability(); the batch corrected and bounded, then the class and negative
 //              directions of every cell (batch_spectrum.hpp), or its modes too
@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
+#include "solver/batch/sweep.hpp"
 #include "solver/batch_spectrum/batch_spectrum.hpp"
 #include "solver/solve/stability.hpp"
-#include "solver/batch/sweep.hpp"
 #include "tests/bench/bodies.hpp"
 #include "tests/support/high_precision.hpp"
 

@@ -4,8 +4,8 @@
 // extended precision.
 #pragma once
 
-#include "solver/newton/newton.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/newton/newton.hpp"
 #include "solver/newton/refine.hpp"
 
 namespace stationary::bench {

@@ -4,8 +4,7 @@
 //   newton-4x4       plain Newton on all of (alpha, xi, zeta, rho), Eigen's partialPivLu, analytic
 //                    Jacobian, from the point before, until the step is at rounding
 //   newton-4x4-para  the same from the sweep's own predictor, stopped one step earlier, where
-//   quadratic
-//                    convergence has done the rest
+//                    quadratic convergence has done the rest
 //   tiny-solver      ceres::TinySolver on the same four equations, derivatives by Jets
 //   ceres            ceres::Solve on the same
 // in one run, repetitions interleaved at random. All but the plain newton-4x4 get the same

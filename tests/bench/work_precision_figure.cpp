@@ -7,9 +7,9 @@
 #include <map>
 #include <span>
 
-#include "solver/program/table/atomic_file.hpp"
 #include "solver/program/plot/diagram_lines.hpp"
 #include "solver/program/plot/gnuplot.hpp"
+#include "solver/program/table/atomic_file.hpp"
 
 namespace stationary::bench {
 namespace {

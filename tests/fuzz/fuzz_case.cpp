@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "solver/program/case/case_file.hpp"
-#include "solver/program/session/computation_plan.hpp"
 #include "solver/program/rows/metadata.hpp"
+#include "solver/program/session/computation_plan.hpp"
 
 namespace {
 

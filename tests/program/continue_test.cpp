@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "solver/program/case/case_file.hpp"
 #include "solver/motion/event.hpp"
+#include "solver/program/case/case_file.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 

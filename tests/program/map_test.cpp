@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "solver/program/table/column_file.hpp"
 #include "solver/program/plot/map_diagram.hpp"
 #include "solver/program/plot/map_plot.hpp"
+#include "solver/program/table/column_file.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 

@@ -1,4 +1,6 @@
 // solve from outside: the table, its columns and metadata, the summary, the exit codes.
+#include "solver/solve/solve.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/program/case/case_file.hpp"
-#include "solver/solve/solve.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 

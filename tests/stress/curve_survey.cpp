@@ -6,13 +6,13 @@
 #include <sstream>
 #include <utility>
 
-#include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/family/anisotropic_family.hpp"
 #include "solver/family/follow_sheet.hpp"
-#include "solver/solve/tilted_equilibrium.hpp"
 #include "solver/family/tilted_family.hpp"
-#include "solver/solve/two_polar_equilibrium.hpp"
 #include "solver/family/two_polar_family.hpp"
+#include "solver/solve/anisotropic_equilibrium.hpp"
+#include "solver/solve/tilted_equilibrium.hpp"
+#include "solver/solve/two_polar_equilibrium.hpp"
 #include "tests/stress/hard_case.hpp"
 #include "tests/support/random_anisotropic.hpp"
 

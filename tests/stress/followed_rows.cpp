@@ -7,8 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "solver/proof/event_system.hpp"
 #include "solver/family/follow_sheet.hpp"
+#include "solver/proof/event_system.hpp"
 #include "tests/stress/hard_case.hpp"
 #include "tests/support/high_precision.hpp"
 

@@ -8,10 +8,10 @@
 #include <exception>
 #include <optional>
 
+#include "solver/family/follow_sheet.hpp"
 #include "solver/program/case/case_file.hpp"
 #include "solver/program/case/case_toml.hpp"
 #include "solver/proof/certify.hpp"
-#include "solver/family/follow_sheet.hpp"
 #include "solver/search/search.hpp"
 #include "tests/support/wide_numbers.hpp"
 

@@ -21,7 +21,7 @@ std::optional<Ingredients> balanced_at(Ingredients out, const Stretch& q) {
   if (out.model.thickness.empty()) return std::nullopt;
   const auto gradient = [&] {
     const Potential potential = testing::named_potential(out.model, out.plane, out.axial);
-    return potential.visit(
+    return potential.visit_parts(
         [&](const auto& model) { return potential_derivatives<1>(model, q).gradient; });
   };
   const double nu_squared = out.nu * out.nu;

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "solver/solve/solve.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/solve/solve.hpp"
 #include "tests/support/motions.hpp"
 #include "tests/support/random_states.hpp"
 

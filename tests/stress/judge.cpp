@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "solver/proof/certify.hpp"
 #include "solver/family/follow_sheet.hpp"
+#include "solver/proof/certify.hpp"
 #include "solver/search/search.hpp"
 #include "tests/support/wide_spectrum.hpp"
 

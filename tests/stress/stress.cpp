@@ -13,8 +13,8 @@
 #include <filesystem>
 #include <string>
 
-#include "solver/program/table/atomic_file.hpp"
 #include "solver/program/plot/gnuplot.hpp"
+#include "solver/program/table/atomic_file.hpp"
 #include "tests/stress/categories.hpp"
 #include "tests/stress/curve_survey.hpp"
 #include "tests/stress/fold_figure.hpp"

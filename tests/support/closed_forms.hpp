@@ -17,9 +17,9 @@
 
 #include "lib/body/body.hpp"
 #include "lib/body/motion.hpp"
+#include "lib/body/stretch.hpp"
 #include "lib/material/models/reciprocal_determinant.hpp"
 #include "lib/material/models/thickness.hpp"
-#include "lib/body/stretch.hpp"
 
 namespace stationary::support {
 

@@ -116,7 +116,7 @@ struct Flows {
   std::function<double(const Vector11<double>&)> energy;
 };
 inline Flows flows(const Body& body, const Potential& potential) {
-  return potential.visit([&]<class Model>(const Model& model) {
+  return potential.visit_parts([&]<class Model>(const Model& model) {
     const ReducedFlow<Model> reduced{body, model};
     return Flows{reduced, PlacementFlow<Model>{body, model},
                  [reduced](const Vector11<double>& z) { return reduced.energy(z); }};

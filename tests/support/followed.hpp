@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/solve/solve.hpp"
 #include "solver/family/follow_sheet.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary::testing {
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "lib/stability/general_spectrum.hpp"
-#include "solver/solve/solve.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/solve/solve.hpp"
 #include "solver/solve/stability.hpp"
 #include "tests/support/random_states.hpp"
 

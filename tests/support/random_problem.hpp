@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/solve/solve.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/solve/solve.hpp"
 #include "tests/support/random_states.hpp"
 
 namespace stationary::testing {
@@ -29,6 +29,12 @@ inline const std::vector<std::string_view>& planar_models() {
     return out;
   }();
   return names;
+}
+/// The planar models and the coupled one.
+inline std::vector<std::string_view> all_models() {
+  auto out = planar_models();
+  out.push_back("neo-hookean-3d");
+  return out;
 }
 
 /// By name: "neo-hookean-3d", or a planar model under a thickness one.

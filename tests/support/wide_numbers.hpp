@@ -8,8 +8,8 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <string>
 
-#include "lib/number/double_double.hpp"
 #include "lib/body/stretch.hpp"
+#include "lib/number/double_double.hpp"
 
 namespace stationary::support {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "lib/material/models/coefficients.hpp"
-#include "lib/stability/symplectic_leaf.hpp"
 #include "lib/stability/linearization.hpp"
+#include "lib/stability/symplectic_leaf.hpp"
 #include "tests/support/high_precision.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/motions.hpp"
@@ -110,7 +110,7 @@ WideMotion wide_motion(const Motion& motion, const Shake& shake) {
                                !problem.potential().is_separable());
     return out;
   };
-  return problem.potential().visit([&](const auto& model) {
+  return problem.potential().visit_parts([&](const auto& model) {
     if constexpr (requires { model.plane; }) {
       const auto plane = with_coefficients(model.plane, shake);
       const auto thickness = with_coefficients(model.thickness, shake);

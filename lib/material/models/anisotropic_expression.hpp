@@ -8,8 +8,8 @@
 
 #include <optional>
 
-#include "lib/material/models/potential_derivatives.hpp"
 #include "lib/material/models/expression.hpp"
+#include "lib/material/models/potential_derivatives.hpp"
 
 namespace stationary {
 

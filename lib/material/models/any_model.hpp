@@ -11,15 +11,16 @@
 #include <variant>
 #include <vector>
 
-#include "lib/material/models/coefficients.hpp"
-#include "lib/material/models/isotropic_models.hpp"
+#include "lib/material/models/built_in_model.hpp"
 #include "lib/material/models/expression.hpp"
+#include "lib/material/models/isotropic_models.hpp"
 
 namespace stationary {
 
 /// What AnyPlane and AnyThickness have in common: f(the model) of whichever it is.
 template <class BuiltIn, class Expression>
 struct AnyModel {
+  static constexpr bool of_any_kind = true;
   std::variant<BuiltIn, Expression> model;
 
   template <class F>
@@ -98,14 +99,5 @@ struct AnyThickness : AnyModel<ThicknessModels<C>, ThicknessExpression<C>> {
     return this->visit([&](const auto& each) { return each.balanced(m); });
   }
 };
-
-/// Any<C> with convert(c, k) for its coefficient c number k.
-template <template <class> class Any, class Convert>
-requires requires(const Any<double>& model) { model.is_expression(); }
-auto with_indexed_coefficients(const Any<double>& model, const Convert& convert) {
-  using C = std::remove_cvref_t<decltype(convert(0.0, std::size_t(0)))>;
-  return model.visit(
-      [&](const auto& m) { return Any<C>{{with_indexed_coefficients(m, convert)}}; });
-}
 
 }  // namespace stationary

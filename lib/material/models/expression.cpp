@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "lib/number/first_order_bound_functions.hpp"
 #include "lib/material/models/first_order_bound_model.hpp"
+#include "lib/number/first_order_bound_functions.hpp"
 
 namespace stationary {
 namespace {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <type_traits>
 
-#include "lib/material/models/tape_model.hpp"
-#include "lib/material/models/model_derivatives.hpp"
 #include "lib/body/stretch.hpp"
+#include "lib/material/models/model_derivatives.hpp"
+#include "lib/material/models/tape_model.hpp"
 
 namespace stationary {
 

@@ -3,8 +3,8 @@
 // not.
 #pragma once
 
-#include "lib/number/first_order_bound.hpp"
 #include "lib/material/models/model_coefficients.hpp"
+#include "lib/number/first_order_bound.hpp"
 
 namespace stationary {
 

@@ -11,10 +11,10 @@
 #include <string_view>
 #include <type_traits>
 
+#include "lib/body/stretch.hpp"
+#include "lib/material/models/model_derivatives.hpp"
 #include "lib/number/interval.hpp"
 #include "lib/number/odd_reciprocal.hpp"
-#include "lib/material/models/model_derivatives.hpp"
-#include "lib/body/stretch.hpp"
 
 namespace stationary {
 

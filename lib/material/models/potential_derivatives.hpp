@@ -5,8 +5,8 @@
 //   V_qq = W_tt t_q t_q + W_tl (t_q l_q + l_q t_q) + (W_ll - W_l) l_q l_q + W_l d_qq/d + ...
 #pragma once
 
-#include "lib/material/models/model_derivatives.hpp"
 #include "lib/body/stretch.hpp"
+#include "lib/material/models/model_derivatives.hpp"
 
 namespace stationary {
 

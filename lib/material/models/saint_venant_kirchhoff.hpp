@@ -6,8 +6,8 @@
 #include <array>
 #include <string_view>
 
-#include "lib/material/models/model_derivatives.hpp"
 #include "lib/body/stretch.hpp"
+#include "lib/material/models/model_derivatives.hpp"
 
 namespace stationary {
 

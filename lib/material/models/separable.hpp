@@ -4,8 +4,8 @@
 
 #include <type_traits>
 
-#include "lib/material/models/model_derivatives.hpp"
 #include "lib/body/stretch.hpp"
+#include "lib/material/models/model_derivatives.hpp"
 
 namespace stationary {
 

@@ -20,10 +20,10 @@
 #include <utility>
 #include <vector>
 
-#include "lib/formula/expression.hpp"
-#include "lib/tape/tape_run.hpp"
-#include "lib/material/models/log_balance.hpp"
 #include "lib/body/stretch.hpp"
+#include "lib/formula/expression.hpp"
+#include "lib/material/models/log_balance.hpp"
+#include "lib/tape/tape_run.hpp"
 
 namespace stationary {
 

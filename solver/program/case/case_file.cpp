@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "solver/program/case/case_schema.hpp"
 #include "solver/program/case/case_parameter.hpp"
-#include "solver/program/text/nearest_name.hpp"
+#include "solver/program/case/case_schema.hpp"
 #include "solver/program/table/table.hpp"
+#include "solver/program/text/nearest_name.hpp"
 
 namespace stationary {
 namespace {
@@ -312,8 +312,7 @@ void require_scale(const CaseTree& tree, const std::vector<ModelChoice>& models,
     throw fault_at(
         tree, dotted(dotted("potential", written->slot), "expression"),
         fmt::format("found second derivatives of size {:.0e} at S = {} times the unit", size, r),
-        fmt::format("at most {:.0e}", most),
-        "V and J in larger units leave S and nu as they are");
+        fmt::format("at most {:.0e}", most), "V and J in larger units leave S and nu as they are");
   }
 }
 

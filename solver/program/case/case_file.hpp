@@ -18,13 +18,13 @@
 #include "lib/body/motion.hpp"
 #include "lib/material/potential.hpp"
 #include "solver/family/anisotropic_family.hpp"
+#include "solver/family/tilted_family.hpp"
+#include "solver/motion/event.hpp"
+#include "solver/motion/problem.hpp"
 #include "solver/program/case/case_grid.hpp"
 #include "solver/program/case/case_potential.hpp"
 #include "solver/program/case/case_toml.hpp"
 #include "solver/solve/solve.hpp"
-#include "solver/motion/event.hpp"
-#include "solver/motion/problem.hpp"
-#include "solver/family/tilted_family.hpp"
 #include "solver/solve/two_polar_equilibrium.hpp"
 
 namespace stationary {

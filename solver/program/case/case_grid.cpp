@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "solver/program/case/case_schema.hpp"
 #include "solver/program/case/case_parameter.hpp"
+#include "solver/program/case/case_schema.hpp"
 #include "solver/program/text/nearest_name.hpp"
 
 namespace stationary {

@@ -9,9 +9,9 @@
 #include "lib/body/motion.hpp"
 #include "solver/program/case/case_expression.hpp"
 #include "solver/program/case/case_grid.hpp"
-#include "solver/solve/solve.hpp"
-#include "solver/program/text/nearest_name.hpp"
 #include "solver/program/table/table.hpp"
+#include "solver/program/text/nearest_name.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary {
 namespace {

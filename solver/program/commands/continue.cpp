@@ -9,17 +9,17 @@
 #include <utility>
 
 #include "solver/program/case/case_schema.hpp"
+#include "solver/program/rows/curve_table.hpp"
+#include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/session/case_family.hpp"
 #include "solver/program/session/command.hpp"
-#include "solver/program/session/interrupt.hpp"
-#include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/computation_plan.hpp"
+#include "solver/program/session/exit_status.hpp"
+#include "solver/program/session/interrupt.hpp"
 #include "solver/program/session/progress.hpp"
 #include "solver/program/session/report.hpp"
 #include "solver/program/session/resume.hpp"
 #include "solver/program/session/table_output.hpp"
-#include "solver/program/rows/curve_table.hpp"
-#include "solver/program/rows/equilibrium_row.hpp"
 
 namespace stationary::cli {
 namespace {

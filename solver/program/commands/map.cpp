@@ -15,14 +15,14 @@
 #include <utility>
 
 #include "solver/program/case/case_schema.hpp"
+#include "solver/program/rows/map_grid.hpp"
 #include "solver/program/session/command.hpp"
-#include "solver/program/session/interrupt.hpp"
-#include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/computation_plan.hpp"
+#include "solver/program/session/exit_status.hpp"
+#include "solver/program/session/interrupt.hpp"
 #include "solver/program/session/progress.hpp"
 #include "solver/program/session/report.hpp"
 #include "solver/program/session/table_output.hpp"
-#include "solver/program/rows/map_grid.hpp"
 
 namespace stationary::cli {
 namespace {

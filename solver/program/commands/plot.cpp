@@ -10,13 +10,13 @@
 #include <memory>
 #include <optional>
 
+#include "solver/program/plot/gnuplot.hpp"
+#include "solver/program/plot/map_plot.hpp"
+#include "solver/program/rows/metadata.hpp"
 #include "solver/program/session/command.hpp"
 #include "solver/program/session/interrupt.hpp"
 #include "solver/program/session/output_file.hpp"
 #include "solver/program/table/column_file.hpp"
-#include "solver/program/plot/gnuplot.hpp"
-#include "solver/program/plot/map_plot.hpp"
-#include "solver/program/rows/metadata.hpp"
 
 namespace stationary::cli {
 namespace {

@@ -7,14 +7,14 @@
 #include <optional>
 #include <utility>
 
+#include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/session/answer.hpp"
 #include "solver/program/session/command.hpp"
-#include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/computation_plan.hpp"
+#include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/progress.hpp"
 #include "solver/program/session/report.hpp"
 #include "solver/program/session/table_output.hpp"
-#include "solver/program/rows/equilibrium_row.hpp"
 
 namespace stationary::cli {
 namespace {

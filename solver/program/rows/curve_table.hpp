@@ -9,12 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/program/rows/equilibrium_row.hpp"
-#include "solver/proof/event_enclosure.hpp"
 #include "solver/family/follow_sheet.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/rows/segments.hpp"
 #include "solver/program/table/table.hpp"
+#include "solver/proof/event_enclosure.hpp"
 
 namespace stationary {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "lib/body/inertia.hpp"
 #include "lib/balance/two_polar.hpp"
+#include "lib/body/inertia.hpp"
 #include "solver/proof/anisotropic_enclosure.hpp"
 #include "solver/proof/tilted_enclosure.hpp"
 #include "solver/proof/two_polar_enclosure.hpp"

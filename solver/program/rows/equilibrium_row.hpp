@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "lib/stability/spectrum.hpp"
-#include "solver/family/anisotropic_family.hpp"
 #include "solver/batch_spectrum/batch_spectrum.hpp"
-#include "solver/proof/certify.hpp"
-#include "solver/solve/solve.hpp"
+#include "solver/family/anisotropic_family.hpp"
+#include "solver/family/tilted_family.hpp"
 #include "solver/motion/family.hpp"
 #include "solver/program/table/table.hpp"
-#include "solver/family/tilted_family.hpp"
+#include "solver/proof/certify.hpp"
+#include "solver/solve/solve.hpp"
 #include "solver/solve/two_polar_equilibrium.hpp"
 
 namespace stationary {

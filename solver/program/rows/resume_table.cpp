@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "lib/stability/spectrum.hpp"
-#include "solver/program/table/column_file.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
+#include "solver/program/table/column_file.hpp"
 #include "solver/program/table/table_reader.hpp"
 
 namespace stationary {

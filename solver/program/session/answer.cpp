@@ -4,18 +4,18 @@
 #include <chrono>
 #include <variant>
 
-#include "solver/solve/anisotropic_equilibrium.hpp"
-#include "solver/search/anisotropic_search.hpp"
+#include "solver/program/rows/equilibrium_row.hpp"
+#include "solver/program/rows/metadata.hpp"
 #include "solver/program/session/interrupt.hpp"
 #include "solver/program/session/report.hpp"
-#include "solver/program/rows/equilibrium_row.hpp"
-#include "solver/solve/nonexistence.hpp"
-#include "solver/program/rows/metadata.hpp"
+#include "solver/search/anisotropic_search.hpp"
 #include "solver/search/search.hpp"
-#include "solver/solve/stability.hpp"
-#include "solver/solve/tilted_equilibrium.hpp"
 #include "solver/search/tilted_search.hpp"
 #include "solver/search/two_polar_search.hpp"
+#include "solver/solve/anisotropic_equilibrium.hpp"
+#include "solver/solve/nonexistence.hpp"
+#include "solver/solve/stability.hpp"
+#include "solver/solve/tilted_equilibrium.hpp"
 
 namespace stationary::cli {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
+#include "solver/family/two_polar_family.hpp"
 #include "solver/program/case/case_schema.hpp"
+#include "solver/program/rows/equilibrium_row.hpp"
+#include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/family_choice.hpp"
 #include "solver/program/session/interrupt.hpp"
-#include "solver/program/session/computation_plan.hpp"
-#include "solver/program/rows/equilibrium_row.hpp"
-#include "solver/family/two_polar_family.hpp"
 
 namespace stationary::cli {
 namespace {

@@ -1,11 +1,11 @@
 // The family a case is about, at any value of its parameter, and where following it starts.
 #pragma once
 
-#include "solver/program/case/case_parameter.hpp"
-#include "solver/program/session/command.hpp"
-#include "solver/program/rows/curve_table.hpp"
 #include "solver/family/follow_sheet.hpp"
+#include "solver/program/case/case_parameter.hpp"
+#include "solver/program/rows/curve_table.hpp"
 #include "solver/program/rows/resume_table.hpp"
+#include "solver/program/session/command.hpp"
 
 namespace stationary::cli {
 

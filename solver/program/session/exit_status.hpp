@@ -8,8 +8,8 @@
 
 #include "solver/program/case/case_file.hpp"
 #include "solver/program/session/exit_code.hpp"
-#include "solver/solve/solve.hpp"
 #include "solver/program/table/table.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary::cli {
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <utility>
 
-#include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/session/report.hpp"
+#include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/solve/tilted_equilibrium.hpp"
 
 namespace stationary::cli {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "solver/family/follow_sheet.hpp"
 #include "solver/program/case/case_file.hpp"
 #include "solver/program/rows/curve_table.hpp"
-#include "solver/family/follow_sheet.hpp"
 #include "solver/program/rows/resume_table.hpp"
 
 namespace stationary::cli {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "solver/program/rows/metadata.hpp"
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/column_file.hpp"
-#include "solver/program/rows/metadata.hpp"
 
 namespace stationary::cli {
 

@@ -1,14 +1,15 @@
 // What the graph of an expression promises: one node for equal subexpressions, nothing folded that
 // would round, derivatives whose structure is what their header says.
+#include "lib/expression/graph.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
 #include "lib/expression/differentiate.hpp"
-#include "lib/formula/expression.hpp"
-#include "lib/expression/graph.hpp"
 #include "lib/expression/principal_pairs.hpp"
+#include "lib/formula/expression.hpp"
 
 namespace stationary::expression {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "lib/formula/apart.hpp"
 #include "lib/material/potential.hpp"
-#include "tests/support/written_potential.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/random_states.hpp"
+#include "tests/support/written_potential.hpp"
 
 namespace stationary {
 namespace {

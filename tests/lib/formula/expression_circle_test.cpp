@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "lib/number/interval.hpp"
 #include "lib/material/models/model_coefficients.hpp"
-#include "tests/support/written_potential.hpp"
+#include "lib/number/interval.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/wide_numbers.hpp"
+#include "tests/support/written_potential.hpp"
 
 namespace stationary {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/program/case/case_file.hpp"
+#include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/solve/solve.hpp"
 #include "solver/solve/stability.hpp"
 

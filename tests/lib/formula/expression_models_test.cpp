@@ -10,14 +10,14 @@
 
 #include "lib/balance/balance.hpp"
 #include "lib/material/models/coefficients.hpp"
-#include "lib/number/first_order_bound.hpp"
-#include "lib/number/interval.hpp"
 #include "lib/material/potential.hpp"
 #include "lib/number/dual.hpp"
-#include "tests/support/written_potential.hpp"
+#include "lib/number/first_order_bound.hpp"
+#include "lib/number/interval.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/random_states.hpp"
 #include "tests/support/slope.hpp"
+#include "tests/support/written_potential.hpp"
 
 namespace stationary {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "lib/balance/balance.hpp"
+#include "lib/material/models/model_coefficients.hpp"
 #include "lib/number/interval.hpp"
 #include "lib/stability/linearization.hpp"
-#include "lib/material/models/model_coefficients.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/wide_numbers.hpp"
 

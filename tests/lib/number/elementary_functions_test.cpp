@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/number/first_order_bound_functions.hpp"
 #include "lib/number/double_double_functions.hpp"
+#include "lib/number/first_order_bound_functions.hpp"
 #include "lib/number/interval_functions.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/random_states.hpp"

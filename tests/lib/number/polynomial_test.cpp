@@ -133,6 +133,7 @@ TEST(QuadraticRoots, NoConstantTerm) {
 TEST(CubicRoots, WidelySpreadRealOnesToTheLastPlace) {
   Random random(104);
   double worst = 0.0;
+  int compared = 0;
   for (int k = 0; k < 20000; ++k) {
     std::vector<Real50> roots;
     for (int j = 0; j < 3; ++j) roots.push_back(random_root(random, 1e-5, 1e5));
@@ -144,6 +145,7 @@ TEST(CubicRoots, WidelySpreadRealOnesToTheLastPlace) {
                            1)) > 1e-3;
     }
     if (!apart) continue;
+    ++compared;
     const Real50 lead = random_root(random, 1e-3, 1e3);
     const auto found =
         cubic_roots(rounded(lead * (factor(roots[0]) * factor(roots[1]) * factor(roots[2]))));
@@ -154,6 +156,7 @@ TEST(CubicRoots, WidelySpreadRealOnesToTheLastPlace) {
       worst = std::max(worst, relative_distance(root, roots));
   }
   RecordProperty("worst_units", std::to_string(worst / half_unit));
+  EXPECT_GE(compared, 19000);
 }
 
 TEST(CubicRoots, SingleIsTheOneFartherFromTheOthers) {
@@ -251,6 +254,7 @@ std::vector<DoubleDouble> members(const QuarticRoots<DoubleDouble>& found) {
 
 TEST(QuarticRoots, SpreadRealOnesToTheLastPlace) {
   Random random(109);
+  int compared = 0;
   for (int k = 0; k < 5000; ++k) {
     std::vector<Real50> roots;
     for (int j = 0; j < 4; ++j) roots.push_back(Real50(-random.log_uniform(1e-2, 1e2)));
@@ -258,11 +262,13 @@ TEST(QuarticRoots, SpreadRealOnesToTheLastPlace) {
     bool apart = true;
     for (std::size_t j = 1; j < 4; ++j) apart = apart && Real50(roots[j - 1] / roots[j] - 1) > 1e-2;
     if (!apart) continue;
+    ++compared;
     const auto p =
         rounded((factor(roots[0]) * factor(roots[1])) * (factor(roots[2]) * factor(roots[3])));
     expect_roots(at("roots", roots[0], roots[1], roots[2], roots[3]), members(quartic_roots(p)),
                  roots, half_unit);
   }
+  EXPECT_GE(compared, 4000);
 }
 
 TEST(QuarticRoots, TwoNearDoublePairsEachShareAFactor) {

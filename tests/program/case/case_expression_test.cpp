@@ -82,7 +82,7 @@ Case case_of(const Shipped& shipped) {
 template <class S>
 PotentialDerivatives<S> derivatives_in(const Potential& potential, const BasicStretch<S>& q) {
   const auto wide = [](double c) { return S(c); };
-  return potential.visit([&](const auto& model) -> PotentialDerivatives<S> {
+  return potential.visit_parts([&](const auto& model) -> PotentialDerivatives<S> {
     if constexpr (requires { model.plane; }) {
       const auto plane = with_coefficients(model.plane, wide);
       const auto thickness = with_coefficients(model.thickness, wide);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/atlas/atlas.hpp"
+#include "solver/solve/anisotropic_equilibrium.hpp"
 #include "tests/support/anisotropic_motions.hpp"
 #include "tests/support/atlas_text.hpp"
 

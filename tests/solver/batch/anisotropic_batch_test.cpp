@@ -12,6 +12,7 @@
 #include "solver/family/follow_sheet.hpp"
 #include "solver/solve/stability.hpp"
 #include "tests/support/anisotropic_motions.hpp"
+#include "tests/support/evenly.hpp"
 
 namespace stationary {
 namespace {
@@ -19,12 +20,6 @@ namespace {
 using namespace testing;
 
 const Body plate(1.0, 1.7, 0.6);
-
-std::vector<double> evenly(double from, double to, int count) {
-  std::vector<double> out;
-  for (int k = 0; k < count; ++k) out.push_back(from + (to - from) * k / (count - 1));
-  return out;
-}
 
 BatchResult solved(const BatchInput& input, const BatchOptions& options = {}) {
   BatchResult out;

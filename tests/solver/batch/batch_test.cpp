@@ -5,9 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
+#include "tests/support/evenly.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {
@@ -17,12 +18,6 @@ using namespace testing;
 /// Half a unit, and what the accepted correction may leave of its square (refine.hpp).
 constexpr double half_unit = 0x1p-53 + 0x1p-56;
 const Body plate(1.0, 1.7, 0.6);
-
-std::vector<double> evenly(double from, double to, int count) {
-  std::vector<double> out;
-  for (int k = 0; k < count; ++k) out.push_back(from + (to - from) * k / (count - 1));
-  return out;
-}
 
 BatchResult solved(const BatchInput& input, const BatchOptions& options = {}) {
   BatchResult out;
@@ -79,12 +74,6 @@ void expect_accurate(const BatchInput& input, const BatchResult& out, std::size_
   if (corrected) {
     EXPECT_LE(error, half_unit) << what << " at nu = " << nu;
   }
-}
-
-std::vector<std::string_view> all_models() {
-  auto out = planar_models();
-  out.push_back("neo-hookean-3d");
-  return out;
 }
 
 class BatchEveryModelTest : public ::testing::TestWithParam<std::tuple<std::string_view, Branch>> {

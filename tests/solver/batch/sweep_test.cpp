@@ -4,9 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
+#include "tests/support/evenly.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {
@@ -16,12 +17,6 @@ using namespace testing;
 /// Half a unit, and what the accepted correction may leave of its square (refine.hpp).
 constexpr double half_unit = 0x1p-53 + 0x1p-56;
 const Body plate(1.0, 1.7, 0.6);
-
-std::vector<double> evenly(double from, double to, int count) {
-  std::vector<double> out;
-  for (int k = 0; k < count; ++k) out.push_back(from + (to - from) * k / (count - 1));
-  return out;
-}
 
 std::vector<SweepPoint> swept(const Problem& problem, const std::vector<double>& nu,
                               const SweepOptions& options = {}) {
@@ -87,12 +82,6 @@ TEST_P(SweepEveryModelTest, TenThousandPoints) {
   if (problem.thickness_rule() == ThicknessRule::coupled) {
     EXPECT_EQ(solves, 0);
   }
-}
-
-std::vector<std::string_view> all_models() {
-  auto out = planar_models();
-  out.push_back("neo-hookean-3d");
-  return out;
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, SweepEveryModelTest,

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "solver/solve/stability.hpp"
+#include "tests/support/evenly.hpp"
 #include "tests/support/random_problem.hpp"
 
 namespace stationary {
@@ -91,12 +92,6 @@ Classes expect_as_alone(const BatchInput& input, const std::string& what,
     ++out[name(expected.verdict)];
     if (::testing::Test::HasFailure()) return out;
   }
-  return out;
-}
-
-std::vector<double> evenly(double from, double to, int count) {
-  std::vector<double> out;
-  for (int k = 0; k < count; ++k) out.push_back(from + (to - from) * k / (count - 1));
   return out;
 }
 

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/closed_forms.hpp"
 #include "tests/support/curve_error.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/random_problem.hpp"
-#include "tests/support/closed_forms.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {
@@ -21,12 +21,6 @@ double relative(double a, double b) { return std::abs(a - b) / std::abs(b); }
 double distance(const Stretch& a, const Stretch& b) {
   return std::max({std::abs(std::log(a.xi / b.xi)), std::abs(std::log(a.zeta / b.zeta)),
                    std::abs(std::log(a.rho / b.rho))});
-}
-
-std::vector<std::string_view> all_models() {
-  auto out = planar_models();
-  out.push_back("neo-hookean-3d");
-  return out;
 }
 
 /// The part of the sheet from rest along which nu rises.
@@ -119,6 +113,7 @@ TEST_P(EveryModelTest, RowsAreWhatASolveFinds) {
 TEST_P(EveryModelTest, BoundsHold) {
   const Problem family = problem();
   const Followed sheet = followed(family, 0.0, range(0.0, 3.0, 1e-4), false);
+  int compared = 0;
   for (std::size_t k = 0; k < sheet.rows.size(); k += 3) {
     const Member& at = sheet.rows[k].member;
     const EventType event = sheet.rows[k].event;
@@ -126,7 +121,9 @@ TEST_P(EveryModelTest, BoundsHold) {
     if (at.error_bound > 1e-9) continue;
     const auto exact = reference_solution(family, at.nu, at.q);
     EXPECT_LE(relative_error(at.q, exact), at.error_bound) << at.nu;
+    ++compared;
   }
+  EXPECT_GE(compared, 5);
 }
 
 /// ν to -ν: the same sheet, walked through rest.

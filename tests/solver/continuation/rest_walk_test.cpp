@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
+#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {

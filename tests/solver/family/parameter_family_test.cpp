@@ -246,12 +246,6 @@ TEST(ParameterFamilies, APassAndATiltInOneStep) {
   }
 }
 
-std::vector<std::string_view> all_models() {
-  auto out = planar_models();
-  out.push_back("neo-hookean-3d");
-  return out;
-}
-
 INSTANTIATE_TEST_SUITE_P(Models, ParameterFamily,
                          ::testing::Combine(::testing::ValuesIn(all_models()),
                                             ::testing::Values(Branch::i, Branch::ii, Branch::iii)),

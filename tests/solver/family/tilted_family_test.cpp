@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "solver/solve/tilted_equilibrium.hpp"
-#include "tests/support/followed.hpp"
-#include "tests/support/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
+#include "tests/support/followed.hpp"
 #include "tests/support/models.hpp"
+#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {

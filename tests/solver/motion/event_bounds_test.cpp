@@ -4,9 +4,9 @@
 
 #include <numbers>
 
-#include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/family/anisotropic_family.hpp"
 #include "solver/family/two_polar_family.hpp"
+#include "solver/solve/anisotropic_equilibrium.hpp"
 #include "tests/support/followed.hpp"
 #include "tests/support/high_precision.hpp"
 

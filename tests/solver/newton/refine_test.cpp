@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/high_precision.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/models.hpp"
+#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {
@@ -19,7 +19,7 @@ using namespace testing;
 template <class F>
 void with_system(const Posed& posed, const Stretch& q, F&& f) {
   const auto rates = posed.problem.rates(two_product(posed.nu, posed.nu));
-  posed.problem.potential().visit([&](const auto& model) {
+  posed.problem.potential().visit_parts([&](const auto& model) {
     if constexpr (requires { model.plane; }) {
       using Plane = std::decay_t<decltype(model.plane)>;
       f(PlanarSystem<Plane>{model.plane, rates}, ReducedVector<2>(q.xi, q.zeta));

@@ -6,9 +6,9 @@
 
 #include "lib/stability/leaf_enclosure.hpp"
 #include "solver/solve/stability.hpp"
-#include "tests/support/random_problem.hpp"
 #include "tests/support/high_precision.hpp"
 #include "tests/support/motions.hpp"
+#include "tests/support/random_problem.hpp"
 #include "tests/support/reference_table.hpp"
 
 namespace stationary {
@@ -114,7 +114,7 @@ SpectrumEnclosure leaf_spectrum_of(const TableCase& posed, const About& about,
                         {},
                         !posed.problem.potential().is_separable()};
   motion.axis[along] = 1.0;
-  motion.V_qq = posed.problem.potential().visit([&](const auto& model) {
+  motion.V_qq = posed.problem.potential().visit_parts([&](const auto& model) {
     return Matrix4<Interval>(
         potential_derivatives<2>(with_coefficients(model, about), motion.q).hessian);
   });
@@ -303,7 +303,7 @@ TEST(SpectrumEnclosure, WideStatesDecideNothing) {
     bool decided = true;
     for (const double width : {1e-14, 1e-8, 1e-4, 1e-2, 0.1, 0.5, 0.9}) {
       const auto about = [width](double x) { return x * Interval(1.0 - width, 1.0 + width); };
-      const SpectrumEnclosure found = problem.potential().visit([&](const auto& model) {
+      const SpectrumEnclosure found = problem.potential().visit_parts([&](const auto& model) {
         const Body& J = problem.body();
         return enclose_spectrum(
             facts,

@@ -30,7 +30,7 @@ std::optional<Stretch> newton_from(const Problem& problem, double nu, const Stre
     const bool done = newton(system, x).converged && refine<false>(system, x).converged;
     return done ? std::optional<Vector>(x) : std::nullopt;
   };
-  return problem.potential().visit([&](const auto& model) -> std::optional<Stretch> {
+  return problem.potential().visit_parts([&](const auto& model) -> std::optional<Stretch> {
     if constexpr (requires { model.plane; }) {
       const auto plane =
           polished(PlanarSystem<std::decay_t<decltype(model.plane)>>{model.plane, rates},

@@ -9,12 +9,12 @@
 #include <optional>
 #include <sstream>
 
+#include "solver/motion/tilted_system.hpp"
 #include "solver/newton/newton.hpp"
 #include "solver/proof/tilted_enclosure.hpp"
 #include "solver/solve/tilted_equilibrium.hpp"
-#include "solver/motion/tilted_system.hpp"
-#include "tests/support/random_problem.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/random_problem.hpp"
 #include "tests/support/reference_table.hpp"
 
 namespace stationary {
@@ -198,7 +198,7 @@ TEST(TiltedSearch, NewtonFindsNothingMore) {
       EXPECT_LE(each.compatibility, 1e-14) << posed.text;
       EXPECT_NEAR(each.nu.norm(), motion.nu, 1e-12 * motion.nu) << posed.text;
     }
-    potential.visit([&](const auto& model) {
+    potential.visit_parts([&](const auto& model) {
       using Model = std::decay_t<decltype(model)>;
       const TiltedSystem<Model> system{
           model, body, motion.plane,

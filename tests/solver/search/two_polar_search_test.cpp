@@ -11,8 +11,8 @@
 #include "solver/newton/newton.hpp"
 #include "solver/proof/two_polar_boxes.hpp"
 #include "solver/proof/two_polar_enclosure.hpp"
-#include "tests/support/random_problem.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/random_problem.hpp"
 #include "tests/support/reference_table.hpp"
 
 namespace stationary {
@@ -142,7 +142,7 @@ TEST(TwoPolarSearch, NewtonFindsNothingMore) {
                return box.xi.may_be(lambda) && box.zeta.may_be(mu);
              });
     };
-    V.visit([&](const auto& model) {
+    V.visit_parts([&](const auto& model) {
       visit_motion(motion, [&]<template <class> class Motion>(const Motion<double>& own) {
         const TwoPolarSystem<decltype(elastic_system(model)), Motion> system{elastic_system(model),
                                                                              body.J1, own};

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "solver/newton/newton.hpp"
-#include "tests/support/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {
@@ -220,7 +220,7 @@ int found_by_multistart(const System& system) {
 
 int found_by_multistart(const Posed& posed, bool thickness) {
   const auto rates = posed.problem.rates(two_product(posed.nu, posed.nu));
-  return posed.problem.potential().visit([&](const auto& model) {
+  return posed.problem.potential().visit_parts([&](const auto& model) {
     if constexpr (requires { model.plane; }) {
       using Axial = std::decay_t<decltype(model.thickness)>;
       using Plane = std::decay_t<decltype(model.plane)>;

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "solver/solve/solve.hpp"
-#include "tests/support/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/random_problem.hpp"
 #include "tests/support/wide_numbers.hpp"
 
 namespace stationary {

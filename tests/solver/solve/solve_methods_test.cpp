@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "solver/solve/solve.hpp"
 #include "solver/newton/newton.hpp"
+#include "solver/solve/solve.hpp"
 #include "tests/support/random_problem.hpp"
 
 namespace stationary {
@@ -41,7 +41,7 @@ std::optional<Stretch> followed(const Problem& problem, double nu) {
     return x;
   };
   const auto rates = problem.rates(two_product(nu, nu));
-  return problem.potential().visit([&](const auto& model) -> std::optional<Stretch> {
+  return problem.potential().visit_parts([&](const auto& model) -> std::optional<Stretch> {
     if constexpr (requires { model.plane; }) {
       using Plane = std::decay_t<decltype(model.plane)>;
       const double r = model.plane.rest_stretch();

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/random_problem.hpp"
 #include "tests/support/law.hpp"
+#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {
@@ -127,7 +127,7 @@ TEST(Solve, RestIsTheRestState) {
       ASSERT_EQ(answer.status, SolveStatus::solved) << posed.text << answer.message;
       EXPECT_EQ(answer.connection, Connection::rest);
       EXPECT_EQ(answer.q.xi, answer.q.zeta) << posed.text;
-      const double expected = posed.problem.potential().visit([](const auto& model) {
+      const double expected = posed.problem.potential().visit_parts([](const auto& model) {
         if constexpr (requires { model.plane; })
           return model.plane.rest_stretch();
         else

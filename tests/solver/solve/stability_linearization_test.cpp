@@ -83,7 +83,7 @@ Oracles oracles(const Motion& motion) {
   const BasicStretch<Number50> q{Number50(0), wide.xi, wide.zeta, wide.rho};
   const Vector3<Number50> nu = angular_velocity(motion.problem.branch(), Number50(motion.nu()));
   Oracles out;
-  motion.problem.potential().visit([&](const auto& model) {
+  motion.problem.potential().visit_parts([&](const auto& model) {
     const auto widened = support::widen<Number50>(model);
     out.lie_poisson =
         wide_eigenvalues(lie_poisson_matrix(body, widened, steady_point(body, q, nu)));
@@ -166,7 +166,7 @@ TEST(SignOfTheBracket, AsPrintedInThePaperContradictsTheMotionInSpace) {
   const BasicStretch<Number50> q{Number50(0), wide.xi, wide.zeta, wide.rho};
   const Vector3<Number50> nu{Number50(0.5), Number50(0), Number50(0)};
   const Oracles oracle = oracles(motion);
-  motion.problem.potential().visit([&](const auto& model) {
+  motion.problem.potential().visit_parts([&](const auto& model) {
     const auto widened = support::widen<Number50>(model);
     const auto printed =
         wide_eigenvalues(lie_poisson_matrix(body, widened, steady_point(body, q, nu), -1.0));
@@ -186,7 +186,7 @@ TEST(SignOfTheBracket, BranchThreeDoesNotSeeIt) {
   const Body& body = motion.problem.body();
   const BasicStretch<Number50> q{Number50(0), wide.xi, wide.zeta, wide.rho};
   const Vector3<Number50> nu = angular_velocity(Branch::iii, Number50(motion.nu()));
-  motion.problem.potential().visit([&](const auto& model) {
+  motion.problem.potential().visit_parts([&](const auto& model) {
     const auto widened = support::widen<Number50>(model);
     const auto printed =
         wide_eigenvalues(lie_poisson_matrix(body, widened, steady_point(body, q, nu), -1.0));

@@ -203,7 +203,7 @@ TEST(Stability, ClosedFormsOfBranchThree) {
                 1e-14 * n2 * I3 * (I3 + I1 + I2) / (I1 * I2))
           << m.text << spectrum;
       if (potential.thickness.empty()) continue;
-      m.problem.potential().visit([&](const auto& model) {
+      m.problem.potential().visit_parts([&](const auto& model) {
         if constexpr (requires { model.thickness; }) {
           // reciprocal-quadratic: V'' = 2 a/rho^3 + b = 3 b; harmonic: k.
           const auto c = model.thickness.coefficients();
