@@ -20,6 +20,8 @@ while [ "$count" -gt 0 ]; do
   shift
   count=$((count - 1))
   case $argument in
+    # A precompiled header that is there already, of either compiler, would be read for its own.
+    *.gch) rm -f "$argument" && set -- "$@" "$argument" ;;
     -Wno-restrict | -fno-var-tracking) ;;
     *) set -- "$@" "$argument" ;;
   esac

@@ -17,6 +17,16 @@
 namespace stationary {
 namespace {
 
+void remark(Atlas& out, Branch branch, bool oblique, std::optional<Entry> entry, double nu,
+            std::string_view reason) {
+  Remark& made = out.remarks.emplace_back();
+  made.branch = branch;
+  made.oblique = oblique;
+  made.entry = entry;
+  made.nu = nu;
+  made.reason = reason;
+}
+
 /// Also, with J1 = J2 and an isotropic V, where one is the other's mirror image.
 bool at_same_place(const Member& a, const Member& b, bool axes_alike) {
   const Stretch mirrored{0.0, b.q.zeta, b.q.xi, b.q.rho};
@@ -86,17 +96,17 @@ void enter_tilted(const Body& body, const Potential& potential, const AtlasOptio
       sheet.entry = Entry::tilt;
       sheet.entry_nu = row.member.nu;
       sheet.number = static_cast<int>(out.sheets.size()) + 1;
-      const auto remark = [&](const std::string& reason) {
-        out.remarks.push_back({sheet.branch, false, Entry::tilt, row.member.nu, reason});
+      const auto not_entered = [&](const std::string& reason) {
+        remark(out, sheet.branch, false, Entry::tilt, row.member.nu, reason);
       };
       if (!sheet.plane) {
-        remark("tilted motions not entered: no plane has two equal locked inertias");
+        not_entered("tilted motions not entered: no plane has two equal locked inertias");
         continue;
       }
       const auto start = just_inside(*tilted_family(body, potential, *sheet.plane, false),
                                      row.member.q, row.member.nu);
       if (!start) {
-        remark("tilted motions not entered: none was found beside it");
+        not_entered("tilted motions not entered: none was found beside it");
         continue;
       }
       sheet.report = follow_rows(tilted_family(body, potential, *sheet.plane, options.spectrum),
@@ -104,7 +114,7 @@ void enter_tilted(const Body& body, const Potential& potential, const AtlasOptio
       if (sheet.report.failure.empty()) {
         out.sheets.push_back(std::move(sheet));
       } else {
-        remark(sheet.report.failure);
+        not_entered(sheet.report.failure);
       }
     }
   }
@@ -115,9 +125,9 @@ void remark_tilts(Atlas& out) {
   for (const AtlasSheet& sheet : out.sheets) {
     for (const AtlasRow& row : sheet.rows) {
       if (row.event != EventType::tilt) continue;
-      out.remarks.push_back({sheet.branch, sheet.oblique, Entry::tilt, row.member.nu,
-                             "motions with an axis out of the plane of axes 1 and 2 are not sought "
-                             "of an anisotropic body"});
+      remark(out, sheet.branch, sheet.oblique, Entry::tilt, row.member.nu,
+             "motions with an axis out of the plane of axes 1 and 2 are not sought "
+             "of an anisotropic body");
     }
   }
 }
@@ -139,7 +149,7 @@ std::vector<std::unique_ptr<SheetSource>> axis_sources(const Body& body, const P
                 "this axis is a motion by chance only"
               : "not looked for: V_alpha is not known to vanish at alpha = 0, and "
                 "where it does not a spin about this axis is a motion by chance only";
-      out.remarks.push_back({branch, false, std::nullopt, options.from, known});
+      remark(out, branch, false, std::nullopt, options.from, known);
     } else {
       all.push_back(anisotropic_sheets(problem));
     }

@@ -61,14 +61,7 @@ CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>&
   return out;
 }
 
-template CeresOutcome ceres_solve(const PlanarSystem<ReciprocalDeterminant<>>&, ReducedVector<2>&,
-                                  int);
-template CeresOutcome ceres_solve(const PlanarSystem<SaintVenantKirchhoff<>>&, ReducedVector<2>&,
-                                  int);
-template CeresOutcome ceres_solve(const PlanarSystem<Biot<>>&, ReducedVector<2>&, int);
-template CeresOutcome ceres_solve(const PlanarSystem<BiotLog<>>&, ReducedVector<2>&, int);
-template CeresOutcome ceres_solve(const PlanarSystem<NeoHookean<>>&, ReducedVector<2>&, int);
-template CeresOutcome ceres_solve(const PlanarSystem<Hencky<>>&, ReducedVector<2>&, int);
+template CeresOutcome ceres_solve(const PlanarSystem<BuiltInPlane<>>&, ReducedVector<2>&, int);
 template CeresOutcome ceres_solve(const PlanarSystem<AnyPlane<>>&, ReducedVector<2>&, int);
 template CeresOutcome ceres_solve(const CoupledSystem<NeoHookean3d<>>&, ReducedVector<3>&, int);
 template CeresOutcome ceres_solve(const CoupledSystem<CoupledExpression<>>&, ReducedVector<3>&,

@@ -20,7 +20,8 @@ struct CeresOutcome {
   std::string report;  ///< Ceres' brief report, for messages
 };
 
-/// x in place, threads >= 1. Instantiated for the built-in models in ceres_solve.cpp.
+/// x in place, threads >= 1. Compiled in ceres_solve.cpp for the types that
+/// Potential::visit_parts() gives.
 template <class System>
 CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>& x, int threads);
 

@@ -1,5 +1,5 @@
-// The strategies of equilibrium.hpp on one reduced system: walk from rest, Ceres, Newton, global
-// search, and the refinement they all end in. Knows nothing of potentials or files.
+// The strategies of solve.hpp on one reduced system: walk from rest, Ceres, Newton, NLopt, and the
+// refinement they all end in. Knows nothing of potentials or files.
 #pragma once
 
 #include <optional>
@@ -40,7 +40,7 @@ class ReducedSolve {
       case Method::ceres:
         return by_ceres(start.value_or(rest_), start.has_value());
       case Method::nlopt:
-        return by_search("");
+        return by_nlopt();
       case Method::automatic:
         break;
     }
@@ -111,7 +111,7 @@ class ReducedSolve {
     // Ceres' trust region may stall where stretches or stiffnesses are many orders apart.
     out = by_newton(start, true);
     if (out.status == SolveStatus::solved) return out;
-    return by_search("No solution was reached from the given start. ");
+    return elsewhere("No solution was reached from the given start. ");
   }
 
   ReducedAnswer<N> from_rest() {
@@ -123,7 +123,7 @@ class ReducedSolve {
       out.status = SolveStatus::interrupted;
       return out;
     }
-    if (walked.end != WalkEnd::reached) return beyond_rest(story(walked));
+    if (walked.end != WalkEnd::reached) return elsewhere(story(walked));
     ReducedVector<N> x = walked.x;
     const CeresOutcome outcome = run_ceres(x);
     // Ceres may not leave the walk's end for another solution.
@@ -143,15 +143,14 @@ class ReducedSolve {
     std::ostringstream text;
     text << "The rest state's sheet reaches nu = " << nu_
          << ", but the balance is singular there (a fold, or a solution that is not isolated). ";
-    return beyond_rest(text.str());
+    return elsewhere(text.str());
   }
 
-  /// What there is beside the rest state's sheet; `before` says what became of that.
-  ReducedAnswer<N> beyond_rest(const std::string& before) {
-    if (options_.search) return by_search(before);
+  /// Not here: what there is elsewhere is not this solve's to find. `before` says what was tried.
+  static ReducedAnswer<N> elsewhere(const std::string& before) {
     ReducedAnswer<N> out;
     out.status = SolveStatus::not_found;
-    out.message = before + "Other sheets were not looked for.";
+    out.message = before;
     return out;
   }
 
@@ -179,8 +178,8 @@ class ReducedSolve {
     return text.str();
   }
 
-  /// Global search; `before` says what was tried already.
-  ReducedAnswer<N> by_search(const std::string& before) {
+  /// Newton from the best points of a global search by NLopt.
+  ReducedAnswer<N> by_nlopt() {
     ReducedAnswer<N> out;
     SeedOptions options;
     options.stop = options_.stop;
@@ -211,15 +210,15 @@ class ReducedSolve {
       }
     }
     if (out.status == SolveStatus::solved) {
-      out.message = before +
-                    "Global search (NLopt) and Newton found this solution; whether it is "
-                    "connected to the rest state is not known.";
+      out.message =
+          "Global search (NLopt) and Newton found this solution; whether it is "
+          "connected to the rest state is not known.";
       return out;
     }
     out.status = SolveStatus::not_found;
     std::ostringstream text;
-    text << before << "Global search in stretches [" << options.min_stretch << ", "
-         << options.max_stretch << "] (" << seeds.evaluations
+    text << "Global search in stretches [" << options.min_stretch << ", " << options.max_stretch
+         << "] (" << seeds.evaluations
          << " evaluations) found none: not found, which is no proof that none exists.";
     out.message = text.str();
     return out;

@@ -78,14 +78,20 @@ void solve_model(const Coupled& model, const Problem& problem, double nu,
   if (answer.status == SolveStatus::solved) out.q = {0.0, answer.x[0], answer.x[1], answer.x[2]};
 }
 
-/// NLopt's samples may miss what branch and prune cannot: of all solutions in the box the one
-/// nearest to the rest state, if there is any.
-void search_all(const Problem& problem, double nu, const SolveOptions& options, Equilibrium& out) {
+/// Of all solutions in the search's box the one nearest to the rest state, and whether the search
+/// decided everything. out.message: what was tried before.
+SearchStatus search_all(const Problem& problem, double nu, const SolveOptions& options,
+                        Equilibrium& out) {
   SearchOptions how;
   how.stop = options.stop;
   const SearchResult all = search(problem, nu, how);
   if (all.status == SearchStatus::interrupted) out.status = SolveStatus::interrupted;
-  if (all.solutions.empty()) return;
+  out.message += "Exhaustive search: " + all.message + ".";
+  if (all.solutions.empty()) {
+    if (all.status == SearchStatus::complete)
+      out.message += " None was found beyond that box, which is no proof that none exists.";
+    return all.status;
+  }
   const Stretch rest = problem.potential().visit_parts([](const auto& model) {
     if constexpr (requires { model.plane; }) {
       const double r = model.plane.rest_stretch();
@@ -105,9 +111,30 @@ void search_all(const Problem& problem, double nu, const SolveOptions& options, 
   out.status = SolveStatus::solved;
   out.q = nearest.q;
   out.error_bound = nearest.error_bound;
-  out.message =
-      "found by an exhaustive search where nothing else found one; whether it is connected to the "
-      "rest state is not known";
+  out.message +=
+      " This is the one nearest to the rest state; whether it is connected to the rest state is "
+      "not "
+      "known.";
+  return all.status;
+}
+
+/// Beside the sheet of the rest state, or far from a start that led nowhere: the exhaustive search,
+/// and NLopt's where that leaves boxes undecided.
+void solve_elsewhere(const Problem& problem, double nu, const SolveOptions& options,
+                     Equilibrium& out) {
+  if (!options.search) {
+    out.message += "Other sheets were not looked for.";
+    return;
+  }
+  const SearchStatus status = search_all(problem, nu, options, out);
+  if (out.status != SolveStatus::not_found || status == SearchStatus::complete) return;
+  SolveOptions by_nlopt = options;
+  by_nlopt.method = Method::nlopt;
+  by_nlopt.start.reset();
+  const std::string before = out.message;
+  problem.potential().visit_parts(
+      [&](const auto& model) { solve_model(model, problem, nu, by_nlopt, out); });
+  out.message = before + " " + out.message;
 }
 
 }  // namespace
@@ -137,8 +164,8 @@ Equilibrium solve(const Problem& problem, double nu, const SolveOptions& options
   }
   problem.potential().visit_parts(
       [&](const auto& model) { solve_model(model, problem, nu, options, out); });
-  if (out.status == SolveStatus::not_found && options.method == Method::automatic && options.search)
-    search_all(problem, nu, options, out);
+  if (out.status == SolveStatus::not_found && options.method == Method::automatic)
+    solve_elsewhere(problem, nu, options, out);
   if (out.status != SolveStatus::solved) return out;
 
   // The returned numbers decide, not the solver.

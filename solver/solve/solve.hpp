@@ -3,12 +3,13 @@
 // Cold start, method automatic:
 //   1. a walk along the rest state's sheet (rest_walk) from nu = 0 to nu, so that the answer is the
 //      solution connected to rest; Ceres (trust region) solves at nu from where the walk arrived;
-//   2. where that sheet does not reach nu, or Ceres stops short, NLopt searches globally for a
-//      start, and where it finds none branch and prune (search.hpp) for all solutions; the answer
-//      says that its connection to rest is not known (unless search = false).
-// From a given start: Ceres, then Newton, then the same global search.
+//   2. where that sheet does not reach nu, or Ceres stops short, branch and prune (search.hpp) finds
+//      all solutions in its box and the answer is the one nearest to the rest state; what it leaves
+//      undecided is NLopt's. The answer says that its connection to rest is not known (unless
+//      search = false).
+// From a given start: Ceres, then Newton, then the same searches.
 // ceres, newton: that solver alone, from the rest state or the given start, with no walk.
-// nlopt: the global search alone.
+// nlopt: Newton from the points of NLopt's global search, nothing else.
 // All end in the same correction with an extended-precision residual (refine). The residual of
 // what is returned is recomputed in lib, and that decides, whatever a solver said.
 #pragma once

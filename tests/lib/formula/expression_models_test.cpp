@@ -246,7 +246,7 @@ TEST(ExpressionModels, BalanceIsThatOfTheDerivatives) {
       EXPECT_EQ(alone.g_zeta, actual.g_zeta);
       const auto x = numbers(expected);
       const auto y = numbers(actual);
-      for (const std::size_t k : {0, 1, 3, 4, 5})
+      for (const std::size_t k : {0U, 1U, 3U, 4U, 5U})
         EXPECT_TRUE(
             agrees(std::string(text) + " " + std::to_string(k), x[k], y[k], Real50("1e-40")));
     }
@@ -321,7 +321,7 @@ TEST(ExpressionModels, IntervalsHoldThePointsOfBoxes) {
         for (std::size_t k = 0; k < point.size(); ++k)
           ASSERT_TRUE(box[k].may_be(double(point[k])))
               << text << " number " << k << " " << at(u, v, width);
-        for (const std::size_t k : {0, 1, 3, 4, 5})
+        for (const std::size_t k : {0U, 1U, 3U, 4U, 5U})
           ASSERT_TRUE(balance[k].may_be(double(forces[k]))) << text << " balance " << k;
       }
     }

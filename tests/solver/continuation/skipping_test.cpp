@@ -126,7 +126,7 @@ TEST(Skipping, ThicknessIsSolvedOnceInBranchThree) {
   const Counted near = follow_counted<2>(Branch::iii, bare, 0.1);
   const Counted far = follow_counted<2>(Branch::iii, bare, 0.75);
   ASSERT_GT(far.sheet.rows.size(), 2 * near.sheet.rows.size());
-  for (const std::size_t order : {0, 1, 2})
+  for (const std::size_t order : {0U, 1U, 2U})
     EXPECT_EQ(near.thickness.all(order), far.thickness.all(order)) << order;
   const Counted in_plane = follow_counted<3>(Branch::i, bare, 0.7);
   EXPECT_GT(in_plane.thickness.extended[1], in_plane.sheet.report.counts.steps);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/solve/two_polar_equilibrium.hpp"
 #include "tests/support/followed.hpp"
 #include "tests/support/random_problem.hpp"
 

@@ -7,6 +7,7 @@
 #include "solver/family/anisotropic_family.hpp"
 #include "solver/family/two_polar_family.hpp"
 #include "solver/solve/anisotropic_equilibrium.hpp"
+#include "solver/solve/two_polar_equilibrium.hpp"
 #include "tests/support/followed.hpp"
 #include "tests/support/high_precision.hpp"
 

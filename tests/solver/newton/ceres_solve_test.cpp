@@ -20,7 +20,7 @@ TYPED_TEST(CeresSolveTest, ReachesASlowRotationFromRestToFullPrecision) {
   for (int k = 0; k < 25; ++k) {
     const auto model = random.coefficients<TypeParam>();
     const double r = model.rest_stretch();
-    PlanarSystem<TypeParam> system{model, {0.0, 0.0, 0.0}};
+    PlanarSystem<BuiltInPlane<>> system{{{model}}, {0.0, 0.0, 0.0}};
     const double stiffness = 1.0 / system.linearize({r, r}).jacobian.inverse().absolute()(0, 0);
     const double rate = 3e-2 * stiffness / (r * r);
     system.rates = {rate, 0.5 * rate, 0.0};
@@ -40,6 +40,8 @@ TYPED_TEST(CeresSolveTest, ReachesASlowRotationFromRestToFullPrecision) {
   }
 }
 
+const BuiltInPlane<> neo_hookean{{NeoHookean<>{1.0, 0.5}}};
+
 TEST(CeresSolve, ThreeUnknowns) {
   const CoupledSystem<NeoHookean3d<>> system{{1.0, 0.5}, {0.2, 0.1, 0.3}};
   ReducedVector<3> x(1.0, 1.0, 1.0);
@@ -50,7 +52,7 @@ TEST(CeresSolve, ThreeUnknowns) {
 }
 
 TEST(CeresSolve, ThreadsDoNotChangeTheAnswer) {
-  const PlanarSystem<NeoHookean<>> system{{1.0, 0.5}, {0.4, 0.3, 0.0}};
+  const PlanarSystem<BuiltInPlane<>> system{neo_hookean, {0.4, 0.3, 0.0}};
   ReducedVector<2> one(1.0, 1.0);
   ReducedVector<2> two(1.0, 1.0);
   ceres_solve(system, one, 1);
@@ -60,7 +62,7 @@ TEST(CeresSolve, ThreadsDoNotChangeTheAnswer) {
 
 /// Where there is no equilibrium it ends somewhere finite, and refine() does not call it one.
 TEST(CeresSolve, WhereNothingExistsItsWordIsNotTaken) {
-  const PlanarSystem<NeoHookean<>> system{{1.0, 0.5}, {0.5, 1.5, 0.0}};
+  const PlanarSystem<BuiltInPlane<>> system{neo_hookean, {0.5, 1.5, 0.0}};
   ReducedVector<2> x(1.0, 1.0);
   ceres_solve(system, x, 1);
   EXPECT_TRUE(x.allFinite());

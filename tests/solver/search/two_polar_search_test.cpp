@@ -11,6 +11,7 @@
 #include "solver/newton/newton.hpp"
 #include "solver/proof/two_polar_boxes.hpp"
 #include "solver/proof/two_polar_enclosure.hpp"
+#include "solver/solve/two_polar_equilibrium.hpp"
 #include "tests/support/high_precision.hpp"
 #include "tests/support/random_problem.hpp"
 #include "tests/support/reference_table.hpp"
