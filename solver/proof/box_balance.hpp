@@ -100,6 +100,26 @@ struct ThicknessBoxSystem {
   bool contract(Box<1>& x) const { return !terms || terms->contract(x); }
 };
 
+/// Holds every solution, where the balance is linear in powers of the stretches and regular (Cramer's
+/// rule); entire elsewhere.
+template <class Plane>
+Box<2> linear_solution_box(const Plane& model, const CentrifugalRates<Interval>& rates) {
+  Box<2> out{Interval::entire(), Interval::entire()};
+  if constexpr (requires { model.of_any_kind; }) {
+    return model.visit([&](const auto& own) { return linear_solution_box(own, rates); });
+  } else if constexpr (requires { model.balance_power; }) {
+    const auto b = model.linear_balance(rates.xi, rates.zeta);
+    const Interval det = b.a_xi * b.a_zeta - square(b.cross);
+    out[0] = (b.load_xi * b.a_zeta - b.load_zeta * b.cross) / det;
+    out[1] = (b.load_zeta * b.a_xi - b.load_xi * b.cross) / det;
+    if constexpr (Plane::balance_power == 2) {
+      for (Interval& x : out)
+        if (x.bounded()) x = x.negative() ? x : sqrt(Interval(std::max(x.lo, 0.0), x.hi));
+    }
+  }
+  return out;
+}
+
 template <class Plane>
 struct PlanarBoxSystem {
   static constexpr int dimension = 2;
@@ -113,22 +133,7 @@ struct PlanarBoxSystem {
   }
   bool excludes(const Box<2>& x) const { return defined_nowhere(model, x[0], x[1]); }
   bool contract(Box<2>& x) const { return !terms || terms->contract(x); }
-  /// Holds every solution, where the balance is linear in powers of the stretches and regular
-  /// (Cramer's rule); entire elsewhere.
-  Box<2> solution_box() const {
-    Box<2> out{Interval::entire(), Interval::entire()};
-    if constexpr (requires { model.balance_power; }) {
-      const auto b = model.linear_balance(rates.xi, rates.zeta);
-      const Interval det = b.a_xi * b.a_zeta - square(b.cross);
-      out[0] = (b.load_xi * b.a_zeta - b.load_zeta * b.cross) / det;
-      out[1] = (b.load_zeta * b.a_xi - b.load_xi * b.cross) / det;
-      if constexpr (Plane::balance_power == 2) {
-        for (Interval& x : out)
-          if (x.bounded()) x = x.negative() ? x : sqrt(Interval(std::max(x.lo, 0.0), x.hi));
-      }
-    }
-    return out;
-  }
+  Box<2> solution_box() const { return linear_solution_box(model, rates); }
 };
 
 template <class Coupled>
