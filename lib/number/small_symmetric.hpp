@@ -2,13 +2,15 @@
 // solve spends its time here, and packet code for so small a matrix moves numbers between lanes
 // more than it computes (measured on a sweep: 1.3 times slower).
 //
-// With the minors m_ij = a_00 a_ij - a_0i a_0j of three rows (i, j = 1, 2)
+// Of three rows one is eliminated first, with the largest diagonal entry a_pp as its pivot:
 //
-//   det A = (m_11 m_22 - m_12^2)/a_00,   A^-1 = cofactors/det A.
+//   S_ij = a_ij - a_ip a_pj/a_pp   (i, j not p),    det A = a_pp det S,
+//   (A^-1)_ij = (S^-1)_ij,   (A^-1)_ip = -(S^-1 u)_i,   (A^-1)_pp = 1/a_pp + u^T S^-1 u,
+//   u_i = a_pi/a_pp.
 //
-// Of a body that is far stiffer in volume than in shape, lambda/mu, the minors cancel to mu/lambda of
-// their terms, and their product no further; a determinant by a row of cofactors cancels to
-// (mu/lambda)^2. It is taken where a_00 is too small beside its row.
+// The cofactors of a body that is far stiffer in volume than in shape, lambda/mu, cancel to
+// (mu/lambda)^2 of their terms; the entries of S to mu/lambda. Where no diagonal entry is as large
+// as the others the cofactors are taken.
 //
 // A badly conditioned inverse loses digits; the solvers iterate on an accurate residual, so that
 // costs a step, not accuracy.
@@ -47,12 +49,9 @@ struct SmallSymmetric {
       return a[0] * a[2] - a[1] * a[1];
     } else {
       static_assert(N == 3);
-      if (8.0 * std::abs(a[0]) > std::abs(a[1]) + std::abs(a[2])) {
-        const double inverse = 1.0 / a[0];
-        const double m11 = a[0] * a[3] - a[1] * a[1];
-        const double m12 = a[0] * a[4] - a[1] * a[2];
-        const double m22 = a[0] * a[5] - a[2] * a[2];
-        return (m11 * inverse) * m22 - (m12 * inverse) * m12;
+      if (const int p = pivot(); p >= 0) {
+        const Eliminated out(*this, p);
+        return out.pivot * out.rest.determinant();
       }
       return a[0] * (a[3] * a[5] - a[4] * a[4]) + a[1] * (a[2] * a[4] - a[1] * a[5]) +
              a[2] * (a[1] * a[4] - a[2] * a[3]);
@@ -62,15 +61,19 @@ struct SmallSymmetric {
   /// Not finite where the matrix is singular.
   SmallSymmetric inverse() const {
     const auto& a = entries;
-    const double scale = 1.0 / determinant();
     if constexpr (N == 1) {
-      return {{scale}};
+      return {{1.0 / a[0]}};
     } else if constexpr (N == 2) {
+      const double scale = 1.0 / (a[0] * a[2] - a[1] * a[1]);
       return {{a[2] * scale, -a[1] * scale, a[0] * scale}};
     } else {
       static_assert(N == 3);
-      return {{(a[3] * a[5] - a[4] * a[4]) * scale, (a[2] * a[4] - a[1] * a[5]) * scale,
-               (a[1] * a[4] - a[2] * a[3]) * scale, (a[0] * a[5] - a[2] * a[2]) * scale,
+      if (const int p = pivot(); p >= 0) return Eliminated(*this, p).inverse();
+      const double c00 = a[3] * a[5] - a[4] * a[4];
+      const double c01 = a[2] * a[4] - a[1] * a[5];
+      const double c02 = a[1] * a[4] - a[2] * a[3];
+      const double scale = 1.0 / (a[0] * c00 + a[1] * c01 + a[2] * c02);
+      return {{c00 * scale, c01 * scale, c02 * scale, (a[0] * a[5] - a[2] * a[2]) * scale,
                (a[1] * a[2] - a[0] * a[4]) * scale, (a[0] * a[3] - a[1] * a[1]) * scale}};
     }
   }
@@ -90,6 +93,56 @@ struct SmallSymmetric {
     for (double& entry : out.entries) entry = std::abs(entry);
     return out;
   }
+
+ private:
+  /// The row of three to eliminate first; -1 where no diagonal entry will do.
+  int pivot() const requires(N == 3) {
+    const auto& a = entries;
+    const double d0 = std::abs(a[0]);
+    const double d1 = std::abs(a[3]);
+    const double d2 = std::abs(a[5]);
+    const int p = d0 >= d1 ? (d0 >= d2 ? 0 : 2) : (d1 >= d2 ? 1 : 2);
+    const double most = p == 0 ? d0 : p == 1 ? d1 : d2;
+    const double others = std::abs(a[1]) + std::abs(a[2]) + std::abs(a[4]);
+    return 8.0 * most >= others && most > 0.0 ? p : -1;
+  }
+
+  /// Row p eliminated, of rows p, q, r.
+  struct Eliminated {
+    int p;
+    double pivot;
+    double u_q;
+    double u_r;
+    SmallSymmetric<N - 1> rest;
+
+    Eliminated(const SmallSymmetric& a, int row)
+        : p(row),
+          pivot(a(row, row)),
+          u_q(a(row, q()) / pivot),
+          u_r(a(row, r()) / pivot),
+          rest{{a(q(), q()) - u_q * a(row, q()), a(q(), r()) - u_q * a(row, r()),
+                a(r(), r()) - u_r * a(row, r())}} {}
+
+    int q() const { return p == 0 ? 1 : 0; }
+    int r() const { return p == 2 ? 1 : 2; }
+
+    SmallSymmetric inverse() const {
+      const SmallSymmetric<N - 1> s = rest.inverse();
+      const double of_q = s.entries[0] * u_q + s.entries[1] * u_r;
+      const double of_r = s.entries[1] * u_q + s.entries[2] * u_r;
+      SmallSymmetric out;
+      const auto at = [&out](int i, int j) -> double& {
+        return out.entries[static_cast<std::size_t>(index(i, j))];
+      };
+      at(p, p) = 1.0 / pivot + u_q * of_q + u_r * of_r;
+      at(p, q()) = -of_q;
+      at(p, r()) = -of_r;
+      at(q(), q()) = s.entries[0];
+      at(q(), r()) = s.entries[1];
+      at(r(), r()) = s.entries[2];
+      return out;
+    }
+  };
 };
 
 /// max |x_i|, NaN where any is.
