@@ -10,7 +10,7 @@ namespace {
 class TableMaker {
  public:
   TableMaker(Expression& e, std::span<const int> coordinates, std::span<const Interval> parameters)
-      : e_(e), coordinates_(coordinates.begin(), coordinates.end()) {
+      : coordinates_(coordinates.begin(), coordinates.end()) {
     roots_.push_back(at_principal_axes(e.graph, e.root));
     for (const Condition& each : e.conditions) {
       // Which of xi and zeta is lambda no sum of terms says; those the tape looks after.
@@ -73,7 +73,6 @@ class TableMaker {
     return static_cast<int>(out_.terms.size()) - 1;
   }
 
-  Expression& e_;
   std::vector<int> coordinates_;
   std::vector<NodeId> roots_;  ///< the potential, then conditions
   std::vector<bool> positive_;

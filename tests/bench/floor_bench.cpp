@@ -262,8 +262,14 @@ void print_model(std::string_view name_of, const Machine& machine) {
       [](const auto& model) { return solve_operations(model, 0.9, 1.2); }, potential.plane());
   print_line("solve", name_of, "(iii)", solve_count, sweep_seconds(third, 0.5), machine);
   for (const Branch branch : {Branch::i, Branch::iii}) {
-    const Operations spectrum_count =
-        potential.visit([&](const auto& model) { return spectrum_operations(model, branch); });
+    const Operations spectrum_count = std::visit(
+        [&](const auto& plane_model, const auto& thickness_model) {
+          return spectrum_operations(
+              Separable<std::decay_t<decltype(plane_model)>,
+                        std::decay_t<decltype(thickness_model)>>{plane_model, thickness_model},
+              branch);
+        },
+        potential.plane(), potential.thickness());
     print_line("spectrum", name_of, branch == Branch::i ? "(i)" : "(iii)", spectrum_count,
                spectrum_seconds(Problem(body, potential, branch), 0.5), machine);
   }
