@@ -3,8 +3,9 @@
 //
 //   lambda = t/2 + s,  mu = t/2 - s,   s^2 = (t^2 - 4 d)/4,
 //
-// every subexpression as a + b s with a, b smooth functions of t and d (symmetric_kernel.hpp). Exchanging
-// lambda and mu changes the sign of b: a symmetric function is its a, and has no square root in it.
+// every subexpression as a + b s with a, b smooth functions of t and d (symmetric_kernel.hpp).
+// Exchanging lambda and mu changes the sign of b: a symmetric function is its a, and has no square
+// root in it.
 #pragma once
 
 #include <stdexcept>

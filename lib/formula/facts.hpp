@@ -35,14 +35,16 @@ struct Facts {
 };
 
 /// values: of the parameters, where they are known (vanishing.hpp). Throws Unsuitable where lambda
-/// and mu_ do not enter symmetrically or what they enter by is not smooth (circle_smoothness.hpp), TooLarge.
+/// and mu_ do not enter symmetrically or what they enter by is not smooth (circle_smoothness.hpp),
+/// TooLarge.
 Facts facts(Expression expression, Slot slot, std::span<const double> values = {});
 
 /// Whether any of the variables occurs in x.
 bool occurs(const Graph& graph, NodeId x, std::initializer_list<Variable> variables);
 
-/// The expression with lambda and mu_ replaced by what is smooth at the circle (principal_pairs.hpp); throws
-/// Unsuitable where they do not enter symmetrically. how: by which verdict they do.
+/// The expression with lambda and mu_ replaced by what is smooth at the circle
+/// (principal_pairs.hpp); throws Unsuitable where they do not enter symmetrically. how: by which
+/// verdict they do.
 NodeId without_principal_stretches(Expression& expression, Verdict* how = nullptr);
 
 /// Of an expression in which lambda and mu_ enter symmetrically, its domain included.

@@ -1,5 +1,5 @@
-// A potential that is no function of the invariants of S: fibres (material/models/fibre.hpp) beside an
-// isotropic potential, an orthotropic planar model or a written-out one with or without them,
+// A potential that is no function of the invariants of S: fibres (material/models/fibre.hpp) beside
+// an isotropic potential, an orthotropic planar model or a written-out one with or without them,
 //
 //   V(q) = W(t, l, r) + directed terms in q,
 //

@@ -10,7 +10,8 @@ struct LogRow {
 
 // clang-format off
 // Reciprocals r and -log r (head, tail): 128 over [0.6875, 1.375) by the leading seven bits above
-// 0.6875, then 257 of 1 + j 2^-14, |j| <= 128. tests/lib/number/double_double_test.cpp checks each row.
+// 0.6875, then 257 of 1 + j 2^-14, |j| <= 128. tests/lib/number/double_double_test.cpp checks each
+// row.
 inline constexpr LogRow coarse_rows[128] = {
     {0x1.734f0c541fe8dp+0, -0x1.7cc7f7db46a0ep-2, -0x1.e3c7fdc323c2dp-56},
     {0x1.713786d9c7c09p+0, -0x1.76feecb947176p-2, 0x1.398d9eb4ea363p-56},

@@ -1,4 +1,5 @@
-// Elementary functions of a number with its conditioning (first_order_bound.hpp) beyond sqrt and log:
+// Elementary functions of a number with its conditioning (first_order_bound.hpp) beyond sqrt and
+// log:
 //
 //   f(x): condition |f'(x)| c,   x^p: condition |x^p| (|p|/|x| c_x + |log x| c_p).
 #pragma once

@@ -5,9 +5,9 @@
 //   units(x y) = |x| units(y) + |y| units(x) + |x y|,   units(x + y) = units(x) + units(y) + |x +
 //   y|
 //
-// and so on. Unlike Conditioned (first_order_bound.hpp), whose values come from extended precision, the
-// value here is the one the bound speaks of: what decides in SIMD lanes whether a sign is certain.
-// A double written into a formula (2, 1/2, ...) counts as exact.
+// and so on. Unlike Conditioned (first_order_bound.hpp), whose values come from extended precision,
+// the value here is the one the bound speaks of: what decides in SIMD lanes whether a sign is
+// certain. A double written into a formula (2, 1/2, ...) counts as exact.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
-// Elementary functions of packs (simd_pack.hpp) and of pairs of them beyond sqrt and log, as a potential
-// written out may contain them. Lane by lane, each as of a double or an extended number: only + - *
-// /, sqrt and log run in all lanes at once.
+// Elementary functions of packs (simd_pack.hpp) and of pairs of them beyond sqrt and log, as a
+// potential written out may contain them. Lane by lane, each as of a double or an extended number:
+// only + - * /, sqrt and log run in all lanes at once.
 #pragma once
 
 #include <cmath>

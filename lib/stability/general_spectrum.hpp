@@ -1,4 +1,5 @@
-// The spectrum of any stationary motion, by structure-preserving methods on the leaf (symplectic_leaf.hpp):
+// The spectrum of any stationary motion, by structure-preserving methods on the leaf
+// (symplectic_leaf.hpp):
 //
 //   E'' = L L^T definite:  x' = J E'' x is similar to the skew-symmetric L^T J L; its eigenvalues
 //                          are imaginary by construction

@@ -1,8 +1,8 @@
 // What is proven of the spectrum of any stationary motion whose state is known in intervals, as
 // spectrum_enclosure.hpp where no reflection makes blocks: alpha != 0, an oblique axis, rest.
 //
-// From the second variation on the leaf (symplectic_leaf.hpp): its negative directions by Sylvester's law, and
-// of the modes
+// From the second variation on the leaf (symplectic_leaf.hpp): its negative directions by
+// Sylvester's law, and of the modes
 //
 //   det(s - J E'') = p(s^2),   p of degree 5 (4 at rest),
 //

@@ -5,8 +5,8 @@
 //   u = (b1, xi, zeta, rho, p_alpha)  from  v = (b2, p_xi, p_zeta, p_rho, -alpha),
 //   E'' = u^T A u + v^T B v,   u' = B v,  v' = -A u,   so the Lambda are the eigenvalues of -B A,
 //
-// with the leaf's coordinates (symplectic_leaf.hpp): delta pi = sqrt|pi| (b1 e1 + b2 e2), e1 in the plane.
-// With I = I1 = I3 (what compatibility asks for), n = nu/|nu|, P = |pi| = I |nu|,
+// with the leaf's coordinates (symplectic_leaf.hpp): delta pi = sqrt|pi| (b1 e1 + b2 e2), e1 in the
+// plane. With I = I1 = I3 (what compatibility asks for), n = nu/|nu|, P = |pi| = I |nu|,
 // g = J1 xi - J2 zeta, h = J1 xi + J2 zeta, D = J1 J2 (xi + zeta)^2 and the linear forms of u that
 // the momenta leave,
 //   w1 = -sqrt P n3 b1 - 2 J2 zeta nu1 dzeta - 2 J3 rho nu1 drho,

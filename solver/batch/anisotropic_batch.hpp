@@ -3,11 +3,11 @@
 //
 //   G(x(s); nu(s)) = 0,   s from rest, until |nu| has passed the largest asked for,
 //
-// and each |nu| is answered where it is met first along the curve: on the arc (hermite_arc.hpp) between the
-// two rows around it, then corrected at that nu. Turns of nu are rows, so that between two rows nu
-// passes each value once; what the correction comes to must be as near to the arc as the arc is to
-// the curve, and have the rest state's sign of det dG/d ln x, which every first meeting has: else
-// the curve is followed once more, from the row before to that nu.
+// and each |nu| is answered where it is met first along the curve: on the arc (hermite_arc.hpp)
+// between the two rows around it, then corrected at that nu. Turns of nu are rows, so that between
+// two rows nu passes each value once; what the correction comes to must be as near to the arc as
+// the arc is to the curve, and have the rest state's sign of det dG/d ln x, which every first
+// meeting has: else the curve is followed once more, from the row before to that nu.
 //
 // So an answer is that of solve() with no search: it follows the same sheet to the same place.
 #pragma once

@@ -1,5 +1,5 @@
-// How far the next step may go. With the cubic predictor of hermite_arc.hpp the first correction measures
-// the curve's fourth derivative,
+// How far the next step may go. With the cubic predictor of hermite_arc.hpp the first correction
+// measures the curve's fourth derivative,
 //
 //   |first correction| = D h^2 (h + l)^2 / 24      (l the last step, h this one),
 //

@@ -1,7 +1,8 @@
 // Families of stationary ellipsoids of a potential that is not isotropic (anisotropic_balance.hpp),
 // in nu or in any other number of the problem:
 //
-//   x = (xi, zeta, rho)               (i), (ii), where V is even in alpha; (iii) likewise, alpha = 0
+//   x = (xi, zeta, rho)               (i), (ii), where V is even in alpha; (iii) likewise,
+//                                     alpha = 0
 //   x = (xi, zeta, rho, e^a)          (iii) else
 //   x = (xi, zeta, rho, e^a, x_phi)   oblique, nu = |nu| (cos phi, sin phi, 0)
 //

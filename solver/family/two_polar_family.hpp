@@ -1,6 +1,6 @@
-// Families of two-polar motions (J1 = J2, lib/balance/two_polar.hpp) in one of the motion's two numbers, in
-// J3 or in a coefficient of the potential, the others held: x = (lambda, mu[, rho]), rho among the
-// unknowns where the potential couples it.
+// Families of two-polar motions (J1 = J2, lib/balance/two_polar.hpp) in one of the motion's two
+// numbers, in J3 or in a coefficient of the potential, the others held: x = (lambda, mu[, rho]),
+// rho among the unknowns where the potential couples it.
 //
 // At fixed rates a family may start on the circle lambda = mu, where only omega + theta' matters.
 // At fixed momenta it keeps off it, for s3 != p_theta.

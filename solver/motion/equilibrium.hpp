@@ -1,5 +1,5 @@
-// One stationary ellipsoid, as an answer: whether there is one, S and nu, how far they can be trusted,
-// how they were found and what that took.
+// One stationary ellipsoid, as an answer: whether there is one, S and nu, how far they can be
+// trusted, how they were found and what that took.
 #pragma once
 
 #include <limits>

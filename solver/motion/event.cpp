@@ -160,8 +160,8 @@ void set_axis_tests(const Member& member, const TestContext& context, const Vect
   }
 }
 
-/// a and b of the wobble Lambda = -a b (lib/stability/linearization.hpp); the stiffness at fixed momenta by
-/// its Lambdas, which are real.
+/// a and b of the wobble Lambda = -a b (lib/stability/linearization.hpp); the stiffness at fixed
+/// momenta by its Lambdas, which are real.
 void set_two_polar_tests(const Member& member, const TestContext& context, const Vector3<double>& m,
                          TestValues& out) {
   const auto& rates = member.two_polar->rates;

@@ -99,7 +99,7 @@ struct TestValues {
   static constexpr std::size_t count = crossings + 10;
 
   std::array<double, count> value;
-  std::uint32_t opposite = 0;       ///< bit k: the pairs of crossing k have opposite signatures
+  std::uint32_t opposite = 0;  ///< bit k: the pairs of crossing k have opposite signatures
   /// Of each block how many Lambda are real, and how many of these negative: crossings compare only
   /// where these are equal.
   std::array<std::array<std::uint8_t, 2>, 4> composition{};

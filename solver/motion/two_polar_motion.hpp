@@ -1,5 +1,5 @@
-// A two-polar stationary motion (J1 = J2) as a problem and as an answer: lambda, mu, rho with the rates
-// (omega, theta') and the momenta (s3, p_theta); equations in lib/balance/two_polar.hpp.
+// A two-polar stationary motion (J1 = J2) as a problem and as an answer: lambda, mu, rho with the
+// rates (omega, theta') and the momenta (s3, p_theta); equations in lib/balance/two_polar.hpp.
 //
 // At fixed rates some potentials have lambda != mu only on a line of solutions:
 //   reciprocal-determinant, neo-hookean: only where J (omega^2 + theta'^2) = k (mu), t free;

@@ -1,6 +1,6 @@
-// The two-polar balance (lib/balance/two_polar.hpp) as a reduced system in ln (lambda, mu[, rho]): the
-// elastic part of a PlanarSystem or CoupledSystem without its centrifugal rates, minus the pull of
-// the motion at fixed rates or at fixed momenta. x = (lambda, mu[, rho]).
+// The two-polar balance (lib/balance/two_polar.hpp) as a reduced system in ln (lambda, mu[, rho]):
+// the elastic part of a PlanarSystem or CoupledSystem without its centrifugal rates, minus the pull
+// of the motion at fixed rates or at fixed momenta. x = (lambda, mu[, rho]).
 #pragma once
 
 #include <type_traits>

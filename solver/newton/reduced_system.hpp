@@ -157,18 +157,10 @@ inline double coupled_magnitude(const CoupledDerivatives<double>& w, double xi, 
          (xi + zeta) * std::abs(w.w_tr) + std::abs(w.w_lr) + 2.0 * c.rho * rho * rho;
 }
 
-/// Whether the model is a formula that takes the principal stretches apart. Its balance at alpha =
-/// 0 is to be had from xi and zeta (log_balance()): by the invariants t and d its derivatives far
-/// from the circle are small differences, the second ones to (zeta/xi)^2 units.
-template <class Model>
-bool by_stretches(const Model& model) {
-  if constexpr (requires { model.has_principal_stretches(); }) {
-    return model.has_principal_stretches();
-  } else {
-    return false;
-  }
-}
-
+/// A formula that takes the principal stretches apart (has_principal_stretches()) is linearized and
+/// evaluated from xi and zeta (log_balance(), residual()). By the invariants t and d its
+/// derivatives far from the circle are small differences, the second ones to (zeta/xi)^2 units.
+///
 /// Linearized::magnitude from the balance itself, of which a plane alone has no parts of rho.
 inline double magnitude_of(const LogBalance<double>& b, double pull_xi, double pull_zeta,
                            double pull_rho, bool plane_only) {
@@ -221,7 +213,7 @@ struct PlanarSystem {
   }
   Linearized<2> linearize(const ReducedVector<2>& x) const {
     if constexpr (requires { model.has_principal_stretches(); }) {
-      if (by_stretches(model)) {
+      if (model.has_principal_stretches()) {
         const double c_xi = double(rates.xi);
         const double c_zeta = double(rates.zeta);
         const auto b = model.log_balance(x[0], x[1], c_xi, c_zeta);
@@ -237,7 +229,7 @@ struct PlanarSystem {
   }
   LogBalance<DoubleDouble> extended_balance(const ReducedVector<2>& x) const {
     if constexpr (requires { model.has_principal_stretches(); }) {
-      if (by_stretches(model))
+      if (model.has_principal_stretches())
         return model.residual(DoubleDouble(x[0]), DoubleDouble(x[1]), rates.xi, rates.zeta);
     }
     const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]));
@@ -278,7 +270,7 @@ struct CoupledSystem {
   Linearized<3> linearize(const ReducedVector<3>& x) const {
     const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
     if constexpr (requires { model.has_principal_stretches(); }) {
-      if (by_stretches(model)) {
+      if (model.has_principal_stretches()) {
         const auto b = model.log_balance(x[0], x[1], x[2], c.xi, c.zeta, c.rho);
         return {
             {b.g_xi, b.g_zeta, b.g_rho},
@@ -295,7 +287,7 @@ struct CoupledSystem {
   LogBalance<DoubleDouble> extended_balance(const ReducedVector<3>& x) const {
     const DoubleDouble rho(x[2]);
     if constexpr (requires { model.has_principal_stretches(); }) {
-      if (by_stretches(model))
+      if (model.has_principal_stretches())
         return model.residual(DoubleDouble(x[0]), DoubleDouble(x[1]), rho, rates.xi, rates.zeta,
                               rates.rho);
     }

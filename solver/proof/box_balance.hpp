@@ -100,8 +100,8 @@ struct ThicknessBoxSystem {
   bool contract(Box<1>& x) const { return !terms || terms->contract(x); }
 };
 
-/// Holds every solution, where the balance is linear in powers of the stretches and regular (Cramer's
-/// rule); entire elsewhere.
+/// Holds every solution, where the balance is linear in powers of the stretches and regular
+/// (Cramer's rule); entire elsewhere.
 template <class Plane>
 Box<2> linear_solution_box(const Plane& model, const CentrifugalRates<Interval>& rates) {
   Box<2> out{Interval::entire(), Interval::entire()};

@@ -2,12 +2,12 @@
 // it holds no solution is cut off.
 //
 // For a scale s, one of the terms, every tau_k/s is one exponential of one sum, in which equal
-// parts cancel; as an affine form (lib/number/affine_form.hpp) in the coordinates of the box it is linear
-// up to a remainder. So is every direction lambda.G/s = sum_k (lambda.C_k) tau_k/s, merged before
-// it is evaluated: rows of the balance, their sums and differences, and the rows of the inverse
-// Jacobian. Where it cannot be 0 the box is empty; else it bounds each coordinate by the others.
-// Arguments of logarithms and roots N > 0 do so too, and where a denominator may have either sign
-// both are tried.
+// parts cancel; as an affine form (lib/number/affine_form.hpp) in the coordinates of the box it is
+// linear up to a remainder. So is every direction lambda.G/s = sum_k (lambda.C_k) tau_k/s, merged
+// before it is evaluated: rows of the balance, their sums and differences, and the rows of the
+// inverse Jacobian. Where it cannot be 0 the box is empty; else it bounds each coordinate by the
+// others. Arguments of logarithms and roots N > 0 do so too, and where a denominator may have
+// either sign both are tried.
 #pragma once
 
 #include <algorithm>

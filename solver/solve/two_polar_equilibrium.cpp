@@ -38,7 +38,8 @@ class Solver {
   /// The circle out.x, had at omega + theta' rounded, corrected at the two rates. Whether it
   /// converged.
   bool correct_circle(const TwoPolarRates<double>& rates) {
-    return potential_.visit_parts([&](const auto& model) { return correct_circle_of(model, rates); });
+    return potential_.visit_parts(
+        [&](const auto& model) { return correct_circle_of(model, rates); });
   }
 
  private:

@@ -1,8 +1,8 @@
 // Two-polar stationary motions (J1 = J2): lambda, mu, rho given the rates (omega, theta') or the
 // momenta (s3, p_theta); equations in lib/balance/two_polar.hpp.
 //
-// An answer has lambda > mu. Where the rates lie on a line of solutions (two_polar_motion.hpp) that is
-// said instead of returning one of them. Where no lambda > mu is found, the circle lambda = mu,
+// An answer has lambda > mu. Where the rates lie on a line of solutions (two_polar_motion.hpp) that
+// is said instead of returning one of them. Where no lambda > mu is found, the circle lambda = mu,
 // which depends on omega + theta' only and has s3 = p_theta, is returned and named.
 #pragma once
 

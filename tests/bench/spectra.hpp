@@ -1,6 +1,8 @@
 // Spectra of the rest state's sheet by
-//   blocks         the exact blocks at alpha = 0 (lib/stability/spectrum.hpp), with bounds and classes
-//   general        the structure-preserving method on the leaf (lib/stability/general_spectrum.hpp), likewise
+//   blocks         the exact blocks at alpha = 0 (lib/stability/spectrum.hpp), with bounds and
+//                  classes
+//   general        the structure-preserving method on the leaf
+//                  (lib/stability/general_spectrum.hpp), likewise
 //   eigen-qr-11x11 Eigen's real Schur form of the Lie-Poisson equations linearized in all of
 //                  z = (pi, q, p), as one would without the leaf: eigenvalues alone
 // from the equilibrium in double; the first two begin with its correction. Errors are those of each

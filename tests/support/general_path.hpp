@@ -1,5 +1,5 @@
-// The general problem (lib/stability/general_spectrum.hpp) at a motion that has blocks, from its 50-digit
-// solution; at J1 = J2 also seen from material axes turned by theta, where alpha != 0.
+// The general problem (lib/stability/general_spectrum.hpp) at a motion that has blocks, from its
+// 50-digit solution; at J1 = J2 also seen from material axes turned by theta, where alpha != 0.
 #pragma once
 
 #include "lib/stability/general_spectrum.hpp"

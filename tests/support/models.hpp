@@ -1,5 +1,5 @@
-// The built-in models as lists of types, read off the variants in lib/material/potential.hpp: a model added
-// there is put through every typed suite without a line added here.
+// The built-in models as lists of types, read off the variants in lib/material/potential.hpp: a
+// model added there is put through every typed suite without a line added here.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-// Spectra in 50 digits: Lambda from the templates of lib/stability/linearization.hpp at the 50-digit
-// solution, the class from them and from the inertia of E'' (lib/stability/symplectic_leaf.hpp), reduced by the material
-// symmetry where there is one. The inputs are the doubles of the problem, or these shaken by a
-// relative amount.
+// Spectra in 50 digits: Lambda from the templates of lib/stability/linearization.hpp at the
+// 50-digit solution, the class from them and from the inertia of E''
+// (lib/stability/symplectic_leaf.hpp), reduced by the material symmetry where there is one. The
+// inputs are the doubles of the problem, or these shaken by a relative amount.
 #pragma once
 
 #include <algorithm>
@@ -269,7 +269,8 @@ inline WideVerdict wide_verdict(const Motion& motion, const WideMotion& wide) {
     dP[2] = p_alpha;
     dP[3] = -p_alpha;
   } else {
-    // pi along axis 1 or 2; symplectic_leaf.hpp's e1 is e_2 x e_1 = -e_3 in (i), e_1 x e_2 = e_3 in (ii).
+    // pi along axis 1 or 2; symplectic_leaf.hpp's e1 is e_2 x e_1 = -e_3 in (i), e_1 x e_2 = e_3 in
+    // (ii).
     const bool first = problem.branch() == Branch::i;
     const Number50 size = sqrt(Number50((first ? s.I1() : s.I2()) * speed));
     dP[0] = first ? Number50(-size) : size;

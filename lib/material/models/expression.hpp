@@ -1,6 +1,6 @@
 // Potentials written by their user, as models with the interface of the built-in ones: W(t, l) of
-// the plane, V(r) of the thickness, W(t, l, r) of both (model_derivatives.hpp), evaluated from a tape
-// (material/models/tape_model.hpp) in any number type.
+// the plane, V(r) of the thickness, W(t, l, r) of both (model_derivatives.hpp), evaluated from a
+// tape (material/models/tape_model.hpp) in any number type.
 #pragma once
 
 #include <array>

@@ -237,7 +237,8 @@ class TapeModel {
   const std::string& text() const { return tape_->text; }
   const std::vector<std::string>& parameters() const { return tape_->parameters; }
   const std::shared_ptr<const expression::Tape>& tape() const { return tape_; }
-  /// Then evaluate() has kernels (expression/symmetric_kernel.hpp) to sum up, and the balance has not.
+  /// Then evaluate() has kernels (expression/symmetric_kernel.hpp) to sum up, and the balance has
+  /// not.
   bool has_principal_stretches() const { return tape_->has_principal_stretches; }
   /// Numbers in the formula ("0.1") are inputs then, as uncertain as its parameters.
   bool has_decimals() const { return tape_->coefficients.has_decimals; }
