@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "solver/motion/tilted_system.hpp"
 #include "solver/family/tilted_family.hpp"
+#include "solver/motion/tilted_system.hpp"
 #include "solver/proof/tilted_boxes.hpp"
 #include "solver/search/branch_and_prune.hpp"
 #include "solver/search/search_message.hpp"
