@@ -127,7 +127,9 @@ S tilted_thickness(const Inertias& J, TiltPlane plane, const S& xi, const S& zet
   return tilted_slenderness<S>(J, plane) * (plane == TiltPlane::one_three ? xi : zeta);
 }
 
-/// The balance of all three stretches with w tied to the plane's own axis: two equations.
+/// The balance of all three stretches with w tied to the plane's own axis, rho being
+/// tilted_thickness(): two equations. With axis_rates() of |nu|^2 in (iii) they are those of a
+/// tilted axis.
 template <int order, class S>
 LogBalance<S> tied_to_plane(LogBalance<S> balance, TiltPlane plane) {
   const bool first = plane == TiltPlane::one_three;
@@ -139,13 +141,6 @@ LogBalance<S> tied_to_plane(LogBalance<S> balance, TiltPlane plane) {
   return balance;
 }
 
-/// The two equations of a tilted axis; c: axis_rates() of |nu|^2 in (iii). rho: tilted_thickness().
-template <int order, class S, class Q>
-LogBalance<S> tilted_log_balance(const CoupledDerivatives<S>& w, const Q& xi, const Q& zeta,
-                                 const Q& rho, TiltPlane plane, const CentrifugalRates<Q>& c) {
-  return tied_to_plane<order>(coupled_log_balance<order>(w, xi, zeta, rho, c), plane);
-}
-
 /// nu^2 along the plane's own axis and along axis 3. Negative: no tilted motion is there.
 template <class S>
 struct TiltSquares {
@@ -153,7 +148,7 @@ struct TiltSquares {
   S normal;
 };
 
-/// At a solution of tilted_log_balance(), from the balance of all three stretches at rest (the
+/// At a solution of these two, from the balance of all three stretches at rest (the
 /// elastic force alone) there.
 template <class Inertias, class S>
 TiltSquares<S> tilt_squares(const Inertias& J, TiltPlane plane, const LogBalance<S>& elastic,

@@ -173,6 +173,52 @@ inline double magnitude_of(const LogBalance<double>& b, double pull_xi, double p
   return plane + of(b.g_rho, b.ww, pull_rho) + 2.0 * (std::abs(b.uw) + std::abs(b.vw));
 }
 
+/// Whether the model is such a formula, or its plane where that stands by itself.
+template <class Model>
+bool takes_stretches_apart(const Model& model) {
+  if constexpr (requires { model.plane.has_principal_stretches(); }) {
+    return model.plane.has_principal_stretches();
+  } else if constexpr (requires { model.has_principal_stretches(); }) {
+    return model.has_principal_stretches();
+  } else {
+    return false;
+  }
+}
+
+/// The balance of all three stretches, of a coupled model or a Separable, with
+/// Linearized::magnitude.
+struct SizedBalance {
+  LogBalance<double> balance;
+  double magnitude;
+};
+template <class Model>
+SizedBalance sized_balance(const Model& model, double xi, double zeta, double rho,
+                           const CentrifugalRates<double>& c) {
+  if (takes_stretches_apart(model)) {
+    const auto b = model.log_balance(xi, zeta, rho, c.xi, c.zeta, c.rho);
+    return {b, magnitude_of(b, c.xi * xi * xi, c.zeta * zeta * zeta, c.rho * rho * rho, false)};
+  }
+  const auto w = model.template evaluate<2>(planar_invariants(xi, zeta), rho);
+  return {coupled_log_balance<2>(w, xi, zeta, rho, c), coupled_magnitude(w, xi, zeta, rho, c)};
+}
+/// Its residuals in extended precision.
+template <class Model>
+LogBalance<DoubleDouble> extended_balance(const Model& model, double xi, double zeta,
+                                          const DoubleDouble& rho,
+                                          const CentrifugalRates<DoubleDouble>& c) {
+  const DoubleDouble wide_xi(xi);
+  const DoubleDouble wide_zeta(zeta);
+  if (takes_stretches_apart(model)) {
+    if constexpr (requires { model.residual(wide_xi, wide_zeta, rho, c.xi, c.zeta, c.rho); }) {
+      return model.residual(wide_xi, wide_zeta, rho, c.xi, c.zeta, c.rho);
+    } else {
+      return model.log_balance(wide_xi, wide_zeta, rho, c.xi, c.zeta, c.rho);
+    }
+  }
+  const auto w = model.template evaluate<1>(extended_invariants(xi, zeta), rho);
+  return coupled_log_balance<1>(w, wide_xi, wide_zeta, rho, c);
+}
+
 template <class Thickness>
 struct ThicknessSystem {
   static constexpr int dimension = 1;
@@ -269,30 +315,11 @@ struct CoupledSystem {
   }
   Linearized<3> linearize(const ReducedVector<3>& x) const {
     const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
-    if constexpr (requires { model.has_principal_stretches(); }) {
-      if (model.has_principal_stretches()) {
-        const auto b = model.log_balance(x[0], x[1], x[2], c.xi, c.zeta, c.rho);
-        return {
-            {b.g_xi, b.g_zeta, b.g_rho},
-            {{b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}},
-            magnitude_of(b, c.xi * x[0] * x[0], c.zeta * x[1] * x[1], c.rho * x[2] * x[2], false)};
-      }
-    }
-    const auto w = model.template evaluate<2>(planar_invariants(x[0], x[1]), x[2]);
-    const auto b = coupled_log_balance<2>(w, x[0], x[1], x[2], c);
-    return {{b.g_xi, b.g_zeta, b.g_rho},
-            {{b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}},
-            coupled_magnitude(w, x[0], x[1], x[2], c)};
+    const auto [b, magnitude] = sized_balance(model, x[0], x[1], x[2], c);
+    return {{b.g_xi, b.g_zeta, b.g_rho}, {{b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}}, magnitude};
   }
   LogBalance<DoubleDouble> extended_balance(const ReducedVector<3>& x) const {
-    const DoubleDouble rho(x[2]);
-    if constexpr (requires { model.has_principal_stretches(); }) {
-      if (model.has_principal_stretches())
-        return model.residual(DoubleDouble(x[0]), DoubleDouble(x[1]), rho, rates.xi, rates.zeta,
-                              rates.rho);
-    }
-    const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]), rho);
-    return coupled_log_balance<1>(w, DoubleDouble(x[0]), DoubleDouble(x[1]), rho, rates);
+    return stationary::extended_balance(model, x[0], x[1], DoubleDouble(x[2]), rates);
   }
   ReducedVector<3> extended_residual(const ReducedVector<3>& x) const {
     const auto b = extended_balance(x);

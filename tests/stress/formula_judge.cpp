@@ -3,10 +3,13 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <optional>
+#include <thread>
 
 #include "solver/family/follow_sheet.hpp"
 #include "solver/program/case/case_file.hpp"
@@ -134,8 +137,8 @@ struct Rows final : CurveSink {
 
 class Judge {
  public:
-  Judge(const FormulaCase& c, const Falsified& how, FormulaTally& tally)
-      : c_(c), how_(how), tally_(tally), seed_(tally.cases) {}
+  Judge(const FormulaCase& c, const Falsified& how, std::uint64_t seed, FormulaTally& tally)
+      : c_(c), how_(how), tally_(tally), seed_(seed) {}
 
   void run() {
     ++tally_.cases;
@@ -211,7 +214,7 @@ class Judge {
 
   /// None is found that the list has not.
   void from_many_starts(const std::vector<Equilibrium>& list, double nu) {
-    Random random(static_cast<std::uint64_t>(seed_) + 77);
+    Random random(seed_ + 77);
     const OwnBalance<double> quick(c_, nu);
     const OwnBalance<Real50> own(c_, Real50(c_.nu));
     constexpr int starts = 40;
@@ -296,19 +299,37 @@ class Judge {
   const FormulaCase& c_;
   const Falsified& how_;
   FormulaTally& tally_;
-  long seed_;
+  std::uint64_t seed_;
 };
 
 }  // namespace
 
-void judge_formula(const FormulaCase& c, const Falsified& how, FormulaTally& tally) {
-  Judge(c, how, tally).run();
+FormulaTally& FormulaTally::operator+=(const FormulaTally& other) {
+  for (const auto count :
+       {&FormulaTally::cases, &FormulaTally::anisotropic, &FormulaTally::poles,
+        &FormulaTally::refused, &FormulaTally::searches, &FormulaTally::undecided,
+        &FormulaTally::proven, &FormulaTally::none, &FormulaTally::certified, &FormulaTally::rows,
+        &FormulaTally::domain_ends})
+    this->*count += other.*count;
+  faults.insert(faults.end(), other.faults.begin(), other.faults.end());
+  return *this;
 }
 
-FormulaTally judged_formulas(long count, std::uint64_t seed, const Falsified& how) {
+FormulaTally judged_formulas(long count, std::uint64_t seed, const Falsified& how, int threads) {
   Random random(seed);
+  std::vector<FormulaCase> cases;
+  for (long k = 0; k < count; ++k) cases.push_back(random_formula_case(random));
+  std::vector<FormulaTally> parts(static_cast<std::size_t>(threads));
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&](FormulaTally& part) {
+    for (std::size_t k = next++; k < cases.size(); k = next++) Judge(cases[k], how, k, part).run();
+  };
+  {
+    std::vector<std::jthread> workers;
+    for (FormulaTally& part : parts) workers.emplace_back(work, std::ref(part));
+  }
   FormulaTally out;
-  for (long k = 0; k < count; ++k) judge_formula(random_formula_case(random), how, out);
+  for (const FormulaTally& part : parts) out += part;
   return out;
 }
 

@@ -22,6 +22,8 @@ struct FormulaTally {
   long rows = 0;         ///< of followed sheets
   long domain_ends = 0;  ///< of those
   std::vector<std::string> faults;
+
+  FormulaTally& operator+=(const FormulaTally& other);
 };
 
 /// What the tester is told falsely, to show that it sees.
@@ -30,10 +32,9 @@ struct Falsified {
   bool without_domain = false;  ///< the program is not told of the domain
 };
 
-void judge_formula(const FormulaCase& c, const Falsified& how, FormulaTally& tally);
-
-/// `count` cases of one seed.
-FormulaTally judged_formulas(long count, std::uint64_t seed, const Falsified& how = {});
+/// `count` cases of one seed; the order of the faults is that in which the threads came by.
+FormulaTally judged_formulas(long count, std::uint64_t seed, const Falsified& how = {},
+                             int threads = 1);
 
 std::string text_of(const FormulaTally& tally);
 

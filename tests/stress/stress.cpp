@@ -1,17 +1,27 @@
 // Solves every category of hard cases, holds each answer against 50 digits, and writes what became
 // of them:
 //
-//   stress DIRECTORY [SHARE]     stress.csv, stress_fold.csv, stress_fold.svg, stress_fold.png;
-//                                SHARE of the cases, by default 1: all
+//   stress DIRECTORY [SHARE] [PART]
+//
+// SHARE of the cases, by default 1: all. PART is one of
+//   categories   hard solves                                  stress.csv
+//   formulas     random formulas
+//   followed     rows of followed sheets
+//   fold         solves ever closer to a fold                 stress_fold.csv, .svg, .png
+//   curves       stability along random families
+// and by default every one of them.
 //
 // Exit code 0: every claim was true, and of random formulas enough were tried; 1: the untrue ones
 // are listed on standard error; 2: usage.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <thread>
 
 #include "solver/program/plot/gnuplot.hpp"
 #include "solver/program/table/atomic_file.hpp"
@@ -75,45 +85,77 @@ bool report(const CurveSurvey& survey) {
   return survey.faults.empty();
 }
 
-bool measure(const std::filesystem::path& into, double share) {
+long share_of(double share, long all) { return std::lround(share * static_cast<double>(all)); }
+
+bool categories_hold(const std::filesystem::path& into, double share) {
   bool all_true = true;
   std::string table = tally_header();
   for (const Category& category : categories()) {
-    const Tally tally = tried(category, std::lround(share * static_cast<double>(category.cases)));
+    const Tally tally = tried(category, share_of(share, category.cases));
     all_true = report(category.name, tally) && all_true;
     table += tally_line(category.name, tally);
   }
   write(into / "stress.csv", table);
+  return all_true;
+}
 
+bool formulas_hold(const std::filesystem::path&, double share) {
   constexpr std::uint64_t seed = 2026;
-  all_true =
-      report(judged_formulas(std::lround(share * static_cast<double>(formulas)), seed), share) &&
-      all_true;
-  const FollowedRows rows = followed_rows(std::lround(share * followed_sheets));
+  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return report(judged_formulas(share_of(share, formulas), seed, {}, threads), share);
+}
+
+bool followed_hold(const std::filesystem::path&, double share) {
+  const FollowedRows rows = followed_rows(share_of(share, followed_sheets));
   std::fprintf(stderr, "%-20s %ld sheets, %ld rows, %ld events, %zu untrue\n", "followed",
                rows.sheets, rows.rows, rows.events, rows.faults.size());
   for (const std::string& fault : rows.faults) std::fprintf(stderr, "  %s\n", fault.c_str());
-  all_true = rows.faults.empty() && all_true;
+  return rows.faults.empty();
+}
 
-  const auto ladder = fold_ladder(std::lround(share * static_cast<double>(ladder_folds)));
+bool fold_holds(const std::filesystem::path& into, double share) {
+  bool all_true = true;
+  const auto ladder = fold_ladder(share_of(share, ladder_folds));
   for (const Rung& rung : ladder) all_true = report("beside a fold", rung.tally) && all_true;
-  all_true = report(survey_curves(0, std::lround(share * surveyed_curves))) && all_true;
   write(into / "stress_fold.csv", ladder_table(ladder));
   draw(into / "stress_fold.svg", fold_script(ladder, ImageFormat::svg));
   draw(into / "stress_fold.png", fold_script(ladder, ImageFormat::png));
   return all_true;
 }
 
+bool curves_hold(const std::filesystem::path&, double share) {
+  return report(survey_curves(0, share_of(share, surveyed_curves)));
+}
+
+struct Part {
+  std::string_view name;
+  bool (*holds)(const std::filesystem::path& into, double share);
+};
+constexpr Part parts[] = {{"categories", categories_hold},
+                          {"formulas", formulas_hold},
+                          {"followed", followed_hold},
+                          {"fold", fold_holds},
+                          {"curves", curves_hold}};
+
 }  // namespace
 
 int main(int count, char** arguments) {
   try {
-    const double share = count == 3 ? std::stod(arguments[2]) : 1.0;
-    if (count < 2 || count > 3 || !(share > 0.0 && share <= 1.0)) {
-      std::fputs("usage: stress DIRECTORY [SHARE]      0 < SHARE <= 1\n", stderr);
+    const double share = count >= 3 ? std::stod(arguments[2]) : 1.0;
+    const std::string_view wanted = count == 4 ? arguments[3] : "";
+    const bool known = wanted.empty() || std::ranges::count(parts, wanted, &Part::name) == 1;
+    if (count < 2 || count > 4 || !(share > 0.0 && share <= 1.0) || !known) {
+      std::fputs(
+          "usage: stress DIRECTORY [SHARE] [PART]\n"
+          "0 < SHARE <= 1; PART: categories | formulas | followed | fold | curves\n",
+          stderr);
       return 2;
     }
-    return measure(arguments[1], share) ? 0 : 1;
+    bool all_true = true;
+    for (const Part& part : parts)
+      if (wanted.empty() || part.name == wanted)
+        all_true = part.holds(arguments[1], share) && all_true;
+    return all_true ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "stress: %s\n", error.what());
     return 2;
