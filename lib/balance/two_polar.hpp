@@ -12,15 +12,10 @@
 // derivatives in (lambda, mu, rho) are those in (xi, zeta, rho) at alpha = 0.
 #pragma once
 
+#include "lib/body/motion.hpp"
 #include "lib/material/potential.hpp"
 
 namespace stationary {
-
-template <class S>
-struct TwoPolarMomenta {
-  S s3;
-  S p_theta;
-};
 
 /// Momenta of the rates at x = (lambda, mu, rho).
 template <class S>
@@ -73,12 +68,6 @@ Vector3<S> two_polar_momentum_residual(double J, const Model& model, const Vecto
 }
 
 /// Rates of given momenta at lambda != mu: omega = dT/ds3, theta' = dT/dp_theta.
-template <class S>
-struct TwoPolarRates {
-  S omega;
-  S theta_dot;
-};
-
 template <class Mass, class S>
 TwoPolarRates<S> two_polar_rates(const Mass& J, const Vector3<S>& x, const TwoPolarMomenta<S>& m) {
   const S sum = x[0] + x[1];

@@ -1,13 +1,17 @@
-// Steady rotations about a material axis: the paper's branches
-//   (i) nu = (nu1, 0, 0),   (ii) nu = (0, nu2, 0),   (iii) nu = (0, 0, nu3),
-// and about an axis tilted in the plane of one of axes 1, 2 and of axis 3:
-//   nu = (nu1, 0, nu3)  or  nu = (0, nu2, nu3)
+// The kinds of stationary motion, each with the numbers that prescribe one:
 //
-// or in that of axes 1 and 2, nu = (nu1, nu2, 0): "oblique".
+//   about a material axis   nu = (nu1, 0, 0), (0, nu2, 0) or (0, 0, nu3): the paper's branches (i),
+//                           (ii), (iii)
+//   tilted                  nu = (nu1, 0, nu3) or (0, nu2, nu3), by its length
+//   oblique                 nu = (nu1, nu2, 0), by its length
+//   two-polar               R diag(lambda, mu, rho) U^-1, R and U turning steadily about axis 3
+//                           (J1 = J2; two_polar.hpp), by the two rates or by the two momenta
 #pragma once
 
 #include <optional>
 #include <string_view>
+#include <variant>
+#include <vector>
 
 #include "lib/body/stretch.hpp"
 
@@ -38,6 +42,7 @@ Vector3<S> angular_velocity(Branch branch, const S& nu_along) {
 
 constexpr std::string_view tilted_name = "tilted";
 constexpr std::string_view oblique_name = "oblique";
+constexpr std::string_view two_polar_name = "two-polar";
 
 /// The planes a tilted axis can lie in.
 enum class TiltPlane { one_three, two_three };
@@ -57,6 +62,55 @@ Vector3<S> angular_velocity(TiltPlane plane, const S& in_plane, const S& normal)
   Vector3<S> nu = angular_velocity(in_plane_branch(plane), in_plane);
   nu[axis(Branch::iii)] = normal;
   return nu;
+}
+
+struct AxisRotation {
+  Branch branch;
+  double nu;
+};
+
+struct TiltedRotation {
+  TiltPlane plane;
+  double nu;  ///< |nu| > 0
+};
+/// In a plane, or in whichever has one.
+struct TiltedMotion {
+  std::optional<TiltPlane> plane;
+  double nu;  ///< |nu| > 0
+
+  std::vector<TiltedRotation> rotations() const {
+    if (plane) return {{*plane, nu}};
+    return {{TiltPlane::one_three, nu}, {TiltPlane::two_three, nu}};
+  }
+};
+
+struct ObliqueRotation {
+  double nu;  ///< |nu| > 0
+  /// The branch, (i) or (ii), whose axis the family's is at rest, or which it leaves at an event.
+  std::optional<Branch> near = std::nullopt;
+};
+
+/// Of R and U about axis 3.
+template <class S>
+struct TwoPolarRates {
+  S omega;
+  S theta_dot;
+};
+template <class S>
+struct TwoPolarMomenta {
+  S s3;
+  S p_theta;
+};
+using TwoPolarMotion = std::variant<TwoPolarRates<double>, TwoPolarMomenta<double>>;
+
+/// What a stationary ellipsoid is asked for by.
+using Motion = std::variant<AxisRotation, TiltedMotion, TwoPolarMotion, ObliqueRotation>;
+
+/// As the column `branch` has it.
+constexpr std::string_view name(const Motion& motion) {
+  if (const auto* rotation = std::get_if<AxisRotation>(&motion)) return name(rotation->branch);
+  if (std::holds_alternative<TiltedMotion>(motion)) return tilted_name;
+  return std::holds_alternative<ObliqueRotation>(motion) ? oblique_name : two_polar_name;
 }
 
 }  // namespace stationary

@@ -40,6 +40,12 @@ struct BasicStretch {
 
 using Stretch = BasicStretch<double>;
 
+/// (xi, zeta, rho).
+template <class S>
+Vector3<S> diagonal(const BasicStretch<S>& q) {
+  return {q.xi, q.zeta, q.rho};
+}
+
 /// The violated inequality of positive definiteness, or nullptr: xi > 0, zeta > 0, rho > 0,
 /// xi zeta - alpha^2 > 0, all finite.
 const char* violated_inequality(const Stretch& q);

@@ -168,9 +168,12 @@ void add(SheetSet& set, Atlas& out) {
 
 }  // namespace
 
-std::string_view kind_name(const AtlasSheet& sheet) {
-  return sheet.plane ? tilted_name : kind_name(sheet.branch, sheet.oblique);
+Motion AtlasSheet::motion(double nu) const {
+  if (plane) return TiltedMotion{plane, nu};
+  if (oblique) return ObliqueRotation{nu};
+  return AxisRotation{branch, nu};
 }
+
 std::string_view kind_name(Branch branch, bool oblique) {
   return oblique ? oblique_name : name(branch);
 }

@@ -86,6 +86,9 @@ struct AtlasSheet {
   std::optional<Junction> joins;   ///< the sheet its other end lies on
   FollowReport report;
   std::vector<AtlasRow> rows;
+
+  /// Of its members, at one nu.
+  Motion motion(double nu) const;
 };
 
 /// All motions of a branch, or all oblique ones, at one nu, against the sheets.
@@ -123,7 +126,7 @@ struct Atlas {
 };
 
 /// The kind of motion as tables name it.
-std::string_view kind_name(const AtlasSheet& sheet);
+inline std::string_view kind_name(const AtlasSheet& sheet) { return name(sheet.motion(0.0)); }
 std::string_view kind_name(Branch branch, bool oblique);
 
 /// Throws std::invalid_argument unless 0 <= from < to, both finite, and checkpoints > 0.

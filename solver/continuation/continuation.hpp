@@ -203,12 +203,12 @@ class Continuation {
       if (!stop_at(*limit, attempt)) return;
       next = here_next_;
       find_events(next, attempt.arc);
-      if (ends_tilted(next, attempt)) return;
+      if (ends_family(next, attempt)) return;
       settle(next, attempt);
       finish(EventType::limit, "the range asked for");
       return;
     }
-    if (ends_tilted(next, attempt)) return;
+    if (ends_family(next, attempt)) return;
     const double D_before = D_;
     const double h = h_;
     settle(next, attempt);
@@ -322,16 +322,15 @@ class Continuation {
     return true;
   }
 
-  /// Ends a tilted family where its axis has come to a material one inside the step: at the event
-  /// located there, if the point beyond is none of the family.
-  bool ends_tilted(const CurvePoint<N>& next, Attempt& attempt) {
-    if (!curve_->context().tilted) return false;
-    const auto at = std::ranges::find(events_, EventType::tilt, &Event::type);
+  /// Ends a family that has an end of its own inside the step: at the event located there, if the
+  /// point beyond is none of the family.
+  bool ends_family(const CurvePoint<N>& next, Attempt& attempt) {
+    const KindEvents& kind = curve_->context().kind;
+    if (kind.end == EventType::none) return false;
+    const auto at = std::ranges::find(events_, kind.end, &Event::type);
     if (at == events_.end() && !next.member.beyond_end()) return false;
     const Member end = at == events_.end() ? here_.member : at->member;
-    finish(EventType::tilt, end.tilt_in_plane < end.tilt_normal
-                                ? "the axis has come to axis 3, on branch (iii)"
-                                : "the axis has come to the plane of axes 1 and 2");
+    finish(kind.end, std::string(kind.end_reason(end)));
     if (at == events_.end()) return true;  // it was there at the start
     const ReducedVector<N> x = curve_->family().coordinates(end.q, end.parameter);
     const Corrected<N> corrected = curve_->corrector().correct_at(x, end.parameter, attempt.arc.to);
@@ -345,7 +344,7 @@ class Continuation {
       find_events(last, attempt.arc);  // once more, of what is left of the step
       settle(last, attempt);
     }
-    std::erase_if(events_, [](const Event& event) { return event.type == EventType::tilt; });
+    std::erase_if(events_, [&](const Event& event) { return event.type == kind.end; });
     here_.member = end;
     return true;
   }
@@ -456,10 +455,8 @@ class Continuation {
     }
     here_.member = *at;
     here_.arc.p = at->parameter;
-    const bool in_plane = curve_->context().oblique;
-    finish(in_plane ? EventType::oblique : EventType::shear,
-           in_plane ? "the axis has come to a material one, alpha to 0"
-                    : "alpha has come to 0; beyond are mirror images");
+    const KindEvents& kind = curve_->context().kind;
+    finish(kind.mirror, std::string(kind.mirror_reason));
   }
 
   void end_at_circle(const Attempt& attempt, const CurvePoint<N>& next) {
@@ -476,8 +473,7 @@ class Continuation {
       return;
     }
     here_ = *circle;
-    // The circle's modes are those of (iii), on another leaf.
-    if (curve_->context().two_polar) here_.member.spectrum.reset();
+    if (curve_->context().kind.circle_on_own_leaf) here_.member.spectrum.reset();
     finish(EventType::ellipse, "the ellipses meet the circle here and go on as mirror images");
   }
 

@@ -36,14 +36,8 @@ class Curve {
         std::optional<double> pinned = std::nullopt, EventSet asked = {})
       : family_(&family),
         corrector_(family, scale, circle, pinned),
-        context_{family.branch(),
-                 family.material_symmetry(),
-                 circle,
-                 family.tilted(),
-                 family.two_polar(),
-                 TestContext::sought_for(asked),
-                 family.oblique(),
-                 family.sheared()} {}
+        context_{family.branch(), family.material_symmetry(), circle, family.events(),
+                 TestContext::sought_for(asked)} {}
 
   const Family<N>& family() const { return *family_; }
   const Corrector<N>& corrector() const { return corrector_; }
@@ -119,7 +113,6 @@ class Curve {
       c = kernel(arc.at);
     }
     c.normalize();
-    if (context_.two_polar) return {c[N], std::numeric_limits<double>::quiet_NaN()};
     const SpinInertia<N> I = family_->spin_inertia(member);
     const double change = I.half_slope.dot(c.template head<N>());
     return {c[N], c[N] + 2.0 * member.nu * change / I.own};

@@ -7,11 +7,8 @@
 #include <stdexcept>
 
 #include "lib/material/elastic_energy.hpp"
-#include "solver/motion/event.hpp"
-#include "solver/motion/event_functions.hpp"
-#include "solver/motion/extended_root.hpp"
+#include "solver/family/oriented_events.hpp"
 #include "solver/motion/oriented_stability.hpp"
-#include "solver/motion/oriented_system.hpp"
 #include "solver/newton/newton.hpp"
 #include "solver/newton/refine.hpp"
 
@@ -23,185 +20,6 @@ double line_angle(double angle) {
   const double out = std::remainder(angle, std::numbers::pi);
   return out <= -0.5 * std::numbers::pi ? out + std::numbers::pi : out;
 }
-
-/// The coefficients of a potential in T, in their order: the parameter p, the others by `number`.
-template <class T, class Number>
-struct VariedCoefficients {
-  int varied;  ///< place of the parameter; -1: none of them
-  T p;
-  Number number;
-  mutable int next = 0;
-
-  T operator()(double c) const {
-    const int k = next++;
-    return k == varied ? p : number(c, static_cast<std::size_t>(k));
-  }
-  Direction<T> direction(double degrees) const {
-    const T angle = (*this)(degrees);
-    const double near = leading(angle);
-    const Direction<DoubleDouble> at = stationary::direction(near);
-    const T rest = (angle - near) * (std::numbers::pi / 180.0);
-    if constexpr (std::is_same_v<T, Conditioned>) {
-      const double spread = rest.condition;
-      const double cosine = double(at.cosine);
-      const double sine = double(at.sine);
-      return {{cosine, std::abs(sine) * spread}, {sine, std::abs(cosine) * spread}};
-    } else {
-      const T bend = 1.0 - 0.5 * square(rest);
-      return {at.cosine * bend - at.sine * rest, at.sine * bend + at.cosine * rest};
-    }
-  }
-};
-
-/// The events of these families in x and the parameter, in any number type (extended_root.hpp).
-template <class Layout>
-class OrientedEventSystem {
- public:
-  static constexpr int dimension = Layout::dimension + 1;
-  static constexpr std::size_t unknowns = Layout::places.size();
-  using Kind = FamilyParameter::Kind;
-  template <class T>
-  using Values = std::array<T, unknowns + 1>;
-
-  /// function: as of TestValues. place: of the coefficient that varies.
-  OrientedEventSystem(const AnisotropicPotential& potential, const Body& body, Branch branch,
-                      double nu, const FamilyParameter& parameter, int place, std::size_t function)
-      : potential_(&potential),
-        J_{body.J1, body.J2, body.J3},
-        branch_(branch),
-        nu_(nu),
-        parameter_(parameter),
-        place_(parameter.kind == Kind::nu || parameter.kind == Kind::inertia ? -1 : place),
-        function_(function) {}
-
-  std::size_t inputs() const {
-    return 4 + static_cast<std::size_t>(potential_->coefficient_count());
-  }
-  bool has_decimals() const { return potential_->model().has_decimals(); }
-
-  Values<DoubleDouble> values(const Values<DoubleDouble>& y, const InputChange& change) const {
-    return equations<DoubleDouble>(y, [&](double x, std::size_t k) { return change(x, k); });
-  }
-  Values<Conditioned> conditioned(const Values<Conditioned>& y, bool exact) const {
-    return equations<Conditioned>(
-        y, [&](double x, std::size_t) { return exact ? Conditioned(x) : Conditioned::input(x); });
-  }
-
- private:
-  template <class T, class Number>
-  Values<T> equations(const Values<T>& y, const Number& number) const {
-    const T& p = y[unknowns];
-    const auto inertia = [&](int k) {
-      const bool varied = parameter_.kind == Kind::inertia && parameter_.index == k;
-      const auto at = static_cast<std::size_t>(k);
-      return varied ? p : number(J_[at], at);
-    };
-    const Inertia3<T> J{inertia(0), inertia(1), inertia(2)};
-    const T nu_squared = square(parameter_.kind == Kind::nu ? p : number(nu_, 3));
-    const auto coefficient = [&](double c, std::size_t k) { return number(c, k + 4); };
-    const auto model =
-        potential_->model(VariedCoefficients<T, decltype(coefficient)>{place_, p, coefficient});
-    std::array<T, unknowns> x;
-    std::copy_n(y.begin(), unknowns, x.begin());
-    const auto all = all_coordinates<Layout>(x, T(1.0));
-    const auto balance = balance_at<Layout, 2>(J, model, branch_, nu_squared, all);
-    Values<T> out;
-    for (std::size_t i = 0; i < unknowns; ++i) out[i] = balance.g[Layout::places[i]];
-    if (function_ == TestValues::fold || function_ == TestValues::momentum) {
-      SquareArray<T, unknowns> jacobian;
-      for (std::size_t i = 0; i < unknowns; ++i)
-        for (std::size_t j = 0; j < unknowns; ++j)
-          jacobian[i][j] = balance.slope[Layout::places[i]][Layout::places[j]];
-      out[unknowns] = function_ == TestValues::fold
-                          ? determinant(jacobian)
-                          : turning(J, model, nu_squared, all, balance, jacobian);
-    } else if (function_ == TestValues::turn) {
-      out[unknowns] = turn(J, model, nu_squared, all);
-    } else {
-      out[unknowns] = difference_of_inertias(J, all);
-    }
-    return out;
-  }
-
-  template <class T>
-  T turning(const Inertia3<T>& J, const AnisotropicModel<T>& model, const T& nu_squared,
-            const std::array<T, 5>& y, const OrientedBalance<T>& balance,
-            const SquareArray<T, unknowns>& jacobian) const {
-    const auto at_rest = balance_at<Layout, 1>(J, model, branch_, T(0.0), y);
-    std::array<T, unknowns> pull;  // -d(q^T C q/2), of the axis nothing
-    for (std::size_t i = 0; i < unknowns; ++i) {
-      const std::size_t row = Layout::places[i];
-      pull[i] = row == oriented::phi ? T(0.0) : balance.g[row] - at_rest.g[row];
-    }
-    std::array<T, unknowns> nu_slope;
-    std::array<T, unknowns> inertia_slope;
-    for (std::size_t i = 0; i < unknowns; ++i) {
-      nu_slope[i] = 2.0 * pull[i];
-      inertia_slope[i] = -2.0 * pull[i];
-    }
-    const Vector4<T> q = oriented_stretch(y[0], y[1], y[2], y[3]).q.vector();
-    const Vector4<T> force = centrifugal_matrix(J, spin(nu_squared, y)) * q;
-    T own(0.0);
-    for (int i = 0; i < 4; ++i) own += q[i] * force[i];
-    return momentum_turn(jacobian, nu_slope, inertia_slope, own);
-  }
-
-  /// At alpha = 0 (oriented_stability.hpp's turn_of()).
-  template <class T>
-  T turn(const Inertia3<T>& J, const AnisotropicModel<T>& model, const T& nu_squared,
-         const std::array<T, 5>& y) const {
-    const BasicStretch<T> q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
-    const T V_aa = potential_derivatives<2>(model, q).hessian(0, 0);
-    if (branch_ == Branch::iii) return V_aa - (J.J1 + J.J2) * nu_squared;
-    const T along_2 = J.J2 * square(q.zeta) - J.J1 * square(q.xi);
-    const T inertias = branch_ == Branch::i ? along_2 : -along_2;
-    const T own = branch_ == Branch::i ? J.J1 : J.J2;
-    return (V_aa - own * nu_squared) * inertias - square(J.J1 * q.xi + J.J2 * q.zeta) * nu_squared;
-  }
-
-  template <class T>
-  T difference_of_inertias(const Inertia3<T>& J, const std::array<T, 5>& y) const {
-    using std::sqrt;
-    const BasicStretch<T> q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
-    if constexpr (!Layout::alpha) {
-      const T m[3] = {J.J1 * square(q.xi), J.J2 * square(q.zeta), J.J3 * square(q.rho)};
-      if (function_ == TestValues::inertia_12) return m[1] - m[0];
-      return m[2] - m[function_ == TestValues::inertia_13 ? 0 : 1];
-    } else {
-      const Matrix3<T> I = locked_inertia(J, q);
-      T first;
-      if constexpr (Layout::axis) {
-        const AxisAngle<T> axis = axis_angle(y[4]);
-        first = square(axis.cosine) * I(0, 0) + square(axis.sine) * I(1, 1) +
-                2.0 * (axis.cosine * axis.sine * I(0, 1));
-      } else {
-        first =
-            0.5 * (I(0, 0) + I(1, 1)) - sqrt(square(0.5 * (I(0, 0) - I(1, 1))) + square(I(0, 1)));
-      }
-      const T second = I(0, 0) + I(1, 1) - first;
-      if (function_ == TestValues::inertia_12) return first - second;
-      return I(2, 2) - (function_ == TestValues::inertia_13 ? first : second);
-    }
-  }
-
-  template <class T>
-  SpinProducts<T> spin(const T& nu_squared, const std::array<T, 5>& y) const {
-    if constexpr (Layout::axis) {
-      const AxisAngle<T> axis = axis_angle(y[4]);
-      return in_plane_products(nu_squared, axis.cosine, axis.sine);
-    } else {
-      return axis_products(branch_, nu_squared);
-    }
-  }
-
-  const AnisotropicPotential* potential_;
-  std::array<double, 3> J_;
-  Branch branch_;
-  double nu_;
-  FamilyParameter parameter_;
-  int place_;
-  std::size_t function_;
-};
 
 template <class Layout>
 class AnisotropicFamily final : public Family<Layout::dimension> {
@@ -216,8 +34,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
         models_(std::make_shared<const OrientedModels>(potential)) {}
 
   Branch branch() const override { return Layout::axis ? Branch::i : branch_; }
-  bool oblique() const override { return Layout::axis; }
-  bool sheared() const override { return Layout::alpha; }
+  KindEvents events() const override { return oriented_events<Layout>(); }
   bool along_nu() const override { return options_.parameter.kind == Kind::nu; }
   bool material_symmetry() const override { return false; }
   std::optional<int> mirrored() const override {
@@ -351,11 +168,8 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       for (int i = 0; i < N; ++i) out.x[index(i)] = i < 3 ? straight->x[index(i)] : x[i];
       return out;
     }
-    const TestContext context{.branch = branch(),
-                              .material_symmetry = false,
-                              .circle = false,
-                              .oblique = oblique(),
-                              .sheared = sheared()};
+    const TestContext context{
+        .branch = branch(), .material_symmetry = false, .circle = false, .kind = events()};
     const TestValues at = test_values(near, context, 0.0, 0.0);
     std::optional<std::size_t> function;
     for (std::size_t k = 0; k < TestValues::collision; ++k) {

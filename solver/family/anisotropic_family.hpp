@@ -11,9 +11,9 @@
 // ends where it meets the one with alpha = 0 it branches off (events shear, oblique).
 #pragma once
 
+#include "lib/body/motion.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"
-#include "solver/motion/rotations.hpp"
 
 namespace stationary {
 

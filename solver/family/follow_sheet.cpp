@@ -86,7 +86,7 @@ class Follower {
     constexpr double most = 1e3;
     const double largest = std::max(std::abs(range.from), std::abs(range.to));
     const double length = std::max(range.to - range.from, least * largest);
-    if (!family.along_nu() || family.two_polar()) return length;
+    if (!family.along_nu()) return length;
     // The centrifugal share of the balance, about half of it at a spin of the body's own scale.
     const ReducedVector<N> x = family.coordinates(q, p);
     double nu = length;
@@ -120,10 +120,9 @@ class Follower {
   EventType event_at_start(bool nothing_behind) {
     const EventType end = end_at_start(nothing_behind);
     constexpr std::size_t turn = TestValues::turn;
-    if (end != EventType::none || curve_.context().two_polar || start_.tests.value[turn] != 0.0)
-      return end;
+    if (end != EventType::none || start_.tests.value[turn] != 0.0) return end;
     const EventType type = event_type(turn, curve_.context(), start_.tests);
-    if (!options_.events.has(type)) return end;
+    if (type == EventType::ellipse || !options_.events.has(type)) return end;
     const double p = start_.member.parameter;
     report_.events.push_back({type, p, p, p, EventStatus::located});
     return type;

@@ -6,88 +6,11 @@
 #include "lib/material/elastic_energy.hpp"
 #include "lib/stability/general_spectrum.hpp"
 #include "solver/continuation/curve_start.hpp"
-#include "solver/motion/event_functions.hpp"
-#include "solver/motion/extended_root.hpp"
+#include "solver/family/tilted_events.hpp"
 #include "solver/motion/tilted_system.hpp"
 
 namespace stationary {
 namespace {
-
-/// The events of a tilted axis in (xi, zeta, |nu|), in any number type (extended_root.hpp).
-class TiltedEventSystem {
- public:
-  static constexpr int dimension = 3;
-  enum class Kind { fold, momentum, inertia, in_plane, normal };
-
-  TiltedEventSystem(const Body& body, const Potential& potential, TiltPlane plane, Kind kind)
-      : J_{body.J1, body.J2, body.J3}, plane_(plane), kind_(kind), elastic_(potential, {}) {}
-
-  std::size_t inputs() const { return J_.size() + elastic_.inputs(); }
-  bool has_decimals() const { return elastic_.has_decimals(); }
-
-  ExtendedVector<3> values(const ExtendedVector<3>& y, const InputChange& change) const {
-    const Inertia3<DoubleDouble> J{change(J_[0], 0), change(J_[1], 1), change(J_[2], 2)};
-    return equations(J, y, [&](const auto&... x) { return elastic_.at(x..., change.from(3)); });
-  }
-  std::array<Conditioned, 3> conditioned(const std::array<Conditioned, 3>& y, bool exact) const {
-    const auto number = [&](double x) { return exact ? Conditioned(x) : Conditioned::input(x); };
-    const Inertia3<Conditioned> J{number(J_[0]), number(J_[1]), number(J_[2])};
-    return equations(J, y, [&](const auto&... x) { return elastic_.at(x..., exact); });
-  }
-
- private:
-  template <class T, class Elastic>
-  std::array<T, 3> equations(const Inertia3<T>& J, const std::array<T, 3>& y,
-                             const Elastic& elastic_at) const {
-    const T& xi = y[0];
-    const T& zeta = y[1];
-    const T& p = y[2];
-    const T rho = tilted_thickness(J, plane_, xi, zeta);
-    const LogBalance<T> elastic = elastic_at(xi, zeta, rho, p);
-    const T m_xi = J.J1 * square(xi);
-    const T m_zeta = J.J2 * square(zeta);
-    const T square_nu = square(p);
-    LogBalance<T> at = elastic;
-    at.g_xi -= m_xi * square_nu;
-    at.g_zeta -= m_zeta * square_nu;
-    at.uu -= 2.0 * (m_xi * square_nu);
-    at.vv -= 2.0 * (m_zeta * square_nu);
-    at = tied_to_plane<2>(at, plane_);
-    const SquareArray<T, 2> jacobian{{{at.uu, at.uv}, {at.uv, at.vv}}};
-    const auto vanishing = [&]() -> T {
-      if (kind_ == Kind::fold) return determinant(jacobian);
-      if (kind_ == Kind::inertia) return m_zeta - m_xi;
-      if (kind_ == Kind::momentum)
-        return momentum_turn(jacobian, {-2.0 * (m_xi * square_nu), -2.0 * (m_zeta * square_nu)},
-                             {2.0 * m_xi, 2.0 * m_zeta}, T(m_xi + m_zeta));
-      const auto squares = tilt_squares(J, plane_, elastic, xi, zeta, rho);
-      return kind_ == Kind::in_plane ? squares.in_plane : squares.normal;
-    };
-    return {at.g_xi, at.g_zeta, vanishing()};
-  }
-
-  std::array<double, 3> J_;
-  TiltPlane plane_;
-  Kind kind_;
-  VariedElastic elastic_;
-};
-
-std::optional<TiltedEventSystem::Kind> vanishing_at(EventType type, const Member& near) {
-  using Kind = TiltedEventSystem::Kind;
-  switch (type) {
-    case EventType::fold_nu:
-      return Kind::fold;
-    case EventType::fold_momentum:
-      return Kind::momentum;
-    case EventType::inertia_exchange:
-      return Kind::inertia;
-    case EventType::tilt:
-      return std::abs(near.tilt_in_plane) < std::abs(near.tilt_normal) ? Kind::in_plane
-                                                                       : Kind::normal;
-    default:
-      return std::nullopt;
-  }
-}
 
 template <class Model>
 class TiltedFamily final : public Family<2> {
@@ -97,7 +20,7 @@ class TiltedFamily final : public Family<2> {
       : body_(body), potential_(potential), model_(model), plane_(plane), spectrum_(spectrum) {}
 
   Branch branch() const override { return Branch::iii; }
-  bool tilted() const override { return true; }
+  KindEvents events() const override { return tilted_events(); }
   bool along_nu() const override { return true; }
   /// No member is a circle or its own mirror image, also where J1 = J2.
   bool material_symmetry() const override { return false; }

@@ -10,9 +10,9 @@
 #include <memory>
 #include <optional>
 
+#include "lib/body/motion.hpp"
 #include "lib/material/potential.hpp"
 #include "solver/motion/family.hpp"
-#include "solver/motion/rotations.hpp"
 
 namespace stationary {
 

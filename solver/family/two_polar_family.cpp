@@ -8,9 +8,7 @@
 
 #include "lib/material/elastic_energy.hpp"
 #include "solver/family/coefficient_slope.hpp"
-#include "solver/motion/event.hpp"
-#include "solver/motion/event_functions.hpp"
-#include "solver/motion/extended_root.hpp"
+#include "solver/family/two_polar_events.hpp"
 #include "solver/motion/model_stability.hpp"
 #include "solver/motion/two_polar_stability.hpp"
 #include "solver/motion/two_polar_system.hpp"
@@ -19,170 +17,6 @@
 
 namespace stationary {
 namespace {
-
-/// The events of a two-polar family in (lambda, mu, rho, p), on the circle lambda = mu once, in any
-/// number type (extended_root.hpp).
-enum class TwoPolarVanishing {
-  fold,           ///< the stiffness at what is held and varied
-  momentum_fold,  ///< the stiffness at the momenta of the rates
-  ellipse,        ///< the circle's stiffness along (1, -1), at the rates
-  shear,          ///< the circle's K_alpha,alpha as a motion of (iii)
-  leaves_mu,      ///< omega - s3/I_1
-  leaves_lambda,  ///< omega - s3/I_2
-  leaves_circle   ///< the circle's I_1 - I_3
-};
-
-template <template <class> class Motion, bool circle>
-class TwoPolarEventSystem {
- public:
-  static constexpr std::size_t stretches = circle ? 2 : 3;
-  static constexpr int dimension = circle ? 3 : 4;
-  using Kind = FamilyParameter::Kind;
-
-  TwoPolarEventSystem(const Body& body, const Potential& potential, const Motion<double>& motion,
-                      const FamilyParameter& parameter, TwoPolarVanishing what)
-      : body_(body),
-        motion_(motion),
-        parameter_(parameter),
-        what_(what),
-        elastic_(potential,
-                 {parameter.kind == Kind::nu ? Kind::inertia : parameter.kind, parameter.index}) {}
-
-  std::size_t inputs() const { return 4 + elastic_.inputs(); }
-  bool has_decimals() const { return elastic_.has_decimals(); }
-
-  ExtendedVector<dimension> values(const ExtendedVector<dimension>& y,
-                                   const InputChange& change) const {
-    return equations<DoubleDouble>(
-        y, [&](double x, std::size_t k) { return change(x, k); },
-        [&](const auto&... x) { return elastic_.at(x..., change.from(4)); });
-  }
-  std::array<Conditioned, static_cast<std::size_t>(dimension)> conditioned(
-      const std::array<Conditioned, static_cast<std::size_t>(dimension)>& y, bool exact) const {
-    return equations<Conditioned>(
-        y, [&](double x, std::size_t) { return exact ? Conditioned(x) : Conditioned::input(x); },
-        [&](const auto&... x) { return elastic_.at(x..., exact); });
-  }
-
- private:
-  template <class T, class Number, class Elastic>
-  std::array<T, static_cast<std::size_t>(dimension)> equations(
-      const std::array<T, static_cast<std::size_t>(dimension)>& y, const Number& number,
-      const Elastic& elastic_at) const {
-    const T& lambda = y[0];
-    const T& mu = circle ? lambda : y[1];
-    const T& rho = y[stretches - 1];
-    const T& p = y[stretches];
-    const T J = number(body_.J1, 0);
-    const bool varies_motion = parameter_.kind == Kind::nu;
-    const T J3 = parameter_.kind == Kind::inertia ? p : number(body_.J3, 1);
-    const auto& [first, second] = motion_;
-    const Motion<T> motion{varies_motion && parameter_.index == 0 ? p : number(first, 2),
-                           varies_motion && parameter_.index == 1 ? p : number(second, 3)};
-    const LogBalance<T> elastic = elastic_at(lambda, mu, rho, p);
-    const TwoPolarPull<T> pull = two_polar_pull(J, lambda, mu, motion);
-    std::array<T, static_cast<std::size_t>(dimension)> out;
-    out[0] = elastic.g_xi - pull.lambda;
-    if constexpr (!circle) out[1] = elastic.g_zeta - pull.mu;
-    out[stretches - 1] = elastic.g_rho;
-    out[stretches] = vanishing(J, J3, motion, lambda, mu, rho, elastic, pull);
-    return out;
-  }
-
-  template <class T>
-  T vanishing(const T& J, const T& J3, const Motion<T>& motion, const T& lambda, const T& mu,
-              const T& rho, const LogBalance<T>& elastic, const TwoPolarPull<T>& pull) const {
-    const T first = J * square(lambda);
-    const T second = J * square(mu);
-    const T third = J3 * square(rho);
-    const T across = (elastic.uu - elastic.uv) - (pull.ll - pull.lm);
-    const auto rates = rates_of(J, lambda, mu, motion);
-    switch (what_) {
-      case TwoPolarVanishing::fold:
-        return singular(elastic, pull);
-      case TwoPolarVanishing::momentum_fold:
-        return singular(elastic, two_polar_pull(J, lambda, mu,
-                                                momenta_of(first, second, J, lambda, mu, rates)));
-      case TwoPolarVanishing::ellipse:
-        return across;
-      case TwoPolarVanishing::shear:
-        return (elastic.uu - elastic.uv) - elastic.g_xi -
-               first * square(rates.omega + rates.theta_dot);
-      case TwoPolarVanishing::leaves_circle:
-        return first - third;
-      case TwoPolarVanishing::leaves_mu:
-      case TwoPolarVanishing::leaves_lambda:
-        break;
-    }
-    const T s3 = momenta_of(first, second, J, lambda, mu, rates).s3;
-    const T inertia = (what_ == TwoPolarVanishing::leaves_mu ? second : first) + third;
-    return rates.omega * inertia - s3;
-  }
-
-  template <class T>
-  static T singular(const LogBalance<T>& elastic, const TwoPolarPull<T>& pull) {
-    const T ll = elastic.uu - pull.ll;
-    const T lm = elastic.uv - pull.lm;
-    if constexpr (circle) {
-      return determinant(
-          SquareArray<T, 2>{{{ll + lm, elastic.uw}, {2.0 * elastic.uw, elastic.ww}}});
-    } else {
-      return determinant(SquareArray<T, 3>{{{ll, lm, elastic.uw},
-                                            {lm, elastic.vv - pull.mm, elastic.vw},
-                                            {elastic.uw, elastic.vw, elastic.ww}}});
-    }
-  }
-
-  template <class T>
-  static TwoPolarRates<T> rates_of(const T&, const T&, const T&, const TwoPolarRates<T>& rates) {
-    return rates;
-  }
-  template <class T>
-  static TwoPolarRates<T> rates_of(const T& J, const T& lambda, const T& mu,
-                                   const TwoPolarMomenta<T>& momenta) {
-    return two_polar_rates(J, Vector3<T>{lambda, mu, lambda}, momenta);
-  }
-  template <class T>
-  static TwoPolarMomenta<T> momenta_of(const T& first, const T& second, const T& J, const T& lambda,
-                                       const T& mu, const TwoPolarRates<T>& rates) {
-    const T product = 2.0 * (J * (lambda * mu));
-    const T squares = first + second;
-    return {squares * rates.omega + product * rates.theta_dot,
-            squares * rates.theta_dot + product * rates.omega};
-  }
-
-  Body body_;
-  Motion<double> motion_;
-  FamilyParameter parameter_;
-  TwoPolarVanishing what_;
-  VariedElastic elastic_;
-};
-
-/// Of two candidates the one that is nearer to zero.
-std::optional<TwoPolarVanishing> vanishing_at(EventType type, bool circle, const Member& near) {
-  const auto& rates = near.two_polar->rates;
-  const Vector3<double> m = second_moments(near.body, near.q);
-  const auto gap = [](double a, double b) { return std::abs(a - b) / (std::abs(a) + std::abs(b)); };
-  const double s3 = near.two_polar->momenta.s3;
-  switch (type) {
-    case EventType::fold_nu:
-      return TwoPolarVanishing::fold;
-    case EventType::fold_momentum:
-      return near.two_polar->by_momenta ? TwoPolarVanishing::fold
-                                        : TwoPolarVanishing::momentum_fold;
-    case EventType::ellipse:
-      if (!circle) return std::nullopt;
-      return std::abs(near.shear_stiffness) < std::abs(near.turn) ? TwoPolarVanishing::ellipse
-                                                                  : TwoPolarVanishing::shear;
-    case EventType::tilt:
-      if (circle) return TwoPolarVanishing::leaves_circle;
-      return gap(rates.omega, s3 / (m[1] + m[2])) < gap(rates.omega, s3 / (m[0] + m[2]))
-                 ? TwoPolarVanishing::leaves_mu
-                 : TwoPolarVanishing::leaves_lambda;
-    default:
-      return std::nullopt;
-  }
-}
 
 template <class Model, template <class> class Motion>
 class TwoPolarFamily final
@@ -199,7 +33,7 @@ class TwoPolarFamily final
         potential_(potential) {}
 
   Branch branch() const override { return Branch::iii; }
-  bool two_polar() const override { return true; }
+  KindEvents events() const override { return two_polar_events(); }
   bool along_nu() const override { return false; }
   bool material_symmetry() const override { return true; }
 
@@ -308,26 +142,27 @@ class TwoPolarFamily final
     out.body = body;
     out.q = {0.0, x[0], x[1], double(rho)};
     out.error_bound = std::max(error_bound, rho_bound);
-    TwoPolarEquilibrium found;
-    found.x = {x[0], x[1], out.q.rho};
+    Equilibrium found;
+    found.q = out.q;
     found.circle = x[0] == x[1];
     set_motion(body, TwoPolarMotion(at.motion), found);
-    out.two_polar = TwoPolarMember{found.rates, found.momenta, by_momenta};
-    out.nu = found.rates.omega + found.rates.theta_dot;
-    out.angular_velocity = {0.0, 0.0, out.nu};
+    const TwoPolarRates<double>& rates = found.two_polar->rates;
+    out.two_polar = TwoPolarMember{*found.two_polar, by_momenta};
+    out.nu = found.nu[2];
+    out.angular_velocity = found.nu;
     ++this->evaluations_.second_derivatives;
     ++this->evaluations_.jacobians;  // the shear stiffness below
     const auto v = potential_derivatives<2>(at.model, out.q);
-    out.residual = two_polar_residual_check(body, v, found);
+    out.residual = two_polar_residual_check(body, v, out.q, rates);
     out.compatibility = 0.0;  // both vectors lie along axis 3
     out.energy =
-        two_polar_kinetic_energy(body.J1, found.x, found.rates) + elastic_energy(at.model, out.q);
+        two_polar_kinetic_energy(body.J1, diagonal(out.q), rates) + elastic_energy(at.model, out.q);
     const Linearized<N> all = system(at).linearize(x);
     const double across = all.jacobian(0, 0) - all.jacobian(0, 1);
     out.shear_stiffness = across / (x[0] * x[1]);
     if (found.circle) {
       // Half K_alpha,alpha of the same motion in (iii), from the elastic part of the above.
-      const auto pull = two_polar_pull(body.J1, x[0], x[1], found.rates);
+      const auto pull = two_polar_pull(body.J1, x[0], x[1], rates);
       const double own = body.J1 * out.nu * out.nu;
       out.turn = (across + (pull.ll - pull.lm) - pull.lambda) / (x[0] * x[1]) - own;
     }
@@ -400,15 +235,15 @@ class TwoPolarFamily final
     return {DoubleDouble(x[0], tail[0]), DoubleDouble(x[1], tail[1]), rho};
   }
 
-  Spectrum spectrum(const Setting& at, const TwoPolarEquilibrium& found,
+  Spectrum spectrum(const Setting& at, const Equilibrium& found,
                     const std::array<DoubleDouble, 3>& x, double error_bound) const {
     ++this->evaluations_.spectra;
     if (found.circle) {
-      return model_stability(at.body, Branch::iii, at.model, x,
-                             found.rates.omega + found.rates.theta_dot, error_bound);
+      return model_stability(at.body, Branch::iii, at.model, x, found.nu[2], error_bound);
     }
     const double bound = std::isnan(error_bound) ? 1e-15 : std::max(error_bound, 0x1p-53);
-    return two_polar_stability(at.body, at.model, x, found.rates, found.momenta.s3, bound);
+    return two_polar_stability(at.body, at.model, x, found.two_polar->rates,
+                               found.two_polar->momenta.s3, bound);
   }
 
   FamilyParameter parameter_;

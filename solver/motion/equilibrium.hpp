@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -52,12 +53,21 @@ struct Counts {
   }
 };
 
+/// The motion of a two-polar ellipsoid.
+struct TwoPolarState {
+  TwoPolarRates<double> rates;
+  TwoPolarMomenta<double> momenta;
+};
+
 struct Equilibrium {
   SolveStatus status = SolveStatus::not_run;
   std::string message;  ///< for a person: how it was found, or why not
   Stretch q{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
             std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   Vector3<double> nu = Vector3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
+  /// Two-polar: S is diag(lambda, mu, rho) then, and nu what it is at theta = 0.
+  std::optional<TwoPolarState> two_polar;
+  bool circle = false;                                              ///< two-polar: lambda = mu
   double residual = std::numeric_limits<double>::quiet_NaN();       ///< BalanceCheck::residual
   double compatibility = std::numeric_limits<double>::quiet_NaN();  ///< BalanceCheck::compatibility
   /// Estimated bound of the relative error of each of xi, zeta, rho (of alpha relative to sqrt(xi

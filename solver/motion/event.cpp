@@ -11,8 +11,6 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-double relative_difference(double a, double b) { return (a - b) / (a + b); }
-
 /// The Lambdas of one block, ascending, and how many complex pairs it has.
 struct BlockModes {
   std::array<const Mode*, 5> real{};
@@ -45,14 +43,6 @@ std::array<BlockModes, 4> by_block(const Spectrum& spectrum) {
               [](const Mode* a, const Mode* b) { return a->lambda_re < b->lambda_re; });
   }
   return out;
-}
-
-/// Blocks whose Lambda may leave the real axis; the others are symmetric problems.
-bool may_collide(Block block, const TestContext& context) {
-  if (context.two_polar && !context.circle) return false;
-  if (block == Block::shear || context.oblique) return true;
-  return block == (context.branch == Branch::iii ? Block::even : Block::odd) &&
-         !(context.circle && block == Block::even);
 }
 
 /// Leaves the sign of function k open unless the value it has the sign of is beyond its error.
@@ -111,34 +101,10 @@ void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
   }
 }
 
-/// The locked inertias where alpha is an unknown, about an oblique axis too: in the plane along the
-/// spin's axis and across it (in (iii) the smaller and the larger), and about axis 3. Where the
-/// spin's axis is one of the plane, tilt is where its inertia equals that about axis 3.
-void set_inertia_tests(const Member& member, const TestContext& context, TestValues& out) {
-  const Matrix3<double> I = locked_inertia(member.body, member.q);
-  const double mean = 0.5 * (I(0, 0) + I(1, 1));
-  const double radius = std::hypot(0.5 * (I(0, 0) - I(1, 1)), I(0, 1));
-  double first = mean - radius;
-  double second = mean + radius;
-  if (context.oblique) {
-    if (member.nu == 0.0) return;
-    const Vector3<double> axis = member.angular_velocity.normalized();
-    first = axis.dot(I * axis);
-    second = I(0, 0) + I(1, 1) - first;
-    out.value[TestValues::inertia_12] = relative_difference(first, second);
-  }
-  out.value[TestValues::inertia_13] = relative_difference(I(2, 2), first);
-  out.value[TestValues::inertia_23] = relative_difference(I(2, 2), second);
-}
-
-/// Those of a spin about a material axis; m: second_moments().
-void set_axis_tests(const Member& member, const TestContext& context, const Vector3<double>& m,
-                    TestValues& out) {
+/// Those of a spin about a material axis.
+void set_axis_tests(const Member& member, const TestContext& context, TestValues& out) {
   const Body& J = member.body;
-  if (context.sheared) {
-    set_inertia_tests(member, context, out);
-    return;
-  }
+  const Vector3<double> m = second_moments(J, member.q);
   out.value[TestValues::inertia_13] = relative_difference(m[2], m[0]);
   if (!context.circle) {  // there the axes 1 and 2 are alike
     out.value[TestValues::inertia_12] = relative_difference(m[1], m[0]);
@@ -160,46 +126,24 @@ void set_axis_tests(const Member& member, const TestContext& context, const Vect
   }
 }
 
-/// a and b of the wobble Lambda = -a b (lib/stability/linearization.hpp); the stiffness at fixed
-/// momenta by its Lambdas, which are real.
-void set_two_polar_tests(const Member& member, const TestContext& context, const Vector3<double>& m,
-                         TestValues& out) {
-  const auto& rates = member.two_polar->rates;
-  const auto& momenta = member.two_polar->momenta;
-  if (context.circle) {
-    const double pull = 2.0 * member.body.J1 * member.nu * member.nu;
-    out.value[TestValues::ellipse] =
-        member.shear_stiffness / (std::abs(member.shear_stiffness) + pull);
-    // Ellipses branch off at these rates, and where the circle itself, as a motion of (iii), has
-    // its own: only omega + theta' matters to it.
-    const double own = member.body.J1 * member.nu * member.nu;
-    out.value[TestValues::turn] = member.turn / (std::abs(member.turn) + 2.0 * own);
-    out.value[TestValues::inertia_13] = relative_difference(m[2], m[0]);
-    return;
-  }
-  const auto axis_leaves = [&](double inertia) {
-    const double turn = momenta.s3 / inertia;
-    return (rates.omega - turn) / (std::abs(rates.omega) + std::abs(turn));
-  };
-  out.value[TestValues::inertia_13] = axis_leaves(m[1] + m[2]);
-  out.value[TestValues::inertia_23] = axis_leaves(m[0] + m[2]);
-  if (member.two_polar->by_momenta) {  // what turns is a momentum
-    out.value[TestValues::momentum] = out.value[TestValues::fold];
-    out.value[TestValues::fold] = none;
-  } else if (member.spectrum) {
-    double product = 1.0;
-    double largest = 0.0;
-    const auto blocks = by_block(*member.spectrum);
-    for (const Mode* mode : blocks[static_cast<std::size_t>(Block::even)].real) {
-      if (mode == nullptr) continue;
-      product *= mode->lambda_re;
-      largest = std::max(largest, std::abs(mode->lambda_re));
-    }
-    out.value[TestValues::momentum] = product / (largest * largest * largest);
-  }
+bool axis_may_collide(Block block, const TestContext& context) {
+  if (block == Block::shear) return true;
+  return block == (context.branch == Branch::iii ? Block::even : Block::odd) &&
+         !(context.circle && block == Block::even);
 }
 
 }  // namespace
+
+KindEvents axis_events() {
+  return {.set = set_axis_tests,
+          .may_collide = axis_may_collide,
+          .turn = EventType::none,  // by its branch
+          .mirror = EventType::none,
+          .mirror_reason = {},
+          .end = EventType::none,
+          .end_reason = nullptr,
+          .circle_on_own_leaf = false};
+}
 
 EventSet TestContext::sought_for(EventSet asked) {
   if (asked.has(EventType::krein_pass) || asked.has(EventType::unexplained)) return {};
@@ -220,18 +164,9 @@ TestValues test_values(const Member& member, const TestContext& context, double 
   out.value.fill(none);
   out.value[TestValues::fold] = fold;
   out.value[TestValues::momentum] = momentum;
-  const Vector3<double> m = second_moments(member.body, member.q);
   out.value[TestValues::tilt_in_plane] = member.tilt_in_plane;
   out.value[TestValues::tilt_normal] = member.tilt_normal;
-  if (context.two_polar) {
-    set_two_polar_tests(member, context, m, out);
-  } else if (context.tilted) {
-    // Where J1 = J2 only an end is on the circle.
-    if (!member.body.symmetric())
-      out.value[TestValues::inertia_12] = relative_difference(m[1], m[0]);
-  } else {
-    set_axis_tests(member, context, m, out);
-  }
+  context.kind.set(member, context, out);
   // The locked inertias are as uncertain as the squares of the stretches.
   for (const std::size_t k :
        {TestValues::inertia_12, TestValues::inertia_13, TestValues::inertia_23})
@@ -240,7 +175,8 @@ TestValues test_values(const Member& member, const TestContext& context, double 
       (context.seeks(TestValues::collision) || context.seeks(TestValues::crossings))) {
     const auto blocks = by_block(*member.spectrum);
     for (const Block block : {Block::even, Block::odd, Block::shear}) {
-      if (may_collide(block, context)) set_collision(blocks[static_cast<std::size_t>(block)], out);
+      if (context.kind.may_collide(block, context))
+        set_collision(blocks[static_cast<std::size_t>(block)], out);
     }
     set_crossings(blocks, out);
   }
@@ -265,7 +201,7 @@ EventType event_type(std::size_t k, const TestContext& context, const TestValues
     case TestValues::ellipse:
       return EventType::ellipse;
     case TestValues::turn:
-      if (context.two_polar) return EventType::ellipse;
+      if (context.kind.turn != EventType::none) return context.kind.turn;
       return context.branch == Branch::iii ? EventType::shear : EventType::oblique;
     case TestValues::collision:
       return at.collides_imaginary ? EventType::hamiltonian_hopf : EventType::real_collision;

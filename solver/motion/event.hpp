@@ -119,11 +119,8 @@ struct TestContext {
   Branch branch;
   bool material_symmetry;
   bool circle;
-  bool tilted = false;
-  bool two_polar = false;
+  KindEvents kind = axis_events();
   EventSet sought = {};  ///< functions of no other events are evaluated or followed
-  bool oblique = false;
-  bool sheared = false;  ///< alpha among the unknowns
 
   /// Those to look for so that the ones asked for are found: a turn of the parameter and the end of
   /// a tilted family end a sheet; between which zeros blocks keep their signs, all of them say.
@@ -135,6 +132,9 @@ struct TestContext {
 /// curve, relative.
 TestValues test_values(const Member& member, const TestContext& context, double fold,
                        double momentum, double error = 0.0);
+
+/// (a - b)/(a + b), as two locked inertias are compared.
+constexpr double relative_difference(double a, double b) { return (a - b) / (a + b); }
 
 /// What a zero of function k is; none where it is no event (equal signatures, say).
 EventType event_type(std::size_t k, const TestContext& context, const TestValues& at);

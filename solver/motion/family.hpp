@@ -20,6 +20,7 @@
 #include "lib/body/stretch.hpp"
 #include "lib/material/models/tape_model.hpp"
 #include "lib/stability/spectrum.hpp"
+#include "solver/motion/equilibrium.hpp"
 #include "solver/newton/refine.hpp"
 
 namespace stationary {
@@ -34,9 +35,7 @@ struct FamilyLinearization {
 };
 
 /// What a two-polar motion has beside its stretches.
-struct TwoPolarMember {
-  TwoPolarRates<double> rates;
-  TwoPolarMomenta<double> momenta;
+struct TwoPolarMember : TwoPolarState {
   bool by_momenta;  ///< those are what the family holds or varies
 };
 
@@ -97,6 +96,26 @@ struct ExtendedEvent {
   double parameter_bound;  ///< relative
 };
 enum class EventType : std::uint8_t;
+struct TestContext;
+struct TestValues;
+
+/// What a kind of motion says of its events, beside the functions that all kinds share.
+struct KindEvents {
+  /// Sets the functions of the inertias, of ellipse and turn, and others that mean something else.
+  void (*set)(const Member& member, const TestContext& context, TestValues& out);
+  /// Whether Lambdas of a block may leave the real axis; those of others are a symmetric problem's.
+  bool (*may_collide)(Block block, const TestContext& context);
+  EventType turn;    ///< what a zero of the function `turn` is
+  EventType mirror;  ///< where the family meets its own mirror image
+  std::string_view mirror_reason;
+  /// The event that ends the family, beyond which its members are none (Member::beyond_end()).
+  EventType end;
+  std::string_view (*end_reason)(const Member& at);
+  /// The modes of a circle of the family are those of (iii), on another leaf than its ellipses'.
+  bool circle_on_own_leaf;
+};
+/// Of a spin about a material axis, alpha = 0.
+KindEvents axis_events();
 
 /// The locked inertia about the spin's axis and half its derivatives in ln x.
 template <int N>
@@ -142,12 +161,8 @@ class Family {
   /// The axis whose locked inertia is the spin's; tilted: (iii), of the two that are equal;
   /// two-polar: (iii).
   virtual Branch branch() const = 0;
-  virtual bool tilted() const { return false; }
-  virtual bool two_polar() const { return false; }
-  /// nu in the plane of axes 1 and 2, its direction among the unknowns; branch(): (i).
-  virtual bool oblique() const { return false; }
-  /// alpha among the unknowns.
-  virtual bool sheared() const { return false; }
+  /// What there is to say of its events (event.hpp).
+  virtual KindEvents events() const { return axis_events(); }
   /// The unknown (its place in x) that a reflection of an even V inverts: x and its image are one
   /// motion and its mirror image, and where it is 1 a family with alpha = 0 is met.
   virtual std::optional<int> mirrored() const { return std::nullopt; }

@@ -36,16 +36,19 @@ std::string RatesVerdict::line_message() const {
          "instead";
 }
 
-void set_motion(const Body& body, const TwoPolarMotion& motion, TwoPolarEquilibrium& at) {
+void set_motion(const Body& body, const TwoPolarMotion& motion, Equilibrium& at) {
+  const Vector3<double> x = diagonal(at.q);
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&motion)) {
-    at.rates = *rates;
-    at.momenta = two_polar_momenta(body.J1, at.x, rates->omega, rates->theta_dot);
-    return;
+    at.two_polar = {*rates, two_polar_momenta(body.J1, x, rates->omega, rates->theta_dot)};
+  } else {
+    const auto& momenta = std::get<TwoPolarMomenta<double>>(motion);
+    at.two_polar = {at.circle
+                        ? TwoPolarRates<double>{momenta.s3 / (2.0 * body.J1 * x[0] * x[0]), 0.0}
+                        : two_polar_rates(body.J1, x, momenta),
+                    momenta};
   }
-  at.momenta = std::get<TwoPolarMomenta<double>>(motion);
-  at.rates = at.circle
-                 ? TwoPolarRates<double>{at.momenta.s3 / (2.0 * body.J1 * at.x[0] * at.x[0]), 0.0}
-                 : two_polar_rates(body.J1, at.x, at.momenta);
+  const TwoPolarRates<double>& rates = at.two_polar->rates;
+  at.nu = {0.0, 0.0, rates.omega + rates.theta_dot};
 }
 
 void require_two_polar(const Body& body, const TwoPolarMotion& motion) {
@@ -60,14 +63,21 @@ void require_two_polar(const Body& body, const TwoPolarMotion& motion) {
 }
 
 double two_polar_residual_check(const Body& body, const PotentialDerivatives<double>& v,
-                                const TwoPolarEquilibrium& at) {
+                                const Stretch& q, const TwoPolarRates<double>& rates) {
+  const Vector3<double> x = diagonal(q);
   const Vector3<double> gradient = v.gradient.tail<3>();
-  const auto pull = two_polar_pull(body.J1, at.x[0], at.x[1], at.rates);
-  const Vector3<double> force{pull.lambda / at.x[0], pull.mu / at.x[1], 0.0};
-  const double largest = std::max(
-      {gradient.cwiseAbs().maxCoeff(), std::abs(pull.ll / at.x[0]), std::abs(pull.mm / at.x[1]),
-       (v.hessian.bottomRightCorner<3, 3>() * at.x.asDiagonal()).cwiseAbs().maxCoeff()});
+  const auto pull = two_polar_pull(body.J1, x[0], x[1], rates);
+  const Vector3<double> force{pull.lambda / x[0], pull.mu / x[1], 0.0};
+  const double largest =
+      std::max({gradient.cwiseAbs().maxCoeff(), std::abs(pull.ll / x[0]), std::abs(pull.mm / x[1]),
+                (v.hessian.bottomRightCorner<3, 3>() * x.asDiagonal()).cwiseAbs().maxCoeff()});
   return (gradient - force).cwiseAbs().maxCoeff() / largest;
+}
+
+void check_motion(const Body& body, const Potential& potential, Equilibrium& at) {
+  at.residual =
+      two_polar_residual_check(body, potential.derivatives(at.q), at.q, at.two_polar->rates);
+  at.compatibility = 0.0;
 }
 
 }  // namespace stationary

@@ -1,5 +1,5 @@
-// A two-polar stationary motion (J1 = J2) as a problem and as an answer: lambda, mu, rho with the
-// rates (omega, theta') and the momenta (s3, p_theta); equations in lib/balance/two_polar.hpp.
+// What a two-polar stationary motion (J1 = J2) asks for, and its rates and momenta; equations in
+// lib/balance/two_polar.hpp.
 //
 // At fixed rates some potentials have lambda != mu only on a line of solutions:
 //   reciprocal-determinant, neo-hookean: only where J (omega^2 + theta'^2) = k (mu), t free;
@@ -18,23 +18,6 @@
 
 namespace stationary {
 
-using TwoPolarMotion = std::variant<TwoPolarRates<double>, TwoPolarMomenta<double>>;
-
-struct TwoPolarEquilibrium {
-  SolveStatus status = SolveStatus::not_run;
-  std::string message;
-  /// (lambda, mu, rho), NaN unless solved.
-  Vector3<double> x = Vector3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
-  TwoPolarRates<double> rates{std::numeric_limits<double>::quiet_NaN(),
-                              std::numeric_limits<double>::quiet_NaN()};
-  TwoPolarMomenta<double> momenta{std::numeric_limits<double>::quiet_NaN(),
-                                  std::numeric_limits<double>::quiet_NaN()};
-  double residual = std::numeric_limits<double>::quiet_NaN();     ///< as Equilibrium::residual
-  double error_bound = std::numeric_limits<double>::quiet_NaN();  ///< as Equilibrium::error_bound
-  bool circle = false;
-  Counts counts;
-};
-
 /// The line of solutions at fixed rates, or that there is none off the circle: the reason, and
 /// whether the rates lie on it.
 struct RatesVerdict {
@@ -47,14 +30,16 @@ struct RatesVerdict {
 std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
                                           const TwoPolarRates<double>& rates);
 
-/// The equilibrium's rates and momenta, from x and circle; on the circle of given momenta, where
+/// The equilibrium's rates, momenta and nu, from q and circle; on the circle of given momenta, where
 /// s3 = p_theta and only the sum of the rates is determined, theta' = 0.
-void set_motion(const Body& body, const TwoPolarMotion& motion, TwoPolarEquilibrium& at);
+void set_motion(const Body& body, const TwoPolarMotion& motion, Equilibrium& at);
 
-/// The balance residual from the numbers x and rates, relative to the largest term; v at x, to
+/// The balance residual from the numbers q and rates, relative to the largest term; v at q, to
 /// second order.
 double two_polar_residual_check(const Body& body, const PotentialDerivatives<double>& v,
-                                const TwoPolarEquilibrium& at);
+                                const Stretch& q, const TwoPolarRates<double>& rates);
+/// That, with v of the potential, and compatibility, which two vectors along axis 3 keep.
+void check_motion(const Body& body, const Potential& potential, Equilibrium& at);
 
 /// Throws std::invalid_argument unless J1 = J2 and the motion is finite.
 void require_two_polar(const Body& body, const TwoPolarMotion& motion);

@@ -4,7 +4,7 @@
 // one, else by the whole leaf (leaf_enclosure.hpp).
 #pragma once
 
-#include "solver/motion/rotations.hpp"
+#include "lib/body/motion.hpp"
 #include "solver/proof/certify.hpp"
 
 namespace stationary {

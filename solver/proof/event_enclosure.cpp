@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lib/body/inertia.hpp"
+#include "solver/proof/enclosed_event.hpp"
 #include "solver/proof/event_system.hpp"
-#include "solver/proof/krawczyk.hpp"
 
 namespace stationary {
 namespace {
@@ -101,35 +101,8 @@ std::vector<Sought> sought(EventType type, Branch branch, const Member& member) 
   }
 }
 
-/// Newton in double from the located event: its own accuracy is that of a bracket.
-template <class System>
-bool polish(const System& system, ReducedVector<System::dimension>& y) {
-  constexpr int N = System::dimension;
-  constexpr int most = 12;
-  double before = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < most; ++k) {
-    Box<N> point;
-    for (int i = 0; i < N; ++i) point[static_cast<std::size_t>(i)] = y[i];
-    const auto at = system.linearize(point);
-    ReducedVector<N> g;
-    for (int i = 0; i < N; ++i) g[i] = at.g[static_cast<std::size_t>(i)].mid();
-    const ReducedVector<N> step = -(at.middle().inverse().entries * g);
-    const double size = step.cwiseAbs().maxCoeff();
-    if (!std::isfinite(size) || size > 0.1) return false;
-    if (size >= before) return true;  // at rounding
-    y = (y.array() * step.array().exp()).matrix();
-    if (size < 1e-15) return true;
-    before = size < 1e-10 ? size : std::numeric_limits<double>::infinity();
-  }
-  return true;
-}
-
-/// Of |x/y - 1| over all y in Y.
-double distance(double x, const Interval& y) { return (x / y - Interval(1.0)).magnitude(); }
-
 template <bool circle, bool spectral>
-void enclose(const EventSetting& setting, const Sought& what, const Member& member,
-             EventEnclosure& out) {
+EventEnclosure enclose(const EventSetting& setting, const Sought& what, const Member& member) {
   using System = EventSystem<circle, spectral>;
   const System system(setting, what.function);
   ReducedVector<System::dimension> y;
@@ -139,29 +112,9 @@ void enclose(const EventSetting& setting, const Sought& what, const Member& memb
   y[p - 1] = member.q.rho;
   y[p] = member.parameter;
   if constexpr (spectral) y[p + 1] = what.lambda;
-  if (member.parameter == 0.0 || !polish(system, y)) {
-    out.reason = "the event's equations are singular here, or have no solution near by";
-    return;
-  }
-  const auto proof = Krawczyk(system, y).prove();
-  if (!proof.proven) {
-    out.reason = "the event's equations are too near to singular for a proof";
-    return;
-  }
-  const auto& found = proof.solution;
-  out.q = {found[0], found[circle ? 0 : 1], found[p - 1]};
-  out.parameter = found[p];
-  const double bound =
-      std::max({distance(member.q.xi, out.q.xi), distance(member.q.zeta, out.q.zeta),
-                distance(member.q.rho, out.q.rho)});
-  // Another event than the one located is no proof of that.
-  constexpr double near = 1e-4;
-  if (!(bound < near) || !(distance(member.parameter, out.parameter) < near)) {
-    out.reason = "the event proven near by is not the one located";
-    return;
-  }
-  out.proven = true;
-  out.error_bound = bound;
+  return enclosed_event(system, y, p, member, [](const Box<System::dimension>& found) {
+    return StretchBox{found[0], found[circle ? 0 : 1], found[p - 1]};
+  });
 }
 
 template <bool circle, bool spectral>
@@ -211,11 +164,11 @@ EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& para
       problem.body(), problem.potential(), problem.branch(), member.nu, parameter, circle, inputs};
   for (const Sought& what : sought(type, problem.branch(), member)) {
     if (what.function.spectral()) {
-      circle ? enclose<true, true>(setting, what, member, out)
-             : enclose<false, true>(setting, what, member, out);
+      out = circle ? enclose<true, true>(setting, what, member)
+                   : enclose<false, true>(setting, what, member);
     } else {
-      circle ? enclose<true, false>(setting, what, member, out)
-             : enclose<false, false>(setting, what, member, out);
+      out = circle ? enclose<true, false>(setting, what, member)
+                   : enclose<false, false>(setting, what, member);
     }
     if (out.proven) break;
   }
@@ -239,5 +192,23 @@ std::optional<ExtendedEvent<3>> extended_event(const Problem& problem,
   }
   return std::nullopt;
 }
+
+template <int N>
+LogBalance<BoxDual<N>> elastic_over(const Potential& potential, const FamilyParameter& parameter,
+                                    const std::array<BoxDual<N>, 3>& x, const BoxDual<N>& p,
+                                    Inputs inputs) {
+  using T = BoxDual<N>;
+  const CentrifugalRates<T> at_rest{T(0.0), T(0.0), T(0.0)};
+  return varied_balance(potential, x[0], x[1], x[2], at_rest,
+                        [&](double value, FamilyParameter::Kind kind, int index) {
+                          return varies(parameter, kind, index) ? p : T(as_input(value, inputs));
+                        });
+}
+template LogBalance<BoxDual<3>> elastic_over<3>(const Potential&, const FamilyParameter&,
+                                                const std::array<BoxDual<3>, 3>&, const BoxDual<3>&,
+                                                Inputs);
+template LogBalance<BoxDual<4>> elastic_over<4>(const Potential&, const FamilyParameter&,
+                                                const std::array<BoxDual<4>, 3>&, const BoxDual<4>&,
+                                                Inputs);
 
 }  // namespace stationary

@@ -11,9 +11,11 @@
 // corrected by, and its error bound comes from.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
+#include "lib/number/dual.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"
@@ -40,6 +42,16 @@ bool has_enclosure(EventType type);
 EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& parameter, bool circle,
                              EventType type, const Member& member,
                              Inputs inputs = Inputs::decimals);
+
+template <int N>
+using BoxDual = Dual<Interval, static_cast<std::size_t>(N)>;
+
+/// The elastic part of an isotropic potential's balance over a box of (xi, zeta, rho), p the
+/// parameter where it is a coefficient; N = 3 or 4 unknowns of the event's equations.
+template <int N>
+LogBalance<BoxDual<N>> elastic_over(const Potential& potential, const FamilyParameter& parameter,
+                                    const std::array<BoxDual<N>, 3>& x, const BoxDual<N>& p,
+                                    Inputs inputs);
 
 /// The event of this type near a located member by the same equations, in extended precision: x is
 /// (xi, zeta, rho). Nothing where they are singular or are not known.

@@ -3,7 +3,7 @@
 // nu are its components.
 #pragma once
 
-#include "solver/motion/rotations.hpp"
+#include "lib/body/motion.hpp"
 #include "solver/proof/certify.hpp"
 
 namespace stationary {

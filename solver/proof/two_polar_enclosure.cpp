@@ -11,8 +11,8 @@ namespace stationary {
 namespace {
 
 template <int N>
-ReducedVector<N> unknowns_of(const TwoPolarEquilibrium& at) {
-  return at.x.template head<N>();
+ReducedVector<N> unknowns_of(const Equilibrium& at) {
+  return diagonal(at.q).template head<N>();
 }
 
 template <class Unknowns>
@@ -22,7 +22,7 @@ StretchBox stretch_box(const Unknowns& plane, const Interval& rho) {
 
 template <class Model, template <class> class Motion>
 void certify_model(const Model& model, const Motion<double>& motion, const Body& body,
-                   const TwoPolarEquilibrium& at, Inputs inputs, Certificate& out) {
+                   const Equilibrium& at, Inputs inputs, Certificate& out) {
   const auto system = two_polar_box_system(body.J1, model, motion, inputs);
   constexpr int N = decltype(system)::dimension;
   const ReducedVector<N> x = unknowns_of<N>(at);
@@ -37,7 +37,7 @@ void certify_model(const Model& model, const Motion<double>& motion, const Body&
   } else {
     const auto thickness = interval_model(model.thickness, inputs);
     const ThicknessBoxSystem<std::remove_cv_t<decltype(thickness)>> axial_system{thickness, 0.0};
-    const ReducedVector<1> rho(at.x[2]);
+    const ReducedVector<1> rho(at.q.rho);
     const Krawczyk axial_test(axial_system, rho);
     const auto axial = prove_solution(axial_test, rho, "rho", out);
     if (!axial.proven) return;
@@ -59,11 +59,12 @@ void prove_shape(bool circle, Certificate& out) {
                       : "lambda > mu is not proven: the circle lambda = mu is too near";
 }
 
-bool has_motion(const TwoPolarEquilibrium& at, const TwoPolarMotion& motion) {
+bool has_motion(const Equilibrium& at, const TwoPolarMotion& motion) {
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&motion))
-    return at.rates.omega == rates->omega && at.rates.theta_dot == rates->theta_dot;
+    return at.two_polar->rates.omega == rates->omega &&
+           at.two_polar->rates.theta_dot == rates->theta_dot;
   const auto& momenta = std::get<TwoPolarMomenta<double>>(motion);
-  return at.momenta.s3 == momenta.s3 && at.momenta.p_theta == momenta.p_theta;
+  return at.two_polar->momenta.s3 == momenta.s3 && at.two_polar->momenta.p_theta == momenta.p_theta;
 }
 
 /// omega and theta' at the solution; on a circle of given momenta their sum and 0.
@@ -81,20 +82,19 @@ TwoPolarRates<Interval> rates_at(const Interval& J, const StretchBox& x, bool ci
 }
 
 /// Not turning in space, exactly.
-bool no_spin(const TwoPolarEquilibrium& at) {
-  return at.circle ? at.rates.omega + at.rates.theta_dot == 0.0 : at.momenta.s3 == 0.0;
+bool no_spin(const Equilibrium& at) {
+  return at.circle ? at.nu[2] == 0.0 : at.two_polar->momenta.s3 == 0.0;
 }
 
 }  // namespace
 
 Certificate certify_two_polar(const Body& body, const Potential& potential,
-                              const TwoPolarMotion& motion, const TwoPolarEquilibrium& equilibrium,
+                              const TwoPolarMotion& motion, const Equilibrium& equilibrium,
                               Inputs inputs) {
   require_two_polar(body, motion);
-  const Vector3<double>& x = equilibrium.x;
-  Certificate out = begun(potential, {0.0, x[0], x[1], x[2]});
+  Certificate out = begun(potential, equilibrium.q);
   if (!out.reason.empty()) return out;
-  if (!has_motion(equilibrium, motion)) {
+  if (!equilibrium.two_polar || !has_motion(equilibrium, motion)) {
     out.reason = "its motion is another than the prescribed one";
   } else {
     potential.visit_parts([&](const auto& model) {
@@ -109,8 +109,7 @@ Certificate certify_two_polar(const Body& body, const Potential& potential,
 }
 
 SpectrumEnclosure enclose_spectrum(const Body& body, const Potential& potential,
-                                   const TwoPolarMotion& motion,
-                                   const TwoPolarEquilibrium& equilibrium,
+                                   const TwoPolarMotion& motion, const Equilibrium& equilibrium,
                                    const Certificate& certificate, const Spectrum& spectrum,
                                    Inputs inputs) {
   if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");

@@ -8,7 +8,7 @@
 // message says how far from a motion the nearest one is.
 #pragma once
 
-#include "solver/motion/rotations.hpp"
+#include "lib/body/motion.hpp"
 #include "solver/search/search.hpp"
 
 namespace stationary {

@@ -48,7 +48,8 @@ struct SearchResult {
   /// Found by Newton's method in the undecided boxes, ascending likewise: error_bound estimated,
   /// and not proven to exist, nor to be all.
   std::vector<Equilibrium> unproven;
-  long boxes = 0;  ///< examined
+  long boxes = 0;        ///< examined
+  bool on_line = false;  ///< nothing was searched: two-polar rates on a line of solutions
 };
 
 /// Throws std::invalid_argument for a nu that is not finite, or unless

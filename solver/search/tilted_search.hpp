@@ -4,7 +4,7 @@
 // to a material one.
 #pragma once
 
-#include "solver/motion/rotations.hpp"
+#include "lib/body/motion.hpp"
 #include "solver/search/search.hpp"
 
 namespace stationary {

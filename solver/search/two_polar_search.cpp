@@ -17,13 +17,13 @@ class TwoPolarSearch {
                  const SearchOptions& options)
       : body_(body), potential_(potential), motion_(motion), options_(options) {}
 
-  TwoPolarSearchResult run() {
+  SearchResult run() {
     potential_.visit_parts([this](const auto& model) {
       visit_motion(motion_, [&](const auto& motion) { run_model(model, motion); });
     });
     for (auto* list : {&out_.solutions, &out_.unproven})
-      std::ranges::sort(*list, {}, [](const TwoPolarEquilibrium& each) {
-        return std::tuple(-each.x[0] / each.x[1], each.x[0], each.x[2]);
+      std::ranges::sort(*list, {}, [](const Equilibrium& each) {
+        return std::tuple(-each.q.xi / each.q.zeta, each.q.xi, each.q.rho);
       });
     if (out_.status != SearchStatus::interrupted)
       out_.status = out_.undecided.empty() ? SearchStatus::complete : SearchStatus::undecided;
@@ -104,17 +104,16 @@ class TwoPolarSearch {
       if (proven) out_.undecided.push_back({l, m, rho_box});
       return;
     }
-    TwoPolarEquilibrium found;
+    Equilibrium found;
     found.status = SolveStatus::solved;
     found.message = found_by_search(proven);
     found.circle = circle;
     if (circle)
       found.message += "; the circle lambda = mu, which depends on omega + theta_dot only";
-    found.x = {lambda, circle ? lambda : mu, rho};
+    found.q = {0.0, lambda, circle ? lambda : mu, rho};
     found.error_bound = error_bound;
     set_motion(body_, motion_, found);
-    found.residual = two_polar_residual_check(
-        body_, potential_.derivatives({0.0, found.x[0], found.x[1], found.x[2]}), found);
+    check_motion(body_, potential_, found);
     if (proven) {
       out_.solutions.push_back(found);
     } else if (found.residual <= acceptable_residual) {
@@ -126,19 +125,19 @@ class TwoPolarSearch {
   const Potential& potential_;
   const TwoPolarMotion& motion_;
   const SearchOptions& options_;
-  TwoPolarSearchResult out_;
+  SearchResult out_;
 };
 
 }  // namespace
 
-TwoPolarSearchResult search_two_polar(const Body& body, const Potential& potential,
-                                      const TwoPolarMotion& motion, const SearchOptions& options) {
+SearchResult search_two_polar(const Body& body, const Potential& potential,
+                              const TwoPolarMotion& motion, const SearchOptions& options) {
   require_two_polar(body, motion);
   require_box(options);
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&motion)) {
     const auto verdict = rates_verdict(body.J1, potential, *rates);
     if (verdict && verdict->on_line) {
-      TwoPolarSearchResult out;
+      SearchResult out;
       out.status = SearchStatus::undecided;
       out.on_line = true;
       out.message = verdict->line_message();

@@ -12,20 +12,10 @@
 
 namespace stationary {
 
-struct TwoPolarSearchResult {
-  SearchStatus status = SearchStatus::not_run;
-  bool on_line = false;  ///< nothing was searched: the rates lie on a line of solutions
-  std::string message;   ///< for a person
-  /// Descending in lambda/mu (circles last), then ascending in lambda; error_bound proven.
-  std::vector<TwoPolarEquilibrium> solutions;
-  std::vector<StretchBox> undecided;          ///< xi, zeta: lambda, mu
-  std::vector<TwoPolarEquilibrium> unproven;  ///< as of SearchResult
-  long boxes = 0;                             ///< examined
-};
-
+/// Solutions descending in lambda/mu (circles last), then ascending in lambda; the xi and zeta of
+/// undecided boxes are lambda and mu.
 /// Throws as require_two_polar(), and for a box search() refuses.
-TwoPolarSearchResult search_two_polar(const Body& body, const Potential& potential,
-                                      const TwoPolarMotion& motion,
-                                      const SearchOptions& options = {});
+SearchResult search_two_polar(const Body& body, const Potential& potential,
+                              const TwoPolarMotion& motion, const SearchOptions& options = {});
 
 }  // namespace stationary

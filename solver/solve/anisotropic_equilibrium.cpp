@@ -8,70 +8,20 @@
 #include <vector>
 
 #include "solver/family/branch_switch.hpp"
-#include "solver/family/follow_sheet.hpp"
 #include "solver/motion/oriented_stability.hpp"
 #include "solver/motion/oriented_system.hpp"
-#include "solver/newton/newton.hpp"
 #include "solver/search/anisotropic_search.hpp"
 #include "solver/solve/anisotropic_rest.hpp"
+#include "solver/solve/family_solve.hpp"
 #include "solver/solve/nonexistence.hpp"
 
 namespace stationary {
 namespace {
 
-/// A family's equations at one p, as Newton's method takes them.
-template <int N>
-struct AtParameter {
-  static constexpr int dimension = N;
-  struct At {
-    ReducedVector<N> g;
-    SmallMatrix<N> jacobian;
-  };
-  const Family<N>& family;
-  double p;
-
-  At linearize(const ReducedVector<N>& x) const {
-    const FamilyLinearization<N> at = family.linearize(x, p);
-    return {at.g, {at.jacobian}};
-  }
-};
-
-/// Keeps the two ends, and events of one type.
-class EndSink final : public CurveSink {
- public:
-  explicit EndSink(EventType kept = EventType::none) : kept_(kept) {}
-
-  void row(const Member& member, EventType event) override {
-    if (count_++ == 0) first_ = {member, event};
-    last_ = {member, event};
-    if (event == kept_ && event != EventType::none) events.push_back(member);
-  }
-  /// The end that is the limit of the range at p.
-  const Member* at(double p) const {
-    for (const auto* end : {&first_, &last_})
-      if (end->second == EventType::limit && end->first.parameter == p) return &end->first;
-    return nullptr;
-  }
-  std::string text() const {
-    std::ostringstream out;
-    out << "from |nu| = " << first_.first.parameter << " (" << name(first_.second) << ") to "
-        << last_.first.parameter << " (" << name(last_.second) << ")";
-    return out.str();
-  }
-
-  std::vector<Member> events;
-
- private:
-  EventType kept_;
-  long count_ = 0;
-  std::pair<Member, EventType> first_;
-  std::pair<Member, EventType> last_;
-};
-
-class AnisotropicSolve {
+class AnisotropicSolve : FamilySolve {
  public:
   AnisotropicSolve(const Body& body, const Potential& potential, const SolveOptions& options)
-      : body_(body), potential_(potential), V_(potential.anisotropic()), options_(options) {}
+      : FamilySolve(body, potential, options), V_(potential.anisotropic()) {}
 
   Equilibrium about_axis(Branch branch, double nu) {
     const double speed = std::abs(nu);
@@ -116,9 +66,6 @@ class AnisotropicSolve {
   bool wants_search() const { return options_.search && options_.method == Method::automatic; }
   /// For a solution and not for all: a tenth of the boxes, whose rest solve.all goes through.
   SearchOptions short_search() const { return {.max_boxes = 1000, .stop = options_.stop}; }
-  bool stopped() const {
-    return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
-  }
   std::unique_ptr<Family<5>> oblique_family(Branch near) const {
     return stationary::oblique_family(body_, V_, {.parameter = {}, .spectrum = false}, near);
   }
@@ -139,7 +86,7 @@ class AnisotropicSolve {
     } else if (nu == 0.0) {
       by_newton(family, family.coordinates(*rest, nu), nu, Connection::rest, "the rest state");
     } else {
-      along(family, *rest, 0.0, nu, "the family through the rest state");
+      to_nu(family, *rest, 0.0, nu, "the family through the rest state");
     }
   }
 
@@ -148,59 +95,15 @@ class AnisotropicSolve {
     how.search = wants_search();
     const AnisotropicRest rest = anisotropic_rest(body_, potential_, how, out_.counts);
     if (rest.q) return rest.q;
-    out_.status = stopped() ? SolveStatus::interrupted : SolveStatus::not_found;
-    out_.message = rest.message;
+    fail(rest.message);
     return std::nullopt;
   }
 
+  /// From a motion of the family at p.
   template <int N>
-  void by_newton(const Family<N>& family, ReducedVector<N> x, double nu, Connection connection,
-                 const std::string& how) {
-    const NewtonResult found = newton(AtParameter<N>{family, nu}, x);
-    out_.counts.newton_steps += found.steps;
-    out_.counts.jacobians += found.steps;
-    ReducedVector<N> tail;
-    Refined refined;
-    if (found.converged) refined = family.refine_at(x, tail, nu);
-    out_.counts.extended_residuals += refined.steps;
-    if (!refined.converged) {
-      out_.status = SolveStatus::not_found;
-      out_.message = how + " did not converge";
-      return;
-    }
-    adopt(family.member(x, tail, nu, refined.error_bound), connection, how);
-  }
-
-  /// From a motion of the family at p to nu.
-  template <int N>
-  void along(const Family<N>& family, const Stretch& q, double p, double nu,
+  void to_nu(const Family<N>& family, const Stretch& q, double p, double nu,
              const std::string& what) {
-    FollowOptions how;
-    how.continuation.from = std::min(p, nu);
-    how.continuation.to = std::max(p, nu);
-    how.continuation.step.tolerance = 1e-7;
-    how.stop = options_.stop;
-    how.events = EventSet::none();
-    EndSink ends;
-    const FollowReport report = follow_family(family, q, p, how, ends);
-    out_.counts.walk_steps += report.counts.steps;
-    out_.counts.jacobians += report.counts.linearizations;
-    if (report.interrupted) {
-      out_.status = SolveStatus::interrupted;
-      return;
-    }
-    if (!report.failure.empty()) {
-      out_.status = SolveStatus::not_found;
-      out_.message = what + ": " + report.failure;
-      return;
-    }
-    if (const Member* member = ends.at(nu)) {
-      adopt(*member, Connection::rest,
-            "along " + what + " in " + std::to_string(report.counts.steps) + " steps");
-      return;
-    }
-    out_.status = SolveStatus::not_found;
-    out_.message = what + " was followed " + ends.text() + ", without coming to |nu| = " + text(nu);
+    along(family, q, p, nu, range(std::min(p, nu), std::max(p, nu), EventSet::none()), what);
   }
 
   void oblique_from(Branch near, double nu) {
@@ -209,34 +112,25 @@ class AnisotropicSolve {
     const std::string axis = near == Branch::i ? "axis 1" : "axis 2";
     const auto family = oblique_family(near);
     if (!V_.shear_free()) {
-      along(*family, *rest, 0.0, nu, "the family that starts about " + axis + " at rest");
+      to_nu(*family, *rest, 0.0, nu, "the family that starts about " + axis + " at rest");
       return;
     }
     // Where the sheet of (i) or (ii) through the rest state lets the axis go.
     const AnyFamily straight =
         anisotropic_family(body_, V_, near, false, {.parameter = {}, .spectrum = false});
-    FollowOptions how;
-    how.continuation.from = 0.0;
-    how.continuation.to = std::max(10.0 * rate(*rest), 2.0 * nu);
-    how.continuation.step.tolerance = 1e-7;
-    how.stop = options_.stop;
-    how.events = EventSet::none().add(EventType::oblique);
-    EndSink sink(EventType::oblique);
-    out_.counts.walk_steps += follow(straight, *rest, 0.0, how, sink).counts.steps;
+    const std::vector<Member> events = events_from_rest(straight, *rest, nu, EventType::oblique);
     std::string failures;
-    for (const Member& event : sink.events) {
+    for (const Member& event : events) {
       if (stopped()) break;
       const auto start = leave_straight(*family, event, near);
       if (!start) continue;
-      along(*family, start->q, start->parameter, nu,
+      to_nu(*family, start->q, start->parameter, nu,
             "the family that leaves " + axis + " at |nu| = " + text(event.nu));
       if (out_.status == SolveStatus::solved) return;
       failures += (failures.empty() ? "" : "; ") + out_.message;
     }
-    out_.status = stopped() ? SolveStatus::interrupted : SolveStatus::not_found;
-    out_.message = sink.events.empty()
-                       ? "no axis leaves " + axis + " on the sheet through the rest state"
-                       : failures;
+    fail(events.empty() ? "no axis leaves " + axis + " on the sheet through the rest state"
+                        : failures);
   }
 
   void off_axis(const Problem& problem, double nu) {
@@ -272,38 +166,7 @@ class AnisotropicSolve {
         "Found by an exhaustive search; whether it is connected to the rest state is not known.";
   }
 
-  void adopt(const Member& member, Connection connection, const std::string& how) {
-    out_.q = member.q;
-    out_.nu = member.angular_velocity;
-    out_.residual = member.residual;
-    out_.compatibility = member.compatibility;
-    out_.error_bound = member.error_bound;
-    out_.connection = connection;
-    out_.message = how;
-    // Near a material axis compatibility is a difference of small products: of |pi| |nu| then.
-    const Vector3<double> pi = locked_inertia(body_, out_.q) * out_.nu;
-    const double mismatch = compatibility_residual(body_, out_.q, out_.nu).norm();
-    const bool solved = out_.residual <= acceptable_residual &&
-                        mismatch <= acceptable_residual * pi.norm() * out_.nu.norm();
-    out_.status = solved ? SolveStatus::solved : SolveStatus::failed;
-    if (!solved) out_.message += "; but the recomputed residual is no equilibrium's";
-  }
-
-  double rate(const Stretch& rest) const {
-    const double stiffness = potential_.derivatives(rest).hessian.diagonal().maxCoeff();
-    return std::sqrt(stiffness / std::min({body_.J1, body_.J2, body_.J3}));
-  }
-  static std::string text(double x) {
-    std::ostringstream out;
-    out << x;
-    return out.str();
-  }
-
-  const Body& body_;
-  const Potential& potential_;
   const AnisotropicPotential& V_;
-  const SolveOptions& options_;
-  Equilibrium out_;
 };
 
 void require_start(const SolveOptions& options) {
@@ -329,21 +192,6 @@ Equilibrium solve_oblique(const Body& body, const Potential& potential,
   require_start(options);
   return AnisotropicSolve(body, potential, options).oblique(motion);
 }
-
-namespace {
-
-/// At the solution in extended precision.
-template <int N>
-std::optional<Spectrum> family_spectrum(const Family<N>& family, const Equilibrium& equilibrium,
-                                        double nu) {
-  ReducedVector<N> x = family.coordinates(equilibrium.q, nu);
-  ReducedVector<N> tail;
-  const Refined refined = family.refine_at(x, tail, nu);
-  if (!refined.converged) return std::nullopt;
-  return family.member(x, tail, nu, equilibrium.error_bound).spectrum;
-}
-
-}  // namespace
 
 std::optional<Spectrum> anisotropic_stability(const Problem& problem,
                                               const Equilibrium& equilibrium) {

@@ -11,6 +11,7 @@
 #include "solver/newton/nlopt_seed.hpp"
 #include "solver/newton/separable_parts.hpp"
 #include "solver/newton/thickness_balance.hpp"
+#include "solver/search/two_polar_search.hpp"
 #include "solver/solve/stability.hpp"
 
 namespace stationary {
@@ -21,7 +22,7 @@ constexpr double least_ellipse = 1e-7;  // lambda/mu - 1 below this is the circl
 class Solver {
  public:
   Solver(const Body& body, const Potential& potential, const SolveOptions& options,
-         TwoPolarEquilibrium& out)
+         Equilibrium& out)
       : body_(body), potential_(potential), options_(options), out_(out) {}
 
   template <template <class> class Motion>
@@ -48,7 +49,7 @@ class Solver {
     using Elastic = decltype(elastic_system(model));
     constexpr int N = Elastic::dimension;
     const TwoPolarSystem<Elastic, TwoPolarRates> system{elastic_system(model), body_.J1, rates};
-    ReducedVector<N> x = out_.x.template head<N>();
+    ReducedVector<N> x = diagonal(out_.q).template head<N>();
     const Refined refined = refine(system, x);
     out_.counts.extended_residuals += refined.steps;
     if (!refined.converged || x[0] != x[1]) return false;
@@ -82,12 +83,12 @@ class Solver {
   /// (lambda, mu, rho), rho by its own balance where it is not an unknown.
   template <class Model, int N>
   void set_stretches(const Model& model, const Eigen::Matrix<double, N, 1>& x) {
-    out_.x = {x[0], x[1], 0.0};
+    out_.q = {0.0, x[0], x[1], 0.0};
     if constexpr (N == 3) {
-      out_.x[2] = x[2];
+      out_.q.rho = x[2];
     } else {
       const ThicknessBalance thickness = balanced_thickness(model.thickness, DoubleDouble(0.0));
-      out_.x[2] = thickness.rho;
+      out_.q.rho = thickness.rho;
       out_.error_bound = std::max(out_.error_bound, thickness.refined.error_bound);
       if (!thickness.refined.converged) {
         out_.status = SolveStatus::failed;
@@ -222,12 +223,12 @@ class Solver {
   const Body& body_;
   const Potential& potential_;
   const SolveOptions& options_;
-  TwoPolarEquilibrium& out_;
+  Equilibrium& out_;
 };
 
 void circle_instead(const Body& body, const Potential& potential,
                     const TwoPolarRates<double>& rates, const SolveOptions& options, Solver& solver,
-                    TwoPolarEquilibrium& out) {
+                    Equilibrium& out) {
   SolveOptions from_rest = options;
   from_rest.start.reset();
   const Equilibrium circle =
@@ -237,7 +238,7 @@ void circle_instead(const Body& body, const Potential& potential,
   if (circle.status != SolveStatus::solved) return;
   out.status = SolveStatus::solved;
   out.circle = true;
-  out.x = {circle.q.xi, circle.q.zeta, circle.q.rho};
+  out.q = circle.q;
   if (!solver.correct_circle(rates)) {
     out.status = SolveStatus::failed;
     out.message += "; the circle lambda = mu did not converge";
@@ -246,15 +247,46 @@ void circle_instead(const Body& body, const Potential& potential,
   out.message += "; this is the circle lambda = mu, which depends on omega + theta_dot only";
 }
 
+/// Of all ellipses in the search's box the one nearest to the unit stretches. False where the search
+/// does not decide whether there is one.
+bool nearest_of_all(const Body& body, const Potential& potential, const TwoPolarMotion& motion,
+                    const SolveOptions& options, Equilibrium& out) {
+  const SearchResult all = search_two_polar(body, potential, motion, {.stop = options.stop});
+  if (all.status == SearchStatus::interrupted) {
+    out.status = SolveStatus::interrupted;
+    return true;
+  }
+  const Equilibrium* nearest = nullptr;
+  const auto distance = [](const Equilibrium& at) {
+    return diagonal(at.q).array().log().abs().maxCoeff();
+  };
+  for (const Equilibrium& each : all.solutions)
+    if (!each.circle && (nearest == nullptr || distance(each) < distance(*nearest)))
+      nearest = &each;
+  if (nearest != nullptr) {
+    const Counts counts = out.counts;
+    out = *nearest;
+    out.counts = counts;
+    out.message = "exhaustive search, of " + std::to_string(all.solutions.size()) +
+                  " motions the ellipse nearest to the unit stretches";
+    return true;
+  }
+  if (all.status != SearchStatus::complete) return false;
+  out.status = SolveStatus::not_found;
+  out.message = "no lambda > mu: exhaustive search, " + all.message;
+  return true;
+}
+
 }  // namespace
 
-TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential,
-                                    const TwoPolarMotion& motion, const SolveOptions& options) {
+Equilibrium solve_two_polar(const Body& body, const Potential& potential,
+                            const TwoPolarMotion& motion, const SolveOptions& options) {
   require_two_polar(body, motion);
   if (options.start) require_positive_definite(*options.start);
 
-  TwoPolarEquilibrium out;
+  Equilibrium out;
   Solver solver(body, potential, options, out);
+  const bool by_nlopt = options.start || !options.search || options.method == Method::nlopt;
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&motion)) {
     const auto verdict = rates_verdict(body.J1, potential, *rates);
     if (verdict && verdict->on_line) {
@@ -265,43 +297,43 @@ TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential
     if (verdict) {
       out.status = SolveStatus::none_exists;
       out.message = "lambda != mu exists only where " + verdict->condition;
-    } else {
+    } else if (by_nlopt || !nearest_of_all(body, potential, motion, options, out)) {
       solver.run(*rates);
     }
     if (out.status == SolveStatus::none_exists || out.status == SolveStatus::not_found)
       circle_instead(body, potential, *rates, options, solver, out);
   } else {
     const auto& momenta = std::get<TwoPolarMomenta<double>>(motion);
-    if (momenta.s3 == momenta.p_theta) {
-      solver.run(TwoPolarEqualMomenta<double>{momenta.s3});
-      if (out.status == SolveStatus::not_found) solver.circle(momenta.s3);
-    } else {
-      solver.run(momenta);
+    const bool equal = momenta.s3 == momenta.p_theta;
+    if (by_nlopt || !nearest_of_all(body, potential, motion, options, out)) {
+      if (equal) {
+        solver.run(TwoPolarEqualMomenta<double>{momenta.s3});
+      } else {
+        solver.run(momenta);
+      }
     }
+    if (equal && out.status == SolveStatus::not_found) solver.circle(momenta.s3);
   }
   if (out.status != SolveStatus::solved) return out;
   set_motion(body, motion, out);
-  out.residual = two_polar_residual_check(
-      body, potential.derivatives({0.0, out.x[0], out.x[1], out.x[2]}), out);
-  if (!(out.residual <= 1e-9)) {
+  check_motion(body, potential, out);
+  if (options.start && !out.circle) out.connection = Connection::given_start;
+  if (!(out.residual <= acceptable_residual)) {
     out.status = SolveStatus::failed;
     out.message += "; but the recomputed balance residual is no equilibrium's";
   }
   return out;
 }
 
-Spectrum stability(const Body& body, const Potential& potential,
-                   const TwoPolarEquilibrium& equilibrium) {
+Spectrum two_polar_stability(const Body& body, const Potential& potential,
+                             const Equilibrium& equilibrium) {
   if (equilibrium.status != SolveStatus::solved)
     throw std::invalid_argument("a spectrum needs a solved equilibrium");
-  const Vector3<double>& x = equilibrium.x;
+  const Vector3<double> x = diagonal(equilibrium.q);
   if (equilibrium.circle) {
-    Equilibrium circle;
-    circle.status = SolveStatus::solved;
-    circle.q = {0.0, x[0], x[1], x[2]};
-    const TwoPolarRates<double>& rates = equilibrium.rates;
-    const double spin = rates.omega + rates.theta_dot;
-    circle.nu = {0.0, 0.0, spin};
+    Equilibrium circle = equilibrium;
+    const TwoPolarRates<double>& rates = equilibrium.two_polar->rates;
+    const double spin = equilibrium.nu[2];
     // Rates of opposite sense cancel in their sum, half a unit of each does not.
     const double spin_error =
         spin == 0.0
@@ -316,7 +348,7 @@ Spectrum stability(const Body& body, const Potential& potential,
     using Elastic = decltype(elastic_system(model));
     constexpr int N = Elastic::dimension;
     const TwoPolarSystem<Elastic, TwoPolarRates> system{elastic_system(model), body.J1,
-                                                        equilibrium.rates};
+                                                        equilibrium.two_polar->rates};
     const auto planar = extended_solution(system, ReducedVector<N>(x.head<N>()));
     DoubleDouble rho;
     if constexpr (N == 3) {
@@ -326,8 +358,8 @@ Spectrum stability(const Body& body, const Potential& potential,
       rho = extended_solution(ThicknessSystem<Thickness>{model.thickness, DoubleDouble(0.0)},
                               ReducedVector<1>(x[2]))[0];
     }
-    return two_polar_stability(body, model, {planar[0], planar[1], rho}, equilibrium.rates,
-                               equilibrium.momenta.s3, u);
+    return two_polar_stability(body, model, {planar[0], planar[1], rho},
+                               equilibrium.two_polar->rates, equilibrium.two_polar->momenta.s3, u);
   });
 }
 

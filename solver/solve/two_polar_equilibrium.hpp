@@ -12,14 +12,16 @@
 
 namespace stationary {
 
-/// Throws as require_two_polar(). options.method is not
-/// used: the search is global (NLopt), then Newton, then refine; options.start replaces the search.
-TwoPolarEquilibrium solve_two_polar(const Body& body, const Potential& potential,
-                                    const TwoPolarMotion& motion, const SolveOptions& options = {});
+/// Without a start all motions are searched for (two_polar_search.hpp) and the ellipse nearest to
+/// the unit stretches is the answer; what that search leaves undecided NLopt and Newton's method
+/// look into. With one: Newton's method there. options.method: automatic, or nlopt without that search. Throws as
+/// require_two_polar().
+Equilibrium solve_two_polar(const Body& body, const Potential& potential,
+                            const TwoPolarMotion& motion, const SolveOptions& options = {});
 
 /// Its spectrum on the leaf |s|, p_theta fixed (lambda != mu), or that of (iii) with nu3 = omega +
 /// theta' on the circle.
-Spectrum stability(const Body& body, const Potential& potential,
-                   const TwoPolarEquilibrium& equilibrium);
+Spectrum two_polar_stability(const Body& body, const Potential& potential,
+                             const Equilibrium& equilibrium);
 
 }  // namespace stationary

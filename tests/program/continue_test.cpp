@@ -9,6 +9,7 @@
 
 #include "solver/motion/event.hpp"
 #include "solver/program/case/case_file.hpp"
+#include "solver/program/case/case_motion.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -122,7 +123,7 @@ TEST(Continue, SpectrumOffChangesNoOtherCell) {
 TEST(Continue, EveryCaseIsFollowedFromEndToEnd) {
   for (const auto& entry : std::filesystem::directory_iterator(STATIONARY_CASES)) {
     const Case input = read_case(entry.path().string());
-    if (input.two_polar()) continue;
+    if (has_rates(input.motion)) continue;
     const bool own = input.continuation.has_value();
     const Outcome outcome =
         continued(entry.path().string(), own ? std::vector<std::string>() : along_nu("0", "3"));
@@ -133,7 +134,7 @@ TEST(Continue, EveryCaseIsFollowedFromEndToEnd) {
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const bool at_end = k == 0 || k + 1 == rows.size();
       const std::string& event = rows[k].at("event");
-      EXPECT_EQ(is_end_name(event) || (input.tilted() && event == "tilt"), at_end)
+      EXPECT_EQ(is_end_name(event) || (input.branch_name() == tilted_name && event == "tilt"), at_end)
           << entry.path() << " row " << k;
       EXPECT_EQ(rows[k].at("branch"), input.branch_name());
       EXPECT_EQ(rows[k].at("sheet"), "1");

@@ -261,10 +261,87 @@ TEST(Map, WrongInputIsRefusedWithItsPlace) {
   const Outcome without = run_program({"map", STATIONARY_CASES "/disc.toml"});
   EXPECT_EQ(without.code, 2);
   EXPECT_THAT(without.err, HasSubstr("map: found no such key"));
-  const Outcome tilted = run_program({"map", STATIONARY_CASES "/tilted.toml", "--set",
-                                      "map.x={parameter=\"nu\",from=0.1,to=2,count=3}"});
-  EXPECT_EQ(tilted.code, 2);
-  EXPECT_THAT(tilted.err, HasSubstr("one of \"i\", \"ii\", \"iii\" for map"));
+  const Outcome backwards = run_program({"map", STATIONARY_CASES "/tilted.toml", "--set",
+                                         "map.x={parameter=\"nu\",from=-1,to=2,count=3}"});
+  EXPECT_EQ(backwards.code, 2);
+  EXPECT_THAT(backwards.err, HasSubstr("expected nu >= 0 (it is the length |nu| there)"));
+}
+
+struct OtherKind {
+  std::string file;
+  std::vector<std::string> axes;  ///< map.x, map.y
+  int solved;                     ///< at least so many cells
+};
+
+/// Of kinds of motion that have no lanes: every cell is what solve says at its numbers.
+TEST(Map, CellsOfEveryKindAreSolvesOfTheirOwn) {
+  const std::vector<OtherKind> kinds{
+      {"tilted.toml",
+       {"map.x={parameter=\"nu\",from=0.0,to=1.08,count=5}",
+        "map.y={parameter=\"body.J.1\",from=1.6,to=1.8,count=3}"},
+       3},
+      {"two_polar.toml",
+       {"map.x={parameter=\"motion.omega\",from=0.9,to=1.3,count=4}",
+        "map.y={parameter=\"potential.plane.lambda\",from=1.5,to=2.5,count=3}"},
+       6},
+      {"two_polar_momenta.toml",
+       {"map.x={parameter=\"motion.s3\",from=0.6,to=0.9,count=3}",
+        "map.y={parameter=\"motion.p_theta\",from=-0.5,to=-0.3,count=2}"},
+       3},
+      {"oblique.toml",
+       {"map.x={parameter=\"nu\",from=0.0,to=0.4,count=3}",
+        "map.y={parameter=\"potential.fibre.k\",from=0.3,to=0.5,count=2}"},
+       3}};
+  for (const OtherKind& kind : kinds) {
+    std::vector<std::string> map{"map", STATIONARY_CASES "/" + kind.file};
+    for (const std::string& axis : kind.axes) {
+      map.emplace_back("--set");
+      map.push_back(axis);
+    }
+    const Outcome summary = run_program(map);
+    EXPECT_EQ(summary.code, 0) << summary.err;
+    EXPECT_THAT(summary.out, HasSubstr("each solved by itself")) << kind.file;
+    map.insert(map.end(), {"-o", "-"});
+    const Outcome outcome = run_program(map);
+    ASSERT_EQ(outcome.code, 0) << kind.file << ": " << outcome.err;
+    map.insert(map.end(), {"--threads", "1"});
+    EXPECT_EQ(run_program(map).out, outcome.out) << kind.file;
+    int solved = 0;
+    for (const Row& row : rows_of(outcome.out)) {
+      std::vector<std::string> solve{"solve", STATIONARY_CASES "/" + kind.file, "-o", "-"};
+      for (const std::string& axis : kind.axes) {
+        const std::string key = axis.substr(axis.find('"') + 1);
+        const std::string parameter = key.substr(0, key.find('"'));
+        solve.emplace_back("--set");
+        solve.push_back((parameter == "nu" ? "motion.nu" : parameter) + "=" + row.at(parameter));
+      }
+      if (row.contains("nu") && number(row.at("nu")) == 0.0) {
+        EXPECT_EQ(row.at("status"), "none-exists") << kind.file;
+        continue;
+      }
+      const Outcome one = run_program(solve);
+      EXPECT_EQ(one.code == 0, row.at("status") == "solved") << kind.file << ": " << one.err;
+      if (one.code != 0) continue;
+      ++solved;
+      const Row expected = rows_of(one.out).front();
+      for (const auto& [column, cell] : expected)
+        if (row.contains(column) && column != "point" && column != "sheet")
+          EXPECT_EQ(row.at(column), cell) << kind.file << " " << column;
+      EXPECT_EQ(row.contains("omega"), expected.contains("omega"));
+    }
+    EXPECT_GE(solved, kind.solved) << kind.file;
+  }
+}
+
+TEST(Map, CellsOfOtherKindsAreProvenWhereThatIsAsked) {
+  const Outcome outcome =
+      run_program({"map", STATIONARY_CASES "/tilted.toml", "--set",
+                   "map.x={parameter=\"nu\",from=1.06,to=1.08,count=3}", "--certify", "-o", "-"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const Row& row : rows_of(outcome.out)) {
+    EXPECT_EQ(row.at("certified"), "yes");
+    EXPECT_EQ(row.at("class_certified"), "yes");
+  }
 }
 
 TEST(Map, CornersOfTheDomainInWhicheverOrder) {

@@ -38,6 +38,7 @@ constexpr std::string_view rooms[] = {
     "solver/family",
     "solver/search",
     "solver/solve",
+    "solver/kind",
     "solver/atlas",
     "solver/batch",
     "solver/batch_spectrum",
@@ -111,6 +112,32 @@ std::vector<std::string> faults(const std::vector<Source>& all) {
     }
   }
   return out;
+}
+
+/// Where a motion's own type may be asked for: the kinds themselves, and what reads and names the
+/// motion of a case. map_grid is the batch of one kind.
+constexpr std::string_view rooms_of_kinds[] = {"solver/kind/", "solver/program/case/",
+                                               "lib/body/motion.hpp",
+                                               "solver/program/rows/map_grid.cpp"};
+
+/// The sources that ask which kind a motion is.
+std::vector<std::string> asking(const std::vector<Source>& all) {
+  std::vector<std::string> out;
+  for (const Source& source : all) {
+    const auto allowed = [&](std::string_view start) { return source.path.starts_with(start); };
+    if (std::ranges::any_of(rooms_of_kinds, allowed)) continue;
+    for (const char* kind : {"AxisRotation", "TiltedMotion", "ObliqueRotation", "TwoPolarMotion"})
+      for (const char* question : {"get<", "get_if<", "holds_alternative<"})
+        if (source.text.find(std::string(question) + kind + ">") != std::string::npos)
+          out.push_back(source.path + " asks for " + kind);
+  }
+  return out;
+}
+
+TEST(Rooms, NothingOutsideAKindAsksWhichItIs) {
+  EXPECT_THAT(asking(sources()), IsEmpty());
+  EXPECT_THAT(asking({{"solver/atlas/a.cpp", "std::get_if<TiltedMotion>(&motion)"}}),
+              ElementsAre(HasSubstr("asks for TiltedMotion")));
 }
 
 TEST(Rooms, EveryFileIsInOneAndIncludesNothingAbove) {

@@ -60,15 +60,13 @@ std::optional<Begun> two_polar(Random& random) {
   const TwoPolarRates<double> rates{speed * random.uniform(0.2, 1.0),
                                     speed * random.uniform(-1.0, 1.0)};
   const Body& body = c.problem.body();
-  const TwoPolarEquilibrium at = solve_two_polar(body, c.problem.potential(), rates);
+  const Equilibrium at = solve_two_polar(body, c.problem.potential(), rates);
   if (at.status != SolveStatus::solved) return std::nullopt;
   std::ostringstream text;
   text.precision(17);
   text << "two-polar, omega " << rates.omega << ", theta' " << rates.theta_dot << ", " << c.text;
   TwoPolarFamilyOptions options{rates, {}, true};
-  return Begun{two_polar_family(body, c.problem.potential(), options),
-               {0.0, at.x[0], at.x[1], at.x[2]},
-               rates.omega,
+  return Begun{two_polar_family(body, c.problem.potential(), options), at.q, rates.omega,
                text.str()};
 }
 

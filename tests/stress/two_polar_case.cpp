@@ -38,13 +38,14 @@ std::array<Number50, 3> two_polar_reference(const Problem& problem, const Motion
 }
 
 std::array<Number50, 3> reference(const Problem& problem, const TwoPolarMotion& motion,
-                                  const TwoPolarEquilibrium& at) {
+                                  const Equilibrium& at) {
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&motion))
-    return two_polar_reference(problem, widened(*rates), at.x);
+    return two_polar_reference(problem, widened(*rates), diagonal(at.q));
   const auto& momenta = std::get<TwoPolarMomenta<double>>(motion);
   if (at.circle)
-    return two_polar_reference(problem, TwoPolarEqualMomenta<Number50>{Number50(momenta.s3)}, at.x);
-  return two_polar_reference(problem, widened(momenta), at.x);
+    return two_polar_reference(problem, TwoPolarEqualMomenta<Number50>{Number50(momenta.s3)},
+                               diagonal(at.q));
+  return two_polar_reference(problem, widened(momenta), diagonal(at.q));
 }
 
 std::string text_of(const TwoPolarMotion& motion) {
@@ -94,15 +95,15 @@ Outcome judged_two_polar(const Problem& problem, const TwoPolarMotion& motion,
   const Body& body = problem.body();
   const Potential& potential = problem.potential();
   const std::string text = of + text_of(motion);
-  const TwoPolarEquilibrium at = solve_two_polar(body, potential, motion);
+  const Equilibrium at = solve_two_polar(body, potential, motion);
   Outcome out;
   out.status = at.status;
   out.work = work(at.counts);
   if (at.status != SolveStatus::solved) return out;
-  judge_stretch(reference(problem, motion, at), {at.x[0], at.x[1], at.x[2]}, at.error_bound, text,
-                out);
+  judge_stretch(reference(problem, motion, at), {at.q.xi, at.q.zeta, at.q.rho}, at.error_bound,
+                text, out);
   const Certificate proof = certify_two_polar(body, potential, motion, at);
-  const Spectrum spectrum = stability(body, potential, at);
+  const Spectrum spectrum = two_polar_stability(body, potential, at);
   judge_by_proof(
       proof, spectrum,
       [&] { return enclose_spectrum(body, potential, motion, at, proof, spectrum); }, text, out);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_parameter.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/table/table.hpp"
@@ -154,8 +155,7 @@ TwoPolarMotion read_two_polar(const CaseTree& tree, const Body& body) {
   return TwoPolarMomenta<double>{first, second};
 }
 
-Case::Motion read_motion(const CaseTree& tree, const Body& body,
-                         const std::vector<ModelChoice>& models) {
+Motion read_motion(const CaseTree& tree, const Body& body, const std::vector<ModelChoice>& models) {
   const std::string named = value_or<std::string>(tree, "motion.branch", "");
   if (const auto branch = branch_from_name(named)) return read_axis_rotation(tree, *branch);
   require_symmetry(tree, named, named != oblique_name, models);
@@ -164,7 +164,7 @@ Case::Motion read_motion(const CaseTree& tree, const Body& body,
   return read_two_polar(tree, body);
 }
 
-Case::Solve read_solve(const CaseTree& tree, const Case::Motion& motion, bool isotropic) {
+Case::Solve read_solve(const CaseTree& tree, const Motion& motion, bool isotropic) {
   const bool two_polar = std::holds_alternative<TwoPolarMotion>(motion);
   const bool tilted = std::holds_alternative<TiltedMotion>(motion);
   Case::Solve out;
@@ -175,7 +175,7 @@ Case::Solve read_solve(const CaseTree& tree, const Case::Motion& motion, bool is
     throw fault_at(tree, "solve.method",
                    fmt::format("found the string {} with branch \"two-polar\"", in_quotes(method)),
                    "\"auto\" or \"nlopt\"",
-                   "two-polar motions are searched for globally, by NLopt, then corrected");
+                   "two-polar motions are searched for globally, then corrected");
   }
   if (tilted && out.method != Method::automatic && out.method != Method::newton) {
     throw fault_at(tree, "solve.method",
@@ -216,7 +216,7 @@ Case::Solve read_solve(const CaseTree& tree, const Case::Motion& motion, bool is
 std::string read_parameter(const CaseTree& tree, const FamilyParameters& family) {
   std::string found = value_or<std::string>(tree, "continuation.parameter", "");
   if (found == "motion.nu") found = "nu";  // the dotted key of the same number
-  const std::vector<std::string> valid = case_parameters(family.motion, family.models);
+  const std::vector<std::string> valid = followed_parameters(family.motion, family.models);
   if (std::ranges::find(valid, found) != valid.end()) return found;
   const std::vector<std::string_view> names(valid.begin(), valid.end());
   throw fault_at(tree, "continuation.parameter", "found the string " + in_quotes(found),
@@ -258,12 +258,9 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
                    fmt::format("found the empty range from {} to {}", out.from, out.to),
                    "from < to");
   }
-  const bool oblique = std::holds_alternative<ObliqueRotation>(family.motion);
-  if ((oblique || std::holds_alternative<TiltedMotion>(family.motion)) && out.parameter == "nu" &&
-      !(out.from >= 0.0)) {
+  if (nu_is_length(family.motion) && out.parameter == "nu" && !(out.from >= 0.0)) {
     throw fault_at(tree, "continuation.from",
-                   fmt::format("found {} with branch {}", out.from,
-                               in_quotes(oblique ? oblique_name : tilted_name)),
+                   fmt::format("found {} with branch {}", out.from, in_quotes(name(family.motion))),
                    "from >= 0", "nu is the length |nu| there");
   }
   if (!(out.tolerance > 0.0 && out.tolerance <= 1.0)) {
@@ -336,17 +333,6 @@ EventSet Case::Continuation::event_set() const {
   return out;
 }
 
-std::vector<TiltedRotation> TiltedMotion::rotations() const {
-  if (plane) return {{*plane, nu}};
-  return {{TiltPlane::one_three, nu}, {TiltPlane::two_three, nu}};
-}
-
-std::string_view Case::branch_name() const {
-  if (tilted()) return tilted_name;
-  if (oblique()) return oblique_name;
-  return two_polar() ? two_polar_name : name(std::get<AxisRotation>(motion).branch);
-}
-
 Case read_case(const std::string& path, std::span<const std::string> overrides) {
   CaseTree tree = CaseTree::read(path);
   for (const std::string& each : overrides) tree.override_key(each);
@@ -357,7 +343,7 @@ Case make_case(CaseTree tree) {
   require_known_keys(tree);
   const Body body = read_body(tree);
   const std::vector<ModelChoice> models = read_models(tree);
-  const Case::Motion motion = read_motion(tree, body, models);
+  const Motion motion = read_motion(tree, body, models);
   if (const auto fault = out_of_scale({body, models, motion}))
     throw fault_at(tree, fault->key, fault->found, fault->allowed, OutOfScale::hint);
   const std::string title = value_or<std::string>(tree, "title", "");

@@ -17,35 +17,16 @@
 #include "lib/body/body.hpp"
 #include "lib/body/motion.hpp"
 #include "lib/material/potential.hpp"
-#include "solver/family/anisotropic_family.hpp"
-#include "solver/family/tilted_family.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/problem.hpp"
 #include "solver/program/case/case_grid.hpp"
 #include "solver/program/case/case_potential.hpp"
 #include "solver/program/case/case_toml.hpp"
 #include "solver/solve/solve.hpp"
-#include "solver/solve/two_polar_equilibrium.hpp"
 
 namespace stationary {
 
-/// A steady rotation about a material axis: branches (i), (ii), (iii).
-struct AxisRotation {
-  Branch branch;
-  double nu;
-};
-
-/// A steady rotation about a tilted axis, in a plane or in either.
-struct TiltedMotion {
-  std::optional<TiltPlane> plane;  ///< empty: both are looked in
-  double nu;                       ///< |nu| > 0
-
-  /// One for each plane.
-  std::vector<TiltedRotation> rotations() const;
-};
-
 struct Case {
-  using Motion = std::variant<AxisRotation, TiltedMotion, TwoPolarMotion, ObliqueRotation>;
   struct Solve {
     std::optional<Stretch> start;  ///< two-polar: xi, zeta are lambda, mu
     Method method = Method::automatic;
@@ -79,10 +60,7 @@ struct Case {
   Output output;
   CaseTree source;  ///< where each key comes from
 
-  bool two_polar() const { return std::holds_alternative<TwoPolarMotion>(motion); }
-  bool tilted() const { return std::holds_alternative<TiltedMotion>(motion); }
-  bool oblique() const { return std::holds_alternative<ObliqueRotation>(motion); }
-  std::string_view branch_name() const;
+  std::string_view branch_name() const { return name(motion); }
   /// Of an axis rotation (std::bad_variant_access otherwise).
   Problem problem() const {
     return Problem(body, potential, std::get<AxisRotation>(motion).branch);

@@ -10,25 +10,17 @@
 #include <utility>
 #include <vector>
 
+#include "solver/program/case/case_motion.hpp"
+
 namespace stationary {
 
 namespace {
 
 /// The number of the motion with this key, or nullptr.
-double* motion_number(Case::Motion& motion, std::string_view key) {
-  if (auto* rotation = std::get_if<AxisRotation>(&motion))
-    return key == "nu" ? &rotation->nu : nullptr;
-  if (auto* tilted = std::get_if<TiltedMotion>(&motion)) return key == "nu" ? &tilted->nu : nullptr;
-  if (auto* oblique = std::get_if<ObliqueRotation>(&motion))
-    return key == "nu" ? &oblique->nu : nullptr;
-  TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
-  if (auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar)) {
-    if (key == "motion.omega") return &rates->omega;
-    return key == "motion.theta_dot" ? &rates->theta_dot : nullptr;
-  }
-  auto& momenta = std::get<TwoPolarMomenta<double>>(two_polar);
-  if (key == "motion.s3") return &momenta.s3;
-  return key == "motion.p_theta" ? &momenta.p_theta : nullptr;
+double* motion_number(Motion& motion, std::string_view key) {
+  for (const MotionNumber& each : motion_numbers(motion))
+    if (each.parameter == key) return each.value;
+  return nullptr;
 }
 
 /// Which coefficient of the model a key names.
@@ -44,7 +36,7 @@ double* find_number(FamilyParameters& family, std::string_view key) {
   if (double* number = motion_number(family.motion, key)) return number;
   Body& J = family.body;
   if (key == "body.J.2") return &J.J3;
-  if (!std::holds_alternative<TwoPolarMotion>(family.motion)) {
+  if (!keeps_round(family.motion)) {
     if (key == "body.J.0") return &J.J1;
     if (key == "body.J.1") return &J.J2;
   }
@@ -54,12 +46,12 @@ double* find_number(FamilyParameters& family, std::string_view key) {
   return nullptr;
 }
 
-std::vector<std::string> motion_and_body_keys(const Case::Motion& motion) {
-  if (!std::holds_alternative<TwoPolarMotion>(motion))
-    return {"nu", "body.J.0", "body.J.1", "body.J.2"};
-  if (std::holds_alternative<TwoPolarRates<double>>(std::get<TwoPolarMotion>(motion)))
-    return {"motion.omega", "motion.theta_dot", "body.J.2"};
-  return {"motion.s3", "motion.p_theta", "body.J.2"};
+std::vector<std::string> motion_and_body_keys(Motion motion) {
+  std::vector<std::string> out;
+  for (const MotionNumber& each : motion_numbers(motion)) out.emplace_back(each.parameter);
+  if (!keeps_round(motion)) out.insert(out.end(), {"body.J.0", "body.J.1"});
+  out.emplace_back("body.J.2");
+  return out;
 }
 
 constexpr double most = 1e90;     // of J, a coefficient, and V/J
@@ -67,21 +59,6 @@ constexpr double fastest = 1e45;  // its square is one of V/J
 
 bool within(double x, double limit) {
   return x == 0.0 || (std::abs(x) <= limit && std::abs(x) >= 1.0 / limit);
-}
-
-/// The motion's numbers, by their keys.
-std::vector<std::pair<std::string, double>> motion_numbers(const Case::Motion& motion) {
-  const auto one = [](double nu) {
-    return std::vector<std::pair<std::string, double>>{{"motion.nu", nu}};
-  };
-  if (const auto* axis = std::get_if<AxisRotation>(&motion)) return one(axis->nu);
-  if (const auto* tilted = std::get_if<TiltedMotion>(&motion)) return one(tilted->nu);
-  if (const auto* oblique = std::get_if<ObliqueRotation>(&motion)) return one(oblique->nu);
-  const auto& two_polar = std::get<TwoPolarMotion>(motion);
-  if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar))
-    return {{"motion.omega", rates->omega}, {"motion.theta_dot", rates->theta_dot}};
-  const auto& momenta = std::get<TwoPolarMomenta<double>>(two_polar);
-  return {{"motion.s3", momenta.s3}, {"motion.p_theta", momenta.p_theta}};
 }
 
 }  // namespace
@@ -94,10 +71,12 @@ std::optional<OutOfScale> out_of_scale(const FamilyParameters& family) {
   for (const double each : {J.J1, J.J2, J.J3})
     if (!within(each, most))
       return OutOfScale{"body.J", fmt::format("found {}", each), range(most)};
-  for (const auto& [key, value] : motion_numbers(family.motion)) {
-    const double limit = key == "motion.s3" || key == "motion.p_theta" ? most : fastest;
-    if (!(std::abs(value) <= limit))
-      return OutOfScale{key, fmt::format("found {}", value),
+  Motion motion = family.motion;
+  for (const auto& [parameter, value, momentum] : motion_numbers(motion)) {
+    const double limit = momentum ? most : fastest;
+    if (!(std::abs(*value) <= limit))
+      return OutOfScale{parameter == "nu" ? "motion.nu" : std::string(parameter),
+                        fmt::format("found {}", *value),
                         fmt::format("numbers of at most {:g}", limit)};
   }
   double largest = 0.0;
@@ -121,9 +100,8 @@ std::optional<OutOfScale> out_of_scale(const FamilyParameters& family) {
   return std::nullopt;
 }
 
-std::vector<std::string> case_parameters(const Case::Motion& motion,
+std::vector<std::string> case_parameters(const Motion& motion,
                                          const std::vector<ModelChoice>& models) {
-  if (std::holds_alternative<TiltedMotion>(motion)) return {"nu"};
   std::vector<std::string> out = motion_and_body_keys(motion);
   for (const ModelChoice& model : models)
     for (const std::string& parameter : model.description.parameters)
@@ -131,10 +109,18 @@ std::vector<std::string> case_parameters(const Case::Motion& motion,
   return out;
 }
 
+std::vector<std::string> followed_parameters(const Motion& motion,
+                                             const std::vector<ModelChoice>& models) {
+  if (is_followed_in_nu_alone(motion)) return {"nu"};
+  return case_parameters(motion, models);
+}
+
 FamilyParameters with_parameter(FamilyParameters family, std::string_view key, double value) {
   double* number = find_number(family, key);
   if (number == nullptr) throw std::invalid_argument("a parameter of the case");
   if (!std::isfinite(value)) throw std::invalid_argument(std::string(key) + " finite");
+  if (nu_is_length(family.motion) && key == "nu" && value < 0.0)
+    throw std::invalid_argument("nu >= 0 (it is the length |nu| there)");
   *number = value;
   family.body = Body(family.body.J1, family.body.J2, family.body.J3);  // its domain
   make_potential(family.models);

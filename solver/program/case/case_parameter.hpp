@@ -1,7 +1,7 @@
 // The numbers of a case that may be varied along a family, by their dotted keys: those of its
 // motion (nu; motion.omega ... of a two-polar one), body.J.0 ... body.J.2 and every coefficient of
-// the case's models (potential.plane.c). A two-polar body keeps its J1 = J2; a tilted family is one
-// in nu.
+// the case's models (potential.plane.c). A two-polar body keeps its J1 = J2; a tilted family is
+// followed in nu alone.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ namespace stationary {
 struct FamilyParameters {
   Body body;
   std::vector<ModelChoice> models;
-  Case::Motion motion;
+  Motion motion;
 };
 
 /// A number too large or too small beside the others for what is computed with it, the powers of a
@@ -32,8 +32,12 @@ struct OutOfScale {
 std::optional<OutOfScale> out_of_scale(const FamilyParameters& family);
 
 /// Valid keys for this motion and these models, in that order.
-std::vector<std::string> case_parameters(const Case::Motion& motion,
+std::vector<std::string> case_parameters(const Motion& motion,
                                          const std::vector<ModelChoice>& models);
+
+/// Those of them that the motion's family is followed in.
+std::vector<std::string> followed_parameters(const Motion& motion,
+                                             const std::vector<ModelChoice>& models);
 
 /// With the parameter at a value. Throws std::invalid_argument with the violated inequality of
 /// body or model, for a number out of scale, or for a key that is not one of case_parameters().

@@ -168,37 +168,18 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
   return out.text();
 }
 
-void prove_rows(const Case& input, const AtlasSheet& sheet, CurveTable& out) {
-  if (sheet.plane) {
-    out.prove([&input, plane = *sheet.plane](const Member& member, const Equilibrium& found,
-                                             TableRow& row) {
-      return prove_row(input.body, make_potential(input.models),
-                       TiltedRotation{plane, member.parameter}, found, member.spectrum, row);
-    });
-  } else if (sheet.oblique) {
-    out.prove([&input](const Member& member, const Equilibrium& found, TableRow& row) {
-      return prove_row(input.body, make_potential(input.models), ObliqueRotation{member.nu}, found,
-                       member.spectrum, row);
-    });
-  } else if (!input.potential.is_isotropic()) {  // its events have no enclosures
-    out.prove([problem = Problem(input.body, input.potential, sheet.branch)](
-                  const Member& member, const Equilibrium& found, TableRow& row) {
-      return prove_row(problem, found, member.spectrum, row);
-    });
-  } else {
-    out.prove([problem = Problem(input.body, make_potential(input.models), sheet.branch)](
-                  double) { return problem; },
-              {});
-  }
-}
-
 /// All sheets in the table, if there is one, and what is told of each; how many rows are proven.
 CurveProofs write_sheets(const Case& input, Atlas& found, RowSink* writer,
                          std::vector<SheetRecord>& records) {
   CurveProofs out;
   for (AtlasSheet& sheet : found.sheets) {
-    CurveTable rows(kind_name(sheet), writer, sheet.number);
-    if (input.output.certificate) prove_rows(input, sheet, rows);
+    CurveTable rows(name(sheet.motion(0.0)), writer, sheet.number);
+    if (input.output.certificate) {
+      const auto kind_at = [&](double nu) {
+        return kind_of(input.body, input.potential, sheet.motion(nu));
+      };
+      rows.prove(kind_at, {});
+    }
     for (const AtlasRow& row : sheet.rows) {
       if (row.before) rows.between(*row.before);
       rows.row(row.member, row.event);

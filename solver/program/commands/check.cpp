@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include "solver/kind/kind.hpp"
+#include "solver/program/case/case_motion.hpp"
 #include "solver/program/session/command.hpp"
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/report.hpp"
@@ -21,11 +23,10 @@ std::string coefficients_text(const ModelChoice& model) {
 
 std::string start_text(const Case& input) {
   const auto& start = input.solve.start;
-  if (!start && input.tilted()) return "the tilts of the sheets connected to rest";
-  if (!start && input.oblique()) return "the families connected to rest";
-  if (!start) return input.two_polar() ? "a global search" : "the solution connected to rest";
+  if (!start)
+    return std::string(kind_of(input.body, input.potential, input.motion)->default_start());
   return fmt::format("(alpha, {}, rho) = ({}, {}, {}, {})",
-                     input.two_polar() ? "lambda, mu" : "xi, zeta", start->alpha, start->xi,
+                     has_rates(input.motion) ? "lambda, mu" : "xi, zeta", start->alpha, start->xi,
                      start->zeta, start->rho);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/rows/curve_table.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
@@ -180,7 +181,7 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   const bool trailing = input.continuation->parameter != "nu";
   const std::vector<Column> columns =
       chosen_columns(input,
-                     equilibrium_columns({.two_polar = input.two_polar(),
+                     equilibrium_columns({.two_polar = has_rates(input.motion),
                                           .events = true,
                                           .spectrum = with_spectrum,
                                           .certificate = input.output.certificate}),

@@ -1,5 +1,6 @@
 // stationary map CASE: the case's grid over one or two of its parameters, every cell solved on the
-// rest state's sheet, by all threads; the table in the grid's order, as CSV or HDF5.
+// rest state's sheet (or as `solve` does, where a kind of motion has none), by all threads; the
+// table in the grid's order, as CSV or HDF5.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -14,8 +15,9 @@
 #include <thread>
 #include <utility>
 
+#include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_schema.hpp"
-#include "solver/program/rows/map_grid.hpp"
+#include "solver/program/rows/map_cells.hpp"
 #include "solver/program/session/command.hpp"
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
@@ -51,21 +53,15 @@ void require_map(const Case& input) {
     throw fault_at(input.source, "map", "found no such key", "a table with x, and y",
                    "add [map] with x = { parameter = \"nu\", from = 0.0, to = 1.5, count = 400 }");
   }
-  if (!std::holds_alternative<AxisRotation>(input.motion)) {
-    throw fault_at(
-        input.source, "motion.branch", "found the string " + in_quotes(input.branch_name()),
-        "one of \"i\", \"ii\", \"iii\" for map",
-        "tilted, oblique and two-polar motions are solved one at a time in this version");
-  }
 }
 
 /// Rows of the solved grid in their order, a window at a time computed by all threads; ends at a
 /// signal, after whole windows.
 template <class Take>
-RowCounts for_all_rows(const MapGrid& grid, const BatchResult& solved, const RowParts& parts,
-                       const ColumnSet& wanted, int threads, const Take& take) {
-  // A window's rows are had all or none: few where a spectrum takes a good part of a millisecond.
-  const std::size_t block = grid.batch().potential.is_isotropic() ? 512 : 32;
+RowCounts for_all_rows(const MapCells& grid, const RowParts& parts, const ColumnSet& wanted,
+                       int threads, const Take& take) {
+  // A window's rows are had all or none.
+  const std::size_t block = grid.block();
   const std::size_t blocks_at_once = 8 * static_cast<std::size_t>(threads);
   std::vector<std::vector<TableRow>> blocks(blocks_at_once);
   std::vector<RowCounts> counts(blocks_at_once);
@@ -76,8 +72,8 @@ RowCounts for_all_rows(const MapGrid& grid, const BatchResult& solved, const Row
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, blocks_at_once, [&](std::size_t k) {
         const std::size_t first = std::min(begin + k * block, grid.size());
-        counts[k] += grid.rows(solved, first, std::min(first + block, grid.size()), parts, wanted,
-                               blocks[k]);
+        counts[k] +=
+            grid.rows(first, std::min(first + block, grid.size()), parts, wanted, blocks[k]);
       });
     });
     if (stop_on_signals()) break;
@@ -104,7 +100,10 @@ std::string axis_text(const MapAxis& axis) {
 /// The case's, and what of it holds at its own numbers only.
 ComputationPlan map_plan(const Case& input, bool to_table) {
   ComputationPlan out = computation_plan(input, to_table);
-  if (!input.potential.is_isotropic()) {
+  if (!has_lanes(input.motion)) {
+    out.computed.push_back({"cells", "each solved by itself, as `solve` does",
+                            "a kind of motion that is not marched in nu"});
+  } else if (!input.potential.is_isotropic()) {
     out.computed.push_back(
         {"cells", "on the curve from the rest state, followed once for all nu of one body",
          "anisotropic potential. What is said above of alpha and the spectrum is so at the case's "
@@ -114,8 +113,8 @@ ComputationPlan map_plan(const Case& input, bool to_table) {
 }
 
 /// Of the march; none where every lane takes the scalar path.
-std::string instructions_text(const Potential& potential) {
-  return marches(potential) ? std::string(name(best_instruction_set())) : "scalar";
+std::string instructions_text(const MapCells& cells) {
+  return cells.marches() ? std::string(name(best_instruction_set())) : "scalar";
 }
 
 std::string summary(const Case& input, const MapCounts& counts, double seconds) {
@@ -137,7 +136,7 @@ std::string summary(const Case& input, const MapCounts& counts, double seconds) 
 }
 
 Metadata describe(const Session& session, const Case& input, const MapCounts& counts,
-                  const RowCounts& evaluated, const BatchResult& solved) {
+                  const RowCounts& evaluated, const MapCells& cells) {
   ComputationPlan plan = map_plan(input, true);
   Metadata out;
   out.version = STATIONARY_VERSION;
@@ -151,7 +150,7 @@ Metadata describe(const Session& session, const Case& input, const MapCounts& co
   for (const auto& [verdict, count] : counts.classes)
     out.counts.emplace_back(verdict, static_cast<long>(count));
   if (input.output.certificate) out.counts.emplace_back("proven", static_cast<long>(counts.proven));
-  out.counts.emplace_back("scalar_lanes", static_cast<long>(solved.fallbacks()));
+  out.counts.emplace_back("scalar_lanes", static_cast<long>(cells.scalar_lanes()));
   out.counts.emplace_back("potentials", evaluated.potentials);
   out.counts.emplace_back("spectra", evaluated.spectra);
   out.counts.emplace_back("scalar_spectra", evaluated.scalar_spectra);
@@ -163,7 +162,7 @@ Metadata describe(const Session& session, const Case& input, const MapCounts& co
   }
   out.outcome = {{"command", "map"},
                  {"status", counts.rows < input.map->cells() ? "interrupted" : "done"},
-                 {"instructions", instructions_text(input.potential)}};
+                 {"instructions", instructions_text(cells)}};
   return out;
 }
 
@@ -190,7 +189,8 @@ ExitCode map_case(const ComputeOptions& options, const Session& session) {
   const Case input = options.read();
   require_map(input);
   const bool to_table = !options.output.empty();
-  const RowParts parts{.spectrum = wants_spectrum(input, to_table),
+  const RowParts parts{.two_polar = has_rates(input.motion),
+                       .spectrum = wants_spectrum(input, to_table),
                        .certificate = input.output.certificate,
                        .map = true};
   std::vector<Column> columns = chosen_columns(input, equilibrium_columns(parts), "map", true);
@@ -206,8 +206,7 @@ ExitCode map_case(const ComputeOptions& options, const Session& session) {
   RowSink* const table = output ? &output->open(columns, parameters, input.map->cells()) : nullptr;
 
   const auto begin = std::chrono::steady_clock::now();
-  const MapGrid grid(input);
-  BatchResult solved;
+  const std::unique_ptr<MapCells> grid = map_cells(input);
   BatchOptions how;
   how.threads = options.threads;
   how.stop = &stop;
@@ -215,10 +214,10 @@ ExitCode map_case(const ComputeOptions& options, const Session& session) {
   const bool with_progress = progress.shown() && !options.quiet;
   if (with_progress) {
     how.progress = [&](double fraction) {
-      progress.show(fraction, fmt::format("solving {} cells", grid.size()));
+      progress.show(fraction, fmt::format("solving {} cells", grid->size()));
     };
   }
-  solve_batch(grid.batch(), how, solved);
+  grid->solve(how);
   MapCounts counts;
   // Without a table the classes are counted.
   const ColumnSet wanted = table ? ColumnSet(columns) : ColumnSet();
@@ -226,16 +225,16 @@ ExitCode map_case(const ComputeOptions& options, const Session& session) {
     counts.add(row);
     if (table) table->write(row);
     if (with_progress && counts.rows % 4096 == 0) {
-      progress.show(static_cast<double>(counts.rows) / static_cast<double>(grid.size()),
+      progress.show(static_cast<double>(counts.rows) / static_cast<double>(grid->size()),
                     fmt::format("{} rows", counts.rows));
     }
   };
-  const RowCounts evaluated = for_all_rows(grid, solved, parts, wanted, options.threads, take);
+  const RowCounts evaluated = for_all_rows(*grid, parts, wanted, options.threads, take);
   progress.clear();
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (output) {
-    Metadata metadata = describe(session, input, counts, evaluated, solved);
+    Metadata metadata = describe(session, input, counts, evaluated, *grid);
     metadata.seconds = seconds;
     output->commit(std::move(metadata));
   }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "solver/program/case/case_motion.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/session/answer.hpp"
 #include "solver/program/session/command.hpp"
@@ -47,11 +48,13 @@ void add_state(Report& out, const Case& input, const TableRow& row) {
   } else {
     out.line("", "no angle: lambda = mu, a circle");
   }
-  if (input.tilted() || input.oblique()) {
+  const int along =
+      (row[Column::nu1] != 0.0) + (row[Column::nu2] != 0.0) + (row[Column::nu3] != 0.0);
+  if (along > 1) {
     out.row("axis", {{"nu1   ", row[Column::nu1]}, {"nu2   ", row[Column::nu2]}});
     out.row("", {{"nu3   ", row[Column::nu3]}});
   }
-  if (input.two_polar()) {
+  if (has_rates(input.motion)) {
     out.row("rates", {{"omega ", row[Column::omega]}, {"theta_dot", row[Column::theta_dot]}});
     out.row("momenta", {{"s3    ", row[Column::s3]}, {"p_theta  ", row[Column::p_theta]}});
   } else {
@@ -138,7 +141,7 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
   const bool with_spectrum = wants_spectrum(input, to_table);
   const std::vector<Column> columns =
       chosen_columns(input,
-                     equilibrium_columns({.two_polar = input.two_polar(),
+                     equilibrium_columns({.two_polar = has_rates(input.motion),
                                           .spectrum = with_spectrum,
                                           .certificate = input.output.certificate}),
                      "solve", false);

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/program/rows/map_grid.hpp"
+#include "solver/program/case/case_grid.hpp"
+#include "solver/program/table/table.hpp"
 #include "solver/program/table/table_reader.hpp"
 
 namespace stationary {

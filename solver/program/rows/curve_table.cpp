@@ -33,22 +33,16 @@ void CurveTable::row(const Member& member, EventType event) {
 }
 
 RowProof CurveTable::prove(const Member& member, EventType event) {
-  Equilibrium at;
-  at.q = member.q;
-  at.nu = member.angular_velocity;
-  if (prover_) return prover_(member, at, row_);
-  const Problem problem = problem_at_(member.parameter);
-  RowProof out = prove_row(problem, at, member.spectrum, row_);
-  if (!has_enclosure(event)) return out;
+  const std::unique_ptr<Kind> kind = kind_at_(member.parameter);
+  RowProof out = prove_row(*kind, equilibrium_of(member), member.spectrum, row_);
+  const auto proof = kind->enclose_event(parameter_, event, member);
+  if (!proof) return out;
   // The row says more than that its stretches are in equilibrium, and at a fold less.
-  const bool circle = event == EventType::ellipse ||
-                      (mirror_symmetric(problem, member.nu) && member.q.xi == member.q.zeta);
-  const EventEnclosure proof = enclose_event(problem, parameter_, circle, event, member);
-  out.proven = proof.proven;
-  out.reason = std::string(name(event)) + ": " + proof.reason;
-  row_.certified = proof_word(proof.proven, out.assuming);
-  row_[Column::error_bound] = proof.proven ? proof.error_bound : member.error_bound;
-  if (proof.proven) events_.back().enclosure = proof.parameter;
+  out.proven = proof->proven;
+  out.reason = std::string(name(event)) + ": " + proof->reason;
+  row_.certified = proof_word(proof->proven, out.assuming);
+  row_[Column::error_bound] = proof->proven ? proof->error_bound : member.error_bound;
+  if (proof->proven) events_.back().enclosure = proof->parameter;
   return out;
 }
 

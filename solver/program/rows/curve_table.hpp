@@ -4,17 +4,16 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "solver/family/follow_sheet.hpp"
-#include "solver/motion/problem.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/rows/segments.hpp"
 #include "solver/program/table/table.hpp"
-#include "solver/proof/event_enclosure.hpp"
 
 namespace stationary {
 
@@ -51,16 +50,13 @@ class CurveTable final : public CurveSink {
     row_[Column::sheet] = sheet;
   }
 
-  /// Proves every row (prove_row()), and of an event's row that the event is there
-  /// (event_enclosure.hpp); problem_at(p) is the problem at the parameter p.
-  void prove(std::function<Problem(double)> problem_at, const FamilyParameter& parameter) {
-    problem_at_ = std::move(problem_at);
+  /// Proves every row (prove_row()), and of an event's row that the event is there, where it has
+  /// equations of its own (Kind::enclose_event()); kind_at(p) is the kind at the parameter p.
+  using KindAt = std::function<std::unique_ptr<Kind>(double)>;
+  void prove(KindAt kind_at, const FamilyParameter& parameter) {
+    kind_at_ = std::move(kind_at);
     parameter_ = parameter;
   }
-  /// prove_row() of a member whose row is filled.
-  using Prover = std::function<RowProof(const Member&, const Equilibrium&, TableRow&)>;
-  /// Proves every row of a family whose events have no enclosures.
-  void prove(Prover prover) { prover_ = std::move(prover); }
   void row(const Member& member, EventType event) override;
   void between(StabilityClass verdict) override { segments_.between(verdict); }
   /// A row that was in a table already, with this table's sheet and next point; verdict: the class
@@ -80,7 +76,7 @@ class CurveTable final : public CurveSink {
     std::optional<Interval> enclosure;
   };
 
-  bool proves() const { return problem_at_ || prover_; }
+  bool proves() const { return bool(kind_at_); }
   RowProof prove(const Member& member, EventType event);
   void count_proof(bool proven, double parameter, const std::string& reason);
   double parameter_of(const TableRow& row) const;
@@ -96,9 +92,8 @@ class CurveTable final : public CurveSink {
   double first_parameter_ = std::numeric_limits<double>::quiet_NaN();
   double last_parameter_ = std::numeric_limits<double>::quiet_NaN();
   EventType last_event_ = EventType::none;
-  std::function<Problem(double)> problem_at_;  ///< empty, and prover_ too: nothing is proven
+  KindAt kind_at_;  ///< empty: nothing is proven
   FamilyParameter parameter_;
-  Prover prover_;
   CurveProofs proofs_;
   std::vector<EventRow> events_;
 };

@@ -6,9 +6,6 @@
 
 #include "lib/balance/two_polar.hpp"
 #include "lib/body/inertia.hpp"
-#include "solver/proof/anisotropic_enclosure.hpp"
-#include "solver/proof/tilted_enclosure.hpp"
-#include "solver/proof/two_polar_enclosure.hpp"
 
 namespace stationary {
 namespace {
@@ -45,35 +42,19 @@ void fill_rotation(const Body& body, const Stretch& q, const Vector3<double>& nu
 }
 
 /// At the moment theta = 0.
-void fill_two_polar(const TwoPolarRates<double>& rates, const TwoPolarMomenta<double>& momenta,
-                    TableRow& row) {
-  fill_motion({0.0, 0.0, rates.omega + rates.theta_dot}, row);
-  fill_momentum({0.0, 0.0, momenta.s3}, row);
-  row[Column::omega] = rates.omega;
-  row[Column::theta_dot] = rates.theta_dot;
-  row[Column::s3] = momenta.s3;
-  row[Column::p_theta] = momenta.p_theta;
+void fill_two_polar(const TwoPolarState& motion, TableRow& row) {
+  fill_motion({0.0, 0.0, motion.rates.omega + motion.rates.theta_dot}, row);
+  fill_momentum({0.0, 0.0, motion.momenta.s3}, row);
+  row[Column::omega] = motion.rates.omega;
+  row[Column::theta_dot] = motion.rates.theta_dot;
+  row[Column::s3] = motion.momenta.s3;
+  row[Column::p_theta] = motion.momenta.p_theta;
 }
 
 void fill_errors(const auto& solved, TableRow& row) {
   row[Column::residual] = solved.residual;
   row[Column::compatibility] = solved.compatibility;
   row[Column::error_bound] = solved.error_bound;
-}
-
-/// What is proven, in its columns; proven_class() of a proven motion whose spectrum is there.
-template <class Class>
-RowProof noted(const Certificate& certificate, const std::optional<Spectrum>& spectrum,
-               TableRow& row, const Class& proven_class) {
-  const bool assuming = !certificate.assuming.empty();
-  RowProof out{certificate.proven, false, assuming, certificate.reason};
-  if (out.proven) {
-    row[Column::error_bound] = certificate.error_bound;
-    out.class_proven = spectrum && proven_class() == spectrum->verdict;
-  }
-  row.certified = proof_word(out.proven, assuming);
-  if (spectrum) row.class_certified = proof_word(out.class_proven, assuming);
-  return out;
 }
 
 }  // namespace
@@ -99,9 +80,16 @@ void fill_row(std::string_view branch, const Body& body, const Potential& potent
   const Vector3<double>& nu = equilibrium.nu;
   row.branch = branch;
   fill_stretch(q, wanted, row);
+  fill_errors(equilibrium, row);
+  if (const auto& two_polar = equilibrium.two_polar) {
+    fill_two_polar(*two_polar, row);
+    if (wanted.has(Column::energy))
+      row[Column::energy] =
+          two_polar_kinetic_energy(body.J1, diagonal(q), two_polar->rates) + potential.value(q);
+    return;
+  }
   fill_rotation(body, q, nu, wanted, row);
   if (wanted.has(Column::energy)) row[Column::energy] = energy(body, potential, q, nu);
-  fill_errors(equilibrium, row);
 }
 
 void fill_row(std::string_view branch, const Member& member, const ColumnSet& wanted,
@@ -109,7 +97,7 @@ void fill_row(std::string_view branch, const Member& member, const ColumnSet& wa
   row.branch = branch;
   fill_stretch(member.q, wanted, row);
   if (member.two_polar) {
-    fill_two_polar(member.two_polar->rates, member.two_polar->momenta, row);
+    fill_two_polar(*member.two_polar, row);
   } else {
     fill_rotation(member.body, member.q, member.angular_velocity, wanted, row);
   }
@@ -123,22 +111,6 @@ double spin(std::string_view branch, const TableRow& row) {
   constexpr Column nu[] = {Column::nu1, Column::nu2, Column::nu3};
   if (const auto about = branch_from_name(branch)) return row[nu[axis(*about)]];
   return std::hypot(row[nu[0]], row[nu[1]], row[nu[2]]);
-}
-
-void fill_row(const Body& body, const Potential& potential, const TwoPolarEquilibrium& equilibrium,
-              const ColumnSet& wanted, TableRow& row) {
-  const Vector3<double>& x = equilibrium.x;
-  const Stretch q{0.0, x[0], x[1], x[2]};
-  const TwoPolarRates<double>& rates = equilibrium.rates;
-  const TwoPolarMomenta<double>& momenta = equilibrium.momenta;
-  row.branch = two_polar_name;
-  fill_stretch(q, wanted, row);
-  fill_two_polar(rates, momenta, row);
-  if (wanted.has(Column::energy))
-    row[Column::energy] = two_polar_kinetic_energy(body.J1, x, rates) + potential.value(q);
-  row[Column::residual] = equilibrium.residual;
-  row[Column::compatibility] = 0.0;  // both vectors lie along axis 3
-  row[Column::error_bound] = equilibrium.error_bound;
 }
 
 namespace {
@@ -165,39 +137,19 @@ void fill_from(const auto& spectrum, TableRow& row) {
 void fill_spectrum(const Spectrum& spectrum, TableRow& row) { fill_from(spectrum, row); }
 void fill_spectrum(const CellSpectrum& spectrum, TableRow& row) { fill_from(spectrum, row); }
 
-RowProof prove_row(const Problem& problem, const Equilibrium& equilibrium,
+RowProof prove_row(const Kind& kind, const Equilibrium& equilibrium,
                    const std::optional<Spectrum>& spectrum, TableRow& row) {
-  const Certificate certificate = certify(problem, equilibrium);
-  return noted(certificate, spectrum, row, [&] {
-    return enclose_spectrum(problem, equilibrium, certificate, *spectrum).verdict;
-  });
-}
-
-RowProof prove_row(const Body& body, const Potential& potential, const TiltedRotation& motion,
-                   const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
-                   TableRow& row) {
-  const Certificate certificate = certify_tilted(body, potential, motion, equilibrium);
-  return noted(certificate, spectrum, row, [&] {
-    return enclose_spectrum(body, potential, motion, certificate, *spectrum).verdict;
-  });
-}
-
-RowProof prove_row(const Body& body, const Potential& potential, const ObliqueRotation& motion,
-                   const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
-                   TableRow& row) {
-  const Certificate certificate = certify_oblique(body, potential, motion, equilibrium);
-  return noted(certificate, spectrum, row, [&] {
-    return enclose_oblique_spectrum(body, potential, motion, certificate, *spectrum).verdict;
-  });
-}
-
-RowProof prove_row(const Body& body, const Potential& potential, const TwoPolarMotion& motion,
-                   const TwoPolarEquilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
-                   TableRow& row) {
-  const Certificate certificate = certify_two_polar(body, potential, motion, equilibrium);
-  return noted(certificate, spectrum, row, [&] {
-    return enclose_spectrum(body, potential, motion, equilibrium, certificate, *spectrum).verdict;
-  });
+  const Certificate certificate = kind.certify(equilibrium);
+  const bool assuming = !certificate.assuming.empty();
+  RowProof out{certificate.proven, false, assuming, certificate.reason};
+  if (out.proven) {
+    row[Column::error_bound] = certificate.error_bound;
+    out.class_proven =
+        spectrum && kind.enclose(equilibrium, certificate, *spectrum).verdict == spectrum->verdict;
+  }
+  row.certified = proof_word(out.proven, assuming);
+  if (spectrum) row.class_certified = proof_word(out.class_proven, assuming);
+  return out;
 }
 
 }  // namespace stationary

@@ -9,13 +9,9 @@
 
 #include "lib/stability/spectrum.hpp"
 #include "solver/batch_spectrum/batch_spectrum.hpp"
-#include "solver/family/anisotropic_family.hpp"
-#include "solver/family/tilted_family.hpp"
+#include "solver/kind/kind.hpp"
 #include "solver/motion/family.hpp"
 #include "solver/program/table/table.hpp"
-#include "solver/proof/certify.hpp"
-#include "solver/solve/solve.hpp"
-#include "solver/solve/two_polar_equilibrium.hpp"
 
 namespace stationary {
 
@@ -34,7 +30,8 @@ std::vector<Column> equilibrium_columns(const RowParts& parts);
 
 /// Motion, stretch, principal stretches (no angle on the circle), momenta, energy and the errors
 /// of a solved equilibrium; leaves the other columns as they are, and so those of principal
-/// stretches, momenta and energy of which none is wanted.
+/// stretches, momenta and energy of which none is wanted. A two-polar motion is taken at the moment
+/// theta = 0: S = diag(lambda, mu, rho), nu3 = omega + theta' (the paper's L^-1 L'), pi3 = s3.
 void fill_row(std::string_view branch, const Body& body, const Potential& potential,
               const Equilibrium& equilibrium, const ColumnSet& wanted, TableRow& row);
 
@@ -44,11 +41,6 @@ void fill_row(std::string_view branch, const Member& member, const ColumnSet& wa
 
 /// nu along a branch's axis, |nu| of a tilted motion; NaN where its columns are.
 double spin(std::string_view branch, const TableRow& row);
-
-/// Likewise of a two-polar motion, at the moment theta = 0: S = diag(lambda, mu, rho), nu3 = omega
-/// + theta' (the paper's L^-1 L'), pi3 = s3.
-void fill_row(const Body& body, const Potential& potential, const TwoPolarEquilibrium& equilibrium,
-              const ColumnSet& wanted, TableRow& row);
 
 /// class ... krein5; modes that do not exist, or were not computed, stay empty, and so does a
 /// signature that is not certain.
@@ -65,16 +57,7 @@ struct RowProof {
 
 /// Proves what the row says of the equilibrium: certified, with the proven error_bound where there
 /// is one, and class_certified where there is a spectrum.
-RowProof prove_row(const Problem& problem, const Equilibrium& equilibrium,
+RowProof prove_row(const Kind& kind, const Equilibrium& equilibrium,
                    const std::optional<Spectrum>& spectrum, TableRow& row);
-RowProof prove_row(const Body& body, const Potential& potential, const TiltedRotation& motion,
-                   const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
-                   TableRow& row);
-RowProof prove_row(const Body& body, const Potential& potential, const ObliqueRotation& motion,
-                   const Equilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
-                   TableRow& row);
-RowProof prove_row(const Body& body, const Potential& potential, const TwoPolarMotion& motion,
-                   const TwoPolarEquilibrium& equilibrium, const std::optional<Spectrum>& spectrum,
-                   TableRow& row);
 
 }  // namespace stationary

@@ -13,19 +13,6 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-CellStatus cell_status(SolveStatus status) {
-  switch (status) {
-    case SolveStatus::solved:
-      return CellStatus::solved;
-    case SolveStatus::none_exists:
-      return CellStatus::none_exists;
-    case SolveStatus::not_found:
-      return CellStatus::not_found;
-    default:
-      return CellStatus::failed;
-  }
-}
-
 }  // namespace
 
 MapGrid::MapGrid(const Case& input)
@@ -80,9 +67,8 @@ MapGrid::Place MapGrid::place(std::size_t row) const {
   return {row, 0};
 }
 
-RowCounts MapGrid::rows(const BatchResult& solved, std::size_t first, std::size_t last,
-                        const RowParts& parts, const ColumnSet& wanted,
-                        std::vector<TableRow>& out) const {
+RowCounts MapGrid::rows(std::size_t first, std::size_t last, const RowParts& parts,
+                        const ColumnSet& wanted, std::vector<TableRow>& out) const {
   out.clear();
   RowCounts counts;
   std::optional<Problem> problem;
@@ -91,7 +77,7 @@ RowCounts MapGrid::rows(const BatchResult& solved, std::size_t first, std::size_
   std::vector<std::size_t> rows;
   for (std::size_t k = first; k < last; ++k) {
     const Place at = place(k);
-    const BatchCell cell = solved.cell(at.lane, at.step);
+    const BatchCell cell = solved_.cell(at.lane, at.step);
     if (cell.status == SolveStatus::not_run) continue;
     TableRow& row = out.emplace_back();
     row.branch = name(branch_);
@@ -123,7 +109,9 @@ RowCounts MapGrid::rows(const BatchResult& solved, std::size_t first, std::size_
           if (spectrum) fill_spectrum(*spectrum, row);
           counts.spectra += parts.spectrum;
           counts.scalar_spectra += parts.spectrum;
-          (void)prove_row(*problem, found, spectrum, row);
+          const AxisRotation motion{branch_, batch_.nu[at.step]};
+          (void)prove_row(*kind_of(problem->body(), problem->potential(), motion), found, spectrum,
+                          row);
         } else if (parts.spectrum) {
           places.push_back({at.lane, at.step});
           rows.push_back(out.size() - 1);
@@ -139,7 +127,7 @@ RowCounts MapGrid::rows(const BatchResult& solved, std::size_t first, std::size_
                                          wanted.has_any(Column::re1, Column::krein5)};
   counts.spectra += static_cast<long>(places.size());
   counts.scalar_spectra +=
-      static_cast<long>(cell_spectra(batch_, solved, places, options, spectra));
+      static_cast<long>(cell_spectra(batch_, solved_, places, options, spectra));
   for (std::size_t i = 0; i < rows.size(); ++i) fill_spectrum(spectra[i], out[rows[i]]);
   return counts;
 }

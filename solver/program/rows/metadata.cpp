@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "solver/program/case/case_motion.hpp"
 #include "solver/program/table/table.hpp"
 
 namespace stationary {
@@ -25,24 +26,11 @@ Json model_json(const ModelChoice& model) {
   return out;
 }
 
-Json motion_json(const Case::Motion& motion) {
-  if (const auto* rotation = std::get_if<AxisRotation>(&motion))
-    return {{"branch", name(rotation->branch)}, {"nu", rotation->nu}};
-  if (const auto* tilted = std::get_if<TiltedMotion>(&motion)) {
-    if (!tilted->plane) return {{"branch", tilted_name}, {"nu", tilted->nu}};
-    return {{"branch", tilted_name}, {"plane", name(*tilted->plane)}, {"nu", tilted->nu}};
-  }
-  if (const auto* oblique = std::get_if<ObliqueRotation>(&motion)) {
-    if (!oblique->near) return {{"branch", oblique_name}, {"nu", oblique->nu}};
-    const char* axis = *oblique->near == Branch::i ? "1" : "2";
-    return {{"branch", oblique_name}, {"axis", axis}, {"nu", oblique->nu}};
-  }
-  const TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
-  if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar)) {
-    return {{"branch", two_polar_name}, {"omega", rates->omega}, {"theta_dot", rates->theta_dot}};
-  }
-  const auto& momenta = std::get<TwoPolarMomenta<double>>(two_polar);
-  return {{"branch", two_polar_name}, {"s3", momenta.s3}, {"p_theta", momenta.p_theta}};
+Json motion_json(const Motion& motion) {
+  Json out;
+  for (const auto& [key, value] : motion_items(motion))
+    std::visit([&](const auto& each) { out[std::string(key)] = each; }, value);
+  return out;
 }
 
 Json axis_json(const MapAxis& axis) {

@@ -1,7 +1,7 @@
 // The family a case is about, at any value of its parameter, and where following it starts.
 #pragma once
 
-#include "solver/family/follow_sheet.hpp"
+#include "solver/kind/kind.hpp"
 #include "solver/program/case/case_parameter.hpp"
 #include "solver/program/rows/curve_table.hpp"
 #include "solver/program/rows/resume_table.hpp"

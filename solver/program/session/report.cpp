@@ -110,31 +110,4 @@ void add_segments(Report& report, const std::vector<Segment>& segments,
   }
 }
 
-std::string plane_text(TiltPlane plane) {
-  return fmt::format("{}-{}", name(plane)[0], name(plane)[1]);
-}
-
-std::string motion_text(const Case::Motion& motion) {
-  if (const auto* rotation = std::get_if<AxisRotation>(&motion)) {
-    const Vector3<double> v = angular_velocity(rotation->branch, rotation->nu);
-    return fmt::format("branch ({}), nu = ({}, {}, {})", name(rotation->branch), v[0], v[1], v[2]);
-  }
-  if (const auto* tilted = std::get_if<TiltedMotion>(&motion)) {
-    return fmt::format("tilted in the {} plane, |nu| = {}",
-                       tilted->plane ? plane_text(*tilted->plane) : "1-3 or the 2-3", tilted->nu);
-  }
-  if (const auto* oblique = std::get_if<ObliqueRotation>(&motion)) {
-    const char* near = !oblique->near                ? ""
-                       : *oblique->near == Branch::i ? ", the family of axis 1"
-                                                     : ", the family of axis 2";
-    return fmt::format("about an axis in the plane of axes 1 and 2, |nu| = {}{}", oblique->nu,
-                       near);
-  }
-  const TwoPolarMotion& two_polar = std::get<TwoPolarMotion>(motion);
-  if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two_polar))
-    return fmt::format("two-polar, omega = {}, theta_dot = {}", rates->omega, rates->theta_dot);
-  const auto& momenta = std::get<TwoPolarMomenta<double>>(two_polar);
-  return fmt::format("two-polar, s3 = {}, p_theta = {}", momenta.s3, momenta.p_theta);
-}
-
 }  // namespace stationary::cli

@@ -39,10 +39,4 @@ void add_spectrum(Report& report, const Spectrum& spectrum);
 /// A line a segment: its class, the events or ends that bound it, and what it covers.
 void add_segments(Report& report, const std::vector<Segment>& segments, std::string_view parameter);
 
-/// "1-3".
-std::string plane_text(TiltPlane plane);
-
-/// "branch (i), nu = (0.5, 0, 0)", "two-polar, omega = 1.2, theta_dot = -0.35".
-std::string motion_text(const Case::Motion& motion);
-
 }  // namespace stationary::cli

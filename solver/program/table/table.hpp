@@ -70,7 +70,6 @@ constexpr std::string_view proof_word(bool proven, bool assuming = false) {
 }
 
 /// Column "branch" of the two-polar family, beside name(Branch).
-constexpr std::string_view two_polar_name = "two-polar";
 
 enum class ModePart : std::uint8_t { re, im, krein };
 constexpr int mode_count = 5;

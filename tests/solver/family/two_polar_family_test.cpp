@@ -16,9 +16,9 @@ constexpr FamilyParameter second{FamilyParameter::Kind::nu, 1};
 const Body round(1.25, 1.25, 0.6);
 
 Stretch solved(const Potential& potential, const TwoPolarMotion& motion) {
-  const TwoPolarEquilibrium at = solve_two_polar(round, potential, motion);
+  const Equilibrium at = solve_two_polar(round, potential, motion);
   if (at.status != SolveStatus::solved) throw std::runtime_error(at.message);
-  return {0.0, at.x[0], at.x[1], at.x[2]};
+  return at.q;
 }
 
 Followed along(const Potential& potential, const TwoPolarMotion& motion, FamilyParameter parameter,
@@ -46,10 +46,10 @@ void expect_members(const Potential& potential, const Followed& sheet, bool by_m
     const auto& [rates, momenta, held] = *member.two_polar;
     EXPECT_EQ(held, by_momenta);
     const TwoPolarMotion motion = by_momenta ? TwoPolarMotion(momenta) : TwoPolarMotion(rates);
-    const TwoPolarEquilibrium one = solve_two_polar(round, potential, motion, how);
+    const Equilibrium one = solve_two_polar(round, potential, motion, how);
     ASSERT_EQ(one.status, SolveStatus::solved) << one.message;
     const double bound = member.error_bound + one.error_bound;
-    expect_near(member.q, {0.0, one.x[0], one.x[1], one.x[2]}, 2.0 * bound + 1e-15);
+    expect_near(member.q, one.q, 2.0 * bound + 1e-15);
     const Spectrum spectrum = stability(round, potential, one);
     EXPECT_EQ(spectrum.negative, member.spectrum->negative) << member.parameter;
   }
@@ -162,13 +162,13 @@ TEST(TwoPolarFamily, Random) {
     const Potential potential =
         make_potential(model, {random.log_uniform(0.5, 2.0), random.log_uniform(0.5, 4.0)});
     const TwoPolarRates<double> rates{random.uniform(0.4, 1.3), random.uniform(-0.5, 0.5)};
-    const TwoPolarEquilibrium at = solve_two_polar(round, potential, rates);
+    const Equilibrium at = solve_two_polar(round, potential, rates);
     if (at.status != SolveStatus::solved || at.circle) continue;
     ++followed_sheets;
     FollowOptions options = range(rates.omega - 0.2, rates.omega + 0.2, 1e-6);
     options.max_points = 500;
-    const Followed sheet = followed(two_polar_family(round, potential, {rates, first}),
-                                    {0.0, at.x[0], at.x[1], at.x[2]}, rates.omega, options);
+    const Followed sheet =
+        followed(two_polar_family(round, potential, {rates, first}), at.q, rates.omega, options);
     EXPECT_EQ(sheet.report.failure, "");
     for (const auto& [member, event] : sheet.rows) {
       EXPECT_NE(event, EventType::stalled) << model << k << sheet.text();

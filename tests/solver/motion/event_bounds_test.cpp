@@ -169,11 +169,11 @@ TEST(EventBounds, EllipsesOfGivenMomentaEndAtTheCircle) {
   const Potential potential(PlanarPotential(Hencky<>{0.73499, 0.79982}),
                             ThicknessPotential(Harmonic<>{0.91293, 1.523}));
   const TwoPolarMotion motion = TwoPolarMomenta<double>{0.79801, 1.87};
-  const TwoPolarEquilibrium at = solve_two_polar(body, potential, motion);
+  const Equilibrium at = solve_two_polar(body, potential, motion);
   ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
   const Followed sheet =
       followed(two_polar_family(body, potential, {motion, {FamilyParameter::Kind::nu, 0}}),
-               {0.0, at.x[0], at.x[1], at.x[2]}, 0.79801, range(0.0082, 1.942, 1e-6));
+               at.q, 0.79801, range(0.0082, 1.942, 1e-6));
   const SheetEnd& end = sheet.report.forward;
   EXPECT_EQ(end.event, EventType::ellipse) << end.reason;
   const Member& last = sheet.rows.back().member;

@@ -25,12 +25,12 @@ using support::Random;
 using support::Real50;
 using support::ReferenceRow;
 
-std::string text(const TwoPolarSearchResult& found) {
+std::string text(const SearchResult& found) {
   std::ostringstream out;
   out.precision(12);
   out << found.message << " (" << found.boxes << " boxes)";
-  for (const TwoPolarEquilibrium& each : found.solutions)
-    out << "\n  " << each.x.transpose() << (each.circle ? " circle" : "") << " +- "
+  for (const Equilibrium& each : found.solutions)
+    out << "\n  " << diagonal(each.q).transpose() << (each.circle ? " circle" : "") << " +- "
         << each.error_bound;
   return out.str();
 }
@@ -40,15 +40,15 @@ Body round_body(double J, double J3) { return {J, J, J3}; }
 /// Is one of the solutions the row's, within its proven bound; and is each certified.
 void expect_row(const ReferenceRow& row, const Body& body, const Potential& V,
                 const TwoPolarMotion& motion) {
-  const TwoPolarSearchResult found = search_two_polar(body, V, motion);
+  const SearchResult found = search_two_polar(body, V, motion);
   ASSERT_EQ(found.status, SearchStatus::complete) << row.where() << text(found);
   const Real50 exact[] = {row.number<Real50>("lambda"), row.number<Real50>("mu"),
                           row.number<Real50>("rho")};
   int matching = 0;
-  for (const TwoPolarEquilibrium& each : found.solutions) {
+  for (const Equilibrium& each : found.solutions) {
     double error = 0.0;
     for (int k = 0; k < 3; ++k)
-      error = std::max(error, nearest(Real50(abs(Real50(each.x[k]) / exact[k] - 1))));
+      error = std::max(error, nearest(Real50(abs(Real50(diagonal(each.q)[k]) / exact[k] - 1))));
     const Certificate proof = certify_two_polar(body, V, motion, each);
     EXPECT_TRUE(proof.proven) << row.where() << proof.reason;
     EXPECT_EQ(proof.circle, each.circle) << row.where();
@@ -58,7 +58,7 @@ void expect_row(const ReferenceRow& row, const Body& body, const Potential& V,
     EXPECT_FALSE(each.circle);
     EXPECT_LE(error, each.error_bound) << row.where() << text(found);
     EXPECT_LE(error, proof.error_bound) << row.where() << text(found);
-    const Spectrum modes = stability(body, V, each);
+    const Spectrum modes = two_polar_stability(body, V, each);
     const SpectrumEnclosure proven = enclose_spectrum(body, V, motion, each, proof, modes);
     ASSERT_EQ(proven.modes, 4) << row.where();
     EXPECT_EQ(proven.verdict, modes.verdict) << row.where();
@@ -94,18 +94,18 @@ TEST(TwoPolarSearch, TheMomentaOfAnEllipseLeadToIt) {
     const Vector3<double> x{value("lambda"), value("mu"), value("rho")};
     const TwoPolarMomenta<double> momenta =
         two_polar_momenta(body.J1, x, value("omega"), value("theta_dot"));
-    const TwoPolarSearchResult found = search_two_polar(body, V, momenta);
+    const SearchResult found = search_two_polar(body, V, momenta);
     ASSERT_EQ(found.status, SearchStatus::complete) << row.where() << text(found);
     const auto same = std::ranges::count_if(found.solutions, [&](const auto& each) {
-      return (each.x - x).cwiseAbs().maxCoeff() < 1e-12 * x.maxCoeff();
+      return (diagonal(each.q) - x).cwiseAbs().maxCoeff() < 1e-12 * x.maxCoeff();
     });
     EXPECT_EQ(same, 1) << row.where() << text(found);
-    for (const TwoPolarEquilibrium& each : found.solutions) {
+    for (const Equilibrium& each : found.solutions) {
       EXPECT_FALSE(each.circle);
       EXPECT_LE(each.residual, 1e-13) << row.where() << text(found);
       const Certificate proof = certify_two_polar(body, V, momenta, each);
       ASSERT_TRUE(proof.proven) << row.where() << proof.reason;
-      const Spectrum modes = stability(body, V, each);
+      const Spectrum modes = two_polar_stability(body, V, each);
       EXPECT_EQ(enclose_spectrum(body, V, momenta, each, proof, modes).verdict, modes.verdict);
     }
     EXPECT_LE(found.boxes, 4000) << row.where() << text(found);
@@ -130,14 +130,14 @@ TEST(TwoPolarSearch, NewtonFindsNothingMore) {
     if (k % 2 == 1)
       motion =
           two_polar_momenta(body.J1, {random.log_uniform(1.0, 3.0), 1.0, 1.0}, omega, theta_dot);
-    const TwoPolarSearchResult found = search_two_polar(body, V, motion);
+    const SearchResult found = search_two_polar(body, V, motion);
     undecided += found.status != SearchStatus::complete;
     proven += static_cast<long>(found.solutions.size());
     const auto listed = [&](double lambda, double mu) {
       return std::ranges::any_of(found.solutions,
-                                 [&](const TwoPolarEquilibrium& each) {
-                                   return std::abs(each.x[0] / lambda - 1.0) < 1e-8 &&
-                                          std::abs(each.x[1] / mu - 1.0) < 1e-8;
+                                 [&](const Equilibrium& each) {
+                                   return std::abs(each.q.xi / lambda - 1.0) < 1e-8 &&
+                                          std::abs(each.q.zeta / mu - 1.0) < 1e-8;
                                  }) ||
              std::ranges::any_of(found.undecided, [&](const StretchBox& box) {
                return box.xi.may_be(lambda) && box.zeta.may_be(mu);
@@ -171,40 +171,42 @@ TEST(TwoPolarSearch, ACircleByRatesAndByItsMomenta) {
   const Body body = round_body(1.0, 0.6);
   const Potential V = make_potential("biot-log", {1.0, 1.0});
   const TwoPolarMotion rates = TwoPolarRates<double>{0.3, 0.1};
-  const TwoPolarSearchResult by_rates = search_two_polar(body, V, rates);
+  const SearchResult by_rates = search_two_polar(body, V, rates);
   ASSERT_EQ(by_rates.status, SearchStatus::complete) << text(by_rates);
   ASSERT_EQ(by_rates.solutions.size(), 1U) << text(by_rates);
-  const TwoPolarEquilibrium& circle = by_rates.solutions[0];
+  const Equilibrium& circle = by_rates.solutions[0];
   EXPECT_TRUE(circle.circle);
-  EXPECT_EQ(circle.x[0], circle.x[1]);
+  EXPECT_EQ(circle.q.xi, circle.q.zeta);
   // Its momenta are equal but for rounding.
-  const TwoPolarMotion momenta = TwoPolarMomenta<double>{circle.momenta.s3, circle.momenta.s3};
-  const TwoPolarSearchResult by_momenta = search_two_polar(body, V, momenta);
+  const TwoPolarMotion momenta =
+      TwoPolarMomenta<double>{circle.two_polar->momenta.s3, circle.two_polar->momenta.s3};
+  const SearchResult by_momenta = search_two_polar(body, V, momenta);
   ASSERT_EQ(by_momenta.status, SearchStatus::complete) << text(by_momenta);
   ASSERT_GE(by_momenta.solutions.size(), 1U) << text(by_momenta);
-  const TwoPolarEquilibrium& again = by_momenta.solutions.back();
+  const Equilibrium& again = by_momenta.solutions.back();
   EXPECT_TRUE(again.circle);
-  EXPECT_NEAR(again.x[0], circle.x[0], 1e-14);
-  EXPECT_NEAR(again.rates.omega + again.rates.theta_dot, 0.4, 1e-14);
+  EXPECT_NEAR(again.q.xi, circle.q.xi, 1e-14);
+  EXPECT_NEAR(again.two_polar->rates.omega + again.two_polar->rates.theta_dot, 0.4, 1e-14);
   EXPECT_LE(again.residual, 1e-14);
   for (const auto& [motion, at] : {std::pair{rates, circle}, {momenta, again}}) {
     const Certificate proof = certify_two_polar(body, V, motion, at);
     ASSERT_TRUE(proof.proven) << proof.reason;
     EXPECT_TRUE(proof.circle);
-    const Spectrum modes = stability(body, V, at);
+    const Spectrum modes = two_polar_stability(body, V, at);
     EXPECT_EQ(enclose_spectrum(body, V, motion, at, proof, modes).verdict, modes.verdict);
   }
   // The single solve returns the circle of given momenta too, and says that it is one.
-  const TwoPolarEquilibrium solved = solve_two_polar(body, V, momenta);
+  const Equilibrium solved = solve_two_polar(body, V, momenta);
   ASSERT_EQ(solved.status, SolveStatus::solved) << solved.message;
   EXPECT_TRUE(solved.circle);
   EXPECT_NE(solved.message.find("circle"), std::string::npos);
-  EXPECT_LE((solved.x - again.x).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_LE((diagonal(solved.q) - diagonal(again.q)).cwiseAbs().maxCoeff(), 1e-15);
   // s3 = -p_theta is no circle's: there lambda^2 + mu^2 = -2 lambda mu would be asked for.
-  const TwoPolarSearchResult none =
-      search_two_polar(body, V, TwoPolarMomenta<double>{circle.momenta.s3, -circle.momenta.s3});
+  const SearchResult none = search_two_polar(
+      body, V,
+      TwoPolarMomenta<double>{circle.two_polar->momenta.s3, -circle.two_polar->momenta.s3});
   EXPECT_EQ(none.status, SearchStatus::complete) << text(none);
-  for (const TwoPolarEquilibrium& each : none.solutions) EXPECT_GT(each.x[0], each.x[1]);
+  for (const Equilibrium& each : none.solutions) EXPECT_GT(each.q.xi, each.q.zeta);
 }
 
 /// lambda != mu has a whole line of solutions there, and none beside it.
@@ -216,19 +218,19 @@ TEST(TwoPolarSearch, LinesAreSaidByNameAndBesideThemThereIsTheCircle) {
        {std::pair{make_potential("reciprocal-determinant", {1.0, 1.0}), unit},
         std::pair{make_potential("neo-hookean", {1.0, 2.0}), unit},
         std::pair{make_potential("biot", {2.0, 1.0}), slip}}) {
-    const TwoPolarSearchResult line = search_two_polar(body, V, rates);
+    const SearchResult line = search_two_polar(body, V, rates);
     EXPECT_TRUE(line.on_line);
     EXPECT_EQ(line.status, SearchStatus::undecided);
     EXPECT_TRUE(line.solutions.empty());
     EXPECT_NE(line.message.find("form a line"), std::string::npos) << line.message;
     const TwoPolarRates<double> beside{0.97 * rates.omega, 0.97 * rates.theta_dot};
-    const TwoPolarSearchResult off = search_two_polar(body, V, beside);
+    const SearchResult off = search_two_polar(body, V, beside);
     EXPECT_EQ(off.status, SearchStatus::complete) << text(off);
-    for (const TwoPolarEquilibrium& each : off.solutions) EXPECT_TRUE(each.circle) << text(off);
+    for (const Equilibrium& each : off.solutions) EXPECT_TRUE(each.circle) << text(off);
     // By momenta an ellipse of the line is isolated.
     const TwoPolarMomenta<double> momenta =
         two_polar_momenta(1.0, Vector3<double>{1.5, 0.8, 1.0}, rates.omega, rates.theta_dot);
-    const TwoPolarSearchResult isolated = search_two_polar(body, V, momenta);
+    const SearchResult isolated = search_two_polar(body, V, momenta);
     EXPECT_EQ(isolated.status, SearchStatus::complete) << text(isolated);
     EXPECT_EQ(isolated.solutions.size(), 1U) << text(isolated);
   }
@@ -239,11 +241,12 @@ TEST(TwoPolarCertificate, FakesAreRefused) {
   const Potential V =
       make_potential("saint-venant-kirchhoff", {0.9, 2.1}, "reciprocal-quadratic", {1.1, 1.5});
   const TwoPolarRates<double> rates{1.2, -0.35};
-  const TwoPolarEquilibrium exact = solve_two_polar(body, V, rates);
+  const Equilibrium exact = solve_two_polar(body, V, rates);
   ASSERT_EQ(exact.status, SolveStatus::solved) << exact.message;
-  for (const TwoPolarMotion& motion : {TwoPolarMotion(rates), TwoPolarMotion(exact.momenta)}) {
+  for (const TwoPolarMotion& motion :
+       {TwoPolarMotion(rates), TwoPolarMotion(exact.two_polar->momenta)}) {
     ASSERT_TRUE(certify_two_polar(body, V, motion, exact).proven);
-    const auto refused = [&](const TwoPolarEquilibrium& fake) {
+    const auto refused = [&](const Equilibrium& fake) {
       const Certificate proof = certify_two_polar(body, V, motion, fake);
       EXPECT_FALSE(proof.proven);
       EXPECT_FALSE(proof.reason.empty());
@@ -251,20 +254,20 @@ TEST(TwoPolarCertificate, FakesAreRefused) {
     };
     for (int k = 0; k < 3; ++k) {
       for (const double factor : {1.0 + 1e-9, 1.0 - 1e-9, -1.0, std::nan("")}) {
-        TwoPolarEquilibrium fake = exact;
-        fake.x[k] *= factor;
+        Equilibrium fake = exact;
+        (k == 0 ? fake.q.xi : k == 1 ? fake.q.zeta : fake.q.rho) *= factor;
         refused(fake);
       }
     }
-    TwoPolarEquilibrium fake = exact;
+    Equilibrium fake = exact;
     fake.circle = true;
     refused(fake);
     fake = exact;
-    fake.rates.omega *= 1.0 + 1e-9;
-    fake.momenta.s3 *= 1.0 + 1e-9;
+    fake.two_polar->rates.omega *= 1.0 + 1e-9;
+    fake.two_polar->momenta.s3 *= 1.0 + 1e-9;
     refused(fake);
     fake = exact;
-    std::swap(fake.x[0], fake.x[1]);
+    std::swap(fake.q.xi, fake.q.zeta);
     refused(fake);
   }
 }

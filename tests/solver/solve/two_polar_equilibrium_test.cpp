@@ -25,17 +25,17 @@ Potential potential(const char* model, double p1, double p2, double a = 1.0, dou
 }
 
 void expect_row(const ReferenceRow& row, const Body& body, const Potential& V,
-                const TwoPolarEquilibrium& found) {
+                const Equilibrium& found) {
   ASSERT_EQ(found.status, SolveStatus::solved) << row.where() << ": " << found.message;
   EXPECT_FALSE(found.circle);
   const char* names[] = {"lambda", "mu", "rho"};
   for (int k = 0; k < 3; ++k) {
     const auto exact = row.number<Real50>(names[k]);
-    const double error = nearest(Real50(abs(Real50(found.x[k]) - exact) / exact));
+    const double error = nearest(Real50(abs(Real50(diagonal(found.q)[k]) - exact) / exact));
     EXPECT_LE(error, 4e-15) << row.where() << " " << names[k];
     EXPECT_LE(error, found.error_bound) << row.where() << " " << names[k];
   }
-  const Spectrum spectrum = stability(body, V, found);
+  const Spectrum spectrum = two_polar_stability(body, V, found);
   ASSERT_EQ(spectrum.modes, 4) << row.where();
   double size = 0.0;
   for (int k = 0; k < 4; ++k)
@@ -62,13 +62,13 @@ TEST(TwoPolarTable, EveryRowByRatesAndByMomenta) {
     const Body body(value("J"), value("J"), value("J3"));
     const Potential V =
         potential(row.text("model").c_str(), value("v1"), value("v2"), value("a"), value("b"));
-    const TwoPolarEquilibrium by_rates =
+    const Equilibrium by_rates =
         solve_two_polar(body, V, TwoPolarRates<double>{value("omega"), value("theta_dot")});
     expect_row(row, body, V, by_rates);
-    const TwoPolarEquilibrium by_momenta = solve_two_polar(body, V, by_rates.momenta);
+    const Equilibrium by_momenta = solve_two_polar(body, V, by_rates.two_polar->momenta);
     expect_row(row, body, V, by_momenta);
-    EXPECT_NEAR(by_momenta.rates.omega, value("omega"), 1e-14);
-    EXPECT_NEAR(by_momenta.rates.theta_dot, value("theta_dot"), 1e-14);
+    EXPECT_NEAR(by_momenta.two_polar->rates.omega, value("omega"), 1e-14);
+    EXPECT_NEAR(by_momenta.two_polar->rates.theta_dot, value("theta_dot"), 1e-14);
   }
 }
 
@@ -78,17 +78,17 @@ TEST(TwoPolar, WithoutThetaDotIsBranchThree) {
   const Body body(1.0, 1.0, 1.5);
   const Potential V = potential("biot-log", 1.0, 4.0, 0.8, 1.3);
   const double omega = 1.2;
-  const TwoPolarEquilibrium at = solve_two_polar(body, V, TwoPolarRates<double>{omega, 0.0});
+  const Equilibrium at = solve_two_polar(body, V, TwoPolarRates<double>{omega, 0.0});
   ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
   ASSERT_FALSE(at.circle) << at.message;
   SolveOptions near;
-  near.start = Stretch{0.0, at.x[0], at.x[1], at.x[2]};
+  near.start = at.q;
   const Problem three(body, V, Branch::iii);
   const Equilibrium same = solve(three, omega, near);
   ASSERT_EQ(same.status, SolveStatus::solved) << same.message;
-  EXPECT_NEAR(same.q.xi, at.x[0], 4e-15 * at.x[0]);
-  EXPECT_NEAR(same.q.zeta, at.x[1], 4e-15 * at.x[1]);
-  const Spectrum two_polar = stability(body, V, at);
+  EXPECT_NEAR(same.q.xi, at.q.xi, 4e-15 * at.q.xi);
+  EXPECT_NEAR(same.q.zeta, at.q.zeta, 4e-15 * at.q.zeta);
+  const Spectrum two_polar = two_polar_stability(body, V, at);
   const Spectrum ellipse = stability(three, same);
   ASSERT_EQ(two_polar.modes, 4);
   ASSERT_EQ(ellipse.modes, 5);
@@ -109,7 +109,7 @@ TEST(TwoPolar, ExchangingTheRatesKeepsTheStretches) {
   const auto other = solve_two_polar(body, V, TwoPolarRates<double>{-0.35, 1.2});
   ASSERT_EQ(one.status, SolveStatus::solved);
   ASSERT_EQ(other.status, SolveStatus::solved);
-  EXPECT_EQ(one.x, other.x);
+  EXPECT_EQ(diagonal(one.q), diagonal(other.q));
   EXPECT_EQ(one.momenta.s3, other.momenta.p_theta);
 }
 
@@ -124,15 +124,15 @@ TEST(TwoPolar, LinesOfSolutionsAreSaidNotSampled) {
     const auto found = solve_two_polar(body, V, rates);
     EXPECT_EQ(found.status, SolveStatus::not_isolated) << found.message;
     EXPECT_NE(found.message.find("prescribe s3 and p_theta"), std::string::npos);
-    EXPECT_TRUE(std::isnan(found.x[0]));
+    EXPECT_TRUE(std::isnan(found.q.xi));
     // Off the line there is the circle only, and it is named.
     const auto circle =
         solve_two_polar(body, V, TwoPolarRates<double>{0.3 * rates.omega, 0.3 * rates.theta_dot});
     ASSERT_EQ(circle.status, SolveStatus::solved) << circle.message;
     EXPECT_TRUE(circle.circle);
-    EXPECT_EQ(circle.x[0], circle.x[1]);
+    EXPECT_EQ(circle.q.xi, circle.q.zeta);
     EXPECT_NE(circle.message.find("circle"), std::string::npos);
-    EXPECT_EQ(stability(body, V, circle).modes, 5);
+    EXPECT_EQ(two_polar_stability(body, V, circle).modes, 5);
   }
 }
 
@@ -142,8 +142,9 @@ TEST(TwoPolar, AnEllipseOfALineIsFoundByItsMomenta) {
   const Potential V = potential("reciprocal-determinant", 1.0, 1.0);
   const auto found = solve_two_polar(body, V, TwoPolarMomenta<double>{2.0, -1.5});
   ASSERT_EQ(found.status, SolveStatus::solved) << found.message;
-  EXPECT_GT(found.x[0], found.x[1]);
-  EXPECT_NEAR(found.rates.omega * found.rates.omega + found.rates.theta_dot * found.rates.theta_dot,
+  EXPECT_GT(found.q.xi, found.q.zeta);
+  EXPECT_NEAR(found.two_polar->rates.omega * found.two_polar->rates.omega +
+                  found.two_polar->rates.theta_dot * found.two_polar->rates.theta_dot,
               1.0, 1e-14);
 }
 
@@ -152,7 +153,7 @@ TEST(TwoPolar, WithoutSpinMomentumThereIsNoWobble) {
   const Potential V = potential("reciprocal-determinant", 1.0, 1.0);
   const auto found = solve_two_polar(body, V, TwoPolarMomenta<double>{0.0, 2.0});
   ASSERT_EQ(found.status, SolveStatus::solved) << found.message;
-  EXPECT_EQ(stability(body, V, found).modes, 3);
+  EXPECT_EQ(two_polar_stability(body, V, found).modes, 3);
 }
 
 TEST(TwoPolar, MisuseThrows) {
@@ -161,7 +162,7 @@ TEST(TwoPolar, MisuseThrows) {
                std::invalid_argument);
   EXPECT_THROW(solve_two_polar(Body(1.0, 1.0, 1.0), V, TwoPolarRates<double>{1.0, std::nan("")}),
                std::invalid_argument);
-  EXPECT_THROW(stability(Body(1.0, 1.0, 1.0), V, TwoPolarEquilibrium{}), std::invalid_argument);
+  EXPECT_THROW(two_polar_stability(Body(1.0, 1.0, 1.0), V, Equilibrium{}), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,101 @@
+// Where the events of a tilted family lie: the balance of a tilted axis (balance.hpp) and what
+// vanishes at the event, three equations in (xi, zeta, |nu|), in any number type:
+//
+//   fold               det dG/d ln x
+//   momentum           det of that bordered by dG/d ln |nu| and d ln I
+//   inertia            J1 xi^2 - J2 zeta^2
+//   in_plane, normal   one of the squares of nu's components: an end of the family
+#pragma once
+
+#include "solver/motion/event.hpp"
+#include "solver/motion/event_functions.hpp"
+#include "solver/motion/extended_root.hpp"
+#include "solver/proof/event_enclosure.hpp"
+
+namespace stationary {
+
+class TiltedEventSystem {
+ public:
+  static constexpr int dimension = 3;
+  enum class Kind { fold, momentum, inertia, in_plane, normal };
+
+  TiltedEventSystem(const Body& body, const Potential& potential, TiltPlane plane, Kind kind)
+      : J_{body.J1, body.J2, body.J3},
+        potential_(potential),
+        plane_(plane),
+        kind_(kind),
+        elastic_(potential, {}) {}
+
+  std::size_t inputs() const { return J_.size() + elastic_.inputs(); }
+  bool has_decimals() const { return elastic_.has_decimals(); }
+
+  ExtendedVector<3> values(const ExtendedVector<3>& y, const InputChange& change) const {
+    const Inertia3<DoubleDouble> J{change(J_[0], 0), change(J_[1], 1), change(J_[2], 2)};
+    return equations(J, y, [&](const auto&... x) { return elastic_.at(x..., change.from(3)); });
+  }
+  /// In intervals: of a proof (enclosed_event.hpp).
+  std::array<BoxDual<3>, 3> over_boxes(const std::array<BoxDual<3>, 3>& y, Inputs inputs) const {
+    const auto number = [&](double x) { return BoxDual<3>(as_input(x, inputs)); };
+    const Inertia3<BoxDual<3>> J{number(J_[0]), number(J_[1]), number(J_[2])};
+    return equations(J, y, [&](const auto& xi, const auto& zeta, const auto& rho, const auto& p) {
+      return elastic_over<3>(potential_, {}, {xi, zeta, rho}, p, inputs);
+    });
+  }
+  std::array<Conditioned, 3> conditioned(const std::array<Conditioned, 3>& y, bool exact) const {
+    const auto number = [&](double x) { return exact ? Conditioned(x) : Conditioned::input(x); };
+    const Inertia3<Conditioned> J{number(J_[0]), number(J_[1]), number(J_[2])};
+    return equations(J, y, [&](const auto&... x) { return elastic_.at(x..., exact); });
+  }
+
+ private:
+  template <class T, class Elastic>
+  std::array<T, 3> equations(const Inertia3<T>& J, const std::array<T, 3>& y,
+                             const Elastic& elastic_at) const {
+    const T& xi = y[0];
+    const T& zeta = y[1];
+    const T& p = y[2];
+    const T rho = tilted_thickness(J, plane_, xi, zeta);
+    const LogBalance<T> elastic = elastic_at(xi, zeta, rho, p);
+    const T m_xi = J.J1 * square(xi);
+    const T m_zeta = J.J2 * square(zeta);
+    const T square_nu = square(p);
+    LogBalance<T> at = elastic;
+    at.g_xi -= m_xi * square_nu;
+    at.g_zeta -= m_zeta * square_nu;
+    at.uu -= 2.0 * (m_xi * square_nu);
+    at.vv -= 2.0 * (m_zeta * square_nu);
+    at = tied_to_plane<2>(at, plane_);
+    const SquareArray<T, 2> jacobian{{{at.uu, at.uv}, {at.uv, at.vv}}};
+    const auto vanishing = [&]() -> T {
+      if (kind_ == Kind::fold) return determinant(jacobian);
+      if (kind_ == Kind::inertia) return m_zeta - m_xi;
+      if (kind_ == Kind::momentum)
+        return momentum_turn(jacobian, {-2.0 * (m_xi * square_nu), -2.0 * (m_zeta * square_nu)},
+                             {2.0 * m_xi, 2.0 * m_zeta}, T(m_xi + m_zeta));
+      const auto squares = tilt_squares(J, plane_, elastic, xi, zeta, rho);
+      return kind_ == Kind::in_plane ? squares.in_plane : squares.normal;
+    };
+    return {at.g_xi, at.g_zeta, vanishing()};
+  }
+
+  std::array<double, 3> J_;
+  Potential potential_;
+  TiltPlane plane_;
+  Kind kind_;
+  VariedElastic elastic_;
+};
+
+/// The test functions of a tilted family.
+KindEvents tilted_events();
+
+/// What vanishes at an event of this type near a located member; nothing where there are no
+/// equations for it.
+std::optional<TiltedEventSystem::Kind> vanishing_at(EventType type, const Member& near);
+
+/// The proof that the event is there; nothing where there are no equations for it.
+std::optional<EventEnclosure> enclose_tilted_event(const Body& body, const Potential& potential,
+                                                   TiltPlane plane, EventType type,
+                                                   const Member& member,
+                                                   Inputs inputs = Inputs::decimals);
+
+}  // namespace stationary

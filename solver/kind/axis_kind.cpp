@@ -1,0 +1,119 @@
+#include "solver/kind/axis_kind.hpp"
+
+#include "solver/solve/nonexistence.hpp"
+#include "solver/solve/stability.hpp"
+
+namespace stationary {
+namespace {
+
+/// Of a potential that is not isotropic.
+PlanItem oriented_spectrum_plan(const AnisotropicPotential& V, double nu) {
+  if (V.shear_free() && nu != 0.0) {
+    return {"spectrum", "5 modes from blocks where alpha = 0, else from the whole problem",
+            "V_alpha = 0 at alpha = 0: reflections split the dynamics about a material axis"};
+  }
+  return {"spectrum",
+          std::string(nu == 0.0 ? "4" : "5") +
+              " modes from the whole problem, by a structure-preserving method",
+          "V_alpha != 0 at alpha = 0, or not known to vanish, or nu = 0: no blocks"};
+}
+
+class AxisKind final : public Kind {
+ public:
+  AxisKind(const Body& body, const Potential& potential, const AxisRotation& motion)
+      : Kind(body, potential), motion_(motion), problem_(body, potential, motion.branch) {}
+
+  Motion motion() const override { return motion_; }
+
+  Equilibrium solve(const SolveOptions& options) const override {
+    return stationary::solve(problem_, motion_.nu, options);
+  }
+  SearchResult search(const SearchOptions& options) const override {
+    return stationary::search(problem_, motion_.nu, options);
+  }
+  std::optional<std::string> nonexistence() const override {
+    return nonexistence_reason(problem_, motion_.nu);
+  }
+
+  std::optional<Spectrum> spectrum(const Equilibrium& solved) const override {
+    return stability(problem_, solved);
+  }
+  Certificate certify(const Equilibrium& equilibrium) const override {
+    return stationary::certify(problem_, equilibrium);
+  }
+  SpectrumEnclosure enclose(const Equilibrium& equilibrium, const Certificate& certificate,
+                            const Spectrum& spectrum) const override {
+    return enclose_spectrum(problem_, equilibrium, certificate, spectrum);
+  }
+
+  std::vector<PlanItem> unknowns() const override { return problem_.plan(); }
+  /// The blocks that alpha = 0 and an isotropic potential split the linearization into.
+  PlanItem spectrum_plan() const override {
+    const auto [branch, nu] = motion_;
+    if (!potential().is_isotropic()) return oriented_spectrum_plan(potential().anisotropic(), nu);
+    constexpr const char* split = "alpha = 0 and an isotropic potential: reflections split the ";
+    const bool separable = potential().is_separable();
+    if (nu == 0.0) {
+      return {"spectrum",
+              separable ? "4 modes from 2 blocks: rho (1) and alpha, xi, zeta (3)"
+                        : "4 modes from 1 block: alpha, xi, zeta, rho (4)",
+              "at rest there is no angular momentum, the leaf has 8 dimensions"};
+    }
+    std::string how = "5 modes from ";
+    if (branch != Branch::iii) {
+      how += branch == Branch::i ? "2 blocks: xi, zeta, rho (3) and alpha, pi2, pi3 (2)"
+                                 : "2 blocks: xi, zeta, rho (3) and alpha, pi1, pi3 (2)";
+    } else if (separable) {
+      how += "3 blocks: pi1, pi2 (1), rho (1) and alpha, xi, zeta (3)";
+    } else {
+      how += "2 blocks: pi1, pi2 (1) and alpha, xi, zeta, rho (4)";
+    }
+    return {"spectrum", how, std::string(split) + "10-dimensional leaf of fixed |pi|"};
+  }
+  std::string_view default_start() const override { return "the solution connected to rest"; }
+
+  AnyFamily family(const FamilyParameter& parameter, const FamilyOutputs& outputs,
+                   const Stretch& start) const override {
+    return axis_family(problem_,
+                       {.nu = motion_.nu,
+                        .parameter = parameter,
+                        .spectrum = outputs.spectrum,
+                        .errors = outputs.errors,
+                        .energy = outputs.energy},
+                       start.alpha != 0.0);
+  }
+  /// About axis 1 or 2 compatibility asks for alpha = 0, which may leave a force V_alpha.
+  bool from_rest() const override {
+    return motion_.branch == Branch::iii || potential().is_isotropic() ||
+           potential().anisotropic().shear_free();
+  }
+
+  std::optional<std::string> no_family() const override {
+    if (from_rest()) return std::nullopt;
+    return "at rest alone there is an ellipsoid: about this axis compatibility asks for alpha = 0, "
+           "which leaves a force V_alpha";
+  }
+  /// A vertical branch.
+  bool follows_continuum() const override { return true; }
+
+  std::optional<EventEnclosure> enclose_event(const FamilyParameter& parameter, EventType event,
+                                              const Member& member) const override {
+    if (!potential().is_isotropic() || !has_enclosure(event)) return std::nullopt;
+    const bool circle = event == EventType::ellipse ||
+                        (mirror_symmetric(problem_, member.nu) && member.q.xi == member.q.zeta);
+    return stationary::enclose_event(problem_, parameter, circle, event, member);
+  }
+
+ private:
+  AxisRotation motion_;
+  Problem problem_;
+};
+
+}  // namespace
+
+std::unique_ptr<Kind> axis_kind(const Body& body, const Potential& potential,
+                                const AxisRotation& motion) {
+  return std::make_unique<AxisKind>(body, potential, motion);
+}
+
+}  // namespace stationary

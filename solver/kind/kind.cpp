@@ -1,0 +1,115 @@
+#include "solver/kind/kind.hpp"
+
+#include <sstream>
+#include <utility>
+#include <variant>
+
+#include "solver/kind/axis_kind.hpp"
+#include "solver/kind/oblique_kind.hpp"
+#include "solver/kind/tilted_kind.hpp"
+#include "solver/kind/two_polar_kind.hpp"
+
+namespace stationary {
+namespace {
+
+std::string number(double x) {
+  std::ostringstream out;
+  out << x;
+  return out.str();
+}
+
+Alternatives only(std::unique_ptr<Kind> kind) {
+  Alternatives out;
+  out.each.push_back({{}, std::move(kind)});
+  return out;
+}
+
+/// The kinds of each motion.
+struct Of {
+  const Body& body;
+  const Potential& potential;
+  bool anywhere;
+
+  Alternatives operator()(const AxisRotation& motion) const {
+    return only(axis_kind(body, potential, motion));
+  }
+  Alternatives operator()(const TwoPolarMotion& motion) const {
+    return only(two_polar_kind(body, potential, motion));
+  }
+  Alternatives operator()(const TiltedMotion& motion) const {
+    Alternatives out;
+    for (const TiltedRotation& each : motion.rotations())
+      out.each.push_back({each.plane == TiltPlane::one_three ? "1-3 plane" : "2-3 plane",
+                          tilted_kind(body, potential, each)});
+    out.key = "motion.plane";
+    out.values = "\"13\" or \"23\"";
+    out.both = "tilted motions with |nu| = " + number(motion.nu) + " in both planes";
+    return out;
+  }
+  Alternatives operator()(const ObliqueRotation& motion) const {
+    if (anywhere || motion.near) return only(oblique_kind(body, potential, motion));
+    Alternatives out;
+    for (const Branch near : {Branch::i, Branch::ii})
+      out.each.push_back({near == Branch::i ? "axis 1" : "axis 2",
+                          oblique_kind(body, potential, {motion.nu, near})});
+    out.any = oblique_kind(body, potential, motion);
+    out.key = "motion.axis";
+    out.values = "\"1\" or \"2\"";
+    out.both = "oblique motions with |nu| = " + number(motion.nu) + " of the families of both axes";
+    return out;
+  }
+};
+
+}  // namespace
+
+Equilibrium at_rest() {
+  Equilibrium out;
+  out.status = SolveStatus::none_exists;
+  out.message = "at rest no axis is one of a spin: |nu| > 0";
+  return out;
+}
+
+Equilibrium equilibrium_of(const Member& member) {
+  Equilibrium out;
+  out.status = SolveStatus::solved;
+  out.q = member.q;
+  out.nu = member.angular_velocity;
+  if (member.two_polar) {
+    out.two_polar = *member.two_polar;
+    out.circle = member.q.xi == member.q.zeta;
+  }
+  out.residual = member.residual;
+  out.compatibility = member.compatibility;
+  out.error_bound = member.error_bound;
+  return out;
+}
+
+Alternatives alternatives(const Body& body, const Potential& potential, const Motion& motion,
+                          bool anywhere) {
+  return std::visit(Of{body, potential, anywhere}, motion);
+}
+
+std::unique_ptr<Kind> kind_of(const Body& body, const Potential& potential, const Motion& motion) {
+  return std::move(alternatives(body, potential, motion, true).each.front().kind);
+}
+
+Found first_found(const Alternatives& kinds, const SolveOptions& options) {
+  SolveOptions how = options;
+  if (kinds.any) how.search = false;  // it would find the motion of any of them
+  Equilibrium out;
+  std::string failures;
+  for (const auto& [label, kind] : kinds.each) {
+    Equilibrium found = kind->solve(how);
+    if (found.status == SolveStatus::solved || found.status == SolveStatus::interrupted)
+      return {found, kind.get()};
+    failures +=
+        (failures.empty() ? "" : "; ") + (label.empty() ? "" : label + ": ") + found.message;
+    if (out.status != SolveStatus::failed) out = std::move(found);
+  }
+  out.message = failures;
+  if (kinds.any && out.status == SolveStatus::not_found)
+    return {kinds.any->solve(options), kinds.any.get()};
+  return {out, kinds.each.front().kind.get()};
+}
+
+}  // namespace stationary

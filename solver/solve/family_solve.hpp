@@ -1,0 +1,194 @@
+// What the solves of a family (family.hpp) have in common: Newton's method at one value of its
+// parameter, and the way there along it from another of its motions. Both end in the family's
+// correction with an extended-precision residual; what is returned is recomputed in lib, and that
+// decides.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lib/body/inertia.hpp"
+#include "lib/number/small_matrix.hpp"
+#include "solver/family/follow_sheet.hpp"
+#include "solver/newton/newton.hpp"
+#include "solver/solve/solve.hpp"
+
+namespace stationary {
+
+/// A family's equations at one p, as Newton's method takes them.
+template <int N>
+struct AtParameter {
+  static constexpr int dimension = N;
+  struct At {
+    ReducedVector<N> g;
+    SmallMatrix<N> jacobian;
+  };
+  const Family<N>& family;
+  double p;
+
+  At linearize(const ReducedVector<N>& x) const {
+    const FamilyLinearization<N> at = family.linearize(x, p);
+    return {at.g, {at.jacobian}};
+  }
+};
+
+/// Keeps the two ends of a sheet, and its events of one type.
+class EndSink final : public CurveSink {
+ public:
+  explicit EndSink(EventType kept = EventType::none) : kept_(kept) {}
+
+  void row(const Member& member, EventType event) override {
+    if (count_++ == 0) first_ = {member, event};
+    last_ = {member, event};
+    if (event == kept_ && event != EventType::none) events.push_back(member);
+  }
+  /// The end that is the limit of the range at p.
+  const Member* at(double p) const {
+    for (const auto* end : {&first_, &last_})
+      if (end->second == EventType::limit && end->first.parameter == p) return &end->first;
+    return nullptr;
+  }
+  std::string text() const {
+    std::ostringstream out;
+    out << "from |nu| = " << first_.first.parameter << " (" << name(first_.second) << ") to "
+        << last_.first.parameter << " (" << name(last_.second) << ")";
+    return out.str();
+  }
+
+  std::vector<Member> events;
+
+ private:
+  EventType kept_;
+  long count_ = 0;
+  std::pair<Member, EventType> first_;
+  std::pair<Member, EventType> last_;
+};
+
+class FamilySolve {
+ public:
+  FamilySolve(const Body& body, const Potential& potential, const SolveOptions& options)
+      : body_(body), potential_(potential), options_(options) {}
+
+ protected:
+  bool stopped() const {
+    return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
+  }
+
+  /// An elastic rate of the body at rest, for a scale of nu.
+  double rate(const Stretch& rest) const {
+    const double stiffness = potential_.derivatives(rest).hessian.diagonal().maxCoeff();
+    return std::sqrt(stiffness / std::min({body_.J1, body_.J2, body_.J3}));
+  }
+
+  FollowOptions range(double from, double to, const EventSet& events) const {
+    FollowOptions out;
+    out.continuation.from = from;
+    out.continuation.to = to;
+    out.continuation.step.tolerance = 1e-7;
+    out.events = events;
+    out.stop = options_.stop;
+    return out;
+  }
+
+  /// The events of one type on the sheet through the rest state, from nu = 0 far beyond `to`.
+  std::vector<Member> events_from_rest(const AnyFamily& family, const Stretch& rest, double to,
+                                       EventType type) {
+    EndSink sink(type);
+    const double end = std::max(10.0 * rate(rest), 2.0 * to);
+    count(follow(family, rest, 0.0, range(0.0, end, EventSet::none().add(type)), sink));
+    return sink.events;
+  }
+
+  template <int N>
+  void by_newton(const Family<N>& family, ReducedVector<N> x, double p, Connection connection,
+                 const std::string& how) {
+    const NewtonResult found = newton(AtParameter<N>{family, p}, x);
+    out_.counts.newton_steps += found.steps;
+    out_.counts.jacobians += found.steps;
+    ReducedVector<N> tail;
+    Refined refined;
+    if (found.converged) refined = family.refine_at(x, tail, p);
+    out_.counts.extended_residuals += refined.steps;
+    if (!refined.converged) return fail(how + " did not converge");
+    adopt(family.member(x, tail, p, refined.error_bound), connection, how);
+  }
+
+  /// From a motion of the family at p to `to`, the limit of the range it is followed in.
+  template <int N>
+  void along(const Family<N>& family, const Stretch& q, double p, double to,
+             const FollowOptions& how, const std::string& what) {
+    EndSink ends;
+    const FollowReport report = follow_family(family, q, p, how, ends);
+    count(report);
+    if (report.interrupted) {
+      out_.status = SolveStatus::interrupted;
+    } else if (!report.failure.empty()) {
+      fail(what + ": " + report.failure);
+    } else if (const Member* member = ends.at(to)) {
+      adopt(*member, Connection::rest,
+            "along " + what + " in " + std::to_string(report.counts.steps) + " steps");
+    } else {
+      fail(what + " was followed " + ends.text() + ", without coming to |nu| = " + text(to));
+    }
+  }
+
+  void adopt(const Member& member, Connection connection, const std::string& how) {
+    if (member.beyond_end()) {
+      const bool normal = member.tilt_normal < 0.0;
+      const double share = std::min(member.tilt_normal, member.tilt_in_plane);
+      return fail(how + ": the balance there asks for " + (normal ? "nu3" : "nu1 or nu2") +
+                  "^2 = " + text(share * member.nu * member.nu) +
+                  " < 0, beyond an end of the tilted family");
+    }
+    out_.q = member.q;
+    out_.nu = member.angular_velocity;
+    out_.residual = member.residual;
+    out_.compatibility = member.compatibility;
+    out_.error_bound = member.error_bound;
+    out_.connection = connection;
+    out_.message = how;
+    // Near a material axis compatibility is a difference of small products: of |pi| |nu| then.
+    const Vector3<double> pi = locked_inertia(body_, out_.q) * out_.nu;
+    const double mismatch = compatibility_residual(body_, out_.q, out_.nu).norm();
+    const bool solved = out_.residual <= acceptable_residual &&
+                        mismatch <= acceptable_residual * pi.norm() * out_.nu.norm();
+    out_.status = solved ? SolveStatus::solved : SolveStatus::failed;
+    if (!solved) out_.message += "; but the recomputed residual is no equilibrium's";
+  }
+
+  void fail(const std::string& message) {
+    out_.status = stopped() ? SolveStatus::interrupted : SolveStatus::not_found;
+    out_.message = message;
+  }
+  void count(const FollowReport& report) {
+    out_.counts.walk_steps += report.counts.steps;
+    out_.counts.jacobians += report.counts.linearizations;
+  }
+  static std::string text(double x) {
+    std::ostringstream out;
+    out << x;
+    return out.str();
+  }
+
+  const Body& body_;
+  const Potential& potential_;
+  const SolveOptions& options_;
+  Equilibrium out_;
+};
+
+/// At a solution, corrected once more in extended precision.
+template <int N>
+std::optional<Spectrum> family_spectrum(const Family<N>& family, const Equilibrium& equilibrium,
+                                        double p) {
+  ReducedVector<N> x = family.coordinates(equilibrium.q, p);
+  ReducedVector<N> tail;
+  const Refined refined = family.refine_at(x, tail, p);
+  if (!refined.converged) return std::nullopt;
+  return family.member(x, tail, p, equilibrium.error_bound).spectrum;
+}
+
+}  // namespace stationary

@@ -1,0 +1,224 @@
+// What every kind of motion keeps, whatever the potential: what is solved is proven and is among all
+// that there are, what is moved off is refused, the class is proven, and the family through it is
+// made of such motions, its events too.
+#include "solver/kind/kind.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/anisotropic_motions.hpp"
+#include "tests/support/followed.hpp"
+#include "tests/support/models.hpp"
+#include "tests/support/written_potential.hpp"
+
+namespace stationary {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+
+Potential made_of(std::string_view plane, std::string_view thickness = "reciprocal-quadratic") {
+  const double first[] = {1.0, 2.0};
+  const double second[] = {thickness == "harmonic" ? 3.0 : 1.0,
+                           thickness == "harmonic" ? 0.9 : 3.0};
+  return {Potential::planar(plane, first), Potential::thickness(thickness, second)};
+}
+Potential coupled() {
+  const double coefficients[] = {1.0, 2.0};
+  return Potential(Potential::coupled("neo-hookean-3d", coefficients));
+}
+Potential formula() {
+  return Potential(support::written_coupled(
+      "mu/2*(I1 + rho^2 - 3 - 2*log(d*rho)) + la/2*log(d*rho)^2 + mu/20*log(d)^2", {"mu", "la"},
+      {1.0, 2.0}));
+}
+
+struct Posed {
+  std::string text;
+  Body body;
+  Potential potential;
+  Motion motion;
+  bool has_events = false;  ///< on the part followed
+};
+
+std::vector<Posed> all_kinds() {
+  const Body plate(1.0, 1.7, 0.6);
+  const Body round(1.0, 1.0, 0.6);
+  std::vector<Posed> out;
+  const auto add = [&](const std::string& text, const Body& body, const Potential& V,
+                       const Motion& motion, bool has_events = false) {
+    out.push_back({std::string(name(motion)) + ", " + text, body, V, motion, has_events});
+  };
+  const std::pair<const char*, Potential> isotropic[] = {
+      {"reciprocal-determinant", made_of("reciprocal-determinant")},
+      {"saint-venant-kirchhoff", made_of("saint-venant-kirchhoff", "harmonic")},
+      {"biot", made_of("biot")},
+      {"biot-log", made_of("biot-log", "harmonic")},
+      {"neo-hookean", made_of("neo-hookean")},
+      {"hencky", made_of("hencky")},
+      {"neo-hookean-3d", coupled()},
+      {"formula", formula()}};
+  for (const auto& [text, V] : isotropic) {
+    for (const Branch branch : {Branch::i, Branch::ii, Branch::iii})
+      add(text, plate, V, AxisRotation{branch, 0.3});
+    add(text, round, V, AxisRotation{Branch::iii, 0.3});
+  }
+  add("reciprocal-determinant", plate, made_of("reciprocal-determinant"),
+      TiltedMotion{TiltPlane::one_three, 1.07}, true);
+  add("neo-hookean", plate, made_of("neo-hookean"), TiltedMotion{TiltPlane::two_three, 0.995},
+      true);
+  for (const char* plane : {"biot-log", "hencky"}) {
+    add(plane, round, made_of(plane), TwoPolarRates<double>{1.2, -0.35});
+    add(plane, round, made_of(plane), TwoPolarMomenta<double>{2.2, 0.3});
+  }
+  const Potential fibre = fibred(NeoHookean<>{1.0, 2.0}, 0.4, 25.0);
+  add("fibre", plate, fibre, AxisRotation{Branch::iii, 0.25});
+  add("fibre", plate, fibre, ObliqueRotation{0.25, Branch::i});
+  add("fibre", plate, fibre, ObliqueRotation{0.25, Branch::ii});
+  return out;
+}
+
+double apart(const Stretch& a, const Stretch& b) {
+  return std::max({std::abs(a.xi / b.xi - 1.0), std::abs(a.zeta / b.zeta - 1.0),
+                   std::abs(a.rho / b.rho - 1.0),
+                   std::abs(a.alpha - b.alpha) / std::sqrt(b.xi * b.zeta)});
+}
+
+class EveryKind : public ::testing::TestWithParam<Posed> {
+ protected:
+  void SetUp() override {
+    const Posed& posed = GetParam();
+    kinds_ = alternatives(posed.body, posed.potential, posed.motion, false);
+    const auto [found, kind] = first_found(kinds_, {});
+    ASSERT_EQ(found.status, SolveStatus::solved) << found.message;
+    found_ = found;
+    kind_ = kind;
+  }
+  Alternatives kinds_;
+  Equilibrium found_;
+  const Kind* kind_ = nullptr;
+};
+
+TEST_P(EveryKind, SolvesWhatItProves) {
+  EXPECT_EQ(name(kind_->motion()), name(GetParam().motion));
+  EXPECT_LE(found_.residual, acceptable_residual);
+  EXPECT_LE(found_.compatibility, acceptable_residual);
+  const Certificate proof = kind_->certify(found_);
+  ASSERT_TRUE(proof.proven) << proof.reason;
+  EXPECT_LE(proof.error_bound, 1e-13);
+  for (const double factor : {1.0 - 1e-9, 1.0 + 1e-9}) {
+    Equilibrium fake = found_;
+    fake.q.zeta *= factor;
+    if (found_.circle) fake.q.xi = fake.q.zeta;
+    EXPECT_FALSE(kind_->certify(fake).proven) << factor;
+  }
+}
+
+TEST_P(EveryKind, ProvesItsClass) {
+  const auto spectrum = kind_->spectrum(found_);
+  ASSERT_TRUE(spectrum);
+  const Certificate proof = kind_->certify(found_);
+  ASSERT_TRUE(proof.proven) << proof.reason;
+  EXPECT_EQ(kind_->enclose(found_, proof, *spectrum).verdict, spectrum->verdict);
+  EXPECT_THROW((void)kind_->enclose(found_, Certificate(), *spectrum), std::invalid_argument);
+}
+
+TEST_P(EveryKind, FindsItAmongAllOfThem) {
+  SearchOptions box;
+  box.min_stretch = 0.05;
+  box.max_stretch = 20.0;
+  const SearchResult all = kind_->search(box);
+  ASSERT_NE(all.status, SearchStatus::interrupted);
+  const auto is_it = [&](const Equilibrium& each) {
+    return apart(each.q, found_.q) <= 2.0 * (each.error_bound + found_.error_bound) &&
+           (each.nu - found_.nu).norm() <= 1e-12 * found_.nu.norm();
+  };
+  EXPECT_GE(std::ranges::count_if(all.solutions, is_it), 1) << all.message;
+}
+
+TEST_P(EveryKind, FollowsWhatItProves) {
+  const Posed& posed = GetParam();
+  const AnyFamily family = kind_->family({}, {}, found_.q);
+  const auto numbers = [](const Motion& motion) {
+    if (const auto* axis = std::get_if<AxisRotation>(&motion)) return axis->nu;
+    if (const auto* tilted = std::get_if<TiltedMotion>(&motion)) return tilted->nu;
+    if (const auto* oblique = std::get_if<ObliqueRotation>(&motion)) return oblique->nu;
+    const auto& two = std::get<TwoPolarMotion>(motion);
+    if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two)) return rates->omega;
+    return std::get<TwoPolarMomenta<double>>(two).s3;
+  };
+  const double p = numbers(posed.motion);
+  const Followed sheet =
+      followed(family, found_.q, p, range(0.8 * p, posed.has_events ? 1.3 * p : 1.1 * p));
+  ASSERT_TRUE(sheet.report.failure.empty()) << sheet.report.failure;
+  ASSERT_GE(sheet.rows.size(), 4U);
+  int events = 0;
+  for (const FollowedRow& row : sheet.rows) {
+    const Equilibrium at = equilibrium_of(row.member);
+    const Motion there = [&]() -> Motion {
+      Motion out = kind_->motion();
+      const double value = row.member.parameter;
+      if (auto* axis = std::get_if<AxisRotation>(&out)) axis->nu = value;
+      if (auto* tilted = std::get_if<TiltedMotion>(&out)) tilted->nu = value;
+      if (auto* oblique = std::get_if<ObliqueRotation>(&out)) oblique->nu = value;
+      if (auto* two = std::get_if<TwoPolarMotion>(&out)) {
+        if (auto* rates = std::get_if<TwoPolarRates<double>>(two)) rates->omega = value;
+        if (auto* momenta = std::get_if<TwoPolarMomenta<double>>(two)) momenta->s3 = value;
+      }
+      return out;
+    }();
+    const auto kind = kind_of(posed.body, posed.potential, there);
+    if (const auto event = kind->enclose_event({}, row.event, row.member)) {
+      ++events;
+      EXPECT_TRUE(event->proven) << name(row.event) << " at " << row.member.parameter << ": "
+                                 << event->reason;
+      EXPECT_LE(event->error_bound, 1e-12) << name(row.event);
+      EXPECT_LE((event->parameter - Interval(row.member.parameter)).magnitude(),
+                1e-13 * std::abs(row.member.parameter));
+    } else if (row.event == EventType::none || row.event == EventType::limit) {
+      const Certificate proof = kind->certify(at);
+      EXPECT_TRUE(proof.proven) << row.member.parameter << ": " << proof.reason;
+    }
+  }
+  if (posed.has_events) EXPECT_GE(events, 1) << sheet.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind, ::testing::ValuesIn(all_kinds()), [](const auto& info) {
+  std::string out = info.param.text + std::to_string(info.index);
+  std::erase_if(out, [](char c) { return std::isalnum(c) == 0; });
+  return out;
+});
+
+TEST(Alternatives, NameThePlanesAndTheAxes) {
+  const Body plate(1.0, 1.7, 0.6);
+  const Alternatives planes =
+      alternatives(plate, made_of("neo-hookean"), TiltedMotion{{}, 1.0}, false);
+  ASSERT_EQ(planes.each.size(), 2U);
+  EXPECT_EQ(planes.each[0].label, "1-3 plane");
+  EXPECT_EQ(planes.each[1].label, "2-3 plane");
+  EXPECT_EQ(planes.any, nullptr);
+  const Potential fibre = fibred(NeoHookean<>{1.0, 2.0}, 0.4, 25.0);
+  const Alternatives axes = alternatives(plate, fibre, ObliqueRotation{0.3}, false);
+  ASSERT_EQ(axes.each.size(), 2U);
+  EXPECT_NE(axes.any, nullptr);
+  EXPECT_EQ(alternatives(plate, fibre, ObliqueRotation{0.3}, true).each.size(), 1U);
+  // What is said of all where none has a motion.
+  const auto [found, kind] =
+      first_found(alternatives(plate, made_of("neo-hookean"), TiltedMotion{{}, 1e-3}, false), {});
+  EXPECT_EQ(found.status, SolveStatus::not_found);
+  EXPECT_THAT(found.message, HasSubstr("1-3 plane: "));
+  EXPECT_THAT(found.message, HasSubstr("; 2-3 plane: "));
+}
+
+TEST(Alternatives, AtRestNoOtherAxisIsOneOfASpin) {
+  const Body plate(1.0, 1.7, 0.6);
+  for (const Motion& motion :
+       {Motion(TiltedMotion{TiltPlane::one_three, 0.0}), Motion(ObliqueRotation{0.0, Branch::i})}) {
+    const Equilibrium none = kind_of(plate, made_of("neo-hookean"), motion)->solve({});
+    EXPECT_EQ(none.status, SolveStatus::none_exists);
+    EXPECT_THAT(none.message, HasSubstr("|nu| > 0"));
+  }
+}
+
+}  // namespace
+}  // namespace stationary
