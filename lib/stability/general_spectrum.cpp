@@ -249,7 +249,7 @@ Leaf<Real> motion_leaf(const Body& body, const Potential& potential,
     }
   };
   if (potential.is_isotropic()) {
-    potential.visit([&](const auto& model) {
+    potential.visit_parts([&](const auto& model) {
       take(potential_derivatives<2>(model, q),
            potential_derivatives<2>(conditioned_model(model), q_c));
     });

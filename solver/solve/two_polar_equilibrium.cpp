@@ -257,18 +257,22 @@ bool nearest_of_all(const Body& body, const Potential& potential, const TwoPolar
     return true;
   }
   const Equilibrium* nearest = nullptr;
+  int ellipses = 0;
   const auto distance = [](const Equilibrium& at) {
     return diagonal(at.q).array().log().abs().maxCoeff();
   };
-  for (const Equilibrium& each : all.solutions)
-    if (!each.circle && (nearest == nullptr || distance(each) < distance(*nearest)))
-      nearest = &each;
+  for (const Equilibrium& each : all.solutions) {
+    if (each.circle) continue;
+    ++ellipses;
+    if (nearest == nullptr || distance(each) < distance(*nearest)) nearest = &each;
+  }
   if (nearest != nullptr) {
     const Counts counts = out.counts;
     out = *nearest;
     out.counts = counts;
-    out.message = "exhaustive search, of " + std::to_string(all.solutions.size()) +
-                  " motions the ellipse nearest to the unit stretches";
+    out.message = ellipses == 1 ? "exhaustive search: the only ellipse found"
+                                : "exhaustive search: of " + std::to_string(ellipses) +
+                                      " ellipses the one nearest to the unit stretches";
     return true;
   }
   if (all.status != SearchStatus::complete) return false;

@@ -255,9 +255,6 @@ TEST(AnisotropicCase, WrongInputIsRefusedByName) {
     EXPECT_EQ(outcome.code, 2) << fault.fragment;
     EXPECT_THAT(outcome.err, HasSubstr(fault.fragment));
   }
-  const Outcome map = run({"map", oblique_case}, {map_over_nu});
-  EXPECT_EQ(map.code, 2);
-  EXPECT_THAT(map.err, HasSubstr("one of \"i\", \"ii\", \"iii\" for map"));
 }
 
 TEST(AnisotropicCase, ContinueAsksWhichObliqueFamily) {

@@ -134,7 +134,8 @@ TEST(Continue, EveryCaseIsFollowedFromEndToEnd) {
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const bool at_end = k == 0 || k + 1 == rows.size();
       const std::string& event = rows[k].at("event");
-      EXPECT_EQ(is_end_name(event) || (input.branch_name() == tilted_name && event == "tilt"), at_end)
+      EXPECT_EQ(is_end_name(event) || (input.branch_name() == tilted_name && event == "tilt"),
+                at_end)
           << entry.path() << " row " << k;
       EXPECT_EQ(rows[k].at("branch"), input.branch_name());
       EXPECT_EQ(rows[k].at("sheet"), "1");
@@ -303,7 +304,7 @@ TEST(Continue, MetadataTellTheEventsOfTheTable) {
   for (const char* file : {"fold.toml", "circle.toml", "apart.toml", "disc.toml"}) {
     const Outcome outcome = continued(shipped(file), along_nu("0", "3"), directory / "x.csv");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, IsEmpty());
+    EXPECT_THAT(outcome.out, HasSubstr("one end"));  // the summary, beside the table too
     EXPECT_THAT(directory.names(), ElementsAre("x.csv", "x.meta.json"));
     const auto rows = rows_of(text_of(directory / "x.csv"));
     const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
@@ -423,7 +424,9 @@ TEST(Continue, WrongInputIsTwoAndNamesThePlace) {
       {"two_polar.toml", {"continuation.parameter=nu"}, "continuation.parameter: found"},
       {"two_polar.toml", {"continuation.parameter=body.J.0"}, "continuation.parameter: found"},
       {"too_fast.toml", {}, "too_fast.toml:1:1: continuation: found no such key"},
-      {"too_fast.toml", {"continuation.from=0", "continuation.to=1"}, "continuation.parameter: "},
+      {"two_polar.toml",
+       {"continuation={from=0.0,to=1.0}"},
+       "continuation.parameter: found no such key; expected one of \"motion.omega\""},
   };
   for (const Refused& each : all) {
     const Outcome outcome = continued(shipped(each.file), each.overrides);
@@ -431,6 +434,12 @@ TEST(Continue, WrongInputIsTwoAndNamesThePlace) {
     EXPECT_THAT(outcome.err, HasSubstr(each.message));
     EXPECT_THAT(outcome.out, IsEmpty());
   }
+}
+
+TEST(Continue, TheParameterIsNuUnlessAnotherIsNamed) {
+  const Outcome named = continued(shipped("disc.toml"), {"continuation.to=1"});
+  EXPECT_EQ(continued(shipped("disc.toml"), {"continuation={from=0.0,to=1.0,tolerance=1e-10}"}).out,
+            named.out);
 }
 
 TEST(Continue, NoneAtTheStartIsThreeAndLeavesTheOldTable) {

@@ -81,14 +81,19 @@ TEST(Solve, MetadataStandsBesideTheTable) {
   const Outcome outcome =
       run_program({"solve", shipped("disc.toml"), "-o", directory / "x.csv", "--threads", "2"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, IsEmpty());
+  EXPECT_EQ(outcome.out.substr(0, outcome.out.find("\ncost")), [&] {
+    const std::string alone = run_program({"solve", shipped("disc.toml")}).out;
+    return alone.substr(0, alone.find("\ncost"));
+  }());  // the same summary as without a table
+  EXPECT_THAT(run_program({"solve", shipped("disc.toml"), "-o", directory / "x.csv", "-q"}).out,
+              IsEmpty());
   EXPECT_THAT(outcome.err, IsEmpty());
   EXPECT_THAT(directory.names(), ::testing::ElementsAre("x.csv", "x.meta.json"));
   const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
   EXPECT_EQ(metadata["program"], "stationary");
-  EXPECT_EQ(metadata["command_line"][1], "solve");
+  EXPECT_EQ(metadata["run"]["command_line"][1], "solve");
   EXPECT_EQ(metadata["rows"], 1);
-  EXPECT_GE(metadata["seconds"].get<double>(), 0.0);
+  EXPECT_GE(metadata["run"]["seconds"].get<double>(), 0.0);
   EXPECT_EQ(metadata["case"]["body"]["J"], nlohmann::json({1.0, 1.7, 0.6}));
   EXPECT_EQ(metadata["case"]["potential"]["plane"]["c"], 1.0);
   EXPECT_EQ(metadata["case"]["solve"]["method"], "auto");

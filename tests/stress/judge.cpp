@@ -12,8 +12,8 @@
 namespace stationary::stress {
 namespace {
 
-using testing::Motion;
 using testing::Number50;
+using testing::SolvedMotion;
 using testing::WideMotion;
 
 /// The first one is kept.
@@ -102,7 +102,7 @@ class Judgement {
       fault("a number of the answer is not finite");
       return out_;
     }
-    const Motion motion{c_.problem, std::move(at), c_.text};
+    const SolvedMotion motion{c_.problem, std::move(at), c_.text};
     WideMotion wide;
     try {
       wide = testing::wide_motion(motion);
@@ -130,7 +130,7 @@ class Judgement {
  private:
   void fault(const std::string& what) { stress::fault(what, c_.text, out_); }
 
-  void judge_spectrum(const Motion& motion, const WideMotion& wide) {
+  void judge_spectrum(const SolvedMotion& motion, const WideMotion& wide) {
     const Spectrum spectrum = motion.blocks();
     if (!finite(spectrum)) {
       out_.not_finite = true;

@@ -12,7 +12,7 @@ inline DoubleDouble extended(const Number50& x) {
   return {hi, Number50(x - hi).convert_to<double>()};
 }
 
-inline Spectrum general(const Motion& motion, double theta = 0.0) {
+inline Spectrum general(const SolvedMotion& motion, double theta = 0.0) {
   const auto wide = wide_motion(motion).state;
   const Number50 c = cos(Number50(theta));
   const Number50 s = sin(Number50(theta));

@@ -40,7 +40,7 @@ inline std::ostream& operator<<(std::ostream& out, const Spectrum& spectrum) {
 
 namespace stationary::testing {
 
-struct Motion {
+struct SolvedMotion {
   Problem problem;
   Equilibrium at;
   std::string text;  ///< all of it, for messages
@@ -91,8 +91,8 @@ inline std::string describe(const Body& body, const PotentialName& name,
 }
 
 /// A solved motion; a cold start, or Newton from anywhere, which also reaches other sheets.
-inline Motion random_motion(support::Random& random, const PotentialName& name, Branch branch,
-                            bool symmetric) {
+inline SolvedMotion random_motion(support::Random& random, const PotentialName& name, Branch branch,
+                                  bool symmetric) {
   for (;;) {
     const std::array<double, 2> plane{random.log_uniform(0.3, 3.0), random.log_uniform(0.3, 3.0)};
     const std::array<double, 2> axial{random.log_uniform(0.3, 3.0), random.log_uniform(0.3, 3.0)};
@@ -115,9 +115,9 @@ inline Motion random_motion(support::Random& random, const PotentialName& name, 
 }
 
 /// One motion: throws where it cannot be solved.
-inline Motion motion(const Body& body, const PotentialName& name, std::array<double, 2> plane,
-                     std::array<double, 2> axial, Branch branch, double nu,
-                     const SolveOptions& options = {}) {
+inline SolvedMotion motion(const Body& body, const PotentialName& name, std::array<double, 2> plane,
+                           std::array<double, 2> axial, Branch branch, double nu,
+                           const SolveOptions& options = {}) {
   const Problem problem(body, named_potential(name, plane, axial), branch);
   Equilibrium at = solve(problem, nu, options);
   if (at.status != SolveStatus::solved) throw std::runtime_error("not solved: " + at.message);

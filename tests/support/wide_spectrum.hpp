@@ -88,7 +88,7 @@ inline std::vector<WideLambda> wide_lambdas(const StraightState<Number50>& given
 
 /// shake(double) -> Number50 is applied to every input: coefficients, J (equal ones equally), nu.
 template <class Shake>
-WideMotion wide_motion(const Motion& motion, const Shake& shake) {
+WideMotion wide_motion(const SolvedMotion& motion, const Shake& shake) {
   const Problem& problem = motion.problem;
   const Body& body = problem.body();
   const Number50 J1 = shake(body.J1);
@@ -141,7 +141,7 @@ WideMotion wide_motion(const Motion& motion, const Shake& shake) {
     }
   });
 }
-inline WideMotion wide_motion(const Motion& motion) {
+inline WideMotion wide_motion(const SolvedMotion& motion) {
   return wide_motion(motion, [](double x) { return Number50(x); });
 }
 
@@ -211,7 +211,7 @@ struct WideVerdict {
 };
 
 /// The class, decided in 50 digits.
-inline WideVerdict wide_verdict(const Motion& motion, const WideMotion& wide) {
+inline WideVerdict wide_verdict(const SolvedMotion& motion, const WideMotion& wide) {
   const Problem& problem = motion.problem;
   const Body& body = problem.body();
   const auto& s = wide.state;

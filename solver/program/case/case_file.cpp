@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -214,9 +215,16 @@ Case::Solve read_solve(const CaseTree& tree, const Motion& motion, bool isotropi
 }
 
 std::string read_parameter(const CaseTree& tree, const FamilyParameters& family) {
-  std::string found = value_or<std::string>(tree, "continuation.parameter", "");
-  if (found == "motion.nu") found = "nu";  // the dotted key of the same number
   const std::vector<std::string> valid = followed_parameters(family.motion, family.models);
+  // Of a motion without nu it has to be given.
+  const bool has_nu = std::ranges::find(valid, "nu") != valid.end();
+  if (!has_nu && find(tree, "continuation.parameter") == nullptr) {
+    throw fault_at(tree, "continuation.parameter", "found no such key",
+                   "one of " + listed(std::vector<std::string_view>(valid.begin(), valid.end())),
+                   "add parameter in [continuation]");
+  }
+  std::string found = value_or<std::string>(tree, "continuation.parameter", "nu");
+  if (found == "motion.nu") found = "nu";  // the dotted key of the same number
   if (std::ranges::find(valid, found) != valid.end()) return found;
   const std::vector<std::string_view> names(valid.begin(), valid.end());
   throw fault_at(tree, "continuation.parameter", "found the string " + in_quotes(found),
@@ -280,6 +288,11 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
                    fmt::format("a whole number from 2 to {}", most_points));
   }
   out.events = read_names(tree, "continuation.events", locatable_events());
+  if (const std::string row = value_or<std::string>(tree, "continuation.start_row", "");
+      !row.empty()) {
+    const std::filesystem::path folder = std::filesystem::path(tree.name()).parent_path();
+    out.start_row = (folder / row).string();  // beside the case file
+  }
   // Both domains are convex, so the ends of the range answer for all of it.
   for (const bool end : {false, true}) {
     const double value = end ? out.to : out.from;

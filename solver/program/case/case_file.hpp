@@ -40,6 +40,7 @@ struct Case {
     double step = 0.01;  ///< the first, in ln S and the parameter over its range
     double max_points = 1e6;
     std::vector<std::string> events{};  ///< to be located; empty: all
+    std::string start_row{};            ///< as after --from; empty: solved for
 
     EventSet event_set() const;
   };

@@ -226,15 +226,15 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
     metadata.input = &input;
     if (input.output.certificate) metadata.counts.emplace_back("proven", proofs.proven);
     metadata.seconds = seconds;
+    metadata.threads = options.threads;
     metadata.atlas = &found;
     metadata.curves = records;
     if (const auto caveat = proof_caveat(input)) metadata.plan.push_back(*caveat);
     metadata.outcome = {{"command", "atlas"},
                         {"status", found.interrupted ? "interrupted" : "done"}};
     output->commit(metadata);
-  } else if (!options.quiet) {
-    print(summary(input, how, found, records, proofs, seconds));
   }
+  if (options.shows_summary()) print(summary(input, how, found, records, proofs, seconds));
   if (found.interrupted) {
     complain("interrupted: the atlas is not complete");
     return ExitCode::interrupted;

@@ -20,6 +20,7 @@
 #include "solver/program/session/progress.hpp"
 #include "solver/program/session/report.hpp"
 #include "solver/program/session/resume.hpp"
+#include "solver/program/session/row_start.hpp"
 #include "solver/program/session/table_output.hpp"
 
 namespace stationary::cli {
@@ -27,6 +28,7 @@ namespace {
 
 struct ContinueOptions : ComputeOptions {
   bool resume = false;
+  std::string from;  ///< a row of a table (row_start.hpp); empty: solved for
 };
 
 /// What is not proven though it was asked for; empty if all is.
@@ -174,8 +176,15 @@ ExitCode end_code(const FollowReport& report) {
 }
 
 ExitCode continue_case(const ContinueOptions& options, const Session& session) {
-  const Case input = options.read();
+  Case input = options.read();
   require_family(input);
+  const std::string row = options.from.empty() ? input.continuation->start_row : options.from;
+  std::optional<Start> at_row;
+  if (!row.empty()) {
+    RowStart from = start_from_row(options, row);
+    input = std::move(from.input);
+    at_row = std::move(from.start);
+  }
   const bool to_table = !options.output.empty();
   const bool with_spectrum = wants_spectrum(input, to_table);
   const bool trailing = input.continuation->parameter != "nu";
@@ -202,7 +211,8 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   const Start start = [&] {
     const WaitingSign waiting("solving at the start", options.quiet);
-    return old ? resumed_start(input, *old) : solved_start(input, options);
+    if (old) return resumed_start(input, *old);
+    return at_row ? *at_row : solved_start(input, options);
   }();
   if (start.found.status != SolveStatus::solved) {
     complain(fmt::format("at the start {} = {}: {}", input.continuation->parameter, start.p,
@@ -235,6 +245,7 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
         describe(session, input, start, report,
                  std::visit([](const auto& f) { return f->evaluations(); }, family), rows);
     metadata.seconds = seconds;
+    metadata.threads = options.threads;
     output->commit(metadata);
   }
   if (const std::string gap = gap_text(input, rows.proofs()); !gap.empty()) complain(gap);
@@ -249,7 +260,7 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   }
   for (const SheetEnd* end : {&report.backward, &report.forward})
     if (end->event == EventType::stalled) complain("numerical failure: " + end->reason);
-  if (!output && !options.quiet) print(summary(input, start, report, rows, seconds));
+  if (options.shows_summary()) print(summary(input, start, report, rows, seconds));
   return code;
 }
 
@@ -261,6 +272,12 @@ void add_continue(CLI::App& program, Session& session) {
                   "Follow the case's family in a parameter: bifurcation table, stability, events");
   const auto options = std::make_shared<ContinueOptions>();
   options->add_to(command);
+  command
+      .add_option(
+          "--from", options->from,
+          "Go on from a motion of a table: TABLE:N (data row N, the first is 1), TABLE:EVENT "
+          "or TABLE:EVENT:K")
+      ->type_name("TABLE:ROW");
   command.add_flag("--resume", options->resume,
                    "Go on with the interrupted table at -o FILE (same case, same columns)");
   command.callback([options, &session] {

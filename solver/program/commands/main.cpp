@@ -2,8 +2,10 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <sstream>
+#include <string_view>
 
 #include "solver/program/session/command.hpp"
 
@@ -11,9 +13,23 @@ namespace {
 
 using stationary::cli::ExitCode;
 
+/// Usage comes first, then what it is.
+class UsageFirst final : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override {
+    if (mode == CLI::AppFormatMode::Sub) return make_expanded(app);
+    const std::string usage = make_usage(app, std::move(name));
+    return usage.substr(usage.find_first_not_of('\n')) + '\n' + make_description(app) +
+           make_positionals(app) + make_groups(app, mode) + make_subcommands(app, mode) + '\n' +
+           make_footer(app);
+  }
+};
+
 ExitCode run(int argc, char** argv) {
   using namespace stationary;
   CLI::App program("Stationary ellipsoids of an affinely-rigid body", "stationary");
+  program.formatter(std::make_shared<UsageFirst>());  // commands take it over
   program.set_version_flag("--version", STATIONARY_VERSION, "Print the version and exit");
   program.footer(
       "Exit codes: 0 done; 2 the input is wrong; 3 no stationary ellipsoid exists or was found; "
@@ -26,6 +42,11 @@ ExitCode run(int argc, char** argv) {
   cli::add_check(program, session);
   cli::add_models(program, session);
   cli::add_plot(program, session);
+  cli::add_help(program);
+  constexpr int most = 3;
+  if (argc > 1 && argc <= most && std::string_view(argv[1]) == "help" &&
+      (argc < most || !std::string_view(argv[2]).starts_with('-')))
+    return cli::help(program, argc < most ? "" : argv[2]);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -236,10 +236,11 @@ ExitCode map_case(const ComputeOptions& options, const Session& session) {
   if (output) {
     Metadata metadata = describe(session, input, counts, evaluated, *grid);
     metadata.seconds = seconds;
+    metadata.threads = options.threads;
     output->commit(std::move(metadata));
   }
   const ExitCode code = conclusion(input, counts, to_table);
-  if (!table && !options.quiet && code != ExitCode::interrupted)
+  if (options.shows_summary() && code != ExitCode::interrupted)
     print(summary(input, counts, seconds));
   return code;
 }

@@ -152,7 +152,7 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
   const Answer found = [&] {
     const WaitingSign waiting("solving", options.quiet);
     return answer_of(input, options.threads, with_spectrum,
-                     to_table ? ColumnSet(columns) : ColumnSet::all());
+                     options.shows_summary() ? ColumnSet::all() : ColumnSet(columns));
   }();
   const ExitCode code = exit_code(found.status);
   if (!found.solved()) {
@@ -164,9 +164,11 @@ ExitCode solve_case(const ComputeOptions& options, const Session& session) {
   if (output && (found.solved() || code == ExitCode::no_equilibrium)) {
     RowSink& table = output->open(columns, {}, found.solutions.size());
     for (const Solution& each : found.solutions) table.write(each.row);
-    output->commit(describe(session, input, found));
+    Metadata metadata = describe(session, input, found);
+    metadata.threads = options.threads;
+    output->commit(std::move(metadata));
   }
-  if (found.solved() && !output && !options.quiet) print(summary(input, found));
+  if (found.solved() && options.shows_summary()) print(summary(input, found));
   return code;
 }
 

@@ -61,6 +61,8 @@ Json case_json(const Case& input) {
                            {"step", continuation->step},
                            {"max_points", continuation->max_points},
                            {"events", continuation->events}};
+    if (!continuation->start_row.empty())
+      out["continuation"]["start_row"] = continuation->start_row;
   }
   if (input.map) {
     out["map"]["x"] = axis_json(input.map->x);
@@ -209,12 +211,11 @@ std::vector<std::pair<std::string_view, long>> named_counts(const Counts& counts
           {"walk_steps", counts.walk_steps}};
 }
 
-std::string metadata_json(const Metadata& metadata) {
+std::string metadata_json(const Metadata& metadata, bool of_the_run) {
   Json out;
   out["schema"] = 2;
   out["program"] = "stationary";
   out["version"] = metadata.version;
-  out["command_line"] = metadata.command_line;
   if (metadata.input != nullptr) {
     out["case_file"] = metadata.input->source.name();
     out["case"] = case_json(*metadata.input);
@@ -225,7 +226,11 @@ std::string metadata_json(const Metadata& metadata) {
   for (const auto& [name, text] : metadata.outcome) out[std::string(name)] = text;
   out["rows"] = metadata.rows;
   out["checksum"] = metadata.checksum;
-  out["seconds"] = metadata.seconds;
+  if (of_the_run) {
+    out["run"] = {{"seconds", metadata.seconds},
+                  {"command_line", metadata.command_line},
+                  {"threads", metadata.threads}};
+  }
   out["events"] = events_json(metadata.curves);
   out["segments"] = segments_json(metadata.curves);
   out["ends"] = ends_json(metadata.curves);

@@ -19,11 +19,14 @@ namespace stationary {
 
 struct Metadata {
   std::string version;
+  // Of the run, not of what it found: under the key `run`.
   std::vector<std::string> command_line;
+  double seconds = 0.0;
+  int threads = 1;
+
   const Case* input = nullptr;
   std::size_t rows = 0;
   std::string checksum;  ///< of the rows (TableChecksum)
-  double seconds = 0.0;
   std::vector<std::pair<std::string_view, long>> counts;
   std::vector<SheetRecord> curves;  ///< the sheets followed
   const Atlas* atlas = nullptr;     ///< its sheets, checkpoints and remarks
@@ -52,8 +55,9 @@ struct CurveRecord {
 /// Nothing where a text is no such metadata.
 std::optional<CurveRecord> curve_record(std::string_view metadata);
 
-/// JSON text, indented, ending in a newline; bytes that are not UTF-8 are replaced.
-std::string metadata_json(const Metadata& metadata);
+/// JSON text, indented, ending in a newline; bytes that are not UTF-8 are replaced. of_the_run: with
+/// the key `run`, without which it is the same for every run of a case.
+std::string metadata_json(const Metadata& metadata, bool of_the_run = true);
 
 /// The title of the case in such a text; empty where it has none, or is no such text.
 std::string case_title(std::string_view metadata);

@@ -24,6 +24,9 @@ void add_map(CLI::App& program, Session& session);
 void add_check(CLI::App& program, Session& session);
 void add_models(CLI::App& program, Session& session);
 void add_plot(CLI::App& program, Session& session);
+/// Listed among the commands; help() answers before the others' options are read.
+void add_help(CLI::App& program);
+ExitCode help(const CLI::App& program, const std::string& name);
 
 /// CASE and --set.
 struct CaseOptions {
@@ -36,13 +39,15 @@ struct CaseOptions {
 
 /// What every computing command takes beside.
 struct ComputeOptions : CaseOptions {
-  std::string output;  ///< empty: a summary for a person; "-": CSV on standard output
+  std::string output;  ///< empty: no table; "-": CSV on standard output, and no summary
   bool certify = false;
   bool quiet = false;
   int threads = 1;
 
   void add_to(CLI::App& command);
   Case read() const;
+  /// Standard output is for a person, unless it takes the table.
+  bool shows_summary() const { return !quiet && output != "-"; }
 };
 
 /// A check of an option that names a file: what is wrong, or nothing.

@@ -58,7 +58,7 @@ void TableOutput::commit(Metadata metadata) {
   metadata.checksum = table.checksum().text();
   const std::string text = metadata_json(metadata);
   if (text_) text_->flush();
-  if (binary_) binary_->finish(text);
+  if (binary_) binary_->finish(metadata_json(metadata, /*of_the_run=*/false));
   if (metadata_file_) metadata_file_->write(text);
   if (file_) file_->commit();
   if (metadata_file_) metadata_file_->commit();

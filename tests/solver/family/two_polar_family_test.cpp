@@ -43,14 +43,15 @@ void expect_members(const Potential& potential, const Followed& sheet, bool by_m
     ASSERT_TRUE(member.two_polar && member.spectrum);
     SolveOptions how;
     how.start = member.q;
-    const auto& [rates, momenta, held] = *member.two_polar;
+    const auto& [rates, momenta] = static_cast<const TwoPolarState&>(*member.two_polar);
+    const bool held = member.two_polar->by_momenta;
     EXPECT_EQ(held, by_momenta);
     const TwoPolarMotion motion = by_momenta ? TwoPolarMotion(momenta) : TwoPolarMotion(rates);
     const Equilibrium one = solve_two_polar(round, potential, motion, how);
     ASSERT_EQ(one.status, SolveStatus::solved) << one.message;
     const double bound = member.error_bound + one.error_bound;
     expect_near(member.q, one.q, 2.0 * bound + 1e-15);
-    const Spectrum spectrum = stability(round, potential, one);
+    const Spectrum spectrum = two_polar_stability(round, potential, one);
     EXPECT_EQ(spectrum.negative, member.spectrum->negative) << member.parameter;
   }
 }

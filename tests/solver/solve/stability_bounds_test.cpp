@@ -17,7 +17,7 @@ const PotentialName neo_hookean{"neo-hookean", "reciprocal-quadratic"};
 const PotentialName biot_log{"biot-log", "reciprocal-quadratic"};
 
 /// Largest |Delta Lambda| / lambda_error.
-double expect_within_bounds(const Motion& motion, const Spectrum& spectrum,
+double expect_within_bounds(const SolvedMotion& motion, const Spectrum& spectrum,
                             const WideMotion& wide) {
   const auto found = by_lambda(spectrum);
   EXPECT_EQ(found.size(), wide.lambdas.size()) << motion.text;
@@ -34,7 +34,7 @@ double expect_within_bounds(const Motion& motion, const Spectrum& spectrum,
 }
 
 /// Never wrong. Returns whether the class was claimed.
-bool expect_right_or_marginal(const Motion& motion, const Spectrum& spectrum,
+bool expect_right_or_marginal(const SolvedMotion& motion, const Spectrum& spectrum,
                               const WideMotion& wide) {
   const WideVerdict exact = wide_verdict(motion, wide);
   if (spectrum.verdict == StabilityClass::marginal) return false;
@@ -84,7 +84,7 @@ TEST_P(StabilityBoundsTest, HoldForTheDoublesAndForShakenInputs) {
   for (int k = 0; k < 15; ++k) {
     for (const Branch branch : branches) {
       for (const bool symmetric : {false, true}) {
-        const Motion motion = random_motion(random, potential, branch, symmetric);
+        const SolvedMotion motion = random_motion(random, potential, branch, symmetric);
         const Spectrum spectrum = motion.blocks();
         const WideMotion wide = wide_motion(motion);
         worst = std::max(worst, expect_within_bounds(motion, spectrum, wide));
@@ -121,7 +121,7 @@ template <class Make>
 void around(double nu0, const Make& make, int& claimed, int& marginal, double far) {
   for (const double side : {-1.0, 1.0}) {
     for (double relative = 1e-6; relative > 1e-17; relative *= 0.1) {
-      const Motion motion = make(nu0 * (1.0 + side * relative));
+      const SolvedMotion motion = make(nu0 * (1.0 + side * relative));
       const Spectrum spectrum = motion.blocks();
       const WideMotion wide = wide_motion(motion);
       expect_within_bounds(motion, spectrum, wide);
@@ -242,7 +242,7 @@ TEST(StabilityNearChange, CircleToEllipse) {
       if (at.status != SolveStatus::solved) continue;
       std::string text =
           describe(problem.body(), biot_log, {1.0, 4.0}, {1.0, 3.0}, Branch::iii, at);
-      const Motion motion{problem, std::move(at), std::move(text)};
+      const SolvedMotion motion{problem, std::move(at), std::move(text)};
       const Spectrum spectrum = motion.blocks();
       const WideMotion wide = wide_motion(motion);
       expect_within_bounds(motion, spectrum, wide);
@@ -278,7 +278,7 @@ TEST(StabilityNearChange, CirclesFarFromChanges) {
       Equilibrium at = solve(problem, nu, options);
       if (at.status != SolveStatus::solved || at.q.xi != at.q.zeta) continue;
       std::string text = describe(body, potential, plane, {1.0, 3.0}, Branch::iii, at);
-      const Motion motion{problem, std::move(at), std::move(text)};
+      const SolvedMotion motion{problem, std::move(at), std::move(text)};
       const Spectrum spectrum = motion.blocks();
       const WideMotion wide = wide_motion(motion);
       expect_within_bounds(motion, spectrum, wide);

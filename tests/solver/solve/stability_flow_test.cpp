@@ -17,12 +17,12 @@ using Complex = std::complex<double>;
 
 const PotentialName reciprocal{"reciprocal-determinant", "reciprocal-quadratic"};
 
-Vector11<double> point(const Motion& motion) {
+Vector11<double> point(const SolvedMotion& motion) {
   return steady_point(motion.problem.body(), motion.at.q, motion.at.nu);
 }
 
 /// A motion nearby that is not steady.
-Vector11<double> disturbed(const Motion& motion, support::Random& random, double size) {
+Vector11<double> disturbed(const SolvedMotion& motion, support::Random& random, double size) {
   return point(motion) + size * random.direction<11>();
 }
 
@@ -31,14 +31,14 @@ void over_motions(std::uint64_t seed, bool symmetric, const F& f) {
   support::Random random(seed);
   for (const PotentialName& potential : potential_names()) {
     for (const Branch branch : branches) {
-      const Motion motion = random_motion(random, potential, branch, symmetric);
+      const SolvedMotion motion = random_motion(random, potential, branch, symmetric);
       f(motion, flows(motion.problem.body(), motion.problem.potential()), random);
     }
   }
 }
 
 TEST(Flow, SteadyMotionsStandStill) {
-  over_motions(701, false, [](const Motion& motion, const Flows& flow, support::Random&) {
+  over_motions(701, false, [](const SolvedMotion& motion, const Flows& flow, support::Random&) {
     const Body& body = motion.problem.body();
     const Vector11<double> z = point(motion);
     const Spectrum spectrum = motion.blocks();
@@ -58,15 +58,16 @@ TEST(Flow, SteadyMotionsStandStill) {
 }
 
 TEST(Flow, ConservesEnergyAndMomentum) {
-  over_motions(702, false, [](const Motion& motion, const Flows& flow, support::Random& random) {
-    const Vector11<double> z = disturbed(motion, random, 0.02);
-    const Vector11<double> later = integrated<11>(flow.reduced, z, 3.0);
-    EXPECT_NEAR(flow.energy(later), flow.energy(z), 1e-10 * (1.0 + std::abs(flow.energy(z))))
-        << motion.text;
-    EXPECT_NEAR(later.head<3>().norm(), z.head<3>().norm(), 1e-11 * (1.0 + z.head<3>().norm()))
-        << motion.text;
-    EXPECT_GT((later - z).norm(), 1e-4) << motion.text;  // it moved
-  });
+  over_motions(
+      702, false, [](const SolvedMotion& motion, const Flows& flow, support::Random& random) {
+        const Vector11<double> z = disturbed(motion, random, 0.02);
+        const Vector11<double> later = integrated<11>(flow.reduced, z, 3.0);
+        EXPECT_NEAR(flow.energy(later), flow.energy(z), 1e-10 * (1.0 + std::abs(flow.energy(z))))
+            << motion.text;
+        EXPECT_NEAR(later.head<3>().norm(), z.head<3>().norm(), 1e-11 * (1.0 + z.head<3>().norm()))
+            << motion.text;
+        EXPECT_GT((later - z).norm(), 1e-4) << motion.text;  // it moved
+      });
 }
 
 /// The circle criterion of spectrum.cpp and general_spectrum.cpp rests on P and its sign against
@@ -75,7 +76,7 @@ TEST(Flow, ConservesMaterialMomentumAtEqualInertias) {
   double worst_unequal = 0.0;
   for (const bool symmetric : {true, false}) {
     over_motions(703, symmetric,
-                 [&](const Motion& motion, const Flows& flow, support::Random& random) {
+                 [&](const SolvedMotion& motion, const Flows& flow, support::Random& random) {
                    const Vector11<double> z = disturbed(motion, random, 0.05);
                    const Vector11<double> later = integrated<11>(flow.reduced, z, 3.0);
                    const double change = std::abs(material_momentum(later) - material_momentum(z));
@@ -93,7 +94,7 @@ TEST(Flow, ConservesMaterialMomentumAtEqualInertias) {
 /// the leaf.
 TEST(Flow, MaterialMomentumIsStationaryOnTheCircle) {
   for (const double nu : {0.3, -0.3}) {
-    const Motion m =
+    const SolvedMotion m =
         motion(Body(1.2, 1.2, 0.7), reciprocal, {1.0, 2.0}, {1.0, 3.0}, Branch::iii, nu);
     ASSERT_EQ(m.at.q.xi, m.at.q.zeta);
     const Vector11<double> z = point(m);
@@ -114,22 +115,23 @@ TEST(Flow, MaterialMomentumIsStationaryOnTheCircle) {
 /// S(t) and, from conservation in space, L pi = const: pi(t) = L(t)^T pi(0). With pi' = pi x nu it
 /// would be L(t) pi(0).
 TEST(Flow, ReducedAndInSpaceAreOneMotion) {
-  over_motions(704, false, [](const Motion& motion, const Flows& flow, support::Random& random) {
-    const Body& body = motion.problem.body();
-    const Vector11<double> z = disturbed(motion, random, 0.05);
-    for (const double time : {0.7, 2.5}) {
-      const Vector11<double> reduced = integrated<11>(flow.reduced, z, time);
-      const Polar space = polar(integrated<14>(flow.in_space, placed_state(body, z), time));
-      const double allowed = 1e-9 * (1.0 + z.norm());
-      EXPECT_LE((space.q.vector() - reduced.segment<4>(3)).norm(), allowed) << motion.text;
-      const Vector3<double> pi = z.head<3>();
-      EXPECT_LE((space.L.transpose() * pi - reduced.head<3>()).norm(), allowed) << motion.text;
-    }
-  });
+  over_motions(
+      704, false, [](const SolvedMotion& motion, const Flows& flow, support::Random& random) {
+        const Body& body = motion.problem.body();
+        const Vector11<double> z = disturbed(motion, random, 0.05);
+        for (const double time : {0.7, 2.5}) {
+          const Vector11<double> reduced = integrated<11>(flow.reduced, z, time);
+          const Polar space = polar(integrated<14>(flow.in_space, placed_state(body, z), time));
+          const double allowed = 1e-9 * (1.0 + z.norm());
+          EXPECT_LE((space.q.vector() - reduced.segment<4>(3)).norm(), allowed) << motion.text;
+          const Vector3<double> pi = z.head<3>();
+          EXPECT_LE((space.L.transpose() * pi - reduced.head<3>()).norm(), allowed) << motion.text;
+        }
+      });
 }
 
 /// Each e^{+-s time} of the spectrum is an eigenvalue of the tangent of the flow.
-void expect_multipliers(const Motion& motion, const Spectrum& spectrum,
+void expect_multipliers(const SolvedMotion& motion, const Spectrum& spectrum,
                         const Eigen::MatrixXd& tangent, double time) {
   const Eigen::VectorXcd multipliers = tangent.eigenvalues();
   for (const Mode& m : modes(spectrum)) {
@@ -147,7 +149,7 @@ void expect_multipliers(const Motion& motion, const Spectrum& spectrum,
 }
 
 TEST(Flow, TangentHasThePredictedMultipliers) {
-  over_motions(705, false, [](const Motion& motion, const Flows& flow, support::Random&) {
+  over_motions(705, false, [](const SolvedMotion& motion, const Flows& flow, support::Random&) {
     const Body& body = motion.problem.body();
     const Spectrum spectrum = motion.blocks();
     const double time = 0.9;
@@ -167,7 +169,7 @@ TEST(Flow, TangentHasThePredictedMultipliers) {
 
 /// Of reciprocal-determinant 1, 2, thickness 1, 3: a disturbance along an eigenvector over many
 /// periods, the mean of +- to cancel second order.
-void expect_carried(const Motion& motion, double time, double allowed) {
+void expect_carried(const SolvedMotion& motion, double time, double allowed) {
   const Body& body = motion.problem.body();
   const Vector11<double> z = point(motion);
   const Separable<ReciprocalDeterminant<Number50>, ReciprocalQuadratic<Number50>> widened{{1, 2},
@@ -201,14 +203,15 @@ void expect_carried(const Motion& motion, double time, double allowed) {
 }
 
 TEST(Flow, UnstableMotionGrowsAtThePredictedRate) {
-  const Motion m = motion(Body(1.0, 1.7, 0.6), reciprocal, {1.0, 2.0}, {1.0, 3.0}, Branch::i, 0.5);
+  const SolvedMotion m =
+      motion(Body(1.0, 1.7, 0.6), reciprocal, {1.0, 2.0}, {1.0, 3.0}, Branch::i, 0.5);
   EXPECT_EQ(m.blocks().verdict, StabilityClass::unstable);
   // 1e-6 in e^{s 30} is 3e-8 in s.
   expect_carried(m, 30.0, 1e-6);
 }
 
 TEST(Flow, StableMotionsVibrateAtThePredictedFrequencies) {
-  const Motion m =
+  const SolvedMotion m =
       motion(Body(1.0, 1.7, 0.6), reciprocal, {1.0, 2.0}, {1.0, 3.0}, Branch::iii, 0.5);
   ASSERT_EQ(m.blocks().growth, 0.0);
   expect_carried(m, 30.0, 1e-6);

@@ -64,14 +64,14 @@ INSTANTIATE_TEST_SUITE_P(Potentials, StabilityLawsTest,
                          });
 
 TEST_P(StabilityLawsTest, BlocksAndGeneralProblemAgree) {
-  over_motions(401, 12, [](const Motion& motion) {
+  over_motions(401, 12, [](const SolvedMotion& motion) {
     expect_same(motion.text, motion.blocks(), general(motion));
   });
 }
 
 TEST_P(StabilityLawsTest, NegativeDirectionsAreCounted) {
   int counted = 0;
-  over_motions(402, 40, [&](const Motion& motion) {
+  over_motions(402, 40, [&](const SolvedMotion& motion) {
     const Spectrum spectrum = motion.blocks();
     int expected = 0;
     bool zero = false;
@@ -91,8 +91,8 @@ TEST_P(StabilityLawsTest, NegativeDirectionsAreCounted) {
 }
 
 TEST_P(StabilityLawsTest, TurningTheOtherWayChangesNothing) {
-  over_motions(403, 8, [](const Motion& motion) {
-    Motion back = motion;
+  over_motions(403, 8, [](const SolvedMotion& motion) {
+    SolvedMotion back = motion;
     back.at.nu = -back.at.nu;
     expect_same(motion.text, motion.blocks(), back.blocks(), 1.0);
     expect_same(motion.text + "general", general(motion), general(back), 1.0);
@@ -101,14 +101,15 @@ TEST_P(StabilityLawsTest, TurningTheOtherWayChangesNothing) {
 
 /// Axes 1 and 2 exchanged: (i) becomes (ii), (iii) itself.
 TEST_P(StabilityLawsTest, ExchangeOfAxesOneAndTwo) {
-  over_motions(404, 8, [](const Motion& motion) {
+  over_motions(404, 8, [](const SolvedMotion& motion) {
     const Body& body = motion.problem.body();
     const Branch branch = motion.problem.branch();
     const Branch other = branch == Branch::i    ? Branch::ii
                          : branch == Branch::ii ? Branch::i
                                                 : Branch::iii;
-    Motion exchanged{Problem(Body(body.J2, body.J1, body.J3), motion.problem.potential(), other),
-                     motion.at, motion.text};
+    SolvedMotion exchanged{
+        Problem(Body(body.J2, body.J1, body.J3), motion.problem.potential(), other), motion.at,
+        motion.text};
     exchanged.at.nu = angular_velocity(other, motion.nu());
     std::swap(exchanged.at.q.xi, exchanged.at.q.zeta);
     const Spectrum a = motion.blocks();
@@ -124,7 +125,7 @@ TEST_P(StabilityLawsTest, MaterialRotationAtEqualInertias) {
   support::Random random(405 + GetParam());
   for (int k = 0; k < 6; ++k) {
     for (const Branch branch : branches) {
-      const Motion motion = random_motion(random, potential(), branch, true);
+      const SolvedMotion motion = random_motion(random, potential(), branch, true);
       const double theta = random.uniform(-1.5, 1.5);
       expect_same(motion.text + "theta " + std::to_string(theta), motion.blocks(),
                   general(motion, theta));
@@ -141,7 +142,7 @@ TEST_P(StabilityLawsTest, Rest) {
       const Body body = symmetric ? random.symmetric_body() : random.body();
       std::vector<Spectrum> all;
       for (const Branch branch : branches) {
-        const Motion at_rest = motion(body, potential(), plane, {1.0, 3.0}, branch, 0.0);
+        const SolvedMotion at_rest = motion(body, potential(), plane, {1.0, 3.0}, branch, 0.0);
         const Spectrum spectrum = at_rest.blocks();
         EXPECT_EQ(spectrum.modes, 4) << at_rest.text;
         EXPECT_EQ(spectrum.verdict, StabilityClass::stable) << at_rest.text << "\n" << spectrum;
@@ -153,7 +154,7 @@ TEST_P(StabilityLawsTest, Rest) {
       for (std::size_t j = 1; j < all.size(); ++j) expect_same("rest", all[0], all[j]);
       // As nu -> 0 the moving spectra have these four and one more that vanishes with nu.
       for (const Branch branch : branches) {
-        const Motion slow = motion(body, potential(), plane, {1.0, 3.0}, branch, 1e-7);
+        const SolvedMotion slow = motion(body, potential(), plane, {1.0, 3.0}, branch, 1e-7);
         auto moving = modes(slow.blocks());
         ASSERT_EQ(moving.size(), 5U);
         const auto still = modes(all[0]);
@@ -174,16 +175,17 @@ TEST_P(StabilityLawsTest, ScalesOfInertiaAndEnergyTogetherDoNotCount) {
       const std::array<double, 2> plane{random.uniform(0.5, 2.0), random.uniform(0.5, 2.0)};
       const std::array<double, 2> axial{random.uniform(0.5, 2.0), random.uniform(0.5, 2.0)};
       const double nu = 0.3 * std::sqrt(0.5 / std::max({body.J1, body.J2, body.J3}));
-      const Motion one = motion(body, potential(), plane, axial, branch, nu);
+      const SolvedMotion one = motion(body, potential(), plane, axial, branch, nu);
       for (const double s : {0x1p-20, 0x1p7, 1000.0}) {
         const Body scaled(s * body.J1, s * body.J2, s * body.J3);
-        const Motion other = motion(scaled, potential(), {s * plane[0], s * plane[1]},
-                                    {s * axial[0], length ? axial[1] : s * axial[1]}, branch, nu);
+        const SolvedMotion other =
+            motion(scaled, potential(), {s * plane[0], s * plane[1]},
+                   {s * axial[0], length ? axial[1] : s * axial[1]}, branch, nu);
         expect_same(one.text, one.blocks(), other.blocks());
       }
       // Time: V -> s^2 V, nu -> s nu multiplies every frequency by s.
       const double s = 8.0;
-      const Motion faster =
+      const SolvedMotion faster =
           motion(body, potential(), {s * s * plane[0], s * s * plane[1]},
                  {s * s * axial[0], length ? axial[1] : s * s * axial[1]}, branch, s * nu);
       expect_same(one.text, one.blocks(), faster.blocks(), s);

@@ -17,7 +17,7 @@ constexpr Branch branches[] = {Branch::i, Branch::ii, Branch::iii};
 
 /// Each +-s of the spectrum is among the eigenvalues, each once; what is left is returned.
 /// s^2 must agree within the mode's own bound.
-std::vector<WideEigenvalue> expect_modes_among(const Motion& motion, const Spectrum& spectrum,
+std::vector<WideEigenvalue> expect_modes_among(const SolvedMotion& motion, const Spectrum& spectrum,
                                                std::vector<WideEigenvalue> eigenvalues) {
   const double size = scale(spectrum);
   for (const Mode& m : modes(spectrum)) {
@@ -47,7 +47,7 @@ std::vector<WideEigenvalue> expect_modes_among(const Motion& motion, const Spect
 }
 
 /// The rest: zeros (a Jordan block's, so only to a root of the differences' error) and +-i |nu|.
-void expect_rest(const Motion& motion, std::vector<WideEigenvalue> rest, std::size_t zeros,
+void expect_rest(const SolvedMotion& motion, std::vector<WideEigenvalue> rest, std::size_t zeros,
                  bool turns) {
   if (turns) {
     for (int k = 0; k < 2; ++k) {
@@ -77,7 +77,7 @@ struct Oracles {
   std::vector<WideEigenvalue> placement;
 };
 
-Oracles oracles(const Motion& motion) {
+Oracles oracles(const SolvedMotion& motion) {
   const auto wide = wide_motion(motion).state;
   const Body& body = motion.problem.body();
   const BasicStretch<Number50> q{Number50(0), wide.xi, wide.zeta, wide.rho};
@@ -110,7 +110,7 @@ TEST_P(LinearizationTest, BothOraclesHaveTheModesAndNoOthers) {
   support::Random random(301 + GetParam());
   for (const Branch branch : branches) {
     for (const bool symmetric : {false, true}) {
-      const Motion motion = random_motion(random, potential(), branch, symmetric);
+      const SolvedMotion motion = random_motion(random, potential(), branch, symmetric);
       const Oracles oracle = oracles(motion);
       for (const Spectrum& spectrum : {motion.blocks(), general(motion)}) {
         const std::size_t zeros = forced(spectrum);
@@ -124,7 +124,7 @@ TEST_P(LinearizationTest, BothOraclesHaveTheModesAndNoOthers) {
 }
 
 /// reciprocal-determinant c 1, k 2, thickness 1, 3, J (1, 1.7, 0.6) at nu = (0.5, 0, 0).
-Motion sign_case() {
+SolvedMotion sign_case() {
   return motion(Body(1.0, 1.7, 0.6), {"reciprocal-determinant", "reciprocal-quadratic"}, {1.0, 2.0},
                 {1.0, 3.0}, Branch::i, 0.5);
 }
@@ -142,7 +142,7 @@ bool has_frequency(const std::vector<WideEigenvalue>& eigenvalues, double freque
 }
 
 TEST(SignOfTheBracket, MotionInSpaceDecidesIt) {
-  const Motion motion = sign_case();
+  const SolvedMotion motion = sign_case();
   const Oracles oracle = oracles(motion);
   for (const Spectrum& spectrum : {motion.blocks(), general(motion)}) {
     EXPECT_EQ(spectrum.verdict, StabilityClass::unstable);
@@ -160,7 +160,7 @@ TEST(SignOfTheBracket, MotionInSpaceDecidesIt) {
 
 /// The paper prints pi' = pi x nu. With its own nu = L^-1 L' that is not how a body moves.
 TEST(SignOfTheBracket, AsPrintedInThePaperContradictsTheMotionInSpace) {
-  const Motion motion = sign_case();
+  const SolvedMotion motion = sign_case();
   const auto wide = wide_motion(motion).state;
   const Body& body = motion.problem.body();
   const BasicStretch<Number50> q{Number50(0), wide.xi, wide.zeta, wide.rho};
@@ -181,7 +181,7 @@ TEST(SignOfTheBracket, AsPrintedInThePaperContradictsTheMotionInSpace) {
 /// Relative equilibria and (iii) do not see the sign.
 TEST(SignOfTheBracket, BranchThreeDoesNotSeeIt) {
   support::Random random(302);
-  const Motion motion = random_motion(random, potential_names()[0], Branch::iii, false);
+  const SolvedMotion motion = random_motion(random, potential_names()[0], Branch::iii, false);
   const auto wide = wide_motion(motion).state;
   const Body& body = motion.problem.body();
   const BasicStretch<Number50> q{Number50(0), wide.xi, wide.zeta, wide.rho};

@@ -34,7 +34,7 @@ TEST(Stability, ModesAreSortedAndRepresentTheirLambdas) {
   for (const PotentialName& potential : potential_names()) {
     for (const Branch branch : branches) {
       for (int k = 0; k < 20; ++k) {
-        const Motion motion = random_motion(random, potential, branch, k % 2 == 0);
+        const SolvedMotion motion = random_motion(random, potential, branch, k % 2 == 0);
         const Spectrum spectrum = motion.blocks();
         const auto all = modes(spectrum);
         ASSERT_EQ(all.size(), 5U);
@@ -73,13 +73,13 @@ TEST(Stability, MaterialSymmetryForcesExactlyOneZero) {
   for (const PotentialName& potential : potential_names()) {
     for (const Branch branch : branches) {
       for (int k = 0; k < 20; ++k) {
-        const Motion motion = random_motion(random, potential, branch, true);
+        const SolvedMotion motion = random_motion(random, potential, branch, true);
         const Spectrum spectrum = motion.blocks();
         int forced = 0;
         for (const Mode& m : modes(spectrum)) forced += m.forced_zero;
         const bool circle = branch == Branch::iii && motion.at.q.xi == motion.at.q.zeta;
         EXPECT_EQ(forced, circle ? 0 : 1) << motion.text << spectrum;
-        const Motion generic = random_motion(random, potential, branch, false);
+        const SolvedMotion generic = random_motion(random, potential, branch, false);
         for (const Mode& m : modes(generic.blocks())) EXPECT_FALSE(m.forced_zero);
       }
     }
@@ -118,8 +118,8 @@ TEST(Stability, NoGrowthOutOfAForcedZero) {
 
 /// One negative direction of ten and none of the eight that count.
 TEST(Stability, MeaninglessNegativeDirection) {
-  const Motion m = motion(Body(0.9293, 0.9293, 0.5442), {"biot", "reciprocal-quadratic"},
-                          {1.0, 1.0}, {1.0, 3.0}, Branch::ii, 0.0671);
+  const SolvedMotion m = motion(Body(0.9293, 0.9293, 0.5442), {"biot", "reciprocal-quadratic"},
+                                {1.0, 1.0}, {1.0, 3.0}, Branch::ii, 0.0671);
   const Spectrum spectrum = m.blocks();
   EXPECT_EQ(spectrum.verdict, StabilityClass::stable) << spectrum;
   EXPECT_EQ(spectrum.negative, 1) << spectrum;
@@ -129,7 +129,7 @@ TEST(Stability, CircleStableByItsSecondInvariant) {
   SolveOptions options;
   options.method = Method::newton;
   options.start = Stretch{0.0, 1.3, 1.3, 0.7};
-  const Motion m =
+  const SolvedMotion m =
       motion(Body(1.0, 1.0, 0.6), biot_log, {1.0, 4.0}, {1.0, 3.0}, Branch::iii, 1.1, options);
   ASSERT_EQ(m.at.q.xi, m.at.q.zeta);
   const Spectrum spectrum = m.blocks();
@@ -146,7 +146,7 @@ TEST(Stability, StiffBodyIsTheRigidBody) {
       const Body body = random.body();
       for (const Branch branch : branches) {
         const double nu = 0.3;
-        const Motion m = motion(body, potential, {1e6, 2e6}, {1e6, 1e6}, branch, nu);
+        const SolvedMotion m = motion(body, potential, {1e6, 2e6}, {1e6, 1e6}, branch, nu);
         const Spectrum spectrum = m.blocks();
         // At rest the stretch is s (1, 1, r).
         const Stretch& q = m.at.q;
@@ -185,7 +185,7 @@ TEST(Stability, ClosedFormsOfBranchThree) {
   support::Random random(604);
   for (const PotentialName& potential : potential_names()) {
     for (int k = 0; k < 20; ++k) {
-      const Motion m = random_motion(random, potential, Branch::iii, k % 2 == 0);
+      const SolvedMotion m = random_motion(random, potential, Branch::iii, k % 2 == 0);
       const Body& body = m.problem.body();
       const Stretch& q = m.at.q;
       const double I1 = body.J2 * q.zeta * q.zeta + body.J3 * q.rho * q.rho;

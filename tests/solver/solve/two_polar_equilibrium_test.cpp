@@ -110,7 +110,7 @@ TEST(TwoPolar, ExchangingTheRatesKeepsTheStretches) {
   ASSERT_EQ(one.status, SolveStatus::solved);
   ASSERT_EQ(other.status, SolveStatus::solved);
   EXPECT_EQ(diagonal(one.q), diagonal(other.q));
-  EXPECT_EQ(one.momenta.s3, other.momenta.p_theta);
+  EXPECT_EQ(one.two_polar->momenta.s3, other.two_polar->momenta.p_theta);
 }
 
 TEST(TwoPolar, LinesOfSolutionsAreSaidNotSampled) {

@@ -1,0 +1,278 @@
+#include "solver/program/session/row_start.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <span>
+
+#include "lib/body/inertia.hpp"
+#include "solver/family/anisotropic_family.hpp"
+#include "solver/family/branch_switch.hpp"
+#include "solver/family/tilted_family.hpp"
+#include "solver/program/case/case_motion.hpp"
+#include "solver/program/case/case_schema.hpp"
+#include "solver/program/table/column_file.hpp"
+#include "solver/program/table/table_reader.hpp"
+#include "solver/program/text/nearest_name.hpp"
+
+namespace stationary::cli {
+namespace {
+
+/// A row as the text it was written in, by column.
+using Cells = std::map<std::string, std::string, std::less<>>;
+
+struct RowName {
+  std::string path;
+  std::string event;  ///< empty: by its number
+  long number = 1;    ///< of the row, or among those of the event
+};
+
+std::optional<long> whole_number(std::string_view text) {
+  long out = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return out;
+}
+
+bool is_event(std::string_view text) {
+  return !text.empty() && std::ranges::find(event_names, text) != std::end(event_names);
+}
+
+[[noreturn]] void refuse(const std::string& row, const std::string& found,
+                         const std::string& expected, const std::string& remedy = {}) {
+  throw InputError(Origin::of_option("--from " + printable(row)), "", found, expected, remedy);
+}
+
+RowName parse(const std::string& text) {
+  const std::size_t last = text.rfind(':');
+  if (last == std::string::npos || last == 0)
+    refuse(text, "found no row", "TABLE:N, TABLE:EVENT or TABLE:EVENT:K");
+  const std::string end = text.substr(last + 1);
+  RowName out{text.substr(0, last), {}, 1};
+  if (const auto number = whole_number(end)) {
+    out.number = *number;
+    const std::size_t before = out.path.rfind(':');
+    const std::string event = before == std::string::npos ? "" : out.path.substr(before + 1);
+    if (is_event(event)) {
+      out.event = event;
+      out.path.resize(before);
+    }
+  } else if (is_event(end)) {
+    out.event = end;
+  } else {
+    const std::span<const std::string_view> names = std::span(event_names).subspan(1);
+    refuse(text, "found " + in_quotes(end), "a row's number, or an event, one of " + listed(names),
+           did_you_mean(nearest_name(end, names)));
+  }
+  if (out.number < 1) refuse(text, fmt::format("found row {}", out.number), "rows from 1 on");
+  return out;
+}
+
+Cells cells_of(const TableReader& table) {
+  Cells out;
+  for (std::size_t k = 0; k < table.columns().size(); ++k)
+    out.emplace(table.columns()[k], table.text(k));
+  return out;
+}
+
+/// Whether a row of this event is no place to start from: a fold, where the parameter names no point
+/// of its own, or an end at unbounded or vanishing stretches. The row beside it is.
+bool is_no_start(std::string_view event) {
+  for (const EventType each : {EventType::fold_nu, EventType::escape, EventType::collapse})
+    if (event == name(each)) return true;
+  return false;
+}
+
+/// The row, or one beside it on the same sheet.
+Cells row_of(const std::string& text) {
+  const RowName wanted = parse(text);
+  const bool columnar = is_column_file(wanted.path);
+  TableReader table = columnar ? TableReader(column_file_table(wanted.path, {}), wanted.path)
+                               : TableReader(wanted.path);
+  const auto event = table.column("event");
+  if (!wanted.event.empty() && !event)
+    refuse(text, "found no column event", "a table of continue or atlas");
+  long number = 0;
+  long rows = 0;
+  Cells before;
+  std::optional<Cells> fold;
+  while (table.next()) {
+    ++rows;
+    Cells here = cells_of(table);
+    if (fold && here["sheet"] == (*fold)["sheet"]) return here;  // nothing was before it
+    const bool counts = wanted.event.empty() || table.text(*event) == wanted.event;
+    if (counts && ++number == wanted.number) {
+      if (!event || !is_no_start(table.text(*event))) return here;
+      if (!before.empty() && before["sheet"] == here["sheet"]) return before;
+      fold = std::move(here);
+      continue;
+    }
+    before = std::move(here);
+  }
+  refuse(text,
+         wanted.event.empty() ? fmt::format("found {} rows", rows)
+                              : fmt::format("found {} rows of {}", number, wanted.event),
+         fmt::format("a row {}", wanted.number));
+}
+
+double number_in(const Cells& row, std::string_view column) {
+  const auto at = row.find(column);
+  double out = std::numeric_limits<double>::quiet_NaN();
+  if (at != row.end())
+    std::from_chars(at->second.data(), at->second.data() + at->second.size(), out);
+  return out;
+}
+
+/// The plane whose two locked inertias are equal there.
+std::optional<TiltPlane> tilt_plane(const Body& body, const Stretch& q) {
+  const Vector3<double> m = second_moments(body, q);
+  const auto equal = [&](int k) { return std::abs(m[k] - m[2]) <= 1e-6 * (m[k] + m[2]); };
+  if (equal(0)) return TiltPlane::one_three;
+  if (equal(1)) return TiltPlane::two_three;
+  return std::nullopt;
+}
+
+class FromRow {
+ public:
+  FromRow(const ComputeOptions& options, const std::string& text)
+      : options_(options), text_(text), row_(row_of(text)) {}
+
+  RowStart run() {
+    Case input = with_numbers_of_the_row(options_.read());
+    if (!input.continuation)
+      refuse(text_, "found no [continuation] in the case", "a case to be continued");
+    const Stretch q{value_or("alpha", 0.0), value("xi"), value("zeta"), value("rho")};
+    if (const char* inequality = violated_inequality(q))
+      refuse(text_, "found no positive definite S in the row", inequality);
+    const std::string own = text("branch");
+    const std::string wanted(input.branch_name());
+    if (own != wanted) return beginning(std::move(input), q, own);
+    return finished(std::move(input), q);
+  }
+
+ private:
+  std::string text(std::string_view column) const {
+    const auto at = row_.find(column);
+    if (at == row_.end() || at->second.empty())
+      refuse(text_, fmt::format("found no {} in the row", column),
+             "a row of solve, continue, atlas or map");
+    return at->second;
+  }
+  double value(std::string_view column) const {
+    (void)text(column);
+    return number_in(row_, column);
+  }
+  double value_or(std::string_view column, double otherwise) const {
+    const double out = number_in(row_, column);
+    return std::isnan(out) ? otherwise : out;
+  }
+  Vector3<double> nu() const {
+    return {value_or("nu1", 0.0), value_or("nu2", 0.0), value_or("nu3", 0.0)};
+  }
+
+  /// The case with the row's motion and the numbers of its trailing columns.
+  Case with_numbers_of_the_row(const Case& given) const {
+    std::vector<std::string> overrides = options_.overrides;
+    const auto set = [&](const std::string& key, const std::string& cell) {
+      overrides.push_back(key + "=" + cell);
+    };
+    Motion motion = given.motion;
+    for (const MotionNumber& each : motion_numbers(motion)) {
+      const std::string key(each.parameter == "nu" ? "motion.nu" : each.parameter);
+      if (each.parameter != "nu") {
+        set(key, text(key.substr(key.find('.') + 1)));
+        continue;
+      }
+      const auto branch = branch_from_name(given.branch_name());
+      const double spin = branch ? nu()[axis(*branch)] : nu().norm();
+      set(key, fmt::format("{}", spin));
+    }
+    for (const std::string& key : case_parameters(given.motion, given.models))
+      if (key.starts_with("body.") || key.starts_with("potential."))
+        if (const auto at = row_.find(key); at != row_.end() && !at->second.empty())
+          set(key, at->second);
+    if (has_rates(given.motion) && text("branch") != two_polar_name)
+      refuse(text_, "found a row of branch " + in_quotes(text("branch")), "a row of \"two-polar\"",
+             "rates and momenta are not in the row");
+    Case out = read_case(options_.path, overrides);
+    out.output.certificate = out.output.certificate || options_.certify;
+    out.motion = decided(out.motion, nu()[1] != 0.0);
+    return out;
+  }
+
+  RowStart finished(Case input, const Stretch& q) const {
+    const Case::Continuation& range = *input.continuation;
+    const FamilyParameters at{input.body, input.models, input.motion};
+    const double p = parameter_value(at, range.parameter);
+    if (!(p >= range.from && p <= range.to))
+      refuse(text_, fmt::format("found a row at {} = {}", range.parameter, p),
+             fmt::format("a row in the range followed, [{}, {}]", range.from, range.to));
+    Start start{at, p, {}};
+    start.found.status = SolveStatus::solved;
+    start.found.message = "row " + printable(text_);
+    start.found.connection = Connection::given_start;
+    start.found.q = q;
+    return {std::move(input), std::move(start)};
+  }
+
+  /// The case's family where it leaves the row's.
+  RowStart beginning(Case input, const Stretch& q, const std::string& own) const {
+    const std::string wanted(input.branch_name());
+    const std::string event = row_.contains("event") ? row_.at("event") : "";
+    const auto from = branch_from_name(own);
+    const auto to = branch_from_name(wanted);
+    if (wanted == tilted_name && from && event == name(EventType::tilt)) {
+      if (const auto plane = tilt_plane(input.body, q)) {
+        const auto family = tilted_family(input.body, input.potential, *plane, false);
+        if (const auto start = just_inside(*family, q, nu().norm())) {
+          input.motion = TiltedMotion{*plane, start->nu};
+          return finished(std::move(input), start->q);
+        }
+      }
+    }
+    if (wanted == oblique_name && from && event == name(EventType::oblique) &&
+        !input.potential.is_isotropic()) {
+      const auto family = oblique_family(input.body, input.potential.anisotropic(),
+                                         {.parameter = {}, .spectrum = false}, *from);
+      Member member;
+      member.body = input.body;
+      member.q = q;
+      member.nu = member.parameter = nu().norm();
+      member.angular_velocity = nu();
+      if (const auto start = leave_straight(*family, member, *from)) {
+        input.motion = ObliqueRotation{start->parameter, *from};
+        return finished(std::move(input), start->q);
+      }
+    }
+    // The end of a family whose axis has come to a material one.
+    const bool ends = event == name(EventType::tilt) || event == name(EventType::oblique);
+    if (to && !from && ends) {
+      const Vector3<double> spin = nu();
+      Vector3<double> across = spin;
+      across[axis(*to)] = 0.0;
+      if (across.norm() <= 1e-6 * spin.norm()) return finished(std::move(input), q);
+    }
+    refuse(
+        text_,
+        fmt::format("found a row of branch {}{}", in_quotes(own),
+                    event.empty() ? "" : " at the event " + event),
+        fmt::format("a row of branch {}, or an event where that family begins", in_quotes(wanted)));
+  }
+
+  const ComputeOptions& options_;
+  const std::string& text_;
+  Cells row_;
+};
+
+}  // namespace
+
+RowStart start_from_row(const ComputeOptions& options, const std::string& row) {
+  return FromRow(options, row).run();
+}
+
+}  // namespace stationary::cli

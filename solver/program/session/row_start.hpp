@@ -1,0 +1,27 @@
+// `continue --from TABLE:ROW`: going on from a motion that a table holds.
+//
+//   TABLE:N          data row N, the first is 1
+//   TABLE:EVENT      the first row of that event
+//   TABLE:EVENT:K    the K-th
+//
+// The case gives body and potential; the row gives S, the motion's numbers and those in trailing
+// columns, which override the case. The family is the case's motion.branch; where it is another than
+// the row's, the row must be an event at which that family begins.
+#pragma once
+
+#include <string>
+
+#include "solver/program/session/case_family.hpp"
+
+namespace stationary::cli {
+
+struct RowStart {
+  Case input;   ///< with what the row overrides
+  Start start;  ///< a motion of its family
+};
+
+/// options: the case and its own overrides. Throws InputError: no such table, row or event, a row
+/// without a motion, or of a family that does not lead to the case's.
+RowStart start_from_row(const ComputeOptions& options, const std::string& row);
+
+}  // namespace stationary::cli

@@ -1,0 +1,157 @@
+// continue --from: going on from any row of any table, on its own family or on one that begins
+// there; and what is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string cases = STATIONARY_CASES;
+
+class FromRow : public ::testing::Test {
+ protected:
+  /// A table of a shipped case under this name.
+  std::string table(const std::string& command, const std::string& file, const std::string& name,
+                    const std::vector<std::string>& more = {}) {
+    const std::string path = directory_ / name;
+    std::vector<std::string> arguments{command, cases + "/" + file, "-o", path, "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return path;
+  }
+  static Outcome from(const std::string& file, const std::string& row,
+                      const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"continue", cases + "/" + file, "--from", row};
+    if (more.empty() || more.front() != "summary") arguments.insert(arguments.end(), {"-o", "-"});
+    for (const std::string& each : more)
+      if (each != "summary") arguments.push_back(each);
+    return run_program(arguments);
+  }
+  /// The parameter's values at the events of a table.
+  static std::vector<double> events(const std::string& csv, const std::string& event,
+                                    const std::string& column) {
+    std::vector<double> out;
+    for (const Row& row : rows_of(csv))
+      if (row.at("event") == event) out.push_back(number(row.at(column)));
+    return out;
+  }
+  TemporaryDirectory directory_;
+};
+
+TEST_F(FromRow, AnyRowLeadsToTheSameSheet) {
+  const std::string path = table("continue", "fold.toml", "fold.csv");
+  const auto expected = events(text_of(path), "fold-nu", "nu1");
+  ASSERT_EQ(expected.size(), 1U);
+  const std::size_t rows = rows_of(text_of(path)).size();
+  for (const std::string& row :
+       {std::string("1"), std::to_string(rows / 2), std::to_string(rows), std::string("fold-nu"),
+        std::string("tilt:1"), std::string("limit")}) {
+    const Outcome outcome = from("fold.toml", path + ":" + row);
+    ASSERT_EQ(outcome.code, 0) << row << ": " << outcome.err;
+    const auto found = events(outcome.out, "fold-nu", "nu1");
+    ASSERT_EQ(found.size(), 1U) << row;
+    EXPECT_NEAR(found[0], expected[0], 1e-14) << row;
+  }
+  EXPECT_THAT(from("fold.toml", path + ":2", {"summary"}).out, HasSubstr("fold.csv:2"));
+}
+
+TEST_F(FromRow, HdfFiveToo) {
+  const std::string csv = table("continue", "fold.toml", "fold.csv");
+  const std::string hdf = table("continue", "fold.toml", "fold.h5");
+  EXPECT_EQ(from("fold.toml", hdf + ":7").out, from("fold.toml", csv + ":7").out);
+}
+
+TEST_F(FromRow, ATiltLeadsToTheTiltedFamilyAndBack) {
+  const std::vector<std::string> range{"--set", "continuation.to=1.2"};
+  const std::string straight = table("continue", "disc.toml", "disc.csv", range);
+  const Outcome tilted = from("disc.toml", straight + ":tilt",
+                              {"--set", "motion.branch=tilted", "--set", "continuation.to=1.2"});
+  ASSERT_EQ(tilted.code, 0) << tilted.err;
+  const auto rows = rows_of(tilted.out);
+  EXPECT_EQ(rows.front().at("branch"), "tilted");
+  EXPECT_EQ(rows.front().at("event"), "tilt");
+  EXPECT_EQ(rows.back().at("event"), "tilt");
+  // Its ends lie on branches (i) and (iii).
+  const std::string back = directory_ / "tilted.csv";
+  ASSERT_EQ(run_program({"continue", cases + "/tilted.toml", "-o", back, "-q"}).code, 0);
+  for (const auto& [branch, which, nu] :
+       {std::tuple{"i", ":tilt:1", "nu1"}, std::tuple{"iii", ":tilt:2", "nu3"}}) {
+    const Outcome again =
+        from("disc.toml", back + which,
+             {"--set", std::string("motion.branch=") + branch, "--set", "continuation.to=1.2"});
+    ASSERT_EQ(again.code, 0) << branch << ": " << again.err;
+    const auto at = events(again.out, "tilt", nu);
+    ASSERT_GE(at.size(), 1U) << branch;
+    const auto expected = events(text_of(back), "tilt", nu);
+    EXPECT_NEAR(at[0], std::max(expected[0], expected[1]), 1e-12) << branch;
+  }
+}
+
+TEST_F(FromRow, ATrailingParameterOverridesTheCase) {
+  const std::string path =
+      table("continue", "second_axis.toml", "J.csv",
+            {"--set", "continuation={parameter=\"body.J.1\",from=1.2,to=1.9}"});
+  const auto rows = rows_of(text_of(path));
+  const Row& row = rows[rows.size() / 2];
+  const Outcome outcome =
+      from("second_axis.toml", path + ":" + std::to_string(rows.size() / 2 + 1),
+           {"--set", "continuation={from=0.0,to=0.9}", "--set", "output.columns=[]"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  // At the row's nu the sheet has the row's S, which the case's own J does not give.
+  bool met = false;
+  const auto found = rows_of(outcome.out);
+  for (std::size_t k = 1; k < found.size(); ++k) {
+    const double nu = number(row.at("nu2"));
+    if ((number(found[k - 1].at("nu2")) <= nu) == (number(found[k].at("nu2")) <= nu)) continue;
+    met = true;
+    const double low = std::min(number(found[k - 1].at("xi")), number(found[k].at("xi")));
+    const double high = std::max(number(found[k - 1].at("xi")), number(found[k].at("xi")));
+    EXPECT_GE(number(row.at("xi")), low - 1e-12);
+    EXPECT_LE(number(row.at("xi")), high + 1e-12);
+  }
+  EXPECT_TRUE(met);
+}
+
+TEST_F(FromRow, TheCaseMayNameTheRow) {
+  const std::string path = table("continue", "fold.toml", "fold.csv");
+  std::string text = text_of(cases + "/fold.toml");
+  text.insert(text.find("[continuation]") + 14, "\nstart_row = \"fold.csv:9\"");
+  const std::string own = directory_.file("own.toml", text);
+  const Outcome outcome = run_program({"continue", own, "-o", "-"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, from("fold.toml", path + ":9").out);
+}
+
+TEST_F(FromRow, WhatLeadsNowhereIsRefused) {
+  const std::string path = table("continue", "fold.toml", "fold.csv");
+  const auto refused = [&](const std::string& row, const std::vector<std::string>& more,
+                           const std::string& why) {
+    const Outcome outcome = from("fold.toml", row, more);
+    EXPECT_EQ(outcome.code, 2) << row;
+    EXPECT_THAT(outcome.err, HasSubstr(why)) << row;
+  };
+  refused(path, {}, "TABLE:N, TABLE:EVENT or TABLE:EVENT:K");
+  refused(path + ":0", {}, "rows from 1 on");
+  refused(path + ":1000000", {}, "expected a row 1000000");
+  refused(path + ":fold-nu:7", {}, "found 1 rows of fold-nu");
+  refused(path + ":fold-un", {}, "did you mean \"fold-nu\"?");
+  refused(directory_ / "none.csv:1", {}, "cannot read it");
+  refused(path + ":3", {"--set", "motion.branch=tilted"}, "an event where that family begins");
+  refused(path + ":fold-nu", {"--set", "motion.branch=tilted"},
+          "an event where that family begins");
+  refused(path + ":limit", {"--set", "continuation.from=0.3"}, "a row in the range followed");
+  const std::string narrow = table("continue", "fold.toml", "narrow.csv",
+                                   {"--set", "output.columns=[\"branch\",\"nu1\",\"lambda\"]"});
+  refused(narrow + ":2", {}, "found no xi in the row");
+}
+
+}  // namespace
+}  // namespace stationary::testing
