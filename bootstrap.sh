@@ -4,7 +4,7 @@ set -euo pipefail
 
 usage() {
   cat >&2 <<'TEXT'
-usage: ./bootstrap.sh run     set up, build, solve cases/disc.toml and follow it into results/
+usage: ./bootstrap.sh run     set up, build, solve cases/fold.toml and follow it into results/
        ./bootstrap.sh test    set up, build and pass the tests, in release and under the sanitizers
 Set-up installs Debian packages that are missing, as root or through sudo; it asks nothing.
 TEXT
@@ -105,13 +105,15 @@ fi
 set_up
 if [[ $verb == run ]]; then
   build release stationary -D STATIONARY_BUILD_TESTS=OFF
-  say "stationary solve cases/disc.toml"
   program=build/release/solver/cli/stationary
-  "$program" solve cases/disc.toml
-  say "stationary continue cases/disc.toml -o results/disc.csv"
-  "$program" continue cases/disc.toml -o results/disc.csv
-  say "stationary plot results/disc.csv -o results/disc.svg"
-  "$program" plot results/disc.csv -o results/disc.svg
+  say "stationary solve cases/fold.toml"
+  "$program" solve cases/fold.toml
+  say "stationary continue cases/fold.toml -o results/fold.csv"
+  "$program" continue cases/fold.toml -o results/fold.csv
+  say "stationary plot results/fold.csv -o results/fold.svg"
+  "$program" plot results/fold.csv -o results/fold.svg
+  end_stage
+  printf '\nOpen results/fold.svg: the stretches and the spectrum against nu. docs/tutorial.md goes on from here.\n'
 else
   build release all -D STATIONARY_BUILD_TESTS=ON -D STATIONARY_TEST_COMPILER=clang++
   run_tests release

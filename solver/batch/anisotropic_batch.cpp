@@ -12,6 +12,7 @@
 #include "solver/family/anisotropic_family.hpp"
 #include "solver/family/follow_sheet.hpp"
 #include "solver/solve/anisotropic_rest.hpp"
+#include "solver/solve/family_solve.hpp"
 #include "solver/solve/nonexistence.hpp"
 
 namespace stationary {
@@ -88,6 +89,7 @@ class FollowedLane {
     how.continuation.to = to;
     how.continuation.step.tolerance = curve_tolerance;
     how.events = EventSet::none().add(EventType::fold_nu);
+    how.max_points = longest_walk;
     how.stop = stop_;
     CoordinateRows<N> sink(family_);
     follow_family(bare_, q, from, how, sink);

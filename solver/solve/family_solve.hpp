@@ -19,6 +19,10 @@
 
 namespace stationary {
 
+/// Points of a walk to a motion. A longer one creeps along an end of its sheet; the search finds
+/// what is beyond it.
+constexpr long longest_walk = 10'000;
+
 /// A family's equations at one p, as Newton's method takes them.
 template <int N>
 struct AtParameter {
@@ -90,6 +94,7 @@ class FamilySolve {
     out.continuation.to = to;
     out.continuation.step.tolerance = 1e-7;
     out.events = events;
+    out.max_points = longest_walk;
     out.stop = options_.stop;
     return out;
   }
@@ -131,6 +136,9 @@ class FamilySolve {
     } else if (const Member* member = ends.at(to)) {
       adopt(*member, Connection::rest,
             "along " + what + " in " + std::to_string(report.counts.steps) + " steps");
+    } else if (report.out_of_points) {
+      fail(what + " was given up after " + std::to_string(report.points) +
+           " points, without coming to |nu| = " + text(to));
     } else {
       fail(what + " was followed " + ends.text() + ", without coming to |nu| = " + text(to));
     }
