@@ -24,7 +24,7 @@ packages=(
   g++ cmake ninja-build
   libeigen3-dev libceres-dev libnlopt-dev libnlopt-cxx-dev libtbb-dev libhdf5-dev
   libcli11-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev tao-pegtl-dev
-  libboost-dev gnuplot-nox
+  libboost-dev gnuplot-nox scdoc
 )
 # Clang compiles the tests, in release and under the sanitizers, in half of GCC's time.
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libcminpack-dev clang libclang-rt-14-dev)
