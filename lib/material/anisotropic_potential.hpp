@@ -90,6 +90,19 @@ struct AnisotropicModel {
       return std::visit(written, separate->plane) || separate->thickness.has_decimals();
     return std::visit(written, std::get<OrientedCoupledModels<C>>(base));
   }
+  /// Likewise TapeModel::has_conditions.
+  bool has_conditions() const {
+    const auto written = [](const auto& model) {
+      if constexpr (requires { model.has_conditions(); }) {
+        return model.has_conditions();
+      } else {
+        return false;
+      }
+    };
+    if (const auto* separate = std::get_if<Separate>(&base))
+      return std::visit(written, separate->plane) || separate->thickness.has_conditions();
+    return std::visit(written, std::get<OrientedCoupledModels<C>>(base));
+  }
 
   /// x: the invariants of q, which a caller may know better than by its entries.
   template <int order>

@@ -13,8 +13,12 @@
 //                                          below the first, which kappa may overrate
 //
 // Accepted only when kappa delta^2 <= 2^-56: near a fold kappa is large and another step is taken.
+// Beside a border or a pole of a formula G bends far more than the size of its terms says; there a
+// step is accepted only where it is below 2^-44, or what the next one measures has come into the
+// bound in kappa's place: delta of a step over the square of that before it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -52,6 +56,33 @@ ReducedVector<N> ones() {
   return out;
 }
 
+/// Whether G may bend far more than the size of its terms says.
+template <class Model>
+bool may_be_steep_model(const Model& model) {
+  if constexpr (requires {
+                  model.plane;
+                  model.thickness;
+                }) {
+    return may_be_steep_model(model.plane) || may_be_steep_model(model.thickness);
+  } else if constexpr (requires { model.has_conditions(); }) {
+    return model.has_conditions();
+  } else {
+    return false;
+  }
+}
+template <class System>
+bool may_be_steep(const System& system) {
+  if constexpr (requires { system.models->plain; }) {
+    return may_be_steep_model(system.models->plain);
+  } else if constexpr (requires { system.elastic.model; }) {
+    return may_be_steep_model(system.elastic.model);
+  } else if constexpr (requires { system.model; }) {
+    return may_be_steep_model(system.model);
+  } else {
+    return true;  // nothing is known of it
+  }
+}
+
 /// Corrects x in place. bound = false leaves error_bound NaN and evaluates nothing for it.
 /// tail: what rounding x left of the solution, to about 2^-86; NaN where that is not known.
 /// Not converged: x is the last iterate, or unchanged where the Jacobian is singular, also only to
@@ -62,6 +93,8 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
   constexpr int N = System::dimension;
   Refined out;
   if (tail != nullptr) tail->setConstant(std::numeric_limits<double>::quiet_NaN());
+  const bool steep = may_be_steep(system);
+  double before = 0.0;  // size of the step before
   while (out.steps < max_steps) {
     const ReducedVector<N> g = system.extended_residual(x);
     const auto at = system.linearize(x);
@@ -76,18 +109,22 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
     out.positive = at.jacobian.determinant() > 0.0;
     const ReducedVector<N> corrected = moved<N>(x, step, -1.0);
     const double kappa = largest_magnitude<N>(absolute * ones<N>()) * at.magnitude;
-    if (kappa * size * size <= 0x1p-56) {
+    constexpr double fine = 0x1p-44;
+    const bool measured = !steep || size <= fine || out.steps == max_steps;
+    if (kappa * size * size <= 0x1p-56 && measured) {
+      const double bend =
+          steep && before > fine ? std::max(kappa, size / (before * before)) : kappa;
       out.converged = true;
       if constexpr (bound) {
         ReducedVector<N> perturbation = system.input_sensitivity(x);
         for (int i = 0; i < N; ++i)
           perturbation[i] = 0x1p-53 * perturbation[i] + 0x1p-80 * at.magnitude;
         const double linear = largest_magnitude<N>(absolute * perturbation) +
-                              kappa * size * (size + 0x1p-50) + 0x1p-53;
+                              bend * size * (size + 0x1p-50) + 0x1p-53;
         // Without such an e, that of a fold: below `linear` where kappa is far above the curvature.
         out.error_bound = std::fmax(linear, with_curvature(linear, kappa));
       }
-      if (tail != nullptr && kappa * size * (size + 0x1p-50) <= 0x1p-86) {
+      if (tail != nullptr && bend * size * (size + 0x1p-50) <= 0x1p-86) {
         for (int i = 0; i < N; ++i) {
           const DoubleDouble sum = two_sum(x[i], -x[i] * step[i]);
           (*tail)[i] = (sum.hi - corrected[i]) + sum.lo;
@@ -97,6 +134,7 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
       return out;
     }
     x = corrected;
+    before = size;
   }
   return out;
 }

@@ -422,6 +422,8 @@ class Evaluation {
   void denominator(const T& x) {
     if (x == T(0)) out_.defined = false;
     out_.positive.push_back(x > T(0));
+    const T size = x > T(0) ? x : T(-x);
+    if (size < out_.nearest) out_.nearest = size;
   }
 
   const std::array<T, 4>& q_;

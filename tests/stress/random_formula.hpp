@@ -52,7 +52,7 @@ template <class T>
 struct Evaluated {
   Jet<T> energy;
   bool defined = true;         ///< every argument of log, root and power > 0, no denominator 0
-  T nearest = T(1e300);        ///< the smallest of these arguments
+  T nearest = T(1e300);        ///< the smallest of these arguments, and denominators in size
   std::vector<bool> positive;  ///< of every denominator, in order
 };
 

@@ -61,10 +61,9 @@ bool report(std::string_view name, const Tally& tally) {
   return tally.faults.empty() && tally.reported() == tally.tried;
 }
 
-/// Likewise, and whether so many claims of each kind were tried.
+/// Likewise, and whether so many claims of each kind were tried; the faults are listed by now.
 bool report(const FormulaTally& tally, double share) {
   std::fprintf(stderr, "random formulas      %s\n", text_of(tally).c_str());
-  for (const std::string& fault : tally.faults) std::fprintf(stderr, "  %s\n", fault.c_str());
   const auto at_least = [&](long count, double wanted) {
     return static_cast<double>(count) >= share * wanted;
   };
@@ -107,8 +106,11 @@ bool formulas_hold(const std::filesystem::path&, double share) {
   const long all = share_of(share, formulas);
   FormulaTally out;
   for (long done = 0; done < all; done += at_once) {
-    out += judged_formulas(std::min(at_once, all - done),
-                           seed + static_cast<std::uint64_t>(done / at_once), {}, threads);
+    const FormulaTally hundred =
+        judged_formulas(std::min(at_once, all - done),
+                        seed + static_cast<std::uint64_t>(done / at_once), {}, threads);
+    for (const std::string& fault : hundred.faults) std::fprintf(stderr, "  %s\n", fault.c_str());
+    out += hundred;
     std::fprintf(stderr, "                     %s\n", text_of(out).c_str());
   }
   return report(out, share);

@@ -34,6 +34,11 @@ struct AnyModel {
     return expression != nullptr && expression->has_decimals();
   }
 
+  bool has_conditions() const {
+    const auto* expression = std::get_if<Expression>(&model);
+    return expression != nullptr && expression->has_conditions();
+  }
+
   /// Of an expression (expression.hpp).
   std::vector<ConditionValue> conditions_at(const Stretch& q) const {
     const auto* expression = std::get_if<Expression>(&model);

@@ -242,6 +242,8 @@ class TapeModel {
   bool has_principal_stretches() const { return tape_->has_principal_stretches; }
   /// Numbers in the formula ("0.1") are inputs then, as uncertain as its parameters.
   bool has_decimals() const { return tape_->coefficients.has_decimals; }
+  /// Whether it is not defined everywhere: it may be steep without bound at a border or a pole.
+  bool has_conditions() const { return !tape_->conditions.empty(); }
 
  protected:
   /// Results of a program on inputs: out(k) gives result k, and no number outside the domain.
