@@ -30,6 +30,8 @@ using Point = std::array<T, 4>;  ///< alpha, xi, zeta, rho
 
 constexpr double min_stretch = 0.02;
 constexpr double max_stretch = 50.0;
+/// Of Newton's last step in 50 digits: stretches 1e10 apart cost it twenty of them.
+constexpr double converged = 1e-28;
 
 /// The balance of a case by its own formula: V_i - T_i at given nu, T the kinetic energy at that
 /// nu.
@@ -166,7 +168,7 @@ class Judge {
   /// Existence, the bound and the domain; nu in its own decimals or a double's.
   void solution(const char* whose, const Stretch& q, double bound, const Real50& nu) {
     const OwnBalance<Real50> own(c_, nu);
-    auto exact = own.solved(widened(q), 12, Real50("1e-42"));
+    auto exact = own.solved(widened(q), 12, Real50(converged));
     char text[240];
     std::snprintf(text, sizeof text, "%s at xi = %.17g, zeta = %.17g, rho = %.17g: ", whose, q.xi,
                   q.zeta, q.rho);
@@ -178,7 +180,7 @@ class Judge {
       for (const double units : {1.0, -1.0, 3.0, -3.0, 10.0, -10.0}) {
         Point<Real50> near = widened(q);
         near[k] *= 1 + Real50(units * 0x1p-53);
-        exact = own.solved(near, 40, Real50("1e-42"));
+        exact = own.solved(near, 40, Real50(converged));
         if (exact) break;
       }
     }
@@ -246,7 +248,7 @@ class Judge {
       if (!near) continue;
       const auto exact = own.solved(
           {Real50((*near)[0]), Real50((*near)[1]), Real50((*near)[2]), Real50((*near)[3])}, 12,
-          Real50("1e-42"));
+          Real50(converged));
       if (!exact || !in_box(*exact)) continue;
       const auto known = [&](const Equilibrium& each) { return distance(*exact, each.q) < 1e-6; };
       if (std::ranges::any_of(list, known)) continue;
@@ -302,7 +304,7 @@ class Judge {
     const double last = margin(out.rows.back().member.q);
     const double before = margin(out.rows[out.rows.size() - 2].member.q);
     constexpr double small = 1e-4;
-    if (last < small && last < before) return;
+    if (last < small && last <= before) return;  // equal where a double resolves no more
     char text[160];
     std::snprintf(text, sizeof text, "an end `domain` %.3g from the border, the row before %.3g",
                   last, before);
