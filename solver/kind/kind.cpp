@@ -60,6 +60,31 @@ struct Of {
   }
 };
 
+Found found(const Alternatives& kinds, const SolveOptions& options, bool all_tried) {
+  const SolveOptions how = for_each_of(kinds, options);
+  Found out{{}, kinds.each.front().kind.get()};
+  std::string failures;
+  for (const auto& [label, kind] : kinds.each) {
+    Equilibrium each = kind->solve(how);
+    if (each.status == SolveStatus::interrupted) return {std::move(each), kind.get()};
+    if (each.status == SolveStatus::solved) {
+      out.several = out.equilibrium.status == SolveStatus::solved;
+      if (!out.several) out = {std::move(each), kind.get()};
+      if (out.several || !all_tried) return out;
+      continue;
+    }
+    failures += (failures.empty() ? "" : "; ") + (label.empty() ? "" : label + ": ") + each.message;
+    const SolveStatus best = out.equilibrium.status;
+    if (best != SolveStatus::solved && best != SolveStatus::failed)
+      out.equilibrium = std::move(each);
+  }
+  if (out.equilibrium.status == SolveStatus::solved) return out;
+  out.equilibrium.message = failures;
+  if (kinds.any && out.equilibrium.status == SolveStatus::not_found)
+    return {kinds.any->solve(options), kinds.any.get()};
+  return out;
+}
+
 }  // namespace
 
 Equilibrium at_rest() {
@@ -93,23 +118,18 @@ std::unique_ptr<Kind> kind_of(const Body& body, const Potential& potential, cons
   return std::move(alternatives(body, potential, motion, true).each.front().kind);
 }
 
+SolveOptions for_each_of(const Alternatives& kinds, const SolveOptions& options) {
+  SolveOptions out = options;
+  if (kinds.any) out.search = false;
+  return out;
+}
+
 Found first_found(const Alternatives& kinds, const SolveOptions& options) {
-  SolveOptions how = options;
-  if (kinds.any) how.search = false;  // it would find the motion of any of them
-  Equilibrium out;
-  std::string failures;
-  for (const auto& [label, kind] : kinds.each) {
-    Equilibrium found = kind->solve(how);
-    if (found.status == SolveStatus::solved || found.status == SolveStatus::interrupted)
-      return {found, kind.get()};
-    failures +=
-        (failures.empty() ? "" : "; ") + (label.empty() ? "" : label + ": ") + found.message;
-    if (out.status != SolveStatus::failed) out = std::move(found);
-  }
-  out.message = failures;
-  if (kinds.any && out.status == SolveStatus::not_found)
-    return {kinds.any->solve(options), kinds.any.get()};
-  return {out, kinds.each.front().kind.get()};
+  return found(kinds, options, false);
+}
+
+Found only_found(const Alternatives& kinds, const SolveOptions& options) {
+  return found(kinds, options, true);
 }
 
 }  // namespace stationary

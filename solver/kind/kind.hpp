@@ -108,11 +108,18 @@ Alternatives alternatives(const Body& body, const Potential& potential, const Mo
 /// The only kind that it may be, or the first.
 std::unique_ptr<Kind> kind_of(const Body& body, const Potential& potential, const Motion& motion);
 
-/// One motion of the first alternative that has one, and which that is; else what was said of all.
+/// How each of several alternatives is solved: a search would find the motion of any of them.
+SolveOptions for_each_of(const Alternatives& kinds, const SolveOptions& options);
+
+/// One motion, and the alternative that has it; else what was said of all.
 struct Found {
   Equilibrium equilibrium;
   const Kind* kind;
+  bool several = false;  ///< another alternative has one too
 };
+/// Of the first alternative that has one.
 Found first_found(const Alternatives& kinds, const SolveOptions& options);
+/// Likewise; the alternatives after it are tried too.
+Found only_found(const Alternatives& kinds, const SolveOptions& options);
 
 }  // namespace stationary

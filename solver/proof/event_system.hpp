@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "lib/number/dual.hpp"
@@ -45,6 +46,12 @@ struct EventFunction {
 
 /// A family, at whose numbers the equations are taken.
 struct EventSetting {
+  /// Another value of one of the numbers than the problem's own.
+  struct Held {
+    FamilyParameter number;
+    double value;
+  };
+
   Body body;
   Potential potential;
   Branch branch;
@@ -52,6 +59,7 @@ struct EventSetting {
   FamilyParameter parameter;
   bool circle;
   Inputs inputs;
+  std::optional<Held> held{};
 };
 
 /// circle: 2 stretches instead of 3; spectral: Lambda among the unknowns. Input: what a number of
@@ -102,7 +110,9 @@ class EventEquations {
   State state(const Unknowns& y, const Input& number) const {
     const EventSetting& at = *setting_;
     const auto input = [&](double value, Kind kind, int index) {
-      return varies(at.parameter, kind, index) ? y[stretches] : number(value, kind, index);
+      if (varies(at.parameter, kind, index)) return y[stretches];
+      const bool held = at.held && varies(at.held->number, kind, index);
+      return number(held ? at.held->value : value, kind, index);
     };
     const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
     State s;

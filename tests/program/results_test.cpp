@@ -174,6 +174,46 @@ TEST(ShippedResults, AtlasesAreWhatTheProgramMakesOfTheirCases) {
   EXPECT_GE(compared, 3);
 }
 
+double length(const Row& row, const std::string& vector) {
+  double square = 0.0;
+  for (const char* k : {"1", "2", "3"}) {
+    const double part = number(row.at(vector + k));
+    square += part * part;
+  }
+  return std::sqrt(square);
+}
+
+/// dE = |nu| d|pi| along a family in nu: between two rows |nu| lies between theirs.
+TEST(ShippedResults, EnergyChangesByNuTimesTheMomentum) {
+  int tables = 0;
+  int steps = 0;
+  for (const std::string& stem : stems_in(STATIONARY_RESULTS, ".csv")) {
+    const std::string table = text_of(result_of(stem + ".csv"));
+    const std::string header(header_of(table));
+    const bool in_nu = header.find(",body.") == std::string::npos &&
+                       header.find(",potential.") == std::string::npos &&
+                       header.find(",omega") == std::string::npos;
+    if (!in_nu || header.find(",event,") == std::string::npos) continue;
+    ++tables;
+    const auto rows = rows_of(table);
+    for (std::size_t k = 1; k < rows.size(); ++k) {
+      const Row& a = rows[k - 1];
+      const Row& b = rows[k];
+      if (a.at("sheet") != b.at("sheet")) continue;
+      const double change = number(b.at("energy")) - number(a.at("energy"));
+      const double momentum = length(b, "pi") - length(a, "pi");
+      const double mean = 0.5 * (length(a, "nu") + length(b, "nu"));
+      const double spread = 0.5 * std::abs((length(b, "nu") - length(a, "nu")) * momentum);
+      const double rounding = 1e-13 * std::abs(number(b.at("energy"))) + 1e-15;
+      EXPECT_LE(std::abs(change - mean * momentum), spread + rounding)
+          << stem << ", sheet " << b.at("sheet") << ", point " << b.at("point");
+      ++steps;
+    }
+  }
+  EXPECT_GE(tables, 25);
+  EXPECT_GE(steps, 10000);
+}
+
 TEST(ShippedResults, AreOfTheCasesAndNothingElse) {
   const auto cases = stems_in(STATIONARY_CASES, ".toml");
   const auto of_cases = [](std::vector<std::string> stems) {

@@ -38,6 +38,7 @@ constexpr std::string_view rooms[] = {
     "solver/family",
     "solver/search",
     "solver/solve",
+    "solver/event_curve",
     "solver/kind",
     "solver/atlas",
     "solver/batch",

@@ -130,8 +130,7 @@ Answer joined(std::vector<std::pair<std::string, Answer>> parts) {
 /// Of each alternative, and where none comes to anything of whatever there is.
 Answer answer(const Alternatives& kinds, const SolveOptions& options, const Asked& asked) {
   if (kinds.each.size() == 1) return answer(*kinds.each.front().kind, options, asked);
-  SolveOptions how = options;
-  if (kinds.any) how.search = false;  // it would find the motion of any of them
+  const SolveOptions how = for_each_of(kinds, options);
   std::vector<std::pair<std::string, Answer>> parts;
   for (const auto& [label, kind] : kinds.each) parts.emplace_back(label, answer(*kind, how, asked));
   Answer out = joined(std::move(parts));

@@ -48,28 +48,15 @@ Start start_at(const Case& input, double p) { return {at_parameter(input, p), p,
 /// where two have one and the case does not choose.
 Equilibrium only_one(const Case& input, const Alternatives& kinds, const SolveOptions& options,
                      Motion& motion) {
-  SolveOptions how = options;
-  if (kinds.any) how.search = false;  // it would find the motion of any of them
-  Equilibrium out;
-  std::string failures;
-  for (const auto& [label, kind] : kinds.each) {
-    Equilibrium found = kind->solve(how);
-    if (found.status == SolveStatus::interrupted) return found;
-    if (found.status != SolveStatus::solved) {
-      failures += fmt::format("{}{}: {}", failures.empty() ? "" : "; ", label, found.message);
-      if (out.status != SolveStatus::solved) out = std::move(found);
-      continue;
-    }
-    if (out.status == SolveStatus::solved) {
-      throw fault_at(input.source, std::string(kinds.key), "found no such key, and " + kinds.both,
-                     std::string(kinds.values) + " for continue",
-                     "a table follows one of the two families");
-    }
-    motion = kind->motion();
-    out = std::move(found);
+  Found only = only_found(kinds, options);
+  if (only.several) {
+    throw fault_at(input.source, std::string(kinds.key), "found no such key, and " + kinds.both,
+                   std::string(kinds.values) + " for continue",
+                   "a table follows one of the two families");
   }
-  if (out.status != SolveStatus::solved && kinds.each.size() > 1) out.message = failures;
-  return kinds.any && out.status == SolveStatus::not_found ? kinds.any->solve(options) : out;
+  if (only.equilibrium.status == SolveStatus::solved && only.kind != kinds.any.get())
+    motion = only.kind->motion();
+  return std::move(only.equilibrium);
 }
 
 }  // namespace

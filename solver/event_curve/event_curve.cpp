@@ -1,0 +1,295 @@
+#include "solver/event_curve/event_curve.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "solver/continuation/continuation.hpp"
+#include "solver/continuation/curve_start.hpp"
+#include "solver/event_curve/event_curve_family.hpp"
+#include "solver/event_curve/event_sides.hpp"
+#include "solver/event_curve/pitchfork.hpp"
+
+namespace stationary {
+namespace {
+
+constexpr int N = EventCurveFamily::N;
+
+/// What changes its sign at a special point.
+struct Signs {
+  double first_speed = 0.0;   ///< dp1/ds
+  double second_speed = 0.0;  ///< dp2/ds
+  double pitchfork = 0.0;     ///< of `ellipse`; else 0
+  TestValues functions;
+};
+
+class Follower {
+ public:
+  Follower(const EventCurveSetting& setting, const SoughtEvent& what, const Member& event,
+           double second, bool circle, const EventCurveOptions& options)
+      : setting_(setting),
+        what_(what),
+        circle_(circle),
+        options_(options),
+        second_(second),
+        family_(family_setting(setting, event, second, circle), what, event),
+        curve_(family_, options.second_to - options.second_from, false, std::nullopt,
+               EventSet::none()) {}
+
+  EventCurve both() {
+    const Corrected<N> start = start_of(curve_, family_.coordinates({}, second_), second_);
+    if (start.status != CorrectorStatus::converged) {
+      out_.failure = "the event's equations are singular here: " + std::string(name(start.status));
+      return std::move(out_);
+    }
+    start_ = curve_.complete(start.point);
+    out_.last = one(-1);
+    std::ranges::reverse(out_.points);
+    out_.first = std::exchange(out_.last, {});
+    out_.points.push_back(completed(start_.arc, signs_at(start_.arc), SpecialPoint::none));
+    if (out_.first.event == EventType::closed) {
+      out_.last = out_.first;
+    } else if (!out_.interrupted) {
+      out_.last = one(+1);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  static EventSetting family_setting(const EventCurveSetting& setting, const Member& event,
+                                     double second, bool circle) {
+    const SpinningProblem at = setting.at(event.parameter, second);
+    return {at.problem.body(),   at.problem.potential(),
+            at.problem.branch(), at.nu,
+            setting.first,       circle,
+            Inputs::doubles,     EventSetting::Held{setting.second, second}};
+  }
+
+  bool is_fold() const { return what_.function.kind == EventFunction::Kind::fold; }
+  double first_of(const ArcPoint<N>& arc) const { return family_.first_parameter(arc.x); }
+
+  EventPlace place_of(const ArcPoint<N>& arc) const {
+    EventPlace out;
+    out.q = {0.0, arc.x[0], circle_ ? arc.x[0] : arc.x[1], arc.x[2]};
+    out.tail = arc.tail.head<3>();
+    if (!out.tail.allFinite()) out.tail.setZero();
+    out.first = first_of(arc);
+    // At a turn of p2 the bound is of x at the row's p2; on the curve x is far better known.
+    out.error_bound = arc.at_turn ? curve_.corrector().curve_error(arc) : arc.error_bound;
+    out.circle = circle_;
+    return out;
+  }
+
+  Signs signs_at(const ArcPoint<N>& arc) const {
+    Signs out;
+    out.first_speed = arc.tangent[EventCurveFamily::first];
+    out.second_speed = arc.tangent[N];
+    const EventPlace place = place_of(arc);
+    const SpinningProblem at = setting_.at(place.first, arc.p);
+    if (what_.function.kind == EventFunction::Kind::ellipse)
+      out.pitchfork = pitchfork_coefficient(at.problem, at.nu, place.q);
+    const bool collides = !what_.function.spectral() && options_.spectrum;
+    out.functions =
+        functions_at(at, setting_.first, place, member_at(at, setting_.first, place, collides));
+    if (const auto own = own_function(what_.function))
+      out.functions.value[*own] = std::numeric_limits<double>::quiet_NaN();
+    return out;
+  }
+
+  EventCurvePoint completed(const ArcPoint<N>& arc, const Signs& signs,
+                            SpecialPoint special) const {
+    const EventPlace place = place_of(arc);
+    const SpinningProblem at = setting_.at(place.first, arc.p);
+    EventCurvePoint out;
+    out.member = member_at(at, setting_.first, place, options_.spectrum);
+    out.second = arc.p;
+    out.special = special;
+    const bool folds = is_fold() && signs.first_speed != 0.0;
+    if (options_.spectrum && special == SpecialPoint::none) {
+      const EventSides sides = sides_of(at, setting_.first, place, is_fold() && folds);
+      out.before = sides.before;
+      out.after = sides.after;
+    }
+    return out;
+  }
+
+  struct Special {
+    double u;
+    SpecialPoint type;
+    EventType other = EventType::none;
+  };
+
+  /// Where a function of the point changes its sign on the arc, by bisection; nothing where a point
+  /// between is not found.
+  template <class Function>
+  std::optional<double> zero_of(const Function& function, const ArcPoint<N>& from,
+                                const Arc<N>& arc, double at_from) const {
+    double a = 0.0;
+    double b = 1.0;
+    for (int k = 0; k < 50 && b - a > 0x1p-44; ++k) {
+      const double middle = 0.5 * (a + b);
+      const Corrected<N> there = curve_.at(from, arc, middle);
+      if (there.status != CorrectorStatus::converged) return std::nullopt;
+      const double value = function(there.point);
+      if (std::isnan(value)) return std::nullopt;
+      ((value < 0.0) == (at_from < 0.0) ? a : b) = middle;
+    }
+    return 0.5 * (a + b);
+  }
+
+  /// Of one step, in order.
+  std::vector<Special> specials(const ArcPoint<N>& from, const Signs& here, const Signs& next,
+                                const Arc<N>& arc) const {
+    std::vector<Special> out;
+    const auto changes = [](double a, double b) { return (a < 0.0) != (b < 0.0); };
+    const auto add = [&](const std::optional<double>& u, SpecialPoint type,
+                         EventType other = EventType::none) {
+      if (u) out.push_back({*u, type, other});
+    };
+    if (changes(here.second_speed, next.second_speed)) {
+      const auto second = zero_of([](const ArcPoint<N>& at) { return at.tangent[N]; }, from, arc,
+                                  here.second_speed);
+      if (is_fold() && changes(here.first_speed, next.first_speed)) {
+        const auto first =
+            zero_of([](const ArcPoint<N>& at) { return at.tangent[EventCurveFamily::first]; }, from,
+                    arc, here.first_speed);
+        constexpr double together = 1e-4;
+        if (first && second && std::abs(*first - *second) < together)
+          add(second, SpecialPoint::cusp);
+      } else if (what_.function.spectral()) {
+        add(second, SpecialPoint::turn);
+      }
+    }
+    if (changes(here.pitchfork, next.pitchfork)) {
+      add(zero_of([this](const ArcPoint<N>& at) { return signs_at(at).pitchfork; }, from, arc,
+                  here.pitchfork),
+          SpecialPoint::degenerate_pitchfork);
+    }
+    const TestContext context{curve_.context().branch, false, circle_, axis_events(), {}};
+    for (std::size_t k = 0; k < TestValues::crossings; ++k) {
+      if (here.functions.sign(k) * next.functions.sign(k) != -1) continue;
+      // A block's pairs that are none at one end have no common function.
+      if (k == TestValues::collision &&
+          here.functions.collides_imaginary != next.functions.collides_imaginary)
+        continue;
+      add(zero_of([this, k](const ArcPoint<N>& at) { return signs_at(at).functions.value[k]; },
+                  from, arc, here.functions.value[k]),
+          SpecialPoint::double_event, event_type(k, context, here.functions));
+    }
+    std::ranges::sort(out, {}, &Special::u);
+    return out;
+  }
+
+  EventCurvePoint special_point(const ArcPoint<N>& from, const Arc<N>& arc,
+                                const Special& special) const {
+    const Corrected<N> at = curve_.at(from, arc, special.u);
+    EventCurvePoint out = completed(at.point, signs_at(at.point), special.type);
+    out.other = special.other;
+    return out;
+  }
+
+  bool outside(double first) const {
+    return first < options_.first_from || first > options_.first_to;
+  }
+
+  /// The point where p1 comes to the end of its range on the arc.
+  std::optional<ArcPoint<N>> at_first_limit(const ArcPoint<N>& from, const Arc<N>& arc) const {
+    const auto beyond = [this](const ArcPoint<N>& at) {
+      return outside(first_of(at)) ? 1.0 : -1.0;
+    };
+    const auto u = zero_of(beyond, from, arc, -1.0);
+    if (!u) return std::nullopt;
+    const Corrected<N> at = curve_.at(from, arc, *u);
+    if (at.status != CorrectorStatus::converged) return std::nullopt;
+    return at.point;
+  }
+
+  /// p1 where the arc passes the p2 of the start.
+  void note_crossing(const ArcPoint<N>& from, const ArcPoint<N>& to, const Arc<N>& arc) {
+    if ((from.p < second_) == (to.p < second_) || from.p == second_) return;
+    const auto u = zero_of([this](const ArcPoint<N>& at) { return at.p - second_; }, from, arc,
+                           from.p - second_);
+    if (!u) return;
+    const Corrected<N> at = curve_.at(from, arc, *u);
+    const EventPlace place = place_of(at.point);
+    out_.crossings.push_back(
+        member_at(setting_.at(place.first, at.point.p), setting_.first, place, false));
+  }
+
+  EventCurveEnd one(int direction) {
+    ContinuationOptions how;
+    how.from = options_.second_from;
+    how.to = options_.second_to;
+    how.step.tolerance = options_.tolerance;
+    Continuation<N> walk(curve_, start_, direction, how);
+    ArcPoint<N> here = start_.arc;
+    if (direction < 0) here.tangent = -here.tangent;
+    Signs signs = signs_at(here);
+    while (walk.end() == EventType::none) {
+      if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
+        out_.interrupted = true;
+        return {EventType::none, "interrupted"};
+      }
+      if (static_cast<long>(out_.points.size()) >= options_.max_points)
+        return {EventType::none, "as many points as were asked for"};
+      if (!walk.step()) break;
+      ArcPoint<N> next = walk.point().arc;
+      ArcVector<N> chord;
+      chord.head<N>() = (next.x.array() / here.x.array()).log().matrix();
+      chord[N] = (next.p - here.p) / curve_.corrector().scale();
+      Arc<N> arc(chord, here.tangent, next.tangent);
+      bool at_limit = false;
+      if (outside(first_of(next))) {
+        const auto limit = at_first_limit(here, arc);
+        if (!limit) return {EventType::stalled, "the end of the range was not reached"};
+        next = *limit;
+        chord.head<N>() = (next.x.array() / here.x.array()).log().matrix();
+        chord[N] = (next.p - here.p) / curve_.corrector().scale();
+        arc = Arc<N>(chord, here.tangent, next.tangent);
+        at_limit = true;
+      }
+      const Signs there = signs_at(next);
+      for (const Special& special : specials(here, signs, there, arc))
+        out_.points.push_back(special_point(here, arc, special));
+      note_crossing(here, next, arc);
+      if (walk.end() != EventType::closed)
+        out_.points.push_back(completed(next, there, SpecialPoint::none));
+      if (at_limit) return {EventType::limit, "the range asked for"};
+      here = next;
+      signs = there;
+    }
+    return {walk.end(), walk.reason()};
+  }
+
+  const EventCurveSetting& setting_;
+  SoughtEvent what_;
+  bool circle_;
+  EventCurveOptions options_;
+  double second_;
+  EventCurveFamily family_;
+  Curve<N> curve_;
+  CurvePoint<N> start_;
+  EventCurve out_;
+};
+
+}  // namespace
+
+bool has_event_curve(EventType type) {
+  return type != EventType::none && type != EventType::unexplained && !is_end(type);
+}
+
+EventCurve follow_event_curve(const EventCurveSetting& setting, const Member& event, double second,
+                              bool circle, const EventCurveOptions& options) {
+  const SpinningProblem at = setting.at(event.parameter, second);
+  const auto candidates = sought_events(setting.type, at.problem.branch(), event);
+  EventCurve out;
+  out.failure = "the event has no equations, or no spectrum was computed";
+  for (const SoughtEvent& what : candidates) {
+    out = Follower(setting, what, event, second, circle, options).both();
+    if (out.failure.empty()) break;
+  }
+  return out;
+}
+
+}  // namespace stationary

@@ -1,0 +1,208 @@
+// Curves of events in two parameters: against closed forms, against events located at single values
+// of the second parameter, and their special points.
+#include "solver/event_curve/event_curve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "solver/event_curve/pitchfork.hpp"
+#include "tests/support/followed.hpp"
+#include "tests/support/random_problem.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using Kind = FamilyParameter::Kind;
+
+/// A problem by its numbers, two of which vary.
+struct Numbers {
+  std::string_view model;
+  Branch branch;
+  std::array<double, 3> J{1.0, 1.7, 0.6};
+  std::array<double, 2> plane{1.0, 2.0};
+  double nu = 0.4;
+
+  SpinningProblem problem() const {
+    return {{Body(J[0], J[1], J[2]), testing::make_potential(model, plane), branch}, nu};
+  }
+  double& at(const FamilyParameter& p) {
+    const auto k = static_cast<std::size_t>(p.index);
+    return p.kind == Kind::nu ? nu : p.kind == Kind::inertia ? J[k] : plane[k];
+  }
+  Numbers with(const FamilyParameter& p, double value) const {
+    Numbers out = *this;
+    out.at(p) = value;
+    return out;
+  }
+};
+
+EventCurveSetting setting(const Numbers& numbers, EventType type, const FamilyParameter& first,
+                          const FamilyParameter& second) {
+  return {[=](double p, double r) { return numbers.with(first, p).with(second, r).problem(); },
+          first, second, type};
+}
+
+Member start(const Numbers& numbers, const Stretch& q, double first) {
+  Member out;
+  out.body = numbers.problem().problem.body();
+  out.q = q;
+  out.nu = numbers.nu;
+  out.parameter = first;
+  return out;
+}
+
+double relative(double a, double b) { return std::abs(a - b) / std::abs(b); }
+
+/// hencky (i): zeta = sqrt e, nu^2 J2 = 2 mu (mu + lambda)/[(2 mu + lambda) e].
+TEST(EventCurve, FoldOfHencky) {
+  Numbers numbers{.model = "hencky", .branch = Branch::i, .plane = {1.25, 0.5}};
+  const double product = 2.0 * 1.25 * 1.75 / (3.0 * std::exp(1.0));
+  numbers.nu = std::sqrt(product / numbers.J[1]);
+  const Equilibrium near =
+      solve(numbers.with({}, 0.9999 * numbers.nu).problem().problem, 0.9999 * numbers.nu);
+  ASSERT_EQ(near.status, SolveStatus::solved);
+  const EventCurveOptions options{
+      .first_from = 0.1, .first_to = 2.0, .second_from = 0.3, .second_to = 4.0, .tolerance = 1e-6};
+  const EventCurve curve =
+      follow_event_curve(setting(numbers, EventType::fold_nu, {}, {Kind::inertia, 1}),
+                         start(numbers, near.q, numbers.nu), numbers.J[1], false, options);
+  ASSERT_EQ(curve.failure, "");
+  EXPECT_EQ(curve.first.event, EventType::limit);
+  EXPECT_EQ(curve.last.event, EventType::limit);
+  ASSERT_GE(curve.points.size(), 10U);
+  EXPECT_EQ(curve.points.front().second, 0.3);
+  EXPECT_EQ(curve.points.back().second, 4.0);
+  for (const EventCurvePoint& point : curve.points) {
+    const double nu = point.member.parameter;
+    EXPECT_LE(relative(nu * nu * point.second, product), 1e-14) << point.second;
+    EXPECT_LE(relative(point.member.q.zeta, std::exp(0.5)), point.member.error_bound);
+    EXPECT_LE(point.member.error_bound, 1e-13);
+    ASSERT_TRUE(point.before && point.after) << point.second;
+    EXPECT_NE(*point.before, StabilityClass::marginal);
+    EXPECT_EQ(point.special, SpecialPoint::none);
+  }
+}
+
+/// reciprocal-determinant (i) tilts where J1 xi^2 = J3 rho^2: c = xi^4 A1^(3/2) A2^(-1/2).
+TEST(EventCurve, TiltOfReciprocalDeterminant) {
+  const Numbers numbers{.model = "reciprocal-determinant",
+                        .branch = Branch::i,
+                        .J = {1.0, 1.5, 0.5},
+                        .plane = {1.0, 2.0},
+                        .nu = 0.5};
+  const auto place = [&](double nu) {
+    const double A2 = 2.0 - 1.5 * nu * nu;
+    const double rho = std::cbrt(1.0 / (3.0 - 0.5 * nu * nu));
+    const double xi = std::sqrt(0.5) * rho;
+    return std::pair{std::pow(xi, 4) * std::pow(2.0, 1.5) / std::sqrt(A2),
+                     Stretch{0.0, xi, xi * std::sqrt(2.0 / A2), rho}};
+  };
+  const auto [c, q] = place(0.5);
+  const EventCurveOptions options{
+      .first_from = 0.1, .first_to = 1.0, .second_from = 0.2, .second_to = 0.9, .tolerance = 1e-6};
+  Numbers own = numbers;
+  own.plane[0] = c;
+  const EventCurve curve = follow_event_curve(setting(own, EventType::tilt, {}, {Kind::plane, 0}),
+                                              start(own, q, 0.5), c, false, options);
+  ASSERT_EQ(curve.failure, "");
+  ASSERT_GE(curve.points.size(), 10U);
+  double least = 1.0;
+  double most = 0.0;
+  for (const EventCurvePoint& point : curve.points) {
+    const double nu = point.member.parameter;
+    EXPECT_LE(relative(place(nu).first, point.second), 1e-13) << nu;
+    EXPECT_LE(relative(place(nu).second.zeta, point.member.q.zeta), 1e-13) << nu;
+    least = std::min(least, nu);
+    most = std::max(most, nu);
+    if (point.special != SpecialPoint::none) continue;
+    ASSERT_TRUE(point.before && point.after) << nu;
+    EXPECT_NE(*point.before, *point.after) << nu;
+  }
+  EXPECT_NEAR(least, 0.1, 1e-12);
+  EXPECT_NEAR(most, 1.0, 1e-12);
+}
+
+/// On the circle of hencky, u = ln xi: J nu^2 e^(2u) = mu, 2 (mu + lambda) u = mu.
+TEST(EventCurve, EllipseOfHencky) {
+  const Numbers numbers{.model = "hencky",
+                        .branch = Branch::iii,
+                        .J = {1.0, 1.0, 0.5},
+                        .plane = {1.0, 3.0},
+                        .nu = std::exp(-0.125)};
+  const double xi = std::exp(0.125);
+  const EventCurveOptions options{
+      .first_from = 0.1, .first_to = 2.0, .second_from = 0.5, .second_to = 6.0, .tolerance = 1e-6};
+  const EventCurve curve = follow_event_curve(
+      setting(numbers, EventType::ellipse, {}, {Kind::plane, 1}),
+      start(numbers, {0.0, xi, xi, std::cbrt(1.0 / 3.0)}, numbers.nu), 3.0, true, options);
+  ASSERT_EQ(curve.failure, "");
+  ASSERT_GE(curve.points.size(), 5U);
+  for (const EventCurvePoint& point : curve.points) {
+    const double u = 0.5 / (1.0 + point.second);
+    EXPECT_EQ(point.member.q.xi, point.member.q.zeta);
+    EXPECT_LE(relative(point.member.q.xi, std::exp(u)), 1e-14);
+    EXPECT_LE(relative(point.member.parameter, std::exp(-u)), 1e-14);
+    ASSERT_TRUE(point.before && point.after);
+    EXPECT_NE(*point.before, *point.after);
+    EXPECT_EQ(point.special, SpecialPoint::none);
+  }
+}
+
+/// hencky: F_vvvv = -16 mu, F_vv. K^-1 F_vv. = 16 mu^2/lambda at the event.
+TEST(EventCurve, PitchforkOfHencky) {
+  for (const double lambda : {3.0, 0.7, -0.5}) {
+    const double u = 0.5 / (1.0 + lambda);
+    const Problem problem(Body(1.0, 1.0, 0.5), make_potential("hencky", {1.0, lambda}),
+                          Branch::iii);
+    const double expected = (-16.0 - 48.0 / lambda) / (16.0 + std::abs(48.0 / lambda));
+    const double xi = std::exp(u);
+    EXPECT_NEAR(pitchfork_coefficient(problem, std::exp(-u), {0.0, xi, xi, std::cbrt(1.0 / 3.0)}),
+                expected, 1e-12)
+        << lambda;
+  }
+}
+
+/// The events of the family in p1 at values of p2 that the curves' points have.
+TEST(EventCurve, AgreesWithEventsAtSingleValues) {
+  const FamilyParameter second{Kind::inertia, 1};
+  std::map<EventType, int> compared;
+  for (const std::string_view model : {"neo-hookean", "neo-hookean-3d", "hencky"}) {
+    for (const Branch branch : {Branch::i, Branch::ii, Branch::iii}) {
+      const Numbers numbers{.model = model, .branch = branch};
+      const FollowOptions family = range(0.0, 1.5, 1e-6);
+      const Followed own = followed(numbers.problem().problem, 0.0, family);
+      for (const FollowedRow& row : own.events()) {
+        if (!has_event_curve(row.event) || compared[row.event] >= 12) continue;
+        const EventCurveOptions options{.first_from = 0.01,
+                                        .first_to = 1.5,
+                                        .second_from = 1.5,
+                                        .second_to = 1.9,
+                                        .tolerance = 1e-3,
+                                        .spectrum = false};
+        const EventCurve curve = follow_event_curve(setting(numbers, row.event, {}, second),
+                                                    row.member, numbers.J[1], false, options);
+        ASSERT_EQ(curve.failure, "") << model << " " << name(row.event);
+        for (std::size_t k = 0; k < curve.points.size();
+             k += std::max<std::size_t>(1, curve.points.size() / 4)) {
+          const EventCurvePoint& point = curve.points[k];
+          const Followed there =
+              followed(numbers.with(second, point.second).problem().problem, 0.0, family);
+          double nearest = 1.0;
+          for (const FollowedRow& each : there.events({row.event}))
+            nearest = std::min(nearest, relative(each.member.parameter, point.member.parameter));
+          EXPECT_LE(nearest, 1e-12) << model << " (" << name(branch) << ") " << name(row.event)
+                                    << " at " << point.second << ", " << point.member.parameter;
+          ++compared[row.event];
+        }
+      }
+    }
+  }
+  int all = 0;
+  for (const auto& [type, count] : compared) all += count;
+  EXPECT_GE(all, 50);
+  EXPECT_GE(compared.size(), 4U);
+}
+
+}  // namespace
+}  // namespace stationary::testing
