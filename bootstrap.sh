@@ -6,6 +6,7 @@ usage() {
   cat >&2 <<'TEXT'
 usage: ./bootstrap.sh run     set up, build, solve cases/fold.toml and follow it into results/
        ./bootstrap.sh test    set up, build and pass the tests, in release and under the sanitizers
+       ./bootstrap.sh all     as test, then the documentation and the Debian packages
 Set-up installs Debian packages that are missing, as root or through sudo; it asks nothing.
 TEXT
   exit 2
@@ -13,7 +14,7 @@ TEXT
 
 [[ $# -eq 1 ]] || usage
 case $1 in
-  run | test) verb=$1 ;;
+  run | test | all) verb=$1 ;;
   *) usage ;;
 esac
 
@@ -29,6 +30,9 @@ packages=(
 # Clang compiles the tests, in release and under the sanitizers, in half of GCC's time.
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libcminpack-dev clang libclang-rt-14-dev)
 [[ $verb == run ]] || packages+=("${test_packages[@]}")
+# The documentation, and Debian packages with what looks them over.
+all_packages=(python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian)
+[[ $verb != all ]] || packages+=("${all_packages[@]}")
 
 stage=
 stage_begin=0
@@ -121,5 +125,9 @@ else
   # `cmake --workflow --preset sanitize` runs these too.
   build sanitize mechanics_tests -D STATIONARY_SOLVER_TESTS=OFF -D STATIONARY_BUILD_PROGRAM=OFF
   run_tests sanitize --tests-regex '^mechanics_tests\.'
+fi
+if [[ $verb == all ]]; then
+  say "documentation and Debian packages"
+  cmake --build --preset release --target docs deb
 fi
 end_stage

@@ -16,8 +16,11 @@ install(FILES
   ${PROJECT_BINARY_DIR}/stationaryConfig.cmake
   ${PROJECT_BINARY_DIR}/stationaryConfigVersion.cmake
   ${CMAKE_CURRENT_LIST_DIR}/findNLopt.cmake
-  DESTINATION ${package_directory})
+  DESTINATION ${package_directory} COMPONENT development)
 # One export set a library, so that the mechanics can be used without Ceres and NLopt.
-install(EXPORT stationaryMechanicsTargets NAMESPACE stationary:: DESTINATION ${package_directory})
-install(EXPORT stationarySolverTargets NAMESPACE stationary:: DESTINATION ${package_directory})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+foreach(library Mechanics Solver)
+  install(EXPORT stationary${library}Targets NAMESPACE stationary::
+    DESTINATION ${package_directory} COMPONENT development)
+endforeach()
+# Debian's packages have it in their file `copyright`.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT license)
