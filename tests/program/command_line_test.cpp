@@ -42,7 +42,13 @@ TEST(CommandLine, HelpAndVersion) {
                                                                      {"plot", "--version"}}) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_THAT(outcome.out, ::testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
+    EXPECT_THAT(outcome.out, StartsWith("stationary " STATIONARY_VERSION "\n"));
+    for (const char* part :
+         {"compiler", "Eigen", "Ceres Solver", "NLopt", "HDF5", "oneTBB", "Boost", "CLI11", "fmt",
+          "toml\\+\\+", "nlohmann-json", "PEGTL", "gnuplot"}) {
+      EXPECT_THAT(outcome.out,
+                  ::testing::ContainsRegex(std::string("\n") + part + " +[^\n]*[0-9]+\\.[0-9]"));
+    }
   }
 }
 

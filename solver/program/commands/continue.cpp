@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -51,8 +53,13 @@ FollowOptions follow_options(const Case& input, const ContinueOptions& options,
   out.max_points = static_cast<long>(asked.max_points);
   out.stop = &stop_on_signals();
   if (progress.shown() && !options.quiet) {
-    out.progress = [&progress, &asked](double p, long points) {
-      progress.show((p - asked.from) / (asked.to - asked.from),
+    // Both ways from the start, and back at folds: done is what lies between the outermost points.
+    out.progress = [&progress, &asked, low = std::numeric_limits<double>::infinity(),
+                    high = -std::numeric_limits<double>::infinity()](double p,
+                                                                     long points) mutable {
+      low = std::min(low, p);
+      high = std::max(high, p);
+      progress.show((high - low) / std::abs(asked.to - asked.from),
                     fmt::format("{} = {:<12.6g} {} points", asked.parameter, p, points));
     };
   }

@@ -30,7 +30,7 @@ ExitCode run(int argc, char** argv) {
   using namespace stationary;
   CLI::App program("Stationary ellipsoids of an affinely-rigid body", "stationary");
   program.formatter(std::make_shared<UsageFirst>());  // commands take it over
-  program.set_version_flag("--version", STATIONARY_VERSION, "Print the version and exit");
+  program.set_version_flag("--version", cli::version_text, "Print the versions and exit");
   program.footer(
       "Exit codes: 0 done; 2 the input is wrong; 3 no stationary ellipsoid exists or was found; "
       "4 a failure; 130 interrupted.");
@@ -82,9 +82,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fputs("stationary: out of memory\n", stderr);
   } catch (const std::exception& error) {
-    std::fputs("stationary: failed: ", stderr);
-    std::fputs(error.what(), stderr);
-    std::fputs("\n", stderr);
+    stationary::cli::complain(std::string("failed: ") + error.what());
   } catch (...) {
     std::fputs("stationary: failed for an unknown reason\n", stderr);
   }

@@ -1,6 +1,7 @@
 #include "solver/program/session/command.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -10,12 +11,13 @@
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/text/input_error.hpp"
 #include "solver/program/text/nearest_name.hpp"
+#include "solver/program/text/terminal.hpp"
 
 namespace stationary::cli {
 
 CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& description) {
   CLI::App& command = *program.add_subcommand(name, description);
-  command.set_version_flag("--version", STATIONARY_VERSION, "Print the version and exit");
+  command.set_version_flag("--version", version_text, "Print the versions and exit");
   return command;
 }
 
@@ -57,7 +59,8 @@ Case ComputeOptions::read() const {
 }
 
 void complain(const std::string& message) {
-  const std::string line = "stationary: " + message + '\n';
+  const std::string name = "stationary:";
+  const std::string line = (has_colours(STDERR_FILENO) ? alarm(name) : name) + ' ' + message + '\n';
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

@@ -24,6 +24,8 @@ void add_map(CLI::App& program, Session& session);
 void add_check(CLI::App& program, Session& session);
 void add_models(CLI::App& program, Session& session);
 void add_plot(CLI::App& program, Session& session);
+/// The program's version, its compiler and its libraries, a line each.
+std::string version_text();
 /// Listed among the commands; help() answers before the others' options are read.
 void add_help(CLI::App& program);
 ExitCode help(const CLI::App& program, const std::string& name);

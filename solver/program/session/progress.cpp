@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "solver/program/text/terminal.hpp"
+
 namespace stationary::cli {
 namespace {
 
@@ -22,12 +24,25 @@ ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) == 1) {}
 void ProgressBar::show(double fraction, const std::string& text) {
   if (!terminal_) return;
   const auto now = std::chrono::steady_clock::now();
+  if (fraction < fraction_) {
+    begin_ = now;
+    begin_fraction_ = fraction;
+  }
+  fraction_ = fraction;
   if (drawn_ && now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
   drawn_ = true;
   constexpr int width = 30;
   const int full = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * width);
-  put(fmt::format("{}[{:#<{}}{:<{}}] {}", erase_line, "", full, "", width - full, text));
+  put(fmt::format("{}[{:#<{}}{:<{}}] {}{}", erase_line, "", full, "", width - full, text,
+                  time_left(now)));
+}
+
+std::string ProgressBar::time_left(std::chrono::steady_clock::time_point now) const {
+  const double elapsed = std::chrono::duration<double>(now - begin_).count();
+  const double done = fraction_ - begin_fraction_;
+  if (elapsed < 1.0 || done <= 0.0 || fraction_ > 1.0) return {};
+  return fmt::format(", about {} left", rough_duration(elapsed * (1.0 - fraction_) / done));
 }
 
 void ProgressBar::clear() {

@@ -18,15 +18,22 @@ class ProgressBar {
 
   /// Whether there is a terminal to show it on.
   bool shown() const { return terminal_; }
-  /// fraction in [0, 1], and what is being done; at most ten times a second.
+  /// fraction in [0, 1], and what is being done; at most ten times a second. From the first second
+  /// on also how long it will take at the rate so far; a fraction that falls begins another work.
   void show(double fraction, const std::string& text);
   /// Leaves the line empty.
   void clear();
 
  private:
+  /// ", about 40 s left", or nothing where that cannot be said yet.
+  std::string time_left(std::chrono::steady_clock::time_point now) const;
+
   bool terminal_;
   bool drawn_ = false;
   std::chrono::steady_clock::time_point last_{};
+  std::chrono::steady_clock::time_point begin_{};  ///< of the work, first shown
+  double begin_fraction_ = 0.0;
+  double fraction_ = 2.0;  ///< the last one shown; above any before there is one
 };
 
 /// While it lives, of work that cannot say how far it is: what is done and for how long, on

@@ -1,9 +1,12 @@
 #include "solver/program/session/report.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <utility>
+
+#include "solver/program/text/terminal.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -35,6 +38,13 @@ std::string_view claim(const Spectrum& spectrum) {
 
 }  // namespace
 
+Report::Report(std::size_t label_width) : width_(label_width), bold_(has_colours(STDOUT_FILENO)) {}
+
+std::string Report::column(std::string_view label) const {
+  const std::string out = fmt::format("{:<{}}", label, width_);
+  return bold_ && !label.empty() ? heading(out) : out;
+}
+
 void Report::line(std::string_view label, std::string_view value) {
   // Broken between words, continued under the value.
   constexpr std::size_t line_width = 100;
@@ -45,14 +55,14 @@ void Report::line(std::string_view label, std::string_view value) {
       if (end == std::string_view::npos || end == 0) end = value.find(' ', line_width - width_);
       if (end == std::string_view::npos) end = value.size();
     }
-    text_ += fmt::format("{:<{}}{}\n", label, width_, value.substr(0, end));
+    text_ += fmt::format("{}{}\n", column(label), value.substr(0, end));
     value.remove_prefix(std::min(value.size(), end + 1));
     label = {};
   } while (!value.empty());
 }
 
 void Report::whole_line(std::string_view label, std::string_view value) {
-  text_ += fmt::format("{:<{}}{}\n", label, width_, value);
+  text_ += fmt::format("{}{}\n", column(label), value);
 }
 
 void Report::row(std::string_view label,

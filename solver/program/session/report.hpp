@@ -14,7 +14,8 @@ namespace stationary::cli {
 
 class Report {
  public:
-  explicit Report(std::size_t label_width) : width_(label_width) {}
+  /// For standard output: its labels are bold where that is a terminal.
+  explicit Report(std::size_t label_width);
 
   /// "label   value"; an empty label continues the one above.
   void line(std::string_view label, std::string_view value);
@@ -26,7 +27,11 @@ class Report {
   const std::string& text() const { return text_; }
 
  private:
+  /// A label in its column.
+  std::string column(std::string_view label) const;
+
   std::size_t width_;
+  bool bold_;
   std::string text_;
 };
 
