@@ -1,6 +1,7 @@
 # What results/ holds, made from every case in cases/: the bifurcation table and its figure where the
 # case says over which range, else the table of its one solution (without rows where there is none),
-# with the figure of its map where it has one.
+# with the figure of its map where it has one. Beside each table stand its metadata, without what depends
+# on the run: with them the figure is drawn again as it is.
 # From the project's directory, so that the metadata name files relative to it:
 #
 #   cmake -D PROGRAM=build/release/solver/cli/stationary -D INTO=results -P cmake/results.cmake
@@ -18,6 +19,20 @@ function(run_program)
   if(NOT code EQUAL 0 AND NOT code EQUAL 3) # 3: there is no solution, as a case may show
     message(FATAL_ERROR "${ARGV}: exit code ${code}\n${message}")
   endif()
+endfunction()
+
+# A table's metadata without the key `run`, whose lines are no others' business and differ each time.
+function(keep_metadata table)
+  set(path ${INTO}/${table}.meta.json)
+  if(NOT EXISTS ${path})
+    return()
+  endif()
+  file(READ ${path} text)
+  string(REGEX REPLACE "\n  \"run\": {(\n    [^\n]*)*\n  }," "" kept "${text}")
+  if(kept STREQUAL text)
+    message(FATAL_ERROR "${path} has no key `run`")
+  endif()
+  file(WRITE ${path} "${kept}")
 endfunction()
 
 file(MAKE_DIRECTORY ${INTO})
@@ -40,6 +55,7 @@ foreach(case IN LISTS cases)
   else()
     run_program(solve ${case} -o ${INTO}/${name}.csv --quiet)
   endif()
+  keep_metadata(${name})
   file(STRINGS ${case} mapped REGEX "^\\[map\\]")
   if(mapped) # the table itself is large
     run_program(map ${case} -o ${INTO}/${name}_map.h5 --quiet)
@@ -53,6 +69,7 @@ endforeach()
 
 foreach(name neo_hookean apart near_degenerate circle double_well two_wells fibre) # every sheet of these bodies
   run_program(atlas cases/${name}.toml -o ${INTO}/${name}_atlas.csv --quiet)
+  keep_metadata(${name}_atlas)
   foreach(format svg png)
     run_program(plot ${INTO}/${name}_atlas.csv -o ${INTO}/${name}_atlas.${format} --quiet)
   endforeach()
