@@ -20,8 +20,11 @@ step(${CMAKE_COMMAND} --build ${work}/build --config ${config})
 find_program(consumer consumer PATHS ${work}/build ${work}/build/${config} NO_DEFAULT_PATH REQUIRED)
 find_program(mechanics consumer_mechanics PATHS ${work}/build ${work}/build/${config}
   NO_DEFAULT_PATH REQUIRED)
+find_program(reference consumer_reference PATHS ${work}/build ${work}/build/${config}
+  NO_DEFAULT_PATH REQUIRED)
 step(${consumer})
 step(${mechanics})
+step(${reference})
 
 # Flags that a header relies on must have reached the consumer.
 file(READ ${work}/build/compile_commands.json commands)
