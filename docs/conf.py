@@ -8,4 +8,3 @@ html_theme_options = {"description": "Stationary ellipsoids of an affinely-rigid
 # Debian's own MathJax, so that the pages work offline.
 mathjax_path = "file:///usr/share/javascript/mathjax/MathJax.js?config=TeX-AMS-MML_HTMLorMML"
 exclude_patterns = ["_build"]
-suppress_warnings = ["myst.xref_missing", "misc.highlighting_failure"]
