@@ -63,7 +63,7 @@ def spins(base, turned):
 
 
 SKETCHES = {
-    "fold-nu": axes() + path("M40 120 C150 116 205 105 205 82", BLUE) + path("M205 82 C205 60 150 46 60 42", RED)
+    "fold-nu": axes() + path("M40 120 C150 116 205 105 205 82", BLUE) + path("M205 82 C205 60 150 46 60 42", BLUE)
                + dot(205, 82),
     "fold-momentum": axes("|π|") + path("M40 110 C120 106 190 96 190 76", BLUE)
                      + path("M190 76 C190 58 140 44 70 40", RED) + dot(190, 76),
