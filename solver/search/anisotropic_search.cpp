@@ -77,8 +77,6 @@ class OrientedSearch {
     return found;
   }
 
-  Interval range() const { return {options_.min_stretch, options_.max_stretch}; }
-
   void run_thickness(const AnyThickness<>& model) {
     const Branch about = Layout::axis ? Branch::i : branch_;
     const auto extended = axis_rates(body_, about, two_product(system_.nu, system_.nu)).rho;
@@ -87,7 +85,7 @@ class OrientedSearch {
         with_coefficients(model, [this](double c) { return as_input(c, options_.inputs); });
     const auto axial = prune(ThicknessSystem<AnyThickness<>>{model, extended},
                              ThicknessBoxSystem<AnyThickness<Interval>>{interval, rate},
-                             Box<1>{range()}, options_.max_boxes);
+                             Box<1>{options_.range(2)}, options_.max_boxes);
     if (out_.status == SearchStatus::interrupted) return;
     // No thickness, no ellipsoid: whatever the plane does.
     if (axial.solutions.empty() && axial.undecided.empty()) return;
@@ -121,7 +119,9 @@ class OrientedSearch {
 
   Box<N> everything() const {
     Box<N> out;
-    out.fill(range());
+    out[0] = options_.range(0);
+    out[1] = options_.range(1);
+    if constexpr (Layout::thickness) out[index(Layout::thickness_place)] = options_.range(2);
     if constexpr (Layout::alpha) {
       const double most = std::sqrt(options_.max_stretch / options_.min_stretch);
       out[index(Layout::alpha_place)] = {1.0 / most, most};

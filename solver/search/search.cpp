@@ -41,7 +41,9 @@ class Search {
         nu_(nu),
         options_(options),
         rates_(problem.rates(two_product(nu, nu))),
-        mirror_(mirror_symmetric(problem, nu) ? Mirror::both : Mirror::none) {}
+        mirror_(mirror_symmetric(problem, nu) && alike(options.range(0), options.range(1))
+                    ? Mirror::both
+                    : Mirror::none) {}
 
   SearchResult run() {
     problem_.potential().visit_parts([this](const auto& model) { run_model(model); });
@@ -58,14 +60,16 @@ class Search {
   }
 
  private:
-  Interval range() const { return {options_.min_stretch, options_.max_stretch}; }
+  static bool alike(const Interval& a, const Interval& b) { return a.lo == b.lo && a.hi == b.hi; }
 
+  /// first: the stretch that is the system's first unknown.
   template <class System, class BoxSystem>
-  PruneResult<BoxSystem::dimension> prune(const System& system, const BoxSystem& boxes) {
+  PruneResult<BoxSystem::dimension> prune(const System& system, const BoxSystem& boxes,
+                                          std::size_t first = 0) {
     const PruneOptions options{
         .min_width = options_.min_width, .max_boxes = options_.max_boxes, .stop = options_.stop};
     Box<BoxSystem::dimension> everything;
-    everything.fill(range());
+    for (std::size_t k = 0; k < everything.size(); ++k) everything[k] = options_.range(first + k);
     auto found = BranchAndPrune<System, BoxSystem>(system, boxes, mirror_, options).run(everything);
     out_.boxes += found.boxes;
     if (found.interrupted) out_.status = SearchStatus::interrupted;
@@ -79,7 +83,7 @@ class Search {
     boxes.thickness.terms = term_bounds<1>(model.thickness, {rates.rho}, options_.inputs);
     boxes.plane.terms = term_bounds<2>(model.plane, {rates.xi, rates.zeta}, options_.inputs);
     const auto axial =
-        prune(ThicknessSystem<Thickness>{model.thickness, rates_.rho}, boxes.thickness);
+        prune(ThicknessSystem<Thickness>{model.thickness, rates_.rho}, boxes.thickness, 2);
     if (out_.status == SearchStatus::interrupted) return;
     // No thickness, no ellipsoid: whatever the plane does.
     if (axial.solutions.empty() && axial.undecided.empty()) return;

@@ -8,7 +8,10 @@
 // mirror image (xi, zeta) -> (zeta, xi) of a solution is one too; both are listed.
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,10 +25,18 @@ namespace stationary {
 struct SearchOptions {
   double min_stretch = 1e-3;  ///< of each of xi, zeta, rho
   double max_stretch = 1e3;
+  /// Of each its own range instead (two-polar: lambda, mu, rho); alpha stays as bounded as it is by
+  /// the two numbers above.
+  std::optional<std::array<Interval, 3>> box = {};
   Inputs inputs = Inputs::decimals;
   double min_width = 0x1p-26;               ///< of ln x, below which a box stays undecided
   long max_boxes = 10000;                   ///< of each system searched
   const std::atomic<bool>* stop = nullptr;  ///< becomes true: return with status interrupted
+
+  /// Of stretch k of the three.
+  Interval range(std::size_t k) const {
+    return box ? (*box)[k] : Interval(min_stretch, max_stretch);
+  }
 };
 
 enum class SearchStatus {
@@ -52,8 +63,8 @@ struct SearchResult {
   bool on_line = false;  ///< nothing was searched: two-polar rates on a line of solutions
 };
 
-/// Throws std::invalid_argument for a nu that is not finite, or unless
-/// 1e-100 <= min_stretch < max_stretch <= 1e100.
+/// Throws std::invalid_argument for a nu that is not finite, or a range of a stretch that is not
+/// 1e-100 <= min < max <= 1e100.
 SearchResult search(const Problem& problem, double nu, const SearchOptions& options = {});
 
 }  // namespace stationary

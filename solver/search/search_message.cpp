@@ -7,9 +7,11 @@
 namespace stationary {
 
 void require_box(const SearchOptions& options) {
-  if (!(options.min_stretch >= 1e-100 && options.min_stretch < options.max_stretch &&
-        options.max_stretch <= 1e100))
-    throw std::invalid_argument("1e-100 <= min_stretch < max_stretch <= 1e100");
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Interval range = options.range(k);
+    if (!(range.lo >= 1e-100 && range.lo < range.hi && range.hi <= 1e100))
+      throw std::invalid_argument("1e-100 <= min_stretch < max_stretch <= 1e100");
+  }
 }
 
 std::string found_by_search(bool proven) {
@@ -28,7 +30,14 @@ std::string search_message(const SearchOptions& options, SearchStatus status, st
   if (status == SearchStatus::interrupted) return "interrupted";
   std::ostringstream text;
   text.precision(10);
-  text << "stretches in [" << options.min_stretch << ", " << options.max_stretch << "]: ";
+  const std::array ranges{options.range(0), options.range(1), options.range(2)};
+  const bool alike = std::ranges::all_of(ranges, [&](const Interval& each) {
+    return each.lo == ranges[0].lo && each.hi == ranges[0].hi;
+  });
+  for (std::size_t k = 0; k < (alike ? 1 : ranges.size()); ++k)
+    text << (k > 0 ? ", " : "") << (alike ? "stretches" : names[k]) << " in [" << ranges[k].lo
+         << ", " << ranges[k].hi << "]";
+  text << ": ";
   if (undecided.empty()) {
     text << (proven == 0 ? "proven that there is none" : "proven to be all");
     return text.str();

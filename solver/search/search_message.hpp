@@ -10,7 +10,7 @@
 
 namespace stationary {
 
-/// Throws std::invalid_argument unless 1e-100 <= min_stretch < max_stretch <= 1e100.
+/// Throws std::invalid_argument unless 1e-100 <= min < max <= 1e100 for the range of each stretch.
 void require_box(const SearchOptions& options);
 
 /// Of one that is proven to exist, or of one in an undecided box.
@@ -18,7 +18,7 @@ std::string found_by_search(bool proven);
 /// "; 2 more found by Newton's method there, not proven", or nothing.
 std::string unproven_text(std::size_t unproven);
 
-/// "stretches in [0.001, 1000]: proven to be all", or what is not decided, where, and what that may
+/// "stretches in [0.001, 1000]: proven to be all" (where they differ, each range by itself), or what is not decided, where, and what that may
 /// be; names: of the stretches.
 std::string search_message(const SearchOptions& options, SearchStatus status, std::size_t proven,
                            const std::vector<StretchBox>& undecided,

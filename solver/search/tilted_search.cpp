@@ -46,11 +46,11 @@ class TiltedSearch {
         axis_rates(body_, Branch::iii, two_product(motion_.nu, motion_.nu))};
     const auto boxes = tilted_box_system(body_, model, motion_.plane, motion_.nu, options_.inputs);
     using BoxSystem = std::remove_const_t<decltype(boxes)>;
-    const Interval range(options_.min_stretch, options_.max_stretch);
-    Box<2> everything{range, range};
+    Box<2> everything{options_.range(0), options_.range(1)};
     // rho in the box too.
     Interval& tied = everything[motion_.plane == TiltPlane::one_three ? 0 : 1];
-    const Interval of_rho = range / tilted_slenderness<Interval>(boxes.J, motion_.plane);
+    const Interval of_rho =
+        options_.range(2) / tilted_slenderness<Interval>(boxes.J, motion_.plane);
     if (of_rho.apart_from(tied)) return;
     tied = common(tied, of_rho);
     const PruneOptions prune{

@@ -39,9 +39,9 @@ class TwoPolarSearch {
  private:
   template <class System, class BoxSystem>
   PruneResult<BoxSystem::dimension> prune(const System& system, const BoxSystem& boxes,
-                                          Mirror mirror) {
+                                          Mirror mirror, std::size_t first = 0) {
     Box<BoxSystem::dimension> everything;
-    everything.fill({options_.min_stretch, options_.max_stretch});
+    for (std::size_t k = 0; k < everything.size(); ++k) everything[k] = options_.range(first + k);
     auto found = BranchAndPrune<System, BoxSystem>(system, boxes, mirror,
                                                    {.min_width = options_.min_width,
                                                     .max_boxes = options_.max_boxes,
@@ -59,10 +59,11 @@ class TwoPolarSearch {
     const auto boxes = two_polar_box_system(body_.J1, model, motion, options_.inputs);
     if constexpr (requires { model.plane; }) {
       const auto thickness = interval_model(model.thickness, options_.inputs);
-      const auto axial = prune(
-          ThicknessSystem<std::decay_t<decltype(model.thickness)>>{model.thickness,
-                                                                   DoubleDouble(0.0)},
-          ThicknessBoxSystem<std::remove_cv_t<decltype(thickness)>>{thickness, 0.0}, Mirror::none);
+      const auto axial =
+          prune(ThicknessSystem<std::decay_t<decltype(model.thickness)>>{model.thickness,
+                                                                         DoubleDouble(0.0)},
+                ThicknessBoxSystem<std::remove_cv_t<decltype(thickness)>>{thickness, 0.0},
+                Mirror::none, 2);
       // No thickness, no ellipsoid: whatever the plane does.
       if (axial.solutions.empty() && axial.undecided.empty()) return;
       if (out_.status == SearchStatus::interrupted) return;
@@ -100,6 +101,8 @@ class TwoPolarSearch {
     const auto& [l, m] = std::tie(proof.solution[0], proof.solution[1]);
     // Its mirror image is a solution too; within `unique` it is the solution itself.
     const bool circle = l.within(proof.unique[1]) && m.within(proof.unique[0]);
+    // The mirror image of one of the box may lie outside.
+    if (l.apart_from(options_.range(0)) || m.apart_from(options_.range(1))) return;
     if (!circle && !(l.lo > m.hi)) {
       if (proven) out_.undecided.push_back({l, m, rho_box});
       return;
