@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -411,6 +412,79 @@ TEST(CaseFile, IntegersAreNumbers) {
   const Outcome outcome = run_program({"check", path});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("nu from 0 to 1, tolerance 1"));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> out;
+  for (std::string line; std::getline(in, line);) out.push_back(line);
+  return out;
+}
+
+TEST(CaseFile, AllFaultsAreToldAtOnce) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("case.toml", R"([body]
+J = [1.0, -1.7, 0.0]
+[potential]
+plane = { model = "biot", mu = 1.0, lambad = 0.6 }
+thickness = { model = "harmonic", k = -1.0, rest = 0.8 }
+[motion]
+branch = "iv"
+nu = "fast"
+[solve]
+start = [0, 1, -1, 1]
+box = [3, 2]
+[continuation]
+form = 0.0
+to = 1.0
+tolerance = -1.0
+step = 2
+events = ["tlit"]
+[map]
+x = { parameter = "nu", from = 1.0, to = 0.0, count = 1 }
+[output]
+columns = ["xii"]
+spectrum = 1
+)");
+  const Outcome outcome =
+      run_program({"solve", path, "--set", "solve.method=fast", "--set", "motion=1.x=3"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.out, IsEmpty());
+  const std::vector<std::string> found = lines_of(outcome.err);
+  const std::vector<std::pair<const char*, const char*>> expected{
+      {":2:11", "body.J.1: found J2 = -1.7"},
+      {":2:17", "body.J.2: found J3 = 0"},
+      {":4", "potential.plane.lambad"},
+      {":5", "potential.thickness.k: found k = -1"},
+      {":7", "motion.branch: found the string \"iv\""},
+      {":8", "motion.nu: found the string \"fast\""},
+      {":10", "solve.start.2: found zeta = -1"},
+      {":11", "solve.box: found [3, 2]"},
+      {":13", "continuation.form: found an unknown key"},
+      {":15", "continuation.tolerance"},
+      {":16", "continuation.step"},
+      {":17", "did you mean \"tilt\"?"},
+      {":19", "map.x.to: found the empty range"},
+      {":19", "map.x.count: found 1"},
+      {":21", "did you mean \"xi\"?"},
+      {":22", "output.spectrum: found the integer 1"},
+      {"--set motion=1.x=3", "motion"},
+      {"--set solve.method=fast", "solve.method: found the string \"fast\""}};
+  ASSERT_EQ(found.size(), expected.size()) << outcome.err;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    EXPECT_THAT(found[k], ::testing::StartsWith("stationary: "));
+    EXPECT_THAT(found[k], HasSubstr(expected[k].first));
+    EXPECT_THAT(found[k], HasSubstr(expected[k].second));
+  }
+}
+
+/// One mistake, one line.
+TEST(CaseFile, AFaultIsToldOnce) {
+  const TemporaryDirectory directory;
+  for (const Malformed& each : malformed_cases()) {
+    const std::string path = directory.file("case.toml", each.text);
+    EXPECT_EQ(lines_of(run_program({"check", path}).err).size(), 1U) << each.name;
+  }
 }
 
 }  // namespace

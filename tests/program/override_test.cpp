@@ -124,5 +124,56 @@ TEST_F(Override, DepthIsLimited) {
   }
 }
 
+/// The file's coefficients that the new model does not have are out of the way.
+TEST_F(Override, OfAModel) {
+  const Outcome other = check({"potential.plane.model=reciprocal-determinant",
+                               "potential.plane.c=1.5", "potential.plane.k=2.5"});
+  EXPECT_EQ(other.code, 0) << other.err;
+  EXPECT_THAT(other.out, HasSubstr("reciprocal-determinant: c = 1.5, k = 2.5"));
+  const Outcome same = check({"potential.plane.model=neo-hookean", "potential.plane.mu=1.5"});
+  EXPECT_EQ(same.code, 0) << same.err;
+  EXPECT_THAT(same.out, HasSubstr("neo-hookean: mu = 1.5, lambda = 2"));
+  const Outcome named_alike = check({"potential.plane.model=hencky"});
+  EXPECT_EQ(named_alike.code, 0) << named_alike.err;
+  EXPECT_THAT(named_alike.out, HasSubstr("hencky: mu = 1, lambda = 2"));
+  const Outcome reversed = check({"potential.plane.c=1.5", "potential.plane.k=2.5",
+                                  "potential.plane.model=reciprocal-determinant"});
+  EXPECT_EQ(reversed.code, 0) << reversed.err;
+}
+
+TEST_F(Override, OfAModelNamesWhatIsMissing) {
+  const Outcome all = check({"potential.plane.model=reciprocal-determinant"});
+  EXPECT_EQ(all.code, 2);
+  EXPECT_THAT(all.err,
+              HasSubstr("--set potential.plane.model=reciprocal-determinant: potential.plane.c: "
+                        "found no coefficients \"c\", \"k\""));
+  EXPECT_THAT(all.err, HasSubstr("--set potential.plane.c=1.0"));
+  const Outcome one =
+      check({"potential.plane.model=reciprocal-determinant", "potential.plane.c=1.0"});
+  EXPECT_EQ(one.code, 2);
+  EXPECT_THAT(one.err, HasSubstr("found no coefficient \"k\""));
+  // What is given with it and is none of its coefficients is still wrong.
+  const Outcome wrong =
+      check({"potential.plane.model=reciprocal-determinant", "potential.plane.c=1.0",
+             "potential.plane.k=2.0", "potential.plane.mu=3.0"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("--set potential.plane.mu=3.0: potential.plane.mu"));
+}
+
+TEST_F(Override, OfAFormulaByAModel) {
+  const std::string written = directory_.file(
+      "written.toml",
+      "[body]\nJ = [1.0, 1.7, 0.6]\n[potential]\n"
+      "plane = { expression = \"p/2*(I1 - 2*log(d))\", p = 1.0, domain = \"d > 0\" }\n"
+      "thickness = { model = \"reciprocal-quadratic\", a = 1.0, b = 3.0 }\n"
+      "[motion]\nbranch = \"i\"\nnu = 0.5\n");
+  ASSERT_EQ(run_program({"check", written}).code, 0) << run_program({"check", written}).err;
+  const Outcome outcome =
+      run_program({"check", written, "--set", "potential.plane.model=hencky", "--set",
+                   "potential.plane.mu=1.0", "--set", "potential.plane.lambda=2.0"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("hencky: mu = 1, lambda = 2"));
+}
+
 }  // namespace
 }  // namespace stationary::testing

@@ -178,6 +178,76 @@ TEST(SolveAll, SummaryForAPerson) {
     EXPECT_THAT(outcome.out, HasSubstr(words));
 }
 
+TEST(SolveAll, InABoxOfItsOwn) {
+  const TemporaryDirectory directory;
+  const auto within = [&](const std::string& box) {
+    return solve(
+        apart, {"-o", directory / "x.csv", "--set", "solve.all=true", "--set", "solve.box=" + box});
+  };
+  const auto all = rows_of(solve(apart, {"-o", "-", "--set", "solve.all=true"}).out);
+  ASSERT_EQ(all.size(), 2U);
+  // zeta = 0.722 and 0.0215.
+  for (const auto& [box, of] :
+       {std::pair{"[0.5, 100]", 0U}, std::pair{"[[1, 100], [0.01, 0.1], [0.1, 2]]", 1U},
+        std::pair{"[[49, 100], [0.001, 10], [0.1, 2]]", 1U}}) {
+    const Outcome outcome = within(box);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Row row = only_row(text_of(directory / "x.csv"));
+    EXPECT_EQ(row.at("xi"), all[of].at("xi")) << box;
+    const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    EXPECT_EQ(metadata["case"]["solve"]["box"].size(), 3U);
+    EXPECT_THAT(metadata["skipped"].dump(), HasSubstr("solve.start"));
+  }
+  const Outcome none = within("[[1, 100], [0.01, 0.1], [1, 2]]");
+  EXPECT_EQ(none.code, 3);
+  EXPECT_THAT(none.err, HasSubstr("xi in [1, 100], zeta in [0.01, 0.1], rho in [1, 2]: proven that "
+                                  "there is none"));
+}
+
+/// (iii) with J1 = J2: of a solution and its mirror image each is in one of two boxes.
+TEST(SolveAll, MirrorImagesInBoxesOfTheirOwn) {
+  const std::string circle = STATIONARY_CASES "/circle.toml";
+  const auto in = [&](const std::string& box) {
+    return rows_of(solve(circle, {"-o", "-", "--set", "solve.all=true", "--set", "motion.nu=1.1",
+                                  "--set", "solve.box=" + box})
+                       .out);
+  };
+  const auto all = in("[0.001, 1000]");
+  std::size_t ellipses = 0;
+  for (const Row& row : all) {
+    const double xi = number(row.at("xi"));
+    const double zeta = number(row.at("zeta"));
+    if (std::abs(xi - zeta) < 1e-6 * xi) continue;
+    ++ellipses;
+    const auto about = [](double x) {
+      return "[" + std::to_string(0.9 * x) + ", " + std::to_string(1.1 * x) + "]";
+    };
+    const auto alone = in("[" + about(xi) + ", " + about(zeta) + ", [0.01, 100]]");
+    ASSERT_EQ(alone.size(), 1U);
+    EXPECT_EQ(alone[0].at("xi"), row.at("xi"));
+    EXPECT_EQ(alone[0].at("zeta"), row.at("zeta"));
+  }
+  EXPECT_EQ(ellipses % 2, 0U);
+  EXPECT_GE(all.size(), 1U);
+}
+
+TEST(SolveAll, BoxesThatAreNone) {
+  for (const auto& [box, words] :
+       {std::pair{"[2, 1]", "found [2, 1]"}, std::pair{"[0, 1]", "1e-100"},
+        std::pair{"[1]", "an array of 1 value"}, std::pair{"[[1, 2]]", "an array of 1 value"},
+        std::pair{"[[1, 2], [1, 2], [2, 1]]", "solve.box.2"},
+        std::pair{"[[1, 2], [1, 2], 3]", "solve.box.2"}, std::pair{"wide", "the string"},
+        std::pair{"[]", "an array of 0 values"}, std::pair{"[1, inf]", "the number inf"}}) {
+    const Outcome outcome =
+        solve(apart, {"--set", "solve.all=true", "--set", std::string("solve.box=") + box});
+    EXPECT_EQ(outcome.code, 2) << box;
+    EXPECT_THAT(outcome.err, HasSubstr(words)) << box;
+  }
+  const Outcome unused = solve(disc, {"--set", "solve.box=[0.1, 10]"});
+  EXPECT_EQ(unused.code, 0);
+  EXPECT_THAT(unused.out, HasSubstr("solve.box"));
+}
+
 TEST(Certify, RowCarriesTheProof) {
   for (const std::vector<std::string>& way :
        {std::vector<std::string>{"--certify"}, {"--set", "output.certificate=true"}}) {

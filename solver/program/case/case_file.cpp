@@ -11,35 +11,24 @@
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_parameter.hpp"
 #include "solver/program/case/case_schema.hpp"
+#include "solver/program/case/case_solve.hpp"
 #include "solver/program/table/table.hpp"
 #include "solver/program/text/nearest_name.hpp"
 
 namespace stationary {
 namespace {
 
-/// The value at a key, or the default; its type has been checked.
-template <class T>
-T value_or(const CaseTree& tree, std::string_view path, T otherwise) {
-  const toml::node* node = find(tree, path);
-  return node == nullptr ? otherwise : node->value<T>().value_or(otherwise);
-}
-
-std::vector<double> numbers(const CaseTree& tree, std::string_view path) {
-  std::vector<double> out;
-  if (const toml::node* node = find(tree, path))
-    for (const toml::node& element : *node->as_array())
-      out.push_back(element.value<double>().value_or(0.0));
-  return out;
-}
-
-Body read_body(const CaseTree& tree) {
+/// Nothing where the faults have something against it; so below.
+std::optional<Body> read_body(const CaseTree& tree, Faults& faults) {
   const std::vector<double> J = numbers(tree, "body.J");
+  if (J.size() != 3 || !faults.sound("body")) return std::nullopt;
   for (std::size_t k = 0; k < J.size(); ++k) {
     if (J[k] > 0.0) continue;
-    throw fault_at(tree, fmt::format("body.J.{}", k), fmt::format("found J{} = {}", k + 1, J[k]),
-                   fmt::format("J{} > 0", k + 1));
+    faults.add(fault_at(tree, fmt::format("body.J.{}", k),
+                        fmt::format("found J{} = {}", k + 1, J[k]), fmt::format("J{} > 0", k + 1)));
   }
-  return {J[0], J[1], J[2]};
+  if (!faults.sound("body")) return std::nullopt;
+  return Body(J[0], J[1], J[2]);
 }
 
 /// Throws where the motion has a key that is not the branch's.
@@ -110,7 +99,7 @@ TiltedMotion read_tilted(const CaseTree& tree) {
   return out;
 }
 
-TwoPolarMotion read_two_polar(const CaseTree& tree, const Body& body) {
+TwoPolarMotion read_two_polar(const CaseTree& tree, const std::optional<Body>& body) {
   constexpr std::string_view rule = "omega and theta_dot, or s3 and p_theta";
   for (const std::string_view key : {"nu", "plane", "axis"})
     refuse_key(tree, key, two_polar_name, std::string(rule) + ", instead");
@@ -145,8 +134,8 @@ TwoPolarMotion read_two_polar(const CaseTree& tree, const Body& body) {
                    fmt::format("found {} alone", chosen.given()), std::string(rule),
                    fmt::format("add {} in [motion]", chosen.missing()));
   }
-  if (!body.symmetric()) {
-    throw fault_at(tree, "body.J", fmt::format("found J1 = {}, J2 = {}", body.J1, body.J2),
+  if (body && !body->symmetric()) {
+    throw fault_at(tree, "body.J", fmt::format("found J1 = {}, J2 = {}", body->J1, body->J2),
                    "J1 = J2 in branch \"two-polar\"",
                    "these motions exist because material rotations about axis 3 are a symmetry");
   }
@@ -156,62 +145,14 @@ TwoPolarMotion read_two_polar(const CaseTree& tree, const Body& body) {
   return TwoPolarMomenta<double>{first, second};
 }
 
-Motion read_motion(const CaseTree& tree, const Body& body, const std::vector<ModelChoice>& models) {
+Motion read_motion(const CaseTree& tree, const std::optional<Body>& body,
+                   const std::optional<std::vector<ModelChoice>>& models) {
   const std::string named = value_or<std::string>(tree, "motion.branch", "");
   if (const auto branch = branch_from_name(named)) return read_axis_rotation(tree, *branch);
-  require_symmetry(tree, named, named != oblique_name, models);
+  if (models) require_symmetry(tree, named, named != oblique_name, *models);
   if (named == oblique_name) return read_oblique(tree);
   if (named == tilted_name) return read_tilted(tree);
   return read_two_polar(tree, body);
-}
-
-Case::Solve read_solve(const CaseTree& tree, const Motion& motion, bool isotropic) {
-  const bool two_polar = std::holds_alternative<TwoPolarMotion>(motion);
-  const bool tilted = std::holds_alternative<TiltedMotion>(motion);
-  Case::Solve out;
-  const std::string method = value_or<std::string>(tree, "solve.method", "auto");
-  const auto at = std::ranges::find(method_names, std::string_view(method));
-  out.method = static_cast<Method>(at - std::begin(method_names));
-  if (two_polar && out.method != Method::automatic && out.method != Method::nlopt) {
-    throw fault_at(tree, "solve.method",
-                   fmt::format("found the string {} with branch \"two-polar\"", in_quotes(method)),
-                   "\"auto\" or \"nlopt\"",
-                   "two-polar motions are searched for globally, then corrected");
-  }
-  if (tilted && out.method != Method::automatic && out.method != Method::newton) {
-    throw fault_at(tree, "solve.method",
-                   fmt::format("found the string {} with branch \"tilted\"", in_quotes(method)),
-                   "\"auto\" or \"newton\"",
-                   "tilted motions are had by Newton from solve.start, or by following the family");
-  }
-  if (!isotropic && out.method != Method::automatic && out.method != Method::newton) {
-    throw fault_at(
-        tree, "solve.method",
-        fmt::format("found the string {} with an anisotropic potential", in_quotes(method)),
-        "\"auto\" or \"newton\"",
-        "with alpha unknown motions are had by Newton from solve.start, or by following "
-        "the family from rest");
-  }
-  out.all = value_or(tree, "solve.all", false);
-  const std::vector<double> start = numbers(tree, "solve.start");
-  if (start.empty()) return out;
-  out.start = Stretch{start[0], start[1], start[2], start[3]};
-  const std::string_view parts[] = {"alpha", two_polar ? "lambda" : "xi", two_polar ? "mu" : "zeta",
-                                    "rho"};
-  const auto refuse = [&](std::size_t k, std::string_view allowed, std::string_view remedy) {
-    throw fault_at(tree, fmt::format("solve.start.{}", k),
-                   fmt::format("found {} = {}", parts[k], start[k]), std::string(allowed),
-                   std::string(remedy));
-  };
-  if (isotropic && start[0] != 0.0)
-    refuse(0, "alpha = 0", "the potential is isotropic, and then alpha = 0 in every branch");
-  if (two_polar && start[1] == start[2])
-    refuse(2, "lambda != mu", "on the circle the two-polar balance is singular");
-  for (std::size_t k = 1; k < 4; ++k)
-    if (!(start[k] > 0.0)) refuse(k, fmt::format("{} > 0", parts[k]), "S is positive definite");
-  if (const char* inequality = violated_inequality(*out.start))
-    throw fault_at(tree, "solve.start", "found S not positive definite", inequality);
-  return out;
 }
 
 std::string read_parameter(const CaseTree& tree, const FamilyParameters& family) {
@@ -223,12 +164,8 @@ std::string read_parameter(const CaseTree& tree, const FamilyParameters& family)
                    "one of " + listed(std::vector<std::string_view>(valid.begin(), valid.end())),
                    "add parameter in [continuation]");
   }
-  std::string found = value_or<std::string>(tree, "continuation.parameter", "nu");
-  if (found == "motion.nu") found = "nu";  // the dotted key of the same number
-  if (std::ranges::find(valid, found) != valid.end()) return found;
-  const std::vector<std::string_view> names(valid.begin(), valid.end());
-  throw fault_at(tree, "continuation.parameter", "found the string " + in_quotes(found),
-                 "one of " + listed(names), did_you_mean(nearest_name(found, names)));
+  return read_parameter_name(tree, "continuation.parameter",
+                             value_or<std::string>(tree, "continuation.parameter", "nu"), valid);
 }
 
 /// The names of an array of texts, each one of the allowed.
@@ -254,55 +191,72 @@ std::span<const std::string_view> locatable_events() {
   return std::span(event_names).subspan(1, static_cast<std::size_t>(EventType::unexplained));
 }
 
+/// What of the range depends on the family.
+void require_range(const CaseTree& tree, const Case::Continuation& range,
+                   const FamilyParameters& family) {
+  if (nu_is_length(family.motion) && range.parameter == "nu" && !(range.from >= 0.0)) {
+    throw fault_at(
+        tree, "continuation.from",
+        fmt::format("found {} with branch {}", range.from, in_quotes(name(family.motion))),
+        "from >= 0", "nu is the length |nu| there");
+  }
+  // Both domains are convex, so the ends of the range answer for all of it.
+  for (const bool end : {false, true}) {
+    const double value = end ? range.to : range.from;
+    try {
+      (void)with_parameter(family, range.parameter, value);
+    } catch (const std::invalid_argument& error) {
+      throw fault_at(tree, end ? "continuation.to" : "continuation.from",
+                     fmt::format("found {} = {}", range.parameter, value), error.what());
+    }
+  }
+}
+
+/// family: nothing where something else is wrong with it.
 std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
-                                                    const FamilyParameters& family) {
+                                                    const std::optional<FamilyParameters>& family,
+                                                    Faults& faults) {
   if (find(tree, "continuation") == nullptr) return std::nullopt;
-  Case::Continuation out{.parameter = read_parameter(tree, family),
+  Case::Continuation out{.parameter = {},
                          .from = value_or(tree, "continuation.from", 0.0),
                          .to = value_or(tree, "continuation.to", 0.0)};
   out.tolerance = value_or(tree, "continuation.tolerance", out.tolerance);
-  if (!(out.from < out.to)) {
-    throw fault_at(tree, "continuation.to",
-                   fmt::format("found the empty range from {} to {}", out.from, out.to),
-                   "from < to");
-  }
-  if (nu_is_length(family.motion) && out.parameter == "nu" && !(out.from >= 0.0)) {
-    throw fault_at(tree, "continuation.from",
-                   fmt::format("found {} with branch {}", out.from, in_quotes(name(family.motion))),
-                   "from >= 0", "nu is the length |nu| there");
-  }
-  if (!(out.tolerance > 0.0 && out.tolerance <= 1.0)) {
-    throw fault_at(tree, "continuation.tolerance", fmt::format("found {}", out.tolerance),
-                   "a number > 0 and <= 1 (1e-13 is the least that double precision keeps)");
-  }
   out.step = value_or(tree, "continuation.step", out.step);
-  if (!(out.step > 0.0 && out.step <= 0.5)) {
-    throw fault_at(tree, "continuation.step", fmt::format("found {}", out.step),
-                   "a number > 0 and <= 0.5");
-  }
   out.max_points = value_or(tree, "continuation.max_points", out.max_points);
+  const auto require = [&](std::string_view name, bool holds, const std::string& found,
+                           const std::string& allowed) {
+    const std::string key = dotted("continuation", name);
+    if (!holds && faults.sound(key)) faults.add(fault_at(tree, key, found, allowed));
+  };
+  const bool has_range = find(tree, "continuation.from") != nullptr &&
+                         find(tree, "continuation.to") != nullptr &&
+                         faults.sound("continuation.from");
+  if (has_range)
+    require("to", out.from < out.to,
+            fmt::format("found the empty range from {} to {}", out.from, out.to), "from < to");
+  require("tolerance", out.tolerance > 0.0 && out.tolerance <= 1.0,
+          fmt::format("found {}", out.tolerance),
+          "a number > 0 and <= 1 (1e-13 is the least that double precision keeps)");
+  require("step", out.step > 0.0 && out.step <= 0.5, fmt::format("found {}", out.step),
+          "a number > 0 and <= 0.5");
   constexpr double most_points = 1e8;  // those of one direction are kept until the other is known
-  if (!(out.max_points >= 2.0 && out.max_points <= most_points &&
-        out.max_points == std::floor(out.max_points))) {
-    throw fault_at(tree, "continuation.max_points", fmt::format("found {}", out.max_points),
-                   fmt::format("a whole number from 2 to {}", most_points));
-  }
-  out.events = read_names(tree, "continuation.events", locatable_events());
+  require("max_points",
+          out.max_points >= 2.0 && out.max_points <= most_points &&
+              out.max_points == std::floor(out.max_points),
+          fmt::format("found {}", out.max_points),
+          fmt::format("a whole number from 2 to {}", most_points));
+  if (faults.sound("continuation.events"))
+    faults.collect(
+        [&] { out.events = read_names(tree, "continuation.events", locatable_events()); });
   if (const std::string row = value_or<std::string>(tree, "continuation.start_row", "");
       !row.empty()) {
     const std::filesystem::path folder = std::filesystem::path(tree.name()).parent_path();
     out.start_row = (folder / row).string();  // beside the case file
   }
-  // Both domains are convex, so the ends of the range answer for all of it.
-  for (const bool end : {false, true}) {
-    const double value = end ? out.to : out.from;
-    try {
-      (void)with_parameter(family, out.parameter, value);
-    } catch (const std::invalid_argument& error) {
-      throw fault_at(tree, end ? "continuation.to" : "continuation.from",
-                     fmt::format("found {} = {}", out.parameter, value), error.what());
-    }
-  }
+  const bool named = family && faults.sound("continuation.parameter") &&
+                     faults.collect([&] { out.parameter = read_parameter(tree, *family); });
+  if (named && has_range && faults.sound("continuation.to"))
+    faults.collect([&] { require_range(tree, out, *family); });
   return out;
 }
 
@@ -326,12 +280,24 @@ void require_scale(const CaseTree& tree, const std::vector<ModelChoice>& models,
   }
 }
 
-Case::Output read_output(const CaseTree& tree) {
+Case::Output read_output(const CaseTree& tree, Faults& faults) {
   Case::Output out;
   out.spectrum = value_or(tree, "output.spectrum", true);
   out.certificate = value_or(tree, "output.certificate", false);
-  out.columns = read_names(tree, "output.columns", column_names);
+  if (faults.sound("output.columns"))
+    faults.collect([&] { out.columns = read_names(tree, "output.columns", column_names); });
   return out;
+}
+
+/// Applies them; what another model leaves no place for goes.
+void apply(CaseTree& tree, std::span<const Override> overrides, Faults& faults) {
+  if (overrides.empty()) return;
+  const toml::node* potential = find(tree, "potential");
+  const toml::table before =
+      potential != nullptr && potential->is_table() ? *potential->as_table() : toml::table();
+  for (const Override& each : overrides)
+    faults.collect([&] { tree.override_key(each.text, each.where); });
+  leave_replaced_coefficients(tree, before);
 }
 
 }  // namespace
@@ -347,30 +313,46 @@ EventSet Case::Continuation::event_set() const {
 }
 
 Case read_case(const std::string& path, std::span<const std::string> overrides) {
-  CaseTree tree = CaseTree::read(path);
-  for (const std::string& each : overrides) tree.override_key(each);
-  return make_case(std::move(tree));
+  std::vector<Override> options;
+  for (const std::string& each : overrides) options.push_back({each});
+  return make_case(CaseTree::read(path), options);
 }
 
-Case make_case(CaseTree tree) {
-  require_known_keys(tree);
-  const Body body = read_body(tree);
-  const std::vector<ModelChoice> models = read_models(tree);
-  const Motion motion = read_motion(tree, body, models);
-  if (const auto fault = out_of_scale({body, models, motion}))
-    throw fault_at(tree, fault->key, fault->found, fault->allowed, OutOfScale::hint);
-  const std::string title = value_or<std::string>(tree, "title", "");
-  const Case::Solve solve = read_solve(tree, motion, !anisotropic(models));
-  const auto continuation = read_continuation(tree, {body, models, motion});
-  const auto map = read_map(tree, {body, models, motion});
-  const Case::Output output = read_output(tree);
-  Potential potential = make_potential(models);
-  require_scale(tree, models, potential);
-  return {.title = title,
-          .body = body,
-          .models = models,
-          .potential = std::move(potential),
-          .motion = motion,
+Case make_case(CaseTree tree, std::span<const Override> overrides) {
+  Faults faults;
+  apply(tree, overrides, faults);
+  require_known_keys(tree, faults);
+  const std::optional<Body> body = read_body(tree, faults);
+  // A table with a misspelt name is missing, and nothing is said against it.
+  const auto may_read = [&](std::string_view table) {
+    return find(tree, table) != nullptr && faults.sound(table);
+  };
+  const auto models = find(tree, "potential") != nullptr ? read_models(tree, faults) : std::nullopt;
+  std::optional<Motion> motion;
+  if (may_read("motion")) faults.collect([&] { motion = read_motion(tree, body, models); });
+  std::optional<FamilyParameters> family;
+  if (body && models && motion) {
+    family = FamilyParameters{*body, *models, *motion};
+    if (const auto fault = out_of_scale(*family)) {
+      faults.add(fault_at(tree, fault->key, fault->found, fault->allowed, OutOfScale::hint));
+      family.reset();
+    }
+  }
+  const Case::Solve solve = read_solve(tree, motion, models, faults);
+  const auto continuation = read_continuation(tree, family, faults);
+  const auto map = read_map(tree, family ? &*family : nullptr, faults);
+  const Case::Output output = read_output(tree, faults);
+  std::optional<Potential> potential;
+  if (family) {
+    potential = make_potential(*models);
+    faults.collect([&] { require_scale(tree, *models, *potential); });
+  }
+  faults.raise();
+  return {.title = value_or<std::string>(tree, "title", ""),
+          .body = *body,
+          .models = *models,
+          .potential = std::move(*potential),
+          .motion = *motion,
           .solve = solve,
           .continuation = continuation,
           .map = map,

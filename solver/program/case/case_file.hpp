@@ -7,6 +7,7 @@
 //   tolerance   [output] spectrum, ...   [map] x, y
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +18,7 @@
 #include "lib/body/body.hpp"
 #include "lib/body/motion.hpp"
 #include "lib/material/potential.hpp"
+#include "lib/number/interval.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/problem.hpp"
 #include "solver/program/case/case_grid.hpp"
@@ -31,9 +33,11 @@ struct Case {
     std::optional<Stretch> start;  ///< two-polar: xi, zeta are lambda, mu
     Method method = Method::automatic;
     bool all = false;
+    /// Of `all`, of each of xi, zeta, rho (two-polar: lambda, mu, rho); none: the default.
+    std::optional<std::array<Interval, 3>> box{};
   };
   struct Continuation {
-    std::string parameter;  ///< one of case_parameters()
+    std::string parameter;  ///< one of case_parameters(), or a ratio of two
     double from;
     double to;
     double tolerance = 1e-10;
@@ -68,10 +72,16 @@ struct Case {
   }
 };
 
-/// Reads, overrides and validates. Throws InputError at the first fault.
+/// Reads, overrides and validates. Throws InputError with all that is wrong.
 Case read_case(const std::string& path, std::span<const std::string> overrides = {});
 
+/// key=value, and where it is written (an empty place: it is an option).
+struct Override {
+  std::string text;
+  Origin where = {};
+};
+
 /// The same of a tree at hand.
-Case make_case(CaseTree tree);
+Case make_case(CaseTree tree, std::span<const Override> overrides = {});
 
 }  // namespace stationary

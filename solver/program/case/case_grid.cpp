@@ -13,38 +13,39 @@
 namespace stationary {
 namespace {
 
-MapAxis read_axis(const CaseTree& tree, const std::string& key, const FamilyParameters& family) {
+/// What of an axis does not depend on the motion.
+MapAxis read_axis(const CaseTree& tree, const std::string& key, Faults& faults) {
   const auto node = tree.root().at_path(key);
   MapAxis out{.parameter = node["parameter"].value_or(std::string()),
               .from = node["from"].value_or(0.0),
               .to = node["to"].value_or(0.0),
               .count = 0};
-  if (out.parameter == "motion.nu") out.parameter = "nu";  // the dotted key of the same number
-  const std::vector<std::string> valid = case_parameters(family.motion, family.models);
-  if (std::ranges::find(valid, out.parameter) == valid.end()) {
-    const std::vector<std::string_view> names(valid.begin(), valid.end());
-    throw fault_at(tree, key + ".parameter", "found the string " + in_quotes(out.parameter),
-                   "one of " + listed(names), did_you_mean(nearest_name(out.parameter, names)));
-  }
-  if (!(out.from < out.to)) {
-    throw fault_at(tree, key + ".to",
-                   fmt::format("found the empty range from {} to {}", out.from, out.to),
-                   "from < to");
+  if (node["from"] && node["to"] && faults.sound(key + ".from") && faults.sound(key + ".to") &&
+      !(out.from < out.to)) {
+    faults.add(fault_at(tree, key + ".to",
+                        fmt::format("found the empty range from {} to {}", out.from, out.to),
+                        "from < to"));
   }
   const double count = node["count"].value_or(0.0);
-  if (!(count >= 2.0 && count <= most_map_cells && count == std::floor(count))) {
-    throw fault_at(tree, key + ".count", fmt::format("found {}", count),
-                   fmt::format("a whole number from 2 to {}", most_map_cells));
+  if (count >= 2.0 && count <= most_map_cells && count == std::floor(count)) {
+    out.count = static_cast<std::size_t>(count);
+  } else if (node["count"] && faults.sound(key + ".count")) {
+    faults.add(fault_at(tree, key + ".count", fmt::format("found {}", count),
+                        fmt::format("a whole number from 2 to {}", most_map_cells)));
   }
-  out.count = static_cast<std::size_t>(count);
   if (node["scale"].value_or(std::string_view()) == name(AxisScale::log)) {
     out.scale = AxisScale::log;
-    if (!(out.from > 0.0)) {
-      throw fault_at(tree, key + ".from", fmt::format("found {} with scale = \"log\"", out.from),
-                     "from > 0");
+    if (node["from"] && faults.sound(key + ".from") && !(out.from > 0.0)) {
+      faults.add(fault_at(tree, key + ".from",
+                          fmt::format("found {} with scale = \"log\"", out.from), "from > 0"));
     }
   }
   return out;
+}
+
+/// Whether y's number has to be there before x's can be had from it.
+bool is_divided_by(const MapAxis& x, const MapAxis& y) {
+  return parts_of(x.parameter).second == parts_of(y.parameter).first;
 }
 
 /// Body and models with both parameters at a corner of the grid, whichever order their domain
@@ -66,6 +67,7 @@ void require_corner(const CaseTree& tree, const CaseMap& map, const FamilyParame
       return;
     } catch (const InputError&) {
       // Perhaps y's value needs x's first.
+      if (is_divided_by(map.x, *map.y)) throw;
     }
   }
   const FamilyParameters first = with(family, map.x, "map.x", x);
@@ -97,21 +99,46 @@ std::vector<const MapAxis*> CaseMap::axes() const {
   return out;
 }
 
-std::optional<CaseMap> read_map(const CaseTree& tree, const FamilyParameters& family) {
-  if (!tree.root().contains("map")) return std::nullopt;
-  CaseMap out{read_axis(tree, "map.x", family), std::nullopt};
-  if (tree.root().at_path("map.y")) out.y = read_axis(tree, "map.y", family);
-  if (out.y && out.y->parameter == out.x.parameter) {
-    throw fault_at(tree, "map.y.parameter",
-                   "found " + in_quotes(out.y->parameter) + ", which is x's too",
-                   "another parameter than x's");
+FamilyParameters CaseMap::cell(const FamilyParameters& family, double at_x, double at_y) const {
+  if (!y) return with_parameter(family, x.parameter, at_x);
+  if (is_divided_by(x, *y))
+    return with_parameter(with_parameter(family, y->parameter, at_y), x.parameter, at_x);
+  return with_parameter(with_parameter(family, x.parameter, at_x), y->parameter, at_y);
+}
+
+std::optional<CaseMap> read_map(const CaseTree& tree, const FamilyParameters* family,
+                                Faults& faults) {
+  if (!tree.root().contains("map") || !tree.root()["map"].is_table() ||
+      !tree.root().at_path("map.x").is_table())
+    return std::nullopt;
+  CaseMap out{read_axis(tree, "map.x", faults), std::nullopt};
+  if (tree.root().at_path("map.y").is_table()) out.y = read_axis(tree, "map.y", faults);
+  if (out.y && out.x.count > 0 && out.y->count > most_map_cells / out.x.count) {
+    faults.add(fault_at(tree, "map.y.count",
+                        fmt::format("found {} by {} cells", out.x.count, out.y->count),
+                        fmt::format("at most {} cells", most_map_cells)));
   }
-  if (out.y && out.y->count > most_map_cells / out.x.count) {
-    throw fault_at(tree, "map.y.count",
-                   fmt::format("found {} by {} cells", out.x.count, out.y->count),
-                   fmt::format("at most {} cells", most_map_cells));
+  if (family == nullptr) return std::nullopt;
+  const std::vector<std::string> valid = case_parameters(family->motion, family->models);
+  const auto named = [&](MapAxis& axis, const std::string& key) {
+    if (find(tree, key) != nullptr && faults.sound(key))
+      faults.collect(
+          [&] { axis.parameter = read_parameter_name(tree, key, axis.parameter, valid); });
+  };
+  named(out.x, "map.x.parameter");
+  if (out.y) named(*out.y, "map.y.parameter");
+  if (!faults.sound("map")) return std::nullopt;
+  if (out.y && parts_of(out.y->parameter).first == parts_of(out.x.parameter).first) {
+    faults.add(fault_at(tree, "map.y.parameter",
+                        "found " + in_quotes(out.y->parameter) + ", which is x's too",
+                        "another parameter than x's"));
+  } else if (out.y && is_divided_by(out.x, *out.y) && is_divided_by(*out.y, out.x)) {
+    faults.add(fault_at(tree, "map.y.parameter",
+                        "found " + in_quotes(out.y->parameter) + ", each divided by the other",
+                        "a number, or a ratio to another number than x's"));
+  } else {
+    faults.collect([&] { require_domain(tree, out, *family); });
   }
-  require_domain(tree, out, family);
   return out;
 }
 

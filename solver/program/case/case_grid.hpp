@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "solver/program/case/case_toml.hpp"
+#include "solver/program/text/faults.hpp"
 
 namespace stationary {
 
@@ -24,7 +25,7 @@ constexpr std::string_view name(AxisScale scale) {
 }
 
 struct MapAxis {
-  std::string parameter;  ///< one of case_parameters()
+  std::string parameter;  ///< one of case_parameters(), or a ratio of two
   double from;
   double to;
   std::size_t count;
@@ -40,12 +41,16 @@ struct CaseMap {
 
   std::vector<const MapAxis*> axes() const;
   std::size_t cells() const { return x.count * (y ? y->count : 1); }
+  /// The case's numbers at a cell; at_y: of a map with y.
+  FamilyParameters cell(const FamilyParameters& family, double at_x, double at_y) const;
 };
 
 constexpr std::size_t most_map_cells = 20'000'000;  ///< 36 bytes each while solved
 
-/// Nothing where the case has no map. Throws InputError: no parameter of the family, an empty
-/// range, a count that is not whole or too large, a value outside the domain of body or model.
-std::optional<CaseMap> read_map(const CaseTree& tree, const FamilyParameters& family);
+/// Nothing where the case has no map, or a faulty one: no parameter of the family, an empty range, a
+/// count that is not whole or too large, a value outside the domain of body or model. family: nullptr
+/// where it is not known, because something else is wrong.
+std::optional<CaseMap> read_map(const CaseTree& tree, const FamilyParameters* family,
+                                Faults& faults);
 
 }  // namespace stationary

@@ -33,9 +33,10 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-Assignment split(std::string_view text) {
+Assignment split(std::string_view text, const Origin& where) {
   Assignment out;
-  out.origin.option = "--set " + std::string(text);
+  out.origin = where;
+  if (where.text().empty()) out.origin.option = "--set " + std::string(text);
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos)
     out.refuse("found no \"=\"", "key=value", "for example --set motion.nu=0.3");
@@ -103,8 +104,8 @@ std::size_t element(const Assignment& assignment, const toml::array& array,
 
 }  // namespace
 
-void CaseTree::override_key(std::string_view text) {
-  const Assignment assignment = split(text);
+void CaseTree::override_key(std::string_view text, const Origin& where) {
+  const Assignment assignment = split(text, where);
   toml::table parsed = parse_value(assignment);
   toml::node* at = &root_;
   std::string key;
@@ -138,7 +139,18 @@ void CaseTree::override_key(std::string_view text) {
     }
   }
   set_origin(key, assignment.origin);
-  overrides_[key] = assignment.origin.option;
+  overrides_[key] = where.text().empty() ? assignment.origin.option : assignment.origin.text();
+}
+
+void CaseTree::erase(std::string_view path, std::string_view name) {
+  toml::node* at = &root_;
+  while (!path.empty() && at != nullptr) {
+    const std::size_t dot = path.find('.');
+    toml::table* table = at->as_table();
+    at = table == nullptr ? nullptr : table->get(path.substr(0, dot));
+    path = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
+  }
+  if (at != nullptr && at->is_table()) at->as_table()->erase(name);
 }
 
 }  // namespace stationary

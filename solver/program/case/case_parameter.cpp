@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "solver/program/case/case_motion.hpp"
+#include "solver/program/case/case_schema.hpp"
+#include "solver/program/text/nearest_name.hpp"
 
 namespace stationary {
 
@@ -115,7 +117,46 @@ std::vector<std::string> followed_parameters(const Motion& motion,
   return case_parameters(motion, models);
 }
 
+ParameterParts parts_of(std::string_view parameter) {
+  const std::size_t slash = parameter.find('/');
+  if (slash == std::string_view::npos) return {parameter, {}};
+  return {parameter.substr(0, slash), parameter.substr(slash + 1)};
+}
+
+std::string read_parameter_name(const CaseTree& tree, const std::string& key, std::string found,
+                                const std::vector<std::string>& valid) {
+  const std::vector<std::string_view> names(valid.begin(), valid.end());
+  const auto named = [&](std::string_view part) {
+    // The dotted key of the same number.
+    const std::string_view name = part == "motion.nu" ? "nu" : part;
+    if (std::ranges::find(names, name) == names.end())
+      throw fault_at(tree, key, "found the string " + in_quotes(found),
+                     "one of " + listed(names) + ", or a ratio \"a/b\" of two of them",
+                     did_you_mean(nearest_name(part, names)));
+    return std::string(name);
+  };
+  const bool ratio = found.find('/') != std::string::npos;
+  const ParameterParts parts = parts_of(found);
+  if (!ratio) return named(parts.first);
+  const std::string first = named(parts.first);
+  const std::string second = named(parts.second);
+  if (first == second)
+    throw fault_at(tree, key, "found the string " + in_quotes(found),
+                   "a ratio of two different numbers");
+  return first + '/' + second;
+}
+
+double parameter_unit(const FamilyParameters& family, std::string_view parameter) {
+  const std::string_view second = parts_of(parameter).second;
+  return second.empty() ? 1.0 : parameter_value(family, second);
+}
+
 FamilyParameters with_parameter(FamilyParameters family, std::string_view key, double value) {
+  if (const auto [first, second] = parts_of(key); !second.empty()) {
+    const double unit = parameter_value(family, second);
+    if (!(unit > 0.0)) throw std::invalid_argument(std::string(second) + " > 0, to be divided by");
+    return with_parameter(std::move(family), first, value * unit);
+  }
   double* number = find_number(family, key);
   if (number == nullptr) throw std::invalid_argument("a parameter of the case");
   if (!std::isfinite(value)) throw std::invalid_argument(std::string(key) + " finite");
@@ -130,12 +171,16 @@ FamilyParameters with_parameter(FamilyParameters family, std::string_view key, d
 }
 
 double parameter_value(FamilyParameters family, std::string_view key) {
+  if (const auto [first, second] = parts_of(key); !second.empty())
+    return parameter_value(family, first) / parameter_value(family, second);
   const double* number = find_number(family, key);
   if (number == nullptr) throw std::invalid_argument("a parameter of the case");
   return *number;
 }
 
-FamilyParameter family_parameter(std::string_view key, const std::vector<ModelChoice>& models) {
+FamilyParameter family_parameter(std::string_view parameter,
+                                 const std::vector<ModelChoice>& models) {
+  const std::string_view key = parts_of(parameter).first;
   using Kind = FamilyParameter::Kind;
   constexpr std::string_view inertia = "body.J.";
   if (key.starts_with(inertia)) return {Kind::inertia, key[inertia.size()] - '0'};

@@ -2,6 +2,9 @@
 // motion (nu; motion.omega ... of a two-polar one), body.J.0 ... body.J.2 and every coefficient of
 // the case's models (potential.plane.c). A two-polar body keeps its J1 = J2; a tilted family is
 // followed in nu alone.
+//
+// A parameter is one of these, or the ratio of two: "body.J.1/body.J.0" varies the first, the second
+// held, and its values are those of the ratio. The second is positive.
 #pragma once
 
 #include <optional>
@@ -39,6 +42,21 @@ std::vector<std::string> case_parameters(const Motion& motion,
 std::vector<std::string> followed_parameters(const Motion& motion,
                                              const std::vector<ModelChoice>& models);
 
+/// The two numbers of a ratio; second is empty where the parameter is one number.
+struct ParameterParts {
+  std::string_view first;
+  std::string_view second;
+};
+ParameterParts parts_of(std::string_view parameter);
+
+/// The parameter as the case names it ("nu" for motion.nu, in a ratio too). Throws InputError at the
+/// key where it is none of the valid numbers, nor a ratio of two of them.
+std::string read_parameter_name(const CaseTree& tree, const std::string& key, std::string found,
+                                const std::vector<std::string>& valid);
+
+/// The number that the first of a ratio is at the ratio 1: the second; else 1.
+double parameter_unit(const FamilyParameters& family, std::string_view parameter);
+
 /// With the parameter at a value. Throws std::invalid_argument with the violated inequality of
 /// body or model, for a number out of scale, or for a key that is not one of case_parameters().
 FamilyParameters with_parameter(FamilyParameters family, std::string_view key, double value);
@@ -46,7 +64,8 @@ FamilyParameters with_parameter(FamilyParameters family, std::string_view key, d
 /// The parameter's own value. Throws std::invalid_argument for a key that is not one of them.
 double parameter_value(FamilyParameters family, std::string_view key);
 
-/// The parameter as the motion's family knows it; the key is one of case_parameters().
-FamilyParameter family_parameter(std::string_view key, const std::vector<ModelChoice>& models);
+/// The parameter as the motion's family knows it, of a ratio the number that varies.
+FamilyParameter family_parameter(std::string_view parameter,
+                                 const std::vector<ModelChoice>& models);
 
 }  // namespace stationary

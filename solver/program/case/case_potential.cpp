@@ -83,44 +83,73 @@ ModelChoice written_out(const CaseTree& tree, const std::string& slot, const tom
           std::move(written.parts)};
 }
 
+ModelChoice built_in(const std::string& slot, const toml::table& table) {
+  const ModelDescription::Kind kind = model_kind("potential." + slot);
+  const std::string named =
+      kind == ModelDescription::Kind::fibre ? "fibre" : table.get("model")->value_or(std::string());
+  ModelChoice out{slot, *find_model(kind, named), {}};
+  for (const std::string& parameter : out.description.parameters)
+    out.coefficients.push_back(table.get(parameter)->value<double>().value_or(0.0));
+  return out;
+}
+
 }  // namespace
 
-std::vector<ModelChoice> read_models(const CaseTree& tree) {
+void leave_replaced_coefficients(CaseTree& tree, const toml::table& before) {
+  for (const std::string slot : {"plane", "thickness", "coupled"}) {
+    const std::string path = "potential." + slot;
+    const toml::table* old = before[slot].as_table();
+    const toml::node* named = find(tree, path + ".model");
+    if (old == nullptr || named == nullptr || !named->is_string() ||
+        !tree.overrides().contains(path + ".model"))
+      continue;
+    const ModelDescription* model = find_model(model_kind(path), named->as_string()->get());
+    if (model == nullptr) continue;
+    for (const auto& [key, value] : *old) {
+      const std::string_view name = key.str();
+      const bool stays = name == "model" ||
+                         std::ranges::find(model->parameters, name) != model->parameters.end() ||
+                         tree.overrides().contains(dotted(path, name));
+      if (!stays) tree.erase(path, name);
+    }
+  }
+}
+
+std::optional<std::vector<ModelChoice>> read_models(const CaseTree& tree, Faults& faults) {
   std::vector<ModelChoice> out;
   std::size_t bases = 0;
+  bool sound = true;
   for (const std::string slot : {"plane", "thickness", "coupled", "fibre", "second_fibre"}) {
     const std::string path = "potential." + slot;
     const toml::node* node = find(tree, path);
     if (node == nullptr) continue;
-    const toml::table& table = *node->as_table();
-    const ModelDescription::Kind kind = model_kind(path);
-    const bool is_fibre = kind == ModelDescription::Kind::fibre;
+    if (!faults.sound(path)) continue;
+    const bool is_fibre = model_kind(path) == ModelDescription::Kind::fibre;
     if (!is_fibre) ++bases;
-    if (!is_fibre && is_written_out(table)) {
-      out.push_back(written_out(tree, slot, table));
-      continue;
-    }
-    const std::string named = is_fibre ? "fibre" : table.get("model")->value_or(std::string());
-    ModelChoice model{slot, *find_model(kind, named), {}};
-    for (const std::string& parameter : model.description.parameters)
-      model.coefficients.push_back(table.get(parameter)->value<double>().value_or(0.0));
-    out.push_back(std::move(model));
+    sound = faults.collect([&] {
+      const toml::table& table = *node->as_table();
+      out.push_back(!is_fibre && is_written_out(table) ? written_out(tree, slot, table)
+                                                       : built_in(slot, table));
+      require_domain(tree, out.back());
+    }) && sound;
   }
+  if (!sound || !faults.sound("potential")) return std::nullopt;
   const auto has = [&out](std::string_view slot) {
     return std::ranges::find(out, slot, &ModelChoice::slot) != out.end();
   };
   constexpr std::string_view rule = "plane and thickness, or coupled instead of both";
   if (has("coupled") && bases > 1) {
     const std::string other = has("plane") ? "plane" : "thickness";
-    throw fault_at(tree, "potential.coupled", "found both coupled and " + other, std::string(rule),
-                   "remove one of them");
+    faults.add(fault_at(tree, "potential.coupled", "found both coupled and " + other,
+                        std::string(rule), "remove one of them"));
+    return std::nullopt;
   }
   if (!has("coupled") && bases < 2) {
     const std::string found = bases == 0 ? "found neither" : "found " + out[0].slot + " alone";
     const std::string missing = has("plane") ? "thickness" : "plane";
-    throw fault_at(tree, "potential." + missing, found, std::string(rule), "add " + missing);
+    faults.add(fault_at(tree, "potential." + missing, found, std::string(rule), "add " + missing));
+    return std::nullopt;
   }
-  for (const ModelChoice& model : out) require_domain(tree, model);
   return out;
 }
 

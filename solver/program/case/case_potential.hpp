@@ -9,6 +9,7 @@
 #include "lib/material/potential.hpp"
 #include "solver/program/case/case_expression.hpp"
 #include "solver/program/case/case_toml.hpp"
+#include "solver/program/text/faults.hpp"
 
 namespace stationary {
 
@@ -33,8 +34,13 @@ Potential make_potential(std::span<const ModelChoice> models);
 /// Whether any of the models has directions of its own.
 bool anisotropic(std::span<const ModelChoice> models);
 
-/// Of a tree that require_known_keys() let pass. Throws InputError: models that do not go together,
-/// coefficients outside their domains, an expression that is wrong.
-std::vector<ModelChoice> read_models(const CaseTree& tree);
+/// Of a tree that require_known_keys() has looked at. Nothing where it has found something against the
+/// potential, models do not go together, coefficients are outside their domains, an expression is
+/// wrong.
+std::optional<std::vector<ModelChoice>> read_models(const CaseTree& tree, Faults& faults);
+
+/// Where an override names another model than the file (`before`, its table [potential]), takes out of
+/// the tree the file's coefficients that the new model does not have.
+void leave_replaced_coefficients(CaseTree& tree, const toml::table& before);
 
 }  // namespace stationary

@@ -1,5 +1,7 @@
 #include "solver/program/case/case_schema.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -54,6 +56,8 @@ constexpr CaseKey keys[] = {
     {"solve.start", numbers, false, "four finite numbers, start = [alpha, xi, zeta, rho]", 4},
     {"solve.method", text, false, "", 0, method_names},
     {"solve.all", boolean, false, a_boolean},
+    {"solve.box", ranges, false,
+     "two numbers, box = [min, max], or three such pairs, of xi, zeta and rho", 3},
     {"continuation", table, false, "a table with parameter, from and to"},
     {"continuation.parameter", text, false, "\"nu\" or the dotted key of a number of the case"},
     {"continuation.from", number, true, a_number},
@@ -146,6 +150,19 @@ void require_numbers(const CaseTree& tree, const std::string& path, const toml::
   }
 }
 
+/// A pair of numbers, or an array of key.count such pairs.
+void require_ranges(const CaseTree& tree, const toml::node& node, const CaseKey& key) {
+  const toml::array* array = node.as_array();
+  const CaseKey pair{key.path, numbers, false, key.allowed, 2};
+  if (array == nullptr || array->empty() || !array->front().is_array())
+    return require_numbers(tree, std::string(key.path), node, pair);
+  if (array->size() != static_cast<std::size_t>(key.count))
+    throw fault_at(tree, key.path, "found " + describe(node), std::string(key.allowed));
+  std::size_t index = 0;
+  for (const toml::node& each : *array)
+    require_numbers(tree, dotted(key.path, std::to_string(index++)), each, pair);
+}
+
 /// Built-in models of a kind.
 std::vector<const ModelDescription*> models_of(ModelDescription::Kind kind) {
   std::vector<const ModelDescription*> out;
@@ -158,29 +175,43 @@ std::vector<const ModelDescription*> models_of(ModelDescription::Kind kind) {
 /// All the coefficients of the model are there and finite, and no other key than those allowed.
 void require_coefficients(const CaseTree& tree, const std::string& path, const toml::table& table,
                           const ModelDescription& description,
-                          std::vector<std::string_view> allowed) {
+                          std::vector<std::string_view> allowed, Faults& faults) {
   const std::vector<std::string_view> parameters(description.parameters.begin(),
                                                  description.parameters.end());
   allowed.insert(allowed.end(), parameters.begin(), parameters.end());
+  bool all_known = true;
   for (const auto& [name, value] : table) {
-    if (std::ranges::find(allowed, name.str()) == allowed.end())
-      refuse_unknown(tree, path, name.str(), allowed);
+    if (std::ranges::find(allowed, name.str()) != allowed.end()) continue;
+    faults.collect([&] { refuse_unknown(tree, path, name.str(), allowed); });
+    all_known = false;
   }
+  std::vector<std::string_view> missing;
   for (const std::string_view parameter : parameters) {
-    const std::string key = dotted(path, parameter);
     const toml::node* value = table.get(parameter);
     if (value == nullptr) {
-      throw fault_at(tree, key, "found no coefficient " + in_quotes(parameter),
-                     "all of " + listed(parameters) + " for " + in_quotes(description.name));
+      missing.push_back(parameter);
+    } else if (!finite_number(*value)) {
+      faults.add(fault_at(tree, dotted(path, parameter), "found " + describe(*value),
+                          std::string(a_number)));
     }
-    if (!finite_number(*value))
-      throw fault_at(tree, key, "found " + describe(*value), std::string(a_number));
   }
+  if (missing.empty() || !all_known) return;  // a misspelt one is not missing too
+  const std::string model = dotted(path, "model");
+  const auto option = tree.overrides().find(model);
+  faults.add(
+      {tree.origin(option == tree.overrides().end() ? dotted(path, missing[0]) : model),
+       dotted(path, missing[0]),
+       fmt::format("found no coefficient{} {}", missing.size() > 1 ? "s" : "", listed(missing)),
+       "all of " + listed(parameters) + " for " + in_quotes(description.name),
+       option == tree.overrides().end()
+           ? std::string()
+           : fmt::format("give them with the model, as --set {}=1.0", dotted(path, missing[0]))});
 }
 
 /// `model` names a model of the kind, and the other keys are its coefficients, all of them; or the
 /// potential is written out.
-void require_model(const CaseTree& tree, const std::string& path, const toml::table& table) {
+void require_model(const CaseTree& tree, const std::string& path, const toml::table& table,
+                   Faults& faults) {
   if (is_written_out(table)) return require_written_out(tree, path, table);
   const ModelDescription::Kind kind = model_kind(path);
   std::vector<std::string_view> names;
@@ -214,7 +245,7 @@ void require_model(const CaseTree& tree, const std::string& path, const toml::ta
     throw fault_at(tree, model_path, "found the string " + in_quotes(chosen),
                    "one of " + listed(names), remedy);
   }
-  require_coefficients(tree, path, table, *description, {"model"});
+  require_coefficients(tree, path, table, *description, {"model"}, faults);
 }
 
 void require_type(const CaseTree& tree, const CaseKey& key, const toml::node& node) {
@@ -240,6 +271,9 @@ void require_type(const CaseTree& tree, const CaseKey& key, const toml::node& no
     case numbers:
       require_numbers(tree, std::string(key.path), node, key);
       break;
+    case ranges:
+      require_ranges(tree, node, key);
+      break;
     case boolean:
       require(node.is_boolean());
       break;
@@ -257,25 +291,36 @@ void require_type(const CaseTree& tree, const CaseKey& key, const toml::node& no
   }
 }
 
-void require_table(const CaseTree& tree, const std::string& prefix, const toml::table& table) {
+void require_table(const CaseTree& tree, const std::string& prefix, const toml::table& table,
+                   Faults& faults) {
+  const std::vector<std::string_view> known = names_below(prefix);
+  std::vector<std::string_view> meant;  ///< what a misspelt key was to be
   for (const auto& [name, node] : table) {
     const std::string path = dotted(prefix, name.str());
     const bool plain = name.str().find('.') == std::string_view::npos && !name.empty();
     const CaseKey* key = plain ? find_case_key(path) : nullptr;
-    if (key == nullptr) refuse_unknown(tree, prefix, name.str(), names_below(prefix));
-    require_type(tree, *key, node);
-    if (key->type == KeyType::table) require_table(tree, path, *node.as_table());
-    if (key->type == KeyType::model) require_model(tree, path, *node.as_table());
+    if (key == nullptr) {
+      if (const auto nearest = nearest_name(name.str(), known)) meant.push_back(*nearest);
+      faults.collect([&] { refuse_unknown(tree, prefix, name.str(), known); });
+      continue;
+    }
+    if (!faults.collect([&] { require_type(tree, *key, node); })) continue;
+    if (key->type == KeyType::table) require_table(tree, path, *node.as_table(), faults);
+    if (key->type == KeyType::model)
+      faults.collect([&] { require_model(tree, path, *node.as_table(), faults); });
     if (key->type == KeyType::coefficients)
-      require_coefficients(tree, path, *node.as_table(), *models_of(model_kind(path)).front(), {});
+      require_coefficients(tree, path, *node.as_table(), *models_of(model_kind(path)).front(), {},
+                           faults);
   }
   for (const CaseKey& key : keys) {
-    if (!key.required || parent(key.path) != prefix || table.contains(last_name(key.path)))
+    const std::string_view name = last_name(key.path);
+    if (!key.required || parent(key.path) != prefix || table.contains(name) ||
+        std::ranges::find(meant, name) != meant.end())
       continue;
     const std::string allowed =
         key.choices.empty() ? std::string(key.allowed) : "one of " + listed(key.choices);
-    throw fault_at(tree, key.path, "found no such key", allowed,
-                   "add " + std::string(last_name(key.path)) + ' ' + place_of(prefix));
+    faults.add(fault_at(tree, key.path, "found no such key", allowed,
+                        "add " + std::string(name) + ' ' + place_of(prefix)));
   }
 }
 
@@ -301,7 +346,19 @@ const ModelDescription* find_model(ModelDescription::Kind kind, std::string_view
   return nullptr;
 }
 
-void require_known_keys(const CaseTree& tree) { require_table(tree, "", tree.root()); }
+void require_known_keys(const CaseTree& tree, Faults& faults) {
+  require_table(tree, "", tree.root(), faults);
+}
+
+bool may_be_set(std::string_view path) {
+  if (find_case_key(path) != nullptr) return true;
+  const CaseKey* above = find_case_key(parent(path));
+  if (above == nullptr) return false;
+  if (above->type == model || above->type == coefficients) return true;
+  const std::string_view index = last_name(path);
+  return above->type == KeyType::numbers && index.size() == 1 && index[0] >= '0' &&
+         index[0] < '0' + above->count;
+}
 
 InputError fault_at(const CaseTree& tree, std::string_view key, std::string found,
                     std::string allowed, std::string remedy) {

@@ -9,6 +9,7 @@
 
 #include "lib/material/potential.hpp"
 #include "solver/program/case/case_toml.hpp"
+#include "solver/program/text/faults.hpp"
 
 namespace stationary {
 
@@ -19,6 +20,7 @@ enum class KeyType {
   text,
   number,   ///< finite; integers count as numbers
   numbers,  ///< a fixed count of them
+  ranges,   ///< one pair of numbers, or a fixed count of pairs
   boolean,
   texts
 };
@@ -44,9 +46,13 @@ ModelDescription::Kind model_kind(std::string_view path);
 const ModelDescription* find_model(ModelDescription::Kind kind, std::string_view name);
 
 /// Checks names, types, counts, choices and required keys of the whole file; models' names and the
-/// names of their coefficients included. Throws InputError at the first fault. What it lets pass
-/// may be read without further checks of type.
-void require_known_keys(const CaseTree& tree);
+/// names of their coefficients included. What it finds nothing against may be read without further
+/// checks of type.
+void require_known_keys(const CaseTree& tree, Faults& faults);
+
+/// Whether a case may have a value at this dotted key: a key of the table, an element of an array of
+/// numbers, or a number of a model.
+bool may_be_set(std::string_view path);
 
 /// `found` and `allowed` at a key's value, ready to throw.
 InputError fault_at(const CaseTree& tree, std::string_view key, std::string found,

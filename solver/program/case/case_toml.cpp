@@ -160,4 +160,13 @@ const toml::node* find(const CaseTree& tree, std::string_view path) {
   return at;
 }
 
+std::vector<double> numbers(const CaseTree& tree, std::string_view path) {
+  std::vector<double> out;
+  const toml::node* node = find(tree, path);
+  if (node == nullptr || !node->is_array()) return out;
+  for (const toml::node& element : *node->as_array())
+    out.push_back(element.value<double>().value_or(0.0));
+  return out;
+}
+
 }  // namespace stationary

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "solver/program/text/input_error.hpp"
 
@@ -21,8 +22,11 @@ class CaseTree {
   static CaseTree parse(std::string_view text, const std::string& name);
 
   /// Applies one `key=value` of --set: value in TOML, a bare word counts as a string; a key may end
-  /// in the index of an array, from 0. Throws InputError.
-  void override_key(std::string_view assignment);
+  /// in the index of an array, from 0. where: what messages call its place, an empty one the option.
+  /// Throws InputError.
+  void override_key(std::string_view assignment, const Origin& where = {});
+  /// Takes the key `name` out of the table at a dotted key.
+  void erase(std::string_view path, std::string_view name);
 
   const toml::table& root() const { return root_; }
   const std::string& name() const { return name_; }
@@ -32,7 +36,7 @@ class CaseTree {
   /// Likewise, of the key itself.
   const Origin& key_origin(std::string_view key) const { return nearest(keys_, key); }
 
-  /// Option text of every override, by key, in the order of keys.
+  /// Where every override stands, as text, by key, in the order of keys.
   const std::map<std::string, std::string, std::less<>>& overrides() const { return overrides_; }
 
  private:
@@ -51,6 +55,16 @@ class CaseTree {
 
 /// The node at a dotted key of tables, or nullptr.
 const toml::node* find(const CaseTree& tree, std::string_view path);
+
+/// The value at a key, or the default; its type has been checked.
+template <class T>
+T value_or(const CaseTree& tree, std::string_view path, T otherwise) {
+  const toml::node* node = find(tree, path);
+  return node == nullptr ? otherwise : node->value<T>().value_or(otherwise);
+}
+
+/// Those of an array at a key, empty where there is none.
+std::vector<double> numbers(const CaseTree& tree, std::string_view path);
 
 /// What a node is, for a message: `the string "fast"`, `the number nan`, `an array of 2 values`.
 std::string describe(const toml::node& node);

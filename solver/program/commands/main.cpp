@@ -5,6 +5,7 @@
 #include <memory>
 #include <new>
 #include <sstream>
+#include <string>
 #include <string_view>
 
 #include "solver/program/session/command.hpp"
@@ -39,6 +40,7 @@ ExitCode run(int argc, char** argv) {
   cli::add_continue(program, session);
   cli::add_atlas(program, session);
   cli::add_map(program, session);
+  cli::add_study(program, session);
   cli::add_check(program, session);
   cli::add_models(program, session);
   cli::add_plot(program, session);
@@ -67,7 +69,8 @@ ExitCode run(int argc, char** argv) {
   try {
     return session.action();
   } catch (const InputError& error) {
-    cli::complain(error.what());
+    std::istringstream lines(error.what());  // one for each fault
+    for (std::string line; std::getline(lines, line);) cli::complain(line);
     return ExitCode::wrong_input;
   }
 }

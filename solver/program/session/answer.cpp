@@ -51,7 +51,7 @@ Answer one(const Kind& kind, const SolveOptions& options, const Asked& asked) {
 
 /// Every solution, by exhaustive search.
 Answer all(const Kind& kind, const SolveOptions& options, const Asked& asked) {
-  const SearchResult found = kind.search({.stop = options.stop});
+  const SearchResult found = kind.search({.box = asked.input.solve.box, .stop = options.stop});
   Answer out;
   out.message = found.message;
   out.counts = {{"boxes", found.boxes},

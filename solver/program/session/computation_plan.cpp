@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "solver/kind/kind.hpp"
+#include "solver/program/case/case_motion.hpp"
+#include "solver/program/case/case_parameter.hpp"
 #include "solver/program/table/table.hpp"
 
 namespace stationary::cli {
@@ -15,6 +18,19 @@ bool names_spectral_column(const std::vector<std::string>& names) {
     const auto column = find_column(name);
     return column && needs_spectrum(*column);
   });
+}
+
+std::string box_text(const Case& input) {
+  const SearchOptions where{.box = input.solve.box};
+  const std::array ranges{where.range(0), where.range(1), where.range(2)};
+  const auto text = [](const Interval& each) {
+    return fmt::format("[{:g}, {:g}]", each.lo, each.hi);
+  };
+  if (text(ranges[0]) == text(ranges[1]) && text(ranges[0]) == text(ranges[2]))
+    return "every stretch in " + text(ranges[0]);
+  const bool two_polar = has_rates(input.motion);
+  return fmt::format("{} in {}, {} in {}, rho in {}", two_polar ? "lambda" : "xi", text(ranges[0]),
+                     two_polar ? "mu" : "zeta", text(ranges[1]), text(ranges[2]));
 }
 
 }  // namespace
@@ -57,15 +73,28 @@ ComputationPlan computation_plan(const Case& input, bool to_table) {
   if (const auto caveat = proof_caveat(input)) out.computed.push_back(*caveat);
   if (input.solve.all) {
     out.computed.push_back({"all solutions", "exhaustive search, to be proven complete",
-                            "every stretch in [1e-3, 1e3]: boxes in interval arithmetic"});
+                            box_text(input) + ": boxes in interval arithmetic"});
     if (input.solve.start || input.solve.method != Method::automatic) {
       out.skipped.push_back({"start, method", "not used", "solve.all = true searches everywhere"});
     }
+  } else if (input.solve.box) {
+    out.skipped.push_back({"solve.box", "not used", "it is the box of solve.all = true"});
   }
   if (input.output.certificate) {
     out.computed.push_back({"certificate",
                             "existence, uniqueness, error bound and class, to be proven",
                             "interval arithmetic, for all decimals that read as the inputs"});
+  }
+  if (input.continuation) {
+    const auto [first, second] = parts_of(input.continuation->parameter);
+    if (!second.empty())
+      out.computed.push_back(
+          {"ratio",
+           fmt::format("{} varies, {} = {} is held", first, second,
+                       parameter_value({input.body, input.models, input.motion}, second)),
+           "a ratio; error bounds and proofs are of the varied number, which is the ratio in the "
+           "table "
+           "times the held one within rounding"});
   }
   if (input.continuation && !input.continuation->events.empty()) {
     out.computed.push_back({"events",

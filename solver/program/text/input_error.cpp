@@ -27,6 +27,27 @@ std::string compose(const Origin& origin, std::string_view key, std::string_view
 
 }  // namespace
 
+namespace {
+
+std::string lines(const std::vector<InputError>& several) {
+  std::string out;
+  for (const InputError& each : several) {
+    if (!out.empty()) out += '\n';
+    out += each.what();
+  }
+  return out;
+}
+
+}  // namespace
+
+InputError::InputError(const std::vector<InputError>& several)
+    : std::runtime_error(lines(several)),
+      origin_(several.front().origin_),
+      key_(several.front().key_),
+      found_(several.front().found_),
+      allowed_(several.front().allowed_),
+      remedy_(several.front().remedy_) {}
+
 Origin Origin::in_file(std::string file, int line, int column) {
   Origin out;
   out.file = std::move(file);

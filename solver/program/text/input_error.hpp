@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stationary {
 
@@ -28,6 +29,8 @@ class InputError : public std::runtime_error {
   /// key is dotted; key, allowed and remedy may be empty.
   InputError(Origin origin, std::string key, std::string found, std::string allowed,
              std::string remedy = {});
+  /// Several told at once, a line each; what is asked of it beside is of the first. Not of none.
+  explicit InputError(const std::vector<InputError>& several);
 
   const Origin& origin() const { return origin_; }
   const std::string& key() const { return key_; }

@@ -1,0 +1,15 @@
+// The table [solve] of a case.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/program/case/case_file.hpp"
+
+namespace stationary {
+
+/// motion, models: nothing where something else is wrong with them.
+Case::Solve read_solve(const CaseTree& tree, const std::optional<Motion>& motion,
+                       const std::optional<std::vector<ModelChoice>>& models, Faults& faults);
+
+}  // namespace stationary
