@@ -18,7 +18,6 @@
 #include "solver/program/session/command.hpp"
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
-#include "solver/program/session/interrupt.hpp"
 #include "solver/program/session/progress.hpp"
 #include "solver/program/session/report.hpp"
 #include "solver/program/session/resume.hpp"
@@ -41,29 +40,19 @@ std::string gap_text(const Case& input, const CurveProofs& proofs) {
                      proofs.first_gap, proofs.reason);
 }
 
-FollowOptions follow_options(const Case& input, const ContinueOptions& options,
-                             ProgressBar& progress) {
+/// On a bar.
+void show_progress(const Case& input, double unit, ProgressBar& progress, FollowOptions& how) {
   const Case::Continuation& asked = *input.continuation;
-  FollowOptions out;
-  out.continuation.from = asked.from;
-  out.continuation.to = asked.to;
-  out.continuation.step.tolerance = asked.tolerance;
-  out.continuation.step.first = asked.step;
-  out.events = asked.event_set();
-  out.max_points = static_cast<long>(asked.max_points);
-  out.stop = &stop_on_signals();
-  if (progress.shown() && !options.quiet) {
-    // Both ways from the start, and back at folds: done is what lies between the outermost points.
-    out.progress = [&progress, &asked, low = std::numeric_limits<double>::infinity(),
-                    high = -std::numeric_limits<double>::infinity()](double p,
-                                                                     long points) mutable {
-      low = std::min(low, p);
-      high = std::max(high, p);
-      progress.show((high - low) / std::abs(asked.to - asked.from),
-                    fmt::format("{} = {:<12.6g} {} points", asked.parameter, p, points));
-    };
-  }
-  return out;
+  // Both ways from the start, and back at folds: done is what lies between the outermost points.
+  how.progress = [&progress, &asked, unit, low = std::numeric_limits<double>::infinity(),
+                  high = -std::numeric_limits<double>::infinity()](double in_family,
+                                                                   long points) mutable {
+    const double p = in_family / unit;
+    low = std::min(low, p);
+    high = std::max(high, p);
+    progress.show((high - low) / std::abs(asked.to - asked.from),
+                  fmt::format("{} = {:<12.6g} {} points", asked.parameter, p, points));
+  };
 }
 
 std::string end_text(const Case& input, const EndRecord& end) {
@@ -167,14 +156,6 @@ Metadata describe(const Session& session, const Case& input, const Start& start,
   return out;
 }
 
-/// Refused before anything is computed.
-void require_family(const Case& input) {
-  if (!input.continuation) {
-    throw fault_at(input.source, "continuation", "found no such key",
-                   "a table with parameter, from and to", "add [continuation]");
-  }
-}
-
 ExitCode end_code(const FollowReport& report) {
   if (report.interrupted) return ExitCode::interrupted;
   const bool stalled =
@@ -184,7 +165,7 @@ ExitCode end_code(const FollowReport& report) {
 
 ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   Case input = options.read();
-  require_family(input);
+  require_range(input);
   const std::string row = options.from.empty() ? input.continuation->start_row : options.from;
   std::optional<Start> at_row;
   if (!row.empty()) {
@@ -219,7 +200,7 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   const Start start = [&] {
     const WaitingSign waiting("solving at the start", options.quiet);
     if (old) return resumed_start(input, *old);
-    return at_row ? *at_row : solved_start(input, options);
+    return at_row ? *at_row : solved_start(input, options.threads);
   }();
   if (start.found.status != SolveStatus::solved) {
     complain(fmt::format("at the start {} = {}: {}", input.continuation->parameter, start.p,
@@ -236,9 +217,13 @@ ExitCode continue_case(const ContinueOptions& options, const Session& session) {
   }
   CurveTable rows(input.branch_name(), table);
   if (input.output.certificate) prove_rows(input, start, rows);
-  const FollowOptions how = follow_options(input, options, progress);
-  FollowReport report =
-      old ? follow_on(family, *old, how, rows) : follow(family, start.found.q, start.p, how, rows);
+  const double unit = parameter_unit(start.at, input.continuation->parameter);
+  rows.in_units_of(unit);
+  FollowOptions how = follow_options(input, unit);
+  if (progress.shown() && !options.quiet) show_progress(input, unit, progress, how);
+  FollowReport report = old ? follow_on(family, *old, unit, how, rows)
+                            : follow(family, start.found.q, start.p * unit, how, rows);
+  if (!old) rows.convert(report);
   progress.clear();
   rows.complete(report.events);
   const double seconds =

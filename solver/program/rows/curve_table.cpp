@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace stationary {
 
@@ -17,16 +18,28 @@ void CurveTable::place(EventType event, double parameter, bool at_rest,
   if (event != EventType::none) events_.push_back({event, parameter, point_, std::nullopt});
 }
 
+void CurveTable::convert(FollowReport& report) const {
+  if (unit_ == 1.0) return;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (EventRecord& each : report.events) {
+    each.parameter /= unit_;
+    const bool ascending = each.before <= each.after;
+    each.before = std::nextafter(each.before / unit_, ascending ? -infinity : infinity);
+    each.after = std::nextafter(each.after / unit_, ascending ? infinity : -infinity);
+  }
+}
+
 void CurveTable::row(const Member& member, EventType event) {
-  place(event, member.parameter, member.nu == 0.0 && !member.two_polar,
+  place(event, member.parameter / unit_, member.nu == 0.0 && !member.two_polar,
         member.spectrum ? std::optional(member.spectrum->verdict) : std::nullopt);
   if (writer_ != nullptr) fill_row(branch_, member, writer_->columns(), row_);
   if (proves()) {
     const RowProof proof = prove(member, event);
-    count_proof(proof.proven, member.parameter, proof.reason);
+    count_proof(proof.proven, member.parameter / unit_, proof.reason);
   }
   if (writer_ != nullptr) {
     row_.event = name(event);
+    row_.parameter /= unit_;
     writer_->write(row_);
   }
   ++point_;
@@ -42,7 +55,7 @@ RowProof CurveTable::prove(const Member& member, EventType event) {
   out.reason = std::string(name(event)) + ": " + proof->reason;
   row_.certified = proof_word(proof->proven, out.assuming);
   row_[Column::error_bound] = proof->proven ? proof->error_bound : member.error_bound;
-  if (proof->proven) events_.back().enclosure = proof->parameter;
+  if (proof->proven) events_.back().enclosure = proof->parameter / Interval(unit_);
   return out;
 }
 

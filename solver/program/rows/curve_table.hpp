@@ -57,6 +57,10 @@ class CurveTable final : public CurveSink {
     kind_at_ = std::move(kind_at);
     parameter_ = parameter;
   }
+  /// The table's parameter is the family's over this (a ratio's second number); report: what was told
+  /// of following the family, put into the table's parameter.
+  void in_units_of(double unit) { unit_ = unit; }
+  void convert(FollowReport& report) const;
   void row(const Member& member, EventType event) override;
   void between(StabilityClass verdict) override { segments_.between(verdict); }
   /// A row that was in a table already, with this table's sheet and next point; verdict: the class
@@ -86,6 +90,7 @@ class CurveTable final : public CurveSink {
 
   std::string_view branch_;
   RowSink* writer_;
+  double unit_ = 1.0;
   long point_ = 0;
   TableRow row_;
   SegmentBuilder segments_;

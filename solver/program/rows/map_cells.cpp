@@ -59,11 +59,8 @@ class SingleCells final : public MapCells {
 
  private:
   FamilyParameters at_cell(std::size_t k) const {
-    FamilyParameters out{input_.body, input_.models, input_.motion};
-    out = with_parameter(std::move(out), input_.map->x.parameter, x_[k % x_.size()]);
-    if (input_.map->y)
-      out = with_parameter(std::move(out), input_.map->y->parameter, y_[k / x_.size()]);
-    return out;
+    return input_.map->cell({input_.body, input_.models, input_.motion}, x_[k % x_.size()],
+                            y_[k / x_.size()]);
   }
 
   const Case& input_;
@@ -88,7 +85,8 @@ CellStatus cell_status(SolveStatus status) {
 }
 
 std::unique_ptr<MapCells> map_cells(const Case& input) {
-  if (has_lanes(input.motion)) return std::make_unique<MapGrid>(input);
+  if (has_lanes(input.motion) && MapGrid::takes(*input.map))
+    return std::make_unique<MapGrid>(input);
   return std::make_unique<SingleCells>(input);
 }
 

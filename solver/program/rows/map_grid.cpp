@@ -13,25 +13,56 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
+double unit(const Case& input, const MapAxis& axis) {
+  return parameter_unit({input.body, input.models, input.motion}, axis.parameter);
+}
+
+std::vector<double> times(std::vector<double> values, double factor) {
+  for (double& each : values) each *= factor;
+  return values;
+}
+
 }  // namespace
+
+bool MapGrid::takes(const CaseMap& map) {
+  const auto spin_over = [](const MapAxis& axis, const MapAxis& other) {
+    const ParameterParts parts = parts_of(axis.parameter);
+    return parts.first == "nu" && parts.second == parts_of(other.parameter).first;
+  };
+  return !map.y || !(spin_over(map.x, *map.y) || spin_over(*map.y, map.x));
+}
 
 MapGrid::MapGrid(const Case& input)
     : branch_(std::get<AxisRotation>(input.motion).branch),
       x_(input.map.value().x.values()),
       y_(input.map->y ? input.map->y->values() : std::vector<double>{not_a_number}),
-      x_is_nu_(input.map->x.parameter == "nu"),
-      y_is_nu_(input.map->y && input.map->y->parameter == "nu"),
+      x_unit_(unit(input, input.map->x)),
+      y_unit_(input.map->y ? unit(input, *input.map->y) : 1.0),
+      x_is_nu_(parts_of(input.map->x.parameter).first == "nu"),
+      y_is_nu_(input.map->y && parts_of(input.map->y->parameter).first == "nu"),
       batch_(input.problem(),
              x_is_nu_   ? y_.size()
              : y_is_nu_ ? x_.size()
                         : size(),
-             x_is_nu_   ? x_
-             : y_is_nu_ ? y_
+             x_is_nu_   ? times(x_, x_unit_)
+             : y_is_nu_ ? times(y_, y_unit_)
                         : std::vector<double>{std::get<AxisRotation>(input.motion).nu}) {
+  // Where one number is divided by the other, that one comes first.
+  const auto divided_by = [&](const MapAxis& a, const MapAxis* b) {
+    return b != nullptr && parts_of(a.parameter).second == parts_of(b->parameter).first;
+  };
+  const MapAxis* const y = input.map->y ? &*input.map->y : nullptr;
+  const bool x_by_y = divided_by(input.map->x, y);
+  const bool y_by_x = y != nullptr && divided_by(*y, &input.map->x);
+  const auto value = [&](std::size_t row, bool is_x) {
+    const double at_x = x_[row % x_.size()] * x_unit_;
+    const double at_y = y_[row / x_.size()] * y_unit_;
+    if (is_x) return x_by_y ? x_[row % x_.size()] * at_y : at_x;
+    return y_by_x ? y_[row / x_.size()] * at_x : at_y;
+  };
   const auto vary = [&](const MapAxis& axis, bool is_x) {
     std::vector<double> each(batch_.lanes);
-    for (std::size_t row = 0; row < size(); ++row)
-      each[place(row).lane] = is_x ? x_[row % x_.size()] : y_[row / x_.size()];
+    for (std::size_t row = 0; row < size(); ++row) each[place(row).lane] = value(row, is_x);
     const FamilyParameter what = family_parameter(axis.parameter, input.models);
     const auto k = static_cast<std::size_t>(what.index);
     switch (what.kind) {

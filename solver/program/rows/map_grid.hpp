@@ -18,6 +18,8 @@ class MapGrid final : public MapCells {
   /// input: with a map, of an axis rotation (std::bad_optional_access, std::bad_variant_access
   /// otherwise). It must outlive this.
   explicit MapGrid(const Case& input);
+  /// Not a spin over a number that varies too: nu would be another in every lane.
+  static bool takes(const CaseMap& map);
 
   std::size_t size() const override { return x_.size() * y_.size(); }
   std::size_t block() const override { return batch_.potential.is_isotropic() ? 512 : 32; }
@@ -38,6 +40,8 @@ class MapGrid final : public MapCells {
   Branch branch_;
   std::vector<double> x_;
   std::vector<double> y_;  ///< one number where the grid has no y
+  double x_unit_;          ///< what x's number is at 1 (parameter_unit()), y held
+  double y_unit_;
   bool x_is_nu_;
   bool y_is_nu_;
   BatchInput batch_;

@@ -61,11 +61,30 @@ Equilibrium only_one(const Case& input, const Alternatives& kinds, const SolveOp
 
 }  // namespace
 
-Start solved_start(const Case& input, const ComputeOptions& options) {
+void require_range(const Case& input) {
+  if (input.continuation) return;
+  throw fault_at(input.source, "continuation", "found no such key",
+                 "a table with parameter, from and to", "add [continuation]");
+}
+
+FollowOptions follow_options(const Case& input, double unit) {
+  const Case::Continuation& asked = *input.continuation;
+  FollowOptions out;
+  out.continuation.from = asked.from * unit;
+  out.continuation.to = asked.to * unit;
+  out.continuation.step.tolerance = asked.tolerance;
+  out.continuation.step.first = asked.step;
+  out.events = asked.event_set();
+  out.max_points = static_cast<long>(asked.max_points);
+  out.stop = &stop_on_signals();
+  return out;
+}
+
+Start solved_start(const Case& input, int threads) {
   Start out = start_at(input, start_parameter(input));
   const SolveOptions how{.method = input.solve.method,
                          .start = input.solve.start,
-                         .threads = options.threads,
+                         .threads = threads,
                          .stop = &stop_on_signals()};
   const Alternatives kinds = alternatives(out.at.body, make_potential(out.at.models), out.at.motion,
                                           how.start.has_value());
@@ -107,8 +126,8 @@ AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum, b
 }
 
 void prove_rows(const Case& input, const Start& start, CurveTable& rows) {
-  rows.prove([at = start.at, key = input.continuation->parameter](
-                 double p) { return kind_of(with_parameter(at, key, p)); },
+  const std::string key(parts_of(input.continuation->parameter).first);
+  rows.prove([at = start.at, key](double p) { return kind_of(with_parameter(at, key, p)); },
              family_parameter(input.continuation->parameter, input.models));
 }
 

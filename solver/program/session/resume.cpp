@@ -83,11 +83,18 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
   return out;
 }
 
-FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowOptions options,
-                       CurveTable& table) {
+FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, double unit,
+                       FollowOptions options, CurveTable& table) {
   FollowReport out;
   options.max_points -= static_cast<long>(old.rows.size());
-  const auto add = [&](const FollowReport& part) {
+  // Ends of the table in the family's own parameter.
+  const auto in_family = [&](OpenEnd end) {
+    end.at.p *= unit;
+    if (end.neighbour) end.neighbour->p *= unit;
+    return end;
+  };
+  const auto add = [&](FollowReport& part) {
+    table.convert(part);
     out.counts += part.counts;
     out.points += part.points;
     out.interrupted = out.interrupted || part.interrupted;
@@ -97,7 +104,7 @@ FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowO
   };
   if (old.first) {
     HeldBack held;
-    const FollowReport before = resume(family, *old.first, options, held);
+    FollowReport before = resume(family, in_family(*old.first), options, held);
     add(before);
     held.give(table);
     out.backward = before.forward;
@@ -115,7 +122,7 @@ FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowO
   }
   out.points += static_cast<long>(old.rows.size());
   if (old.last && !out.interrupted) {
-    const FollowReport after = resume(family, *old.last, options, table);
+    FollowReport after = resume(family, in_family(*old.last), options, table);
     add(after);
     out.forward = after.forward;
     out.events.insert(out.events.end(), after.events.begin(), after.events.end());

@@ -18,8 +18,9 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
                            const std::vector<Column>& columns,
                            const std::optional<std::string>& parameter);
 
-/// New rows before the table's own, those, new rows after them.
-FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, FollowOptions options,
-                       CurveTable& table);
+/// New rows before the table's own, those, new rows after them. unit: the family's parameter where the
+/// table's is 1.
+FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, double unit,
+                       FollowOptions options, CurveTable& table);
 
 }  // namespace stationary::cli

@@ -200,9 +200,28 @@ class FromRow {
       refuse(text_, "found a row of branch " + in_quotes(text("branch")), "a row of \"two-polar\"",
              "rates and momenta are not in the row");
     Case out = read_case(options_.path, overrides);
+    if (set_ratios(out, overrides)) out = read_case(options_.path, overrides);
     out.output.certificate = out.output.certificate || options_.certify;
     out.motion = decided(out.motion, nu()[1] != 0.0);
     return out;
+  }
+
+  /// The number that a column of a ratio varies, as an override; whether there is such a column.
+  bool set_ratios(const Case& given, std::vector<std::string>& overrides) const {
+    const std::vector<std::string> numbers = case_parameters(given.motion, given.models);
+    const auto known = [&](std::string_view key) {
+      return std::ranges::find(numbers, key) != numbers.end();
+    };
+    bool any = false;
+    for (const auto& [column, cell] : row_) {
+      const auto [first, second] = parts_of(column);
+      if (second.empty() || cell.empty() || !known(first) || !known(second)) continue;
+      const double unit = parameter_value({given.body, given.models, given.motion}, second);
+      overrides.push_back(fmt::format("{}={}", first == "nu" ? "motion.nu" : first,
+                                      number_in(row_, column) * unit));
+      any = true;
+    }
+    return any;
   }
 
   RowStart finished(Case input, const Stretch& q) const {

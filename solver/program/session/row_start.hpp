@@ -12,6 +12,7 @@
 #include <string>
 
 #include "solver/program/session/case_family.hpp"
+#include "solver/program/session/command.hpp"
 
 namespace stationary::cli {
 
