@@ -199,7 +199,7 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
   std::mutex reporting;
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, searches, [&](std::size_t k) {
-      parts[k / each].search_at(k % each);
+      parts[k / each].search_at(k % each, k);
       const std::size_t so_far = ++done;
       if (!options.progress) return;
       if (const std::unique_lock lock(reporting, std::try_to_lock); lock)

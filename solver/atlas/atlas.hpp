@@ -17,6 +17,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -45,6 +46,11 @@ struct AtlasOptions {
   const std::atomic<bool>* stop = nullptr;  ///< becomes true: end with what is there
   /// Called after each search with the fraction done of them, by one thread at a time.
   std::function<void(double)> progress = {};
+  /// For going on where an atlas was interrupted. Searches are numbered, the checkpoints of one kind
+  /// of motion after those of another: what was found before, if it is known, and what is found now.
+  /// Both called by several threads.
+  std::function<std::optional<SearchResult>(std::size_t)> known_search = {};
+  std::function<void(std::size_t, const SearchResult&)> searched = {};
 };
 
 struct AtlasRow {

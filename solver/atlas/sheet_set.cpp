@@ -85,9 +85,11 @@ SheetSet::SheetSet(std::unique_ptr<SheetSource> source, const AtlasOptions& opti
   on_sheets_.resize(checkpoints_.size());
 }
 
-void SheetSet::search_at(std::size_t checkpoint) {
+void SheetSet::search_at(std::size_t checkpoint, std::size_t number) {
   Checkpoint& at = checkpoints_[checkpoint];
-  const SearchResult result = source_->search(at.nu, options_.search);
+  const auto known = options_.known_search ? options_.known_search(number) : std::nullopt;
+  const SearchResult result = known ? *known : source_->search(at.nu, options_.search);
+  if (!known && options_.searched) options_.searched(number, result);
   at.status = result.status;
   const auto places = [this](const std::vector<Equilibrium>& found, std::vector<Place>& out) {
     for (const Equilibrium& each : found) {

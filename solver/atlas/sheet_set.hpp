@@ -20,8 +20,9 @@ class SheetSet {
   /// options must outlive this.
   SheetSet(std::unique_ptr<SheetSource> source, const AtlasOptions& options);
 
-  /// All motions at one checkpoint; different ones by different threads, if they like.
-  void search_at(std::size_t checkpoint);
+  /// All motions at one checkpoint; different ones by different threads, if they like. number: of
+  /// the search in the atlas.
+  void search_at(std::size_t checkpoint, std::size_t number);
 
   /// Then every sheet: from rest, through the motions found that lie on none, and off the sheets of
   /// this set, and of the others given.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -83,6 +84,62 @@ TEST(AtlasCommand, AnInterruptEndsItWithItsOwnCode) {
                                       {.pending_signal = SIGINT});
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("not complete"));
+}
+
+/// No table but a journal: the searches it has are not made again, and the table is that of a run
+/// never interrupted.
+TEST(AtlasCommand, ResumedItIsWhatItWouldHaveBeen) {
+  const TemporaryDirectory directory;
+  const std::string table = directory / "x.csv";
+  const std::string journal = table + ".journal";
+  const std::vector<std::string> command{"atlas", shipped("apart.toml"), "-o",
+                                         table,   "--checkpoints",       "24"};
+  const auto run = [&](std::vector<std::string> more, const RunOptions& options = {}) {
+    more.insert(more.begin(), command.begin(), command.end());
+    return run_program(more, options);
+  };
+  ASSERT_EQ(run({}).code, 0);
+  const std::string whole = text_of(table);
+  auto told = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  EXPECT_THAT(directory.names(), ::testing::ElementsAre("x.csv", "x.meta.json"));
+  EXPECT_EQ(run({"--resume"}).code, 2);  // there is no journal
+  // Full after some searches: none of the rest is kept.
+  RunOptions full;
+  full.file_size_limit = 3000;
+  EXPECT_EQ(run({"--threads", "1"}, full).code, 4);
+  const std::string kept = text_of(journal);
+  EXPECT_GT(kept.size(), 1000U);
+  for (const char* threads : {"1", "2"}) {
+    std::ofstream(journal, std::ios::binary) << kept;
+    const Outcome outcome = run({"--resume", "--threads", threads});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(text_of(table) == whole);
+    auto again = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    for (auto* each : {&told, &again}) each->erase("run");
+    EXPECT_EQ(again, told);
+    EXPECT_FALSE(std::filesystem::exists(journal));
+  }
+  std::ofstream(journal, std::ios::binary) << kept;
+  const Outcome other = run({"--resume", "--set", "body.J.1=1.6"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("of another case"));
+  EXPECT_EQ(run({"--resume", "--checkpoints", "25"}).code, 2);
+}
+
+TEST(AtlasCommand, InterruptedItKeepsItsSearches) {
+  const TemporaryDirectory directory;
+  const std::vector<std::string> command{
+      "atlas", shipped("apart.toml"), "-o", directory / "x.csv", "--checkpoints", "4"};
+  const Outcome outcome = run_program(command, {.pending_signal = SIGINT});
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_THAT(outcome.err, HasSubstr("--resume"));
+  EXPECT_TRUE(std::filesystem::exists(directory / "x.csv.journal"));
+  auto resumed = command;
+  resumed.emplace_back("--resume");
+  EXPECT_EQ(run_program(resumed).code, 0);
+  const std::string found = text_of(directory / "x.csv");
+  ASSERT_EQ(run_program(command).code, 0);
+  EXPECT_TRUE(text_of(directory / "x.csv") == found);
 }
 
 }  // namespace

@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <thread>
 #include <utility>
 
-#include "solver/program/case/case_schema.hpp"
+#include "solver/program/case/case_atlas.hpp"
+#include "solver/program/rows/atlas_rows.hpp"
 #include "solver/program/rows/curve_table.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/session/command.hpp"
@@ -23,43 +23,15 @@
 #include "solver/program/session/progress.hpp"
 #include "solver/program/session/report.hpp"
 #include "solver/program/session/table_output.hpp"
+#include "solver/program/tiles/search_journal.hpp"
 
 namespace stationary::cli {
 namespace {
 
-/// Of an anisotropic body, whose searches take up to some seconds each.
-constexpr int few_checkpoints = 32;
-
 struct AtlasCommand : ComputeOptions {
   std::optional<int> checkpoints;
+  bool resume = false;
 };
-
-AtlasOptions atlas_options(const Case& input, const AtlasCommand& options, bool with_spectrum) {
-  if (!input.continuation) {
-    throw fault_at(input.source, "continuation", "found no such key",
-                   "a table with parameter, from and to", "add [continuation]");
-  }
-  const Case::Continuation& asked = *input.continuation;
-  if (asked.parameter != "nu") {
-    throw fault_at(input.source, "continuation.parameter", fmt::format("found {}", asked.parameter),
-                   "\"nu\" for an atlas", "`continue` follows one sheet in other parameters");
-  }
-  AtlasOptions out;
-  // nu and -nu are one.
-  out.from =
-      asked.from < 0.0 && asked.to > 0.0 ? 0.0 : std::min(std::abs(asked.from), std::abs(asked.to));
-  out.to = std::max(std::abs(asked.from), std::abs(asked.to));
-  out.step.tolerance = asked.tolerance;
-  out.step.first = asked.step;
-  out.max_points = static_cast<long>(asked.max_points);
-  out.spectrum = with_spectrum;
-  out.checkpoints = options.checkpoints.value_or(
-      input.potential.is_isotropic() ? AtlasOptions{}.checkpoints : few_checkpoints);
-  out.threads = options.threads;
-  out.stop = &stop_on_signals();
-  out.search.stop = out.stop;
-  return out;
-}
 
 std::string entry_text(Entry entry, double nu) {
   switch (entry) {
@@ -173,21 +145,16 @@ CurveProofs write_sheets(const Case& input, Atlas& found, RowSink* writer,
                          std::vector<SheetRecord>& records) {
   CurveProofs out;
   for (AtlasSheet& sheet : found.sheets) {
-    CurveTable rows(name(sheet.motion(0.0)), writer, sheet.number);
+    CurveTable table(name(sheet.motion(0.0)), writer, sheet.number);
     if (input.output.certificate) {
       const auto kind_at = [&](double nu) {
         return kind_of(input.body, input.potential, sheet.motion(nu));
       };
-      rows.prove(kind_at, {});
+      table.prove(kind_at, {});
     }
-    for (const AtlasRow& row : sheet.rows) {
-      if (row.before) rows.between(*row.before);
-      rows.row(row.member, row.event);
-    }
-    rows.complete(sheet.report.events);
-    records.push_back(rows.record(sheet.report));
-    out.rows += rows.proofs().rows;
-    out.proven += rows.proofs().proven;
+    records.push_back(write_rows(sheet, table));
+    out.rows += table.proofs().rows;
+    out.proven += table.proofs().proven;
   }
   return out;
 }
@@ -196,14 +163,21 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
   const Case input = options.read();
   const bool to_table = !options.output.empty();
   const bool with_spectrum = wants_spectrum(input, to_table);
-  AtlasOptions how = atlas_options(input, options, with_spectrum);
+  AtlasOptions how = atlas_options(input, options.checkpoints, with_spectrum);
+  how.threads = options.threads;
+  how.stop = how.search.stop = &stop_on_signals();
   const std::vector<Column> columns = chosen_columns(
       input,
       equilibrium_columns(
           {.events = true, .spectrum = with_spectrum, .certificate = input.output.certificate}),
       "atlas", false);
+  const auto begin = std::chrono::steady_clock::now();
   std::optional<TableOutput> output;
   if (to_table) output.emplace(options.output, options.path);
+  std::optional<SearchJournal> journal;
+  if (options.resume || has_journal(options.output))
+    journal.emplace(options.output, input, how, options.resume);
+  if (journal) journal->keep(how);
 
   ProgressBar progress;
   if (progress.shown() && !options.quiet) {
@@ -211,7 +185,6 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
       progress.show(fraction, "searching the checkpoints");
     };
   }
-  const auto begin = std::chrono::steady_clock::now();
   Atlas found = atlas(input.body, make_potential(input.models), how);
   progress.clear();
   RowSink* const table = output ? &output->open(columns) : nullptr;
@@ -234,9 +207,11 @@ ExitCode atlas_case(const AtlasCommand& options, const Session& session) {
                         {"status", found.interrupted ? "interrupted" : "done"}};
     output->commit(metadata);
   }
+  if (journal && !found.interrupted) journal->finish();
   if (options.shows_summary()) print(summary(input, how, found, records, proofs, seconds));
   if (found.interrupted) {
-    complain("interrupted: the atlas is not complete");
+    complain(journal ? "interrupted: the atlas is not complete; --resume goes on with it"
+                     : "interrupted: the atlas is not complete");
     return ExitCode::interrupted;
   }
   return ExitCode::done;
@@ -257,6 +232,8 @@ void add_atlas(CLI::App& program, Session& session) {
                               "{}, of an anisotropic body {})",
                               AtlasOptions{}.checkpoints, few_checkpoints))
       ->check(CLI::Range(1, 1'000'000));
+  command.add_flag("--resume", options->resume,
+                   "Go on with the interrupted atlas at -o FILE: no search is made twice");
   command.callback([options, &session] {
     session.action = [options, &session] { return atlas_case(*options, session); };
   });

@@ -53,6 +53,8 @@ Json case_json(const Case& input) {
     solve["start"] = {start->alpha, start->xi, start->zeta, start->rho};
   solve["method"] = name(input.solve.method);
   solve["all"] = input.solve.all;
+  if (const auto& box = input.solve.box)
+    for (const Interval& range : *box) solve["box"].push_back({range.lo, range.hi});
   if (const auto& continuation = input.continuation) {
     out["continuation"] = {{"parameter", continuation->parameter},
                            {"from", continuation->from},
@@ -216,13 +218,17 @@ std::string metadata_json(const Metadata& metadata, bool of_the_run) {
   out["schema"] = 2;
   out["program"] = "stationary";
   out["version"] = metadata.version;
-  if (metadata.input != nullptr) {
-    out["case_file"] = metadata.input->source.name();
-    out["case"] = case_json(*metadata.input);
+  const CaseTree* const source =
+      metadata.input != nullptr ? &metadata.input->source : metadata.source;
+  if (source != nullptr) {
+    out["case_file"] = source->name();
+    out["case"] = metadata.input != nullptr ? case_json(*metadata.input) : Json();
     Json overrides = Json::object();
-    for (const auto& [key, option] : metadata.input->source.overrides()) overrides[key] = option;
+    for (const auto& [key, option] : source->overrides()) overrides[key] = option;
     out["overrides"] = overrides;
   }
+  if (const auto& study = metadata.study)
+    out["study"] = {{"over", study->over}, {"do", study->task}, {"rows", study->rows}};
   for (const auto& [name, text] : metadata.outcome) out[std::string(name)] = text;
   out["rows"] = metadata.rows;
   out["checksum"] = metadata.checksum;

@@ -17,6 +17,13 @@
 
 namespace stationary {
 
+/// What a study ran over, and what of it.
+struct StudyRecord {
+  std::string over;
+  std::string task;
+  std::size_t rows = 0;
+};
+
 struct Metadata {
   std::string version;
   // Of the run, not of what it found: under the key `run`.
@@ -25,6 +32,8 @@ struct Metadata {
   int threads = 1;
 
   const Case* input = nullptr;
+  const CaseTree* source = nullptr;  ///< of the case where it is none by itself (`study`)
+  std::optional<StudyRecord> study;
   std::size_t rows = 0;
   std::string checksum;  ///< of the rows (TableChecksum)
   std::vector<std::pair<std::string_view, long>> counts;

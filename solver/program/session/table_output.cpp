@@ -52,13 +52,24 @@ RowSink& TableOutput::open(const std::vector<Column>& columns,
   return text_.emplace(sink, columns, header(0), header(1));
 }
 
+CellTable& TableOutput::open(std::vector<CellColumn> columns) {
+  ByteSink& sink = file_ ? static_cast<ByteSink&>(*file_) : standard_output_;
+  return cells_.emplace(as_columns_ ? nullptr : &sink, std::move(columns));
+}
+
 void TableOutput::commit(Metadata metadata) {
-  const RowSink& table = text_ ? static_cast<const RowSink&>(*text_) : *binary_;
-  metadata.rows = table.rows();
-  metadata.checksum = table.checksum().text();
+  const auto describe = [&metadata](const auto& table) {
+    metadata.rows = table.rows();
+    metadata.checksum = table.checksum().text();
+  };
+  if (text_) describe(*text_);
+  if (binary_) describe(*binary_);
+  if (cells_) describe(*cells_);
   const std::string text = metadata_json(metadata);
+  const std::string of_the_case = metadata_json(metadata, /*of_the_run=*/false);
   if (text_) text_->flush();
-  if (binary_) binary_->finish(metadata_json(metadata, /*of_the_run=*/false));
+  if (binary_) binary_->finish(of_the_case);
+  if (cells_ && as_columns_) cells_->finish(file_->path().string(), of_the_case);
   if (metadata_file_) metadata_file_->write(text);
   if (file_) file_->commit();
   if (metadata_file_) metadata_file_->commit();

@@ -9,6 +9,7 @@
 
 #include "solver/program/rows/metadata.hpp"
 #include "solver/program/table/atomic_file.hpp"
+#include "solver/program/table/cell_table.hpp"
 #include "solver/program/table/column_file.hpp"
 
 namespace stationary::cli {
@@ -23,6 +24,8 @@ class TableOutput {
   /// where that is known.
   RowSink& open(const std::vector<Column>& columns, const std::vector<std::string>& parameters = {},
                 std::optional<std::size_t> rows = std::nullopt);
+  /// The same of a table with columns of any name.
+  CellTable& open(std::vector<CellColumn> columns);
   /// Writes what is left and puts both files in place; before this nothing is. rows and checksum of
   /// the metadata are the table's.
   void commit(Metadata metadata);
@@ -34,6 +37,7 @@ class TableOutput {
   bool as_columns_ = false;  ///< HDF5
   std::optional<TableWriter> text_;
   std::optional<ColumnFileWriter> binary_;
+  std::optional<CellTable> cells_;
 };
 
 }  // namespace stationary::cli

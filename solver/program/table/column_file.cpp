@@ -1,7 +1,5 @@
 #include "solver/program/table/column_file.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -11,22 +9,10 @@
 #include "lib/stability/spectrum.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/program/table/hdf5_handle.hpp"
+#include "solver/program/table/hdf5_write.hpp"
 
 namespace stationary {
 namespace {
-
-[[noreturn]] void fail(std::string_view what) {
-  throw std::runtime_error(fmt::format("HDF5 could not write {}", what));
-}
-
-Handle require(Handle handle, std::string_view what) {
-  if (!handle.valid()) fail(what);
-  return handle;
-}
-
-void require(herr_t result, std::string_view what) {
-  if (result < 0) fail(what);
-}
 
 /// The words a column of texts may hold; "" is one of all of them.
 std::vector<std::string_view> words(Column c) {
@@ -60,31 +46,14 @@ std::vector<std::string_view> words(Column c) {
 }
 
 Handle enumeration(const std::vector<std::string_view>& of) {
-  Handle type = require(Handle(H5Tenum_create(H5T_STD_U8LE), H5Tclose), "an enumeration");
+  Handle type = require_hdf5(Handle(H5Tenum_create(H5T_STD_U8LE), H5Tclose), "an enumeration");
   for (std::size_t k = 0; k < of.size(); ++k) {
     const auto value = static_cast<std::uint8_t>(k);
     // HDF5 has no empty names.
     const std::string word(of[k].empty() ? " " : of[k]);
-    require(H5Tenum_insert(type.id(), word.c_str(), &value), "an enumeration");
+    require_hdf5(H5Tenum_insert(type.id(), word.c_str(), &value), "an enumeration");
   }
   return type;
-}
-
-Handle string_type(std::size_t length) {
-  Handle type = require(Handle(H5Tcopy(H5T_C_S1), H5Tclose), "a type of strings");
-  require(H5Tset_size(type.id(), std::max<std::size_t>(length, 1)), "a type of strings");
-  require(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "a type of strings");
-  require(H5Tset_cset(type.id(), H5T_CSET_UTF8), "a type of strings");
-  return type;
-}
-
-void write_attribute(hid_t file, const char* what, const std::string& text) {
-  const Handle type = string_type(text.size());
-  const Handle space = require(Handle(H5Screate(H5S_SCALAR), H5Sclose), what);
-  const Handle attribute = require(
-      Handle(H5Acreate2(file, what, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose),
-      what);
-  require(H5Awrite(attribute.id(), type.id(), text.c_str()), what);
 }
 
 /// Names one after the other, a line each: h5py gives them back by splitlines().
@@ -163,29 +132,32 @@ struct ColumnFileWriter::Data {
   Handle create(const std::string& name, hid_t type) const {
     const hsize_t none = 0;
     const hsize_t unlimited = H5S_UNLIMITED;
-    const Handle space = require(Handle(H5Screate_simple(1, &none, &unlimited), H5Sclose), name);
-    const Handle layout = require(Handle(H5Pcreate(H5P_DATASET_CREATE), H5Pclose), name);
-    require(H5Pset_chunk(layout.id(), 1, &block), name);
-    require(H5Pset_obj_track_times(layout.id(), false), name);
-    return require(Handle(H5Dcreate2(file.id(), name.c_str(), type, space.id(), H5P_DEFAULT,
-                                     layout.id(), H5P_DEFAULT),
-                          H5Dclose),
-                   name);
+    const Handle space =
+        require_hdf5(Handle(H5Screate_simple(1, &none, &unlimited), H5Sclose), name);
+    const Handle layout = require_hdf5(Handle(H5Pcreate(H5P_DATASET_CREATE), H5Pclose), name);
+    require_hdf5(H5Pset_chunk(layout.id(), 1, &block), name);
+    require_hdf5(H5Pset_obj_track_times(layout.id(), false), name);
+    const Handle links = hdf5_links();
+    return require_hdf5(Handle(H5Dcreate2(file.id(), name.c_str(), type, space.id(), links.id(),
+                                          layout.id(), H5P_DEFAULT),
+                               H5Dclose),
+                        name);
   }
   void flush() {
     if (!created) create(waiting);
     if (waiting == 0) return;
     const hsize_t total = written + waiting;
     for (Dataset& each : columns) {
-      require(H5Dset_extent(each.set.id(), &total), each.name);
-      const Handle space = require(Handle(H5Dget_space(each.set.id()), H5Sclose), each.name);
-      require(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &written, nullptr, &waiting, nullptr),
-              each.name);
+      require_hdf5(H5Dset_extent(each.set.id(), &total), each.name);
+      const Handle space = require_hdf5(Handle(H5Dget_space(each.set.id()), H5Sclose), each.name);
+      require_hdf5(
+          H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &written, nullptr, &waiting, nullptr),
+          each.name);
       const Handle memory =
-          require(Handle(H5Screate_simple(1, &waiting, nullptr), H5Sclose), each.name);
-      require(H5Dwrite(each.set.id(), each.memory_type(), memory.id(), space.id(), H5P_DEFAULT,
-                       each.values()),
-              each.name);
+          require_hdf5(Handle(H5Screate_simple(1, &waiting, nullptr), H5Sclose), each.name);
+      require_hdf5(H5Dwrite(each.set.id(), each.memory_type(), memory.id(), space.id(), H5P_DEFAULT,
+                            each.values()),
+                   each.name);
       each.clear();
     }
     written = total;
@@ -201,16 +173,7 @@ ColumnFileWriter::ColumnFileWriter(const std::string& path, const std::vector<Co
                                    const std::vector<std::string>& parameters,
                                    std::optional<std::size_t> rows)
     : RowSink(columns, parameters.size()), data_(std::make_unique<Data>()) {
-  silence_hdf5();
-  const Handle creation = require(Handle(H5Pcreate(H5P_FILE_CREATE), H5Pclose), path);
-  require(H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
-          path);
-  require(H5Pset_obj_track_times(creation.id(), false), path);
-  // The format of 1.8: metadata may be longer than the 64 KiB of an attribute before.
-  const Handle access = require(Handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), path);
-  require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_LATEST), path);
-  data_->file = require(
-      Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose), path);
+  data_->file = create_hdf5(path);
   std::vector<std::string> names;
   const auto add = [&](Dataset each) {
     names.push_back(each.name);
@@ -237,7 +200,7 @@ ColumnFileWriter::ColumnFileWriter(const std::string& path, const std::vector<Co
          .set = none(H5Dclose)});
   }
   if (rows) data_->create(*rows);
-  write_attribute(data_->file.id(), "columns", lines(names));
+  write_hdf5_attribute(data_->file.id(), "columns", lines(names));
 }
 
 ColumnFileWriter::~ColumnFileWriter() = default;
@@ -249,10 +212,10 @@ void ColumnFileWriter::put(const TableRow& row) {
 
 void ColumnFileWriter::finish(const std::string& metadata) {
   data_->flush();
-  write_attribute(data_->file.id(), "metadata", metadata);
+  write_hdf5_attribute(data_->file.id(), "metadata", metadata);
   for (Dataset& each : data_->columns)
-    if (!each.set.close() || !each.type.close()) fail(each.name);
-  if (!data_->file.close()) fail("the end of the file");
+    if (!each.set.close() || !each.type.close()) hdf5_failed(each.name);
+  if (!data_->file.close()) hdf5_failed("the end of the file");
 }
 
 }  // namespace stationary

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "solver/program/table/cell_table.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/table/hdf5_handle.hpp"
 #include "solver/program/text/input_error.hpp"
@@ -66,6 +67,18 @@ class ReadColumn {
         result =
             H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers_.data());
         break;
+      case H5T_STRING: {
+        const std::size_t length = H5Tget_size(type.id());
+        std::string all(rows_ * length, '\0');
+        result = H5Tis_variable_str(type.id()) == 0
+                     ? H5Dread(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data())
+                     : -1;
+        for (std::size_t row = 0; row < rows_; ++row) {
+          const std::string cell = all.substr(row * length, length);
+          texts_.push_back(csv_cell(cell.substr(0, cell.find('\0'))));
+        }
+        break;
+      }
       default:
         result = -1;
     }
@@ -74,7 +87,9 @@ class ReadColumn {
 
   std::size_t rows() const { return rows_; }
   void append(std::size_t row, std::string& to) const {
-    if (!numbers_.empty()) {
+    if (!texts_.empty()) {
+      to += texts_[row];
+    } else if (!numbers_.empty()) {
       if (!std::isnan(numbers_[row])) fmt::format_to(std::back_inserter(to), "{}", numbers_[row]);
     } else if (!counts_.empty()) {
       if (counts_[row] != missing_count) fmt::format_to(std::back_inserter(to), "{}", counts_[row]);
@@ -85,6 +100,7 @@ class ReadColumn {
 
  private:
   std::size_t rows_ = 0;
+  std::vector<std::string> texts_;
   std::vector<double> numbers_;
   std::vector<std::int32_t> counts_;
   std::vector<std::uint8_t> codes_;
@@ -112,7 +128,8 @@ std::unique_ptr<std::istream> column_file_table(const std::string& path,
   std::vector<ReadColumn> columns;
   for (std::string column; std::getline(names, column);) {
     if (!wanted.empty() && std::ranges::find(wanted, column) == wanted.end()) continue;
-    header += (header.empty() ? "" : ",") + column;
+    if (!header.empty()) header += ',';
+    header += csv_cell(column);
     columns.emplace_back(path, file.id(), column);
     if (columns.back().rows() != columns.front().rows())
       refuse(path, "found datasets of different lengths");

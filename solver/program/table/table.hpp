@@ -132,12 +132,12 @@ class TableChecksum {
  public:
   /// parameters: how many trailing columns it has.
   void add(const TableRow& row, std::span<const Column> columns, std::size_t parameters);
+  void add(std::string_view text);
   /// In hexadecimal.
   std::string text() const;
 
  private:
   void add(std::uint64_t word);
-  void add(std::string_view text);
   void add(double value);
 
   std::uint64_t state_ = 0x9e3779b97f4a7c15U;

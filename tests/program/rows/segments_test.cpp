@@ -144,6 +144,9 @@ TEST(Schema, HoldsForEveryCommand) {
   expect_valid(
       {"map", shipped("map_biot_log.toml"), "--set", "map.x.count=3", "--set", "map.y.count=2"});
   expect_valid({"atlas", shipped("apart.toml"), "--checkpoints", "4"});
+  const std::string over = directory.file("over.csv", "motion.nu,_tag\n0.3,a\nfast,b\n");
+  for (const char* task : {"solve", "continue"})
+    expect_valid({"study", shipped("disc.toml"), "--over", over, "--do", task});
   for (const char* name : {"disc.toml", "fold.toml", "circle.toml", "apart.toml", "tilted.toml",
                            "two_polar.toml", "fibre.toml"})
     expect_valid({"continue", shipped(name)});

@@ -1,0 +1,155 @@
+#include "solver/program/tiles/study_answer.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <variant>
+
+#include "solver/program/case/case_atlas.hpp"
+#include "solver/program/case/case_schema.hpp"
+#include "solver/program/rows/atlas_rows.hpp"
+#include "solver/program/rows/sheet_summary.hpp"
+#include "solver/program/session/answer.hpp"
+#include "solver/program/session/case_family.hpp"
+#include "solver/program/session/interrupt.hpp"
+
+namespace stationary::cli {
+namespace {
+
+class Text final : public ByteSink {
+ public:
+  void write(std::string_view bytes) override { text += bytes; }
+  std::string text;
+};
+
+/// Rows as the table writes them, a line each without its end.
+std::vector<std::string> lines(const std::vector<Column>& columns,
+                               const std::vector<Solution>& solutions) {
+  std::vector<std::string> out;
+  Text text;
+  TableWriter writer(text, columns);
+  writer.flush();
+  for (const Solution& each : solutions) {
+    text.text.clear();
+    writer.write(each.row);
+    writer.flush();
+    text.text.pop_back();
+    out.push_back(text.text);
+  }
+  return out;
+}
+
+StudyStatus status_of(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::solved:
+      return StudyStatus::solved;
+    case SolveStatus::none_exists:
+      return StudyStatus::none;
+    case SolveStatus::not_found:
+    case SolveStatus::not_isolated:
+      return StudyStatus::not_found;
+    default:
+      return StudyStatus::failed;
+  }
+}
+
+bool wants_spectrum(const StudyPlan& plan, const Case& input) {
+  return input.output.spectrum &&
+         (plan.task != StudyTask::solve || std::ranges::any_of(plan.columns, needs_spectrum));
+}
+
+std::optional<StudyAnswer> solved(const StudyPlan& plan, const Case& input) {
+  Answer found = answer_of(input, 1, wants_spectrum(plan, input), ColumnSet(plan.columns));
+  if (found.status == SolveStatus::interrupted) return std::nullopt;
+  const std::string& said = found.warning.empty() ? found.message : found.warning;
+  return StudyAnswer{status_of(found.status), said, lines(plan.columns, found.solutions)};
+}
+
+std::optional<StudyAnswer> followed(const StudyPlan& plan, const Case& input) {
+  require_range(input);
+  if (!input.continuation->start_row.empty())
+    throw fault_at(input.source, "continuation.start_row", "found a row to start from",
+                   "none: a study follows each row's case from its own start");
+  const Start start = solved_start(input, 1);
+  if (start.found.status == SolveStatus::interrupted) return std::nullopt;
+  if (start.found.status != SolveStatus::solved)
+    return StudyAnswer{status_of(start.found.status), start.found.message, {}};
+  const AnyFamily family = family_of(input, start, wants_spectrum(plan, input), false);
+  CurveTable table(input.branch_name(), nullptr);
+  const double unit = parameter_unit(start.at, input.continuation->parameter);
+  table.in_units_of(unit);
+  FollowReport report =
+      follow(family, start.found.q, start.p * unit, follow_options(input, unit), table);
+  if (report.interrupted) return std::nullopt;
+  if (!report.failure.empty()) return StudyAnswer{StudyStatus::failed, report.failure, {}};
+  table.convert(report);
+  table.complete(report.events);
+  const SheetRecord sheet = table.record(report);
+  StudyAnswer out{StudyStatus::solved, start.found.message, {sheet_summary({&sheet, 1}, {})}};
+  if (report.out_of_points) out.message = "stopped at continuation.max_points";
+  for (const SheetEnd* end : {&report.backward, &report.forward})
+    if (end->event == EventType::stalled)
+      out = {StudyStatus::failed, end->reason, std::move(out.cells)};
+  return out;
+}
+
+std::optional<StudyAnswer> charted(const StudyPlan& plan, const Case& input) {
+  AtlasOptions how = atlas_options(input, plan.checkpoints, wants_spectrum(plan, input));
+  how.stop = how.search.stop = &stop_on_signals();
+  Atlas found = atlas(input.body, make_potential(input.models), how);
+  if (found.interrupted) return std::nullopt;
+  std::vector<SheetRecord> sheets;
+  for (AtlasSheet& sheet : found.sheets) {
+    CurveTable table(name(sheet.motion(0.0)), nullptr, sheet.number);
+    sheets.push_back(write_rows(sheet, table));
+  }
+  const double complete = complete_fraction(found);
+  StudyAnswer out{StudyStatus::solved, {}, {sheet_summary(sheets, complete)}};
+  if (sheets.empty()) out.status = complete == 1.0 ? StudyStatus::none : StudyStatus::not_found;
+  if (!found.remarks.empty()) out.message = found.remarks.front().reason;
+  return out;
+}
+
+std::optional<StudyAnswer> answer(const StudyPlan& plan, const CaseTree& base,
+                                  std::span<const Override> overrides) {
+  Case input = make_case(base, overrides);
+  input.output.certificate = input.output.certificate || plan.certify;
+  switch (plan.task) {
+    case StudyTask::solve:
+      return solved(plan, input);
+    case StudyTask::follow:
+      return followed(plan, input);
+    case StudyTask::atlas:
+      break;
+  }
+  return charted(plan, input);
+}
+
+}  // namespace
+
+std::vector<CellColumn> StudyPlan::cell_columns() const {
+  if (task != StudyTask::solve) return sheet_summary_columns();
+  std::vector<CellColumn> out;
+  for (const Column c : columns) out.push_back({std::string(name(c)), cell_kind(c)});
+  return out;
+}
+
+std::optional<StudyAnswer> study_answer(const StudyPlan& plan, const CaseTree& base,
+                                        std::span<const Override> overrides) {
+  std::optional<StudyAnswer> out;
+  try {
+    out = answer(plan, base, overrides);
+  } catch (const InputError& error) {
+    out = {StudyStatus::bad_input, error.what(), {}};
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    out = {StudyStatus::failed, error.what(), {}};
+  }
+  if (!out) return out;
+  std::ranges::replace(out->message, '\n', ' ');
+  if (out->cells.empty()) out->cells.emplace_back(plan.cell_columns().size() - 1, ',');
+  return out;
+}
+
+}  // namespace stationary::cli

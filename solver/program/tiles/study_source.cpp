@@ -1,0 +1,127 @@
+#include "solver/program/tiles/study_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "solver/program/case/case_schema.hpp"
+#include "solver/program/table/column_file.hpp"
+#include "solver/program/table/table_reader.hpp"
+#include "solver/program/text/nearest_name.hpp"
+
+namespace stationary::cli {
+namespace {
+
+bool is_number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+bool takes_text(std::string_view key) {
+  const CaseKey* known = find_case_key(key);
+  if (known != nullptr) return known->type == KeyType::text;
+  return key.starts_with("potential.") && (key.ends_with(".model") || key.ends_with(".expression"));
+}
+
+/// A cell as a value of TOML.
+std::string toml_value(const std::string& key, const std::string& cell) {
+  if (cell == "True") return "true";
+  if (cell == "False") return "false";
+  if (!takes_text(key) || cell.front() == '"' || cell.front() == '\'') return cell;
+  std::string out = "\"";
+  for (const char c : cell) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  out += '"';
+  return out;
+}
+
+void require_name(const std::string& path, const std::string& name) {
+  if (name.starts_with('_')) return;
+  const auto refuse = [&](std::string found, std::string allowed, std::string remedy = {}) {
+    throw InputError(Origin::in_file(path, 1, 1), printable(name), std::move(found),
+                     std::move(allowed), std::move(remedy));
+  };
+  if (name.starts_with("output."))
+    refuse("found a column that would give its rows other columns",
+           "a key that may differ from row to row", "give it with --set, for all rows");
+  if (name == "continuation.start_row")
+    refuse("found a column of starts", "a key of the case itself",
+           "a study follows each row from its own start");
+  if (may_be_set(name)) return;
+  std::vector<std::string_view> known;
+  for (const CaseKey& key : case_keys()) known.push_back(key.path);
+  refuse("found a column that names no key of a case",
+         "dotted keys such as motion.nu, or names that begin with \"_\"",
+         did_you_mean(nearest_name(name == "nu" ? "motion.nu" : std::string_view(name), known)));
+}
+
+}  // namespace
+
+StudySource::StudySource(const std::string& path) : path_(path) {
+  TableReader table =
+      is_column_file(path) ? TableReader(column_file_table(path, {}), path) : TableReader(path);
+  names_ = table.columns();
+  std::set<std::string> once;
+  for (const std::string& name : names_) {
+    require_name(path, name);
+    if (!once.insert(name).second)
+      throw InputError(Origin::in_file(path, 1, 1), printable(name),
+                       "found two columns of this name", "one");
+  }
+  while (table.next()) {
+    std::vector<Cell>& row = rows_.emplace_back();
+    for (std::size_t k = 0; k < names_.size(); ++k)
+      row.push_back({std::string(table.text(k)), table.fault(k, {}).origin()});
+  }
+  if (rows_.empty())
+    throw InputError(Origin::in_file(path), "", "found no rows", "a header and a row at least");
+  for (std::size_t k = 0; k < names_.size(); ++k) {
+    const bool numbers = std::ranges::all_of(rows_, [k](const std::vector<Cell>& row) {
+      return row[k].text.empty() || is_number(row[k].text);
+    });
+    columns_.push_back({names_[k], numbers ? CellKind::number : CellKind::text});
+  }
+}
+
+bool StudySource::has(std::string_view key, std::string_view cell) const {
+  const auto at = std::ranges::find(names_, key);
+  if (at == names_.end()) return false;
+  const auto column = static_cast<std::size_t>(at - names_.begin());
+  return std::ranges::any_of(rows_, [&](const auto& row) {
+    const std::string& text = row[column].text;
+    return text == cell ||
+           toml_value(names_[column], text.empty() ? " " : text) == '"' + std::string(cell) + '"';
+  });
+}
+
+std::vector<Override> StudySource::overrides(std::size_t k) const {
+  std::vector<Override> out;
+  for (std::size_t c = 0; c < names_.size(); ++c) {
+    const Cell& cell = rows_[k][c];
+    if (names_[c].starts_with('_') || cell.text.empty()) continue;
+    out.push_back({names_[c] + "=" + toml_value(names_[c], cell.text), cell.place});
+  }
+  return out;
+}
+
+std::string StudySource::cells(std::size_t k) const {
+  std::string out;
+  for (std::size_t c = 0; c < names_.size(); ++c) {
+    if (c > 0) out += ',';
+    out += csv_cell(rows_[k][c].text);
+  }
+  return out;
+}
+
+std::string StudySource::text() const {
+  std::string out = csv_header(columns());
+  for (std::size_t k = 0; k < rows_.size(); ++k) out += cells(k) + '\n';
+  return out;
+}
+
+}  // namespace stationary::cli
