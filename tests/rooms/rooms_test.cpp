@@ -50,6 +50,7 @@ constexpr std::string_view rooms[] = {
     "solver/program/plot",
     "solver/program/session",
     "solver/program/tiles",
+    "solver/program/computation",
     "solver/program/commands",
 };
 

@@ -99,7 +99,7 @@ class Study {
     for (std::size_t row = k * rows_a_tile_; row < end; ++row) {
       std::vector<Override> overrides = options_;
       std::ranges::move(source_.overrides(row), std::back_inserter(overrides));
-      const auto found = study_answer(plan_, base_, overrides);
+      const auto found = study_answer(plan_, base_, overrides, &stop_on_signals());
       if (!found) return std::nullopt;
       for (const std::string& cells : found->cells)
         out += fmt::format("{},{},{},{},{}\n", row + 1, source_.cells(row), name(found->status),
@@ -228,6 +228,7 @@ ExitCode study_case(const StudyOptions& options, const Session& session) {
   if (!options.output.empty()) {
     refuse_to_replace(options.output, options.output, options.over, "the table of --over");
     output.emplace(options.output, options.path);
+    output->prepare();
   }
   std::optional<Journal> journal;
   if (options.resume || has_journal(options.output))

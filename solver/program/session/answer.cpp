@@ -6,7 +6,6 @@
 #include "solver/kind/kind.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/rows/metadata.hpp"
-#include "solver/program/session/interrupt.hpp"
 #include "solver/program/session/report.hpp"
 
 namespace stationary::cli {
@@ -140,11 +139,11 @@ Answer answer(const Alternatives& kinds, const SolveOptions& options, const Aske
 
 }  // namespace
 
-Answer answer_of(const Case& input, int threads, bool with_spectrum, const ColumnSet& wanted) {
+Answer answer_of(const Case& input, const Run& run, bool with_spectrum, const ColumnSet& wanted) {
   const SolveOptions options{.method = input.solve.method,
                              .start = input.solve.start,
-                             .threads = threads,
-                             .stop = &stop_on_signals()};
+                             .threads = run.threads,
+                             .stop = run.stop};
   const auto begin = std::chrono::steady_clock::now();
   const Alternatives kinds = alternatives(input.body, input.potential, input.motion,
                                           input.solve.all || input.solve.start.has_value());

@@ -9,6 +9,7 @@
 
 #include "solver/program/case/case_file.hpp"
 #include "solver/program/session/exit_status.hpp"
+#include "solver/program/session/run.hpp"
 #include "solver/program/table/table.hpp"
 #include "solver/solve/solve.hpp"
 
@@ -47,6 +48,6 @@ struct Answer {
 
 /// Solves, or searches where solve.all says so; proves what output.certificate asks for. wanted: of
 /// each solution's row.
-Answer answer_of(const Case& input, int threads, bool with_spectrum, const ColumnSet& wanted);
+Answer answer_of(const Case& input, const Run& run, bool with_spectrum, const ColumnSet& wanted);
 
 }  // namespace stationary::cli

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/session/computation_plan.hpp"
-#include "solver/program/session/interrupt.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -67,7 +68,7 @@ void require_range(const Case& input) {
                  "a table with parameter, from and to", "add [continuation]");
 }
 
-FollowOptions follow_options(const Case& input, double unit) {
+FollowOptions follow_options(const Case& input, double unit, const Run& run) {
   const Case::Continuation& asked = *input.continuation;
   FollowOptions out;
   out.continuation.from = asked.from * unit;
@@ -76,16 +77,27 @@ FollowOptions follow_options(const Case& input, double unit) {
   out.continuation.step.first = asked.step;
   out.events = asked.event_set();
   out.max_points = static_cast<long>(asked.max_points);
-  out.stop = &stop_on_signals();
+  out.stop = run.stop;
+  if (!run.progress) return out;
+  // Both ways from the start, and back at folds: done is what lies between the outermost points.
+  out.progress = [&run, &asked, unit, low = std::numeric_limits<double>::infinity(),
+                  high = -std::numeric_limits<double>::infinity()](double in_family,
+                                                                   long points) mutable {
+    const double p = in_family / unit;
+    low = std::min(low, p);
+    high = std::max(high, p);
+    run.progress((high - low) / std::abs(asked.to - asked.from),
+                 fmt::format("{} = {:<12.6g} {} points", asked.parameter, p, points));
+  };
   return out;
 }
 
-Start solved_start(const Case& input, int threads) {
+Start solved_start(const Case& input, const Run& run) {
   Start out = start_at(input, start_parameter(input));
   const SolveOptions how{.method = input.solve.method,
                          .start = input.solve.start,
-                         .threads = threads,
-                         .stop = &stop_on_signals()};
+                         .threads = run.threads,
+                         .stop = run.stop};
   const Alternatives kinds = alternatives(out.at.body, make_potential(out.at.models), out.at.motion,
                                           how.start.has_value());
   out.found = only_one(input, kinds, how, out.at.motion);

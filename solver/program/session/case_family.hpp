@@ -5,6 +5,7 @@
 #include "solver/program/case/case_parameter.hpp"
 #include "solver/program/rows/curve_table.hpp"
 #include "solver/program/rows/resume_table.hpp"
+#include "solver/program/session/run.hpp"
 
 namespace stationary::cli {
 
@@ -18,14 +19,14 @@ struct Start {
 /// Throws InputError where the case has no range to be followed.
 void require_range(const Case& input);
 
-/// How far and how finely, in the family's own parameter: of a ratio the number that varies. Without
-/// progress.
-FollowOptions follow_options(const Case& input, double unit);
+/// How far and how finely, in the family's own parameter: of a ratio the number that varies. The case
+/// and the run are to outlive it.
+FollowOptions follow_options(const Case& input, double unit, const Run& run);
 
 /// By solving at the case's own value of the parameter or at the beginning of its range;
 /// start.found says whether that came to something. Throws InputError for a start outside the
 /// range.
-Start solved_start(const Case& input, int threads);
+Start solved_start(const Case& input, const Run& run);
 
 /// Where a table goes on.
 Start resumed_start(const Case& input, const ResumedTable& old);

@@ -5,9 +5,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string_view>
+#include <thread>
 
+#include "solver/program/session/interrupt.hpp"
+#include "solver/program/session/progress.hpp"
+#include "solver/program/session/table_output.hpp"
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/text/input_error.hpp"
 #include "solver/program/text/nearest_name.hpp"
@@ -57,6 +62,36 @@ Case ComputeOptions::read() const {
   out.output.certificate = out.output.certificate || certify;
   return out;
 }
+
+ExitCode compute(const ComputeOptions& options, const Session& session,
+                 const std::function<Outcome(TableTarget* target, const Run& run)>& computation) {
+  ProgressBar progress;
+  Run run;
+  run.command_line = session.command_line;
+  run.threads = options.threads;
+  run.stop = &stop_on_signals();  // before a file is begun, which would be left behind
+  run.summary = options.shows_summary();
+  run.complain = [&progress](const std::string& line) {
+    progress.clear();
+    complain(line);
+  };
+  if (progress.shown() && !options.quiet) {
+    run.progress = [&progress](double fraction, const std::string& what) {
+      progress.show(fraction, what);
+    };
+  }
+  run.waiting = [&options](const std::string& what) -> std::shared_ptr<void> {
+    return std::make_shared<WaitingSign>(what, options.quiet);
+  };
+  std::optional<TableOutput> output;
+  if (!options.output.empty()) output.emplace(options.output, options.path);
+  const Outcome out = computation(output ? &*output : nullptr, run);
+  progress.clear();
+  if (!out.summary.empty()) print(out.summary);
+  return out.code;
+}
+
+int all_processors() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
 void complain(const std::string& message) {
   const std::string name = "stationary:";

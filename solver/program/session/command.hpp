@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "solver/program/case/case_file.hpp"
+#include "solver/program/rows/table_target.hpp"
 #include "solver/program/session/exit_code.hpp"
+#include "solver/program/session/run.hpp"
 
 namespace stationary::cli {
 
@@ -52,6 +54,16 @@ struct ComputeOptions : CaseOptions {
   /// Standard output is for a person, unless it takes the table.
   bool shows_summary() const { return !quiet && output != "-"; }
 };
+
+/// Reads nothing of the case itself: computation(target, run) does, and its table goes where the
+/// options say (null: there is none). Tells a person on standard error what there is to tell, prints
+/// the summary where one is asked for, and gives the exit code. From here on Ctrl-C ends the
+/// computation, not the program.
+ExitCode compute(const ComputeOptions& options, const Session& session,
+                 const std::function<Outcome(TableTarget* target, const Run& run)>& computation);
+
+/// As many threads as the machine has processors.
+int all_processors();
 
 /// A check of an option that names a file: what is wrong, or nothing.
 std::string not_empty(const std::string& name);

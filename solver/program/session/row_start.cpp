@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <span>
+#include <utility>
 
 #include "lib/body/inertia.hpp"
 #include "solver/family/anisotropic_family.hpp"
@@ -139,11 +140,11 @@ std::optional<TiltPlane> tilt_plane(const Body& body, const Stretch& q) {
 
 class FromRow {
  public:
-  FromRow(const ComputeOptions& options, const std::string& text)
-      : options_(options), text_(text), row_(row_of(text)) {}
+  FromRow(const Case& given, const std::string& text)
+      : given_(given), text_(text), row_(row_of(text)) {}
 
   RowStart run() {
-    Case input = with_numbers_of_the_row(options_.read());
+    Case input = with_numbers_of_the_row();
     if (!input.continuation)
       refuse(text_, "found no [continuation] in the case", "a case to be continued");
     const Stretch q{value_or("alpha", 0.0), value("xi"), value("zeta"), value("rho")};
@@ -176,38 +177,38 @@ class FromRow {
   }
 
   /// The case with the row's motion and the numbers of its trailing columns.
-  Case with_numbers_of_the_row(const Case& given) const {
-    std::vector<std::string> overrides = options_.overrides;
+  Case with_numbers_of_the_row() const {
+    CaseTree tree = given_.source;
     const auto set = [&](const std::string& key, const std::string& cell) {
-      overrides.push_back(key + "=" + cell);
+      tree.override_key(key + "=" + cell);
     };
-    Motion motion = given.motion;
+    Motion motion = given_.motion;
     for (const MotionNumber& each : motion_numbers(motion)) {
       const std::string key(each.parameter == "nu" ? "motion.nu" : each.parameter);
       if (each.parameter != "nu") {
         set(key, text(key.substr(key.find('.') + 1)));
         continue;
       }
-      const auto branch = branch_from_name(given.branch_name());
+      const auto branch = branch_from_name(given_.branch_name());
       const double spin = branch ? nu()[axis(*branch)] : nu().norm();
       set(key, fmt::format("{}", spin));
     }
-    for (const std::string& key : case_parameters(given.motion, given.models))
+    for (const std::string& key : case_parameters(given_.motion, given_.models))
       if (key.starts_with("body.") || key.starts_with("potential."))
         if (const auto at = row_.find(key); at != row_.end() && !at->second.empty())
           set(key, at->second);
-    if (has_rates(given.motion) && text("branch") != two_polar_name)
+    if (has_rates(given_.motion) && text("branch") != two_polar_name)
       refuse(text_, "found a row of branch " + in_quotes(text("branch")), "a row of \"two-polar\"",
              "rates and momenta are not in the row");
-    Case out = read_case(options_.path, overrides);
-    if (set_ratios(out, overrides)) out = read_case(options_.path, overrides);
-    out.output.certificate = out.output.certificate || options_.certify;
+    Case out = make_case(tree);
+    if (set_ratios(out, tree)) out = make_case(std::move(tree));
+    out.output.certificate = given_.output.certificate;
     out.motion = decided(out.motion, nu()[1] != 0.0);
     return out;
   }
 
   /// The number that a column of a ratio varies, as an override; whether there is such a column.
-  bool set_ratios(const Case& given, std::vector<std::string>& overrides) const {
+  bool set_ratios(const Case& given, CaseTree& tree) const {
     const std::vector<std::string> numbers = case_parameters(given.motion, given.models);
     const auto known = [&](std::string_view key) {
       return std::ranges::find(numbers, key) != numbers.end();
@@ -217,8 +218,8 @@ class FromRow {
       const auto [first, second] = parts_of(column);
       if (second.empty() || cell.empty() || !known(first) || !known(second)) continue;
       const double unit = parameter_value({given.body, given.models, given.motion}, second);
-      overrides.push_back(fmt::format("{}={}", first == "nu" ? "motion.nu" : first,
-                                      number_in(row_, column) * unit));
+      tree.override_key(fmt::format("{}={}", first == "nu" ? "motion.nu" : first,
+                                    number_in(row_, column) * unit));
       any = true;
     }
     return any;
@@ -283,15 +284,15 @@ class FromRow {
         fmt::format("a row of branch {}, or an event where that family begins", in_quotes(wanted)));
   }
 
-  const ComputeOptions& options_;
+  const Case& given_;
   const std::string& text_;
   Cells row_;
 };
 
 }  // namespace
 
-RowStart start_from_row(const ComputeOptions& options, const std::string& row) {
-  return FromRow(options, row).run();
+RowStart start_from_row(const Case& given, const std::string& row) {
+  return FromRow(given, row).run();
 }
 
 }  // namespace stationary::cli

@@ -21,8 +21,8 @@ struct RowStart {
   Start start;  ///< a motion of its family
 };
 
-/// options: the case and its own overrides. Throws InputError: no such table, row or event, a row
-/// without a motion, or of a family that does not lead to the case's.
-RowStart start_from_row(const ComputeOptions& options, const std::string& row);
+/// Throws InputError: no such table, row or event, a row without a motion, or of a family that does
+/// not lead to the case's.
+RowStart start_from_row(const Case& given, const std::string& row);
 
 }  // namespace stationary::cli

@@ -21,7 +21,8 @@ void require_suffix(const std::string& path) {
 
 }  // namespace
 
-TableOutput::TableOutput(const std::string& path, const std::string& case_path) {
+void TableOutput::prepare() {
+  const std::string& path = path_;
   if (path == "-") return;
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
@@ -29,7 +30,7 @@ TableOutput::TableOutput(const std::string& path, const std::string& case_path) 
   if (regular) require_suffix(path);
   const fs::path metadata = metadata_path(path);
   for (const fs::path& target : {fs::path(path), metadata})
-    refuse_to_replace(path, target, case_path, "the case file");
+    refuse_to_replace(path, target, case_path_, "the case file");
   open_output(file_, path);
   if (!file_->is_regular()) return;  // nothing stands beside a device
   as_columns_ = is_column_file_extension(fs::path(path).extension().string());
@@ -65,12 +66,15 @@ void TableOutput::commit(Metadata metadata) {
   if (text_) describe(*text_);
   if (binary_) describe(*binary_);
   if (cells_) describe(*cells_);
-  const std::string text = metadata_json(metadata);
-  const std::string of_the_case = metadata_json(metadata, /*of_the_run=*/false);
+  commit(metadata_json(metadata),
+         as_columns_ ? metadata_json(metadata, /*of_the_run=*/false) : std::string());
+}
+
+void TableOutput::commit(const std::string& beside, const std::string& within) {
   if (text_) text_->flush();
-  if (binary_) binary_->finish(of_the_case);
-  if (cells_ && as_columns_) cells_->finish(file_->path().string(), of_the_case);
-  if (metadata_file_) metadata_file_->write(text);
+  if (binary_) binary_->finish(within);
+  if (cells_ && as_columns_) cells_->finish(file_->path().string(), within);
+  if (metadata_file_) metadata_file_->write(beside);
   if (file_) file_->commit();
   if (metadata_file_) metadata_file_->commit();
 }

@@ -5,32 +5,39 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/program/rows/metadata.hpp"
+#include "solver/program/rows/table_target.hpp"
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/cell_table.hpp"
 #include "solver/program/table/column_file.hpp"
 
 namespace stationary::cli {
 
-class TableOutput {
+class TableOutput final : public TableTarget {
  public:
-  /// path as after -o; "-" is standard output. Throws InputError for another suffix, if it cannot
-  /// be written, or if it would replace the case file.
-  TableOutput(const std::string& path, const std::string& case_path);
+  /// path as after -o; "-" is standard output.
+  TableOutput(std::string path, std::string case_path)
+      : path_(std::move(path)), case_path_(std::move(case_path)) {}
 
-  /// What its rows go to. parameters: headers of the trailing columns; rows: how many are expected,
-  /// where that is known.
+  /// Throws InputError for another suffix, if it cannot be written, or if it would replace the case
+  /// file.
+  void prepare() override;
   RowSink& open(const std::vector<Column>& columns, const std::vector<std::string>& parameters = {},
-                std::optional<std::size_t> rows = std::nullopt);
+                std::optional<std::size_t> rows = std::nullopt) override;
   /// The same of a table with columns of any name.
   CellTable& open(std::vector<CellColumn> columns);
-  /// Writes what is left and puts both files in place; before this nothing is. rows and checksum of
-  /// the metadata are the table's.
-  void commit(Metadata metadata);
+  /// Writes what is left and puts both files in place; before this nothing is.
+  void commit(Metadata metadata) override;
+  /// The same with the metadata as texts: of the file beside it, and within HDF5 (without what
+  /// depends on the run).
+  void commit(const std::string& beside, const std::string& within);
 
  private:
+  std::string path_;
+  std::string case_path_;
   StandardOutput standard_output_;
   std::optional<AtomicFile> file_;
   std::optional<AtomicFile> metadata_file_;

@@ -11,7 +11,6 @@
 #include "solver/program/rows/sheet_summary.hpp"
 #include "solver/program/session/answer.hpp"
 #include "solver/program/session/case_family.hpp"
-#include "solver/program/session/interrupt.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -58,19 +57,19 @@ bool wants_spectrum(const StudyPlan& plan, const Case& input) {
          (plan.task != StudyTask::solve || std::ranges::any_of(plan.columns, needs_spectrum));
 }
 
-std::optional<StudyAnswer> solved(const StudyPlan& plan, const Case& input) {
-  Answer found = answer_of(input, 1, wants_spectrum(plan, input), ColumnSet(plan.columns));
+std::optional<StudyAnswer> solved(const StudyPlan& plan, const Case& input, const Run& run) {
+  Answer found = answer_of(input, run, wants_spectrum(plan, input), ColumnSet(plan.columns));
   if (found.status == SolveStatus::interrupted) return std::nullopt;
   const std::string& said = found.warning.empty() ? found.message : found.warning;
   return StudyAnswer{status_of(found.status), said, lines(plan.columns, found.solutions)};
 }
 
-std::optional<StudyAnswer> followed(const StudyPlan& plan, const Case& input) {
+std::optional<StudyAnswer> followed(const StudyPlan& plan, const Case& input, const Run& run) {
   require_range(input);
   if (!input.continuation->start_row.empty())
     throw fault_at(input.source, "continuation.start_row", "found a row to start from",
                    "none: a study follows each row's case from its own start");
-  const Start start = solved_start(input, 1);
+  const Start start = solved_start(input, run);
   if (start.found.status == SolveStatus::interrupted) return std::nullopt;
   if (start.found.status != SolveStatus::solved)
     return StudyAnswer{status_of(start.found.status), start.found.message, {}};
@@ -79,7 +78,7 @@ std::optional<StudyAnswer> followed(const StudyPlan& plan, const Case& input) {
   const double unit = parameter_unit(start.at, input.continuation->parameter);
   table.in_units_of(unit);
   FollowReport report =
-      follow(family, start.found.q, start.p * unit, follow_options(input, unit), table);
+      follow(family, start.found.q, start.p * unit, follow_options(input, unit, run), table);
   if (report.interrupted) return std::nullopt;
   if (!report.failure.empty()) return StudyAnswer{StudyStatus::failed, report.failure, {}};
   table.convert(report);
@@ -93,9 +92,9 @@ std::optional<StudyAnswer> followed(const StudyPlan& plan, const Case& input) {
   return out;
 }
 
-std::optional<StudyAnswer> charted(const StudyPlan& plan, const Case& input) {
+std::optional<StudyAnswer> charted(const StudyPlan& plan, const Case& input, const Run& run) {
   AtlasOptions how = atlas_options(input, plan.checkpoints, wants_spectrum(plan, input));
-  how.stop = how.search.stop = &stop_on_signals();
+  how.stop = how.search.stop = run.stop;
   Atlas found = atlas(input.body, make_potential(input.models), how);
   if (found.interrupted) return std::nullopt;
   std::vector<SheetRecord> sheets;
@@ -111,18 +110,18 @@ std::optional<StudyAnswer> charted(const StudyPlan& plan, const Case& input) {
 }
 
 std::optional<StudyAnswer> answer(const StudyPlan& plan, const CaseTree& base,
-                                  std::span<const Override> overrides) {
+                                  std::span<const Override> overrides, const Run& run) {
   Case input = make_case(base, overrides);
   input.output.certificate = input.output.certificate || plan.certify;
   switch (plan.task) {
     case StudyTask::solve:
-      return solved(plan, input);
+      return solved(plan, input, run);
     case StudyTask::follow:
-      return followed(plan, input);
+      return followed(plan, input, run);
     case StudyTask::atlas:
       break;
   }
-  return charted(plan, input);
+  return charted(plan, input, run);
 }
 
 }  // namespace
@@ -135,10 +134,13 @@ std::vector<CellColumn> StudyPlan::cell_columns() const {
 }
 
 std::optional<StudyAnswer> study_answer(const StudyPlan& plan, const CaseTree& base,
-                                        std::span<const Override> overrides) {
+                                        std::span<const Override> overrides,
+                                        const std::atomic<bool>* stop) {
+  Run run;
+  run.stop = stop;
   std::optional<StudyAnswer> out;
   try {
-    out = answer(plan, base, overrides);
+    out = answer(plan, base, overrides, run);
   } catch (const InputError& error) {
     out = {StudyStatus::bad_input, error.what(), {}};
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,7 @@
 // What a study says of one case: whether it came to anything, why not, and its row.
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,8 +39,9 @@ struct StudyAnswer {
   std::vector<std::string> cells;
 };
 
-/// Nothing where it was interrupted. May be called by several threads.
+/// Nothing where it was interrupted: stop became true. May be called by several threads.
 std::optional<StudyAnswer> study_answer(const StudyPlan& plan, const CaseTree& base,
-                                        std::span<const Override> overrides);
+                                        std::span<const Override> overrides,
+                                        const std::atomic<bool>* stop);
 
 }  // namespace stationary::cli

@@ -1,0 +1,202 @@
+#include "solver/program/computation/atlas_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "solver/atlas/atlas.hpp"
+#include "solver/program/case/case_atlas.hpp"
+#include "solver/program/rows/atlas_rows.hpp"
+#include "solver/program/rows/curve_table.hpp"
+#include "solver/program/rows/equilibrium_row.hpp"
+#include "solver/program/session/computation_plan.hpp"
+#include "solver/program/session/exit_status.hpp"
+#include "solver/program/session/report.hpp"
+#include "solver/program/tiles/search_journal.hpp"
+
+namespace stationary::cli {
+namespace {
+
+std::string entry_text(Entry entry, double nu) {
+  switch (entry) {
+    case Entry::rest:
+      return "from rest";
+    case Entry::search:
+      return fmt::format("found at nu = {:.6g}", nu);
+    case Entry::ellipse:
+      return fmt::format("off the circle at nu = {:.10g}", nu);
+    case Entry::shear:
+      return fmt::format("off the axes at nu = {:.10g}", nu);
+    case Entry::oblique:
+      return fmt::format("off an axis at nu = {:.10g}", nu);
+    case Entry::numerical:
+      return fmt::format("found at nu = {:.6g} by Newton's method, where the search is undecided",
+                         nu);
+    case Entry::tilt:
+      break;
+  }
+  return fmt::format("off a tilt at nu = {:.10g}", nu);
+}
+
+std::string sheet_text(const AtlasSheet& sheet) {
+  const auto end = [](const AtlasRow& row) {
+    return fmt::format("{} at nu = {:.10g}",
+                       row.event == EventType::none ? "open" : name(row.event), row.member.nu);
+  };
+  std::string out = fmt::format("({}{}), {} rows, {}: {}, {}", kind_name(sheet),
+                                sheet.report.vertical ? ", vertical" : "", sheet.rows.size(),
+                                entry_text(sheet.entry, sheet.entry_nu), end(sheet.rows.front()),
+                                end(sheet.rows.back()));
+  if (sheet.parent)
+    out += fmt::format("; leaves sheet {} at {}", sheet.parent->sheet, name(sheet.parent->event));
+  if (sheet.joins)
+    out += fmt::format("; joins sheet {} at {}", sheet.joins->sheet, name(sheet.joins->event));
+  return out;
+}
+
+/// "16 of 16 checkpoints: ...", and those where it is not so.
+void add_checkpoints(Report& out, const std::vector<Checkpoint>& all,
+                     const SearchOptions& searched) {
+  std::string_view label = "proven";
+  for (auto first = all.begin(); first != all.end();) {
+    const auto last = std::find_if(first, all.end(), [&](const Checkpoint& c) {
+      return c.branch != first->branch || c.oblique != first->oblique;
+    });
+    const auto complete =
+        std::count_if(first, last, [](const Checkpoint& c) { return c.complete(); });
+    out.line(std::exchange(label, {}),
+             fmt::format(
+                 "branch ({}): at {} of {} checkpoints from nu = {:.6g} to {:.6g} the sheets have "
+                 "every solution with stretches in [{:g}, {:g}]",
+                 kind_name(first->branch, first->oblique), complete, last - first, first->nu,
+                 (last - 1)->nu, searched.min_stretch, searched.max_stretch));
+    while (first != last) {
+      const auto alike = [&](const Checkpoint& c) {
+        return c.status == first->status && c.proven == first->proven &&
+               c.on_sheets == first->on_sheets && c.beyond == first->beyond;
+      };
+      const auto next = std::find_if_not(first, last, alike);
+      if (!first->complete()) {
+        const std::string place = next - first == 1
+                                      ? fmt::format("{:.6g}", first->nu)
+                                      : fmt::format("{:.6g} ... {:.6g} ({} checkpoints)", first->nu,
+                                                    (next - 1)->nu, next - first);
+        out.line({}, fmt::format("  not shown at nu = {}: search {}, {} proven, {} of them on "
+                                 "sheets, {} points of sheets not proven",
+                                 place, name(first->status), first->proven, first->on_sheets,
+                                 first->beyond));
+      }
+      first = next;
+    }
+  }
+}
+
+std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& found,
+                    const std::vector<SheetRecord>& records, const CurveProofs& proofs,
+                    double seconds) {
+  constexpr std::size_t label_width = 14;
+  Report out(label_width);
+  if (!input.title.empty()) out.line("case", printable(input.title));
+  out.line("sheets", fmt::format("{} in {:.2g} s", found.sheets.size(), seconds));
+  if (input.output.certificate)
+    out.line("certificate", fmt::format("{} of {} rows proven", proofs.proven, proofs.rows));
+  for (std::size_t k = 0; k < found.sheets.size(); ++k) {
+    const AtlasSheet& sheet = found.sheets[k];
+    out.line(fmt::format("{}", sheet.number), sheet_text(sheet));
+    for (const EventRecord& event : sheet.report.events) {
+      out.line({}, event.status == EventStatus::unresolved
+                       ? fmt::format("  {:<17} nu between {:.15g} and {:.15g}, not located",
+                                     name(event.type), event.before, event.after)
+                       : fmt::format("  {:<17} nu = {:.15g}", name(event.type), event.parameter));
+    }
+    add_segments(out, records[k].segments, "nu");
+  }
+  out.gap();
+  if (const auto caveat = proof_caveat(input)) add_plan(out, {*caveat});
+  add_checkpoints(out, found.checkpoints, asked.search);
+  std::string_view label = "remarks";
+  for (const Remark& each : found.remarks) {
+    const std::string at = each.entry ? ", " + entry_text(*each.entry, each.nu) : std::string();
+    out.line(
+        std::exchange(label, {}),
+        fmt::format("branch ({}){}: {}", kind_name(each.branch, each.oblique), at, each.reason));
+  }
+  return out.text();
+}
+
+/// All sheets in the table, if there is one, and what is told of each; how many rows are proven.
+CurveProofs write_sheets(const Case& input, Atlas& found, RowSink* writer,
+                         std::vector<SheetRecord>& records) {
+  CurveProofs out;
+  for (AtlasSheet& sheet : found.sheets) {
+    CurveTable table(name(sheet.motion(0.0)), writer, sheet.number);
+    if (input.output.certificate) {
+      const auto kind_at = [&](double nu) {
+        return kind_of(input.body, input.potential, sheet.motion(nu));
+      };
+      table.prove(kind_at, {});
+    }
+    records.push_back(write_rows(sheet, table));
+    out.rows += table.proofs().rows;
+    out.proven += table.proofs().proven;
+  }
+  return out;
+}
+
+}  // namespace
+
+Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target, const Run& run) {
+  const bool with_spectrum = wants_spectrum(input, target != nullptr);
+  AtlasOptions how = atlas_options(input, asked.checkpoints, with_spectrum);
+  how.threads = run.threads;
+  how.stop = how.search.stop = run.stop;
+  if (run.progress)
+    how.progress = [&run](double fraction) { run.progress(fraction, "searching the checkpoints"); };
+  const std::vector<Column> columns = chosen_columns(
+      input,
+      equilibrium_columns(
+          {.events = true, .spectrum = with_spectrum, .certificate = input.output.certificate}),
+      "atlas", false);
+  if (target != nullptr) target->prepare();
+  std::optional<SearchJournal> journal;
+  if (asked.journal) journal.emplace(*asked.journal, input, how, asked.resume);
+  if (journal) journal->keep(how);
+
+  const auto begin = std::chrono::steady_clock::now();
+  Atlas found = atlas(input.body, make_potential(input.models), how);
+  RowSink* const table = target != nullptr ? &target->open(columns) : nullptr;
+  std::vector<SheetRecord> records;
+  const CurveProofs proofs = write_sheets(input, found, table, records);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (target != nullptr) {
+    Metadata metadata;
+    metadata.version = STATIONARY_VERSION;
+    metadata.command_line = run.command_line;
+    metadata.input = &input;
+    if (input.output.certificate) metadata.counts.emplace_back("proven", proofs.proven);
+    metadata.seconds = seconds;
+    metadata.threads = run.threads;
+    metadata.atlas = &found;
+    metadata.curves = records;
+    if (const auto caveat = proof_caveat(input)) metadata.plan.push_back(*caveat);
+    metadata.outcome = {{"command", "atlas"},
+                        {"status", found.interrupted ? "interrupted" : "done"}};
+    target->commit(std::move(metadata));
+  }
+  if (journal && !found.interrupted) journal->finish();
+  Outcome out;
+  if (run.summary) out.summary = summary(input, how, found, records, proofs, seconds);
+  if (found.interrupted) {
+    run.complain(journal ? "interrupted: the atlas is not complete; --resume goes on with it"
+                         : "interrupted: the atlas is not complete");
+    out.code = ExitCode::interrupted;
+  }
+  return out;
+}
+
+}  // namespace stationary::cli

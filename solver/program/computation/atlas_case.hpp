@@ -1,0 +1,24 @@
+// Every sheet of the case's body and potential in branches (i), (ii), (iii), of an anisotropic body
+// the oblique ones too, over its range of nu, connected to rest or not, and what is proven of there
+// being no others.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "solver/program/case/case_file.hpp"
+#include "solver/program/rows/table_target.hpp"
+#include "solver/program/session/run.hpp"
+
+namespace stationary::cli {
+
+struct AtlasRun {
+  std::optional<int> checkpoints;      ///< none: by the body's symmetry
+  std::optional<std::string> journal;  ///< the table beside which finished searches are kept
+  bool resume = false;                 ///< goes on with these
+};
+
+/// target: null for no table. Throws InputError before anything is computed.
+Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target, const Run& run);
+
+}  // namespace stationary::cli

@@ -1,0 +1,86 @@
+#include "solver/program/computation/check_case.hpp"
+
+#include <fmt/format.h>
+
+#include "solver/kind/kind.hpp"
+#include "solver/program/case/case_motion.hpp"
+#include "solver/program/session/computation_plan.hpp"
+#include "solver/program/session/report.hpp"
+
+namespace stationary::cli {
+namespace {
+
+std::string coefficients_text(const ModelChoice& model) {
+  std::string out;
+  for (std::size_t k = 0; k < model.coefficients.size(); ++k) {
+    out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", model.description.parameters[k],
+                       model.coefficients[k]);
+  }
+  return out;
+}
+
+std::string start_text(const Case& input) {
+  const auto& start = input.solve.start;
+  if (!start)
+    return std::string(kind_of(input.body, input.potential, input.motion)->default_start());
+  return fmt::format("(alpha, {}, rho) = ({}, {}, {}, {})",
+                     has_rates(input.motion) ? "lambda, mu" : "xi, zeta", start->alpha, start->xi,
+                     start->zeta, start->rho);
+}
+
+const char* symmetry_text(const Potential& potential) {
+  if (potential.is_isotropic()) return "isotropic";
+  const AnisotropicPotential& V = potential.anisotropic();
+  if (V.even_in_alpha()) return "anisotropic, even in alpha: V_alpha = 0 at alpha = 0";
+  if (V.shear_free()) return "anisotropic, V_alpha = 0 at alpha = 0";
+  return V.sheared() ? "anisotropic, V_alpha != 0 at alpha = 0"
+                     : "anisotropic, V_alpha at alpha = 0 is not known to vanish";
+}
+
+}  // namespace
+
+std::string check_case(const Case& input) {
+  constexpr std::size_t label_width = 14;
+  Report out(label_width);
+  out.line("case", printable(input.source.name()));
+  if (!input.title.empty()) out.line("title", printable(input.title));
+  for (const auto& [key, option] : input.source.overrides())
+    out.line("override", fmt::format("{} by {}", key, printable(option)));
+  out.gap();
+  out.line("body", fmt::format("J = ({}, {}, {}){}", input.body.J1, input.body.J2, input.body.J3,
+                               input.body.symmetric() ? ", J1 = J2" : ""));
+  for (const ModelChoice& model : input.models) {
+    out.line(model.slot, fmt::format("{}: {}", model.description.name, coefficients_text(model)));
+    out.line("", model.description.formula);
+    for (const std::string& fact : model.facts) out.line("", fact);
+  }
+  out.line("potential",
+           fmt::format("{}, {}", input.potential.is_separable() ? "separable" : "coupled",
+                       symmetry_text(input.potential)));
+  out.line("motion", motion_text(input.motion));
+  out.line("solve",
+           fmt::format("method {}, start: {}", name(input.solve.method), start_text(input)));
+  if (const auto& continuation = input.continuation) {
+    out.line("continuation",
+             fmt::format("{} from {} to {}, tolerance {}", continuation->parameter,
+                         continuation->from, continuation->to, continuation->tolerance));
+  }
+  if (input.map) {
+    for (const MapAxis* axis : input.map->axes())
+      out.line(
+          axis == &input.map->x ? "map" : "",
+          fmt::format("{}: {} values from {} to {}{}", axis->parameter, axis->count, axis->from,
+                      axis->to, axis->scale == AxisScale::log ? ", logarithmic" : ""));
+  }
+  std::string columns;
+  for (const std::string& column : input.output.columns)
+    columns += (columns.empty() ? "" : ", ") + column;
+  out.line("output", "columns: " + (columns.empty() ? "all that is computed" : columns));
+  out.gap();
+  const ComputationPlan plan = computation_plan(input, true);
+  add_plan(out, plan.computed);
+  add_plan(out, plan.skipped);
+  return out.text();
+}
+
+}  // namespace stationary::cli

@@ -1,0 +1,33 @@
+// Where a computation's table goes, with its metadata: a file, or somebody's memory.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/program/rows/metadata.hpp"
+#include "solver/program/table/table.hpp"
+
+namespace stationary {
+
+class TableTarget {
+ public:
+  TableTarget() = default;
+  TableTarget(const TableTarget&) = delete;
+  TableTarget& operator=(const TableTarget&) = delete;
+  virtual ~TableTarget() = default;
+
+  /// Before anything is computed and after the case was found right: throws InputError where no
+  /// table can be put.
+  virtual void prepare() = 0;
+  /// What its rows go to. parameters: headers of the trailing columns; rows: how many are expected,
+  /// where that is known.
+  virtual RowSink& open(const std::vector<Column>& columns,
+                        const std::vector<std::string>& parameters = {},
+                        std::optional<std::size_t> rows = std::nullopt) = 0;
+  /// The table is complete. rows and checksum of the metadata are the table's.
+  virtual void commit(Metadata metadata) = 0;
+};
+
+}  // namespace stationary
