@@ -7,7 +7,7 @@
 #include <map>
 #include <span>
 
-#include "solver/program/plot/diagram_lines.hpp"
+#include "solver/program/diagram/diagram_lines.hpp"
 #include "solver/program/plot/gnuplot.hpp"
 #include "solver/program/table/atomic_file.hpp"
 

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "solver/program/plot/map_diagram.hpp"
+#include "solver/program/diagram/map_diagram.hpp"
 #include "solver/program/plot/map_plot.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "tests/program/program.hpp"

@@ -11,7 +11,7 @@
 #include <memory>
 #include <sstream>
 
-#include "solver/program/plot/diagram_lines.hpp"
+#include "solver/program/diagram/diagram_lines.hpp"
 #include "solver/program/plot/gnuplot.hpp"
 #include "tests/program/program.hpp"
 

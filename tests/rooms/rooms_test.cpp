@@ -47,6 +47,7 @@ constexpr std::string_view rooms[] = {
     "solver/program/table",
     "solver/program/case",
     "solver/program/rows",
+    "solver/program/diagram",
     "solver/program/plot",
     "solver/program/session",
     "solver/program/tiles",

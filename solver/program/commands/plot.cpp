@@ -1,9 +1,12 @@
-// stationary plot TABLE -o FILE: the bifurcation diagram of a table, and the spectrum along it; of
-// a map over two parameters the heat map of one of its columns.
+// stationary plot TABLE... -o FILE: the bifurcation diagram of tables, and the spectrum along it; the
+// energy against the momentum; of a map over two parameters the heat map of one of its columns.
 #include "solver/program/plot/plot.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -23,85 +26,196 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view energy_momentum = "energy-momentum";
+
 struct PlotOptions {
-  std::string table;
+  std::vector<std::string> tables;
   std::string output;
+  std::string script;
+  std::string format;
   std::optional<std::string> title;
-  std::optional<std::string> quantity;
+  std::string diagram = "parameter";
+  DiagramChoice choice;
+  std::vector<std::string> ranges;
+  std::string size;
   bool quiet = false;
 };
 
-ImageFormat format_of(const std::string& output) {
-  const std::string extension = fs::path(output).extension().string();
+ImageFormat format_of(const PlotOptions& options) {
+  if (!options.format.empty()) return *image_format("." + options.format);
+  if (options.output.empty() || options.output == "-") return ImageFormat::svg;
+  const std::string extension = fs::path(options.output).extension().string();
   if (const auto format = image_format(extension)) return *format;
   throw InputError(
-      Origin::of_option("-o " + output), "",
+      Origin::of_option("-o " + options.output), "",
       extension.empty() ? "found no extension" : "found the extension " + in_quotes(extension),
       ".svg, .png or .pdf");
 }
 
-/// As asked; else that of the case, from the metadata beside the table; else the table's name.
+/// A number that is all of a text.
+std::optional<double> number(std::string_view text) {
+  double out = 0.0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), out);
+  if (end.ec != std::errc() || end.ptr != text.data() + text.size() || !std::isfinite(out))
+    return std::nullopt;
+  return out;
+}
+
+/// Two numbers with something between them.
+std::optional<AxisRange> pair(std::string_view text, char between) {
+  const std::size_t at = text.find(between);
+  if (at == std::string_view::npos) return std::nullopt;
+  const auto low = number(text.substr(0, at));
+  const auto high = number(text.substr(at + 1));
+  if (!low || !high) return std::nullopt;
+  return AxisRange{*low, *high};
+}
+
+PageChoice page_choice(const PlotOptions& options) {
+  PageChoice out;
+  for (const std::string& asked : options.ranges) {
+    const Origin origin = Origin::of_option("--range " + asked);
+    const std::size_t equals = asked.find('=');
+    const std::string axis = asked.substr(0, equals);
+    std::optional<AxisRange>* const where = axis == "x"       ? &out.x
+                                            : axis == "y"     ? &out.y
+                                            : axis == "rate"  ? &out.rate
+                                            : axis == "value" ? &out.value
+                                                              : nullptr;
+    if (where == nullptr || equals == std::string::npos)
+      throw InputError(origin, "", "found the axis " + in_quotes(axis),
+                       "x=, y=, rate= or value=, and LOW:HIGH");
+    const auto range = pair(std::string_view(asked).substr(equals + 1), ':');
+    if (!range || !(range->low < range->high))
+      throw InputError(origin, "", "found " + in_quotes(asked.substr(equals + 1)),
+                       "LOW:HIGH, two numbers, the lower one first");
+    *where = range;
+  }
+  if (options.size.empty()) return out;
+  const auto size = pair(options.size, 'x');
+  constexpr double least = 300.0;
+  constexpr double most = 4000.0;
+  if (!size || size->low < least || size->low > most || size->high < least || size->high > most)
+    throw InputError(Origin::of_option("--size " + options.size), "", "found another size",
+                     "WIDTHxHEIGHT, each from 300 to 4000, such as 800x600");
+  out.size = PageSize{size->low, size->high};
+  return out;
+}
+
+/// Of the case, from the metadata beside the table or in it; else the table's name.
+std::string title_of(const std::string& table) {
+  std::ifstream file(metadata_path(table), std::ios::binary);
+  std::string metadata{std::istreambuf_iterator<char>(file), {}};
+  if (metadata.empty() && is_column_file(table)) metadata = column_file_metadata(table);
+  const std::string title = case_title(metadata);
+  return title.empty() ? fs::path(table).filename().string() : title;
+}
+
+/// As asked; else what all tables are called, or each of them.
 std::string title_of(const PlotOptions& options) {
   if (options.title) return *options.title;
-  std::ifstream file(metadata_path(options.table), std::ios::binary);
-  std::string metadata{std::istreambuf_iterator<char>(file), {}};
-  if (metadata.empty() && is_column_file(options.table))
-    metadata = column_file_metadata(options.table);
-  const std::string title = case_title(metadata);
-  return title.empty() ? fs::path(options.table).filename().string() : title;
+  std::vector<std::string> titles;
+  for (const std::string& each : options.tables) {
+    std::string title = title_of(each);
+    if (std::ranges::find(titles, title) == titles.end()) titles.push_back(std::move(title));
+  }
+  return fmt::format("{}", fmt::join(titles, ", "));
 }
 
 std::string counted(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// The script of a table's figure, and what is in it.
+/// The script of a figure, and what is in it.
 struct Figure {
   std::string script;
   std::string contents;
 };
 
+Figure map_figure(const PlotOptions& options, TableReader& table, ImageFormat format,
+                  const PageChoice& page) {
+  const DiagramChoice& choice = options.choice;
+  if (options.tables.size() > 1 || choice.columns.size() > 1 || choice.energy_momentum ||
+      !choice.sheets.empty() || !choice.branches.empty()) {
+    throw InputError(Origin::in_file(table.name()), "", "found a map over two parameters",
+                     "it alone, with one column to show and no sheet or branch");
+  }
+  const auto column = choice.columns.empty() ? std::nullopt : std::optional(choice.columns.front());
+  const MapDiagram map = read_map_diagram(table, column);
+  return {
+      gnuplot_script(map, format, title_of(options), page),
+      fmt::format("{} by {} cells, {}", map.x.values.size(), map.y.values.size(), map.quantity)};
+}
+
 Figure figure(const PlotOptions& options, ImageFormat format) {
-  TableReader table = is_column_file(options.table)
-                          ? TableReader(column_file_table(options.table, {}), options.table)
-                          : TableReader(options.table);
-  if (map_parameters(table.columns()).size() == 2) {
-    const MapDiagram map = read_map_diagram(table, options.quantity);
-    return {
-        gnuplot_script(map, format, title_of(options)),
-        fmt::format("{} by {} cells, {}", map.x.values.size(), map.y.values.size(), map.quantity)};
+  const PageChoice page = page_choice(options);
+  std::vector<std::unique_ptr<TableReader>> tables;
+  std::vector<TableReader*> readers;
+  for (const std::string& path : options.tables) {
+    tables.push_back(is_column_file(path)
+                         ? std::make_unique<TableReader>(column_file_table(path, {}), path)
+                         : std::make_unique<TableReader>(path));
+    readers.push_back(tables.back().get());
+    if (map_parameters(readers.back()->columns()).size() == 2)
+      return map_figure(options, *readers.back(), format, page);
   }
-  if (options.quantity) {
-    throw InputError(Origin::of_option("--show " + *options.quantity), "",
-                     "found no map over two parameters in " + printable(options.table),
-                     "a table of `map` with x and y");
-  }
-  const Diagram diagram = read_diagram(table);
-  return {gnuplot_script(diagram, format, title_of(options)),
+  const Diagram diagram = read_diagram(readers, options.choice);
+  return {gnuplot_script(diagram, format, title_of(options), page),
           fmt::format("{}, {}, {}", counted(diagram.points.size(), "row"),
                       counted(diagram.pieces.size(), "sheet"),
                       counted(diagram.events.size(), "event"))};
 }
 
-ExitCode plot_table(const PlotOptions& options) {
-  const ImageFormat format = format_of(options.output);
-  refuse_to_replace(options.output, options.output, options.table, "the table");
-  const Figure drawn = figure(options, format);
-  std::optional<AtomicFile> image;
-  open_output(image, options.output);
+void write_script(const PlotOptions& options, const std::string& script) {
+  if (options.script.empty()) return;
+  if (options.script == "-") {
+    print(script);
+    return;
+  }
+  std::optional<AtomicFile> file;
+  open_output(file, options.script, "--script");
+  file->write(script);
+  file->commit();
+}
+
+/// Draws it; false where a signal ended that.
+bool draw(const std::string& script, int image) {
   const std::atomic<bool>& stop = stop_on_signals();
   // Ctrl-C reaches gnuplot as well: its end is then no failure.
   try {
-    if (!stop) run_gnuplot(drawn.script, image->descriptor());
+    if (!stop) run_gnuplot(script, image);
   } catch (const std::runtime_error&) {
     if (!stop) throw;
   }
-  if (stop) {
-    complain("interrupted, nothing written");
-    return ExitCode::interrupted;
+  if (stop) complain("interrupted, nothing written");
+  return !stop;
+}
+
+ExitCode plot_tables(const PlotOptions& options) {
+  const ImageFormat format = format_of(options);
+  if (options.output == "-" && options.script == "-")
+    throw InputError(Origin::of_option("--script -"), "", "found standard output in use by -o -",
+                     "a file for one of them");
+  for (const std::string& table : options.tables) {
+    refuse_to_replace(options.output, options.output, table, "the table");
+    refuse_to_replace(options.script, options.script, table, "the table");
   }
-  image->commit();
-  if (!options.quiet) print(fmt::format("{}: {}\n", printable(options.output), drawn.contents));
+  const Figure drawn = figure(options, format);
+  if (options.output == "-") {
+    if (!draw(drawn.script, STDOUT_FILENO)) return ExitCode::interrupted;
+    write_script(options, drawn.script);
+    return ExitCode::done;
+  }
+  if (!options.output.empty()) {
+    std::optional<AtomicFile> image;
+    open_output(image, options.output);
+    if (!draw(drawn.script, image->descriptor())) return ExitCode::interrupted;
+    image->commit();
+  }
+  write_script(options, drawn.script);
+  const std::string& written = options.output.empty() ? options.script : options.output;
+  if (!options.quiet && options.script != "-")
+    print(fmt::format("{}: {}\n", printable(written), drawn.contents));
   return ExitCode::done;
 }
 
@@ -109,28 +223,69 @@ ExitCode plot_table(const PlotOptions& options) {
 
 void add_plot(CLI::App& program, Session& session) {
   CLI::App& command =
-      add_command(program, "plot", "Draw the bifurcation diagram of a table (needs gnuplot)");
+      add_command(program, "plot", "Draw the bifurcation diagram of tables (needs gnuplot)");
   const auto options = std::make_shared<PlotOptions>();
   command
-      .add_option("TABLE", options->table,
-                  "Table of solve, continue, atlas or map (CSV, or map's HDF5)")
+      .add_option("TABLE", options->tables, "Tables of solve, continue, atlas or map (CSV or HDF5)")
       ->required();
-  command.add_option("-o,--output", options->output, "Write the image there: .svg, .png or .pdf")
+  command
+      .add_option("-o,--output", options->output,
+                  "Write the image there: .svg, .png or .pdf; - is standard output")
       ->type_name("FILE")
-      ->check(not_empty)
-      ->required();
+      ->check(not_empty);
+  command
+      .add_option("--script", options->script,
+                  "Write gnuplot's script there, data included; - is standard output")
+      ->type_name("FILE")
+      ->check(not_empty);
+  command.add_option("--format", options->format, "Format of the image, whatever its name")
+      ->type_name("svg|png|pdf")
+      ->check(CLI::IsMember(std::vector<std::string>{"svg", "png", "pdf"}));
   command
       .add_option("--title", options->title,
                   "Title of the diagram; without it the case's, or the table's name")
       ->type_name("TEXT");
   command
-      .add_option("--show", options->quantity,
-                  "Column of a map over two parameters to show; without it class, or growth, or "
-                  "lambda")
+      .add_option("--diagram", options->diagram,
+                  "Against the family's parameter, or the energy against the size of the momentum")
+      ->type_name("parameter|energy-momentum")
+      ->check(CLI::IsMember(std::vector<std::string>{"parameter", std::string(energy_momentum)}));
+  command
+      .add_option("--show", options->choice.columns,
+                  "Columns to show, up to three, instead of the stretches; of a map over two "
+                  "parameters one, instead of class, or growth, or lambda")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->expected(1, static_cast<int>(most_ordinates))
       ->type_name("COLUMN");
+  command.add_option("--sheet", options->choice.sheets, "Only these sheets, e.g. --sheet 1,3")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("N");
+  command
+      .add_option("--branch", options->choice.branches,
+                  "Only these branches, e.g. --branch iii,tilted")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  command
+      .add_option("--range", options->ranges,
+                  "What an axis shows: x=, y=, rate= or, of a map's colours, value=; repeatable, "
+                  "e.g. --range y=0.5:2")
+      ->allow_extra_args(false)
+      ->type_name("AXIS=LOW:HIGH");
+  command
+      .add_option(
+          "--size", options->size,
+          "Size of the image, in pixels of an SVG (a PNG has twice as many); 100 are an inch "
+          "of a PDF")
+      ->type_name("WIDTHxHEIGHT");
   command.add_flag("-q,--quiet", options->quiet, "Print nothing");
-  command.callback(
-      [options, &session] { session.action = [options] { return plot_table(*options); }; });
+  command.callback([options, &session] {
+    if (options->output.empty() && options->script.empty()) throw CLI::RequiredError("--output");
+    options->choice.energy_momentum = options->diagram == energy_momentum;
+    session.action = [options] { return plot_tables(*options); };
+  });
 }
 
 }  // namespace stationary::cli

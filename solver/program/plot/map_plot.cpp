@@ -11,19 +11,20 @@
 #include <vector>
 
 #include "lib/stability/spectrum.hpp"
+#include "solver/program/diagram/axis_name.hpp"
 #include "solver/program/plot/gnuplot.hpp"
 #include "solver/program/plot/plot_page.hpp"
 
 namespace stationary {
 namespace {
 
+constexpr double legend_width = 134.0;
 constexpr std::size_t most_pixels = 1000;  ///< along an axis: beyond, cells are passed over
 
-/// By class; then by status, of cells without a solution.
-constexpr std::array<std::string_view, std::size(stability_names)> class_colours{
-    "#24507a", "#7fb2d6", "#c2410c", "#efb366", "#111111"};
+/// By status, of cells without a solution; none: hatched.
 constexpr std::array<std::string_view, std::size(cell_status_names)> status_colours{
-    "#ffffff", "#e4e6ea", "#b3b8c0", "#d946ef"};
+    "#d1d5db", "#ffffff", "", "#d946ef"};
+constexpr std::string_view hatching = "#8b95a5";
 constexpr std::array<std::string_view, std::size(cell_status_names)> status_titles{
     "not computed", "none exists", "not found", "failed"};
 
@@ -34,31 +35,14 @@ constexpr std::string_view palette =
 constexpr std::string_view growth_palette =
     "0 '#f3efe6', 0.001 '#f7d9a8', 2 '#f0a35e', 4 '#dc6b33', 6 '#b03a1e', 8 '#6b1713'";
 
-std::string_view symbol(std::string_view column) {
-  constexpr std::pair<std::string_view, std::string_view> symbols[] = {
-      {"nu", "ν"},
-      {"nu1", "ν₁"},
-      {"nu2", "ν₂"},
-      {"nu3", "ν₃"},
-      {"xi", "ξ"},
-      {"zeta", "ζ"},
-      {"rho", "ϱ"},
-      {"lambda", "λ"},
-      {"mu", "μ"},
-      {"pi1", "π₁"},
-      {"pi2", "π₂"},
-      {"pi3", "π₃"},
-      {"angle", "θ"},
-      {"growth", "growth rate"},
-      {"error_bound", "error bound of S"}};
-  const auto* const at =
-      std::ranges::find(symbols, column, &std::pair<std::string_view, std::string_view>::first);
-  return at == std::end(symbols) ? column : at->second;
-}
-
 class MapScript {
  public:
-  explicit MapScript(const MapDiagram& diagram) : diagram_(diagram) {}
+  MapScript(const MapDiagram& diagram, const PageChoice& choice)
+      : diagram_(diagram),
+        choice_(choice),
+        size_(choice.size.value_or(PageSize{})),
+        area_{page::left, size_.width - legend_width, page::bottom,
+              size_.height - page::margin - page::title_height} {}
   std::string write(ImageFormat format, std::string_view title);
 
  private:
@@ -80,6 +64,9 @@ class MapScript {
   std::string keys() const;
 
   const MapDiagram& diagram_;
+  const PageChoice& choice_;
+  PageSize size_;
+  PageArea area_;
   std::set<int> classes_;
   std::set<CellStatus> statuses_;  ///< of cells that show no number
   std::vector<double> shown_;      ///< the numbers, later ascending
@@ -139,42 +126,35 @@ void MapScript::set_axis(const MapDiagramAxis& axis, char letter) {
   const double last = place(axis, axis.values.back());
   const double steps = static_cast<double>(std::max<std::size_t>(axis.values.size() - 1, 1));
   const double half = axis.values.size() > 1 ? 0.5 * (last - first) / steps : 0.5;
-  line("set {}range [{}:{}]", letter, first - half, last + half);
-  if (axis.scale == AxisScale::linear) return;
-  // The axis is linear in the logarithm; its ticks are powers of ten, between them 2 and 5 where
-  // there is room.
-  const bool few = last - first < 2.5;
-  std::string ticks;
-  for (int power = static_cast<int>(std::floor(first)); power <= std::ceil(last); ++power) {
-    for (const int digit : {1, 2, 5}) {
-      const double at = power + std::log10(digit);
-      if ((digit > 1 && !few) || at < first - half || at > last + half) continue;
-      fmt::format_to(std::back_inserter(ticks), "{}'{:g}' {}", ticks.empty() ? "" : ", ",
-                     digit * std::pow(10.0, power), at);
-    }
-  }
+  AxisRange shown{first - half, last + half};
+  const bool is_log = axis.scale == AxisScale::log;
+  const std::optional<AxisRange>& asked = letter == 'x' ? choice_.x : choice_.y;
+  if (asked && (!is_log || asked->low > 0.0))
+    shown = {place(axis, asked->low), place(axis, asked->high)};
+  line("set {}range [{}:{}]", letter, shown.low, shown.high);
+  if (!is_log) return;
+  // The axis is linear in the logarithm.
+  const std::string ticks =
+      logarithmic_ticks({std::pow(10.0, shown.low), std::pow(10.0, shown.high)}, true);
   line("set {}tics ({})", letter, ticks);
 }
 
 void MapScript::set_colours() {
-  std::string red = "0";
-  std::string green = "0";
-  std::string blue = "0";
+  std::string colour = "0";
   std::vector<std::string_view> colours(class_colours.begin(), class_colours.end());
   colours.insert(colours.end(), status_colours.begin(), status_colours.end());
   for (std::size_t k = colours.size(); k-- > 0;) {
-    const auto part = [&](std::size_t from) { return std::string(colours[k].substr(from, 2)); };
-    for (auto& [formula, from] :
-         {std::pair<std::string&, std::size_t>{red, 1}, {green, 3}, {blue, 5}})
-      formula = fmt::format("c == {} ? 0x{} : {}", k, part(from), formula);
+    // As 0xAARRGGBB; alpha 0 lets the hatching behind be seen.
+    const std::string code = colours[k].empty() ? "0" : "0xFF" + std::string(colours[k].substr(1));
+    colour = fmt::format("c == {} ? {} : {}", k, code, colour);
   }
-  line("red(c) = {}", red);
-  line("green(c) = {}", green);
-  line("blue(c) = {}", blue);
+  line("colour(c) = {}", colour);
+  line("part(c, shift) = (colour(c) >> shift) & 255");
   if (shown_.empty()) return;
   std::ranges::sort(shown_);
   double low = shown_.front();
   double high = shown_.back();
+  const double most_of_all = high;
   // Where a stretch escapes a few cells would take most of the colours for themselves.
   constexpr double out_of_proportion = 2.0;
   const double seen = shown_[(shown_.size() - 1) * 98 / 100];
@@ -186,15 +166,20 @@ void MapScript::set_colours() {
   if (!growth && low > 0.0 && high / low > largest_linear_ratio) line("set logscale cb");
   if (growth) low = 0.0;
   const double room = high > low ? 0.0 : std::max(0.05 * std::abs(high), 1e-12);
+  if (choice_.value) low = choice_.value->low, high = choice_.value->high;
+  if (choice_.value) line("unset logscale cb");
   line("set cbrange [{}:{}]", low - room, high + room);
-  line("set colorbox user origin {} size {}", on_page(PlotPage::right + 14.0, PlotPage::bottom),
-       on_page(16.0, 0.62 * (PlotPage::height - PlotPage::bottom)));
-  line("set cbtics font ',11'");
-  const std::string most = cut ? fmt::format(" (to {:.3g})", shown_.back()) : std::string();
-  line("set label {} at {} left font ',12'",
-       in_gnuplot_quotes(std::string(symbol(diagram_.quantity)) + most),
-       on_page(PlotPage::right + 14.0,
-               PlotPage::bottom + 0.62 * (PlotPage::height - PlotPage::bottom) + 14.0));
+  const double bar_height = 0.6 * area_.height();
+  line("set colorbox user origin {} size {}", on_page(size_, area_.right + 16.0, area_.bottom),
+       on_page(size_, 16.0, bar_height));
+  line("set cbtics font ',11' offset -0.5,0");
+  line("set format cb '%.4g'");
+  line("set label {} at {} left font ',12'", in_gnuplot_quotes(axis_name(diagram_.quantity)),
+       on_page(size_, area_.right + 16.0, area_.bottom + bar_height + (cut ? 28.0 : 14.0)));
+  if (!cut || choice_.value) return;
+  line("set label {} at {} left font ',11'",
+       in_gnuplot_quotes(fmt::format("up to {:.3g}", most_of_all)),
+       on_page(size_, area_.right + 16.0, area_.bottom + bar_height + 12.0));
 }
 
 std::string MapScript::keys() const {
@@ -207,35 +192,45 @@ std::string MapScript::keys() const {
   for (const int each : classes_)
     add(class_colours[static_cast<std::size_t>(each)],
         stability_names[static_cast<std::size_t>(each)]);
-  for (const CellStatus each : statuses_)
-    add(status_colours[static_cast<std::size_t>(each)],
-        status_titles[static_cast<std::size_t>(each)]);
+  for (const CellStatus each : statuses_) {
+    const auto k = static_cast<std::size_t>(each);
+    if (!status_colours[k].empty()) {
+      add(status_colours[k], status_titles[k]);
+    } else {
+      out += fmt::format(
+          ", \\\n  keyentry with boxes fs pattern 4 border rgb '#9ca3af' fc rgb '{}' title '{}'",
+          hatching, status_titles[k]);
+    }
+  }
   return out;
 }
 
 std::string MapScript::write(ImageFormat format, std::string_view title) {
-  text_ = page_head(format, title);
+  text_ = page_head(format, title, size_);
   data();
   set_colours();
   line("set border lw 0.8 front");
   line("set tics out nomirror font ',12' front");
   line("set format x '%g'");
   line("set format y '%g'");
-  line("set lmargin at screen {}", PlotPage::left / PlotPage::width);
-  line("set rmargin at screen {}", PlotPage::right / PlotPage::width);
-  line("set bmargin at screen {}", PlotPage::bottom / PlotPage::height);
-  line("set tmargin at screen {}",
-       (PlotPage::height - PlotPage::margin - PlotPage::title_height) / PlotPage::height);
+  text_ += panel_margins(size_, area_);
   line("set key at graph 1.02, graph 1.0 left top Left reverse samplen 1.2 spacing 1.3 font ',12'");
-  line("set xlabel {} offset 0,0.4", in_gnuplot_quotes(symbol(diagram_.x.parameter)));
-  line("set label {} at {} center rotate by 90", in_gnuplot_quotes(symbol(diagram_.y.parameter)),
-       on_page(PlotPage::margin, 0.5 * (PlotPage::bottom + PlotPage::height - PlotPage::margin -
-                                        PlotPage::title_height)));
+  line("set xlabel {} offset 0,0.4", in_gnuplot_quotes(axis_name(diagram_.x.parameter)));
+  line("set label {} at {} center rotate by 90", in_gnuplot_quotes(axis_name(diagram_.y.parameter)),
+       on_page(size_, page::margin, 0.5 * (area_.bottom + area_.top)));
+  if (statuses_.contains(CellStatus::not_found))
+    line(
+        "set object rectangle from graph 0, graph 0 to graph 1, graph 1 behind fs pattern 4 "
+        "noborder "
+        "fc rgb '{}'",
+        hatching);
   set_axis(diagram_.x, 'x');
   set_axis(diagram_.y, 'y');
   const std::string at = pixels(diagram_.x, 1) + ':' + pixels(diagram_.y, 2);
   std::string items = fmt::format(
-      "plot $codes matrix using {}:(red($3)):(green($3)):(blue($3)) with rgbimage notitle", at);
+      "plot $codes matrix using {}:(part($3, 16)):(part($3, 8)):(part($3, 0)):(part($3, 24)) with "
+      "rgbalpha notitle",
+      at);
   if (!shown_.empty())
     items += fmt::format(", \\\n  $numbers matrix using {}:3 with image notitle", at);
   line("{}{}", items, keys());
@@ -244,8 +239,9 @@ std::string MapScript::write(ImageFormat format, std::string_view title) {
 
 }  // namespace
 
-std::string gnuplot_script(const MapDiagram& diagram, ImageFormat format, std::string_view title) {
-  return MapScript(diagram).write(format, title);
+std::string gnuplot_script(const MapDiagram& diagram, ImageFormat format, std::string_view title,
+                           const PageChoice& choice) {
+  return MapScript(diagram, choice).write(format, title);
 }
 
 }  // namespace stationary

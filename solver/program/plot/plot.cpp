@@ -3,31 +3,40 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
-#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include "solver/program/plot/diagram_lines.hpp"
+#include "solver/program/diagram/axis_name.hpp"
 #include "solver/program/plot/gnuplot.hpp"
-#include "solver/program/plot/plot_page.hpp"
 #include "solver/program/plot/plot_style.hpp"
 
 namespace stationary {
 namespace {
 
-/// By ImageFormat.
-constexpr std::string_view terminals[] = {
-    "svg noenhanced size 800,600 dynamic font 'sans-serif,13' background '#ffffff'",
-    "pngcairo noenhanced size 1600,1200 font 'sans,13' fontscale 1.5 linewidth 2 pointscale 2.2 "
-    "dashlength 1.6",
-    "pdfcairo noenhanced size 8in,6in font 'sans,13' fontscale 0.55 linewidth 1.6 pointscale 0.8 "
-    "dashlength 1.3"};
+/// The dashes of a class in the legend.
+std::string key_dashes(const ClassStyle& style) {
+  if (style.dashes.empty()) return "dt solid";
+  std::string out;
+  for (std::size_t k = 0; k < style.dashes.size(); ++k) {
+    const double next = k + 1 < style.dashes.size() ? style.dashes[k + 1].from
+                                                    : style.dashes.front().from + dash_period;
+    fmt::format_to(std::back_inserter(out), "{}{},{}", k > 0 ? "," : "",
+                   style.dashes[k].to - style.dashes[k].from, next - style.dashes[k].to);
+  }
+  return "dt (" + out + ")";
+}
+
+std::string colour_of(std::size_t series) {
+  return std::string(series_colours[series % series_colours.size()]);
+}
 
 class Script {
  public:
-  explicit Script(const Diagram& diagram) : diagram_(diagram), page_(diagram) {}
+  Script(const Diagram& diagram, const PageChoice& choice)
+      : diagram_(diagram), picture_(diagram_picture(diagram, choice)) {}
   std::string write(ImageFormat format, std::string_view title);
 
  private:
@@ -36,218 +45,271 @@ class Script {
     fmt::format_to(std::back_inserter(text_), form, std::forward<Arguments>(arguments)...);
     text_ += '\n';
   }
-  void stretch_data();
-  void stretch_row(std::size_t point);
-  void event_data();
-  void rate_row(const DiagramLine& line_of, std::size_t at);
-  void rate_data();
-  void begin_panel(double from, double to, std::string_view ordinate);
-  void label_events();
-  void stretch_panel();
-  void spectrum_panel();
+  void strokes(const std::string& name, const std::vector<Stroke>& all, const DiagramPanel& panel,
+               bool of_rates);
+  void points(const std::string& name, const std::vector<PagePoint>& all, const DiagramPanel& panel,
+              bool of_rates);
+  void begin_panel(const DiagramPanel& panel, bool of_rates, bool names_abscissa);
+  void set_ticks(const Axis& axis, char letter);
+  void arrows(const DiagramPanel& panel, bool of_rates);
+  void curve_panel(const DiagramPanel& panel, bool with_legend, bool names_abscissa);
+  void rate_panel(const DiagramPanel& panel);
   void plot(const std::vector<std::string>& items);
+  std::vector<std::string> legend() const;
+  std::string ordinate_name(const DiagramPanel& panel) const;
 
   const Diagram& diagram_;
-  PlotPage page_;
-  std::set<std::string> events_;                     ///< names that are marked
-  std::set<std::optional<StabilityClass>> classes_;  ///< of lines and dots
+  DiagramPicture picture_;
+  bool fresh_ = true;  ///< no panel yet: the title is a label of the first
   std::string text_;
 };
 
-void Script::stretch_row(std::size_t point) {
-  const DiagramPoint& p = diagram_.points[point];
-  line("{} {} {} {}", p.parameter, p.stretch[0], p.stretch[1], p.stretch[2]);
+std::string place_text(const DiagramPanel& panel, const PagePoint& p, bool of_rates) {
+  const PageArea& area = of_rates ? panel.rate_area : panel.area;
+  const Axis& ordinate = of_rates ? panel.rate : panel.ordinate;
+  return fmt::format("{:.10g} {:.10g}\n", panel.abscissa.value(p.x / area.width()),
+                     ordinate.value(p.y / area.height()));
 }
 
-/// One block a class, $lines_stable and so on, its lines apart by empty lines; dots for pieces of
-/// one point.
-void Script::stretch_data() {
-  const std::vector<DiagramLine> lines = stretch_lines(diagram_, page_.parameters);
-  for (const DiagramLine& each : lines) classes_.insert(each.verdict);
-  for (const auto& verdict : classes_) {
-    for (const bool dots : {false, true}) {
-      line("${}_{} << END_OF_DATA", dots ? "dots" : "lines", style(verdict).name);
-      for (const DiagramLine& each : lines) {
-        if (each.verdict != verdict || (each.points.size() == 1) != dots) continue;
-        for (const std::size_t point : each.points) stretch_row(point);
-        line("");
-      }
-      line("END_OF_DATA");
+void Script::strokes(const std::string& name, const std::vector<Stroke>& all,
+                     const DiagramPanel& panel, bool of_rates) {
+  line("${} << END_OF_DATA", name);
+  for (const Stroke& stroke : all) {
+    for (const PagePoint& p : stroke) text_ += place_text(panel, p, of_rates);
+    text_ += '\n';
+  }
+  line("END_OF_DATA");
+}
+
+void Script::points(const std::string& name, const std::vector<PagePoint>& all,
+                    const DiagramPanel& panel, bool of_rates) {
+  line("${} << END_OF_DATA", name);
+  for (const PagePoint& p : all) text_ += place_text(panel, p, of_rates);
+  line("END_OF_DATA");
+}
+
+void Script::set_ticks(const Axis& axis, char letter) {
+  line("unset logscale {}", letter);
+  line("set {}tics autofreq", letter);
+  line("set {}range [{}:{}]", letter, axis.range.low, axis.range.high);
+  if (!axis.logarithmic) return;
+  line("set logscale {}", letter);
+  const std::string ticks = logarithmic_ticks(axis.range);
+  if (ticks.find(',') != std::string::npos) line("set {}tics ({})", letter, ticks);
+}
+
+/// At the edges by which curves leave.
+void Script::arrows(const DiagramPanel& panel, bool of_rates) {
+  constexpr double inside = 11.0;
+  constexpr double outside = 3.0;
+  const PageArea& area = of_rates ? panel.rate_area : panel.area;
+  for (const PictureArrow& arrow : of_rates ? panel.rate_arrows : panel.arrows) {
+    PagePoint edge{area.left + arrow.exit.place, area.bottom + arrow.exit.place};
+    PagePoint way{0.0, 0.0};
+    switch (arrow.exit.side) {
+      case PanelSide::bottom:
+        edge.y = area.bottom, way.y = -1.0;
+        break;
+      case PanelSide::top:
+        edge.y = area.top, way.y = 1.0;
+        break;
+      case PanelSide::left:
+        edge.x = area.left, way.x = -1.0;
+        break;
+      case PanelSide::right:
+        edge.x = area.right, way.x = 1.0;
+        break;
     }
+    const std::string colour =
+        of_rates ? std::string(rate_styles[arrow.series].colour) : colour_of(arrow.series);
+    line("set arrow from {} to {} head filled front size screen {:.4g},22 lc rgb '{}' lw 1.6",
+         on_page(picture_.size, edge.x - inside * way.x, edge.y - inside * way.y),
+         on_page(picture_.size, edge.x + outside * way.x, edge.y + outside * way.y),
+         9.0 / picture_.size.width, colour);
   }
 }
 
-void Script::event_data() {
-  for (const DiagramEvent& event : diagram_.events)
-    if (is_marked(event.name)) events_.insert(event.name);
-  std::size_t number = 0;
-  for (const std::string& name : events_) {
-    line("$event_{} << END_OF_DATA", number++);
-    for (const DiagramEvent& event : diagram_.events)
-      if (event.name == name) stretch_row(event.point);
-    line("END_OF_DATA");
+std::string Script::ordinate_name(const DiagramPanel& panel) const {
+  std::string out;
+  if (diagram_.of_stretches()) {
+    out = "principal stretch";
+  } else {
+    for (const std::string& each : diagram_.columns)
+      out += (out.empty() ? "" : ", ") + axis_name(each);
   }
+  return panel.base == 0.0 ? out : out + fmt::format(" less {}", panel.base);
 }
 
-/// A point of $rates_...: the parameter, the frequencies, the growth rate. Zero rates are drawn
-/// only beside others: a line comes down to the axis but does not run in it.
-void Script::rate_row(const DiagramLine& line_of, std::size_t at) {
-  const auto rate = [&](std::size_t place, std::size_t k) {
-    const DiagramPoint& p = diagram_.points[line_of.points[place]];
-    return k < mode_count ? p.frequency[k] : p.growth;
-  };
-  std::string row = fmt::format("{}", diagram_.points[line_of.points[at]].parameter);
-  for (std::size_t k = 0; k <= mode_count; ++k) {
-    const bool is_seen = rate(at, k) > 0.0 || (at > 0 && rate(at - 1, k) > 0.0) ||
-                         (at + 1 < line_of.points.size() && rate(at + 1, k) > 0.0);
-    fmt::format_to(std::back_inserter(row), " {}",
-                   is_seen ? rate(at, k) : std::numeric_limits<double>::quiet_NaN());
+/// Its edges, the guides of the events, and the names of its axes: labels instead of gnuplot's own,
+/// whose distance from the axis depends on the numbers there.
+void Script::begin_panel(const DiagramPanel& panel, bool of_rates, bool names_abscissa) {
+  const PageArea& area = of_rates ? panel.rate_area : panel.area;
+  if (!fresh_) line("unset label\nunset arrow");
+  fresh_ = false;
+  text_ += panel_margins(picture_.size, area);
+  set_ticks(panel.abscissa, 'x');
+  set_ticks(of_rates ? panel.rate : panel.ordinate, 'y');
+  line("set format x '{}'", names_abscissa ? "%g" : "");
+  if (names_abscissa) {
+    line("set label {} at {} center", in_gnuplot_quotes(panel.abscissa_name),
+         on_page(picture_.size, 0.5 * (area.left + area.right), area.bottom - 34.0));
   }
-  line("{}", row);
-}
-
-void Script::rate_data() {
-  const std::vector<DiagramLine> lines = spectrum_lines(diagram_, page_.parameters);
-  for (const bool dots : {false, true}) {
-    line("$rates_{} << END_OF_DATA", dots ? "dots" : "lines");
-    for (const DiagramLine& each : lines) {
-      if ((each.points.size() == 1) != dots) continue;
-      for (std::size_t at = 0; at < each.points.size(); ++at) rate_row(each, at);
-      line("");
-    }
-    line("END_OF_DATA");
+  for (const double at : panel.guides)
+    line("set arrow from graph {0:.6g}, graph 0 to graph {0:.6g}, graph 1 nohead back {1}", at,
+         guide_style);
+  line("set label {} at {} center rotate by 90",
+       in_gnuplot_quotes(of_rates ? "rate" : ordinate_name(panel)),
+       on_page(picture_.size, std::max(page::margin, area.left - 58.0),
+               0.5 * (area.bottom + area.top)));
+  if (!of_rates && !panel.title.empty()) {
+    line("set label {} at {} left font ',13'", in_gnuplot_quotes(panel.title),
+         on_page(picture_.size, area.left, area.top + 14.0));
   }
-}
-
-/// Its edges, the line that leads each event through it, and the name of its ordinate: a label
-/// instead of gnuplot's own, whose distance from the axis depends on the numbers there.
-void Script::begin_panel(double from, double to, std::string_view ordinate) {
-  line("set bmargin at screen {}", from / PlotPage::height);
-  line("set tmargin at screen {}", to / PlotPage::height);
-  for (const EventLabel& label : page_.labels) {
-    const double at = page_.parameter_at(label.anchor);
-    line("set arrow from first {}, graph 0 to first {}, graph 1 nohead back {} dt (2,3)", at, at,
-         leader_style);
-  }
-  line("set label '{}' at {} center rotate by 90", ordinate,
-       on_page(PlotPage::margin, 0.5 * (from + to)));
-}
-
-void Script::label_events() {
-  for (const EventLabel& label : page_.labels) {
-    const double text_bottom = page_.upper_top + PlotPage::leader_height;
-    constexpr double gap = 3.0;
-    line("set arrow from {} to {} nohead {} dt solid", on_page(label.anchor, page_.upper_top),
-         on_page(label.place, text_bottom - gap), leader_style);
-    line("set label {} at {} left rotate by 90 font ',11'", in_gnuplot_quotes(label.name),
-         on_page(label.place, text_bottom));
-  }
+  arrows(panel, of_rates);
 }
 
 void Script::plot(const std::vector<std::string>& items) {
-  line("plot \\");
+  line("plot NaN notitle{}", items.empty() ? "" : ", \\");
   for (std::size_t k = 0; k < items.size(); ++k)
     line("  {}{}", items[k], k + 1 < items.size() ? ", \\" : "");
 }
 
-void Script::stretch_panel() {
-  const double base = page_.stretch_base;
-  begin_panel(page_.upper_bottom, page_.upper_top,
-              base == 0.0 ? "principal stretch" : fmt::format("principal stretch less {}", base));
-  const auto ordinate = [&](std::size_t k) {
-    return base == 0.0 ? fmt::format("{}", k + 2) : fmt::format("(${} - {})", k + 2, base);
+/// Curves, classes, rates, events, tables: what there is of each.
+std::vector<std::string> Script::legend() const {
+  std::vector<std::string> out;
+  const auto space = [&] {
+    if (!out.empty()) out.emplace_back("keyentry with lines lt nodraw title ' '");
   };
-  label_events();
-  if (page_.logarithmic) line("set logscale y");
-  line("set yrange [{}:{}]", page_.stretches.low, page_.stretches.high);
-  std::vector<std::string> items;
-  for (const auto& verdict : classes_) {
-    for (std::size_t k = 0; k < stretch_styles.size(); ++k) {
-      if (!diagram_.has_stretch[k]) continue;
-      const std::string_view colour = stretch_styles[k].colour;
-      items.push_back(fmt::format("$lines_{} using 1:{} with lines lc rgb '{}' {} notitle",
-                                  style(verdict).name, ordinate(k), colour, style(verdict).line));
-      items.push_back(fmt::format("$dots_{} using 1:{} with points pt 7 ps 0.6 lc rgb '{}' notitle",
-                                  style(verdict).name, ordinate(k), colour));
+  std::set<std::optional<StabilityClass>> classes;
+  std::set<RateKind> kinds;
+  std::set<std::string> events;
+  std::set<std::size_t> series;
+  for (const DiagramPanel& panel : picture_.panels) {
+    for (const PictureCurve& each : panel.curves) {
+      classes.insert(each.verdict);
+      series.insert(each.series);
     }
+    for (const PictureRates& each : panel.rates) kinds.insert(each.kind);
+    for (const PictureMark& each : panel.marks) events.insert(each.event);
   }
-  std::size_t number = 0;
-  for (const std::string& name : events_) {
-    for (std::size_t k = 0; k < stretch_styles.size(); ++k) {
-      if (!diagram_.has_stretch[k]) continue;
-      items.push_back(
-          fmt::format("$event_{} using 1:{} with points pt {} ps 0.7 lc rgb 'black' notitle",
-                      number, ordinate(k), point_type(name)));
-    }
-    ++number;
+  for (const std::size_t each : series) {
+    out.push_back(fmt::format("keyentry with lines lc rgb '{}' lw 2.8 title {}", colour_of(each),
+                              in_gnuplot_quotes(picture_.series[each])));
   }
-  for (std::size_t k = 0; k < stretch_styles.size(); ++k) {
-    if (!diagram_.has_stretch[k]) continue;
-    items.push_back(fmt::format("keyentry with lines lc rgb '{}' lw 2.8 title '{}'",
-                                stretch_styles[k].colour, stretch_styles[k].symbol));
-  }
-  if (diagram_.has_classes) items.emplace_back("keyentry with lines lt nodraw title ' '");
-  for (const auto& verdict : classes_) {
+  if (diagram_.has_classes) space();
+  for (const auto& verdict : classes) {
     if (!verdict) continue;
-    items.push_back(fmt::format("keyentry with lines lc rgb '{}' {} title '{}'", class_key_colour,
-                                style(verdict).line, style(verdict).name));
+    const ClassStyle& look = style(verdict);
+    out.push_back(fmt::format("keyentry with lines lc rgb '{}' lw {} {} title '{}'",
+                              class_key_colour, look.width, key_dashes(look), look.name));
+  }
+  if (!kinds.empty()) space();
+  for (const RateKind kind : kinds) {
+    const bool unsigned_one = kind == RateKind::undetermined && diagram_.has_krein;
+    out.push_back(fmt::format("keyentry with lines lc rgb '{}' lw {} title '{}'",
+                              style(kind).colour, style(kind).width,
+                              unsigned_one ? "frequency, Krein 0" : style(kind).title));
+  }
+  if (!events.empty()) space();
+  for (const std::string& event : events) {
+    out.push_back(fmt::format("keyentry with points pt {} ps 0.8 lc rgb 'black' title {}",
+                              point_type(event), in_gnuplot_quotes(event)));
+  }
+  if (diagram_.tables.size() > 1) {
+    space();
+    for (std::size_t k = 0; k < diagram_.tables.size(); ++k) {
+      const std::string name = std::filesystem::path(diagram_.tables[k]).stem().string();
+      const char letter = static_cast<char>('a' + static_cast<int>(k % 26));
+      out.push_back(fmt::format("keyentry with lines lt nodraw title {}",
+                                in_gnuplot_quotes(std::string(1, letter) + "  " + name)));
+    }
+  }
+  return out;
+}
+
+void Script::curve_panel(const DiagramPanel& panel, bool with_legend, bool names_abscissa) {
+  std::vector<std::string> items;
+  std::size_t number = 0;
+  for (const PictureCurve& each : panel.curves) {
+    if (each.strokes.empty()) continue;
+    const std::string name =
+        fmt::format("curve_{}_{}_{}", number++, each.series, style(each.verdict).name);
+    strokes(name, each.strokes, panel, false);
+    items.push_back(fmt::format("${} with lines lc rgb '{}' lw {} notitle", name,
+                                colour_of(each.series),
+                                style(each.verdict).width + width_of_lower * each.lower));
+  }
+  for (std::size_t series = 0; series < picture_.series.size(); ++series) {
+    std::vector<PagePoint> dots;
+    for (const PictureDot& dot : panel.dots)
+      if (dot.series == series) dots.push_back(dot.at);
+    if (dots.empty()) continue;
+    const std::string name = fmt::format("dots_{}", series);
+    points(name, dots, panel, false);
+    items.push_back(
+        fmt::format("${} with points pt 7 ps 0.6 lc rgb '{}' notitle", name, colour_of(series)));
+  }
+  std::set<std::string> events;
+  for (const PictureMark& mark : panel.marks) events.insert(mark.event);
+  number = 0;
+  for (const std::string& event : events) {
+    std::vector<PagePoint> marks;
+    for (const PictureMark& mark : panel.marks)
+      if (mark.event == event) marks.push_back(mark.at);
+    const std::string name = fmt::format("event_{}", number++);
+    points(name, marks, panel, false);
+    items.push_back(fmt::format("${} with points pt {} ps {} lc rgb 'black' notitle", name,
+                                point_type(event), picture_.panels.size() > 1 ? 0.6 : 0.75));
+  }
+  begin_panel(panel, false, names_abscissa);
+  for (const PictureLabel& label : panel.labels) {
+    line("set label {} at {} center front boxed font ',11'", in_gnuplot_quotes(label.text),
+         on_page(picture_.size, panel.area.left + label.at.x, panel.area.bottom + label.at.y));
+  }
+  if (with_legend) {
+    line("set key at {} left top Left reverse samplen 2.6 spacing 1.15 font ',12'",
+         on_page(picture_.size, picture_.legend_left, panel.area.top + 6.0));
+    const std::vector<std::string> keys = legend();
+    items.insert(items.end(), keys.begin(), keys.end());
+  } else {
+    line("unset key");
   }
   plot(items);
 }
 
-void Script::spectrum_panel() {
-  line("unset label");
-  line("unset arrow");
-  begin_panel(PlotPage::bottom, page_.lower_top, "rate");
-  line("unset logscale y");
-  line("set yrange [{}:{}]", page_.rates.low, page_.rates.high);
+void Script::rate_panel(const DiagramPanel& panel) {
   std::vector<std::string> items;
-  const auto draw = [&](int column, const RateStyle& style) {
-    items.push_back(fmt::format("$rates_lines using 1:{} with lines lc rgb '{}' {} notitle", column,
-                                style.colour, style.line));
-    items.push_back(
-        fmt::format("$rates_dots using 1:{} with points pt 7 ps 0.6 lc rgb '{}' notitle", column,
-                    style.colour));
-  };
-  const auto name = [&](std::string_view title, const RateStyle& style) {
-    items.push_back(fmt::format("keyentry with lines lc rgb '{}' {} title '{}'", style.colour,
-                                style.line, title));
-  };
-  for (int k = 0; k < mode_count; ++k) draw(k + 2, frequency_style);
-  draw(mode_count + 2, growth_style);
-  name("frequency", frequency_style);
-  const bool grows =
-      std::ranges::any_of(diagram_.points, [](const DiagramPoint& p) { return p.growth > 0.0; });
-  if (grows) name("growth", growth_style);
+  for (const PictureRates& each : panel.rates) {
+    const RateStyle& look = style(each.kind);
+    const std::string name = fmt::format("rates_{}", look.name);
+    strokes(name, each.strokes, panel, true);
+    points("dots_of_" + name, each.dots, panel, true);
+    if (!each.strokes.empty())
+      items.push_back(
+          fmt::format("${} with lines lc rgb '{}' lw {} notitle", name, look.colour, look.width));
+    if (!each.dots.empty())
+      items.push_back(fmt::format("$dots_of_{} with points pt 7 ps 0.6 lc rgb '{}' notitle", name,
+                                  look.colour));
+  }
+  begin_panel(panel, true, true);
+  line("unset key");
   plot(items);
 }
 
 std::string Script::write(ImageFormat format, std::string_view title) {
-  text_ += page_head(format, title);
-  stretch_data();
-  event_data();
-  if (diagram_.has_spectrum) rate_data();
+  text_ += page_head(format, title, picture_.size);
   line("set multiplot");
   line("set border 3 lw 0.8");
   line("set tics nomirror font ',12'");
   line("set format y '%g'");
-  line("set lmargin at screen {}", PlotPage::left / PlotPage::width);
-  line("set rmargin at screen {}", PlotPage::right / PlotPage::width);
-  line("set key at graph 1.03, graph 1.0 left top Left reverse samplen 2.2 spacing 1.2 font ',12'");
-  line("set xrange [{}:{}]", page_.parameters.low, page_.parameters.high);
-  const auto name_parameter = [&] {
-    line("set xlabel {} offset 0,0.4", in_gnuplot_quotes(diagram_.parameter));
-  };
-  if (diagram_.has_spectrum) {
-    line("set format x ''");
-    stretch_panel();
-    line("set format x '%g'");
-    name_parameter();
-    spectrum_panel();
-  } else {
-    line("set format x '%g'");
-    name_parameter();
-    stretch_panel();
+  line("set style textbox opaque fillcolor rgb 'white' noborder margins 0.4,0.4");
+  const bool stacked =
+      diagram_.has_spectrum && picture_.panels.size() == 1 && !diagram_.of_energy_and_momentum;
+  bool first = true;
+  for (const DiagramPanel& panel : picture_.panels) {
+    curve_panel(panel, first, !stacked);
+    if (diagram_.has_spectrum && !diagram_.of_energy_and_momentum) rate_panel(panel);
+    first = false;
   }
   line("unset multiplot");
   return std::move(text_);
@@ -261,25 +323,44 @@ std::optional<ImageFormat> image_format(std::string_view extension) {
   return static_cast<ImageFormat>(at - image_extensions.begin());
 }
 
-std::string on_page(double x, double y) {
-  return fmt::format("screen {}, screen {}", x / PlotPage::width, y / PlotPage::height);
-}
-
-std::string page_head(ImageFormat format, std::string_view title) {
-  std::string out = fmt::format("set terminal {}\nset encoding utf8\n",
-                                terminals[static_cast<std::size_t>(format)]);
+std::string page_head(ImageFormat format, std::string_view title, const PageSize& size) {
+  std::string terminal;
+  switch (format) {
+    case ImageFormat::svg:
+      terminal = fmt::format(
+          "svg noenhanced size {:.0f},{:.0f} dynamic font 'sans-serif,13' background '#ffffff'",
+          size.width, size.height);
+      break;
+    case ImageFormat::png:
+      terminal = fmt::format(
+          "pngcairo noenhanced size {:.0f},{:.0f} font 'sans,13' fontscale 1.5 linewidth 2 "
+          "pointscale 2.2 dashlength 1.6",
+          2.0 * size.width, 2.0 * size.height);
+      break;
+    case ImageFormat::pdf:
+      terminal = fmt::format(
+          "pdfcairo noenhanced size {:.4g}in,{:.4g}in font 'sans,13' fontscale 0.55 linewidth 1.6 "
+          "pointscale 0.8 dashlength 1.3",
+          size.width / 100.0, size.height / 100.0);
+      break;
+  }
+  std::string out = fmt::format(
+      "# gnuplot draws this to its standard output: gnuplot SCRIPT > IMAGE\n"
+      "set terminal {}\nset encoding utf8\n",
+      terminal);
   if (title.empty()) return out;
   constexpr double largest = 15.0;
-  constexpr double fitting = 80.0;  // characters, in the largest font
-  const double size = largest * std::min(1.0, fitting / static_cast<double>(title.size()));
+  const double fitting = size.width / 10.0;  // characters, in the largest font
+  const double font = largest * std::min(1.0, fitting / static_cast<double>(title.size()));
   return out + fmt::format("set label {} at {} center font ',{:.1f}'\n", in_gnuplot_quotes(title),
-                           on_page(0.5 * PlotPage::width, PlotPage::height - PlotPage::margin -
-                                                              0.3 * PlotPage::title_height),
-                           size);
+                           on_page(size, 0.5 * size.width,
+                                   size.height - page::margin - 0.3 * page::title_height),
+                           font);
 }
 
-std::string gnuplot_script(const Diagram& diagram, ImageFormat format, std::string_view title) {
-  return Script(diagram).write(format, title);
+std::string gnuplot_script(const Diagram& diagram, ImageFormat format, std::string_view title,
+                           const PageChoice& choice) {
+  return Script(diagram, choice).write(format, title);
 }
 
 }  // namespace stationary

@@ -1,12 +1,12 @@
-// The bifurcation diagram of a table as a gnuplot script, data included; gnuplot then writes the
-// image to its standard output.
+// The diagram of tables as a gnuplot script, data included; gnuplot then writes the image to its
+// standard output.
 //
-// Above: lambda, mu and rho against the family's parameter, each with a lightness of its own, so
-// that they are told apart in grey too. The dash says the class: thick solid stable, thin solid
-// elliptic, dashed unstable, dash-dotted oscillatory, dotted marginal. Logarithmic where the
-// stretches differ by more than a factor of 30. Events are marked on the curves and named along
-// the top edge.
-// Below, where the table has a spectrum: the frequencies im1 ... im5 and the growth rate.
+// The principal stretches, or other columns, against the family's parameter, each with a lightness
+// of its own, so that they are told apart in grey too. The dash says the class: thick solid stable,
+// thin solid elliptic, dashed unstable, dash-dotted oscillatory, dotted marginal. Where curves lie on
+// one another the lower is the wider. Events are marked on the curves, sheets numbered; an arrow says
+// that a curve leaves the picture. Beside or below, where the table has a spectrum: the frequencies,
+// by their Krein signatures, and the growth rate.
 #pragma once
 
 #include <array>
@@ -15,7 +15,9 @@
 #include <string>
 #include <string_view>
 
-#include "solver/program/plot/diagram.hpp"
+#include "solver/program/diagram/diagram.hpp"
+#include "solver/program/plot/diagram_picture.hpp"
+#include "solver/program/plot/plot_page.hpp"
 
 namespace stationary {
 
@@ -26,12 +28,10 @@ constexpr std::array<std::string_view, 3> image_extensions{".svg", ".png", ".pdf
 std::optional<ImageFormat> image_format(std::string_view extension);
 
 /// Terminal, encoding and title: what a script begins with.
-std::string page_head(ImageFormat format, std::string_view title);
-
-/// A place on the page, in the units of PlotPage.
-std::string on_page(double x, double y);
+std::string page_head(ImageFormat format, std::string_view title, const PageSize& size = {});
 
 /// title: shown as it is; empty for none.
-std::string gnuplot_script(const Diagram& diagram, ImageFormat format, std::string_view title);
+std::string gnuplot_script(const Diagram& diagram, ImageFormat format, std::string_view title,
+                           const PageChoice& choice = {});
 
 }  // namespace stationary

@@ -1,4 +1,4 @@
-// How the quantities, classes and events of a diagram are drawn, in gnuplot's terms.
+// How the quantities, classes, rates and events of a diagram are drawn, in gnuplot's terms.
 #pragma once
 
 #include <algorithm>
@@ -6,47 +6,62 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "lib/stability/spectrum.hpp"
-#include "solver/program/plot/diagram.hpp"
+#include "solver/program/diagram/rate_tracks.hpp"
+#include "solver/program/plot/strokes.hpp"
 
 namespace stationary {
 
-/// Colours of lightness 13, 44 and 64 of 100: apart in grey too.
-struct QuantityStyle {
-  std::string_view symbol;
-  std::string_view colour;
-};
-constexpr std::array<QuantityStyle, stretch_columns.size()> stretch_styles{
-    {{"λ", "#14213d"}, {"μ", "#c2410c"}, {"ϱ", "#58a6a6"}}};
+/// Curves of a panel; as many branches are told apart where these share a panel. The first three
+/// are of lightness 13, 44 and 64 of 100: apart in grey too.
+constexpr std::array<std::string_view, 6> series_colours{"#14213d", "#c2410c", "#58a6a6",
+                                                         "#7c3aed", "#b8860b", "#94a3b8"};
 
 /// The dash says the class, in whatever colour.
 struct ClassStyle {
   std::string_view name;
-  std::string_view line;
+  double width;
+  std::span<const Dash> dashes;
 };
+constexpr Dash unstable_dashes[] = {{0.0, dash_gap_begins}};
+constexpr Dash oscillatory_dashes[] = {{0.0, 7.5}, {10.5, dash_gap_begins}};
+constexpr Dash marginal_dashes[] = {{0.0, 2.0}, {5.5, 7.5}, {11.0, dash_gap_begins}};
 constexpr std::array<ClassStyle, std::size(stability_names)> class_styles{
-    {{"stable", "lw 2.8 dt solid"},
-     {"elliptic", "lw 1.2 dt solid"},
-     {"unstable", "lw 1.6 dt (13,7)"},
-     {"oscillatory", "lw 1.6 dt (16,5,3,5)"},
-     {"marginal", "lw 1.6 dt (2,5)"}}};
-constexpr ClassStyle no_class_style{"no_class", "lw 1.8 dt solid"};
+    {{"stable", 2.8, {}},
+     {"elliptic", 1.2, {}},
+     {"unstable", 1.7, unstable_dashes},
+     {"oscillatory", 1.7, oscillatory_dashes},
+     {"marginal", 1.7, marginal_dashes}}};
+constexpr ClassStyle no_class_style{"no_class", 1.8, {}};
 constexpr std::string_view class_key_colour = "#404040";
-
-struct RateStyle {
-  std::string_view colour;
-  std::string_view line;
-};
-constexpr RateStyle frequency_style{"#6b7280", "lw 1.2 dt solid"};
-constexpr RateStyle growth_style{"#991b1b", "lw 2.8 dt solid"};
-
-constexpr std::string_view leader_style = "lc rgb '#9ca3af' lw 0.8";
 
 constexpr const ClassStyle& style(std::optional<StabilityClass> verdict) {
   return verdict ? class_styles[static_cast<std::size_t>(*verdict)] : no_class_style;
 }
+
+/// A curve is so much wider for each that lies on it, drawn later: its colour is seen at both edges.
+constexpr double width_of_lower = 3.0;
+
+struct RateStyle {
+  std::string_view name;
+  std::string_view title;
+  std::string_view colour;
+  double width;
+};
+/// By RateKind; of lightness 76, 61, 24 and 33 of 100, and of different widths.
+constexpr std::array<RateStyle, rate_kinds.size()> rate_styles{
+    {{"negative", "frequency, Krein −", "#f2b134", 3.4},
+     {"undetermined", "frequency", "#8b95a5", 1.4},
+     {"positive", "frequency, Krein +", "#1f3a5f", 1.2},
+     {"growth", "growth rate", "#991b1b", 2.6}}};
+constexpr const RateStyle& style(RateKind kind) {
+  return rate_styles[static_cast<std::size_t>(kind)];
+}
+
+constexpr std::string_view guide_style = "lc rgb '#9ca3af' lw 0.6 dt (2,4)";
 
 /// gnuplot's point types: filled and open circle, square, triangles, diamond, pentagon, star.
 struct EventStyle {
@@ -54,15 +69,18 @@ struct EventStyle {
   int point_type;
 };
 constexpr EventStyle event_styles[] = {
-    {"fold-nu", 7},     {"fold-momentum", 6},    {"tilt", 5},
-    {"ellipse", 13},    {"shear", 12},           {"oblique", 4},
-    {"krein-pass", 10}, {"hamiltonian-hopf", 9}, {"inertia-exchange", 14},
-    {"unexplained", 3}, {"collapse", 11},        {"escape", 8}};
+    {"fold-nu", 7},     {"fold-momentum", 6},  {"tilt", 5},        {"oblique", 4},
+    {"ellipse", 13},    {"shear", 12},         {"krein-pass", 10}, {"hamiltonian-hopf", 11},
+    {"escape", 8},      {"real-collision", 9}, {"collapse", 15},   {"inertia-exchange", 14},
+    {"unexplained", 3}, {"domain", 2}};
 
 constexpr int point_type(std::string_view event) {
-  constexpr int other = 2;
-  const auto at = std::ranges::find(event_styles, event, &EventStyle::name);
+  constexpr int other = 1;
+  const auto* const at = std::ranges::find(event_styles, event, &EventStyle::name);
   return at == std::end(event_styles) ? other : at->point_type;
 }
+
+/// The end of the asked range, or of a closed curve, happens to nobody: it is not marked.
+constexpr bool is_marked(std::string_view event) { return event != "limit" && event != "closed"; }
 
 }  // namespace stationary

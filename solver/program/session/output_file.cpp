@@ -8,9 +8,10 @@
 
 namespace stationary::cli {
 
-void refuse_output(const std::string& path, const std::string& found, const std::string& remedy) {
-  throw InputError(Origin::of_option("-o " + path), "", found, "a file that can be written",
-                   remedy);
+void refuse_output(const std::string& path, const std::string& found, const std::string& remedy,
+                   std::string_view option) {
+  throw InputError(Origin::of_option(std::string(option) + ' ' + path), "", found,
+                   "a file that can be written", remedy);
 }
 
 void refuse_to_replace(const std::string& path, const std::filesystem::path& target,
@@ -21,12 +22,13 @@ void refuse_to_replace(const std::string& path, const std::filesystem::path& tar
                   "choose another name");
 }
 
-void open_output(std::optional<AtomicFile>& file, const std::string& path) {
+void open_output(std::optional<AtomicFile>& file, const std::string& path,
+                 std::string_view option) {
   try {
     file.emplace(path);
   } catch (const UnwritableFile& reason) {
     refuse_output(path, std::string("cannot write it: ") + reason.what(),
-                  "check the directory and its permissions");
+                  "check the directory and its permissions", option);
   }
 }
 

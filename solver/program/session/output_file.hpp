@@ -10,15 +10,16 @@
 
 namespace stationary::cli {
 
-/// Throws InputError about "-o path"; remedy may be empty.
+/// Throws InputError about "-o path", or another option; remedy may be empty.
 [[noreturn]] void refuse_output(const std::string& path, const std::string& found,
-                                const std::string& remedy);
+                                const std::string& remedy, std::string_view option = "-o");
 
 /// Refuses a target, of those "-o path" implies, that is the input; what says what that is.
 void refuse_to_replace(const std::string& path, const std::filesystem::path& target,
                        const std::string& input, std::string_view what);
 
 /// Opens it, or refuses.
-void open_output(std::optional<AtomicFile>& file, const std::string& path);
+void open_output(std::optional<AtomicFile>& file, const std::string& path,
+                 std::string_view option = "-o");
 
 }  // namespace stationary::cli

@@ -1,4 +1,4 @@
-#include "solver/program/plot/map_diagram.hpp"
+#include "solver/program/diagram/map_diagram.hpp"
 
 #include <algorithm>
 #include <array>

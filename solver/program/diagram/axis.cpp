@@ -1,0 +1,173 @@
+#include "solver/program/diagram/axis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace stationary {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Of the finite values; low > high where there are none.
+struct Extent : AxisRange {
+  Extent() : AxisRange{infinity, -infinity} {}
+  void add(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  void add(const AxisRange& range) {
+    add(range.low);
+    add(range.high);
+  }
+  bool empty() const { return low > high; }
+};
+
+/// What a curve stays in but for a share of its way at either end.
+AxisRange core_of(WeightedCurve curve, double share_below, double share_above) {
+  std::erase_if(curve, [](const WeightedValue& v) { return !std::isfinite(v.value); });
+  if (curve.empty()) return {infinity, -infinity};
+  double all = 0.0;
+  for (const WeightedValue& v : curve) all += v.weight;
+  if (!(all > 0.0) || !std::isfinite(all)) {
+    for (WeightedValue& v : curve) v.weight = 1.0;
+    all = static_cast<double>(curve.size());
+  }
+  std::ranges::sort(curve, {}, &WeightedValue::value);
+  double sum = 0.0;
+  AxisRange out{curve.front().value, curve.back().value};
+  bool below = true;
+  for (const WeightedValue& v : curve) {
+    sum += v.weight;
+    if (below && sum >= share_below * all) out.low = v.value, below = false;
+    if (sum >= (1.0 - share_above) * all) {
+      out.high = v.value;
+      break;
+    }
+  }
+  return out;
+}
+
+Extent extent_of(const std::vector<WeightedCurve>& curves) {
+  Extent out;
+  for (const WeightedCurve& curve : curves)
+    for (const WeightedValue& v : curve) out.add(v.value);
+  return out;
+}
+
+/// With room at both ends; about a single value, or what rounding leaves of one, an interval.
+AxisRange widened(const AxisRange& range, double fraction) {
+  const double width = range.high - range.low;
+  const double size = std::max(std::abs(range.low), std::abs(range.high));
+  constexpr double least = 1e-12;  // relative: ticks closer than this are written alike
+  if (width > least * size) return {range.low - fraction * width, range.high + fraction * width};
+  const double half = size > 0.0 ? 0.05 * size : 1.0;
+  return {range.low - half, range.high + half};
+}
+
+constexpr double room = 0.04;          ///< between the curves and the ends of an axis
+constexpr double most_of_core = 2.3;   ///< beyond so many times the core it is cut
+constexpr double beyond_core = 0.5;    ///< what is left of it there, of the core
+constexpr double linear_ratio = 12.0;  ///< of a core
+
+}  // namespace
+
+double Axis::place(double value) const {
+  if (!logarithmic) return (value - range.low) / (range.high - range.low);
+  return std::log(value / range.low) / std::log(range.high / range.low);
+}
+
+double Axis::value(double place) const {
+  if (!logarithmic) return range.low + place * (range.high - range.low);
+  return range.low * std::pow(range.high / range.low, place);
+}
+
+Axis fitted_axis(const std::vector<WeightedCurve>& curves) {
+  const Extent all = extent_of(curves);
+  if (all.empty()) return {};
+  Extent core;
+  for (const WeightedCurve& curve : curves) core.add(core_of(curve, 0.02, 0.02));
+  Axis out;
+  out.logarithmic = all.low > 0.0 && core.high / core.low > linear_ratio;
+  const auto scaled = [&](double value) { return out.logarithmic ? std::log(value) : value; };
+  const AxisRange full{scaled(all.low), scaled(all.high)};
+  AxisRange shown{scaled(core.low), scaled(core.high)};
+  const double least = 0.05 * std::max(std::abs(shown.low), std::abs(shown.high));
+  const double size = std::max(shown.high - shown.low, std::min(full.high - full.low, least));
+  const bool cut = full.high - full.low > most_of_core * size;
+  const bool cut_above = cut && full.high - shown.high > beyond_core * size;
+  const bool cut_below = cut && shown.low - full.low > beyond_core * size;
+  shown.high = cut_above ? shown.high + beyond_core * size : full.high;
+  shown.low = cut_below ? shown.low - beyond_core * size : full.low;
+  const AxisRange wide = widened(shown, room);
+  if (!cut_above) shown.high = wide.high;
+  if (!cut_below) shown.low = wide.low;
+  // A stretch is positive: the picture ends there.
+  if (!out.logarithmic && all.low > 0.0 && shown.low < 0.0) shown.low = 0.0;
+  const auto back = [&](double value) { return out.logarithmic ? std::exp(value) : value; };
+  out.range = {back(shown.low), back(shown.high)};
+  return out;
+}
+
+Axis fitted_rate_axis(const std::vector<WeightedCurve>& curves) {
+  std::vector<double> heights;
+  Extent low;
+  for (const WeightedCurve& curve : curves) {
+    const AxisRange core = core_of(curve, 0.2, 0.1);
+    if (!(core.high > 0.0) || !std::isfinite(core.high)) continue;
+    heights.push_back(core.high);
+    low.add(core.low > 0.0 ? core.low : core.high);
+  }
+  const Extent all = extent_of(curves);
+  if (heights.empty()) return {{0.0, all.high > 0.0 ? 1.05 * all.high : 1.0}, false};
+  std::ranges::sort(heights);
+  constexpr double hidden = 15.0;
+  const auto gap = std::ranges::adjacent_find(
+      heights, [](double one, double next) { return next > hidden * one; });
+  if (gap == heights.end()) {
+    const double highest = heights.back();
+    return {{0.0, all.high > most_of_core * highest ? (1.0 + beyond_core) * highest
+                                                    : (1.0 + room) * all.high},
+            false};
+  }
+  // Frequencies fall to zero: only so much of that is shown.
+  constexpr double decades = 8.0;
+  const double high = all.high < 30.0 * heights.back() ? all.high : 3.0 * heights.back();
+  const double least = std::max(0.5 * low.low, high * std::pow(10.0, -decades));
+  return {{least, high * std::pow(high / least, room)}, true};
+}
+
+Axis whole_axis(const std::vector<WeightedCurve>& curves) {
+  const Extent all = extent_of(curves);
+  return all.empty() ? Axis{} : Axis{widened(all, 0.02), false};
+}
+
+Axis asked_axis(const AxisRange& range, bool logarithmic) {
+  return {range, logarithmic && range.low > 0.0};
+}
+
+std::string logarithmic_ticks(const AxisRange& range, bool decades) {
+  const double first = std::log10(range.low);
+  const double last = std::log10(range.high);
+  const int stride = std::max(1, static_cast<int>(std::ceil((last - first) / 7.0)));
+  const bool few = last - first < 2.5;
+  std::string out;
+  constexpr double rounding = 1e-9;
+  for (int power = static_cast<int>(std::floor(first)); power <= std::ceil(last); ++power) {
+    if (power % stride != 0) continue;
+    for (int digit = 1; digit < 10; ++digit) {
+      const bool named = last - first < 0.7 || digit == 1 || digit == 2 || digit == 5;
+      const double at = power + std::log10(digit);
+      if ((digit > 1 && !few) || !named || at < first - rounding || at > last + rounding) continue;
+      fmt::format_to(std::back_inserter(out), "{}'{:g}' {}", out.empty() ? "" : ", ",
+                     digit * std::pow(10.0, power), decades ? at : digit * std::pow(10.0, power));
+    }
+  }
+  return out;
+}
+
+}  // namespace stationary

@@ -1,0 +1,50 @@
+// An axis of a picture: the range it shows, linear or logarithmic, and how that is chosen from the
+// curves. A curve that runs off, as where a stretch escapes, may not press all others flat: what lies
+// far outside of where the curves spend their way is cut off.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stationary {
+
+struct AxisRange {
+  double low;
+  double high;
+};
+
+struct Axis {
+  AxisRange range{0.0, 1.0};
+  bool logarithmic = false;
+
+  /// 0 at the low end, 1 at the high one; NaN where a logarithmic axis has no place for it.
+  double place(double value) const;
+  double value(double place) const;
+};
+
+/// A number along a curve, and how much of the curve's way it stands for.
+struct WeightedValue {
+  double value;
+  double weight;
+};
+using WeightedCurve = std::vector<WeightedValue>;
+
+/// Shows all of the curves, or where all is more than twice what they cover on 96 % of their way,
+/// that and half as much beyond. Logarithmic where that spans more than a factor of 12.
+Axis fitted_axis(const std::vector<WeightedCurve>& curves);
+
+/// From zero, and logarithmic where a curve would lie flat on the axis because another is 15 times
+/// as high: one stiff mode does not hide the others.
+Axis fitted_rate_axis(const std::vector<WeightedCurve>& curves);
+
+/// The same, of everything that is there.
+Axis whole_axis(const std::vector<WeightedCurve>& curves);
+
+/// What is to be shown as asked; a range that includes no positive number is linear.
+Axis asked_axis(const AxisRange& range, bool logarithmic);
+
+/// Of a logarithmic axis, for `set tics`: powers of ten and, where there is room, 2 and 5 between
+/// them. decades: the axis is of the logarithms, not itself logarithmic.
+std::string logarithmic_ticks(const AxisRange& range, bool decades = false);
+
+}  // namespace stationary

@@ -1,0 +1,52 @@
+#include "solver/program/diagram/family_parameter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/body/motion.hpp"
+#include "solver/program/diagram/axis_name.hpp"
+
+namespace stationary {
+namespace {
+
+constexpr std::array<Column, 3> nu_columns{Column::nu1, Column::nu2, Column::nu3};
+
+}  // namespace
+
+FamilyParameter::FamilyParameter(const TableReader& table)
+    : table_(&table), nu_(places(table, nu_columns)), omega_(table.column(name(Column::omega))) {
+  const std::vector<std::string>& columns = table.columns();
+  const bool is_nu = columns.back() == "nu";  // of a map
+  if (is_nu || columns.back().find('.') != std::string::npos) key_ = columns.size() - 1;
+}
+
+double FamilyParameter::value(std::string_view branch) const {
+  if (key_) return table_->number(*key_);
+  if (branch == two_polar_name) return need(omega_, Column::omega, branch);
+  if (const std::optional<Branch> axis = branch_from_name(branch)) {
+    const auto k = static_cast<std::size_t>(*axis);
+    return need(nu_[k], nu_columns[k], branch);
+  }
+  std::array<double, 3> nu;
+  for (std::size_t k = 0; k < nu.size(); ++k) nu[k] = need(nu_[k], nu_columns[k], branch);
+  const double norm = std::hypot(nu[0], nu[1], nu[2]);
+  return std::ranges::all_of(nu, [](double v) { return v <= 0.0; }) ? -norm : norm;
+}
+
+std::string FamilyParameter::symbol(std::string_view branch) const {
+  if (key_) return axis_name(table_->columns()[*key_]);
+  if (branch == two_polar_name) return axis_name(name(Column::omega));
+  if (const std::optional<Branch> axis = branch_from_name(branch))
+    return axis_name(name(nu_columns[static_cast<std::size_t>(*axis)]));
+  return "ν";
+}
+
+double FamilyParameter::need(ColumnPlace column, Column c, std::string_view branch) const {
+  if (column) return table_->number(*column);
+  throw InputError(Origin::in_file(table_->name()), "",
+                   "found no column " + in_quotes(name(c)) + ", the parameter of " +
+                       (branch.empty() ? "its rows" : "branch " + in_quotes(branch)),
+                   "it, or a trailing column such as body.J.0");
+}
+
+}  // namespace stationary

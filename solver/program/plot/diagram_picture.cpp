@@ -1,0 +1,348 @@
+#include "solver/program/plot/diagram_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "solver/program/diagram/axis_name.hpp"
+#include "solver/program/diagram/diagram_lines.hpp"
+#include "solver/program/plot/plot_style.hpp"
+#include "solver/program/plot/sheet_labels.hpp"
+
+namespace stationary {
+namespace {
+
+PanelSize size_of(const PageArea& area) { return {area.width(), area.height()}; }
+
+/// How much of the parameter's way each row of a piece stands for.
+std::vector<double> ways(const Diagram& diagram, const DiagramPiece& piece) {
+  std::vector<double> out(piece.end - piece.begin, 0.0);
+  for (std::size_t k = piece.begin; k + 1 < piece.end; ++k) {
+    const double way = std::abs(diagram.points[k + 1].parameter - diagram.points[k].parameter);
+    if (!std::isfinite(way)) continue;
+    out[k - piece.begin] += 0.5 * way;
+    out[k + 1 - piece.begin] += 0.5 * way;
+  }
+  return out;
+}
+
+template <class Value>
+WeightedCurve weighted(const Diagram& diagram, const DiagramPiece& piece, const Value& value) {
+  const std::vector<double> way = ways(diagram, piece);
+  WeightedCurve out;
+  for (std::size_t k = piece.begin; k < piece.end; ++k)
+    out.push_back({value(diagram.points[k]), way[k - piece.begin]});
+  return out;
+}
+
+/// Draws one panel's pieces.
+class PanelDrawing {
+ public:
+  PanelDrawing(const Diagram& diagram, std::vector<std::size_t> pieces, const PageChoice& choice,
+               DiagramPanel& panel)
+      : diagram_(diagram), pieces_(std::move(pieces)), panel_(panel) {
+    choose_axes(choice);
+  }
+
+  void draw() {
+    for (const std::size_t at : pieces_) {
+      draw_curves(diagram_.pieces[at]);
+      if (diagram_.has_spectrum) draw_rates(diagram_.pieces[at]);
+    }
+    std::ranges::sort(panel_.curves, {}, [](const PictureCurve& c) {
+      return std::pair{-c.lower, c.series};
+    });
+    std::ranges::sort(panel_.rates, {}, &PictureRates::kind);
+    thin_arrows(panel_.arrows);
+    thin_arrows(panel_.rate_arrows);
+    mark_events();
+    const bool numbered = pieces_.size() > 1 || diagram_.tables.size() > 1;
+    if (numbered) panel_.labels = sheet_labels(paths_, size_of(panel_.area), obstacles());
+  }
+
+ private:
+  void choose_axes(const PageChoice& choice);
+  std::size_t series(const DiagramPiece& piece, std::size_t ordinate) const {
+    return diagram_.of_energy_and_momentum ? piece.branch : ordinate;
+  }
+  PagePoint place(std::size_t row, std::size_t ordinate) const {
+    const DiagramPoint& p = diagram_.points[row];
+    return {panel_.abscissa.place(p.abscissa) * panel_.area.width(),
+            panel_.ordinate.place(p.ordinate[ordinate] - panel_.base) * panel_.area.height()};
+  }
+  int curves_above(std::size_t row, std::size_t ordinate) const;
+  PictureCurve& curve(std::size_t series, std::optional<StabilityClass> verdict, int lower);
+  PictureRates& rates(RateKind kind);
+  void draw_curves(const DiagramPiece& piece);
+  void draw_line(const DiagramPiece& piece, const DiagramLine& line, std::size_t ordinate);
+  void draw_rates(const DiagramPiece& piece);
+  void mark_events();
+  static void thin_arrows(std::vector<PictureArrow>& arrows);
+  std::vector<PagePoint> obstacles() const;
+
+  const Diagram& diagram_;
+  std::vector<std::size_t> pieces_;
+  DiagramPanel& panel_;
+  std::vector<SheetPath> paths_;
+};
+
+void PanelDrawing::choose_axes(const PageChoice& choice) {
+  std::vector<WeightedCurve> abscissas;
+  std::vector<WeightedCurve> ordinates;
+  std::vector<WeightedCurve> rate_curves;
+  for (const std::size_t at : pieces_) {
+    const DiagramPiece& piece = diagram_.pieces[at];
+    abscissas.push_back(
+        weighted(diagram_, piece, [](const DiagramPoint& p) { return p.abscissa; }));
+    for (std::size_t k = 0; k < diagram_.columns.size(); ++k) {
+      ordinates.push_back(
+          weighted(diagram_, piece, [k](const DiagramPoint& p) { return p.ordinate[k]; }));
+    }
+    const auto positive = [](double rate) {
+      return rate > 0.0 ? rate : std::numeric_limits<double>::quiet_NaN();
+    };
+    for (std::size_t k = 0; k < mode_count; ++k) {
+      rate_curves.push_back(weighted(
+          diagram_, piece, [&](const DiagramPoint& p) { return positive(p.frequency[k]); }));
+    }
+    rate_curves.push_back(
+        weighted(diagram_, piece, [&](const DiagramPoint& p) { return positive(p.growth); }));
+  }
+  panel_.abscissa =
+      diagram_.of_energy_and_momentum ? fitted_axis(abscissas) : whole_axis(abscissas);
+  if (choice.x) panel_.abscissa = asked_axis(*choice.x, panel_.abscissa.logarithmic);
+  panel_.ordinate = fitted_axis(ordinates);
+  if (choice.y) panel_.ordinate = asked_axis(*choice.y, panel_.ordinate.logarithmic);
+  panel_.rate = fitted_rate_axis(rate_curves);
+  if (choice.rate) panel_.rate = asked_axis(*choice.rate, panel_.rate.logarithmic);
+
+  constexpr double narrow = 1e-4;  // range of the values, of themselves
+  AxisRange& range = panel_.ordinate.range;
+  const double width = range.high - range.low;
+  if (width < narrow * std::abs(range.high)) {
+    const double unit = std::pow(10.0, std::ceil(std::log10(width)));
+    panel_.base = unit * std::round(range.low / unit);
+    range = {range.low - panel_.base, range.high - panel_.base};
+    panel_.ordinate.logarithmic = false;
+  }
+}
+
+/// Of those drawn later, how many are within the width of a line.
+int PanelDrawing::curves_above(std::size_t row, std::size_t ordinate) const {
+  constexpr double near = 1.5;
+  int out = 0;
+  for (std::size_t k = ordinate + 1; k < diagram_.columns.size(); ++k)
+    if (std::abs(place(row, k).y - place(row, ordinate).y) < near) ++out;
+  return out;
+}
+
+PictureCurve& PanelDrawing::curve(std::size_t series, std::optional<StabilityClass> verdict,
+                                  int lower) {
+  const auto at = std::ranges::find_if(panel_.curves, [&](const PictureCurve& c) {
+    return c.series == series && c.verdict == verdict && c.lower == lower;
+  });
+  if (at != panel_.curves.end()) return *at;
+  panel_.curves.push_back({series, verdict, lower, {}});
+  return panel_.curves.back();
+}
+
+PictureRates& PanelDrawing::rates(RateKind kind) {
+  const auto at = std::ranges::find(panel_.rates, kind, &PictureRates::kind);
+  if (at != panel_.rates.end()) return *at;
+  panel_.rates.push_back({kind, {}, {}});
+  return panel_.rates.back();
+}
+
+void PanelDrawing::draw_curves(const DiagramPiece& piece) {
+  SheetPath path{piece.label, {}};
+  for (std::size_t k = 0; k < diagram_.columns.size(); ++k) {
+    for (std::size_t row = piece.begin; row < piece.end; ++row)
+      path.points.push_back(place(row, k));
+    path.points.push_back({std::numeric_limits<double>::quiet_NaN(), 0.0});
+  }
+  paths_.push_back(std::move(path));
+  for (const DiagramLine& line : class_lines(diagram_, piece, panel_.abscissa.range)) {
+    for (std::size_t k = 0; k < diagram_.columns.size(); ++k) {
+      if (line.points.size() == 1) {
+        const PagePoint at = place(line.points.front(), k);
+        if (std::isfinite(at.x) && std::isfinite(at.y)) {
+          panel_.dots.push_back({series(piece, k), at});
+          curve(series(piece, k), line.verdict, 0);
+        }
+      } else {
+        draw_line(piece, line, k);
+      }
+    }
+  }
+}
+
+/// In runs over which as many curves lie on it.
+void PanelDrawing::draw_line(const DiagramPiece& piece, const DiagramLine& line,
+                             std::size_t ordinate) {
+  const std::size_t count = line.points.size();
+  for (std::size_t begin = 0; begin + 1 < count;) {
+    const auto lower = [&](std::size_t at) {
+      return std::min(curves_above(line.points[at], ordinate),
+                      curves_above(line.points[at + 1], ordinate));
+    };
+    const int now = lower(begin);
+    std::size_t end = begin + 1;
+    while (end + 1 < count && lower(end) == now) ++end;
+    std::vector<PagePoint> path;
+    for (std::size_t at = begin; at <= end; ++at) path.push_back(place(line.points[at], ordinate));
+    DrawnCurve out = drawn(path, size_of(panel_.area), style(line.verdict).dashes);
+    PictureCurve& into = curve(series(piece, ordinate), line.verdict, now);
+    std::ranges::move(out.strokes, std::back_inserter(into.strokes));
+    for (const CurveExit& exit : out.exits)
+      panel_.arrows.push_back({exit, series(piece, ordinate)});
+    begin = end;
+  }
+}
+
+void PanelDrawing::draw_rates(const DiagramPiece& piece) {
+  const std::vector<std::size_t> rows = spectrum_rows(diagram_, piece, panel_.abscissa.range);
+  for (const RateTrack& track : rate_tracks(diagram_, rows)) {
+    std::vector<PagePoint> path;
+    for (const RatePoint& each : track.points) {
+      // Zero is below all of a logarithmic axis.
+      const double up =
+          panel_.rate.logarithmic && each.rate <= 0.0 ? -1.0 : panel_.rate.place(each.rate);
+      path.push_back(
+          {panel_.abscissa.place(diagram_.points[each.row].abscissa) * panel_.rate_area.width(),
+           up * panel_.rate_area.height()});
+    }
+    PictureRates& into = rates(track.kind);
+    if (path.size() == 1) {
+      into.dots.push_back(path.front());
+      continue;
+    }
+    DrawnCurve out = drawn(path, size_of(panel_.rate_area), {});
+    std::ranges::move(out.strokes, std::back_inserter(into.strokes));
+    for (const CurveExit& exit : out.exits) {
+      // At the lower end of a linear axis is zero, where rates end.
+      if (exit.side == PanelSide::bottom && panel_.rate.range.low == 0.0) continue;
+      panel_.rate_arrows.push_back({exit, static_cast<std::size_t>(track.kind)});
+    }
+  }
+}
+
+/// Neighbours share an arrow.
+void PanelDrawing::thin_arrows(std::vector<PictureArrow>& arrows) {
+  constexpr double apart = 8.0;
+  std::vector<PictureArrow> out;
+  for (const PictureArrow& arrow : arrows) {
+    const bool there = std::ranges::any_of(out, [&](const PictureArrow& other) {
+      return other.exit.side == arrow.exit.side &&
+             std::abs(other.exit.place - arrow.exit.place) < apart;
+    });
+    if (!there) out.push_back(arrow);
+  }
+  arrows = std::move(out);
+}
+
+/// On every curve; where that is out of the picture, on the edge by which it left.
+void PanelDrawing::mark_events() {
+  for (const DiagramEvent& event : diagram_.events) {
+    const bool here = std::ranges::any_of(pieces_, [&](std::size_t at) {
+      return event.point >= diagram_.pieces[at].begin && event.point < diagram_.pieces[at].end;
+    });
+    if (!here || !is_marked(event.name)) continue;
+    bool seen = false;
+    for (std::size_t k = 0; k < diagram_.columns.size(); ++k) {
+      PagePoint at = place(event.point, k);
+      if (!(at.x >= 0.0 && at.x <= panel_.area.width()) || std::isnan(at.y)) continue;
+      at.y = std::clamp(at.y, 0.0, panel_.area.height());
+      panel_.marks.push_back({event.name, at});
+      seen = true;
+    }
+    const double x = panel_.abscissa.place(diagram_.points[event.point].abscissa);
+    constexpr double apart = 0.003;
+    if (seen &&
+        std::ranges::none_of(panel_.guides, [&](double g) { return std::abs(g - x) < apart; }))
+      panel_.guides.push_back(x);
+  }
+}
+
+std::vector<PagePoint> PanelDrawing::obstacles() const {
+  std::vector<PagePoint> out;
+  for (const PictureMark& mark : panel_.marks) out.push_back(mark.at);
+  return out;
+}
+
+std::string panel_title(const std::string& branch) {
+  constexpr std::pair<std::string_view, std::string_view> titles[] = {
+      {"i", "about axis 1 (i)"}, {"ii", "about axis 2 (ii)"}, {"iii", "about axis 3 (iii)"},
+      {"tilted", "tilted axis"}, {"oblique", "oblique axis"}, {"two-polar", "two-polar"}};
+  for (const auto& [name, title] : titles)
+    if (name == branch) return std::string(title);
+  return branch;
+}
+
+/// Places the panels on the page and sizes it.
+void lay_out(const Diagram& diagram, const PageChoice& choice, double legend_width,
+             DiagramPicture& picture) {
+  const std::size_t rows = picture.panels.size();
+  constexpr double gap = 16.0;
+  constexpr double row_gap = 52.0;
+  constexpr double column_gap = 66.0;
+  constexpr double row_height = 170.0;
+  if (rows > 1) {
+    const auto n = static_cast<double>(rows);
+    picture.size = {1000.0, page::margin + page::title_height + page::bottom + n * row_height +
+                                (n - 1.0) * row_gap + 16.0};
+  }
+  if (choice.size) picture.size = *choice.size;
+  const double top =
+      picture.size.height - page::margin - page::title_height - (rows > 1 ? 16.0 : 4.0);
+  picture.legend_left = picture.size.width - legend_width;
+  const double right = picture.legend_left - 10.0;
+  if (rows == 1) {
+    DiagramPanel& panel = picture.panels.front();
+    panel.area = {page::left, right, page::bottom, top};
+    panel.rate_area = panel.area;
+    if (!diagram.has_spectrum) return;
+    panel.rate_area.top = page::bottom + 0.40 * (top - page::bottom);
+    panel.area.bottom = panel.rate_area.top + gap;
+    return;
+  }
+  const auto n = static_cast<double>(rows);
+  const double height = (top - page::bottom - (n - 1.0) * row_gap) / n;
+  const double middle =
+      diagram.has_spectrum ? 0.5 * (page::left + right) : right + 0.5 * column_gap;
+  for (std::size_t k = 0; k < rows; ++k) {
+    const double upper = top - static_cast<double>(k) * (height + row_gap);
+    picture.panels[k].area = {page::left, middle - 0.5 * column_gap, upper - height, upper};
+    picture.panels[k].rate_area = {middle + 0.5 * column_gap, right, upper - height, upper};
+  }
+}
+
+}  // namespace
+
+DiagramPicture diagram_picture(const Diagram& diagram, const PageChoice& choice) {
+  DiagramPicture out;
+  const bool together = diagram.of_energy_and_momentum;
+  std::size_t longest = together ? 12 : 18;  // "frequency, Krein +"
+  for (std::size_t k = 0; k < (together ? diagram.branches.size() : diagram.columns.size()); ++k)
+    out.series.push_back(together ? panel_title(diagram.branches[k].name)
+                                  : axis_name(diagram.columns[k]));
+  for (const std::string& each : out.series) longest = std::max(longest, each.size());
+  std::vector<std::vector<std::size_t>> pieces(together ? 1 : diagram.branches.size());
+  for (std::size_t k = 0; k < diagram.pieces.size(); ++k)
+    pieces[together ? 0 : diagram.pieces[k].branch].push_back(k);
+  out.panels.resize(pieces.size());
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    out.panels[k].title = together ? std::string() : panel_title(diagram.branches[k].name);
+    out.panels[k].abscissa_name =
+        together ? "size of the angular momentum |π|" : diagram.branches[k].parameter;
+  }
+  if (!together && pieces.size() == 1) out.panels.front().title.clear();
+  const double legend_width =
+      46.0 + page::character_width * static_cast<double>(std::min<std::size_t>(longest, 24));
+  lay_out(diagram, choice, legend_width, out);
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    PanelDrawing(diagram, pieces[k], choice, out.panels[k]).draw();
+  return out;
+}
+
+}  // namespace stationary
