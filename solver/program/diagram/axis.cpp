@@ -27,12 +27,17 @@ struct Extent : AxisRange {
   bool empty() const { return low > high; }
 };
 
+double way_of(const WeightedCurve& curve) {
+  double out = 0.0;
+  for (const WeightedValue& v : curve) out += v.weight;
+  return out;
+}
+
 /// What a curve stays in but for a share of its way at either end.
 AxisRange core_of(WeightedCurve curve, double share_below, double share_above) {
   std::erase_if(curve, [](const WeightedValue& v) { return !std::isfinite(v.value); });
   if (curve.empty()) return {infinity, -infinity};
-  double all = 0.0;
-  for (const WeightedValue& v : curve) all += v.weight;
+  double all = way_of(curve);
   if (!(all > 0.0) || !std::isfinite(all)) {
     for (WeightedValue& v : curve) v.weight = 1.0;
     all = static_cast<double>(curve.size());
@@ -89,8 +94,14 @@ double Axis::value(double place) const {
 Axis fitted_axis(const std::vector<WeightedCurve>& curves) {
   const Extent all = extent_of(curves);
   if (all.empty()) return {};
+  double longest = 0.0;
+  for (const WeightedCurve& curve : curves) longest = std::max(longest, way_of(curve));
   Extent core;
-  for (const WeightedCurve& curve : curves) core.add(core_of(curve, 0.02, 0.02));
+  for (const WeightedCurve& curve : curves) {
+    const double shortness = longest > 0.0 ? 1.0 - way_of(curve) / longest : 0.0;
+    const double share = 0.02 + 0.18 * shortness * shortness;
+    core.add(core_of(curve, share, share));
+  }
   Axis out;
   out.logarithmic = all.low > 0.0 && core.high / core.low > linear_ratio;
   const auto scaled = [&](double value) { return out.logarithmic ? std::log(value) : value; };
@@ -114,30 +125,36 @@ Axis fitted_axis(const std::vector<WeightedCurve>& curves) {
 }
 
 Axis fitted_rate_axis(const std::vector<WeightedCurve>& curves) {
-  std::vector<double> heights;
-  Extent low;
+  std::vector<AxisRange> cores;
   for (const WeightedCurve& curve : curves) {
     const AxisRange core = core_of(curve, 0.2, 0.1);
-    if (!(core.high > 0.0) || !std::isfinite(core.high)) continue;
-    heights.push_back(core.high);
-    low.add(core.low > 0.0 ? core.low : core.high);
+    if (core.high > 0.0 && std::isfinite(core.high)) cores.push_back(core);
   }
   const Extent all = extent_of(curves);
-  if (heights.empty()) return {{0.0, all.high > 0.0 ? 1.05 * all.high : 1.0}, false};
-  std::ranges::sort(heights);
+  if (cores.empty()) return {{0.0, all.high > 0.0 ? (1.0 + room) * all.high : 1.0}, false};
+  std::ranges::sort(cores, {}, &AxisRange::high);
   constexpr double hidden = 15.0;
-  const auto gap = std::ranges::adjacent_find(
-      heights, [](double one, double next) { return next > hidden * one; });
-  if (gap == heights.end()) {
-    const double highest = heights.back();
-    return {{0.0, all.high > most_of_core * highest ? (1.0 + beyond_core) * highest
-                                                    : (1.0 + room) * all.high},
-            false};
+  constexpr double outgrown = 5.0;
+  double highest = cores.back().high;
+  bool flat = false;  // a curve would lie on the axis
+  for (std::size_t k = 1; k < cores.size(); ++k) {
+    const double below = cores[k - 1].high;
+    // One that begins among the others and outgrows them is cut off.
+    const bool runs_off = k + 1 == cores.size() && cores[k].low < 2.0 * below;
+    if (runs_off && cores[k].high > outgrown * below) {
+      highest = 1.5 * below;
+    } else if (cores[k].high > hidden * below) {
+      flat = true;
+    }
+  }
+  if (!flat) {
+    const bool cut = all.high > most_of_core * highest;
+    return {{0.0, cut ? (1.0 + beyond_core) * highest : (1.0 + room) * all.high}, false};
   }
   // Frequencies fall to zero: only so much of that is shown.
   constexpr double decades = 8.0;
-  const double high = all.high < 30.0 * heights.back() ? all.high : 3.0 * heights.back();
-  const double least = std::max(0.5 * low.low, high * std::pow(10.0, -decades));
+  const double high = all.high < 30.0 * highest ? all.high : 3.0 * highest;
+  const double least = std::max(0.1 * cores.front().high, high * std::pow(10.0, -decades));
   return {{least, high * std::pow(high / least, room)}, true};
 }
 
@@ -160,7 +177,8 @@ std::string logarithmic_ticks(const AxisRange& range, bool decades) {
   for (int power = static_cast<int>(std::floor(first)); power <= std::ceil(last); ++power) {
     if (power % stride != 0) continue;
     for (int digit = 1; digit < 10; ++digit) {
-      const bool named = last - first < 0.7 || digit == 1 || digit == 2 || digit == 5;
+      const bool named = digit == 1 || digit == 2 || digit == 5 ||
+                         (last - first < 1.3 && digit % 2 == 1) || last - first < 0.7;
       const double at = power + std::log10(digit);
       if ((digit > 1 && !few) || !named || at < first - rounding || at > last + rounding) continue;
       fmt::format_to(std::back_inserter(out), "{}'{:g}' {}", out.empty() ? "" : ", ",

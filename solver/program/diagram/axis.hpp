@@ -30,11 +30,12 @@ struct WeightedValue {
 using WeightedCurve = std::vector<WeightedValue>;
 
 /// Shows all of the curves, or where all is more than twice what they cover on 96 % of their way,
-/// that and half as much beyond. Logarithmic where that spans more than a factor of 12.
+/// that and half as much beyond; of a short curve, less of its way. Logarithmic where that spans more
+/// than a factor of 12.
 Axis fitted_axis(const std::vector<WeightedCurve>& curves);
 
-/// From zero, and logarithmic where a curve would lie flat on the axis because another is 15 times
-/// as high: one stiff mode does not hide the others.
+/// From zero; cut off above the others where one curve outgrows them, and logarithmic where one would
+/// lie flat on the axis because the next is 15 times as high: a stiff mode does not hide the others.
 Axis fitted_rate_axis(const std::vector<WeightedCurve>& curves);
 
 /// The same, of everything that is there.

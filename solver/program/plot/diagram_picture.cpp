@@ -57,7 +57,7 @@ class PanelDrawing {
     thin_arrows(panel_.arrows);
     thin_arrows(panel_.rate_arrows);
     mark_events();
-    const bool numbered = pieces_.size() > 1 || diagram_.tables.size() > 1;
+    const bool numbered = diagram_.pieces.size() > 1;
     if (numbered) panel_.labels = sheet_labels(paths_, size_of(panel_.area), obstacles());
   }
 
@@ -130,7 +130,7 @@ void PanelDrawing::choose_axes(const PageChoice& choice) {
 
 /// Of those drawn later, how many are within the width of a line.
 int PanelDrawing::curves_above(std::size_t row, std::size_t ordinate) const {
-  constexpr double near = 1.5;
+  constexpr double near = 0.8;
   int out = 0;
   for (std::size_t k = ordinate + 1; k < diagram_.columns.size(); ++k)
     if (std::abs(place(row, k).y - place(row, ordinate).y) < near) ++out;
@@ -241,25 +241,28 @@ void PanelDrawing::thin_arrows(std::vector<PictureArrow>& arrows) {
   arrows = std::move(out);
 }
 
-/// On every curve; where that is out of the picture, on the edge by which it left.
+/// On every curve that is in the picture there; where none is, on the edge by which it left.
 void PanelDrawing::mark_events() {
   for (const DiagramEvent& event : diagram_.events) {
     const bool here = std::ranges::any_of(pieces_, [&](std::size_t at) {
       return event.point >= diagram_.pieces[at].begin && event.point < diagram_.pieces[at].end;
     });
-    if (!here || !is_marked(event.name)) continue;
-    bool seen = false;
-    for (std::size_t k = 0; k < diagram_.columns.size(); ++k) {
-      PagePoint at = place(event.point, k);
-      if (!(at.x >= 0.0 && at.x <= panel_.area.width()) || std::isnan(at.y)) continue;
+    const double x = panel_.abscissa.place(diagram_.points[event.point].abscissa);
+    if (!here || !is_marked(event.name) || !(x >= 0.0 && x <= 1.0)) continue;
+    const auto in_height = [&](double y) { return y >= 0.0 && y <= panel_.area.height(); };
+    std::vector<PagePoint> places;
+    for (std::size_t k = 0; k < diagram_.columns.size(); ++k)
+      if (const PagePoint at = place(event.point, k); !std::isnan(at.y)) places.push_back(at);
+    if (places.empty()) continue;
+    const bool seen =
+        std::ranges::any_of(places, [&](const PagePoint& at) { return in_height(at.y); });
+    for (PagePoint at : places) {
+      if (seen && !in_height(at.y)) continue;
       at.y = std::clamp(at.y, 0.0, panel_.area.height());
       panel_.marks.push_back({event.name, at});
-      seen = true;
     }
-    const double x = panel_.abscissa.place(diagram_.points[event.point].abscissa);
     constexpr double apart = 0.003;
-    if (seen &&
-        std::ranges::none_of(panel_.guides, [&](double g) { return std::abs(g - x) < apart; }))
+    if (std::ranges::none_of(panel_.guides, [&](double g) { return std::abs(g - x) < apart; }))
       panel_.guides.push_back(x);
   }
 }
@@ -284,7 +287,7 @@ void lay_out(const Diagram& diagram, const PageChoice& choice, double legend_wid
              DiagramPicture& picture) {
   const std::size_t rows = picture.panels.size();
   constexpr double gap = 16.0;
-  constexpr double row_gap = 52.0;
+  constexpr double row_gap = 58.0;
   constexpr double column_gap = 66.0;
   constexpr double row_height = 170.0;
   if (rows > 1) {

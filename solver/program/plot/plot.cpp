@@ -52,10 +52,11 @@ class Script {
   void begin_panel(const DiagramPanel& panel, bool of_rates, bool names_abscissa);
   void set_ticks(const Axis& axis, char letter);
   void arrows(const DiagramPanel& panel, bool of_rates);
-  void curve_panel(const DiagramPanel& panel, bool with_legend, bool names_abscissa);
+  void curve_panel(const DiagramPanel& panel, bool names_abscissa);
   void rate_panel(const DiagramPanel& panel);
   void plot(const std::vector<std::string>& items);
   std::vector<std::string> legend() const;
+  void draw_legend();
   std::string ordinate_name(const DiagramPanel& panel) const;
 
   const Diagram& diagram_;
@@ -227,7 +228,7 @@ std::vector<std::string> Script::legend() const {
   return out;
 }
 
-void Script::curve_panel(const DiagramPanel& panel, bool with_legend, bool names_abscissa) {
+void Script::curve_panel(const DiagramPanel& panel, bool names_abscissa) {
   std::vector<std::string> items;
   std::size_t number = 0;
   for (const PictureCurve& each : panel.curves) {
@@ -266,14 +267,7 @@ void Script::curve_panel(const DiagramPanel& panel, bool with_legend, bool names
     line("set label {} at {} center front boxed font ',11'", in_gnuplot_quotes(label.text),
          on_page(picture_.size, panel.area.left + label.at.x, panel.area.bottom + label.at.y));
   }
-  if (with_legend) {
-    line("set key at {} left top Left reverse samplen 2.6 spacing 1.15 font ',12'",
-         on_page(picture_.size, picture_.legend_left, panel.area.top + 6.0));
-    const std::vector<std::string> keys = legend();
-    items.insert(items.end(), keys.begin(), keys.end());
-  } else {
-    line("unset key");
-  }
+  line("unset key");
   plot(items);
 }
 
@@ -296,6 +290,16 @@ void Script::rate_panel(const DiagramPanel& panel) {
   plot(items);
 }
 
+/// A plot of its own, over the whole page: gnuplot leaves out entries beyond the height of a plot.
+void Script::draw_legend() {
+  line("unset label\nunset arrow\nunset border\nunset tics\nunset logscale");
+  text_ += panel_margins(picture_.size, {0.0, picture_.size.width, 0.0, picture_.size.height});
+  line("set xrange [0:1]\nset yrange [0:1]");
+  line("set key at {} left top Left reverse samplen 2.6 spacing 1.15 font ',12'",
+       on_page(picture_.size, picture_.legend_left, picture_.panels.front().area.top + 6.0));
+  plot(legend());
+}
+
 std::string Script::write(ImageFormat format, std::string_view title) {
   text_ += page_head(format, title, picture_.size);
   line("set multiplot");
@@ -305,12 +309,11 @@ std::string Script::write(ImageFormat format, std::string_view title) {
   line("set style textbox opaque fillcolor rgb 'white' noborder margins 0.4,0.4");
   const bool stacked =
       diagram_.has_spectrum && picture_.panels.size() == 1 && !diagram_.of_energy_and_momentum;
-  bool first = true;
   for (const DiagramPanel& panel : picture_.panels) {
-    curve_panel(panel, first, !stacked);
+    curve_panel(panel, !stacked);
     if (diagram_.has_spectrum && !diagram_.of_energy_and_momentum) rate_panel(panel);
-    first = false;
   }
+  draw_legend();
   line("unset multiplot");
   return std::move(text_);
 }

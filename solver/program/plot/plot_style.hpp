@@ -43,7 +43,7 @@ constexpr const ClassStyle& style(std::optional<StabilityClass> verdict) {
 }
 
 /// A curve is so much wider for each that lies on it, drawn later: its colour is seen at both edges.
-constexpr double width_of_lower = 3.0;
+constexpr double width_of_lower = 2.4;
 
 struct RateStyle {
   std::string_view name;
@@ -56,7 +56,7 @@ constexpr std::array<RateStyle, rate_kinds.size()> rate_styles{
     {{"negative", "frequency, Krein −", "#f2b134", 3.4},
      {"undetermined", "frequency", "#8b95a5", 1.4},
      {"positive", "frequency, Krein +", "#1f3a5f", 1.2},
-     {"growth", "growth rate", "#991b1b", 2.6}}};
+     {"growth", "growth rate", "#991b1b", 2.2}}};
 constexpr const RateStyle& style(RateKind kind) {
   return rate_styles[static_cast<std::size_t>(kind)];
 }
