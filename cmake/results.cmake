@@ -6,7 +6,8 @@
 #
 #   cmake -D PROGRAM=build/release/solver/cli/stationary -D INTO=results -P cmake/results.cmake
 #
-# `cmake --build build/release --target results` does that.
+# `cmake --build build/release --target results` does that; the target contact_sheet shows all figures on
+# one picture.
 foreach(name PROGRAM INTO)
   if(NOT DEFINED ${name})
     message(FATAL_ERROR "${name} is not set; usage: see ${CMAKE_CURRENT_LIST_FILE}")

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "solver/program/diagram/diagram_lines.hpp"
+#include "solver/program/plot/diagram_picture.hpp"
 #include "solver/program/plot/gnuplot.hpp"
 #include "tests/program/program.hpp"
 
@@ -35,10 +36,12 @@ const char* const tilting_table =
     "i,1,3,,0.75,0,0,0.7,1.5,0.625,unstable,0.25,0,2\n"
     "i,1,4,limit,1,0,0,0.7,2,0.5,unstable,0.5,0,2\n";
 
-Diagram diagram_of(const std::string& csv) {
+Diagram diagram_of(const std::string& csv, const DiagramChoice& choice = {}) {
   TableReader table(std::make_unique<std::istringstream>(csv), "x.csv");
-  return read_diagram(table);
+  return read_diagram({&table}, choice);
 }
+
+const std::string& symbol_of(const Diagram& diagram) { return diagram.branches.front().parameter; }
 
 std::string script_of(const std::string& csv) {
   return gnuplot_script(diagram_of(csv), ImageFormat::svg, "Title");
@@ -61,29 +64,71 @@ std::vector<double> parameters(const Diagram& diagram) {
 
 TEST(Diagram, TheParameterIsTheSpinAlongTheAxis) {
   const Diagram second = diagram_of("branch,nu2,rho\nii,-0.5,1\nii,0.25,1\n");
-  EXPECT_EQ(second.parameter, "ν₂");
+  EXPECT_EQ(symbol_of(second), "ν₂");
   EXPECT_THAT(parameters(second), ElementsAre(-0.5, 0.25));
   const Diagram tilted =
       diagram_of("branch,nu1,nu2,nu3,rho\ntilted,3,0,4,1\ntilted,-3,0,-4,1\ntilted,3,0,-4,1\n");
-  EXPECT_EQ(tilted.parameter, "ν");
+  EXPECT_EQ(symbol_of(tilted), "ν");
   EXPECT_THAT(parameters(tilted), ElementsAre(5, -5, 5));
   const Diagram without_branch = diagram_of("nu1,nu2,nu3,rho\n-0.5,0,0,1\n");
   EXPECT_THAT(parameters(without_branch), ElementsAre(-0.5));
   const Diagram two_polar = diagram_of("branch,rho,omega\ntwo-polar,1,1.5\n");
-  EXPECT_EQ(two_polar.parameter, "ω");
+  EXPECT_EQ(symbol_of(two_polar), "ω");
   EXPECT_THAT(parameters(two_polar), ElementsAre(1.5));
 }
 
 TEST(Diagram, TheParameterIsTheTrailingColumn) {
   const Diagram diagram = diagram_of("branch,nu1,rho,body.J.0\ni,0.5,1,1.25\n");
-  EXPECT_EQ(diagram.parameter, "body.J.0");
+  EXPECT_EQ(symbol_of(diagram), "J₁");
   EXPECT_THAT(parameters(diagram), ElementsAre(1.25));
 }
 
+const char* const two_branches =
+    "branch,sheet,nu1,nu2,nu3,rho,energy,pi1,pi2,pi3\n"
+    "i,1,0,0,0,1,2,0,0,0\ni,1,1,0,0,1,3,3,4,0\ni,2,0,0,0,1,2,0,0,0\nii,3,0,0,0,1,2,0,0,1\n";
+
 TEST(Diagram, PiecesEndWhereSheetOrBranchChange) {
-  EXPECT_THAT(
-      diagram_of("branch,sheet,nu1,nu2,rho\ni,1,0,,1\ni,1,1,,1\ni,2,0,,1\nii,2,,0,1\n").pieces,
-      ElementsAre(0, 2, 3));
+  const Diagram diagram = diagram_of(two_branches);
+  ASSERT_EQ(diagram.pieces.size(), 3U);
+  EXPECT_EQ(diagram.pieces[0].end, 2U);
+  EXPECT_EQ(diagram.pieces[1].label, "2");
+  EXPECT_EQ(diagram.pieces[2].branch, 1U);
+  ASSERT_EQ(diagram.branches.size(), 2U);
+  EXPECT_EQ(diagram.branches[1].parameter, "ν₂");
+  EXPECT_EQ(diagram_picture(diagram).panels.size(), 2U);
+}
+
+TEST(Diagram, OnlyWhatIsAskedFor) {
+  DiagramChoice choice;
+  choice.sheets = {"2"};
+  EXPECT_EQ(diagram_of(two_branches, choice).points.size(), 1U);
+  choice.sheets = {};
+  choice.branches = {"i"};
+  EXPECT_EQ(diagram_of(two_branches, choice).points.size(), 3U);
+  choice.columns = {"energy"};
+  EXPECT_EQ(diagram_of(two_branches, choice).points[1].ordinate[0], 3.0);
+}
+
+TEST(Diagram, EnergyAgainstMomentum) {
+  DiagramChoice choice;
+  choice.energy_momentum = true;
+  const Diagram diagram = diagram_of(two_branches, choice);
+  EXPECT_EQ(diagram.points[1].abscissa, 5.0);
+  EXPECT_EQ(diagram.points[1].ordinate[0], 3.0);
+  const DiagramPicture picture = diagram_picture(diagram);
+  EXPECT_EQ(picture.panels.size(), 1U);
+  EXPECT_EQ(picture.series.size(), 2U);
+}
+
+TEST(Diagram, SheetsOfSeveralTablesAreToldApart) {
+  TableReader one(std::make_unique<std::istringstream>(tilting_table), "one.csv");
+  TableReader two(std::make_unique<std::istringstream>(tilting_table), "two.csv");
+  const Diagram diagram = read_diagram({&one, &two});
+  ASSERT_EQ(diagram.pieces.size(), 2U);
+  EXPECT_EQ(diagram.pieces[0].label, "a");
+  EXPECT_EQ(diagram.pieces[1].label, "b");
+  EXPECT_THAT(gnuplot_script(diagram, ImageFormat::svg, ""),
+              AllOf(HasSubstr("'a  one'"), HasSubstr("'b  two'")));
 }
 
 TEST(Diagram, ALineIsCutAtAnEventWhichBothSidesShare) {
@@ -91,7 +136,8 @@ TEST(Diagram, ALineIsCutAtAnEventWhichBothSidesShare) {
   for (const std::string verdict : {"marginal", "elliptic", ""}) {
     std::string table = tilting_table;
     table.replace(table.find("marginal"), std::string("marginal").size(), verdict);
-    const auto lines = stretch_lines(diagram_of(table), {0.0, 1.0});
+    const Diagram diagram = diagram_of(table);
+    const auto lines = class_lines(diagram, diagram.pieces.front(), {0.0, 1.0});
     ASSERT_EQ(lines.size(), 2U) << verdict;
     EXPECT_EQ(lines[0].verdict, StabilityClass::stable);
     EXPECT_THAT(lines[0].points, ElementsAre(0, 1, 2));
@@ -100,84 +146,66 @@ TEST(Diagram, ALineIsCutAtAnEventWhichBothSidesShare) {
   }
 }
 
-TEST(Diagram, WhereTheLowestModeIsMissingTheOthersKeepTheirLines) {
-  const Diagram diagram =
-      diagram_of("branch,nu1,rho,im1,im2,im3,im4,im5\ni,0,1,1,2,3,4,\ni,0.1,1,0.1,1,2,3,4\n");
-  EXPECT_TRUE(std::isnan(diagram.points[0].frequency[0]));
-  for (std::size_t k = 1; k < mode_count; ++k)
-    EXPECT_EQ(diagram.points[0].frequency[k], diagram.points[1].frequency[k]) << k;
-}
-
 TEST(Diagram, ThinningKeepsEndsAndExtremes) {
   Diagram diagram;
-  diagram.pieces = {0};
   constexpr std::size_t count = 300000;
+  diagram.pieces = {{0, count, 0, "1"}};
   for (std::size_t k = 0; k < count; ++k) {
     DiagramPoint point{};
-    point.parameter = static_cast<double>(k) / static_cast<double>(count);
-    point.stretch = {1.0, 2.0, 3.0};
+    point.abscissa = static_cast<double>(k) / static_cast<double>(count);
+    point.ordinate = {1.0, 2.0, 3.0};
     diagram.points.push_back(point);
   }
-  diagram.points[123456].stretch[1] = 7.0;
-  diagram.points[234567].stretch[2] = 0.1;
+  diagram.points[123456].ordinate[1] = 7.0;
+  diagram.points[234567].ordinate[2] = 0.1;
   diagram.points[200000].frequency[4] = 5.0;
-  const auto lines = stretch_lines(diagram, {0.0, 1.0});
+  const auto lines = class_lines(diagram, diagram.pieces.front(), {0.0, 1.0});
   ASSERT_EQ(lines.size(), 1U);
   const auto& kept = lines.front().points;
   EXPECT_LT(kept.size(), 4 * static_cast<std::size_t>(image_columns));
   EXPECT_TRUE(std::ranges::is_sorted(kept));
   for (const std::size_t k : {std::size_t{0}, std::size_t{123456}, std::size_t{234567}, count - 1})
     EXPECT_TRUE(std::ranges::binary_search(kept, k)) << k;
-  const auto rates = spectrum_lines(diagram, {0.0, 1.0});
-  ASSERT_EQ(rates.size(), 1U);
-  EXPECT_TRUE(std::ranges::binary_search(rates.front().points, std::size_t{200000}));
+  const auto rates = spectrum_rows(diagram, diagram.pieces.front(), {0.0, 1.0});
+  EXPECT_TRUE(std::ranges::binary_search(rates, std::size_t{200000}));
 }
 
 TEST(PlotScript, LinesByClassAndMarksByEvent) {
   const std::string script = script_of(tilting_table);
-  EXPECT_EQ(block(script, "lines_stable"), "0 1 0.9 0.7\n0.25 1.1 0.8 0.7\n0.5 1.2 0.75 0.7\n\n");
-  EXPECT_EQ(block(script, "lines_unstable"),
-            "0.5 1.2 0.75 0.7\n0.75 1.5 0.625 0.7\n1 2 0.5 0.7\n\n");
-  EXPECT_EQ(block(script, "event_0"), "0.5 1.2 0.75 0.7\n");
-  EXPECT_THAT(script, HasSubstr("set label 'tilt'"));
+  EXPECT_EQ(block(script, "curve_0_0_stable"), "0 1\n0.25 1.1\n0.5 1.2\n\n");
+  EXPECT_EQ(block(script, "event_0"), "0.5 1.2\n0.5 0.75\n0.5 0.7\n");
+  EXPECT_THAT(script, HasSubstr("pt 5 ps 0.8 lc rgb 'black' title 'tilt'"));
   EXPECT_THAT(script, Not(HasSubstr("limit")));
   EXPECT_THAT(script,
               AllOf(HasSubstr("title 'stable'"), HasSubstr("title 'unstable'"),
                     Not(HasSubstr("title 'marginal'")), Not(HasSubstr("title 'elliptic'"))));
-  EXPECT_THAT(script, HasSubstr("set xlabel 'ν₁'"));
+  EXPECT_THAT(script, HasSubstr("set label 'ν₁'"));
   EXPECT_THAT(script, HasSubstr("set label 'Title'"));
 }
 
 TEST(PlotScript, RatesComeDownToTheAxisButDoNotRunInIt) {
-  EXPECT_EQ(block(script_of(tilting_table), "rates_lines"),
-            "0 0.5 2 nan nan nan nan\n0.25 0.25 2 nan nan nan nan\n0.5 0 2 nan nan nan 0\n"
-            "0.75 nan 2 nan nan nan 0.25\n1 nan 2 nan nan nan 0.5\n\n");
+  const std::string script = script_of(tilting_table);
+  EXPECT_EQ(block(script, "rates_growth"), "0.5 0\n0.75 0.25\n1 0.5\n\n");
+  EXPECT_THAT(block(script, "rates_undetermined"), HasSubstr("0 0.5\n0.25 0.25\n0.5 0\n\n"));
 }
 
 TEST(PlotScript, WithoutClassesAndSpectrum) {
   const std::string script = script_of("branch,nu1,lambda\ni,0,1\ni,1,1.5\n");
-  EXPECT_EQ(block(script, "lines_no_class"), "0 1 nan nan\n1 1.5 nan nan\n\n");
+  EXPECT_EQ(block(script, "curve_0_0_no_class"), "0 1\n1 1.5\n\n");
   EXPECT_THAT(script, AllOf(HasSubstr("title 'λ'"), Not(HasSubstr("title 'μ'")),
-                            Not(HasSubstr("$rates")), Not(HasSubstr("'growth'"))));
-}
-
-TEST(PlotScript, ALogarithmicAxisForWideRanges) {
-  EXPECT_THAT(script_of("nu1,nu2,nu3,rho\n0,0,0,1\n1,0,0,29\n"), Not(HasSubstr("set logscale")));
-  EXPECT_THAT(script_of("nu1,nu2,nu3,rho\n0,0,0,1\n1,0,0,31\n"), HasSubstr("set logscale y"));
+                            Not(HasSubstr("$rates")), Not(HasSubstr("'growth rate'"))));
 }
 
 TEST(PlotScript, StretchesThatHardlyDifferAreDrawnLessWhatTheyShare) {
   const std::string script = gnuplot_script(
       diagram_of("branch,nu1,lambda\ni,0,1.0\ni,1,1.000000004\n"), ImageFormat::svg, "");
   EXPECT_THAT(script, HasSubstr("principal stretch less 1'"));
-  EXPECT_THAT(script, HasSubstr("using 1:($2 - 1)"));
 }
 
 TEST(PlotScript, OneRowIsADot) {
   const std::string script = script_of("branch,nu1,lambda,class,im1\ni,0.5,1,stable,2\n");
-  EXPECT_THAT(block(script, "lines_stable"), IsEmpty());
-  EXPECT_EQ(block(script, "dots_stable"), "0.5 1 nan nan\n\n");
-  EXPECT_EQ(block(script, "rates_dots"), "0.5 2 nan nan nan nan nan\n\n");
+  EXPECT_EQ(block(script, "dots_0"), "0.5 1\n");
+  EXPECT_EQ(block(script, "dots_of_rates_undetermined"), "0.5 2\n");
 }
 
 TEST(Gnuplot, NoTextIsMisread) {
@@ -217,7 +245,7 @@ TEST_F(Plot, WritesEachFormat) {
   EXPECT_EQ(outcome.out, directory_ / "x.svg" + ": 5 rows, 1 sheet, 3 events\n");
   EXPECT_THAT(outcome.err, IsEmpty());
   EXPECT_THAT(text_of(directory_ / "x.svg"), HasSubstr("</svg>"));
-  EXPECT_THAT(texts("x.svg"), IsSupersetOf({"tilt", "ν₁", "unstable", "growth", "x.csv"}));
+  EXPECT_THAT(texts("x.svg"), IsSupersetOf({"tilt", "ν₁", "unstable", "growth rate", "x.csv"}));
   EXPECT_THAT(plot("x.png", {"--quiet"}).out, IsEmpty());
   EXPECT_THAT(text_of(directory_ / "x.png").substr(0, 4), "\x89PNG");
   EXPECT_EQ(plot("x.pdf").code, 0);
@@ -234,6 +262,75 @@ TEST_F(Plot, TitleOfTheCaseOrAsAsked) {
   directory_.file("x.meta.json", "no JSON");
   EXPECT_EQ(plot("x.svg").code, 0);
   EXPECT_THAT(texts("x.svg"), Contains("x.csv"));
+}
+
+TEST_F(Plot, HostileTextIsOnlyText) {
+  // Of titles, columns, branches, sheets, events and file names, none is run or read as a command.
+  const std::string hostile = "`touch gone` @x $(touch gone) '; system 'touch gone' #";
+  const std::string quoted = "\"" + hostile + "\"";
+  table_ = directory_.file("`touch gone`'.csv",
+                           "branch,sheet,point,event,nu1,nu2,nu3,rho," + hostile + ".\n" + quoted +
+                               ",1,0," + quoted + ",0,0,0,1,1\n" + quoted + "," + quoted +
+                               ",0,,0,0,0,1,2\n" + quoted + "," + quoted + ",1,,0,0,0,1.5,3\n");
+  RunOptions there;
+  there.directory = directory_ / "";
+  for (const char* output : {"x.svg", "x.png", "x.pdf"})
+    EXPECT_EQ(run_program({"plot", table_, table_, "-o", directory_ / output, "--title", hostile,
+                           "--script", directory_ / "x.gp"},
+                          there)
+                  .code,
+              0);
+  EXPECT_THAT(texts("x.svg"), Contains(HasSubstr("touch gone")));
+  EXPECT_THAT(directory_.names(), Not(Contains("gone")));
+}
+
+TEST_F(Plot, ToStandardOutputWithItsScript) {
+  const Outcome outcome = run_program({"plot", table_, "-o", "-", "--script", directory_ / "x.gp"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, ::testing::EndsWith("</svg>\n\n"));
+  EXPECT_THAT(text_of(directory_ / "x.gp"), HasSubstr("set terminal svg"));
+  EXPECT_THAT(run_program({"plot", table_, "-o", "-", "--format", "png"}).out.substr(0, 4),
+              "\x89PNG");
+  EXPECT_THAT(run_program({"plot", table_, "--script", "-", "--format", "pdf"}).out,
+              HasSubstr("set terminal pdfcairo"));
+  EXPECT_EQ(run_program({"plot", table_, "-o", "-", "--script", "-"}).code, 2);
+  EXPECT_EQ(run_program({"plot", table_, "--script", table_}).code, 2);
+  EXPECT_EQ(text_of(table_), tilting_table);
+}
+
+TEST_F(Plot, ChoicesThatAreNone) {
+  struct Choice {
+    std::vector<std::string> options;
+    const char* fragment;
+  };
+  const std::vector<Choice> choices{
+      {{"--range", "z=0:1"}, "found the axis \"z\"; expected x=, y=, rate= or value="},
+      {{"--range", "x=1:0"}, "expected LOW:HIGH"},
+      {{"--range", "x=0:inf"}, "expected LOW:HIGH"},
+      {{"--size", "800"}, "expected WIDTHxHEIGHT"},
+      {{"--size", "8x6"}, "each from 300 to 4000"},
+      {{"--sheet", "7"}, "--sheet 7: found no such sheet; expected one of \"1\""},
+      {{"--branch", "ii"}, "--branch ii: found no such branch; expected one of \"i\""},
+      {{"--show", "lamda"}, "did you mean \"lambda\"?"},
+      {{"--show", "event"}, "found no such column of numbers"},
+      {{"--diagram", "energy-momentum"}, "found not all of the columns pi1, pi2, pi3"},
+      {{"--diagram", "phase"}, "phase not in"},
+  };
+  for (const Choice& choice : choices) {
+    const Outcome outcome = plot("x.svg", choice.options);
+    EXPECT_EQ(outcome.code, 2) << choice.fragment;
+    EXPECT_THAT(outcome.err, HasSubstr(choice.fragment));
+  }
+  EXPECT_THAT(directory_.names(), ElementsAre("x.csv"));
+}
+
+TEST_F(Plot, AColumnSheetBranchRangeAndSize) {
+  EXPECT_EQ(plot("x.svg", {"--show", "growth,mu", "--sheet", "1", "--branch", "i", "--range",
+                           "x=0:0.5", "--range", "y=0:0.8", "--size", "640x480"})
+                .code,
+            0);
+  EXPECT_THAT(texts("x.svg"), IsSupersetOf({"growth rate, μ", "growth rate"}));
+  EXPECT_THAT(text_of(directory_ / "x.svg"), HasSubstr("viewBox=\"0 0 640 480\""));
 }
 
 TEST_F(Plot, NamesOfFilesAreNotRead) {

@@ -29,7 +29,8 @@ struct Extent : AxisRange {
 
 double way_of(const WeightedCurve& curve) {
   double out = 0.0;
-  for (const WeightedValue& v : curve) out += v.weight;
+  for (const WeightedValue& v : curve)
+    if (std::isfinite(v.value)) out += v.weight;
   return out;
 }
 
@@ -126,9 +127,13 @@ Axis fitted_axis(const std::vector<WeightedCurve>& curves) {
 
 Axis fitted_rate_axis(const std::vector<WeightedCurve>& curves) {
   std::vector<AxisRange> cores;
+  double longest = 0.0;
+  for (const WeightedCurve& curve : curves) longest = std::max(longest, way_of(curve));
+  constexpr double short_way = 0.1;  // such a curve does not decide
   for (const WeightedCurve& curve : curves) {
     const AxisRange core = core_of(curve, 0.2, 0.1);
-    if (core.high > 0.0 && std::isfinite(core.high)) cores.push_back(core);
+    if (core.high > 0.0 && std::isfinite(core.high) && way_of(curve) >= short_way * longest)
+      cores.push_back(core);
   }
   const Extent all = extent_of(curves);
   if (cores.empty()) return {{0.0, all.high > 0.0 ? (1.0 + room) * all.high : 1.0}, false};

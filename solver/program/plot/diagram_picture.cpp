@@ -48,7 +48,7 @@ class PanelDrawing {
   void draw() {
     for (const std::size_t at : pieces_) {
       draw_curves(diagram_.pieces[at]);
-      if (diagram_.has_spectrum) draw_rates(diagram_.pieces[at]);
+      if (has_rates(diagram_)) draw_rates(diagram_.pieces[at]);
     }
     std::ranges::sort(panel_.curves, {}, [](const PictureCurve& c) {
       return std::pair{-c.lower, c.series};
@@ -177,18 +177,34 @@ void PanelDrawing::draw_curves(const DiagramPiece& piece) {
   }
 }
 
-/// In runs over which as many curves lie on it.
+/// In runs over which as many curves lie on it; where they only cross, none does.
 void PanelDrawing::draw_line(const DiagramPiece& piece, const DiagramLine& line,
                              std::size_t ordinate) {
+  constexpr double crossing = 25.0;
   const std::size_t count = line.points.size();
-  for (std::size_t begin = 0; begin + 1 < count;) {
-    const auto lower = [&](std::size_t at) {
-      return std::min(curves_above(line.points[at], ordinate),
-                      curves_above(line.points[at + 1], ordinate));
-    };
-    const int now = lower(begin);
+  const auto lower = [&](std::size_t at) {
+    return std::min(curves_above(line.points[at], ordinate),
+                    curves_above(line.points[at + 1], ordinate));
+  };
+  const auto end_of_run = [&](std::size_t begin) {
     std::size_t end = begin + 1;
-    while (end + 1 < count && lower(end) == now) ++end;
+    while (end + 1 < count && lower(end) == lower(begin)) ++end;
+    return end;
+  };
+  const auto length = [&](std::size_t begin, std::size_t end) {
+    const PagePoint a = place(line.points[begin], ordinate);
+    const PagePoint b = place(line.points[end], ordinate);
+    return std::hypot(b.x - a.x, b.y - a.y);
+  };
+  for (std::size_t begin = 0; begin + 1 < count;) {
+    std::size_t end = end_of_run(begin);
+    int now = lower(begin);
+    if (now > 0 && length(begin, end) < crossing) now = 0;
+    while (now == 0 && end + 1 < count) {
+      const std::size_t next = end_of_run(end);
+      if (lower(end) > 0 && length(end, next) >= crossing) break;
+      end = next;
+    }
     std::vector<PagePoint> path;
     for (std::size_t at = begin; at <= end; ++at) path.push_back(place(line.points[at], ordinate));
     DrawnCurve out = drawn(path, size_of(panel_.area), style(line.verdict).dashes);
@@ -304,15 +320,14 @@ void lay_out(const Diagram& diagram, const PageChoice& choice, double legend_wid
     DiagramPanel& panel = picture.panels.front();
     panel.area = {page::left, right, page::bottom, top};
     panel.rate_area = panel.area;
-    if (!diagram.has_spectrum) return;
+    if (!has_rates(diagram)) return;
     panel.rate_area.top = page::bottom + 0.40 * (top - page::bottom);
     panel.area.bottom = panel.rate_area.top + gap;
     return;
   }
   const auto n = static_cast<double>(rows);
   const double height = (top - page::bottom - (n - 1.0) * row_gap) / n;
-  const double middle =
-      diagram.has_spectrum ? 0.5 * (page::left + right) : right + 0.5 * column_gap;
+  const double middle = has_rates(diagram) ? 0.5 * (page::left + right) : right + 0.5 * column_gap;
   for (std::size_t k = 0; k < rows; ++k) {
     const double upper = top - static_cast<double>(k) * (height + row_gap);
     picture.panels[k].area = {page::left, middle - 0.5 * column_gap, upper - height, upper};
@@ -321,6 +336,10 @@ void lay_out(const Diagram& diagram, const PageChoice& choice, double legend_wid
 }
 
 }  // namespace
+
+bool has_rates(const Diagram& diagram) {
+  return diagram.has_spectrum && !diagram.of_energy_and_momentum;
+}
 
 DiagramPicture diagram_picture(const Diagram& diagram, const PageChoice& choice) {
   DiagramPicture out;

@@ -77,6 +77,9 @@ struct DiagramPicture {
   std::vector<DiagramPanel> panels;
 };
 
+/// Whether its panels have one of the rates beside them.
+bool has_rates(const Diagram& diagram);
+
 DiagramPicture diagram_picture(const Diagram& diagram, const PageChoice& choice = {});
 
 }  // namespace stationary

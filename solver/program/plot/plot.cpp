@@ -307,11 +307,10 @@ std::string Script::write(ImageFormat format, std::string_view title) {
   line("set tics nomirror font ',12'");
   line("set format y '%g'");
   line("set style textbox opaque fillcolor rgb 'white' noborder margins 0.4,0.4");
-  const bool stacked =
-      diagram_.has_spectrum && picture_.panels.size() == 1 && !diagram_.of_energy_and_momentum;
+  const bool stacked = has_rates(diagram_) && picture_.panels.size() == 1;
   for (const DiagramPanel& panel : picture_.panels) {
     curve_panel(panel, !stacked);
-    if (diagram_.has_spectrum && !diagram_.of_energy_and_momentum) rate_panel(panel);
+    if (has_rates(diagram_)) rate_panel(panel);
   }
   draw_legend();
   line("unset multiplot");

@@ -63,7 +63,8 @@ constexpr const RateStyle& style(RateKind kind) {
 
 constexpr std::string_view guide_style = "lc rgb '#9ca3af' lw 0.6 dt (2,4)";
 
-/// gnuplot's point types: filled and open circle, square, triangles, diamond, pentagon, star.
+/// gnuplot's point types: filled and open circle, square, triangles, diamond, pentagon,
+/// crosses.
 struct EventStyle {
   std::string_view name;
   int point_type;
@@ -71,8 +72,8 @@ struct EventStyle {
 constexpr EventStyle event_styles[] = {
     {"fold-nu", 7},     {"fold-momentum", 6},  {"tilt", 5},        {"oblique", 4},
     {"ellipse", 13},    {"shear", 12},         {"krein-pass", 10}, {"hamiltonian-hopf", 11},
-    {"escape", 8},      {"real-collision", 9}, {"collapse", 15},   {"inertia-exchange", 14},
-    {"unexplained", 3}, {"domain", 2}};
+    {"escape", 8},      {"real-collision", 9}, {"collapse", 15},   {"inertia-exchange", 2},
+    {"unexplained", 3}, {"domain", 14}};
 
 constexpr int point_type(std::string_view event) {
   constexpr int other = 1;

@@ -16,8 +16,7 @@ constexpr int rows = 200;
 template <class Function>
 WeightedCurve curve(const Function& value) {
   WeightedCurve out;
-  for (int k = 0; k < rows; ++k)
-    out.push_back({value(static_cast<double>(k) / rows), 1.0 / rows});
+  for (int k = 0; k < rows; ++k) out.push_back({value(static_cast<double>(k) / rows), 1.0 / rows});
   return out;
 }
 
@@ -83,8 +82,7 @@ TEST(Axis, AStiffModeDoesNotHideTheOthers) {
 
 TEST(Axis, AModeThatOutgrowsTheOthersIsCutAboveThem) {
   std::vector<WeightedCurve> modes{curve([](double x) { return 2.0 / (1.001 - x); })};
-  for (int k = 1; k <= 4; ++k)
-    modes.push_back(curve([k](double x) { return k + 0.1 * x; }));
+  for (int k = 1; k <= 4; ++k) modes.push_back(curve([k](double x) { return k + 0.1 * x; }));
   const Axis axis = fitted_rate_axis(modes);
   EXPECT_FALSE(axis.logarithmic);
   EXPECT_EQ(axis.range.low, 0.0);

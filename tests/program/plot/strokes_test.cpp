@@ -28,7 +28,8 @@ std::vector<PagePoint> wave(double from, double to, int points) {
 bool covers(const DrawnCurve& curve, double x) {
   for (const Stroke& stroke : curve.strokes)
     for (std::size_t k = 1; k < stroke.size(); ++k)
-      if (std::min(stroke[k - 1].x, stroke[k].x) <= x && x <= std::max(stroke[k - 1].x, stroke[k].x))
+      if (std::min(stroke[k - 1].x, stroke[k].x) <= x &&
+          x <= std::max(stroke[k - 1].x, stroke[k].x))
         return true;
   return false;
 }
