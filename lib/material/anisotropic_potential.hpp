@@ -14,6 +14,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "lib/material/models/anisotropic_expression.hpp"
@@ -65,43 +66,30 @@ struct AnisotropicModel {
 
   /// Whether a written-out part is defined nowhere in a box.
   bool outside_box(const BasicStretch<C>& q) const {
-    const auto own = [&](const auto& model) {
-      if constexpr (requires { model.outside_box(q); }) {
-        return model.outside_box(q);
-      } else {
-        return false;
-      }
-    };
-    if (const auto* separate = std::get_if<Separate>(&base))
-      return std::visit(own, separate->plane) || separate->thickness.visit(own);
-    return std::visit(own, std::get<OrientedCoupledModels<C>>(base));
+    return any_part([&](const auto& m) -> decltype(m.outside_box(q)) { return m.outside_box(q); });
   }
-
   /// Whether a written-out part has decimals (TapeModel::has_decimals).
   bool has_decimals() const {
-    const auto written = [](const auto& model) {
-      if constexpr (requires { model.has_decimals(); }) {
-        return model.has_decimals();
-      } else {
-        return false;
-      }
-    };
-    if (const auto* separate = std::get_if<Separate>(&base))
-      return std::visit(written, separate->plane) || separate->thickness.has_decimals();
-    return std::visit(written, std::get<OrientedCoupledModels<C>>(base));
+    return any_part([](const auto& m) -> decltype(m.has_decimals()) { return m.has_decimals(); });
   }
   /// Likewise TapeModel::has_conditions.
   bool has_conditions() const {
-    const auto written = [](const auto& model) {
-      if constexpr (requires { model.has_conditions(); }) {
-        return model.has_conditions();
+    return any_part(
+        [](const auto& m) -> decltype(m.has_conditions()) { return m.has_conditions(); });
+  }
+  /// Whether it is so of a part that can be asked.
+  template <class Question>
+  bool any_part(const Question& question) const {
+    const auto of = [&](const auto& model) {
+      if constexpr (std::is_invocable_v<const Question&, decltype(model)>) {
+        return question(model);
       } else {
         return false;
       }
     };
     if (const auto* separate = std::get_if<Separate>(&base))
-      return std::visit(written, separate->plane) || separate->thickness.has_conditions();
-    return std::visit(written, std::get<OrientedCoupledModels<C>>(base));
+      return std::visit(of, separate->plane) || separate->thickness.visit(of);
+    return std::visit(of, std::get<OrientedCoupledModels<C>>(base));
   }
 
   /// x: the invariants of q, which a caller may know better than by its entries.
