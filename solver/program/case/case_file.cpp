@@ -341,6 +341,7 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
   const Case::Solve solve = read_solve(tree, motion, models, faults);
   const auto continuation = read_continuation(tree, family, faults);
   const auto map = read_map(tree, family ? &*family : nullptr, faults);
+  const auto curve = read_curve(tree, family ? &*family : nullptr, faults);
   const Case::Output output = read_output(tree, faults);
   std::optional<Potential> potential;
   if (family) {
@@ -356,6 +357,7 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
           .solve = solve,
           .continuation = continuation,
           .map = map,
+          .curve = curve,
           .output = output,
           .source = std::move(tree)};
 }

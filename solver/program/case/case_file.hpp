@@ -5,6 +5,7 @@
 //   [motion] branch, nu, of "tilted" also plane (else both); or of branch "two-polar" omega and
 //   theta_dot | s3 and p_theta [solve] start, method   [continuation] parameter, from, to,
 //   tolerance   [output] spectrum, ...   [map] x, y
+//   [curve] event, parameters, from, to
 #pragma once
 
 #include <array>
@@ -21,6 +22,7 @@
 #include "lib/number/interval.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/program/case/case_curve.hpp"
 #include "solver/program/case/case_grid.hpp"
 #include "solver/program/case/case_potential.hpp"
 #include "solver/program/case/case_toml.hpp"
@@ -62,6 +64,7 @@ struct Case {
   Solve solve;
   std::optional<Continuation> continuation;
   std::optional<CaseMap> map;
+  std::optional<CaseCurve> curve;
   Output output;
   CaseTree source;  ///< where each key comes from
 

@@ -103,6 +103,11 @@ bool is_followed_in_nu_alone(const Motion& motion) {
   return std::holds_alternative<TiltedMotion>(motion);
 }
 bool has_rates(const Motion& motion) { return std::holds_alternative<TwoPolarMotion>(motion); }
+std::optional<AxisRotation> spin_of(const Motion& motion) {
+  const auto* const spin = std::get_if<AxisRotation>(&motion);
+  return spin == nullptr ? std::nullopt : std::optional(*spin);
+}
+
 bool has_lanes(const Motion& motion) { return std::holds_alternative<AxisRotation>(motion); }
 
 Motion decided(Motion motion, bool about_axis_2) {

@@ -2,6 +2,7 @@
 // numbers by their keys.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,6 +36,8 @@ bool keeps_round(const Motion& motion);
 bool is_followed_in_nu_alone(const Motion& motion);
 /// Whether its rows have rates and momenta of their own, and lambda, mu for xi, zeta.
 bool has_rates(const Motion& motion);
+/// The spin about a material axis that it is; nothing of another kind.
+std::optional<AxisRotation> spin_of(const Motion& motion);
 /// Whether maps solve it along lanes in nu, and not cell by cell.
 bool has_lanes(const Motion& motion);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lib/body/motion.hpp"
+#include "solver/motion/event.hpp"
 #include "solver/program/case/case_expression.hpp"
 #include "solver/program/case/case_grid.hpp"
 #include "solver/program/table/table.hpp"
@@ -22,6 +23,10 @@ using enum KeyType;
 
 constexpr std::string_view branches[] = {name(Branch::i), name(Branch::ii), name(Branch::iii),
                                          tilted_name,     oblique_name,     two_polar_name};
+/// All but the ends of a sheet and what is unexplained.
+constexpr std::span<const std::string_view> curve_events =
+    std::span(event_names)
+        .subspan(1, static_cast<std::size_t>(EventType::unexplained) - std::size_t{1});
 constexpr std::string_view oblique_axes[] = {"1", "2"};
 constexpr std::string_view a_boolean = "true or false";
 constexpr std::string_view a_number = "a finite number";
@@ -80,6 +85,12 @@ constexpr CaseKey keys[] = {
     {"map.y.to", number, true, a_number},
     {"map.y.count", number, true, map_count},
     {"map.y.scale", text, false, "", 0, axis_scale_names},
+    {"curve", table, false, "a table with event, parameters, from and to"},
+    {"curve.event", text, true, "", 0, curve_events},
+    {"curve.parameters", texts, true, "two numbers of the case, [\"nu\", \"body.J.1\"]"},
+    {"curve.from", numbers, true, "two finite numbers, one for each parameter", 2},
+    {"curve.to", numbers, true, "two finite numbers, one for each parameter", 2},
+    {"curve.tolerance", number, false, "a number > 0 and <= 1"},
     {"output", table, false, "a table"},
     {"output.spectrum", boolean, false, a_boolean},
     {"output.certificate", boolean, false, a_boolean},

@@ -40,6 +40,7 @@ ExitCode run(int argc, char** argv) {
   cli::add_continue(program, session);
   cli::add_atlas(program, session);
   cli::add_map(program, session);
+  cli::add_curve(program, session);
   cli::add_study(program, session);
   cli::add_check(program, session);
   cli::add_models(program, session);

@@ -70,6 +70,13 @@ Json case_json(const Case& input) {
     out["map"]["x"] = axis_json(input.map->x);
     if (input.map->y) out["map"]["y"] = axis_json(*input.map->y);
   }
+  if (const auto& curve = input.curve) {
+    out["curve"] = {{"event", name(curve->event)},
+                    {"parameters", curve->parameters},
+                    {"from", curve->from},
+                    {"to", curve->to},
+                    {"tolerance", curve->tolerance}};
+  }
   out["output"] = {{"spectrum", input.output.spectrum},
                    {"certificate", input.output.certificate},
                    {"columns", input.output.columns}};
@@ -135,6 +142,26 @@ Json ends_json(const std::vector<SheetRecord>& curves) {
                      {"parameter", end->parameter},
                      {"reason", end->reason}});
     }
+  }
+  return out;
+}
+
+Json event_curves_json(const std::vector<EventCurveRecord>& curves) {
+  Json out = Json::array();
+  for (const EventCurveRecord& each : curves) {
+    Json special = Json::array();
+    for (const EventCurveRecord::Special& point : each.special) {
+      special.push_back({{"special", point.special}, {"point", point.point}, {"at", point.at}});
+      if (!point.other.empty()) special.back()["other"] = point.other;
+    }
+    const auto end = [](const EventCurveEnd& of) -> Json {
+      return {{"event", name(of.event)}, {"reason", of.reason}};
+    };
+    out.push_back({{"curve", each.curve},
+                   {"points", each.points},
+                   {"special", special},
+                   {"first_end", end(each.first)},
+                   {"last_end", end(each.last)}});
   }
   return out;
 }
@@ -240,6 +267,7 @@ std::string metadata_json(const Metadata& metadata, bool of_the_run) {
   out["events"] = events_json(metadata.curves);
   out["segments"] = segments_json(metadata.curves);
   out["ends"] = ends_json(metadata.curves);
+  if (!metadata.event_curves.empty()) out["curves"] = event_curves_json(metadata.event_curves);
   if (!metadata.unproven_sheets.empty()) out["unproven_sheets"] = metadata.unproven_sheets;
   if (metadata.atlas != nullptr) {
     out["sheets"] = sheets_json(metadata.atlas->sheets);

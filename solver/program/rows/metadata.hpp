@@ -3,6 +3,7 @@
 // is metadata.schema.json.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "solver/atlas/atlas.hpp"
+#include "solver/event_curve/event_curve.hpp"
 #include "solver/program/case/case_file.hpp"
 #include "solver/program/rows/curve_table.hpp"
 
@@ -22,6 +24,21 @@ struct StudyRecord {
   std::string over;
   std::string task;
   std::size_t rows = 0;
+};
+
+/// A curve of events beside its rows.
+struct EventCurveRecord {
+  struct Special {
+    std::string_view special;
+    std::string_view other;  ///< of a double one: the other event
+    long point = 0;
+    std::array<double, 2> at;  ///< both parameters
+  };
+  int curve = 1;
+  long points = 0;
+  std::vector<Special> special;
+  EventCurveEnd first;
+  EventCurveEnd last;
 };
 
 struct Metadata {
@@ -38,7 +55,8 @@ struct Metadata {
   std::string checksum;  ///< of the rows (TableChecksum)
   std::vector<std::pair<std::string_view, long>> counts;
   std::vector<SheetRecord> curves;  ///< the sheets followed
-  const Atlas* atlas = nullptr;     ///< its sheets, checkpoints and remarks
+  std::vector<EventCurveRecord> event_curves;
+  const Atlas* atlas = nullptr;  ///< its sheets, checkpoints and remarks
   /// Of `solve` with all: the sheets of rows found where the search is undecided, and not proven.
   std::vector<int> unproven_sheets;
   std::vector<PlanItem> plan;     ///< how each unknown is had

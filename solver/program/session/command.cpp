@@ -12,7 +12,6 @@
 
 #include "solver/program/session/interrupt.hpp"
 #include "solver/program/session/progress.hpp"
-#include "solver/program/session/table_output.hpp"
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/text/input_error.hpp"
 #include "solver/program/text/nearest_name.hpp"
@@ -64,7 +63,7 @@ Case ComputeOptions::read() const {
 }
 
 ExitCode compute(const ComputeOptions& options, const Session& session,
-                 const std::function<Outcome(TableTarget* target, const Run& run)>& computation) {
+                 const std::function<Outcome(TableOutput* output, const Run& run)>& computation) {
   ProgressBar progress;
   Run run;
   run.command_line = session.command_line;

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "solver/program/case/case_file.hpp"
-#include "solver/program/rows/table_target.hpp"
 #include "solver/program/session/exit_code.hpp"
 #include "solver/program/session/run.hpp"
+#include "solver/program/session/table_output.hpp"
 
 namespace stationary::cli {
 
@@ -24,6 +24,7 @@ void add_continue(CLI::App& program, Session& session);
 void add_atlas(CLI::App& program, Session& session);
 void add_map(CLI::App& program, Session& session);
 void add_study(CLI::App& program, Session& session);
+void add_curve(CLI::App& program, Session& session);
 void add_check(CLI::App& program, Session& session);
 void add_models(CLI::App& program, Session& session);
 void add_plot(CLI::App& program, Session& session);
@@ -55,12 +56,12 @@ struct ComputeOptions : CaseOptions {
   bool shows_summary() const { return !quiet && output != "-"; }
 };
 
-/// Reads nothing of the case itself: computation(target, run) does, and its table goes where the
+/// Reads nothing of the case itself: computation(output, run) does, and its table goes where the
 /// options say (null: there is none). Tells a person on standard error what there is to tell, prints
 /// the summary where one is asked for, and gives the exit code. From here on Ctrl-C ends the
 /// computation, not the program.
 ExitCode compute(const ComputeOptions& options, const Session& session,
-                 const std::function<Outcome(TableTarget* target, const Run& run)>& computation);
+                 const std::function<Outcome(TableOutput* output, const Run& run)>& computation);
 
 /// As many threads as the machine has processors.
 int all_processors();

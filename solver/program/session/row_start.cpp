@@ -89,8 +89,8 @@ bool is_no_start(std::string_view event) {
   return false;
 }
 
-/// The row, or one beside it on the same sheet.
-Cells row_of(const std::string& text) {
+/// The row; to start from, one beside it on the same sheet where it is no place to.
+Cells row_of(const std::string& text, bool to_start_from) {
   const RowName wanted = parse(text);
   const bool columnar = is_column_file(wanted.path);
   TableReader table = columnar ? TableReader(column_file_table(wanted.path, {}), wanted.path)
@@ -108,7 +108,7 @@ Cells row_of(const std::string& text) {
     if (fold && here["sheet"] == (*fold)["sheet"]) return here;  // nothing was before it
     const bool counts = wanted.event.empty() || table.text(*event) == wanted.event;
     if (counts && ++number == wanted.number) {
-      if (!event || !is_no_start(table.text(*event))) return here;
+      if (!to_start_from || !event || !is_no_start(table.text(*event))) return here;
       if (!before.empty() && before["sheet"] == here["sheet"]) return before;
       fold = std::move(here);
       continue;
@@ -140,23 +140,36 @@ std::optional<TiltPlane> tilt_plane(const Body& body, const Stretch& q) {
 
 class FromRow {
  public:
-  FromRow(const Case& given, const std::string& text)
-      : given_(given), text_(text), row_(row_of(text)) {}
+  FromRow(const Case& given, const std::string& text, bool to_start_from)
+      : given_(given), text_(text), row_(row_of(text, to_start_from)) {}
 
   RowStart run() {
     Case input = with_numbers_of_the_row();
     if (!input.continuation)
       refuse(text_, "found no [continuation] in the case", "a case to be continued");
-    const Stretch q{value_or("alpha", 0.0), value("xi"), value("zeta"), value("rho")};
-    if (const char* inequality = violated_inequality(q))
-      refuse(text_, "found no positive definite S in the row", inequality);
+    const Stretch q = stretch();
     const std::string own = text("branch");
     const std::string wanted(input.branch_name());
     if (own != wanted) return beginning(std::move(input), q, own);
     return finished(std::move(input), q);
   }
 
+  EventRow event(EventType type) {
+    if (row_.contains("event") && row_.at("event") != name(type))
+      refuse(text_, "found " + in_quotes(row_.at("event")), "a row of " + in_quotes(name(type)));
+    if (text("branch") != given_.branch_name())
+      refuse(text_, "found a row of branch " + in_quotes(text("branch")),
+             "a row of branch " + in_quotes(given_.branch_name()));
+    return {with_numbers_of_the_row(), stretch()};
+  }
+
  private:
+  Stretch stretch() const {
+    const Stretch q{value_or("alpha", 0.0), value("xi"), value("zeta"), value("rho")};
+    if (const char* inequality = violated_inequality(q))
+      refuse(text_, "found no positive definite S in the row", inequality);
+    return q;
+  }
   std::string text(std::string_view column) const {
     const auto at = row_.find(column);
     if (at == row_.end() || at->second.empty())
@@ -292,7 +305,11 @@ class FromRow {
 }  // namespace
 
 RowStart start_from_row(const Case& given, const std::string& row) {
-  return FromRow(given, row).run();
+  return FromRow(given, row, true).run();
+}
+
+EventRow event_of_row(const Case& given, const std::string& row, EventType type) {
+  return FromRow(given, row, false).event(type);
 }
 
 }  // namespace stationary::cli

@@ -12,7 +12,6 @@
 #include <string>
 
 #include "solver/program/session/case_family.hpp"
-#include "solver/program/session/command.hpp"
 
 namespace stationary::cli {
 
@@ -24,5 +23,14 @@ struct RowStart {
 /// Throws InputError: no such table, row or event, a row without a motion, or of a family that does
 /// not lead to the case's.
 RowStart start_from_row(const Case& given, const std::string& row);
+
+/// A row as an event of its own family.
+struct EventRow {
+  Case input;  ///< with what the row overrides
+  Stretch q;
+};
+
+/// Throws InputError: no such table or row, or a row of another event or branch.
+EventRow event_of_row(const Case& given, const std::string& row, EventType type);
 
 }  // namespace stationary::cli

@@ -23,6 +23,29 @@ std::string csv_cell(std::string_view text);
 /// The header's line, with its end.
 std::string csv_header(const std::vector<CellColumn>& columns);
 
+/// The cells of rows as CSV has them, a line without its end.
+class RowCells {
+ public:
+  explicit RowCells(const std::vector<Column>& columns) : writer_(text_, columns) {
+    writer_.flush();  // the header
+  }
+  std::string of(const TableRow& row) {
+    text_.bytes.clear();
+    writer_.write(row);
+    writer_.flush();
+    text_.bytes.pop_back();
+    return text_.bytes;
+  }
+
+ private:
+  struct Text final : ByteSink {
+    void write(std::string_view more) override { bytes += more; }
+    std::string bytes;
+  };
+  Text text_;
+  TableWriter writer_;
+};
+
 /// Rows by name, streamed as CSV.
 class CellTable {
  public:

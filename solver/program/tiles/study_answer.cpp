@@ -15,26 +15,11 @@
 namespace stationary::cli {
 namespace {
 
-class Text final : public ByteSink {
- public:
-  void write(std::string_view bytes) override { text += bytes; }
-  std::string text;
-};
-
-/// Rows as the table writes them, a line each without its end.
 std::vector<std::string> lines(const std::vector<Column>& columns,
                                const std::vector<Solution>& solutions) {
   std::vector<std::string> out;
-  Text text;
-  TableWriter writer(text, columns);
-  writer.flush();
-  for (const Solution& each : solutions) {
-    text.text.clear();
-    writer.write(each.row);
-    writer.flush();
-    text.text.pop_back();
-    out.push_back(text.text);
-  }
+  RowCells cells(columns);
+  for (const Solution& each : solutions) out.push_back(cells.of(each.row));
   return out;
 }
 

@@ -1,0 +1,36 @@
+// stationary curve CASE: the curves of an event in two numbers of the case, as curve_case.hpp follows
+// them.
+#include <memory>
+
+#include "solver/program/computation/curve_case.hpp"
+#include "solver/program/session/command.hpp"
+
+namespace stationary::cli {
+namespace {
+
+struct CurveOptions : ComputeOptions {
+  std::string from;
+};
+
+}  // namespace
+
+void add_curve(CLI::App& program, Session& session) {
+  CLI::App& command = add_command(
+      program, "curve", "Follow an event in two parameters: [curve] event, parameters, from, to");
+  const auto options = std::make_shared<CurveOptions>();
+  options->add_to(command);
+  command
+      .add_option("--from", options->from,
+                  "Only the curve of an event that a table has: TABLE:N (data row N, the first is "
+                  "1), TABLE:EVENT or TABLE:EVENT:K")
+      ->type_name("TABLE:ROW");
+  command.callback([options, &session] {
+    session.action = [options, &session] {
+      return compute(*options, session, [&](TableOutput* output, const Run& run) {
+        return curve_case(options->read(), options->from, output, run);
+      });
+    };
+  });
+}
+
+}  // namespace stationary::cli

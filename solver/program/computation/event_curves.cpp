@@ -1,0 +1,200 @@
+#include "solver/program/computation/event_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solver/event_curve/event_sides.hpp"
+#include "solver/program/case/case_motion.hpp"
+#include "solver/program/case/case_parameter.hpp"
+#include "solver/program/case/case_schema.hpp"
+#include "solver/program/rows/equilibrium_row.hpp"
+#include "solver/program/session/case_family.hpp"
+
+namespace stationary::cli {
+namespace {
+
+FamilyParameters numbers_of(const Case& input, double first, double second) {
+  const auto& keys = input.curve->parameters;
+  return with_parameter(with_parameter({input.body, input.models, input.motion}, keys[0], first),
+                        keys[1], second);
+}
+
+SpinningProblem problem_of(const FamilyParameters& numbers) {
+  const AxisRotation spin = *spin_of(numbers.motion);
+  return {Problem(numbers.body, make_potential(numbers.models), spin.branch), spin.nu};
+}
+
+double own_value(const Case& input, std::size_t k) {
+  return parameter_value({input.body, input.models, input.motion}, input.curve->parameters[k]);
+}
+
+FamilyParameter family_parameter_of(const Case& input, std::size_t k) {
+  return family_parameter(input.curve->parameters[k], input.models);
+}
+
+/// A circle stays one only while J1 = J2.
+void require_circle(const Case& input) {
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    const std::string& key = input.curve->parameters[k];
+    if (key != "body.J.0" && key != "body.J.1") continue;
+    throw fault_at(input.source, fmt::format("curve.parameters.{}", k),
+                   "found " + in_quotes(key) + ", and the event is on a circle",
+                   "another number of the case", "circles need J1 = J2");
+  }
+}
+
+class KeptEvents final : public CurveSink {
+ public:
+  explicit KeptEvents(EventType type) : type_(type) {}
+  void row(const Member& member, EventType event) override {
+    if (event == type_) events.push_back(member);
+  }
+  std::vector<Member> events;
+
+ private:
+  EventType type_;
+};
+
+/// Whether two points of one curve at the same p2 are one.
+bool is_same(const Member& a, const Member& b) {
+  constexpr double near = 1e-7;
+  const auto close = [](double x, double y) {
+    return std::abs(x - y) <= near * (std::abs(x) + std::abs(y));
+  };
+  return close(a.parameter, b.parameter) && close(a.q.xi, b.q.xi) && close(a.q.zeta, b.q.zeta) &&
+         close(a.q.rho, b.q.rho);
+}
+
+bool passes(const EventCurve& curve, const Member& event) {
+  return std::ranges::any_of(curve.crossings,
+                             [&](const Member& each) { return is_same(each, event); });
+}
+
+EventCurve curve_of(const Case& input, const Member& event, bool spectrum, const Run& run) {
+  const CaseCurve& asked = *input.curve;
+  const EventCurveSetting setting{[&input](double first, double second) {
+                                    return problem_of(numbers_of(input, first, second));
+                                  },
+                                  family_parameter_of(input, 0), family_parameter_of(input, 1),
+                                  asked.event};
+  const double second = own_value(input, 1);
+  const SpinningProblem at = setting.at(event.parameter, second);
+  const bool circle = asked.event == EventType::ellipse ||
+                      (mirror_symmetric(at.problem, at.nu) && event.q.xi == event.q.zeta);
+  if (circle) require_circle(input);
+  return follow_event_curve(setting, event, second, circle,
+                            {.first_from = asked.from[0],
+                             .first_to = asked.to[0],
+                             .second_from = asked.from[1],
+                             .second_to = asked.to[1],
+                             .tolerance = asked.tolerance,
+                             .spectrum = spectrum,
+                             .stop = run.stop});
+}
+
+void add_curve(EventCurves& out, const Case& input, const Member& event, bool spectrum,
+               const Run& run) {
+  EventCurve curve = curve_of(input, event, spectrum, run);
+  out.interrupted = out.interrupted || curve.interrupted;
+  if (curve.failure.empty()) {
+    out.curves.push_back(std::move(curve));
+  } else {
+    out.failures.push_back(fmt::format("{} at {} = {:.12g}: {}", name(input.curve->event),
+                                       input.curve->parameters[0], event.parameter, curve.failure));
+  }
+}
+
+}  // namespace
+
+void require_curve(const Case& input) {
+  if (!input.curve) {
+    throw fault_at(input.source, "curve", "found no such key",
+                   "a table with event, parameters, from and to",
+                   "add [curve] with event = \"tilt\", parameters = [\"nu\", \"body.J.1\"]");
+  }
+  if (!spin_of(input.motion) || !input.potential.is_isotropic()) {
+    throw fault_at(
+        input.source, "motion.branch",
+        fmt::format("found branch {} and an {} potential", in_quotes(input.branch_name()),
+                    input.potential.is_isotropic() ? "isotropic" : "anisotropic"),
+        "a branch of \"i\", \"ii\", \"iii\" and an isotropic potential for curve",
+        "the events of other motions are located by continue, one value at a time");
+  }
+  const double second = own_value(input, 1);
+  if (second < input.curve->from[1] || second > input.curve->to[1]) {
+    throw fault_at(
+        input.source, "curve.from.1",
+        fmt::format("found {} = {} outside the range", input.curve->parameters[1], second),
+        fmt::format("a range that holds {}", second), "curves start at the case's own value");
+  }
+}
+
+EventCurves event_curves(const Case& input, bool spectrum, const Run& run) {
+  const CaseCurve& asked = *input.curve;
+  Case family_case = input;
+  family_case.continuation = {.parameter = asked.parameters[0],
+                              .from = asked.from[0],
+                              .to = asked.to[0],
+                              .tolerance = asked.tolerance,
+                              .events = {std::string(name(asked.event))}};
+  EventCurves out;
+  const Start start = solved_start(family_case, run);
+  out.status = start.found.status;
+  out.message = start.found.message;
+  out.interrupted = out.status == SolveStatus::interrupted;
+  if (out.status != SolveStatus::solved) return out;
+  const AnyFamily family = family_of(family_case, start, true, false);
+  KeptEvents kept(asked.event);
+  const FollowReport report =
+      follow(family, start.found.q, start.p, follow_options(family_case, 1.0, run), kept);
+  if (!report.failure.empty()) {
+    out.status = SolveStatus::failed;
+    out.message = report.failure;
+    return out;
+  }
+  out.interrupted = report.interrupted;
+  for (const Member& event : kept.events) {
+    if (out.interrupted) break;
+    const bool again = std::ranges::any_of(
+        out.curves, [&](const EventCurve& each) { return passes(each, event); });
+    if (!again) add_curve(out, input, event, spectrum, run);
+  }
+  return out;
+}
+
+EventCurves event_curve_of_row(const Case& input, const Stretch& q, bool spectrum, const Run& run) {
+  const double first = own_value(input, 0);
+  const SpinningProblem at = problem_of(numbers_of(input, first, own_value(input, 1)));
+  const Member event =
+      member_at(at, family_parameter_of(input, 0),
+                {q, ReducedVector<3>::Zero(), first, 0x1p-48, q.xi == q.zeta}, true);
+  EventCurves out;
+  out.status = SolveStatus::solved;
+  add_curve(out, input, event, spectrum, run);
+  return out;
+}
+
+TableRow curve_row(const Case& input, const EventCurvePoint& point, const ColumnSet& wanted) {
+  TableRow row;
+  fill_row(input.branch_name(), point.member, wanted, row);
+  row.event = name(input.curve->event);
+  row.parameter = point.member.parameter;
+  row.second_parameter = point.second;
+  return row;
+}
+
+bool prove_curve_row(const Case& input, const EventCurvePoint& point, TableRow& row) {
+  const FamilyParameters at = numbers_of(input, point.member.parameter, point.second);
+  const auto kind = kind_of(at.body, make_potential(at.models), at.motion);
+  const auto proof =
+      kind->enclose_event(family_parameter_of(input, 0), input.curve->event, point.member);
+  const bool proven = proof && proof->proven;
+  row.certified = proof_word(proven);
+  if (proven) row[Column::error_bound] = proof->error_bound;
+  return proven;
+}
+
+}  // namespace stationary::cli

@@ -1,0 +1,196 @@
+// `curve` from outside: a table of closed forms, special points, rows to start from, what is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "solver/program/table/column_file.hpp"
+#include "tests/program/json_schema.hpp"
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const char* const fold_of_hencky = R"(
+[body]
+J = [1.0, 1.7, 0.6]
+[potential]
+plane     = { model = "hencky", mu = 1.1, lambda = 0.8 }
+thickness = { model = "reciprocal-quadratic", a = 1.0, b = 3.0 }
+[motion]
+branch = "i"
+nu = 0.3
+[curve]
+event = "fold-nu"
+parameters = ["nu", "body.J.1"]
+from = [0.0, 0.5]
+to = [1.0, 3.0]
+tolerance = 1e-6
+)";
+
+class Curve : public ::testing::Test {
+ protected:
+  Outcome run(const std::string& text, std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments{"curve", directory_.file("case.toml", text), "-o", out_};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments);
+  }
+  std::vector<Row> rows() const { return rows_of(text_of(out_)); }
+  json metadata() const { return json::parse(text_of(directory_ / "x.meta.json")); }
+
+  TemporaryDirectory directory_;
+  std::string out_ = directory_ / "x.csv";
+};
+
+/// nu^2 J2 = 2 mu (mu + lambda)/[(2 mu + lambda) e], zeta = sqrt e.
+TEST_F(Curve, FoldOfHencky) {
+  const Outcome outcome = run(fold_of_hencky, {"--certify"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("fold-nu in branch (i), in nu and body.J.1"));
+  EXPECT_THAT(
+      std::string(header_of(text_of(out_))),
+      StartsWith("event,curve,point,special,branch,nu,body.J.1,nu1,nu2,nu3,alpha,xi,zeta,"));
+  const double product = 2.0 * 1.1 * 1.9 / (3.0 * std::exp(1.0));
+  const std::vector<Row> found = rows();
+  ASSERT_GE(found.size(), 10U);
+  for (const Row& row : found) {
+    const double nu = number(row.at("nu"));
+    EXPECT_EQ(row.at("event"), "fold-nu");
+    EXPECT_EQ(row.at("nu"), row.at("nu1"));
+    EXPECT_NEAR(nu * nu * number(row.at("body.J.1")), product, 1e-13);
+    EXPECT_NEAR(number(row.at("zeta")), std::exp(0.5), 1e-13);
+    EXPECT_NE(row.at("class_before"), "");
+    EXPECT_EQ(row.at("certified"), "yes");
+  }
+  EXPECT_EQ(found.front().at("body.J.1"), "0.5");
+  EXPECT_EQ(found.back().at("body.J.1"), "3");
+  const json said = metadata();
+  EXPECT_EQ(schema_fault(said, json::parse(text_of(STATIONARY_SCHEMA))), "");
+  EXPECT_EQ(said.at("command"), "curve");
+  EXPECT_EQ(said.at("case").at("curve").at("event"), "fold-nu");
+  ASSERT_EQ(said.at("curves").size(), 1U);
+  EXPECT_EQ(said.at("curves")[0].at("points"), found.size());
+  EXPECT_EQ(said.at("curves")[0].at("first_end").at("event"), "limit");
+}
+
+/// The circle's event stands in one nu; what is added to V is of fourth order across the circle,
+/// a = -16 mu - 48 mu^2/lambda + 384 r^4 e.
+TEST_F(Curve, DegeneratePitchfork) {
+  const Outcome outcome = run(R"(
+[body]
+J = [1.0, 1.0, 0.5]
+[potential.plane]
+expression = "m*(log(lambda)^2 + log(mu)^2) + l/2*log(d)^2 + e*(t^2 - 4*d)^2"
+m = 1.0
+l = 3.0
+e = 0.01
+[potential.thickness]
+model = "reciprocal-quadratic"
+a = 1.0
+b = 3.0
+[motion]
+branch = "iii"
+nu = 0.5
+[curve]
+event = "ellipse"
+parameters = ["nu", "potential.plane.e"]
+from = [0.1, 0.0]
+to = [1.5, 0.2]
+tolerance = 1e-6
+)");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const double expected = 32.0 / (384.0 * std::exp(0.5));
+  int special = 0;
+  for (const Row& row : rows()) {
+    EXPECT_NEAR(number(row.at("nu")), std::exp(-0.125), 1e-13);
+    if (row.at("special").empty()) continue;
+    EXPECT_EQ(row.at("special"), "degenerate-pitchfork");
+    EXPECT_NEAR(number(row.at("potential.plane.e")), expected, 1e-10);
+    ++special;
+  }
+  EXPECT_EQ(special, 1);
+}
+
+TEST_F(Curve, FromARowIsThatCurve) {
+  const std::string file = directory_.file(
+      "family.toml", std::string(fold_of_hencky) + "[continuation]\nfrom = 0.0\nto = 1.0\n");
+  const std::string table = directory_ / "family.csv";
+  ASSERT_EQ(run_program({"continue", file, "-o", table, "-q"}).code, 0);
+  ASSERT_EQ(run(fold_of_hencky).code, 0);
+  const std::vector<Row> all = rows();
+  const Outcome outcome = run(fold_of_hencky, {"--from", table + ":fold-nu"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<Row> one = rows();
+  ASSERT_GE(one.size(), 10U);
+  EXPECT_EQ(one.front().at("body.J.1"), all.front().at("body.J.1"));
+  EXPECT_NEAR(number(one.front().at("nu")), number(all.front().at("nu")), 1e-14);
+  const Outcome wrong = run(fold_of_hencky, {"--from", table + ":1"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("fold-nu"));
+}
+
+TEST_F(Curve, ColumnFileHasTheSameColumns) {
+  const std::string file = directory_.file("case.toml", fold_of_hencky);
+  const std::string columnar = directory_ / "x.h5";
+  ASSERT_EQ(run_program({"curve", file, "-o", columnar, "-q"}).code, 0);
+  ASSERT_EQ(run_program({"curve", file, "-o", out_, "-q"}).code, 0);
+  auto stream = column_file_table(columnar, {});
+  const std::string read{std::istreambuf_iterator<char>(*stream), {}};
+  EXPECT_EQ(read, text_of(out_));
+}
+
+TEST_F(Curve, WhatIsRefused) {
+  const auto with = [&](const std::vector<std::string>& sets) {
+    std::vector<std::string> more;
+    for (const std::string& each : sets) more.insert(more.end(), {"--set", each});
+    return run(fold_of_hencky, more);
+  };
+  const struct {
+    std::vector<std::string> sets;
+    std::string said;
+  } cases[] = {
+      {{"curve.event=folds"}, "fold-nu"},
+      {{"curve.parameters=[\"nu\"]"}, "two numbers of the case"},
+      {{"curve.parameters=[\"nu\", \"nu\"]"}, "twice"},
+      {{"curve.parameters=[\"nu\", \"body.J.7\"]"}, "body.J.1"},
+      {{"curve.from=[0.0, 4.0]"}, "empty range"},
+      {{"curve.from=[0.0, -1.0]"}, "J2 > 0"},
+      {{"curve.tolerance=0"}, "> 0"},
+      {{"curve.from=[0.0, 2.0]"}, "outside the range"},
+  };
+  for (const auto& each : cases) {
+    const Outcome outcome = with(each.sets);
+    EXPECT_EQ(outcome.code, 2) << each.sets.front();
+    EXPECT_THAT(outcome.err, HasSubstr(each.said)) << each.sets.front();
+  }
+  const Outcome missing = run(R"(
+[body]
+J = [1.0, 1.7, 0.6]
+[potential]
+plane     = { model = "hencky", mu = 1.1, lambda = 0.8 }
+thickness = { model = "reciprocal-quadratic", a = 1.0, b = 3.0 }
+[motion]
+branch = "i"
+nu = 0.3
+)");
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("add [curve]"));
+  const Outcome tilted = with({"motion.branch=tilted"});
+  EXPECT_EQ(tilted.code, 2);
+  EXPECT_THAT(tilted.err, HasSubstr("for curve"));
+}
+
+TEST_F(Curve, NoSuchEventIsSaid) {
+  const Outcome outcome = run(fold_of_hencky, {"--set", "curve.to=[0.2, 3.0]"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("no fold-nu"));
+}
+
+}  // namespace
+}  // namespace stationary::testing
