@@ -12,7 +12,7 @@
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/report.hpp"
-#include "solver/program/session/row_start.hpp"
+#include "solver/program/computation/row_start.hpp"
 
 namespace stationary::cli {
 namespace {

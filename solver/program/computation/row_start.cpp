@@ -1,4 +1,4 @@
-#include "solver/program/session/row_start.hpp"
+#include "solver/program/computation/row_start.hpp"
 
 #include <fmt/format.h>
 
