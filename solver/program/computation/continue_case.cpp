@@ -9,6 +9,7 @@
 
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_schema.hpp"
+#include "solver/program/computation/row_start.hpp"
 #include "solver/program/rows/curve_table.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/session/case_family.hpp"
@@ -16,7 +17,6 @@
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/report.hpp"
 #include "solver/program/session/resume.hpp"
-#include "solver/program/computation/row_start.hpp"
 
 namespace stationary::cli {
 namespace {

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "solver/program/computation/event_curves.hpp"
+#include "solver/program/computation/row_start.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/report.hpp"
-#include "solver/program/computation/row_start.hpp"
 
 namespace stationary::cli {
 namespace {
