@@ -119,7 +119,7 @@ TEST_F(Study, RefusesATableOfOtherThings) {
   refused("motion.nuu\n0.3\n", "did you mean \"motion.nu\"");
   refused("nu\n0.3\n", "names no key of a case");
   refused("output.columns\n1\n", "--set");
-  refused("motion.nu,motion.nu\n1,2\n", "two columns");
+  refused("motion.nu,motion.nu\n1,2\n", "twice");
   refused("motion.nu\n", "no rows");
   refused("motion.nu\n1,2\n", "2 cells");
   EXPECT_EQ(run("motion.nu\n0.3\n", {"--do", "nothing"}).code, 2);
@@ -156,12 +156,12 @@ branch = "i"
 }
 
 TEST_F(Study, ManySolutionsOfARow) {
-  const std::string over = directory_.file("t.csv", "motion.nu\n0.95\n1.2\n");
+  const std::string over = directory_.file("t.csv", "_tag,motion.nu\na,\nb,1.2\n");
   const Outcome outcome = run_program(
       {"study", shipped("apart.toml"), "--over", over, "-o", out_, "--set", "solve.all=true"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Outcome alone = run_program({"solve", shipped("apart.toml"), "-o", "-", "--set",
-                                     "solve.all=true", "--set", "motion.nu=0.95"});
+  const Outcome alone =
+      run_program({"solve", shipped("apart.toml"), "-o", "-", "--set", "solve.all=true"});
   const std::size_t solutions = rows_of(alone.out).size();
   ASSERT_GE(solutions, 2U);
   ASSERT_EQ(rows().size(), solutions + 1);
@@ -279,7 +279,16 @@ TEST_F(Study, ColumnFileHoldsTheSame) {
   const auto found = rows_of({std::istreambuf_iterator<char>(*stream), {}});
   const auto expected = rows_of(csv);
   ASSERT_EQ(found.size(), expected.size());
-  for (std::size_t k = 0; k < found.size(); ++k) EXPECT_EQ(found[k], expected[k]) << k;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    for (const auto& [column, cell] : expected[k]) {
+      // A column of numbers is one there, however they were spelled.
+      if (column == "potential.plane.mu" && !cell.empty()) {
+        EXPECT_EQ(number(found[k].at(column)), number(cell)) << k;
+      } else {
+        EXPECT_EQ(found[k].at(column), cell) << column << " " << k;
+      }
+    }
+  }
   EXPECT_EQ(json::parse(column_file_metadata(file))["study"]["rows"], 5);
 }
 

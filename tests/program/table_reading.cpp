@@ -10,10 +10,17 @@
 namespace stationary::testing {
 namespace {
 
+/// RFC 4180, a row a line.
 std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> out(1);
-  for (const char c : line) {
-    if (c == ',') {
+  bool quoted = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const char c = line[k];
+    if (c == '"' && quoted && k + 1 < line.size() && line[k + 1] == '"') {
+      out.back() += line[++k];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
       out.emplace_back();
     } else {
       out.back() += c;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <set>
 
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/table/column_file.hpp"
@@ -66,13 +65,7 @@ StudySource::StudySource(const std::string& path) : path_(path) {
   TableReader table =
       is_column_file(path) ? TableReader(column_file_table(path, {}), path) : TableReader(path);
   names_ = table.columns();
-  std::set<std::string> once;
-  for (const std::string& name : names_) {
-    require_name(path, name);
-    if (!once.insert(name).second)
-      throw InputError(Origin::in_file(path, 1, 1), printable(name),
-                       "found two columns of this name", "one");
-  }
+  for (const std::string& name : names_) require_name(path, name);
   while (table.next()) {
     std::vector<Cell>& row = rows_.emplace_back();
     for (std::size_t k = 0; k < names_.size(); ++k)
