@@ -1,6 +1,7 @@
 // The pages of the documentation that have them: every command of their `console` blocks is
 // run, in order and in one directory, and what it prints is compared. "…" stands for anything, on a
-// line of its own for any lines. A `toml` block that begins with "# NAME.toml" is that file.
+// line of its own for any lines. A `toml` block that begins with "# NAME.toml" is that file, and a
+// `text` block is NAME.csv where the line before it ends in "`NAME.csv`:".
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -75,19 +76,25 @@ std::string pattern_of(const std::vector<std::string>& lines) {
 }
 
 void write_files_of(const std::string& path, const TemporaryDirectory& directory) {
+  static const std::regex csv_name(".*`([^`]+\\.csv)`:");
   std::istringstream text(text_of(path));
   std::string name;
   std::string file;
+  std::string before;
   bool in_block = false;
   for (std::string line; std::getline(text, line);) {
     if (line.starts_with("```")) {
       if (!name.empty()) directory.file(name, file);
-      in_block = line == "```toml";
+      in_block = line == "```toml" || line == "```text";
       name.clear();
       file.clear();
+      if (std::smatch found; line == "```text" && std::regex_match(before, found, csv_name))
+        name = found[1];
     } else if (in_block) {
       if (file.empty() && line.starts_with("# ") && line.ends_with(".toml")) name = line.substr(2);
       file += line + "\n";
+    } else if (!line.empty()) {
+      before = line;
     }
   }
 }
@@ -114,7 +121,8 @@ TEST_P(Page, EveryCommandPrintsWhatItSays) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Documentation, Page, ::testing::Values("tutorial", "howto", "use", "everything"),
+INSTANTIATE_TEST_SUITE_P(Documentation, Page,
+                         ::testing::Values("tutorial", "howto", "use", "everything"),
                          [](const auto& param) { return param.param; });
 
 }  // namespace
