@@ -60,28 +60,28 @@ struct Of {
   }
 };
 
-Found found(const Alternatives& kinds, const SolveOptions& options, bool all_tried) {
+OnlyFound found(const Alternatives& kinds, const SolveOptions& options, bool all_tried) {
   const SolveOptions how = for_each_of(kinds, options);
-  Found out{{}, kinds.each.front().kind.get()};
+  OnlyFound out{{{}, kinds.each.front().kind.get()}};
+  Equilibrium& first = out.first.equilibrium;
   std::string failures;
   for (const auto& [label, kind] : kinds.each) {
     Equilibrium each = kind->solve(how);
-    if (each.status == SolveStatus::interrupted) return {std::move(each), kind.get()};
+    if (each.status == SolveStatus::interrupted) return {{std::move(each), kind.get()}};
     if (each.status == SolveStatus::solved) {
-      out.several = out.equilibrium.status == SolveStatus::solved;
-      if (!out.several) out = {std::move(each), kind.get()};
+      out.several = first.status == SolveStatus::solved;
+      if (!out.several) out.first = {std::move(each), kind.get()};
       if (out.several || !all_tried) return out;
       continue;
     }
     failures += (failures.empty() ? "" : "; ") + (label.empty() ? "" : label + ": ") + each.message;
-    const SolveStatus best = out.equilibrium.status;
-    if (best != SolveStatus::solved && best != SolveStatus::failed)
-      out.equilibrium = std::move(each);
+    if (first.status != SolveStatus::solved && first.status != SolveStatus::failed)
+      first = std::move(each);
   }
-  if (out.equilibrium.status == SolveStatus::solved) return out;
-  out.equilibrium.message = failures;
-  if (kinds.any && out.equilibrium.status == SolveStatus::not_found)
-    return {kinds.any->solve(options), kinds.any.get()};
+  if (first.status == SolveStatus::solved) return out;
+  first.message = failures;
+  if (kinds.any && first.status == SolveStatus::not_found)
+    return {{kinds.any->solve(options), kinds.any.get()}};
   return out;
 }
 
@@ -125,10 +125,10 @@ SolveOptions for_each_of(const Alternatives& kinds, const SolveOptions& options)
 }
 
 Found first_found(const Alternatives& kinds, const SolveOptions& options) {
-  return found(kinds, options, false);
+  return found(kinds, options, false).first;
 }
 
-Found only_found(const Alternatives& kinds, const SolveOptions& options) {
+OnlyFound only_found(const Alternatives& kinds, const SolveOptions& options) {
   return found(kinds, options, true);
 }
 

@@ -115,11 +115,15 @@ SolveOptions for_each_of(const Alternatives& kinds, const SolveOptions& options)
 struct Found {
   Equilibrium equilibrium;
   const Kind* kind;
-  bool several = false;  ///< another alternative has one too
 };
 /// Of the first alternative that has one.
 Found first_found(const Alternatives& kinds, const SolveOptions& options);
-/// Likewise; the alternatives after it are tried too.
-Found only_found(const Alternatives& kinds, const SolveOptions& options);
+
+/// Likewise, and whether another alternative has one too.
+struct OnlyFound {
+  Found first;
+  bool several = false;
+};
+OnlyFound only_found(const Alternatives& kinds, const SolveOptions& options);
 
 }  // namespace stationary

@@ -49,8 +49,8 @@ Start start_at(const Case& input, double p) { return {at_parameter(input, p), p,
 /// where two have one and the case does not choose.
 Equilibrium only_one(const Case& input, const Alternatives& kinds, const SolveOptions& options,
                      Motion& motion) {
-  Found only = only_found(kinds, options);
-  if (only.several) {
+  auto [only, several] = only_found(kinds, options);
+  if (several) {
     throw fault_at(input.source, std::string(kinds.key), "found no such key, and " + kinds.both,
                    std::string(kinds.values) + " for continue",
                    "a table follows one of the two families");
