@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -30,7 +31,7 @@ nu = 0.3
 event = "fold-nu"
 parameters = ["nu", "body.J.1"]
 from = [0.0, 0.5]
-to = [1.0, 3.0]
+to = [1.2, 3.0]
 tolerance = 1e-6
 )";
 
@@ -115,6 +116,31 @@ tolerance = 1e-6
     ++special;
   }
   EXPECT_EQ(special, 1);
+}
+
+/// The circle's two folds meet and vanish: below the cusp continue finds both, above none.
+TEST_F(Curve, CuspOfTheCircle) {
+  const std::string circle = STATIONARY_CASES "/circle.toml";
+  const Outcome outcome = run_program({"curve", circle, "-o", out_, "--set", "curve.event=fold-nu",
+                                       "--set", "curve.parameters=[\"nu\", \"potential.plane.mu\"]",
+                                       "--set", "curve.from=[0.0, 0.5]", "--set",
+                                       "curve.to=[2.5, 3.0]", "--set", "curve.tolerance=1e-6"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::vector<double> cusps;
+  for (const Row& row : rows())
+    if (row.at("special") == "cusp") cusps.push_back(number(row.at("potential.plane.mu")));
+  ASSERT_EQ(cusps.size(), 1U);
+  for (const double side : {-1e-3, 1e-3}) {
+    const std::string table = directory_ / "side.csv";
+    ASSERT_EQ(run_program({"continue", circle, "-o", table, "-q", "--set",
+                           "potential.plane.mu=" + std::to_string(cusps[0] + side)})
+                  .code,
+              0);
+    const auto found = rows_of(text_of(table));
+    EXPECT_EQ(std::ranges::count(found, "fold-nu", [](const Row& row) { return row.at("event"); }),
+              side < 0.0 ? 2 : 0)
+        << side;
+  }
 }
 
 TEST_F(Curve, FromARowIsThatCurve) {
