@@ -183,10 +183,10 @@ std::string logarithmic_ticks(const AxisRange& range, bool decades) {
     if (power % stride != 0) continue;
     for (int digit = 1; digit < 10; ++digit) {
       const bool named = digit == 1 || digit == 2 || digit == 5 ||
-                         (last - first < 1.3 && digit % 2 == 1) || last - first < 0.7;
+                         (last - first < 1.3 && digit % 2 == 1 && digit < 9) || last - first < 0.7;
       const double at = power + std::log10(digit);
       if ((digit > 1 && !few) || !named || at < first - rounding || at > last + rounding) continue;
-      fmt::format_to(std::back_inserter(out), "{}'{:g}' {}", out.empty() ? "" : ", ",
+      fmt::format_to(std::back_inserter(out), "{}'{:g}' {:.12g}", out.empty() ? "" : ", ",
                      digit * std::pow(10.0, power), decades ? at : digit * std::pow(10.0, power));
     }
   }

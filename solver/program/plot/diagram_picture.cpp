@@ -208,8 +208,10 @@ void PanelDrawing::draw_line(const DiagramPiece& piece, const DiagramLine& line,
     std::vector<PagePoint> path;
     for (std::size_t at = begin; at <= end; ++at) path.push_back(place(line.points[at], ordinate));
     DrawnCurve out = drawn(path, size_of(panel_.area), style(line.verdict).dashes);
-    PictureCurve& into = curve(series(piece, ordinate), line.verdict, now);
-    std::ranges::move(out.strokes, std::back_inserter(into.strokes));
+    if (!out.strokes.empty()) {
+      PictureCurve& into = curve(series(piece, ordinate), line.verdict, now);
+      std::ranges::move(out.strokes, std::back_inserter(into.strokes));
+    }
     for (const CurveExit& exit : out.exits)
       panel_.arrows.push_back({exit, series(piece, ordinate)});
     begin = end;
