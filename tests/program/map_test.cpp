@@ -436,8 +436,8 @@ TEST_F(MapFile, IsDrawnTheSameFromEither) {
             directory_ / "a.svg" + ": 13 by 9 cells, class\n");
   EXPECT_EQ(plot(h5_, "b.svg", {"--title", "t"}).code, 0);
   EXPECT_EQ(text_of(directory_ / "a.svg"), text_of(directory_ / "b.svg"));
-  EXPECT_THAT(text_of(directory_ / "a.svg"), AllOf(HasSubstr("elliptic"), HasSubstr("unstable"),
-                                                   HasSubstr("body.J.1"), HasSubstr("ν")));
+  EXPECT_THAT(text_of(directory_ / "a.svg"),
+              AllOf(HasSubstr("elliptic"), HasSubstr("unstable"), HasSubstr("J₂"), HasSubstr("ν")));
   EXPECT_EQ(plot(h5_, "c.png", {"--show", "growth", "-q"}).out, "");
   EXPECT_GT(std::filesystem::file_size(directory_ / "c.png"), 1000U);
   const Outcome titled = plot(h5_, "d.svg");
@@ -450,7 +450,7 @@ TEST_F(MapFile, WhatCannotBeShownIsRefused) {
   EXPECT_THAT(unknown.err, HasSubstr("--show growht: found no such column"));
   EXPECT_THAT(unknown.err, HasSubstr("did you mean \"growth\"?"));
   const std::string curve = directory_.file("c.csv", "branch,nu1,rho\ni,0.5,1\ni,0.6,1.1\n");
-  EXPECT_THAT(plot(curve, "a.svg", {"--show", "rho"}).err, HasSubstr("found no map"));
+  EXPECT_EQ(plot(curve, "a.svg", {"--show", "rho"}).code, 0);
   const std::string broken = directory_.file("x.h5", text_of(h5_).substr(0, 700));
   EXPECT_EQ(plot(broken, "a.svg").code, 2);
 }
