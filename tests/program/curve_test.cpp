@@ -171,6 +171,36 @@ TEST_F(Curve, ColumnFileHasTheSameColumns) {
   EXPECT_EQ(read, text_of(out_));
 }
 
+/// Over a map in the same parameters, whichever of them is x; alone; in others not at all.
+TEST_F(Curve, DrawnOverAMap) {
+  ASSERT_EQ(run(fold_of_hencky).code, 0);
+  const auto map_of = [&](const std::string& x, const std::string& y) {
+    const std::string file = directory_.file(
+        "map.toml", std::string(fold_of_hencky) + "[map]\nx = { parameter = \"" + x +
+                        "\", from = 0.1, to = 1.0, count = 6 }\ny = { parameter = \"" + y +
+                        "\", from = 0.5, to = 3.0, count = 5 }\n");
+    const std::string table = directory_ / "map.csv";
+    EXPECT_EQ(run_program({"map", file, "-o", table, "-q"}).code, 0);
+    return table;
+  };
+  const std::string nu_and_J = map_of("nu", "body.J.1");
+  const Outcome over = run_program({"plot", nu_and_J, out_, "--script", "-"});
+  ASSERT_EQ(over.code, 0) << over.err;
+  EXPECT_THAT(over.out, HasSubstr("$codes matrix"));
+  EXPECT_THAT(over.out, HasSubstr("$lines index 0 using 1:2 with lines"));
+  EXPECT_THAT(over.out, HasSubstr("title 'fold-nu'"));
+  EXPECT_THAT(over.out, HasSubstr("title 'double'"));
+  const Outcome image = run_program({"plot", nu_and_J, out_, "-o", directory_ / "map.svg"});
+  EXPECT_EQ(image.code, 0) << image.err;
+  EXPECT_THAT(image.out, HasSubstr("6 by 5 cells, class, 1 curve"));
+  const Outcome alone = run_program({"plot", out_, "-o", directory_ / "curve.svg"});
+  EXPECT_EQ(alone.code, 0) << alone.err;
+  EXPECT_THAT(alone.out, HasSubstr("1 curve"));
+  const Outcome other = run_program({"plot", map_of("nu", "body.J.2"), out_, "--script", "-"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("body.J.1"));
+}
+
 TEST_F(Curve, WhatIsRefused) {
   const auto with = [&](const std::vector<std::string>& sets) {
     std::vector<std::string> more;

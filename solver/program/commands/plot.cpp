@@ -1,5 +1,6 @@
 // stationary plot TABLE... -o FILE: the bifurcation diagram of tables, and the spectrum along it; the
-// energy against the momentum; of a map over two parameters the heat map of one of its columns.
+// energy against the momentum; of a map over two parameters the heat map of one of its columns, curves of
+// events on top.
 #include "solver/program/plot/plot.hpp"
 
 #include <fmt/format.h>
@@ -132,19 +133,39 @@ struct Figure {
   std::string contents;
 };
 
-Figure map_figure(const PlotOptions& options, TableReader& table, ImageFormat format,
-                  const PageChoice& page) {
+/// Refuses what only a diagram of rows has.
+void require_plane(const PlotOptions& options, const TableReader& table, std::string_view what) {
   const DiagramChoice& choice = options.choice;
-  if (options.tables.size() > 1 || choice.columns.size() > 1 || choice.energy_momentum ||
-      !choice.sheets.empty() || !choice.branches.empty()) {
-    throw InputError(Origin::in_file(table.name()), "", "found a map over two parameters",
-                     "it alone, with one column to show and no sheet or branch");
-  }
+  if (choice.columns.size() <= 1 && !choice.energy_momentum && choice.sheets.empty() &&
+      choice.branches.empty())
+    return;
+  throw InputError(Origin::in_file(table.name()), "", "found " + std::string(what),
+                   "one column to show and no sheet or branch");
+}
+
+/// A map, and curves of events in its parameters.
+Figure map_figure(const PlotOptions& options, TableReader& table,
+                  const std::vector<TableReader*>& curves, ImageFormat format,
+                  const PageChoice& page) {
+  require_plane(options, table, "a map over two parameters");
+  const DiagramChoice& choice = options.choice;
   const auto column = choice.columns.empty() ? std::nullopt : std::optional(choice.columns.front());
-  const MapDiagram map = read_map_diagram(table, column);
-  return {
-      gnuplot_script(map, format, title_of(options), page),
-      fmt::format("{} by {} cells, {}", map.x.values.size(), map.y.values.size(), map.quantity)};
+  MapDiagram map = read_map_diagram(table, column);
+  for (TableReader* const each : curves)
+    std::ranges::move(read_event_lines(*each, map.x.parameter, map.y.parameter),
+                      std::back_inserter(map.lines));
+  std::string contents =
+      fmt::format("{} by {} cells, {}", map.x.values.size(), map.y.values.size(), map.quantity);
+  if (!map.lines.empty()) contents += ", " + counted(map.lines.size(), "curve");
+  return {gnuplot_script(map, format, title_of(options), page), std::move(contents)};
+}
+
+Figure curve_figure(const PlotOptions& options, const std::vector<TableReader*>& curves,
+                    ImageFormat format, const PageChoice& page) {
+  require_plane(options, *curves.front(), "curves of events");
+  const MapDiagram diagram = read_curve_diagram(curves);
+  return {gnuplot_script(diagram, format, title_of(options), page),
+          counted(diagram.lines.size(), "curve")};
 }
 
 Figure figure(const PlotOptions& options, ImageFormat format) {
@@ -156,9 +177,17 @@ Figure figure(const PlotOptions& options, ImageFormat format) {
                          ? std::make_unique<TableReader>(column_file_table(path, {}), path)
                          : std::make_unique<TableReader>(path));
     readers.push_back(tables.back().get());
-    if (map_parameters(readers.back()->columns()).size() == 2)
-      return map_figure(options, *readers.back(), format, page);
   }
+  const auto is_map = [](const TableReader* each) {
+    return map_parameters(each->columns()).size() == 2;
+  };
+  if (const auto map = std::ranges::find_if(readers, is_map); map != readers.end()) {
+    TableReader& cells = **map;
+    readers.erase(map);
+    return map_figure(options, cells, readers, format, page);
+  }
+  if (!curve_parameters(readers.front()->columns()).empty())
+    return curve_figure(options, readers, format, page);
   const Diagram diagram = read_diagram(readers, options.choice);
   return {gnuplot_script(diagram, format, title_of(options), page),
           fmt::format("{}, {}, {}", counted(diagram.points.size(), "row"),
@@ -226,7 +255,8 @@ void add_plot(CLI::App& program, Session& session) {
       add_command(program, "plot", "Draw the bifurcation diagram of tables (needs gnuplot)");
   const auto options = std::make_shared<PlotOptions>();
   command
-      .add_option("TABLE", options->tables, "Tables of solve, continue, atlas or map (CSV or HDF5)")
+      .add_option("TABLE", options->tables,
+                  "Tables of solve, continue, atlas, map or curve (CSV or HDF5)")
       ->required();
   command
       .add_option("-o,--output", options->output,

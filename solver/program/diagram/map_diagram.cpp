@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string_view>
 
@@ -146,6 +147,26 @@ MapDiagram read_map_diagram(TableReader& table, const std::optional<std::string>
     const std::size_t place = index(out.y, y[k]) * out.x.values.size() + index(out.x, x[k]);
     out.values[place] = cells[k].value;
     if (cells[k].status) out.statuses[place] = static_cast<CellStatus>(*cells[k].status);
+  }
+  return out;
+}
+
+MapDiagram read_curve_diagram(const std::vector<TableReader*>& tables) {
+  MapDiagram out;
+  const std::vector<std::string> own = curve_parameters(tables.front()->columns());
+  out.x.parameter = own.at(0);
+  out.y.parameter = own.at(1);
+  for (TableReader* const table : tables)
+    std::ranges::move(read_event_lines(*table, own[0], own[1]), std::back_inserter(out.lines));
+  std::array<std::vector<double>, 2> all;
+  for (const EventLine& line : out.lines)
+    for (const auto& point : line.points)
+      for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) all[k].push_back(point[k]);
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    if (all[k].empty()) refuse(*tables.front(), "found no rows", "a curve");
+    const auto [low, high] = std::ranges::minmax(all[k]);
+    const double room = high > low ? 0.04 * (high - low) : std::max(0.04 * std::abs(high), 1e-6);
+    (k == 0 ? out.x : out.y).values = {low - room, high + room};
   }
   return out;
 }

@@ -1,5 +1,5 @@
 // What a heat map shows of a table of `map` over two parameters: one of its columns, or the class,
-// over the grid, and where there is no solution to show.
+// over the grid, where there is no solution to show, and curves of events on top.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/program/case/case_grid.hpp"
+#include "solver/program/diagram/event_lines.hpp"
 #include "solver/program/table/table.hpp"
 #include "solver/program/table/table_reader.hpp"
 
@@ -29,6 +30,9 @@ struct MapDiagram {
   /// it is not computed.
   std::vector<double> values;
   std::vector<std::optional<CellStatus>> statuses;  ///< none: no such row (interrupted)
+  std::vector<EventLine> lines;                     ///< on top of the cells
+
+  bool has_cells() const { return !values.empty(); }
 
   bool of_class() const { return quantity == "class"; }
 };
@@ -39,5 +43,9 @@ std::vector<std::string> map_parameters(const std::vector<std::string>& columns)
 /// quantity: a column of numbers, or class; default: class, growth, lambda, the first that is
 /// there. Throws InputError: no such column, cells that are none, values that make up no grid.
 MapDiagram read_map_diagram(TableReader& table, const std::optional<std::string>& quantity);
+
+/// Of tables of `curve` alone, all in the parameters of the first: no cells, and axes that hold the
+/// lines. Throws InputError as read_event_lines() does.
+MapDiagram read_curve_diagram(const std::vector<TableReader*>& tables);
 
 }  // namespace stationary

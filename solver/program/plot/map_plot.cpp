@@ -62,6 +62,8 @@ class MapScript {
   void set_axis(const MapDiagramAxis& axis, char letter);
   void set_colours();
   std::string keys() const;
+  void line_data();
+  std::string lines() const;
 
   const MapDiagram& diagram_;
   const PageChoice& choice_;
@@ -125,7 +127,8 @@ void MapScript::set_axis(const MapDiagramAxis& axis, char letter) {
   const double first = place(axis, axis.values.front());
   const double last = place(axis, axis.values.back());
   const double steps = static_cast<double>(std::max<std::size_t>(axis.values.size() - 1, 1));
-  const double half = axis.values.size() > 1 ? 0.5 * (last - first) / steps : 0.5;
+  const double cell = axis.values.size() > 1 ? (last - first) / steps : 1.0;
+  const double half = diagram_.has_cells() ? 0.5 * cell : 0.0;
   AxisRange shown{first - half, last + half};
   const bool is_log = axis.scale == AxisScale::log;
   const std::optional<AxisRange>& asked = letter == 'x' ? choice_.x : choice_.y;
@@ -205,10 +208,64 @@ std::string MapScript::keys() const {
   return out;
 }
 
+/// $lines: a block of points a curve; $special_K: those of type K.
+void MapScript::line_data() {
+  line("$lines << END_OF_DATA");
+  for (const EventLine& each : diagram_.lines) {
+    for (const auto& [x, y] : each.points)
+      line("{:.10g} {:.10g}", place(diagram_.x, x), place(diagram_.y, y));
+    line("\n");
+  }
+  line("END_OF_DATA");
+  for (std::size_t k = 1; k < std::size(special_point_names); ++k) {
+    std::string points;
+    for (const EventLine& each : diagram_.lines)
+      for (const EventLine::Special& special : each.special)
+        if (special.type == static_cast<SpecialPoint>(k))
+          points += fmt::format("{:.10g} {:.10g}\n", place(diagram_.x, special.at[0]),
+                                place(diagram_.y, special.at[1]));
+    if (!points.empty()) line("$special_{} << END_OF_DATA\n{}END_OF_DATA", k, points);
+  }
+}
+
+/// Dark on a light edge, so that a line is seen on any colour; an event a dash.
+std::string MapScript::lines() const {
+  std::string out;
+  std::vector<std::string> events;
+  const auto item = [&](const std::string& text) {
+    out += (out.empty() && !diagram_.has_cells() ? " " : ", \\\n  ") + text;
+  };
+  for (std::size_t k = 0; k < diagram_.lines.size(); ++k)
+    item(fmt::format("$lines index {} using 1:2 with lines lw 3.6 lc rgb '#ffffff' notitle", k));
+  for (std::size_t k = 0; k < diagram_.lines.size(); ++k) {
+    const std::string& event = diagram_.lines[k].event;
+    const auto known = std::ranges::find(events, event);
+    const auto dash = known - events.begin() + 1;
+    const bool first = known == events.end();
+    item(fmt::format("$lines index {} using 1:2 with lines lw 1.6 dt {} lc rgb '#111827' {}", k,
+                     dash, first ? "title " + in_gnuplot_quotes(event) : std::string("notitle")));
+    if (first) events.push_back(event);
+  }
+  constexpr std::array<int, std::size(special_point_names)> symbols{0, 9, 7, 5, 13};
+  for (std::size_t k = 1; k < std::size(special_point_names); ++k) {
+    const auto is_of = [&](const EventLine::Special& special) {
+      return special.type == static_cast<SpecialPoint>(k);
+    };
+    const bool any = std::ranges::any_of(diagram_.lines, [&](const EventLine& each) {
+      return std::ranges::any_of(each.special, is_of);
+    });
+    if (any)
+      item(fmt::format("$special_{} using 1:2 with points pt {} ps 0.9 lc rgb '#111827' title '{}'",
+                       k, symbols[k], special_point_names[k]));
+  }
+  return out;
+}
+
 std::string MapScript::write(ImageFormat format, std::string_view title) {
   text_ = page_head(format, title, size_);
-  data();
-  set_colours();
+  if (diagram_.has_cells()) data();
+  if (!diagram_.lines.empty()) line_data();
+  if (diagram_.has_cells()) set_colours();
   line("set border lw 0.8 front");
   line("set tics out nomirror font ',12' front");
   line("set format x '%g'");
@@ -226,6 +283,10 @@ std::string MapScript::write(ImageFormat format, std::string_view title) {
         hatching);
   set_axis(diagram_.x, 'x');
   set_axis(diagram_.y, 'y');
+  if (!diagram_.has_cells()) {
+    line("plot{}", lines());
+    return std::move(text_);
+  }
   const std::string at = pixels(diagram_.x, 1) + ':' + pixels(diagram_.y, 2);
   std::string items = fmt::format(
       "plot $codes matrix using {}:(part($3, 16)):(part($3, 8)):(part($3, 0)):(part($3, 24)) with "
@@ -233,7 +294,7 @@ std::string MapScript::write(ImageFormat format, std::string_view title) {
       at);
   if (!shown_.empty())
     items += fmt::format(", \\\n  $numbers matrix using {}:3 with image notitle", at);
-  line("{}{}", items, keys());
+  line("{}{}{}", items, lines(), keys());
   return std::move(text_);
 }
 

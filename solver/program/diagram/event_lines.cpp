@@ -1,0 +1,55 @@
+#include "solver/program/diagram/event_lines.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+namespace stationary {
+
+std::vector<std::string> curve_parameters(const std::vector<std::string>& columns) {
+  const auto has = [&](std::string_view name) {
+    return std::ranges::find(columns, name) != columns.end();
+  };
+  // event, curve, point, special, branch, and then both.
+  constexpr std::size_t first = 5;
+  if (!has("curve") || !has("special") || columns.size() < first + 2) return {};
+  return {columns[first], columns[first + 1]};
+}
+
+std::vector<EventLine> read_event_lines(TableReader& table, std::string_view x,
+                                        std::string_view y) {
+  const std::vector<std::string> own = curve_parameters(table.columns());
+  if (own.empty() || std::ranges::find(own, x) == own.end() ||
+      std::ranges::find(own, y) == own.end()) {
+    throw InputError(Origin::in_file(table.name()), "",
+                     own.empty()
+                         ? std::string("found no table of curve")
+                         : "found curves in " + printable(own[0]) + " and " + printable(own[1]),
+                     "a table of curve in " + printable(x) + " and " + printable(y));
+  }
+  const std::size_t at_x = *table.column(x);
+  const std::size_t at_y = *table.column(y);
+  const std::size_t event = *table.column("event");
+  const std::size_t curve = *table.column("curve");
+  const std::size_t special = *table.column("special");
+  std::vector<EventLine> out;
+  std::string last;
+  while (table.next()) {
+    if (out.empty() || table.text(curve) != last) {
+      last = table.text(curve);
+      out.push_back({std::string(table.text(event)), {}, {}});
+    }
+    const std::array<double, 2> at{table.number(at_x), table.number(at_y)};
+    out.back().points.push_back(at);
+    const std::string_view word = table.text(special);
+    if (word.empty()) continue;
+    const auto* const type = std::ranges::find(special_point_names, word);
+    if (type == std::end(special_point_names))
+      throw table.fault(special, "empty, or a special point");
+    out.back().special.push_back(
+        {static_cast<SpecialPoint>(type - std::begin(special_point_names)), at});
+  }
+  return out;
+}
+
+}  // namespace stationary
