@@ -66,7 +66,9 @@ TEST_F(Curve, FoldOfHencky) {
     EXPECT_EQ(row.at("nu"), row.at("nu1"));
     EXPECT_NEAR(nu * nu * number(row.at("body.J.1")), product, 1e-13);
     EXPECT_NEAR(number(row.at("zeta")), std::exp(0.5), 1e-13);
-    EXPECT_NE(row.at("class_before"), "");
+    if (row.at("special").empty()) {
+      EXPECT_NE(row.at("class_before"), "");
+    }
     EXPECT_EQ(row.at("certified"), "yes");
   }
   EXPECT_EQ(found.front().at("body.J.1"), "0.5");
@@ -87,7 +89,7 @@ TEST_F(Curve, DegeneratePitchfork) {
 [body]
 J = [1.0, 1.0, 0.5]
 [potential.plane]
-expression = "m*(log(lambda)^2 + log(mu)^2) + l/2*log(d)^2 + e*(t^2 - 4*d)^2"
+expression = "m*(log(lambda)^2 + log(mu_)^2) + l/2*log(d)^2 + e*(t^2 - 4*d)^2"
 m = 1.0
 l = 3.0
 e = 0.01
