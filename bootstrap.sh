@@ -23,7 +23,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 # libatlas-base-dev comes with libceres-dev; Ceres' package file asks for its BLAS and LAPACK.
 packages=(
   g++ cmake ninja-build
-  libeigen3-dev libceres-dev libnlopt-dev libnlopt-cxx-dev libtbb-dev libhdf5-dev
+  libeigen3-dev libceres-dev libnlopt-dev libnlopt-cxx-dev libtbb-dev libhdf5-dev zlib1g-dev
   libcli11-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev tao-pegtl-dev
   libboost-dev gnuplot-nox scdoc
 )

@@ -37,8 +37,8 @@ function(keep_metadata table)
 endfunction()
 
 file(MAKE_DIRECTORY ${INTO})
-file(GLOB old ${INTO}/*.csv ${INTO}/*.meta.json ${INTO}/*.svg ${INTO}/*.png)
-list(FILTER old EXCLUDE REGEX "/(work_precision\\.|stress)[^/]*$") # of targets of their own
+file(GLOB old ${INTO}/*.csv ${INTO}/*.meta.json ${INTO}/*.svg ${INTO}/*.png ${INTO}/*.html)
+list(FILTER old EXCLUDE REGEX "/(work_precision\\.|stress|explorer\\.)[^/]*$") # of targets of their own
 if(old)
   file(REMOVE ${old})
 endif()
@@ -75,4 +75,13 @@ foreach(name neo_hookean apart near_degenerate circle double_well two_wells fibr
     run_program(plot ${INTO}/${name}_atlas.csv -o ${INTO}/${name}_atlas.${format} --quiet)
   endforeach()
   message(STATUS "${name}_atlas")
+endforeach()
+
+# Pages to open, where the program was built with the page.
+foreach(name fold neo_hookean_atlas)
+  execute_process(COMMAND ${PROGRAM} explore ${INTO}/${name}.csv -o ${INTO}/${name}.html --quiet
+    RESULT_VARIABLE code ERROR_VARIABLE message)
+  if(NOT code EQUAL 0)
+    message(STATUS "no page of ${name}: ${message}")
+  endif()
 endforeach()

@@ -49,6 +49,7 @@ constexpr std::string_view rooms[] = {
     "solver/program/rows",
     "solver/program/diagram",
     "solver/program/plot",
+    "solver/program/explore",
     "solver/program/session",
     "solver/program/tiles",
     "solver/program/computation",

@@ -45,6 +45,7 @@ ExitCode run(int argc, char** argv) {
   cli::add_check(program, session);
   cli::add_models(program, session);
   cli::add_plot(program, session);
+  cli::add_explore(program, session);
   cli::add_help(program);
   constexpr int most = 3;
   if (argc > 1 && argc <= most && std::string_view(argv[1]) == "help" &&

@@ -28,6 +28,7 @@ void add_curve(CLI::App& program, Session& session);
 void add_check(CLI::App& program, Session& session);
 void add_models(CLI::App& program, Session& session);
 void add_plot(CLI::App& program, Session& session);
+void add_explore(CLI::App& program, Session& session);
 /// The program's version, its compiler and its libraries, a line each.
 std::string version_text();
 /// Listed among the commands; help() answers before the others' options are read.

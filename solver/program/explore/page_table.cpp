@@ -1,0 +1,113 @@
+#include "solver/program/explore/page_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "lib/stability/spectrum.hpp"
+#include "solver/program/rows/metadata.hpp"
+#include "solver/program/table/atomic_file.hpp"
+#include "solver/program/table/column_file.hpp"
+#include "solver/program/table/table.hpp"
+
+namespace stationary {
+namespace {
+
+bool is_parameter(const std::string& column) {
+  return column == "nu" || column.find('.') != std::string::npos;
+}
+
+bool is_number(std::string_view text) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [read_to, error] = std::from_chars(text.data(), end, value);
+  return text.empty() || (error == std::errc() && read_to == end);
+}
+
+/// What a column's cells must be; of other people's columns that is seen from the cells.
+enum class Rule { number, verdict, word, open };
+
+Rule rule_of(const std::string& column) {
+  if (is_parameter(column)) return Rule::number;
+  const auto known = find_column(column);
+  if (!known) return Rule::open;
+  if (*known == Column::stability) return Rule::verdict;
+  return cell_kind(*known) == CellKind::text ? Rule::word : Rule::number;
+}
+
+void check(const TableReader& table, std::size_t column, Rule rule) {
+  const std::string_view cell = table.text(column);
+  if (rule == Rule::number) static_cast<void>(table.number(column));
+  if (rule == Rule::verdict && !cell.empty() &&
+      std::ranges::find(stability_names, cell) == std::end(stability_names))
+    throw table.fault(column, "stable, elliptic, unstable, oscillatory or marginal");
+}
+
+std::string joined(const std::vector<std::string>& cells) {
+  std::string out;
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front()) out += ',';
+    out += cell;
+  }
+  return out;
+}
+
+std::string metadata_of(const std::string& path) {
+  std::ifstream file(metadata_path(path), std::ios::binary);
+  std::string out{std::istreambuf_iterator<char>(file), {}};
+  if (out.empty() && is_column_file(path)) out = column_file_metadata(path);
+  return out;
+}
+
+}  // namespace
+
+PageTable read_page_table(TableReader& table) {
+  PageTable out;
+  out.file = std::filesystem::path(table.name()).filename().string();
+  out.title = out.file;
+  std::vector<Rule> rules;
+  for (const std::string& column : table.columns()) {
+    rules.push_back(rule_of(column));
+    if (is_parameter(column)) out.parameters.push_back(column);
+    out.columns.push_back({column, rules.back() == Rule::number, {}, {}});
+  }
+  while (table.next()) {
+    for (std::size_t k = 0; k < rules.size(); ++k) {
+      check(table, k, rules[k]);
+      PageColumn& column = out.columns[k];
+      if (rules[k] != Rule::number) {
+        column.words.emplace_back(table.text(k));
+        continue;
+      }
+      if (out.rows > 0) column.numbers += ',';
+      column.numbers += table.text(k);
+    }
+    ++out.rows;
+  }
+  if (out.rows == 0)
+    throw InputError(Origin::in_file(table.name()), "", "found no rows",
+                     "a table with at least one");
+  for (std::size_t k = 0; k < rules.size(); ++k) {
+    PageColumn& column = out.columns[k];
+    if (rules[k] != Rule::open || !std::ranges::all_of(column.words, is_number)) continue;
+    column.is_number = true;
+    column.numbers = joined(column.words);
+    column.words.clear();
+  }
+  return out;
+}
+
+PageTable read_page_table(const std::string& path, const std::optional<std::string>& title) {
+  TableReader table =
+      is_column_file(path) ? TableReader(column_file_table(path, {}), path) : TableReader(path);
+  PageTable out = read_page_table(table);
+  out.metadata = metadata_of(path);
+  if (const std::string of_case = case_title(out.metadata); !of_case.empty()) out.title = of_case;
+  if (title) out.title = *title;
+  return out;
+}
+
+}  // namespace stationary

@@ -1,0 +1,75 @@
+// Text from outside stays text, and the page's policy lets nothing else run or load.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { cells, makePage, open, result, shippedCase, start, stop, table, write } from './support.mjs';
+
+before(start);
+after(stop);
+
+const hostile = `</script><img src=x onerror="window.caught=1"><svg onload="window.caught=2">&lt;'"`;
+
+const untouched = async (page) => {
+  assert.equal(await page.evaluate(() => window.caught), undefined);
+  assert.equal(await page.locator('img').count(), 0);
+  assert.deepEqual(page.complaints, []);
+};
+
+test('a hostile title is shown as it is', async () => {
+  const path = table('hostile.csv', 'continue', shippedCase('fold.toml'), '--set', `title=${JSON.stringify(hostile)}`);
+  const page = await open(makePage(path));
+  assert.equal(await page.textContent('#title'), hostile);
+  assert.equal(await page.title(), hostile);
+  await untouched(page);
+  const titled = await open(makePage(result('fold.csv'), '--title', hostile));
+  assert.equal(await titled.textContent('#title'), hostile);
+  await untouched(titled);
+  await page.close();
+  await titled.close();
+});
+
+test('hostile names of columns, files, sheets and events are text', async () => {
+  const quoted = `"${hostile.replaceAll('"', '""')}"`;
+  const path = write(`<img src=x onerror=caught=3>.csv`, `branch,sheet,point,event,nu3,xi,zeta,rho,${quoted}\n` +
+    `iii,1,0,${quoted},0.1,1,1,1,${quoted}\n${quoted},2,0,,0.2,1,1,1,5\n`);
+  const page = await open(makePage([path, result('fold.csv')]));
+  assert.equal((await cells(page))[hostile], hostile);
+  assert.ok((await page.textContent('#events')).includes(hostile));
+  assert.ok((await page.textContent('#legend')).includes(hostile));
+  await page.hover('#plot', { position: { x: 70, y: 300 } });
+  await untouched(page);
+  await page.close();
+});
+
+test('a column with the name of an object\'s own member is a column', async () => {
+  const path = write('members.csv', 'branch,nu3,xi,zeta,rho,__proto__,constructor,toString\niii,0.1,1,1,1,7,8,9\niii,0.2,1,1,1,7,8,9\n');
+  const page = await open(makePage(path), { fragment: '#y=__proto__' });
+  assert.equal((await cells(page)).constructor, '8');
+  await untouched(page);
+  await page.close();
+});
+
+test('the policy runs no other script, evaluates no text, loads nothing', async () => {
+  const page = await open(makePage(result('fold.csv')));
+  const found = await page.evaluate(async () => {
+    const blocked = [];
+    document.addEventListener('securitypolicyviolation', (event) => blocked.push(event.effectiveDirective));
+    const script = document.createElement('script');
+    script.textContent = 'window.caught = 4';
+    document.body.append(script);
+    const image = document.createElement('img');
+    image.src = 'http://127.0.0.1:9/x.png';
+    document.body.append(image);
+    const style = document.createElement('style');
+    style.textContent = 'body { display: none }';
+    document.head.append(style);
+    const fetched = await fetch('http://127.0.0.1:9/').then(() => true, () => false);
+    await new Promise((done) => setTimeout(done, 100));
+    return { blocked, fetched, caught: window.caught };
+  });
+  assert.equal(found.caught, undefined);
+  assert.equal(found.fetched, false);
+  for (const directive of ['script-src-elem', 'img-src', 'style-src-elem', 'connect-src']) assert.ok(found.blocked.includes(directive), directive);
+  const evaluated = await page.evaluate(() => document.querySelector('meta[http-equiv]').content);
+  assert.doesNotMatch(evaluated, /unsafe/);
+  await page.close();
+});

@@ -1,0 +1,151 @@
+// Pages of every kind of table: they open without a word from the browser, ask for nothing, and show the file's own texts.
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { cells, colours, csv, filled, inked, makePage, open, result, shippedCase, start, stop, table, write } from './support.mjs';
+
+before(start);
+after(stop);
+
+const atlases = readdirSync(result('')).filter((name) => name.endsWith('_atlas.csv'));
+
+test('the page of every shipped atlas opens and draws', async (t) => {
+  assert.ok(atlases.length >= 7);
+  for (const name of atlases) {
+    await t.test(name, async () => {
+      const path = makePage(result(name));
+      const text = readFileSync(path, 'utf8');
+      assert.ok(text.length < 3e6, `${text.length} bytes`);
+      assert.doesNotMatch(text, /:\/\//, 'an address');
+      assert.match(text, /no solver/);
+      const page = await open(path);
+      assert.equal(await page.getAttribute('body', 'data-state'), 'ready');
+      assert.ok((await inked(page)) > 2000);
+      assert.equal(await page.locator('#events li').count(), csv(result(name)).rows.filter((row) => row.event !== '').length);
+      assert.deepEqual(page.complaints, []);
+      await page.close();
+    });
+  }
+});
+
+test('the body is drawn: many colours, and none of them all of it', async () => {
+  const page = await open(makePage(result('neo_hookean_atlas.csv')));
+  const counts = await colours(page, '#body-frame');
+  const all = counts.reduce((sum, each) => sum + each, 0);
+  assert.ok(counts.length > 500, `${counts.length} colours`);
+  assert.ok(counts[0] < 0.5 * all);
+  await page.close();
+});
+
+test('every cell of a row stands in the page as in the file', async () => {
+  const { rows } = csv(result('two_polar.csv'));
+  const path = makePage(result('two_polar.csv'));
+  const page = await open(path);
+  const seen = [0, 1, 2, 17, rows.length - 1];
+  for (const row of seen) {
+    await page.evaluate((to) => (location.hash = `#row=${to}`), row + 1);
+    await page.waitForFunction((name) => document.getElementById('row-name').textContent.includes(`point ${name}`), rows[row].point);
+    assert.deepEqual(await cells(page), filled(rows[row]));
+  }
+  await page.close();
+});
+
+test('modes of the spectrum are the row\'s, one of each pair, with their signatures', async () => {
+  const { rows } = csv(result('disc.csv'));
+  const row = rows.findIndex((each) => each.krein2 === '1' && each.re5 !== '');
+  const page = await open(makePage(result('disc.csv')), { fragment: `#row=${row + 1}` });
+  const shown = await page.$$eval('#modes tr', (lines) => lines.map((line) => [...line.cells].map((cell) => cell.textContent)));
+  assert.equal(shown.length, 5);
+  for (const [k, re, im, krein] of shown) {
+    assert.ok(Math.abs(Number(re) - Number(rows[row][`re${k}`])) <= 1e-9 * Math.abs(Number(re)));
+    assert.ok(Math.abs(Number(im) - Number(rows[row][`im${k}`])) <= 1e-9 * Math.abs(Number(im)));
+    assert.equal(krein, { 1: '+1', '-1': '−1', 0: '0', '': 'not certain' }[rows[row][`krein${k}`]]);
+  }
+  const signs = [...'12345'].map((k) => rows[row][`krein${k}`]);
+  const zero = [...'12345'].filter((k) => rows[row][`re${k}`] === '0' && rows[row][`im${k}`] === '0').length;
+  assert.equal(await page.locator('#spectrum .root.plus').count(), 2 * signs.filter((each) => each === '1').length);
+  assert.ok((await page.locator('#spectrum .root').count()) >= 10 - zero);
+  await page.close();
+});
+
+test('every solution at one spin is a point of its own', async () => {
+  const page = await open(makePage(result('every_sheet.csv')));
+  assert.equal(await page.inputValue('#axis-of-x'), 'lambda');
+  assert.equal(await page.inputValue('#axis-of-y'), 'mu');
+  const { rows } = csv(result('every_sheet.csv'));
+  assert.deepEqual(await cells(page), filled(rows[0]));
+  await page.locator('#plot').press('ArrowDown');
+  assert.deepEqual(await cells(page), filled(rows[1]));
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+const mapped = () => table('map.csv', 'map', shippedCase('fibre_map.toml'), '--set', 'map.x.count=24', '--set', 'map.y.count=16');
+
+test('a map is a heat map: a click and the arrow keys open its cells', async () => {
+  const { header, rows } = csv(mapped());
+  const page = await open(makePage(mapped()));
+  assert.ok((await inked(page)) > 100000);
+  const [x, y] = header.slice(-2);
+  const plot = await page.locator('#plot').boundingBox();
+  await page.mouse.click(plot.x + 0.4 * plot.width, plot.y + 0.5 * plot.height);
+  const clicked = await cells(page);
+  const at = rows.findIndex((row) => row[x] === clicked[x] && row[y] === clicked[y]);
+  assert.ok(at >= 0);
+  assert.deepEqual(clicked, filled(rows[at]));
+  await page.locator('#plot').press('ArrowRight');
+  const next = await cells(page);
+  assert.equal(next[y], clicked[y]);
+  assert.ok(Number(next[x]) > Number(clicked[x]));
+  await page.locator('#plot').press('ArrowUp');
+  assert.ok(Number((await cells(page))[y]) > Number(clicked[y]));
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('curves of events lie on a map over the same parameters', async () => {
+  const { header, rows } = csv(mapped());
+  const [x, y] = header.slice(-2);
+  const values = (name) => rows.map((row) => Number(row[name])).sort((a, b) => a - b);
+  const ends = (list) => [list[0], list[list.length - 1]];
+  const [[x0, x1], [y0, y1]] = [ends(values(x)), ends(values(y))];
+  const curve = write('curve.csv', `event,curve,point,special,branch,${x},${y}\n` +
+    [0, 0.5, 1].map((s, k) => `tilt,1,${k},,iii,${x0 + s * (x1 - x0)},${y0 + s * (y1 - y0)}\n`).join(''));
+  const path = makePage([mapped(), curve]);
+  const [alone, together] = [await open(makePage(mapped())), await open(path)];
+  const picture = async (page) => (await page.locator('#curves').screenshot()).toString('base64');
+  assert.notEqual(await picture(alone), await picture(together));
+  await together.selectOption('#tables', '1');
+  assert.equal((await cells(together)).event, 'tilt');
+  assert.deepEqual(together.complaints, []);
+  await alone.close();
+  await together.close();
+});
+
+test('an event that is not located stands in the list with its bracket', async () => {
+  const path = write('unlocated.csv', 'branch,sheet,point,event,nu3,xi,zeta,rho\niii,1,0,limit,0.1,1,1,1\niii,1,1,,0.3,1.1,1,1\n');
+  const event = { event: 'tilt', sheet: 1, point: null, parameter: 0.2, bracket: [0.15, 0.25], status: 'unresolved' };
+  const skipped = [{ what: 'spectrum', why: 'not asked for' }];
+  write('unlocated.meta.json', JSON.stringify({ case: { title: 'Unlocated', body: { J: [1, 2, 3] } }, events: [event], skipped }));
+  const page = await open(makePage(path));
+  const list = await page.$$eval('#events li', (items) => items.map((item) => item.textContent));
+  assert.equal(list.length, 2);
+  assert.match(list[1], /tilt.*0\.2.*unresolved, between 0\.15 and 0\.25/);
+  assert.equal(await page.locator('#events li').nth(1).locator('button').count(), 0);
+  assert.match(await page.textContent('#skipped'), /spectrum: not asked for/);
+  assert.equal(await page.isVisible('#spectrum-none'), true);
+  assert.equal(await page.isDisabled('#as-mass'), false);
+  await page.close();
+});
+
+test('HDF5 gives the same page as CSV, but for the name', async () => {
+  const words = ['continue', shippedCase('tilted.toml')];
+  const [a, b] = [await open(makePage(table('t.csv', ...words))), await open(makePage(table('t.h5', ...words)))];
+  for (const row of [1, 5]) {
+    for (const page of [a, b]) await page.evaluate((to) => (location.hash = `#row=${to}`), row);
+    assert.deepEqual(await cells(a), await cells(b));
+  }
+  assert.equal(await a.textContent('#title'), await b.textContent('#title'));
+  await a.close();
+  await b.close();
+});

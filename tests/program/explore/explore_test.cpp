@@ -1,0 +1,86 @@
+// The command: the page it writes, what it refuses, and what it says where it was built without the page.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/program/program.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr bool has_page = STATIONARY_HAS_PAGE;
+const char* const shipped_table = STATIONARY_RESULTS "/fold.csv";
+
+TEST(Explore, WritesOneFileThatIsAPage) {
+  if (!has_page) GTEST_SKIP() << "the program is built without the page";
+  const TemporaryDirectory folder;
+  const Outcome done = run_program(
+      {"explore", shipped_table, "-o", folder / "x.html", "--title", "<b>&", "--no-live"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_THAT(done.out, AllOf(HasSubstr("x.html: 1 table, "), HasSubstr(" rows, ")));
+  EXPECT_THAT(folder.names(), ElementsAre("x.html"));
+  const std::string page = text_of(folder / "x.html");
+  EXPECT_THAT(page, HasSubstr("<title>&lt;b&gt;&amp;</title>"));
+  EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(page, HasSubstr("id=\"events\""));
+  EXPECT_THAT(page, Not(HasSubstr("://")));
+  EXPECT_THAT(page, Not(HasSubstr("attachShadow")));
+  EXPECT_THAT(page, Not(HasSubstr("@DATA@")));
+}
+
+TEST(Explore, TheSameTablesGiveTheSameBytes) {
+  if (!has_page) GTEST_SKIP() << "the program is built without the page";
+  const TemporaryDirectory folder;
+  for (const char* const name : {"a.html", "b.html"})
+    EXPECT_EQ(run_program({"explore", shipped_table, "-o", folder / name, "--quiet"}).out, "");
+  EXPECT_EQ(text_of(folder / "a.html"), text_of(folder / "b.html"));
+}
+
+TEST(Explore, SaysWhatIsMissingWhereItWasBuiltWithoutThePage) {
+  if (has_page) GTEST_SKIP() << "the program is built with the page";
+  const TemporaryDirectory folder;
+  const Outcome failed = run_program({"explore", shipped_table, "-o", folder / "x.html"});
+  EXPECT_EQ(failed.code, 4);
+  EXPECT_THAT(failed.err, AllOf(HasSubstr("node and npm"), HasSubstr("package-lock.json")));
+  EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(Explore, RefusesWrongArguments) {
+  const TemporaryDirectory folder;
+  const auto refused = [&](const std::vector<std::string>& arguments) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_THAT(refused({"explore", shipped_table, "-o", folder / "x.svg"}),
+              AllOf(HasSubstr("\".svg\""), HasSubstr(".html")));
+  EXPECT_THAT(refused({"explore", shipped_table, "-o", folder / "x"}), HasSubstr("no extension"));
+  EXPECT_THAT(refused({"explore", shipped_table}), HasSubstr("--output"));
+  EXPECT_THAT(refused({"explore", "-o", folder / "x.html"}), HasSubstr("TABLE"));
+  EXPECT_THAT(refused({"explore", shipped("fold.toml"), "-o", folder / "x.html"}),
+              AllOf(HasSubstr("no solver"), HasSubstr("continue")));
+  const std::string table = folder.file("t.html", "branch,xi\ni,1\n");
+  EXPECT_THAT(refused({"explore", table, "-o", table}), HasSubstr("is a table"));
+  EXPECT_EQ(text_of(table), "branch,xi\ni,1\n");
+  EXPECT_THAT(folder.names(), ElementsAre("t.html"));
+}
+
+TEST(Explore, RefusesABrokenTableWithItsPlace) {
+  if (!has_page) GTEST_SKIP() << "the program is built without the page";
+  const TemporaryDirectory folder;
+  const std::string table = folder.file("t.csv", "branch,xi\ni,1\ni,wide\n");
+  const Outcome refused = run_program({"explore", shipped_table, table, "-o", folder / "x.html"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("t.csv:3:3"), HasSubstr("wide")));
+  EXPECT_THAT(folder.names(), ElementsAre("t.csv"));
+}
+
+}  // namespace
+}  // namespace stationary::testing

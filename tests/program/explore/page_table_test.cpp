@@ -1,0 +1,85 @@
+// Tables as the page holds them: the file's own texts, what is a number, and what is refused.
+#include "solver/program/explore/page_table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <sstream>
+
+#include "tests/program/program.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+PageTable table_of(const std::string& csv) {
+  TableReader reader(std::make_unique<std::istringstream>(csv), "folder/x.csv");
+  return read_page_table(reader);
+}
+
+std::string refusal_of(const std::string& csv) {
+  try {
+    table_of(csv);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST(PageTable, KeepsTheTextsOfTheFile) {
+  const PageTable table =
+      table_of("branch,event,xi,class,body.J.0\ni,,1.50,stable,0.1\ni,tilt,,,1e-3\n");
+  EXPECT_EQ(table.file, "x.csv");
+  EXPECT_EQ(table.rows, 2U);
+  EXPECT_THAT(table.parameters, ElementsAre("body.J.0"));
+  ASSERT_EQ(table.columns.size(), 5U);
+  EXPECT_FALSE(table.columns[0].is_number);
+  EXPECT_THAT(table.columns[1].words, ElementsAre("", "tilt"));
+  EXPECT_TRUE(table.columns[2].is_number);
+  EXPECT_EQ(table.columns[2].numbers, "1.50,");
+  EXPECT_THAT(table.columns[3].words, ElementsAre("stable", ""));
+  EXPECT_EQ(table.columns[4].numbers, "0.1,1e-3");
+}
+
+TEST(PageTable, SeesFromTheCellsWhatAnUnknownColumnIs) {
+  const PageTable table = table_of("nu3,mine,yours\n1,2,3\n2,,x\n");
+  EXPECT_TRUE(table.columns[1].is_number);
+  EXPECT_EQ(table.columns[1].numbers, "2,");
+  EXPECT_THAT(table.columns[1].words, IsEmpty());
+  EXPECT_FALSE(table.columns[2].is_number);
+  EXPECT_THAT(table.columns[2].words, ElementsAre("3", "x"));
+}
+
+TEST(PageTable, ParametersOfAMapAreItsTwo) {
+  EXPECT_THAT(table_of("branch,xi,status,nu,body.J.1/body.J.0\ni,1,solved,1,2\n").parameters,
+              ElementsAre("nu", "body.J.1/body.J.0"));
+  EXPECT_THAT(table_of("branch,nu1,xi\ni,1,2\n").parameters, IsEmpty());
+}
+
+TEST(PageTable, RefusesWhatTheProgramWouldNotHaveWritten) {
+  EXPECT_THAT(refusal_of("branch,xi\ni,wide\n"), HasSubstr("folder/x.csv:2:3: xi: found \"wide\""));
+  EXPECT_THAT(refusal_of("branch,class\ni,safe\n"), HasSubstr("stable, elliptic"));
+  EXPECT_THAT(refusal_of("branch,body.J.0\ni,heavy\n"), HasSubstr("body.J.0"));
+  EXPECT_THAT(refusal_of("branch,xi\n"), HasSubstr("found no rows"));
+  EXPECT_THAT(refusal_of(""), HasSubstr("found an empty file"));
+  EXPECT_EQ(refusal_of("branch,xi\ni,1\n"), "taken");
+}
+
+TEST(PageTable, TakesTitleAndMetadataFromBesideTheFile) {
+  const TemporaryDirectory folder;
+  const std::string path = folder.file("x.csv", "branch,xi\ni,1\n");
+  EXPECT_EQ(read_page_table(path, std::nullopt).title, "x.csv");
+  const std::string metadata = R"({"case": {"title": "A disc"}})";
+  folder.file("x.meta.json", metadata);
+  const PageTable table = read_page_table(path, std::nullopt);
+  EXPECT_EQ(table.title, "A disc");
+  EXPECT_EQ(table.metadata, metadata);
+  EXPECT_EQ(read_page_table(path, "Mine").title, "Mine");
+}
+
+}  // namespace
+}  // namespace stationary::testing

@@ -1,0 +1,67 @@
+// The lines of a diagram: each piece cut where the class changes, neighbours sharing the point at the border. A located
+// event belongs to both its sides, whatever its own class: on the border that is marginal.
+
+import type { State } from './state';
+import type { Table } from './table';
+
+export interface Line {
+  piece: number;
+  verdict: string;
+  first: number;
+  /** Included. */
+  last: number;
+}
+
+export function classLines(table: Table): Line[] {
+  const out: Line[] = [];
+  table.pieces.forEach((piece, k) => {
+    if (piece.end - piece.first === 1) {
+      out.push({ piece: k, verdict: table.text('class', piece.first), first: piece.first, last: piece.first });
+      return;
+    }
+    for (let row = piece.first; row + 1 < piece.end; ++row) {
+      const isEvent = table.text('event', row) !== '';
+      const after = table.text('event', row + 1) !== '';
+      const own = table.text('class', row);
+      const next = table.text('class', row + 1);
+      const before = out.length > 0 && out[out.length - 1].piece === k ? out[out.length - 1].verdict : own;
+      const verdict = !isEvent ? own : !after ? next : before;
+      const last = out[out.length - 1];
+      if (last && last.piece === k && last.verdict === verdict && last.last === row) last.last = row + 1;
+      else out.push({ piece: k, verdict, first: row, last: row + 1 });
+    }
+  });
+  return out;
+}
+
+/** Whether a row is drawn as the page stands. */
+export function isShown(table: Table, state: State, row: number): boolean {
+  return !state.hidden.has(table.pieces[table.piece(row)].key) && !state.hiddenClasses.has(table.text('class', row));
+}
+
+export interface Range {
+  low: number;
+  high: number;
+}
+
+/** What the shown rows cover, with a margin; of a logarithmic axis only what is positive. */
+export function rangeOf(table: Table, state: State, names: readonly string[], logarithmic: boolean): Range {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const name of names) {
+    const column = table.column(name);
+    for (let row = 0; row < table.rows; ++row) {
+      const value = column[row];
+      if (!Number.isFinite(value) || (logarithmic && value <= 0) || state.hidden.has(table.pieces[table.piece(row)].key)) continue;
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    }
+  }
+  if (low > high) return logarithmic ? { low: 0.1, high: 10 } : { low: 0, high: 1 };
+  if (logarithmic) {
+    const factor = Math.max(1.05, (high / low) ** 0.05);
+    return { low: low / factor, high: high * factor };
+  }
+  const margin = high > low ? 0.05 * (high - low) : Math.max(0.5 * Math.abs(high), 1e-3);
+  return { low: low - margin, high: high + margin };
+}

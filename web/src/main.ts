@@ -1,0 +1,302 @@
+// The page: unpacks what the program put into it, and keeps diagram, body, spectrum, row and address in step.
+
+import { BodyView } from './body_view';
+import { Diagram } from './diagram';
+import { byId, element, fill } from './dom';
+import { markEvent, showEvents } from './events_list';
+import { HeatMap } from './heat_map';
+import { showLegend } from './legend';
+import { unpack, type Payload } from './payload';
+import { meaning, shown } from './quantities';
+import { listenToCopying, rowName, showRow } from './row_panel';
+import { showSpectrum } from './spectrum';
+import { available, colourings, firstState, fromFragment, mapQuantities, prefersLogarithm, presets, toFragment, type ColourBy, type State } from './state';
+import { Table } from './table';
+
+class Page {
+  private readonly tables: readonly Table[];
+  private state: State;
+  private readonly diagram: Diagram;
+  private readonly body = new BodyView();
+  private heat: HeatMap | null = null;
+
+  constructor(payload: Payload) {
+    this.tables = payload.tables.map((each) => new Table(each));
+    this.state = fromFragment(location.hash, this.tables);
+    byId('version').textContent = `stationary ${payload.version}`;
+    this.diagram = new Diagram({
+      hovered: (row, quantity, x, y) => this.tip(row, quantity, x, y),
+      chosen: (row) => this.choose(row),
+      zoomed: () => this.remember(),
+      key: (event) => this.key(event),
+    });
+    this.listen();
+    this.showTable();
+  }
+
+  private get table(): Table {
+    return this.tables[this.state.table];
+  }
+
+  private listen(): void {
+    const tables = byId<HTMLSelectElement>('tables');
+    fill(tables, this.tables.map((each, k) => ({ id: String(k), label: each.file })), String(this.state.table));
+    byId('tables-part').hidden = this.tables.length < 2;
+    tables.addEventListener('change', () => {
+      this.state = firstState(this.tables, Number(tables.value));
+      this.showTable();
+    });
+    for (const id of ['axis-of-x', 'axis-of-y', 'colour']) byId(id).addEventListener('change', () => this.readControls());
+    byId('log').addEventListener('change', () => this.readControls());
+    byId('zoom-in').addEventListener('click', () => this.diagram.zoomBy(1.5));
+    byId('zoom-out').addEventListener('click', () => this.diagram.zoomBy(1 / 1.5));
+    byId('zoom-all').addEventListener('click', () => this.zoomAll());
+    window.addEventListener('hashchange', () => {
+      if (location.hash.replace(/^#/, '') === toFragment(this.state, this.tables)) return;
+      this.state = fromFragment(location.hash, this.tables);
+      tables.value = String(this.state.table);
+      this.showTable();
+    });
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.showTable());
+    listenToCopying((text) => this.say(text));
+  }
+
+  /** All of it, of another table or another address. */
+  private showTable(): void {
+    const { table, state } = this;
+    this.heat = table.kind === 'map' ? new HeatMap(table) : null;
+    byId('title').textContent = table.title;
+    document.title = table.title;
+    const skipped = (table.metadata?.skipped ?? []).map((each) => [each.what, each.why].filter(Boolean).join(': '));
+    byId('skipped').replaceChildren(...skipped.map((text) => element('li', {}, text)));
+    byId('skipped-part').hidden = skipped.length === 0;
+    byId('presets').replaceChildren(
+      ...presets
+        .filter((each) => available(table, each))
+        .map((preset) => {
+          const button = element('button', { type: 'button', 'data-preset': preset.id }, preset.label);
+          button.addEventListener('click', () => {
+            state.x = preset.x ?? table.parameter;
+            state.y = preset.y.filter((name) => table.quantities.includes(name));
+            state.logarithmic = prefersLogarithm(table, state.y);
+            state.zoom = null;
+            this.showAxes();
+          });
+          return button;
+        }),
+    );
+    byId('keys-of-curves').hidden = table.kind === 'map';
+    byId('keys-of-maps').hidden = table.kind !== 'map';
+    byId('curve-controls').hidden = table.kind !== 'curve';
+    const option = (name: string): { id: string; label: string } => ({ id: name, label: this.optionLabel(name) });
+    const several = presets.filter((each) => available(table, each) && each.y.length > 1 && each.id !== 'energy-momentum');
+    fill(byId('axis-of-x'), table.quantities.map(option), state.x);
+    const ordinates = table.kind === 'map' ? mapQuantities(table) : table.quantities;
+    fill(byId('axis-of-y'), [...(table.kind === 'curve' ? several.map((each) => ({ id: `:${each.id}`, label: each.label })) : []), ...ordinates.map(option)], '');
+    byId('y-name').textContent = table.kind === 'map' ? 'Colour shows' : 'Vertical';
+    byId('y-part').hidden = table.kind === 'events';
+    fill(byId('colour'), colourings.map((id) => ({ id, label: id })), state.colour);
+    showEvents(table, state.row, (row) => this.choose(row));
+    this.showAxes();
+    this.showChosen(false);
+  }
+
+  private optionLabel(name: string): string {
+    if (name === 'spin') return 'ν, the spin';
+    const { symbol } = meaning(name);
+    return symbol === name ? name : `${symbol}  ${name}`;
+  }
+
+  private readControls(): void {
+    const { state, table } = this;
+    const y = byId<HTMLSelectElement>('axis-of-y').value;
+    const before = [state.x, ...state.y, state.logarithmic].join();
+    if (table.kind === 'curve') state.x = byId<HTMLSelectElement>('axis-of-x').value;
+    const several = presets.find((each) => `:${each.id}` === y);
+    const ordinates = state.y.join();
+    if (several) state.y = several.y.filter((name) => table.quantities.includes(name));
+    else if (y !== '') state.y = [y];
+    state.colour = byId<HTMLSelectElement>('colour').value as ColourBy;
+    state.logarithmic = ordinates === state.y.join() ? byId<HTMLInputElement>('log').checked : prefersLogarithm(table, state.y);
+    if (table.kind === 'curve' && before !== [state.x, ...state.y, state.logarithmic].join()) state.zoom = null;
+    this.showAxes();
+  }
+
+  private showAxes(): void {
+    const { state, table } = this;
+    const preset = presets.find((each) => available(table, each) && each.y.filter((name) => table.quantities.includes(name)).join() === state.y.join());
+    byId<HTMLSelectElement>('axis-of-x').value = state.x;
+    byId<HTMLSelectElement>('axis-of-y').value = state.y.length > 1 && preset ? `:${preset.id}` : (state.y[0] ?? '');
+    byId<HTMLInputElement>('log').checked = state.logarithmic;
+    for (const button of byId('presets').querySelectorAll('button'))
+      button.setAttribute('aria-pressed', String(button.dataset['preset'] === preset?.id && state.x === (preset?.x ?? table.parameter)));
+    showLegend(table, state, () => this.showAxes());
+    this.diagram.show(table, state, this.overlays());
+    this.remember();
+  }
+
+  /** Curves of events over the same two parameters as the map. */
+  private overlays(): readonly Table[] {
+    if (this.table.kind !== 'map') return [];
+    return this.tables.filter((each) => each.kind === 'events' && this.table.parameters.every((name) => each.has(name)));
+  }
+
+  private zoomAll(): void {
+    this.state.zoom = null;
+    this.showAxes();
+  }
+
+  private choose(row: number): void {
+    this.state.row = row;
+    this.showChosen(true);
+    this.diagram.draw();
+    this.remember();
+  }
+
+  private showChosen(aloud: boolean): void {
+    const { table, state } = this;
+    this.body.show(table, state.row);
+    showSpectrum(table, state.row);
+    showRow(table, state.row);
+    markEvent(state.row);
+    const sentence = state.row === null ? '' : this.sentence(state.row);
+    if (aloud) this.say(sentence);
+    else byId('point').textContent = sentence;
+  }
+
+  private sentence(row: number): string {
+    const { table, state } = this;
+    const verdict = table.text('class', row);
+    const names = table.kind === 'map' ? [...table.parameters, ...state.y] : [state.x, ...state.y];
+    const values = names.filter((name) => Number.isFinite(table.value(name, row))).map((name) => `${name === 'spin' ? 'ν' : meaning(name).symbol} = ${shown(table.value(name, row))}`);
+    return `${rowName(table, row)}. ${values.join(', ')}${verdict === '' ? '' : `. ${verdict}`}`;
+  }
+
+  /** Read by a screen reader, and shown beneath the diagram. */
+  private say(text: string): void {
+    byId('point').textContent = text;
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const { table, state } = this;
+    const done = (): void => event.preventDefault();
+    switch (event.key) {
+      case '+':
+      case '=':
+        this.diagram.zoomBy(1.5);
+        return done();
+      case '-':
+        this.diagram.zoomBy(1 / 1.5);
+        return done();
+      case '0':
+        this.zoomAll();
+        return done();
+      case 'e':
+      case 'E': {
+        const events = table.events().flatMap((each) => (each.row === null ? [] : [each.row]));
+        if (events.length === 0) return;
+        const at = state.row ?? -1;
+        const next = event.key === 'e' ? (events.find((row) => row > at) ?? events[0]) : ([...events].reverse().find((row) => row < at) ?? events[events.length - 1]);
+        this.choose(next);
+        return done();
+      }
+      default:
+    }
+    const next = this.beside(event.key, event.shiftKey ? 10 : 1);
+    if (next === null) return;
+    if (next !== state.row) this.choose(next);
+    done();
+  }
+
+  /** The row that an arrow key goes to: along the sheet, or to the sheet before or after. */
+  private beside(key: string, step: number): number | null {
+    const { table, state } = this;
+    if (table.rows === 0) return null;
+    const row = state.row ?? 0;
+    if (this.heat) {
+      const way = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[key];
+      return way ? this.heat.beside(row, way[0], way[1]) : null;
+    }
+    const at = table.piece(row);
+    const piece = table.pieces[at];
+    const shownPieces = table.pieces.map((_, k) => k).filter((k) => !state.hidden.has(table.pieces[k].key));
+    switch (key) {
+      case 'ArrowRight':
+        return Math.min(row + step, piece.end - 1);
+      case 'ArrowLeft':
+        return Math.max(row - step, piece.first);
+      case 'Home':
+        return piece.first;
+      case 'End':
+        return piece.end - 1;
+      case 'ArrowUp':
+      case 'ArrowDown': {
+        const other = key === 'ArrowUp' ? [...shownPieces].reverse().find((k) => k < at) : shownPieces.find((k) => k > at);
+        if (other === undefined) return row;
+        return this.nearestOn(other, table.value(state.x, row));
+      }
+      default:
+        return null;
+    }
+  }
+
+  private nearestOn(piece: number, x: number): number {
+    const { first, end } = this.table.pieces[piece];
+    let best = first;
+    const distance = (row: number): number => Math.abs(this.table.value(this.state.x, row) - x);
+    for (let row = first; row < end; ++row) if (distance(row) < distance(best)) best = row;
+    return best;
+  }
+
+  private tip(row: number | null, quantity: string, x: number, y: number): void {
+    const tip = byId('tip');
+    tip.hidden = row === null;
+    if (row === null) return;
+    const { table, state } = this;
+    const names = table.kind === 'map' ? [...table.parameters, ...state.y.filter((name) => name !== 'class')] : [state.x, quantity];
+    const bound = table.value('error_bound', row);
+    const lines = names.map((name) => {
+      const value = table.value(name, row);
+      if (!Number.isFinite(value)) return element('div', {}, `${meaning(name).symbol}: ${table.text(name, row) || 'not computed'}`);
+      const symbol = name === 'spin' ? 'ν' : meaning(name).symbol;
+      const isStretch = ['alpha', 'xi', 'zeta', 'rho', 'lambda', 'mu'].includes(name);
+      const error = isStretch && Number.isFinite(bound) ? ` ± ${(Math.abs(value) * bound).toExponential(1)}` : '';
+      const unit = meaning(name).unit;
+      return element('div', {}, element('i', {}, symbol), ` = ${shown(value)}${error}${unit === '' || unit === '1' ? '' : ` ${unit}`}`);
+    });
+    const verdict = table.text('class', row);
+    const growth = table.value('growth', row);
+    tip.replaceChildren(
+      element('b', {}, rowName(table, row)),
+      ...lines,
+      verdict === '' ? '' : element('div', {}, verdict + (growth > 0 ? `, growth ${shown(Number(growth.toPrecision(6)))} 1/T` : '')),
+    );
+    const host = byId('plot');
+    tip.style.left = `${Math.min(x + 16, host.clientWidth - tip.offsetWidth - 4)}px`;
+    tip.style.top = `${y + 18 + tip.offsetHeight > host.clientHeight ? y - tip.offsetHeight - 12 : y + 18}px`;
+  }
+
+  /** The address says what is shown, without an entry of the history for each step. */
+  private remember(): void {
+    const fragment = toFragment(this.state, this.tables);
+    if (fragment === location.hash.replace(/^#/, '')) return;
+    history.replaceState(null, '', fragment === '' ? location.pathname + location.search : `#${fragment}`);
+  }
+}
+
+async function start(): Promise<void> {
+  try {
+    new Page(await unpack(byId('data').textContent ?? ''));
+    document.body.dataset['state'] = 'ready';
+    performance.mark('ready');
+  } catch (error) {
+    byId('failure').textContent = error instanceof Error ? error.message : String(error);
+    byId('failure').hidden = false;
+    byId('page').hidden = true;
+    document.body.dataset['state'] = 'failed';
+  }
+}
+
+void start();
+

@@ -1,0 +1,64 @@
+// The chosen row: every cell as it stands in the file, and the same as a case to go on from.
+
+import { byId, element } from './dom';
+import { meaning } from './quantities';
+import type { Table } from './table';
+import { rowAsToml } from './toml';
+
+async function copy(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false; // the browser does not allow it here; the text can be selected
+  }
+}
+
+export function listenToCopying(say: (text: string) => void): void {
+  for (const [button, source] of [['copy-toml', 'toml'], ['copy-command', 'command']]) {
+    byId(button).addEventListener('click', () => {
+      const from = byId(source);
+      void copy(from.textContent ?? '').then((done) => {
+        if (!done) getSelection()?.selectAllChildren(from);
+        say(done ? 'Copied.' : 'Selected. Copy it with Ctrl+C.');
+      });
+    });
+  }
+}
+
+export function showRow(table: Table, row: number | null): void {
+  byId('row-part').hidden = row === null;
+  if (row === null) return;
+  byId('row-name').textContent = rowName(table, row);
+  byId('cells').replaceChildren(
+    ...table.names
+      .filter((name) => table.text(name, row) !== '')
+      .map((name) => {
+        const { symbol, unit, text } = meaning(name);
+        return element(
+          'tr',
+          { 'data-column': name },
+          element('th', { scope: 'row', title: text }, symbol === name ? name : `${symbol}`, symbol === name ? null : element('small', {}, name)),
+          element('td', { class: 'cell' }, table.text(name, row)),
+          element('td', { class: 'unit' }, unit === '1' ? '' : unit),
+        );
+      }),
+  );
+  byId('toml').textContent = rowAsToml(table, row);
+  byId('command').textContent = `stationary continue case.toml --from ${shellWord(table.file)}:${row + 1} -o next.csv`;
+}
+
+function shellWord(text: string): string {
+  return /^[\w.+-]+$/.test(text) ? text : `'${text.replaceAll("'", `'\\''`)}'`;
+}
+
+/** "(iii), sheet 1, point 40: tilt". */
+export function rowName(table: Table, row: number): string {
+  const parts = [];
+  const branch = table.text('branch', row);
+  if (branch !== '') parts.push(/^i+$/.test(branch) ? `(${branch})` : branch);
+  for (const name of ['sheet', 'curve', 'point']) if (table.text(name, row) !== '') parts.push(`${name} ${table.text(name, row)}`);
+  if (parts.length === 0) parts.push(`row ${row + 1}`);
+  const event = table.text('event', row);
+  return parts.join(', ') + (event === '' ? '' : `: ${event}`);
+}
