@@ -43,6 +43,10 @@ const shapes: Record<string, Shape> = {
   shear: 'rhomb',
   'inertia-exchange': 'star',
   'real-collision': 'cross',
+  turn: 'disc',
+  cusp: 'triangle',
+  double: 'star',
+  'degenerate-pitchfork': 'diamond',
 };
 
 const filled: readonly Shape[] = ['disc', 'square', 'triangle', 'diamond', 'star'];

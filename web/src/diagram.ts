@@ -136,6 +136,7 @@ export class Diagram {
     if (!this.heat) {
       this.drawMarks(context, table, state);
       this.nameCurves(context, table, state, width);
+      if (table.kind === 'events') this.nameEvents(context, table, table.column(state.x), table.column(state.y[0]));
     }
     this.drawChosen(context, table, state, width, height);
     this.drawAxes(width, height);
@@ -160,7 +161,7 @@ export class Diagram {
             if (open) context.lineTo(px, py);
             else context.moveTo(px, py);
             open = true;
-          } else if (table.text('event', row) === '') {
+          } else if (table.mark(row) === '') {
             open = false; // an event's row without the value is passed over
           }
         }
@@ -190,8 +191,15 @@ export class Diagram {
         else context.lineTo(this.x(xs[row]), this.y(ys[row]));
       }
       context.stroke();
+    }
+    this.nameEvents(context, curves, xs, ys);
+  }
+
+  /** Of curves of events, each at its middle. */
+  private nameEvents(context: CanvasRenderingContext2D, curves: Table, xs: Float64Array, ys: Float64Array): void {
+    for (const piece of curves.pieces) {
       const middle = Math.floor((piece.first + piece.end) / 2);
-      this.write(context, curves.text('event', middle), this.x(xs[middle]), this.y(ys[middle]) - 8, 'center');
+      this.write(context, curves.text('event', middle), this.x(xs[middle]), this.y(ys[middle]) - 10, 'center');
     }
   }
 
@@ -200,7 +208,7 @@ export class Diagram {
     const [ink, paper] = [styleValue('--ink'), styleValue('--paper')];
     const labels: { name: string; x: number }[] = [];
     for (let row = 0; row < table.rows; ++row) {
-      const event = table.text('event', row);
+      const event = table.mark(row);
       if (event === '' || state.hidden.has(table.pieces[table.piece(row)].key)) continue;
       const px = this.x(table.value(state.x, row));
       if (!(px >= margin.left && px <= width - margin.right)) continue;

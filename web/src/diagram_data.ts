@@ -20,8 +20,8 @@ export function classLines(table: Table): Line[] {
       return;
     }
     for (let row = piece.first; row + 1 < piece.end; ++row) {
-      const isEvent = table.text('event', row) !== '';
-      const after = table.text('event', row + 1) !== '';
+      const isEvent = table.mark(row) !== '';
+      const after = table.mark(row + 1) !== '';
       const own = table.text('class', row);
       const next = table.text('class', row + 1);
       const before = out.length > 0 && out[out.length - 1].piece === k ? out[out.length - 1].verdict : own;

@@ -29,7 +29,7 @@ export function showEvents(table: Table, chosen: number | null, choose: (row: nu
       const text = each.row === null ? String(each.parameter) : textOf(table, each.row, each.parameter);
       const where = `${symbol} = ${text}`;
       const branch = each.row === null ? '' : table.text('branch', each.row);
-      const sheet = each.sheet === '' ? '' : `${/^i+$/.test(branch) ? `(${branch})` : branch} sheet ${each.sheet}`;
+      const sheet = each.sheet === '' ? '' : `${/^i+$/.test(branch) ? `(${branch})` : branch} ${table.kind === 'events' ? 'curve' : 'sheet'} ${each.sheet}`;
       const parts = [sample(each.event), element('b', {}, each.event), element('span', { class: 'where' }, where), element('span', { class: 'sheet' }, sheet)];
       if (each.note !== '') parts.push(element('span', { class: 'note' }, each.note));
       if (each.row === null) return element('li', { class: 'unlocated' }, ...parts);

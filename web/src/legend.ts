@@ -123,9 +123,11 @@ function showToggles(host: HTMLElement, table: Table, state: State, changed: () 
     if (own.length < 2) continue;
     for (const key of own) {
       const at = table.pieces.findIndex((piece) => piece.key === key);
+      const { sheet, first: row } = table.pieces[at];
+      const piece = table.kind === 'events' ? `curve ${sheet}, ${table.text('event', row)}` : `sheet ${sheet}`;
       const sample = state.colour === 'sheet' ? lineSample('', sheetColours[at % sheetColours.length]) : null;
       group.append(
-        toggle(`sheet ${key}`, !state.hidden.has(key), sample, `sheet ${table.pieces[at].sheet}`, `${title}, sheet ${table.pieces[at].sheet}`, (on) => {
+        toggle(`sheet ${key}`, !state.hidden.has(key), sample, piece, `${title}, ${piece}`, (on) => {
           set(key, on);
           changed();
         }),

@@ -60,5 +60,6 @@ export function rowName(table: Table, row: number): string {
   for (const name of ['sheet', 'curve', 'point']) if (table.text(name, row) !== '') parts.push(`${name} ${table.text(name, row)}`);
   if (parts.length === 0) parts.push(`row ${row + 1}`);
   const event = table.text('event', row);
-  return parts.join(', ') + (event === '' ? '' : `: ${event}`);
+  const special = table.text('special', row);
+  return parts.join(', ') + (event === '' ? '' : `: ${event}`) + (special === '' ? '' : `, ${special}`);
 }

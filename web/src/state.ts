@@ -90,7 +90,7 @@ export function firstState(tables: readonly Table[], index = 0): State {
 /** The first bifurcation that has a body and a spectrum, for there is most to see; else the middle of the first piece. */
 function firstRow(table: Table): number | null {
   for (let row = 0; row < table.rows; ++row) {
-    const event = table.text('event', row);
+    const event = table.mark(row);
     if (event !== '' && !isEnd(event) && table.value('xi', row) > 0 && table.modes(row).length > 0) return row;
   }
   if (table.pieces.length === 0) return null;

@@ -69,6 +69,11 @@ export class Table {
     return this.texts.get(name)?.[row] ?? '';
   }
 
+  /** What is marked at a row: its event; on the curve of an event, where every row is one, what is special there. */
+  mark(row: number): string {
+    return this.text(this.kind === 'events' ? 'special' : 'event', row);
+  }
+
   value(name: string, row: number): number {
     return this.values.get(name)?.[row] ?? NaN;
   }
@@ -113,9 +118,9 @@ export class Table {
   events(): TableEvent[] {
     const out: TableEvent[] = [];
     for (let row = 0; row < this.rows; ++row) {
-      const event = this.text('event', row);
+      const event = this.mark(row);
       if (event === '') continue;
-      out.push({ event, row, sheet: this.text('sheet', row), parameter: this.value(this.parameter, row), note: '' });
+      out.push({ event, row, sheet: this.text('sheet', row) || this.text('curve', row), parameter: this.value(this.parameter, row), note: '' });
     }
     for (const each of this.metadata?.events ?? []) {
       if (each.point !== null || !Array.isArray(each.bracket)) continue;

@@ -6,6 +6,7 @@
 #include <nlopt.h>
 #include <oneapi/tbb/version.h>
 #include <toml++/toml.h>
+#include <zlib.h>
 
 #include <Eigen/Core>
 #include <array>
@@ -62,6 +63,7 @@ std::string version_text() {
       {"Ceres Solver", dotted(CERES_VERSION_MAJOR, CERES_VERSION_MINOR, CERES_VERSION_REVISION)},
       {"NLopt", nlopt()},
       {"HDF5", hdf5()},
+      {"zlib", zlibVersion()},
       {"oneTBB", TBB_runtime_version()},
       {"Boost", dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
       {"CLI11", CLI11_VERSION},
