@@ -104,19 +104,32 @@ test('a map is a heat map: a click and the arrow keys open its cells', async () 
 });
 
 test('curves of events lie on a map over the same parameters', async () => {
-  const { header, rows } = csv(mapped());
-  const [x, y] = header.slice(-2);
-  const values = (name) => rows.map((row) => Number(row[name])).sort((a, b) => a - b);
-  const ends = (list) => [list[0], list[list.length - 1]];
-  const [[x0, x1], [y0, y1]] = [ends(values(x)), ends(values(y))];
-  const curve = write('curve.csv', `event,curve,point,special,branch,${x},${y}\n` +
-    [0, 0.5, 1].map((s, k) => `tilt,1,${k},,iii,${x0 + s * (x1 - x0)},${y0 + s * (y1 - y0)}\n`).join(''));
-  const path = makePage([mapped(), curve]);
-  const [alone, together] = [await open(makePage(mapped())), await open(path)];
+  const tilting = write('tilting.toml', `[body]
+J = [1.0, 1.7, 0.6]
+[potential]
+plane = { model = "neo-hookean", mu = 1.0, lambda = 2.0 }
+thickness = { model = "reciprocal-quadratic", a = 1.0, b = 3.0 }
+[motion]
+branch = "i"
+nu = 0.5
+[map]
+x = { parameter = "nu", from = 0.3, to = 0.8, count = 30 }
+y = { parameter = "body.J.1", from = 1.2, to = 2.4, count = 25 }
+[curve]
+event = "tilt"
+parameters = ["nu", "body.J.1"]
+from = [0.3, 1.2]
+to = [0.8, 2.4]
+`);
+  const [map, curve] = [table('tilting_map.csv', 'map', tilting), table('tilting_curve.csv', 'curve', tilting)];
+  const [alone, together] = [await open(makePage(map)), await open(makePage([map, curve]))];
   const picture = async (page) => (await page.locator('#curves').screenshot()).toString('base64');
   assert.notEqual(await picture(alone), await picture(together));
   await together.selectOption('#tables', '1');
-  assert.equal((await cells(together)).event, 'tilt');
+  assert.match(await together.textContent('#events'), /tilt.*\(i\) curve 1/);
+  await together.locator('#events button').first().click();
+  assert.deepEqual(await cells(together), filled(csv(curve).rows[0]));
+  assert.ok((await inked(together)) > 500);
   assert.deepEqual(together.complaints, []);
   await alone.close();
   await together.close();

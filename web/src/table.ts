@@ -114,11 +114,12 @@ export class Table {
     return out;
   }
 
-  /** The located events, and those of the metadata that have no row. */
+  /** The located events (of curves of events where each begins, and what is special on it), and those of the metadata that have no row. */
   events(): TableEvent[] {
     const out: TableEvent[] = [];
     for (let row = 0; row < this.rows; ++row) {
-      const event = this.mark(row);
+      const begins = this.kind === 'events' && this.pieces[this.piece(row)].first === row;
+      const event = this.mark(row) || (begins ? this.text('event', row) : '');
       if (event === '') continue;
       out.push({ event, row, sheet: this.text('sheet', row) || this.text('curve', row), parameter: this.value(this.parameter, row), note: '' });
     }

@@ -16,8 +16,12 @@
 namespace stationary {
 namespace {
 
+/// A dotted key of a case, a ratio of two, or nu.
 bool is_parameter(const std::string& column) {
-  return column == "nu" || column.find('.') != std::string::npos;
+  constexpr std::string_view letters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
+  return column == "nu" || (column.find('.') != std::string::npos &&
+                            column.find_first_not_of(letters) == std::string::npos);
 }
 
 bool is_number(std::string_view text) {

@@ -58,6 +58,7 @@ TEST(PageTable, ParametersOfAMapAreItsTwo) {
   EXPECT_THAT(table_of("branch,xi,status,nu,body.J.1/body.J.0\ni,1,solved,1,2\n").parameters,
               ElementsAre("nu", "body.J.1/body.J.0"));
   EXPECT_THAT(table_of("branch,nu1,xi\ni,1,2\n").parameters, IsEmpty());
+  EXPECT_THAT(table_of("branch,nu1,what? no. 1\ni,1,x\n").parameters, IsEmpty());
 }
 
 TEST(PageTable, RefusesWhatTheProgramWouldNotHaveWritten) {
