@@ -19,6 +19,7 @@ namespace stationary {
 namespace {
 
 constexpr double legend_width = 134.0;
+constexpr double wide_legend = 184.0;      ///< with the names of special points
 constexpr std::size_t most_pixels = 1000;  ///< along an axis: beyond, cells are passed over
 
 /// By status, of cells without a solution; none: hatched.
@@ -41,8 +42,8 @@ class MapScript {
       : diagram_(diagram),
         choice_(choice),
         size_(choice.size.value_or(PageSize{})),
-        area_{page::left, size_.width - legend_width, page::bottom,
-              size_.height - page::margin - page::title_height} {}
+        area_{page::left, size_.width - (diagram.lines.empty() ? legend_width : wide_legend),
+              page::bottom, size_.height - page::margin - page::title_height} {}
   std::string write(ImageFormat format, std::string_view title);
 
  private:
