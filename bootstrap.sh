@@ -6,7 +6,7 @@ usage() {
   cat >&2 <<'TEXT'
 usage: ./bootstrap.sh run     set up, build, solve cases/fold.toml and follow it into results/
        ./bootstrap.sh test    set up, build and pass the tests, in release and under the sanitizers
-       ./bootstrap.sh all     as test, then the documentation and the Debian packages
+       ./bootstrap.sh all     as test, then the documentation, the Debian packages, and the Python module for the system
 Set-up installs Debian packages that are missing, as root or through sudo; it asks nothing.
 TEXT
   exit 2
@@ -29,7 +29,12 @@ packages=(
 )
 # Clang compiles the tests, in release and under the sanitizers, in half of GCC's time.
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libcminpack-dev clang libclang-rt-14-dev)
-[[ $verb == run ]] || packages+=("${test_packages[@]}")
+# The Python module, what its results turn into, and what tests it.
+python_packages=(
+  python3-dev pybind11-dev python3-numpy python3-pandas python3-xarray python3-matplotlib
+  python3-sympy python3-pip python3-venv python3-setuptools python3-wheel python3-pytest mypy
+)
+[[ $verb == run ]] || packages+=("${test_packages[@]}" "${python_packages[@]}")
 # The documentation, and Debian packages with what looks them over.
 all_packages=(python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian)
 [[ $verb != all ]] || packages+=("${all_packages[@]}")
@@ -129,5 +134,9 @@ fi
 if [[ $verb == all ]]; then
   say "documentation and Debian packages"
   cmake --build --preset release --target docs deb
+  say "the Python module, into /usr/local"
+  install_module=(cmake --install build/release --prefix /usr/local --component python)
+  if [[ $(id -u) -eq 0 ]]; then "${install_module[@]}"; else sudo "${install_module[@]}"; fi
+  /usr/bin/python3 -c 'import stationary; print(stationary.solve("cases/fold.toml"))'
 fi
 end_stage

@@ -85,9 +85,6 @@ std::string describe(const toml::node& node) {
 CaseTree CaseTree::read(const std::string& path) { return parse(file_text(path), path); }
 
 CaseTree CaseTree::parse(std::string_view text, const std::string& name) {
-  CaseTree out;
-  out.name_ = name;
-  const Origin whole = Origin::in_file(name, 1, 1);
   if (const auto at = too_deep(text)) {
     const std::string_view before = text.substr(0, *at);
     const std::size_t line_begin = before.rfind('\n') + 1;  // 0 on the first line
@@ -98,16 +95,30 @@ CaseTree CaseTree::parse(std::string_view text, const std::string& name) {
                                  largest_key_parts, largest_toml_depth));
   }
   try {
-    out.root_ = toml::parse(text);
+    return with_origins(toml::parse(text), name, Origin::in_file(name, 1, 1));
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
     throw InputError(Origin::in_file(name, position(begin.line), position(begin.column)), "",
                      printable(error.description()), "TOML", "see https://toml.io for its syntax");
   }
-  if (out.root_.empty()) {
+}
+
+CaseTree CaseTree::of(toml::table root, const std::string& name,
+                      std::map<std::string, std::string, std::less<>> overrides) {
+  CaseTree out = with_origins(std::move(root), name, Origin::in_file(name));
+  for (const auto& [key, option] : overrides) out.set_origin(key, Origin::of_option(option));
+  out.overrides_ = std::move(overrides);
+  return out;
+}
+
+CaseTree CaseTree::with_origins(toml::table root, const std::string& name, const Origin& whole) {
+  if (root.empty()) {
     throw InputError(whole, "", "found no keys", "a case: [body], [potential] and [motion]",
                      "start from one of the shipped cases");
   }
+  CaseTree out;
+  out.name_ = name;
+  out.root_ = std::move(root);
   out.locate(out.root_, "");
   out.values_[""] = out.keys_[""] = whole;
   return out;

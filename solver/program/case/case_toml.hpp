@@ -21,6 +21,10 @@ class CaseTree {
   /// From text; `name` is what messages call it. Throws InputError.
   static CaseTree parse(std::string_view text, const std::string& name);
 
+  /// Of keys and values that no text was read for; overrides: as overrides() has them.
+  static CaseTree of(toml::table root, const std::string& name,
+                     std::map<std::string, std::string, std::less<>> overrides = {});
+
   /// Applies one `key=value` of --set: value in TOML, a bare word counts as a string; a key may end
   /// in the index of an array, from 0. where: what messages call its place, an empty one the option.
   /// Throws InputError.
@@ -42,6 +46,8 @@ class CaseTree {
  private:
   using Origins = std::map<std::string, Origin, std::less<>>;
 
+  /// whole: where the root is.
+  static CaseTree with_origins(toml::table root, const std::string& name, const Origin& whole);
   void locate(const toml::node& node, const std::string& key);
   void set_origin(const std::string& key, const Origin& origin);
   static const Origin& nearest(const Origins& origins, std::string_view key);

@@ -14,37 +14,6 @@
 namespace stationary {
 namespace {
 
-/// The words a column of texts may hold; "" is one of all of them.
-std::vector<std::string_view> words(Column c) {
-  std::vector<std::string_view> out{""};
-  const auto add = [&](const auto& names) {
-    for (const std::string_view each : names)
-      if (!each.empty()) out.push_back(each);
-  };
-  switch (c) {
-    case Column::branch:
-      add(std::array{name(Branch::i), name(Branch::ii), name(Branch::iii), tilted_name,
-                     oblique_name, two_polar_name});
-      break;
-    case Column::event:
-      add(event_names);
-      break;
-    case Column::stability:
-      add(stability_names);
-      break;
-    case Column::status:
-      add(cell_status_names);
-      break;
-    case Column::certified:
-    case Column::class_certified:
-      add(proof_words);
-      break;
-    default:
-      throw std::invalid_argument(std::string(name(c)) + " has no words of its own");
-  }
-  return out;
-}
-
 Handle enumeration(const std::vector<std::string_view>& of) {
   Handle type = require_hdf5(Handle(H5Tenum_create(H5T_STD_U8LE), H5Tclose), "an enumeration");
   for (std::size_t k = 0; k < of.size(); ++k) {
@@ -113,6 +82,36 @@ struct Dataset {
 constexpr hsize_t longest_block = 32768;  // rows
 
 }  // namespace
+
+std::vector<std::string_view> column_words(Column c) {
+  std::vector<std::string_view> out{""};
+  const auto add = [&](const auto& names) {
+    for (const std::string_view each : names)
+      if (!each.empty()) out.push_back(each);
+  };
+  switch (c) {
+    case Column::branch:
+      add(std::array{name(Branch::i), name(Branch::ii), name(Branch::iii), tilted_name,
+                     oblique_name, two_polar_name});
+      break;
+    case Column::event:
+      add(event_names);
+      break;
+    case Column::stability:
+      add(stability_names);
+      break;
+    case Column::status:
+      add(cell_status_names);
+      break;
+    case Column::certified:
+    case Column::class_certified:
+      add(proof_words);
+      break;
+    default:
+      throw std::invalid_argument(std::string(name(c)) + " has no words of its own");
+  }
+  return out;
+}
 
 struct ColumnFileWriter::Data {
   Handle file{H5I_INVALID_HID, H5Fclose};
@@ -187,7 +186,7 @@ ColumnFileWriter::ColumnFileWriter(const std::string& path, const std::vector<Co
                  .type = none(H5Tclose),
                  .set = none(H5Dclose)};
     if (each.kind == CellKind::text) {
-      each.words = words(c);
+      each.words = column_words(c);
       each.type = enumeration(each.words);
     }
     add(std::move(each));

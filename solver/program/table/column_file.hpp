@@ -26,6 +26,10 @@ namespace stationary {
 
 constexpr std::int32_t missing_count = INT32_MIN;
 
+/// The words a column of texts may hold; "" is one of all of them. Throws std::invalid_argument for
+/// one without words of its own.
+std::vector<std::string_view> column_words(Column c);
+
 /// .h5 or .hdf5, with the dot.
 bool is_column_file_extension(std::string_view extension);
 

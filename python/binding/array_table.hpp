@@ -1,0 +1,68 @@
+// A table in memory, in the layout of a NumPy structured array: one record a row, the CSV's columns
+// in their order.
+//
+//   texts    as Unicode strings of the longest word's length, empty where nothing was computed
+//   sheet, point   64-bit integers
+//   numbers, and the counts that may be missing   doubles, NaN where nothing was computed
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/program/rows/table_target.hpp"
+
+namespace stationary::python {
+
+struct RecordField {
+  std::string name;
+  std::string format;  ///< NumPy's
+  std::size_t offset;
+  std::size_t width;             ///< of a text, in characters
+  std::optional<Column> column;  ///< none: a trailing parameter
+};
+
+class ArrayTable final : public TableTarget {
+ public:
+  void prepare() override {}
+  RowSink& open(const std::vector<Column>& columns, const std::vector<std::string>& parameters = {},
+                std::optional<std::size_t> rows = std::nullopt) override;
+  void commit(Metadata metadata) override;
+
+  /// Whether there is a table: a computation that fails has none.
+  bool complete() const { return complete_; }
+  const std::vector<RecordField>& fields() const { return fields_; }
+  std::size_t record_size() const { return record_size_; }
+  std::size_t rows() const { return records_.size() / record_size_; }
+  /// Of all rows, one after the other.
+  const std::byte* records() const { return records_.data(); }
+  /// The text of x.meta.json.
+  const std::string& metadata() const { return metadata_; }
+
+  /// As the program writes it, with the metadata beside. Throws InputError where it cannot, or would
+  /// replace the case file.
+  void write(const std::string& path, const std::string& case_path) const;
+  /// The rows alone.
+  void write(RowSink& sink) const;
+  /// As CSV.
+  std::string csv() const;
+
+ private:
+  class Sink;
+  void put(const TableRow& row);
+
+  std::vector<Column> columns_;
+  std::vector<std::string> parameters_;
+  std::optional<std::size_t> expected_;
+  std::vector<RecordField> fields_;
+  std::size_t record_size_ = 1;
+  std::vector<std::byte> records_;
+  std::shared_ptr<Sink> sink_;
+  bool complete_ = false;
+  std::string metadata_;
+  std::string lasting_metadata_;  ///< without what depends on the run
+};
+
+}  // namespace stationary::python

@@ -1,0 +1,33 @@
+#include "lib/body/body.hpp"
+
+#include <memory>
+
+#include "python/binding/module.hpp"
+
+namespace stationary::python {
+
+void declare_body(py::module_& module) {
+  py::class_<Body, std::shared_ptr<Body>>(module, "Body")
+      .def(py::init<double, double, double>(), py::arg("J1"), py::arg("J2"), py::arg("J3"))
+      .def_readonly("J1", &Body::J1)
+      .def_readonly("J2", &Body::J2)
+      .def_readonly("J3", &Body::J3)
+      .def_property_readonly("symmetric", &Body::symmetric)
+      .def(
+          "__eq__", [](const Body& a, const Body& b) { return a == b; }, py::is_operator())
+      .def("__hash__",
+           [](const Body& body) { return py::hash(py::make_tuple(body.J1, body.J2, body.J3)); })
+      .def("__reduce__",
+           [](const py::object& self) {
+             const auto& body = self.cast<const Body&>();
+             return py::make_tuple(self.attr("__class__"),
+                                   py::make_tuple(body.J1, body.J2, body.J3));
+           })
+      .def("__repr__", [](const Body& body) {
+        return "Body(J1=" + std::string(py::repr(py::float_(body.J1))) +
+               ", J2=" + std::string(py::repr(py::float_(body.J2))) +
+               ", J3=" + std::string(py::repr(py::float_(body.J3))) + ")";
+      });
+}
+
+}  // namespace stationary::python

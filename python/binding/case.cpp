@@ -1,0 +1,74 @@
+#include "python/binding/case.hpp"
+
+#include <pybind11/stl.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "python/binding/module.hpp"
+#include "python/binding/toml_from_python.hpp"
+#include "solver/program/computation/check_case.hpp"
+
+namespace stationary::python {
+namespace {
+
+using Overrides = std::map<std::string, std::string, std::less<>>;
+using Shared = std::shared_ptr<Case>;
+
+Shared make(CaseTree tree) {
+  const py::gil_scoped_release released;
+  return std::make_shared<Case>(make_case(std::move(tree)));
+}
+
+Shared read(const std::string& path, const std::vector<std::string>& overrides) {
+  const py::gil_scoped_release released;
+  return std::make_shared<Case>(read_case(path, overrides));
+}
+
+Shared with(const Case& input, const py::dict& values) {
+  std::vector<Override> overrides;
+  for (const auto& [name, value] : values) {
+    const auto key = py::cast<std::string>(name);
+    overrides.push_back({key + "=" + assigned_text(value, key)});
+  }
+  const py::gil_scoped_release released;
+  return std::make_shared<Case>(make_case(input.source, overrides));
+}
+
+py::tuple state(const Case& input) {
+  return py::make_tuple(to_python(input.source.root()), input.source.name(),
+                        std::map<std::string, std::string>(input.source.overrides().begin(),
+                                                           input.source.overrides().end()));
+}
+
+Shared restored(const py::dict& keys, const std::string& name,
+                const std::map<std::string, std::string>& overrides) {
+  return make(CaseTree::of(table_from_python(keys, name), name,
+                           Overrides(overrides.begin(), overrides.end())));
+}
+
+}  // namespace
+
+std::string file_of(const Case& input) {
+  const std::string& name = input.source.name();
+  return name == case_name ? std::string() : name;
+}
+
+void declare_case(py::module_& module) {
+  py::class_<Case, Shared>(module, "Case")
+      .def_static("read", &read, py::arg("path"), py::arg("overrides"))
+      .def_static(
+          "of", [](const py::dict& keys) { return restored(keys, case_name, {}); }, py::arg("keys"))
+      .def_static("restored", &restored, py::arg("keys"), py::arg("name"), py::arg("overrides"))
+      .def("with_values", &with, py::arg("values"))
+      .def("keys", [](const Case& input) { return to_python(input.source.root()); })
+      .def("state", &state)
+      .def(
+          "check", [](const Case& input) { return cli::check_case(input); },
+          py::call_guard<py::gil_scoped_release>())
+      .def_property_readonly("name", [](const Case& input) { return input.source.name(); })
+      .def_property_readonly("title", [](const Case& input) { return input.title; });
+}
+
+}  // namespace stationary::python

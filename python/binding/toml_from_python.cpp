@@ -1,0 +1,165 @@
+#include "python/binding/toml_from_python.hpp"
+
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "solver/program/case/case_toml.hpp"
+#include "solver/program/case/toml_depth.hpp"
+#include "solver/program/text/input_error.hpp"
+
+namespace stationary::python {
+namespace py = pybind11;
+
+namespace {
+
+/// Where a value stands.
+struct Place {
+  const Origin& origin;
+  std::string key;
+  int depth = 0;
+
+  Place below(const std::string& name) const { return {origin, dotted(key, name), depth + 1}; }
+  [[noreturn]] void refuse(const std::string& found, const std::string& allowed) const {
+    throw InputError(origin, printable(key), found, allowed);
+  }
+};
+
+std::string type_name(py::handle value) {
+  return py::str(py::type::handle_of(value).attr("__name__"));
+}
+
+/// A value that neither is nor holds other values; insert(value) takes it.
+template <class Insert>
+bool scalar(py::handle value, const Place& at, const Insert& insert) {
+  if (py::isinstance<py::bool_>(value)) {
+    insert(value.cast<bool>());
+  } else if (py::isinstance<py::str>(value)) {
+    insert(value.cast<std::string>());
+  } else if (PyIndex_Check(value.ptr()) != 0) {  // int and NumPy's integers
+    const auto whole = py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr()));
+    if (!whole) throw py::error_already_set();
+    int overflow = 0;
+    const long long number = PyLong_AsLongLongAndOverflow(whole.ptr(), &overflow);
+    if (overflow != 0)
+      at.refuse("found the integer " + py::cast<std::string>(py::str(py::object(whole))), "an integer of 64 bits");
+    insert(static_cast<std::int64_t>(number));
+  } else if (py::isinstance<py::float_>(value)) {  // NumPy's double is one
+    insert(value.cast<double>());
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// Whether it is of NumPy: an array, or a number, of which some pass for Python's own.
+bool is_numpy(py::handle value) {
+  return py::hasattr(value, "dtype") && py::hasattr(value, "tolist");
+}
+
+template <class Insert>
+void convert(py::handle value, const Place& at, const Insert& insert) {
+  if (at.depth > largest_toml_depth)
+    at.refuse("found a value that nests more deeply than a case does",
+              "at most " + std::to_string(largest_toml_depth) + " in one another");
+  const Place inside{at.origin, at.key, at.depth + 1};
+  if (is_numpy(value)) {
+    convert(value.attr("tolist")(), inside, insert);
+  } else if (scalar(value, at, insert)) {
+    return;
+  } else if (py::isinstance<py::dict>(value)) {
+    toml::table out;
+    for (const auto& [key, each] : value.cast<py::dict>()) {
+      if (!py::isinstance<py::str>(key))
+        at.refuse("found a key of type " + type_name(key), "names");
+      const auto name = py::cast<std::string>(key);
+      convert(each, at.below(name),
+              [&](auto&& v) { out.insert(name, std::forward<decltype(v)>(v)); });
+    }
+    insert(std::move(out));
+  } else if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
+    toml::array out;
+    for (const py::handle each : value.cast<py::sequence>())
+      convert(each, at.below(std::to_string(out.size())),
+              [&](auto&& v) { out.push_back(std::forward<decltype(v)>(v)); });
+    insert(std::move(out));
+  } else if (py::hasattr(value, "free_symbols")) {  // of SymPy
+    convert(py::module_::import("stationary.sympy_text").attr("plain")(value), inside, insert);
+  } else {
+    at.refuse("found a value of type " + type_name(value),
+              "a number, a text, true or false, a list of them, or a dict");
+  }
+}
+
+/// Text in TOML, on one line.
+void write(const toml::node& node, std::ostream& out) {
+  if (const toml::table* table = node.as_table()) {
+    const char* between = "{ ";
+    for (const auto& [key, each] : *table) {
+      out << std::exchange(between, ", ") << toml::value<std::string>(std::string(key.str()))
+          << " = ";
+      write(each, out);
+    }
+    out << (table->empty() ? "{}" : " }");
+  } else if (const toml::array* array = node.as_array()) {
+    out << '[';
+    const char* between = "";
+    for (const toml::node& each : *array) {
+      out << std::exchange(between, ",");
+      write(each, out);
+    }
+    out << ']';
+  } else if (const auto* number = node.as_floating_point()) {
+    out << std::string(py::repr(py::float_(number->get())));  // the shortest that reads the same
+  } else {
+    node.visit([&](const auto& each) { out << each; });
+  }
+}
+
+}  // namespace
+
+toml::table table_from_python(const py::dict& keys, const std::string& name) {
+  const Origin origin = Origin::in_file(name);
+  toml::table out;
+  convert(keys, {origin, ""}, [&](auto&& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, toml::table>)
+      out = std::forward<decltype(value)>(value);
+  });
+  return out;
+}
+
+std::string assigned_text(py::handle value, const std::string& key) {
+  const Origin origin = Origin::of_option("--set " + key);
+  toml::table held;
+  convert(value, {origin, key},
+          [&](auto&& each) { held.insert("value", std::forward<decltype(each)>(each)); });
+  std::ostringstream out;
+  write(*held.get("value"), out);
+  return out.str();
+}
+
+py::object to_python(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table: {
+      py::dict out;
+      for (const auto& [key, each] : *node.as_table())
+        out[py::str(std::string(key.str()))] = to_python(each);
+      return out;
+    }
+    case toml::node_type::array: {
+      py::list out;
+      for (const toml::node& each : *node.as_array()) out.append(to_python(each));
+      return out;
+    }
+    case toml::node_type::integer:
+      return py::int_(node.as_integer()->get());
+    case toml::node_type::floating_point:
+      return py::float_(node.as_floating_point()->get());
+    case toml::node_type::boolean:
+      return py::bool_(node.as_boolean()->get());
+    default:
+      return py::str(node.value_or(std::string()));
+  }
+}
+
+}  // namespace stationary::python

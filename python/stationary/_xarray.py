@@ -1,0 +1,76 @@
+"""A map as an xarray Dataset."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import xarray
+
+    from .result import Result
+
+# M, L and T are the user's units of mass, length and time.
+_UNITS = {
+    **dict.fromkeys(("alpha", "xi", "zeta", "rho", "lambda", "mu", "residual", "compatibility"), "1"),
+    **dict.fromkeys(("error_bound",), "1"),
+    **dict.fromkeys(("nu1", "nu2", "nu3", "growth", "omega", "theta_dot", "nu"), "1/T"),
+    **dict.fromkeys((f"{part}{k}" for part in ("re", "im") for k in range(1, 6)), "1/T"),
+    **dict.fromkeys(("pi1", "pi2", "pi3", "s3", "p_theta"), "M L^2/T"),
+    "energy": "M L^2/T^2",
+    "angle": "rad",
+}
+
+
+def _unit(name: str) -> str | None:
+    if name.startswith("body.J.") and "/" not in name:
+        return "M L^2"
+    if "/" in name:
+        return "1"
+    return _UNITS.get(name.rpartition(".")[2] if name.startswith("motion.") else name)
+
+
+def _described(name: str) -> dict[str, str]:
+    unit = _unit(name)
+    return {"units": unit} if unit else {}
+
+
+def dataset(result: Result) -> xarray.Dataset:
+    import xarray
+
+    case = result.metadata["case"]
+    if "map" not in case or result.metadata.get("command") != "map":
+        raise ValueError("a table of map(), which has a grid")
+    axes = [case["map"][axis] for axis in ("y", "x") if axis in case["map"]]
+    shape = tuple(axis["count"] for axis in axes)
+    names = [axis["parameter"] for axis in axes]
+    if len(result) != int(np.prod(shape)):
+        raise ValueError(f"{len(result)} rows of a map of {int(np.prod(shape))} cells")
+    table = result.table.reshape(shape)
+    coordinates: dict[str, Any] = {}
+    for k, name in enumerate(names):
+        first = tuple(slice(None) if k == other else 0 for other in range(len(shape)))
+        coordinates[name] = (name, table[name][first], _described(name))
+    for name, value in _numbers(case):
+        if name not in coordinates:
+            coordinates[name] = ((), value, _described(name))
+    data = {
+        name: (names, table[name], _described(name))
+        for name in table.dtype.names or ()
+        if name not in names and name != "point"
+    }
+    return xarray.Dataset(data, coordinates, {"title": case["title"]})
+
+
+def _numbers(case: dict[str, Any]) -> list[tuple[str, float]]:
+    """The case's own numbers by their dotted keys, as maps name them."""
+    out = [(f"body.J.{k}", J) for k, J in enumerate(case["body"]["J"])]
+    out += [
+        ("nu" if key == "nu" else f"motion.{key}", value)
+        for key, value in case["motion"].items()
+        if isinstance(value, float)
+    ]
+    for slot, model in case["potential"].items():
+        out += [(f"potential.{slot}.{k}", v) for k, v in model.items() if isinstance(v, float)]
+    return out

@@ -1,0 +1,108 @@
+"""A case: what a computation needs to know, validated in full."""
+
+from __future__ import annotations
+
+import html
+import os
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from . import _core
+from .arrays import Body, Potential
+
+
+class Case:
+    """A case, as a case file writes it. It never changes.
+
+    ::
+
+        Case.read("disc.toml")
+        Case({"body": {"J": [1.0, 1.7, 0.6]}, "potential": {...}, "motion": {...}})
+        Case(body={"J": [1.0, 1.7, 0.6]}, potential={...}, motion={"branch": "i", "nu": 0.5})
+
+    Values may be NumPy's; formulas may be SymPy expressions. Raises InputError at the first fault,
+    with the program's text.
+    """
+
+    __slots__ = ("_core",)
+    _core: _core.Case
+
+    def __init__(self, keys: Mapping[str, Any] | None = None, /, **tables: Any) -> None:
+        object.__setattr__(self, "_core", _core.Case.of({**(keys or {}), **tables}))
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> Case:
+        """The case of a TOML file; overrides: as after ``--set``, "motion.nu=0.3"."""
+        return cls._holding(_core.Case.read(os.fspath(path), list(overrides)))
+
+    @classmethod
+    def _holding(cls, core: _core.Case) -> Case:
+        out = cls.__new__(cls)
+        object.__setattr__(out, "_core", core)
+        return out
+
+    def set(self, key: str | Mapping[str, Any], value: Any = None) -> Case:
+        """A new case with a dotted key at a value, as ``--set`` does; or several, of a dict.
+
+        A key may end in the index of an array, from 0: ``case.set("body.J.1", 2.0)``.
+        """
+        values = {key: value} if isinstance(key, str) else dict(key)
+        return self._holding(self._core.with_values(values))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The keys as written, with what was set since."""
+        return self._core.keys()
+
+    def __getitem__(self, key: str) -> Any:
+        """The value at a dotted key, as written: ``case["motion.nu"]``."""
+        found: Any = self.to_dict()
+        for part in key.split("."):
+            try:
+                found = found[int(part)] if isinstance(found, list) else found[part]
+            except (KeyError, IndexError, TypeError, ValueError):
+                raise KeyError(key) from None
+        return found
+
+    @property
+    def title(self) -> str:
+        """Empty where the case has none."""
+        return self._core.title
+
+    @property
+    def body(self) -> Body:
+        """Its body."""
+        return _core.body_of_case(self._core)
+
+    @property
+    def potential(self) -> Potential:
+        """Its potential."""
+        return Potential._holding(_core.Potential.of_case(self._core))
+
+    def check(self) -> str:
+        """What ``stationary check`` prints: the model, what will be computed, and what will not."""
+        return self._core.check()
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"a case never changes; case.set(...) returns a new one ({name})")
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"a case never changes ({name})")
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Case) and self._core.state() == other._core.state()
+
+    def __hash__(self) -> int:
+        return hash(repr(self._core.state()))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, self._core.state()
+
+    def __repr__(self) -> str:
+        return self.check().rstrip("\n")
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(self.check())}</pre>"
+
+
+def _restored(keys: dict[str, Any], name: str, overrides: dict[str, str]) -> Case:
+    return Case._holding(_core.Case.restored(keys, name, overrides))

@@ -1,0 +1,88 @@
+"""Results of solve, follow, atlas and map: tables, metadata, words."""
+
+import json
+
+import numpy as np
+import pytest
+import stationary
+from conftest import SOURCES, run_program
+
+FOLD = SOURCES / "cases" / "fold.toml"
+
+
+@pytest.fixture(scope="module")
+def fold():
+    return stationary.follow(FOLD)
+
+
+def test_table_has_the_columns_of_the_csv(fold, tmp_path):
+    fold.write(tmp_path / "fold.csv")
+    header = (tmp_path / "fold.csv").read_text().splitlines()[0].split(",")
+    assert list(fold.table.dtype.names) == header
+    assert len(fold) == len(fold.table) == fold.metadata["rows"]
+    kinds = {name: fold.table.dtype[name].kind for name in header}
+    assert {kinds[name] for name in ("branch", "event", "class")} == {"U"}
+    assert {kinds[name] for name in ("sheet", "point")} == {"i"}
+    assert all(kind == "f" for name, kind in kinds.items() if kind not in "Ui")
+    assert fold["point"].tolist() == list(range(len(fold)))
+
+
+def test_table_is_read_only_and_outlives_its_result(fold):
+    with pytest.raises(ValueError):
+        fold.table["xi"] = 0.0
+    column = stationary.solve(FOLD).table["xi"]
+    for _ in range(100):
+        stationary.solve(FOLD)
+    assert column[0] == stationary.solve(FOLD).table["xi"][0]
+
+
+def test_metadata_and_what_is_in_them(fold, tmp_path):
+    fold.write(tmp_path / "fold.csv")
+    assert fold.metadata == json.loads((tmp_path / "fold.meta.json").read_text())
+    assert fold.metadata["run"]["command_line"] == ["stationary.follow"]
+    names = [event["event"] for event in fold.events]
+    assert "fold-nu" in names and "tilt" in names
+    for event in fold.events:
+        row = fold.table[event["point"]]
+        assert (row["event"], row["nu1"]) == (event["event"], pytest.approx(event["parameter"], abs=1e-15))
+    assert [each["segment"] for each in fold.segments] == list(range(1, len(fold.segments) + 1))
+
+
+def test_shows_the_program_s_summary(fold):
+    _, text, _ = run_program("continue", FOLD)
+
+    def lasting(lines):  # but for seconds
+        return [line for line in lines.splitlines() if not line.startswith("points")]
+
+    assert lasting(fold.summary) == lasting(text)
+    assert repr(fold) == fold.summary.rstrip("\n")
+    assert fold._repr_html_().startswith("<pre>")
+    assert "&lt;" in fold._repr_html_() or "<" not in fold.summary
+
+
+def test_atlas_has_every_sheet():
+    result = stationary.atlas(SOURCES / "cases" / "apart.toml", checkpoints=8)
+    sheets = {sheet["sheet"] for sheet in result.metadata["sheets"]}
+    assert set(result["sheet"].tolist()) == sheets
+    assert len(result.metadata["checkpoints"]) % 8 == 0
+
+
+def test_map_keeps_its_cells_whatever_they_came_to(disc):
+    disc["map"] = {"x": {"parameter": "nu", "from": 0.0, "to": 30.0, "count": 7}}
+    result = stationary.map(disc)
+    assert result["nu"].tolist() == np.linspace(0.0, 30.0, 7).tolist()
+    assert result["status"][0] == "solved"
+    assert set(result["status"]) > {"solved"}
+
+
+def test_a_map_without_any_solution_warns():
+    case = stationary.Case.read(SOURCES / "cases" / "too_fast.toml")
+    nu = case["motion.nu"]
+    case = case.set("map", {"x": {"parameter": "nu", "from": nu, "to": nu + 1.0, "count": 3}})
+    with pytest.warns(RuntimeWarning, match="no stationary ellipsoid in any of 3 cells"):
+        result = stationary.map(case)
+    assert len(result) == 3
+
+
+def test_the_version_is_the_program_s():
+    assert run_program("--version")[1].split()[-1] == stationary.__version__
