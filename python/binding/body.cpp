@@ -7,7 +7,9 @@
 namespace stationary::python {
 
 void declare_body(py::module_& module) {
-  py::class_<Body, std::shared_ptr<Body>>(module, "Body")
+  py::class_<Body, std::shared_ptr<Body>>(module, "Body",
+                                          "The body: its inertia J = diag(J1, J2, J3) in the material frame, the second moments "
+                                          "of mass along each axis. Raises InputError unless all are finite and > 0.")
       .def(py::init<double, double, double>(), py::arg("J1"), py::arg("J2"), py::arg("J3"))
       .def_readonly("J1", &Body::J1)
       .def_readonly("J2", &Body::J2)

@@ -3,6 +3,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "solver/program/case/case_toml.hpp"
 #include "solver/program/case/toml_depth.hpp"
@@ -29,27 +30,17 @@ std::string type_name(py::handle value) {
   return py::str(py::type::handle_of(value).attr("__name__"));
 }
 
-/// A value that neither is nor holds other values; insert(value) takes it.
-template <class Insert>
-bool scalar(py::handle value, const Place& at, const Insert& insert) {
-  if (py::isinstance<py::bool_>(value)) {
-    insert(value.cast<bool>());
-  } else if (py::isinstance<py::str>(value)) {
-    insert(value.cast<std::string>());
-  } else if (PyIndex_Check(value.ptr()) != 0) {  // int and NumPy's integers
-    const auto whole = py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr()));
-    if (!whole) throw py::error_already_set();
-    int overflow = 0;
-    const long long number = PyLong_AsLongLongAndOverflow(whole.ptr(), &overflow);
-    if (overflow != 0)
-      at.refuse("found the integer " + py::cast<std::string>(py::str(py::object(whole))), "an integer of 64 bits");
-    insert(static_cast<std::int64_t>(number));
-  } else if (py::isinstance<py::float_>(value)) {  // NumPy's double is one
-    insert(value.cast<double>());
-  } else {
-    return false;
-  }
-  return true;
+using Value = std::variant<bool, std::int64_t, double, std::string, toml::array, toml::table>;
+
+std::int64_t integer(py::handle value, const Place& at) {
+  const auto whole = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+  if (!whole) throw py::error_already_set();
+  int overflow = 0;
+  const long long number = PyLong_AsLongLongAndOverflow(whole.ptr(), &overflow);
+  if (overflow != 0)
+    at.refuse("found the integer " + py::cast<std::string>(py::str(whole)),
+              "an integer of 64 bits");
+  return number;
 }
 
 /// Whether it is of NumPy: an array, or a number, of which some pass for Python's own.
@@ -57,38 +48,44 @@ bool is_numpy(py::handle value) {
   return py::hasattr(value, "dtype") && py::hasattr(value, "tolist");
 }
 
-template <class Insert>
-void convert(py::handle value, const Place& at, const Insert& insert) {
+Value converted(py::handle value, const Place& at);
+
+toml::table table(const py::dict& keys, const Place& at) {
+  toml::table out;
+  for (const auto& [key, value] : keys) {
+    if (!py::isinstance<py::str>(key)) at.refuse("found a key of type " + type_name(key), "names");
+    const auto name = py::cast<std::string>(key);
+    std::visit([&](auto&& each) { out.insert(name, std::forward<decltype(each)>(each)); },
+               converted(value, at.below(name)));
+  }
+  return out;
+}
+
+toml::array array(const py::sequence& values, const Place& at) {
+  toml::array out;
+  for (const py::handle value : values)
+    std::visit([&](auto&& each) { out.push_back(std::forward<decltype(each)>(each)); },
+               converted(value, at.below(std::to_string(out.size()))));
+  return out;
+}
+
+Value converted(py::handle value, const Place& at) {
   if (at.depth > largest_toml_depth)
     at.refuse("found a value that nests more deeply than a case does",
               "at most " + std::to_string(largest_toml_depth) + " in one another");
   const Place inside{at.origin, at.key, at.depth + 1};
-  if (is_numpy(value)) {
-    convert(value.attr("tolist")(), inside, insert);
-  } else if (scalar(value, at, insert)) {
-    return;
-  } else if (py::isinstance<py::dict>(value)) {
-    toml::table out;
-    for (const auto& [key, each] : value.cast<py::dict>()) {
-      if (!py::isinstance<py::str>(key))
-        at.refuse("found a key of type " + type_name(key), "names");
-      const auto name = py::cast<std::string>(key);
-      convert(each, at.below(name),
-              [&](auto&& v) { out.insert(name, std::forward<decltype(v)>(v)); });
-    }
-    insert(std::move(out));
-  } else if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
-    toml::array out;
-    for (const py::handle each : value.cast<py::sequence>())
-      convert(each, at.below(std::to_string(out.size())),
-              [&](auto&& v) { out.push_back(std::forward<decltype(v)>(v)); });
-    insert(std::move(out));
-  } else if (py::hasattr(value, "free_symbols")) {  // of SymPy
-    convert(py::module_::import("stationary.sympy_text").attr("plain")(value), inside, insert);
-  } else {
-    at.refuse("found a value of type " + type_name(value),
-              "a number, a text, true or false, a list of them, or a dict");
-  }
+  if (is_numpy(value)) return converted(value.attr("tolist")(), inside);
+  if (py::isinstance<py::bool_>(value)) return py::cast<bool>(value);
+  if (py::isinstance<py::str>(value)) return py::cast<std::string>(value);
+  if (PyIndex_Check(value.ptr()) != 0) return integer(value, at);
+  if (py::isinstance<py::float_>(value)) return py::cast<double>(value);
+  if (py::isinstance<py::dict>(value)) return table(py::cast<py::dict>(value), at);
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value))
+    return array(py::cast<py::sequence>(value), at);
+  if (py::hasattr(value, "free_symbols"))  // of SymPy
+    return converted(py::module_::import("stationary.sympy_text").attr("plain")(value), inside);
+  at.refuse("found a value of type " + type_name(value),
+            "a number, a text, true or false, a list of them, or a dict");
 }
 
 /// Text in TOML, on one line.
@@ -120,19 +117,14 @@ void write(const toml::node& node, std::ostream& out) {
 
 toml::table table_from_python(const py::dict& keys, const std::string& name) {
   const Origin origin = Origin::in_file(name);
-  toml::table out;
-  convert(keys, {origin, ""}, [&](auto&& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, toml::table>)
-      out = std::forward<decltype(value)>(value);
-  });
-  return out;
+  return table(keys, {origin, ""});
 }
 
 std::string assigned_text(py::handle value, const std::string& key) {
   const Origin origin = Origin::of_option("--set " + key);
   toml::table held;
-  convert(value, {origin, key},
-          [&](auto&& each) { held.insert("value", std::forward<decltype(each)>(each)); });
+  std::visit([&](auto&& each) { held.insert("value", std::forward<decltype(each)>(each)); },
+             converted(value, {origin, key}));
   std::ostringstream out;
   write(*held.get("value"), out);
   return out.str();

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._core import Body
+from ._core import Body as Body
 from .errors import NotFound, NumericalError
 
 _NOT_EQUILIBRIUM = 3  # the program's exit code
@@ -54,42 +54,42 @@ class Potential:
     An expression may be SymPy's. Raises InputError with the program's text.
     """
 
-    __slots__ = ("_core",)
-    _core: _core.Potential
+    __slots__ = ("_inner",)
+    _inner: _core.Potential
 
     def __init__(self, **models: Mapping[str, Any]) -> None:
-        self._core = _core.Potential({slot: dict(model) for slot, model in models.items()})
+        self._inner = _core.Potential({slot: dict(model) for slot, model in models.items()})
 
     @classmethod
-    def _holding(cls, core: _core.Potential) -> Potential:
+    def _holding(cls, inner: _core.Potential) -> Potential:
         out = cls.__new__(cls)
-        out._core = core
+        out._inner = inner
         return out
 
     @property
     def isotropic(self) -> bool:
         """Whether V is a function of the principal stretches alone."""
-        return self._core.isotropic
+        return self._inner.isotropic
 
     @property
     def separable(self) -> bool:
         """Whether V is a sum of a planar part and one of the thickness."""
-        return self._core.separable
+        return self._inner.separable
 
     @property
     def coefficients(self) -> dict[str, dict[str, float]]:
         """Of each model, {"plane": {"c": 1.0, "k": 2.0}, ...}."""
-        return self._core.coefficients
+        return self._inner.coefficients
 
     @property
     def formulas(self) -> dict[str, str]:
         """Of each model."""
-        return self._core.formulas
+        return self._inner.formulas
 
     @property
     def facts(self) -> list[str]:
         """What was found out about formulas, a sentence each."""
-        return self._core.facts
+        return self._inner.facts
 
     def value(
         self, alpha: npt.ArrayLike, xi: npt.ArrayLike, zeta: npt.ArrayLike, rho: npt.ArrayLike
@@ -98,7 +98,7 @@ class Potential:
 
         Raises InputError where S is not positive definite.
         """
-        return self._core.value(alpha, xi, zeta, rho)
+        return self._inner.value(alpha, xi, zeta, rho)
 
     def __repr__(self) -> str:
         return "\n".join(
@@ -132,7 +132,7 @@ def sweep(
     """
     out, code, text = _core.sweep(
         body,
-        potential._core,
+        potential._inner,
         branch,
         np.asarray(nu, dtype=float),
         None if start is None else [float(each) for each in start],
@@ -167,7 +167,7 @@ def solve_batch(
     """
     cells, spectra = _core.solve_batch(
         body,
-        potential._core,
+        potential._inner,
         branch,
         np.asarray(nu, dtype=float).ravel(),
         {key: np.asarray(each, dtype=float) for key, each in (parameters or {}).items()},
@@ -195,7 +195,7 @@ def spectrum(
     ``re, im, krein`` of the five modes in reciprocal time, NaN where there is none. What is not
     solved is Stability.NOT_COMPUTED. Raises InputError. C++: Kind::spectrum, solver/kind/kind.hpp.
     """
-    return _core.spectrum(body, potential._core, branch, points, threads)
+    return _core.spectrum(body, potential._inner, branch, points, threads)
 
 
 class Certificates(NamedTuple):
@@ -223,7 +223,7 @@ def certify(
     points: as of spectrum(). The proofs are for all decimals that read as the numbers given.
     Raises InputError. C++: certify, solver/proof/certify.hpp.
     """
-    return Certificates(*_core.certify(body, potential._core, branch, points, threads))
+    return Certificates(*_core.certify(body, potential._inner, branch, points, threads))
 
 
 class Solutions(NamedTuple):
@@ -252,6 +252,6 @@ def search(
     """
     return Solutions(
         *_core.search(
-            body, potential._core, branch, np.asarray(nu, dtype=float), list(box), threads
+            body, potential._inner, branch, np.asarray(nu, dtype=float), list(box), threads
         )
     )

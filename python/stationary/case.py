@@ -24,11 +24,11 @@ class Case:
     with the program's text.
     """
 
-    __slots__ = ("_core",)
-    _core: _core.Case
+    __slots__ = ("_inner",)
+    _inner: _core.Case
 
     def __init__(self, keys: Mapping[str, Any] | None = None, /, **tables: Any) -> None:
-        object.__setattr__(self, "_core", _core.Case.of({**(keys or {}), **tables}))
+        object.__setattr__(self, "_inner", _core.Case.of({**(keys or {}), **tables}))
 
     @classmethod
     def read(cls, path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> Case:
@@ -38,7 +38,7 @@ class Case:
     @classmethod
     def _holding(cls, core: _core.Case) -> Case:
         out = cls.__new__(cls)
-        object.__setattr__(out, "_core", core)
+        object.__setattr__(out, "_inner", core)
         return out
 
     def set(self, key: str | Mapping[str, Any], value: Any = None) -> Case:
@@ -47,11 +47,11 @@ class Case:
         A key may end in the index of an array, from 0: ``case.set("body.J.1", 2.0)``.
         """
         values = {key: value} if isinstance(key, str) else dict(key)
-        return self._holding(self._core.with_values(values))
+        return self._holding(self._inner.with_values(values))
 
     def to_dict(self) -> dict[str, Any]:
         """The keys as written, with what was set since."""
-        return self._core.keys()
+        return self._inner.keys()
 
     def __getitem__(self, key: str) -> Any:
         """The value at a dotted key, as written: ``case["motion.nu"]``."""
@@ -66,21 +66,21 @@ class Case:
     @property
     def title(self) -> str:
         """Empty where the case has none."""
-        return self._core.title
+        return self._inner.title
 
     @property
     def body(self) -> Body:
         """Its body."""
-        return _core.body_of_case(self._core)
+        return _core.body_of_case(self._inner)
 
     @property
     def potential(self) -> Potential:
         """Its potential."""
-        return Potential._holding(_core.Potential.of_case(self._core))
+        return Potential._holding(_core.Potential.of_case(self._inner))
 
     def check(self) -> str:
         """What ``stationary check`` prints: the model, what will be computed, and what will not."""
-        return self._core.check()
+        return self._inner.check()
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"a case never changes; case.set(...) returns a new one ({name})")
@@ -89,13 +89,13 @@ class Case:
         raise AttributeError(f"a case never changes ({name})")
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Case) and self._core.state() == other._core.state()
+        return isinstance(other, Case) and self._inner.state() == other._inner.state()
 
     def __hash__(self) -> int:
-        return hash(repr(self._core.state()))
+        return hash(repr(self._inner.state()))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, self._core.state()
+        return _restored, self._inner.state()
 
     def __repr__(self) -> str:
         return self.check().rstrip("\n")

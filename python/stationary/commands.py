@@ -47,7 +47,7 @@ def solve(case: CaseLike, *, threads: int | None = 1) -> Result:
     Raises InputError, NotFound where none exists or was found, NumericalError.
     """
     case = _case(case)
-    return _finished(_core.solve(case._core, threads), case)
+    return _finished(_core.solve(case._inner, threads), case)
 
 
 def follow(case: CaseLike, *, row: str | None = None, threads: int | None = 1) -> Result:
@@ -60,7 +60,7 @@ def follow(case: CaseLike, *, row: str | None = None, threads: int | None = 1) -
     family cannot be followed to an end; the table so far is the error's ``result`` then.
     """
     case = _case(case)
-    return _finished(_core.follow(case._core, row or "", threads), case)
+    return _finished(_core.follow(case._inner, row or "", threads), case)
 
 
 def atlas(
@@ -73,7 +73,7 @@ def atlas(
     Raises InputError, NumericalError.
     """
     case = _case(case)
-    return _finished(_core.atlas(case._core, checkpoints, threads), case)
+    return _finished(_core.atlas(case._inner, checkpoints, threads), case)
 
 
 def map(case: CaseLike, *, threads: int | None = None) -> Result:
@@ -83,4 +83,4 @@ def map(case: CaseLike, *, threads: int | None = None) -> Result:
     them, there is a RuntimeWarning. Raises InputError.
     """
     case = _case(case)
-    return _finished(_core.map(case._core, threads), case, keep=True)
+    return _finished(_core.map(case._inner, threads), case, keep=True)

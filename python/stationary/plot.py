@@ -145,7 +145,8 @@ def _map(found: dict[str, Any], result: Result, ax: Any) -> Any:
         figure, ax = plt.subplots(figsize=(8, 6), layout="constrained")
         ax.set_title(result.case.title)
     figure = ax.figure
-    values = np.ma.masked_invalid(found["values"])
+    ma: Any = np.ma
+    values = ma.masked_invalid(found["values"])
     x, y = found["x"], found["y"]
     if found["quantity"] == "class":
         names = found["classes"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 from typing import Any
 
 
@@ -10,10 +11,10 @@ def plain(value: Any) -> str | float | bool:
 
     Where the language has no such function, the case's own error says so.
     """
-    from sympy.logic.boolalg import BooleanAtom
-    from sympy.printing.str import StrPrinter
+    boolalg: Any = importlib.import_module("sympy.logic.boolalg")
+    printing: Any = importlib.import_module("sympy.printing.str")
 
-    class Printer(StrPrinter):  # type: ignore[misc]
+    class Printer(printing.StrPrinter):  # type: ignore[misc]
         def _print_Pow(self, power: Any, rational: bool = False) -> str:
             return str(super()._print_Pow(power, rational=rational)).replace("**", "^")
 
@@ -38,7 +39,7 @@ def plain(value: Any) -> str | float | bool:
                 first = f"{name}({first}, {each})"
             return str(first)
 
-    if isinstance(value, BooleanAtom):
+    if isinstance(value, boolalg.BooleanAtom):
         return bool(value)
     if getattr(value, "is_number", False):
         return float(value)

@@ -63,7 +63,7 @@ def test_never_changes(disc):
     with pytest.raises(AttributeError):
         case.title = "another"
     with pytest.raises(AttributeError):
-        del case._core
+        del case._inner
     case.to_dict()["motion"]["nu"] = 0.1
     disc["motion"]["nu"] = 0.2
     assert case["motion.nu"] == 0.5
