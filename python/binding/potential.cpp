@@ -52,7 +52,8 @@ std::vector<std::string> facts(const Material& self) {
   return out;
 }
 
-double value(const Material& self, double alpha, double xi, double zeta, double rho) {
+// A reference that is not const, as py::vectorize needs it.
+double value(Material& self, double alpha, double xi, double zeta, double rho) {
   const Stretch q{alpha, xi, zeta, rho};
   if (const char* inequality = violated_inequality(q)) throw std::invalid_argument(inequality);
   return self.potential.value(q);

@@ -23,22 +23,21 @@ _EVENTS: dict[str, tuple[str, bool]] = {
     "fold-nu": ("o", True),
     "fold-momentum": ("o", False),
     "tilt": ("s", True),
+    "oblique": ("s", False),
     "ellipse": ("D", True),
     "shear": ("D", False),
-    "oblique": ("s", False),
     "krein-pass": ("v", False),
-    "hamiltonian-hopf": ("^", True),
-    "inertia-exchange": ("p", False),
-    "unexplained": ("*", True),
-    "collapse": ("v", True),
+    "hamiltonian-hopf": ("v", True),
     "escape": ("^", False),
+    "real-collision": ("^", True),
+    "collapse": ("p", True),
+    "domain": ("p", False),
 }
 _CLASS_COLOURS = ("#24507a", "#7fb2d6", "#c2410c", "#efb366", "#111111")
-_SYMBOLS = {"nu": "ν", "xi": "ξ", "zeta": "ζ", "rho": "ϱ", "lambda": "λ", "mu": "μ"}
 
 
 def draw(result: Result, ax: Any, show: str | None) -> Any:
-    axes = result.metadata.get("case", {}).get("map", {})
+    axes = result.metadata["case"].get("map", {})
     if result.metadata.get("command") == "map" and "y" in axes:
         return _map(result._computed.map_diagram(show), result, ax)
     if show is not None:
@@ -49,66 +48,72 @@ def draw(result: Result, ax: Any, show: str | None) -> Any:
 def _diagram(found: dict[str, Any], result: Result, ax: Any) -> Any:
     import matplotlib.pyplot as plt
 
-    rates = "growth" in found
+    panels, rates = found["panels"], found["has_rates"]
     if ax is None:
-        _, made = plt.subplots(
-            2 if rates else 1,
-            sharex=True,
+        heights = ([3, 2] if rates else [3]) * len(panels)
+        figure, made = plt.subplots(
+            len(heights),
             squeeze=False,
-            figsize=(8, 6),
-            gridspec_kw={"height_ratios": [3, 2] if rates else [1]},
+            figsize=(8, 2 + 0.8 * sum(heights)),
+            gridspec_kw={"height_ratios": heights},
             layout="constrained",
         )
-        panels = made[:, 0]
-        panels[0].set_title(result.case.title)
+        axes = made[:, 0]
+        figure.suptitle(result.case.title)
     else:
-        panels = np.atleast_1d(np.asarray(ax, dtype=object))
-    _stretches(found, panels[0])
-    if rates and len(panels) > 1:
-        _rates(found, panels[1])
-    panels[-1].set_xlabel(_SYMBOLS.get(found["parameter"], found["parameter"]))
-    panels[0].set_xlim(*found["range"])
-    return panels
+        axes = np.atleast_1d(np.asarray(ax, dtype=object))
+    step = 2 if rates and len(axes) >= 2 * len(panels) else 1
+    for k, panel in enumerate(panels[: len(axes) // step]):
+        _curves(panel, found["series"], axes[step * k])
+        if step == 2:
+            _rates(panel, found["rate_styles"], axes[step * k + 1])
+        axes[step * k + step - 1].set_xlabel(panel["abscissa"])
+    return axes
 
 
-def _stretches(found: dict[str, Any], ax: Any) -> None:
+def _set_axis(ax: Any, letter: str, axis: tuple[float, float, bool]) -> None:
+    low, high, logarithmic = axis
+    if logarithmic:
+        getattr(ax, f"set_{letter}scale")("log")
+    getattr(ax, f"set_{letter}lim")(low, high)
+
+
+def _curves(panel: dict[str, Any], series: list[tuple[str, str]], ax: Any) -> None:
     from matplotlib.lines import Line2D
 
-    at = found["at"]
-    used: set[str | None] = set()
-    for colour, values in found["stretches"].values():
-        for verdict, points in found["stretch_lines"]:
-            width, dashes = _LINES[verdict]
-            used.add(verdict)
-            marker = "." if len(points) == 1 else None
-            ax.plot(at[points], values[points], color=colour, lw=width, ls=dashes, marker=marker)
-        for name, point in found["events"]:
-            marker, filled = _EVENTS.get(name, ("x", True))
-            ax.plot(
-                at[point], values[point], marker, color=colour, mfc=colour if filled else "white"
-            )
-    _name_events(found, ax)
-    keys = [Line2D([], [], color=c, lw=2, label=name) for name, (c, _) in found["stretches"].items()]
+    used = set()
+    for number, verdict, x, y in panel["curves"]:
+        width, dashes = _LINES[verdict]
+        used.add(verdict)
+        dot = "." if len(x) == 1 else None
+        ax.plot(x, y, color=series[number][1], lw=width, ls=dashes, marker=dot)
+    for name, x, values in panel["events"]:
+        marker, filled = _EVENTS.get(name, ("x", True))
+        for (_, colour), y in zip(series, values):
+            ax.plot(x, y, marker, color=colour, mfc=colour if filled else "white")
+    _name_events(panel["events"], ax)
+    keys = [Line2D([], [], color=colour, lw=2, label=name) for name, colour in series]
     keys += [
-        Line2D([], [], color="#404040", lw=_LINES[verdict][0], ls=_LINES[verdict][1], label=verdict)
-        for verdict in _LINES
+        Line2D([], [], color="#404040", lw=width, ls=dashes, label=verdict)
+        for verdict, (width, dashes) in _LINES.items()
         if verdict in used and verdict is not None
     ]
     ax.legend(handles=keys, loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
-    ax.set_ylabel("stretches")
-    if found["logarithmic"]:
-        ax.set_yscale("log")
+    ax.set_title(panel["title"], loc="left")
+    ax.set_ylabel(", ".join(name for name, _ in series))
+    _set_axis(ax, "x", panel["x"])
+    _set_axis(ax, "y", panel["y"])
 
 
-def _name_events(found: dict[str, Any], ax: Any) -> None:
-    """Along the top edge, once each place."""
+def _name_events(events: list[tuple[str, float, list[float]]], ax: Any) -> None:
+    """Along the top edge, each name once at a place."""
     places: dict[float, list[str]] = {}
-    for name, point in found["events"]:
-        names = places.setdefault(float(found["at"][point]), [])
+    for name, x, _ in events:
+        names = places.setdefault(x, [])
         if name not in names:
             names.append(name)
     for place, names in places.items():
-        ax.axvline(place, color="#9ca3af", lw=0.6, zorder=0)
+        ax.axvline(place, color="#9ca3af", lw=0.6, ls=":", zorder=0)
         ax.annotate(
             ", ".join(names),
             (place, 1.0),
@@ -120,21 +125,16 @@ def _name_events(found: dict[str, Any], ax: Any) -> None:
         )
 
 
-def _rates(found: dict[str, Any], ax: Any) -> None:
-    at = found["at"]
-    for k, (_, points) in enumerate(found["spectrum_lines"]):
-        for each in found["frequencies"]:
-            ax.plot(at[points], each[points], color=found["frequency_colour"], lw=1.0)
-        ax.plot(
-            at[points],
-            found["growth"][points],
-            color=found["growth_colour"],
-            lw=2.4,
-            label="growth rate" if k == 0 else None,
-        )
-    ax.plot([], [], color=found["frequency_colour"], lw=1.0, label="frequencies")
+def _rates(panel: dict[str, Any], styles: list[tuple[str, str, float]], ax: Any) -> None:
+    named = set()
+    for kind, x, y in panel["rates"]:
+        title, colour, width = styles[kind]
+        ax.plot(x, y, color=colour, lw=width, label=None if kind in named else title)
+        named.add(kind)
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
     ax.set_ylabel("rates")
+    _set_axis(ax, "x", panel["x"])
+    _set_axis(ax, "y", panel["rate"])
 
 
 def _map(found: dict[str, Any], result: Result, ax: Any) -> Any:
@@ -142,26 +142,24 @@ def _map(found: dict[str, Any], result: Result, ax: Any) -> Any:
     from matplotlib.colors import BoundaryNorm, ListedColormap
 
     if ax is None:
-        figure, ax = plt.subplots(figsize=(8, 6), layout="constrained")
+        _, ax = plt.subplots(figsize=(8, 6), layout="constrained")
         ax.set_title(result.case.title)
-    figure = ax.figure
     ma: Any = np.ma
     values = ma.masked_invalid(found["values"])
     x, y = found["x"], found["y"]
+    how: dict[str, Any] = {"shading": "nearest"}
     if found["quantity"] == "class":
         names = found["classes"]
-        norm = BoundaryNorm(np.arange(len(names) + 1) - 0.5, len(names))
-        image = ax.pcolormesh(
-            x["values"], y["values"], values, cmap=ListedColormap(_CLASS_COLOURS), norm=norm,
-            shading="nearest",
-        )
-        bar = figure.colorbar(image, ax=ax, ticks=range(len(names)))
-        bar.ax.set_yticklabels(names)
+        how["norm"] = BoundaryNorm(np.arange(len(names) + 1) - 0.5, len(names))
+        how["cmap"] = ListedColormap(_CLASS_COLOURS)
+    image = ax.pcolormesh(x["values"], y["values"], values, **how)
+    bar = ax.figure.colorbar(image, ax=ax)
+    if found["quantity"] == "class":
+        bar.set_ticks(range(len(found["classes"])), labels=found["classes"])
     else:
-        image = ax.pcolormesh(x["values"], y["values"], values, shading="nearest")
-        figure.colorbar(image, ax=ax, label=_SYMBOLS.get(found["quantity"], found["quantity"]))
-    for axis, letter in ((x, "x"), (y, "y")):
-        getattr(ax, f"set_{letter}label")(_SYMBOLS.get(axis["parameter"], axis["parameter"]))
+        bar.set_label(found["name"])
+    for letter, axis in (("x", x), ("y", y)):
+        getattr(ax, f"set_{letter}label")(axis["name"])
         if axis["log"]:
             getattr(ax, f"set_{letter}scale")("log")
     return ax
