@@ -35,8 +35,8 @@ python_packages=(
   python3-sympy python3-pip python3-venv python3-setuptools python3-wheel python3-pytest mypy
 )
 [[ $verb == run ]] || packages+=("${test_packages[@]}" "${python_packages[@]}")
-# The documentation, and Debian packages with what looks them over.
-all_packages=(python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian)
+# The documentation, Debian packages with what looks them over, the page of `explore` and a browser for it.
+all_packages=(python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian nodejs npm chromium)
 [[ $verb != all ]] || packages+=("${all_packages[@]}")
 
 stage=

@@ -87,6 +87,10 @@ SheetSet::SheetSet(std::unique_ptr<SheetSource> source, const AtlasOptions& opti
 
 void SheetSet::search_at(std::size_t checkpoint, std::size_t number) {
   Checkpoint& at = checkpoints_[checkpoint];
+  if (stopped()) {
+    at.status = SearchStatus::interrupted;
+    return;
+  }
   const auto known = options_.known_search ? options_.known_search(number) : std::nullopt;
   const SearchResult result = known ? *known : source_->search(at.nu, options_.search);
   if (!known && options_.searched) options_.searched(number, result);

@@ -10,7 +10,7 @@ import stationary
 from conftest import SOURCES
 
 WORK = {
-    "atlas": "stationary.atlas(fold.set('continuation.step', 1e-6), checkpoints=1_000_000)",
+    "atlas": "stationary.atlas(fold, checkpoints=50_000)",
     "follow": "stationary.follow(fold.set({'continuation.tolerance': 1e-14, 'continuation.step': 1e-8}))\n"
     "while True: stationary.follow(fold)",
     "map": "stationary.map(fold.set('map', {'x': {'parameter': 'nu', 'from': 0.0, 'to': 0.5, 'count': 4000},"
