@@ -34,7 +34,8 @@ python_packages=(
   python3-dev pybind11-dev python3-numpy python3-pandas python3-xarray python3-matplotlib
   python3-sympy python3-pip python3-venv python3-setuptools python3-wheel python3-pytest mypy
 )
-[[ $verb == run ]] || packages+=("${test_packages[@]}" "${python_packages[@]}")
+[[ $verb == run ]] || packages+=("${test_packages[@]}")
+[[ $verb != all ]] || packages+=("${python_packages[@]}")
 # The documentation, Debian packages with what looks them over, the page of `explore` and a browser for it.
 all_packages=(python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian nodejs npm chromium)
 [[ $verb != all ]] || packages+=("${all_packages[@]}")
@@ -124,7 +125,9 @@ if [[ $verb == run ]]; then
   end_stage
   printf '\nOpen results/fold.svg: the stretches and the spectrum against nu. docs/tutorial.md goes on from here.\n'
 else
-  build release all -D STATIONARY_BUILD_TESTS=ON -D STATIONARY_TEST_COMPILER=clang++
+  python=OFF
+  [[ $verb != all ]] || python=ON
+  build release all -D STATIONARY_BUILD_TESTS=ON -D STATIONARY_TEST_COMPILER=clang++ -D STATIONARY_PYTHON=$python
   run_tests release
   # Under the sanitizers the mechanics alone: solver and program would take twice as long again.
   # `cmake --workflow --preset sanitize` runs these too.

@@ -141,6 +141,7 @@ void ArrayTable::put(const TableRow& row) {
 }
 
 void ArrayTable::commit(Metadata metadata) {
+  if (stop_ != nullptr && *stop_) return;
   metadata.rows = sink_->rows();
   metadata.checksum = sink_->checksum().text();
   metadata_ = metadata_json(metadata);

@@ -6,6 +6,7 @@
 //   numbers, and the counts that may be missing   doubles, NaN where nothing was computed
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -26,6 +27,9 @@ struct RecordField {
 
 class ArrayTable final : public TableTarget {
  public:
+  /// Nothing is kept of a computation that was told to end.
+  void keep_unless(const std::atomic<bool>& stop) { stop_ = &stop; }
+
   void prepare() override {}
   RowSink& open(const std::vector<Column>& columns, const std::vector<std::string>& parameters = {},
                 std::optional<std::size_t> rows = std::nullopt) override;
@@ -60,6 +64,7 @@ class ArrayTable final : public TableTarget {
   std::size_t record_size_ = 1;
   std::vector<std::byte> records_;
   std::shared_ptr<Sink> sink_;
+  const std::atomic<bool>* stop_ = nullptr;
   bool complete_ = false;
   std::string metadata_;
   std::string lasting_metadata_;  ///< without what depends on the run

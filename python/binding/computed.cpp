@@ -45,6 +45,7 @@ std::shared_ptr<Computed> computed(const Shared& input, std::optional<int> threa
   run.complain = [&lines = out->lines](const std::string& line) { lines.push_back(line); };
   interruptible([&](const std::atomic<bool>& stop) {
     run.stop = &stop;
+    out->table.keep_unless(stop);
     out->outcome = compute(*input, &out->table, run);
   });
   return out;

@@ -93,8 +93,9 @@ void write(const toml::node& node, std::ostream& out) {
   if (const toml::table* table = node.as_table()) {
     const char* between = "{ ";
     for (const auto& [key, each] : *table) {
-      out << std::exchange(between, ", ") << toml::value<std::string>(std::string(key.str()))
-          << " = ";
+      out << std::exchange(between, ", ");
+      write(toml::value<std::string>(std::string(key.str())), out);
+      out << " = ";
       write(each, out);
     }
     out << (table->empty() ? "{}" : " }");
@@ -106,6 +107,10 @@ void write(const toml::node& node, std::ostream& out) {
       write(each, out);
     }
     out << ']';
+  } else if (const auto* text = node.as_string()) {
+    // A basic string of TOML is JSON's.
+    const py::object json = py::module_::import("json").attr("dumps");
+    out << py::cast<std::string>(json(text->get()));
   } else if (const auto* number = node.as_floating_point()) {
     out << std::string(py::repr(py::float_(number->get())));  // the shortest that reads the same
   } else {

@@ -15,7 +15,7 @@ WRONG = {
     "text for a number": ("nu = 0.5", 'nu = "fast"'),
     "not finite": ("nu = 0.5", "nu = inf"),
     "no such branch": ('branch = "i"', 'branch = "iv"'),
-    "no such model": ("reciprocal-determinant", "reciprocal-determinat"),
+    "no such model": ('model = "reciprocal-determinant"', 'model = "reciprocal-determinat"'),
     "coefficient outside": ("c = 1.0", "c = -1.0"),
     "inertia": ("J = [1.0, 1.7, 0.6]", "J = [1.0, 0.0, 0.6]"),
     "too few numbers": ("J = [1.0, 1.7, 0.6]", "J = [1.0, 1.7]"),
