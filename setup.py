@@ -32,7 +32,7 @@ class CMakeBuild(build_ext):
             return release
         tree = ROOT / "build" / f"python-{sys.implementation.cache_tag}"
         subprocess.run(
-            ["cmake", "--preset", "release", "-B", tree, "-D", f"Python_EXECUTABLE={sys.executable}"]
+            ["cmake", "--preset", "release", "-B", tree, "-D", "STATIONARY_PYTHON=ON", "-D", f"Python_EXECUTABLE={sys.executable}"]
             + [f"-DSTATIONARY_BUILD_{part}=OFF" for part in ("TESTS", "BENCHMARKS")],
             cwd=ROOT,
             check=True,
