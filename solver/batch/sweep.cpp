@@ -19,7 +19,8 @@ Sweep::Sweep(const Problem& problem, const Equilibrium& start, const SweepOption
     throw std::invalid_argument("a sweep starts from a solved equilibrium");
   const double nu = start.nu[axis(problem.branch())];
   const Stretch& q = start.q;
-  past_[0] = {nu, {q.xi, q.zeta, q.rho}};
+  // What is not known yet is multiplied by zero in predict(): it must be a number.
+  past_.fill({nu, {q.xi, q.zeta, q.rho}});
   const CentrifugalRates<DoubleDouble> rates = problem.rates(two_product(nu, nu));
   circle_ = problem.branch() == Branch::iii && problem.body().symmetric() && q.xi == q.zeta;
   positive_ = problem.potential().visit([&](const auto& model) {
