@@ -23,9 +23,14 @@ def run(*arguments, cwd):
 
 
 def test_stubs_agree_with_the_module(tmp_path):
-    # The signatures of compiled functions are not to be seen by stubtest: names and kinds are.
+    # The signatures of compiled functions are not to be seen by stubtest: names and kinds are. A class's
+    # own entry is left out, for its metaclass is pybind11's, and its constructor; its members are compared.
+    classes = [name for name, what in vars(stationary._core).items() if isinstance(what, type)]
+    left_out = [f"stationary._core.{name}{part}\n" for name in classes for part in ("", ".__init__")]
+    (tmp_path / "classes.txt").write_text("".join(left_out))
     run(
         "mypy.stubtest", "stationary._core", "--ignore-missing-stub", "--mypy-config-file", "mypy.ini",
+        "--allowlist", "classes.txt", "--ignore-unused-allowlist",
         cwd=tmp_path,
     )
 
