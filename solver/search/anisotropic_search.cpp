@@ -8,8 +8,7 @@
 #include <tuple>
 
 #include "solver/proof/oriented_boxes.hpp"
-#include "solver/search/branch_and_prune.hpp"
-#include "solver/search/search_message.hpp"
+#include "solver/search/search_run.hpp"
 
 namespace stationary {
 namespace {
@@ -32,89 +31,66 @@ class OrientedSearch {
         branch_(branch),
         options_(options),
         system_{&models_, body, branch, nu},
-        boxes_(body, models_.potential, branch, nu, options.inputs) {}
+        boxes_(body, models_.potential, branch, nu, options.inputs),
+        search_(options) {}
 
   SearchResult run() {
     if constexpr (Layout::thickness) {
-      run_plane(nullptr);
+      search_.each_of(
+          plane(), [this](const Box<N>& box) { return stretch_box(box); },
+          [this](const Found& each) {
+            constexpr auto place = Layout::thickness_place;
+            add(each, {each.x[place], each.proof.solution[index(place)], 0.0, true});
+          });
     } else {
-      const auto& parts =
-          std::get<AnisotropicModel<double>::Separate>(models_.potential.model().base);
-      run_thickness(parts.thickness);
+      run_separate();
     }
-    for (auto* list : {&out_.solutions, &out_.unproven})
-      std::ranges::sort(*list, {}, [](const Equilibrium& each) {
-        return std::tuple(each.q.xi, each.q.zeta, each.q.rho, each.q.alpha, each.nu[1]);
-      });
-    if (out_.status != SearchStatus::interrupted)
-      out_.status = out_.undecided.empty() ? SearchStatus::complete : SearchStatus::undecided;
-    out_.message = search_message(options_, out_.status, out_.solutions.size(), out_.undecided) +
-                   unproven_text(out_.unproven.size());
+    SearchResult out = search_.finish([](const Equilibrium& each) {
+      return std::tuple(each.q.xi, each.q.zeta, each.q.rho, each.q.alpha, each.nu[1]);
+    });
     if (nearest_ < std::numeric_limits<double>::infinity()) {
       std::ostringstream text;
       text.precision(2);
       text << "; alpha = 0, which compatibility asks for about this axis, leaves a force V_alpha: "
               "the nearest residual is "
            << std::scientific << nearest_ << " of the largest term";
-      out_.message += text.str();
+      out.message += text.str();
     }
-    return std::move(out_);
+    return out;
   }
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  template <class System, class BoxSystem>
-  PruneResult<BoxSystem::dimension> prune(const System& system, const BoxSystem& boxes,
-                                          const Box<BoxSystem::dimension>& everything,
-                                          long max_boxes) {
-    const PruneOptions how{
-        .min_width = options_.min_width, .max_boxes = max_boxes, .stop = options_.stop};
-    auto found =
-        BranchAndPrune<System, BoxSystem>(system, boxes, Mirror::none, how).run(everything);
-    out_.boxes += found.boxes;
-    if (found.interrupted) out_.status = SearchStatus::interrupted;
-    return found;
-  }
-
-  void run_thickness(const AnyThickness<>& model) {
+  /// The thickness is a problem of its own.
+  void run_separate() {
+    const auto& model =
+        std::get<AnisotropicModel<double>::Separate>(models_.potential.model().base).thickness;
     const Branch about = Layout::axis ? Branch::i : branch_;
     const auto extended = axis_rates(body_, about, two_product(system_.nu, system_.nu)).rho;
     const Interval rate = about == Branch::iii ? Interval(0.0) : boxes_.J.J3 * boxes_.nu_squared;
     const auto interval =
         with_coefficients(model, [this](double c) { return as_input(c, options_.inputs); });
-    const auto axial = prune(ThicknessSystem<AnyThickness<>>{model, extended},
-                             ThicknessBoxSystem<AnyThickness<Interval>>{interval, rate},
-                             Box<1>{options_.range(2)}, options_.max_boxes);
-    if (out_.status == SearchStatus::interrupted) return;
-    // No thickness, no ellipsoid: whatever the plane does.
-    if (axial.solutions.empty() && axial.undecided.empty()) return;
-    run_plane(&axial);
+    const auto axial =
+        search_.prune(ThicknessSystem<AnyThickness<>>{model, extended},
+                      ThicknessBoxSystem<AnyThickness<Interval>>{interval, rate}, Mirror::none, 2);
+    if (search_.ends_with(axial)) return;
+    search_.combine(
+        plane(), axial, [this](const Box<N>& box) { return stretch_box(box); },
+        [this](const Found& each, const FoundThickness& rho) { add(each, rho); });
   }
 
-  void run_plane(const PruneResult<1>* axial) {
-    const auto plane = prune(system_, boxes_, everything(), box_factor * options_.max_boxes);
+  PruneResult<N> plane() {
+    auto out = search_.prune(system_, boxes_, Mirror::none, everything(), box_factor);
     // One axis is found twice where it is at both ends of the half turn searched.
     std::vector<Found> kept;
-    for (const auto* list : {&plane.solutions, &plane.unproven})
-      for (const Found& each : *list)
-        if (!on_material_axis(each) && !again(each, kept)) kept.push_back(each);
-    for (const Found& each : kept) with_thickness(each, axial);
-    for (const Box<N>& box : plane.undecided) {
-      StretchBox at = stretch_box(box);
-      if (axial == nullptr) {
-        out_.undecided.push_back(at);
-        continue;
-      }
-      for (const auto& rho : axial->solutions) {
-        at.rho = rho.proof.solution[0];
-        out_.undecided.push_back(at);
-      }
-      for (const Box<1>& rho : axial->undecided) {
-        at.rho = rho[0];
-        out_.undecided.push_back(at);
-      }
-    }
+    for (auto* list : {&out.solutions, &out.unproven})
+      std::erase_if(*list, [&](const Found& each) {
+        if (on_material_axis(each) || again(each, kept)) return true;
+        kept.push_back(each);
+        return false;
+      });
+    return out;
   }
 
   Box<N> everything() const {
@@ -179,57 +155,30 @@ class OrientedSearch {
     }
   }
 
-  void with_thickness(const Found& each, const PruneResult<1>* axial) {
-    if (axial == nullptr) {
-      if constexpr (Layout::thickness)
-        add(each, each.x[Layout::thickness_place], each.proof.solution[Layout::thickness_place],
-            0.0, true);
-      return;
-    }
-    for (const auto* thicknesses : {&axial->solutions, &axial->unproven})
-      for (const auto& rho : *thicknesses)
-        add(each, rho.x[0], rho.proof.solution[0], rho.proof.error_bound, rho.proof.proven);
-    if (!each.proof.proven) return;
-    for (const Box<1>& rho : axial->undecided) {
-      StretchBox at = stretch_box(each.proof.solution);
-      at.rho = rho[0];
-      out_.undecided.push_back(at);
-    }
-  }
-
-  void add(const Found& each, double rho, const Interval& proven_rho, double rho_bound,
-           bool proven_thickness) {
-    const bool proven = each.proof.proven && proven_thickness;
+  void add(const Found& each, const FoundThickness& rho) {
+    const bool proven = each.proof.proven && rho.proven;
     constexpr double factor = Layout::axis ? 2.0 : Layout::alpha ? 1.25 : 1.0;
-    auto y = all_coordinates<Layout>(each.x, rho);
-    y[oriented::w] = rho;
+    auto y = all_coordinates<Layout>(each.x, rho.rho);
+    y[oriented::w] = rho.rho;
     if (Layout::alpha && !Layout::axis && own_mirror(each, false)) y[oriented::a] = 1.0;
-    Equilibrium found;
-    found.status = SolveStatus::solved;
-    found.message = found_by_search(proven);
-    found.q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
-    found.error_bound = std::max(factor * each.proof.error_bound, rho_bound);
+    Equilibrium found =
+        equilibrium_of_search(oriented_stretch(y[0], y[1], y[2], y[3]).q,
+                              std::max(factor * each.proof.error_bound, rho.error_bound), proven);
     found.nu = angular_velocity(branch_, system_.nu);
     if constexpr (Layout::axis) {
       const AxisAngle<double> axis = axis_angle(y[4]);
       found.nu = {system_.nu * axis.cosine, system_.nu * axis.sine, 0.0};
     }
-    const BalanceCheck check = check_balance(body_, potential_, found.q, found.nu);
-    found.residual = check.residual;
-    found.compatibility = check.compatibility;
+    recompute_residual(body_, potential_, found);
     if (!Layout::alpha && !models_.potential.shear_free()) {
-      nearest_ = std::min(nearest_, check.residual);
+      nearest_ = std::min(nearest_, found.residual);
       if (!proven || !boxes_.shear_force(each.proof.solution).may_be(0.0)) return;
       StretchBox at = stretch_box(each.proof.solution);
-      at.rho = proven_rho;
-      out_.undecided.push_back(at);
+      at.rho = rho.solution;
+      search_.leave_undecided(at);
       return;
     }
-    if (proven) {
-      out_.solutions.push_back(found);
-    } else if (found.residual <= acceptable_residual) {
-      out_.unproven.push_back(found);
-    }
+    search_.add(found, proven);
   }
 
   const Body& body_;
@@ -240,7 +189,7 @@ class OrientedSearch {
   OrientedSystem<Layout> system_;
   OrientedBoxSystem<Layout> boxes_;
   double nearest_ = std::numeric_limits<double>::infinity();  ///< residual of what is no motion
-  SearchResult out_;
+  SearchRun search_;
 };
 
 template <bool alpha, bool axis>
@@ -256,7 +205,6 @@ SearchResult run(const Body& body, const Potential& potential, Branch branch, do
 }  // namespace
 
 SearchResult search_anisotropic(const Problem& problem, double nu, const SearchOptions& options) {
-  require_box(options);
   const Branch branch = problem.branch();
   // At rest no axis is asked for.
   if (branch == Branch::iii || nu == 0.0)
@@ -270,7 +218,6 @@ SearchResult search_oblique(const Body& body, const Potential& potential,
     throw std::invalid_argument("an anisotropic potential, for an oblique axis");
   if (!(motion.nu > 0.0 && std::isfinite(motion.nu)))
     throw std::invalid_argument("|nu| finite and > 0");
-  require_box(options);
   return run<true, true>(body, potential, Branch::i, motion.nu, options);
 }
 
