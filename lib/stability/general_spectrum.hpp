@@ -1,14 +1,9 @@
-// The spectrum of any stationary motion, by structure-preserving methods on the leaf
-// (symplectic_leaf.hpp):
-//
-//   E'' = L L^T definite:  x' = J E'' x is similar to the skew-symmetric L^T J L; its eigenvalues
-//                          are imaginary by construction
-//   else:                  Van Loan's square-reduced form: an orthogonal symplectic similarity
-//                          takes (J E'')^2 to [[A, *], [0, A^T]]; the five eigenvalues of A are
-//                          the Lambda, each once, so s comes in +- pairs by construction
-//
-// after a symplectic scaling, in the widest hardware format. Error bounds from left and right
-// eigenvectors and the leaf's magnitudes. Source: C. F. Van Loan, Lin. Alg. Appl. 61 (1984) 233.
+// The spectrum of any stationary motion, from the leaf (symplectic_leaf.hpp) in pairs of doubles:
+// the characteristic polynomial of the Lambda, of half the size where a reversing symmetry divides
+// the leaf (reversible_leaf.hpp), else of all of it (whole_leaf.hpp); its roots as factors of which
+// the nearest share one; vectors in double for energies and error bounds. Lambda is found, and s in
+// pairs by construction. Where the factors do not stand apart (three close Lambda) the shifted QR
+// algorithm in pairs takes the place of the polynomial.
 // The blocks (spectrum.hpp) are faster and sharper wherever they apply; the two agree there.
 #pragma once
 
@@ -31,12 +26,12 @@ struct GeneralFacts {
 };
 
 /// Also of a part of a leaf that the rest of it does not see.
-Spectrum general_spectrum(const GeneralFacts& facts, const Leaf<long double>& leaf);
+Spectrum general_spectrum(const GeneralFacts& facts, const Leaf& leaf);
 
 /// The leaf of a motion: evaluates V_qq in extended precision. q's entries are inputs of their own
 /// relative uncertainty; alpha counts as known to that of sqrt(xi zeta).
-Leaf<long double> motion_leaf(const Body& body, const Potential& potential,
-                              const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu);
+Leaf motion_leaf(const Body& body, const Potential& potential, const BasicStretch<DoubleDouble>& q,
+                 const Vector3<DoubleDouble>& nu);
 
 /// From a stationary motion (q, nu), whole.
 Spectrum general_spectrum(const Body& body, const Potential& potential,

@@ -5,80 +5,238 @@
 //   x' = J E'' x,   J = [[0, 1], [-1, 0]],   E = H - kappa |pi|^2/2,  kappa = nu . pi/|pi|^2
 //
 // delta pi = sqrt|pi| (b1 e1 + b2 e2) with (e1, e2, pi/|pi|) right-handed: pi' = nu x pi then reads
-// b1' = dE/db2, b2' = -dE/db1. With m = (pi, p), N = d(m)/dq at fixed velocity (inertia.hpp):
+// b1' = dE/db2, b2' = -dE/db1. With m = (pi, p), N = d(m)/dq at fixed velocity and M from
+// inertia.hpp, r = dm - N dq:
 //
-//   E''(m, q) = (dm - N dq)^T M^-1 (dm - N dq) + dq^T (V_qq - C(nu)) dq - kappa |d pi|^2.
+//   E''(m, q) = r^T M^-1 r + dq^T (V_qq - C(nu)) dq - kappa |d pi|^2,
+//   r^T M^-1 r = (I22 r1^2 - 2 I12 r1 r2 + I11 r2^2)/(I11 I22 - I12^2)
+//                + [(J1 + J2) s^2 + 2 g s r_alpha + (J1 xi^2 + J2 zeta^2) r_alpha^2]/D
+//                + r_xi^2/J1 + r_zeta^2/J2 + r_rho^2/J3,
+//   s = r3 + alpha (r_zeta - r_xi),  g = J1 xi - J2 zeta,  D = J1 J2 (xi + zeta)^2,
+//   I11 I22 - I12^2 = J1 J2 d^2 + J3 rho^2 (I11 + I22 - J3 rho^2),  d = xi zeta - alpha^2.
 //
-// At pi = 0 there is no b: 8 dimensions. q must be a stationary motion (not checked).
+// A symmetry of the motion leaves exact zeros, which cost nothing. At pi = 0 there is no b: 8
+// dimensions. q must be a stationary motion (not checked).
 #pragma once
 
-#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+#include <cstddef>
 
 #include "lib/body/body.hpp"
 #include "lib/body/inertia.hpp"
+#include "lib/number/first_order_bound.hpp"
 
 namespace stationary {
 
+/// 2 pairs x 2 pairs of these are used.
 template <class S>
+using LeafForm = std::array<std::array<S, 10>, 10>;
+
 struct Leaf {
-  int pairs;  ///< 5, or 4 at pi = 0: E'' is 2 pairs x 2 pairs
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> second_variation;
-  /// Magnitudes of the terms of each entry, for error bounds: |change| <= u magnitude for inputs of
-  /// relative uncertainty u.
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> magnitude;
+  std::size_t pairs;  ///< 5, or 4 at pi = 0; less of a part of it
+  LeafForm<DoubleDouble> second_variation;
+  /// |change| of an entry <= u magnitude for inputs of relative uncertainty u; 0 only where a
+  /// symmetry forces a zero.
+  LeafForm<double> magnitude;
 };
 
-/// V_qq and, for its entries, the conditioning (see first_order_bound.hpp), both 4x4.
+namespace leaf_detail {
+
+/// 0, whatever the inputs.
 template <class S>
-Leaf<S> leaf(const Body& body, const BasicStretch<S>& q, const Vector3<S>& nu,
-             const Matrix4<S>& V_qq, const Matrix4<S>& V_qq_condition) {
-  using Dense = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
-  using std::abs;
-  using std::sqrt;
-  const Matrix7<S> M = mass_matrix(body, q);
-  const Matrix7<S> M_inverse = M.ldlt().solve(Matrix7<S>::Identity());
-  const Matrix7<S> M_magnitude =
-      S(2.0) * M_inverse.cwiseAbs() * M.cwiseAbs() * M_inverse.cwiseAbs();
-  const Eigen::Matrix<S, 7, 4> N = steady_momenta_jacobian(body, q, nu);
-  const Matrix4<S> C = centrifugal_matrix(body, nu);
-  const Vector3<S> pi = locked_inertia(body, q) * nu;
-  const S size = sqrt(pi.squaredNorm());
-  const int b = size > S(0.0) ? 1 : 0;
-
-  // Columns: (m, q) of each canonical coordinate.
-  Dense T = Dense::Zero(11, 8 + 2 * b);
-  if (b == 1) {
-    int smallest = 0;
-    for (int k = 1; k < 3; ++k)
-      if (abs(pi[k]) < abs(pi[smallest])) smallest = k;
-    Vector3<S> aside = Vector3<S>::Zero();
-    aside[smallest] = S(1.0);
-    const Vector3<S> axis = pi / size;
-    const Vector3<S> e1 = aside.cross(axis).normalized();
-    const Vector3<S> e2 = axis.cross(e1);
-    T.col(0).template head<3>() = sqrt(size) * e1;
-    T.col(5).template head<3>() = sqrt(size) * e2;
+bool vanishes(const S& x) {
+  if constexpr (requires { x.condition; }) {
+    return x.value == 0.0 && x.condition == 0.0;
+  } else {
+    return leading(x) == 0.0;
   }
-  for (int k = 0; k < 4; ++k) {
-    T(7 + k, b + k) = S(1.0);
-    T(3 + k, 4 + 2 * b + k) = S(1.0);
-  }
+}
 
-  Dense full(11, 11);
-  full << M_inverse, -M_inverse * N, -(M_inverse * N).transpose(),
-      V_qq - C + N.transpose() * M_inverse * N;
-  Dense magnitude(11, 11);
-  const Eigen::Matrix<S, 7, 4> mixed = M_magnitude * N.cwiseAbs();
-  magnitude << M_magnitude, S(2.0) * mixed, S(2.0) * mixed.transpose(),
-      V_qq_condition + S(3.0) * C.cwiseAbs() + S(4.0) * N.cwiseAbs().transpose() * mixed;
-  if (b == 1) {
-    const S kappa = nu.dot(pi) / (size * size);
-    for (int k = 0; k < 3; ++k) {
-      full(k, k) -= kappa;
-      magnitude(k, k) += S(4.0) * abs(kappa);
+/// A linear form of the ten coordinates.
+template <class S>
+struct LinearForm {
+  std::array<S, 10> c;
+  std::array<std::size_t, 10> at;  ///< where it is not zero, ascending
+  std::size_t count = 0;
+
+  LinearForm() { c.fill(S(0.0)); }
+  void find() {
+    count = 0;
+    for (std::size_t k = 0; k < 10; ++k)
+      if (!vanishes(c[k])) at[count++] = k;
+  }
+};
+
+/// a x + b y.
+template <class S>
+LinearForm<S> combined(const S& a, const LinearForm<S>& x, const S& b, const LinearForm<S>& y) {
+  LinearForm<S> out;
+  if (!vanishes(a))
+    for (std::size_t k = 0; k < x.count; ++k) out.c[x.at[k]] = a * x.c[x.at[k]];
+  if (!vanishes(b)) {
+    for (std::size_t k = 0; k < y.count; ++k) {
+      S& entry = out.c[y.at[k]];
+      const S term = b * y.c[y.at[k]];
+      entry = vanishes(entry) ? term : S(entry + term);
     }
   }
-  return {4 + b, T.transpose() * full * T, T.cwiseAbs().transpose() * magnitude * T.cwiseAbs()};
+  out.find();
+  return out;
+}
+
+/// The upper triangle of x y^T; with others to come that make the sum symmetric.
+template <class S>
+void add_product(const LinearForm<S>& x, const LinearForm<S>& y, LeafForm<S>& out) {
+  for (std::size_t a = 0; a < x.count; ++a) {
+    const std::size_t i = x.at[a];
+    for (std::size_t b = 0; b < y.count; ++b) {
+      const std::size_t j = y.at[b];
+      if (j >= i) out[i][j] = out[i][j] + x.c[i] * y.c[j];
+    }
+  }
+}
+
+}  // namespace leaf_detail
+
+/// E'' in any number type; V_qq in the same. Without b (nu = 0) rows and columns 0 and 5 are left
+/// out.
+template <class S, class Inertias>
+LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, const Vector3<S>& nu,
+                             const Matrix4<S>& V_qq) {
+  using leaf_detail::add_product;
+  using leaf_detail::combined;
+  using leaf_detail::LinearForm;
+  using leaf_detail::vanishes;
+  using std::sqrt;
+  constexpr std::size_t b1 = 0, alpha = 1, xi = 2, zeta = 3, rho = 4;
+  constexpr std::size_t b2 = 5, p_alpha = 6, p_xi = 7, p_zeta = 8, p_rho = 9;
+  const auto& J1 = body.J1;
+  const auto& J2 = body.J2;
+  const auto& J3 = body.J3;
+  LeafForm<S> out;
+  for (auto& row : out) row.fill(S(0.0));
+
+  const S one(1.0);
+  const S none(0.0);
+  const S thick = J3 * (q.rho * q.rho);
+  const S alpha2 = q.alpha * q.alpha;
+  const S plane = J1 * (q.xi * q.xi) + J2 * (q.zeta * q.zeta);  // I33 but for alpha
+  const S side1 = J2 * (q.zeta * q.zeta) + J1 * alpha2;         // I11 but for rho
+  const S side2 = J1 * (q.xi * q.xi) + J2 * alpha2;
+  const S I11 = side1 + thick;
+  const S I22 = side2 + thick;
+  const S I12 = -((J1 * q.xi + J2 * q.zeta) * q.alpha);
+  const S I33 = plane + (S(J1) + J2) * alpha2;
+
+  LinearForm<S> r1, r2, r3, r_alpha;
+  const Eigen::Matrix<S, 7, 4> N = steady_momenta_jacobian(body, q, nu);
+  for (int k = 0; k < 4; ++k) {
+    const auto column = alpha + static_cast<std::size_t>(k);
+    r1.c[column] = -N(0, k);
+    r2.c[column] = -N(1, k);
+    r3.c[column] = -N(2, k);
+    r_alpha.c[column] = -N(3, k);
+  }
+  r_alpha.c[p_alpha] = one;
+  const std::array<S, 3> pi{I11 * nu[0] + I12 * nu[1], I12 * nu[0] + I22 * nu[1], I33 * nu[2]};
+  const S squared = pi[0] * pi[0] + pi[1] * pi[1] + pi[2] * pi[2];
+  if (!vanishes(squared)) {
+    const S size = sqrt(squared);
+    const S root = sqrt(size);
+    const std::array<S, 3> axis{pi[0] / size, pi[1] / size, pi[2] / size};
+    std::size_t aside = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (std::abs(leading(pi[k])) < std::abs(leading(pi[aside]))) aside = k;
+    // e1 = e_aside x axis, of length one; e2 = axis x e1.
+    const std::size_t next = (aside + 1) % 3;
+    const std::size_t last = (aside + 2) % 3;
+    std::array<S, 3> e1{none, none, none};
+    std::array<S, 3> e2{none, none, none};
+    e1[next] = -axis[last];
+    e1[last] = axis[next];
+    e2[aside] = one;
+    if (!vanishes(axis[aside])) {
+      const S length = sqrt(S(axis[next] * axis[next] + axis[last] * axis[last]));
+      e1[next] = e1[next] / length;
+      e1[last] = e1[last] / length;
+      e2[aside] = length;
+      e2[next] = -(axis[aside] * axis[next] / length);
+      e2[last] = -(axis[aside] * axis[last] / length);
+    }
+    LinearForm<S>* const r[3] = {&r1, &r2, &r3};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!vanishes(e1[k])) r[k]->c[b1] = root * e1[k];
+      if (!vanishes(e2[k])) r[k]->c[b2] = root * e2[k];
+    }
+    const S own = -((nu[0] * pi[0] + nu[1] * pi[1] + nu[2] * pi[2]) / size);  // -kappa |pi|
+    out[b1][b1] = out[b2][b2] = own;
+  }
+
+  // (pi1, pi2).
+  r1.find();
+  r2.find();
+  if (vanishes(I12)) {
+    add_product(r1, combined(S(one / I11), r1, none, r1), out);
+    add_product(r2, combined(S(one / I22), r2, none, r2), out);
+  } else {
+    const S d = q.xi * q.zeta - alpha2;
+    const S det = J1 * (J2 * (d * d)) + thick * (side1 + side2 + thick);
+    const S mixed = -(I12 / det);
+    add_product(r1, combined(S(I22 / det), r1, mixed, r2), out);
+    add_product(r2, combined(mixed, r1, S(I11 / det), r2), out);
+  }
+
+  // (pi3, p_alpha), and of (p_xi, p_zeta) what moves with them.
+  LinearForm<S>& s = r3;
+  if (!vanishes(q.alpha)) {
+    // r_zeta - r_xi = dp_zeta - dp_xi + (J1 + J2) nu3 d alpha
+    s.c[p_xi] = -q.alpha;
+    s.c[p_zeta] = q.alpha;
+    if (!vanishes(nu[2])) s.c[alpha] = s.c[alpha] + q.alpha * ((S(J1) + J2) * nu[2]);
+  }
+  s.find();
+  r_alpha.find();
+  const S sum = q.xi + q.zeta;
+  const S per_D = one / (J1 * (J2 * (sum * sum)));
+  const S g = (J1 * q.xi - J2 * q.zeta) * per_D;
+  add_product(s, combined(S((S(J1) + J2) * per_D), s, g, r_alpha), out);
+  add_product(r_alpha, combined(g, s, S(plane * per_D), r_alpha), out);
+
+  // r_xi = dp_xi - J1 nu3 d alpha, r_zeta = dp_zeta + J2 nu3 d alpha: their squares take nu3 from
+  // C's alpha, alpha.
+  const auto add = [&](std::size_t i, std::size_t j, const S& x) { out[i][j] = out[i][j] + x; };
+  add(p_xi, p_xi, one / S(J1));
+  add(p_zeta, p_zeta, one / S(J2));
+  add(p_rho, p_rho, one / S(J3));
+  if (!vanishes(nu[2])) {
+    add(alpha, p_xi, -nu[2]);
+    add(alpha, p_zeta, nu[2]);
+  }
+  const S square_1 = nu[0] * nu[0];
+  const S square_2 = nu[1] * nu[1];
+  const S square_3 = nu[2] * nu[2];
+  add(alpha, alpha, V_qq(0, 0) - (J1 * square_1 + J2 * square_2));
+  add(xi, xi, V_qq(1, 1) - J1 * (square_2 + square_3));
+  add(zeta, zeta, V_qq(2, 2) - J2 * (square_1 + square_3));
+  add(rho, rho, V_qq(3, 3) - J3 * (square_1 + square_2));
+  const S product = nu[0] * nu[1];
+  const bool in_plane = !vanishes(product);
+  add(alpha, xi, in_plane ? S(V_qq(0, 1) + J1 * product) : V_qq(0, 1));
+  add(alpha, zeta, in_plane ? S(V_qq(0, 2) + J2 * product) : V_qq(0, 2));
+  add(alpha, rho, V_qq(0, 3));
+  add(xi, zeta, V_qq(1, 2));
+  add(xi, rho, V_qq(1, 3));
+  add(zeta, rho, V_qq(2, 3));
+
+  if (vanishes(squared)) {
+    for (std::size_t i = 0; i < 8; ++i)
+      for (std::size_t j = i; j < 8; ++j)
+        out[i][j] = out[i < 4 ? i + 1 : i + 2][j < 4 ? j + 1 : j + 2];
+  }
+  for (std::size_t i = 0; i < 10; ++i)
+    for (std::size_t j = 0; j < i; ++j) out[i][j] = out[j][i];
+  return out;
 }
 
 }  // namespace stationary

@@ -10,21 +10,18 @@
 namespace stationary {
 namespace {
 
-using Real = long double;
-using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-
 /// The part of a leaf with these coordinates and their momenta.
-Leaf<Real> part_of(const Leaf<Real>& whole, const std::vector<int>& coordinates) {
-  const auto n = static_cast<Eigen::Index>(coordinates.size());
-  Leaf<Real> out{static_cast<int>(n), Dense(2 * n, 2 * n), Dense(2 * n, 2 * n)};
-  const auto place = [&](Eigen::Index k) {
-    const int own = coordinates[static_cast<std::size_t>(k % n)];
-    return static_cast<Eigen::Index>(k < n ? own : own + whole.pairs);
+Leaf part_of(const Leaf& whole, const std::vector<std::size_t>& coordinates) {
+  const std::size_t n = coordinates.size();
+  Leaf out;
+  out.pairs = n;
+  const auto place = [&](std::size_t k) {
+    return k < n ? coordinates[k] : coordinates[k - n] + whole.pairs;
   };
-  for (Eigen::Index i = 0; i < 2 * n; ++i) {
-    for (Eigen::Index j = 0; j < 2 * n; ++j) {
-      out.second_variation(i, j) = whole.second_variation(place(i), place(j));
-      out.magnitude(i, j) = whole.magnitude(place(i), place(j));
+  for (std::size_t i = 0; i < 2 * n; ++i) {
+    for (std::size_t j = 0; j < 2 * n; ++j) {
+      out.second_variation[i][j] = whole.second_variation[place(i)][place(j)];
+      out.magnitude[i][j] = whole.magnitude[place(i)][place(j)];
     }
   }
   return out;
@@ -66,12 +63,12 @@ Spectrum united(const std::vector<std::pair<Block, Spectrum>>& parts) {
 
 /// (iii), at any alpha: the reflection in the plane of axes 1 and 2 leaves pi1, pi2 to themselves,
 /// and of a separable V rho.
-Spectrum about_third(const Leaf<Real>& whole, bool separable, double uncertainty) {
+Spectrum about_third(const Leaf& whole, bool separable, double uncertainty) {
   const GeneralFacts facts{MaterialSymmetry::none, uncertainty};
-  const int first = whole.pairs == 5 ? 1 : 0;  // alpha; before it b1, where there is one
+  const std::size_t first = whole.pairs == 5 ? 1 : 0;  // alpha; before it b1, where there is one
   std::vector<std::pair<Block, Spectrum>> parts;
   if (first == 1) parts.emplace_back(Block::odd, general_spectrum(facts, part_of(whole, {0})));
-  std::vector<int> plane{first, first + 1, first + 2};
+  std::vector<std::size_t> plane{first, first + 1, first + 2};
   if (separable) {
     parts.emplace_back(Block::thickness, general_spectrum(facts, part_of(whole, {first + 3})));
   } else {

@@ -13,15 +13,19 @@ namespace {
 
 /// H = (p1^2 + p2^2)/2 + w (q1 p2 - q2 p1) + e (q1^2 + q2^2)/2: s = i (w +- sqrt e), of opposite
 /// signatures for 0 < e < w^2, a quadruple for e < 0. e is known to the uncertainty of the inputs.
-Leaf<long double> two_frequencies(double w, double e) {
-  Leaf<long double> out;
+Leaf two_frequencies(double w, double e) {
+  Leaf out{};
   out.pairs = 2;
-  out.second_variation.setZero(4, 4);
-  out.second_variation.diagonal() << e, e, 1.0, 1.0;
-  out.second_variation(0, 3) = out.second_variation(3, 0) = w;
-  out.second_variation(1, 2) = out.second_variation(2, 1) = -w;
-  out.magnitude = out.second_variation.cwiseAbs();
-  out.magnitude(0, 0) = out.magnitude(1, 1) = 1.0;
+  const auto set = [&](std::size_t i, std::size_t j, double value, double magnitude) {
+    out.second_variation[i][j] = out.second_variation[j][i] = value;
+    out.magnitude[i][j] = out.magnitude[j][i] = magnitude;
+  };
+  set(0, 0, e, 1.0);
+  set(1, 1, e, 1.0);
+  set(2, 2, 1.0, 1.0);
+  set(3, 3, 1.0, 1.0);
+  set(0, 3, w, w);
+  set(1, 2, -w, w);
   return out;
 }
 

@@ -1,0 +1,364 @@
+// Leaves that a reversing symmetry divides: where coordinates u and v = J u can be chosen, of each
+// pair one, so that
+//
+//   E'' = u^T A u + v^T B v,   u' = B v,  v' = -A u,
+//
+// the Lambda are the eigenvalues of -B A. Axes in the plane of 1 and 2 have it of every V (the
+// reflection of axis 3, with time reversed: u = x, v = p), tilted ones of an isotropic V (there
+// alpha and p_alpha change places). It is seen from the entries of E'' that are zero by structure.
+//
+// Vectors: A u = a v, B v = b u, Lambda = -a b; the energy of an imaginary mode has the sign of a,
+// and of b. For changes dA, dB the matrix in the basis of the u moves by -v_i^T dB v_j a_j
+// - b_i u_i^T dA u_j, where u_i^T v_i = 1.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+
+#include "lib/stability/eigenvalue_discs.hpp"
+#include "lib/stability/form_signs.hpp"
+#include "lib/stability/leaf_modes.hpp"
+#include "lib/stability/leaf_roots.hpp"
+#include "lib/stability/symplectic_leaf.hpp"
+
+namespace stationary {
+
+template <std::size_t n>
+struct ReversibleLeaf {
+  Square<DoubleDouble, n> A;
+  Square<DoubleDouble, n> B;
+  Square<double, n> A_magnitude;
+  Square<double, n> B_magnitude;
+};
+
+/// Nothing where no choice of u parts E''.
+template <std::size_t n>
+std::optional<ReversibleLeaf<n>> reversible(const Leaf& leaf) {
+  const auto& size = leaf.magnitude;
+  // u_k is x_k or p_k: those coupled with like ones alike, with unlike ones unlike.
+  std::array<int, n> exchanged;
+  exchanged.fill(-1);
+  for (std::size_t seed = 0; seed < n; ++seed) {
+    if (exchanged[seed] >= 0) continue;
+    exchanged[seed] = 0;
+    std::array<std::size_t, n> queue{seed};
+    for (std::size_t head = 0, tail = 1; head < tail; ++head) {
+      const std::size_t i = queue[head];
+      if (size[i][n + i] != 0.0) return std::nullopt;
+      for (std::size_t j = 0; j < n; ++j) {
+        if (j == i) continue;
+        const bool alike = size[i][j] != 0.0 || size[n + i][n + j] != 0.0;
+        const bool unlike = size[i][n + j] != 0.0 || size[n + i][j] != 0.0;
+        if (!alike && !unlike) continue;
+        if (alike && unlike) return std::nullopt;
+        const int wanted = exchanged[i] ^ static_cast<int>(unlike);
+        if (exchanged[j] < 0) {
+          exchanged[j] = wanted;
+          queue[tail++] = j;
+        } else if (exchanged[j] != wanted) {
+          return std::nullopt;
+        }
+      }
+    }
+  }
+  ReversibleLeaf<n> out;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      // u = (x or p), v = (p or -x).
+      const std::size_t ui = exchanged[i] != 0 ? n + i : i;
+      const std::size_t uj = exchanged[j] != 0 ? n + j : j;
+      const std::size_t vi = exchanged[i] != 0 ? i : n + i;
+      const std::size_t vj = exchanged[j] != 0 ? j : n + j;
+      out.A[i][j] = leaf.second_variation[ui][uj];
+      out.A_magnitude[i][j] = size[ui][uj];
+      const DoubleDouble& entry = leaf.second_variation[vi][vj];
+      out.B[i][j] = exchanged[i] != exchanged[j] ? -entry : entry;
+      out.B_magnitude[i][j] = size[vi][vj];
+    }
+  }
+  return out;
+}
+
+namespace reversible_detail {
+
+template <std::size_t n, class T>
+using Vectors = std::array<std::array<T, n>, n>;
+
+template <std::size_t n, class T>
+Vectors<n, double> magnitudes(const Vectors<n, T>& x) {
+  Vectors<n, double> out;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k) out[i][k] = std::abs(x[i][k]);
+  return out;
+}
+
+/// x_i^T F x_j.
+template <std::size_t n>
+Square<double, n> form_of(const Square<double, n>& F, const Vectors<n, double>& x) {
+  Square<double, n> out;
+  for (std::size_t j = 0; j < n; ++j) {
+    std::array<double, n> Fx;
+    for (std::size_t k = 0; k < n; ++k) {
+      Fx[k] = 0.0;
+      for (std::size_t l = 0; l < n; ++l) Fx[k] += F[k][l] * x[j][l];
+    }
+    for (std::size_t i = 0; i <= j; ++i) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < n; ++k) sum += x[i][k] * Fx[k];
+      out[i][j] = out[j][i] = sum;
+    }
+  }
+  return out;
+}
+
+template <std::size_t n, class T>
+T dot(const std::array<T, n>& x, const std::array<T, n>& y) {
+  T sum = x[0] * y[0];
+  for (std::size_t k = 1; k < n; ++k) sum += x[k] * y[k];
+  return sum;
+}
+
+/// x^T F x of a complex vector, F real and symmetric.
+template <std::size_t n, class T>
+T form(const Square<double, n>& F, const std::array<T, n>& x) {
+  T sum(0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    T row(0.0);
+    for (std::size_t j = 0; j < n; ++j) row += F[i][j] * x[j];
+    sum += x[i] * row;
+  }
+  return sum;
+}
+
+}  // namespace reversible_detail
+
+template <std::size_t n>
+class ReversibleProblem {
+ public:
+  ReversibleProblem(const ReversibleLeaf<n>& leaf, const LeafFacts& facts)
+      : leaf_(leaf), facts_(facts) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const double ratio = leaf.A_magnitude[k][k] / leaf.B_magnitude[k][k];
+      scale_[k] = ratio > 0.0 && ratio < HUGE_VAL ? std::scalbn(1.0, std::ilogb(ratio) / 4) : 1.0;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        A_[i][j] = leading(leaf.A[i][j]);
+        B_[i][j] = leading(leaf.B[i][j]);
+      }
+    }
+  }
+
+  LeafModes<n> modes() {
+    LeafModes<n> out;
+    count_signs(out);
+    // -B A of scaled coordinates, and of Lambda of order one.
+    Square<DoubleDouble, n> M;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      M[i].fill(DoubleDouble(0.0));
+      for (std::size_t k = 0; k < n; ++k) {
+        if (leaf_.B_magnitude[i][k] == 0.0) continue;
+        const DoubleDouble b = -leaf_.B[i][k];
+        for (std::size_t j = 0; j < n; ++j) M[i][j] = M[i][j] + b * leaf_.A[k][j];
+      }
+      for (std::size_t j = 0; j < n; ++j) {
+        const double by = scale_[i] / scale_[j];
+        M[i][j] = renormalized(M[i][j]);
+        M[i][j].hi *= by;
+        M[i][j].lo *= by;
+        largest = std::fmax(largest, std::abs(M[i][j].hi));
+      }
+    }
+    unit_ = largest > 0.0 && largest < HUGE_VAL ? std::scalbn(1.0, std::ilogb(largest)) : 1.0;
+    for (auto& row : M) {
+      for (DoubleDouble& entry : row) {
+        entry.hi /= unit_;
+        entry.lo /= unit_;
+      }
+    }
+    const Hessenberg<DoubleDouble, n> hessenberg(M);
+    const HessenbergPolynomial<DoubleDouble, n> p(hessenberg.h);
+    const LeafRoots<n> roots = facts_.forced_zero ? leaf_roots<n, 1>(p.c, p.magnitude)
+                                                  : leaf_roots<n, 0>(p.c, p.magnitude);
+    if (roots.sure && follow(hessenberg, roots, false, out)) return out;
+    if (const auto values = shifted_qr<DoubleDouble, n>(hessenberg.h))
+      follow(hessenberg, gathered<n, n>(*values, 0x1p-92, facts_.forced_zero), true, out);
+    return out;
+  }
+
+ private:
+  using Complex = std::complex<double>;
+
+  void count_signs(LeafModes<n>& out) const {
+    const auto scale_A = unit_scales(leaf_.A_magnitude);
+    const auto scale_B = unit_scales(leaf_.B_magnitude);
+    const PivotSigns A = pivot_signs(leaf_.A, scale_A, facts_.forced_zero);
+    const PivotSigns B = pivot_signs(leaf_.B, scale_B, facts_.forced_zero);
+    out.negative = A.negative + B.negative;
+    if (facts_.forced_zero) {
+      const PivotSigns& zero = A.weakest < B.weakest ? A : B;
+      out.negative -= zero.last_negative;
+    }
+    const double u = facts_.uncertainty;
+    out.definite = out.negative == 0 && !facts_.forced_zero &&
+                   positive_definite(leaf_.A, leaf_.A_magnitude, scale_A, u) &&
+                   positive_definite(leaf_.B, leaf_.B_magnitude, scale_B, u);
+  }
+
+  bool follow(const Hessenberg<DoubleDouble, n>& hessenberg, const LeafRoots<n>& roots, bool last,
+              LeafModes<n>& out) const {
+    for (const Complex& lambda : roots.lambda)
+      if (lambda.imag() != 0.0) return follow_as<Complex>(hessenberg, roots, last, out);
+    return follow_as<double>(hessenberg, roots, last, out);
+  }
+
+  /// Vectors, energies and bounds. False where they call for better roots, unless these are the
+  /// last ones to be had.
+  template <class T>
+  bool follow_as(const Hessenberg<DoubleDouble, n>& hessenberg, const LeafRoots<n>& roots,
+                 bool last, LeafModes<n>& out) const {
+    using namespace reversible_detail;
+    out.forced = roots.forced;
+    Square<double, n> h;
+    double h_size = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        h[i][j] = leading(hessenberg.h[i][j]);
+        h_size = std::fmax(h_size, std::abs(h[i][j]));
+      }
+    }
+    Vectors<n, T> u;
+    Vectors<n, T> v;
+    std::array<T, n> lambda;
+    std::array<double, n> rounding;
+    std::array<double, n> bend;
+    for (std::size_t i = 0; i < n; ++i) {
+      if constexpr (std::is_same_v<T, double>) {
+        lambda[i] = roots.lambda[i].real();
+      } else {
+        lambda[i] = roots.lambda[i];
+      }
+      NullVectors<T, n> x = null_vectors<T, n>(h, lambda[i]);
+      hessenberg.carry_right(x.right);
+      hessenberg.carry_left(x.left);
+      double right = 0.0;
+      double left = 0.0;
+      for (std::size_t k = 0; k < n; ++k) {
+        right += one_norm(x.right[k]);
+        left += one_norm(x.left[k]);
+        u[i][k] = x.right[k] * (1.0 / scale_[k]);
+        v[i][k] = x.left[k] * scale_[k];
+      }
+      rounding[i] = right * left;
+      bend[i] = one_norm(x.bend);
+      if (last) part_from_close(lambda, i, u, v);
+    }
+    // u_i^T v_i = 1.
+    std::array<T, n> a;
+    std::array<T, n> b;
+    for (std::size_t i = 0; i < n; ++i) {
+      const T per_c = inverse(dot(u[i], v[i]));
+      rounding[i] *= one_norm(per_c);
+      bend[i] *= one_norm(per_c);
+      for (T& each : u[i]) each = each * per_c;
+      a[i] = form(A_, u[i]);
+      b[i] = form(B_, v[i]);
+    }
+    const Square<double, n> in_A = form_of(leaf_.A_magnitude, magnitudes(u));
+    const Square<double, n> in_B = form_of(leaf_.B_magnitude, magnitudes(v));
+    std::array<double, n> t;  // u_i -> t u_i, v_i -> v_i/t: both alike in size
+    for (std::size_t i = 0; i < n; ++i) t[i] = std::sqrt(std::sqrt(in_B[i][i] / in_A[i][i]));
+    Square<double, n> d;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double bi = one_norm(b[i]) / t[i];
+      for (std::size_t j = 0; j < n; ++j) {
+        const double aj = one_norm(a[j]) * t[j];
+        d[i][j] = facts_.uncertainty * (aj * in_B[i][j] / t[i] + bi * in_A[i][j] * t[j]);
+        if (i == roots.forced || j == roots.forced) d[i][j] = 0.0;
+      }
+      for (std::size_t j = 0; j < n; ++j) {
+        const double distance = std::abs(lambda[i] - lambda[j]);
+        if (i == j || distance > 0x1p-20) continue;
+        // Close ones: are these two directions?
+        const double overlap = one_norm(dot(v[i], u[j])) * (t[j] / t[i]);
+        if (!last && !(overlap < 0x1p-10)) return false;
+        if (overlap < 0x1p-4) {
+          d[i][j] += unit_ * distance;
+          continue;
+        }
+        // One, as far as can be seen: they move by the square root of the change.
+        const double changed = facts_.uncertainty * (factor(A_, u[i], v[i]) * in_B[i][i] +
+                                                     factor(B_, v[i], u[i]) * in_A[i][i]);
+        d[i][i] = d[i][j] = unit_ * distance + 2.0 * std::sqrt(unit_ * changed / bend[i]);
+      }
+      // They are vectors of -B A with this Lambda.
+      const T off = a[i] * b[i] + lambda[i] * unit_;
+      const double terms = one_norm(a[i]) * in_B[i][i] + one_norm(b[i]) * in_A[i][i];
+      if (!last && !(one_norm(off) <= 1e-6 * terms)) return false;
+      rounding[i] = unit_ * (0x1p-94 * h_size * rounding[i] + roots.error[i]);
+      out.lambda[i] = lambda[i] * unit_;
+    }
+    out.error = eigenvalue_discs(out.lambda, d);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i != roots.forced && !last && !(rounding[i] <= 0x1p-8 * out.error[i])) return false;
+      out.error[i] += rounding[i] + 0x1p-53 * one_norm(out.lambda[i]);
+      out.energy[i] = 0;
+      if (out.lambda[i].imag() != 0.0 || out.lambda[i].real() >= 0.0) continue;
+      const double by_A = std::real(a[i]) / in_A[i][i];
+      const double by_B = std::real(b[i]) / in_B[i][i];
+      const double surer = std::abs(by_A) > std::abs(by_B) ? by_A : by_B;
+      out.energy[i] = surer > energy_doubt ? 1 : surer < -energy_doubt ? -1 : 0;
+    }
+    return true;
+  }
+
+  /// |a| of F x = a y.
+  template <class T>
+  static double factor(const Square<double, n>& F, const std::array<T, n>& x,
+                       const std::array<T, n>& y) {
+    double image = 0.0;
+    double size = 0.0;
+    for (std::size_t k = 0; k < n; ++k) {
+      T row(0.0);
+      for (std::size_t j = 0; j < n; ++j) row += F[k][j] * x[j];
+      image += one_norm(row);
+      size += one_norm(y[k]);
+    }
+    return image / size;
+  }
+
+  /// Of several that all but coincide each its own direction, where they have as many.
+  template <class T>
+  static void part_from_close(const std::array<T, n>& lambda, std::size_t i,
+                              reversible_detail::Vectors<n, T>& u,
+                              reversible_detail::Vectors<n, T>& v) {
+    using reversible_detail::dot;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (std::abs(lambda[i] - lambda[j]) > 0x1p-30) continue;
+      const T c = dot(u[j], v[j]);
+      double terms = 0.0;
+      for (std::size_t k = 0; k < n; ++k) terms += one_norm(u[j][k]) * one_norm(v[j][k]);
+      if (one_norm(c) < 0x1p-12 * terms) continue;  // not of that kind
+      const T right = dot(v[j], u[i]) * inverse(c);
+      const T left = dot(u[j], v[i]) * inverse(c);
+      for (std::size_t k = 0; k < n; ++k) {
+        u[i][k] -= right * u[j][k];
+        v[i][k] -= left * v[j][k];
+      }
+    }
+  }
+
+  const ReversibleLeaf<n>& leaf_;
+  LeafFacts facts_;
+  std::array<double, n> scale_;
+  Square<double, n> A_;
+  Square<double, n> B_;
+  double unit_ = 1.0;
+};
+
+}  // namespace stationary

@@ -1,0 +1,261 @@
+// Leaves that no reversing symmetry divides, as a whole: H = J E'' to Hessenberg form, its
+// characteristic polynomial, even but for rounding, as one in Lambda = s^2.
+//
+// With z, w the vectors of s and -s (w conjugate to z where s is imaginary) the left vector of s is
+// J w up to sign, and a change dE moves the matrix of H^2 in the basis of all z, w by
+// (s_i + s_j) w_i^T dE z_j/(w_i^T J^-1 z_i), but for squares of dE.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+
+#include "lib/stability/eigenvalue_discs.hpp"
+#include "lib/stability/form_signs.hpp"
+#include "lib/stability/leaf_modes.hpp"
+#include "lib/stability/leaf_roots.hpp"
+#include "lib/stability/symplectic_leaf.hpp"
+
+namespace stationary {
+
+template <std::size_t n>
+class WholeLeafProblem {
+ public:
+  WholeLeafProblem(const Leaf& leaf, const LeafFacts& facts) : facts_(facts) {
+    for (std::size_t i = 0; i < N; ++i) {
+      for (std::size_t j = 0; j < N; ++j) {
+        E_[i][j] = leaf.second_variation[i][j];
+        magnitude_[i][j] = leaf.magnitude[i][j];
+      }
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      const double ratio = magnitude_[n + k][n + k] / magnitude_[k][k];
+      const bool finite = ratio > 0.0 && ratio < HUGE_VAL;
+      scale_[k] = finite ? std::scalbn(1.0, std::ilogb(ratio) / 4) : 1.0;
+      scale_[n + k] = 1.0 / scale_[k];
+    }
+  }
+
+  LeafModes<n> modes() {
+    LeafModes<n> out;
+    const auto own = unit_scales(magnitude_);
+    const PivotSigns signs = pivot_signs(E_, own, facts_.forced_zero);
+    out.negative = signs.negative - (facts_.forced_zero && signs.last_negative);
+    out.definite = out.negative == 0 && !facts_.forced_zero &&
+                   positive_definite(E_, magnitude_, own, facts_.uncertainty);
+    // H of scaled coordinates, x_k -> x_k/c_k, p_k -> c_k p_k, and of s of order one.
+    Square<DoubleDouble, N> H;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < N; ++i) {
+      for (std::size_t j = 0; j < N; ++j) {
+        const DoubleDouble& entry = E_[i < n ? n + i : i - n][j];
+        const double by = scale_[i] / scale_[j] * (i < n ? 1.0 : -1.0);
+        H[i][j] = {entry.hi * by, entry.lo * by};
+        largest = std::fmax(largest, std::abs(H[i][j].hi));
+      }
+    }
+    unit_ = largest > 0.0 && largest < HUGE_VAL ? std::scalbn(1.0, std::ilogb(largest)) : 1.0;
+    for (auto& row : H) {
+      for (DoubleDouble& entry : row) {
+        entry.hi /= unit_;
+        entry.lo /= unit_;
+      }
+    }
+    const Hessenberg<DoubleDouble, N> hessenberg(H);
+    const HessenbergPolynomial<DoubleDouble, N> p(hessenberg.h);
+    std::array<DoubleDouble, n + 1> even;
+    std::array<double, n + 1> magnitude;
+    for (std::size_t k = 0; k <= n; ++k) {
+      even[k] = p.c[2 * k];
+      magnitude[k] = p.magnitude[2 * k];
+    }
+    const LeafRoots<n> roots =
+        facts_.forced_zero ? leaf_roots<n, 1>(even, magnitude) : leaf_roots<n, 0>(even, magnitude);
+    if (roots.sure && follow(hessenberg, roots, false, out)) return out;
+    if (const auto values = shifted_qr<DoubleDouble, N>(hessenberg.h))
+      follow(hessenberg, gathered<n, N>(*values, 0x1p-92, facts_.forced_zero), true, out);
+    return out;
+  }
+
+ private:
+  static constexpr std::size_t N = 2 * n;
+  using Complex = std::complex<double>;
+  template <class T>
+  using Vector = std::array<T, N>;
+
+  /// w^T J^-1 z.
+  static Complex paired(const Vector<Complex>& w, const Vector<Complex>& z) {
+    Complex sum = 0.0;
+    for (std::size_t k = 0; k < n; ++k) sum += w[n + k] * z[k] - w[k] * z[n + k];
+    return sum;
+  }
+
+  static double product(const Vector<double>& x, const Vector<double>& y) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < N; ++k) sum += x[k] * y[k];
+    return sum;
+  }
+
+  /// Vectors, energies and bounds. False where they call for better roots, unless these are the
+  /// last ones to be had.
+  bool follow(const Hessenberg<DoubleDouble, N>& hessenberg, const LeafRoots<n>& roots, bool last,
+              LeafModes<n>& out) const {
+    out.forced = roots.forced;
+    Square<double, N> h;
+    double h_size = 0.0;
+    for (std::size_t i = 0; i < N; ++i) {
+      for (std::size_t j = 0; j < N; ++j) {
+        h[i][j] = leading(hessenberg.h[i][j]);
+        h_size = std::fmax(h_size, std::abs(h[i][j]));
+      }
+    }
+    std::array<Vector<Complex>, n> z;
+    std::array<Vector<Complex>, n> w;
+    std::array<Complex, n> s;
+    std::array<double, n> rounding;
+    std::array<Complex, n> c;
+    std::array<double, n> bend{};
+    std::array<double, n> energy{};
+    std::array<Vector<double>, n> z_size;
+    std::array<Vector<double>, n> w_size;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == roots.forced) {
+        s[i] = 0.0;
+        continue;
+      }
+      s[i] = std::sqrt(roots.lambda[i]);
+      if (roots.lambda[i].imag() == 0.0 && roots.lambda[i].real() < 0.0)
+        s[i] = Complex(0.0, std::abs(s[i].imag()));
+      NullVectors<Complex, N> x = null_vectors<Complex, N>(h, s[i]);
+      hessenberg.carry_right(x.right);
+      hessenberg.carry_left(x.left);
+      bend[i] = one_norm(x.bend);
+      double right = 0.0;
+      double left = 0.0;
+      for (std::size_t k = 0; k < N; ++k) {
+        right += one_norm(x.right[k]);
+        left += one_norm(x.left[k]);
+        z[i][k] = x.right[k] / scale_[k];
+      }
+      for (std::size_t k = 0; k < n; ++k) {
+        w[i][k] = -x.left[n + k] * scale_[n + k];
+        w[i][n + k] = x.left[k] * scale_[k];
+      }
+      if (last) part_from_close(roots.lambda, i, z, w);
+      c[i] = paired(w[i], z[i]);
+      rounding[i] = right * left / std::abs(c[i]);
+      for (std::size_t k = 0; k < N; ++k) {
+        z_size[i][k] = std::abs(z[i][k]);
+        w_size[i][k] = std::abs(w[i][k]);
+      }
+      if (roots.lambda[i].imag() == 0.0 && roots.lambda[i].real() < 0.0) {
+        // z^* E z, against its terms.
+        double terms = 0.0;
+        for (std::size_t k = 0; k < N; ++k) {
+          Complex row = 0.0;
+          double sizes = 0.0;
+          for (std::size_t l = 0; l < N; ++l) {
+            row += leading(E_[k][l]) * z[i][l];
+            sizes += magnitude_[k][l] * z_size[i][l];
+          }
+          energy[i] += (std::conj(z[i][k]) * row).real();
+          terms += z_size[i][k] * sizes;
+        }
+        energy[i] /= terms;
+      }
+    }
+    Square<double, n> d;
+    for (std::size_t j = 0; j < n; ++j) {
+      Vector<double> of_z;
+      Vector<double> of_w;
+      if (j == roots.forced) {
+        for (std::size_t i = 0; i < n; ++i) d[i][j] = 0.0;
+        continue;
+      }
+      for (std::size_t k = 0; k < N; ++k) {
+        of_z[k] = product(magnitude_[k], z_size[j]);
+        of_w[k] = product(magnitude_[k], w_size[j]);
+      }
+      for (std::size_t i = 0; i < n; ++i) {
+        if (i == roots.forced) {
+          d[i][j] = 0.0;
+          continue;
+        }
+        if (i == j) {
+          d[i][i] =
+              facts_.uncertainty * 2.0 * std::abs(s[i]) * product(w_size[i], of_z) / std::abs(c[i]);
+          continue;
+        }
+        // Rows of z_i and of w_i; z and w of j.
+        const double sum = std::abs(s[i] + s[j]);
+        const double difference = std::abs(s[i] - s[j]);
+        const double by_w = sum * product(w_size[i], of_z) + difference * product(w_size[i], of_w);
+        const double by_z = difference * product(z_size[i], of_z) + sum * product(z_size[i], of_w);
+        d[i][j] = facts_.uncertainty * std::fmax(by_w, by_z) / std::sqrt(std::abs(c[i] * c[j]));
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        const double distance = std::abs(roots.lambda[i] - roots.lambda[j]);
+        if (i == j || i == roots.forced || j == roots.forced || distance > 0x1p-20) continue;
+        // Close ones: are these two directions?
+        const double overlap = std::abs(paired(w[i], z[j])) / std::sqrt(std::abs(c[i] * c[j]));
+        if (!last && !(overlap < 0x1p-10)) return false;
+        if (overlap < 0x1p-4) {
+          d[i][j] += unit_ * distance;
+          continue;
+        }
+        // One, as far as can be seen: they move by the square root of the change.
+        const double changed = 0.5 * d[i][i] * std::abs(c[i] / s[i]);
+        d[i][i] = d[i][j] =
+            unit_ * distance + 4.0 * std::abs(s[i]) * std::sqrt(unit_ * changed / bend[i]);
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) d[i][j] *= unit_;
+      out.lambda[i] = roots.lambda[i] * (unit_ * unit_);
+      rounding[i] =
+          i == roots.forced
+              ? 0.0
+              : unit_ * unit_ *
+                    (2.0 * std::abs(s[i]) * 0x1p-94 * h_size * rounding[i] + roots.error[i]);
+    }
+    out.error = eigenvalue_discs(out.lambda, d);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i != roots.forced && !last && !(rounding[i] <= 0x1p-8 * out.error[i])) return false;
+      out.error[i] += rounding[i] + 0x1p-53 * one_norm(out.lambda[i]);
+      out.energy[i] = energy[i] > energy_doubt ? 1 : energy[i] < -energy_doubt ? -1 : 0;
+    }
+    return true;
+  }
+
+  /// Of several that all but coincide each its own direction, where they have as many.
+  static void part_from_close(const std::array<Complex, n>& lambda, std::size_t i,
+                              std::array<Vector<Complex>, n>& z,
+                              std::array<Vector<Complex>, n>& w) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (std::abs(lambda[i] - lambda[j]) > 0x1p-30) continue;
+      const Complex c = paired(w[j], z[j]);
+      double terms = 0.0;
+      for (std::size_t k = 0; k < n; ++k)
+        terms +=
+            one_norm(w[j][n + k]) * one_norm(z[j][k]) + one_norm(w[j][k]) * one_norm(z[j][n + k]);
+      if (one_norm(c) < 0x1p-12 * terms) continue;  // not of that kind
+      const Complex right = paired(w[j], z[i]) * inverse(c);
+      const Complex left = paired(w[i], z[j]) * inverse(c);
+      for (std::size_t k = 0; k < N; ++k) {
+        z[i][k] -= right * z[j][k];
+        w[i][k] -= left * w[j][k];
+      }
+    }
+  }
+
+  LeafFacts facts_;
+  Square<DoubleDouble, N> E_;
+  Square<double, N> magnitude_;
+  std::array<double, N> scale_;
+  double unit_ = 1.0;
+};
+
+}  // namespace stationary
