@@ -82,12 +82,16 @@ Leaf motion_leaf(const Body& body, const Potential& potential, const BasicStretc
     V_qq_conditioned = potential_derivatives<2>(V.model(AsConditioned()), q_c).hessian;
   }
   const Vector3<Conditioned> nu_c{input(nu[0]), input(nu[1]), input(nu[2])};
-  const LeafForm<DoubleDouble> exact = second_variation(body, q, nu, V_qq);
+  // Below this the squares of momenta underflow.
+  constexpr double least = 1e-130;
+  const bool turns = std::abs(nu_c[0].value) > least || std::abs(nu_c[1].value) > least ||
+                     std::abs(nu_c[2].value) > least;
+  const LeafForm<DoubleDouble> exact = second_variation(body, q, nu, turns, V_qq);
   const LeafForm<Conditioned> conditioned =
       second_variation(Inertia3<Conditioned>{input(body.J1), input(body.J2), input(body.J3)}, q_c,
                        nu_c, V_qq_conditioned);
   Leaf out;
-  out.pairs = nu_c[0].value == 0.0 && nu_c[1].value == 0.0 && nu_c[2].value == 0.0 ? 4 : 5;
+  out.pairs = turns ? 5 : 4;
   for (std::size_t i = 0; i < 2 * out.pairs; ++i) {
     for (std::size_t j = 0; j < 2 * out.pairs; ++j) {
       out.second_variation[i][j] = renormalized(exact[i][j]);

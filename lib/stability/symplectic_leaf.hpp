@@ -99,11 +99,11 @@ void add_product(const LinearForm<S>& x, const LinearForm<S>& y, LeafForm<S>& ou
 
 }  // namespace leaf_detail
 
-/// E'' in any number type; V_qq in the same. Without b (nu = 0) rows and columns 0 and 5 are left
-/// out.
+/// E'' in any number type; V_qq in the same. turns: nu is not 0; else there is no b, and rows and
+/// columns 0 and 5 are left out.
 template <class S, class Inertias>
 LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, const Vector3<S>& nu,
-                             const Matrix4<S>& V_qq) {
+                             bool turns, const Matrix4<S>& V_qq) {
   using leaf_detail::add_product;
   using leaf_detail::combined;
   using leaf_detail::LinearForm;
@@ -140,9 +140,8 @@ LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, con
   }
   r_alpha.c[p_alpha] = one;
   const std::array<S, 3> pi{I11 * nu[0] + I12 * nu[1], I12 * nu[0] + I22 * nu[1], I33 * nu[2]};
-  const S squared = pi[0] * pi[0] + pi[1] * pi[1] + pi[2] * pi[2];
-  if (!vanishes(squared)) {
-    const S size = sqrt(squared);
+  if (turns) {
+    const S size = sqrt(S(pi[0] * pi[0] + pi[1] * pi[1] + pi[2] * pi[2]));
     const S root = sqrt(size);
     const std::array<S, 3> axis{pi[0] / size, pi[1] / size, pi[2] / size};
     std::size_t aside = 0;
@@ -229,7 +228,7 @@ LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, con
   add(xi, rho, V_qq(1, 3));
   add(zeta, rho, V_qq(2, 3));
 
-  if (vanishes(squared)) {
+  if (!turns) {
     for (std::size_t i = 0; i < 8; ++i)
       for (std::size_t j = i; j < 8; ++j)
         out[i][j] = out[i < 4 ? i + 1 : i + 2][j < 4 ? j + 1 : j + 2];
