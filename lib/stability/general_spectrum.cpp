@@ -89,7 +89,7 @@ Leaf motion_leaf(const Body& body, const Potential& potential, const BasicStretc
   const LeafForm<DoubleDouble> exact = second_variation(body, q, nu, turns, V_qq);
   const LeafForm<Conditioned> conditioned =
       second_variation(Inertia3<Conditioned>{input(body.J1), input(body.J2), input(body.J3)}, q_c,
-                       nu_c, V_qq_conditioned);
+                       nu_c, turns, V_qq_conditioned);
   Leaf out;
   out.pairs = turns ? 5 : 4;
   for (std::size_t i = 0; i < 2 * out.pairs; ++i) {
