@@ -30,8 +30,6 @@ inline double one_norm(double x) { return std::abs(x); }
 inline double one_norm(const std::complex<double>& z) {
   return std::abs(z.real()) + std::abs(z.imag());
 }
-inline double conjugate(double x) { return x; }
-inline std::complex<double> conjugate(const std::complex<double>& z) { return std::conj(z); }
 inline double inverse(double x) { return 1.0 / x; }
 inline std::complex<double> inverse(const std::complex<double>& z) {
   return std::conj(z) / std::norm(z);
@@ -132,9 +130,7 @@ template <class T, std::size_t n>
 struct NullVectors {
   std::array<T, n> right;
   std::array<T, n> left;
-  /// left^T g, (H - lambda) g = right: half of p''/p' times left^T right, finite where lambda meets
-  /// another and these become orthogonal. Only of such.
-  T bend{0.0};
+};
 };
 
 /// Of H - lambda, lambda an eigenvalue to working precision; the largest component of each is of
@@ -206,22 +202,6 @@ NullVectors<T, n> null_vectors(const Square<double, n>& h, const T& lambda) {
       if (swapped[k]) std::swap(out.left[k], out.left[k + 1]);
     }
     normalize(out.left);
-  }
-  T overlap(0.0);
-  for (std::size_t k = 0; k < n; ++k) overlap += out.left[k] * out.right[k];
-  if (one_norm(overlap) < 0x1p-10) {
-    std::array<T, n> g = out.right;
-    solve_lower(g);
-    solve_upper(g);
-    // Without what it has of `right`, which counts for nothing in exact arithmetic.
-    T along(0.0);
-    double squared = 0.0;
-    for (std::size_t k = 0; k < n; ++k) {
-      along += conjugate(out.right[k]) * g[k];
-      squared += std::norm(out.right[k]);
-    }
-    for (std::size_t k = 0; k < n; ++k)
-      out.bend += out.left[k] * (g[k] - along / squared * out.right[k]);
   }
   return out;
 }

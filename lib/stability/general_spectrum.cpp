@@ -6,6 +6,7 @@
 
 #include "lib/material/models/first_order_bound_model.hpp"
 #include "lib/stability/circle_momentum.hpp"
+#include "lib/stability/iterated_modes.hpp"
 #include "lib/stability/mode_collector.hpp"
 #include "lib/stability/reversible_leaf.hpp"
 #include "lib/stability/whole_leaf.hpp"
@@ -15,8 +16,20 @@ namespace {
 
 template <std::size_t n>
 LeafModes<n> leaf_modes(const Leaf& leaf, const LeafFacts& facts) {
-  if (const auto parts = reversible<n>(leaf)) return ReversibleProblem<n>(*parts, facts).modes();
-  return WholeLeafProblem<n>(leaf, facts).modes();
+  LeafModes<n> out;
+  const auto parts = reversible<n>(leaf);
+  if (parts ? ReversibleProblem<n>(*parts, facts).find(out)
+            : WholeLeafProblem<n>(leaf, facts).find(out))
+    return out;
+  out.forced = n;
+  const std::vector<IteratedMode> modes = iterated_modes(leaf, facts, out.definite);
+  for (std::size_t k = 0; k < n; ++k) {
+    out.lambda[k] = modes[k].lambda;
+    out.error[k] = modes[k].error;
+    out.energy[k] = modes[k].energy;
+    if (modes[k].forced) out.forced = k;
+  }
+  return out;
 }
 
 template <std::size_t n>

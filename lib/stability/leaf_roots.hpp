@@ -10,7 +10,6 @@
 
 #include "lib/number/hessenberg.hpp"
 #include "lib/number/real_factors.hpp"
-#include "lib/number/shifted_qr.hpp"
 
 namespace stationary {
 
@@ -20,7 +19,7 @@ struct LeafRoots {
   std::array<std::complex<double>, n> lambda;
   std::array<double, n> error;  ///< of the arithmetic, without the rounding to double
   std::size_t forced = n;       ///< which one a symmetry makes zero
-  bool sure = true;             ///< else to be had from shifted_qr()
+  bool sure = true;             ///< else the factors did not stand apart
 
   void set_pair(std::size_t at, const RootPair<DoubleDouble>& pair) {
     if (pair.real()) {
@@ -76,70 +75,6 @@ LeafRoots<n> leaf_roots(const std::array<DoubleDouble, n + 1>& c,
                                                : 2.0 * std::sqrt(off);
       out.sure = out.sure && out.error[k] < HUGE_VAL;
     }
-  }
-  return out;
-}
-
-/// As n roots in order from n, or from the squares of 2 n, eigenvalues: complex ones where they are
-/// certain not to be real. noise: of the arithmetic.
-template <std::size_t n, std::size_t m>
-LeafRoots<n> gathered(std::array<ComplexOf<DoubleDouble>, m> values, double noise, bool forced) {
-  constexpr std::size_t copies = m / n;
-  LeafRoots<n> out;
-  std::array<bool, m> taken{};
-  const auto distance = [&](std::size_t i, std::size_t j) {
-    return std::hypot(leading(DoubleDouble(values[i].re - values[j].re)),
-                      leading(DoubleDouble(values[i].im - values[j].im)));
-  };
-  if constexpr (copies == 2) {
-    // Lambda = s^2 of s and -s.
-    for (auto& z : values) {
-      const DoubleDouble re = renormalized(z.re * z.re - z.im * z.im);
-      z.im = renormalized(2.0 * (z.re * z.im));
-      z.re = re;
-    }
-  }
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < m; ++i) {
-    if (taken[i]) continue;
-    taken[i] = true;
-    auto z = values[i];
-    if constexpr (copies == 2) {
-      std::size_t twin = m;
-      for (std::size_t j = i + 1; j < m; ++j)
-        if (!taken[j] && (twin == m || distance(i, j) < distance(i, twin))) twin = j;
-      taken[twin] = true;
-      z.re = 0.5 * (z.re + values[twin].re);
-      z.im = 0.5 * (z.im + values[twin].im);
-    }
-    const double im = leading(z.im);
-    out.lambda[count] = {leading(z.re), std::abs(im) <= noise ? 0.0 : im};
-    out.error[count++] = noise;
-  }
-  // Conjugates next to each other, the forced zero first.
-  for (std::size_t i = 0; i < n; ++i) {
-    if (out.lambda[i].imag() == 0.0) continue;
-    std::size_t other = i + 1;
-    for (std::size_t j = i + 1; j < n; ++j)
-      if (std::abs(out.lambda[j] - std::conj(out.lambda[i])) <
-          std::abs(out.lambda[other] - std::conj(out.lambda[i])))
-        other = j;
-    if (other >= n) {
-      out.sure = false;
-      break;
-    }
-    std::swap(out.lambda[i + 1], out.lambda[other]);
-    const std::complex<double> z{out.lambda[i].real(), std::abs(out.lambda[i].imag())};
-    out.lambda[i] = z;
-    out.lambda[i + 1] = std::conj(z);
-    ++i;
-  }
-  if (forced) {
-    std::size_t least = 0;
-    for (std::size_t k = 1; k < n; ++k)
-      if (std::abs(out.lambda[k]) < std::abs(out.lambda[least])) least = k;
-    out.lambda[least] = 0.0;
-    out.forced = least;
   }
   return out;
 }

@@ -153,8 +153,8 @@ class ReversibleProblem {
     }
   }
 
-  LeafModes<n> modes() {
-    LeafModes<n> out;
+  /// Signs in any case; Lambda, energies and bounds unless two of them are too close: false then.
+  bool find(LeafModes<n>& out) {
     count_signs(out);
     // -B A of scaled coordinates, and of Lambda of order one.
     Square<DoubleDouble, n> M;
@@ -185,10 +185,10 @@ class ReversibleProblem {
     const HessenbergPolynomial<DoubleDouble, n> p(hessenberg.h);
     const LeafRoots<n> roots = facts_.forced_zero ? leaf_roots<n, 1>(p.c, p.magnitude)
                                                   : leaf_roots<n, 0>(p.c, p.magnitude);
-    if (roots.sure && follow(hessenberg, roots, false, out)) return out;
-    if (const auto values = shifted_qr<DoubleDouble, n>(hessenberg.h))
-      follow(hessenberg, gathered<n, n>(*values, 0x1p-92, facts_.forced_zero), true, out);
-    return out;
+    if (!roots.sure) return false;
+    for (const Complex& lambda : roots.lambda)
+      if (lambda.imag() != 0.0) return follow<Complex>(hessenberg, roots, out);
+    return follow<double>(hessenberg, roots, out);
   }
 
  private:
@@ -210,18 +210,10 @@ class ReversibleProblem {
                    positive_definite(leaf_.B, leaf_.B_magnitude, scale_B, u);
   }
 
-  bool follow(const Hessenberg<DoubleDouble, n>& hessenberg, const LeafRoots<n>& roots, bool last,
-              LeafModes<n>& out) const {
-    for (const Complex& lambda : roots.lambda)
-      if (lambda.imag() != 0.0) return follow_as<Complex>(hessenberg, roots, last, out);
-    return follow_as<double>(hessenberg, roots, last, out);
-  }
-
-  /// Vectors, energies and bounds. False where they call for better roots, unless these are the
-  /// last ones to be had.
+  /// Vectors, energies and bounds.
   template <class T>
-  bool follow_as(const Hessenberg<DoubleDouble, n>& hessenberg, const LeafRoots<n>& roots,
-                 bool last, LeafModes<n>& out) const {
+  bool follow(const Hessenberg<DoubleDouble, n>& hessenberg, const LeafRoots<n>& roots,
+              LeafModes<n>& out) const {
     using namespace reversible_detail;
     out.forced = roots.forced;
     Square<double, n> h;
@@ -236,7 +228,6 @@ class ReversibleProblem {
     Vectors<n, T> v;
     std::array<T, n> lambda;
     std::array<double, n> rounding;
-    std::array<double, n> bend;
     for (std::size_t i = 0; i < n; ++i) {
       if constexpr (std::is_same_v<T, double>) {
         lambda[i] = roots.lambda[i].real();
@@ -255,8 +246,6 @@ class ReversibleProblem {
         v[i][k] = x.left[k] * scale_[k];
       }
       rounding[i] = right * left;
-      bend[i] = one_norm(x.bend);
-      if (last) part_from_close(lambda, i, u, v);
     }
     // u_i^T v_i = 1.
     std::array<T, n> a;
@@ -264,7 +253,6 @@ class ReversibleProblem {
     for (std::size_t i = 0; i < n; ++i) {
       const T per_c = inverse(dot(u[i], v[i]));
       rounding[i] *= one_norm(per_c);
-      bend[i] *= one_norm(per_c);
       for (T& each : u[i]) each = each * per_c;
       a[i] = form(A_, u[i]);
       b[i] = form(B_, v[i]);
@@ -281,31 +269,18 @@ class ReversibleProblem {
         d[i][j] = facts_.uncertainty * (aj * in_B[i][j] / t[i] + bi * in_A[i][j] * t[j]);
         if (i == roots.forced || j == roots.forced) d[i][j] = 0.0;
       }
-      for (std::size_t j = 0; j < n; ++j) {
-        const double distance = std::abs(lambda[i] - lambda[j]);
-        if (i == j || distance > 0x1p-20) continue;
-        // Close ones: are these two directions?
-        const double overlap = one_norm(dot(v[i], u[j])) * (t[j] / t[i]);
-        if (!last && !(overlap < 0x1p-10)) return false;
-        if (overlap < 0x1p-4) {
-          d[i][j] += unit_ * distance;
-          continue;
-        }
-        // One, as far as can be seen: they move by the square root of the change.
-        const double changed = facts_.uncertainty * (factor(A_, u[i], v[i]) * in_B[i][i] +
-                                                     factor(B_, v[i], u[i]) * in_A[i][i]);
-        d[i][i] = d[i][j] = unit_ * distance + 2.0 * std::sqrt(unit_ * changed / bend[i]);
-      }
       // They are vectors of -B A with this Lambda.
       const T off = a[i] * b[i] + lambda[i] * unit_;
       const double terms = one_norm(a[i]) * in_B[i][i] + one_norm(b[i]) * in_A[i][i];
-      if (!last && !(one_norm(off) <= 1e-6 * terms)) return false;
+      if (!(one_norm(off) <= 1e-6 * terms)) return false;
       rounding[i] = unit_ * (0x1p-94 * h_size * rounding[i] + roots.error[i]);
       out.lambda[i] = lambda[i] * unit_;
     }
-    out.error = eigenvalue_discs(out.lambda, d);
+    const auto discs = eigenvalue_discs(out.lambda, d);
+    if (!discs) return false;
+    out.error = *discs;
     for (std::size_t i = 0; i < n; ++i) {
-      if (i != roots.forced && !last && !(rounding[i] <= 0x1p-8 * out.error[i])) return false;
+      if (i != roots.forced && !(rounding[i] <= 0x1p-8 * out.error[i])) return false;
       out.error[i] += rounding[i] + 0x1p-53 * one_norm(out.lambda[i]);
       out.energy[i] = 0;
       if (out.lambda[i].imag() != 0.0 || out.lambda[i].real() >= 0.0) continue;
@@ -315,42 +290,6 @@ class ReversibleProblem {
       out.energy[i] = surer > energy_doubt ? 1 : surer < -energy_doubt ? -1 : 0;
     }
     return true;
-  }
-
-  /// |a| of F x = a y.
-  template <class T>
-  static double factor(const Square<double, n>& F, const std::array<T, n>& x,
-                       const std::array<T, n>& y) {
-    double image = 0.0;
-    double size = 0.0;
-    for (std::size_t k = 0; k < n; ++k) {
-      T row(0.0);
-      for (std::size_t j = 0; j < n; ++j) row += F[k][j] * x[j];
-      image += one_norm(row);
-      size += one_norm(y[k]);
-    }
-    return image / size;
-  }
-
-  /// Of several that all but coincide each its own direction, where they have as many.
-  template <class T>
-  static void part_from_close(const std::array<T, n>& lambda, std::size_t i,
-                              reversible_detail::Vectors<n, T>& u,
-                              reversible_detail::Vectors<n, T>& v) {
-    using reversible_detail::dot;
-    for (std::size_t j = 0; j < i; ++j) {
-      if (std::abs(lambda[i] - lambda[j]) > 0x1p-30) continue;
-      const T c = dot(u[j], v[j]);
-      double terms = 0.0;
-      for (std::size_t k = 0; k < n; ++k) terms += one_norm(u[j][k]) * one_norm(v[j][k]);
-      if (one_norm(c) < 0x1p-12 * terms) continue;  // not of that kind
-      const T right = dot(v[j], u[i]) * inverse(c);
-      const T left = dot(u[j], v[i]) * inverse(c);
-      for (std::size_t k = 0; k < n; ++k) {
-        u[i][k] -= right * u[j][k];
-        v[i][k] -= left * v[j][k];
-      }
-    }
   }
 
   const ReversibleLeaf<n>& leaf_;

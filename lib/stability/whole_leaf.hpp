@@ -37,8 +37,9 @@ class WholeLeafProblem {
     }
   }
 
-  LeafModes<n> modes() {
-    LeafModes<n> out;
+  /// Signs in any case; Lambda, energies and bounds unless two of them, or one and zero, are too
+  /// close: false then.
+  bool find(LeafModes<n>& out) {
     const auto own = unit_scales(magnitude_);
     const PivotSigns signs = pivot_signs(E_, own, facts_.forced_zero);
     out.negative = signs.negative - (facts_.forced_zero && signs.last_negative);
@@ -72,10 +73,7 @@ class WholeLeafProblem {
     }
     const LeafRoots<n> roots =
         facts_.forced_zero ? leaf_roots<n, 1>(even, magnitude) : leaf_roots<n, 0>(even, magnitude);
-    if (roots.sure && follow(hessenberg, roots, false, out)) return out;
-    if (const auto values = shifted_qr<DoubleDouble, N>(hessenberg.h))
-      follow(hessenberg, gathered<n, N>(*values, 0x1p-92, facts_.forced_zero), true, out);
-    return out;
+    return roots.sure && follow(hessenberg, roots, out);
   }
 
  private:
@@ -97,9 +95,8 @@ class WholeLeafProblem {
     return sum;
   }
 
-  /// Vectors, energies and bounds. False where they call for better roots, unless these are the
-  /// last ones to be had.
-  bool follow(const Hessenberg<DoubleDouble, N>& hessenberg, const LeafRoots<n>& roots, bool last,
+  /// Vectors, energies and bounds.
+  bool follow(const Hessenberg<DoubleDouble, N>& hessenberg, const LeafRoots<n>& roots,
               LeafModes<n>& out) const {
     out.forced = roots.forced;
     Square<double, N> h;
@@ -115,7 +112,6 @@ class WholeLeafProblem {
     std::array<Complex, n> s;
     std::array<double, n> rounding;
     std::array<Complex, n> c;
-    std::array<double, n> bend{};
     std::array<double, n> energy{};
     std::array<Vector<double>, n> z_size;
     std::array<Vector<double>, n> w_size;
@@ -130,7 +126,6 @@ class WholeLeafProblem {
       NullVectors<Complex, N> x = null_vectors<Complex, N>(h, s[i]);
       hessenberg.carry_right(x.right);
       hessenberg.carry_left(x.left);
-      bend[i] = one_norm(x.bend);
       double right = 0.0;
       double left = 0.0;
       for (std::size_t k = 0; k < N; ++k) {
@@ -142,7 +137,6 @@ class WholeLeafProblem {
         w[i][k] = -x.left[n + k] * scale_[n + k];
         w[i][n + k] = x.left[k] * scale_[k];
       }
-      if (last) part_from_close(roots.lambda, i, z, w);
       c[i] = paired(w[i], z[i]);
       rounding[i] = right * left / std::abs(c[i]);
       for (std::size_t k = 0; k < N; ++k) {
@@ -196,23 +190,6 @@ class WholeLeafProblem {
       }
     }
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
-        const double distance = std::abs(roots.lambda[i] - roots.lambda[j]);
-        if (i == j || i == roots.forced || j == roots.forced || distance > 0x1p-20) continue;
-        // Close ones: are these two directions?
-        const double overlap = std::abs(paired(w[i], z[j])) / std::sqrt(std::abs(c[i] * c[j]));
-        if (!last && !(overlap < 0x1p-10)) return false;
-        if (overlap < 0x1p-4) {
-          d[i][j] += unit_ * distance;
-          continue;
-        }
-        // One, as far as can be seen: they move by the square root of the change.
-        const double changed = 0.5 * d[i][i] * std::abs(c[i] / s[i]);
-        d[i][i] = d[i][j] =
-            unit_ * distance + 4.0 * std::abs(s[i]) * std::sqrt(unit_ * changed / bend[i]);
-      }
-    }
-    for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) d[i][j] *= unit_;
       out.lambda[i] = roots.lambda[i] * (unit_ * unit_);
       rounding[i] =
@@ -221,34 +198,18 @@ class WholeLeafProblem {
               : unit_ * unit_ *
                     (2.0 * std::abs(s[i]) * 0x1p-94 * h_size * rounding[i] + roots.error[i]);
     }
-    out.error = eigenvalue_discs(out.lambda, d);
+    // s and -s have to stand apart too.
+    for (std::size_t i = 0; i < n; ++i)
+      if (i != roots.forced && !(d[i][i] <= discs_apart * std::abs(out.lambda[i]))) return false;
+    const auto discs = eigenvalue_discs(out.lambda, d);
+    if (!discs) return false;
+    out.error = *discs;
     for (std::size_t i = 0; i < n; ++i) {
-      if (i != roots.forced && !last && !(rounding[i] <= 0x1p-8 * out.error[i])) return false;
+      if (i != roots.forced && !(rounding[i] <= 0x1p-8 * out.error[i])) return false;
       out.error[i] += rounding[i] + 0x1p-53 * one_norm(out.lambda[i]);
       out.energy[i] = energy[i] > energy_doubt ? 1 : energy[i] < -energy_doubt ? -1 : 0;
     }
     return true;
-  }
-
-  /// Of several that all but coincide each its own direction, where they have as many.
-  static void part_from_close(const std::array<Complex, n>& lambda, std::size_t i,
-                              std::array<Vector<Complex>, n>& z,
-                              std::array<Vector<Complex>, n>& w) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (std::abs(lambda[i] - lambda[j]) > 0x1p-30) continue;
-      const Complex c = paired(w[j], z[j]);
-      double terms = 0.0;
-      for (std::size_t k = 0; k < n; ++k)
-        terms +=
-            one_norm(w[j][n + k]) * one_norm(z[j][k]) + one_norm(w[j][k]) * one_norm(z[j][n + k]);
-      if (one_norm(c) < 0x1p-12 * terms) continue;  // not of that kind
-      const Complex right = paired(w[j], z[i]) * inverse(c);
-      const Complex left = paired(w[i], z[j]) * inverse(c);
-      for (std::size_t k = 0; k < N; ++k) {
-        z[i][k] -= right * z[j][k];
-        w[i][k] -= left * w[j][k];
-      }
-    }
   }
 
   LeafFacts facts_;

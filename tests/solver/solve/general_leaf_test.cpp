@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "lib/number/shifted_qr.hpp"
 #include "lib/stability/general_spectrum.hpp"
 #include "tests/support/motions.hpp"
+#include "tests/support/shifted_qr.hpp"
 #include "tests/support/wide_numbers.hpp"
 
 namespace stationary {
