@@ -131,7 +131,6 @@ struct NullVectors {
   std::array<T, n> right;
   std::array<T, n> left;
 };
-};
 
 /// Of H - lambda, lambda an eigenvalue to working precision; the largest component of each is of
 /// order one.
