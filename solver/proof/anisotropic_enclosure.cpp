@@ -57,7 +57,7 @@ void certify_at(const OrientedBoxSystem<Layout>& system, const Stretch& q,
     const Interval sine = (axis.cosine * nu[1] - axis.sine * nu[0]) / size;
     add(1.0000001 * sine);  // the angle, where it is small
   }
-  if (least > 4.0 * allowed_error) {
+  if (least > allowed_error) {
     out.reason = "proven not to be a solution: the nearest is farther off than rounding";
     return;
   }
