@@ -120,6 +120,10 @@ RowSink& ArrayTable::open(const std::vector<Column>& columns,
   return *sink_;
 }
 
+CellTable& ArrayTable::open(std::vector<CellColumn> columns) {
+  return cells_.emplace(nullptr, std::move(columns));
+}
+
 void ArrayTable::put(const TableRow& row) {
   const std::size_t begin = records_.size();
   records_.resize(begin + record_size_);  // zeros
@@ -142,8 +146,8 @@ void ArrayTable::put(const TableRow& row) {
 
 void ArrayTable::commit(Metadata metadata) {
   if (stop_ != nullptr && *stop_) return;
-  metadata.rows = sink_->rows();
-  metadata.checksum = sink_->checksum().text();
+  metadata.rows = cells_ ? cells_->rows() : sink_->rows();
+  metadata.checksum = (cells_ ? cells_->checksum() : sink_->checksum()).text();
   metadata_ = metadata_json(metadata);
   lasting_metadata_ = metadata_json(metadata, /*of_the_run=*/false);
   complete_ = true;
@@ -171,11 +175,18 @@ void ArrayTable::write(RowSink& sink) const {
 void ArrayTable::write(const std::string& path, const std::string& case_path) const {
   cli::TableOutput output(path, case_path);
   output.prepare();
-  write(output.open(columns_, parameters_, expected_));
+  if (cells_) {
+    const std::string_view lines = cells_->kept();
+    const std::size_t header = csv_header(cells_->columns()).size();
+    output.open(cells_->columns()).write(lines.substr(header), cells_->rows());
+  } else {
+    write(output.open(columns_, parameters_, expected_));
+  }
   output.commit(metadata_, lasting_metadata_);
 }
 
 std::string ArrayTable::csv() const {
+  if (cells_) return cells_->kept();
   TextSink out;
   const auto header = [&](std::size_t k) {
     return k < parameters_.size() ? std::optional(parameters_[k]) : std::nullopt;

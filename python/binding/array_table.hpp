@@ -4,6 +4,8 @@
 //   texts    as Unicode strings of the longest word's length, empty where nothing was computed
 //   sheet, point   64-bit integers
 //   numbers, and the counts that may be missing   doubles, NaN where nothing was computed
+//
+// A table with columns of any name (cell_table.hpp) is kept as its lines (cell_array.hpp).
 #pragma once
 
 #include <atomic>
@@ -33,10 +35,13 @@ class ArrayTable final : public TableTarget {
   void prepare() override {}
   RowSink& open(const std::vector<Column>& columns, const std::vector<std::string>& parameters = {},
                 std::optional<std::size_t> rows = std::nullopt) override;
+  CellTable& open(std::vector<CellColumn> columns) override;
   void commit(Metadata metadata) override;
 
   /// Whether there is a table: a computation that fails has none.
   bool complete() const { return complete_; }
+  /// The lines, of a table that has no records; else null.
+  const CellTable* cells() const { return cells_ ? &*cells_ : nullptr; }
   const std::vector<RecordField>& fields() const { return fields_; }
   std::size_t record_size() const { return record_size_; }
   std::size_t rows() const { return records_.size() / record_size_; }
@@ -64,6 +69,7 @@ class ArrayTable final : public TableTarget {
   std::size_t record_size_ = 1;
   std::vector<std::byte> records_;
   std::shared_ptr<Sink> sink_;
+  std::optional<CellTable> cells_;
   const std::atomic<bool>* stop_ = nullptr;
   bool complete_ = false;
   std::string metadata_;

@@ -1,16 +1,26 @@
 #include "lib/body/body.hpp"
 
 #include <memory>
+#include <string>
 
 #include "python/binding/module.hpp"
+#include "solver/program/text/input_error.hpp"
 
 namespace stationary::python {
 
 void declare_body(py::module_& module) {
-  py::class_<Body, std::shared_ptr<Body>>(module, "Body",
-                                          "The body: its inertia J = diag(J1, J2, J3) in the material frame, the second moments "
-                                          "of mass along each axis. Raises InputError unless all are finite and > 0.")
+  py::class_<Body, std::shared_ptr<Body>>(
+      module, "Body",
+      "The body: its inertia J = diag(J1, J2, J3) in the material frame, the second moments "
+      "of mass along each axis. Raises InputError unless all are finite and > 0.")
       .def(py::init<double, double, double>(), py::arg("J1"), py::arg("J2"), py::arg("J3"))
+      .def(py::init([](const py::object& J1, const py::object& J2,
+                       const py::object& J3) -> std::shared_ptr<Body> {
+             throw InputError({}, "body.J",
+                              "found " + std::string(py::repr(py::make_tuple(J1, J2, J3))),
+                              "three numbers");
+           }),
+           py::arg("J1"), py::arg("J2"), py::arg("J3"))
       .def_readonly("J1", &Body::J1)
       .def_readonly("J2", &Body::J2)
       .def_readonly("J3", &Body::J3)

@@ -15,6 +15,7 @@ namespace {
 
 using Overrides = std::map<std::string, std::string, std::less<>>;
 using Shared = std::shared_ptr<Case>;
+using Tree = std::shared_ptr<CaseTree>;
 
 Shared make(CaseTree tree) {
   const py::gil_scoped_release released;
@@ -48,14 +49,35 @@ Shared restored(const py::dict& keys, const std::string& name,
                            Overrides(overrides.begin(), overrides.end())));
 }
 
+/// The keys of a case, which need not be all that one has.
+void declare_keys(py::module_& module) {
+  py::class_<CaseTree, Tree>(module, "Keys")
+      .def_static(
+          "read",
+          [](const std::string& path) { return std::make_shared<CaseTree>(CaseTree::read(path)); },
+          py::arg("path"))
+      .def_static(
+          "of",
+          [](const py::dict& keys) {
+            return std::make_shared<CaseTree>(
+                CaseTree::of(table_from_python(keys, case_name), case_name));
+          },
+          py::arg("keys"))
+      .def_static(
+          "of_case", [](const Case& input) { return std::make_shared<CaseTree>(input.source); },
+          py::arg("case"))
+      .def("case", [](const CaseTree& self) { return make(self); });
+  module.def("assigned_text", &assigned_text, py::arg("value"), py::arg("key"));
+}
+
 }  // namespace
 
-std::string file_of(const Case& input) {
-  const std::string& name = input.source.name();
-  return name == case_name ? std::string() : name;
+std::string file_of(const CaseTree& keys) {
+  return keys.name() == case_name ? std::string() : keys.name();
 }
 
 void declare_case(py::module_& module) {
+  declare_keys(module);
   py::class_<Case, Shared>(module, "Case")
       .def_static("read", &read, py::arg("path"), py::arg("overrides"))
       .def_static(

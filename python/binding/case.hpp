@@ -7,10 +7,10 @@
 
 namespace stationary::python {
 
-/// From a dict, or what a case takes for one; name: what messages call it.
+/// What messages call a case of a dict.
 inline constexpr const char* case_name = "Case";
 
-/// The file a case was read from, which is not to be replaced; empty of one from a dict.
-std::string file_of(const Case& input);
+/// The file that keys were read from, which is not to be replaced; empty of those of a dict.
+std::string file_of(const CaseTree& keys);
 
 }  // namespace stationary::python

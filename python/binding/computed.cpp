@@ -12,33 +12,41 @@
 
 #include "python/binding/array_table.hpp"
 #include "python/binding/case.hpp"
+#include "python/binding/cell_array.hpp"
 #include "python/binding/diagram.hpp"
 #include "python/binding/interruptible.hpp"
 #include "python/binding/module.hpp"
+#include "solver/program/case/case_schema.hpp"
 #include "solver/program/computation/atlas_case.hpp"
 #include "solver/program/computation/continue_case.hpp"
+#include "solver/program/computation/curve_case.hpp"
 #include "solver/program/computation/map_case.hpp"
 #include "solver/program/computation/solve_case.hpp"
+#include "solver/program/computation/study_case.hpp"
+#include "solver/program/session/output_file.hpp"
 #include "solver/program/table/column_file.hpp"
+#include "solver/program/text/nearest_name.hpp"
 
 namespace stationary::python {
 namespace {
 
 using Shared = std::shared_ptr<Case>;
+using Tree = std::shared_ptr<CaseTree>;
 
 struct Computed {
-  Shared input;
+  std::string input_file;  ///< which is not to be replaced; empty: none
+  std::string other_file;  ///< nor is this, the table that a study runs over
   ArrayTable table;
   cli::Outcome outcome;
   std::vector<std::string> lines;  ///< what the program would say on standard error
 };
 
-/// compute(input, target, run) without the lock; call: what stands for the command line.
+/// compute(target, run) without the lock; file: the case's, call: what stands for the command line.
 template <class Compute>
-std::shared_ptr<Computed> computed(const Shared& input, std::optional<int> threads,
+std::shared_ptr<Computed> computed(const std::string& file, std::optional<int> threads,
                                    const std::string& call, const Compute& compute) {
   auto out = std::make_shared<Computed>();
-  out->input = input;
+  out->input_file = file;
   cli::Run run;
   run.command_line = {call};
   run.threads = thread_count(threads);
@@ -46,9 +54,17 @@ std::shared_ptr<Computed> computed(const Shared& input, std::optional<int> threa
   interruptible([&](const std::atomic<bool>& stop) {
     run.stop = &stop;
     out->table.keep_unless(stop);
-    out->outcome = compute(*input, &out->table, run);
+    out->outcome = compute(&out->table, run);
   });
   return out;
+}
+
+template <class Compute>
+std::shared_ptr<Computed> computed(const Shared& input, std::optional<int> threads,
+                                   const std::string& call, const Compute& compute) {
+  return computed(
+      file_of(input->source), threads, call,
+      [&](TableTarget* target, const cli::Run& run) { return compute(*input, target, run); });
 }
 
 std::shared_ptr<Computed> solve(const Shared& input, std::optional<int> threads) {
@@ -63,9 +79,13 @@ std::shared_ptr<Computed> follow(const Shared& input, const std::string& row,
                   });
 }
 
+void require_checkpoints(std::optional<int> checkpoints) {
+  if (checkpoints && *checkpoints < 1) throw std::invalid_argument("checkpoints from 1 on");
+}
+
 std::shared_ptr<Computed> atlas(const Shared& input, std::optional<int> checkpoints,
                                 std::optional<int> threads) {
-  if (checkpoints && *checkpoints < 1) throw std::invalid_argument("checkpoints from 1 on");
+  require_checkpoints(checkpoints);
   return computed(input, threads, "stationary.atlas",
                   [checkpoints](const Case& given, TableTarget* target, const cli::Run& run) {
                     return cli::atlas_case(given, {checkpoints, {}, false}, target, run);
@@ -76,10 +96,47 @@ std::shared_ptr<Computed> map(const Shared& input, std::optional<int> threads) {
   return computed(input, threads, "stationary.map", cli::map_case);
 }
 
+std::shared_ptr<Computed> curve(const Shared& input, const std::string& row,
+                                std::optional<int> threads) {
+  return computed(input, threads, "stationary.curve",
+                  [&row](const Case& given, TableTarget* target, const cli::Run& run) {
+                    return cli::curve_case(given, row, target, run);
+                  });
+}
+
+/// over: a table's file, or what messages call one whose text is `csv`.
+std::shared_ptr<Computed> study(const Tree& base, const std::string& over,
+                                const std::optional<std::string>& csv, const std::string& task,
+                                std::optional<int> checkpoints, std::optional<int> threads) {
+  const auto chosen = cli::study_task(task);
+  if (!chosen)
+    throw InputError({}, "do", "found the string " + in_quotes(task),
+                     "one of " + listed(cli::study_task_names),
+                     did_you_mean(nearest_name(task, cli::study_task_names)));
+  require_checkpoints(checkpoints);
+  const cli::StudySource source =
+      csv ? cli::StudySource(TableReader(std::make_unique<std::istringstream>(*csv), over), over)
+          : cli::StudySource(over);
+  cli::StudyRun asked{base.get(), {}, &source, {}, std::nullopt, false};
+  asked.plan.task = *chosen;
+  asked.plan.checkpoints = checkpoints;
+  const auto out = computed(file_of(*base), threads, "stationary.study",
+                            [&asked](TableTarget* target, const cli::Run& run) {
+                              return cli::study_case(asked, target, run);
+                            });
+  if (!csv) out->other_file = over;
+  return out;
+}
+
 /// The rows themselves, which live as long as the array does.
 py::object array(const std::shared_ptr<Computed>& self) {
   const ArrayTable& table = self->table;
   if (!table.complete()) return py::none();
+  if (table.cells() != nullptr) {
+    py::array out = cell_array(*table.cells());
+    out.attr("setflags")(py::arg("write") = false);
+    return out;
+  }
   py::list names;
   py::list formats;
   py::list offsets;
@@ -100,7 +157,9 @@ void write(const Computed& self, const std::string& path) {
   const std::string extension = path.substr(std::min(path.rfind('.'), path.size()));
   std::optional<py::gil_scoped_release> released;
   if (!is_column_file_extension(extension)) released.emplace();
-  self.table.write(path, file_of(*self.input));
+  if (!self.other_file.empty())
+    cli::refuse_to_replace(path, path, self.other_file, "the table that it ran over");
+  self.table.write(path, self.input_file);
 }
 
 }  // namespace
@@ -114,7 +173,15 @@ void declare_computed(py::module_& module) {
       .def_property_readonly("metadata", [](const Computed& self) { return self.table.metadata(); })
       .def_property_readonly("table", &array)
       .def("write", &write, py::arg("path"))
-      .def("diagram", [](const Computed& self) { return diagram(self.table.csv()); })
+      .def(
+          "diagram",
+          [](const Computed& self, const std::vector<std::string>& columns,
+             const std::vector<std::string>& sheets, const std::vector<std::string>& branches,
+             bool energy_momentum) {
+            return diagram(self.table.csv(), {columns, sheets, branches, energy_momentum});
+          },
+          py::arg("columns"), py::arg("sheets"), py::arg("branches"), py::arg("energy_momentum"))
+      .def("curve_diagram", [](const Computed& self) { return curve_diagram(self.table.csv()); })
       .def(
           "map_diagram",
           [](const Computed& self, const std::optional<std::string>& quantity) {
@@ -125,6 +192,9 @@ void declare_computed(py::module_& module) {
   module.def("follow", &follow, py::arg("case"), py::arg("row"), py::arg("threads"));
   module.def("atlas", &atlas, py::arg("case"), py::arg("checkpoints"), py::arg("threads"));
   module.def("map", &map, py::arg("case"), py::arg("threads"));
+  module.def("curve", &curve, py::arg("case"), py::arg("row"), py::arg("threads"));
+  module.def("study", &study, py::arg("keys"), py::arg("over"), py::arg("csv"), py::arg("task"),
+             py::arg("checkpoints"), py::arg("threads"));
 }
 
 }  // namespace stationary::python

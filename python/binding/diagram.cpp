@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "solver/program/diagram/axis_name.hpp"
@@ -32,6 +33,11 @@ py::tuple axis(const Axis& of, double base = 0.0) {
   return py::make_tuple(of.range.low + base, of.range.high + base, of.logarithmic);
 }
 
+/// The colour of a curve; of energy and momentum, where there is one of each piece, its branch's.
+std::size_t series_of(const Diagram& diagram, const DiagramPiece& piece, std::size_t ordinate) {
+  return diagram.of_energy_and_momentum ? piece.branch : ordinate;
+}
+
 /// (series, class or None, abscissae, values).
 void add_curves(const Diagram& diagram, const DiagramPiece& piece, const AxisRange& shown,
                 py::list& out) {
@@ -45,7 +51,7 @@ void add_curves(const Diagram& diagram, const DiagramPiece& piece, const AxisRan
         x.push_back(diagram.points[point].abscissa);
         y.push_back(diagram.points[point].ordinate[k]);
       }
-      out.append(py::make_tuple(k, verdict, numbers(x), numbers(y)));
+      out.append(py::make_tuple(series_of(diagram, piece, k), verdict, numbers(x), numbers(y)));
     }
   }
 }
@@ -65,15 +71,15 @@ void add_rates(const Diagram& diagram, const DiagramPiece& piece, const AxisRang
   }
 }
 
-/// (name, abscissa, values).
+/// (name, abscissa, [(series, value), ...]).
 void add_events(const Diagram& diagram, const DiagramPiece& piece, py::list& out) {
   for (const DiagramEvent& event : diagram.events) {
     if (event.point < piece.begin || event.point >= piece.end || !is_marked(event.name)) continue;
     const DiagramPoint& at = diagram.points[event.point];
-    out.append(py::make_tuple(event.name, at.abscissa,
-                              std::vector<double>(at.ordinate.begin(),
-                                                  at.ordinate.begin() + static_cast<std::ptrdiff_t>(
-                                                                            diagram.columns.size()))));
+    std::vector<std::pair<std::size_t, double>> values;
+    for (std::size_t k = 0; k < diagram.columns.size(); ++k)
+      values.emplace_back(series_of(diagram, piece, k), at.ordinate[k]);
+    out.append(py::make_tuple(event.name, at.abscissa, values));
   }
 }
 
@@ -82,7 +88,7 @@ py::dict panel(const Diagram& diagram, std::size_t branch, const DiagramPanel& d
   py::list rates;
   py::list events;
   for (const DiagramPiece& piece : diagram.pieces) {
-    if (piece.branch != branch) continue;
+    if (piece.branch != branch && !diagram.of_energy_and_momentum) continue;
     add_curves(diagram, piece, drawn.abscissa.range, curves);
     if (has_rates(diagram)) add_rates(diagram, piece, drawn.abscissa.range, rates);
     add_events(diagram, piece, events);
@@ -109,9 +115,9 @@ py::dict map_axis(const MapDiagramAxis& of) {
 
 }  // namespace
 
-py::dict diagram(const std::string& csv) {
+py::dict diagram(const std::string& csv, const DiagramChoice& choice) {
   TableReader table = reader(csv);
-  const Diagram found = read_diagram({&table});
+  const Diagram found = read_diagram({&table}, choice);
   const DiagramPicture picture = diagram_picture(found);
   py::dict out;
   py::list panels;
@@ -119,6 +125,9 @@ py::dict diagram(const std::string& csv) {
     panels.append(panel(found, k, picture.panels[k]));
   out["panels"] = panels;
   out["has_rates"] = has_rates(found);
+  py::list ordinates;
+  for (const std::string& column : found.columns) ordinates.append(axis_name(column));
+  out["ordinates"] = ordinates;
   py::list series;
   for (std::size_t k = 0; k < picture.series.size(); ++k)
     series.append(
@@ -142,6 +151,30 @@ py::dict map_diagram(const std::string& csv, const std::optional<std::string>& q
   out["values"] =
       py::array_t<double>({found.y.values.size(), found.x.values.size()}, found.values.data());
   out["classes"] = std::vector<std::string>(std::begin(stability_names), std::end(stability_names));
+  return out;
+}
+
+py::dict curve_diagram(const std::string& csv) {
+  TableReader table = reader(csv);
+  const MapDiagram found = read_curve_diagram({&table});
+  py::list lines;
+  py::list special;
+  for (const EventLine& line : found.lines) {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (const auto& [first, second] : line.points) {
+      x.push_back(first);
+      y.push_back(second);
+    }
+    lines.append(py::make_tuple(line.event, numbers(x), numbers(y)));
+    for (const EventLine::Special& each : line.special)
+      special.append(py::make_tuple(std::string(name(each.type)), each.at[0], each.at[1]));
+  }
+  py::dict out;
+  out["x"] = map_axis(found.x);
+  out["y"] = map_axis(found.y);
+  out["lines"] = lines;
+  out["special"] = special;
   return out;
 }
 

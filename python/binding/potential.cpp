@@ -9,6 +9,7 @@
 #include "python/binding/toml_from_python.hpp"
 #include "solver/program/case/case_file.hpp"
 #include "solver/program/case/case_schema.hpp"
+#include "solver/program/computation/model_list.hpp"
 #include "solver/program/text/nearest_name.hpp"
 
 namespace stationary::python {
@@ -52,6 +53,17 @@ std::vector<std::string> facts(const Material& self) {
   return out;
 }
 
+/// (name, where it stands in [potential], formula, parameters, domain, what is assumed) of each.
+py::list models() {
+  constexpr std::string_view slots[] = {"plane", "thickness", "coupled", "fibre"};
+  py::list out;
+  for (const ModelDescription& each : cli::all_models())
+    out.append(py::make_tuple(each.name, std::string(slots[static_cast<std::size_t>(each.kind)]),
+                              each.formula, each.parameters, each.domain,
+                              std::string(cli::assumption(each))));
+  return out;
+}
+
 // A reference that is not const, as py::vectorize needs it.
 double value(Material& self, double alpha, double xi, double zeta, double rho) {
   const Stretch q{alpha, xi, zeta, rho};
@@ -86,6 +98,8 @@ void declare_potential(py::module_& module) {
       .def_property_readonly("facts", &facts)
       .def("value", py::vectorize(&value), py::arg("alpha"), py::arg("xi"), py::arg("zeta"),
            py::arg("rho"));
+  module.def("models", &models);
+  module.def("model_list", &cli::model_list, py::arg("name"));
   module.def(
       "body_of_case", [](const Case& input) { return input.body; }, py::arg("case"));
 }

@@ -6,10 +6,10 @@ files::
     import stationary
 
     case = stationary.Case.read("cases/fold.toml")
-    curve = stationary.follow(case)           # or solve, atlas, map
-    curve.table["xi"]                         # a NumPy structured array, columns as in the CSV
-    curve.events                              # the located events, as in the metadata
-    curve.to_pandas(); curve.plot(); curve.write("fold.csv")
+    family = stationary.follow(case)          # or solve, atlas, map, curve, study
+    family.table["xi"]                        # a NumPy structured array, columns as in the CSV
+    family.events                             # the located events, as in the metadata
+    family.to_pandas(); family.plot(); family.write("fold.csv")
 
 and the library below it, on arrays: ``Body``, ``Potential``, ``sweep``, ``solve_batch``,
 ``spectrum``, ``certify`` and ``search``. Units are the user's own: inertia J in mass times length
@@ -33,8 +33,9 @@ from .arrays import (
     sweep,
 )
 from .case import Case
-from .commands import atlas, follow, map, solve
+from .commands import atlas, curve, follow, map, solve, study
 from .errors import Error, InputError, NotFound, NumericalError
+from .potentials import Model, Models, models
 from .result import Result
 
 __all__ = [
@@ -43,6 +44,8 @@ __all__ = [
     "Certificates",
     "Error",
     "InputError",
+    "Model",
+    "Models",
     "NotFound",
     "NumericalError",
     "Potential",
@@ -53,12 +56,15 @@ __all__ = [
     "__version__",
     "atlas",
     "certify",
+    "curve",
     "follow",
     "instructions",
     "map",
+    "models",
     "search",
     "solve",
     "solve_batch",
     "spectrum",
+    "study",
     "sweep",
 ]

@@ -11,7 +11,8 @@ import numpy.typing as npt
 
 from . import _core
 from ._core import Body as Body
-from .errors import NotFound, NumericalError
+from ._input import numbers, thread_count, type_name
+from .errors import InputError, NotFound, NumericalError
 
 _NOT_EQUILIBRIUM = 3  # the program's exit code
 
@@ -58,7 +59,7 @@ class Potential:
     _inner: _core.Potential
 
     def __init__(self, **models: Mapping[str, Any]) -> None:
-        self._inner = _core.Potential({slot: dict(model) for slot, model in models.items()})
+        self._inner = _core.Potential(models)
 
     @classmethod
     def _holding(cls, inner: _core.Potential) -> Potential:
@@ -109,6 +110,13 @@ class Potential:
         )
 
 
+def _model(body: Any, potential: Any, branch: Any) -> tuple[Body, _core.Potential, str]:
+    for name, value, kind in (("body", body, Body), ("potential", potential, Potential)):
+        if not isinstance(value, kind):
+            raise InputError(f"{name}: found {type_name(value)}; expected a {kind.__name__}")
+    return body, potential._inner, str(branch)
+
+
 def sweep(
     body: Body,
     potential: Potential,
@@ -131,11 +139,9 @@ def sweep(
     C++: Sweep, solver/batch/sweep.hpp.
     """
     out, code, text = _core.sweep(
-        body,
-        potential._inner,
-        branch,
-        np.asarray(nu, dtype=float),
-        None if start is None else [float(each) for each in start],
+        *_model(body, potential, branch),
+        numbers(nu, "nu"),
+        None if start is None else numbers(start, "start", 4),
         error_bound,
     )
     if code:
@@ -166,14 +172,12 @@ def solve_batch(
     Raises InputError. C++: solve_batch and cell_spectra, solver/batch, solver/batch_spectrum.
     """
     cells, spectra = _core.solve_batch(
-        body,
-        potential._inner,
-        branch,
-        np.asarray(nu, dtype=float).ravel(),
-        {key: np.asarray(each, dtype=float) for key, each in (parameters or {}).items()},
+        *_model(body, potential, branch),
+        numbers(nu, "nu").ravel(),
+        {str(key): numbers(each, str(key)) for key, each in (parameters or {}).items()},
         spectrum,
         error_bound,
-        threads,
+        thread_count(threads),
     )
     return cells if spectrum is None else (cells, spectra)
 
@@ -195,7 +199,7 @@ def spectrum(
     ``re, im, krein`` of the five modes in reciprocal time, NaN where there is none. What is not
     solved is Stability.NOT_COMPUTED. Raises InputError. C++: Kind::spectrum, solver/kind/kind.hpp.
     """
-    return _core.spectrum(body, potential._inner, branch, points, threads)
+    return _core.spectrum(*_model(body, potential, branch), points, thread_count(threads))
 
 
 class Certificates(NamedTuple):
@@ -223,7 +227,7 @@ def certify(
     points: as of spectrum(). The proofs are for all decimals that read as the numbers given.
     Raises InputError. C++: certify, solver/proof/certify.hpp.
     """
-    return Certificates(*_core.certify(body, potential._inner, branch, points, threads))
+    return Certificates(*_core.certify(*_model(body, potential, branch), points, thread_count(threads)))
 
 
 class Solutions(NamedTuple):
@@ -252,6 +256,9 @@ def search(
     """
     return Solutions(
         *_core.search(
-            body, potential._inner, branch, np.asarray(nu, dtype=float), list(box), threads
+            *_model(body, potential, branch),
+            numbers(nu, "nu"),
+            numbers(box, "box", 2),
+            thread_count(threads),
         )
     )

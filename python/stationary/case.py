@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import html
 import os
 from collections.abc import Iterable, Mapping
 from typing import Any
 
 from . import _core
+from ._text import block, plain
 from .arrays import Body, Potential
 
 
@@ -80,7 +80,7 @@ class Case:
 
     def check(self) -> str:
         """What ``stationary check`` prints: the model, what will be computed, and what will not."""
-        return self._inner.check()
+        return plain(self._inner.check())
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"a case never changes; case.set(...) returns a new one ({name})")
@@ -98,10 +98,10 @@ class Case:
         return _restored, self._inner.state()
 
     def __repr__(self) -> str:
-        return self.check().rstrip("\n")
+        return self.check()
 
     def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(self.check())}</pre>"
+        return block(repr(self))
 
 
 def _restored(keys: dict[str, Any], name: str, overrides: dict[str, str]) -> Case:

@@ -8,8 +8,10 @@ from collections.abc import Mapping
 from typing import Any, Union
 
 from . import _core
+from ._input import thread_count, type_name, whole_number
+from ._study_table import csv_of
 from .case import Case
-from .errors import NotFound, NumericalError
+from .errors import InputError, NotFound, NumericalError
 from .result import Result
 
 CaseLike = Union[Case, Mapping[str, Any], str, "os.PathLike[str]"]
@@ -23,10 +25,30 @@ def _case(case: CaseLike) -> Case:
         return case
     if isinstance(case, Mapping):
         return Case(case)
-    return Case.read(case)
+    return Case.read(_path(case))
 
 
-def _finished(computed: _core.Computed, case: Case, keep: bool = False) -> Result:
+def _keys(case: CaseLike) -> _core.Keys:
+    if isinstance(case, Case):
+        return _core.Keys.of_case(case._inner)
+    if isinstance(case, Mapping):
+        return _core.Keys.of(dict(case))
+    return _core.Keys.read(_path(case))
+
+
+def _path(case: Any) -> str:
+    if isinstance(case, (str, os.PathLike)):
+        return os.fspath(case)
+    raise InputError(f"Case: found {type_name(case)}; expected a Case, a dict or a path")
+
+
+def _checkpoints(asked: int | None) -> int | None:
+    return whole_number(asked, "checkpoints", 1_000_000)
+
+
+def _finished(
+    computed: _core.Computed, case: Union[Case, _core.Keys], keep: bool = False
+) -> Result:
     """Its result. What the program says on standard error is a warning, or the error."""
     result = Result(computed, case) if computed.complete else None
     lines = computed.lines
@@ -47,7 +69,7 @@ def solve(case: CaseLike, *, threads: int | None = 1) -> Result:
     Raises InputError, NotFound where none exists or was found, NumericalError.
     """
     case = _case(case)
-    return _finished(_core.solve(case._inner, threads), case)
+    return _finished(_core.solve(case._inner, thread_count(threads)), case)
 
 
 def follow(case: CaseLike, *, row: str | None = None, threads: int | None = 1) -> Result:
@@ -60,7 +82,7 @@ def follow(case: CaseLike, *, row: str | None = None, threads: int | None = 1) -
     family cannot be followed to an end; the table so far is the error's ``result`` then.
     """
     case = _case(case)
-    return _finished(_core.follow(case._inner, row or "", threads), case)
+    return _finished(_core.follow(case._inner, row or "", thread_count(threads)), case)
 
 
 def atlas(
@@ -73,7 +95,7 @@ def atlas(
     Raises InputError, NumericalError.
     """
     case = _case(case)
-    return _finished(_core.atlas(case._inner, checkpoints, threads), case)
+    return _finished(_core.atlas(case._inner, _checkpoints(checkpoints), thread_count(threads)), case)
 
 
 def map(case: CaseLike, *, threads: int | None = None) -> Result:
@@ -83,4 +105,42 @@ def map(case: CaseLike, *, threads: int | None = None) -> Result:
     them, there is a RuntimeWarning. Raises InputError.
     """
     case = _case(case)
-    return _finished(_core.map(case._inner, threads), case, keep=True)
+    return _finished(_core.map(case._inner, thread_count(threads)), case, keep=True)
+
+
+def curve(case: CaseLike, *, row: str | None = None, threads: int | None = 1) -> Result:
+    """The curves of an event in two numbers of the case, by its ``[curve]``.
+
+    row: "TABLE:N", "TABLE:EVENT" or "TABLE:EVENT:K", an event whose curve is followed; None: every
+    such event of the case's family starts one.
+
+    The table has the columns ``event, curve, point, special, branch``, both parameters under their
+    keys, then the others from ``nu1`` on. Raises InputError, NotFound where the family has no such
+    event, NumericalError.
+    """
+    case = _case(case)
+    return _finished(_core.curve(case._inner, row or "", thread_count(threads)), case)
+
+
+def study(
+    case: CaseLike,
+    table: Any,
+    do: str = "solve",
+    *,
+    checkpoints: int | None = None,
+    threads: int | None = None,
+) -> Result:
+    """The case with the values of each row of a table: solved, followed or charted, in one table.
+
+    case: need be complete only with a row's values (a dict or a path then, not a Case). table: the
+    path of a CSV or HDF5 file, a pandas DataFrame, a structured array, or a dict of columns; columns
+    are keys of the case ("potential.plane.mu"), or begin with "_" and are carried through; what is
+    missing leaves the case's value. do: "solve", "continue" or "atlas"; checkpoints: of each atlas.
+
+    A row that fails is a row with its ``status`` and ``message``, and there is a RuntimeWarning.
+    Raises InputError where the table or the case cannot be read.
+    """
+    keys = _keys(case)
+    over, csv = csv_of(table)
+    computed = _core.study(keys, over, csv, do, _checkpoints(checkpoints), thread_count(threads))
+    return _finished(computed, case if isinstance(case, Case) else keys, keep=True)

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .errors import InputError
+
 if TYPE_CHECKING:
     from .result import Result
 
@@ -33,16 +35,34 @@ _EVENTS: dict[str, tuple[str, bool]] = {
     "collapse": ("p", True),
     "domain": ("p", False),
 }
+_MOST_COLUMNS = 3
+_DASHES: tuple[Any, ...] = ("-", (0, (6, 3)), (0, (1, 2)), (0, (7, 2, 1.5, 2)), (0, (3, 2)))
+_SPECIAL = {"cusp": "^", "degenerate-pitchfork": "o", "double": "s", "turn": "D"}
 _CLASS_COLOURS = ("#24507a", "#7fb2d6", "#c2410c", "#efb366", "#111111")
 
 
-def draw(result: Result, ax: Any, show: str | None) -> Any:
-    axes = result.metadata["case"].get("map", {})
-    if result.metadata.get("command") == "map" and "y" in axes:
-        return _map(result._computed.map_diagram(show), result, ax)
-    if show is not None:
-        raise ValueError("show: a column of a map over two parameters")
-    return _diagram(result._computed.diagram(), result, ax)
+def draw(
+    result: Result, ax: Any, show: list[str], diagram: str, sheets: list[str], branches: list[str]
+) -> Any:
+    command = result.metadata["command"]
+    if diagram not in ("parameter", "energy-momentum"):
+        raise InputError(
+            f'diagram: found the string "{diagram}"; expected "parameter" or "energy-momentum"'
+        )
+    energy_momentum = diagram == "energy-momentum"
+    if command == "curve" or (command == "map" and "y" in result.metadata["case"]["map"]):
+        if len(show) > (command == "map") or energy_momentum or sheets or branches:
+            raise InputError(
+                f"plot: found a table of {command} in two parameters; expected "
+                + ("one column to show and " if command == "map" else "")
+                + "no other diagram, sheet or branch"
+            )
+        if command == "curve":
+            return _event_curves(result._computed.curve_diagram(), result, ax)
+        return _map(result._computed.map_diagram(show[0] if show else None), result, ax)
+    if len(show) > _MOST_COLUMNS:
+        raise InputError(f"show: found {len(show)} columns; expected at most {_MOST_COLUMNS}")
+    return _diagram(result._computed.diagram(show, sheets, branches, energy_momentum), result, ax)
 
 
 def _diagram(found: dict[str, Any], result: Result, ax: Any) -> Any:
@@ -65,6 +85,7 @@ def _diagram(found: dict[str, Any], result: Result, ax: Any) -> Any:
     step = 2 if rates and len(axes) >= 2 * len(panels) else 1
     for k, panel in enumerate(panels[: len(axes) // step]):
         _curves(panel, found["series"], axes[step * k])
+        axes[step * k].set_ylabel(", ".join(found["ordinates"]))
         if step == 2:
             _rates(panel, found["rate_styles"], axes[step * k + 1])
         axes[step * k + step - 1].set_xlabel(panel["abscissa"])
@@ -89,7 +110,8 @@ def _curves(panel: dict[str, Any], series: list[tuple[str, str]], ax: Any) -> No
         ax.plot(x, y, color=series[number][1], lw=width, ls=dashes, marker=dot)
     for name, x, values in panel["events"]:
         marker, filled = _EVENTS.get(name, ("x", True))
-        for (_, colour), y in zip(series, values):
+        for number, y in values:
+            colour = series[number][1]
             ax.plot(x, y, marker, color=colour, mfc=colour if filled else "white")
     _name_events(panel["events"], ax)
     keys = [Line2D([], [], color=colour, lw=2, label=name) for name, colour in series]
@@ -100,12 +122,11 @@ def _curves(panel: dict[str, Any], series: list[tuple[str, str]], ax: Any) -> No
     ]
     ax.legend(handles=keys, loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
     ax.set_title(panel["title"], loc="left")
-    ax.set_ylabel(", ".join(name for name, _ in series))
     _set_axis(ax, "x", panel["x"])
     _set_axis(ax, "y", panel["y"])
 
 
-def _name_events(events: list[tuple[str, float, list[float]]], ax: Any) -> None:
+def _name_events(events: list[tuple[str, float, list[tuple[int, float]]]], ax: Any) -> None:
     """Along the top edge, each name once at a place."""
     places: dict[float, list[str]] = {}
     for name, x, _ in events:
@@ -158,8 +179,37 @@ def _map(found: dict[str, Any], result: Result, ax: Any) -> Any:
         bar.set_ticks(range(len(found["classes"])), labels=found["classes"])
     else:
         bar.set_label(found["name"])
-    for letter, axis in (("x", x), ("y", y)):
-        getattr(ax, f"set_{letter}label")(axis["name"])
-        if axis["log"]:
+    _name_axes(found, ax)
+    return ax
+
+
+def _name_axes(found: dict[str, Any], ax: Any) -> None:
+    for letter in "xy":
+        getattr(ax, f"set_{letter}label")(found[letter]["name"])
+        if found[letter]["log"]:
             getattr(ax, f"set_{letter}scale")("log")
+
+
+def _event_curves(found: dict[str, Any], result: Result, ax: Any) -> Any:
+    """Dark on a light edge, so that a line is seen on any colour; an event a dash."""
+    import matplotlib.pyplot as plt
+    from matplotlib.patheffects import withStroke
+
+    if ax is None:
+        _, ax = plt.subplots(figsize=(8, 6), layout="constrained")
+        ax.set_title(result.case.title)
+        _name_axes(found, ax)
+    edge = [withStroke(linewidth=3.6, foreground="white")]
+    events: list[str] = []
+    for event, x, y in found["lines"]:
+        label = None if event in events else event
+        events += [event] if label else []
+        dashes = _DASHES[events.index(event) % len(_DASHES)]
+        ax.plot(x, y, color="#111827", lw=1.6, ls=dashes, label=label, path_effects=edge)
+    named: set[str] = set()
+    for name, x, y in found["special"]:
+        label = None if name in named else name
+        named.add(name)
+        ax.plot(x, y, _SPECIAL[name], color="#111827", label=label)
+    ax.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncols=4, frameon=False)
     return ax

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import html
 import json
 import os
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._text import block, plain
 from .case import Case
 
 if TYPE_CHECKING:
@@ -25,14 +26,15 @@ class Result:
     ``result["xi"]`` is a column, ``len(result)`` the number of rows.
     """
 
-    def __init__(self, computed: _core.Computed, case: Case) -> None:
+    def __init__(self, computed: _core.Computed, case: Case | _core.Keys) -> None:
         self._computed = computed
-        self._case = case
+        self._given = case
 
-    @property
+    @cached_property
     def case(self) -> Case:
-        """The case it was computed of."""
-        return self._case
+        """The case it was computed of; InputError where a study's is none without a row's values."""
+        given = self._given
+        return given if isinstance(given, Case) else Case._holding(given.case())
 
     @cached_property
     def table(self) -> npt.NDArray[np.void]:
@@ -62,7 +64,7 @@ class Result:
     @property
     def summary(self) -> str:
         """What the program prints for a person."""
-        return self._computed.summary
+        return plain(self._computed.summary)
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """Writes the table, and x.meta.json beside it, the same bytes as the program.
@@ -97,16 +99,32 @@ class Result:
 
         return dataset(self)
 
-    def plot(self, ax: Any = None, *, show: str | None = None) -> Any:
+    def plot(
+        self,
+        ax: Any = None,
+        *,
+        show: str | Sequence[str] | None = None,
+        diagram: str = "parameter",
+        sheets: Iterable[int | str] = (),
+        branches: Iterable[str] = (),
+    ) -> Any:
         """Draws with matplotlib what ``stationary plot`` draws with gnuplot, and returns the axes.
 
         A bifurcation diagram has two, stretches above and, where there is a spectrum, rates below:
-        an array of them; ax: one or two axes to draw into. A map over two parameters has one, with
-        the column ``show``.
+        an array of them; ax: one or two axes to draw into. show: up to three columns instead of the
+        stretches; diagram: "energy-momentum" for the energy against the size of the momentum; only
+        these sheets, only these branches, where they are named.
+
+        A map over two parameters has one, with the column ``show``, and so have curves of events,
+        which may be drawn into a map's: ``curves.plot(chart.plot())``.
+
+        Raises InputError where the table has no such column, sheet or branch.
         """
         from .plot import draw
 
-        return draw(self, ax, show)
+        columns = [show] if isinstance(show, str) else list(show or ())
+        chosen = [str(each) for each in sheets], list(branches)
+        return draw(self, ax, columns, diagram, *chosen)
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
         return self.table[name]
@@ -115,7 +133,7 @@ class Result:
         return len(self.table)
 
     def __repr__(self) -> str:
-        return (self.summary or f"{len(self)} rows").rstrip("\n")
+        return self.summary or f"{len(self)} rows"
 
     def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(repr(self))}</pre>"
+        return block(repr(self))

@@ -91,8 +91,7 @@ def test_reading_with_overrides():
 
 def test_shows_what_check_prints():
     case = Case.read(DISC)
-    assert case.check() == run_program("check", DISC)[1]
-    assert repr(case) == case.check().rstrip("\n")
+    assert repr(case) == case.check() == run_program("check", DISC)[1].rstrip("\n")
     assert case._repr_html_().startswith("<pre>")
     assert case.title == "Thin disc, reciprocal-determinant potential"
 

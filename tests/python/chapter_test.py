@@ -23,6 +23,7 @@ def matches(expected, printed):
     return re.fullmatch(pattern, printed.rstrip(), re.S) is not None
 
 
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
 def test_the_chapter_runs(tmp_path, monkeypatch):
     pytest.importorskip("pandas")
     pytest.importorskip("matplotlib")

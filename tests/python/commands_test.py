@@ -1,6 +1,10 @@
 """Results of solve, follow, atlas and map: tables, metadata, words."""
 
+import contextlib
 import json
+import os
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -55,7 +59,7 @@ def test_shows_the_program_s_summary(fold):
         return [line for line in lines.splitlines() if not line.startswith("points")]
 
     assert lasting(fold.summary) == lasting(text)
-    assert repr(fold) == fold.summary.rstrip("\n")
+    assert repr(fold) == fold.summary
     assert fold._repr_html_().startswith("<pre>")
     assert "&lt;" in fold._repr_html_() or "<" not in fold.summary
 
@@ -82,6 +86,34 @@ def test_a_map_without_any_solution_warns():
     with pytest.warns(RuntimeWarning, match="no stationary ellipsoid in any of 3 cells"):
         result = stationary.map(case)
     assert len(result) == 3
+
+
+def test_texts_are_plain_in_a_terminal_too():
+    code = (
+        "import stationary\n"
+        f"result = stationary.solve({str(FOLD)!r})\n"
+        "for each in (result, result.case, stationary.models()): print(repr(each))\n"
+    )
+    main, terminal = os.openpty()
+    with subprocess.Popen([sys.executable, "-c", code], stdout=terminal) as child:
+        os.close(terminal)
+        shown = b""
+        with contextlib.suppress(OSError):  # how the end of a terminal is told
+            while more := os.read(main, 65536):
+                shown += more
+    os.close(main)
+    assert child.returncode == 0 and b"hencky" in shown and b"\x1b" not in shown
+
+
+def test_models_are_the_program_s():
+    models = stationary.models()
+    assert repr(models) == run_program("models")[1].rstrip("\n")
+    assert str(models["hencky"]) == run_program("models", "hencky")[1].rstrip("\n")
+    assert models["hencky"].parameters == ["mu", "lambda"] and models["hencky"].slot == "plane"
+    assert {each.slot for each in models.values()} == {"plane", "thickness", "coupled", "fibre"}
+    assert "mu &gt; 0" in models["hencky"]._repr_html_() and "&gt;" in models._repr_html_()
+    with pytest.raises(stationary.InputError, match="did you mean"):
+        models["henky"]
 
 
 def test_the_version_is_the_program_s():

@@ -23,6 +23,16 @@ def run_program(*arguments, **options):
     return done.returncode, done.stdout, done.stderr
 
 
+def start_program(*arguments):
+    """The same while something else is done."""
+    return subprocess.Popen(
+        [os.environ["STATIONARY_PROGRAM"], *map(str, arguments)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
 def lasting(path):
     """The metadata beside a table, in their order, without what depends on the run."""
     metadata = json.loads(

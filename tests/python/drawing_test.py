@@ -68,5 +68,44 @@ def test_of_an_atlas_and_of_one_solution():
     chart = stationary.atlas(case("apart"), checkpoints=4)
     assert len(chart.plot()) == 2 * len(set(chart["branch"].tolist()))
     assert len(stationary.solve(case("disc")).plot()) == 2
-    with pytest.raises(ValueError, match="map"):
-        stationary.solve(case("disc")).plot(show="xi")
+
+
+def test_what_is_shown():
+    result = stationary.follow(case("fold"))
+    upper, _ = result.plot(show=["energy", "growth"])
+    assert upper.get_ylabel() == "energy E, growth rate"
+    (only,) = result.plot(diagram="energy-momentum")
+    assert "π" in only.get_xlabel() and only.get_ylabel() == "energy E"
+    drawn = {float(y) for line in only.lines if len(line.get_xdata()) > 2 for y in line.get_ydata()}
+    assert len(drawn) > 50 and drawn <= set(result["energy"].tolist())
+    chart = stationary.atlas(case("apart"), checkpoints=2)
+    (only,) = chart.plot(diagram="energy-momentum")
+    keys = [text.get_text() for text in only.get_legend().get_texts()]
+    assert len([each for each in keys if "axis" in each]) == len(set(chart["branch"].tolist()))
+    assert len(result.plot(sheets=[1], branches=["i"])) == 2
+    wrong = [
+        {"show": "lambada"}, {"show": ["xi"] * 4}, {"sheets": [7]}, {"branches": ["iv"]},
+        {"diagram": "momentum"},
+    ]
+    for each in wrong:
+        with pytest.raises(stationary.InputError):
+            result.plot(**each)
+
+
+def test_curves_of_events_over_a_map():
+    base = case("circle").set(
+        {
+            "curve": {"event": "fold-nu", "parameters": ["nu", "potential.plane.mu"],
+                      "from": [0.0, 0.5], "to": [2.5, 3.0], "tolerance": 1e-6},
+            "map": {"x": {"parameter": "nu", "from": 0.0, "to": 2.5, "count": 7},
+                    "y": {"parameter": "potential.plane.mu", "from": 0.5, "to": 3.0, "count": 5}},
+        }
+    )
+    curves = stationary.curve(base)
+    axes = curves.plot()
+    assert [text.get_text() for text in axes.get_legend().get_texts()][0] == "fold-nu"
+    np.testing.assert_array_equal(axes.lines[0].get_xdata(), curves["nu"][curves["curve"] == 1])
+    chart = stationary.map(base).plot()
+    assert curves.plot(chart) is chart and len(chart.lines) == len(axes.lines)
+    with pytest.raises(stationary.InputError, match="curve"):
+        curves.plot(show="xi")

@@ -117,6 +117,13 @@ def test_what_a_command_needs(disc):
         stationary.follow(disc, row="nowhere.csv")
 
 
+def test_no_case_at_all():
+    for what in (3, None, [1.0], b"cases"):
+        for call in (stationary.solve, lambda what: stationary.study(what, {"motion.nu": [0.1]})):
+            with pytest.raises(InputError, match="a Case, a dict or a path"):
+                call(what)
+
+
 def test_not_found():
     path = SOURCES / "cases" / "too_fast.toml"
     code, _, text = run_program("solve", path)
@@ -156,5 +163,24 @@ def test_of_the_library(disc):
         stationary.solve_batch(body, potential, "i", [0.1], spectrum="some")
     with pytest.raises(InputError, match="stretch"):
         stationary.search(body, potential, "i", [0.1], box=(1.0, 0.5))
+    with pytest.raises(InputError, match="three numbers"):
+        stationary.Body("1", 1.0, 1.0)
+    with pytest.raises(InputError, match="expected numbers"):
+        stationary.sweep(body, potential, "i", ["fast"])
+    with pytest.raises(InputError, match="expected 4 numbers"):
+        stationary.sweep(body, potential, "i", [0.1], start=(1.0, 2.0))
+    with pytest.raises(InputError, match="expected 2 numbers"):
+        stationary.search(body, potential, "i", [0.1], box=1.0)
+    with pytest.raises(InputError, match="a Potential"):
+        stationary.sweep(body, body, "i", [0.1])
+    with pytest.raises(InputError, match="a Body"):
+        stationary.sweep(potential, body, "i", [0.1])
+    with pytest.raises(InputError, match="branch"):
+        stationary.sweep(body, potential, 1, [0.1])
+    for threads in (0, 1025, 2.5, "two", 2**70):
+        with pytest.raises(InputError, match="threads"):
+            stationary.spectrum(body, potential, "i", [], threads=threads)
+    with pytest.raises(InputError, match="plane"):
+        stationary.Potential(plane=3)
     with pytest.raises(InputError, match="no field"):
         stationary.spectrum(body, potential, "i", stationary.sweep(body, potential, "i", [0.1])[["nu"]])

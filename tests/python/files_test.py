@@ -1,14 +1,12 @@
 """What the module writes is what the program writes, byte for byte, on every shipped case."""
 
+import json
 import os
 import warnings
 
 import pytest
 import stationary
-from conftest import CASES, SOURCES, lasting, run_program
-
-# Those that results/ has an atlas of.
-ATLASES = ("neo_hookean", "apart", "near_degenerate", "circle", "double_well", "two_wells", "fibre")
+from conftest import CASES, SOURCES, lasting, run_program, start_program
 
 
 @pytest.fixture(autouse=True)
@@ -18,28 +16,40 @@ def beside_the_cases(monkeypatch):
 
 
 def computed(call, case, **options):
-    """The result, or the one that an error has."""
+    """The result, or the one that an error has, if any; and the error."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", RuntimeWarning)
-            return call(case, **options)
+            return call(case, **options), None
     except (stationary.NotFound, stationary.NumericalError) as error:
-        return error.result
+        return error.result, error
+    except stationary.InputError as error:
+        return None, error
 
 
-def compare(command, call, path, tmp_path, suffixes=(".csv",)):
-    case = stationary.Case.read(path)
-    result = computed(call, case, threads=1)
-    for suffix in suffixes:
-        theirs = tmp_path / f"program{suffix}"
-        ours = tmp_path / f"module{suffix}"
-        code, _, text = run_program(command, path, "-o", theirs, "--quiet", "--threads", 1)
-        if result is None:
-            assert not theirs.exists(), text
-            continue
-        result.write(ours)
-        assert ours.read_bytes() == theirs.read_bytes(), (command, path, code)
-        assert lasting(ours) == lasting(theirs)
+def compare(command, call, path, tmp_path, words=(), case=None, suffix=".csv", **options):
+    """words: the program's options; case, options: the module's of the same."""
+    theirs, ours = tmp_path / f"program{suffix}", tmp_path / f"module{suffix}"
+    arguments = (command, path, *words, "-o", theirs, "--quiet", "--threads", 1)
+    with start_program(*arguments) as running:  # beside the module
+        case = case or stationary.Case.read(path)
+        result, error = computed(call, case, threads=1, **options)
+        _, text = running.communicate()
+    if error is not None:
+        assert text.endswith(f"stationary: {error}\n")
+    if result is None:
+        assert error is not None and not theirs.exists(), text
+        return
+    result.write(ours)
+    assert ours.read_bytes() == theirs.read_bytes(), (command, path, running.returncode)
+    assert lasting(ours) == lasting(theirs)
+
+
+def with_keys(path, **keys):
+    """The case with keys set (dots are two underscores), and the program's words for it."""
+    values = {key.replace("__", "."): value for key, value in keys.items()}
+    words = [word for key, value in values.items() for word in ("--set", f"{key}={value}")]
+    return stationary.Case.read(path).set(values), words
 
 
 def relative(path):
@@ -60,7 +70,8 @@ def test_there_are_cases():
 
 @pytest.mark.parametrize("path", of(lambda path: True))
 def test_solve(path, tmp_path):
-    compare("solve", stationary.solve, path, tmp_path, (".csv", ".h5"))
+    compare("solve", stationary.solve, path, tmp_path)
+    compare("solve", stationary.solve, path, tmp_path, suffix=".h5")
 
 
 @pytest.mark.parametrize("path", of(has("continuation")))
@@ -70,16 +81,46 @@ def test_follow(path, tmp_path):
 
 @pytest.mark.parametrize("path", of(has("map")))
 def test_map(path, tmp_path):
-    compare("map", stationary.map, path, tmp_path, (".csv", ".h5"))
+    compare("map", stationary.map, path, tmp_path)
+    case, words = with_keys(path, map__x__count=7, map__y__count=5)
+    compare("map", stationary.map, path, tmp_path, words, case, ".h5")
 
 
-@pytest.mark.parametrize("path", of(lambda path: path.stem in ATLASES))
+# An atlas is of a range of nu.
+@pytest.mark.parametrize("path", of(has("continuation")))
 def test_atlas(path, tmp_path):
-    compare("atlas", stationary.atlas, path, tmp_path)
+    words = ("--checkpoints", 2)
+    compare("atlas", stationary.atlas, path, tmp_path, words, checkpoints=2)
 
 
-def test_follow_as_hdf5(tmp_path):
-    compare("continue", stationary.follow, "cases/fold.toml", tmp_path, (".h5", ".hdf5"))
+@pytest.mark.parametrize("path", of(lambda path: True))
+def test_study(path, tmp_path):
+    table = tmp_path / "rows.csv"
+    table.write_text("_name,body.J.0,motion.nu\none,1.25,\n\"two, of \"\"µ\"\"\",0.9,0.1\nwrong,-1,\n")
+    task = "continue" if path == "cases/fold.toml" else "solve"
+    words = ("--over", table, "--do", task)
+    study = lambda case, **options: stationary.study(case, table, task, **options)
+    compare("study", study, path, tmp_path, words)
+
+
+def test_curve(tmp_path):
+    path = "cases/circle.toml"
+    keys = {
+        "curve.event": "fold-nu", "curve.parameters": ["nu", "potential.plane.mu"],
+        "curve.from": [0.0, 0.5], "curve.to": [2.5, 3.0], "curve.tolerance": 1e-6,
+    }
+    words = [
+        word for key, value in keys.items()
+        for word in ("--set", f"{key}={json.dumps(value, separators=(',', ':'))}")
+    ]
+    case = stationary.Case.read(path).set(keys)
+    for suffix in (".csv", ".h5"):
+        compare("curve", stationary.curve, path, tmp_path, words, case, suffix)
+
+
+def test_as_hdf5(tmp_path):
+    for suffix in (".h5", ".hdf5"):
+        compare("continue", stationary.follow, "cases/fold.toml", tmp_path, suffix=suffix)
 
 
 def test_with_keys_set(tmp_path):

@@ -14,7 +14,8 @@ PACKAGE = Path(stationary.__file__).parent
 
 def run(*arguments, cwd):
     (cwd / "mypy.ini").write_text("[mypy]\nstrict = True\nignore_missing_imports = True\n")
-    environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
+    cache = str(cwd.parent / "cache")  # NumPy's types are read once
+    environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent), "MYPY_CACHE_DIR": cache}
     done = subprocess.run(
         [sys.executable, "-m", *arguments], capture_output=True, text=True, cwd=cwd, check=False,
         env=environment,

@@ -26,8 +26,8 @@ void add_curve(CLI::App& program, Session& session) {
       ->type_name("TABLE:ROW");
   command.callback([options, &session] {
     session.action = [options, &session] {
-      return compute(*options, session, [&](TableOutput* output, const Run& run) {
-        return curve_case(options->read(), options->from, output, run);
+      return compute(*options, session, [&](TableTarget* target, const Run& run) {
+        return curve_case(options->read(), options->from, target, run);
       });
     };
   });

@@ -1,33 +1,13 @@
-// stationary study CASE --over TABLE --do solve|continue|atlas: the case with the values of each row of a
-// table, solved, followed or charted, and what came of each in one table. The rows are computed by all
-// threads in tiles and written in the order of the table; a journal keeps the tiles that are finished.
-#include <fmt/format.h>
-
+// stationary study CASE --over TABLE --do solve|continue|atlas, as study_case.hpp does it.
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <optional>
-#include <sstream>
-#include <thread>
-#include <utility>
 
-#include "solver/program/case/case_motion.hpp"
-#include "solver/program/case/case_schema.hpp"
-#include "solver/program/rows/equilibrium_row.hpp"
+#include "solver/program/computation/study_case.hpp"
 #include "solver/program/session/command.hpp"
-#include "solver/program/session/interrupt.hpp"
 #include "solver/program/session/output_file.hpp"
-#include "solver/program/session/progress.hpp"
-#include "solver/program/session/report.hpp"
-#include "solver/program/session/table_output.hpp"
-#include "solver/program/table/table_reader.hpp"
 #include "solver/program/tiles/journal.hpp"
-#include "solver/program/tiles/study_answer.hpp"
-#include "solver/program/tiles/study_source.hpp"
-#include "solver/program/tiles/tile_loop.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -39,240 +19,18 @@ struct StudyOptions : ComputeOptions {
   bool resume = false;
 };
 
-/// What the rows of a study came to.
-struct StudyCounts {
-  std::map<std::string, long, std::less<>> statuses;
-  std::size_t rows = 0;   ///< of the table run over
-  std::string first_bad;  ///< message of the first that failed
-
-  long of(StudyStatus status) const {
-    const auto at = statuses.find(name(status));
-    return at == statuses.end() ? 0 : at->second;
-  }
-  long without_answer() const { return of(StudyStatus::failed) + of(StudyStatus::bad_input); }
-};
-
-/// A study as far as it does not depend on how it is run.
-class Study {
- public:
-  explicit Study(const StudyOptions& options)
-      : source_(options.over), base_(CaseTree::read(options.path)), tree_(base_) {
-    for (const std::string& each : options.overrides) {
-      tree_.override_key(each);
-      options_.push_back({each});
-    }
-    const auto* const task = std::ranges::find(study_task_names, options.task);
-    plan_.task = static_cast<StudyTask>(task - std::begin(study_task_names));
-    plan_.checkpoints = options.checkpoints;
-    plan_.certify = options.certify;
-    plan_.columns = columns();
-    // Solves are short, and a record of the journal for each would not be.
-    rows_a_tile_ = plan_.task == StudyTask::solve ? 16 : 1;
-  }
-
-  const StudySource& source() const { return source_; }
-  const StudyPlan& plan() const { return plan_; }
-  const CaseTree& tree() const { return tree_; }
-  /// The case by itself, where it is one without a row's values.
-  std::optional<Case> alone() const {
-    try {
-      return make_case(base_, options_);
-    } catch (const InputError&) {
-      return std::nullopt;
-    }
-  }
-
-  std::vector<CellColumn> header() const {
-    std::vector<CellColumn> out{{"study_row", CellKind::count}};
-    for (const CellColumn& each : source_.columns()) out.push_back(each);
-    out.push_back({"status", CellKind::text});
-    out.push_back({"message", CellKind::text});
-    for (const CellColumn& each : plan_.cell_columns()) out.push_back(each);
-    return out;
-  }
-
-  std::size_t tiles() const { return (source_.rows() + rows_a_tile_ - 1) / rows_a_tile_; }
-  /// Its rows' lines; nothing where it was interrupted.
-  std::optional<std::string> tile(std::size_t k) const {
-    std::string out;
-    const std::size_t end = std::min(source_.rows(), (k + 1) * rows_a_tile_);
-    for (std::size_t row = k * rows_a_tile_; row < end; ++row) {
-      std::vector<Override> overrides = options_;
-      std::ranges::move(source_.overrides(row), std::back_inserter(overrides));
-      const auto found = study_answer(plan_, base_, overrides, &stop_on_signals());
-      if (!found) return std::nullopt;
-      for (const std::string& cells : found->cells)
-        out += fmt::format("{},{},{},{},{}\n", row + 1, source_.cells(row), name(found->status),
-                           csv_cell(found->message), cells);
-    }
-    return out;
-  }
-
-  /// Of all that decides the tiles.
-  std::string hash() const {
-    std::ostringstream tree;
-    tree << tree_.root();
-    return hash_of(
-        {"study", STATIONARY_VERSION, tree_.name(), tree.str(), source_.path(), source_.text(),
-         name(plan_.task), csv_header(header()),
-         fmt::format("{} {} {}", plan_.checkpoints.value_or(0), plan_.certify, rows_a_tile_)});
-  }
-
- private:
-  /// Of solve's rows: those the case asks for, of any kind of motion that a row may have.
-  std::vector<Column> columns() const {
-    if (plan_.task != StudyTask::solve) return {};
-    const bool two_polar = value_or<std::string>(tree_, "motion.branch", "") == two_polar_name ||
-                           source_.has("motion.branch", two_polar_name);
-    const std::vector<Column> all = equilibrium_columns(
-        {.two_polar = two_polar,
-         .spectrum = value_or(tree_, "output.spectrum", true),
-         .certificate = plan_.certify || value_or(tree_, "output.certificate", false)});
-    std::vector<std::string> asked;
-    if (const toml::node* names = find(tree_, "output.columns");
-        names != nullptr && names->is_array())
-      for (const toml::node& each : *names->as_array())
-        asked.push_back(each.value<std::string>().value_or(""));
-    std::vector<Column> out = select_columns(all, asked);
-    if (out.empty())
-      throw fault_at(tree_, "output.columns", "found no column that study computes",
-                     "names of columns of solve");
-    return out;
-  }
-
-  StudySource source_;
-  CaseTree base_;
-  std::vector<Override> options_;  ///< of --set
-  CaseTree tree_;                  ///< with these
-  StudyPlan plan_;
-  std::size_t rows_a_tile_ = 1;
-};
-
-/// Reads the tiles' own lines, so that those of a journal count as well.
-void count(const Study& study, const std::string& lines, StudyCounts& counts) {
-  if (lines.empty()) return;
-  TableReader rows(std::make_unique<std::istringstream>(csv_header(study.header()) + lines),
-                   "study");
-  const std::size_t number = rows.column("study_row").value();
-  const std::size_t status = study.source().columns().size() + 1;
-  std::string last;
-  while (rows.next()) {
-    if (last == rows.text(number)) continue;  // another solution of the same row
-    last = rows.text(number);
-    ++counts.rows;
-    const std::string word(rows.text(status));
-    ++counts.statuses[word];
-    const bool bad = word == name(StudyStatus::failed) || word == name(StudyStatus::bad_input);
-    if (bad && counts.first_bad.empty())
-      counts.first_bad = fmt::format("row {}: {}", last, rows.text(status + 1));
-  }
-}
-
-std::string counted(const StudyCounts& counts) {
-  std::string out;
-  for (const std::string_view each : study_status_names)
-    if (const auto at = counts.statuses.find(each); at != counts.statuses.end())
-      out += fmt::format("{}{} {}", out.empty() ? "" : ", ", at->second, each);
-  return out;
-}
-
-std::string summary(const Study& study, const StudyCounts& counts, double seconds) {
-  constexpr std::size_t label_width = 14;
-  Report out(label_width);
-  out.line("case", printable(study.tree().name()));
-  out.line("over",
-           fmt::format("{}: {} rows", printable(study.source().path()), study.source().rows()));
-  out.line("do", name(study.plan().task));
-  out.line("rows", fmt::format("{}: {}", counts.rows, counted(counts)));
-  if (!counts.first_bad.empty()) out.line("first failure", counts.first_bad);
-  out.line("cost", fmt::format("{:.2g} s", seconds));
-  return out.text();
-}
-
-Metadata describe(const Session& session, const Study& study, const StudyCounts& counts,
-                  const std::optional<Case>& alone) {
-  Metadata out;
-  out.version = STATIONARY_VERSION;
-  out.command_line = session.command_line;
-  if (alone) out.input = &*alone;
-  out.source = &study.tree();
-  out.study = StudyRecord{study.source().path(), std::string(name(study.plan().task)),
-                          study.source().rows()};
-  for (const std::string_view each : study_status_names) {
-    const auto at = counts.statuses.find(each);
-    out.counts.emplace_back(each, at == counts.statuses.end() ? 0 : at->second);
-  }
-  out.outcome = {{"command", "study"},
-                 {"status", counts.rows < study.source().rows() ? "interrupted" : "done"}};
-  return out;
-}
-
-/// What the end says, and its exit code.
-ExitCode conclusion(const Study& study, const StudyCounts& counts, bool resumable) {
-  const std::size_t all = study.source().rows();
-  if (counts.rows < all) {
-    complain(fmt::format("interrupted after {} of {} rows{}", counts.rows, all,
-                         resumable ? ", which are written; --resume goes on with them" : ""));
-    return ExitCode::interrupted;
-  }
-  const long bad = counts.without_answer();
-  if (bad == 0) return ExitCode::done;
-  complain(fmt::format("{} of {} rows failed, the first of them {}", bad, all, counts.first_bad));
-  return bad == static_cast<long>(all) ? ExitCode::failure : ExitCode::done;
-}
-
-ExitCode study_case(const StudyOptions& options, const Session& session) {
-  const Study study(options);
-  const std::atomic<bool>& stop = stop_on_signals();
-  std::optional<TableOutput> output;
-  if (!options.output.empty()) {
+ExitCode study(const StudyOptions& options, const Session& session) {
+  const StudySource source(options.over);
+  const CaseTree base = CaseTree::read(options.path);
+  StudyRun asked{&base, options.overrides, &source, {}, std::nullopt, options.resume};
+  asked.plan.task = *study_task(options.task);
+  asked.plan.checkpoints = options.checkpoints;
+  asked.plan.certify = options.certify;
+  if (options.resume || has_journal(options.output)) asked.journal = options.output;
+  return compute(options, session, [&](TableTarget* target, const Run& run) {
     refuse_to_replace(options.output, options.output, options.over, "the table of --over");
-    output.emplace(options.output, options.path);
-    output->prepare();
-  }
-  std::optional<Journal> journal;
-  if (options.resume || has_journal(options.output))
-    journal.emplace(options.output, study.hash(), options.resume);
-  CellTable* const table = output ? &output->open(study.header()) : nullptr;
-
-  const auto begin = std::chrono::steady_clock::now();
-  StudyCounts counts;
-  ProgressBar progress;
-  const bool with_progress = progress.shown() && !options.quiet;
-  std::size_t finished = journal ? journal->known() : 0;
-  TileLoop loop;
-  loop.tiles = study.tiles();
-  loop.threads = options.threads;
-  loop.stop = &stop;
-  if (journal) loop.known = [&](std::size_t k) { return journal->known(k); };
-  loop.compute = [&](std::size_t k) { return study.tile(k); };
-  loop.done = [&](std::size_t k, const std::string& lines) {
-    if (journal) journal->add(k, lines);
-    if (with_progress)
-      progress.show(static_cast<double>(++finished) / static_cast<double>(loop.tiles),
-                    fmt::format("{} rows", study.source().rows()));
-  };
-  loop.take = [&](std::size_t, const std::string& lines) {
-    count(study, lines, counts);
-    if (table != nullptr)
-      table->write(lines, static_cast<std::size_t>(std::ranges::count(lines, '\n')));
-  };
-  const bool whole = run(loop);
-  progress.clear();
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (output) {
-    const std::optional<Case> alone = study.alone();
-    Metadata metadata = describe(session, study, counts, alone);
-    metadata.seconds = seconds;
-    metadata.threads = options.threads;
-    output->commit(std::move(metadata));
-  }
-  if (journal && whole) journal->finish();
-  const ExitCode code = conclusion(study, counts, journal.has_value());
-  if (options.shows_summary() && code != ExitCode::interrupted)
-    print(summary(study, counts, seconds));
-  return code;
+    return study_case(asked, target, run);
+  });
 }
 
 }  // namespace
@@ -282,7 +40,7 @@ void add_study(CLI::App& program, Session& session) {
       add_command(program, "study",
                   "The case with each row of a table: solved, followed or charted, in one table");
   const auto options = std::make_shared<StudyOptions>();
-  options->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options->threads = all_processors();
   options->add_to(command);
   command
       .add_option(
@@ -305,7 +63,7 @@ void add_study(CLI::App& program, Session& session) {
   command.add_flag("--resume", options->resume,
                    "Go on with the interrupted study at -o FILE: no row is computed twice");
   command.callback([options, &session] {
-    session.action = [options, &session] { return study_case(*options, session); };
+    session.action = [options, &session] { return study(*options, session); };
   });
 }
 

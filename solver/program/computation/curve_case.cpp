@@ -143,13 +143,13 @@ std::string summary(const Case& input, const EventCurves& found, const Rows& row
 
 }  // namespace
 
-Outcome curve_case(const Case& given, const std::string& row, TableOutput* output, const Run& run) {
+Outcome curve_case(const Case& given, const std::string& row, TableTarget* target, const Run& run) {
   require_curve(given);
   std::optional<EventRow> at_row;
   if (!row.empty()) at_row = event_of_row(given, row, given.curve->event);
   const Case& input = at_row ? at_row->input : given;
-  const Wanted wanted = wanted_columns(input, output != nullptr);
-  if (output != nullptr) output->prepare();
+  const Wanted wanted = wanted_columns(input, target != nullptr);
+  if (target != nullptr) target->prepare();
 
   const auto begin = std::chrono::steady_clock::now();
   const EventCurves found = [&] {
@@ -161,7 +161,7 @@ Outcome curve_case(const Case& given, const std::string& row, TableOutput* outpu
     run.complain(failure_text(outcome(found.status), found.message));
     return {exit_code(found.status), {}};
   }
-  CellTable* const table = output != nullptr ? &output->open(header(input, wanted)) : nullptr;
+  CellTable* const table = target != nullptr ? &target->open(header(input, wanted)) : nullptr;
   Rows rows(input, wanted, table);
   Metadata metadata;
   for (const EventCurve& curve : found.curves) {
@@ -172,7 +172,7 @@ Outcome curve_case(const Case& given, const std::string& row, TableOutput* outpu
   }
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (output != nullptr) {
+  if (target != nullptr) {
     metadata.version = STATIONARY_VERSION;
     metadata.command_line = run.command_line;
     metadata.seconds = seconds;
@@ -183,7 +183,7 @@ Outcome curve_case(const Case& given, const std::string& row, TableOutput* outpu
     if (input.output.certificate) metadata.counts.emplace_back("proven", rows.proven());
     metadata.outcome = {{"command", "curve"},
                         {"status", found.interrupted ? "interrupted" : "done"}};
-    output->commit(std::move(metadata));
+    target->commit(std::move(metadata));
   }
   Outcome out;
   for (const std::string& each : found.failures) run.complain("no curve from " + each);

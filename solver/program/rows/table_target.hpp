@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/program/rows/metadata.hpp"
+#include "solver/program/table/cell_table.hpp"
 #include "solver/program/table/table.hpp"
 
 namespace stationary {
@@ -26,6 +27,8 @@ class TableTarget {
   virtual RowSink& open(const std::vector<Column>& columns,
                         const std::vector<std::string>& parameters = {},
                         std::optional<std::size_t> rows = std::nullopt) = 0;
+  /// The same of a table with columns of any name.
+  virtual CellTable& open(std::vector<CellColumn> columns) = 0;
   /// The table is complete. rows and checksum of the metadata are the table's.
   virtual void commit(Metadata metadata) = 0;
 };

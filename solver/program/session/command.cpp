@@ -63,7 +63,7 @@ Case ComputeOptions::read() const {
 }
 
 ExitCode compute(const ComputeOptions& options, const Session& session,
-                 const std::function<Outcome(TableOutput* output, const Run& run)>& computation) {
+                 const std::function<Outcome(TableTarget* target, const Run& run)>& computation) {
   ProgressBar progress;
   Run run;
   run.command_line = session.command_line;

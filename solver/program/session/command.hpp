@@ -57,12 +57,12 @@ struct ComputeOptions : CaseOptions {
   bool shows_summary() const { return !quiet && output != "-"; }
 };
 
-/// Reads nothing of the case itself: computation(output, run) does, and its table goes where the
+/// Reads nothing of the case itself: computation(target, run) does, and its table goes where the
 /// options say (null: there is none). Tells a person on standard error what there is to tell, prints
 /// the summary where one is asked for, and gives the exit code. From here on Ctrl-C ends the
 /// computation, not the program.
 ExitCode compute(const ComputeOptions& options, const Session& session,
-                 const std::function<Outcome(TableOutput* output, const Run& run)>& computation);
+                 const std::function<Outcome(TableTarget* target, const Run& run)>& computation);
 
 /// As many threads as the machine has processors.
 int all_processors();

@@ -27,8 +27,7 @@ class TableOutput final : public TableTarget {
   void prepare() override;
   RowSink& open(const std::vector<Column>& columns, const std::vector<std::string>& parameters = {},
                 std::optional<std::size_t> rows = std::nullopt) override;
-  /// The same of a table with columns of any name.
-  CellTable& open(std::vector<CellColumn> columns);
+  CellTable& open(std::vector<CellColumn> columns) override;
   /// Writes what is left and puts both files in place; before this nothing is.
   void commit(Metadata metadata) override;
   /// The same with the metadata as texts: of the file beside it, and within HDF5 (without what

@@ -56,6 +56,9 @@ class CellTable {
   void write(std::string_view lines, std::size_t rows);
   std::size_t rows() const { return rows_; }
   const TableChecksum& checksum() const { return checksum_; }
+  const std::vector<CellColumn>& columns() const { return columns_; }
+  /// As CSV, where it has no sink.
+  const std::string& kept() const { return kept_; }
   /// Of lines that were kept: all of it as HDF5, created at path. Throws std::runtime_error.
   void finish(const std::string& path, const std::string& metadata) const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <new>
 #include <variant>
 
@@ -110,6 +111,12 @@ std::optional<StudyAnswer> answer(const StudyPlan& plan, const CaseTree& base,
 }
 
 }  // namespace
+
+std::optional<StudyTask> study_task(std::string_view name) {
+  const auto* const task = std::ranges::find(study_task_names, name);
+  if (task == std::end(study_task_names)) return std::nullopt;
+  return static_cast<StudyTask>(task - std::begin(study_task_names));
+}
 
 std::vector<CellColumn> StudyPlan::cell_columns() const {
   if (task != StudyTask::solve) return sheet_summary_columns();

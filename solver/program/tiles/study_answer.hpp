@@ -16,6 +16,8 @@ namespace stationary::cli {
 enum class StudyTask { solve, follow, atlas };
 constexpr std::string_view study_task_names[] = {"solve", "continue", "atlas"};
 constexpr std::string_view name(StudyTask t) { return study_task_names[static_cast<int>(t)]; }
+/// Of that name, if there is one.
+std::optional<StudyTask> study_task(std::string_view name);
 
 enum class StudyStatus { solved, none, not_found, failed, bad_input };
 constexpr std::string_view study_status_names[] = {"solved", "none", "not-found", "failed",

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/table/column_file.hpp"
-#include "solver/program/table/table_reader.hpp"
 #include "solver/program/text/nearest_name.hpp"
 
 namespace stationary::cli {
@@ -61,18 +61,21 @@ void require_name(const std::string& path, const std::string& name) {
 
 }  // namespace
 
-StudySource::StudySource(const std::string& path) : path_(path) {
-  TableReader table =
-      is_column_file(path) ? TableReader(column_file_table(path, {}), path) : TableReader(path);
+StudySource::StudySource(const std::string& path)
+    : StudySource(
+          is_column_file(path) ? TableReader(column_file_table(path, {}), path) : TableReader(path),
+          path) {}
+
+StudySource::StudySource(TableReader table, std::string path) : path_(std::move(path)) {
   names_ = table.columns();
-  for (const std::string& name : names_) require_name(path, name);
+  for (const std::string& name : names_) require_name(path_, name);
   while (table.next()) {
     std::vector<Cell>& row = rows_.emplace_back();
     for (std::size_t k = 0; k < names_.size(); ++k)
       row.push_back({std::string(table.text(k)), table.fault(k, {}).origin()});
   }
   if (rows_.empty())
-    throw InputError(Origin::in_file(path), "", "found no rows", "a header and a row at least");
+    throw InputError(Origin::in_file(path_), "", "found no rows", "a header and a row at least");
   for (std::size_t k = 0; k < names_.size(); ++k) {
     const bool numbers = std::ranges::all_of(rows_, [k](const std::vector<Cell>& row) {
       return row[k].text.empty() || is_number(row[k].text);

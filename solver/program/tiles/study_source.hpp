@@ -14,6 +14,7 @@
 
 #include "solver/program/case/case_file.hpp"
 #include "solver/program/table/cell_table.hpp"
+#include "solver/program/table/table_reader.hpp"
 
 namespace stationary::cli {
 
@@ -21,6 +22,8 @@ class StudySource {
  public:
   /// CSV or HDF5. Throws InputError: no such table, no rows, a column that names no key of a case.
   explicit StudySource(const std::string& path);
+  /// Of a table at hand; path: what messages call it.
+  StudySource(TableReader table, std::string path);
 
   const std::string& path() const { return path_; }
   std::size_t rows() const { return rows_.size(); }

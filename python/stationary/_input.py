@@ -1,0 +1,40 @@
+"""What functions are given, as C++ takes it; InputError where it is something else."""
+
+from __future__ import annotations
+
+import operator
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import InputError
+
+
+def type_name(value: Any) -> str:
+    return f"a value of type {type(value).__name__}"
+
+
+def whole_number(value: Any, name: str, most: int) -> int | None:
+    """From 1 to most, or None; name: what messages call it."""
+    try:
+        number = None if value is None else operator.index(value)
+    except TypeError:
+        number = 0
+    if number is None or 1 <= number <= most:
+        return number
+    raise InputError(f"{name}: found {value!r}; expected None or a whole number from 1 to {most}")
+
+
+def thread_count(asked: Any) -> int | None:
+    return whole_number(asked, "threads", 1024)
+
+
+def numbers(values: Any, name: str, count: int | None = None) -> npt.NDArray[np.float64]:
+    try:
+        out = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: found {values!r}; expected numbers") from None
+    if count is not None and out.shape != (count,):
+        raise InputError(f"{name}: found {values!r}; expected {count} numbers")
+    return out

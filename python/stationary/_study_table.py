@@ -1,0 +1,70 @@
+"""The table that a study runs over, from Python's values."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import os
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from . import _core
+from ._input import type_name
+from .errors import InputError
+
+# What messages and metadata call a table that is no file.
+_NAME = "table"
+
+
+def csv_of(table: Any) -> tuple[str, str | None]:
+    """A file's path and None, or a name and the text."""
+    if isinstance(table, (str, os.PathLike)):
+        return os.fspath(table), None
+    columns = _columns(table)
+    lengths = {len(cells) for cells in columns.values()}
+    if len(lengths) > 1:
+        found = ", ".join(f"{len(cells)} of {key}" for key, cells in columns.items())
+        raise InputError(f"{_NAME}: found {found}; expected as many values in every column")
+    text = io.StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    rows.writerow(columns)
+    for row in zip(*columns.values()):
+        rows.writerow(_cell(value, key) for key, value in zip(columns, row))
+    return _NAME, text.getvalue()
+
+
+def _columns(table: Any) -> dict[str, list[Any]]:
+    names = getattr(getattr(table, "dtype", None), "names", None)
+    if names is None and isinstance(table, Mapping):
+        names = list(table)
+    elif names is None and hasattr(table, "columns"):
+        names = list(table.columns)
+    elif names is None:
+        raise InputError(
+            f"{_NAME}: found {type_name(table)}; expected a path, a DataFrame, a structured array or a "
+            "dict of columns"
+        )
+    return {str(name): _values(table[name], str(name)) for name in names}
+
+
+def _values(column: Any, key: str) -> list[Any]:
+    if hasattr(column, "tolist"):
+        column = column.tolist()
+    if isinstance(column, (str, bytes, Mapping)) or not hasattr(column, "__iter__"):
+        raise InputError(f"{_NAME}: {key}: found {type_name(column)}; expected a column of values")
+    return list(column)
+
+
+def _cell(value: Any, key: str) -> str:
+    if value is None or type(value).__name__ in ("NAType", "NaTType"):
+        return ""
+    if isinstance(value, (float, np.floating)) and math.isnan(value):
+        return ""
+    if isinstance(value, str):
+        return value
+    if key.startswith("_") and not isinstance(value, (float, np.floating)):
+        return str(value)
+    return _core.assigned_text(value, key)
