@@ -5,7 +5,7 @@ set -euo pipefail
 usage() {
   cat >&2 <<'TEXT'
 usage: ./bootstrap.sh run     set up, build, solve cases/fold.toml and follow it into results/
-       ./bootstrap.sh test    set up, build and pass the tests, in release and under the sanitizers
+       ./bootstrap.sh test    set up, build and pass the tests, the Python module's too, in release and under the sanitizers
        ./bootstrap.sh all     as test, then the documentation, the Debian packages, and the Python module for the system
 Set-up installs Debian packages that are missing, as root or through sudo; it asks nothing.
 TEXT
@@ -34,8 +34,7 @@ python_packages=(
   python3-dev pybind11-dev python3-numpy python3-pandas python3-xarray python3-matplotlib
   python3-sympy python3-pip python3-venv python3-setuptools python3-wheel python3-pytest mypy
 )
-[[ $verb == run ]] || packages+=("${test_packages[@]}")
-[[ $verb != all ]] || packages+=("${python_packages[@]}")
+[[ $verb == run ]] || packages+=("${test_packages[@]}" "${python_packages[@]}")
 # The documentation, Debian packages with what looks them over, the page of `explore` and a browser for it.
 all_packages=(python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian nodejs npm chromium)
 [[ $verb != all ]] || packages+=("${all_packages[@]}")
@@ -125,9 +124,7 @@ if [[ $verb == run ]]; then
   end_stage
   printf '\nOpen results/fold.svg: the stretches and the spectrum against nu. docs/tutorial.md goes on from here.\n'
 else
-  python=OFF
-  [[ $verb != all ]] || python=ON
-  build release all -D STATIONARY_BUILD_TESTS=ON -D STATIONARY_TEST_COMPILER=clang++ -D STATIONARY_PYTHON=$python
+  build release all -D STATIONARY_BUILD_TESTS=ON -D STATIONARY_TEST_COMPILER=clang++ -D STATIONARY_PYTHON=ON
   run_tests release
   # Under the sanitizers the mechanics alone: solver and program would take twice as long again.
   # `cmake --workflow --preset sanitize` runs these too.

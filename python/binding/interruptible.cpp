@@ -1,14 +1,18 @@
 #include "python/binding/interruptible.hpp"
 
 #include <pybind11/pybind11.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace stationary::python {
 namespace py = pybind11;
@@ -24,6 +28,68 @@ bool on_main_thread() {
 /// How long a signal waits at most.
 constexpr std::chrono::milliseconds look_every{20};
 
+/// A thread that lives on between one work and the next, for a new one costs as much as a short work:
+/// its memory is new to it.
+class Worker {
+ public:
+  Worker() {
+    std::thread([this] { serve(); }).detach();
+  }
+  void begin(std::function<void()> work) {
+    const std::lock_guard lock(mutex_);
+    work_ = std::move(work);
+    changed_.notify_all();
+  }
+  /// Whether the work is done, by then or before.
+  bool wait(std::chrono::milliseconds at_most) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, at_most, [this] { return !work_; });
+  }
+
+ private:
+  [[noreturn]] void serve() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      changed_.wait(lock, [this] { return static_cast<bool>(work_); });
+      lock.unlock();
+      work_();
+      lock.lock();
+      work_ = nullptr;
+      changed_.notify_all();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::function<void()> work_;
+};
+
+/// One for the main thread while this lives; another where a handler of a signal computes meanwhile.
+/// Kept for the process that began them (a child has none of their threads), until it ends.
+class Hired {
+ public:
+  Hired() {
+    if (process_ != getpid()) idle_.clear();
+    process_ = getpid();
+    if (idle_.empty()) {
+      worker_ = new Worker;  // NOLINT(cppcoreguidelines-owning-memory)
+    } else {
+      worker_ = idle_.back();
+      idle_.pop_back();
+    }
+  }
+  Hired(const Hired&) = delete;
+  Hired& operator=(const Hired&) = delete;
+  ~Hired() { idle_.push_back(worker_); }
+
+  Worker* operator->() const { return worker_; }
+
+ private:
+  static inline pid_t process_ = 0;
+  static inline std::vector<Worker*> idle_;
+  Worker* worker_;
+};
+
 }  // namespace
 
 void interruptible(const std::function<void(const std::atomic<bool>& stop)>& work) {
@@ -33,39 +99,26 @@ void interruptible(const std::function<void(const std::atomic<bool>& stop)>& wor
     work(stop);
     return;
   }
-  std::mutex mutex;
-  std::condition_variable ended;
-  bool done = false;
   std::exception_ptr failure;
   std::exception_ptr signalled;
   {
+    const Hired worker;
     const py::gil_scoped_release released;
-    std::thread worker([&] {
+    worker->begin([&] {
       try {
         work(stop);
       } catch (...) {
         failure = std::current_exception();
       }
-      // Told under the lock: what is waited on lives in the other thread.
-      const std::lock_guard lock(mutex);
-      done = true;
-      ended.notify_one();
     });
-    std::unique_lock lock(mutex);
-    while (!ended.wait_for(lock, look_every, [&] { return done; })) {
+    while (!worker->wait(look_every)) {
       if (stop) continue;
-      lock.unlock();
-      {
-        const py::gil_scoped_acquire held;
-        if (PyErr_CheckSignals() != 0) {
-          signalled = std::make_exception_ptr(py::error_already_set());
-          stop = true;
-        }
+      const py::gil_scoped_acquire held;
+      if (PyErr_CheckSignals() != 0) {
+        signalled = std::make_exception_ptr(py::error_already_set());
+        stop = true;
       }
-      lock.lock();
     }
-    lock.unlock();
-    worker.join();
   }
   if (signalled) std::rethrow_exception(signalled);
   if (failure) std::rethrow_exception(failure);

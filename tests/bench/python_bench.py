@@ -1,5 +1,6 @@
 """What Python costs: `stationary.sweep` beside the C++ sweep, `follow` beside processes, batches, and how
-soon Ctrl-C ends an atlas. What is compared is measured in turns; the best time of each counts.
+soon Ctrl-C ends an atlas. What is compared is measured in turns, the best of each counts; as processors' time,
+all threads and processes together, where that is what is compared.
 
     cmake --build build/release --target python_bench
 """
@@ -25,6 +26,12 @@ def seconds(work):
     return time.perf_counter() - begin
 
 
+def processor_seconds(work):
+    begin = sum(os.times()[:4])
+    work()
+    return sum(os.times()[:4]) - begin
+
+
 def in_turns(rounds, *measures):
     """Of each, a function that returns seconds, the least."""
     times = [[measure() for measure in measures] for _ in range(rounds)]
@@ -37,8 +44,8 @@ disc = stationary.Case.read(CASES / "disc.toml")
 def sweeps():
     nu = np.linspace(0.0, 1.0, 1_000_000)
     ours, peer = in_turns(
-        10,
-        lambda: seconds(lambda: stationary.sweep(disc.body, disc.potential, "i", nu)),
+        8,
+        lambda: processor_seconds(lambda: stationary.sweep(disc.body, disc.potential, "i", nu)),
         lambda: float(subprocess.check_output([PEER])),
     )
     print(f"sweep over a million nu: {ours:.3f} s, in C++ {peer:.3f} s, ratio {ours / peer:.3f}")
@@ -64,7 +71,7 @@ def follows():
     case = disc.set("continuation.tolerance", 1e-6)
     inertias = 1.2 + 0.0005 * np.arange(1000)
     cases = [case.set("body.J.1", J2) for J2 in inertias]
-    count = 50  # processes a round
+    count = 100  # processes a round
     with tempfile.TemporaryDirectory() as directory:
 
         def process(J2):
@@ -75,12 +82,14 @@ def follows():
             )
 
         inside, with_set, outside = in_turns(
-            4,
-            lambda: seconds(lambda: [stationary.follow(each) for each in cases]),
-            lambda: seconds(
+            3,
+            lambda: processor_seconds(lambda: [stationary.follow(each) for each in cases]),
+            lambda: processor_seconds(
                 lambda: [stationary.follow(case.set("body.J.1", J2)) for J2 in inertias]
             ),
-            lambda: seconds(lambda: [process(J2) for J2 in inertias[:: 1000 // count]]) * 1000 / count,
+            lambda: processor_seconds(lambda: [process(J2) for J2 in inertias[:: 1000 // count]])
+            * 1000
+            / count,
         )
     print(
         f"a thousand follow: {inside:.2f} s, with set {with_set:.2f} s; as processes {outside:.1f} s, "
@@ -89,7 +98,7 @@ def follows():
 
 
 def solves():
-    took = min(seconds(lambda: [stationary.solve(disc) for _ in range(200)]) for _ in range(3))
+    took = min(processor_seconds(lambda: [stationary.solve(disc) for _ in range(200)]) for _ in range(3))
     print(f"solve: {took / 200 * 1e6:.0f} us")
 
 
