@@ -153,6 +153,39 @@ void ArrayTable::commit(Metadata metadata) {
   complete_ = true;
 }
 
+ArrayTable::Contents ArrayTable::contents() const {
+  Contents out{{}, parameters_, expected_, {}, {}, 0, metadata_, lasting_metadata_, complete_};
+  for (const Column c : columns_) out.columns.emplace_back(name(c));
+  if (cells_) {
+    for (const CellColumn& each : cells_->columns())
+      out.cell_columns.emplace_back(each.name, static_cast<int>(each.kind));
+    out.bytes = cells_->kept();
+    out.rows = cells_->rows();
+  } else {
+    out.bytes.assign(reinterpret_cast<const char*>(records_.data()), records_.size());
+  }
+  return out;
+}
+
+void ArrayTable::restore(const Contents& of) {
+  if (!of.cell_columns.empty()) {
+    std::vector<CellColumn> columns;
+    for (const auto& [name, kind] : of.cell_columns)
+      columns.push_back({name, static_cast<CellKind>(kind)});
+    const std::size_t header = csv_header(columns).size();
+    open(std::move(columns)).write(std::string_view(of.bytes).substr(header), of.rows);
+  } else if (!of.columns.empty() || !of.parameters.empty()) {
+    std::vector<Column> columns;
+    for (const std::string& each : of.columns) columns.push_back(find_column(each).value());
+    open(columns, of.parameters, of.expected);
+    const auto* const begin = reinterpret_cast<const std::byte*>(of.bytes.data());
+    records_.assign(begin, begin + of.bytes.size());
+  }
+  metadata_ = of.metadata;
+  lasting_metadata_ = of.lasting_metadata;
+  complete_ = of.complete;
+}
+
 void ArrayTable::write(RowSink& sink) const {
   Texts texts;
   TableRow row;

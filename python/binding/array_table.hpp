@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/program/rows/table_target.hpp"
@@ -49,6 +50,21 @@ class ArrayTable final : public TableTarget {
   const std::byte* records() const { return records_.data(); }
   /// The text of x.meta.json.
   const std::string& metadata() const { return metadata_; }
+
+  /// All of it, as another process takes it: columns and cell_columns by name, one of them empty.
+  struct Contents {
+    std::vector<std::string> columns;
+    std::vector<std::string> parameters;
+    std::optional<std::size_t> expected;
+    std::vector<std::pair<std::string, int>> cell_columns;  ///< with their kinds
+    std::string bytes;                                      ///< records, or lines
+    std::size_t rows;
+    std::string metadata;
+    std::string lasting_metadata;
+    bool complete;
+  };
+  Contents contents() const;
+  void restore(const Contents& of);
 
   /// As the program writes it, with the metadata beside. Throws InputError where it cannot, or would
   /// replace the case file.

@@ -133,7 +133,6 @@ py::tuple solve_batch(const Body& body, const Material& material, const std::str
     const std::size_t at_once =
         std::max<std::size_t>(cells_at_once / spins.size() / tile, how.threads) * tile;
     BatchResult solved;
-    if (spectra_out != nullptr) std::fill_n(spectra_out, lanes * spins.size(), SpectrumRecord());
     for (std::size_t begin = 0; begin < lanes && !stop; begin += at_once) {
       const std::size_t share_of = std::min(at_once, lanes - begin);
       const BatchInput input = share(problem, lane_values, spins, begin, share_of);
@@ -146,9 +145,11 @@ py::tuple solve_batch(const Body& body, const Material& material, const std::str
                    cell.rho,   cell.error_bound, static_cast<std::int32_t>(cell.status)};
         }
       }
-      if (spectra_out != nullptr && !stop)
-        spectra(input, solved, *spectrum == "modes", how.threads,
-                spectra_out + begin * spins.size());
+      if (spectra_out != nullptr) {
+        SpectrumRecord* const share_out = spectra_out + begin * spins.size();
+        std::fill_n(share_out, share_of * spins.size(), SpectrumRecord());
+        if (!stop) spectra(input, solved, *spectrum == "modes", how.threads, share_out);
+      }
     }
   });
   return py::make_tuple(cells, modes ? py::object(*modes) : py::none());

@@ -66,6 +66,19 @@ void declare_keys(py::module_& module) {
       .def_static(
           "of_case", [](const Case& input) { return std::make_shared<CaseTree>(input.source); },
           py::arg("case"))
+      .def(py::pickle(
+          [](const CaseTree& self) {
+            return py::make_tuple(to_python(self.root()), self.name(),
+                                  std::map<std::string, std::string>(self.overrides().begin(),
+                                                                     self.overrides().end()));
+          },
+          [](const py::tuple& state) {
+            const auto name = state[1].cast<std::string>();
+            const auto overrides = state[2].cast<std::map<std::string, std::string>>();
+            return std::make_shared<CaseTree>(
+                CaseTree::of(table_from_python(state[0].cast<py::dict>(), name), name,
+                             Overrides(overrides.begin(), overrides.end())));
+          }))
       .def("case", [](const CaseTree& self) { return make(self); });
   module.def("assigned_text", &assigned_text, py::arg("value"), py::arg("key"));
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -162,10 +163,46 @@ void write(const Computed& self, const std::string& path) {
   self.table.write(path, self.input_file);
 }
 
+py::tuple state(const Computed& self) {
+  const ArrayTable::Contents table = self.table.contents();
+  return py::make_tuple(self.input_file, self.other_file, static_cast<int>(self.outcome.code),
+                        self.outcome.summary, self.lines, table.columns, table.parameters,
+                        table.expected, table.cell_columns, py::bytes(table.bytes), table.rows,
+                        table.metadata, table.lasting_metadata, table.complete);
+}
+
+std::shared_ptr<Computed> restored(const py::tuple& state) {
+  auto out = std::make_shared<Computed>();
+  ArrayTable::Contents table;
+  std::size_t k = 0;
+  const auto next = [&](auto& value) {
+    value = state[k++].template cast<std::remove_reference_t<decltype(value)>>();
+  };
+  int code = 0;
+  next(out->input_file);
+  next(out->other_file);
+  next(code);
+  next(out->outcome.summary);
+  next(out->lines);
+  next(table.columns);
+  next(table.parameters);
+  next(table.expected);
+  next(table.cell_columns);
+  next(table.bytes);
+  next(table.rows);
+  next(table.metadata);
+  next(table.lasting_metadata);
+  next(table.complete);
+  out->outcome.code = static_cast<cli::ExitCode>(code);
+  out->table.restore(table);
+  return out;
+}
+
 }  // namespace
 
 void declare_computed(py::module_& module) {
   py::class_<Computed, std::shared_ptr<Computed>>(module, "Computed")
+      .def(py::pickle(&state, &restored))
       .def_property_readonly("code", [](const Computed& self) { return int(self.outcome.code); })
       .def_property_readonly("summary", [](const Computed& self) { return self.outcome.summary; })
       .def_property_readonly("lines", [](const Computed& self) { return self.lines; })

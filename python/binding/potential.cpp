@@ -83,12 +83,6 @@ Branch branch_named(const std::string& name) {
 void declare_potential(py::module_& module) {
   py::class_<Material, std::shared_ptr<Material>>(module, "Potential")
       .def(py::init([](const py::dict& models) { return read(models); }), py::arg("models"))
-      .def_static(
-          "of_case",
-          [](const Case& input) {
-            return Material{input.models, input.potential};
-          },
-          py::arg("case"))
       .def_property_readonly("isotropic",
                              [](const Material& self) { return self.potential.is_isotropic(); })
       .def_property_readonly("separable",

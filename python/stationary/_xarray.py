@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .errors import InputError
+
 if TYPE_CHECKING:
     import xarray
 
@@ -39,14 +41,17 @@ def _described(name: str) -> dict[str, str]:
 def dataset(result: Result) -> xarray.Dataset:
     import xarray
 
+    command = result.metadata["command"]
+    if command != "map":
+        raise InputError(f"to_xarray: found a table of {command}; expected a map's, which has a grid")
     case = result.metadata["case"]
-    if "map" not in case or result.metadata.get("command") != "map":
-        raise ValueError("a table of map(), which has a grid")
     axes = [case["map"][axis] for axis in ("y", "x") if axis in case["map"]]
     shape = tuple(axis["count"] for axis in axes)
     names = [axis["parameter"] for axis in axes]
     if len(result) != int(np.prod(shape)):
-        raise ValueError(f"{len(result)} rows of a map of {int(np.prod(shape))} cells")
+        raise InputError(
+            f"to_xarray: found {len(result)} rows; expected a map's {int(np.prod(shape))} cells"
+        )
     table = result.table.reshape(shape)
     coordinates: dict[str, Any] = {}
     for k, name in enumerate(names):

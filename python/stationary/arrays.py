@@ -51,21 +51,21 @@ class Potential:
         Potential(plane={"model": "reciprocal-determinant", "c": 1.0, "k": 2.0},
                   thickness={"model": "reciprocal-quadratic", "a": 1.0, "b": 3.0})
         Potential(coupled={"expression": "mu/2*(I1 - 2*log(d*rho))", "mu": 1.0})
+        Potential({"plane": {...}, "thickness": {...}})
 
     An expression may be SymPy's. Raises InputError with the program's text.
     """
 
-    __slots__ = ("_inner",)
+    __slots__ = ("_inner", "_models")
     _inner: _core.Potential
+    _models: dict[str, Any]
 
-    def __init__(self, **models: Mapping[str, Any]) -> None:
-        self._inner = _core.Potential(models)
+    def __init__(self, keys: Mapping[str, Any] | None = None, /, **models: Any) -> None:
+        self._models = {**(keys or {}), **models}
+        self._inner = _core.Potential(self._models)
 
-    @classmethod
-    def _holding(cls, inner: _core.Potential) -> Potential:
-        out = cls.__new__(cls)
-        out._inner = inner
-        return out
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Potential, (self._models,)
 
     @property
     def isotropic(self) -> bool:

@@ -76,7 +76,7 @@ class Case:
     @property
     def potential(self) -> Potential:
         """Its potential."""
-        return Potential._holding(_core.Potential.of_case(self._inner))
+        return Potential(self.to_dict()["potential"])
 
     def check(self) -> str:
         """What ``stationary check`` prints: the model, what will be computed, and what will not."""

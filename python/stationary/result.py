@@ -93,7 +93,7 @@ class Result:
         """A map's table over its parameters, which are the coordinates; dimensions (y, x).
 
         Columns and coordinates carry their units, the coordinates the rest of the case's numbers
-        too. Raises ValueError where the table is not a whole map's.
+        too. Raises InputError where the table is not a whole map's.
         """
         from ._xarray import dataset
 
@@ -127,7 +127,14 @@ class Result:
         return draw(self, ax, columns, diagram, *chosen)
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
+        """A column; KeyError where there is none of that name."""
+        names = self.table.dtype.names or ()
+        if name not in names:
+            raise KeyError(f"no column {name!r}; there are {', '.join(names)}")
         return self.table[name]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Result, (self._computed, self._given)
 
     def __len__(self) -> int:
         return len(self.table)

@@ -27,6 +27,11 @@ def test_potentials(material):
     _, potential = material
     assert potential.isotropic and potential.separable
     assert "c = 1" in repr(potential)
+    again = pickle.loads(pickle.dumps(potential))
+    assert again.coefficients == potential.coefficients and again.value(0.1, 1.2, 1.0, 0.9) == potential.value(0.1, 1.2, 1.0, 0.9)
+    models = {"plane": {"model": "hencky", "mu": 1.0, "lambda": 1.0}}
+    models["thickness"] = {"model": "reciprocal-quadratic", "a": 1.0, "b": 3.0}
+    assert repr(stationary.Potential(models)) == repr(stationary.Potential(**models))
     grid = potential.value(0.0, np.linspace(0.5, 2.0, 4)[:, None], [[1.0, 1.5]], 1.0)
     assert grid.shape == (4, 2)
     with pytest.raises(stationary.InputError):

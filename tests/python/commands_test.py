@@ -3,6 +3,7 @@
 import contextlib
 import json
 import os
+import pickle
 import subprocess
 import sys
 
@@ -62,6 +63,24 @@ def test_shows_the_program_s_summary(fold):
     assert repr(fold) == fold.summary
     assert fold._repr_html_().startswith("<pre>")
     assert "&lt;" in fold._repr_html_() or "<" not in fold.summary
+
+
+def test_goes_to_other_processes(fold, disc, tmp_path):
+    study = stationary.study({**disc, "motion": {"branch": "i"}}, {"motion.nu": [0.1, 0.2]})
+    for result in (fold, stationary.solve(disc), study):
+        other = pickle.loads(pickle.dumps(result))
+        assert other.table.tobytes() == result.table.tobytes() and repr(other) == repr(result)
+        assert other.metadata == result.metadata
+        for suffix in ("csv", "h5"):
+            result.write(tmp_path / f"a.{suffix}")
+            other.write(tmp_path / f"b.{suffix}")
+            assert (tmp_path / f"a.{suffix}").read_bytes() == (tmp_path / f"b.{suffix}").read_bytes()
+    assert pickle.loads(pickle.dumps(fold)).case == fold.case
+
+
+def test_no_such_column(fold):
+    with pytest.raises(KeyError, match="no column 'xii'; there are branch, sheet"):
+        fold["xii"]
 
 
 def test_atlas_has_every_sheet():

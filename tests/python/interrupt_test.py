@@ -13,11 +13,16 @@ WORK = {
     "atlas": "stationary.atlas(fold, checkpoints=50_000)",
     "follow": "stationary.follow(fold.set({'continuation.tolerance': 1e-14, 'continuation.step': 1e-8}))\n"
     "while True: stationary.follow(fold)",
-    "map": "stationary.map(fold.set('map', {'x': {'parameter': 'nu', 'from': 0.0, 'to': 0.5, 'count': 4000},"
-    " 'y': {'parameter': 'body.J.1', 'from': 1.1, 'to': 2.0, 'count': 4000}}))",
+    "curve": "circle = fold.set({'potential.plane': {'model': 'neo-hookean', 'mu': 1.0, 'lambda': 2.0},"
+    " 'curve': {'event': 'tilt', 'parameters': ['nu', 'body.J.1'], 'from': [0.0, 1.1], 'to': [1.0, 3.0],"
+    " 'tolerance': 1e-12}})\n"
+    "while True: stationary.curve(circle)",
+    "study": "stationary.study(fold, {'motion.nu': np.linspace(0.0, 0.5, 40_000)}, 'continue')",
+    "map": "stationary.map(fold.set('map', {'x': {'parameter': 'nu', 'from': 0.0, 'to': 0.5, 'count': 2000},"
+    " 'y': {'parameter': 'body.J.1', 'from': 1.1, 'to': 2.0, 'count': 2000}}))",
     "sweep": "stationary.sweep(fold.body, fold.potential, 'i', np.linspace(0.0, 0.5, 30_000_000))",
     "solve_batch": "stationary.solve_batch(fold.body, fold.potential, 'i', np.linspace(0.0, 0.5, 1000),"
-    " {'body.J.1': np.linspace(1.1, 2.0, 30_000)}, spectrum='modes')",
+    " {'body.J.1': np.linspace(1.1, 2.0, 5_000)}, spectrum='modes')",
     "search": "stationary.search(fold.body, fold.potential, 'i', np.linspace(0.0, 0.5, 1_000_000))",
     "certify": "points = stationary.sweep(fold.body, fold.potential, 'i', np.linspace(0.0, 0.5, 1_000_000))\n"
     "print('certifying', flush=True); stationary.certify(fold.body, fold.potential, 'i', points)",
