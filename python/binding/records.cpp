@@ -1,5 +1,8 @@
 #include "python/binding/records.hpp"
 
+#include <cmath>
+#include <string>
+
 #include "solver/program/text/input_error.hpp"
 
 namespace stationary::python {
@@ -13,7 +16,12 @@ bool has(const py::array& records, const char* name) {
 }
 
 Column needed(const py::array& records, const char* name) {
-  if (has(records, name)) return records.attr("__getitem__")(name).cast<Column>();
+  if (has(records, name)) {
+    const auto numbers = Column::ensure(records.attr("__getitem__")(name));
+    if (numbers) return numbers;
+    throw InputError({}, "points", "found no numbers in the field " + in_quotes(name),
+                     "one a point");
+  }
   throw InputError({}, "points", "found no field " + in_quotes(name),
                    "a structured array with nu, xi, zeta and rho", "as sweep() returns it");
 }
@@ -64,7 +72,16 @@ Points::Points(const py::array& records)
       error_bound_(optional(records, "error_bound")),
       status_(optional(records, "status")),
       shape_(records.shape(), records.shape() + records.ndim()),
-      size_(static_cast<std::size_t>(records.size())) {}
+      size_(static_cast<std::size_t>(records.size())) {
+  for (std::size_t k = 0; k < size_; ++k) {
+    const Equilibrium at = equilibrium(Branch::i, k);
+    if (at.status != SolveStatus::solved) continue;
+    const char* wrong = violated_inequality(at.q);
+    if (wrong == nullptr && !std::isfinite(nu(k))) wrong = "a finite nu";
+    if (wrong != nullptr)
+      throw InputError({}, "points", "found another in record " + std::to_string(k), wrong);
+  }
+}
 
 Equilibrium Points::equilibrium(Branch branch, std::size_t k) const {
   Equilibrium out;

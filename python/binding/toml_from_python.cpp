@@ -48,13 +48,22 @@ bool is_numpy(py::handle value) {
   return py::hasattr(value, "dtype") && py::hasattr(value, "tolist");
 }
 
+/// A text of Python may hold what none of Unicode's has.
+std::string text(py::handle value, const Place& at) {
+  Py_ssize_t size = 0;
+  const char* const begin = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
+  if (begin != nullptr) return {begin, static_cast<std::size_t>(size)};
+  PyErr_Clear();
+  at.refuse("found half a character (a lone surrogate)", "text in Unicode");
+}
+
 Value converted(py::handle value, const Place& at);
 
 toml::table table(const py::dict& keys, const Place& at) {
   toml::table out;
   for (const auto& [key, value] : keys) {
     if (!py::isinstance<py::str>(key)) at.refuse("found a key of type " + type_name(key), "names");
-    const auto name = py::cast<std::string>(key);
+    const std::string name = text(key, at);
     std::visit([&](auto&& each) { out.insert(name, std::forward<decltype(each)>(each)); },
                converted(value, at.below(name)));
   }
@@ -76,7 +85,7 @@ Value converted(py::handle value, const Place& at) {
   const Place inside{at.origin, at.key, at.depth + 1};
   if (is_numpy(value)) return converted(value.attr("tolist")(), inside);
   if (py::isinstance<py::bool_>(value)) return py::cast<bool>(value);
-  if (py::isinstance<py::str>(value)) return py::cast<std::string>(value);
+  if (py::isinstance<py::str>(value)) return text(value, at);
   if (PyIndex_Check(value.ptr()) != 0) return integer(value, at);
   if (py::isinstance<py::float_>(value)) return py::cast<double>(value);
   if (py::isinstance<py::dict>(value)) return table(py::cast<py::dict>(value), at);

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import operator
+import os
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -15,8 +17,31 @@ def type_name(value: Any) -> str:
     return f"a value of type {type(value).__name__}"
 
 
+def text(value: Any, name: str) -> str:
+    """name, here and below: what messages call it."""
+    if not isinstance(value, str):
+        raise InputError(f"{name}: found {type_name(value)}; expected text")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise InputError(f"{name}: found {value!r}; expected text in Unicode") from None
+    return value
+
+
+def path(value: Any, name: str, allowed: str = "a path") -> str:
+    if not isinstance(value, (str, os.PathLike)):
+        raise InputError(f"{name}: found {type_name(value)}; expected {allowed}")
+    return text(os.fspath(value), name)
+
+
+def mapping(value: Any, name: str) -> dict[Any, Any]:
+    if not isinstance(value, Mapping):
+        raise InputError(f"{name}: found {type_name(value)}; expected a dict")
+    return dict(value)
+
+
 def whole_number(value: Any, name: str, most: int) -> int | None:
-    """From 1 to most, or None; name: what messages call it."""
+    """From 1 to most, or None."""
     try:
         number = None if value is None else operator.index(value)
     except TypeError:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._input import type_name
+from ._input import path, text, type_name
 from .errors import InputError
 
 # What messages and metadata call a table that is no file.
@@ -22,18 +22,18 @@ _NAME = "table"
 def csv_of(table: Any) -> tuple[str, str | None]:
     """A file's path and None, or a name and the text."""
     if isinstance(table, (str, os.PathLike)):
-        return os.fspath(table), None
+        return path(table, _NAME), None
     columns = _columns(table)
     lengths = {len(cells) for cells in columns.values()}
     if len(lengths) > 1:
         found = ", ".join(f"{len(cells)} of {key}" for key, cells in columns.items())
         raise InputError(f"{_NAME}: found {found}; expected as many values in every column")
-    text = io.StringIO()
-    rows = csv.writer(text, lineterminator="\n")
+    out = io.StringIO()
+    rows = csv.writer(out, lineterminator="\n")
     rows.writerow(columns)
     for row in zip(*columns.values()):
         rows.writerow(_cell(value, key) for key, value in zip(columns, row))
-    return _NAME, text.getvalue()
+    return _NAME, text(out.getvalue(), _NAME)
 
 
 def _columns(table: Any) -> dict[str, list[Any]]:

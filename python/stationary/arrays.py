@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._core import Body as Body
-from ._input import numbers, thread_count, type_name
+from ._input import mapping, numbers, text, thread_count, type_name
 from .errors import InputError, NotFound, NumericalError
 
 _NOT_EQUILIBRIUM = 3  # the program's exit code
@@ -61,7 +61,7 @@ class Potential:
     _models: dict[str, Any]
 
     def __init__(self, keys: Mapping[str, Any] | None = None, /, **models: Any) -> None:
-        self._models = {**(keys or {}), **models}
+        self._models = {**mapping(keys or {}, "Potential"), **models}
         self._inner = _core.Potential(self._models)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -99,7 +99,14 @@ class Potential:
 
         Raises InputError where S is not positive definite.
         """
-        return self._inner.value(alpha, xi, zeta, rho)
+        names = ("alpha", "xi", "zeta", "rho")
+        S = [numbers(each, name) for each, name in zip((alpha, xi, zeta, rho), names)]
+        try:
+            np.broadcast_shapes(*(each.shape for each in S))
+        except ValueError:
+            shapes = ", ".join(str(each.shape) for each in S)
+            raise InputError(f"S: found arrays of shapes {shapes}; expected one shape") from None
+        return self._inner.value(*S)
 
     def __repr__(self) -> str:
         return "\n".join(
@@ -114,7 +121,16 @@ def _model(body: Any, potential: Any, branch: Any) -> tuple[Body, _core.Potentia
     for name, value, kind in (("body", body, Body), ("potential", potential, Potential)):
         if not isinstance(value, kind):
             raise InputError(f"{name}: found {type_name(value)}; expected a {kind.__name__}")
-    return body, potential._inner, str(branch)
+    return body, potential._inner, text(branch, "branch")
+
+
+def _points(points: Any) -> npt.NDArray[np.void]:
+    if not isinstance(points, np.ndarray) or points.dtype.names is None:
+        raise InputError(
+            f"points: found {type_name(points)}; expected a structured array with nu, xi, zeta and rho, "
+            "as sweep() returns it"
+        )
+    return points
 
 
 def sweep(
@@ -171,11 +187,12 @@ def solve_batch(
 
     Raises InputError. C++: solve_batch and cell_spectra, solver/batch, solver/batch_spectrum.
     """
+    varied = mapping(parameters or {}, "parameters")
     cells, spectra = _core.solve_batch(
         *_model(body, potential, branch),
         numbers(nu, "nu").ravel(),
-        {str(key): numbers(each, str(key)) for key, each in (parameters or {}).items()},
-        spectrum,
+        {str(key): numbers(each, str(key)) for key, each in varied.items()},
+        None if spectrum is None else text(spectrum, "spectrum"),
         error_bound,
         thread_count(threads),
     )
@@ -199,7 +216,7 @@ def spectrum(
     ``re, im, krein`` of the five modes in reciprocal time, NaN where there is none. What is not
     solved is Stability.NOT_COMPUTED. Raises InputError. C++: Kind::spectrum, solver/kind/kind.hpp.
     """
-    return _core.spectrum(*_model(body, potential, branch), points, thread_count(threads))
+    return _core.spectrum(*_model(body, potential, branch), _points(points), thread_count(threads))
 
 
 class Certificates(NamedTuple):
@@ -227,7 +244,7 @@ def certify(
     points: as of spectrum(). The proofs are for all decimals that read as the numbers given.
     Raises InputError. C++: certify, solver/proof/certify.hpp.
     """
-    return Certificates(*_core.certify(*_model(body, potential, branch), points, thread_count(threads)))
+    return Certificates(*_core.certify(*_model(body, potential, branch), _points(points), thread_count(threads)))
 
 
 class Solutions(NamedTuple):

@@ -7,6 +7,8 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from . import _core
+from ._input import mapping, text
+from ._input import path as file_path
 from ._text import block, plain
 from .arrays import Body, Potential
 
@@ -28,12 +30,13 @@ class Case:
     _inner: _core.Case
 
     def __init__(self, keys: Mapping[str, Any] | None = None, /, **tables: Any) -> None:
-        object.__setattr__(self, "_inner", _core.Case.of({**(keys or {}), **tables}))
+        object.__setattr__(self, "_inner", _core.Case.of({**mapping(keys or {}, "Case"), **tables}))
 
     @classmethod
     def read(cls, path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> Case:
         """The case of a TOML file; overrides: as after ``--set``, "motion.nu=0.3"."""
-        return cls._holding(_core.Case.read(os.fspath(path), list(overrides)))
+        words = [text(each, "overrides") for each in overrides]
+        return cls._holding(_core.Case.read(file_path(path, "Case"), words))
 
     @classmethod
     def _holding(cls, core: _core.Case) -> Case:
@@ -46,8 +49,10 @@ class Case:
 
         A key may end in the index of an array, from 0: ``case.set("body.J.1", 2.0)``.
         """
-        values = {key: value} if isinstance(key, str) else dict(key)
-        return self._holding(self._inner.with_values(values))
+        values = {key: value} if isinstance(key, str) else mapping(key, "Case.set")
+        return self._holding(
+            self._inner.with_values({text(key, "Case.set"): each for key, each in values.items()})
+        )
 
     def to_dict(self) -> dict[str, Any]:
         """The keys as written, with what was set since."""

@@ -8,14 +8,15 @@ from collections.abc import Mapping
 from typing import Any, Union
 
 from . import _core
-from ._input import thread_count, type_name, whole_number
+from ._input import path, text, thread_count, whole_number
 from ._study_table import csv_of
 from .case import Case
-from .errors import InputError, NotFound, NumericalError
+from .errors import NotFound, NumericalError
 from .result import Result
 
 CaseLike = Union[Case, Mapping[str, Any], str, "os.PathLike[str]"]
 
+_CASES = "a Case, a dict or a path"
 # The program's exit codes.
 _DONE, _NO_EQUILIBRIUM = 0, 3
 
@@ -25,7 +26,7 @@ def _case(case: CaseLike) -> Case:
         return case
     if isinstance(case, Mapping):
         return Case(case)
-    return Case.read(_path(case))
+    return Case.read(path(case, "Case", _CASES))
 
 
 def _keys(case: CaseLike) -> _core.Keys:
@@ -33,13 +34,11 @@ def _keys(case: CaseLike) -> _core.Keys:
         return _core.Keys.of_case(case._inner)
     if isinstance(case, Mapping):
         return _core.Keys.of(dict(case))
-    return _core.Keys.read(_path(case))
+    return _core.Keys.read(path(case, "Case", _CASES))
 
 
-def _path(case: Any) -> str:
-    if isinstance(case, (str, os.PathLike)):
-        return os.fspath(case)
-    raise InputError(f"Case: found {type_name(case)}; expected a Case, a dict or a path")
+def _row(row: str | None) -> str:
+    return "" if row is None else text(row, "row")
 
 
 def _checkpoints(asked: int | None) -> int | None:
@@ -82,7 +81,7 @@ def follow(case: CaseLike, *, row: str | None = None, threads: int | None = 1) -
     family cannot be followed to an end; the table so far is the error's ``result`` then.
     """
     case = _case(case)
-    return _finished(_core.follow(case._inner, row or "", thread_count(threads)), case)
+    return _finished(_core.follow(case._inner, _row(row), thread_count(threads)), case)
 
 
 def atlas(
@@ -119,7 +118,7 @@ def curve(case: CaseLike, *, row: str | None = None, threads: int | None = 1) ->
     event, NumericalError.
     """
     case = _case(case)
-    return _finished(_core.curve(case._inner, row or "", thread_count(threads)), case)
+    return _finished(_core.curve(case._inner, _row(row), thread_count(threads)), case)
 
 
 def study(
@@ -142,5 +141,5 @@ def study(
     """
     keys = _keys(case)
     over, csv = csv_of(table)
-    computed = _core.study(keys, over, csv, do, _checkpoints(checkpoints), thread_count(threads))
+    computed = _core.study(keys, over, csv, text(do, "do"), _checkpoints(checkpoints), thread_count(threads))
     return _finished(computed, case if isinstance(case, Case) else keys, keep=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -12,8 +12,11 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._input import path as file_path
+from ._input import text
 from ._text import block, plain
 from .case import Case
+from .errors import InputError
 
 if TYPE_CHECKING:
     import pandas
@@ -72,7 +75,7 @@ class Result:
         HDF5 for .h5 and .hdf5, else CSV. Raises InputError where the path cannot be written or
         would replace the case file.
         """
-        self._computed.write(os.fspath(path))
+        self._computed.write(file_path(path, "write"))
 
     def to_pandas(self) -> pandas.DataFrame:
         """The table as ``pandas.read_csv`` reads the file: missing words are NaN too."""
@@ -122,9 +125,12 @@ class Result:
         """
         from .plot import draw
 
-        columns = [show] if isinstance(show, str) else list(show or ())
-        chosen = [str(each) for each in sheets], list(branches)
-        return draw(self, ax, columns, diagram, *chosen)
+        if show is None or isinstance(show, str):
+            show = [] if show is None else [show]
+        columns = [text(each, "show") for each in _each(show, "show")]
+        numbers = [str(each) for each in _each(sheets, "sheets")]
+        names = [text(each, "branches") for each in _each(branches, "branches")]
+        return draw(self, ax, columns, diagram, numbers, names)
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
         """A column; KeyError where there is none of that name."""
@@ -136,6 +142,10 @@ class Result:
     def __reduce__(self) -> tuple[Any, ...]:
         return Result, (self._computed, self._given)
 
+    def __iter__(self) -> Iterator[np.void]:
+        """The rows."""
+        return iter(self.table)
+
     def __len__(self) -> int:
         return len(self.table)
 
@@ -144,3 +154,9 @@ class Result:
 
     def _repr_html_(self) -> str:
         return block(repr(self))
+
+
+def _each(values: Any, name: str) -> list[Any]:
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise InputError(f"{name}: found {values!r}; expected a list")
+    return list(values)

@@ -81,6 +81,7 @@ def test_goes_to_other_processes(fold, disc, tmp_path):
 def test_no_such_column(fold):
     with pytest.raises(KeyError, match="no column 'xii'; there are branch, sheet"):
         fold["xii"]
+    assert [row["point"] for row in fold] == fold["point"].tolist()
 
 
 def test_atlas_has_every_sheet():

@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 import stationary
 from conftest import SOURCES, run_program
@@ -179,8 +180,55 @@ def test_of_the_library(disc):
         stationary.sweep(body, potential, 1, [0.1])
     for threads in (0, 1025, 2.5, "two", 2**70):
         with pytest.raises(InputError, match="threads"):
-            stationary.spectrum(body, potential, "i", [], threads=threads)
+            stationary.certify(body, potential, "i", records(), threads=threads)
     with pytest.raises(InputError, match="plane"):
         stationary.Potential(plane=3)
     with pytest.raises(InputError, match="no field"):
         stationary.spectrum(body, potential, "i", stationary.sweep(body, potential, "i", [0.1])[["nu"]])
+
+
+def records(nu=0.1, xi=1.0):
+    return np.array([(nu, xi, 1.0, 1.0)], [(name, float) for name in ("nu", "xi", "zeta", "rho")])
+
+
+# What is no input at all, by the words of the message.
+NONSENSE = {
+    "row: found": lambda case: stationary.follow(case, row=3),
+    "Case: found": lambda case: Case.read(3),
+    "overrides: found": lambda case: Case.read(SOURCES / "cases" / "disc.toml", [3]),
+    "write: found": lambda case: stationary.solve(case).write(3),
+    "Case.set: found": lambda case: case.set(3, 4),
+    "Case.set: found a value of type int": lambda case: case.set({1: 2}),
+    "a lone surrogate": lambda case: case.set("title", "\ud800"),
+    "title: found half": lambda case: Case({**case.to_dict(), "title": "\ud800"}),
+    "expected a dict": lambda case: Case([1, 2]),
+    "Potential: found": lambda case: stationary.Potential(3),
+    "alpha: found 'a'": lambda case: case.potential.value("a", 1.0, 1.0, 1.0),
+    "one shape": lambda case: case.potential.value(0.0, np.ones(3), np.ones(4), 1.0),
+    "parameters: found": lambda case: stationary.solve_batch(
+        case.body, case.potential, "i", [0.1], [1.0]
+    ),
+    "spectrum: found": lambda case: stationary.solve_batch(
+        case.body, case.potential, "i", [0.1], spectrum=3
+    ),
+    "a structured array": lambda case: stationary.spectrum(case.body, case.potential, "i", [1.0]),
+    "xi > 0": lambda case: stationary.spectrum(case.body, case.potential, "i", records(xi=-1.0)),
+    "points": lambda case: stationary.certify(case.body, case.potential, "i", records(xi=math.nan)),
+    "a finite nu": lambda case: stationary.certify(
+        case.body, case.potential, "i", records(nu=math.nan)
+    ),
+    'no numbers in the field "nu"': lambda case: stationary.spectrum(
+        case.body, case.potential, "i",
+        np.array([("a", 1.0, 1.0, 1.0)], [("nu", "U1"), ("xi", float), ("zeta", float), ("rho", float)]),
+    ),
+    "show: found": lambda case: stationary.solve(case).plot(show=3),
+    "do: found": lambda case: stationary.study(case, {"motion.nu": [0.1]}, 3),
+    "table: found": lambda case: stationary.study(case, {"_x": ["\ud800"]}),
+}
+
+
+@pytest.mark.parametrize("words", NONSENSE)
+def test_nonsense_is_wrong_input(words, disc):
+    with pytest.raises(InputError) as error:
+        NONSENSE[words](Case(disc))
+    assert words in str(error.value)
