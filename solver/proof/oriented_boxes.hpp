@@ -23,6 +23,8 @@ template <class Layout>
 struct OrientedBoxSystem {
   static constexpr int dimension = Layout::dimension;
   static constexpr int N = dimension;
+  /// Valleys of V run aslant to the unknowns: branch and prune needs a third of the boxes so.
+  static constexpr bool split_by_slopes = true;
 
   AnisotropicModel<Interval> model;
   Inertia3<Interval> J;

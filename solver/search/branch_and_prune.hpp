@@ -4,7 +4,8 @@
 //               d_i <- d_i n -(b_i + sum_{j != i} M_ij d_j)/M_ii,  M = Y J(X), b = Y G(c), x = c
 //               e^d leaves nothing of it: no solution in it
 //   settled     where Krawczyk's test proves one solution in a box that covers it
-//   narrowed    by that step, or split in two where it is widest, and examined again
+//   narrowed    by that step, or split in two, where it is widest or, of a system that asks for it,
+//               where the bounds of G depend on it most, and examined again
 //   undecided   where it is as narrow as min_width and neither holds (a double root, a continuum),
 //               or where the number of boxes allowed is used up
 //
@@ -124,6 +125,7 @@ class BranchAndPrune {
   void examine(Box<N> box) {
     ++out_.boxes;
     constexpr int passes = 8;
+    decltype(boxes_.linearize(box)) over;
     for (int pass = 0; pass < passes; ++pass) {
       if constexpr (N >= 2) {
         if (symmetric_ && box[0].hi < box[1].lo) return;
@@ -136,7 +138,7 @@ class BranchAndPrune {
       if constexpr (requires { boxes_.contract(box); }) {
         if (pass == 0 && !boxes_.contract(box)) return;
       }
-      const auto over = boxes_.linearize(box);
+      over = boxes_.linearize(box);
       for (const Interval& g : over.g)
         if (!g.may_be(0.0)) return;
       const auto inverse = over.middle().inverse();
@@ -147,7 +149,7 @@ class BranchAndPrune {
       if (regular && settle(box)) return;
       if (kept > 0.75) break;
     }
-    split(box);
+    split(box, over);
   }
 
   template <class Matrix>
@@ -242,20 +244,50 @@ class BranchAndPrune {
     return true;
   }
 
-  void split(const Box<N>& box) {
+  template <class Linearized>
+  int side_to_split(const Box<N>& box, const Linearized& over) const {
+    std::array<double, N> width;
     int widest = 0;
-    for (int i = 1; i < N; ++i)
-      if (log_width(box[index(i)]) > log_width(box[index(widest)])) widest = i;
-    const Interval side = box[index(widest)];
+    for (int i = 0; i < N; ++i) {
+      width[index(i)] = log_width(box[index(i)]);
+      if (width[index(i)] > width[index(widest)]) widest = i;
+    }
+    if constexpr (requires { BoxSystem::split_by_slopes; }) {
+      // The largest share that a side has in the spread of any row; none that is far narrower than
+      // another, so that all become narrow in the end.
+      const double narrowest = std::max(0x1p-4 * width[index(widest)], options_.min_width);
+      int out = widest;
+      double most = 0.0;
+      for (int k = 0; k < N; ++k) {
+        std::array<double, N> part;
+        double spread = 0.0;
+        for (int i = 0; i < N; ++i)
+          spread += part[index(i)] = over(k, i).magnitude() * width[index(i)];
+        for (int i = 0; i < N; ++i) {
+          if (!(width[index(i)] > narrowest && part[index(i)] / spread > most)) continue;
+          most = part[index(i)] / spread;
+          out = i;
+        }
+      }
+      return out;
+    } else {
+      return widest;
+    }
+  }
+
+  template <class Linearized>
+  void split(const Box<N>& box, const Linearized& over) {
+    const int chosen = side_to_split(box, over);
+    const Interval side = box[index(chosen)];
     const double cut = std::sqrt(side.lo) * std::sqrt(side.hi);
     if (!(log_width(side) > options_.min_width) || !(side.lo < cut && cut < side.hi)) {
       leave_undecided(box);
       return;
     }
     Box<N> half = box;
-    half[index(widest)] = {side.lo, cut};
+    half[index(chosen)] = {side.lo, cut};
     queue_.push_back(half);
-    half[index(widest)] = {cut, side.hi};
+    half[index(chosen)] = {cut, side.hi};
     queue_.push_back(half);
   }
 
