@@ -18,7 +18,7 @@
 namespace stationary {
 namespace {
 
-struct Motion {
+struct Sample {
   Body body;
   Potential potential;
   BasicStretch<DoubleDouble> q;
@@ -28,7 +28,7 @@ struct Motion {
 using Matrix11 = Eigen::Matrix<double, 11, 11>;
 
 /// d(z')/dz of z = (pi, q, p) before the leaf.
-Matrix11 linearized(const Motion& at) {
+Matrix11 linearized(const Sample& at) {
   const Stretch q{double(at.q.alpha), double(at.q.xi), double(at.q.zeta), double(at.q.rho)};
   const Vector3<double> nu(double(at.nu[0]), double(at.nu[1]), double(at.nu[2]));
   Eigen::Matrix<double, 7, 11> B = Eigen::Matrix<double, 7, 11>::Zero();
@@ -71,17 +71,17 @@ double seconds(const Pass& pass) {
   return now() - start;
 }
 
-void print(const std::string& what, const std::vector<Motion>& motions) {
+void print(const std::string& what, const std::vector<Sample>& motions) {
   constexpr int repeats = 25;
   constexpr int passes = 20;
   std::vector<Matrix11> matrices;
-  for (const Motion& at : motions) matrices.push_back(linearized(at));
+  for (const Sample& at : motions) matrices.push_back(linearized(at));
   std::array<std::vector<double>, 2> each;
   double used = 0.0;
   for (int repeat = 0; repeat < repeats; ++repeat) {
     each[0].push_back(seconds([&] {
       for (int pass = 0; pass < passes; ++pass)
-        for (const Motion& at : motions)
+        for (const Sample& at : motions)
           used += general_spectrum(at.body, at.potential, at.q, at.nu, 0x1p-53).growth;
     }));
     each[1].push_back(seconds([&] {
@@ -111,7 +111,7 @@ int main() {
   const std::array plane{1.0, 2.0};
   const std::array axial{1.0, 3.0};
   const Body body(1.0, 1.7, 0.6);
-  std::vector<Motion> tilted;
+  std::vector<Sample> tilted;
   const Potential isotropic(Potential::planar("neo-hookean", plane),
                             Potential::thickness("reciprocal-quadratic", axial));
   for (int k = 0; k < 16; ++k) {
@@ -124,8 +124,8 @@ int main() {
       AnisotropicPotential(BiotLog<>{1.0, 2.0}, ReciprocalQuadratic<>{1.0, 3.0}, {{0.5, 25.0}}));
   SolveOptions near;
   near.search = false;
-  std::vector<Motion> oblique;
-  std::vector<Motion> third;
+  std::vector<Sample> oblique;
+  std::vector<Sample> third;
   for (int k = 1; k <= 16; ++k) {
     const double nu = 0.02 * k;
     const Equilibrium aside = solve_oblique(body, fibred, {nu, Branch::i}, near);
