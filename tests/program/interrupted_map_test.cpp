@@ -76,16 +76,23 @@ TEST_F(InterruptedMap, KilledAroundEveryCallThatChangesAFile) {
 }
 
 TEST_F(InterruptedMap, OnAFullDiskItKeepsWhatFits) {
+  // A map whose tiles are kept from the beginning.
+  const auto fibres = [](const std::string& out, const RunOptions& options, bool resume) {
+    Words words{"map", shipped("fibre_map.toml"), "--set", "map.x.count=41", "--set",
+                "map.y.count=9", "-o", out, "--threads", "1"};
+    if (resume) words.emplace_back("--resume");
+    return run_program(words, options);
+  };
   const std::string whole = directory_ / "whole.csv";
-  ASSERT_EQ(map(whole).code, 0);
+  ASSERT_EQ(fibres(whole, {}, false).code, 0);
   RunOptions full;
-  full.file_size_limit = 20'000;
-  const Outcome outcome = map(out_, full);
+  full.file_size_limit = 40'000;
+  const Outcome outcome = fibres(out_, full, false);
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("x.csv"));
   EXPECT_THAT(outcome.err, HasSubstr("File too large"));
   EXPECT_FALSE(std::filesystem::exists(out_));
-  const Outcome second = map(out_, {}, true);
+  const Outcome second = fibres(out_, {}, true);
   EXPECT_EQ(second.code, 0) << second.err;
   EXPECT_EQ(second.err, "");  // the record that did not fit was taken back
   EXPECT_TRUE(text_of(out_) == text_of(whole));

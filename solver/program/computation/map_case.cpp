@@ -265,6 +265,7 @@ Outcome tiled_map_case(const Case& input, const TiledRun& tiled, TableTarget* ta
   TileRunner runner(
       {.hash = work_hash("map", input.source,
                          {fmt::format("{} {}", input.output.certificate, cells->tile())}),
+       .too_short = cells->marches() ? 5.0 : 0.0,
        .share = share,
        .rows_a_tile = cells->tile(),
        .unit = "cells",

@@ -220,9 +220,9 @@ std::optional<std::string> Journal::read(std::size_t tile) const {
 void Journal::add(std::size_t tile, std::string_view text, double seconds) {
   const std::string line =
       fmt::format("{}{} {} {} ", mark, tile, text.size(), static_cast<std::int64_t>(1e6 * seconds));
-  std::string record = line + checksum(hash_, line, text) + '\n';
-  record.append(text);
-  record += '\n';
+  std::string record;
+  record.reserve(line.size() + text.size() + 16);
+  record.append(line).append(checksum(hash_, line, text)).append(1, '\n').append(text) += '\n';
   append(record);
   const auto now = std::chrono::steady_clock::now();
   if (now - flushed_ < flush_every) return;

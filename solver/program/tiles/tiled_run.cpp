@@ -34,9 +34,11 @@ bool TileRunner::run(
   }
   begin_ = std::chrono::steady_clock::now();
   loop.done = [this](std::size_t tile, const std::string& text, double seconds) {
-    if (journal_) journal_->add(tile, text, seconds);
+    const double elapsed =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    if (journal_ && elapsed >= work_.too_short) journal_->add(tile, text, seconds);
     ++computed_;
-    if (run_.progress) show(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count());
+    if (run_.progress) show(elapsed);
   };
   loop.take = [&](std::size_t tile, const std::string& text) { take(tiles_.rows(tile), text); };
   whole_ = how_.crew != nullptr ? how_.crew->run(loop, work_.hash) : cli::run(loop);
