@@ -31,14 +31,19 @@ class AtlasGrid : public ::testing::Test {
   std::string text(const std::string& name) const { return text_of(directory_ / name); }
 
   TemporaryDirectory directory_;
-  Words words_{"atlas", shipped("apart.toml"), "--grid", "--checkpoints", "3", "--set",
-               "map.x={parameter=\"body.J.1\",from=1.2,to=1.8,count=3}", "--set",
+  Words words_{"atlas",
+               shipped("apart.toml"),
+               "--grid",
+               "--checkpoints",
+               "3",
+               "--set",
+               "map.x={parameter=\"body.J.1\",from=1.2,to=1.8,count=3}",
+               "--set",
                "map.y={parameter=\"potential.plane.lambda\",from=0.5,to=0.7,count=2}"};
 };
 
 TEST_F(AtlasGrid, EachRowIsAnAtlas) {
-  const Outcome outcome =
-      grid({"-o", directory_ / "g.csv", "--tables", directory_ / "t.h5"});
+  const Outcome outcome = grid({"-o", directory_ / "g.csv", "--tables", directory_ / "t.h5"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(std::string(header_of(text("g.csv"))),
               StartsWith("body.J.1,potential.plane.lambda,status,sheets,events,first_instability,"
@@ -52,10 +57,10 @@ TEST_F(AtlasGrid, EachRowIsAnAtlas) {
   ASSERT_TRUE(file.valid());
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const std::string one = directory_ / "one.h5";
-    const Outcome alone = run_program(
-        {"atlas", shipped("apart.toml"), "--checkpoints", "3", "-o", one, "--set",
-         "body.J.1=" + rows[k].at("body.J.1"), "--set",
-         "potential.plane.lambda=" + rows[k].at("potential.plane.lambda")});
+    const Outcome alone =
+        run_program({"atlas", shipped("apart.toml"), "--checkpoints", "3", "-o", one, "--set",
+                     "body.J.1=" + rows[k].at("body.J.1"), "--set",
+                     "potential.plane.lambda=" + rows[k].at("potential.plane.lambda")});
     ASSERT_EQ(alone.code, 0) << alone.err;
     const json told = json::parse(text("one.meta.json"));
     EXPECT_EQ(rows[k].at("status"), told["sheets"].empty() ? "none" : "solved");
@@ -68,8 +73,7 @@ TEST_F(AtlasGrid, EachRowIsAnAtlas) {
         const Handle set(H5Dopen2(in, name.c_str(), H5P_DEFAULT), H5Dclose);
         EXPECT_TRUE(set.valid()) << name;
         const Handle space(H5Dget_space(set.id()), H5Sclose);
-        std::vector<double> out(
-            static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+        std::vector<double> out(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
         H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data());
         for (double& each : out) each = each == each ? each : -1.0;
         return out;
@@ -87,9 +91,9 @@ TEST_F(AtlasGrid, EachRowIsAnAtlas) {
 
 TEST_F(AtlasGrid, PartsThreadsAndInterruptionsDoNotChangeIt) {
   ASSERT_EQ(grid({"-o", directory_ / "g.csv", "--tables", directory_ / "t.h5"}).code, 0);
-  ASSERT_EQ(grid({"-o", directory_ / "h.csv", "--tables", directory_ / "u.h5", "--threads", "3"})
-                .code,
-            0);
+  ASSERT_EQ(
+      grid({"-o", directory_ / "h.csv", "--tables", directory_ / "u.h5", "--threads", "3"}).code,
+      0);
   EXPECT_TRUE(text("h.csv") == text("g.csv"));
   EXPECT_TRUE(text("u.h5") == text("t.h5"));
   for (const std::string suffix : {".csv", ".h5"}) {

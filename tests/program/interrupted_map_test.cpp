@@ -23,9 +23,12 @@ using Words = std::vector<std::string>;
 class InterruptedMap : public ::testing::Test {
  protected:
   Outcome map(const std::string& out, const RunOptions& options = {}, bool resume = false) const {
-    Words words{"map",   shipped("map_biot_log.toml"), "--set", "map.x.count=61",
-                "--set", "map.y.count=60",             "-o",    out,
-                "--set", "output.columns=[\"xi\",\"class\"]", "--threads", "1"};
+    Words words{"map",       shipped("map_biot_log.toml"),
+                "--set",     "map.x.count=61",
+                "--set",     "map.y.count=60",
+                "-o",        out,
+                "--set",     "output.columns=[\"xi\",\"class\"]",
+                "--threads", "1"};
     if (resume) words.emplace_back("--resume");
     return run_program(words, options);
   }
@@ -78,8 +81,11 @@ TEST_F(InterruptedMap, KilledAroundEveryCallThatChangesAFile) {
 TEST_F(InterruptedMap, OnAFullDiskItKeepsWhatFits) {
   // A map whose tiles are kept from the beginning.
   const auto fibres = [](const std::string& out, const RunOptions& options, bool resume) {
-    Words words{"map", shipped("fibre_map.toml"), "--set", "map.x.count=41", "--set",
-                "map.y.count=9", "-o", out, "--threads", "1"};
+    Words words{"map",       shipped("fibre_map.toml"),
+                "--set",     "map.x.count=41",
+                "--set",     "map.y.count=9",
+                "-o",        out,
+                "--threads", "1"};
     if (resume) words.emplace_back("--resume");
     return run_program(words, options);
   };

@@ -32,8 +32,8 @@ Words joined(std::initializer_list<Words> all) {
 
 RunOptions ranks(int count) {
   RunOptions out;
-  out.program = {"mpirun",        "--allow-run-as-root",   "--oversubscribe", "--bind-to", "none", "-n",
-                 std::to_string(count), STATIONARY_MPI_PROGRAM};
+  out.program = {"mpirun", "--allow-run-as-root", "--oversubscribe",     "--bind-to", "none",
+                 "-n",     std::to_string(count), STATIONARY_MPI_PROGRAM};
   return out;
 }
 
@@ -84,8 +84,8 @@ class Mpi : public ::testing::Test {
   }
 
   TemporaryDirectory directory_;
-  const Words map_{"map", shipped("map_biot_log.toml"), "--set", "map.x.count=61", "--set",
-                   "map.y.count=200"};
+  const Words map_{
+      "map", shipped("map_biot_log.toml"), "--set", "map.x.count=61", "--set", "map.y.count=200"};
 };
 
 TEST_F(Mpi, MapsHaveTheSameBytes) { expect_same_bytes(map_); }

@@ -121,16 +121,17 @@ INSTANTIATE_TEST_SUITE_P(
     All, Parts,
     ::testing::Values(
         Shared{"NuIsX", joined({map_words, set("map.x.count=61"), set("map.y.count=40")})},
-        Shared{"NuIsY",
-               joined({map_words, set("map.y={parameter=\"nu\",from=0.0,to=1.5,count=61}"),
-                       set("map.x={parameter=\"body.J.1\",from=0.3,to=3.0,count=40}")})},
+        Shared{"NuIsY", joined({map_words, set("map.y={parameter=\"nu\",from=0.0,to=1.5,count=61}"),
+                                set("map.x={parameter=\"body.J.1\",from=0.3,to=3.0,count=40}")})},
         Shared{"NoNu",
                joined({map_words, set("map.x={parameter=\"body.J.0\",from=0.5,to=2.0,count=45}"),
                        set("map.y={parameter=\"body.J.1\",from=0.3,to=3.0,count=33}")})},
-        Shared{"OneAxis", {"map", shipped("disc.toml"), "--set",
-                           "map.x={parameter=\"nu\",from=0.0,to=1.5,count=1201}"}},
-        Shared{"NothingIsSolved", {"map", shipped("disc.toml"), "--set",
-                                   "map.x={parameter=\"nu\",from=1.5,to=2,count=5}"}},
+        Shared{"OneAxis",
+               {"map", shipped("disc.toml"), "--set",
+                "map.x={parameter=\"nu\",from=0.0,to=1.5,count=1201}"}},
+        Shared{"NothingIsSolved",
+               {"map", shipped("disc.toml"), "--set",
+                "map.x={parameter=\"nu\",from=1.5,to=2,count=5}"}},
         Shared{"SingleCells",
                {"map", shipped("tilted.toml"), "--set",
                 "map.x={parameter=\"nu\",from=1.06,to=1.1,count=5}", "--set",
@@ -203,8 +204,8 @@ TEST_F(Merging, RefusesPartsOfNothing) {
 TEST_F(Merging, ReplacesNoPart) {
   ASSERT_EQ(part("a.csv", "1/1").code, 0);
   const std::string text = text_of(directory_ / "a.csv");
-  const Outcome outcome = run_program(joined(
-      {map_words, count_, {"--merge", directory_ / "a.csv", "-o", directory_ / "a.csv"}}));
+  const Outcome outcome = run_program(
+      joined({map_words, count_, {"--merge", directory_ / "a.csv", "-o", directory_ / "a.csv"}}));
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("is a part"));
   EXPECT_TRUE(text_of(directory_ / "a.csv") == text);

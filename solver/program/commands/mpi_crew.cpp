@@ -112,7 +112,8 @@ class Outbox {
 /// The leading rank's part of one loop.
 class Lead {
  public:
-  Lead(const TileLoop& loop, int ranks) : loop_(loop), others_(static_cast<std::size_t>(ranks - 1)) {}
+  Lead(const TileLoop& loop, int ranks)
+      : loop_(loop), others_(static_cast<std::size_t>(ranks - 1)) {}
 
   bool run(const std::string& hash) {
     greet(hash);
@@ -163,8 +164,8 @@ class Lead {
       std::string_view in = bytes;
       others_[k].threads = static_cast<std::size_t>(take<std::int64_t>(in));
       if (in != hash && !failure_)
-        failure_ = std::make_exception_ptr(std::runtime_error(fmt::format(
-            "rank {} has read another case, table or version than rank 0", rank)));
+        failure_ = std::make_exception_ptr(std::runtime_error(
+            fmt::format("rank {} has read another case, table or version than rank 0", rank)));
     }
     if (failure_) std::rethrow_exception(failure_);
   }

@@ -31,13 +31,13 @@ int main(int argc, char** argv) {
   using namespace stationary::cli;
   if (coming_rank() > 0) say_nothing();
   MpiCrew crew;
-  return run_program({"stationary-mpi",
-                      "Maps, studies and grids of atlases by the ranks of mpirun or srun",
-                      [](CLI::App& program, Session& session) {
-                        add_map(program, session);
-                        add_study(program, session);
-                        add_atlas(program, session);
-                      },
-                      &crew},
-                     argc, argv);
+  return run_program(
+      {"stationary-mpi", "Maps, studies and grids of atlases by the ranks of mpirun or srun",
+       [](CLI::App& program, Session& session) {
+         add_map(program, session);
+         add_study(program, session);
+         add_atlas(program, session);
+       },
+       &crew},
+      argc, argv);
 }

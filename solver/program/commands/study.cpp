@@ -41,8 +41,8 @@ ExitCode run(const StudyOptions& options, const Session& session) {
   asked.tiled = options.tiles.run(options, session);
   if (!options.output.empty() && source)
     refuse_to_replace(options.output, options.output, options.over, "the table of --over");
-  if (asked.tiled.part.asked && is_column_file_extension(
-                                    std::filesystem::path(options.output).extension().string()))
+  if (asked.tiled.part.asked &&
+      is_column_file_extension(std::filesystem::path(options.output).extension().string()))
     refuse_output(options.output, "found HDF5 for a part, which keeps no spelling of T's numbers",
                   "parts of a study are CSV; --merge writes either");
   return compute(options, session, [&](TableTarget* target, const Run& how) {

@@ -154,8 +154,8 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   Atlas found = atlas(input.body, make_potential(input.models), how);
   RowSink* const table = target != nullptr ? &target->open(columns) : nullptr;
   std::vector<SheetRecord> records;
-  const CurveProofs proofs = write_sheets({input.body, input.potential, input.output.certificate},
-                                          found, table, records);
+  const CurveProofs proofs =
+      write_sheets({input.body, input.potential, input.output.certificate}, found, table, records);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (target != nullptr) {

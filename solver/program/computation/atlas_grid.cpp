@@ -33,8 +33,9 @@ namespace {
 /// An atlas runs over nu, of all motions: neither is a number of the grid.
 void require_grid(const Case& input) {
   if (!input.map)
-    throw fault_at(input.source, "map", "found no such key", "a table with x, and y",
-                   "add [map] with x = { parameter = \"body.J.1\", from = 0.5, to = 2.0, count = 9 }");
+    throw fault_at(
+        input.source, "map", "found no such key", "a table with x, and y",
+        "add [map] with x = { parameter = \"body.J.1\", from = 0.5, to = 2.0, count = 9 }");
   const auto of_the_body = [](std::string_view key) {
     return key.empty() || key.starts_with("body.") || key.starts_with("potential.");
   };
@@ -111,7 +112,8 @@ class Grid {
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {
-      found = {StudyStatus::failed, error.what(),
+      found = {StudyStatus::failed,
+               error.what(),
                {std::string(sheet_summary_columns().size() - 1, ',')}};
       rows.clear();
     }
@@ -189,8 +191,8 @@ Metadata describe(const Run& run, const Case& input, const GridCounts& counts, s
   out.command_line = run.command_line;
   out.threads = run.threads;
   out.input = &input;
-  for (const StudyStatus each : {StudyStatus::solved, StudyStatus::none, StudyStatus::not_found,
-                                 StudyStatus::failed})
+  for (const StudyStatus each :
+       {StudyStatus::solved, StudyStatus::none, StudyStatus::not_found, StudyStatus::failed})
     out.counts.emplace_back(name(each), counts.of(each));
   if (const auto caveat = proof_caveat(input)) out.plan.push_back(*caveat);
   out.outcome = {{"command", "atlas"}, {"status", counts.cells < cells ? "interrupted" : "done"}};
@@ -201,9 +203,9 @@ Metadata describe(const Run& run, const Case& input, const GridCounts& counts, s
 ExitCode conclusion(const GridCounts& counts, std::size_t cells, const TiledRun& tiled,
                     const Run& run) {
   if (counts.cells < cells) {
-    run.complain(fmt::format("interrupted after {} of {} atlases{}", counts.cells, cells,
-                             tiled.journal ? ", which are written; --resume goes on with them"
-                                           : ""));
+    run.complain(
+        fmt::format("interrupted after {} of {} atlases{}", counts.cells, cells,
+                    tiled.journal ? ", which are written; --resume goes on with them" : ""));
     return ExitCode::interrupted;
   }
   const long failed = counts.of(StudyStatus::failed);
@@ -231,8 +233,7 @@ class Tables {
   void add(const Grid& grid, std::size_t row, std::string_view rows) {
     if (!tables_) return;
     const std::size_t size = grid.pack().row_size();
-    const auto table =
-        tables_->table(std::to_string(row + 1), grid.columns(), rows.size() / size);
+    const auto table = tables_->table(std::to_string(row + 1), grid.columns(), rows.size() / size);
     TableRow each;
     for (; !rows.empty(); rows.remove_prefix(size)) {
       grid.pack().read(rows.data(), each);

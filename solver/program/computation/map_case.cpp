@@ -95,7 +95,8 @@ struct MapWork {
       }
       return of;
     };
-    columns = with(columns, Column::status);  // a cell without one would say nothing where it is empty
+    columns =
+        with(columns, Column::status);  // a cell without one would say nothing where it is empty
     parameters.push_back(input.map->x.parameter);
     if (input.map->y) parameters.push_back(input.map->y->parameter);
     // Without a table the classes are counted.
@@ -225,8 +226,8 @@ Metadata describe(const Run& run, const Case& input, const MapCounts& counts, st
 }
 
 /// What the end says, and its exit code; cells: how many were to be computed.
-ExitCode conclusion(const MapCounts& counts, std::size_t cells, bool written,
-                    const TiledRun& tiled, const Run& run) {
+ExitCode conclusion(const MapCounts& counts, std::size_t cells, bool written, const TiledRun& tiled,
+                    const Run& run) {
   if (counts.rows < cells) {
     run.complain(fmt::format("interrupted after {} of {} cells{}{}", counts.rows, cells,
                              written ? ", which are written" : "",
@@ -269,8 +270,7 @@ Outcome tiled_map_case(const Case& input, const TiledRun& tiled, TableTarget* ta
        .share = share,
        .rows_a_tile = cells->tile(),
        .unit = "cells",
-       .compute =
-           [&](const Share& rows) { return tile_text(*cells, work, pack, rows, run.stop); }},
+       .compute = [&](const Share& rows) { return tile_text(*cells, work, pack, rows, run.stop); }},
       tiled, run);
   RowSink* const table =
       to_table && !serves ? &target->open(work.columns, work.parameters, share.size()) : nullptr;

@@ -94,9 +94,9 @@ Metadata describe(const Run& run, const CaseTree& tree, const std::optional<Case
 ExitCode conclusion(const StudyCounts& counts, std::size_t rows, const TiledRun& tiled,
                     const Run& run) {
   if (counts.rows < rows) {
-    run.complain(fmt::format("interrupted after {} of {} rows{}", counts.rows, rows,
-                             tiled.journal ? ", which are written; --resume goes on with them"
-                                           : ""));
+    run.complain(
+        fmt::format("interrupted after {} of {} rows{}", counts.rows, rows,
+                    tiled.journal ? ", which are written; --resume goes on with them" : ""));
     return ExitCode::interrupted;
   }
   const long bad = counts.without_answer();

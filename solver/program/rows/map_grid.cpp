@@ -51,8 +51,8 @@ MapGrid::MapGrid(const Case& input)
                      : std::vector<double>{std::get<AxisRotation>(input.motion).nu}) {
   // A lane that is followed takes milliseconds; the others go in packs.
   group_ = potential_.is_isotropic()
-               ? BatchResult::tile * std::max<std::size_t>(
-                                         1, cells_of_a_group / (BatchResult::tile * nu_.size()))
+               ? BatchResult::tile *
+                     std::max<std::size_t>(1, cells_of_a_group / (BatchResult::tile * nu_.size()))
                : 1;
   // Where nu is y a row of the grid needs every lane.
   most_groups_ = y_is_nu_ ? (lanes() + group_ - 1) / group_ : most_groups_kept;
@@ -89,7 +89,7 @@ BatchInput MapGrid::batch(std::size_t group) const {
     std::vector<double> each(count);
     // As the lane's last row has it.
     for (std::size_t lane = 0; lane < count; ++lane)
-      each[lane] = value(x_is_nu_ ? (first + lane) * x_.size() + x_.size() - 1
+      each[lane] = value(x_is_nu_   ? (first + lane) * x_.size() + x_.size() - 1
                          : y_is_nu_ ? (y_.size() - 1) * x_.size() + first + lane
                                     : first + lane,
                          is_x);

@@ -238,10 +238,10 @@ std::unique_ptr<ColumnFileWriter> TablesFile::table(const std::string& name,
       H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
       name);
   require_hdf5(H5Pset_obj_track_times(creation.id(), false), name);
-  Handle group = require_hdf5(Handle(H5Gcreate2(data_->file.id(), name.c_str(), H5P_DEFAULT,
-                                                creation.id(), H5P_DEFAULT),
-                                     H5Gclose),
-                              name);
+  Handle group = require_hdf5(
+      Handle(H5Gcreate2(data_->file.id(), name.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+             H5Gclose),
+      name);
   return std::unique_ptr<ColumnFileWriter>(
       new ColumnFileWriter(ColumnFileWriter::Data{std::move(group)}, columns, {}, rows));
 }

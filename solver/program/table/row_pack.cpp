@@ -54,8 +54,7 @@ void RowPack::add(const TableRow& row, std::string& out) const {
   for (const Part& part : parts_) {
     if (part.kind == CellKind::text) {
       const auto word = std::ranges::find(part.words, text_of(row, part.column));
-      put(at,
-          static_cast<std::uint8_t>(word == part.words.end() ? 0 : word - part.words.begin()));
+      put(at, static_cast<std::uint8_t>(word == part.words.end() ? 0 : word - part.words.begin()));
     } else if (part.kind == CellKind::count) {
       const double value = row[part.column];
       put(at, std::isnan(value) ? missing_count : static_cast<std::int32_t>(value));

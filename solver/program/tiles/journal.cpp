@@ -115,8 +115,7 @@ std::string hash_of(std::initializer_list<std::string_view> texts) {
 
 Journal::Journal(const std::string& table, const std::string& hash, bool resume)
     : path_(table + ".journal"), hash_(hash) {
-  if (resume && (table.empty() || table == "-"))
-    refuse("found no file", "name the table after -o");
+  if (resume && (table.empty() || table == "-")) refuse("found no file", "name the table after -o");
   try {
     open(table, resume);
     if (resume) {
@@ -181,9 +180,9 @@ void Journal::take_in() {
   while (at < text.size()) {
     if (const auto found = record_at(text, at, hash_)) {
       if (whole < at)
-        remarks_.push_back(fmt::format(
-            "{}: bytes {} to {} are damaged; what was there is computed again", printable(path_),
-            whole, at));
+        remarks_.push_back(
+            fmt::format("{}: bytes {} to {} are damaged; what was there is computed again",
+                        printable(path_), whole, at));
       known_[found->tile] = {found->begin, found->bytes};
       whole = at = found->begin + found->bytes + 1;
       continue;
@@ -194,8 +193,9 @@ void Journal::take_in() {
     refuse(printable(path_) + " is of another case, table, version or other options",
            "run it without --resume");
   if (whole == text.size()) return;
-  remarks_.push_back(fmt::format("{}: its last {} bytes are no whole record; that tile is computed again",
-                                 printable(path_), text.size() - whole));
+  remarks_.push_back(
+      fmt::format("{}: its last {} bytes are no whole record; that tile is computed again",
+                  printable(path_), text.size() - whole));
   if (::ftruncate(file_, static_cast<off_t>(whole)) != 0)
     throw std::runtime_error(fmt::format("cutting {}: {}", path_, std::strerror(errno)));
   end_ = whole;

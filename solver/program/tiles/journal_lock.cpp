@@ -39,8 +39,9 @@ std::optional<std::string> only_local_locks(std::string_view mounts, std::string
     for (const std::string& options : {words[5], dash[3]})
       for (const std::string& each : split(options, ','))
         if (std::ranges::find(local, each) != std::end(local))
-          return fmt::format("its file system ({}, mounted {}) has no locks that other machines see",
-                             dash[1], each);
+          return fmt::format(
+              "its file system ({}, mounted {}) has no locks that other machines see", dash[1],
+              each);
   }
   return std::nullopt;
 }
@@ -57,8 +58,7 @@ std::optional<std::string> lock_journal(int descriptor) {
   if (::fstat(descriptor, &status) != 0) return std::nullopt;
   std::ifstream file("/proc/self/mountinfo");
   const std::string mounts{std::istreambuf_iterator<char>(file), {}};
-  return only_local_locks(mounts,
-                          fmt::format("{}:{}", major(status.st_dev), minor(status.st_dev)));
+  return only_local_locks(mounts, fmt::format("{}:{}", major(status.st_dev), minor(status.st_dev)));
 }
 
 }  // namespace stationary::cli

@@ -58,8 +58,9 @@ void require_whole(const PartTable& part, std::size_t rows, const TableChecksum&
   if (rows != part.metadata.rows)
     refuse(part.path, fmt::format("found {} rows, {} by its metadata", rows, part.metadata.rows));
   if (checksum.text() != part.metadata.checksum)
-    refuse(part.path, "found that it was changed since it was written (its checksum is in the "
-                      "metadata)");
+    refuse(part.path,
+           "found that it was changed since it was written (its checksum is in the "
+           "metadata)");
 }
 
 }  // namespace
@@ -77,12 +78,13 @@ std::vector<PartTable> read_parts(const std::vector<std::string>& paths) {
       refuse(each.path,
              fmt::format("found other options, input or version than of {}", named(first)));
   }
-  std::ranges::stable_sort(out, {}, [](const PartTable& each) { return each.metadata.part.number; });
+  std::ranges::stable_sort(out, {},
+                           [](const PartTable& each) { return each.metadata.part.number; });
   for (std::size_t k = 0; k < out.size(); ++k) {
     const std::size_t number = out[k].metadata.part.number;
     if (k > 0 && number == out[k - 1].metadata.part.number)
-      refuse(out[k].path, fmt::format("found {} twice: {} too", named(out[k]),
-                                      printable(out[k - 1].path)));
+      refuse(out[k].path,
+             fmt::format("found {} twice: {} too", named(out[k]), printable(out[k - 1].path)));
   }
   for (std::size_t k = 0; k < out.front().metadata.part.of; ++k)
     if (k >= out.size() || out[k].metadata.part.number != k + 1)
@@ -107,8 +109,7 @@ std::vector<std::pair<std::string, long>> added_counts(const std::vector<PartTab
   std::vector<std::pair<std::string, long>> out;
   for (const PartTable& part : parts) {
     for (const auto& [name, count] : part.metadata.counts) {
-      const auto at =
-          std::ranges::find(out, name, [](const auto& each) { return each.first; });
+      const auto at = std::ranges::find(out, name, [](const auto& each) { return each.first; });
       if (at == out.end()) {
         out.emplace_back(name, count);
       } else {

@@ -57,10 +57,10 @@ std::optional<std::string> Study::lines(const Share& rows, const std::atomic<boo
 }
 
 std::string Study::hash() const {
-  return work_hash("study", tree_,
-                   {tree_.name(), source_.path(), source_.text(), name(plan_.task),
-                    csv_header(header()),
-                    fmt::format("{} {}", plan_.checkpoints.value_or(0), plan_.certify)});
+  return work_hash(
+      "study", tree_,
+      {tree_.name(), source_.path(), source_.text(), name(plan_.task), csv_header(header()),
+       fmt::format("{} {}", plan_.checkpoints.value_or(0), plan_.certify)});
 }
 
 std::vector<Column> Study::columns() const {

@@ -16,8 +16,7 @@ TileRunner::TileRunner(TiledWork work, const TiledRun& how, const Run& run)
   for (const std::string& line : journal_->remarks()) run.complain(line);
 }
 
-bool TileRunner::run(
-    const std::function<void(const Share& rows, const std::string& tile)>& take) {
+bool TileRunner::run(const std::function<void(const Share& rows, const std::string& tile)>& take) {
   TileLoop loop;
   loop.tiles = tiles_.count();
   loop.threads = run_.threads;

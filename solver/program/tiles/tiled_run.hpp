@@ -28,12 +28,12 @@ struct TiledRun {
 };
 
 struct TiledWork {
-  std::string hash;  ///< of all that decides the rows
+  std::string hash;       ///< of all that decides the rows
   std::string kept = {};  ///< what a tile holds beside them
   /// Seconds from the beginning in which no tile is kept: for work that is done again in the time in
   /// which it would be written.
   double too_short = 0.0;
-  Share share;       ///< rows
+  Share share;  ///< rows
   std::size_t rows_a_tile = 1;
   std::string_view unit;  ///< "cells"
   /// Of rows; called by several threads; nothing where it was interrupted.

@@ -48,8 +48,8 @@ TEST(Part, IsReadOrRefused) {
   EXPECT_EQ(part.number, 2U);
   EXPECT_EQ(part.of, 7U);
   EXPECT_TRUE(part.asked);
-  for (const char* text : {"", "1", "1/", "/1", "0/3", "4/3", "1/0", "-1/3", "1/3 ", "1/3/5",
-                           "a/3", "1/1000001", "1.5/3", "99999999999999999999/3"})
+  for (const char* text : {"", "1", "1/", "/1", "0/3", "4/3", "1/0", "-1/3", "1/3 ", "1/3/5", "a/3",
+                           "1/1000001", "1.5/3", "99999999999999999999/3"})
     EXPECT_THROW(read_part(text), InputError) << text;
 }
 

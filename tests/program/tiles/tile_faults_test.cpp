@@ -22,12 +22,12 @@
 namespace stationary::cli {
 namespace {
 
+using stationary::testing::TemporaryDirectory;
+using stationary::testing::text_of;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-using stationary::testing::TemporaryDirectory;
-using stationary::testing::text_of;
 
 constexpr std::size_t all_rows = 400;
 constexpr std::size_t rows_a_tile = 3;
