@@ -3,6 +3,7 @@
 //   mpirun -n 2 ranks_bench overhead       microseconds of an empty tile: alone, journalled, by two ranks
 //   ranks_bench simulation MAP ATLASES     recorded costs of both cases' tiles, dispatched to many ranks
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
