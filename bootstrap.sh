@@ -34,7 +34,9 @@ python_packages=(
   python3-dev pybind11-dev python3-numpy python3-pandas python3-xarray python3-matplotlib
   python3-sympy python3-pip python3-venv python3-setuptools python3-wheel python3-pytest mypy
 )
-[[ $verb == run ]] || packages+=("${test_packages[@]}" "${python_packages[@]}")
+# Ranks of MPI, for the program stationary-mpi and its tests.
+mpi_packages=(libopenmpi-dev openmpi-bin)
+[[ $verb == run ]] || packages+=("${test_packages[@]}" "${python_packages[@]}" "${mpi_packages[@]}")
 # The documentation, Debian packages with what looks them over, the page of `explore` and a browser for it.
 all_packages=(python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian nodejs npm chromium)
 [[ $verb != all ]] || packages+=("${all_packages[@]}")

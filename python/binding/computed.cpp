@@ -118,7 +118,7 @@ std::shared_ptr<Computed> study(const Tree& base, const std::string& over,
   const cli::StudySource source =
       csv ? cli::StudySource(TableReader(std::make_unique<std::istringstream>(*csv), over), over)
           : cli::StudySource(over);
-  cli::StudyRun asked{base.get(), {}, &source, {}, std::nullopt, false};
+  cli::StudyRun asked{base.get(), {}, &source, {}};
   asked.plan.task = *chosen;
   asked.plan.checkpoints = checkpoints;
   const auto out = computed(file_of(*base), threads, "stationary.study",

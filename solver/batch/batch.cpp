@@ -135,6 +135,7 @@ class BatchRun {
     out.alpha_.resize(oriented() ? cells : 0);
     out.error_bound_.resize(options.error_bound ? cells : 0);
     out.status_.resize(cells);
+    out.fell_back_.assign(input.lanes, oriented() ? 1 : 0);
   }
 
   void run() {
@@ -197,6 +198,7 @@ class BatchRun {
       const std::ptrdiff_t reached = end[lane - first];
       if (reached == static_cast<std::ptrdiff_t>(plan_.steps.size())) continue;
       ++fallbacks;
+      out_.fell_back_[lane] = 1;
       std::size_t slot = 0;
       for (std::ptrdiff_t k = 0; k < reached; ++k)
         if (plan_.steps[static_cast<std::size_t>(k)].slot >= 0) ++slot;

@@ -77,6 +77,8 @@ class BatchResult {
   }
   /// Lanes the scalar path had to go on with; of an anisotropic potential all of them.
   std::size_t fallbacks() const { return fallbacks_; }
+  /// Whether a lane is one of these.
+  bool fell_back(std::size_t lane) const { return fell_back_[lane] != 0; }
 
  private:
   friend class BatchRun;
@@ -88,6 +90,7 @@ class BatchResult {
   std::size_t slots_ = 0;          ///< different |nu|
   std::vector<std::size_t> slot_;  ///< of each nu
   std::size_t fallbacks_ = 0;
+  std::vector<unsigned char> fell_back_;  ///< of each lane; bytes, which threads set side by side
   std::vector<double> xi_, zeta_, rho_, error_bound_;
   std::vector<double> alpha_;  ///< empty where it is 0 in every cell
   std::vector<SolveStatus> status_;

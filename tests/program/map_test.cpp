@@ -363,7 +363,8 @@ TEST(Map, InterruptedWritesWhatIsComplete) {
     EXPECT_EQ(outcome.code, 130);
     EXPECT_THAT(outcome.err, HasSubstr("of 6000000 cells, which are written"));
     const std::string stem = std::string(name).substr(0, 1);
-    EXPECT_THAT(directory.names(), ElementsAre(name, stem + ".meta.json"));
+    EXPECT_THAT(directory.names(),
+                ElementsAre(name, std::string(name) + ".journal", stem + ".meta.json"));
     const auto metadata = nlohmann::json::parse(text_of(directory / "m.meta.json"));
     EXPECT_EQ(metadata.at("status"), "interrupted");
     const auto rows = metadata.at("rows").get<std::size_t>();

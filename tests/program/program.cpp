@@ -44,7 +44,8 @@ namespace fs = std::filesystem;
     sigprocmask(SIG_BLOCK, &blocked, nullptr);
     ::raise(options.pending_signal);
   }
-  ::execv(STATIONARY_PROGRAM, arguments);
+  for (const std::string& each : options.environment) ::putenv(const_cast<char*>(each.c_str()));
+  ::execvp(options.program.empty() ? STATIONARY_PROGRAM : arguments[0], arguments);
   ::_exit(127);
 }
 
@@ -73,7 +74,8 @@ Outcome run_program(const std::vector<std::string>& arguments, const RunOptions&
   const std::string out =
       options.standard_output.empty() ? streams / "out" : options.standard_output;
   const std::string err = streams / "err";
-  std::vector<std::string> all{"stationary"};
+  std::vector<std::string> all =
+      options.program.empty() ? std::vector<std::string>{"stationary"} : options.program;
   all.insert(all.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   pointers.reserve(all.size() + 1);

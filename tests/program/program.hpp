@@ -23,6 +23,9 @@ struct RunOptions {
   std::string standard_output = {};         ///< a file instead of a captured stream
   std::string directory = {};               ///< to run in
   long file_size_limit = -1;                ///< of each file it writes, in bytes
+  std::vector<std::string> program =
+      {};  ///< another one, by a path or a name, and its first arguments
+  std::vector<std::string> environment = {};  ///< NAME=VALUE, beside what there is
 };
 
 Outcome run_program(const std::vector<std::string>& arguments, const RunOptions& options = {});

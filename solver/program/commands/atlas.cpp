@@ -1,4 +1,5 @@
-// stationary atlas CASE: every sheet, as atlas_case.hpp finds them.
+// stationary atlas CASE: every sheet, as atlas_case.hpp finds them, or of every cell of a grid, as
+// atlas_grid.hpp does.
 #include "solver/atlas/atlas.hpp"
 
 #include <fmt/format.h>
@@ -7,8 +8,10 @@
 #include <optional>
 
 #include "solver/program/case/case_atlas.hpp"
+#include "solver/program/commands/tile_options.hpp"
 #include "solver/program/computation/atlas_case.hpp"
-#include "solver/program/session/command.hpp"
+#include "solver/program/computation/atlas_grid.hpp"
+#include "solver/program/text/input_error.hpp"
 #include "solver/program/tiles/journal.hpp"
 
 namespace stationary::cli {
@@ -16,8 +19,35 @@ namespace {
 
 struct AtlasCommand : ComputeOptions {
   std::optional<int> checkpoints;
-  bool resume = false;
+  bool grid = false;
+  std::string tables;
+  TileOptions tiles;
 };
+
+ExitCode run_grid(const AtlasCommand& options, const Session& session) {
+  const TiledRun tiled = options.tiles.run(options, session);
+  if (options.tiles.merges() && !options.tables.empty())
+    throw InputError(Origin::of_option("--tables " + options.tables), "", "found it with --merge",
+                     "each part's own --tables: a merged table is of the parts' rows alone");
+  return compute(options, session, [&](TableTarget* target, const Run& run) {
+    const Case input = options.read();
+    return options.tiles.merges()
+               ? merged_atlas_grid(input, options.checkpoints, options.tiles.merge, *target, run)
+               : atlas_grid(input, {options.checkpoints, options.tables}, tiled, target, run);
+  });
+}
+
+ExitCode run_one(const AtlasCommand& options, const Session& session) {
+  if (session.crew != nullptr)
+    throw InputError(Origin::of_option("atlas"), "", "found no --grid",
+                     "atlas --grid: one atlas is the work of one machine",
+                     "`stationary atlas` uses all its processors");
+  AtlasRun asked{options.checkpoints, std::nullopt, options.tiles.resume};
+  if (asked.resume || has_journal(options.output)) asked.journal = options.output;
+  return compute(options, session, [&](TableTarget* target, const Run& run) {
+    return atlas_case(options.read(), asked, target, run);
+  });
+}
 
 }  // namespace
 
@@ -34,15 +64,22 @@ void add_atlas(CLI::App& program, Session& session) {
                               "{}, of an anisotropic body {})",
                               AtlasOptions{}.checkpoints, few_checkpoints))
       ->check(CLI::Range(1, 1'000'000));
-  command.add_flag("--resume", options->resume,
-                   "Go on with the interrupted atlas at -o FILE: no search is made twice");
+  CLI::Option* const grid = command.add_flag(
+      "--grid", options->grid,
+      "An atlas of every cell of [map], a row each: how many sheets and events, and the first");
+  command
+      .add_option("--tables", options->tables,
+                  "With --grid: every atlas's own table in one HDF5 file, a group a cell by the "
+                  "number of its row")
+      ->type_name("FILE.h5")
+      ->check(not_empty)
+      ->needs(grid);
+  options->tiles.add_to(command, "cells");
+  command.get_option("--part")->needs(grid);
+  command.get_option("--merge")->needs(grid);
   command.callback([options, &session] {
     session.action = [options, &session] {
-      AtlasRun asked{options->checkpoints, std::nullopt, options->resume};
-      if (options->resume || has_journal(options->output)) asked.journal = options->output;
-      return compute(*options, session, [&](TableTarget* target, const Run& run) {
-        return atlas_case(options->read(), asked, target, run);
-      });
+      return options->grid ? run_grid(*options, session) : run_one(*options, session);
     };
   });
 }

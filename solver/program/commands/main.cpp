@@ -1,95 +1,21 @@
 // stationary: stationary ellipsoids of an affinely-rigid body, from a case file.
-#include <csignal>
-#include <cstdio>
-#include <exception>
-#include <memory>
-#include <new>
-#include <sstream>
-#include <string>
-#include <string_view>
-
-#include "solver/program/session/command.hpp"
-
-namespace {
-
-using stationary::cli::ExitCode;
-
-/// Usage comes first, then what it is.
-class UsageFirst final : public CLI::Formatter {
- public:
-  std::string make_help(const CLI::App* app, std::string name,
-                        CLI::AppFormatMode mode) const override {
-    if (mode == CLI::AppFormatMode::Sub) return make_expanded(app);
-    const std::string usage = make_usage(app, std::move(name));
-    return usage.substr(usage.find_first_not_of('\n')) + '\n' + make_description(app) +
-           make_positionals(app) + make_groups(app, mode) + make_subcommands(app, mode) + '\n' +
-           make_footer(app);
-  }
-};
-
-ExitCode run(int argc, char** argv) {
-  using namespace stationary;
-  CLI::App program("Stationary ellipsoids of an affinely-rigid body", "stationary");
-  program.formatter(std::make_shared<UsageFirst>());  // commands take it over
-  program.set_version_flag("--version", cli::version_text, "Print the versions and exit");
-  program.footer(
-      "Exit codes: 0 done; 2 the input is wrong; 3 no stationary ellipsoid exists or was found; "
-      "4 a failure; 130 interrupted.");
-  cli::Session session{{argv, argv + argc}, {}};
-  cli::add_solve(program, session);
-  cli::add_continue(program, session);
-  cli::add_atlas(program, session);
-  cli::add_map(program, session);
-  cli::add_curve(program, session);
-  cli::add_study(program, session);
-  cli::add_check(program, session);
-  cli::add_models(program, session);
-  cli::add_plot(program, session);
-  cli::add_explore(program, session);
-  cli::add_help(program);
-  constexpr int most = 3;
-  if (argc > 1 && argc <= most && std::string_view(argv[1]) == "help" &&
-      (argc < most || !std::string_view(argv[2]).starts_with('-')))
-    return cli::help(program, argc < most ? "" : argv[2]);
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {  // --help, --version
-      std::ostringstream text;
-      program.exit(error, text, text);
-      cli::print(text.str());
-      return ExitCode::done;
-    }
-    cli::complain(cli::refusal(program, error));
-    return ExitCode::wrong_input;
-  }
-  if (!session.action) {
-    cli::complain("no command given\n");
-    std::fputs(program.help().c_str(), stderr);
-    return ExitCode::wrong_input;
-  }
-  try {
-    return session.action();
-  } catch (const InputError& error) {
-    std::istringstream lines(error.what());  // one for each fault
-    for (std::string line; std::getline(lines, line);) cli::complain(line);
-    return ExitCode::wrong_input;
-  }
-}
-
-}  // namespace
+#include "solver/program/commands/program.hpp"
 
 int main(int argc, char** argv) {
-  // A limit on the size of files is then met as a full disk is.
-  std::signal(SIGXFSZ, SIG_IGN);
-  try {
-    return static_cast<int>(run(argc, argv));
-  } catch (const std::bad_alloc&) {
-    std::fputs("stationary: out of memory\n", stderr);
-  } catch (const std::exception& error) {
-    stationary::cli::complain(std::string("failed: ") + error.what());
-  } catch (...) {
-    std::fputs("stationary: failed for an unknown reason\n", stderr);
-  }
-  return static_cast<int>(ExitCode::failure);
+  using namespace stationary::cli;
+  return run_program({"stationary", "Stationary ellipsoids of an affinely-rigid body",
+                      [](CLI::App& program, Session& session) {
+                        add_solve(program, session);
+                        add_continue(program, session);
+                        add_atlas(program, session);
+                        add_map(program, session);
+                        add_curve(program, session);
+                        add_study(program, session);
+                        add_check(program, session);
+                        add_models(program, session);
+                        add_plot(program, session);
+                        add_explore(program, session);
+                      },
+                      nullptr},
+                     argc, argv);
 }

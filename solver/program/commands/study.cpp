@@ -1,35 +1,53 @@
-// stationary study CASE --over TABLE --do solve|continue|atlas, as study_case.hpp does it.
-#include <algorithm>
+// stationary study CASE --over TABLE --do solve|continue|atlas: the case with the values of each row of a
+// table, as study_case.hpp does them.
+#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
 
+#include "solver/program/commands/tile_options.hpp"
 #include "solver/program/computation/study_case.hpp"
-#include "solver/program/session/command.hpp"
 #include "solver/program/session/output_file.hpp"
-#include "solver/program/tiles/journal.hpp"
+#include "solver/program/table/column_file.hpp"
+#include "solver/program/text/input_error.hpp"
 
 namespace stationary::cli {
 namespace {
 
 struct StudyOptions : ComputeOptions {
   std::string over;
-  std::string task = std::string(name(StudyTask::solve));
+  std::string task;
   std::optional<int> checkpoints;
-  bool resume = false;
+  TileOptions tiles;
 };
 
-ExitCode study(const StudyOptions& options, const Session& session) {
-  const StudySource source(options.over);
+ExitCode run(const StudyOptions& options, const Session& session) {
+  const bool merges = options.tiles.merges();
+  const std::optional<StudyTask> task =
+      options.task.empty() ? std::nullopt : study_task(options.task);
+  if (options.over.empty() && !merges)
+    throw InputError(Origin::of_option("--over"), "", "found no such option",
+                     "--over TABLE, the table of the rows");
+  if (options.over.empty() && options.checkpoints)
+    throw InputError(Origin::of_option("--checkpoints"), "", "found it with --merge alone",
+                     "what the parts were made with: --over, --do and --checkpoints, or none");
+  std::optional<StudySource> source;
+  if (!options.over.empty()) source.emplace(options.over);
   const CaseTree base = CaseTree::read(options.path);
-  StudyRun asked{&base, options.overrides, &source, {}, std::nullopt, options.resume};
-  asked.plan.task = *study_task(options.task);
+  StudyRun asked{&base, options.overrides, source ? &*source : nullptr, {}};
+  asked.plan.task = task.value_or(StudyTask::solve);
   asked.plan.checkpoints = options.checkpoints;
   asked.plan.certify = options.certify;
-  if (options.resume || has_journal(options.output)) asked.journal = options.output;
-  return compute(options, session, [&](TableTarget* target, const Run& run) {
+  asked.tiled = options.tiles.run(options, session);
+  if (!options.output.empty() && source)
     refuse_to_replace(options.output, options.output, options.over, "the table of --over");
-    return study_case(asked, target, run);
+  if (asked.tiled.part.asked &&
+      is_column_file_extension(std::filesystem::path(options.output).extension().string()))
+    refuse_output(options.output, "found HDF5 for a part, which keeps no spelling of T's numbers",
+                  "parts of a study are CSV; --merge writes either");
+  return compute(options, session, [&](TableTarget* target, const Run& how) {
+    return merges ? merged_study_case(asked, task, options.tiles.merge, *target, how)
+                  : study_case(asked, target, how);
   });
 }
 
@@ -48,22 +66,20 @@ void add_study(CLI::App& program, Session& session) {
           "Table of the rows: columns are keys of the case (potential.plane.mu), or begin with "
           "_ and are carried through; an empty cell leaves the case's value")
       ->type_name("TABLE")
-      ->check(not_empty)
-      ->required();
+      ->check(not_empty);
   command
       .add_option("--do", options->task,
-                  "What is done of each row; a row that fails is a row with its message")
+                  "What is done of each row (default solve); a row that fails is a row with its "
+                  "message")
       ->type_name("solve|continue|atlas")
       ->check(CLI::IsMember(
-          std::vector<std::string>(std::begin(study_task_names), std::end(study_task_names))))
-      ->capture_default_str();
+          std::vector<std::string>(std::begin(study_task_names), std::end(study_task_names))));
   command
       .add_option("--checkpoints", options->checkpoints, "Of each atlas, as of the command atlas")
       ->check(CLI::Range(1, 1'000'000));
-  command.add_flag("--resume", options->resume,
-                   "Go on with the interrupted study at -o FILE: no row is computed twice");
+  options->tiles.add_to(command, "rows");
   command.callback([options, &session] {
-    session.action = [options, &session] { return study(*options, session); };
+    session.action = [options, &session] { return run(*options, session); };
   });
 }
 

@@ -128,25 +128,6 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
   return out.text();
 }
 
-/// All sheets in the table, if there is one, and what is told of each; how many rows are proven.
-CurveProofs write_sheets(const Case& input, Atlas& found, RowSink* writer,
-                         std::vector<SheetRecord>& records) {
-  CurveProofs out;
-  for (AtlasSheet& sheet : found.sheets) {
-    CurveTable table(name(sheet.motion(0.0)), writer, sheet.number);
-    if (input.output.certificate) {
-      const auto kind_at = [&](double nu) {
-        return kind_of(input.body, input.potential, sheet.motion(nu));
-      };
-      table.prove(kind_at, {});
-    }
-    records.push_back(write_rows(sheet, table));
-    out.rows += table.proofs().rows;
-    out.proven += table.proofs().proven;
-  }
-  return out;
-}
-
 }  // namespace
 
 Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target, const Run& run) {
@@ -164,13 +145,17 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   if (target != nullptr) target->prepare();
   std::optional<SearchJournal> journal;
   if (asked.journal) journal.emplace(*asked.journal, input, how, asked.resume);
-  if (journal) journal->keep(how);
+  if (journal) {
+    for (const std::string& line : journal->remarks()) run.complain(line);
+    journal->keep(how);
+  }
 
   const auto begin = std::chrono::steady_clock::now();
   Atlas found = atlas(input.body, make_potential(input.models), how);
   RowSink* const table = target != nullptr ? &target->open(columns) : nullptr;
   std::vector<SheetRecord> records;
-  const CurveProofs proofs = write_sheets(input, found, table, records);
+  const CurveProofs proofs =
+      write_sheets({input.body, input.potential, input.output.certificate}, found, table, records);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (target != nullptr) {

@@ -73,7 +73,7 @@ class Rows {
     if (!wanted_.columns.empty()) line += ',' + cells_.of(row);
     if (wanted_.spectrum) line += fmt::format(",{},{}", word(at.before), word(at.after));
     if (input_.output.certificate) line += fmt::format(",{}", row.certified);
-    table_->write(line + '\n', 1);
+    table_->write(line + '\n');
   }
   long rows() const { return rows_; }
   long proven() const { return proven_; }

@@ -1,13 +1,10 @@
 #include "solver/program/computation/map_case.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,28 +16,62 @@
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/report.hpp"
+#include "solver/program/table/row_pack.hpp"
+#include "solver/program/tiles/parts.hpp"
 
 namespace stationary::cli {
 namespace {
 
-/// What a map's cells came to.
+/// What a map's cells came to, and what they took.
 struct MapCounts {
-  std::map<std::string_view, std::size_t> statuses;
-  std::map<std::string_view, std::size_t> classes;
+  std::map<std::string, long, std::less<>> statuses;
+  std::map<std::string, long, std::less<>> classes;
   std::size_t rows = 0;
-  std::size_t proven = 0;
+  long proven = 0;
+  RowCounts evaluated;
 
   void add(const TableRow& row) {
     ++rows;
-    ++statuses[row.status];
-    if (!row.stability.empty()) ++classes[row.stability];
+    ++at(statuses, row.status);
+    if (!row.stability.empty()) ++at(classes, row.stability);
     if (!row.certified.empty() && row.certified != proof_word(false)) ++proven;
   }
-  std::size_t of(CellStatus status) const {
-    const auto at = statuses.find(name(status));
-    return at == statuses.end() ? 0 : at->second;
+  long of(CellStatus status) const {
+    const auto found = statuses.find(name(status));
+    return found == statuses.end() ? 0 : found->second;
+  }
+
+ private:
+  static long& at(std::map<std::string, long, std::less<>>& counts, std::string_view word) {
+    const auto found = counts.find(word);
+    return found != counts.end() ? found->second : counts.emplace(word, 0).first->second;
   }
 };
+
+/// By the names that the metadata have.
+MapCounts counts_of(const std::vector<PartTable>& parts) {
+  MapCounts out;
+  for (const auto& [name, count] : added_counts(parts)) {
+    if (count == 0) continue;
+    if (std::ranges::find(cell_status_names, name) != std::end(cell_status_names)) {
+      out.statuses[name] = count;
+      out.rows += static_cast<std::size_t>(count);
+    } else if (std::ranges::find(stability_names, name) != std::end(stability_names)) {
+      out.classes[name] = count;
+    } else if (name == "proven") {
+      out.proven = count;
+    } else if (name == "scalar_lanes") {
+      out.evaluated.scalar_lanes = count;
+    } else if (name == "potentials") {
+      out.evaluated.potentials = count;
+    } else if (name == "spectra") {
+      out.evaluated.spectra = count;
+    } else if (name == "scalar_spectra") {
+      out.evaluated.scalar_spectra = count;
+    }
+  }
+  return out;
+}
 
 void require_map(const Case& input) {
   if (!input.map) {
@@ -49,37 +80,63 @@ void require_map(const Case& input) {
   }
 }
 
-/// Rows of the solved grid in their order, a window at a time computed by all threads; ends when it
-/// is told to, after whole windows.
-template <class Take>
-RowCounts for_all_rows(const MapCells& grid, const RowParts& parts, const ColumnSet& wanted,
-                       const Run& run, const Take& take) {
-  // A window's rows are had all or none.
-  const std::size_t block = grid.block();
-  const std::size_t blocks_at_once = 8 * static_cast<std::size_t>(run.threads);
-  std::vector<std::vector<TableRow>> blocks(blocks_at_once);
-  std::vector<RowCounts> counts(blocks_at_once);
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(run.threads));
-  tbb::task_arena arena(run.threads);
-  for (std::size_t begin = 0; begin < grid.size(); begin += block * blocks_at_once) {
-    arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, blocks_at_once, [&](std::size_t k) {
-        const std::size_t first = std::min(begin + k * block, grid.size());
-        counts[k] +=
-            grid.rows(first, std::min(first + block, grid.size()), parts, wanted, blocks[k]);
-      });
-    });
-    if (run.stopped()) break;
-    for (const std::vector<TableRow>& rows : blocks)
-      for (const TableRow& row : rows) take(row);
+/// A map as far as it does not depend on how it is run.
+struct MapWork {
+  explicit MapWork(const Case& input, bool to_table)
+      : parts{.two_polar = has_rates(input.motion),
+              .spectrum = wants_spectrum(input, to_table),
+              .certificate = input.output.certificate,
+              .map = true} {
+    columns = chosen_columns(input, equilibrium_columns(parts), "map", true);
+    const auto with = [](std::vector<Column> of, Column c) {
+      if (std::ranges::find(of, c) == of.end()) {
+        of.push_back(c);
+        std::ranges::sort(of);
+      }
+      return of;
+    };
+    columns =
+        with(columns, Column::status);  // a cell without one would say nothing where it is empty
+    parameters.push_back(input.map->x.parameter);
+    if (input.map->y) parameters.push_back(input.map->y->parameter);
+    // Without a table the classes are counted.
+    if (to_table) {
+      wanted = ColumnSet(columns);
+      kept = columns;
+    } else {
+      kept = {Column::status};
+    }
+    if (parts.spectrum) kept = with(kept, Column::stability);
+    if (parts.certificate) kept = with(kept, Column::certified);
   }
-  RowCounts all;
-  for (const RowCounts& each : counts) all += each;
-  return all;
+
+  RowParts parts;
+  std::vector<Column> columns;  ///< of the table
+  std::vector<std::string> parameters;
+  ColumnSet wanted;
+  std::vector<Column> kept;  ///< of tiles: those of the table and what is counted
+};
+
+/// A tile: what its rows took, and they themselves (row_pack.hpp).
+std::optional<std::string> tile_text(const MapCells& cells, const MapWork& work,
+                                     const RowPack& pack, const Share& share,
+                                     const std::atomic<bool>* stop) {
+  constexpr std::size_t at_once = 512;
+  std::string out(sizeof(RowCounts), '\0');
+  out.reserve(out.size() + share.size() * pack.row_size());
+  RowCounts counts;
+  std::vector<TableRow> rows;
+  for (std::size_t k = share.first; k < share.last; k += at_once) {
+    const std::size_t end = std::min(k + at_once, share.last);
+    counts += cells.rows(k, end, work.parts, work.wanted, stop, rows);
+    if (rows.size() != end - k) return std::nullopt;
+    for (const TableRow& row : rows) pack.add(row, out);
+  }
+  std::memcpy(out.data(), &counts, sizeof counts);
+  return out;
 }
 
-std::string counted(const std::map<std::string_view, std::size_t>& counts) {
+std::string counted(const std::map<std::string, long, std::less<>>& counts) {
   std::string out;
   for (const auto& [what, count] : counts)
     out += fmt::format("{}{} {}", out.empty() ? "" : ", ", count, what);
@@ -111,6 +168,15 @@ std::string instructions_text(const MapCells& cells) {
   return cells.marches() ? std::string(name(best_instruction_set())) : "scalar";
 }
 
+/// Likewise of parts that several machines may have made.
+std::string instructions_text(const std::vector<PartTable>& parts) {
+  std::string out;
+  for (const PartTable& each : parts)
+    if (out.find(each.metadata.instructions) == std::string::npos)
+      out += (out.empty() ? "" : ", ") + each.metadata.instructions;
+  return out;
+}
+
 std::string summary(const Case& input, const MapCounts& counts, double seconds) {
   constexpr std::size_t label_width = 14;
   Report out(label_width);
@@ -129,8 +195,8 @@ std::string summary(const Case& input, const MapCounts& counts, double seconds) 
   return out.text();
 }
 
-Metadata describe(const Run& run, const Case& input, const MapCounts& counts,
-                  const RowCounts& evaluated, const MapCells& cells) {
+Metadata describe(const Run& run, const Case& input, const MapCounts& counts, std::size_t cells,
+                  const std::string& instructions) {
   ComputationPlan plan = map_plan(input, true);
   Metadata out;
   out.version = STATIONARY_VERSION;
@@ -139,16 +205,14 @@ Metadata describe(const Run& run, const Case& input, const MapCounts& counts,
   out.input = &input;
   for (const std::string_view status : cell_status_names) {
     const auto at = counts.statuses.find(status);
-    out.counts.emplace_back(status,
-                            at == counts.statuses.end() ? 0 : static_cast<long>(at->second));
+    out.counts.emplace_back(status, at == counts.statuses.end() ? 0 : at->second);
   }
-  for (const auto& [verdict, count] : counts.classes)
-    out.counts.emplace_back(verdict, static_cast<long>(count));
-  if (input.output.certificate) out.counts.emplace_back("proven", static_cast<long>(counts.proven));
-  out.counts.emplace_back("scalar_lanes", static_cast<long>(cells.scalar_lanes()));
-  out.counts.emplace_back("potentials", evaluated.potentials);
-  out.counts.emplace_back("spectra", evaluated.spectra);
-  out.counts.emplace_back("scalar_spectra", evaluated.scalar_spectra);
+  for (const auto& [verdict, count] : counts.classes) out.counts.emplace_back(verdict, count);
+  if (input.output.certificate) out.counts.emplace_back("proven", counts.proven);
+  out.counts.emplace_back("scalar_lanes", counts.evaluated.scalar_lanes);
+  out.counts.emplace_back("potentials", counts.evaluated.potentials);
+  out.counts.emplace_back("spectra", counts.evaluated.spectra);
+  out.counts.emplace_back("scalar_spectra", counts.evaluated.scalar_spectra);
   out.plan = std::move(plan.computed);
   out.skipped = std::move(plan.skipped);
   if (input.solve.start || input.solve.all || input.solve.method != Method::automatic) {
@@ -156,83 +220,111 @@ Metadata describe(const Run& run, const Case& input, const MapCounts& counts,
                            "every cell is solved on the sheet of its own rest state"});
   }
   out.outcome = {{"command", "map"},
-                 {"status", counts.rows < input.map->cells() ? "interrupted" : "done"},
-                 {"instructions", instructions_text(cells)}};
+                 {"status", counts.rows < cells ? "interrupted" : "done"},
+                 {"instructions", instructions}};
   return out;
 }
 
-/// What the end says, and its exit code.
-ExitCode conclusion(const Case& input, const MapCounts& counts, bool written, const Run& run) {
-  if (counts.rows < input.map->cells()) {
-    run.complain(fmt::format("interrupted after {} of {} cells{}", counts.rows, input.map->cells(),
-                             written ? ", which are written" : ""));
+/// What the end says, and its exit code; cells: how many were to be computed.
+ExitCode conclusion(const MapCounts& counts, std::size_t cells, bool written, const TiledRun& tiled,
+                    const Run& run) {
+  if (counts.rows < cells) {
+    run.complain(fmt::format("interrupted after {} of {} cells{}{}", counts.rows, cells,
+                             written ? ", which are written" : "",
+                             tiled.journal ? "; --resume goes on with them" : ""));
     return ExitCode::interrupted;
   }
-  if (const std::size_t failed = counts.of(CellStatus::failed); failed > 0) {
+  ExitCode out = ExitCode::done;
+  if (const long failed = counts.of(CellStatus::failed); failed > 0) {
     run.complain(fmt::format("numerical failure in {} of {} cells", failed, counts.rows));
-    return ExitCode::failure;
-  }
-  if (counts.of(CellStatus::solved) == 0) {
+    out = ExitCode::failure;
+  } else if (counts.of(CellStatus::solved) == 0 && counts.rows > 0) {
     run.complain(fmt::format("no stationary ellipsoid in any of {} cells: {}", counts.rows,
                              counted(counts.statuses)));
-    return ExitCode::no_equilibrium;
+    out = ExitCode::no_equilibrium;
   }
-  return ExitCode::done;
+  // What a part comes to is said of the whole.
+  return tiled.part.asked ? ExitCode::done : out;
 }
 
 }  // namespace
 
 Outcome map_case(const Case& input, TableTarget* target, const Run& run) {
+  return tiled_map_case(input, {}, target, run);
+}
+
+Outcome tiled_map_case(const Case& input, const TiledRun& tiled, TableTarget* target,
+                       const Run& run) {
   require_map(input);
   const bool to_table = target != nullptr;
-  const RowParts parts{.two_polar = has_rates(input.motion),
-                       .spectrum = wants_spectrum(input, to_table),
-                       .certificate = input.output.certificate,
-                       .map = true};
-  std::vector<Column> columns = chosen_columns(input, equilibrium_columns(parts), "map", true);
-  if (std::ranges::find(columns, Column::status) == columns.end()) {
-    columns.push_back(Column::status);  // a cell without one would say nothing where it is empty
-    std::ranges::sort(columns);
-  }
-  if (to_table) target->prepare();
-  std::vector<std::string> parameters{input.map->x.parameter};
-  if (input.map->y) parameters.push_back(input.map->y->parameter);
+  const MapWork work(input, to_table);
+  const std::unique_ptr<MapCells> cells = map_cells(input);
+  const RowPack pack(work.kept, to_table ? work.parameters.size() : 0);
+  const Share share = tiled.part.share(cells->size());
+  const bool serves = tiled.serves();
+  if (to_table && !serves) target->prepare();
+  TileRunner runner(
+      {.hash = work_hash("map", input.source,
+                         {fmt::format("{} {}", input.output.certificate, cells->tile())}),
+       .too_short = cells->marches() ? 5.0 : 0.0,
+       .share = share,
+       .rows_a_tile = cells->tile(),
+       .unit = "cells",
+       .compute = [&](const Share& rows) { return tile_text(*cells, work, pack, rows, run.stop); }},
+      tiled, run);
   RowSink* const table =
-      to_table ? &target->open(columns, parameters, input.map->cells()) : nullptr;
+      to_table && !serves ? &target->open(work.columns, work.parameters, share.size()) : nullptr;
 
   const auto begin = std::chrono::steady_clock::now();
-  const std::unique_ptr<MapCells> grid = map_cells(input);
-  BatchOptions how;
-  how.threads = run.threads;
-  how.stop = run.stop;
-  if (run.progress) {
-    how.progress = [&](double fraction) {
-      run.progress(fraction, fmt::format("solving {} cells", grid->size()));
-    };
-  }
-  grid->solve(how);
   MapCounts counts;
-  // Without a table the classes are counted.
-  const ColumnSet wanted = table != nullptr ? ColumnSet(columns) : ColumnSet();
-  const auto take = [&](const TableRow& row) {
-    counts.add(row);
-    if (table != nullptr) table->write(row);
-    if (run.progress && counts.rows % 4096 == 0) {
-      run.progress(static_cast<double>(counts.rows) / static_cast<double>(grid->size()),
-                   fmt::format("{} rows", counts.rows));
+  TableRow row;
+  const auto take = [&](const Share&, const std::string& tile) {
+    RowCounts evaluated;
+    std::memcpy(&evaluated, tile.data(), sizeof evaluated);
+    counts.evaluated += evaluated;
+    for (std::size_t at = sizeof evaluated; at < tile.size(); at += pack.row_size()) {
+      pack.read(tile.data() + at, row);
+      counts.add(row);
+      if (table != nullptr) table->write(row);
     }
   };
-  const RowCounts evaluated = for_all_rows(*grid, parts, wanted, run, take);
+  runner.run(take);
+  if (serves) return {};
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (to_table) {
-    Metadata metadata = describe(run, input, counts, evaluated, *grid);
+    Metadata metadata = describe(run, input, counts, share.size(), instructions_text(*cells));
     metadata.seconds = seconds;
+    runner.describe(metadata);
     target->commit(std::move(metadata));
   }
-  Outcome out{conclusion(input, counts, to_table, run), {}};
+  runner.finish();
+  Outcome out{conclusion(counts, share.size(), to_table, tiled, run), {}};
   if (run.summary && out.code != ExitCode::interrupted)
     out.summary = summary(input, counts, seconds);
+  return out;
+}
+
+Outcome merged_map_case(const Case& input, const std::vector<std::string>& paths,
+                        TableTarget& target, const Run& run) {
+  require_map(input);
+  const MapWork work(input, true);
+  const std::size_t cells = input.map->cells();
+  const std::vector<PartTable> parts = read_parts(paths);
+  const MapCounts counts = counts_of(parts);
+  Metadata metadata = describe(run, input, counts, cells, instructions_text(parts));
+  require_case(parts, metadata);
+  target.prepare();
+  RowSink& table = target.open(work.columns, work.parameters, cells);
+  const auto begin = std::chrono::steady_clock::now();
+  read_rows(parts, work.columns, work.parameters, [&](const TableRow& row) { table.write(row); });
+  metadata.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  metadata.merged_parts = parts.size();
+  const double seconds = metadata.seconds;
+  target.commit(std::move(metadata));
+  Outcome out{conclusion(counts, cells, true, {}, run), {}};
+  if (run.summary) out.summary = summary(input, counts, seconds);
   return out;
 }
 

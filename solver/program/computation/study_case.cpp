@@ -3,22 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <utility>
 
-#include "solver/program/case/case_motion.hpp"
-#include "solver/program/case/case_schema.hpp"
-#include "solver/program/rows/equilibrium_row.hpp"
+#include "solver/program/rows/sheet_summary.hpp"
 #include "solver/program/session/report.hpp"
 #include "solver/program/table/table_reader.hpp"
-#include "solver/program/tiles/journal.hpp"
-#include "solver/program/tiles/tile_loop.hpp"
+#include "solver/program/text/input_error.hpp"
+#include "solver/program/tiles/parts.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -36,105 +32,12 @@ struct StudyCounts {
   long without_answer() const { return of(StudyStatus::failed) + of(StudyStatus::bad_input); }
 };
 
-/// A study as far as it does not depend on how it is run.
-class Study {
- public:
-  explicit Study(const StudyRun& asked)
-      : source_(*asked.source), base_(*asked.base), tree_(base_), plan_(asked.plan) {
-    for (const std::string& each : asked.overrides) {
-      tree_.override_key(each);
-      options_.push_back({each});
-    }
-    plan_.columns = columns();
-    // Solves are short, and a record of the journal for each would not be.
-    rows_a_tile_ = plan_.task == StudyTask::solve ? 16 : 1;
-  }
-
-  const StudySource& source() const { return source_; }
-  const StudyPlan& plan() const { return plan_; }
-  const CaseTree& tree() const { return tree_; }
-  /// The case by itself, where it is one without a row's values.
-  std::optional<Case> alone() const {
-    try {
-      return make_case(base_, options_);
-    } catch (const InputError&) {
-      return std::nullopt;
-    }
-  }
-
-  std::vector<CellColumn> header() const {
-    std::vector<CellColumn> out{{"study_row", CellKind::count}};
-    for (const CellColumn& each : source_.columns()) out.push_back(each);
-    out.push_back({"status", CellKind::text});
-    out.push_back({"message", CellKind::text});
-    for (const CellColumn& each : plan_.cell_columns()) out.push_back(each);
-    return out;
-  }
-
-  std::size_t tiles() const { return (source_.rows() + rows_a_tile_ - 1) / rows_a_tile_; }
-  /// Its rows' lines; nothing where it was interrupted.
-  std::optional<std::string> tile(std::size_t k, const std::atomic<bool>* stop) const {
-    std::string out;
-    const std::size_t end = std::min(source_.rows(), (k + 1) * rows_a_tile_);
-    for (std::size_t row = k * rows_a_tile_; row < end; ++row) {
-      std::vector<Override> overrides = options_;
-      std::ranges::move(source_.overrides(row), std::back_inserter(overrides));
-      const auto found = study_answer(plan_, base_, overrides, stop);
-      if (!found) return std::nullopt;
-      for (const std::string& cells : found->cells)
-        out += fmt::format("{},{},{},{},{}\n", row + 1, source_.cells(row), name(found->status),
-                           csv_cell(found->message), cells);
-    }
-    return out;
-  }
-
-  /// Of all that decides the tiles.
-  std::string hash() const {
-    std::ostringstream tree;
-    tree << tree_.root();
-    return hash_of(
-        {"study", STATIONARY_VERSION, tree_.name(), tree.str(), source_.path(), source_.text(),
-         name(plan_.task), csv_header(header()),
-         fmt::format("{} {} {}", plan_.checkpoints.value_or(0), plan_.certify, rows_a_tile_)});
-  }
-
- private:
-  /// Of solve's rows: those the case asks for, of any kind of motion that a row may have.
-  std::vector<Column> columns() const {
-    if (plan_.task != StudyTask::solve) return {};
-    const bool two_polar = value_or<std::string>(tree_, "motion.branch", "") == two_polar_name ||
-                           source_.has("motion.branch", two_polar_name);
-    const std::vector<Column> all = equilibrium_columns(
-        {.two_polar = two_polar,
-         .spectrum = value_or(tree_, "output.spectrum", true),
-         .certificate = plan_.certify || value_or(tree_, "output.certificate", false)});
-    std::vector<std::string> asked;
-    if (const toml::node* names = find(tree_, "output.columns");
-        names != nullptr && names->is_array())
-      for (const toml::node& each : *names->as_array())
-        asked.push_back(each.value<std::string>().value_or(""));
-    std::vector<Column> out = select_columns(all, asked);
-    if (out.empty())
-      throw fault_at(tree_, "output.columns", "found no column that study computes",
-                     "names of columns of solve");
-    return out;
-  }
-
-  const StudySource& source_;
-  const CaseTree& base_;
-  std::vector<Override> options_;  ///< of --set
-  CaseTree tree_;                  ///< with these
-  StudyPlan plan_;
-  std::size_t rows_a_tile_ = 1;
-};
-
-/// Reads the tiles' own lines, so that those of a journal count as well.
-void count(const Study& study, const std::string& lines, StudyCounts& counts) {
+/// Reads the rows' own lines, so that those of a journal and of parts count as well.
+void count(const std::string& header, const std::string& lines, StudyCounts& counts) {
   if (lines.empty()) return;
-  TableReader rows(std::make_unique<std::istringstream>(csv_header(study.header()) + lines),
-                   "study");
+  TableReader rows(std::make_unique<std::istringstream>(header + lines), "study");
   const std::size_t number = rows.column("study_row").value();
-  const std::size_t status = study.source().columns().size() + 1;
+  const std::size_t status = rows.column("status").value();
   std::string last;
   while (rows.next()) {
     if (last == rows.text(number)) continue;  // another solution of the same row
@@ -156,96 +59,155 @@ std::string counted(const StudyCounts& counts) {
   return out;
 }
 
-std::string summary(const Study& study, const StudyCounts& counts, double seconds) {
+std::string summary(const CaseTree& tree, const StudyRecord& study, const StudyCounts& counts,
+                    double seconds) {
   constexpr std::size_t label_width = 14;
   Report out(label_width);
-  out.line("case", printable(study.tree().name()));
-  out.line("over",
-           fmt::format("{}: {} rows", printable(study.source().path()), study.source().rows()));
-  out.line("do", name(study.plan().task));
+  out.line("case", printable(tree.name()));
+  out.line("over", fmt::format("{}: {} rows", printable(study.over), study.rows));
+  out.line("do", study.task);
   out.line("rows", fmt::format("{}: {}", counts.rows, counted(counts)));
   if (!counts.first_bad.empty()) out.line("first failure", counts.first_bad);
   out.line("cost", fmt::format("{:.2g} s", seconds));
   return out.text();
 }
 
-Metadata describe(const Run& run, const Study& study, const StudyCounts& counts,
-                  const std::optional<Case>& alone) {
+/// rows: how many were to be done.
+Metadata describe(const Run& run, const CaseTree& tree, const std::optional<Case>& alone,
+                  StudyRecord study, const StudyCounts& counts, std::size_t rows) {
   Metadata out;
   out.version = STATIONARY_VERSION;
   out.command_line = run.command_line;
   out.threads = run.threads;
   if (alone) out.input = &*alone;
-  out.source = &study.tree();
-  out.study = StudyRecord{study.source().path(), std::string(name(study.plan().task)),
-                          study.source().rows()};
+  out.source = &tree;
+  out.study = std::move(study);
   for (const std::string_view each : study_status_names) {
     const auto at = counts.statuses.find(each);
     out.counts.emplace_back(each, at == counts.statuses.end() ? 0 : at->second);
   }
-  out.outcome = {{"command", "study"},
-                 {"status", counts.rows < study.source().rows() ? "interrupted" : "done"}};
+  out.outcome = {{"command", "study"}, {"status", counts.rows < rows ? "interrupted" : "done"}};
   return out;
 }
 
-/// What the end says, and its exit code.
-ExitCode conclusion(const Study& study, const StudyCounts& counts, bool resumable, const Run& run) {
-  const std::size_t all = study.source().rows();
-  if (counts.rows < all) {
-    run.complain(fmt::format("interrupted after {} of {} rows{}", counts.rows, all,
-                             resumable ? ", which are written; --resume goes on with them" : ""));
+/// What the end says, and its exit code; rows: how many were to be done.
+ExitCode conclusion(const StudyCounts& counts, std::size_t rows, const TiledRun& tiled,
+                    const Run& run) {
+  if (counts.rows < rows) {
+    run.complain(
+        fmt::format("interrupted after {} of {} rows{}", counts.rows, rows,
+                    tiled.journal ? ", which are written; --resume goes on with them" : ""));
     return ExitCode::interrupted;
   }
   const long bad = counts.without_answer();
   if (bad == 0) return ExitCode::done;
   run.complain(
-      fmt::format("{} of {} rows failed, the first of them {}", bad, all, counts.first_bad));
-  return bad == static_cast<long>(all) ? ExitCode::failure : ExitCode::done;
+      fmt::format("{} of {} rows failed, the first of them {}", bad, rows, counts.first_bad));
+  const bool all = bad == static_cast<long>(rows);
+  // What a part comes to is said of the whole.
+  return all && !tiled.part.asked ? ExitCode::failure : ExitCode::done;
+}
+
+/// The columns of a study's own table.
+std::vector<CellColumn> columns_of(const std::string& header, const std::string& lines) {
+  TableReader rows(std::make_unique<std::istringstream>(header + lines), "study");
+  const std::vector<std::string>& names = rows.columns();
+  const std::size_t status = rows.column("status").value();
+  std::vector<CellColumn> source;
+  for (std::size_t k = 1; k < status; ++k) source.push_back({names[k], CellKind::number});
+  while (rows.next())
+    for (std::size_t k = 1; k < status; ++k)
+      if (!rows.text(k).empty() && !is_number(rows.text(k))) source[k - 1].kind = CellKind::text;
+  std::vector<CellColumn> cells;
+  const std::vector<CellColumn> summaries = sheet_summary_columns();
+  for (std::size_t k = status + 2; k < names.size(); ++k) {
+    const auto summary = std::ranges::find(summaries, names[k], &CellColumn::name);
+    if (summary != summaries.end()) {
+      cells.push_back(*summary);
+    } else if (const auto column = find_column(names[k])) {
+      cells.push_back({names[k], cell_kind(*column)});
+    }
+  }
+  return study_header(source, cells);
 }
 
 }  // namespace
 
 Outcome study_case(const StudyRun& asked, TableTarget* target, const Run& run) {
   const Study study(asked);
-  if (target != nullptr) target->prepare();
-  std::optional<Journal> journal;
-  if (asked.journal) journal.emplace(*asked.journal, study.hash(), asked.resume);
-  CellTable* const table = target != nullptr ? &target->open(study.header()) : nullptr;
-
+  const TiledRun& tiled = asked.tiled;
+  const Share share = tiled.part.share(study.source().rows());
+  const bool serves = tiled.serves();
+  if (target != nullptr && !serves) target->prepare();
+  TileRunner runner({.hash = study.hash(),
+                     .share = share,
+                     .rows_a_tile = study.rows_a_tile(),
+                     .unit = "rows",
+                     .compute = [&](const Share& rows) { return study.lines(rows, run.stop); }},
+                    tiled, run);
+  const std::string header = csv_header(study.header());
+  CellTable* const table = target != nullptr && !serves ? &target->open(study.header()) : nullptr;
   const auto begin = std::chrono::steady_clock::now();
   StudyCounts counts;
-  std::size_t finished = journal ? journal->known() : 0;
-  TileLoop loop;
-  loop.tiles = study.tiles();
-  loop.threads = run.threads;
-  loop.stop = run.stop;
-  if (journal) loop.known = [&](std::size_t k) { return journal->known(k); };
-  loop.compute = [&](std::size_t k) { return study.tile(k, run.stop); };
-  loop.done = [&](std::size_t k, const std::string& lines) {
-    if (journal) journal->add(k, lines);
-    if (run.progress)
-      run.progress(static_cast<double>(++finished) / static_cast<double>(loop.tiles),
-                   fmt::format("{} rows", study.source().rows()));
-  };
-  loop.take = [&](std::size_t, const std::string& lines) {
-    count(study, lines, counts);
-    if (table != nullptr)
-      table->write(lines, static_cast<std::size_t>(std::ranges::count(lines, '\n')));
-  };
-  const bool whole = cli::run(loop);
+  runner.run([&](const Share&, const std::string& lines) {
+    count(header, lines, counts);
+    if (table != nullptr) table->write(lines);
+  });
+  if (serves) return {};
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const StudyRecord record{study.source().path(), std::string(name(study.plan().task)),
+                           study.source().rows()};
   if (target != nullptr) {
     const std::optional<Case> alone = study.alone();
-    Metadata metadata = describe(run, study, counts, alone);
+    Metadata metadata = describe(run, study.tree(), alone, record, counts, share.size());
     metadata.seconds = seconds;
+    runner.describe(metadata);
     target->commit(std::move(metadata));
   }
-  if (journal && whole) journal->finish();
-  Outcome out;
-  out.code = conclusion(study, counts, journal.has_value(), run);
+  runner.finish();
+  Outcome out{conclusion(counts, share.size(), tiled, run), {}};
   if (run.summary && out.code != ExitCode::interrupted)
-    out.summary = summary(study, counts, seconds);
+    out.summary = summary(study.tree(), record, counts, seconds);
+  return out;
+}
+
+Outcome merged_study_case(const StudyRun& asked, std::optional<StudyTask> task,
+                          const std::vector<std::string>& paths, TableTarget& target,
+                          const Run& run) {
+  const std::vector<PartTable> parts = read_parts(paths);
+  if (asked.source != nullptr) require_work(parts, Study(asked).hash());
+  const StudyRecord record = parts.front().metadata.study.value_or(StudyRecord{});
+  if (task && name(*task) != record.task)
+    throw InputError(Origin::of_option("--do " + std::string(name(*task))), "",
+                     "found parts made with --do " + record.task, "what the parts were made with");
+  CaseTree tree = *asked.base;
+  std::vector<Override> overrides;
+  for (const std::string& each : asked.overrides) {
+    tree.override_key(each);
+    overrides.push_back({each});
+  }
+  std::optional<Case> alone;
+  try {
+    alone = make_case(*asked.base, overrides);
+  } catch (const InputError&) {
+    // It is one only with a row's values.
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const auto [header, lines] = read_lines(parts);
+  StudyCounts counts;
+  count(header, lines, counts);
+  Metadata metadata = describe(run, tree, alone, record, counts, record.rows);
+  require_case(parts, metadata);
+  target.prepare();
+  target.open(columns_of(header, lines)).write(lines);
+  metadata.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double seconds = metadata.seconds;
+  metadata.merged_parts = parts.size();
+  target.commit(std::move(metadata));
+  Outcome out{conclusion(counts, record.rows, {}, run), {}};
+  if (run.summary) out.summary = summary(tree, record, counts, seconds);
   return out;
 }
 

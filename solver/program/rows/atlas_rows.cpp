@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/kind/kind.hpp"
+
 namespace stationary {
 
 SheetRecord write_rows(AtlasSheet& sheet, CurveTable& table) {
@@ -11,6 +13,20 @@ SheetRecord write_rows(AtlasSheet& sheet, CurveTable& table) {
   }
   table.complete(sheet.report.events);
   return table.record(sheet.report);
+}
+
+CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
+                         std::vector<SheetRecord>& records) {
+  CurveProofs out;
+  for (AtlasSheet& sheet : found.sheets) {
+    CurveTable table(name(sheet.motion(0.0)), writer, sheet.number);
+    if (of.prove)
+      table.prove([&](double nu) { return kind_of(of.body, of.potential, sheet.motion(nu)); }, {});
+    records.push_back(write_rows(sheet, table));
+    out.rows += table.proofs().rows;
+    out.proven += table.proofs().proven;
+  }
+  return out;
 }
 
 double complete_fraction(const Atlas& found) {

@@ -1,5 +1,7 @@
-// A sheet of an atlas as rows of a table.
+// The sheets of an atlas as rows of a table.
 #pragma once
+
+#include <vector>
 
 #include "solver/atlas/atlas.hpp"
 #include "solver/program/rows/curve_table.hpp"
@@ -8,6 +10,16 @@ namespace stationary {
 
 /// Its rows into the table; its events get theirs. What is told of it beside them.
 SheetRecord write_rows(AtlasSheet& sheet, CurveTable& table);
+
+/// Of whom an atlas is, and whether its rows are to be proven.
+struct AtlasBody {
+  const Body& body;
+  const Potential& potential;
+  bool prove = false;
+};
+/// All sheets into the table, which may be null, and what is told of each; how many rows are proven.
+CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
+                         std::vector<SheetRecord>& records);
 
 /// The part of the checkpoints at which no sheet is missing.
 double complete_fraction(const Atlas& found);

@@ -20,21 +20,20 @@ class SingleCells final : public MapCells {
                         : std::vector<double>{std::numeric_limits<double>::quiet_NaN()}) {}
 
   std::size_t size() const override { return x_.size() * y_.size(); }
-  std::size_t block() const override { return 8; }
+  std::size_t tile() const override { return 8; }
   bool marches() const override { return false; }
-  std::size_t scalar_lanes() const override { return size(); }
-  void solve(const BatchOptions& options) override { stop_ = options.stop; }
 
   RowCounts rows(std::size_t first, std::size_t last, const RowParts& parts,
-                 const ColumnSet& wanted, std::vector<TableRow>& out) const override {
+                 const ColumnSet& wanted, const std::atomic<bool>* stop,
+                 std::vector<TableRow>& out) const override {
     out.clear();
-    RowCounts counts;
+    RowCounts counts{.scalar_lanes = static_cast<long>(last - first)};
     for (std::size_t k = first; k < last; ++k) {
       const FamilyParameters at = at_cell(k);
       const Alternatives kinds =
           alternatives(at.body, make_potential(at.models), at.motion, /*anywhere=*/false);
       SolveOptions how;
-      how.stop = stop_;
+      how.stop = stop;
       const auto [found, kind] = first_found(kinds, how);
       if (found.status == SolveStatus::interrupted) continue;
       TableRow& row = out.emplace_back();
@@ -66,7 +65,6 @@ class SingleCells final : public MapCells {
   const Case& input_;
   std::vector<double> x_;
   std::vector<double> y_;  ///< one number where the grid has no y
-  const std::atomic<bool>* stop_ = nullptr;
 };
 
 }  // namespace

@@ -256,6 +256,12 @@ std::string metadata_json(const Metadata& metadata, bool of_the_run) {
   }
   if (const auto& study = metadata.study)
     out["study"] = {{"over", study->over}, {"do", study->task}, {"rows", study->rows}};
+  if (const auto& part = metadata.part) {
+    out["part"] = {{"number", part->number},
+                   {"of", part->of},
+                   {"first_row", part->first_row + 1},
+                   {"work", part->work}};
+  }
   for (const auto& [name, text] : metadata.outcome) out[std::string(name)] = text;
   out["rows"] = metadata.rows;
   out["checksum"] = metadata.checksum;
@@ -263,6 +269,11 @@ std::string metadata_json(const Metadata& metadata, bool of_the_run) {
     out["run"] = {{"seconds", metadata.seconds},
                   {"command_line", metadata.command_line},
                   {"threads", metadata.threads}};
+    if (const auto& tiles = metadata.tiles) {
+      out["run"]["ranks"] = tiles->ranks;
+      out["run"]["tiles"] = {{"computed", tiles->computed}, {"kept", tiles->kept}};
+    }
+    if (metadata.merged_parts > 0) out["run"]["parts"] = metadata.merged_parts;
   }
   out["events"] = events_json(metadata.curves);
   out["segments"] = segments_json(metadata.curves);

@@ -26,6 +26,21 @@ struct StudyRecord {
   std::size_t rows = 0;
 };
 
+/// Which part of a run shared out by hand a table is.
+struct PartRecord {
+  std::size_t number = 1;
+  std::size_t of = 1;
+  std::size_t first_row = 0;  ///< of the whole, from 0
+  std::string work;           ///< what all its parts have in common
+};
+
+/// Of a run in tiles.
+struct TileRecord {
+  std::size_t computed = 0;
+  std::size_t kept = 0;  ///< taken from a journal
+  int ranks = 1;
+};
+
 /// A curve of events beside its rows.
 struct EventCurveRecord {
   struct Special {
@@ -47,10 +62,13 @@ struct Metadata {
   std::vector<std::string> command_line;
   double seconds = 0.0;
   int threads = 1;
+  std::optional<TileRecord> tiles;
+  std::size_t merged_parts = 0;  ///< 0: it is not merged
 
   const Case* input = nullptr;
   const CaseTree* source = nullptr;  ///< of the case where it is none by itself (`study`)
   std::optional<StudyRecord> study;
+  std::optional<PartRecord> part;
   std::size_t rows = 0;
   std::string checksum;  ///< of the rows (TableChecksum)
   std::vector<std::pair<std::string_view, long>> counts;

@@ -65,6 +65,7 @@ Case ComputeOptions::read() const {
 ExitCode compute(const ComputeOptions& options, const Session& session,
                  const std::function<Outcome(TableTarget* target, const Run& run)>& computation) {
   ProgressBar progress;
+  ProgressLines lines;
   Run run;
   run.command_line = session.command_line;
   run.threads = options.threads;
@@ -77,6 +78,11 @@ ExitCode compute(const ComputeOptions& options, const Session& session,
   if (progress.shown() && !options.quiet) {
     run.progress = [&progress](double fraction, const std::string& what) {
       progress.show(fraction, what);
+    };
+  } else if (session.crew != nullptr && !options.quiet) {
+    // What a batch system starts has no terminal, and runs for hours.
+    run.progress = [&lines](double fraction, const std::string& what) {
+      lines.show(fraction, what);
     };
   }
   run.waiting = [&options](const std::string& what) -> std::shared_ptr<void> {

@@ -14,8 +14,11 @@
 
 namespace stationary::cli {
 
+class Crew;
+
 struct Session {
   std::vector<std::string> command_line;
+  Crew* crew = nullptr;  ///< processes that compute together (tiles/crew.hpp); null: this one alone
   std::function<ExitCode()> action;  ///< of the command chosen; empty if none was
 };
 

@@ -21,28 +21,40 @@ void put(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stder
 
 ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
-void ProgressBar::show(double fraction, const std::string& text) {
-  if (!terminal_) return;
-  const auto now = std::chrono::steady_clock::now();
+void TimeLeft::at(double fraction, Clock::time_point now) {
   if (fraction < fraction_) {
     begin_ = now;
     begin_fraction_ = fraction;
   }
   fraction_ = fraction;
+}
+
+std::string TimeLeft::text(Clock::time_point now) const {
+  const double elapsed = std::chrono::duration<double>(now - begin_).count();
+  const double done = fraction_ - begin_fraction_;
+  if (elapsed < 1.0 || done <= 0.0 || fraction_ > 1.0) return {};
+  return fmt::format(", about {} left", rough_duration(elapsed * (1.0 - fraction_) / done));
+}
+
+void ProgressBar::show(double fraction, const std::string& text) {
+  if (!terminal_) return;
+  const auto now = std::chrono::steady_clock::now();
+  left_.at(fraction, now);
   if (drawn_ && now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
   drawn_ = true;
   constexpr int width = 30;
   const int full = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * width);
   put(fmt::format("{}[{:#<{}}{:<{}}] {}{}", erase_line, "", full, "", width - full, text,
-                  time_left(now)));
+                  left_.text(now)));
 }
 
-std::string ProgressBar::time_left(std::chrono::steady_clock::time_point now) const {
-  const double elapsed = std::chrono::duration<double>(now - begin_).count();
-  const double done = fraction_ - begin_fraction_;
-  if (elapsed < 1.0 || done <= 0.0 || fraction_ > 1.0) return {};
-  return fmt::format(", about {} left", rough_duration(elapsed * (1.0 - fraction_) / done));
+void ProgressLines::show(double fraction, const std::string& text) {
+  const auto now = TimeLeft::Clock::now();
+  left_.at(fraction, now);
+  if (now - last_ < std::chrono::seconds(30)) return;
+  last_ = now;
+  put(fmt::format("stationary: {:.1f}% of {}{}\n", 100.0 * fraction, text, left_.text(now)));
 }
 
 void ProgressBar::clear() {

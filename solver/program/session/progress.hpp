@@ -1,4 +1,4 @@
-// A bar on standard error while long work runs, only where that is a terminal.
+// What is told on standard error while long work runs: a bar, only where that is a terminal, or lines.
 #pragma once
 
 #include <chrono>
@@ -8,6 +8,20 @@
 #include <thread>
 
 namespace stationary::cli {
+
+/// How long work will take at its rate so far; a fraction that falls begins another work.
+class TimeLeft {
+ public:
+  using Clock = std::chrono::steady_clock;
+  void at(double fraction, Clock::time_point now);
+  /// ", about 40 s left", or nothing where that cannot be said yet.
+  std::string text(Clock::time_point now) const;
+
+ private:
+  Clock::time_point begin_{};  ///< of the work, first shown
+  double begin_fraction_ = 0.0;
+  double fraction_ = 2.0;  ///< the last one shown; above any before there is one
+};
 
 class ProgressBar {
  public:
@@ -25,15 +39,20 @@ class ProgressBar {
   void clear();
 
  private:
-  /// ", about 40 s left", or nothing where that cannot be said yet.
-  std::string time_left(std::chrono::steady_clock::time_point now) const;
-
   bool terminal_;
   bool drawn_ = false;
   std::chrono::steady_clock::time_point last_{};
-  std::chrono::steady_clock::time_point begin_{};  ///< of the work, first shown
-  double begin_fraction_ = 0.0;
-  double fraction_ = 2.0;  ///< the last one shown; above any before there is one
+  TimeLeft left_;
+};
+
+/// The same as lines, one in half a minute, for where there is no terminal.
+class ProgressLines {
+ public:
+  void show(double fraction, const std::string& text);
+
+ private:
+  TimeLeft::Clock::time_point last_ = TimeLeft::Clock::now();
+  TimeLeft left_;
 };
 
 /// While it lives, of work that cannot say how far it is: what is done and for how long, on

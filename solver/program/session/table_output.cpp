@@ -12,6 +12,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Seconds of work after which a journal goes only when the table is on the disk.
+constexpr double worth_a_flush = 10.0;
+
 void require_suffix(const std::string& path) {
   const std::string suffix = fs::path(path).extension().string();
   if (suffix.empty() || suffix == ".csv" || is_column_file_extension(suffix)) return;
@@ -67,16 +70,17 @@ void TableOutput::commit(Metadata metadata) {
   if (binary_) describe(*binary_);
   if (cells_) describe(*cells_);
   commit(metadata_json(metadata),
-         as_columns_ ? metadata_json(metadata, /*of_the_run=*/false) : std::string());
+         as_columns_ ? metadata_json(metadata, /*of_the_run=*/false) : std::string(),
+         metadata.tiles && metadata.seconds > worth_a_flush);
 }
 
-void TableOutput::commit(const std::string& beside, const std::string& within) {
+void TableOutput::commit(const std::string& beside, const std::string& within, bool to_disk) {
   if (text_) text_->flush();
   if (binary_) binary_->finish(within);
   if (cells_ && as_columns_) cells_->finish(file_->path().string(), within);
   if (metadata_file_) metadata_file_->write(beside);
-  if (file_) file_->commit();
-  if (metadata_file_) metadata_file_->commit();
+  if (file_) file_->commit(to_disk);
+  if (metadata_file_) metadata_file_->commit(to_disk);
 }
 
 }  // namespace stationary::cli

@@ -32,7 +32,7 @@ class TableOutput final : public TableTarget {
   void commit(Metadata metadata) override;
   /// The same with the metadata as texts: of the file beside it, and within HDF5 (without what
   /// depends on the run).
-  void commit(const std::string& beside, const std::string& within);
+  void commit(const std::string& beside, const std::string& within, bool to_disk = false);
 
  private:
   std::string path_;

@@ -16,4 +16,4 @@ _stationary() {
     COMPREPLY=($(compgen -f -- "$word"))
   fi
 }
-complete -o filenames -F _stationary stationary
+complete -o filenames -F _stationary stationary stationary-mpi

@@ -112,7 +112,8 @@ void AtomicFile::write(std::string_view bytes) {
   if (const int reason = write_all(descriptor_, bytes)) fail("writing", reason);
 }
 
-void AtomicFile::commit() {
+void AtomicFile::commit(bool to_disk) {
+  if (to_disk && is_regular() && ::fsync(descriptor_) != 0) fail("flushing", errno);
   const int descriptor = descriptor_;
   descriptor_ = -1;
   if (::close(descriptor) != 0) fail("closing", errno);

@@ -27,7 +27,8 @@ class AtomicFile : public ByteSink {
 
   /// Throws std::runtime_error naming the target, for instance on a full disk.
   void write(std::string_view bytes) override;
-  void commit();
+  /// to_disk: it survives a machine that loses its power.
+  void commit(bool to_disk = false);
   /// For another process to write to; this object's until commit().
   int descriptor() const { return descriptor_; }
 

@@ -53,7 +53,7 @@ class CellTable {
   CellTable(ByteSink* sink, std::vector<CellColumn> columns);
 
   /// Whole lines, each with its end.
-  void write(std::string_view lines, std::size_t rows);
+  void write(std::string_view lines);
   std::size_t rows() const { return rows_; }
   const TableChecksum& checksum() const { return checksum_; }
   const std::vector<CellColumn>& columns() const { return columns_; }

@@ -114,9 +114,9 @@ std::vector<std::string_view> column_words(Column c) {
 }
 
 struct ColumnFileWriter::Data {
-  Handle file{H5I_INVALID_HID, H5Fclose};
+  Handle file;  ///< or a group of one
   hsize_t block = longest_block;
-  std::vector<Dataset> columns;
+  std::vector<Dataset> columns{};
   hsize_t written = 0;
   hsize_t waiting = 0;
   bool created = false;
@@ -171,8 +171,12 @@ bool is_column_file_extension(std::string_view extension) {
 ColumnFileWriter::ColumnFileWriter(const std::string& path, const std::vector<Column>& columns,
                                    const std::vector<std::string>& parameters,
                                    std::optional<std::size_t> rows)
-    : RowSink(columns, parameters.size()), data_(std::make_unique<Data>()) {
-  data_->file = create_hdf5(path);
+    : ColumnFileWriter(Data{create_hdf5(path)}, columns, parameters, rows) {}
+
+ColumnFileWriter::ColumnFileWriter(Data data, const std::vector<Column>& columns,
+                                   const std::vector<std::string>& parameters,
+                                   std::optional<std::size_t> rows)
+    : RowSink(columns, parameters.size()), data_(std::make_unique<Data>(std::move(data))) {
   std::vector<std::string> names;
   const auto add = [&](Dataset each) {
     names.push_back(each.name);
@@ -214,6 +218,36 @@ void ColumnFileWriter::finish(const std::string& metadata) {
   write_hdf5_attribute(data_->file.id(), "metadata", metadata);
   for (Dataset& each : data_->columns)
     if (!each.set.close() || !each.type.close()) hdf5_failed(each.name);
+  if (!data_->file.close()) hdf5_failed("the end of the file");
+}
+
+struct TablesFile::Data {
+  Handle file;
+};
+
+TablesFile::TablesFile(const std::string& path)
+    : data_(std::make_unique<Data>(Data{create_hdf5(path)})) {}
+
+TablesFile::~TablesFile() = default;
+
+std::unique_ptr<ColumnFileWriter> TablesFile::table(const std::string& name,
+                                                    const std::vector<Column>& columns,
+                                                    std::size_t rows) {
+  const Handle creation = require_hdf5(Handle(H5Pcreate(H5P_GROUP_CREATE), H5Pclose), name);
+  require_hdf5(
+      H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
+      name);
+  require_hdf5(H5Pset_obj_track_times(creation.id(), false), name);
+  Handle group = require_hdf5(
+      Handle(H5Gcreate2(data_->file.id(), name.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+             H5Gclose),
+      name);
+  return std::unique_ptr<ColumnFileWriter>(
+      new ColumnFileWriter(ColumnFileWriter::Data{std::move(group)}, columns, {}, rows));
+}
+
+void TablesFile::finish(const std::string& metadata) {
+  write_hdf5_attribute(data_->file.id(), "metadata", metadata);
   if (!data_->file.close()) hdf5_failed("the end of the file");
 }
 

@@ -48,8 +48,29 @@ class ColumnFileWriter final : public RowSink {
   void finish(const std::string& metadata);
 
  private:
+  friend class TablesFile;
+  struct Data;
+  ColumnFileWriter(Data data, const std::vector<Column>& columns,
+                   const std::vector<std::string>& parameters, std::optional<std::size_t> rows);
   void put(const TableRow& row) override;
 
+  std::unique_ptr<Data> data_;
+};
+
+/// An HDF5 file of several tables, a group each, which has the datasets and attributes that a file of one
+/// table has.
+class TablesFile {
+ public:
+  /// Creates the file. Throws std::runtime_error, here and below.
+  explicit TablesFile(const std::string& path);
+  ~TablesFile();
+
+  /// An empty table of this name, finished before the next is begun.
+  std::unique_ptr<ColumnFileWriter> table(const std::string& name,
+                                          const std::vector<Column>& columns, std::size_t rows);
+  void finish(const std::string& metadata);
+
+ private:
   struct Data;
   std::unique_ptr<Data> data_;
 };

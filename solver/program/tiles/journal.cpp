@@ -1,53 +1,101 @@
 #include "solver/program/tiles/journal.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
 
 #include <cerrno>
 #include <charconv>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
-#include <vector>
 
 #include "solver/program/table/table.hpp"
 #include "solver/program/text/input_error.hpp"
+#include "solver/program/tiles/journal_lock.hpp"
 
 namespace stationary::cli {
 namespace {
 
-constexpr std::string_view title = "stationary journal 1 ";
+constexpr std::string_view title = "stationary journal 2 ";
+/// A disk is slower than a map that is worth no journal.
+constexpr std::chrono::seconds flush_every(10);
+constexpr std::string_view mark = "tile ";
 
 [[noreturn]] void refuse(std::string found, std::string remedy) {
   throw InputError(Origin::of_option("--resume"), "", std::move(found),
                    "-o FILE, a table that this command was interrupted in", std::move(remedy));
 }
 
-/// A line from a place on, without its end; the place moves behind it. Nothing where it is cut short.
-std::optional<std::string_view> line(std::string_view text, std::size_t& at) {
-  const std::size_t end = text.find('\n', at);
-  if (end == std::string_view::npos) return std::nullopt;
-  const std::string_view out = text.substr(at, end - at);
-  at = end + 1;
-  return out;
+/// A file's bytes in memory while it lives.
+class Mapped {
+ public:
+  Mapped(int file, std::size_t size) : size_(size) {
+    if (size > 0) at_ = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
+    if (at_ == MAP_FAILED) throw std::runtime_error(std::strerror(errno));
+  }
+  Mapped(const Mapped&) = delete;
+  Mapped& operator=(const Mapped&) = delete;
+  ~Mapped() {
+    if (size_ > 0) ::munmap(at_, size_);
+  }
+  std::string_view text() const { return {static_cast<const char*>(at_), size_}; }
+
+ private:
+  std::size_t size_;
+  void* at_ = nullptr;
+};
+
+/// CRC-32 of the work, a record's line before it, and its bytes.
+std::string checksum(std::string_view hash, std::string_view line, std::string_view bytes) {
+  uLong out = 0;
+  for (const std::string_view each : {hash, line, bytes})
+    out = crc32_z(out, reinterpret_cast<const Bytef*>(each.data()), each.size());
+  return fmt::format("{:08x}", out);
 }
 
-/// "TILE BYTES CHECKSUM".
+/// "tile NUMBER BYTES MICROSECONDS CHECKSUM".
 struct Head {
   std::size_t tile = 0;
   std::size_t bytes = 0;
+  std::string_view line;  ///< up to the checksum
   std::string_view checksum;
 };
 std::optional<Head> head(std::string_view text) {
+  if (!text.starts_with(mark)) return std::nullopt;
   Head out;
+  std::size_t micros = 0;
+  const char* at = text.data() + mark.size();
   const char* const end = text.data() + text.size();
-  const auto tile = std::from_chars(text.data(), end, out.tile);
-  if (tile.ec != std::errc() || tile.ptr == end || *tile.ptr != ' ') return std::nullopt;
-  const auto bytes = std::from_chars(tile.ptr + 1, end, out.bytes);
-  if (bytes.ec != std::errc() || bytes.ptr == end || *bytes.ptr != ' ') return std::nullopt;
-  out.checksum = {bytes.ptr + 1, static_cast<std::size_t>(end - bytes.ptr - 1)};
+  for (std::size_t* number : {&out.tile, &out.bytes, &micros}) {
+    const auto read = std::from_chars(at, end, *number);
+    if (read.ec != std::errc() || read.ptr == end || *read.ptr != ' ') return std::nullopt;
+    at = read.ptr + 1;
+  }
+  out.line = text.substr(0, static_cast<std::size_t>(at - text.data()));
+  out.checksum = text.substr(out.line.size());
   return out;
+}
+
+/// A whole record of the work.
+struct Record {
+  std::size_t tile = 0;
+  std::size_t begin = 0;  ///< of its bytes
+  std::size_t bytes = 0;
+};
+std::optional<Record> record_at(std::string_view text, std::size_t at, std::string_view hash) {
+  const std::size_t end = text.find('\n', at);
+  if (end == std::string_view::npos) return std::nullopt;
+  const auto found = head(text.substr(at, end - at));
+  if (!found || text.size() - (end + 1) <= found->bytes) return std::nullopt;
+  if (text[end + 1 + found->bytes] != '\n') return std::nullopt;
+  if (checksum(hash, found->line, text.substr(end + 1, found->bytes)) != found->checksum)
+    return std::nullopt;
+  return Record{found->tile, end + 1, found->bytes};
 }
 
 }  // namespace
@@ -66,59 +114,143 @@ std::string hash_of(std::initializer_list<std::string_view> texts) {
 }
 
 Journal::Journal(const std::string& table, const std::string& hash, bool resume)
-    : path_(table + ".journal") {
-  if (resume) {
-    if (table.empty() || table == "-") refuse("found no file", "name the table after -o");
-    std::filesystem::resize_file(path_, read(hash));
+    : path_(table + ".journal"), hash_(hash) {
+  if (resume && (table.empty() || table == "-")) refuse("found no file", "name the table after -o");
+  try {
+    open(table, resume);
+    if (resume) {
+      take_in();
+      return;
+    }
+    if (::ftruncate(file_, 0) != 0)
+      throw std::runtime_error(fmt::format("emptying {}: {}", path_, std::strerror(errno)));
+    append(std::string(title) + hash_ + '\n');
+  } catch (...) {
+    if (file_ >= 0) ::close(file_);
+    throw;
   }
-  file_.reset(std::fopen(path_.c_str(), resume ? "ab" : "wb"));
-  if (!file_)
-    throw InputError(
-        Origin::of_option("-o " + table), "",
-        fmt::format("cannot write {} beside it: {}", printable(path_), std::strerror(errno)),
-        "a place for its journal");
-  if (!resume) append(std::string(title) + hash + '\n');
 }
 
-std::size_t Journal::read(const std::string& hash) {
-  std::ifstream file(path_, std::ios::binary);
-  if (!file) refuse("found no " + printable(path_), "a run that ended whole leaves none");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  std::size_t at = 0;
-  const auto first = line(text, at);
-  if (!first || *first != std::string(title) + hash)
+Journal::~Journal() {
+  if (file_ >= 0) ::close(file_);
+}
+
+void Journal::open(const std::string& table, bool resume) {
+  constexpr mode_t all_may = 0666;  // less the umask
+  for (;;) {
+    file_ = ::open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | (resume ? 0 : O_CREAT), all_may);
+    if (file_ < 0 && resume && errno == ENOENT)
+      refuse("found no " + printable(path_), "a run that ended whole leaves none");
+    if (file_ < 0)
+      throw InputError(
+          Origin::of_option("-o " + table), "",
+          fmt::format("cannot write {} beside it: {}", printable(path_), std::strerror(errno)),
+          "a place for its journal");
+    if (const auto reason = lock_journal(file_))
+      throw InputError(Origin::of_option("-o " + table), "",
+                       fmt::format("cannot have {}: {}", printable(path_), *reason),
+                       "a journal that this run alone writes");
+    // The run that had it may have removed it between the two.
+    struct ::stat mine {};
+    struct ::stat there {};
+    if (::fstat(file_, &mine) == 0 && ::stat(path_.c_str(), &there) == 0 &&
+        mine.st_ino == there.st_ino && mine.st_dev == there.st_dev) {
+      end_ = static_cast<std::size_t>(mine.st_size);
+      return;
+    }
+    ::close(file_);
+    file_ = -1;
+  }
+}
+
+void Journal::take_in() {
+  const Mapped mapped(file_, end_);
+  const std::string_view text = mapped.text();
+  const std::string first = std::string(title) + hash_ + '\n';
+  if (first.starts_with(text)) {  // nothing was finished
+    if (::ftruncate(file_, 0) != 0)
+      throw std::runtime_error(fmt::format("emptying {}: {}", path_, std::strerror(errno)));
+    end_ = 0;
+    append(first);
+    return;
+  }
+  const bool titled = text.starts_with(first);
+  std::size_t at = titled ? first.size() : 0;
+  std::size_t whole = titled ? at : 0;  // up to here every byte is accounted for
+  while (at < text.size()) {
+    if (const auto found = record_at(text, at, hash_)) {
+      if (whole < at)
+        remarks_.push_back(
+            fmt::format("{}: bytes {} to {} are damaged; what was there is computed again",
+                        printable(path_), whole, at));
+      known_[found->tile] = {found->begin, found->bytes};
+      whole = at = found->begin + found->bytes + 1;
+      continue;
+    }
+    at = std::min(text.find(mark, at + 1), text.size());
+  }
+  if (!titled && known_.empty())
     refuse(printable(path_) + " is of another case, table, version or other options",
            "run it without --resume");
-  std::size_t whole = at;
-  while (const auto next = line(text, at)) {
-    const auto record = head(*next);
-    if (!record || text.size() - at < record->bytes + 1) break;
-    const std::string_view tile = std::string_view(text).substr(at, record->bytes);
-    if (hash_of({tile}) != record->checksum || text[at + record->bytes] != '\n') break;
-    known_[record->tile] = tile;
-    whole = at += record->bytes + 1;
-  }
-  return whole;
+  if (whole == text.size()) return;
+  remarks_.push_back(
+      fmt::format("{}: its last {} bytes are no whole record; that tile is computed again",
+                  printable(path_), text.size() - whole));
+  if (::ftruncate(file_, static_cast<off_t>(whole)) != 0)
+    throw std::runtime_error(fmt::format("cutting {}: {}", path_, std::strerror(errno)));
+  end_ = whole;
 }
 
-std::optional<std::string> Journal::known(std::size_t tile) const {
+std::optional<std::string> Journal::read(std::size_t tile) const {
   const auto at = known_.find(tile);
-  return at == known_.end() ? std::nullopt : std::optional(at->second);
+  if (at == known_.end()) return std::nullopt;
+  std::string out(at->second.bytes, '\0');
+  for (std::size_t done = 0; done < out.size();) {
+    const ssize_t count = ::pread(file_, out.data() + done, out.size() - done,
+                                  static_cast<off_t>(at->second.begin + done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0)
+      throw std::runtime_error(
+          fmt::format("reading {}: {}", path_, count < 0 ? std::strerror(errno) : "it was cut"));
+    done += static_cast<std::size_t>(count);
+  }
+  return out;
 }
 
-void Journal::add(std::size_t tile, std::string_view text) {
-  append(fmt::format("{} {} {}\n{}\n", tile, text.size(), hash_of({text}), text));
+void Journal::add(std::size_t tile, std::string_view text, double seconds) {
+  const std::string line =
+      fmt::format("{}{} {} {} ", mark, tile, text.size(), static_cast<std::int64_t>(1e6 * seconds));
+  std::string record;
+  record.reserve(line.size() + text.size() + 16);
+  record.append(line).append(checksum(hash_, line, text)).append(1, '\n').append(text) += '\n';
+  append(record);
+  const auto now = std::chrono::steady_clock::now();
+  if (now - flushed_ < flush_every) return;
+  flushed_ = now;
+  if (::fdatasync(file_) != 0)
+    throw std::runtime_error(fmt::format("flushing {}: {}", path_, std::strerror(errno)));
 }
 
 void Journal::append(std::string_view bytes) {
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size() ||
-      std::fflush(file_.get()) != 0)
-    throw std::runtime_error(fmt::format("writing {}: {}", path_, std::strerror(errno)));
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t count = ::write(file_, bytes.data() + done, bytes.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      const std::string reason = std::strerror(errno);
+      // Whole records stay; a resumed run cuts off the rest where this cannot.
+      (void)!::ftruncate(file_, static_cast<off_t>(end_));
+      throw std::runtime_error(fmt::format("writing {}: {}", path_, reason));
+    }
+    done += static_cast<std::size_t>(count);
+  }
+  end_ += bytes.size();
 }
 
 void Journal::finish() {
-  file_.reset();
-  std::filesystem::remove(path_);
+  ::unlink(path_.c_str());  // before the lock goes
+  ::close(file_);
+  file_ = -1;
 }
 
 }  // namespace stationary::cli

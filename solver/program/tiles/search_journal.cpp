@@ -59,7 +59,7 @@ SearchJournal::SearchJournal(const std::string& table, const Case& input, const 
 
 void SearchJournal::keep(AtlasOptions& options) {
   options.known_search = [this](std::size_t number) -> std::optional<SearchResult> {
-    const auto text = journal_.known(number);
+    const auto text = journal_.read(number);
     return text ? search_of(*text) : std::nullopt;
   };
   options.searched = [this](std::size_t number, const SearchResult& found) {

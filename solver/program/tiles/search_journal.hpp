@@ -19,6 +19,7 @@ class SearchJournal {
 
   /// Makes an atlas ask it, and tell it what is found. It must live as long as the options.
   void keep(AtlasOptions& options);
+  const std::vector<std::string>& remarks() const { return journal_.remarks(); }
   void finish() { journal_.finish(); }
 
  private:

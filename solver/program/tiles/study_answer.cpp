@@ -81,18 +81,7 @@ std::optional<StudyAnswer> followed(const StudyPlan& plan, const Case& input, co
 std::optional<StudyAnswer> charted(const StudyPlan& plan, const Case& input, const Run& run) {
   AtlasOptions how = atlas_options(input, plan.checkpoints, wants_spectrum(plan, input));
   how.stop = how.search.stop = run.stop;
-  Atlas found = atlas(input.body, make_potential(input.models), how);
-  if (found.interrupted) return std::nullopt;
-  std::vector<SheetRecord> sheets;
-  for (AtlasSheet& sheet : found.sheets) {
-    CurveTable table(name(sheet.motion(0.0)), nullptr, sheet.number);
-    sheets.push_back(write_rows(sheet, table));
-  }
-  const double complete = complete_fraction(found);
-  StudyAnswer out{StudyStatus::solved, {}, {sheet_summary(sheets, complete)}};
-  if (sheets.empty()) out.status = complete == 1.0 ? StudyStatus::none : StudyStatus::not_found;
-  if (!found.remarks.empty()) out.message = found.remarks.front().reason;
-  return out;
+  return atlas_answer({input.body, make_potential(input.models)}, how, nullptr);
 }
 
 std::optional<StudyAnswer> answer(const StudyPlan& plan, const CaseTree& base,
@@ -122,6 +111,19 @@ std::vector<CellColumn> StudyPlan::cell_columns() const {
   if (task != StudyTask::solve) return sheet_summary_columns();
   std::vector<CellColumn> out;
   for (const Column c : columns) out.push_back({std::string(name(c)), cell_kind(c)});
+  return out;
+}
+
+std::optional<StudyAnswer> atlas_answer(const AtlasBody& of, const AtlasOptions& how,
+                                        RowSink* rows) {
+  Atlas found = atlas(of.body, of.potential, how);
+  if (found.interrupted) return std::nullopt;
+  std::vector<SheetRecord> sheets;
+  (void)write_sheets(of, found, rows, sheets);
+  const double complete = complete_fraction(found);
+  StudyAnswer out{StudyStatus::solved, {}, {sheet_summary(sheets, complete)}};
+  if (sheets.empty()) out.status = complete == 1.0 ? StudyStatus::none : StudyStatus::not_found;
+  if (!found.remarks.empty()) out.message = found.remarks.front().reason;
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/program/case/case_file.hpp"
+#include "solver/program/rows/atlas_rows.hpp"
 #include "solver/program/table/cell_table.hpp"
 
 namespace stationary::cli {
@@ -40,6 +41,10 @@ struct StudyAnswer {
   /// Of each row (several where solve.all finds several; one, empty, where there is none).
   std::vector<std::string> cells;
 };
+
+/// Of an atlas, its rows into a table, which may be null; nothing where it was interrupted.
+std::optional<StudyAnswer> atlas_answer(const AtlasBody& of, const AtlasOptions& how,
+                                        RowSink* rows);
 
 /// Nothing where it was interrupted: stop became true. May be called by several threads.
 std::optional<StudyAnswer> study_answer(const StudyPlan& plan, const CaseTree& base,

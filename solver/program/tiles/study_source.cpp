@@ -13,12 +13,6 @@
 namespace stationary::cli {
 namespace {
 
-bool is_number(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
-}
-
 bool takes_text(std::string_view key) {
   const CaseKey* known = find_case_key(key);
   if (known != nullptr) return known->type == KeyType::text;
@@ -60,6 +54,12 @@ void require_name(const std::string& path, const std::string& name) {
 }
 
 }  // namespace
+
+bool is_number(std::string_view cell) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return error == std::errc() && end == cell.data() + cell.size();
+}
 
 StudySource::StudySource(const std::string& path)
     : StudySource(

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solver/program/case/case_file.hpp"
@@ -17,6 +18,9 @@
 #include "solver/program/table/table_reader.hpp"
 
 namespace stationary::cli {
+
+/// Whether all of a cell is a number.
+bool is_number(std::string_view cell);
 
 class StudySource {
  public:

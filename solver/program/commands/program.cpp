@@ -1,0 +1,86 @@
+#include "solver/program/commands/program.hpp"
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <string_view>
+
+#include "solver/program/text/input_error.hpp"
+
+namespace stationary::cli {
+namespace {
+
+/// Usage comes first, then what it is.
+class UsageFirst final : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override {
+    if (mode == CLI::AppFormatMode::Sub) return make_expanded(app);
+    const std::string usage = make_usage(app, std::move(name));
+    return usage.substr(usage.find_first_not_of('\n')) + '\n' + make_description(app) +
+           make_positionals(app) + make_groups(app, mode) + make_subcommands(app, mode) + '\n' +
+           make_footer(app);
+  }
+};
+
+ExitCode run(const Program& of, int argc, char** argv) {
+  CLI::App program(of.description, of.name);
+  program.formatter(std::make_shared<UsageFirst>());  // commands take it over
+  program.set_version_flag("--version", version_text, "Print the versions and exit");
+  program.footer(
+      "Exit codes: 0 done; 2 the input is wrong; 3 no stationary ellipsoid exists or was found; "
+      "4 a failure; 130 interrupted.");
+  Session session{{argv, argv + argc}, of.crew, {}};
+  of.add_commands(program, session);
+  add_help(program);
+  constexpr int most = 3;
+  if (argc > 1 && argc <= most && std::string_view(argv[1]) == "help" &&
+      (argc < most || !std::string_view(argv[2]).starts_with('-')))
+    return help(program, argc < most ? "" : argv[2]);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {  // --help, --version
+      std::ostringstream text;
+      program.exit(error, text, text);
+      print(text.str());
+      return ExitCode::done;
+    }
+    complain(refusal(program, error));
+    return ExitCode::wrong_input;
+  }
+  if (!session.action) {
+    complain("no command given\n");
+    std::fputs(program.help().c_str(), stderr);
+    return ExitCode::wrong_input;
+  }
+  try {
+    return session.action();
+  } catch (const InputError& error) {
+    std::istringstream lines(error.what());  // one for each fault
+    for (std::string line; std::getline(lines, line);) complain(line);
+    return ExitCode::wrong_input;
+  }
+}
+
+}  // namespace
+
+int run_program(const Program& of, int argc, char** argv) {
+  // A limit on the size of files is then met as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    return static_cast<int>(run(of, argc, argv));
+  } catch (const std::bad_alloc&) {
+    std::fputs("stationary: out of memory\n", stderr);
+  } catch (const std::exception& error) {
+    complain(std::string("failed: ") + error.what());
+  } catch (...) {
+    std::fputs("stationary: failed for an unknown reason\n", stderr);
+  }
+  return static_cast<int>(ExitCode::failure);
+}
+
+}  // namespace stationary::cli

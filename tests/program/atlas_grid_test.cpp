@@ -1,0 +1,141 @@
+// `atlas --grid` from outside: a row a cell, against `atlas` of each cell; the cells' own tables; what is
+// refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "solver/program/table/hdf5_handle.hpp"
+#include "tests/program/json_schema.hpp"
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+using Words = std::vector<std::string>;
+
+class AtlasGrid : public ::testing::Test {
+ protected:
+  Outcome grid(const Words& more, const RunOptions& options = {}) const {
+    Words words = words_;
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(words, options);
+  }
+  std::string text(const std::string& name) const { return text_of(directory_ / name); }
+
+  TemporaryDirectory directory_;
+  Words words_{"atlas",
+               shipped("apart.toml"),
+               "--grid",
+               "--checkpoints",
+               "3",
+               "--set",
+               "map.x={parameter=\"body.J.1\",from=1.2,to=1.8,count=3}",
+               "--set",
+               "map.y={parameter=\"potential.plane.lambda\",from=0.5,to=0.7,count=2}"};
+};
+
+TEST_F(AtlasGrid, EachRowIsAnAtlas) {
+  const Outcome outcome = grid({"-o", directory_ / "g.csv", "--tables", directory_ / "t.h5"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(std::string(header_of(text("g.csv"))),
+              StartsWith("body.J.1,potential.plane.lambda,status,sheets,events,first_instability,"
+                         "first_event,complete_fraction,fold-nu_count,fold-nu_first,"));
+  const auto rows = rows_of(text("g.csv"));
+  ASSERT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows[1].at("body.J.1"), "1.5");
+  EXPECT_EQ(rows[4].at("potential.plane.lambda"), "0.7");
+  silence_hdf5();
+  const Handle file(H5Fopen((directory_ / "t.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  ASSERT_TRUE(file.valid());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const std::string one = directory_ / "one.h5";
+    const Outcome alone =
+        run_program({"atlas", shipped("apart.toml"), "--checkpoints", "3", "-o", one, "--set",
+                     "body.J.1=" + rows[k].at("body.J.1"), "--set",
+                     "potential.plane.lambda=" + rows[k].at("potential.plane.lambda")});
+    ASSERT_EQ(alone.code, 0) << alone.err;
+    const json told = json::parse(text("one.meta.json"));
+    EXPECT_EQ(rows[k].at("status"), told["sheets"].empty() ? "none" : "solved");
+    EXPECT_EQ(rows[k].at("sheets"), std::to_string(told["sheets"].size()));
+    EXPECT_EQ(rows[k].at("events"), std::to_string(told["events"].size()));
+    // The cell's own table, dataset for dataset.
+    const Handle whole(H5Fopen(one.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    for (const char* const column : {"sheet", "nu1", "xi", "re1"}) {
+      const auto values = [&](hid_t in, const std::string& name) {
+        const Handle set(H5Dopen2(in, name.c_str(), H5P_DEFAULT), H5Dclose);
+        EXPECT_TRUE(set.valid()) << name;
+        const Handle space(H5Dget_space(set.id()), H5Sclose);
+        std::vector<double> out(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+        H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data());
+        for (double& each : out) each = each == each ? each : -1.0;
+        return out;
+      };
+      EXPECT_EQ(values(file.id(), "/" + std::to_string(k + 1) + "/" + column),
+                values(whole.id(), column))
+          << column << " of row " << k + 1;
+    }
+  }
+  const json told = json::parse(text("g.meta.json"));
+  EXPECT_EQ(schema_fault(told, json::parse(text_of(STATIONARY_SCHEMA))), "");
+  EXPECT_EQ(told["command"], "atlas");
+  EXPECT_EQ(told["counts"]["solved"], 6);
+}
+
+TEST_F(AtlasGrid, PartsThreadsAndInterruptionsDoNotChangeIt) {
+  ASSERT_EQ(grid({"-o", directory_ / "g.csv", "--tables", directory_ / "t.h5"}).code, 0);
+  ASSERT_EQ(
+      grid({"-o", directory_ / "h.csv", "--tables", directory_ / "u.h5", "--threads", "3"}).code,
+      0);
+  EXPECT_TRUE(text("h.csv") == text("g.csv"));
+  EXPECT_TRUE(text("u.h5") == text("t.h5"));
+  for (const std::string suffix : {".csv", ".h5"}) {
+    Words merge{"--merge"};
+    for (const char* const k : {"1", "2", "3"}) {
+      const std::string name = directory_ / (std::string("p") + k + suffix);
+      ASSERT_EQ(grid({"-o", name, "--part", std::string(k) + "/3"}).code, 0);
+      merge.push_back(name);
+    }
+    merge.insert(merge.end(), {"-o", directory_ / "m.csv"});
+    const Outcome merged = grid(merge);
+    ASSERT_EQ(merged.code, 0) << merged.err;
+    EXPECT_TRUE(text("m.csv") == text("g.csv")) << suffix;
+  }
+  RunOptions interrupted;
+  interrupted.pending_signal = SIGINT;
+  const Words into{"-o", directory_ / "i.csv", "--tables", directory_ / "j.h5"};
+  EXPECT_EQ(grid(into, interrupted).code, 130);
+  Words resumed = into;
+  resumed.emplace_back("--resume");
+  ASSERT_EQ(grid(resumed).code, 0);
+  EXPECT_TRUE(text("i.csv") == text("g.csv"));
+  EXPECT_TRUE(text("j.h5") == text("t.h5"));
+}
+
+TEST_F(AtlasGrid, RefusesWhatIsNoGrid) {
+  const auto refused = [&](const Words& arguments, const std::string& words) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 2) << words;
+    EXPECT_THAT(outcome.err, HasSubstr(words));
+  };
+  const std::string file = shipped("apart.toml");
+  refused({"atlas", file, "--grid"}, "[map]");
+  refused({"atlas", file, "--grid", "--set", "map.x={parameter=\"nu\",from=0.1,to=1,count=3}"},
+          "found \"nu\"");
+  refused({"atlas", file, "--tables", "t.h5"}, "--grid");
+  refused({"atlas", file, "--part", "1/2"}, "--grid");
+  Words words = words_;
+  words.insert(words.end(), {"--tables", directory_ / "t.csv"});
+  refused(words, "--tables");
+  EXPECT_THAT(directory_.names(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace stationary::testing

@@ -1,0 +1,186 @@
+// stationary-mpi under mpirun, more ranks than processors: the same bytes as of one process, ranks that
+// are killed, signals, wrong input.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "tests/program/json_schema.hpp"
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+using Words = std::vector<std::string>;
+
+Words joined(std::initializer_list<Words> all) {
+  Words out;
+  for (const Words& each : all) out.insert(out.end(), each.begin(), each.end());
+  return out;
+}
+
+RunOptions ranks(int count) {
+  RunOptions out;
+  out.program = {"mpirun", "--allow-run-as-root", "--oversubscribe",     "--bind-to", "none",
+                 "-n",     std::to_string(count), STATIONARY_MPI_PROGRAM};
+  return out;
+}
+
+/// Of the processes that have this word among their arguments and are not mpirun.
+std::vector<pid_t> processes(const std::string& word) {
+  std::vector<pid_t> out;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    const std::string line = text_of(entry.path() / "cmdline");
+    if (line.find(word) != std::string::npos && line.starts_with(STATIONARY_MPI_PROGRAM))
+      out.push_back(std::stoi(name));
+  }
+  return out;
+}
+
+class Mpi : public ::testing::Test {
+ protected:
+  json told(const std::string& name) const {
+    json out = json::parse(text_of(directory_ / (name + ".meta.json")));
+    EXPECT_EQ(schema_fault(out, json::parse(text_of(STATIONARY_SCHEMA))), "");
+    return out;
+  }
+  static json without_run(json of) {
+    of.erase("run");
+    return of;
+  }
+  std::string study_table(int rows) const {
+    std::ostringstream table;
+    table << "motion.nu,_tag\n";
+    for (int k = 0; k < rows; ++k)
+      table << 1.0 / rows * k << (k % 17 == 3 ? "x" : "") << ",\"t, " << k << "\"\n";
+    return directory_.file("t.csv", table.str());
+  }
+  void expect_same_bytes(const Words& arguments) const {
+    const Outcome alone =
+        run_program(joined({arguments, {"-o", directory_ / "alone.csv", "--threads", "2"}}));
+    for (const int count : {1, 2, 4}) {
+      const Outcome all = run_program(
+          joined({arguments, {"-o", directory_ / "all.csv", "--threads", "2"}}), ranks(count));
+      EXPECT_EQ(all.code, alone.code) << all.err;
+      EXPECT_TRUE(text_of(directory_ / "all.csv") == text_of(directory_ / "alone.csv")) << count;
+      EXPECT_EQ(without_run(told("all")), without_run(told("alone"))) << count;
+      EXPECT_EQ(told("all")["run"]["ranks"], count);
+      EXPECT_FALSE(std::filesystem::exists(directory_ / "all.csv.journal"));
+    }
+  }
+
+  TemporaryDirectory directory_;
+  const Words map_{
+      "map", shipped("map_biot_log.toml"), "--set", "map.x.count=61", "--set", "map.y.count=200"};
+};
+
+TEST_F(Mpi, MapsHaveTheSameBytes) { expect_same_bytes(map_); }
+
+TEST_F(Mpi, StudiesHaveTheSameBytes) {
+  expect_same_bytes({"study", shipped("disc.toml"), "--over", study_table(100)});
+}
+
+TEST_F(Mpi, GridsOfAtlasesHaveTheSameBytes) {
+  expect_same_bytes({"atlas", shipped("apart.toml"), "--grid", "--checkpoints", "3", "--set",
+                     "map.x={parameter=\"body.J.1\",from=1.2,to=1.8,count=3}", "--set",
+                     "map.y={parameter=\"body.J.0\",from=0.9,to=1.1,count=2}"});
+}
+
+TEST_F(Mpi, HelpAndWrongInputEndAtOnceAndAreSaidOnce) {
+  const Outcome help = run_program({"--help"}, ranks(3));
+  EXPECT_EQ(help.code, 0) << help.err;
+  EXPECT_TRUE(help.out.starts_with("Usage: stationary-mpi")) << help.out;
+  EXPECT_EQ(help.out.find("Usage:", 1), std::string::npos);
+  for (const Words& wrong : {Words{"map", "none.toml"}, Words{"map", "--nonsense"},
+                             Words{"atlas", shipped("apart.toml")}, Words{"solve"}}) {
+    const Outcome outcome = run_program(wrong, ranks(3));
+    EXPECT_EQ(outcome.code, 2);
+    const std::size_t first = outcome.err.find("stationary: ");
+    EXPECT_NE(first, std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("stationary: ", first + 1), std::string::npos) << outcome.err;
+  }
+  // What only rank 0 finds out lets the others go too.
+  const Outcome nowhere = run_program(joined({map_, {"-o", directory_ / "no/x.csv"}}), ranks(3));
+  EXPECT_EQ(nowhere.code, 2);
+  EXPECT_THAT(nowhere.err, HasSubstr("cannot write"));
+}
+
+/// Rank `which` of four is killed while they work; then they go on, another number of them.
+class KilledRank : public Mpi, public ::testing::WithParamInterface<int> {};
+
+TEST_P(KilledRank, WhatWasFinishedIsKept) {
+  const std::string table = study_table(3000);
+  const Words words{"study", shipped("disc.toml"), "--over", table, "-o", directory_ / "x.csv"};
+  Words alone = words;
+  alone.back() = directory_ / "alone.csv";
+  ASSERT_EQ(run_program(alone).code, 0);
+  const std::string journal = directory_ / "x.csv.journal";
+  auto running = std::async(std::launch::async, [&] {
+    return run_program(joined({words, {"--threads", "1"}}), ranks(4));
+  });
+  std::error_code none;
+  while (std::filesystem::file_size(journal, none) < 100'000 || none) {
+    if (running.wait_for(std::chrono::milliseconds(1)) == std::future_status::ready) break;
+  }
+  std::vector<pid_t> pids = processes(directory_ / "x.csv");
+  std::ranges::sort(pids);  // in the order of their ranks
+  ASSERT_EQ(pids.size(), 4U) << "they had ended";
+  ::kill(pids[static_cast<std::size_t>(GetParam())], SIGKILL);
+  const Outcome outcome = running.get();
+  EXPECT_NE(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("signal 9 (Killed)"));
+  while (!processes(directory_ / "x.csv").empty())
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const Outcome again = GetParam() == 0 ? run_program(joined({words, {"--resume"}}))
+                                        : run_program(joined({words, {"--resume"}}), ranks(2));
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_TRUE(text_of(directory_ / "x.csv") == text_of(directory_ / "alone.csv"));
+  EXPECT_GT(told("x")["run"]["tiles"]["kept"].get<int>(), 0);
+}
+INSTANTIATE_TEST_SUITE_P(Ranks, KilledRank, ::testing::Values(0, 1, 3));
+
+/// As Slurm tells a job that its time is over.
+TEST_F(Mpi, TerminatedTheyEndWithAWholeJournal) {
+  const std::string table = study_table(3000);
+  const Words words{"study", shipped("disc.toml"), "--over", table, "-o", directory_ / "x.csv"};
+  Words alone = words;
+  alone.back() = directory_ / "alone.csv";
+  ASSERT_EQ(run_program(alone).code, 0);
+  const std::string journal = directory_ / "x.csv.journal";
+  auto running = std::async(std::launch::async, [&] {
+    return run_program(joined({words, {"--threads", "1"}}), ranks(3));
+  });
+  std::error_code none;
+  while (std::filesystem::file_size(journal, none) < 100'000 || none) {
+    if (running.wait_for(std::chrono::milliseconds(1)) == std::future_status::ready) break;
+  }
+  // One rank has the signal, and all end.
+  std::vector<pid_t> pids = processes(directory_ / "x.csv");
+  std::ranges::sort(pids);
+  ASSERT_EQ(pids.size(), 3U) << "they had ended";
+  ::kill(pids[1], SIGTERM);
+  const Outcome outcome = running.get();
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("--resume goes on with them"));
+  EXPECT_EQ(told("x")["status"], "interrupted");
+  const Outcome again = run_program(joined({words, {"--resume"}}), ranks(4));
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_TRUE(text_of(directory_ / "x.csv") == text_of(directory_ / "alone.csv"));
+}
+
+}  // namespace
+}  // namespace stationary::testing
