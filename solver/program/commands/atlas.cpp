@@ -17,6 +17,7 @@ namespace {
 struct AtlasCommand : ComputeOptions {
   std::optional<int> checkpoints;
   bool resume = false;
+  bool complete = false;
 };
 
 }  // namespace
@@ -34,11 +35,14 @@ void add_atlas(CLI::App& program, Session& session) {
                               "{}, of an anisotropic body {})",
                               AtlasOptions{}.checkpoints, few_checkpoints))
       ->check(CLI::Range(1, 1'000'000));
+  command.add_flag("--complete", options->complete,
+                   "Prove for every nu of the range how many sheets there are, not at the "
+                   "checkpoints alone");
   command.add_flag("--resume", options->resume,
                    "Go on with the interrupted atlas at -o FILE: no search is made twice");
   command.callback([options, &session] {
     session.action = [options, &session] {
-      AtlasRun asked{options->checkpoints, std::nullopt, options->resume};
+      AtlasRun asked{options->checkpoints, std::nullopt, options->resume, options->complete};
       if (options->resume || has_journal(options->output)) asked.journal = options->output;
       return compute(*options, session, [&](TableTarget* target, const Run& run) {
         return atlas_case(options->read(), asked, target, run);
