@@ -162,7 +162,9 @@ void add(SheetSet& set, Atlas& out) {
     sheet.number = static_cast<int>(out.sheets.size()) + 1;
     out.sheets.push_back(std::move(sheet));
   }
-  out.checkpoints.insert(out.checkpoints.end(), set.checkpoints().begin(), set.checkpoints().end());
+  const std::vector<Checkpoint> checkpoints = set.checkpoints();
+  out.checkpoints.insert(out.checkpoints.end(), checkpoints.begin(), checkpoints.end());
+  if (set.completeness()) out.completeness.push_back(*set.completeness());
   out.remarks.insert(out.remarks.end(), set.remarks().begin(), set.remarks().end());
 }
 
@@ -172,6 +174,13 @@ Motion AtlasSheet::motion(double nu) const {
   if (plane) return TiltedMotion{plane, nu};
   if (oblique) return ObliqueRotation{nu};
   return AxisRotation{branch, nu};
+}
+
+double Completeness::unproven_length() const {
+  double out = 0.0;
+  for (const CompleteInterval& each : intervals)
+    if (!each.proven) out += each.to - each.from;
+  return out;
 }
 
 std::string_view kind_name(Branch branch, bool oblique) {
@@ -205,6 +214,8 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
       if (const std::unique_lock lock(reporting, std::try_to_lock); lock)
         options.progress(static_cast<double>(so_far) / static_cast<double>(searches));
     });
+    if (options.complete)
+      tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t k) { parts[k].complete(); });
     tbb::parallel_for(std::size_t{0}, about_axes, [&](std::size_t k) { parts[k].follow_all(); });
   });
   for (std::size_t k = 0; k < parts.size(); ++k) {

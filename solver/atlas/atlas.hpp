@@ -9,7 +9,10 @@
 //   4. isotropic V: where an axis can tilt and no tilted family begins or ends there yet, one is
 //      entered and followed (tilted_family.hpp);
 //   5. at every checkpoint the motions on the sheets are counted against those proven: where they
-//      agree, no sheet that passes there is missing.
+//      agree, no sheet that passes there is missing;
+//   6. where asked, the curves of each kind are covered (solver/tube) before sheets are followed: the
+//      range falls into intervals of nu with one number of motions each, and the middle of every
+//      such interval is a checkpoint too.
 //
 // nu and -nu are one, and with J1 = J2 and an isotropic V so are (i) and (ii), an ellipse of (iii)
 // and the same turned by a right angle; with an even V S and its mirror image are.
@@ -37,7 +40,8 @@ struct AtlasOptions {
   /// microseconds to milliseconds; of an anisotropic body tenths of a second to seconds.
   int checkpoints = 256;
   std::vector<Branch> branches{Branch::i, Branch::ii, Branch::iii};
-  bool oblique = true;  ///< of an anisotropic body its oblique motions too
+  bool oblique = true;    ///< of an anisotropic body its oblique motions too
+  bool complete = false;  ///< for every nu, not at checkpoints alone
   StepOptions step;
   long max_points = 1'000'000;  ///< of each sheet
   SearchOptions search;
@@ -114,6 +118,27 @@ struct Checkpoint {
   }
 };
 
+/// A part of the range of nu, and what is known of it for every nu.
+struct CompleteInterval {
+  double from = 0.0;
+  double to = 0.0;
+  bool proven = false;
+  int sheets = 0;      ///< where proven, of those in the box: motions at every nu between
+  std::string reason;  ///< why not, where not proven
+};
+
+/// Of one kind of motion, all of the range.
+struct Completeness {
+  Branch branch = Branch::i;
+  bool oblique = false;
+  std::vector<CompleteInterval> intervals;  ///< ascending, each beginning where the last ends
+  long boxes = 0;                           ///< examined
+  long tubes = 0;                           ///< proven pieces of curves
+
+  /// Of the intervals that are not proven, all together.
+  double unproven_length() const;
+};
+
 /// What was come upon and not followed, or is not looked for.
 struct Remark {
   Branch branch;
@@ -128,6 +153,7 @@ struct Atlas {
   std::vector<AtlasSheet> sheets;
   std::vector<Checkpoint> checkpoints;  ///< by branch, then nu
   std::vector<Remark> remarks;
+  std::vector<Completeness> completeness;  ///< where asked for, by branch
   bool interrupted = false;
 };
 

@@ -75,14 +75,20 @@ SheetSet::SheetSet(std::unique_ptr<SheetSource> source, const AtlasOptions& opti
     plain_.push_back(source_->family(k, false));
   }
   const double part = (options.to - options.from) / options.checkpoints;
-  for (int k = 0; k < options.checkpoints; ++k) {
-    checkpoints_.push_back({.branch = source_->branch(),
-                            .oblique = source_->oblique(),
-                            .nu = options.from + (k + 0.5) * part});
-  }
-  solutions_.resize(checkpoints_.size());
-  unproven_.resize(checkpoints_.size());
-  on_sheets_.resize(checkpoints_.size());
+  for (int k = 0; k < options.checkpoints; ++k) add_checkpoint(options.from + (k + 0.5) * part);
+}
+
+void SheetSet::add_checkpoint(double nu) {
+  checkpoints_.push_back({.branch = source_->branch(), .oblique = source_->oblique(), .nu = nu});
+  solutions_.emplace_back();
+  unproven_.emplace_back();
+  on_sheets_.emplace_back();
+}
+
+std::vector<Checkpoint> SheetSet::checkpoints() const {
+  std::vector<Checkpoint> out = checkpoints_;
+  std::ranges::stable_sort(out, {}, &Checkpoint::nu);
+  return out;
 }
 
 void SheetSet::search_at(std::size_t checkpoint, std::size_t number) {
@@ -94,6 +100,11 @@ void SheetSet::search_at(std::size_t checkpoint, std::size_t number) {
   const auto known = options_.known_search ? options_.known_search(number) : std::nullopt;
   const SearchResult result = known ? *known : source_->search(at.nu, options_.search);
   if (!known && options_.searched) options_.searched(number, result);
+  keep_found(checkpoint, result);
+}
+
+void SheetSet::keep_found(std::size_t checkpoint, const SearchResult& result) {
+  Checkpoint& at = checkpoints_[checkpoint];
   at.status = result.status;
   const auto places = [this](const std::vector<Equilibrium>& found, std::vector<Place>& out) {
     for (const Equilibrium& each : found) {
@@ -106,6 +117,54 @@ void SheetSet::search_at(std::size_t checkpoint, std::size_t number) {
   };
   at.proven = places(result.solutions, solutions_[checkpoint]);
   at.unproven = places(result.unproven, unproven_[checkpoint]);
+}
+
+/// The number of motions between two nu where it is constant, by one search between them.
+void SheetSet::add_interval(double from, double to) {
+  const double middle = from + 0.5 * (to - from);
+  if (!(from < middle && middle < to)) return;
+  CompleteInterval& out = completeness_->intervals.emplace_back();
+  out.from = from;
+  out.to = to;
+  const std::size_t checkpoint = checkpoints_.size();
+  add_checkpoint(middle);
+  keep_found(checkpoint, source_->search(middle, options_.search));
+  const Checkpoint& at = checkpoints_[checkpoint];
+  out.proven = at.status == SearchStatus::complete;
+  if (out.proven) {
+    out.sheets = at.proven;
+  } else {
+    out.reason = "the number of motions is constant, but the search at its middle is undecided";
+  }
+}
+
+void SheetSet::complete() {
+  Completeness& out = completeness_.emplace();
+  out.branch = source_->branch();
+  out.oblique = source_->oblique();
+  const double from = options_.from;
+  const double to = options_.to;
+  const auto cover = source_->cover(from, to, options_.search);
+  if (!cover || cover->interrupted) {
+    out.intervals.push_back({from, to, false, 0,
+                             cover ? "interrupted"
+                                   : "the curves of this kind of motion are not covered yet; its "
+                                     "checkpoints are proven"});
+    return;
+  }
+  out.boxes = cover->boxes;
+  out.tubes = cover->tubes;
+  double begin = from;
+  for (const NuGap& gap : cover->gaps) {
+    if (stopped()) return;
+    add_interval(begin, gap.nu.lo);
+    const char* reason = gap.undecided ? "boxes are left undecided"
+                         : gap.turns   ? "two sheets meet at a fold"
+                                       : "a sheet leaves the box";
+    out.intervals.push_back({gap.nu.lo, gap.nu.hi, false, 0, reason});
+    begin = gap.nu.hi;
+  }
+  add_interval(begin, to);
 }
 
 void SheetSet::follow_all(std::span<const AtlasSheet> others) {

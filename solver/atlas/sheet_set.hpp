@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,11 +25,17 @@ class SheetSet {
   /// the search in the atlas.
   void search_at(std::size_t checkpoint, std::size_t number);
 
+  /// Then, where asked for: intervals of nu with one number of motions each, and a checkpoint in the
+  /// middle of every one.
+  void complete();
+
   /// Then every sheet: from rest, through the motions found that lie on none, and off the sheets of
   /// this set, and of the others given.
   void follow_all(std::span<const AtlasSheet> others = {});
 
-  const std::vector<Checkpoint>& checkpoints() const { return checkpoints_; }
+  /// By nu.
+  std::vector<Checkpoint> checkpoints() const;
+  const std::optional<Completeness>& completeness() const { return completeness_; }
   std::vector<AtlasSheet>& sheets() { return sheets_; }
   const std::vector<Remark>& remarks() const { return remarks_; }
 
@@ -39,6 +46,9 @@ class SheetSet {
   };
 
   bool stopped() const;
+  void add_checkpoint(double nu);
+  void keep_found(std::size_t checkpoint, const SearchResult& result);
+  void add_interval(double from, double to);
   void follow_rest();
   void enter(const Place& from, double nu, Entry entry, double entry_nu);
   void remark(Entry entry, double nu, std::string reason);
@@ -62,6 +72,7 @@ class SheetSet {
   std::vector<std::vector<Place>> on_sheets_;  ///< points there of the sheets so far
   std::vector<AtlasSheet> sheets_;
   std::vector<Remark> remarks_;
+  std::optional<Completeness> completeness_;
 };
 
 }  // namespace stationary

@@ -22,6 +22,12 @@ class AxisSheets final : public SheetSource {
     return stationary::search(problem_, nu, options);
   }
 
+  std::optional<KindCover> cover(double from, double to,
+                                 const SearchOptions& options) const override {
+    if (has_mirror_images()) return std::nullopt;  // circles and ellipses meet at pitchforks
+    return cover_axis(problem_, from, to, options);
+  }
+
   std::vector<Place> at_rest(const SolveOptions& options) const override {
     const Equilibrium rest = solve(problem_, 0.0, options);
     if (rest.status != SolveStatus::solved) return {};

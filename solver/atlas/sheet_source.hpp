@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "solver/motion/event.hpp"
 #include "solver/search/search.hpp"
 #include "solver/solve/solve.hpp"
+#include "solver/tube/kind_cover.hpp"
 
 namespace stationary {
 
@@ -49,6 +51,11 @@ class SheetSource {
 
   /// Every motion at nu > 0, mirror images among them. May be called by several threads.
   virtual SearchResult search(double nu, const SearchOptions& options) const = 0;
+  /// For every nu in a range; nothing of kinds whose curves are not stated.
+  virtual std::optional<KindCover> cover(double /*from*/, double /*to*/,
+                                         const SearchOptions&) const {
+    return std::nullopt;
+  }
   /// Where sheets begin at nu = 0; none where the rest state is not found.
   virtual std::vector<Place> at_rest(const SolveOptions& options) const = 0;
 

@@ -7,6 +7,7 @@
 
 #include "solver/proof/axis_boxes.hpp"
 #include "solver/search/anisotropic_search.hpp"
+#include "solver/search/model_terms.hpp"
 #include "solver/search/search_run.hpp"
 
 namespace stationary {
@@ -17,20 +18,8 @@ template <int D, class Model>
 std::shared_ptr<const TermBounds<D>> term_bounds(const Model& model,
                                                  const std::array<Interval, D>& rates,
                                                  Inputs inputs) {
-  if constexpr (requires { model.is_expression(); }) {
-    return model.visit([&](const auto& own) { return term_bounds<D>(own, rates, inputs); });
-  } else if constexpr (requires { model.tape(); }) {
-    constexpr std::array coordinates{0, 1, 2};
-    std::vector<Interval> parameters;
-    for (const double c : model.coefficients()) parameters.push_back(as_input(c, inputs));
-    const auto table = expression::term_table(
-        *model.tape()->source,
-        D == 1 ? std::span(coordinates).last(1) : std::span(coordinates).first(std::size_t(D)),
-        parameters);
-    return table ? std::make_shared<const TermBounds<D>>(table, rates) : nullptr;
-  } else {
-    return nullptr;
-  }
+  const auto table = model_terms<D>(model, inputs);
+  return table ? std::make_shared<const TermBounds<D>>(table, rates) : nullptr;
 }
 
 class AxisSearch {

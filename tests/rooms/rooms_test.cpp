@@ -37,6 +37,7 @@ constexpr std::string_view rooms[] = {
     "solver/proof",
     "solver/family",
     "solver/search",
+    "solver/tube",
     "solver/solve",
     "solver/event_curve",
     "solver/kind",

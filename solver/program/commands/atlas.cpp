@@ -19,6 +19,7 @@ namespace {
 
 struct AtlasCommand : ComputeOptions {
   std::optional<int> checkpoints;
+  bool complete = false;
   bool grid = false;
   std::string tables;
   TileOptions tiles;
@@ -42,7 +43,7 @@ ExitCode run_one(const AtlasCommand& options, const Session& session) {
     throw InputError(Origin::of_option("atlas"), "", "found no --grid",
                      "atlas --grid: one atlas is the work of one machine",
                      "`stationary atlas` uses all its processors");
-  AtlasRun asked{options.checkpoints, std::nullopt, options.tiles.resume};
+  AtlasRun asked{options.checkpoints, std::nullopt, options.tiles.resume, options.complete};
   if (asked.resume || has_journal(options.output)) asked.journal = options.output;
   return compute(options, session, [&](TableTarget* target, const Run& run) {
     return atlas_case(options.read(), asked, target, run);
@@ -64,6 +65,10 @@ void add_atlas(CLI::App& program, Session& session) {
                               "{}, of an anisotropic body {})",
                               AtlasOptions{}.checkpoints, few_checkpoints))
       ->check(CLI::Range(1, 1'000'000));
+  CLI::Option* const complete =
+      command.add_flag("--complete", options->complete,
+                       "Prove for every nu of the range how many sheets there are, not at the "
+                       "checkpoints alone");
   CLI::Option* const grid = command.add_flag(
       "--grid", options->grid,
       "An atlas of every cell of [map], a row each: how many sheets and events, and the first");
@@ -74,6 +79,7 @@ void add_atlas(CLI::App& program, Session& session) {
       ->type_name("FILE.h5")
       ->check(not_empty)
       ->needs(grid);
+  grid->excludes(complete);
   options->tiles.add_to(command, "cells");
   command.get_option("--part")->needs(grid);
   command.get_option("--merge")->needs(grid);

@@ -95,6 +95,31 @@ void add_checkpoints(Report& out, const std::vector<Checkpoint>& all,
   }
 }
 
+/// For every nu: the numbers of sheets, and where they are not told.
+void add_completeness(Report& out, const std::vector<Completeness>& all) {
+  std::string_view label = "complete";
+  for (const Completeness& kind : all) {
+    const auto unproven = std::ranges::count(kind.intervals, false, &CompleteInterval::proven);
+    const double from = kind.intervals.front().from;
+    const double to = kind.intervals.back().to;
+    std::string text = fmt::format("branch ({}): complete for nu in [{:.6g}, {:.6g}]",
+                                   kind_name(kind.branch, kind.oblique), from, to);
+    if (unproven > 0)
+      text += fmt::format(" but for {} interval{} of total length {:.2g}", unproven,
+                          unproven == 1 ? "" : "s", kind.unproven_length());
+    out.line(std::exchange(label, {}),
+             text + fmt::format("; {} boxes, {} tubes", kind.boxes, kind.tubes));
+    for (const CompleteInterval& each : kind.intervals) {
+      const std::string range = fmt::format("[{:.12g}, {:.12g}]", each.from, each.to);
+      out.line({}, each.proven ? fmt::format("  {} sheet{} for nu in {}", each.sheets,
+                                             each.sheets == 1 ? "" : "s", range)
+                               : fmt::format("  not told in {}: {}", range, each.reason));
+    }
+  }
+  if (!all.empty())
+    out.line({}, "in the box of the stretches; tilted and two-polar motions are not covered");
+}
+
 std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& found,
                     const std::vector<SheetRecord>& records, const CurveProofs& proofs,
                     double seconds) {
@@ -118,6 +143,7 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
   out.gap();
   if (const auto caveat = proof_caveat(input)) add_plan(out, {*caveat});
   add_checkpoints(out, found.checkpoints, asked.search);
+  add_completeness(out, found.completeness);
   std::string_view label = "remarks";
   for (const Remark& each : found.remarks) {
     const std::string at = each.entry ? ", " + entry_text(*each.entry, each.nu) : std::string();
@@ -133,6 +159,7 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
 Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target, const Run& run) {
   const bool with_spectrum = wants_spectrum(input, target != nullptr);
   AtlasOptions how = atlas_options(input, asked.checkpoints, with_spectrum);
+  how.complete = asked.complete;
   how.threads = run.threads;
   how.stop = how.search.stop = run.stop;
   if (run.progress)

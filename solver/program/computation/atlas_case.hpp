@@ -16,6 +16,7 @@ struct AtlasRun {
   std::optional<int> checkpoints;      ///< none: by the body's symmetry
   std::optional<std::string> journal;  ///< the table beside which finished searches are kept
   bool resume = false;                 ///< goes on with these
+  bool complete = false;               ///< for every nu, not at the checkpoints alone
 };
 
 /// target: null for no table. Throws InputError before anything is computed.

@@ -221,6 +221,27 @@ Json checkpoints_json(const std::vector<Checkpoint>& checkpoints) {
   return out;
 }
 
+Json completeness_json(const std::vector<Completeness>& all) {
+  Json out = Json::array();
+  for (const Completeness& kind : all) {
+    for (const CompleteInterval& each : kind.intervals) {
+      Json interval{{"branch", kind_name(kind.branch, kind.oblique)},
+                    {"from", each.from},
+                    {"to", each.to},
+                    {"status", each.proven ? "proven" : "undecided"}};
+      if (each.proven) {
+        interval["sheets"] = each.sheets;
+      } else {
+        interval["reason"] = each.reason;
+      }
+      interval["boxes"] = kind.boxes;
+      interval["beyond"] = "not-examined";
+      out.push_back(std::move(interval));
+    }
+  }
+  return out;
+}
+
 Json items_json(const std::vector<PlanItem>& items) {
   Json out = Json::array();
   for (const PlanItem& item : items)
@@ -284,6 +305,8 @@ std::string metadata_json(const Metadata& metadata, bool of_the_run) {
     out["sheets"] = sheets_json(metadata.atlas->sheets);
     out["checkpoints"] = checkpoints_json(metadata.atlas->checkpoints);
     out["remarks"] = remarks_json(metadata.atlas->remarks);
+    if (!metadata.atlas->completeness.empty())
+      out["completeness"] = completeness_json(metadata.atlas->completeness);
   }
   Json counts = Json::object();
   for (const auto& [name, count] : metadata.counts) counts[std::string(name)] = count;

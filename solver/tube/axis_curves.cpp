@@ -1,0 +1,192 @@
+#include "solver/tube/axis_curves.hpp"
+
+#include "solver/proof/term_bounds.hpp"
+#include "solver/search/model_terms.hpp"
+
+namespace stationary {
+namespace {
+
+/// J_i nu_end^2 where nu_i turns about another axis than i: the rates are q times this.
+CentrifugalRates<Interval> rates_at_end(const Problem& problem, double nu_end, Inputs inputs) {
+  return axis_rates(inertia_intervals(problem.body(), inputs), problem.branch(),
+                    square(Interval(nu_end)));
+}
+
+using Terms = std::shared_ptr<const expression::TermTable>;
+
+/// Narrows logarithms of stretches by the terms of a formula.
+template <int D>
+bool contract_by(const Terms& table, const std::array<Interval, D>& rates, Interval* x) {
+  if (!table) return true;
+  Box<D> stretches;
+  for (std::size_t i = 0; i < D; ++i) stretches[i] = exp(x[i]);
+  const Box<D> before = stretches;
+  if (!TermBounds<D>(table, rates).contract(stretches)) return false;
+  for (std::size_t i = 0; i < D; ++i) {
+    if (stretches[i].lo == before[i].lo && stretches[i].hi == before[i].hi) continue;
+    const Interval narrowed = log(stretches[i]);
+    if (narrowed.bounded() && !narrowed.apart_from(x[i])) x[i] = common(x[i], narrowed);
+  }
+  return true;
+}
+
+template <class Thickness>
+class ThicknessCurves final : public CurveEquations<1> {
+ public:
+  ThicknessCurves(const Thickness& model, const CentrifugalRates<Interval>& rates, Inputs inputs)
+      : model_(interval_model(model, inputs)),
+        rate_(rates.rho),
+        terms_(model_terms<1>(model, inputs)) {}
+
+  CurveLinearized<1> linearize(const CurveBox<1>& y) const override {
+    const Interval rho = exp(y[0]);
+    const auto b = model_.log_balance(rho, y[1] * rate_);
+    CurveLinearized<1> out;
+    out.g = {b.g_rho};
+    out.slope[0] = {b.ww, -(rate_ * square(rho))};
+    return out;
+  }
+  bool excludes(const CurveBox<1>& y) const override { return defined_nowhere(model_, exp(y[0])); }
+  bool contract(CurveBox<1>& y) const override {
+    return contract_by<1>(terms_, {y[1] * rate_}, y.data());
+  }
+
+ private:
+  decltype(interval_model(std::declval<Thickness>(), Inputs())) model_;
+  Interval rate_;
+  Terms terms_;
+};
+
+template <class Plane>
+class PlaneCurves final : public CurveEquations<2> {
+ public:
+  PlaneCurves(const Plane& model, const CentrifugalRates<Interval>& rates, Inputs inputs)
+      : model_(interval_model(model, inputs)),
+        rates_(rates),
+        terms_(model_terms<2>(model, inputs)) {}
+
+  CurveLinearized<2> linearize(const CurveBox<2>& y) const override {
+    const Interval xi = exp(y[0]);
+    const Interval zeta = exp(y[1]);
+    const auto b = model_.log_balance(xi, zeta, y[2] * rates_.xi, y[2] * rates_.zeta);
+    CurveLinearized<2> out;
+    out.g = {b.g_xi, b.g_zeta};
+    out.slope[0] = {b.uu, b.uv, -(rates_.xi * square(xi))};
+    out.slope[1] = {b.uv, b.vv, -(rates_.zeta * square(zeta))};
+    return out;
+  }
+  bool excludes(const CurveBox<2>& y) const override {
+    return defined_nowhere(model_, exp(y[0]), exp(y[1]));
+  }
+  bool contract(CurveBox<2>& y) const override {
+    return contract_by<2>(terms_, {y[2] * rates_.xi, y[2] * rates_.zeta}, y.data());
+  }
+
+ private:
+  decltype(interval_model(std::declval<Plane>(), Inputs())) model_;
+  CentrifugalRates<Interval> rates_;
+  Terms terms_;
+};
+
+template <class Coupled>
+class CoupledCurves final : public CurveEquations<3> {
+ public:
+  CoupledCurves(const Coupled& model, const CentrifugalRates<Interval>& rates, Inputs inputs)
+      : model_(interval_model(model, inputs)),
+        rates_(rates),
+        terms_(model_terms<3>(model, inputs)) {}
+
+  CurveLinearized<3> linearize(const CurveBox<3>& y) const override {
+    const Interval xi = exp(y[0]);
+    const Interval zeta = exp(y[1]);
+    const Interval rho = exp(y[2]);
+    const auto b =
+        model_.log_balance(xi, zeta, rho, y[3] * rates_.xi, y[3] * rates_.zeta, y[3] * rates_.rho);
+    CurveLinearized<3> out;
+    out.g = {b.g_xi, b.g_zeta, b.g_rho};
+    out.slope[0] = {b.uu, b.uv, b.uw, -(rates_.xi * square(xi))};
+    out.slope[1] = {b.uv, b.vv, b.vw, -(rates_.zeta * square(zeta))};
+    out.slope[2] = {b.uw, b.vw, b.ww, -(rates_.rho * square(rho))};
+    return out;
+  }
+  bool excludes(const CurveBox<3>& y) const override {
+    return defined_nowhere(model_, exp(y[0]), exp(y[1]), exp(y[2]));
+  }
+  bool contract(CurveBox<3>& y) const override {
+    return contract_by<3>(terms_, {y[3] * rates_.xi, y[3] * rates_.zeta, y[3] * rates_.rho},
+                          y.data());
+  }
+
+ private:
+  decltype(interval_model(std::declval<Coupled>(), Inputs())) model_;
+  CentrifugalRates<Interval> rates_;
+  Terms terms_;
+};
+
+class AxisCurves {
+ public:
+  AxisCurves(const Problem& problem, double from, double to, const SearchOptions& options)
+      : problem_(problem),
+        rates_(rates_at_end(problem, to, options.inputs)),
+        q_(curve_range(from, to)),
+        inputs_(options.inputs) {
+    for (std::size_t k = 0; k < 3; ++k) stretch_[k] = log_range(options.range(k));
+  }
+
+  std::vector<CurveFactor> all() {
+    problem_.potential().visit_parts([this](const auto& model) { add(model); });
+    return std::move(out_);
+  }
+
+ private:
+  template <class Plane, class Thickness>
+  void add(const Separable<Plane, Thickness>& model) {
+    factor(set<1>(std::make_unique<ThicknessCurves<Thickness>>(model.thickness, rates_, inputs_),
+                  {stretch_[2]}));
+    factor(set<2>(std::make_unique<PlaneCurves<Plane>>(model.plane, rates_, inputs_),
+                  {stretch_[0], stretch_[1]}));
+  }
+  template <class Coupled>
+  void add(const Coupled& model) {
+    factor(set<3>(std::make_unique<CoupledCurves<Coupled>>(model, rates_, inputs_),
+                  {stretch_[0], stretch_[1], stretch_[2]}));
+  }
+
+  template <int N>
+  AnyCurveSet set(std::unique_ptr<CurveEquations<N>> equations,
+                  const std::vector<LogRange>& ranges) const {
+    CurveSet<N> out{std::move(equations), {}};
+    for (std::size_t k = 0; k < std::size_t(N); ++k) {
+      out.region.lower[k] = ranges[k].lower;
+      out.region.upper[k] = ranges[k].upper;
+    }
+    out.region.q = q_;
+    return out;
+  }
+  void factor(AnyCurveSet only) { out_.emplace_back().sets.push_back(std::move(only)); }
+
+  const Problem& problem_;
+  CentrifugalRates<Interval> rates_;
+  Interval q_;
+  Inputs inputs_;
+  std::array<LogRange, 3> stretch_;
+  std::vector<CurveFactor> out_;
+};
+
+}  // namespace
+
+LogRange log_range(const Interval& stretch) {
+  return {log(Interval(stretch.lo)), log(Interval(stretch.hi))};
+}
+
+Interval curve_range(double from, double to) {
+  const Interval lowest = square(Interval(from) / Interval(to));
+  return {lowest.lo, 1.0};
+}
+
+std::vector<CurveFactor> axis_curves(const Problem& problem, double from, double to,
+                                     const SearchOptions& options) {
+  return AxisCurves(problem, from, to, options).all();
+}
+
+}  // namespace stationary

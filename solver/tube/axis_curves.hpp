@@ -1,0 +1,45 @@
+// The spins of an isotropic body about a material axis as curves (curve_equations.hpp) in the
+// logarithms of the stretches and q = nu^2/nu_end^2. What separates is taken apart: the plane, the
+// thickness; a motion at nu is one point of each.
+//
+// With J1 = J2 in (iii) circles let ellipses go at pitchforks, where G alone is singular: these are
+// not covered here.
+#pragma once
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "solver/motion/problem.hpp"
+#include "solver/search/search.hpp"
+#include "solver/tube/curve_equations.hpp"
+
+namespace stationary {
+
+template <int N>
+struct CurveSet {
+  std::unique_ptr<CurveEquations<N>> equations;
+  CurveRegion<N> region;
+};
+using AnyCurveSet = std::variant<CurveSet<1>, CurveSet<2>, CurveSet<3>>;
+
+/// A motion at nu is one point of each factor; a factor's points are those of all its curve sets.
+struct CurveFactor {
+  std::vector<AnyCurveSet> sets;
+};
+
+/// 0 <= from < to; the stretches in the box of the options, with their inputs.
+std::vector<CurveFactor> axis_curves(const Problem& problem, double from, double to,
+                                     const SearchOptions& options);
+
+/// ln of a stretch's range, as enclosures of its ends.
+struct LogRange {
+  Interval lower;
+  Interval upper;
+};
+LogRange log_range(const Interval& stretch);
+
+/// q of nu in [from, to], nu_end = to.
+Interval curve_range(double from, double to);
+
+}  // namespace stationary

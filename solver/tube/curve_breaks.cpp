@@ -1,0 +1,80 @@
+#include "solver/tube/curve_breaks.hpp"
+
+#include <algorithm>
+
+namespace stationary {
+namespace {
+
+template <int N>
+class Breaks {
+ public:
+  Breaks(const CurveEquations<N>& equations, const CurveRegion<N>& region)
+      : equations_(equations), region_(region) {}
+
+  void add(const Tube<N>& tube) {
+    tube_ = &tube;
+    halve({-tube.half_length(), tube.half_length()});
+  }
+
+  std::vector<CurveBreak> merged() {
+    std::ranges::sort(found_, {}, [](const CurveBreak& each) { return each.q.lo; });
+    // Enclosures of one point by two tubes touch, or nearly so.
+    constexpr double nearly = 1e-12;
+    std::vector<CurveBreak> out;
+    for (const CurveBreak& each : found_) {
+      if (out.empty() || each.q.lo > out.back().q.hi + nearly) {
+        out.push_back(each);
+        continue;
+      }
+      CurveBreak& last = out.back();
+      last.q.hi = std::max(last.q.hi, each.q.hi);
+      last.turns = last.turns || each.turns;
+      last.crosses = last.crosses || each.crosses;
+    }
+    return out;
+  }
+
+ private:
+  void halve(const Interval& s) {
+    constexpr double narrow = 1e-13;
+    constexpr double shortest = 0x1p-40;
+    const auto slice = tube_->slice(equations_, s);
+    const Within within = within_region(equations_, region_, slice.y);
+    if (within == Within::none) return;
+    const Interval& q = slice.y[std::size_t(N)];
+    const bool turns = slice.velocity[std::size_t(N)].may_be(0.0);
+    const bool crosses = within == Within::unclear;
+    if (!turns && !crosses) return;
+    if (q.hi - q.lo <= narrow || s.hi - s.lo <= shortest * tube_->half_length()) {
+      found_.push_back({q, turns, crosses});
+      return;
+    }
+    const double middle = s.mid();
+    halve({s.lo, middle});
+    halve({middle, s.hi});
+  }
+
+  const CurveEquations<N>& equations_;
+  const CurveRegion<N>& region_;
+  const Tube<N>* tube_ = nullptr;
+  std::vector<CurveBreak> found_;
+};
+
+}  // namespace
+
+template <int N>
+std::vector<CurveBreak> curve_breaks(const CurveEquations<N>& equations,
+                                     const CurveRegion<N>& region, const TubeSet<N>& tubes) {
+  Breaks<N> out(equations, region);
+  for (const Tube<N>& tube : tubes.tubes()) out.add(tube);
+  return out.merged();
+}
+
+template std::vector<CurveBreak> curve_breaks<1>(const CurveEquations<1>&, const CurveRegion<1>&,
+                                                 const TubeSet<1>&);
+template std::vector<CurveBreak> curve_breaks<2>(const CurveEquations<2>&, const CurveRegion<2>&,
+                                                 const TubeSet<2>&);
+template std::vector<CurveBreak> curve_breaks<3>(const CurveEquations<3>&, const CurveRegion<3>&,
+                                                 const TubeSet<3>&);
+
+}  // namespace stationary

@@ -1,0 +1,25 @@
+// Where the number of points that proven curves (tube_set.hpp) have at one nu may change: where a
+// curve turns, dq/ds = 0, and where it passes a side of the region or a condition changes its sign.
+// Slices of each tube are halved until their signs are decided, or until what q they may have is as
+// narrow as rounding. Between two neighbouring such intervals every point of a curve is regular and
+// inside, so that their number is constant.
+#pragma once
+
+#include <vector>
+
+#include "solver/tube/tube_set.hpp"
+
+namespace stationary {
+
+struct CurveBreak {
+  Interval q;
+  bool turns = false;    ///< dq/ds may vanish here
+  bool crosses = false;  ///< the region or a condition may be left here
+};
+
+/// Ascending, touching ones merged.
+template <int N>
+std::vector<CurveBreak> curve_breaks(const CurveEquations<N>& equations,
+                                     const CurveRegion<N>& region, const TubeSet<N>& tubes);
+
+}  // namespace stationary

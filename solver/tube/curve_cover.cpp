@@ -1,0 +1,228 @@
+#include "solver/tube/curve_cover.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace stationary {
+namespace {
+
+constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+template <int N>
+class Cover {
+ public:
+  Cover(const CurveEquations<N>& equations, const CurveRegion<N>& region,
+        const CoverOptions& options)
+      : equations_(equations),
+        region_(region),
+        options_(options),
+        tubes_(equations, region, options.tube) {}
+
+  CurveCover run() {
+    queue_.push_back(region_.hull());
+    while (!queue_.empty()) {
+      if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
+        out_.interrupted = true;
+        break;
+      }
+      if (out_.boxes >= options_.max_boxes) {
+        for (const CurveBox<N>& each : queue_) out_.undecided.push_back(each[at(N)]);
+        break;
+      }
+      const CurveBox<N> box = queue_.front();
+      queue_.pop_front();
+      examine(box);
+    }
+    merge_undecided();
+    if (!out_.interrupted) out_.breaks = curve_breaks(equations_, region_, tubes_);
+    out_.tubes = static_cast<long>(tubes_.tubes().size());
+    return std::move(out_);
+  }
+
+ private:
+  static double width(const CurveBox<N>& box) {
+    double out = 0.0;
+    for (const Interval& side : box) out = std::max(out, side.hi - side.lo);
+    return out;
+  }
+
+  void examine(CurveBox<N> box) {
+    ++out_.boxes;
+    constexpr int passes = 8;
+    for (int pass = 0; pass < passes; ++pass) {
+      for (const Interval& each : equations_.conditions(box))
+        if (each.negative()) return;
+      if (equations_.excludes(box)) return;
+      if (pass == 0 && !equations_.contract(box)) return;
+      if (tubes_.holds(box)) return;
+      if (!solve_for_q(box)) return;
+      const auto over = equations_.linearize(box);
+      for (const Interval& g : over.g)
+        if (!g.may_be(0.0)) return;
+      double kept = 1.0;
+      if (!narrow(over, box, kept)) return;
+      if (kept > 0.75) break;
+    }
+    if (tubes_.holds(box)) return;
+    constexpr double small = 0.25;
+    if (width(box) < small && begins_curve(box) && tubes_.holds(box)) return;
+    split(box);
+  }
+
+  /// G = E - q P: each row bounds q by the ranges of E and P. False where nothing is left.
+  bool solve_for_q(CurveBox<N>& box) const {
+    CurveBox<N> at_rest = box;
+    at_rest[at(N)] = 0.0;
+    const auto elastic = equations_.linearize(at_rest);
+    Interval& q = box[at(N)];
+    for (int i = 0; i < N; ++i) {
+      const Interval solved = -elastic.g[at(i)] / elastic.slope[at(i)][at(N)];
+      if (!solved.bounded()) continue;
+      if (solved.apart_from(q)) return false;
+      q = common(q, solved);
+    }
+    return true;
+  }
+
+  /// False where nothing is left of the box. kept: the smallest fraction left of a side.
+  bool narrow(const CurveLinearized<N>& over, CurveBox<N>& box, double& kept) const {
+    using Square = Eigen::Matrix<double, N, N>;
+    Eigen::Matrix<double, N, N + 1> slopes;
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j <= N; ++j) {
+        const Interval& side = box[at(j)];
+        slopes(i, j) = over.slope[at(i)][at(j)].mid() * (side.hi - side.lo);
+      }
+    if (!std::isfinite(slopes.sum())) return true;
+    // The columns that move G most.
+    const Eigen::FullPivLU<Eigen::Matrix<double, N, N + 1>> lu(slopes);
+    std::array<int, at(N)> pivot;
+    for (int i = 0; i < N; ++i) pivot[at(i)] = lu.permutationQ().indices()[i];
+    Square chosen;
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j < N; ++j) chosen(i, j) = over.slope[at(i)][at(pivot[at(j)])].mid();
+    const Square Y = chosen.inverse();
+    if (!std::isfinite(Y.sum())) return true;
+    const TubePoint<N> center = middle_of<N>(box);
+    const auto g = equations_.linearize(point_box<N>(center)).g;
+    CurveBox<N> offset;
+    for (int j = 0; j <= N; ++j) offset[at(j)] = box[at(j)] - Interval(center[j]);
+    for (int i = 0; i < N; ++i) {
+      const int own = pivot[at(i)];
+      Interval others;
+      Interval slope;
+      for (int k = 0; k < N; ++k) {
+        others += Y(i, k) * g[at(k)];
+        slope += Y(i, k) * over.slope[at(k)][at(own)];
+      }
+      for (int j = 0; j <= N; ++j) {
+        if (j == own) continue;
+        Interval entry;
+        for (int k = 0; k < N; ++k) entry += Y(i, k) * over.slope[at(k)][at(j)];
+        others += entry * offset[at(j)];
+      }
+      const Interval sum = others + slope * offset[at(own)];
+      if (sum.positive() || sum.negative()) return false;
+      if (slope.may_be(0.0) || !slope.bounded()) continue;
+      const Interval solved = Interval(center[own]) - others / slope;
+      if (!solved.bounded()) continue;
+      Interval& side = box[at(own)];
+      if (solved.apart_from(side)) return false;
+      const double before = side.hi - side.lo;
+      side = common(side, solved);
+      kept = std::min(kept, (side.hi - side.lo) / before);
+      offset[at(own)] = side - Interval(center[own]);
+    }
+    return true;
+  }
+
+  /// A curve not known yet passes near the box, and now is followed.
+  bool begins_curve(const CurveBox<N>& box) {
+    const TubePoint<N> middle = middle_of<N>(box);
+    const auto y = corrected_point(equations_, middle);
+    if (!y) return false;
+    // Farther off it is another box's.
+    const double near = 4.0 * width(box);
+    if (!((*y - middle).cwiseAbs().maxCoeff() < near)) return false;
+    return tubes_.follow(*y);
+  }
+
+  /// Across the coordinate that moves some G_i most over the box, as a part of all that moves it.
+  std::size_t coordinate_to_split(const CurveBox<N>& box) const {
+    const auto over = equations_.linearize(box);
+    std::array<double, at(N + 1)> moved{};
+    for (const CurveBox<N>& row : over.slope) {
+      std::array<double, at(N + 1)> by;
+      double sum = 0.0;
+      for (std::size_t j = 0; j < by.size(); ++j) {
+        by[j] = row[j].magnitude() * (box[j].hi - box[j].lo);
+        sum += by[j];
+      }
+      for (std::size_t j = 0; j < by.size(); ++j) moved[j] = std::max(moved[j], by[j] / sum);
+    }
+    std::size_t most = 0;
+    std::size_t widest = 0;
+    for (std::size_t j = 1; j < box.size(); ++j) {
+      if (moved[j] > moved[most]) most = j;
+      if (box[j].hi - box[j].lo > box[widest].hi - box[widest].lo) widest = j;
+    }
+    const bool splits = std::isfinite(moved[most]) && moved[most] > 0.0 &&
+                        box[most].hi - box[most].lo > options_.min_width;
+    return splits ? most : widest;
+  }
+
+  void split(const CurveBox<N>& box) {
+    const std::size_t chosen = coordinate_to_split(box);
+    const Interval side = box[chosen];
+    const double cut = side.mid();
+    if (!(side.hi - side.lo > options_.min_width) || !(side.lo < cut && cut < side.hi)) {
+      out_.undecided.push_back(box[at(N)]);
+      return;
+    }
+    CurveBox<N> half = box;
+    half[chosen] = {side.lo, cut};
+    queue_.push_back(half);
+    half[chosen] = {cut, side.hi};
+    queue_.push_back(half);
+  }
+
+  void merge_undecided() {
+    auto& all = out_.undecided;
+    std::ranges::sort(all, {}, &Interval::lo);
+    std::vector<Interval> out;
+    for (const Interval& each : all) {
+      if (out.empty() || each.lo > out.back().hi) {
+        out.push_back(each);
+      } else {
+        out.back().hi = std::max(out.back().hi, each.hi);
+      }
+    }
+    all = std::move(out);
+  }
+
+  const CurveEquations<N>& equations_;
+  const CurveRegion<N>& region_;
+  CoverOptions options_;
+  TubeSet<N> tubes_;
+  std::deque<CurveBox<N>> queue_;
+  CurveCover out_;
+};
+
+}  // namespace
+
+template <int N>
+CurveCover cover_curves(const CurveEquations<N>& equations, const CurveRegion<N>& region,
+                        const CoverOptions& options) {
+  return Cover<N>(equations, region, options).run();
+}
+
+template CurveCover cover_curves<1>(const CurveEquations<1>&, const CurveRegion<1>&,
+                                    const CoverOptions&);
+template CurveCover cover_curves<2>(const CurveEquations<2>&, const CurveRegion<2>&,
+                                    const CoverOptions&);
+template CurveCover cover_curves<3>(const CurveEquations<3>&, const CurveRegion<3>&,
+                                    const CoverOptions&);
+
+}  // namespace stationary

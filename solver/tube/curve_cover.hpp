@@ -1,0 +1,43 @@
+// All curves of a region, by branch and prune over (x, q): a box of it is
+//
+//   empty      where a condition is negative, where some G_i = E_i - q P_i excludes 0 over it, or
+//              no q of it is among the E_i/P_i, or where the mean
+//              value form G(c) + dG/dy (y - c), preconditioned with the inverse of the N columns of
+//              dG/dy that move G most over the box, cannot vanish;
+//   covered    where it lies wholly in one tube (tube_set.hpp): its points are that curve's;
+//   narrowed   by that form in those N coordinates, or split where it is widest;
+//   undecided  where it is as narrow as min_width, or the boxes allowed are used up.
+//
+// Where a small box is neither, the nearest point of the curve is sought, and its curve followed by
+// tubes if it is new. So the curves need not be known before: one that closes upon itself between
+// any two nu is found as well. Largest boxes first.
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "solver/tube/curve_breaks.hpp"
+
+namespace stationary {
+
+struct CoverOptions {
+  double min_width = 0x1p-36;
+  long max_boxes = 50'000;
+  TubeOptions tube;
+  const std::atomic<bool>* stop = nullptr;
+};
+
+struct CurveCover {
+  std::vector<CurveBreak> breaks;
+  /// q at which boxes are left: what is there is not known. Ascending, touching ones merged.
+  std::vector<Interval> undecided;
+  long boxes = 0;  ///< examined
+  long tubes = 0;
+  bool interrupted = false;
+};
+
+template <int N>
+CurveCover cover_curves(const CurveEquations<N>& equations, const CurveRegion<N>& region,
+                        const CoverOptions& options = {});
+
+}  // namespace stationary

@@ -1,0 +1,88 @@
+// A kind of motion as the curves of
+//
+//   G(y) = 0,   N equations in y = (x_1, ..., x_N, q),   nu^2 = q nu_end^2,
+//
+// x a chart of the stretches (mostly their logarithms, else what the curves are regular in). G is
+// linear in nu^2, and in it curves are smooth down to rest. That is all that tubes and covers know of a kind; whatever it is,
+// they are the same code, for a virtual call is nothing beside an evaluation over a box.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "solver/proof/box_balance.hpp"
+
+namespace stationary {
+
+/// Intervals of x_1, ..., x_N and q.
+template <int N>
+using CurveBox = Box<N + 1>;
+
+template <int N>
+using TubePoint = Eigen::Matrix<double, N + 1, 1>;
+
+/// Over a place: every G(y) and every dG/dy, y in it, whatever values the inputs have in theirs.
+template <int N>
+struct CurveLinearized {
+  Box<N> g;
+  std::array<CurveBox<N>, static_cast<std::size_t>(N)> slope;  ///< rows
+};
+
+template <int N>
+class CurveEquations {
+ public:
+  static constexpr int dimension = N;
+
+  CurveEquations() = default;
+  CurveEquations(const CurveEquations&) = delete;
+  CurveEquations& operator=(const CurveEquations&) = delete;
+  virtual ~CurveEquations() = default;
+
+  virtual CurveLinearized<N> linearize(const CurveBox<N>& y) const = 0;
+
+  /// Functions of y that are positive at the solutions sought, beside the sides of a region: over a
+  /// place, where they need to hold at solutions only.
+  virtual std::vector<Interval> conditions(const CurveBox<N>&) const { return {}; }
+  /// No solution there by more than G and its slopes.
+  virtual bool excludes(const CurveBox<N>&) const { return false; }
+  /// Narrows a place likewise; false where nothing is left.
+  virtual bool contract(CurveBox<N>&) const { return true; }
+};
+
+/// Where curves are wanted: bounds of each x, as enclosures, and the range of q.
+template <int N>
+struct CurveRegion {
+  Box<N> lower;
+  Box<N> upper;
+  Interval q;
+
+  /// Holds all of it.
+  CurveBox<N> hull() const {
+    CurveBox<N> out;
+    for (std::size_t i = 0; i < std::size_t(N); ++i) out[i] = {lower[i].lo, upper[i].hi};
+    out[std::size_t(N)] = q;
+    return out;
+  }
+};
+
+/// Whether points of a curve are in the region and fulfil the conditions.
+enum class Within { all, none, unclear };
+
+template <int N>
+Within within_region(const CurveEquations<N>& equations, const CurveRegion<N>& region,
+                     const CurveBox<N>& y) {
+  if (y[std::size_t(N)].apart_from(region.q)) return Within::none;
+  bool all = true;
+  const auto require = [&](const Interval& positive) {
+    all = all && positive.positive();
+    return !positive.negative();
+  };
+  for (std::size_t i = 0; i < std::size_t(N); ++i)
+    if (!require(y[i] - region.lower[i]) || !require(region.upper[i] - y[i])) return Within::none;
+  for (const Interval& each : equations.conditions(y))
+    if (!require(each)) return Within::none;
+  return all ? Within::all : Within::unclear;
+}
+
+}  // namespace stationary

@@ -1,0 +1,57 @@
+#include "solver/tube/kind_cover.hpp"
+
+#include <algorithm>
+
+#include "solver/tube/axis_curves.hpp"
+#include "solver/tube/curve_cover.hpp"
+
+namespace stationary {
+namespace {
+
+/// nu of q, outward.
+Interval nu_of(const Interval& q, double to) {
+  const Interval bounded(std::max(q.lo, 0.0), std::min(std::max(q.hi, 0.0), 1.0));
+  const Interval out = Interval(to) * sqrt(bounded);
+  return {std::max(out.lo, 0.0), std::min(out.hi, to)};
+}
+
+}  // namespace
+
+KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
+                     const CoverOptions& options) {
+  KindCover out;
+  std::vector<NuGap> all;
+  for (const CurveFactor& factor : factors) {
+    for (const AnyCurveSet& any : factor.sets) {
+      const CurveCover cover = std::visit(
+          [&](const auto& set) { return cover_curves(*set.equations, set.region, options); }, any);
+      out.boxes += cover.boxes;
+      out.tubes += cover.tubes;
+      out.interrupted = out.interrupted || cover.interrupted;
+      for (const CurveBreak& each : cover.breaks)
+        all.push_back({nu_of(each.q, to), each.turns, each.crosses, false});
+      for (const Interval& q : cover.undecided) all.push_back({nu_of(q, to), false, false, true});
+    }
+  }
+  std::ranges::sort(all, {}, [](const NuGap& each) { return each.nu.lo; });
+  for (const NuGap& each : all) {
+    if (out.gaps.empty() || each.nu.lo > out.gaps.back().nu.hi) {
+      out.gaps.push_back(each);
+      continue;
+    }
+    NuGap& last = out.gaps.back();
+    last.nu.hi = std::max(last.nu.hi, each.nu.hi);
+    last.turns = last.turns || each.turns;
+    last.crosses = last.crosses || each.crosses;
+    last.undecided = last.undecided || each.undecided;
+  }
+  return out;
+}
+
+KindCover cover_axis(const Problem& problem, double from, double to, const SearchOptions& options) {
+  CoverOptions how;
+  how.stop = options.stop;
+  return cover_kind(axis_curves(problem, from, to, options), to, how);
+}
+
+}  // namespace stationary

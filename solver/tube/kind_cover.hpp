@@ -1,0 +1,38 @@
+// How many motions of one kind there are at each nu of a range, proven: its curves are covered
+// (curve_cover.hpp), their breaks and what is undecided divide the range, and between two of these
+// the number of motions is constant. What it is, a search at one nu in between says.
+#pragma once
+
+#include <vector>
+
+#include "solver/motion/problem.hpp"
+#include "solver/search/search.hpp"
+
+namespace stationary {
+
+struct CoverOptions;
+struct CurveFactor;
+
+/// A part of the range at which the number of motions is not told: an interval of nu, and why.
+struct NuGap {
+  Interval nu;
+  bool turns = false;      ///< sheets turn there: all of them are known
+  bool crosses = false;    ///< a sheet leaves the box, or ends: likewise
+  bool undecided = false;  ///< not covered
+};
+
+struct KindCover {
+  std::vector<NuGap> gaps;  ///< ascending, apart from each other
+  long boxes = 0;
+  long tubes = 0;
+  bool interrupted = false;
+};
+
+/// factors: of the kind (axis_curves.hpp), with nu_end = to.
+KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
+                     const CoverOptions& options);
+
+/// Of an isotropic body's spins about the problem's axis, 0 <= from < to.
+KindCover cover_axis(const Problem& problem, double from, double to, const SearchOptions& options);
+
+}  // namespace stationary
