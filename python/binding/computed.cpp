@@ -84,13 +84,14 @@ void require_checkpoints(std::optional<int> checkpoints) {
   if (checkpoints && *checkpoints < 1) throw std::invalid_argument("checkpoints from 1 on");
 }
 
-std::shared_ptr<Computed> atlas(const Shared& input, std::optional<int> checkpoints,
+std::shared_ptr<Computed> atlas(const Shared& input, std::optional<int> checkpoints, bool complete,
                                 std::optional<int> threads) {
   require_checkpoints(checkpoints);
-  return computed(input, threads, "stationary.atlas",
-                  [checkpoints](const Case& given, TableTarget* target, const cli::Run& run) {
-                    return cli::atlas_case(given, {checkpoints, {}, false}, target, run);
-                  });
+  return computed(
+      input, threads, "stationary.atlas",
+      [checkpoints, complete](const Case& given, TableTarget* target, const cli::Run& run) {
+        return cli::atlas_case(given, {checkpoints, {}, false, complete}, target, run);
+      });
 }
 
 std::shared_ptr<Computed> map(const Shared& input, std::optional<int> threads) {
@@ -227,7 +228,8 @@ void declare_computed(py::module_& module) {
           py::arg("quantity"));
   module.def("solve", &solve, py::arg("case"), py::arg("threads"));
   module.def("follow", &follow, py::arg("case"), py::arg("row"), py::arg("threads"));
-  module.def("atlas", &atlas, py::arg("case"), py::arg("checkpoints"), py::arg("threads"));
+  module.def("atlas", &atlas, py::arg("case"), py::arg("checkpoints"), py::arg("complete"),
+             py::arg("threads"));
   module.def("map", &map, py::arg("case"), py::arg("threads"));
   module.def("curve", &curve, py::arg("case"), py::arg("row"), py::arg("threads"));
   module.def("study", &study, py::arg("keys"), py::arg("over"), py::arg("csv"), py::arg("task"),

@@ -85,16 +85,25 @@ def follow(case: CaseLike, *, row: str | None = None, threads: int | None = 1) -
 
 
 def atlas(
-    case: CaseLike, *, checkpoints: int | None = None, threads: int | None = None
+    case: CaseLike,
+    *,
+    checkpoints: int | None = None,
+    complete: bool = False,
+    threads: int | None = None,
 ) -> Result:
     """Every sheet of every family over the case's range of nu, connected to rest or not.
 
-    checkpoints: how many values of nu are searched exhaustively; None as the program's.
+    checkpoints: how many values of nu are searched exhaustively; None as the program's. complete:
+    prove for every nu of the range how many sheets there are, not at the checkpoints alone; the
+    metadata's ``completeness`` has the intervals.
 
     Raises InputError, NumericalError.
     """
     case = _case(case)
-    return _finished(_core.atlas(case._inner, _checkpoints(checkpoints), thread_count(threads)), case)
+    return _finished(
+        _core.atlas(case._inner, _checkpoints(checkpoints), bool(complete), thread_count(threads)),
+        case,
+    )
 
 
 def map(case: CaseLike, *, threads: int | None = None) -> Result:

@@ -91,6 +91,14 @@ def test_atlas_has_every_sheet():
     assert len(result.metadata["checkpoints"]) % 8 == 0
 
 
+def test_atlas_is_proven_for_every_nu():
+    case = SOURCES / "cases" / "apart.toml"
+    assert "completeness" not in stationary.atlas(case, checkpoints=2).metadata
+    proven = stationary.atlas(case, checkpoints=2, complete=True).metadata["completeness"]
+    assert {each["branch"] for each in proven} == {"i", "ii", "iii"}
+    assert all(each["intervals"] for each in proven)
+
+
 def test_map_keeps_its_cells_whatever_they_came_to(disc):
     disc["map"] = {"x": {"parameter": "nu", "from": 0.0, "to": 30.0, "count": 7}}
     result = stationary.map(disc)
