@@ -24,6 +24,7 @@ using ::testing::IsEmpty;
 constexpr std::string_view rooms[] = {
     "lib/number",
     "lib/body",
+    "lib/gravity",
     "lib/expression",
     "lib/tape",
     "lib/formula",
