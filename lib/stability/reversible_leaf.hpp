@@ -19,8 +19,8 @@
 #include <optional>
 #include <type_traits>
 
-#include "lib/stability/eigenvalue_discs.hpp"
-#include "lib/stability/form_signs.hpp"
+#include "lib/number/eigenvalue_discs.hpp"
+#include "lib/number/form_signs.hpp"
 #include "lib/stability/leaf_modes.hpp"
 #include "lib/stability/leaf_roots.hpp"
 #include "lib/stability/symplectic_leaf.hpp"

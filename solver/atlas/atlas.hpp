@@ -123,8 +123,8 @@ struct CompleteInterval {
   double from = 0.0;
   double to = 0.0;
   bool proven = false;
-  int sheets = 0;      ///< where proven, of those in the box: motions at every nu between
-  std::string reason;  ///< why not, where not proven
+  int sheets = 0;           ///< where proven, of those in the box: motions at every nu between
+  std::string_view reason;  ///< why not, where not proven; a literal
 };
 
 /// Of one kind of motion, all of the range.
