@@ -97,45 +97,6 @@ TEST(CompleteAtlas, IsCompleteButForAMillionthOfTheRange) {
   }
 }
 
-/// A dimple in the potential: at nu within some 1e-3 the pull balances its steepest slope, and two
-/// more motions, a sheet that closes upon itself, are there.
-TEST(CompleteAtlas, FindsASheetThatClosesBetweenTwoCheckpoints) {
-  const TemporaryDirectory directory;
-  const std::string path = directory / "closed.toml";
-  std::ofstream(path) << R"([body]
-J = [1.0, 1.7, 0.6]
-[potential]
-plane = { expression = "c/d + k/2*I1 - A*exp(-((t - 2.4)^2 + (d - 1.4)^2)/(2*w^2))",
-      c = 1.0, k = 2.0, A = 0.0506431, w = 0.05
-}
-thickness = { model = "reciprocal-quadratic", a = 1.0, b = 3.0 }
-[motion]
-branch = "i"
-nu = 0.5
-[continuation]
-from = 0.5
-to = 1.0
-[output]
-spectrum = false
-)";
-  const auto closed_sheets = [&](const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{"atlas",         path, "-o", directory / "x.csv",
-                                     "--checkpoints", "16"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const Outcome outcome = run_program(arguments);
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
-  int count = 0;
-  for (const auto& sheet : metadata["sheets"])
-    if (sheet["branch"] == "i" && sheet["entry"] == "search" &&
-        std::abs(sheet["entry_nu"].get<double>() - 0.8474) < 1e-3)
-      ++count;
-  return count;
-  };
-EXPECT_EQ(closed_sheets({}), 0);
-EXPECT_EQ(closed_sheets({"--complete"}), 1);
-}
-
 /// The spin's sense does not matter.
 TEST(AtlasCommand, RangesBelowZeroAreTheSameAbove) {
   const auto table = [](const char* from, const char* to) {
