@@ -160,7 +160,6 @@ ArrayTable::Contents ArrayTable::contents() const {
     for (const CellColumn& each : cells_->columns())
       out.cell_columns.emplace_back(each.name, static_cast<int>(each.kind));
     out.bytes = cells_->kept();
-    out.rows = cells_->rows();
   } else {
     out.bytes.assign(reinterpret_cast<const char*>(records_.data()), records_.size());
   }
@@ -173,7 +172,7 @@ void ArrayTable::restore(const Contents& of) {
     for (const auto& [name, kind] : of.cell_columns)
       columns.push_back({name, static_cast<CellKind>(kind)});
     const std::size_t header = csv_header(columns).size();
-    open(std::move(columns)).write(std::string_view(of.bytes).substr(header), of.rows);
+    open(std::move(columns)).write(std::string_view(of.bytes).substr(header));
   } else if (!of.columns.empty() || !of.parameters.empty()) {
     std::vector<Column> columns;
     for (const std::string& each : of.columns) columns.push_back(find_column(each).value());
@@ -211,7 +210,7 @@ void ArrayTable::write(const std::string& path, const std::string& case_path) co
   if (cells_) {
     const std::string_view lines = cells_->kept();
     const std::size_t header = csv_header(cells_->columns()).size();
-    output.open(cells_->columns()).write(lines.substr(header), cells_->rows());
+    output.open(cells_->columns()).write(lines.substr(header));
   } else {
     write(output.open(columns_, parameters_, expected_));
   }

@@ -58,7 +58,6 @@ class ArrayTable final : public TableTarget {
     std::optional<std::size_t> expected;
     std::vector<std::pair<std::string, int>> cell_columns;  ///< with their kinds
     std::string bytes;                                      ///< records, or lines
-    std::size_t rows;
     std::string metadata;
     std::string lasting_metadata;
     bool complete;

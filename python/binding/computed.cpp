@@ -168,8 +168,8 @@ py::tuple state(const Computed& self) {
   const ArrayTable::Contents table = self.table.contents();
   return py::make_tuple(self.input_file, self.other_file, static_cast<int>(self.outcome.code),
                         self.outcome.summary, self.lines, table.columns, table.parameters,
-                        table.expected, table.cell_columns, py::bytes(table.bytes), table.rows,
-                        table.metadata, table.lasting_metadata, table.complete);
+                        table.expected, table.cell_columns, py::bytes(table.bytes), table.metadata,
+                        table.lasting_metadata, table.complete);
 }
 
 std::shared_ptr<Computed> restored(const py::tuple& state) {
@@ -190,7 +190,6 @@ std::shared_ptr<Computed> restored(const py::tuple& state) {
   next(table.expected);
   next(table.cell_columns);
   next(table.bytes);
-  next(table.rows);
   next(table.metadata);
   next(table.lasting_metadata);
   next(table.complete);
