@@ -154,7 +154,7 @@ void ArrayTable::commit(Metadata metadata) {
 }
 
 ArrayTable::Contents ArrayTable::contents() const {
-  Contents out{{}, parameters_, expected_, {}, {}, 0, metadata_, lasting_metadata_, complete_};
+  Contents out{{}, parameters_, expected_, {}, {}, metadata_, lasting_metadata_, complete_};
   for (const Column c : columns_) out.columns.emplace_back(name(c));
   if (cells_) {
     for (const CellColumn& each : cells_->columns())
