@@ -7,17 +7,30 @@ namespace stationary {
 
 BalanceCheck check_balance(const Body& body, const Potential& potential, const Stretch& q,
                            const Vector3<double>& nu) {
-  BalanceCheck out = check_balance(body, potential.derivatives(q), q, nu);
+  BalanceCheck out =
+      check_balance(body, potential.derivatives(q), q, nu, potential.holds_volume());
+  // Derivatives along the held volume do not say whether q has it.
+  if (potential.holds_volume()) {
+    const double excess =
+        planar_invariants(q).d * q.rho / *potential.body_model()->volume - 1.0;
+    if (!(std::abs(excess) <= 1e-12)) out.residual = std::fmax(out.residual, std::abs(excess));
+  }
   if (!potential.defined_at(q)) out.residual = poison<double>();
   return out;
 }
 
 BalanceCheck check_balance(const Body& body, const PotentialDerivatives<double>& v,
-                           const Stretch& q, const Vector3<double>& nu) {
+                           const Stretch& q, const Vector3<double>& nu, bool volume_held) {
   BalanceCheck out;
   const Matrix4<double> C = centrifugal_matrix(body, nu);
   const Vector4<double> force = C * q.vector();
-  const Vector4<double> F = v.gradient - force;
+  Vector4<double> F = v.gradient - force;
+  if (volume_held) {
+    // rho = C/d: d rho/dq_k = -rho d_k/d.
+    const double share = force[3] * q.rho / planar_invariants(q).d;
+    F += share * Vector4<double>(-2.0 * q.alpha, q.zeta, q.xi, 0.0);
+    F[3] = 0.0;
+  }
   const double largest = std::max({v.gradient.cwiseAbs().maxCoeff(), force.cwiseAbs().maxCoeff(),
                                    (v.hessian * q.vector().asDiagonal()).cwiseAbs().maxCoeff()});
   const double worst = F.cwiseAbs().maxCoeff();

@@ -172,9 +172,10 @@ struct BalanceCheck {
 BalanceCheck check_balance(const Body& body, const Potential& potential, const Stretch& q,
                            const Vector3<double>& nu);
 
-/// The same from the potential's derivatives (order 2) at q.
+/// The same from the potential's derivatives (order 2) at q. volume_held: they are those along a
+/// held volume (Potential::derivatives()), which leaves of the centrifugal force what is along it.
 BalanceCheck check_balance(const Body& body, const PotentialDerivatives<double>& v,
-                           const Stretch& q, const Vector3<double>& nu);
+                           const Stretch& q, const Vector3<double>& nu, bool volume_held = false);
 
 /// Total energy T + V of the steady rotation.
 double energy(const Body& body, const Potential& potential, const Stretch& q,

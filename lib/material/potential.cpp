@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "lib/material/elastic_energy.hpp"
+#include "lib/material/gravitating/rest_state.hpp"
 #include "lib/material/model_domain.hpp"
 
 namespace stationary {
@@ -112,6 +113,19 @@ Potential::Potential(const CoupledExpression<>& coupled) : models_(coupled) {
 
 Potential::Potential(const AnisotropicPotential& anisotropic) : models_(anisotropic) {}
 
+Potential::Potential(const BodyModel<>& body) : models_(body) {
+  body.elastic.for_models([](const auto& model, std::size_t) { require_domain(model); });
+  if (body.gravitates && !(body.g > 0.0 && std::isfinite(body.g)))
+    throw std::invalid_argument("g > 0");
+  if (body.volume && !(*body.volume > 0.0 && std::isfinite(*body.volume)))
+    throw std::invalid_argument("volume > 0");
+  if (!body.gravitates && !body.volume)
+    throw std::invalid_argument("gravity or a held volume");
+  if (body.elastic.is_fluid() && !body.volume)
+    throw std::invalid_argument("a potential: a fluid without one needs its volume held");
+  std::get<BodyModel<>>(models_).stiffness = volume_stiffness(body);
+}
+
 PlanarPotential Potential::planar(std::string_view name, std::span<const double> coefficients) {
   return by_name<PlanarPotential>(name, coefficients);
 }
@@ -142,6 +156,8 @@ void Potential::for_formulas(const F& f) const {
     one(*coupled);
   } else if (const auto* of_axes = std::get_if<AnisotropicPotential>(&models_)) {
     of_axes->for_models(one);
+  } else if (const auto* body = std::get_if<BodyModel<>>(&models_)) {
+    body->elastic.for_models([&](const auto& model, std::size_t) { one(model); });
   }
 }
 
@@ -198,6 +214,7 @@ PotentialDerivatives<double> Potential::derivatives(const Stretch& q) const {
   PotentialDerivatives<double> out =
       is_isotropic() ? visit([&](const auto& model) { return potential_derivatives<2>(model, q); })
                      : potential_derivatives<2>(anisotropic().model(), q);
+  if (holds_volume()) return out;  // the whole of a formula is not along it
   WholeFormulas<double> whole(q);
   for_formulas([&](const auto& model) {
     whole.replace(
@@ -251,6 +268,8 @@ Potential Potential::on_part_of(const Stretch& q) const {
     *coupled = coupled->on_part_of(q);
   } else if (auto* anisotropic = std::get_if<AnisotropicPotential>(&out.models_)) {
     *anisotropic = anisotropic->on_part_of(q);
+  } else if (auto* body = std::get_if<BodyModel<>>(&out.models_)) {
+    *body = body->on_part_of(q);
   }
   return out;
 }

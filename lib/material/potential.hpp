@@ -19,6 +19,7 @@
 
 #include "lib/body/stretch.hpp"
 #include "lib/material/anisotropic_potential.hpp"
+#include "lib/material/gravitating/body_model.hpp"
 #include "lib/material/models/any_model.hpp"
 #include "lib/material/models/isotropic_models.hpp"
 #include "lib/material/models/potential_derivatives.hpp"
@@ -30,6 +31,10 @@ namespace stationary {
 template <int order, class Model, class S>
 auto potential_derivatives(const Model& model, const BasicStretch<S>& q) {
   return in_stretch<order>(model.template evaluate<order>(planar_invariants(q), q.rho), q);
+}
+template <int order, class C, class S>
+auto potential_derivatives(const BodyModel<C>& model, const BasicStretch<S>& q) {
+  return model.template derivatives<order>(q);
 }
 
 /// What `stationary models` and `stationary check` print of a model.
@@ -65,6 +70,8 @@ class Potential {
   explicit Potential(const SeparableExpression& parts);
   explicit Potential(const CoupledExpression<>& coupled);
   explicit Potential(const AnisotropicPotential& anisotropic);
+  /// With gravity or a held volume: g > 0 and volume > 0 where there are, J that of the body.
+  explicit Potential(const BodyModel<>& body);
 
   /// By name; coefficients in the order of ModelDescription::parameters. Throws
   /// std::invalid_argument for an unknown name, a wrong count or a coefficient outside the domain.
@@ -86,6 +93,11 @@ class Potential {
     return std::holds_alternative<SeparableModels>(models_) ||
            std::holds_alternative<CoupledPotential>(models_);
   }
+  /// With gravity or a held volume: nothing otherwise. Counts as isotropic: alpha = 0 is known of it
+  /// as of these.
+  const BodyModel<>* body_model() const { return std::get_if<BodyModel<>>(&models_); }
+  /// Whether det S is held.
+  bool holds_volume() const { return body_model() != nullptr && body_model()->volume; }
   /// Only where not isotropic (std::bad_variant_access otherwise).
   const AnisotropicPotential& anisotropic() const {
     return std::get<AnisotropicPotential>(models_);
@@ -142,7 +154,8 @@ class Potential {
   Potential on_part_of(const Stretch& q) const;
 
   /// Value, gradient and Hessian at a positive definite q (not checked). The gradient is that of
-  /// the whole formula where something is taken for granted.
+  /// the whole formula where something is taken for granted. Where the volume is held those of what
+  /// is left of V along it (held_volume.hpp).
   PotentialDerivatives<double> derivatives(const Stretch& q) const;
   double value(const Stretch& q) const;
 
@@ -155,6 +168,7 @@ class Potential {
   decltype(auto) visit_coupled(F&& f) const {
     if (!is_isotropic()) throw std::invalid_argument("an isotropic potential");
     if (const auto* coupled = std::get_if<CoupledExpression<>>(&models_)) return f(*coupled);
+    if (const auto* body = std::get_if<BodyModel<>>(&models_)) return f(*body);
     return std::visit([&](const auto& model) -> decltype(auto) { return f(model); },
                       std::get<CoupledPotential>(models_));
   }
@@ -162,7 +176,7 @@ class Potential {
   template <class F>
   void for_formulas(const F& f) const;
   std::variant<SeparableModels, CoupledPotential, SeparableExpression, CoupledExpression<>,
-               AnisotropicPotential>
+               AnisotropicPotential, BodyModel<>>
       models_;
 };
 

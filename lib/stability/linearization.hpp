@@ -75,6 +75,15 @@ StraightState<S> straight_state(const Inertia3<S>& J, const Model& model, const 
   return out;
 }
 
+/// Of a body with gravity or a held volume.
+template <class S, class C>
+StraightState<S> straight_state(const Inertia3<S>& J, const BodyModel<C>& model, const S& xi,
+                                const S& zeta, const S& rho, const S& omega) {
+  const Matrix4<S> H = model.template derivatives<2>(BasicStretch<S>{S(0.0), xi, zeta, rho}).hessian;
+  return {J,       xi,      zeta,    rho,     omega,   H(0, 0),
+          H(1, 1), H(1, 2), H(2, 2), H(1, 3), H(2, 3), H(3, 3)};
+}
+
 /// At alpha = 0, from V's second derivatives there.
 template <class S>
 StraightState<S> straight_state(const Inertia3<S>& J, const AnisotropicModel<S>& model,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/stability/held_linearization.hpp"
 #include "lib/stability/mode_collector.hpp"
 
 namespace stationary {
@@ -41,6 +42,20 @@ double pencil_error(const SymmetricPencil<Conditioned>& pencil, double u) {
   return worst;
 }
 
+/// Likewise of two coordinates, their masses uncertain too: M exceeds diag(least).
+double pencil_error(const PlanarPencil<Conditioned>& pencil, double lambda, double u) {
+  const auto size = [&](int k) {
+    const Conditioned& stiffness = pencil.K[k];
+    const Conditioned& mass = pencil.mass[k];
+    return stiffness.condition + std::abs(stiffness.value) +
+           std::abs(lambda) * (mass.condition + std::abs(mass.value));
+  };
+  const double first = pencil.least[0].value;
+  const double second = pencil.least[1].value;
+  const double mixed = size(1) / std::sqrt(first * second);
+  return u * std::max(size(0) / first + mixed, size(2) / second + mixed);
+}
+
 /// A symmetric block: three real Lambda, all energies +1 where imaginary. Returns the negative
 /// directions.
 int add_symmetric(const SymmetricPencil<Extended>& pencil,
@@ -51,6 +66,20 @@ int add_symmetric(const SymmetricPencil<Extended>& pencil,
   for (const Extended& root : {roots.single, roots.pair.small, roots.pair.large}) {
     const double lambda = leading(root);
     out.add_real(lambda, error + 0x1p-53 * std::abs(lambda), 1);
+    negative += lambda > 0.0;
+  }
+  return negative;
+}
+
+/// Of two coordinates whose masses are coupled too.
+int add_symmetric(const PlanarPencil<Extended>& pencil, const PlanarPencil<Conditioned>& conditioned,
+                  double u, ModeCollector& out) {
+  const Polynomial<Extended, 2> p = pencil.characteristic();
+  const auto pair = quadratic_roots(p.c[1] / p.c[2], p.c[0] / p.c[2]);
+  int negative = 0;
+  for (const Extended& root : {pair.small, pair.large}) {
+    const double lambda = leading(root);
+    out.add_real(lambda, pencil_error(conditioned, lambda, u) + 0x1p-53 * std::abs(lambda), 1);
     negative += lambda > 0.0;
   }
   return negative;
@@ -120,15 +149,36 @@ int add_rho(const StraightState<Extended>& s, const StraightState<Conditioned>& 
   return lambda > 0.0;
 }
 
+/// Whether alpha's Lambda is a zero that a symmetry forces, away from the circle. Not every K_alpha
+/// that is 0: an anisotropic V's is where its ellipse turns away (`shear`).
+bool forced_zero(const StraightState<Extended>& s, const BlockFacts& facts) {
+  return facts.material_symmetry ||
+         (facts.isotropic && leading(s.omega) == 0.0 && leading(s.xi) != leading(s.zeta));
+}
+
+/// The roots of a cubic of (alpha, xi, zeta), one of them the forced zero.
+template <class Krein>
+void add_even_cubic(const Polynomial<Extended, 3>& p, const UncertainPolynomial<3>& uncertain,
+                    bool forced, bool definite, const Krein& krein, ModeCollector& out) {
+  if (forced) {
+    out.add_forced_zero();
+    out.add_pair(quadratic_roots(p.c[2] / p.c[3], p.c[1] / p.c[3]), uncertain, !definite, krein);
+    return;
+  }
+  const CubicRoots<Extended> roots = cubic_roots(p);
+  const double single = leading(roots.single);
+  out.add_real(single, uncertain.root_error(single), krein(roots.single),
+               definite ? Axis::stays : Axis::may_leave);
+  out.add_pair(roots.pair, uncertain, !definite, krein);
+}
+
 /// (iii), even, away from the circle.
 int add_even_iii(const StraightState<Extended>& s, const StraightState<Conditioned>& c,
                  const BlockFacts& facts, ModeCollector& out) {
   const double u = facts.uncertainty;
   GyroscopicBlock<Extended> block = even_block_iii(s);
   GyroscopicBlock<Conditioned> conditioned = even_block_iii(c);
-  // Not every K_alpha that is 0: an anisotropic V's is where its ellipse turns away (`shear`).
-  const bool forced =
-      facts.material_symmetry || (leading(s.omega) == 0.0 && leading(s.xi) != leading(s.zeta));
+  const bool forced = forced_zero(s, facts);
   if (forced) {
     // The direction of the material symmetry (at rest V alone counts, and V is isotropic).
     block.K_alpha = Extended(0.0);
@@ -147,16 +197,7 @@ int add_even_iii(const StraightState<Extended>& s, const StraightState<Condition
     const auto krein = [&](const Extended& lambda) {
       return definite ? 1 : sign(leading(p.slope(lambda)) * leading(trace(lambda)));
     };
-    if (forced) {
-      out.add_forced_zero();
-      out.add_pair(quadratic_roots(p.c[2] / p.c[3], p.c[1] / p.c[3]), uncertain, !definite, krein);
-    } else {
-      const CubicRoots<Extended> roots = cubic_roots(p);
-      const double single = leading(roots.single);
-      out.add_real(single, uncertain.root_error(single), krein(roots.single),
-                   definite ? Axis::stays : Axis::may_leave);
-      out.add_pair(roots.pair, uncertain, !definite, krein);
-    }
+    add_even_cubic(p, uncertain, forced, definite, krein, out);
     return negative_alpha +
            negatives_2(leading(block.rest.K[0][0]), leading(block.rest.K[1][1]), det_K);
   }
@@ -190,44 +231,17 @@ int add_even_iii(const StraightState<Extended>& s, const StraightState<Condition
   return negative;
 }
 
-/// (iii), even, on the circle xi = zeta (J1 = J2): breathing (with rho where coupled) apart from
-/// the two shears, which in the plane (xi - zeta, 2 alpha) are an isotropic oscillator seen from a
-/// frame turning at omega: s = i (omega +- Omega), Omega^2 = omega^2 + K_aa/(2 J), energies (Omega
-/// +- omega).
-int add_circle(const StraightState<Extended>& s, const StraightState<Conditioned>& c,
-               const BlockFacts& facts, ModeCollector& out) {
-  const double u = facts.uncertainty;
-  const auto block = even_block_iii(s);
-  const auto conditioned = even_block_iii(c);
-  int negative = 0;
-
-  // Breathing: (xi + zeta)/2 with mass 2 J and stiffness 2 (K_xx + K_xz).
-  const Extended breathing = block.rest.K[0][0] + block.rest.K[0][1];
-  const Conditioned breathing_c = conditioned.rest.K[0][0] + conditioned.rest.K[0][1];
-  if (facts.rho_coupled) {
-    const Extended b = (breathing / s.J.J1) + (s.V_rr / s.J.J3);
-    const Extended coupling = 2.0 * (s.V_xr * s.V_xr);
-    const Extended det = (breathing * s.V_rr - coupling) / (s.J.J1 * s.J.J3);
-    const Conditioned det_c = (breathing_c * c.V_rr - 2.0 * (c.V_xr * c.V_xr)) / (c.J.J1 * c.J.J3);
-    const Conditioned b_c = breathing_c / c.J.J1 + c.V_rr / c.J.J3;
-    const UncertainPolynomial<2> uncertain(
-        Polynomial<Conditioned, 2>{{det_c, b_c, Conditioned(1.0)}}, u);
-    const auto pair = quadratic_roots(b, det);
-    out.add_pair(pair, uncertain, false, [](const Extended&) { return 1; });
-    negative += (leading(pair.small) > 0.0) + (leading(pair.large) > 0.0);
-  } else {
-    const double lambda = -leading(breathing / s.J.J1);
-    out.add_real(lambda, u * (breathing_c / c.J.J1).condition + 0x1p-53 * std::abs(lambda), 1);
-    negative += lambda > 0.0;
-  }
-
+/// The two shears of the circle (add_circle), K_alpha that of alpha. Returns the negative directions.
+int add_shears(const StraightState<Extended>& s, const StraightState<Conditioned>& c,
+               const Extended& K_alpha, const Conditioned& K_alpha_conditioned, double u,
+               ModeCollector& out) {
   out.begin(Block::shear);
   const Extended omega = leading(s.omega) < 0.0 ? -s.omega : s.omega;
-  const Extended shear = block.K_alpha / (2.0 * s.J.J1);
+  const Extended shear = K_alpha / (2.0 * s.J.J1);
   const Extended Omega2 = renormalized(omega * omega + shear);
   const double w = leading(omega);
   const double k = leading(shear);
-  const double spread_k = u * (conditioned.K_alpha / (2.0 * c.J.J1)).condition;
+  const double spread_k = u * (K_alpha_conditioned / (2.0 * c.J.J1)).condition;
   const double spread_2 = spread_k + 2.0 * u * w * w;
   if (leading(Omega2) > spread_2) {
     const Extended Omega = sqrt(Omega2);
@@ -262,7 +276,78 @@ int add_circle(const StraightState<Extended>& s, const StraightState<Conditioned
     out.add_real(-w * w, 2.0 * w * std::sqrt(spread_2) + w * w + spread_2, 0);
     out.add_real(-w * w, 2.0 * w * std::sqrt(spread_2) + w * w + spread_2, 0);
   }
-  return negative + (k < 0.0 ? 2 : 0);
+  return k < 0.0 ? 2 : 0;
+}
+
+/// (iii), even, on the circle xi = zeta (J1 = J2): breathing (with rho where coupled) apart from
+/// the two shears, which in the plane (xi - zeta, 2 alpha) are an isotropic oscillator seen from a
+/// frame turning at omega: s = i (omega +- Omega), Omega^2 = omega^2 + K_aa/(2 J), energies (Omega
+/// +- omega).
+int add_circle(const StraightState<Extended>& s, const StraightState<Conditioned>& c,
+               const BlockFacts& facts, ModeCollector& out) {
+  const double u = facts.uncertainty;
+  const auto block = even_block_iii(s);
+  const auto conditioned = even_block_iii(c);
+  int negative = 0;
+
+  // Breathing: (xi + zeta)/2 with mass 2 J and stiffness 2 (K_xx + K_xz).
+  const Extended breathing = block.rest.K[0][0] + block.rest.K[0][1];
+  const Conditioned breathing_c = conditioned.rest.K[0][0] + conditioned.rest.K[0][1];
+  if (facts.rho_coupled) {
+    const Extended b = (breathing / s.J.J1) + (s.V_rr / s.J.J3);
+    const Extended coupling = 2.0 * (s.V_xr * s.V_xr);
+    const Extended det = (breathing * s.V_rr - coupling) / (s.J.J1 * s.J.J3);
+    const Conditioned det_c = (breathing_c * c.V_rr - 2.0 * (c.V_xr * c.V_xr)) / (c.J.J1 * c.J.J3);
+    const Conditioned b_c = breathing_c / c.J.J1 + c.V_rr / c.J.J3;
+    const UncertainPolynomial<2> uncertain(
+        Polynomial<Conditioned, 2>{{det_c, b_c, Conditioned(1.0)}}, u);
+    const auto pair = quadratic_roots(b, det);
+    out.add_pair(pair, uncertain, false, [](const Extended&) { return 1; });
+    negative += (leading(pair.small) > 0.0) + (leading(pair.large) > 0.0);
+  } else {
+    const double lambda = -leading(breathing / s.J.J1);
+    out.add_real(lambda, u * (breathing_c / c.J.J1).condition + 0x1p-53 * std::abs(lambda), 1);
+    negative += lambda > 0.0;
+  }
+
+  return negative + add_shears(s, c, block.K_alpha, conditioned.K_alpha, u, out);
+}
+
+/// (iii), even, of a held volume: away from the circle, and on it.
+int add_held_iii(const StraightState<Extended>& s, const StraightState<Conditioned>& c,
+                 const BlockFacts& facts, ModeCollector& out) {
+  const double u = facts.uncertainty;
+  HeldGyroscopicBlock<Extended> block = held_even_iii(s);
+  HeldGyroscopicBlock<Conditioned> conditioned = held_even_iii(c);
+  const bool circle = facts.material_symmetry && leading(s.xi) == leading(s.zeta);
+  if (circle) {
+    const Extended mass = block.plane.mass[0] + block.plane.mass[1];
+    const Extended stiffness = block.plane.K[0] + block.plane.K[1];
+    const double lambda = -leading(stiffness / mass);
+    const Conditioned ratio = (conditioned.plane.K[0] + conditioned.plane.K[1]) /
+                              (conditioned.plane.mass[0] + conditioned.plane.mass[1]);
+    out.add_real(lambda, u * ratio.condition + 0x1p-53 * std::abs(lambda), 1);
+    const int negative = lambda > 0.0;
+    return negative + add_shears(s, c, block.K_alpha, conditioned.K_alpha, u, out);
+  }
+  const bool forced = forced_zero(s, facts);
+  if (forced) {
+    block.K_alpha = Extended(0.0);
+    conditioned.K_alpha = Conditioned(0.0);
+  }
+  const auto& K = conditioned.plane.K;
+  const bool definite = positive_definite_2(K[0], K[1], K[2], u) &&
+                        (forced || positive(conditioned.K_alpha, u));
+  const auto p = block.characteristic();
+  const auto trace = block.trace_adjugate();
+  const auto krein = [&](const Extended& lambda) {
+    return definite ? 1 : sign(leading(p.slope(lambda)) * leading(trace(lambda)));
+  };
+  add_even_cubic(p, UncertainPolynomial<3>(conditioned.characteristic(), u), forced, definite,
+                 krein, out);
+  const double det = leading(block.plane.characteristic().c[0]);
+  return (leading(block.K_alpha) < 0.0 ? 1 : 0) +
+         negatives_2(leading(block.plane.K[0]), leading(block.plane.K[2]), det);
 }
 
 }  // namespace
@@ -281,14 +366,25 @@ Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDoubl
   const bool at_rest = leading(state.omega) == 0.0;
   if (facts.branch != Branch::iii && !at_rest) {
     const bool second = facts.branch == Branch::ii;
-    const auto s = second ? state.exchanged() : state;
-    const auto c = second ? conditioned.exchanged() : conditioned;
-    negative += add_symmetric(even_pencil_i(s), even_pencil_i(c), u, out);
+    auto s = second ? state.exchanged() : state;
+    auto c = second ? conditioned.exchanged() : conditioned;
+    if (facts.volume_held) {
+      s = with_thickness_pull(s, Extended(s.J.J3 * (s.omega * s.omega)));
+      c = with_thickness_pull(c, Conditioned(c.J.J3 * (c.omega * c.omega)));
+      negative += add_symmetric(held_even_i(s), held_even_i(c), u, out);
+    } else {
+      negative += add_symmetric(even_pencil_i(s), even_pencil_i(c), u, out);
+    }
     out.begin(Block::odd);
     negative += add_odd_i(s, c, facts.material_symmetry, u, out);
   } else {
     out.begin(Block::odd);
     if (!at_rest) negative += add_odd_iii(state, conditioned, u, out);
+    if (facts.volume_held) {
+      out.begin(Block::even);
+      out.set_negative(negative + add_held_iii(state, conditioned, facts, out));
+      return out.finish();
+    }
     out.begin(Block::thickness);
     if (!facts.rho_coupled) negative += add_rho(state, conditioned, u, out);
     out.begin(Block::even);
@@ -303,11 +399,14 @@ Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDoubl
 Spectrum two_polar_spectrum(const StraightState<DoubleDouble>& state, const DoubleDouble& theta_dot,
                             const StraightState<Conditioned>& conditioned,
                             const Conditioned& theta_dot_conditioned, double s3,
-                            double uncertainty) {
+                            double uncertainty, bool volume_held) {
   ModeCollector out;
   int negative =
-      add_symmetric(two_polar_pencil(state, theta_dot),
-                    two_polar_pencil(conditioned, theta_dot_conditioned), uncertainty, out);
+      volume_held
+          ? add_symmetric(held_two_polar(state, theta_dot),
+                          held_two_polar(conditioned, theta_dot_conditioned), uncertainty, out)
+          : add_symmetric(two_polar_pencil(state, theta_dot),
+                          two_polar_pencil(conditioned, theta_dot_conditioned), uncertainty, out);
   if (s3 != 0.0) {
     out.begin(Block::odd);
     const auto wobble = two_polar_wobble(state, theta_dot);

@@ -53,8 +53,9 @@ struct Mode {
 struct Spectrum {
   StabilityClass verdict = StabilityClass::marginal;
   double growth = 0.0;  ///< largest real part; exactly 0 where the class claims none
-  int negative = 0;     ///< negative directions of E'' on the leaf (10 dimensions; 8 at nu = 0)
-  int modes = 0;        ///< 5, or 4 at nu = 0 and in the two-polar family
+  /// Negative directions of E'' on the leaf (10 dimensions, 8 at nu = 0; two less of a held volume).
+  int negative = 0;
+  int modes = 0;  ///< 5, or 4 at nu = 0 and in the two-polar family; one less of a held volume
   std::array<Mode, 5> mode;  ///< ascending in im, then re
 
   /// Whether no Lambda but a symmetry's can be zero: then `negative` is certain.
@@ -65,10 +66,12 @@ struct Spectrum {
 struct BlockFacts {
   Branch branch;
   bool material_symmetry;  ///< J1 = J2 and V isotropic
-  bool rho_coupled;        ///< V_xr or V_zr not identically zero
+  bool rho_coupled;        ///< V_xr or V_zr not identically zero; unused where the volume is held
   /// Relative uncertainty of every input of the Conditioned state (q, nu, J, coefficients): the
   /// larger of the equilibrium's error bound and 2^-53.
   double uncertainty;
+  bool isotropic = true;     ///< else V is bound to the material axes, as gravity with J1 != J2
+  bool volume_held = false;  ///< det S: the state's V along it, of which xi and zeta are left
 };
 
 /// From the same state in extended precision (values) and with its conditioning (bounds).
@@ -81,6 +84,6 @@ Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDoubl
 Spectrum two_polar_spectrum(const StraightState<DoubleDouble>& state, const DoubleDouble& theta_dot,
                             const StraightState<Conditioned>& conditioned,
                             const Conditioned& theta_dot_conditioned, double s3,
-                            double uncertainty);
+                            double uncertainty, bool volume_held = false);
 
 }  // namespace stationary

@@ -1,6 +1,7 @@
 #include "lib/stability/spectrum_enclosure.hpp"
 
 #include "lib/stability/enclosure_collector.hpp"
+#include "lib/stability/held_linearization.hpp"
 
 namespace stationary {
 namespace {
@@ -15,9 +16,9 @@ void add_roots(const Polynomial<Interval, D>& p, bool all_real, bool definite, c
 }
 
 /// A symmetric pencil: real Lambda, energies +1 where imaginary.
-void add_symmetric(const SymmetricPencil<Interval>& pencil, EnclosureCollector& out) {
-  const Polynomial<Interval, 3> p = pencil.characteristic();
-  for (const RootEnclosure& root : enclose_roots(p, true)) {
+template <class Pencil>
+void add_symmetric(const Pencil& pencil, EnclosureCollector& out) {
+  for (const RootEnclosure& root : enclose_roots(pencil.characteristic(), true)) {
     out.add(root, 1, true);
     out.negative.add_if_negative(-root.z.re);
   }
@@ -72,11 +73,33 @@ void add_rho(const StraightState<Interval>& s, EnclosureCollector& out) {
   out.negative.add_if_negative(s.V_rr);
 }
 
+/// The direction of the material symmetry (at rest V alone counts, isotropic as it mostly is).
+bool forced_zero(const EnclosureFacts& facts) {
+  return !facts.circle && (facts.material_symmetry || (facts.at_rest && facts.isotropic));
+}
+
+/// The roots of a cubic of (alpha, xi, zeta), the forced zero among them left out.
+template <class Krein>
+void add_even_cubic(const Polynomial<Interval, 3>& p, bool forced, bool definite,
+                    const Krein& krein, EnclosureCollector& out) {
+  if (forced) {
+    add_roots(Polynomial<Interval, 2>{{p.c[1], p.c[2], p.c[3]}}, false, definite, krein, out);
+  } else {
+    add_roots(p, false, definite, krein, out);
+  }
+}
+
+/// Signature of a simple imaginary root, from tr adj of the pencil.
+auto krein_of(const auto& p, const auto& trace) {
+  return [&p, &trace](const Interval& lambda) {
+    return proven_sign(p.slope(lambda)) * proven_sign(trace(lambda));
+  };
+}
+
 void add_even_iii(const StraightState<Interval>& s, const EnclosureFacts& facts,
                   EnclosureCollector& out) {
   const GyroscopicBlock<Interval> block = even_block_iii(s);
-  // The direction of the material symmetry (at rest V alone counts, and V is isotropic).
-  const bool forced = !facts.circle && (facts.material_symmetry || facts.at_rest);
+  const bool forced = forced_zero(facts);
   const auto& K = block.rest.K;
   const Interval det_K = block.planar_determinant().c[0];
   const bool planar_definite = K[0][0].positive() && det_K.positive();
@@ -86,11 +109,6 @@ void add_even_iii(const StraightState<Interval>& s, const EnclosureFacts& facts,
   } else {
     out.negative.add_if_negative(block.K_alpha);
   }
-  const auto krein_of = [](const auto& p, const auto& trace) {
-    return [&](const Interval& lambda) {
-      return proven_sign(p.slope(lambda)) * proven_sign(trace(lambda));
-    };
-  };
   if (!facts.rho_coupled) {
     out.negative.add(negatives_2(K[0][0], K[1][1], det_K));
     auto p = block.characteristic();
@@ -98,11 +116,7 @@ void add_even_iii(const StraightState<Interval>& s, const EnclosureFacts& facts,
     const auto trace = block.trace_adjugate();
     const auto krein = krein_of(p, trace);
     const bool definite = planar_definite && alpha_definite;
-    if (forced) {
-      add_roots(Polynomial<Interval, 2>{{p.c[1], p.c[2], p.c[3]}}, false, definite, krein, out);
-    } else {
-      add_roots(p, false, definite, krein, out);
-    }
+    add_even_cubic(p, forced, definite, krein, out);
     return;
   }
   // Sylvester: the (xi, zeta, rho) stiffness has as many negative eigenvalues as its pencil with
@@ -123,28 +137,14 @@ void add_even_iii(const StraightState<Interval>& s, const EnclosureFacts& facts,
   }
 }
 
-/// (iii), even, on the circle: see spectrum.cpp for the modes of the two shears.
-void add_circle(const StraightState<Interval>& s, const EnclosureFacts& facts,
-                EnclosureCollector& out) {
-  const GyroscopicBlock<Interval> block = even_block_iii(s);
-  const Interval breathing = block.rest.K[0][0] + block.rest.K[0][1];
-  if (facts.rho_coupled) {
-    const Polynomial<Interval, 2> p{
-        {(breathing * s.V_rr - 2.0 * square(s.V_xr)) / (s.J.J1 * s.J.J3),
-         breathing / s.J.J1 + s.V_rr / s.J.J3, Interval(1.0)}};
-    for (const RootEnclosure& root : enclose_roots(p, true)) {
-      out.add(root, 1, true);
-      out.negative.add_if_negative(-root.z.re);
-    }
-  } else {
-    out.add_real(-(breathing / s.J.J1), 1);
-    out.negative.add_if_negative(breathing);
-  }
-  out.negative.add_if_negative(block.K_alpha);
-  out.negative.add_if_negative(block.K_alpha);
+/// The two shears of the circle: see spectrum.cpp.
+void add_shears(const StraightState<Interval>& s, const Interval& K_alpha,
+                const EnclosureFacts& facts, EnclosureCollector& out) {
+  out.negative.add_if_negative(K_alpha);
+  out.negative.add_if_negative(K_alpha);
 
   const Interval omega = sqrt(square(s.omega));
-  const Interval shear = block.K_alpha / (2.0 * s.J.J1);
+  const Interval shear = K_alpha / (2.0 * s.J.J1);
   const Interval Omega2 = square(omega) + shear;
   if (Omega2.positive()) {
     const Interval Omega = sqrt(Omega2);
@@ -173,6 +173,54 @@ void add_circle(const StraightState<Interval>& s, const EnclosureFacts& facts,
   }
 }
 
+/// (iii), even, on the circle: see spectrum.cpp for the modes of the two shears.
+void add_circle(const StraightState<Interval>& s, const EnclosureFacts& facts,
+                EnclosureCollector& out) {
+  const GyroscopicBlock<Interval> block = even_block_iii(s);
+  const Interval breathing = block.rest.K[0][0] + block.rest.K[0][1];
+  if (facts.rho_coupled) {
+    const Polynomial<Interval, 2> p{
+        {(breathing * s.V_rr - 2.0 * square(s.V_xr)) / (s.J.J1 * s.J.J3),
+         breathing / s.J.J1 + s.V_rr / s.J.J3, Interval(1.0)}};
+    for (const RootEnclosure& root : enclose_roots(p, true)) {
+      out.add(root, 1, true);
+      out.negative.add_if_negative(-root.z.re);
+    }
+  } else {
+    out.add_real(-(breathing / s.J.J1), 1);
+    out.negative.add_if_negative(breathing);
+  }
+  add_shears(s, block.K_alpha, facts, out);
+}
+
+/// (iii), even, of a held volume.
+void add_held_iii(const StraightState<Interval>& s, const EnclosureFacts& facts,
+                  EnclosureCollector& out) {
+  const HeldGyroscopicBlock<Interval> block = held_even_iii(s);
+  const PlanarPencil<Interval>& plane = block.plane;
+  if (facts.circle && facts.material_symmetry) {
+    const Interval stiffness = plane.K[0] + plane.K[1];
+    out.add_real(-(stiffness / (plane.mass[0] + plane.mass[1])), 1);
+    out.negative.add_if_negative(stiffness);
+    add_shears(s, block.K_alpha, facts, out);
+    return;
+  }
+  const bool forced = forced_zero(facts);
+  const Interval det = plane.K[0] * plane.K[2] - square(plane.K[1]);
+  if (forced) {
+    out.add_forced_zero();
+  } else {
+    out.negative.add_if_negative(block.K_alpha);
+  }
+  out.negative.add(negatives_2(plane.K[0], plane.K[2], det));
+  auto p = block.characteristic();
+  if (forced) p.c[0] = 0.0;
+  const auto trace = block.trace_adjugate();
+  const bool definite =
+      plane.K[0].positive() && det.positive() && (forced || block.K_alpha.positive());
+  add_even_cubic(p, forced, definite, krein_of(p, trace), out);
+}
+
 }  // namespace
 
 SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts,
@@ -180,11 +228,20 @@ SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts,
                                    const Spectrum& approximate) {
   EnclosureCollector out;
   if (facts.branch != Branch::iii && !facts.at_rest) {
-    const auto s = facts.branch == Branch::ii ? state.exchanged() : state;
-    add_symmetric(even_pencil_i(s), out);
+    auto s = facts.branch == Branch::ii ? state.exchanged() : state;
+    if (facts.volume_held) s = with_thickness_pull(s, s.J.J3 * square(s.omega));
+    if (facts.volume_held) {
+      add_symmetric(held_even_i(s), out);
+    } else {
+      add_symmetric(even_pencil_i(s), out);
+    }
     add_odd_i(s, facts.material_symmetry, out);
   } else {
     if (!facts.at_rest) add_odd_iii(state, out);
+    if (facts.volume_held) {
+      add_held_iii(state, facts, out);
+      return out.finish(approximate);
+    }
     if (!facts.rho_coupled) add_rho(state, out);
     if (facts.circle && facts.material_symmetry) {
       add_circle(state, facts, out);
@@ -197,9 +254,13 @@ SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts,
 
 SpectrumEnclosure enclose_two_polar_spectrum(const StraightState<Interval>& state,
                                              const Interval& theta_dot, bool wobbles,
-                                             const Spectrum& approximate) {
+                                             const Spectrum& approximate, bool volume_held) {
   EnclosureCollector out;
-  add_symmetric(two_polar_pencil(state, theta_dot), out);
+  if (volume_held) {
+    add_symmetric(held_two_polar(state, theta_dot), out);
+  } else {
+    add_symmetric(two_polar_pencil(state, theta_dot), out);
+  }
   if (wobbles) {
     const TwoPolarWobble<Interval> wobble = two_polar_wobble(state, theta_dot);
     const Interval energy_1 = -(wobble.a * wobble.s3);

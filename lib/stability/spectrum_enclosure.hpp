@@ -32,6 +32,8 @@ struct EnclosureFacts {
   bool material_symmetry;  ///< J1 = J2 and V isotropic
   bool circle;             ///< xi = zeta exactly; only told with material_symmetry or at rest
   bool rho_coupled;
+  bool isotropic = true;  ///< as BlockFacts has them
+  bool volume_held = false;
 };
 
 /// state at alpha = 0, V isotropic. approximate is only used for the order of the modes.
@@ -43,6 +45,7 @@ SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts,
 /// are lambda, mu, omega. wobbles: s3 is not exactly 0.
 SpectrumEnclosure enclose_two_polar_spectrum(const StraightState<Interval>& state,
                                              const Interval& theta_dot, bool wobbles,
-                                             const Spectrum& approximate);
+                                             const Spectrum& approximate,
+                                             bool volume_held = false);
 
 }  // namespace stationary

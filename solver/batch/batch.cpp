@@ -48,8 +48,7 @@ Equilibrium rest_state(const Problem& problem) {
       const double r = model.plane.rest_stretch();
       out.q = {0.0, r, r, model.thickness.balanced(DoubleDouble(0.0))};
     } else {
-      const double r = model.rest_stretch();
-      out.q = {0.0, r, r, model.rest_thickness()};
+      out.q = rest_stretch_of(model);
     }
   });
   return out;

@@ -87,6 +87,10 @@ Potential BatchInput::potential_at(std::size_t lane) const {
       } else {
         return Potential(PlanarPotential(first), ThicknessPotential(second));
       }
+    } else if constexpr (is_body_model<Model>) {
+      Model body = at_lane(model, plane, lane);
+      body.J = {inertia[0][lane], inertia[1][lane], inertia[2][lane]};
+      return Potential(body);
     } else if constexpr (std::is_same_v<Model, CoupledExpression<>>) {
       return Potential(at_lane(model, plane, lane));
     } else {

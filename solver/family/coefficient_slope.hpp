@@ -37,12 +37,56 @@ auto with_duals(const Model<double>& model) {
   });
 }
 
+template <int N, class Model>
+ReducedVector<N> gradient_slope(const Model& model, std::size_t direction,
+                                const ReducedVector<N>& x);
+
+/// gradient_slope() of a body's number at this place.
+inline ReducedVector<3> body_slope(const BodyModel<>& model, std::size_t place,
+                                   const ReducedVector<3>& x) {
+  const double rho = model.thickness(x[0], x[1], x[2]);
+  ReducedVector<3> out = ReducedVector<3>::Zero();
+  if (place == BodyModel<>::volume_place) {
+    const double C = *model.volume;
+    const auto b = model.whole<2>(x[0], x[1], rho, 0.0, 0.0, 0.0);
+    const double k = model.stiffness;
+    return {(b.uw - b.ww - k) / C, (b.vw - b.ww - k) / C, -k / C};
+  }
+  if (place >= BodyModel<>::g_place) {
+    if (!model.gravitates) return out;
+    const std::size_t k = place == BodyModel<>::g_place ? 0 : place - BodyModel<>::inertia_place + 1;
+    const auto b =
+        gravity_with_duals(model, x[0], x[1], rho, [](double, std::size_t) { return 1.0; });
+    out = {b.g_xi.slope[k], b.g_zeta.slope[k], b.g_rho.slope[k]};
+  } else {
+    using Part = ElasticPart<>;
+    if (place >= Part::thickness_place) {
+      out[2] = gradient_slope<1>(*model.elastic.thickness, place - Part::thickness_place,
+                                 ReducedVector<1>(rho))[0];
+    } else if (model.elastic.plane) {
+      out.head<2>() =
+          gradient_slope<2>(*model.elastic.plane, place, ReducedVector<2>(x[0], x[1]));
+    } else {
+      std::visit(
+          [&](const auto& coupled) {
+            if constexpr (requires { coupled.coefficients(); })
+              out = gradient_slope<3>(coupled, place, ReducedVector<3>(x[0], x[1], rho));
+          },
+          model.elastic.coupled);
+    }
+  }
+  if (model.volume) out = {out[0] - out[2], out[1] - out[2], 0.0};
+  return out;
+}
+
 /// d/dc of the gradient of V in (ln xi, ln zeta), or in all three of a coupled model, c coefficient
 /// number `direction`.
 template <int N, class Model>
 ReducedVector<N> gradient_slope(const Model& model, std::size_t direction,
                                 const ReducedVector<N>& x) {
-  if constexpr (requires { model.of_any_kind; }) {
+  if constexpr (is_body_model<Model>) {
+    return body_slope(model, direction, x);
+  } else if constexpr (requires { model.of_any_kind; }) {
     return model.visit([&](const auto& own) { return gradient_slope<N>(own, direction, x); });
   } else if constexpr (N == 1) {
     return ReducedVector<1>(with_duals(model).template evaluate<1>(x[0]).v_r.slope[direction]);

@@ -74,7 +74,7 @@ class ModelFamily final : public Family<N> {
       out.g = all.g;
       out.jacobian = all.jacobian.matrix();
     }
-    out.nu_slope = minus_pull(axis_rates(at.body, branch_, 2.0 * at.nu), x);
+    out.nu_slope = minus_pull(at.model, axis_rates(at.body, branch_, 2.0 * at.nu), x);
     out.slope = along_nu() ? out.nu_slope : parameter_slope(at, rates, x);
     for (int i = 0; i < N; ++i) {
       out.g[i] *= scale[i];
@@ -196,6 +196,8 @@ class ModelFamily final : public Family<N> {
         break;
       case Kind::inertia:
         (k == 0 ? out.body.J1 : k == 1 ? out.body.J2 : out.body.J3) = p;
+        if constexpr (is_body_model<Model>)
+          (k == 0 ? out.model.J.J1 : k == 1 ? out.model.J.J2 : out.model.J.J3) = p;
         break;
       case Kind::plane:
       case Kind::thickness:
@@ -214,7 +216,7 @@ class ModelFamily final : public Family<N> {
     if (options_.errors) {
       ++this->evaluations_.second_derivatives;
       const auto v = potential_derivatives<2>(at.model, out.q);
-      const BalanceCheck check = check_balance(at.body, v, out.q, nu);
+      const BalanceCheck check = check_balance(at.body, v, out.q, nu, holds_volume(at.model));
       out.residual = check.residual;
       out.compatibility = check.compatibility;
       if (options_.energy) out.energy = energy(at.body, elastic_energy(at.model, out.q), out.q, nu);
@@ -226,9 +228,14 @@ class ModelFamily final : public Family<N> {
     const bool may_turn = at.body.symmetric() || options_.parameter.kind == Kind::inertia;
     if (branch_ != Branch::iii || !may_turn) return;
     ++this->evaluations_.potentials;
-    const auto x = planar_invariants(out.q.xi, out.q.zeta);
-    const auto w = at.model.template evaluate<1>(x, out.q.rho);
-    out.shear_stiffness = -2.0 * w.plane.w_l / x.d - centrifugal_matrix(at.body, nu)(0, 0);
+    if constexpr (is_body_model<Model>) {
+      out.shear_stiffness = potential_derivatives<2>(at.model, out.q).hessian(0, 0) -
+                            centrifugal_matrix(at.body, nu)(0, 0);
+    } else {
+      const auto x = planar_invariants(out.q.xi, out.q.zeta);
+      const auto w = at.model.template evaluate<1>(x, out.q.rho);
+      out.shear_stiffness = -2.0 * w.plane.w_l / x.d - centrifugal_matrix(at.body, nu)(0, 0);
+    }
   }
 
   CentrifugalRates<DoubleDouble> extended_rates(const Setting& at) const {
@@ -259,8 +266,14 @@ class ModelFamily final : public Family<N> {
   }
 
   /// -c_i x_i^2.
-  static ReducedVector<N> minus_pull(const CentrifugalRates<double>& c, const ReducedVector<N>& x) {
+  static ReducedVector<N> minus_pull(const Model& model, const CentrifugalRates<double>& c,
+                                     const ReducedVector<N>& x) {
     ReducedVector<N> out;
+    if constexpr (is_body_model<Model>) {
+      const auto pull = centrifugal_pull(model, c, x[0], x[1], x[2]);
+      out = {-pull[0], -pull[1], -pull[2]};
+      return out;
+    }
     out[0] = -c.xi * x[0] * x[0];
     out[1] = -c.zeta * x[1] * x[1];
     if constexpr (N == 3) out[2] = -c.rho * x[2] * x[2];
@@ -274,10 +287,13 @@ class ModelFamily final : public Family<N> {
     if (options_.parameter.kind != Kind::inertia)
       return coefficient_slope<N>(at.model, options_.parameter, x);
     // The pull on x_k is J_k times nu^2 or nothing, and on no other.
-    ReducedVector<N> out = ReducedVector<N>::Zero();
-    const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
     const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
-    if (k < N) out[k] = minus_pull(c, x)[k] / J[k];
+    const CentrifugalRates<double> own{k == 0 ? double(rates.xi) / J[0] : 0.0,
+                                       k == 1 ? double(rates.zeta) / J[1] : 0.0,
+                                       k == 2 ? double(rates.rho) / J[2] : 0.0};
+    ReducedVector<N> out = minus_pull(at.model, own, x);
+    if constexpr (is_body_model<Model>)
+      out += body_slope(at.model, Model::inertia_place + static_cast<std::size_t>(k), x);
     return out;
   }
 

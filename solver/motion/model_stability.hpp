@@ -39,7 +39,9 @@ Spectrum model_stability(const Body& body, Branch branch, const Model& model,
                          std::array<DoubleDouble, 3> q, double nu, double bound) {
   constexpr bool separable = requires { model.plane; };
   const BlockFacts facts{branch, body.symmetric(), !separable,
-                         std::isnan(bound) ? 1e-15 : std::max(bound, 0x1p-53)};
+                         std::isnan(bound) ? 1e-15 : std::max(bound, 0x1p-53),
+                         sees_no_axes(model),
+                         holds_volume(model)};
   // A circle known only to its error is the circle.
   const double apart = std::abs(leading(q[0] - q[1]));
   if (body.symmetric() && apart <= 4.0 * facts.uncertainty * leading(q[0]))

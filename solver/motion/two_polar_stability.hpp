@@ -7,6 +7,7 @@
 #include "lib/balance/two_polar.hpp"
 #include "lib/material/models/first_order_bound_model.hpp"
 #include "lib/stability/spectrum.hpp"
+#include "solver/newton/reduced_system.hpp"
 
 namespace stationary {
 
@@ -22,7 +23,7 @@ Spectrum two_polar_stability(const Body& body, const Model& model,
                             DoubleDouble(rates.theta_dot),
                             straight_state(J_c, conditioned_model(model), input(x[0]), input(x[1]),
                                            input(x[2]), input(rates.omega)),
-                            input(rates.theta_dot), s3, bound);
+                            input(rates.theta_dot), s3, bound, holds_volume(model));
 }
 
 }  // namespace stationary

@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "lib/balance/balance.hpp"
+#include "lib/material/gravitating/rest_state.hpp"
 #include "lib/material/models/model_coefficients.hpp"
 #include "lib/material/potential.hpp"
 #include "lib/number/dual.hpp"
@@ -77,12 +78,56 @@ void for_decimals(const Model& model, const At& at) {
   }
 }
 
+/// A model with gravity or a held volume (body_model.hpp).
+template <class Model>
+constexpr bool is_body_model = requires(const Model& model) { model.gravitates; };
+
+/// Whether det S is held.
+template <class Model>
+bool holds_volume([[maybe_unused]] const Model& model) {
+  if constexpr (is_body_model<Model>) return model.volume.has_value();
+  return false;
+}
+/// Whether V is a function of t, d and rho.
+template <class Model>
+bool sees_no_axes([[maybe_unused]] const Model& model) {
+  if constexpr (is_body_model<Model>) return model.isotropic();
+  return true;
+}
+
+/// The state of rest of a coupled model, to double precision; NaN where none was found.
+template <class Model>
+Stretch rest_stretch_of(const Model& model) {
+  if constexpr (is_body_model<Model>) {
+    const auto [xi, zeta, rho] = rest_state(model);
+    return {0.0, xi, zeta, rho};
+  } else {
+    const double r = model.rest_stretch();
+    return {0.0, r, r, model.rest_thickness()};
+  }
+}
+
+/// What a spin takes from the balance: c_i x_i^2, or what is left of it along a held volume.
+template <class Model>
+std::array<double, 3> centrifugal_pull(const Model& model, const CentrifugalRates<double>& c,
+                                       double xi, double zeta, double rho) {
+  const std::array<double, 3> pull{c.xi * xi * xi, c.zeta * zeta * zeta, c.rho * rho * rho};
+  if constexpr (is_body_model<Model>)
+    if (model.volume) return {pull[0] - pull[2], pull[1] - pull[2], 0.0};
+  return pull;
+}
+
 /// Likewise of the gradient of V in (ln xi, ln zeta[, ln rho]).
 template <int N, class Model>
 ReducedVector<N> decimal_sensitivity(const Model& model, const ReducedVector<N>& x) {
   ReducedVector<N> out = ReducedVector<N>::Zero();
   for_decimals(model, [&](const auto& conditioned) {
-    if constexpr (N == 1) {
+    if constexpr (is_body_model<Model>) {
+      const Conditioned none(0.0);
+      const auto b = conditioned.template log_balance<1>(Conditioned(x[0]), Conditioned(x[1]),
+                                                         Conditioned(x[2]), none, none, none);
+      out = {b.g_xi.condition, b.g_zeta.condition, b.g_rho.condition};
+    } else if constexpr (N == 1) {
       out[0] = conditioned.template evaluate<1>(Conditioned(x[0])).v_r.condition;
     } else {
       const Conditioned xi(x[0]);
@@ -104,10 +149,60 @@ ReducedVector<N> decimal_sensitivity(const Model& model, const ReducedVector<N>&
   return out;
 }
 
+template <int N, class Model>
+ReducedVector<N> coefficient_sensitivity(const Model& model, const ReducedVector<N>& x);
+
+/// g and J of a body with gravity as dual numbers in this order, slope(value, k) that of number k.
+template <class Slope>
+auto gravity_with_duals(const BodyModel<>& model, double xi, double zeta, double rho,
+                        const Slope& slope) {
+  using D = Dual<double, 4>;
+  const auto number = [&](double value, std::size_t k) {
+    return D::along(value, slope(value, k), k);
+  };
+  const GravityBalance<D> pull = gravity_balance<1>(
+      number(model.g, 0), number(model.J.J1, 1) * (xi * xi), number(model.J.J2, 2) * (zeta * zeta),
+      number(model.J.J3, 3) * (rho * rho));
+  return LogBalance<D>{.g_xi = pull.pull[0], .g_zeta = pull.pull[1], .g_rho = pull.pull[2]};
+}
+
+/// coefficient_sensitivity() of all numbers of a body.
+inline ReducedVector<3> body_sensitivity(const BodyModel<>& model, const ReducedVector<3>& x) {
+  const double rho = model.thickness(x[0], x[1], x[2]);
+  ReducedVector<3> out = ReducedVector<3>::Zero();
+  if (model.elastic.plane)
+    out.head<2>() =
+        coefficient_sensitivity<2>(*model.elastic.plane, ReducedVector<2>(x[0], x[1]));
+  if (model.elastic.thickness)
+    out[2] = coefficient_sensitivity<1>(*model.elastic.thickness, ReducedVector<1>(rho))[0];
+  std::visit(
+      [&](const auto& coupled) {
+        if constexpr (requires { coupled.coefficients(); })
+          out = coefficient_sensitivity<3>(coupled, ReducedVector<3>(x[0], x[1], rho));
+      },
+      model.elastic.coupled);
+  if (model.volume) {
+    // |dG_u| <= |dg_u| + |dg_w|; and the volume itself, by rho and in its own equation.
+    const auto b = model.whole<2>(x[0], x[1], rho, 0.0, 0.0, 0.0);
+    const double k = model.stiffness;
+    out = {out[0] + out[2] + std::abs(b.uw) + std::abs(b.ww) + k,
+           out[1] + out[2] + std::abs(b.vw) + std::abs(b.ww) + k, k};
+  }
+  if (model.gravitates) {
+    LogBalance<Dual<double, 4>> b =
+        gravity_with_duals(model, x[0], x[1], rho, [](double value, std::size_t) { return value; });
+    if (model.volume) b = held<1>(b);
+    out += ReducedVector<3>(sensitivity(b.g_xi), sensitivity(b.g_zeta), sensitivity(b.g_rho));
+  }
+  return out;
+}
+
 /// Sum over the coefficients p of |p dg/dp|, g the gradient of V in (ln xi, ln zeta[, ln rho]).
 template <int N, class Model>
 ReducedVector<N> coefficient_sensitivity(const Model& model, const ReducedVector<N>& x) {
-  if constexpr (requires { model.of_any_kind; }) {
+  if constexpr (is_body_model<Model>) {
+    return body_sensitivity(model, x);
+  } else if constexpr (requires { model.of_any_kind; }) {
     return model.visit([&](const auto& own) { return coefficient_sensitivity<N>(own, x); });
   } else if constexpr (requires { model.plane; }) {  // N = 3
     ReducedVector<N> out;
@@ -194,12 +289,21 @@ struct SizedBalance {
 template <class Model>
 SizedBalance sized_balance(const Model& model, double xi, double zeta, double rho,
                            const CentrifugalRates<double>& c) {
-  if (takes_stretches_apart(model)) {
+  if constexpr (is_body_model<Model>) {
+    const double thickness = model.thickness(xi, zeta, rho);
+    const auto all = model.template whole<2>(xi, zeta, thickness, c.xi, c.zeta, c.rho);
+    const double magnitude = magnitude_of(all, c.xi * xi * xi, c.zeta * zeta * zeta,
+                                          c.rho * thickness * thickness, false);
+    return {model.template held_of<2>(all, xi, zeta, rho),
+            model.volume ? magnitude + model.stiffness : magnitude};
+  } else if (takes_stretches_apart(model)) {
     const auto b = model.log_balance(xi, zeta, rho, c.xi, c.zeta, c.rho);
     return {b, magnitude_of(b, c.xi * xi * xi, c.zeta * zeta * zeta, c.rho * rho * rho, false)};
   }
-  const auto w = model.template evaluate<2>(planar_invariants(xi, zeta), rho);
-  return {coupled_log_balance<2>(w, xi, zeta, rho, c), coupled_magnitude(w, xi, zeta, rho, c)};
+  if constexpr (!is_body_model<Model>) {
+    const auto w = model.template evaluate<2>(planar_invariants(xi, zeta), rho);
+    return {coupled_log_balance<2>(w, xi, zeta, rho, c), coupled_magnitude(w, xi, zeta, rho, c)};
+  }
 }
 /// Its residuals in extended precision.
 template <class Model>
@@ -208,15 +312,19 @@ LogBalance<DoubleDouble> extended_balance(const Model& model, double xi, double 
                                           const CentrifugalRates<DoubleDouble>& c) {
   const DoubleDouble wide_xi(xi);
   const DoubleDouble wide_zeta(zeta);
-  if (takes_stretches_apart(model)) {
+  if constexpr (is_body_model<Model>) {
+    return model.residual(wide_xi, wide_zeta, rho, c.xi, c.zeta, c.rho);
+  } else if (takes_stretches_apart(model)) {
     if constexpr (requires { model.residual(wide_xi, wide_zeta, rho, c.xi, c.zeta, c.rho); }) {
       return model.residual(wide_xi, wide_zeta, rho, c.xi, c.zeta, c.rho);
     } else {
       return model.log_balance(wide_xi, wide_zeta, rho, c.xi, c.zeta, c.rho);
     }
   }
-  const auto w = model.template evaluate<1>(extended_invariants(xi, zeta), rho);
-  return coupled_log_balance<1>(w, wide_xi, wide_zeta, rho, c);
+  if constexpr (!is_body_model<Model>) {
+    const auto w = model.template evaluate<1>(extended_invariants(xi, zeta), rho);
+    return coupled_log_balance<1>(w, wide_xi, wide_zeta, rho, c);
+  }
 }
 
 template <class Thickness>
@@ -308,8 +416,12 @@ struct CoupledSystem {
 
   template <class S>
   std::array<S, 3> residual(const std::array<S, 3>& x) const {
-    const auto w = model.template evaluate<1>(planar_invariants(x[0], x[1]), x[2]);
     const CentrifugalRates<S> c{S(double(rates.xi)), S(double(rates.zeta)), S(double(rates.rho))};
+    if constexpr (is_body_model<Coupled>) {
+      const auto b = model.residual(x[0], x[1], x[2], c.xi, c.zeta, c.rho);
+      return {b.g_xi, b.g_zeta, b.g_rho};
+    }
+    const auto w = model.template evaluate<1>(planar_invariants(x[0], x[1]), x[2]);
     const auto b = coupled_log_balance<1>(w, x[0], x[1], x[2], c);
     return {b.g_xi, b.g_zeta, b.g_rho};
   }
@@ -326,16 +438,21 @@ struct CoupledSystem {
     return {double(b.g_xi), double(b.g_zeta), double(b.g_rho)};
   }
   ReducedVector<3> input_sensitivity(const ReducedVector<3>& x) const {
-    const ReducedVector<3> pull(double(rates.xi) * x[0] * x[0], double(rates.zeta) * x[1] * x[1],
-                                double(rates.rho) * x[2] * x[2]);
+    ReducedVector<3> pull(double(rates.xi) * x[0] * x[0], double(rates.zeta) * x[1] * x[1],
+                          double(rates.rho) * x[2] * x[2]);
+    if constexpr (is_body_model<Coupled>) {
+      // Along a held volume rho and its pull change with C as well.
+      if (model.volume) pull = {pull[0] + 2.0 * pull[2], pull[1] + 2.0 * pull[2], 0.0};
+    }
     return coefficient_sensitivity<3>(model, x) + 3.0 * pull + decimal_sensitivity<3>(model, x);
   }
   CoupledSystem at_fraction(double tau) const {
     return {model, {rates.xi * tau, rates.zeta * tau, rates.rho * tau}};
   }
   ReducedVector<3> minus_pull(const ReducedVector<3>& x) const {
-    return {-double(rates.xi) * x[0] * x[0], -double(rates.zeta) * x[1] * x[1],
-            -double(rates.rho) * x[2] * x[2]};
+    const auto pull = centrifugal_pull(
+        model, {double(rates.xi), double(rates.zeta), double(rates.rho)}, x[0], x[1], x[2]);
+    return {-pull[0], -pull[1], -pull[2]};
   }
 };
 

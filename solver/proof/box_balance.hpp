@@ -147,8 +147,31 @@ struct CoupledBoxSystem {
     const auto b = model.log_balance(x[0], x[1], x[2], rates.xi, rates.zeta, rates.rho);
     return {{b.g_xi, b.g_zeta, b.g_rho}, {b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}};
   }
-  bool excludes(const Box<3>& x) const { return defined_nowhere(model, x[0], x[1], x[2]); }
-  bool contract(Box<3>& x) const { return !terms || terms->contract(x); }
+  bool excludes(const Box<3>& x) const {
+    if (defined_nowhere(model, x[0], x[1], x[2])) return true;
+    if constexpr (is_body_model<Coupled>) {
+      // At a solution the volume's equation holds, so the others do without what it adds to them.
+      if (model.volume) {
+        const auto b = held<1>(model.template whole<1>(x[0], x[1],
+                                                       model.thickness(x[0], x[1], x[2]), rates.xi,
+                                                       rates.zeta, rates.rho));
+        return !b.g_xi.may_be(0.0) || !b.g_zeta.may_be(0.0);
+      }
+    }
+    return false;
+  }
+  bool contract(Box<3>& x) const {
+    if constexpr (is_body_model<Coupled>) {
+      if (!model.volume) return true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Interval left = *model.volume / (x[(k + 1) % 3] * x[(k + 2) % 3]);
+        if (left.apart_from(x[k])) return false;
+        x[k] = {std::max(x[k].lo, left.lo), std::min(x[k].hi, left.hi)};
+      }
+      return true;
+    }
+    return !terms || terms->contract(x);
+  }
 };
 
 }  // namespace stationary

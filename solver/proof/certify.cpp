@@ -52,7 +52,10 @@ void certify_model(const Coupled& model, const Problem& problem, const Stretch& 
 
 bool mirror_symmetric(const Problem& problem, double nu) {
   if (!problem.potential().is_isotropic()) return false;
-  return nu == 0.0 || (problem.branch() == Branch::iii && problem.body().symmetric());
+  const BodyModel<>* body = problem.potential().body_model();
+  const bool sees_no_axes = body == nullptr || body->isotropic();
+  return (nu == 0.0 && sees_no_axes) ||
+         (problem.branch() == Branch::iii && problem.body().symmetric());
 }
 
 Certificate certify(const Problem& problem, const Equilibrium& equilibrium, Inputs inputs) {
@@ -85,8 +88,11 @@ SpectrumEnclosure enclose_spectrum(const Problem& problem, const Equilibrium& eq
   if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
   const double nu = equilibrium.nu[axis(problem.branch())];
   const Body& body = problem.body();
+  const BodyModel<>* body_model = problem.potential().body_model();
   const EnclosureFacts facts{problem.branch(), nu == 0.0, body.symmetric(), certificate.circle,
-                             !problem.potential().is_separable()};
+                             !problem.potential().is_separable(),
+                             body_model == nullptr || body_model->isotropic(),
+                             problem.potential().holds_volume()};
   const Inertia3<Interval> J = inertia_intervals(body, inputs);
   StretchBox at = certificate.solution;
   if (certificate.circle) at.xi = at.zeta = common(at.xi, at.zeta);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "lib/number/dual.hpp"
+#include "lib/stability/held_linearization.hpp"
 #include "lib/stability/linearization.hpp"
 #include "lib/stability/spectrum.hpp"
 #include "solver/motion/event_functions.hpp"
@@ -72,7 +73,7 @@ class EventEquations {
   using Unknowns = std::array<T, dimension>;
 
   EventEquations(const EventSetting& setting, const EventFunction& function)
-      : setting_(&setting), function_(function) {}
+      : setting_(&setting), function_(function), body_(setting.potential.body_model()) {}
 
   template <class Input>
   Unknowns values(const Unknowns& y, const Input& input) const {
@@ -104,12 +105,18 @@ class EventEquations {
     T xi, zeta, rho;
     CentrifugalRates<T> rates;
     LogBalance<T> balance;
+    T g = T(0.0);  ///< of a body with gravity
   };
 
   template <class Input>
   State state(const Unknowns& y, const Input& number) const {
     const EventSetting& at = *setting_;
     const auto input = [&](double value, Kind kind, int index) {
+      constexpr int own_inertia = static_cast<int>(BodyModel<>::inertia_place);
+      if (body_ != nullptr && kind == Kind::plane && index >= own_inertia) {
+        kind = Kind::inertia;
+        index = circle && index == own_inertia + 1 ? 0 : index - own_inertia;
+      }
       if (varies(at.parameter, kind, index)) return y[stretches];
       const bool held = at.held && varies(at.held->number, kind, index);
       return number(held ? at.held->value : value, kind, index);
@@ -125,8 +132,11 @@ class EventEquations {
     s.rho = y[stretches - 1];
     s.rates = axis_rates(s.J, at.branch, s.nu * s.nu);
     s.balance = varied_balance(at.potential, s.xi, s.zeta, s.rho, s.rates, input);
+    if (body_ != nullptr && body_->gravitates)
+      s.g = input(body_->g, Kind::plane, static_cast<int>(BodyModel<>::g_place));
     return s;
   }
+  bool held() const { return body_ != nullptr && body_->volume; }
 
   // The functions of x and p alone.
 
@@ -169,9 +179,11 @@ class EventEquations {
     // dG_i/d ln nu = -2 c_i x_i^2;  dI_a/d ln x_i = 2 I_i x_i^2.
     std::array<T, stretches> column;
     std::array<T, stretches> row;
-    column[0] = -2.0 * (s.rates.xi * xi2);
-    if constexpr (!circle) column[1] = -2.0 * (s.rates.zeta * zeta2);
-    column[stretches - 1] = -2.0 * (s.rates.rho * rho2);
+    // Along a held volume rho's pull is one on xi and zeta.
+    const T thick = held() ? T(s.rates.rho * rho2) : T(0.0);
+    column[0] = -2.0 * (s.rates.xi * xi2 - thick);
+    if constexpr (!circle) column[1] = -2.0 * (s.rates.zeta * zeta2 - thick);
+    column[stretches - 1] = held() ? T(0.0) : T(-2.0 * (s.rates.rho * rho2));
     row[0] = 2.0 * (circle ? part.xi * xi2 + part.zeta * zeta2 : part.xi * xi2);
     if constexpr (!circle) row[1] = 2.0 * (part.zeta * zeta2);
     row[stretches - 1] = 2.0 * (part.rho * rho2);
@@ -191,8 +203,9 @@ class EventEquations {
 
   bool coupled() const { return !setting_->potential.is_separable(); }
 
-  static StraightState<T> straight(const State& s) {
+  StraightState<T> straight(const State& s) const {
     const LogBalance<T>& b = s.balance;
+    if (held()) return with_rotated_gravity(s, held_state(s));
     const T xi2 = s.xi * s.xi;
     const T zeta2 = s.zeta * s.zeta;
     const T rho2 = s.rho * s.rho;
@@ -210,6 +223,38 @@ class EventEquations {
       const T V_zeta = b.g_zeta / s.zeta + s.rates.zeta * s.zeta;
       out.V_aa = 2.0 * ((V_xi - V_zeta) / (s.xi - s.zeta));
     }
+    return with_rotated_gravity(s, out);
+  }
+  /// Second derivatives along the held volume, the pull of rho among them already: G_xi = xi V_xi -
+  /// c_xi xi^2 + c_rho rho^2 and its slopes, less those of the volume's equation, which are all ww.
+  StraightState<T> held_state(const State& s) const {
+    const LogBalance<T>& b = s.balance;
+    StraightState<T> out{s.J, s.xi, s.zeta, s.rho, s.nu, {}, {}, {}, {}, {}, {}, {}};
+    out.V_xx = (b.uu - b.ww - b.g_xi) / (s.xi * s.xi) + s.rates.xi;
+    out.V_zz = (b.vv - b.ww - b.g_zeta) / (s.zeta * s.zeta) + s.rates.zeta;
+    out.V_xz = (b.uv - b.ww) / (s.xi * s.zeta);
+    out.V_xr = out.V_zr = out.V_rr = T(0.0);
+    if constexpr (circle) {
+      out.V_aa = 2.0 * (out.V_xx - out.V_xz);
+    } else {
+      const T F_xi = b.g_xi / s.xi + s.rates.xi * s.xi;
+      const T F_zeta = b.g_zeta / s.zeta + s.rates.zeta * s.zeta;
+      out.V_aa = 2.0 * ((F_xi - F_zeta) / (s.xi - s.zeta));
+    }
+    return out;
+  }
+  /// What V_aa of gravity is beside that of an isotropic potential with the same forces:
+  /// -2 g F_T (J1 - J2) (xi + zeta)/(zeta - xi).
+  StraightState<T> with_rotated_gravity(const State& s, StraightState<T> out) const {
+    if constexpr (!circle) {
+      if (body_ == nullptr || !body_->gravitates) return out;
+      const T y1 = s.J.J1 * (s.xi * s.xi);
+      const T y2 = s.J.J2 * (s.zeta * s.zeta);
+      const T F_T = ellipsoid_integral<1>(T(y1 + y2), T(y1 * y2), T(s.J.J3 * (s.rho * s.rho)))
+                        .derivative({1, 0, 0});
+      out.V_aa = out.V_aa + 2.0 * (s.g * F_T) *
+                                ((s.J.J1 - s.J.J2) * (s.xi + s.zeta) / (s.xi - s.zeta));
+    }
     return out;
   }
 
@@ -217,8 +262,9 @@ class EventEquations {
     const StraightState<T> s = straight(at);
     if (setting_->branch != Branch::iii) {
       const StraightState<T> first = setting_->branch == Branch::ii ? s.exchanged() : s;
-      return block == Block::odd ? evaluate(odd_forms_i(first).characteristic(), Lambda)
-                                 : evaluate(even_pencil_i(first).characteristic(), Lambda);
+      if (block == Block::odd) return evaluate(odd_forms_i(first).characteristic(), Lambda);
+      return held() ? evaluate(held_even_i(first).characteristic(), Lambda)
+                    : evaluate(even_pencil_i(first).characteristic(), Lambda);
     }
     switch (block) {
       case Block::odd:
@@ -230,6 +276,7 @@ class EventEquations {
       default:
         break;
     }
+    if (held()) return held_characteristic(s, Lambda);
     const GyroscopicBlock<T> even = even_block_iii(s);
     if constexpr (circle) {
       const T breathing = (even.rest.K[0][0] + even.rest.K[0][1]) / s.J.J1;
@@ -244,6 +291,16 @@ class EventEquations {
     }
   }
 
+  AtRoot held_characteristic(const StraightState<T>& s, const T& Lambda) const {
+    const HeldGyroscopicBlock<T> even = held_even_iii(s);
+    if constexpr (circle) {
+      const PlanarPencil<T>& plane = even.plane;
+      return {Lambda + (plane.K[0] + plane.K[1]) / (plane.mass[0] + plane.mass[1]), T(1.0)};
+    } else {
+      return evaluate(even.characteristic(), Lambda);
+    }
+  }
+
   /// s = i (omega +- Omega): Lambda^2 + 2 (omega^2 + Omega^2) Lambda + (Omega^2 - omega^2)^2,
   /// Omega^2 - omega^2 = K_aa/(2 J).
   static Polynomial<T, 2> circle_shears(const StraightState<T>& s) {
@@ -254,6 +311,7 @@ class EventEquations {
 
   const EventSetting* setting_;
   EventFunction function_;
+  const BodyModel<>* body_;
 };
 
 /// Over a box of the unknowns, slopes in their logarithms.

@@ -122,13 +122,14 @@ SpectrumEnclosure enclose_spectrum(const Body& body, const Potential& potential,
     const auto coefficients = interval_model(model, inputs);
     if (certificate.circle) {
       const Interval omega = still ? Interval(0.0) : rates.omega + rates.theta_dot;
-      return enclose_spectrum({Branch::iii, still, true, true, !potential.is_separable()},
+      return enclose_spectrum({Branch::iii, still, true, true, !potential.is_separable(), true,
+                               potential.holds_volume()},
                               straight_state(J, coefficients, at.xi, at.zeta, at.rho, omega),
                               spectrum);
     }
     return enclose_two_polar_spectrum(
         straight_state(J, coefficients, at.xi, at.zeta, at.rho, rates.omega), rates.theta_dot,
-        !still, spectrum);
+        !still, spectrum, potential.holds_volume());
   });
 }
 

@@ -24,11 +24,14 @@ void adopt(const auto& answer, Equilibrium& out) {
 }
 
 /// A walk needs a state of rest to begin at, which an expression may not have.
-bool no_rest_state(double rest_stretch, Equilibrium& out) {
+template <class Model>
+bool no_rest_state(const Model&, double rest_stretch, Equilibrium& out) {
   if (std::isfinite(rest_stretch)) return false;
   out.status = SolveStatus::not_found;
-  out.message =
-      "no state of rest was found: V has no minimum among the circles xi = zeta in [1e-3, 1e3]";
+  out.message = is_body_model<Model>
+                    ? "no state of rest was found: no minimum of V among stretches in [1e-3, 1e3]"
+                    : "no state of rest was found: V has no minimum among the circles xi = zeta in "
+                      "[1e-3, 1e3]";
   return true;
 }
 
@@ -46,7 +49,7 @@ void solve_model(const Separable<Plane, Thickness>& model, const Problem& proble
     return;
   }
   const double r = model.plane.rest_stretch();
-  if (!options.start && no_rest_state(r, out)) return;
+  if (!options.start && no_rest_state(model, r, out)) return;
   const Plane part = on_part_of(model.plane, options.start.value_or(Stretch{0.0, r, r, 1.0}));
   const PlanarSystem<Plane> system{part, rates};
   std::optional<ReducedVector<2>> start;
@@ -63,10 +66,10 @@ void solve_model(const Separable<Plane, Thickness>& model, const Problem& proble
 template <class Coupled>
 void solve_model(const Coupled& model, const Problem& problem, double nu,
                  const SolveOptions& options, Equilibrium& out) {
-  const double r = model.rest_stretch();
-  const ReducedVector<3> rest(r, r, model.rest_thickness());
-  if (!options.start && no_rest_state(r, out)) return;
-  const Coupled part = on_part_of(model, options.start.value_or(Stretch{0.0, r, r, rest[2]}));
+  const Stretch at_rest = rest_stretch_of(model);
+  const ReducedVector<3> rest(at_rest.xi, at_rest.zeta, at_rest.rho);
+  if (!options.start && no_rest_state(model, rest[0], out)) return;
+  const Coupled part = on_part_of(model, options.start.value_or(at_rest));
   const CoupledSystem<Coupled> system{part, problem.rates(two_product(nu, nu))};
   std::optional<ReducedVector<3>> start;
   if (options.start) {
@@ -97,7 +100,7 @@ SearchStatus search_all(const Problem& problem, double nu, const SolveOptions& o
       const double r = model.plane.rest_stretch();
       return Stretch{0.0, r, r, 1.0};  // a separable potential's rho is the same for all
     } else {
-      return Stretch{0.0, model.rest_stretch(), model.rest_stretch(), model.rest_thickness()};
+      return rest_stretch_of(model);
     }
   });
   const auto apart = [](double x, double at_rest) {

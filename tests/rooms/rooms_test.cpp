@@ -29,6 +29,7 @@ constexpr std::string_view rooms[] = {
     "lib/tape",
     "lib/formula",
     "lib/material/models",
+    "lib/material/gravitating",
     "lib/material",
     "lib/balance",
     "lib/stability",
