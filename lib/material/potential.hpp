@@ -43,7 +43,8 @@ struct ModelDescription {
     planar,
     thickness,
     coupled,
-    fibre  ///< beside any of them
+    fibre,  ///< beside any of them
+    whole   ///< of the body beside them: its gravity, its volume
   } kind;
   std::string name;
   std::string formula;

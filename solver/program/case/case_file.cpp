@@ -260,6 +260,26 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
   return out;
 }
 
+/// What is built for a body with gravity or a held volume.
+void require_whole_body(const CaseTree& tree, const FamilyParameters& family) {
+  if (!is_whole_body(family.models)) return;
+  const bool held = std::ranges::find(family.models, "volume", &ModelChoice::slot) !=
+                    family.models.end();
+  if (held && std::holds_alternative<TiltedMotion>(family.motion))
+    throw fault_at(tree, "motion.branch", "found the string \"tilted\" with a held volume",
+                   "one of \"i\", \"ii\", \"iii\", \"two-polar\"",
+                   "tilted motions of a held volume are not built");
+  const bool fluid = std::ranges::all_of(family.models, [](const ModelChoice& each) {
+    return each.description.kind == ModelDescription::Kind::whole;
+  });
+  if (fluid && !family.body.symmetric())
+    throw fault_at(tree, "body.J",
+                   fmt::format("found J1 = {}, J2 = {}", family.body.J1, family.body.J2),
+                   "J1 = J2 of a fluid",
+                   "its J is a choice of material coordinates: S sqrt(J) with J = [1, 1, 1] and "
+                   "volume sqrt(J1 J2 J3) times as large is the same motion");
+}
+
 /// A formula whose second derivatives, products of three of which are formed, can be computed with.
 void require_scale(const CaseTree& tree, const std::vector<ModelChoice>& models,
                    const Potential& potential) {
@@ -327,7 +347,9 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
   const auto may_read = [&](std::string_view table) {
     return find(tree, table) != nullptr && faults.sound(table);
   };
-  const auto models = find(tree, "potential") != nullptr ? read_models(tree, faults) : std::nullopt;
+  const bool has_potential =
+      find(tree, "potential") != nullptr || find(tree, "body.volume") != nullptr;
+  const auto models = has_potential ? read_models(tree, faults) : std::nullopt;
   std::optional<Motion> motion;
   if (may_read("motion")) faults.collect([&] { motion = read_motion(tree, body, models); });
   std::optional<FamilyParameters> family;
@@ -345,8 +367,11 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
   const Case::Output output = read_output(tree, faults);
   std::optional<Potential> potential;
   if (family) {
-    potential = make_potential(*models);
-    faults.collect([&] { require_scale(tree, *models, *potential); });
+    faults.collect([&] {
+      require_whole_body(tree, *family);
+      potential = make_potential(*models, *body);
+      require_scale(tree, *models, *potential);
+    });
   }
   faults.raise();
   return {.title = value_or<std::string>(tree, "title", ""),

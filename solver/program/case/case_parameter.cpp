@@ -29,7 +29,7 @@ double* motion_number(Motion& motion, std::string_view key) {
 std::optional<int> coefficient_index(const ModelChoice& model, std::string_view key) {
   const auto& names = model.description.parameters;
   for (std::size_t k = 0; k < names.size(); ++k)
-    if (key == "potential." + model.slot + '.' + names[k]) return static_cast<int>(k);
+    if (key == coefficient_key(model, names[k])) return static_cast<int>(k);
   return std::nullopt;
 }
 
@@ -88,9 +88,9 @@ std::optional<OutOfScale> out_of_scale(const FamilyParameters& family) {
       const std::string& name = model.description.parameters[k];
       if (name == "degrees") continue;
       if (!within(model.coefficients[k], most))
-        return OutOfScale{"potential." + model.slot + '.' + name,
+        return OutOfScale{coefficient_key(model, name),
                           fmt::format("found {}", model.coefficients[k]), range(most)};
-      if (name != "rest") largest = std::max(largest, std::abs(model.coefficients[k]));
+      if (name != "rest" && model.description.kind != ModelDescription::Kind::whole) largest = std::max(largest, std::abs(model.coefficients[k]));
     }
   }
   if (largest > 0.0 && (largest / most > std::min({J.J1, J.J2, J.J3}) ||
@@ -107,7 +107,7 @@ std::vector<std::string> case_parameters(const Motion& motion,
   std::vector<std::string> out = motion_and_body_keys(motion);
   for (const ModelChoice& model : models)
     for (const std::string& parameter : model.description.parameters)
-      out.push_back("potential." + model.slot + '.' + parameter);
+      out.push_back(coefficient_key(model, parameter));
   return out;
 }
 
@@ -164,7 +164,7 @@ FamilyParameters with_parameter(FamilyParameters family, std::string_view key, d
     throw std::invalid_argument("nu >= 0 (it is the length |nu| there)");
   *number = value;
   family.body = Body(family.body.J1, family.body.J2, family.body.J3);  // its domain
-  make_potential(family.models);
+  make_potential(family.models, family.body);
   if (const auto fault = out_of_scale(family))
     throw std::invalid_argument(fault->allowed + " (" + OutOfScale::hint + ")");
   return family;
@@ -193,6 +193,7 @@ FamilyParameter family_parameter(std::string_view parameter,
                           (&model - 1)->description.kind == ModelDescription::Kind::fibre;
       return {Kind::fibre, *at + (second ? 2 : 0)};
     }
+    if (is_whole_body(models)) return {Kind::plane, place_in_body(model, *at)};
     if (model.parts && !anisotropic(models)) return {Kind::shared, *at};
     return {model.slot == "thickness" ? Kind::thickness : Kind::plane, *at};
   }

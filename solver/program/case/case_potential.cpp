@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -44,6 +45,9 @@ void require_domain(const CaseTree& tree, const ModelChoice& model) {
         break;
       case ModelDescription::Kind::fibre:
         if (!(values[0] > 0.0)) throw std::invalid_argument("k > 0");
+        break;
+      case ModelDescription::Kind::whole:
+        break;  // read_whole_body() looks
     }
   } catch (const std::invalid_argument& error) {
     const std::string_view inequality = error.what();
@@ -52,7 +56,7 @@ void require_domain(const CaseTree& tree, const ModelChoice& model) {
     for (std::size_t k = 0; k < model.coefficients.size(); ++k) {
       const std::string_view parameter = model.description.parameters[k];
       if (!mentions(inequality, parameter)) continue;
-      key = fmt::format("potential.{}.{}", model.slot, parameter);
+      key = coefficient_key(model, parameter);
       found += fmt::format("{}{} = {}", found.empty() ? "found " : ", ", parameter,
                            model.coefficients[k]);
     }
@@ -93,7 +97,64 @@ ModelChoice built_in(const std::string& slot, const toml::table& table) {
   return out;
 }
 
+/// A number > 0 under this key; nothing where it is missing or refused.
+std::optional<double> read_positive(const CaseTree& tree, const std::string& key, Faults& faults) {
+  const toml::node* node = find(tree, key);
+  if (node == nullptr || !faults.sound(key)) return std::nullopt;
+  const double value = node->value<double>().value_or(0.0);
+  if (value > 0.0) return value;
+  faults.add(fault_at(tree, key, fmt::format("found {}", value), "a number > 0"));
+  return std::nullopt;
+}
+
+/// Gravity and the held volume, as models of their own.
+void read_whole_body(const CaseTree& tree, Faults& faults, std::vector<ModelChoice>& out) {
+  using Kind = ModelDescription::Kind;
+  std::optional<double> g = read_positive(tree, "gravity.g", faults);
+  const std::optional<double> density = read_positive(tree, "gravity.pi_G_rho", faults);
+  const bool has_g = find(tree, "gravity.g") != nullptr;
+  const bool has_density = find(tree, "gravity.pi_G_rho") != nullptr;
+  if (find(tree, "gravity") != nullptr && has_g == has_density)
+    faults.add(fault_at(tree, "gravity", has_g ? "found both g and pi_G_rho" : "found neither",
+                        "g or pi_G_rho", has_g ? "keep one of them" : "add one of them"));
+  const std::vector<double> J = numbers(tree, "body.J");
+  if (density && J.size() == 3) g = 4.0 * std::sqrt(J[0] * J[1] * J[2]) * *density;
+  if (g)
+    out.push_back({"gravity",
+                   {Kind::whole,
+                    "self-gravity",
+                    "-g F(T, D, z),  g = 15 G (M/5)^(5/2)",
+                    {"g"},
+                    {"g > 0"},
+                    true},
+                   {*g}});
+  if (const auto volume = read_positive(tree, "body.volume", faults))
+    out.push_back({"volume",
+                   {Kind::whole, "held volume", "det S = volume", {"volume"}, {"volume > 0"}, true},
+                   {*volume}});
+}
+
 }  // namespace
+
+bool is_whole_body(std::span<const ModelChoice> models) {
+  return std::ranges::any_of(models, [](const ModelChoice& each) {
+    return each.description.kind == ModelDescription::Kind::whole;
+  });
+}
+
+std::string coefficient_key(const ModelChoice& model, std::string_view coefficient) {
+  if (model.slot == "volume") return "body.volume";
+  if (model.slot == "gravity") return fmt::format("gravity.{}", coefficient);
+  return fmt::format("potential.{}.{}", model.slot, coefficient);
+}
+
+int place_in_body(const ModelChoice& model, int index) {
+  const std::size_t first = model.slot == "volume"      ? BodyModel<>::volume_place
+                            : model.slot == "gravity"   ? BodyModel<>::g_place
+                            : model.slot == "thickness" ? ElasticPart<>::thickness_place
+                                                        : ElasticPart<>::plane_place;
+  return static_cast<int>(first) + index;
+}
 
 void leave_replaced_coefficients(CaseTree& tree, const toml::table& before) {
   for (const std::string slot : {"plane", "thickness", "coupled"}) {
@@ -133,7 +194,17 @@ std::optional<std::vector<ModelChoice>> read_models(const CaseTree& tree, Faults
       require_domain(tree, out.back());
     }) && sound;
   }
-  if (!sound || !faults.sound("potential")) return std::nullopt;
+  const std::size_t elastic = out.size();
+  read_whole_body(tree, faults, out);
+  if (!sound || !faults.sound("potential") || !faults.sound("gravity") ||
+      !faults.sound("body.volume"))
+    return std::nullopt;
+  if (out.size() > elastic && anisotropic(out)) {
+    faults.add(fault_at(tree, out[elastic].slot == "gravity" ? "gravity" : "body.volume",
+                        "found it beside an anisotropic potential", "an isotropic potential",
+                        "gravity and a held volume are not built for bodies with fibres"));
+    return std::nullopt;
+  }
   const auto has = [&out](std::string_view slot) {
     return std::ranges::find(out, slot, &ModelChoice::slot) != out.end();
   };
@@ -144,7 +215,7 @@ std::optional<std::vector<ModelChoice>> read_models(const CaseTree& tree, Faults
                         std::string(rule), "remove one of them"));
     return std::nullopt;
   }
-  if (!has("coupled") && bases < 2) {
+  if (!has("coupled") && bases < 2 && !(has("volume") && !has("thickness"))) {
     const std::string found = bases == 0 ? "found neither" : "found " + out[0].slot + " alone";
     const std::string missing = has("plane") ? "thickness" : "plane";
     faults.add(fault_at(tree, "potential." + missing, found, std::string(rule), "add " + missing));
@@ -184,9 +255,32 @@ AnyThickness<> any_thickness(const ModelChoice& choice) {
                                  coefficient_list(choice.coefficients))}};
 }
 
+/// Of models with gravity or a held volume among them.
+BodyModel<> whole_body(std::span<const ModelChoice> models, const Body& body) {
+  BodyModel<> out;
+  for (const ModelChoice& model : models) {
+    if (model.slot == "plane") out.elastic.plane = any_plane(model);
+    if (model.slot == "thickness") out.elastic.thickness = any_thickness(model);
+    if (model.slot == "coupled" && model.tape)
+      out.elastic.coupled =
+          CoupledExpression<>(model.tape, coefficient_list(model.coefficients));
+    if (model.slot == "coupled" && !model.tape)
+      std::visit([&](const auto& each) { out.elastic.coupled = each; },
+                 Potential::coupled(model.description.name, model.coefficients));
+    if (model.slot == "gravity") {
+      out.gravitates = true;
+      out.g = model.coefficients[0];
+      out.J = {body.J1, body.J2, body.J3};
+    }
+    if (model.slot == "volume") out.volume = model.coefficients[0];
+  }
+  return out;
+}
+
 }  // namespace
 
-Potential make_potential(std::span<const ModelChoice> models) {
+Potential make_potential(std::span<const ModelChoice> models, const Body& body) {
+  if (is_whole_body(models)) return Potential(whole_body(models, body));
   const auto name = [&](std::size_t k) -> std::string_view { return models[k].description.name; };
   const auto values = [&](std::size_t k) { return std::span(models[k].coefficients); };
   if (anisotropic(models)) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/body/body.hpp"
 #include "lib/material/potential.hpp"
 #include "solver/program/case/case_expression.hpp"
 #include "solver/program/case/case_toml.hpp"
@@ -16,7 +17,7 @@ namespace stationary {
 /// A model by name with its coefficients, or an expression with its parameters, as written under
 /// `potential.<slot>`.
 struct ModelChoice {
-  std::string slot;  ///< plane, thickness, coupled, fibre or second_fibre
+  std::string slot;  ///< plane, thickness, coupled, fibre or second_fibre; gravity or volume
   ModelDescription description;
   std::vector<double> coefficients;                   ///< in the order of description.parameters
   std::shared_ptr<const expression::Tape> tape = {};  ///< of an expression
@@ -27,9 +28,18 @@ struct ModelChoice {
   std::optional<ExpressionParts> parts = {};
 };
 
-/// The potential of one coupled model, or of a planar and a thickness one, with fibres or without.
-/// Throws std::invalid_argument with the violated inequality.
-Potential make_potential(std::span<const ModelChoice> models);
+/// The dotted key of one of a model's coefficients.
+std::string coefficient_key(const ModelChoice& model, std::string_view coefficient);
+
+/// The potential of one coupled model, or of a planar and a thickness one, with fibres or without;
+/// of these and the body's gravity or held volume. Throws std::invalid_argument with the violated
+/// inequality.
+Potential make_potential(std::span<const ModelChoice> models, const Body& body);
+
+/// Whether gravity or a held volume is among the models.
+bool is_whole_body(std::span<const ModelChoice> models);
+/// Place of a coefficient in that body's model (BodyModel).
+int place_in_body(const ModelChoice& model, int index);
 
 /// Whether any of the models has directions of its own.
 bool anisotropic(std::span<const ModelChoice> models);

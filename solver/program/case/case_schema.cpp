@@ -40,6 +40,10 @@ constexpr CaseKey keys[] = {
     {"title", text, false, "a text"},
     {"body", table, true, "a table with J"},
     {"body.J", numbers, true, "three finite numbers > 0, J = [J1, J2, J3]", 3},
+    {"body.volume", number, false, "a number > 0, the determinant of S, held"},
+    {"gravity", table, false, "a table with g or pi_G_rho"},
+    {"gravity.g", number, false, "a number > 0"},
+    {"gravity.pi_G_rho", number, false, "a number > 0; g = 4 sqrt(J1 J2 J3) pi_G_rho"},
     {"potential", table, true, "a table with plane and thickness, or coupled"},
     {"potential.plane", model, false, "a table of model, or expression, and its coefficients"},
     {"potential.thickness", model, false, "a table of model, or expression, and its coefficients"},
@@ -328,6 +332,8 @@ void require_table(const CaseTree& tree, const std::string& prefix, const toml::
     if (!key.required || parent(key.path) != prefix || table.contains(name) ||
         std::ranges::find(meant, name) != meant.end())
       continue;
+    // A fluid whose volume is held needs none.
+    if (key.path == "potential" && find(tree, "body.volume") != nullptr) continue;
     const std::string allowed =
         key.choices.empty() ? std::string(key.allowed) : "one of " + listed(key.choices);
     faults.add(fault_at(tree, key.path, "found no such key", allowed,

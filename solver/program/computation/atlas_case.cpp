@@ -178,7 +178,7 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   }
 
   const auto begin = std::chrono::steady_clock::now();
-  Atlas found = atlas(input.body, make_potential(input.models), how);
+  Atlas found = atlas(input.body, make_potential(input.models, input.body), how);
   RowSink* const table = target != nullptr ? &target->open(columns) : nullptr;
   std::vector<SheetRecord> records;
   const CurveProofs proofs =

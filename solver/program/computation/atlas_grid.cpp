@@ -107,7 +107,7 @@ class Grid {
           input_.map->cell({input_.body, input_.models, input_.motion}, x, y);
       AtlasOptions how = how_;
       how.stop = how.search.stop = stop;
-      found = atlas_answer({at.body, make_potential(at.models), input_.output.certificate}, how,
+      found = atlas_answer({at.body, make_potential(at.models, at.body), input_.output.certificate}, how,
                            with_tables_ ? &sink : nullptr);
     } catch (const std::bad_alloc&) {
       throw;

@@ -24,7 +24,7 @@ FamilyParameters numbers_of(const Case& input, double first, double second) {
 
 SpinningProblem problem_of(const FamilyParameters& numbers) {
   const AxisRotation spin = *spin_of(numbers.motion);
-  return {Problem(numbers.body, make_potential(numbers.models), spin.branch), spin.nu};
+  return {Problem(numbers.body, make_potential(numbers.models, numbers.body), spin.branch), spin.nu};
 }
 
 double own_value(const Case& input, std::size_t k) {
@@ -188,7 +188,7 @@ TableRow curve_row(const Case& input, const EventCurvePoint& point, const Column
 
 bool prove_curve_row(const Case& input, const EventCurvePoint& point, TableRow& row) {
   const FamilyParameters at = numbers_of(input, point.member.parameter, point.second);
-  const auto kind = kind_of(at.body, make_potential(at.models), at.motion);
+  const auto kind = kind_of(at.body, make_potential(at.models, at.body), at.motion);
   const auto proof =
       kind->enclose_event(family_parameter_of(input, 0), input.curve->event, point.member);
   const bool proven = proof && proof->proven;

@@ -31,7 +31,7 @@ class SingleCells final : public MapCells {
     for (std::size_t k = first; k < last; ++k) {
       const FamilyParameters at = at_cell(k);
       const Alternatives kinds =
-          alternatives(at.body, make_potential(at.models), at.motion, /*anywhere=*/false);
+          alternatives(at.body, make_potential(at.models, at.body), at.motion, /*anywhere=*/false);
       SolveOptions how;
       how.stop = stop;
       const auto [found, kind] = first_found(kinds, how);

@@ -46,7 +46,14 @@ Json case_json(const Case& input) {
   Json out;
   out["title"] = input.title;
   out["body"]["J"] = {input.body.J1, input.body.J2, input.body.J3};
-  for (const ModelChoice& model : input.models) out["potential"][model.slot] = model_json(model);
+  for (const ModelChoice& model : input.models) {
+    if (model.description.kind != ModelDescription::Kind::whole)
+      out["potential"][model.slot] = model_json(model);
+    else if (model.slot == "volume")
+      out["body"]["volume"] = model.coefficients[0];
+    else
+      out["gravity"]["g"] = model.coefficients[0];
+  }
   out["motion"] = motion_json(input.motion);
   Json& solve = out["solve"];
   if (const auto& start = input.solve.start)

@@ -15,7 +15,7 @@ namespace stationary::cli {
 namespace {
 
 std::unique_ptr<Kind> kind_of(const FamilyParameters& at) {
-  return stationary::kind_of(at.body, make_potential(at.models), at.motion);
+  return stationary::kind_of(at.body, make_potential(at.models, at.body), at.motion);
 }
 
 /// nu = 0 where the range has it and no start is given (the family through the rest state), else
@@ -98,7 +98,7 @@ Start solved_start(const Case& input, const Run& run) {
                          .start = input.solve.start,
                          .threads = run.threads,
                          .stop = run.stop};
-  const Alternatives kinds = alternatives(out.at.body, make_potential(out.at.models), out.at.motion,
+  const Alternatives kinds = alternatives(out.at.body, make_potential(out.at.models, out.at.body), out.at.motion,
                                           how.start.has_value());
   out.found = only_one(input, kinds, how, out.at.motion);
   const Kind& kind = *kinds.each.front().kind;
