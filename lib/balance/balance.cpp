@@ -7,12 +7,10 @@ namespace stationary {
 
 BalanceCheck check_balance(const Body& body, const Potential& potential, const Stretch& q,
                            const Vector3<double>& nu) {
-  BalanceCheck out =
-      check_balance(body, potential.derivatives(q), q, nu, potential.holds_volume());
+  BalanceCheck out = check_balance(body, potential.derivatives(q), q, nu, potential.holds_volume());
   // Derivatives along the held volume do not say whether q has it.
   if (potential.holds_volume()) {
-    const double excess =
-        planar_invariants(q).d * q.rho / *potential.body_model()->volume - 1.0;
+    const double excess = planar_invariants(q).d * q.rho / *potential.body_model()->volume - 1.0;
     if (!(std::abs(excess) <= 1e-12)) out.residual = std::fmax(out.residual, std::abs(excess));
   }
   if (!potential.defined_at(q)) out.residual = poison<double>();
@@ -46,6 +44,13 @@ BalanceCheck check_balance(const Body& body, const PotentialDerivatives<double>&
   const double worst_k = K.cwiseAbs().maxCoeff();
   out.compatibility = worst_k == 0.0 ? 0.0 : worst_k / largest_product;
   return out;
+}
+
+double pressure(const Body& body, const Potential& potential, const Stretch& q,
+                const Vector3<double>& nu) {
+  if (!potential.holds_volume()) return poison<double>();
+  const double c_rho = centrifugal_matrix(body, nu)(3, 3);
+  return potential.body_model()->pressure(q.xi, q.zeta, c_rho);
 }
 
 double energy(const Body& body, const Potential& potential, const Stretch& q,

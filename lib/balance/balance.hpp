@@ -177,6 +177,12 @@ BalanceCheck check_balance(const Body& body, const Potential& potential, const S
 BalanceCheck check_balance(const Body& body, const PotentialDerivatives<double>& v,
                            const Stretch& q, const Vector3<double>& nu, bool volume_held = false);
 
+/// The multiplier P of a held volume, grad V - P grad(d rho) = C(nu) q, at alpha = 0 and the spin
+/// nu: positive where it pushes outward. Not a pressure of the material: V + f(d rho) shifts it by
+/// f'. NaN where no volume is held.
+double pressure(const Body& body, const Potential& potential, const Stretch& q,
+                const Vector3<double>& nu);
+
 /// Total energy T + V of the steady rotation.
 double energy(const Body& body, const Potential& potential, const Stretch& q,
               const Vector3<double>& nu);

@@ -154,6 +154,10 @@ class ModelFamily final : public Family<N> {
     const Vector3<double> nu = angular_velocity(branch_, at.nu);
     out.angular_velocity = nu;
     add_elastic(at, out);
+    if constexpr (is_body_model<Model>) {
+      const CentrifugalRates<double> c = axis_rates(at.body, branch_, at.nu * at.nu);
+      if (at.model.volume) out.pressure = at.model.pressure(out.q.xi, out.q.zeta, c.rho);
+    }
     if (options_.spectrum) {
       ++this->evaluations_.spectra;
       const std::array<DoubleDouble, 3> q =

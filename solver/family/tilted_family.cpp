@@ -86,9 +86,7 @@ class TiltedFamily final : public Family<2> {
                           : extended_solution(system(p), x);
     const BasicStretch<DoubleDouble> q{0.0, wide[0], wide[1],
                                        tilted_thickness(body_, plane_, wide[0], wide[1])};
-    const auto w = model_.template evaluate<1>(planar_invariants(q.xi, q.zeta), q.rho);
-    const CentrifugalRates<DoubleDouble> at_rest{0.0, 0.0, 0.0};
-    const auto elastic = coupled_log_balance<1>(w, q.xi, q.zeta, q.rho, at_rest);
+    const auto elastic = elastic_at(q);
     const auto squares = tilt_squares(body_, plane_, elastic, q.xi, q.zeta, q.rho);
     Member out;
     out.parameter = out.nu = p;
@@ -117,6 +115,17 @@ class TiltedFamily final : public Family<2> {
   }
 
  private:
+  /// The balance at rest.
+  LogBalance<DoubleDouble> elastic_at(const BasicStretch<DoubleDouble>& q) const {
+    const CentrifugalRates<DoubleDouble> at_rest{0.0, 0.0, 0.0};
+    if constexpr (is_body_model<Model>) {
+      return model_.residual(q.xi, q.zeta, q.rho, at_rest.xi, at_rest.zeta, at_rest.rho);
+    } else {
+      const auto w = model_.template evaluate<1>(planar_invariants(q.xi, q.zeta), q.rho);
+      return coupled_log_balance<1>(w, q.xi, q.zeta, q.rho, at_rest);
+    }
+  }
+
   TiltedSystem<Model> system(double p) const {
     return {model_, body_, plane_, axis_rates(body_, Branch::iii, two_product(p, p))};
   }

@@ -157,6 +157,8 @@ class TwoPolarFamily final
     out.compatibility = 0.0;  // both vectors lie along axis 3
     out.energy =
         two_polar_kinetic_energy(body.J1, diagonal(out.q), rates) + elastic_energy(at.model, out.q);
+    if constexpr (is_body_model<Model>)
+      if (at.model.volume) out.pressure = at.model.pressure(x[0], x[1], 0.0);
     const Linearized<N> all = system(at).linearize(x);
     const double across = all.jacobian(0, 0) - all.jacobian(0, 1);
     out.shear_stiffness = across / (x[0] * x[1]);
@@ -188,6 +190,7 @@ class TwoPolarFamily final
       (parameter_.index == 0 ? first : second) = p;
     } else if (parameter_.kind == Kind::inertia) {
       out.body.J3 = p;
+      if constexpr (is_body_model<Model>) out.model.J.J3 = p;
     } else {
       out.model = at_coefficient(out.model, parameter_, p);
     }
@@ -210,6 +213,8 @@ class TwoPolarFamily final
       out[1] = -pull.mu.slope[k];
     } else if (parameter_.kind != Kind::inertia) {
       out = coefficient_slope<N>(at.model, parameter_, x);
+    } else if constexpr (is_body_model<Model>) {
+      out = body_slope(at.model, Model::inertia_place + 2, x);
     }
     return out;
   }

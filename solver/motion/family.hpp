@@ -54,6 +54,7 @@ struct Member {
   double residual = std::numeric_limits<double>::quiet_NaN();
   double compatibility = std::numeric_limits<double>::quiet_NaN();
   double energy = std::numeric_limits<double>::quiet_NaN();
+  double pressure = std::numeric_limits<double>::quiet_NaN();         ///< of a held volume
   double shear_stiffness = std::numeric_limits<double>::quiet_NaN();  ///< (iii): K_alpha,alpha
   /// Anisotropic V, alpha = 0 held: what vanishes where the ellipse or the axis turns away from the
   /// material axes, of order one: K_alpha,alpha in (iii), K_alpha,alpha (I1 - I2) - h^2 omega^2 in

@@ -49,9 +49,7 @@ struct BodyModel {
   static constexpr std::size_t places = g_place + 5;
 
   /// Else it is bound to the material axes, and no circle at rest.
-  bool isotropic() const requires std::is_same_v<C, double> {
-    return !gravitates || J.J1 == J.J2;
-  }
+  bool isotropic() const requires std::is_same_v<C, double> { return !gravitates || J.J1 == J.J2; }
 
   std::array<C, places> coefficients() const {
     std::array<C, places> out{};
@@ -85,8 +83,7 @@ struct BodyModel {
     return out;
   }
   /// Of its formulas, at the volume held.
-  std::vector<ConditionValue> conditions_at(Stretch q) const
-      requires std::is_same_v<C, double> {
+  std::vector<ConditionValue> conditions_at(Stretch q) const requires std::is_same_v<C, double> {
     if (volume) q.rho = *volume / planar_invariants(q).d;
     std::vector<ConditionValue> out;
     elastic.for_models([&](const auto& model, std::size_t) {
@@ -106,8 +103,8 @@ struct BodyModel {
   }
   /// Whether a box of stretches holds no solution: a formula is defined nowhere in it, or the
   /// volume is another.
-  bool outside_in(const Interval& xi, const Interval& zeta, const Interval& rho) const
-      requires std::is_same_v<C, Interval> {
+  bool outside_in(const Interval& xi, const Interval& zeta,
+                  const Interval& rho) const requires std::is_same_v<C, Interval> {
     if (volume && (xi * zeta * rho).apart_from(*volume)) return true;
     const Interval thickness = volume ? *volume / (xi * zeta) : rho;
     if (const auto* formula = std::get_if<CoupledExpression<C>>(&elastic.coupled))
@@ -148,9 +145,8 @@ struct BodyModel {
                       const R& c_rho) const {
     LogBalance<R> out = elastic.log_balance(xi, zeta, rho, c_xi, c_zeta, c_rho);
     if (!gravitates) return out;
-    const GravityBalance<R> pull =
-        gravity_balance<order>(R(g), R(R(J.J1) * square(xi)), R(R(J.J2) * square(zeta)),
-                               R(R(J.J3) * square(rho)));
+    const GravityBalance<R> pull = gravity_balance<order>(
+        R(g), R(R(J.J1) * square(xi)), R(R(J.J2) * square(zeta)), R(R(J.J3) * square(rho)));
     out.g_xi += pull.pull[0];
     out.g_zeta += pull.pull[1];
     out.g_rho += pull.pull[2];
@@ -191,7 +187,8 @@ struct BodyModel {
     PotentialDerivatives<R> out = in_stretch<order>(elastic_at<order>(x, thickness), at);
     if (!gravitates) return out;
     const CoupledDerivatives<R> V =
-        at_volume<order>(R(g), planar_moment(GravitatingInertia<R>{R(J.J1), R(J.J2), R(J.J3)}, at), R(x.d), thickness);
+        at_volume<order>(R(g), planar_moment(GravitatingInertia<R>{R(J.J1), R(J.J2), R(J.J3)}, at),
+                         R(x.d), thickness);
     // By l and r as of any potential, T being none of q's traces.
     CoupledDerivatives<R> without = V;
     without.plane.w_t = without.plane.w_tt = without.plane.w_tl = without.w_tr = R(0.0);

@@ -164,11 +164,13 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   how.stop = how.search.stop = run.stop;
   if (run.progress)
     how.progress = [&run](double fraction) { run.progress(fraction, "searching the checkpoints"); };
-  const std::vector<Column> columns = chosen_columns(
-      input,
-      equilibrium_columns(
-          {.events = true, .spectrum = with_spectrum, .certificate = input.output.certificate}),
-      "atlas", false);
+  const std::vector<Column> columns =
+      chosen_columns(input,
+                     equilibrium_columns({.events = true,
+                                          .spectrum = with_spectrum,
+                                          .certificate = input.output.certificate,
+                                          .pressure = input.potential.holds_volume()}),
+                     "atlas", false);
   if (target != nullptr) target->prepare();
   std::optional<SearchJournal> journal;
   if (asked.journal) journal.emplace(*asked.journal, input, how, asked.resume);

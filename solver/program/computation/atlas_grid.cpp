@@ -76,7 +76,8 @@ class Grid {
         columns_(chosen_columns(input,
                                 equilibrium_columns({.events = true,
                                                      .spectrum = how_.spectrum,
-                                                     .certificate = input.output.certificate}),
+                                                     .certificate = input.output.certificate,
+                                                     .pressure = input.potential.holds_volume()}),
                                 "atlas", false)),
         pack_(columns_, 0) {}
 
@@ -107,8 +108,8 @@ class Grid {
           input_.map->cell({input_.body, input_.models, input_.motion}, x, y);
       AtlasOptions how = how_;
       how.stop = how.search.stop = stop;
-      found = atlas_answer({at.body, make_potential(at.models, at.body), input_.output.certificate}, how,
-                           with_tables_ ? &sink : nullptr);
+      found = atlas_answer({at.body, make_potential(at.models, at.body), input_.output.certificate},
+                           how, with_tables_ ? &sink : nullptr);
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {

@@ -154,7 +154,8 @@ Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* 
                      equilibrium_columns({.two_polar = has_rates(input.motion),
                                           .events = true,
                                           .spectrum = with_spectrum,
-                                          .certificate = input.output.certificate}),
+                                          .certificate = input.output.certificate,
+                                          .pressure = input.potential.holds_volume()}),
                      "continue", trailing);
   const std::optional<std::string> parameter =
       trailing ? std::optional(input.continuation->parameter) : std::nullopt;

@@ -25,7 +25,9 @@ struct Wanted {
 
 Wanted wanted_columns(const Case& input, bool to_table) {
   const bool spectrum = wants_spectrum(input, to_table);
-  Wanted out{select_columns(equilibrium_columns({.events = true, .spectrum = spectrum}),
+  Wanted out{select_columns(equilibrium_columns({.events = true,
+                                                 .spectrum = spectrum,
+                                                 .pressure = input.potential.holds_volume()}),
                             input.output.columns),
              spectrum};
   std::erase_if(out.columns, [](Column c) {

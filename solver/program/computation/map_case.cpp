@@ -86,7 +86,8 @@ struct MapWork {
       : parts{.two_polar = has_rates(input.motion),
               .spectrum = wants_spectrum(input, to_table),
               .certificate = input.output.certificate,
-              .map = true} {
+              .map = true,
+              .pressure = input.potential.holds_volume()} {
     columns = chosen_columns(input, equilibrium_columns(parts), "map", true);
     const auto with = [](std::vector<Column> of, Column c) {
       if (std::ranges::find(of, c) == of.end()) {

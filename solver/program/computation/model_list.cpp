@@ -27,6 +27,8 @@ std::string_view heading(Kind kind) {
       return "coupled, V(S, rho) of [potential] coupled";
     case Kind::fibre:
       return "fibres, beside any of them: fibre and second_fibre of [potential]";
+    case Kind::whole:
+      break;
   }
   return {};
 }
@@ -61,6 +63,8 @@ std::string_view assumption(const ModelDescription& model) {
     case Kind::fibre:
       return "even in alpha only at 0 or 90 degrees, or as one of two like fibres at opposite "
              "angles";
+    case Kind::whole:
+      break;
   }
   return {};
 }

@@ -140,7 +140,8 @@ Outcome solve_case(const Case& input, TableTarget* target, const Run& run) {
       chosen_columns(input,
                      equilibrium_columns({.two_polar = has_rates(input.motion),
                                           .spectrum = with_spectrum,
-                                          .certificate = input.output.certificate}),
+                                          .certificate = input.output.certificate,
+                                          .pressure = input.potential.holds_volume()}),
                      "solve", false);
   if (target != nullptr) target->prepare();
   if (start_is_unused(input)) run.complain("solve.start is not used: " + std::string(unused_start));

@@ -67,7 +67,7 @@ std::vector<Column> equilibrium_columns(const RowParts& parts) {
         (needs_spectrum(c) && !parts.spectrum) || (is_two_polar(c) && !parts.two_polar) ||
         (is_certificate(c) && !parts.certificate) ||
         (c == Column::class_certified && !parts.spectrum) || (c == Column::status && !parts.map) ||
-        (c == Column::sheet && parts.map))
+        (c == Column::sheet && parts.map) || (c == Column::pressure && !parts.pressure))
       continue;
     out.push_back(c);
   }
@@ -81,6 +81,7 @@ void fill_row(std::string_view branch, const Body& body, const Potential& potent
   row.branch = branch;
   fill_stretch(q, wanted, row);
   fill_errors(equilibrium, row);
+  if (wanted.has(Column::pressure)) row[Column::pressure] = pressure(body, potential, q, nu);
   if (const auto& two_polar = equilibrium.two_polar) {
     fill_two_polar(*two_polar, row);
     if (wanted.has(Column::energy))
@@ -102,6 +103,7 @@ void fill_row(std::string_view branch, const Member& member, const ColumnSet& wa
     fill_rotation(member.body, member.q, member.angular_velocity, wanted, row);
   }
   row[Column::energy] = member.energy;
+  row[Column::pressure] = member.pressure;
   fill_errors(member, row);
   row.parameter = member.parameter;
   if (member.spectrum) fill_spectrum(*member.spectrum, row);

@@ -21,7 +21,8 @@ struct RowParts {
   bool events = false;
   bool spectrum = false;
   bool certificate = false;
-  bool map = false;  ///< a map's cells, which have a status and no sheet
+  bool map = false;       ///< a map's cells, which have a status and no sheet
+  bool pressure = false;  ///< of a held volume
 };
 
 /// The columns fill_row(), fill_spectrum(), prove_row() and the caller's sheet, point and

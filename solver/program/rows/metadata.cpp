@@ -46,6 +46,7 @@ Json case_json(const Case& input) {
   Json out;
   out["title"] = input.title;
   out["body"]["J"] = {input.body.J1, input.body.J2, input.body.J3};
+  out["potential"] = Json::object();
   for (const ModelChoice& model : input.models) {
     if (model.description.kind != ModelDescription::Kind::whole)
       out["potential"][model.slot] = model_json(model);

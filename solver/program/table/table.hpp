@@ -27,7 +27,8 @@ enum class Column : std::uint8_t {
   omega, theta_dot, s3, p_theta,  // the two-polar family's
   status,                         // of a map's cell
   certified, class_certified,     // with output.certificate
-  segment                         // of a curve with classes
+  segment,                        // of a curve with classes
+  pressure                        // of a body whose volume is held
   // clang-format on
 };
 
@@ -43,11 +44,12 @@ constexpr std::string_view column_names[] = {
     "lambda", "mu", "angle", "pi1", "pi2", "pi3", "energy", "residual", "compatibility",
     "error_bound", "class", "growth", "negative", "re1", "im1", "krein1", "re2", "im2", "krein2",
     "re3", "im3", "krein3", "re4", "im4", "krein4", "re5", "im5", "krein5", "omega", "theta_dot",
-    "s3", "p_theta", "status", "certified", "class_certified", "segment"
+    "s3", "p_theta", "status", "certified", "class_certified", "segment",
+    "pressure"
     // clang-format on
 };
 constexpr std::size_t column_count = std::size(column_names);
-static_assert(column_count == static_cast<std::size_t>(Column::segment) + 1);
+static_assert(column_count == static_cast<std::size_t>(Column::pressure) + 1);
 
 constexpr std::string_view name(Column c) { return column_names[static_cast<std::size_t>(c)]; }
 std::optional<Column> find_column(std::string_view name);

@@ -70,7 +70,8 @@ std::vector<Column> Study::columns() const {
   const std::vector<Column> all = equilibrium_columns(
       {.two_polar = two_polar,
        .spectrum = value_or(tree_, "output.spectrum", true),
-       .certificate = plan_.certify || value_or(tree_, "output.certificate", false)});
+       .certificate = plan_.certify || value_or(tree_, "output.certificate", false),
+       .pressure = find(tree_, "body.volume") != nullptr});
   std::vector<std::string> asked;
   if (const toml::node* names = find(tree_, "output.columns");
       names != nullptr && names->is_array())

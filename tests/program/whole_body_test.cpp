@@ -1,0 +1,319 @@
+// Bodies with their own gravity or with their volume held, from outside: every row of the tables in
+// tests/data/gravity (25 digits, by independent computations), closed forms, wrong input.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Rows of a table whose comments begin with '#'; cells may be quoted.
+std::vector<Row> reference(const std::string& name) {
+  std::ifstream file(std::string(STATIONARY_TEST_DATA "/gravity/") + name);
+  EXPECT_TRUE(file.good()) << name;
+  std::vector<std::string> header;
+  std::vector<Row> out;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line.front() == '#') continue;
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (const char c : line) {
+      if (c == '"') {
+        quoted = !quoted;
+      } else if (c == ',' && !quoted) {
+        cells.emplace_back();
+      } else {
+        cells.back() += c;
+      }
+    }
+    if (header.empty()) {
+      header = cells;
+      continue;
+    }
+    Row& row = out.emplace_back();
+    for (std::size_t k = 0; k < header.size(); ++k)
+      row[header[k]] = k < cells.size() ? cells[k] : "";
+  }
+  return out;
+}
+
+std::string elastic_text(const Row& row) {
+  const std::string& model = row.at("model");
+  const std::string& p1 = row.at("p1");
+  const std::string& p2 = row.at("p2");
+  if (model.empty()) return {};
+  std::string out = "[potential]\n";
+  if (model == "neo-hookean-isochoric")
+    return out + "coupled = { expression = \"p/2*(I1 + rho^2 - 3)\", p = " + p1 + " }\n";
+  if (model == "polytrope")
+    return out + "coupled = { expression = \"K*(d*rho)^(-1/n)\", K = " + p1 + ", n = " + p2 +
+           " }\n";
+  if (model == "neo-hookean-3d")
+    return out + "coupled = { model = \"" + model + "\", mu = " + p1 + ", lambda = " + p2 + " }\n";
+  const bool reciprocal = model == "reciprocal-determinant";
+  out += "plane = { model = \"" + model + "\", " + (reciprocal ? "c" : "mu") + " = " + p1 + ", " +
+         (reciprocal ? "k" : "lambda") + " = " + p2 + " }\n";
+  const std::string& thickness = row.at("thickness");
+  const bool harmonic = thickness == "harmonic";
+  return out + "thickness = { model = \"" + thickness + "\", " + (harmonic ? "k" : "a") + " = " +
+         row.at("a") + ", " + (harmonic ? "rest" : "b") + " = " + row.at("b") + " }\n";
+}
+
+std::string body_text(const Row& row) {
+  std::string out =
+      "[body]\nJ = [" + row.at("J1") + ", " + row.at("J2") + ", " + row.at("J3") + "]\n";
+  if (!row.at("C").empty()) out += "volume = " + row.at("C") + "\n";
+  if (row.at("g") != "0") out += "[gravity]\ng = " + row.at("g") + "\n";
+  return out;
+}
+
+/// A start a little beside the reference.
+std::string start_text(const Row& row) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "[solve]\nstart = [0.0, " << number(row.at("xi")) * 1.001 << ", "
+      << number(row.at("zeta")) * 1.001 << ", " << number(row.at("rho")) / 1.002 << "]\n";
+  return out.str();
+}
+
+/// By its branch; nothing of branches that are not built for these bodies.
+std::string motion_text(const Row& row) {
+  const std::string& branch = row.at("branch");
+  const std::string start = "[motion]\nbranch = \"" + branch + "\"\n";
+  if (branch == "i") return start + "nu = " + row.at("nu1") + "\n";
+  if (branch == "ii") return start + "nu = " + row.at("nu2") + "\n";
+  if (branch == "iii") return start + "nu = " + row.at("nu3") + "\n";
+  if (branch == "two-polar")
+    return start + "s3 = " + row.at("pi3") + "\np_theta = " + row.at("p_theta") + "\n";
+  return {};
+}
+
+double sign_of_lambda(double re, double im) { return re * re - im * im; }
+
+/// The spectrum of a row against the reference's modes, as Lambda, to 1e-12 of the largest.
+void expect_modes(const Row& got, const Row& want, const std::string& where) {
+  std::vector<double> expected;
+  std::vector<double> found;
+  double largest = 0.0;
+  for (int k = 1; k <= 5; ++k) {
+    const std::string n = std::to_string(k);
+    const auto& re = want.at("re" + n);
+    if (re.empty()) {
+      EXPECT_EQ(got.at("re" + n), "") << where << ": mode " << n;
+      continue;
+    }
+    expected.push_back(sign_of_lambda(number(re), number(want.at("im" + n))));
+    expected.push_back(number(re) * number(want.at("im" + n)));
+    ASSERT_NE(got.at("re" + n), "") << where << ": mode " << n;
+    found.push_back(sign_of_lambda(number(got.at("re" + n)), number(got.at("im" + n))));
+    found.push_back(number(got.at("re" + n)) * number(got.at("im" + n)));
+    largest = std::max({largest, std::abs(expected.back()), std::abs(*(expected.end() - 2))});
+  }
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    EXPECT_NEAR(found[k], expected[k], 1e-12 * largest) << where << ": Lambda " << k;
+}
+
+void expect_relative(const Row& got, const Row& want, const std::string& column, double most,
+                     const std::string& where) {
+  if (want.at(column).empty()) return;
+  const double expected = number(want.at(column));
+  EXPECT_NEAR(number(got.at(column)), expected, most * std::max(std::abs(expected), 1e-3))
+      << where << ": " << column;
+}
+
+void expect_row(const Row& want, const std::string& where, int& compared) {
+  const std::string motion = motion_text(want);
+  if (motion.empty() || want.at("fibre_k") != "") return;
+  const TemporaryDirectory directory;
+  const std::string path =
+      directory.file("case.toml", body_text(want) + elastic_text(want) + motion + start_text(want));
+  const Outcome outcome = run_program({"solve", path, "-o", "-"});
+  ASSERT_EQ(outcome.code, 0) << where << outcome.err << text_of(path);
+  const Row got = only_row(outcome.out);
+  for (const std::string column : {"xi", "zeta", "rho"})
+    expect_relative(got, want, column, 2e-15 + number(got.at("error_bound")), where);
+  if (!want.at("P").empty()) expect_relative(got, want, "pressure", 1e-13, where);
+  expect_relative(got, want, "energy", 1e-13, where);
+  expect_modes(got, want, where);
+  EXPECT_EQ(got.at("negative"), want.at("negative")) << where;
+  EXPECT_EQ(got.at("class"), want.at("class")) << where;
+  ++compared;
+}
+
+TEST(WholeBody, IsochoricReferences) {
+  int compared = 0;
+  int line = 0;
+  for (const Row& row : reference("isochoric.csv"))
+    expect_row(row,
+               "isochoric " + std::to_string(++line) + ' ' + row.at("model") + ' ' +
+                   row.at("branch") + ' ',
+               compared);
+  EXPECT_GE(compared, 19);
+}
+
+TEST(WholeBody, GravitatingReferences) {
+  int compared = 0;
+  int line = 0;
+  for (const Row& row : reference("elastic_gravity.csv"))
+    expect_row(
+        row,
+        "gravity " + std::to_string(++line) + ' ' + row.at("model") + ' ' + row.at("branch") + ' ',
+        compared);
+  EXPECT_GE(compared, 30);
+}
+
+/// A fluid of unit volume, pi G rho = 1.
+std::string fluid(const std::string& motion, const Row& shape) {
+  return "[body]\nJ = [1, 1, 1]\nvolume = 1\n[gravity]\npi_G_rho = 1\n[motion]\n" + motion +
+         start_text(shape);
+}
+
+Row solved(const std::string& text, const std::string& where) {
+  const TemporaryDirectory directory;
+  const Outcome outcome = run_program({"solve", directory.file("case.toml", text), "-o", "-"});
+  EXPECT_EQ(outcome.code, 0) << where << outcome.err << text;
+  return outcome.code == 0 ? only_row(outcome.out) : Row();
+}
+
+TEST(WholeBody, MaclaurinSpheroids) {
+  int compared = 0;
+  for (Row row : reference("maclaurin.csv")) {
+    if (!row.at("event").empty()) continue;
+    row["zeta"] = row.at("xi");
+    const std::string where = "e = " + row.at("e");
+    const Row got = solved(fluid("branch = \"iii\"\nnu = " + row.at("nu") + "\n", row), where);
+    ASSERT_FALSE(got.empty());
+    for (const std::string column : {"xi", "zeta", "rho", "pi3"})
+      expect_relative(got, row, column, 4e-15 + number(got.at("error_bound")), where);
+    EXPECT_NEAR(number(got.at("pressure")), number(row.at("P")), 1e-13) << where;
+    EXPECT_EQ(got.at("negative"), row.at("negative_iii")) << where;
+    EXPECT_EQ(got.at("class"), row.at("class_iii")) << where;
+    ++compared;
+  }
+  EXPECT_GE(compared, 10);
+}
+
+TEST(WholeBody, JacobiEllipsoids) {
+  int compared = 0;
+  for (Row row : reference("jacobi.csv")) {
+    row["xi"] = row.at("lambda");
+    row["zeta"] = row.at("mu");
+    const std::string where = "b/a = " + row.at("b_over_a");
+    const Row got = solved(fluid("branch = \"iii\"\nnu = " + row.at("nu") + "\n", row), where);
+    ASSERT_FALSE(got.empty());
+    for (const std::string column : {"xi", "zeta", "rho", "pi3"})
+      expect_relative(got, row, column, 4e-15 + number(got.at("error_bound")), where);
+    EXPECT_EQ(got.at("negative"), row.at("negative8_iii")) << where;
+    EXPECT_EQ(got.at("class"), row.at("class_iii")) << where;
+    ++compared;
+  }
+  EXPECT_GE(compared, 10);
+}
+
+TEST(WholeBody, RiemannEllipsoids) {
+  int compared = 0;
+  for (Row row : reference("riemann_s.csv")) {
+    row["xi"] = row.at("lambda");
+    row["zeta"] = row.at("mu");
+    const std::string where = "f = " + row.at("f") + ", b/a = " + row.at("b_over_a");
+    const Row got = solved(fluid("branch = \"two-polar\"\ns3 = " + row.at("s3") +
+                                     "\np_theta = " + row.at("p_theta") + "\n",
+                                 row),
+                           where);
+    ASSERT_FALSE(got.empty());
+    for (const std::string column : {"lambda", "mu", "rho", "energy"})
+      expect_relative(got, row, column, 1e-14 + number(got.at("error_bound")), where);
+    EXPECT_EQ(got.at("negative"), row.at("negative")) << where;
+    EXPECT_EQ(got.at("class"), row.at("class")) << where;
+    ++compared;
+  }
+  EXPECT_GE(compared, 10);
+}
+
+/// Complete lists of fluid figures in (iii), and the proof that there are no others.
+TEST(WholeBody, AllFluidFiguresAreFound) {
+  const std::pair<const char*, int> lists[] = {
+      {"0.5477225575051661", 4}, {"0.6324555320336759", 2}, {"0.6708203932499369", 0}};
+  for (const auto& [nu, count] : lists) {
+    const TemporaryDirectory directory;
+    const std::string path = directory.file(
+        "case.toml", std::string("[body]\nJ = [1, 1, 1]\nvolume = 1\n[gravity]\ng = 4\n[motion]\n"
+                                 "branch = \"iii\"\nnu = ") +
+                         nu + "\n[solve]\nall = true\n");
+    const Outcome outcome = run_program({"solve", path, "-o", "-"});
+    if (count == 0) {
+      EXPECT_EQ(outcome.code, 3) << outcome.err;
+      continue;
+    }
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(rows_of(outcome.out).size(), static_cast<std::size_t>(count)) << outcome.out;
+  }
+}
+
+/// The classical points of Maclaurin's spheroids, in one run.
+TEST(WholeBody, ClassicalPointsOfMaclaurin) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "case.toml",
+      "[body]\nJ = [1, 1, 1]\nvolume = 1\n[gravity]\npi_G_rho = 1\n[motion]\nbranch = \"iii\"\n"
+      "nu = 0.3\n[continuation]\nfrom = 0.1\nto = 0.7\n[output]\ncertificate = true\n");
+  const std::string table = directory / "table.csv";
+  const Outcome outcome = run_program({"continue", path, "-o", table});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  int compared = 0;
+  for (const Row& want : reference("maclaurin.csv")) {
+    const std::string& event = want.at("event");
+    if (event.empty()) continue;
+    bool found = false;
+    for (const Row& row : rows_of(text_of(table))) {
+      if (row.at("event") != event) continue;
+      if (std::abs(number(row.at("nu3")) - number(want.at("nu"))) > 1e-6) continue;
+      found = true;
+      EXPECT_NEAR(number(row.at("nu3")), number(want.at("nu")), 1e-14) << event;
+      EXPECT_NEAR(number(row.at("xi")), number(want.at("xi")), 1e-13) << event;
+    }
+    EXPECT_TRUE(found) << event;
+    ++compared;
+  }
+  EXPECT_GE(compared, 2);
+}
+
+TEST(WholeBody, WrongInputIsRefusedByName) {
+  const std::string body = "[body]\nJ = [1, 1, 1]\n";
+  const std::string motion = "[motion]\nbranch = \"iii\"\nnu = 0.3\n";
+  const std::string plane = "plane = { model = \"neo-hookean\", mu = 1, lambda = 2 }\n";
+  const std::string thickness = "thickness = { model = \"harmonic\", k = 1, rest = 1 }\n";
+  const std::pair<std::string, const char*> faults[] = {
+      {body + "volume = 0\n" + motion, "body.volume"},
+      {body + "volume = \"1\"\n" + motion, "body.volume"},
+      {body + "[gravity]\ng = 4\n" + motion, "potential"},
+      {body + "volume = 1\n[gravity]\ng = -4\n" + motion, "gravity.g"},
+      {body + "volume = 1\n[gravity]\ng = 4\npi_G_rho = 1\n" + motion, "g or pi_G_rho"},
+      {body + "volume = 1\n[gravity]\n" + motion, "g or pi_G_rho"},
+      {body + "[potential]\n" + plane + motion, "thickness"},
+      {"[body]\nJ = [1, 2, 1]\nvolume = 1\n[gravity]\ng = 4\n" + motion, "J1 = J2"},
+      {body + "volume = 1\n[potential]\n" + plane + thickness +
+           "fibre = { k = 0.4, degrees = 30 }\n" + motion,
+       "fibres"},
+      {body + "volume = 1\n[potential]\n" + plane + thickness +
+           "[motion]\nbranch = \"tilted\"\nnu = 0.5\n",
+       "held volume"}};
+  for (const auto& [text, said] : faults) {
+    const TemporaryDirectory directory;
+    const Outcome outcome = run_program({"check", directory.file("case.toml", text)});
+    EXPECT_EQ(outcome.code, 2) << text;
+    EXPECT_THAT(outcome.err, HasSubstr(said)) << text;
+  }
+}
+
+}  // namespace
+}  // namespace stationary::testing
