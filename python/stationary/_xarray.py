@@ -21,6 +21,9 @@ _UNITS = {
     **dict.fromkeys((f"{part}{k}" for part in ("re", "im") for k in range(1, 6)), "1/T"),
     **dict.fromkeys(("pi1", "pi2", "pi3", "s3", "p_theta"), "M L^2/T"),
     "energy": "M L^2/T^2",
+    "pressure": "M L^2/T^2",
+    "body.volume": "1",
+    "gravity.g": "M^(3/2) L^3/T^2",
     "angle": "rad",
 }
 

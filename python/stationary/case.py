@@ -11,6 +11,7 @@ from ._input import mapping, text
 from ._input import path as file_path
 from ._text import block, plain
 from .arrays import Body, Potential
+from .errors import InputError
 
 
 class Case:
@@ -80,8 +81,12 @@ class Case:
 
     @property
     def potential(self) -> Potential:
-        """Its potential."""
-        return Potential(self.to_dict()["potential"])
+        """Its elastic potential, for functions on arrays. ``InputError`` where the body has gravity or a
+        held volume, which these do not take."""
+        case = self.to_dict()
+        if "gravity" in case or "volume" in case["body"]:
+            raise InputError("a body with gravity or a held volume is not its elastic potential alone")
+        return Potential(case["potential"])
 
     def check(self) -> str:
         """What ``stationary check`` prints: the model, what will be computed, and what will not."""

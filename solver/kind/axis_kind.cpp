@@ -18,6 +18,23 @@ PlanItem oriented_spectrum_plan(const AnisotropicPotential& V, double nu) {
           "V_alpha != 0 at alpha = 0, or not known to vanish, or nu = 0: no blocks"};
 }
 
+/// Of a body whose volume is held: a mode less.
+PlanItem held_volume_plan(const AxisRotation& motion) {
+  constexpr const char* why =
+      "alpha = 0 and det S held: rho's velocity is that of xi and zeta, the leaf has two dimensions "
+      "less";
+  if (motion.nu == 0.0) return {"spectrum", "3 modes from 1 block: alpha, xi, zeta (3)", why};
+  switch (motion.branch) {
+    case Branch::i:
+      return {"spectrum", "4 modes from 2 blocks: xi, zeta (2) and alpha, pi2, pi3 (2)", why};
+    case Branch::ii:
+      return {"spectrum", "4 modes from 2 blocks: xi, zeta (2) and alpha, pi1, pi3 (2)", why};
+    case Branch::iii:
+      break;
+  }
+  return {"spectrum", "4 modes from 2 blocks: pi1, pi2 (1) and alpha, xi, zeta (3)", why};
+}
+
 class AxisKind final : public Kind {
  public:
   AxisKind(const Body& body, const Potential& potential, const AxisRotation& motion)
@@ -52,6 +69,7 @@ class AxisKind final : public Kind {
     const auto [branch, nu] = motion_;
     if (!potential().is_isotropic()) return oriented_spectrum_plan(potential().anisotropic(), nu);
     constexpr const char* split = "alpha = 0 and an isotropic potential: reflections split the ";
+    if (potential().holds_volume()) return held_volume_plan(motion_);
     const bool separable = potential().is_separable();
     if (nu == 0.0) {
       return {"spectrum",

@@ -69,12 +69,22 @@ std::vector<PlanItem> make_plan(const Body& body, const Potential& potential, Br
                       "separable potential: V_rho'(rho) = J3 nu^2 rho has no xi, zeta in it"});
       break;
     case ThicknessRule::coupled:
-      plan.push_back({"rho", "an unknown", "the potential couples it to xi and zeta"});
+      if (potential.holds_volume()) {
+        plan.push_back({"rho", "volume/(xi zeta), an unknown to the solver",
+                        "det S is held; the pressure is the multiplier of that"});
+      } else {
+        plan.push_back({"rho", "an unknown",
+                        potential.body_model() != nullptr && potential.body_model()->gravitates
+                            ? "gravity couples it to xi and zeta"
+                            : "the potential couples it to xi and zeta"});
+      }
       break;
   }
   plan.push_back({"xi, zeta",
                   rule == ThicknessRule::coupled ? "3 equations with rho" : "2 equations",
-                  "balance of elastic and centrifugal force"});
+                  potential.body_model() == nullptr
+                      ? "balance of elastic and centrifugal force"
+                      : "balance of elastic and centrifugal force, gravity and pressure"});
   return plan;
 }
 

@@ -66,5 +66,6 @@ template CeresOutcome ceres_solve(const PlanarSystem<AnyPlane<>>&, ReducedVector
 template CeresOutcome ceres_solve(const CoupledSystem<NeoHookean3d<>>&, ReducedVector<3>&, int);
 template CeresOutcome ceres_solve(const CoupledSystem<CoupledExpression<>>&, ReducedVector<3>&,
                                   int);
+template CeresOutcome ceres_solve(const CoupledSystem<BodyModel<>>&, ReducedVector<3>&, int);
 
 }  // namespace stationary

@@ -65,8 +65,11 @@ class Solver {
     const TwoPolarSystem<Elastic, TwoPolarEqualMomenta> system{elastic_system(model), body_.J1,
                                                                TwoPolarEqualMomenta<double>{s3}};
     ReducedVector<N> x;
-    x[0] = x[1] = system.elastic.model.rest_stretch();
-    if constexpr (N == 3) x[2] = system.elastic.model.rest_thickness();
+    if constexpr (N == 3) {
+      x = diagonal(rest_stretch_of(system.elastic.model));
+    } else {
+      x[0] = x[1] = system.elastic.model.rest_stretch();
+    }
     if (!newton_counted<N>(system, x)) return;
     const Refined refined = refine(system, x);
     out_.counts.extended_residuals += refined.steps;

@@ -46,7 +46,6 @@ const meanings: Record<string, Meaning> = {
   status: { symbol: 'status', unit: '', text: 'of the cell' },
   certified: { symbol: 'certified', unit: '', text: 'whether a proof stands behind the row' },
   class_certified: { symbol: 'class certified', unit: '', text: 'whether a proof stands behind the class' },
-  pressure: { symbol: 'P', unit: 'V', text: 'pressure that holds the volume' },
   segment: { symbol: 'segment', unit: '', text: 'stretch of one class' },
   criticality: { symbol: 'criticality', unit: '', text: 'coefficient of the normal form' },
   pressure: { symbol: 'P', unit: energy, text: 'what holds the volume' },

@@ -161,9 +161,10 @@ struct BodyModel {
     return out;
   }
 
-  /// In (t, l, r), J1 = J2; of a held volume in (t, l), the derivatives in r being 0.
+  /// In (t, l, r), J1 = J2; of a held volume with its equation, as log_balance() has it.
   template <int order, class S>
   CoupledDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x, const S& rho) const {
+    using std::log;
     using R = Product<C, S>;
     const R thickness = volume ? R(*volume / x.d) : R(rho);
     CoupledDerivatives<R> out = elastic_at<order>(x, thickness);
@@ -173,6 +174,15 @@ struct BodyModel {
       const R T = R(J.J1) * (t * t - 2.0 * d);
       add<order>(gravity_of_trace<order>(at_volume<order>(R(g), T, d, thickness), R(J.J1), t, d),
                  out);
+    }
+    if (volume) {
+      if constexpr (order >= 1) {
+        const R pull = stiffness * log(R(x.d * rho / *volume));
+        out.plane.w_l += pull;
+        out.w_r += pull;
+      }
+      if constexpr (order >= 2)
+        for (R* slope : {&out.plane.w_ll, &out.w_lr, &out.w_rr}) *slope += R(stiffness);
     }
     return out;
   }

@@ -57,6 +57,12 @@ std::string check_case(const Case& input) {
   out.line("potential",
            fmt::format("{}, {}", input.potential.is_separable() ? "separable" : "coupled",
                        symmetry_text(input.potential)));
+  if (const BodyModel<>* body = input.potential.body_model()) {
+    if (body->elastic.is_fluid())
+      out.line("", "a fluid: material rotations are a symmetry, Jacobi's ellipsoids have a zero mode");
+    out.line("", "of a free body: the modes of alpha, xi, zeta and rho in (iii) and two-polar motions");
+    out.line("", "of the Kirchhoff-Love body alone: the wobble, and every class in (i) and (ii)");
+  }
   out.line("motion", motion_text(input.motion));
   out.line("solve",
            fmt::format("method {}, start: {}", name(input.solve.method), start_text(input)));
