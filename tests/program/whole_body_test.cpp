@@ -280,7 +280,7 @@ TEST(WholeBody, ClassicalPointsOfMaclaurin) {
   const std::vector<Row> rows = rows_of(text_of(table));
   for (const auto& [event, square, e] : points) {
     const auto at = std::ranges::find_if(
-        rows, [&](const Row& row) { return row.at("event") == std::string(event); });
+        rows, [name = std::string(event)](const Row& row) { return row.at("event") == name; });
     ASSERT_NE(at, rows.end()) << event;
     const double nu = number(at->at("nu3"));
     EXPECT_NEAR(nu * nu, square, 4e-16) << event;
