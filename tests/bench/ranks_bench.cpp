@@ -1,6 +1,7 @@
 // What tiles cost that are handed out, under mpirun or alone, and what ten thousand ranks would do:
 //
-//   mpirun -n 2 ranks_bench overhead       microseconds of an empty tile: alone, journalled, by two ranks
+//   mpirun -n 2 ranks_bench overhead       microseconds of an empty tile: alone, journalled, of rank 0
+//                                          that hands out to another
 //   ranks_bench simulation MAP ATLASES     recorded costs of both cases' tiles, dispatched to many ranks
 #include <fmt/format.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@
 #include <numeric>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "solver/program/case/case_atlas.hpp"
@@ -34,6 +36,8 @@ double seconds_since(Clock::time_point begin) {
 /// Microseconds a tile.
 double empty_tiles(const cli::TiledRun& how, std::size_t tiles, std::size_t bytes) {
   cli::Run run;
+  // Where there is another rank, rank 0 does nothing but hand out.
+  run.threads = how.crew != nullptr && how.crew->leads() && how.crew->ranks() > 1 ? 0 : 1;
   const std::string text(bytes, 'x');
   cli::TileRunner runner({.hash = "empty",
                           .share = {0, tiles},
@@ -52,22 +56,27 @@ void overhead() {
   const bool leads = crew.leads();
   const std::string table =
       (std::filesystem::temp_directory_path() / fmt::format("empty-{}.csv", ::getpid())).string();
-  constexpr std::size_t tiles = 100'000;
+  constexpr std::pair<std::size_t, std::size_t> sizes[] = {{100, 100'000}, {10'000, 10'000}};
+  if (leads) fmt::print("microseconds of an empty tile\n{:>34} bytes {:>8} bytes\n", 100, 10'000);
+  const auto line = [&](const char* name, const cli::TiledRun& how) {
+    if (leads) fmt::print("  {:25}", name);
+    for (const auto& [bytes, tiles] : sizes) {
+      const double each = empty_tiles(how, tiles, bytes);
+      if (leads) fmt::print(" {:13.2f}", each);
+    }
+    if (leads) fmt::print("\n");
+  };
   if (leads) {
-    fmt::print("microseconds of an empty tile of 100 bytes, and of 10,000\n");
-    fmt::print("  alone            {:7.2f} {:7.2f}\n", empty_tiles({}, tiles, 100),
-               empty_tiles({}, tiles, 10'000));
+    line("alone", {});
     cli::TiledRun kept;
     kept.journal = table;
-    fmt::print("  with its journal {:7.2f} {:7.2f}\n", empty_tiles(kept, tiles, 100),
-               empty_tiles(kept, tiles, 10'000));
+    line("alone, with a journal", kept);
   }
   cli::TiledRun by_ranks;
   by_ranks.crew = &crew;
-  for (const std::size_t bytes : {100U, 10'000U}) {
-    const double each = empty_tiles(by_ranks, tiles, bytes);
-    if (leads) fmt::print("  by {} ranks, {:5} bytes {:7.2f}\n", crew.ranks(), bytes, each);
-  }
+  line("rank 0, of one other rank", by_ranks);
+  if (leads) by_ranks.journal = table;
+  line("the same, with a journal", by_ranks);
 }
 
 std::vector<double> map_costs(const std::string& path) {

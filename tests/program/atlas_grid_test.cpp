@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -15,8 +16,10 @@ namespace stationary::testing {
 namespace {
 
 using nlohmann::json;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 using Words = std::vector<std::string>;
@@ -100,13 +103,16 @@ TEST_F(AtlasGrid, PartsThreadsAndInterruptionsDoNotChangeIt) {
     Words merge{"--merge"};
     for (const char* const k : {"1", "2", "3"}) {
       const std::string name = directory_ / (std::string("p") + k + suffix);
-      ASSERT_EQ(grid({"-o", name, "--part", std::string(k) + "/3"}).code, 0);
+      const std::string tables = directory_ / (std::string("t") + k + ".h5");
+      ASSERT_EQ(grid({"-o", name, "--part", std::string(k) + "/3", "--tables", tables}).code, 0);
       merge.push_back(name);
+      merge.insert(merge.begin() + 1, tables);
     }
-    merge.insert(merge.end(), {"-o", directory_ / "m.csv"});
+    merge.insert(merge.end(), {"-o", directory_ / "m.csv", "--tables", directory_ / "n.h5"});
     const Outcome merged = grid(merge);
     ASSERT_EQ(merged.code, 0) << merged.err;
     EXPECT_TRUE(text("m.csv") == text("g.csv")) << suffix;
+    EXPECT_TRUE(text("n.h5") == text("t.h5")) << suffix;
   }
   RunOptions interrupted;
   interrupted.pending_signal = SIGINT;
@@ -117,6 +123,51 @@ TEST_F(AtlasGrid, PartsThreadsAndInterruptionsDoNotChangeIt) {
   ASSERT_EQ(grid(resumed).code, 0);
   EXPECT_TRUE(text("i.csv") == text("g.csv"));
   EXPECT_TRUE(text("j.h5") == text("t.h5"));
+}
+
+TEST_F(AtlasGrid, MergesNoTablesOfOtherParts) {
+  const auto part = [&](const std::string& k, const std::string& name, const Words& more = {}) {
+    Words words{"--part",   k + "/2",
+                "-o",       directory_ / (name + ".csv"),
+                "--tables", directory_ / (name + ".h5")};
+    words.insert(words.end(), more.begin(), more.end());
+    ASSERT_EQ(grid(words).code, 0);
+  };
+  part("1", "a");
+  part("2", "b");
+  part("1", "c", {"--set", "continuation.to=1.9"});
+  part("2", "d", {"--set", "continuation.to=1.9"});
+  const auto refused = [&](const Words& names, const std::string& words, bool into = true) {
+    Words merge{"-o", directory_ / "m.csv"};
+    if (into) merge.insert(merge.end(), {"--tables", directory_ / "m.h5"});
+    merge.emplace_back("--merge");
+    for (const std::string& each : names) merge.push_back(directory_ / each);
+    const Outcome outcome = grid(merge);
+    EXPECT_EQ(outcome.code, 2) << words;
+    EXPECT_THAT(outcome.err, HasSubstr(words));
+    EXPECT_THAT(directory_.names(), Not(Contains("m.csv")));
+    EXPECT_THAT(directory_.names(), Not(Contains("m.h5")));
+  };
+  refused({"a.csv", "b.csv"}, "found no tables of cells to merge");
+  refused({"a.csv", "b.csv", "a.h5", "b.h5"}, "and no --tables", false);
+  refused({"a.h5", "b.h5"}, "found no table of a part");
+  refused({"a.csv", "b.csv", "a.h5"}, "found no part 2/2");
+  refused({"a.csv", "b.csv", "a.h5", "a.h5"}, "twice");
+  refused({"a.csv", "b.csv", "a.h5", "d.h5"}, "found another case");
+  refused({"a.csv", "b.csv", "c.h5", "d.h5"}, "found tables of other parts");
+  {
+    // One number of one cell is another.
+    silence_hdf5();
+    const Handle file(H5Fopen((directory_ / "b.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    const Handle set(H5Dopen2(file.id(), "/5/xi", H5P_DEFAULT), H5Dclose);
+    const Handle space(H5Dget_space(set.id()), H5Sclose);
+    std::vector<double> xi(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+    ASSERT_FALSE(xi.empty());
+    ASSERT_GE(H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, xi.data()), 0);
+    xi.back() = std::nextafter(xi.back(), 0.0);
+    ASSERT_GE(H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, xi.data()), 0);
+  }
+  refused({"a.csv", "b.csv", "a.h5", "b.h5"}, "was changed since it was written");
 }
 
 TEST_F(AtlasGrid, RefusesWhatIsNoGrid) {

@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "tests/program/journal_reading.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -54,7 +57,8 @@ TEST_F(InterruptedMap, KilledAroundEveryCallThatChangesAFile) {
     for (const char* const when : {"before", "half", "after"}) {
       RunOptions faulty;
       faulty.environment = {std::string("LD_PRELOAD=") + STATIONARY_FAULT_SHIM,
-                            "FAULT_AT=" + std::to_string(at), std::string("FAULT_WHEN=") + when};
+                            "FAULT_AT=" + std::to_string(at), std::string("FAULT_WHEN=") + when,
+                            "FAULT_CLOCK=10000"};
       const Outcome first = map(out_, faulty);
       ended = first.code == 0;
       if (ended) break;
@@ -63,12 +67,14 @@ TEST_F(InterruptedMap, KilledAroundEveryCallThatChangesAFile) {
       // The table is there whole or not at all.
       if (std::filesystem::exists(out_)) EXPECT_TRUE(text_of(out_) == expected) << at << when;
       const bool begun = std::filesystem::exists(journal_);
+      const std::size_t kept = kept_tiles(text_of(journal_)).size();
       const Outcome second = map(out_, {}, begun);
       EXPECT_EQ(second.code, 0) << at << when << second.err;
       EXPECT_TRUE(text_of(out_) == expected) << at << when;
       const json run = run_of("x")["tiles"];
+      // None that was whole in the journal is computed again.
+      EXPECT_EQ(run["kept"].get<std::size_t>(), kept) << at << when;
       EXPECT_EQ(run["computed"].get<int>() + run["kept"].get<int>(), tiles);
-      // The next in line is the most that was under way.
       for (const char* const name : {"x.csv", "x.meta.json"})
         std::filesystem::remove(directory_ / name);
       EXPECT_THAT(directory_.names(), ElementsAre("whole.csv", "whole.meta.json"));
@@ -122,6 +128,28 @@ TEST_F(InterruptedMap, TwoRunsOnOneJournalAreRefused) {
   }
   EXPECT_TRUE(text_of(journal_) == kept);
   ::close(file);
+  EXPECT_EQ(map(out_, {}, true).code, 0);
+}
+
+/// As file systems say it that have no locks, or whose server does not answer for them.
+TEST_F(InterruptedMap, WithoutLocksItIsRefusedByName) {
+  RunOptions interrupted;
+  interrupted.pending_signal = SIGINT;
+  ASSERT_EQ(map(out_, interrupted).code, 130);
+  const std::string kept = text_of(journal_);
+  for (const int reason : {ENOLCK, EOPNOTSUPP, EINVAL}) {
+    RunOptions unlocked;
+    unlocked.environment = {std::string("LD_PRELOAD=") + STATIONARY_FAULT_SHIM,
+                            "FAULT_LOCK=" + std::to_string(reason)};
+    for (const bool resume : {false, true}) {
+      const Outcome outcome = map(out_, unlocked, resume);
+      EXPECT_EQ(outcome.code, 2) << outcome.err;
+      EXPECT_THAT(outcome.err,
+                  HasSubstr(std::string("x.csv.journal: its file system has no locks (") +
+                            std::strerror(reason) + ")"));
+    }
+  }
+  EXPECT_TRUE(text_of(journal_) == kept);
   EXPECT_EQ(map(out_, {}, true).code, 0);
 }
 

@@ -27,14 +27,12 @@ struct AtlasCommand : ComputeOptions {
 
 ExitCode run_grid(const AtlasCommand& options, const Session& session) {
   const TiledRun tiled = options.tiles.run(options, session);
-  if (options.tiles.merges() && !options.tables.empty())
-    throw InputError(Origin::of_option("--tables " + options.tables), "", "found it with --merge",
-                     "each part's own --tables: a merged table is of the parts' rows alone");
   return compute(options, session, [&](TableTarget* target, const Run& run) {
     const Case input = options.read();
+    const AtlasGridAsked asked{options.checkpoints, options.tables};
     return options.tiles.merges()
-               ? merged_atlas_grid(input, options.checkpoints, options.tiles.merge, *target, run)
-               : atlas_grid(input, {options.checkpoints, options.tables}, tiled, target, run);
+               ? merged_atlas_grid(input, asked, options.tiles.merge, *target, run)
+               : atlas_grid(input, asked, tiled, target, run);
   });
 }
 

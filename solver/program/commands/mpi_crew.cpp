@@ -25,7 +25,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-enum Tag : int { hello, result, failed, idle, work, stop, end };
+enum Tag : int { hello, result, failed, idle, work, stop, end, leave };
 
 /// From so many ranks on the leading one only hands out: it is a small part of all of them.
 constexpr int many_ranks = 64;
@@ -136,8 +136,11 @@ class Lead {
       if (stopping_ && Clock::now() - told_ > patience) give_up();
       something ? pause.over() : pause.wait();
     }
+    outbox_.wait();
     own.wait();
     if (failure_) std::rethrow_exception(failure_);
+    for (std::size_t k = 0; k < others_.size(); ++k) outbox_.send(static_cast<int>(k) + 1, end, {});
+    outbox_.wait();
     return order.finish();
   }
 
@@ -249,7 +252,8 @@ class Serve {
  public:
   explicit Serve(const TileLoop& loop) : loop_(loop) {}
 
-  void run(const std::string& hash) {
+  /// Whether there may be another loop.
+  bool run(const std::string& hash) {
     std::string bytes;
     put(bytes, static_cast<std::int64_t>(loop_.threads));
     bytes += hash;
@@ -257,11 +261,15 @@ class Serve {
     std::vector<std::jthread> threads;
     for (int k = 0; k < loop_.threads; ++k) threads.emplace_back([this] { compute(); });
     Pause pause;
-    for (bool ended = false; !ended;) {
+    bool ended = false;
+    bool leaves = false;
+    while (!ended && !leaves) {
       bool something = false;
       while (auto message = received()) {
         something = true;
-        if (message->tag == end) ended = true;
+        ended = message->tag == end;
+        leaves = message->tag == leave;
+        if (ended || leaves) break;
         if (message->tag == stop) raise_the_flag(loop_);
         if (message->tag == work) fill(message->bytes);
       }
@@ -273,6 +281,7 @@ class Serve {
       ended_ = true;
     }
     more_.notify_all();
+    return !leaves;
   }
 
  private:
@@ -344,6 +353,7 @@ class Serve {
 struct MpiCrew::Begun {
   int rank = 0;
   int ranks = 1;
+  bool told_to_leave = false;
 
   Begun() {
     int given = 0;
@@ -354,14 +364,16 @@ struct MpiCrew::Begun {
   Begun(const Begun&) = delete;
   Begun& operator=(const Begun&) = delete;
   ~Begun() {
-    // The others are told to end, whether rank 0 came to any work or not.
+    // The others are told to leave, whether rank 0 came to any work or not.
     if (rank == 0) {
-      for (int k = 1; k < ranks; ++k) MPI_Send(nullptr, 0, MPI_BYTE, k, end, MPI_COMM_WORLD);
+      for (int k = 1; k < ranks; ++k) MPI_Send(nullptr, 0, MPI_BYTE, k, leave, MPI_COMM_WORLD);
       MPI_Barrier(MPI_COMM_WORLD);
       // What they said and nobody listened to.
       while (received()) {
       }
     } else {
+      if (!told_to_leave)
+        MPI_Recv(nullptr, 0, MPI_BYTE, 0, leave, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
       MPI_Barrier(MPI_COMM_WORLD);
     }
     MPI_Finalize();
@@ -383,6 +395,8 @@ bool MpiCrew::run(const TileLoop& loop, const std::string& hash) {
   return Lead(loop, begun_->ranks).run(hash);
 }
 
-void MpiCrew::serve(const TileLoop& loop, const std::string& hash) { Serve(loop).run(hash); }
+void MpiCrew::serve(const TileLoop& loop, const std::string& hash) {
+  if (!begun_->told_to_leave) begun_->told_to_leave = !Serve(loop).run(hash);
+}
 
 }  // namespace stationary::cli

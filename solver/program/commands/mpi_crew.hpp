@@ -3,8 +3,8 @@
 //
 //   to 0     hello   threads, the hash of the work      to others  work   numbers of tiles
 //            result  tile, seconds, bytes                          stop   begin no more
-//            failed  what a thread threw                           end
-//            idle    after stop: nothing is under way
+//            failed  what a thread threw                           end    of this loop
+//            idle    after stop: nothing is under way              leave  there is no other
 //
 // MPI is begun where the crew is first asked for, after the arguments and the case were read.
 #pragma once

@@ -1,6 +1,5 @@
 // stationary study CASE --over TABLE --do solve|continue|atlas: the case with the values of each row of a
 // table, as study_case.hpp does them.
-#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -8,7 +7,6 @@
 #include "solver/program/commands/tile_options.hpp"
 #include "solver/program/computation/study_case.hpp"
 #include "solver/program/session/output_file.hpp"
-#include "solver/program/table/column_file.hpp"
 #include "solver/program/text/input_error.hpp"
 
 namespace stationary::cli {
@@ -41,10 +39,6 @@ ExitCode run(const StudyOptions& options, const Session& session) {
   asked.tiled = options.tiles.run(options, session);
   if (!options.output.empty() && source)
     refuse_to_replace(options.output, options.output, options.over, "the table of --over");
-  if (asked.tiled.part.asked &&
-      is_column_file_extension(std::filesystem::path(options.output).extension().string()))
-    refuse_output(options.output, "found HDF5 for a part, which keeps no spelling of T's numbers",
-                  "parts of a study are CSV; --merge writes either");
   return compute(options, session, [&](TableTarget* target, const Run& how) {
     return merges ? merged_study_case(asked, task, options.tiles.merge, *target, how)
                   : study_case(asked, target, how);

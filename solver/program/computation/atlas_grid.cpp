@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <new>
@@ -15,6 +14,7 @@
 #include "solver/program/case/case_atlas.hpp"
 #include "solver/program/case/case_parameter.hpp"
 #include "solver/program/case/case_schema.hpp"
+#include "solver/program/computation/atlas_tables.hpp"
 #include "solver/program/rows/sheet_summary.hpp"
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
@@ -218,40 +218,21 @@ ExitCode conclusion(const GridCounts& counts, std::size_t cells, const TiledRun&
   return all && !tiled.part.asked ? ExitCode::failure : ExitCode::done;
 }
 
-/// The file of all tables, where one is asked for.
-class Tables {
- public:
-  Tables(const std::string& path, const std::string& case_path) {
-    if (path.empty()) return;
-    const std::string suffix = std::filesystem::path(path).extension().string();
-    if (!is_column_file_extension(suffix))
-      refuse_output(path, "found the suffix " + in_quotes(suffix), "HDF5: .h5 or .hdf5",
-                    "--tables");
-    refuse_to_replace(path, path, case_path, "the case file");
-    open_output(file_, path, "--tables");
-    tables_.emplace(file_->path().string());
-  }
-  void add(const Grid& grid, std::size_t row, std::string_view rows) {
-    if (!tables_) return;
-    const std::size_t size = grid.pack().row_size();
-    const auto table = tables_->table(std::to_string(row + 1), grid.columns(), rows.size() / size);
-    TableRow each;
-    for (; !rows.empty(); rows.remove_prefix(size)) {
-      grid.pack().read(rows.data(), each);
-      table->write(each);
-    }
-    table->finish({});
-  }
-  void commit(const std::string& metadata) {
-    if (!tables_) return;
-    tables_->finish(metadata);
-    file_->commit();
-  }
-
- private:
-  std::optional<AtomicFile> file_;
-  std::optional<TablesFile> tables_;
-};
+/// Tables of cells are merged where both are named: what becomes of them, and all of them.
+void require_tables(const std::string& into, const std::vector<std::string>& of_grid,
+                    const std::vector<std::string>& of_cells) {
+  if (of_grid.empty())
+    throw InputError(Origin::of_option("--merge"), "", "found no table of a part",
+                     "what --part K/N wrote after -o, and beside it the files of --tables");
+  if (into.empty() && !of_cells.empty())
+    throw InputError(Origin::of_option("--merge " + of_cells.front()), "",
+                     "found the tables of cells, and no --tables",
+                     "--tables FILE.h5, what they are to be merged in");
+  if (!into.empty() && of_cells.empty())
+    throw InputError(Origin::of_option("--tables " + into), "", "found no tables of cells to merge",
+                     "the parts' own files of --tables, named after --merge too");
+  for (const std::string& each : of_cells) refuse_to_replace(into, into, each, "a part");
+}
 
 }  // namespace
 
@@ -262,7 +243,7 @@ Outcome atlas_grid(const Case& input, const AtlasGridAsked& asked, const TiledRu
   const Share share = tiled.part.share(grid.cells());
   const bool serves = tiled.serves();
   if (target != nullptr && !serves) target->prepare();
-  Tables tables(serves ? "" : asked.tables, input.source.name());
+  AtlasTables tables(serves ? "" : asked.tables, input.source.name(), grid.columns());
   TileRunner runner({.hash = grid.hash(),
                      .kept = asked.tables.empty() ? "" : "tables",
                      .share = share,
@@ -279,7 +260,7 @@ Outcome atlas_grid(const Case& input, const AtlasGridAsked& asked, const TiledRu
     const std::string line = tile.substr(0, end);
     count(header, line, counts);
     if (table != nullptr) table->write(line);
-    tables.add(grid, rows.first, std::string_view(tile).substr(end));
+    tables.add(rows.first, grid.pack(), std::string_view(tile).substr(end));
   });
   if (serves) return {};
   Metadata metadata = describe(run, input, counts, share.size());
@@ -287,7 +268,7 @@ Outcome atlas_grid(const Case& input, const AtlasGridAsked& asked, const TiledRu
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const double seconds = metadata.seconds;
   runner.describe(metadata);
-  tables.commit(metadata_json(metadata, /*of_the_run=*/false));
+  tables.commit(metadata);
   if (target != nullptr) target->commit(std::move(metadata));
   runner.finish();
   Outcome out{conclusion(counts, share.size(), tiled, run), {}};
@@ -296,12 +277,16 @@ Outcome atlas_grid(const Case& input, const AtlasGridAsked& asked, const TiledRu
   return out;
 }
 
-Outcome merged_atlas_grid(const Case& input, const std::optional<int>& checkpoints,
+Outcome merged_atlas_grid(const Case& input, const AtlasGridAsked& asked,
                           const std::vector<std::string>& paths, TableTarget& target,
                           const Run& run) {
   require_grid(input);
-  const std::vector<PartTable> parts = read_parts(paths);
-  const Grid grid(input, checkpoints, false);
+  std::vector<std::string> of_cells;  // files of --tables among the parts
+  std::vector<std::string> of_grid;
+  for (const std::string& path : paths) (is_tables_file(path) ? of_cells : of_grid).push_back(path);
+  require_tables(asked.tables, of_grid, of_cells);
+  const std::vector<PartTable> parts = read_parts(of_grid);
+  const Grid grid(input, asked.checkpoints, false);
   require_work(parts, grid.hash());
   const auto begin = std::chrono::steady_clock::now();
   const auto [header, lines] = read_lines(parts);
@@ -310,11 +295,14 @@ Outcome merged_atlas_grid(const Case& input, const std::optional<int>& checkpoin
   Metadata metadata = describe(run, input, counts, grid.cells());
   require_case(parts, metadata);
   target.prepare();
+  AtlasTables tables(asked.tables, input.source.name(), grid.columns());
+  if (!of_cells.empty()) merge_tables(parts, of_cells, grid.columns(), tables);
   target.open(grid.header()).write(lines);
   metadata.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const double seconds = metadata.seconds;
   metadata.merged_parts = parts.size();
+  tables.commit(metadata);
   target.commit(std::move(metadata));
   Outcome out{conclusion(counts, grid.cells(), {}, run), {}};
   if (run.summary) out.summary = summary(input, counts, seconds);

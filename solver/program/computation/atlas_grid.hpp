@@ -22,8 +22,9 @@ struct AtlasGridAsked {
 Outcome atlas_grid(const Case& input, const AtlasGridAsked& asked, const TiledRun& tiled,
                    TableTarget* target, const Run& run);
 
-/// The parts' tables in one.
-Outcome merged_atlas_grid(const Case& input, const std::optional<int>& checkpoints,
+/// The parts' tables in one, and where asked.tables names a file the parts' own such files in it; paths: of
+/// all of them.
+Outcome merged_atlas_grid(const Case& input, const AtlasGridAsked& asked,
                           const std::vector<std::string>& paths, TableTarget& target,
                           const Run& run);
 

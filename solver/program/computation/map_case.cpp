@@ -126,7 +126,8 @@ std::optional<std::string> tile_text(const MapCells& cells, const MapWork& work,
   std::string out(sizeof(RowCounts), '\0');
   out.reserve(out.size() + share.size() * pack.row_size());
   RowCounts counts;
-  std::vector<TableRow> rows;
+  // Kept from tile to tile: fresh memory costs as much as the cells that go into it.
+  thread_local std::vector<TableRow> rows;
   for (std::size_t k = share.first; k < share.last; k += at_once) {
     const std::size_t end = std::min(k + at_once, share.last);
     counts += cells.rows(k, end, work.parts, work.wanted, stop, rows);

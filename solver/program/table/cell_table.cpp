@@ -1,5 +1,7 @@
 #include "solver/program/table/cell_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -14,9 +16,32 @@
 namespace stationary {
 namespace {
 
+/// As this program writes it.
+std::string number_text(double number) {
+  return number == number ? fmt::format("{}", number) : std::string();
+}
+
+/// The cells of one column.
+struct Cells {
+  std::vector<double> numbers;
+  std::vector<std::string> texts;  ///< of numbers too, once one is not spelled as number_text()
+  bool spelled = false;
+
+  void add_text(std::string_view text) { texts.emplace_back(text); }
+  void add_number(double number, std::string_view text) {
+    if (!spelled && text != number_text(number)) {
+      spelled = true;
+      for (const double each : numbers) texts.push_back(number_text(each));
+    }
+    numbers.push_back(number);
+    if (spelled) texts.emplace_back(text);
+  }
+};
+
 /// One column of cells, written at once.
-void write_column(hid_t file, const CellColumn& column, const std::vector<std::string>& texts,
-                  const std::vector<double>& numbers) {
+void write_column(hid_t file, const CellColumn& column, const Cells& cells) {
+  const std::vector<std::string>& texts = cells.texts;
+  const std::vector<double>& numbers = cells.numbers;
   const std::string& name = column.name;
   const hsize_t count = column.kind == CellKind::text ? texts.size() : numbers.size();
   const Handle space = require_hdf5(Handle(H5Screate_simple(1, &count, nullptr), H5Sclose), name);
@@ -30,6 +55,8 @@ void write_column(hid_t file, const CellColumn& column, const std::vector<std::s
                                     name);
     if (count == 0) return;
     require_hdf5(H5Dwrite(set.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+    if (cells.spelled)
+      write_hdf5_attribute(set.id(), spelling_attribute, fmt::format("{}", fmt::join(texts, "\n")));
   };
   if (column.kind == CellKind::number)
     return put(H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, numbers.data());
@@ -100,21 +127,20 @@ void CellTable::write(std::string_view lines) {
 
 void CellTable::finish(const std::string& path, const std::string& metadata) const {
   TableReader reader(std::make_unique<std::istringstream>(kept_), path);
-  std::vector<std::vector<std::string>> texts(columns_.size());
-  std::vector<std::vector<double>> numbers(columns_.size());
+  std::vector<Cells> cells(columns_.size());
   while (reader.next()) {
     for (std::size_t k = 0; k < columns_.size(); ++k) {
       if (columns_[k].kind == CellKind::text) {
-        texts[k].emplace_back(reader.text(k));
+        cells[k].add_text(reader.text(k));
       } else {
-        numbers[k].push_back(reader.number(k));
+        cells[k].add_number(reader.number(k), reader.text(k));
       }
     }
   }
   Handle file = create_hdf5(path);
   std::string names;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    write_column(file.id(), columns_[k], texts[k], numbers[k]);
+    write_column(file.id(), columns_[k], cells[k]);
     if (k > 0) names += '\n';
     names += columns_[k].name;
   }

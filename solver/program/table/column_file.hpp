@@ -7,7 +7,8 @@
 //   texts     enumerations of 8 bits, by the words of the column; "" where nothing was computed
 //
 // Attributes of the file: "columns" (their names in order) and "metadata" (the text of the
-// .meta.json).
+// .meta.json). Of numbers that were read from a table (cell_table.hpp) and are not spelled there as this
+// program spells them, the dataset's attribute "spelling" has the texts, a line each.
 #pragma once
 
 #include <cstddef>
@@ -25,6 +26,7 @@
 namespace stationary {
 
 constexpr std::int32_t missing_count = INT32_MIN;
+constexpr const char* spelling_attribute = "spelling";
 
 /// The words a column of texts may hold; "" is one of all of them. Throws std::invalid_argument for
 /// one without words of its own.
@@ -82,6 +84,24 @@ bool is_column_file(const std::string& path);
 /// TableReader. Throws InputError where it is no file of ColumnFileWriter's.
 std::unique_ptr<std::istream> column_file_table(const std::string& path,
                                                 std::span<const std::string> wanted);
+
+/// Whether a file is one of TablesFile's.
+bool is_tables_file(const std::string& path);
+
+/// The tables of such a file, by their names.
+class TablesReader {
+ public:
+  /// Throws InputError, here and below.
+  explicit TablesReader(const std::string& path);
+  ~TablesReader();
+
+  /// As CSV, for TableReader.
+  std::unique_ptr<std::istream> table(const std::string& name) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
 
 /// Its metadata; empty where it has none, or is no such file.
 std::string column_file_metadata(const std::string& path);

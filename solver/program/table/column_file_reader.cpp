@@ -33,6 +33,21 @@ std::string text_attribute(hid_t file, const char* what) {
   return out;
 }
 
+/// The lines of a text; none where it is empty, or has not so many.
+std::vector<std::string> lines_of(const std::string& text, std::size_t count) {
+  if (text.empty()) return {};
+  std::vector<std::string> out{std::string()};
+  for (const char c : text) {
+    if (c == '\n') {
+      out.emplace_back();
+    } else {
+      out.back() += c;
+    }
+  }
+  if (out.size() != count) out.clear();
+  return out;
+}
+
 /// A column read back, as the text of its cells.
 class ReadColumn {
  public:
@@ -66,6 +81,7 @@ class ReadColumn {
         numbers_.resize(rows_);
         result =
             H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers_.data());
+        texts_ = lines_of(text_attribute(set.id(), spelling_attribute), rows_);
         break;
       case H5T_STRING: {
         const std::size_t length = H5Tget_size(type.id());
@@ -112,6 +128,32 @@ Handle open_to_read(const std::string& path) {
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
 }
 
+/// The table of a file or of a group of one; name: what messages call it.
+std::unique_ptr<std::istream> table_in(const std::string& name, hid_t location,
+                                       std::span<const std::string> wanted) {
+  std::istringstream names(text_attribute(location, "columns"));
+  std::string header;
+  std::vector<ReadColumn> columns;
+  for (std::string column; std::getline(names, column);) {
+    if (!wanted.empty() && std::ranges::find(wanted, column) == wanted.end()) continue;
+    if (!header.empty()) header += ',';
+    header += csv_cell(column);
+    columns.emplace_back(name, location, column);
+    if (columns.back().rows() != columns.front().rows())
+      refuse(name, "found datasets of different lengths");
+  }
+  if (columns.empty()) refuse(name, "found none of a table's columns");
+  std::string text = header + '\n';
+  for (std::size_t row = 0; row < columns.front().rows(); ++row) {
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (k > 0) text += ',';
+      columns[k].append(row, text);
+    }
+    text += '\n';
+  }
+  return std::make_unique<std::istringstream>(std::move(text));
+}
+
 }  // namespace
 
 bool is_column_file(const std::string& path) {
@@ -123,27 +165,31 @@ std::unique_ptr<std::istream> column_file_table(const std::string& path,
                                                 std::span<const std::string> wanted) {
   const Handle file = open_to_read(path);
   if (!file.valid()) refuse(path, "no readable HDF5 file");
-  std::istringstream names(text_attribute(file.id(), "columns"));
-  std::string header;
-  std::vector<ReadColumn> columns;
-  for (std::string column; std::getline(names, column);) {
-    if (!wanted.empty() && std::ranges::find(wanted, column) == wanted.end()) continue;
-    if (!header.empty()) header += ',';
-    header += csv_cell(column);
-    columns.emplace_back(path, file.id(), column);
-    if (columns.back().rows() != columns.front().rows())
-      refuse(path, "found datasets of different lengths");
-  }
-  if (columns.empty()) refuse(path, "found none of a table's columns");
-  std::string text = header + '\n';
-  for (std::size_t row = 0; row < columns.front().rows(); ++row) {
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      if (k > 0) text += ',';
-      columns[k].append(row, text);
-    }
-    text += '\n';
-  }
-  return std::make_unique<std::istringstream>(std::move(text));
+  return table_in(path, file.id(), wanted);
+}
+
+bool is_tables_file(const std::string& path) {
+  const Handle file = open_to_read(path);
+  return file.valid() && H5Aexists(file.id(), "metadata") > 0 &&
+         H5Aexists(file.id(), "columns") == 0;
+}
+
+struct TablesReader::Data {
+  std::string path;
+  Handle file;
+};
+
+TablesReader::TablesReader(const std::string& path)
+    : data_(std::make_unique<Data>(Data{path, open_to_read(path)})) {
+  if (!data_->file.valid()) refuse(path, "no readable HDF5 file");
+}
+
+TablesReader::~TablesReader() = default;
+
+std::unique_ptr<std::istream> TablesReader::table(const std::string& name) const {
+  const Handle group(H5Gopen2(data_->file.id(), name.c_str(), H5P_DEFAULT), H5Gclose);
+  if (!group.valid()) refuse(data_->path, "found no group " + in_quotes(name));
+  return table_in(data_->path, group.id(), {});
 }
 
 std::string column_file_metadata(const std::string& path) {

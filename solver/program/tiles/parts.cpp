@@ -12,7 +12,6 @@
 #include "solver/program/table/cell_table.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/table/row_pack.hpp"
-#include "solver/program/table/table_reader.hpp"
 #include "solver/program/text/input_error.hpp"
 
 namespace stationary::cli {
@@ -52,15 +51,6 @@ std::optional<std::string_view> word_of(const std::vector<std::string_view>& wor
                                         std::string_view text) {
   const auto at = std::ranges::find(words, text);
   return at == words.end() ? std::nullopt : std::optional(*at);
-}
-
-void require_whole(const PartTable& part, std::size_t rows, const TableChecksum& checksum) {
-  if (rows != part.metadata.rows)
-    refuse(part.path, fmt::format("found {} rows, {} by its metadata", rows, part.metadata.rows));
-  if (checksum.text() != part.metadata.checksum)
-    refuse(part.path,
-           "found that it was changed since it was written (its checksum is in the "
-           "metadata)");
 }
 
 }  // namespace
@@ -120,9 +110,18 @@ std::vector<std::pair<std::string, long>> added_counts(const std::vector<PartTab
   return out;
 }
 
-void read_rows(const std::vector<PartTable>& parts, const std::vector<Column>& columns,
-               const std::vector<std::string>& parameters,
-               const std::function<void(const TableRow&)>& take) {
+void require_whole(const PartTable& part, std::size_t rows, const TableChecksum& checksum) {
+  if (rows != part.metadata.rows)
+    refuse(part.path, fmt::format("found {} rows, {} by its metadata", rows, part.metadata.rows));
+  if (checksum.text() != part.metadata.checksum)
+    refuse(part.path,
+           "found that it was changed since it was written (its checksum is in the "
+           "metadata)");
+}
+
+void read_table(TableReader& table, const std::vector<Column>& columns,
+                const std::vector<std::string>& parameters,
+                const std::function<void(const TableRow&)>& take) {
   std::vector<std::string> expected;
   std::vector<std::vector<std::string_view>> words;
   for (const Column c : columns) {
@@ -131,32 +130,40 @@ void read_rows(const std::vector<PartTable>& parts, const std::vector<Column>& c
                                                    : std::vector<std::string_view>());
   }
   expected.insert(expected.end(), parameters.begin(), parameters.end());
+  if (table.columns() != expected) refuse(table.name(), "found other columns than this case's");
+  TableRow row;
+  while (table.next()) {
+    std::size_t k = 0;
+    for (const Column c : columns) {
+      if (cell_kind(c) == CellKind::text) {
+        const auto word = word_of(words[k], table.text(k));
+        if (!word) throw table.fault(k, "a word that this program writes");
+        set_text(row, c, *word);
+      } else {
+        row[c] = table.number(k);
+      }
+      ++k;
+    }
+    if (!parameters.empty()) row.parameter = table.number(k);
+    if (parameters.size() > 1) row.second_parameter = table.number(k + 1);
+    take(row);
+  }
+}
+
+void read_rows(const std::vector<PartTable>& parts, const std::vector<Column>& columns,
+               const std::vector<std::string>& parameters,
+               const std::function<void(const TableRow&)>& take) {
   for (const PartTable& part : parts) {
     TableReader table = is_column_file(part.path)
                             ? TableReader(column_file_table(part.path, {}), part.path)
                             : TableReader(part.path);
-    if (table.columns() != expected) refuse(part.path, "found other columns than this case's");
-    TableRow row;
     TableChecksum checksum;
     std::size_t rows = 0;
-    while (table.next()) {
-      std::size_t k = 0;
-      for (const Column c : columns) {
-        if (cell_kind(c) == CellKind::text) {
-          const auto word = word_of(words[k], table.text(k));
-          if (!word) throw table.fault(k, "a word that this program writes");
-          set_text(row, c, *word);
-        } else {
-          row[c] = table.number(k);
-        }
-        ++k;
-      }
-      if (!parameters.empty()) row.parameter = table.number(k);
-      if (parameters.size() > 1) row.second_parameter = table.number(k + 1);
+    read_table(table, columns, parameters, [&](const TableRow& row) {
       checksum.add(row, columns, parameters.size());
       ++rows;
       take(row);
-    }
+    });
     require_whole(part, rows, checksum);
   }
 }

@@ -8,6 +8,7 @@
 
 #include "solver/program/rows/part_metadata.hpp"
 #include "solver/program/table/table.hpp"
+#include "solver/program/table/table_reader.hpp"
 
 namespace stationary::cli {
 
@@ -28,8 +29,16 @@ void require_work(const std::vector<PartTable>& parts, const std::string& hash);
 /// All counts of the parts' metadata by their names, added up.
 std::vector<std::pair<std::string, long>> added_counts(const std::vector<PartTable>& parts);
 
-/// Every row, in order; parameters: headers of the trailing columns. Throws InputError where a part has
-/// other columns than these, or was changed.
+/// Throws InputError where a part has not so many rows as its metadata say, or others.
+void require_whole(const PartTable& part, std::size_t rows, const TableChecksum& checksum);
+
+/// Every row of a part's table; parameters: headers of the trailing columns. Throws InputError where it
+/// has other columns than these.
+void read_table(TableReader& table, const std::vector<Column>& columns,
+                const std::vector<std::string>& parameters,
+                const std::function<void(const TableRow&)>& take);
+
+/// Every row of all parts, in order. Throws InputError as those two do.
 void read_rows(const std::vector<PartTable>& parts, const std::vector<Column>& columns,
                const std::vector<std::string>& parameters,
                const std::function<void(const TableRow&)>& take);

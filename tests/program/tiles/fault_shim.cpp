@@ -1,13 +1,24 @@
-// Preloaded into the program: kills it at the FAULT_AT-th of its calls that change regular files (write,
-// fdatasync, fsync, ftruncate, rename, unlink): before it, after it, or with half of a write done. Its clock
-// runs ten thousand times as fast, so that what is done every few seconds is done every time.
+// Preloaded into the program, does what its environment says:
+//
+//   FAULT_AT=N, FAULT_WHEN=before|half|after   kills it at the N-th of its calls that change regular files
+//                     (write, fdatasync, fsync, ftruncate, rename, unlink), before it, after it, or with half
+//                     of a write done
+//   FAULT_UNDER=PATH  counts only files whose paths begin so
+//   FAULT_LOCK=ERRNO  no lock of an open file is to be had, for that reason
+//   FAULT_CLOCK=K     its clock runs K times as fast, so that what is done every few seconds is done every
+//                     time
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <limits.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
+#include <cstdarg>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -25,15 +36,28 @@ bool is_file(int descriptor) {
   return descriptor > STDERR_FILENO && fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
+bool counts(const char* path) {
+  const char* const under = std::getenv("FAULT_UNDER");
+  return under == nullptr || std::strncmp(path, under, std::strlen(under)) == 0;
+}
+
+bool counts(int descriptor) {
+  char name[64];
+  char path[PATH_MAX] = "";
+  std::snprintf(name, sizeof name, "/proc/self/fd/%d", descriptor);
+  return readlink(name, path, sizeof path - 1) > 0 && counts(path);
+}
+
 bool is_when(const char* word) {
   const char* const when = std::getenv("FAULT_WHEN");
   return when != nullptr && std::strcmp(when, word) == 0;
 }
 
 /// Whether this call is the one.
-bool struck() {
+template <class File>
+bool struck(File file) {
   const char* const at = std::getenv("FAULT_AT");
-  return at != nullptr && ++calls == std::atol(at);
+  return at != nullptr && counts(file) && ++calls == std::atol(at);
 }
 
 [[noreturn]] void die() {
@@ -41,12 +65,21 @@ bool struck() {
   for (;;) pause();
 }
 
-template <class Run>
-auto around(const Run& run) {
-  const bool here = struck();
+/// run(here): the call, here where it is the one.
+template <class File, class Run>
+auto around(File file, const Run& run) {
+  const bool here = struck(file);
   if (here && is_when("before")) die();
-  const auto out = run();
+  const auto out = run(here);
   if (here) die();
+  return out;
+}
+
+long clock_factor() {
+  static const long out = [] {
+    const char* const text = std::getenv("FAULT_CLOCK");
+    return text == nullptr ? 1L : std::atol(text);
+  }();
   return out;
 }
 
@@ -57,33 +90,51 @@ extern "C" {
 ssize_t write(int descriptor, const void* bytes, size_t count) {
   static const auto next = real<ssize_t (*)(int, const void*, size_t)>("write");
   if (!is_file(descriptor)) return next(descriptor, bytes, count);
-  return around([&] { return next(descriptor, bytes, is_when("half") ? count / 2 : count); });
+  return around(descriptor, [&](bool here) {
+    return next(descriptor, bytes, here && is_when("half") ? count / 2 : count);
+  });
 }
 int fdatasync(int descriptor) {
   static const auto next = real<int (*)(int)>("fdatasync");
-  return around([&] { return next(descriptor); });
+  return around(descriptor, [&](bool) { return next(descriptor); });
 }
 int fsync(int descriptor) {
   static const auto next = real<int (*)(int)>("fsync");
-  return around([&] { return next(descriptor); });
+  return around(descriptor, [&](bool) { return next(descriptor); });
 }
 int ftruncate(int descriptor, off_t size) noexcept {
   static const auto next = real<int (*)(int, off_t)>("ftruncate");
-  return around([&] { return next(descriptor, size); });
+  return around(descriptor, [&](bool) { return next(descriptor, size); });
 }
 int rename(const char* from, const char* to) noexcept {
   static const auto next = real<int (*)(const char*, const char*)>("rename");
-  return around([&] { return next(from, to); });
+  return around(to, [&](bool) { return next(from, to); });
 }
 int unlink(const char* path) noexcept {
   static const auto next = real<int (*)(const char*)>("unlink");
-  return around([&] { return next(path); });
+  return around(path, [&](bool) { return next(path); });
+}
+int fcntl(int descriptor, int command, ...) {
+  static const auto next = real<int (*)(int, int, ...)>("fcntl");
+  va_list rest;
+  va_start(rest, command);
+  void* const argument = va_arg(rest, void*);
+  va_end(rest);
+  const char* const reason = std::getenv("FAULT_LOCK");
+  if (reason != nullptr && (command == F_OFD_SETLK || command == F_SETLK)) {
+    errno = std::atoi(reason);
+    return -1;
+  }
+  return next(descriptor, command, argument);
 }
 int clock_gettime(clockid_t which, timespec* out) noexcept {
   static const auto next = real<int (*)(clockid_t, timespec*)>("clock_gettime");
   const int result = next(which, out);
-  if (which == CLOCK_MONOTONIC) out->tv_sec *= 10'000;
-  if (which == CLOCK_MONOTONIC) out->tv_sec += out->tv_nsec / 100'000;
+  const long factor = clock_factor();
+  if (which != CLOCK_MONOTONIC || factor == 1) return result;
+  constexpr long second = 1'000'000'000;
+  out->tv_sec = out->tv_sec * factor + out->tv_nsec / (second / factor);
+  out->tv_nsec = out->tv_nsec % (second / factor) * factor;
   return result;
 }
 }

@@ -1,6 +1,5 @@
 // Work in tiles whose process is killed at random moments: what it had finished is not computed again,
 // and what comes of it in the end is what a run that nobody stops has.
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -12,64 +11,35 @@
 #include <map>
 #include <random>
 #include <set>
-#include <sstream>
 #include <thread>
 
 #include "solver/program/text/input_error.hpp"
 #include "solver/program/tiles/tiled_run.hpp"
 #include "tests/program/program.hpp"
+#include "tests/program/tiles/traced_work.hpp"
 
 namespace stationary::cli {
 namespace {
 
 using stationary::testing::TemporaryDirectory;
 using stationary::testing::text_of;
+using stationary::testing::TracedWork;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-constexpr std::size_t all_rows = 400;
-constexpr std::size_t rows_a_tile = 3;
-constexpr std::size_t all_tiles = (all_rows + rows_a_tile - 1) / rows_a_tile;
-
-/// What a row says, of a length of its own.
-std::string row_text(std::size_t row) {
-  return std::to_string(row * row) + std::string(row % 7, '\n') + std::string(row % 3, '\0');
-}
-std::string whole_text() {
-  std::string out;
-  for (std::size_t k = 0; k < all_rows; ++k) out += row_text(k);
-  return out;
-}
-
 class TileFaults : public ::testing::Test {
  protected:
-  /// A line for every tile that is begun, at once in the file.
-  TiledWork work(int milliseconds) const {
-    return {.hash = "0123456789abcdef",
-            .share = {0, all_rows},
-            .rows_a_tile = rows_a_tile,
-            .unit = "rows",
-            .compute = [this, milliseconds](const Share& rows) -> std::optional<std::string> {
-              const int trace = ::open(trace_.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
-              const std::string line = std::to_string(rows.first / rows_a_tile) + "\n";
-              EXPECT_EQ(::write(trace, line.data(), line.size()),
-                        static_cast<ssize_t>(line.size()));
-              ::close(trace);
-              std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-              std::string out;
-              for (std::size_t k = rows.first; k < rows.last; ++k) out += row_text(k);
-              return out;
-            }};
-  }
   /// All of it, in this process.
   std::string run(bool resume, int threads, int milliseconds = 0) {
     cli::Run how;
     how.threads = threads;
     how.complain = [this](const std::string& line) { said_.push_back(line); };
     const TiledRun tiled{.journal = table_, .resume = resume, .part = {}};
-    TileRunner runner(work(milliseconds), tiled, how);
+    TracedWork work = work_;
+    work.milliseconds = milliseconds;
+    TileRunner runner(work.work(), tiled, how);
     std::string out;
     EXPECT_TRUE(runner.run([&](const Share&, const std::string& text) { out += text; }));
     Metadata told;
@@ -79,26 +49,19 @@ class TileFaults : public ::testing::Test {
     runner.finish();
     return out;
   }
-  /// How often each tile was begun.
-  std::map<std::size_t, int> begun() const {
-    std::map<std::size_t, int> out;
-    std::istringstream lines(text_of(trace_));
-    for (std::size_t tile = 0; lines >> tile;) ++out[tile];
-    return out;
-  }
   std::set<std::size_t> finished() const {
     std::set<std::size_t> out;
     const Journal journal(table_, hash_of({"0123456789abcdef", "", "1/1"}), true);
-    for (std::size_t k = 0; k < all_tiles; ++k)
+    for (std::size_t k = 0; k < work_.tiles(); ++k)
       if (journal.has(k)) out.insert(k);
     return out;
   }
   /// A journal of about so many tiles.
   std::string interrupted(std::size_t tiles) const {
     Journal journal(table_, hash_of({"0123456789abcdef", "", "1/1"}), false);
-    const TiledWork all = work(0);
+    const TiledWork all = work_.work();
     for (std::size_t k = 0; k < tiles; ++k)
-      journal.add(k, all.compute({k * rows_a_tile, (k + 1) * rows_a_tile}).value());
+      journal.add(k, all.compute({k * work_.rows_a_tile, (k + 1) * work_.rows_a_tile}).value());
     return text_of(table_ + ".journal");
   }
   void write_journal(const std::string& text) const {
@@ -107,7 +70,7 @@ class TileFaults : public ::testing::Test {
 
   TemporaryDirectory directory_;
   std::string table_ = directory_ / "x.csv";
-  std::string trace_ = directory_ / "trace";
+  TracedWork work_{.trace = directory_ / "trace"};
   std::vector<std::string> said_;
   std::size_t computed_ = 0;
   std::size_t kept_ = 0;
@@ -121,7 +84,7 @@ TEST_F(TileFaults, KilledAtFiftyMomentsNothingFinishedIsLost) {
   std::set<std::size_t> before;
   while (killed < kills) {
     const bool resume = std::filesystem::exists(table_ + ".journal");
-    const auto begun_before = begun();
+    const auto begun_before = work_.begun();
     const pid_t child = ::fork();
     if (child == 0) {
       (void)run(resume, threads, 5);
@@ -133,13 +96,13 @@ TEST_F(TileFaults, KilledAtFiftyMomentsNothingFinishedIsLost) {
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
     if (WIFEXITED(status)) {  // it had ended
-      std::filesystem::remove(trace_);
+      std::filesystem::remove(work_.trace);
       before.clear();
       continue;
     }
     ++killed;
     int twice = 0;
-    for (const auto& [tile, times] : begun()) {
+    for (const auto& [tile, times] : work_.begun()) {
       const auto was = begun_before.find(tile);
       const int now = times - (was == begun_before.end() ? 0 : was->second);
       EXPECT_FALSE(before.contains(tile) && now > 0) << "tile " << tile << " was finished";
@@ -152,9 +115,9 @@ TEST_F(TileFaults, KilledAtFiftyMomentsNothingFinishedIsLost) {
     for (const std::size_t tile : before) EXPECT_TRUE(after.contains(tile)) << tile;
     before = after;
   }
-  EXPECT_EQ(run(std::filesystem::exists(table_ + ".journal"), threads), whole_text());
+  EXPECT_EQ(run(std::filesystem::exists(table_ + ".journal"), threads), work_.whole_text());
   EXPECT_EQ(kept_, before.size());
-  EXPECT_EQ(computed_ + kept_, all_tiles);
+  EXPECT_EQ(computed_ + kept_, work_.tiles());
   EXPECT_FALSE(std::filesystem::exists(table_ + ".journal"));
 }
 
@@ -166,7 +129,7 @@ TEST_F(TileFaults, CutAtEveryByteOfItsLastRecord) {
   for (std::size_t size = but_one.size(); size <= whole.size(); ++size) {
     write_journal(whole.substr(0, size));
     said_.clear();
-    EXPECT_EQ(run(true, 1), whole_text()) << size;
+    EXPECT_EQ(run(true, 1), work_.whole_text()) << size;
     EXPECT_EQ(kept_, size == whole.size() ? tiles : tiles - 1) << size;
     if (size == but_one.size() || size == whole.size()) {
       EXPECT_THAT(said_, IsEmpty()) << size;
@@ -185,7 +148,7 @@ TEST_F(TileFaults, OfEveryBitThatIsFlippedOneTileIsComputedAgain) {
     flipped[byte] = static_cast<char>(flipped[byte] ^ (1 << (byte % 8)));
     write_journal(flipped);
     said_.clear();
-    EXPECT_EQ(run(true, 1), whole_text()) << byte;
+    EXPECT_EQ(run(true, 1), work_.whole_text()) << byte;
     EXPECT_GE(kept_, tiles - 1) << byte;
     EXPECT_THAT(said_, SizeIs(1)) << byte;
     EXPECT_THAT(said_.front(), HasSubstr("x.csv.journal: ")) << byte;
@@ -217,7 +180,7 @@ TEST_F(TileFaults, AJournalThatWasOnlyBegunIsGoneOnWith) {
   const std::string title = interrupted(0);
   for (std::size_t size = 0; size <= title.size(); ++size) {
     write_journal(title.substr(0, size));
-    EXPECT_EQ(run(true, 2), whole_text());
+    EXPECT_EQ(run(true, 2), work_.whole_text());
     EXPECT_EQ(kept_, 0U);
   }
 }
