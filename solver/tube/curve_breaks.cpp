@@ -30,6 +30,7 @@ class Breaks {
       last.q.hi = std::max(last.q.hi, each.q.hi);
       last.turns = last.turns || each.turns;
       last.crosses = last.crosses || each.crosses;
+      last.mirrors = last.mirrors || each.mirrors;
     }
     return out;
   }
@@ -46,7 +47,9 @@ class Breaks {
     const bool crosses = within == Within::unclear;
     if (!turns && !crosses) return;
     if (q.hi - q.lo <= narrow || s.hi - s.lo <= shortest * tube_->half_length()) {
-      found_.push_back({q, turns, crosses});
+      const bool mirrors = region_.mirror && slice.y[*region_.mirror].may_be(0.0) &&
+                           !slice.velocity[*region_.mirror].may_be(0.0);
+      found_.push_back({q, turns, crosses, mirrors});
       return;
     }
     const double middle = s.mid();

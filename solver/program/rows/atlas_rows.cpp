@@ -30,6 +30,16 @@ CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
 }
 
 double complete_fraction(const Atlas& found) {
+  if (!found.completeness.empty()) {
+    double open = 0.0;
+    double all = 0.0;
+    for (const Completeness& each : found.completeness) {
+      if (each.intervals.empty()) continue;  // interrupted
+      open += each.unproven_length();
+      all += each.intervals.back().to - each.intervals.front().from;
+    }
+    return all > 0.0 ? 1.0 - open / all : 0.0;
+  }
   const auto complete = std::ranges::count_if(found.checkpoints, &Checkpoint::complete);
   return static_cast<double>(complete) / static_cast<double>(found.checkpoints.size());
 }
