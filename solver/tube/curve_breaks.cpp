@@ -46,10 +46,11 @@ class Breaks {
     const bool turns = slice.velocity[std::size_t(N)].may_be(0.0);
     const bool crosses = within == Within::unclear;
     if (!turns && !crosses) return;
-    if (q.hi - q.lo <= narrow || s.hi - s.lo <= shortest * tube_->half_length()) {
-      const bool mirrors = region_.mirror && slice.y[*region_.mirror].may_be(0.0) &&
-                           !slice.velocity[*region_.mirror].may_be(0.0);
-      found_.push_back({q, turns, crosses, mirrors});
+    const bool meets_mirror = region_.mirror && slice.y[*region_.mirror].may_be(0.0);
+    const bool once = meets_mirror && !slice.velocity[*region_.mirror].may_be(0.0);
+    if ((q.hi - q.lo <= narrow && meets_mirror == once) ||
+        s.hi - s.lo <= shortest * tube_->half_length()) {
+      found_.push_back({q, turns, crosses, once});
       return;
     }
     const double middle = s.mid();

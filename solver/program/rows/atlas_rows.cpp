@@ -20,8 +20,11 @@ CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
   CurveProofs out;
   for (AtlasSheet& sheet : found.sheets) {
     CurveTable table(name(sheet.motion(0.0)), writer, sheet.number);
-    if (of.prove)
-      table.prove([&](double nu) { return kind_of(of.body, of.potential, sheet.motion(nu)); }, {});
+    const auto kind_at = [&](double nu) {
+      return kind_of(of.body, of.potential, sheet.motion(nu));
+    };
+    table.tell_normal_forms(kind_at, {});
+    if (of.prove) table.prove(kind_at, {});
     records.push_back(write_rows(sheet, table));
     out.rows += table.proofs().rows;
     out.proven += table.proofs().proven;
