@@ -38,7 +38,7 @@ endfunction()
 
 file(MAKE_DIRECTORY ${INTO})
 file(GLOB old ${INTO}/*.csv ${INTO}/*.meta.json ${INTO}/*.svg ${INTO}/*.png ${INTO}/*.html)
-list(FILTER old EXCLUDE REGEX "/(work_precision\\.|stress|explorer\\.)[^/]*$") # of targets of their own
+list(FILTER old EXCLUDE REGEX "/(work_precision\\.|completeness\\.|stress|explorer\\.)[^/]*$") # of targets of their own
 if(old)
   file(REMOVE ${old})
 endif()

@@ -69,6 +69,9 @@ void set_text(TableRow& row, Column c, std::string_view text) {
     case Column::class_certified:
       row.class_certified = text;
       break;
+    case Column::side:
+      row.side = text;
+      break;
     default:
       row.stability = text;
   }

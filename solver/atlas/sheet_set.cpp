@@ -1,12 +1,16 @@
 #include "solver/atlas/sheet_set.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
 namespace stationary {
 namespace {
+
+constexpr std::string_view parts = "ellipses part from circles";
+constexpr std::string_view parts_once = "ellipses part from circles: one event, proven";
 
 class Keep final : public CurveSink {
  public:
@@ -158,9 +162,10 @@ void SheetSet::complete() {
   for (const NuGap& gap : cover->gaps) {
     if (stopped()) return;
     add_interval(begin, gap.nu.lo);
-    const char* reason = gap.undecided ? "boxes are left undecided"
-                         : gap.turns   ? "two sheets meet at a fold"
-                                       : "a sheet leaves the box";
+    const std::string_view reason = gap.undecided ? "boxes are left undecided"
+                                    : gap.mirrors ? parts
+                                    : gap.turns   ? "two sheets meet at a fold"
+                                                  : "a sheet leaves the box";
     out.intervals.push_back({gap.nu.lo, gap.nu.hi, false, 0, reason});
     begin = gap.nu.hi;
   }
@@ -191,6 +196,25 @@ void SheetSet::follow_all(std::span<const AtlasSheet> others) {
     }
   }
   for (std::size_t k = 0; k < checkpoints_.size(); ++k) count(k);
+  prove_partings();
+}
+
+/// By the event's own equations, where its tube has told that they part.
+void SheetSet::prove_partings() {
+  if (!completeness_) return;
+  std::vector<Parting> partings;
+  add_partings(sheets_, partings);
+  for (const Parting& each : partings) {
+    const auto meets = [&](const CompleteInterval& interval) {
+      constexpr double near = 1e-9;
+      return interval.reason == parts && interval.from <= each.at.nu * (1.0 + near) &&
+             interval.to >= each.at.nu * (1.0 - near);
+    };
+    const auto interval = std::ranges::find_if(completeness_->intervals, meets);
+    if (interval == completeness_->intervals.end()) continue;
+    const auto nu = source_->proven_parting(each.at, options_.search.inputs);
+    if (nu && !nu->apart_from({interval->from, interval->to})) interval->reason = parts_once;
+  }
 }
 
 bool SheetSet::stopped() const {
@@ -282,8 +306,15 @@ void SheetSet::count(std::size_t checkpoint) {
 
 bool SheetSet::in_box(const Stretch& q) const {
   const PrincipalStretches planar = principal_stretches(q);
-  return std::min(planar.mu, q.rho) > options_.search.min_stretch &&
-         std::max(planar.lambda, q.rho) < options_.search.max_stretch;
+  // Sheared, the two of the plane are sought between the same bounds.
+  const std::array<double, 3> stretches = q.alpha == 0.0
+                                              ? std::array{q.xi, q.zeta, q.rho}
+                                              : std::array{planar.lambda, planar.mu, q.rho};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Interval range = options_.search.range(k);
+    if (!(stretches[k] > range.lo && stretches[k] < range.hi)) return false;
+  }
+  return true;
 }
 
 /// The places on sheets, but for their ends, where sheets of this kind begin.

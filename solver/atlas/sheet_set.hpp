@@ -61,6 +61,7 @@ class SheetSet {
   void add_partings(std::span<const AtlasSheet> sheets, std::vector<Parting>& out) const;
   void leave(const Parting& parting);
   bool has_child(const Parting& parting) const;
+  void prove_partings();
 
   const AtlasOptions& options_;
   std::unique_ptr<SheetSource> source_;

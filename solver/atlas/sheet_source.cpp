@@ -6,6 +6,7 @@
 
 #include "lib/balance/anisotropic_balance.hpp"
 #include "solver/continuation/curve.hpp"
+#include "solver/proof/event_enclosure.hpp"
 
 namespace stationary {
 namespace {
@@ -24,7 +25,6 @@ class AxisSheets final : public SheetSource {
 
   std::optional<KindCover> cover(double from, double to,
                                  const SearchOptions& options) const override {
-    if (has_mirror_images()) return std::nullopt;  // circles and ellipses meet at pitchforks
     return cover_axis(problem_, from, to, options);
   }
 
@@ -54,6 +54,12 @@ class AxisSheets final : public SheetSource {
     return has_mirror_images() ? EventType::ellipse : EventType::none;
   }
   bool leaves_at(const Member& at) const override { return is_circle(at.q); }
+  std::optional<Interval> proven_parting(const Member& at, Inputs inputs) const override {
+    const EventEnclosure event =
+        enclose_event(problem_, {}, /*circle=*/true, leaves_by(), at, inputs);
+    if (!event.proven) return std::nullopt;
+    return event.parameter;
+  }
 
   DepartureResult departure(Branch, const Member& at, double range) const override {
     const AnyFamily family = this->family(0, false);

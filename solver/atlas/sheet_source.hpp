@@ -71,6 +71,10 @@ class SheetSource {
   virtual EventType leaves_by() const { return EventType::none; }
   /// Whether, at that event, this is a place where they do.
   virtual bool leaves_at(const Member&) const { return false; }
+  /// The nu of that event at a place where they do, proven; nothing where it is not.
+  virtual std::optional<Interval> proven_parting(const Member&, Inputs) const {
+    return std::nullopt;
+  }
   /// parent: the branch of the sheet left. range: of nu, for the scale.
   virtual DepartureResult departure(Branch parent, const Member& at, double range) const = 0;
 };

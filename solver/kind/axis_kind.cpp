@@ -117,12 +117,19 @@ class AxisKind final : public Kind {
   std::optional<EventEnclosure> enclose_event(const FamilyParameter& parameter, EventType event,
                                               const Member& member) const override {
     if (!potential().is_isotropic() || !has_enclosure(event)) return std::nullopt;
-    const bool circle = event == EventType::ellipse ||
-                        (mirror_symmetric(problem_, member.nu) && member.q.xi == member.q.zeta);
+    const bool circle = event == EventType::ellipse || is_circle(member);
     return stationary::enclose_event(problem_, parameter, circle, event, member);
+  }
+  std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
+                                        const Member& member) const override {
+    return stationary::normal_form(problem_, parameter, is_circle(member), event, member);
   }
 
  private:
+  bool is_circle(const Member& member) const {
+    return mirror_symmetric(problem_, member.nu) && member.q.xi == member.q.zeta;
+  }
+
   AxisRotation motion_;
   Problem problem_;
 };

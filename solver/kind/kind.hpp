@@ -14,6 +14,7 @@
 #include "lib/material/potential.hpp"
 #include "solver/family/follow_sheet.hpp"
 #include "solver/proof/event_enclosure.hpp"
+#include "solver/proof/normal_form.hpp"
 #include "solver/search/search.hpp"
 #include "solver/solve/solve.hpp"
 
@@ -71,6 +72,12 @@ class Kind {
   /// An event at a member of the family: nothing where it has no equations of its own.
   virtual std::optional<EventEnclosure> enclose_event(const FamilyParameter&, EventType,
                                                       const Member&) const {
+    return std::nullopt;
+  }
+  /// How the motions begin that an event lets begin, at a member of the family: nothing where that
+  /// is not known.
+  virtual std::optional<NormalForm> normal_form(const FamilyParameter&, EventType,
+                                                const Member&) const {
     return std::nullopt;
   }
 

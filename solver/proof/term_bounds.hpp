@@ -54,6 +54,9 @@ class TermBounds {
   TermBounds(std::shared_ptr<const expression::TermTable> table,
              const std::array<Interval, D>& rates);
 
+  /// Other rates, for the boxes from now on.
+  void set_rates(const std::array<Interval, D>& rates);
+
   /// Narrows a box of stretches; false where nothing is left of it.
   bool contract(Sides& box) const;
 
@@ -128,25 +131,8 @@ class TermBounds {
 template <int D>
 TermBounds<D>::TermBounds(std::shared_ptr<const expression::TermTable> table,
                           const std::array<Interval, D>& rates)
-    : table_(std::move(table)), force_(table_->force), slope_(table_->slope) {
-  for (std::size_t i = 0; i < D; ++i) {
-    const int square = table_->pull[i];
-    const auto add = [&](Entries& entries, const Interval& c) {
-      const auto at = std::ranges::find(entries, square, &Entry::term);
-      if (at == entries.end()) {
-        entries.push_back({square, c});
-      } else {
-        at->coefficient += c;
-      }
-    };
-    add(force_[i], -rates[i]);
-    add(slope_[i][0], -2.0 * rates[i]);
-  }
-  directions_ = force_;
-  for (std::size_t i = 0; i < D; ++i)
-    for (std::size_t j = i + 1; j < D; ++j)
-      for (const double sign : {1.0, -1.0})
-        directions_.push_back(merged(force_[i], force_[j], sign));
+    : table_(std::move(table)) {
+  set_rates(rates);
   const expression::Monomial one;
   for (const expression::Monomial& each : table_->terms) terms_.push_back(ratio(each, one));
   std::vector<int> used;
@@ -174,6 +160,30 @@ TermBounds<D>::TermBounds(std::shared_ptr<const expression::TermTable> table,
   for (std::size_t k = 0; k < table_->atoms.size(); ++k)
     if (table_->atoms[k].kind == expression::Atom::Kind::base && !table_->atoms[k].positive)
       unsigned_.push_back(static_cast<int>(k));
+}
+
+template <int D>
+void TermBounds<D>::set_rates(const std::array<Interval, D>& rates) {
+  force_ = table_->force;
+  slope_ = table_->slope;
+  for (std::size_t i = 0; i < D; ++i) {
+    const int square = table_->pull[i];
+    const auto add = [&](Entries& entries, const Interval& c) {
+      const auto at = std::ranges::find(entries, square, &Entry::term);
+      if (at == entries.end()) {
+        entries.push_back({square, c});
+      } else {
+        at->coefficient += c;
+      }
+    };
+    add(force_[i], -rates[i]);
+    add(slope_[i][0], -2.0 * rates[i]);
+  }
+  directions_ = force_;
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = i + 1; j < D; ++j)
+      for (const double sign : {1.0, -1.0})
+        directions_.push_back(merged(force_[i], force_[j], sign));
 }
 
 template <int D>

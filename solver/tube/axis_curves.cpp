@@ -1,7 +1,7 @@
 #include "solver/tube/axis_curves.hpp"
 
-#include "solver/proof/term_bounds.hpp"
-#include "solver/search/model_terms.hpp"
+#include "solver/tube/circle_curves.hpp"
+#include "solver/tube/curve_terms.hpp"
 
 namespace stationary {
 namespace {
@@ -10,24 +10,6 @@ namespace {
 CentrifugalRates<Interval> rates_at_end(const Problem& problem, double nu_end, Inputs inputs) {
   return axis_rates(inertia_intervals(problem.body(), inputs), problem.branch(),
                     square(Interval(nu_end)));
-}
-
-using Terms = std::shared_ptr<const expression::TermTable>;
-
-/// Narrows logarithms of stretches by the terms of a formula.
-template <int D>
-bool contract_by(const Terms& table, const std::array<Interval, D>& rates, Interval* x) {
-  if (!table) return true;
-  Box<D> stretches;
-  for (std::size_t i = 0; i < D; ++i) stretches[i] = exp(x[i]);
-  const Box<D> before = stretches;
-  if (!TermBounds<D>(table, rates).contract(stretches)) return false;
-  for (std::size_t i = 0; i < D; ++i) {
-    if (stretches[i].lo == before[i].lo && stretches[i].hi == before[i].hi) continue;
-    const Interval narrowed = log(stretches[i]);
-    if (narrowed.bounded() && !narrowed.apart_from(x[i])) x[i] = common(x[i], narrowed);
-  }
-  return true;
 }
 
 template <class Thickness>
@@ -48,13 +30,16 @@ class ThicknessCurves final : public CurveEquations<1> {
   }
   bool excludes(const CurveBox<1>& y) const override { return defined_nowhere(model_, exp(y[0])); }
   bool contract(CurveBox<1>& y) const override {
-    return contract_by<1>(terms_, {y[1] * rate_}, y.data());
+    std::array<Interval, 1> x{y[0]};
+    const bool left = terms_.contract({y[1] * rate_}, x);
+    y[0] = x[0];
+    return left;
   }
 
  private:
   decltype(interval_model(std::declval<Thickness>(), Inputs())) model_;
   Interval rate_;
-  Terms terms_;
+  CurveTerms<1> terms_;
 };
 
 template <class Plane>
@@ -79,13 +64,16 @@ class PlaneCurves final : public CurveEquations<2> {
     return defined_nowhere(model_, exp(y[0]), exp(y[1]));
   }
   bool contract(CurveBox<2>& y) const override {
-    return contract_by<2>(terms_, {y[2] * rates_.xi, y[2] * rates_.zeta}, y.data());
+    std::array<Interval, 2> x{y[0], y[1]};
+    const bool left = terms_.contract({y[2] * rates_.xi, y[2] * rates_.zeta}, x);
+    y = {x[0], x[1], y[2]};
+    return left;
   }
 
  private:
   decltype(interval_model(std::declval<Plane>(), Inputs())) model_;
   CentrifugalRates<Interval> rates_;
-  Terms terms_;
+  CurveTerms<2> terms_;
 };
 
 template <class Coupled>
@@ -113,14 +101,17 @@ class CoupledCurves final : public CurveEquations<3> {
     return defined_nowhere(model_, exp(y[0]), exp(y[1]), exp(y[2]));
   }
   bool contract(CurveBox<3>& y) const override {
-    return contract_by<3>(terms_, {y[3] * rates_.xi, y[3] * rates_.zeta, y[3] * rates_.rho},
-                          y.data());
+    std::array<Interval, 3> x{y[0], y[1], y[2]};
+    const bool left =
+        terms_.contract({y[3] * rates_.xi, y[3] * rates_.zeta, y[3] * rates_.rho}, x);
+    y = {x[0], x[1], x[2], y[3]};
+    return left;
   }
 
  private:
   decltype(interval_model(std::declval<Coupled>(), Inputs())) model_;
   CentrifugalRates<Interval> rates_;
-  Terms terms_;
+  CurveTerms<3> terms_;
 };
 
 class AxisCurves {
@@ -129,7 +120,8 @@ class AxisCurves {
       : problem_(problem),
         rates_(rates_at_end(problem, to, options.inputs)),
         q_(curve_range(from, to)),
-        inputs_(options.inputs) {
+        inputs_(options.inputs),
+        round_(problem.branch() == Branch::iii && problem.body().symmetric()) {
     for (std::size_t k = 0; k < 3; ++k) stretch_[k] = log_range(options.range(k));
   }
 
@@ -143,13 +135,49 @@ class AxisCurves {
   void add(const Separable<Plane, Thickness>& model) {
     factor(set<1>(std::make_unique<ThicknessCurves<Thickness>>(model.thickness, rates_, inputs_),
                   {stretch_[2]}));
-    factor(set<2>(std::make_unique<PlaneCurves<Plane>>(model.plane, rates_, inputs_),
-                  {stretch_[0], stretch_[1]}));
+    if (round_) {
+      factor(circles_and_ellipses<1>(model.plane, {}));
+    } else {
+      factor(set<2>(std::make_unique<PlaneCurves<Plane>>(model.plane, rates_, inputs_),
+                    {stretch_[0], stretch_[1]}));
+    }
   }
   template <class Coupled>
   void add(const Coupled& model) {
-    factor(set<3>(std::make_unique<CoupledCurves<Coupled>>(model, rates_, inputs_),
-                  {stretch_[0], stretch_[1], stretch_[2]}));
+    if (round_) {
+      factor(circles_and_ellipses<2>(model, {stretch_[2]}));
+    } else {
+      factor(set<3>(std::make_unique<CoupledCurves<Coupled>>(model, rates_, inputs_),
+                    {stretch_[0], stretch_[1], stretch_[2]}));
+    }
+  }
+
+  /// N unknowns of a circle, one more of an ellipse; thickness: the last, where it is one. Of an
+  /// ellipse and the same turned by a right angle that with xi > zeta.
+  template <int N, class Model>
+  std::vector<AnyCurveSet> circles_and_ellipses(const Model& model,
+                                                const std::vector<LogRange>& thickness) const {
+    const LogRange& xi = stretch_[0];
+    const LogRange& zeta = stretch_[1];
+    std::vector<AnyCurveSet> out;
+    std::vector<LogRange> circle{overlap(xi, zeta)};
+    std::vector<LogRange> ellipse{{0.5 * (xi.lower + zeta.lower), 0.5 * (xi.upper + zeta.upper)},
+                                  {Interval(0.0), 0.5 * (xi.upper - zeta.lower)}};
+    for (std::vector<LogRange>* each : {&circle, &ellipse})
+      each->insert(each->end(), thickness.begin(), thickness.end());
+    if (circle[0].lower.lo < circle[0].upper.hi)
+      out.push_back(
+          set<N>(std::make_unique<CircleCurves<Model, N>>(model, rates_, inputs_), circle));
+    if (ellipse[1].upper.hi > 0.0) {
+      auto ellipses = std::make_unique<EllipseCurves<Model, N + 1>>(model, rates_, xi, zeta,
+                                                                    inputs_);
+      out.push_back(set<N + 1>(std::move(ellipses), ellipse));
+      std::get<CurveSet<N + 1>>(out.back()).region.mirror = 1;
+    }
+    return out;
+  }
+  static LogRange overlap(const LogRange& a, const LogRange& b) {
+    return {a.lower.lo > b.lower.lo ? a.lower : b.lower, a.upper.hi < b.upper.hi ? a.upper : b.upper};
   }
 
   template <int N>
@@ -164,11 +192,13 @@ class AxisCurves {
     return out;
   }
   void factor(AnyCurveSet only) { out_.emplace_back().sets.push_back(std::move(only)); }
+  void factor(std::vector<AnyCurveSet> sets) { out_.push_back({std::move(sets)}); }
 
   const Problem& problem_;
   CentrifugalRates<Interval> rates_;
   Interval q_;
   Inputs inputs_;
+  bool round_;  ///< circles and ellipses
   std::array<LogRange, 3> stretch_;
   std::vector<CurveFactor> out_;
 };

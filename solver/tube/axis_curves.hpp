@@ -1,9 +1,7 @@
 // The spins of an isotropic body about a material axis as curves (curve_equations.hpp) in the
 // logarithms of the stretches and q = nu^2/nu_end^2. What separates is taken apart: the plane, the
 // thickness; a motion at nu is one point of each.
-//
-// With J1 = J2 in (iii) circles let ellipses go at pitchforks, where G alone is singular: these are
-// not covered here.
+// With J1 = J2 in (iii) circles and ellipses are curves of their own (circle_curves.hpp).
 #pragma once
 
 #include <memory>
@@ -32,11 +30,6 @@ struct CurveFactor {
 std::vector<CurveFactor> axis_curves(const Problem& problem, double from, double to,
                                      const SearchOptions& options);
 
-/// ln of a stretch's range, as enclosures of its ends.
-struct LogRange {
-  Interval lower;
-  Interval upper;
-};
 LogRange log_range(const Interval& stretch);
 
 /// q of nu in [from, to], nu_end = to.

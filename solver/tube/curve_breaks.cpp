@@ -30,6 +30,7 @@ class Breaks {
       last.q.hi = std::max(last.q.hi, each.q.hi);
       last.turns = last.turns || each.turns;
       last.crosses = last.crosses || each.crosses;
+      last.mirrors = last.mirrors || each.mirrors;
     }
     return out;
   }
@@ -45,8 +46,11 @@ class Breaks {
     const bool turns = slice.velocity[std::size_t(N)].may_be(0.0);
     const bool crosses = within == Within::unclear;
     if (!turns && !crosses) return;
-    if (q.hi - q.lo <= narrow || s.hi - s.lo <= shortest * tube_->half_length()) {
-      found_.push_back({q, turns, crosses});
+    const bool meets_mirror = region_.mirror && slice.y[*region_.mirror].may_be(0.0);
+    const bool once = meets_mirror && !slice.velocity[*region_.mirror].may_be(0.0);
+    if ((q.hi - q.lo <= narrow && meets_mirror == once) ||
+        s.hi - s.lo <= shortest * tube_->half_length()) {
+      found_.push_back({q, turns, crosses, once});
       return;
     }
     const double middle = s.mid();

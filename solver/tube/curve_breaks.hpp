@@ -1,5 +1,6 @@
 // Where the number of points that proven curves (tube_set.hpp) have at one nu may change: where a
-// curve turns, dq/ds = 0, and where it passes a side of the region or a condition changes its sign.
+// curve turns, dq/ds = 0, where it passes a side of the region or a condition changes its sign, and
+// where it passes into its own mirror image, at which it turns too.
 // Slices of each tube are halved until their signs are decided, or until what q they may have is as
 // narrow as rounding. Between two neighbouring such intervals every point of a curve is regular and
 // inside, so that their number is constant.
@@ -15,6 +16,8 @@ struct CurveBreak {
   Interval q;
   bool turns = false;    ///< dq/ds may vanish here
   bool crosses = false;  ///< the region or a condition may be left here
+  /// A curve passes the region's mirror coordinate's 0 once, into its own mirror image.
+  bool mirrors = false;
 };
 
 /// Ascending, touching ones merged.

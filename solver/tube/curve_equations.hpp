@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "solver/proof/box_balance.hpp"
@@ -50,12 +51,20 @@ class CurveEquations {
   virtual bool contract(CurveBox<N>&) const { return true; }
 };
 
+/// Bounds of the logarithm of a stretch, as enclosures.
+struct LogRange {
+  Interval lower;
+  Interval upper;
+};
+
 /// Where curves are wanted: bounds of each x, as enclosures, and the range of q.
 template <int N>
 struct CurveRegion {
   Box<N> lower;
   Box<N> upper;
   Interval q;
+  /// A coordinate in which curves are even, pass 0 into their mirror images and are wanted from 0 on.
+  std::optional<std::size_t> mirror = {};
 
   /// Holds all of it.
   CurveBox<N> hull() const {

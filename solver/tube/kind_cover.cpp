@@ -29,8 +29,8 @@ KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
       out.tubes += cover.tubes;
       out.interrupted = out.interrupted || cover.interrupted;
       for (const CurveBreak& each : cover.breaks)
-        all.push_back({nu_of(each.q, to), each.turns, each.crosses, false});
-      for (const Interval& q : cover.undecided) all.push_back({nu_of(q, to), false, false, true});
+        all.push_back({nu_of(each.q, to), each.turns, each.crosses, each.mirrors, false});
+      for (const Interval& q : cover.undecided) all.push_back({nu_of(q, to), false, false, false, true});
     }
   }
   std::ranges::sort(all, {}, [](const NuGap& each) { return each.nu.lo; });
@@ -43,6 +43,7 @@ KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
     last.nu.hi = std::max(last.nu.hi, each.nu.hi);
     last.turns = last.turns || each.turns;
     last.crosses = last.crosses || each.crosses;
+    last.mirrors = last.mirrors || each.mirrors;
     last.undecided = last.undecided || each.undecided;
   }
   return out;

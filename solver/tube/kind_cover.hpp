@@ -18,6 +18,7 @@ struct NuGap {
   Interval nu;
   bool turns = false;      ///< sheets turn there: all of them are known
   bool crosses = false;    ///< a sheet leaves the box, or ends: likewise
+  bool mirrors = false;    ///< ellipses part from circles: likewise
   bool undecided = false;  ///< not covered
 };
 

@@ -21,7 +21,7 @@ std::vector<std::string> tables() {
   std::vector<std::string> out;
   for (const auto& entry : fs::directory_iterator(STATIONARY_RESULTS)) {
     const std::string stem = entry.path().stem().string();
-    if (entry.path().extension() == ".csv" && stem != "work_precision" &&
+    if (entry.path().extension() == ".csv" && stem != "work_precision" && stem != "completeness" &&
         !stem.starts_with("stress"))
       out.push_back(stem);
   }

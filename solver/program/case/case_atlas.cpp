@@ -28,8 +28,11 @@ AtlasOptions atlas_options(const Case& input, std::optional<int> checkpoints, bo
   out.step.first = asked.step;
   out.max_points = static_cast<long>(asked.max_points);
   out.spectrum = with_spectrum;
-  out.checkpoints = checkpoints.value_or(input.potential.is_isotropic() ? AtlasOptions{}.checkpoints
-                                                                        : few_checkpoints);
+  const int by_symmetry =
+      input.potential.is_isotropic() ? AtlasOptions{}.checkpoints : few_checkpoints;
+  out.checkpoints = checkpoints.value_or(input.atlas.checkpoints.value_or(by_symmetry));
+  out.complete = input.atlas.complete;
+  out.search.box = input.solve.box;
   return out;
 }
 

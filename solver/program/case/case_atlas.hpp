@@ -11,7 +11,7 @@ namespace stationary {
 /// Of an anisotropic body, whose searches take up to some seconds each.
 constexpr int few_checkpoints = 32;
 
-/// checkpoints: as asked, or by the body's symmetry. Without threads, stop and progress. Throws
+/// checkpoints: as asked, by the case, or by the body's symmetry. Without threads, stop and progress. Throws
 /// InputError where the case has no range in nu.
 AtlasOptions atlas_options(const Case& input, std::optional<int> checkpoints, bool with_spectrum);
 

@@ -300,6 +300,20 @@ void require_scale(const CaseTree& tree, const std::vector<ModelChoice>& models,
   }
 }
 
+Case::Atlas read_atlas(const CaseTree& tree, Faults& faults) {
+  Case::Atlas out;
+  out.complete = value_or(tree, "atlas.complete", false);
+  if (find(tree, "atlas.checkpoints") == nullptr || !faults.sound("atlas.checkpoints")) return out;
+  const double asked = value_or(tree, "atlas.checkpoints", 1.0);
+  if (asked >= 1.0 && asked <= most_checkpoints && asked == std::floor(asked)) {
+    out.checkpoints = static_cast<int>(asked);
+  } else {
+    faults.add(fault_at(tree, "atlas.checkpoints", fmt::format("found {}", asked),
+                        fmt::format("a whole number from 1 to {}", most_checkpoints)));
+  }
+  return out;
+}
+
 Case::Output read_output(const CaseTree& tree, Faults& faults) {
   Case::Output out;
   out.spectrum = value_or(tree, "output.spectrum", true);
@@ -364,6 +378,7 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
   const auto continuation = read_continuation(tree, family, faults);
   const auto map = read_map(tree, family ? &*family : nullptr, faults);
   const auto curve = read_curve(tree, family ? &*family : nullptr, faults);
+  const Case::Atlas atlas = read_atlas(tree, faults);
   const Case::Output output = read_output(tree, faults);
   std::optional<Potential> potential;
   if (family) {
@@ -383,6 +398,7 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
           .continuation = continuation,
           .map = map,
           .curve = curve,
+          .atlas = atlas,
           .output = output,
           .source = std::move(tree)};
 }

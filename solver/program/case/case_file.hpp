@@ -5,7 +5,7 @@
 //   [motion] branch, nu, of "tilted" also plane (else both); or of branch "two-polar" omega and
 //   theta_dot | s3 and p_theta [solve] start, method   [continuation] parameter, from, to,
 //   tolerance   [output] spectrum, ...   [map] x, y
-//   [curve] event, parameters, from, to
+//   [curve] event, parameters, from, to   [atlas] complete, checkpoints
 #pragma once
 
 #include <array>
@@ -30,6 +30,8 @@
 
 namespace stationary {
 
+constexpr int most_checkpoints = 1'000'000;
+
 struct Case {
   struct Solve {
     std::optional<Stretch> start;  ///< two-polar: xi, zeta are lambda, mu
@@ -50,6 +52,10 @@ struct Case {
 
     EventSet event_set() const;
   };
+  struct Atlas {
+    bool complete = false;           ///< for every nu, not at the checkpoints alone
+    std::optional<int> checkpoints;  ///< none: by the body's symmetry
+  };
   struct Output {
     bool spectrum = true;
     bool certificate = false;
@@ -65,6 +71,7 @@ struct Case {
   std::optional<Continuation> continuation;
   std::optional<CaseMap> map;
   std::optional<CaseCurve> curve;
+  Atlas atlas;
   Output output;
   CaseTree source;  ///< where each key comes from
 

@@ -62,7 +62,7 @@ void add_atlas(CLI::App& program, Session& session) {
                   fmt::format("Values of nu at which every solution is found, with proof (default "
                               "{}, of an anisotropic body {})",
                               AtlasOptions{}.checkpoints, few_checkpoints))
-      ->check(CLI::Range(1, 1'000'000));
+      ->check(CLI::Range(1, most_checkpoints));
   CLI::Option* const complete =
       command.add_flag("--complete", options->complete,
                        "Prove for every nu of the range how many sheets there are, not at the "

@@ -159,7 +159,7 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
 Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target, const Run& run) {
   const bool with_spectrum = wants_spectrum(input, target != nullptr);
   AtlasOptions how = atlas_options(input, asked.checkpoints, with_spectrum);
-  how.complete = asked.complete;
+  how.complete = how.complete || asked.complete;
   how.threads = run.threads;
   how.stop = how.search.stop = run.stop;
   if (run.progress)

@@ -129,8 +129,8 @@ class Grid {
 
   std::string hash() const {
     return work_hash("atlas --grid", input_.source,
-                     {fmt::format("{} {} {} {}", how_.from, how_.to, how_.checkpoints,
-                                  input_.output.certificate)});
+                     {fmt::format("{} {} {} {} {}", how_.from, how_.to, how_.checkpoints,
+                                  how_.complete, input_.output.certificate)});
   }
 
  private:

@@ -32,7 +32,7 @@ Wanted wanted_columns(const Case& input, bool to_table) {
              spectrum};
   std::erase_if(out.columns, [](Column c) {
     return c == Column::branch || c == Column::sheet || c == Column::point || c == Column::event ||
-           c == Column::segment;
+           c == Column::segment || c == Column::criticality || c == Column::side;
   });
   return out;
 }

@@ -62,6 +62,7 @@ void add_state(Report& out, const Case& input, const TableRow& row) {
   } else {
     out.line("energy", "no finite number in double precision");
   }
+  if (input.potential.holds_volume()) out.row("pressure", {{"P     ", row[Column::pressure]}});
 }
 
 void add_solution(Report& out, const Case& input, const Solution& solution) {

@@ -20,8 +20,11 @@ CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
   CurveProofs out;
   for (AtlasSheet& sheet : found.sheets) {
     CurveTable table(name(sheet.motion(0.0)), writer, sheet.number);
-    if (of.prove)
-      table.prove([&](double nu) { return kind_of(of.body, of.potential, sheet.motion(nu)); }, {});
+    const auto kind_at = [&](double nu) {
+      return kind_of(of.body, of.potential, sheet.motion(nu));
+    };
+    table.tell_normal_forms(kind_at, {});
+    if (of.prove) table.prove(kind_at, {});
     records.push_back(write_rows(sheet, table));
     out.rows += table.proofs().rows;
     out.proven += table.proofs().proven;
@@ -30,6 +33,16 @@ CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
 }
 
 double complete_fraction(const Atlas& found) {
+  if (!found.completeness.empty()) {
+    double open = 0.0;
+    double all = 0.0;
+    for (const Completeness& each : found.completeness) {
+      if (each.intervals.empty()) continue;  // interrupted
+      open += each.unproven_length();
+      all += each.intervals.back().to - each.intervals.front().from;
+    }
+    return all > 0.0 ? 1.0 - open / all : 0.0;
+  }
   const auto complete = std::ranges::count_if(found.checkpoints, &Checkpoint::complete);
   return static_cast<double>(complete) / static_cast<double>(found.checkpoints.size());
 }

@@ -21,7 +21,8 @@ struct AtlasBody {
 CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
                          std::vector<SheetRecord>& records);
 
-/// The part of the checkpoints at which no sheet is missing.
+/// The part of the checkpoints at which no sheet is missing; of a complete atlas the part of the
+/// range, over its kinds of motion, for which the number of sheets is proven.
 double complete_fraction(const Atlas& found);
 
 }  // namespace stationary

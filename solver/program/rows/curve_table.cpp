@@ -38,11 +38,22 @@ void CurveTable::row(const Member& member, EventType event) {
     count_proof(proof.proven, member.parameter / unit_, proof.reason);
   }
   if (writer_ != nullptr) {
+    tell_normal_form(member, event);
     row_.event = name(event);
     row_.parameter /= unit_;
     writer_->write(row_);
   }
   ++point_;
+}
+
+void CurveTable::tell_normal_form(const Member& member, EventType event) {
+  row_[Column::criticality] = std::numeric_limits<double>::quiet_NaN();
+  row_.side = {};
+  if (event == EventType::none || !kind_of_event_) return;
+  const auto form = kind_of_event_(member.parameter)->normal_form(parameter_, event, member);
+  if (!form) return;
+  row_[Column::criticality] = form->coefficient;
+  row_.side = name(form->side);
 }
 
 RowProof CurveTable::prove(const Member& member, EventType event) {

@@ -57,6 +57,11 @@ class CurveTable final : public CurveSink {
     kind_at_ = std::move(kind_at);
     parameter_ = parameter;
   }
+  /// Tells of every event how the motions begin that begin there (Kind::normal_form()).
+  void tell_normal_forms(KindAt kind_at, const FamilyParameter& parameter) {
+    kind_of_event_ = std::move(kind_at);
+    parameter_ = parameter;
+  }
   /// The table's parameter is the family's over this (a ratio's second number); report: what was told
   /// of following the family, put into the table's parameter.
   void in_units_of(double unit) { unit_ = unit; }
@@ -82,6 +87,7 @@ class CurveTable final : public CurveSink {
 
   bool proves() const { return bool(kind_at_); }
   RowProof prove(const Member& member, EventType event);
+  void tell_normal_form(const Member& member, EventType event);
   void count_proof(bool proven, double parameter, const std::string& reason);
   double parameter_of(const TableRow& row) const;
   /// A row's place among the segments and the events; verdict: its own class.
@@ -98,6 +104,7 @@ class CurveTable final : public CurveSink {
   double last_parameter_ = std::numeric_limits<double>::quiet_NaN();
   EventType last_event_ = EventType::none;
   KindAt kind_at_;  ///< empty: nothing is proven
+  KindAt kind_of_event_;  ///< empty: nothing is told
   FamilyParameter parameter_;
   CurveProofs proofs_;
   std::vector<EventRow> events_;

@@ -63,7 +63,7 @@ std::vector<Column> equilibrium_columns(const RowParts& parts) {
   std::vector<Column> out;
   for (std::size_t k = 0; k < column_count; ++k) {
     const auto c = static_cast<Column>(k);
-    if (((c == Column::event || c == Column::segment) && !parts.events) ||
+    if (((is_of_events(c) || c == Column::segment) && !parts.events) ||
         (needs_spectrum(c) && !parts.spectrum) || (is_two_polar(c) && !parts.two_polar) ||
         (is_certificate(c) && !parts.certificate) ||
         (c == Column::class_certified && !parts.spectrum) || (c == Column::status && !parts.map) ||

@@ -85,6 +85,8 @@ Json case_json(const Case& input) {
                     {"to", curve->to},
                     {"tolerance", curve->tolerance}};
   }
+  if (input.atlas.complete) out["atlas"]["complete"] = true;
+  if (input.atlas.checkpoints) out["atlas"]["checkpoints"] = *input.atlas.checkpoints;
   out["output"] = {{"spectrum", input.output.spectrum},
                    {"certificate", input.output.certificate},
                    {"columns", input.output.columns}};

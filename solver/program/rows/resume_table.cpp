@@ -8,6 +8,7 @@
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/table/table_reader.hpp"
+#include "solver/proof/normal_form.hpp"
 
 namespace stationary {
 namespace {
@@ -23,6 +24,8 @@ std::string_view kept(const TableReader& table, std::size_t column,
   if (at == std::end(names)) throw table.fault(column, "a name `continue` writes");
   return *at;
 }
+
+constexpr std::string_view side_words[] = {"", name(EventSide::before), name(EventSide::after)};
 
 TableRow read_row(const TableReader& table, const std::vector<Column>& columns, bool trailing,
                   std::string_view branch) {
@@ -45,6 +48,9 @@ TableRow read_row(const TableReader& table, const std::vector<Column>& columns, 
         break;
       case Column::class_certified:
         row.class_certified = kept(table, k, proof_words);
+        break;
+      case Column::side:
+        row.side = kept(table, k, side_words);
         break;
       default:
         row[c] = table.number(k);

@@ -4,7 +4,8 @@
 //   first_instability    the least parameter at which a stretch of a sheet that is stable or elliptic
 //                        meets one that is unstable or oscillatory
 //   first_event          the least parameter of an event
-//   complete_fraction    of an atlas: at which part of its checkpoints no sheet is missing
+//   complete_fraction    of an atlas: at which part of its checkpoints no sheet is missing;
+//                        of atlas.complete for which part of the range that is proven
 //   <event>_count, <event>_first    likewise of each type of event but the ends of sheets
 #pragma once
 

@@ -137,10 +137,15 @@ AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum, b
                                    start.found.q);
 }
 
-void prove_rows(const Case& input, const Start& start, CurveTable& rows) {
+void ask_kinds(const Case& input, const Start& start, CurveTable& rows) {
   const std::string key(parts_of(input.continuation->parameter).first);
-  rows.prove([at = start.at, key](double p) { return kind_of(with_parameter(at, key, p)); },
-             family_parameter(input.continuation->parameter, input.models));
+  const auto kind_at = [at = start.at, key](double p) {
+    return kind_of(with_parameter(at, key, p));
+  };
+  const FamilyParameter parameter =
+      family_parameter(input.continuation->parameter, input.models);
+  rows.tell_normal_forms(kind_at, parameter);
+  if (input.output.certificate) rows.prove(kind_at, parameter);
 }
 
 }  // namespace stationary::cli

@@ -34,7 +34,8 @@ Start resumed_start(const Case& input, const ResumedTable& old);
 /// Members as far as their outputs are asked for.
 AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum, bool to_table);
 
-/// Makes the table prove its rows.
-void prove_rows(const Case& input, const Start& start, CurveTable& rows);
+/// Makes the table ask of its events how motions begin there, and prove its rows where the case
+/// wants that.
+void ask_kinds(const Case& input, const Start& start, CurveTable& rows);
 
 }  // namespace stationary::cli

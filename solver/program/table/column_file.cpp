@@ -8,6 +8,7 @@
 #include "lib/body/motion.hpp"
 #include "lib/stability/spectrum.hpp"
 #include "solver/motion/event.hpp"
+#include "solver/proof/normal_form.hpp"
 #include "solver/program/table/hdf5_handle.hpp"
 #include "solver/program/table/hdf5_write.hpp"
 
@@ -106,6 +107,9 @@ std::vector<std::string_view> column_words(Column c) {
     case Column::certified:
     case Column::class_certified:
       add(proof_words);
+      break;
+    case Column::side:
+      add(event_side_names);
       break;
     default:
       throw std::invalid_argument(std::string(name(c)) + " has no words of its own");

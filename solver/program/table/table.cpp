@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t block_size = 1U << 16U;
 constexpr std::size_t longest_text = 256;   // quoted
 constexpr std::size_t longest_number = 32;  // shortest round trip takes 24
-// Eight texts (six columns and, in the header, the parameters) and the rest numbers.
-constexpr std::size_t longest_row = 8 * longest_text + (column_count + 2) * longest_number;
+// Nine texts (seven columns and, in the header, the parameters) and the rest numbers.
+constexpr std::size_t longest_row = 9 * longest_text + (column_count + 2) * longest_number;
 
 }  // namespace
 
@@ -28,6 +28,7 @@ CellKind cell_kind(Column c) {
     case Column::status:
     case Column::certified:
     case Column::class_certified:
+    case Column::side:
       return CellKind::text;
     case Column::sheet:
     case Column::point:
@@ -56,6 +57,8 @@ std::string_view text_of(const TableRow& row, Column c) {
       return row.certified;
     case Column::class_certified:
       return row.class_certified;
+    case Column::side:
+      return row.side;
     default:
       return row.stability;
   }

@@ -28,6 +28,7 @@ enum class Column : std::uint8_t {
   status,                         // of a map's cell
   certified, class_certified,     // with output.certificate
   segment,                        // of a curve with classes
+  criticality, side,              // of its events (solver/proof/normal_form.hpp)
   pressure                        // of a body whose volume is held
   // clang-format on
 };
@@ -44,7 +45,7 @@ constexpr std::string_view column_names[] = {
     "lambda", "mu", "angle", "pi1", "pi2", "pi3", "energy", "residual", "compatibility",
     "error_bound", "class", "growth", "negative", "re1", "im1", "krein1", "re2", "im2", "krein2",
     "re3", "im3", "krein3", "re4", "im4", "krein4", "re5", "im5", "krein5", "omega", "theta_dot",
-    "s3", "p_theta", "status", "certified", "class_certified", "segment",
+    "s3", "p_theta", "status", "certified", "class_certified", "segment", "criticality", "side",
     "pressure"
     // clang-format on
 };
@@ -63,6 +64,11 @@ constexpr bool is_two_polar(Column c) { return c >= Column::omega && c <= Column
 /// "yes" where a proof stands behind the row's stretches and error_bound, and behind its class.
 constexpr bool is_certificate(Column c) {
   return c == Column::certified || c == Column::class_certified;
+}
+
+/// What is told of a curve's events beside their names.
+constexpr bool is_of_events(Column c) {
+  return c == Column::event || c == Column::criticality || c == Column::side;
 }
 
 constexpr std::string_view proof_words[] = {"no", "yes", "assuming"};
@@ -114,13 +120,14 @@ struct TableRow {
   std::string_view certified;
   std::string_view class_certified;
   std::string_view status;
+  std::string_view side;
   std::array<double, column_count> numbers;
   double parameter;         ///< the trailing column
   double second_parameter;  ///< and one more after it, of a map
 
   TableRow() { clear(); }
   void clear() {
-    branch = event = stability = certified = class_certified = status = {};
+    branch = event = stability = certified = class_certified = status = side = {};
     numbers.fill(std::numeric_limits<double>::quiet_NaN());
     parameter = second_parameter = std::numeric_limits<double>::quiet_NaN();
   }

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
+#include "solver/search/search.hpp"
 #include "solver/tube/kind_cover.hpp"
 
 namespace stationary {
@@ -95,6 +98,93 @@ TEST(Cover, OfAThreeDimensionalCoupling) {
   ASSERT_EQ(cover.gaps.size(), 1U);
   EXPECT_TRUE(cover.gaps[0].crosses);
   EXPECT_LT(undecided_length(cover), 1e-9);
+}
+
+/// How many circles and ellipses there are at nu, an ellipse and the same turned counted once.
+int motions_at(const Problem& problem, double nu) {
+  const SearchResult found = search(problem, nu);
+  EXPECT_EQ(found.status, SearchStatus::complete) << nu;
+  return static_cast<int>(std::ranges::count_if(found.solutions, [](const Equilibrium& each) {
+    return std::log(each.q.xi / each.q.zeta) > -1e-9;
+  }));
+}
+
+/// At several nu between two gaps there are as many.
+int intervals_of_one_number(const Problem& problem, const KindCover& cover, double to) {
+  int out = 0;
+  double begin = 0.0;
+  std::vector<double> ends;
+  for (const NuGap& each : cover.gaps) ends.push_back(each.nu.lo);
+  ends.push_back(to);
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const double length = ends[k] - begin;
+    if (length > 1e-4) {
+      std::set<int> numbers;
+      for (const double part : {0.03, 0.4, 0.97})
+        numbers.insert(motions_at(problem, begin + part * length));
+      EXPECT_EQ(numbers.size(), 1U) << "from nu = " << begin << " to " << ends[k];
+      ++out;
+    }
+    if (k < cover.gaps.size()) begin = cover.gaps[k].nu.hi;
+  }
+  return out;
+}
+
+const Body round_body{1.0, 1.0, 0.6};
+
+/// W_t = c t and W_l = -c d at t = 2 r, d = r^2:  2 mu - c = mu/r,  2 lambda ln r = mu r.
+TEST(Cover, EllipsesPartFromCirclesWhereTheClosedFormSays) {
+  const double to = 3.0;
+  const Problem problem(round_body, Potential(BiotLog<>{1.0, 4.0}, thickness), Branch::iii);
+  const KindCover cover = covered(problem, to);
+  EXPECT_LT(undecided_length(cover), 1e-9);
+  EXPECT_LT(cover.boxes, 20'000);
+  std::vector<double> parting;
+  for (double r : {1.155, 26.1}) {
+    for (int k = 0; k < 50; ++k) r -= (8.0 * std::log(r) - r) / (8.0 / r - 1.0);
+    parting.push_back(std::sqrt(2.0 - 1.0 / r));
+  }
+  std::size_t met = 0;
+  for (const NuGap& each : cover.gaps) {
+    EXPECT_FALSE(each.undecided);
+    if (!each.mirrors) continue;
+    ASSERT_LT(met, parting.size());
+    EXPECT_NEAR(each.nu.mid(), parting[met++], 1e-12);
+    EXPECT_LT(each.nu.width(), 1e-12);
+  }
+  EXPECT_EQ(met, parting.size());
+  EXPECT_GE(intervals_of_one_number(problem, cover, to), 4);
+}
+
+TEST(Cover, OfRoundBodiesAgreesWithSearches) {
+  const Potential potentials[] = {
+      Potential(ReciprocalDeterminant<>{1.0, 2.0}, thickness),
+      Potential(Hencky<>{1.1, 0.8}, thickness),
+      Potential(SaintVenantKirchhoff<>{1.0, 0.5}, thickness),
+      Potential(NeoHookean<>{1.0, 2.0}, thickness),
+      Potential(NeoHookean3d<>{1.0, 2.0}),
+  };
+  int intervals = 0;
+  for (const Potential& V : potentials) {
+    const double to = 1.3;
+    const Problem problem(round_body, V, Branch::iii);
+    const KindCover cover = covered(problem, to);
+    EXPECT_LT(undecided_length(cover), 1e-9);
+    intervals += intervals_of_one_number(problem, cover, to);
+  }
+  EXPECT_GE(intervals, 7);
+}
+
+/// Of neo-hookean bodies all ellipses are at nu^2 = mu/J: a vertical branch.
+TEST(Cover, HasAVerticalBranchInOneGap) {
+  for (const Potential& V :
+       {Potential(NeoHookean<>{1.0, 2.0}, thickness), Potential(NeoHookean3d<>{1.0, 2.0})}) {
+    const KindCover cover = covered({round_body, V, Branch::iii}, 1.3);
+    const auto vertical = std::ranges::find_if(
+        cover.gaps, [](const NuGap& each) { return each.nu.may_be(1.0) && each.mirrors; });
+    ASSERT_NE(vertical, cover.gaps.end());
+    EXPECT_LT(vertical->nu.width(), 1e-9);
+  }
 }
 
 }  // namespace

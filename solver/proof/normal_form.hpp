@@ -1,0 +1,48 @@
+// On which side of an event the motions lie that begin there, and how they begin. F(x; p) is the
+// reduced energy of a spin about a material axis, F_i = G_i its gradient in x = ln (xi, zeta, rho),
+// p the family's parameter; v the direction that is singular at the event, K the Hessian across it.
+//
+//   fold-nu  v unit, K v = 0:  p - p0 = -F_vvv s^2/(2 F_vp),  s the length along v;
+//            v points where F_vp < 0, and the coefficient is F_vvv
+//   ellipse  v = (1, -1, 0), s = ln(xi/zeta)/2
+//   tilt     v the angle s from the axis of the spin to that it tilts to:
+//            F_ss = -nu^2 (I_b - I_a), and F_ssss = 0 at the event
+//
+// The last two break a symmetry, so that odd derivatives vanish; along the sheet that keeps it
+// F_vv = e (p - p0), and
+//
+//   p - p0 = -a s^2/(6 e),   a = F_vvvv - 3 F_vv. K^-1 F_vv.   the coefficient.
+//
+// Derivatives are Taylor numbers (lib/number/taylor.hpp) over intervals about the event, through
+// the formulas of the balance itself.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "solver/motion/event.hpp"
+#include "solver/motion/family_parameter.hpp"
+#include "solver/motion/problem.hpp"
+
+namespace stationary {
+
+/// Where p grows: the motions that meet at a fold, or those that leave the symmetric sheet, exist
+/// before the event or after it.
+enum class EventSide { before, after };
+constexpr std::string_view event_side_names[] = {"before", "after"};
+constexpr std::string_view name(EventSide s) { return event_side_names[static_cast<int>(s)]; }
+
+struct NormalForm {
+  double coefficient;  ///< in units of V
+  double error;        ///< of it, as far as the event's own error bound holds
+  EventSide side;
+};
+
+/// Of the event of this type at a located member of problem's family in a parameter, problem and nu
+/// those at the event; circle: of the family of circles (J1 = J2 in (iii)). Nothing where the
+/// potential is not isotropic, the event is of another type, or the error leaves a sign open.
+std::optional<NormalForm> normal_form(const Problem& problem, const FamilyParameter& parameter,
+                                      bool circle, EventType type, const Member& member);
+
+}  // namespace stationary

@@ -1,0 +1,53 @@
+// How much work it is to prove how many sheets there are for every nu (atlas --complete):
+//
+//   completeness_bench CASE.toml... > results/completeness.csv
+//
+// A row for each case and branch: boxes examined and tubes proven, the intervals of nu with a proven
+// number of sheets, how much of the range is left between them, and the seconds, which are of the
+// machine. `cmake --build build/release --target completeness` makes the table.
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "solver/atlas/atlas.hpp"
+#include "solver/program/case/case_atlas.hpp"
+#include "solver/program/case/case_file.hpp"
+
+namespace {
+
+using namespace stationary;
+
+void write_rows(const std::string& file) {
+  const Case input = read_case(file);
+  AtlasOptions how = atlas_options(input, 1, false);
+  how.complete = true;
+  for (const Branch branch : {Branch::i, Branch::ii, Branch::iii}) {
+    how.branches = {branch};
+    const auto begin = std::chrono::steady_clock::now();
+    const Atlas found = atlas(input.body, input.potential, how);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    for (const Completeness& each : found.completeness) {
+      int proven = 0;
+      for (const CompleteInterval& interval : each.intervals) proven += interval.proven;
+      const std::string name(kind_name(each.branch, each.oblique));
+      std::printf("%s,%s,%g,%g,%ld,%ld,%d,%.3g,%.2g\n",
+                  std::filesystem::path(file).stem().c_str(), name.c_str(), how.from, how.to,
+                  each.boxes, each.tubes, proven, each.unproven_length(), seconds.count());
+    }
+  }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    std::puts("case,branch,from,to,boxes,tubes,proven_intervals,undecided_length,seconds");
+    for (int k = 1; k < count; ++k) write_rows(arguments[k]);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "completeness_bench: %s\n", e.what());
+    return 1;
+  }
+  return 0;
+}
