@@ -4,8 +4,8 @@
 //   doubles, pairs, packs, multiprecision, jets: duplication in the type itself
 //   intervals: every mixed derivative is completely monotone, (-1)^(i+j+k) F_ijk > 0 and falling in
 //     each argument, so two points give the exact hull over a box
-//   dual numbers, numbers with their conditioning: the series of one order more at the value, and
-//     the chain rule; no slope goes through the duplication
+//   dual numbers, Taylor numbers, numbers with their conditioning: the series of as many orders more
+//     at the value, and the chain rule; no slope goes through the duplication
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "lib/number/dual.hpp"
 #include "lib/number/first_order_bound.hpp"
 #include "lib/number/interval.hpp"
+#include "lib/number/taylor.hpp"
 
 namespace stationary {
 
@@ -74,6 +75,42 @@ PowerSeries<Dual<U, N>, order> ellipsoid_integral(const Dual<U, N>& T, const Dua
     out.c[n].value = series.c[n];
     for (std::size_t k = 0; k < N; ++k)
       out.c[n].slope[k] = slopes[0] * T.slope[k] + slopes[1] * D.slope[k] + slopes[2] * z.slope[k];
+  }
+  return out;
+}
+
+/// A Taylor number of order M: the series of M orders more, expanded about the value.
+template <int order, class U, int M>
+PowerSeries<Taylor<U, M>, order> ellipsoid_integral(const Taylor<U, M>& T, const Taylor<U, M>& D,
+                                                    const Taylor<U, M>& z) {
+  using Number = Taylor<U, M>;
+  const auto series = ellipsoid_integral<order + M>(T.value, D.value, z.value);
+  // Powers of what is added to the values.
+  const auto powers_of = [](Number x) {
+    x[0] = U(0.0);
+    std::array<Number, std::size_t(M) + 1> out;
+    out[0] = Number(1.0);
+    for (std::size_t k = 1; k < out.size(); ++k) out[k] = out[k - 1] * x;
+    return out;
+  };
+  const auto T_powers = powers_of(T);
+  const auto D_powers = powers_of(D);
+  const auto z_powers = powers_of(z);
+  const auto choose = [](int n, int k) {
+    double out = 1.0;
+    for (int j = 1; j <= k; ++j) out = out * (n - k + j) / j;
+    return out;
+  };
+  PowerSeries<Number, order> out;
+  for (std::size_t n = 0; n < out.c.size(); ++n) {
+    const Powers& at = Monomials<order>::powers[n];
+    for (const Powers& more : Monomials<M>::powers) {
+      const Powers both{at.i + more.i, at.j + more.j, at.k + more.k};
+      const double ways = choose(both.i, more.i) * choose(both.j, more.j) * choose(both.k, more.k);
+      out.c[n] += Number(U(ways * series.c[Monomials<order + M>::place(both)])) *
+                  (T_powers[std::size_t(more.i)] * D_powers[std::size_t(more.j)] *
+                   z_powers[std::size_t(more.k)]);
+    }
   }
   return out;
 }

@@ -39,6 +39,19 @@ constexpr bool varies(const FamilyParameter& parameter, FamilyParameter::Kind ki
          parameter.index == index;
 }
 
+/// Where a number of a body with gravity stands: its own J are those of the body.
+struct InputPlace {
+  FamilyParameter::Kind kind;
+  int index;
+};
+inline InputPlace input_place(const Potential& potential, FamilyParameter::Kind kind, int index) {
+  constexpr int inertia = static_cast<int>(BodyModel<>::inertia_place);
+  const bool own =
+      kind == FamilyParameter::Kind::plane && index >= inertia && potential.body_model() != nullptr;
+  return own ? InputPlace{FamilyParameter::Kind::inertia, index - inertia}
+             : InputPlace{kind, index};
+}
+
 /// G and dG/d ln x of all three stretches; number(value, kind, index): a coefficient in T.
 template <class T, class Number>
 LogBalance<T> varied_balance(const Potential& potential, const T& xi, const T& zeta, const T& rho,

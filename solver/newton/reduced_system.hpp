@@ -80,7 +80,9 @@ void for_decimals(const Model& model, const At& at) {
 
 /// A model with gravity or a held volume (body_model.hpp).
 template <class Model>
-constexpr bool is_body_model = requires(const Model& model) { model.gravitates; };
+constexpr bool is_body_model = requires(const Model& model) {
+  model.gravitates;
+};
 
 /// Whether det S is held.
 template <class Model>
@@ -171,8 +173,7 @@ inline ReducedVector<3> body_sensitivity(const BodyModel<>& model, const Reduced
   const double rho = model.thickness(x[0], x[1], x[2]);
   ReducedVector<3> out = ReducedVector<3>::Zero();
   if (model.elastic.plane)
-    out.head<2>() =
-        coefficient_sensitivity<2>(*model.elastic.plane, ReducedVector<2>(x[0], x[1]));
+    out.head<2>() = coefficient_sensitivity<2>(*model.elastic.plane, ReducedVector<2>(x[0], x[1]));
   if (model.elastic.thickness)
     out[2] = coefficient_sensitivity<1>(*model.elastic.thickness, ReducedVector<1>(rho))[0];
   std::visit(
@@ -430,8 +431,7 @@ struct CoupledSystem {
       }
       return out;
     } else {
-      const CentrifugalRates<S> c{S(double(rates.xi)), S(double(rates.zeta)),
-                                  S(double(rates.rho))};
+      const CentrifugalRates<S> c{S(double(rates.xi)), S(double(rates.zeta)), S(double(rates.rho))};
       const auto w = model.template evaluate<1>(planar_invariants(x[0], x[1]), x[2]);
       const auto b = coupled_log_balance<1>(w, x[0], x[1], x[2], c);
       return {b.g_xi, b.g_zeta, b.g_rho};

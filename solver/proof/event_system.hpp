@@ -21,6 +21,7 @@
 #include "solver/motion/extended_root.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/motion/varied_balance.hpp"
 #include "solver/proof/box_balance.hpp"
 
 namespace stationary {
@@ -112,11 +113,9 @@ class EventEquations {
   State state(const Unknowns& y, const Input& number) const {
     const EventSetting& at = *setting_;
     const auto input = [&](double value, Kind kind, int index) {
-      constexpr int own_inertia = static_cast<int>(BodyModel<>::inertia_place);
-      if (body_ != nullptr && kind == Kind::plane && index >= own_inertia) {
-        kind = Kind::inertia;
-        index = circle && index == own_inertia + 1 ? 0 : index - own_inertia;
-      }
+      const InputPlace place = input_place(at.potential, kind, index);
+      kind = place.kind;
+      index = circle && kind == Kind::inertia && place.index == 1 ? 0 : place.index;
       if (varies(at.parameter, kind, index)) return y[stretches];
       const bool held = at.held && varies(at.held->number, kind, index);
       return number(held ? at.held->value : value, kind, index);
@@ -252,8 +251,8 @@ class EventEquations {
       const T y2 = s.J.J2 * (s.zeta * s.zeta);
       const T F_T = ellipsoid_integral<1>(T(y1 + y2), T(y1 * y2), T(s.J.J3 * (s.rho * s.rho)))
                         .derivative({1, 0, 0});
-      out.V_aa = out.V_aa + 2.0 * (s.g * F_T) *
-                                ((s.J.J1 - s.J.J2) * (s.xi + s.zeta) / (s.xi - s.zeta));
+      out.V_aa =
+          out.V_aa + 2.0 * (s.g * F_T) * ((s.J.J1 - s.J.J2) * (s.xi + s.zeta) / (s.xi - s.zeta));
     }
     return out;
   }

@@ -42,14 +42,19 @@ class NearEvent {
 
   /// The numbers of the problem at p + c scale s.
   struct Numbers {
+    const Potential& potential;
     FamilyParameter parameter;
     T p;
 
     T operator()(double value, FamilyParameter::Kind kind, int index) const {
-      return varies(parameter, kind, index) ? p : T(Interval(value));
+      const InputPlace at = input_place(potential, kind, index);
+      return varies(parameter, at.kind, at.index) ? p : T(Interval(value));
     }
   };
-  Numbers numbers(double c) const { return {parameter_, T::along(p_, Interval(c * scale_))}; }
+  Numbers numbers(double c) const {
+    return {problem_.potential(), parameter_, T::along(p_, Interval(c * scale_))};
+  }
+  bool volume_held() const { return problem_.potential().holds_volume(); }
 
   struct State {
     std::array<T, 3> x;
@@ -60,8 +65,7 @@ class NearEvent {
   State state(const Direction& v, double c) const {
     using Kind = FamilyParameter::Kind;
     State out;
-    for (std::size_t i = 0; i < 3; ++i)
-      out.x[i] = T(x_[i]) * exp(T::along(Interval(0.0), v[i]));
+    for (std::size_t i = 0; i < 3; ++i) out.x[i] = T(x_[i]) * exp(T::along(Interval(0.0), v[i]));
     const Numbers number = numbers(c);
     const Body& body = problem_.body();
     out.nu = number(member_.nu, Kind::nu, 0);
@@ -231,8 +235,7 @@ std::optional<NormalForm> at_breaking(const NearEvent& event, const Breaking& F,
 std::optional<NormalForm> at_ellipse(const NearEvent& event) {
   const Direction v{1.0, -1.0, 0.0};
   const std::array<T, 3> g = event.gradient(v, 0.0);
-  return at_breaking(event,
-                     {dot(v, of_order(g, 3)), of_order(g, 2), dot(v, event.mixed(v))},
+  return at_breaking(event, {dot(v, of_order(g, 3)), of_order(g, 2), dot(v, event.mixed(v))},
                      symmetric_basis(true));
 }
 
@@ -254,6 +257,9 @@ std::optional<NormalForm> at_tilt(const NearEvent& event, Branch branch, const M
   F.vv_slope[own] = -2.0 * m_own.value;
   F.vv_slope[other] = 2.0 * m_other.value;
   F.vv_parameter = m_other[1] - m_own[1];
+  // Along a held volume rho follows xi and zeta.
+  if (event.volume_held())
+    F.vv_slope = {F.vv_slope[0] - F.vv_slope[2], F.vv_slope[1] - F.vv_slope[2], Interval(0.0)};
   return at_breaking(event, F, symmetric_basis(false));
 }
 
@@ -271,6 +277,11 @@ std::optional<NormalForm> normal_form(const Problem& problem, const FamilyParame
     case EventType::ellipse:
       return at_ellipse({problem, parameter, true, member});
     case EventType::tilt:
+      // rho itself follows the volume that is varied: not worked out.
+      if (varies(parameter, FamilyParameter::Kind::plane,
+                 static_cast<int>(BodyModel<>::volume_place)) &&
+          problem.potential().holds_volume())
+        return std::nullopt;
       return at_tilt({problem, parameter, circle, member}, problem.branch(), member);
     default:
       return std::nullopt;
