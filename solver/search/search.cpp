@@ -70,8 +70,12 @@ class AxisSearch {
     BoxSystems<Coupled> boxes(problem_, model, nu_, options_.inputs);
     const CentrifugalRates<Interval>& rates = boxes.coupled.rates;
     boxes.coupled.terms = term_bounds<3>(model, {rates.xi, rates.zeta, rates.rho}, options_.inputs);
+    // Gravity and elastic force nearly cancel over wide boxes.
+    constexpr long patience = is_body_model<Coupled> ? 20 : 1;
+    const Box<3> everything{options_.range(0), options_.range(1), options_.range(2)};
     search_.each_of(
-        search_.prune(CoupledSystem<Coupled>{model, rates_}, boxes.coupled, mirror_),
+        search_.prune(CoupledSystem<Coupled>{model, rates_}, boxes.coupled, mirror_, everything,
+                      patience),
         [](const Box<3>& x) {
           return StretchBox{x[0], x[1], x[2]};
         },

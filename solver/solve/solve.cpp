@@ -129,6 +129,7 @@ void solve_elsewhere(const Problem& problem, double nu, const SolveOptions& opti
     out.message += "Other sheets were not looked for.";
     return;
   }
+  if (!out.message.empty() && !out.message.ends_with(' ')) out.message += ". ";
   const SearchStatus status = search_all(problem, nu, options, out);
   if (out.status != SolveStatus::not_found || status == SearchStatus::complete) return;
   SolveOptions by_nlopt = options;

@@ -363,6 +363,77 @@ TEST(WholeBody, EventsOfReferences) {
   EXPECT_GE(compared, 20);
 }
 
+std::string elastic_sphere(const std::string& mu) {
+  return "[body]\nJ = [1, 1, 1]\nvolume = 1\n[gravity]\ng = 4\n[potential]\n"
+         "coupled = { expression = \"mu/2*(I1 + rho^2 - 3)\", mu = " +
+         mu + " }\n";
+}
+
+/// Where the classical points of the spheroids move with the shear modulus: closed forms.
+TEST(WholeBody, ClassicalPointsMoveWithStiffness) {
+  int compared = 0;
+  for (const Row& row : reference("elastic_shift.csv")) {
+    if (number(row.at("mu")) == 0.0) continue;  // a fluid: above
+    const double from = std::sqrt(number(row.at("jacobi_nu2")));
+    std::ostringstream rest;
+    rest.precision(17);
+    rest << "[motion]\nbranch = \"iii\"\nnu = " << 0.5 * from
+         << "\n[continuation]\nfrom = " << 1e-3 * from << "\nto = " << 2.0 * from << "\n";
+    const TemporaryDirectory directory;
+    const Outcome outcome = run_program(
+        {"continue", directory.file("case.toml", elastic_sphere(row.at("mu")) + rest.str()), "-o",
+         directory / "table.csv"});
+    ASSERT_EQ(outcome.code, 0) << row.at("mu") << outcome.err;
+    const std::vector<Row> rows = rows_of(text_of(directory / "table.csv"));
+    const std::pair<const char*, const char*> points[] = {{"ellipse", "jacobi_nu2"},
+                                                          {"fold-nu", "fold_nu2"},
+                                                          {"hamiltonian-hopf", "hopf1_nu2"},
+                                                          {"hamiltonian-hopf", "hopf2_nu2"}};
+    for (const auto& [event, column] : points) {
+      if (row.at(column).empty()) continue;
+      const double expected = number(row.at(column));
+      double nearest = 1.0;
+      for (const Row& each : rows) {
+        if (each.at("event") != event) continue;
+        const double nu = number(each.at("nu3"));
+        nearest = std::min(nearest, std::abs(nu * nu / expected - 1.0));
+      }
+      EXPECT_LE(nearest, 1e-12) << "mu = " << row.at("mu") << ", " << column;
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 18);
+}
+
+/// A nearly incompressible body, V + (L/2) ln^2(d rho): what is left of the volume's change is -P/L,
+/// P the pressure of the incompressible one, and the stretches come to its own as 1/L.
+TEST(WholeBody, IsTheLimitOfStiffVolumes) {
+  const std::string head = "[body]\nJ = [1.0, 1.7, 0.6]\n";
+  const std::string gravity = "[gravity]\ng = 2.0\n[motion]\nbranch = \"iii\"\nnu = 0.6\n";
+  const Row held = solved(head + "volume = 1\n" + gravity +
+                              "[potential]\ncoupled = { expression = \"p/2*(I1 + rho^2 - 3)\", "
+                              "p = 1.0 }\n",
+                          "held");
+  ASSERT_FALSE(held.empty());
+  const double P = number(held.at("pressure"));
+  double apart[2] = {};
+  const std::pair<const char*, double> stiff[] = {{"1e4", 1e4}, {"1e6", 1e6}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& [text, L] = stiff[k];
+    const Row row = solved(
+        head + gravity +
+            "[potential]\ncoupled = { expression = \"p/2*(I1 + rho^2 - 3) + L/2*log(d*rho)^2\", "
+            "p = 1.0, L = " +
+            text + " }\n",
+        text);
+    ASSERT_FALSE(row.empty());
+    const double volume = number(row.at("xi")) * number(row.at("zeta")) * number(row.at("rho"));
+    EXPECT_NEAR(L * std::log(volume), -P, 10.0 / L + 1e-15 * L);
+    apart[k] = number(held.at("xi")) - number(row.at("xi"));
+  }
+  EXPECT_NEAR(apart[0] / apart[1], 100.0, 0.1);
+}
+
 TEST(WholeBody, WrongInputIsRefusedByName) {
   const std::string body = "[body]\nJ = [1, 1, 1]\n";
   const std::string motion = "[motion]\nbranch = \"iii\"\nnu = 0.3\n";
