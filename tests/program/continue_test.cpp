@@ -251,7 +251,7 @@ TEST_P(ContinueIn, RowsAreWhatSolveFinds) {
       {"continuation.parameter=" + parameter(), "continuation.from=" + std::to_string(0.9 * own),
        "continuation.to=" + std::to_string(1.1 * own), "continuation.tolerance=1e-5"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_TRUE(header_of(outcome.out).ends_with("krein5,segment," + parameter()));
+  EXPECT_TRUE(header_of(outcome.out).ends_with("krein5,segment,criticality,side," + parameter()));
   const auto rows = rows_of(outcome.out);
   ASSERT_GE(rows.size(), 3U);
   EXPECT_EQ(rows.front().at("event"), "limit");

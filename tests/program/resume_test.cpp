@@ -327,7 +327,7 @@ TEST_F(Resume, TablesCutShortOrChanged) {
       {"", "found an empty file"},
       {"\n", ""},
       {changed(",zeta,", ",eta,"), "found other columns than this case's"},
-      {changed(",segment\n", ",segment,body.J.0\n"), "found other columns than this case's"},
+      {changed(",side\n", ",side,body.J.0\n"), "found other columns than this case's"},
       {changed("\ni,1,0,", "\nii,1,0,"), "branch"},
       {changed("\ni,1,0,,", "\ni,1,0,party,"), "event"},
       {changed("\ni,1,0,,-", "\ni,1,0,,x"), "nu1"},

@@ -22,6 +22,7 @@ struct AtlasCommand : ComputeOptions {
   bool complete = false;
   bool grid = false;
   std::string tables;
+  std::string least_energy;
   TileOptions tiles;
 };
 
@@ -41,7 +42,8 @@ ExitCode run_one(const AtlasCommand& options, const Session& session) {
     throw InputError(Origin::of_option("atlas"), "", "found no --grid",
                      "atlas --grid: one atlas is the work of one machine",
                      "`stationary atlas` uses all its processors");
-  AtlasRun asked{options.checkpoints, std::nullopt, options.tiles.resume, options.complete};
+  AtlasRun asked{options.checkpoints, std::nullopt, options.tiles.resume, options.complete,
+                 options.least_energy};
   if (asked.resume || has_journal(options.output)) asked.journal = options.output;
   return compute(options, session, [&](TableTarget* target, const Run& run) {
     return atlas_case(options.read(), asked, target, run);
@@ -78,6 +80,13 @@ void add_atlas(CLI::App& program, Session& session) {
       ->check(not_empty)
       ->needs(grid);
   grid->excludes(complete);
+  command
+      .add_option("--least-energy", options->least_energy,
+                  "Also a table of which motion has the least energy at each |pi|, and where that "
+                  "is another")
+      ->type_name("FILE.csv")
+      ->check(not_empty)
+      ->excludes(grid);
   options->tiles.add_to(command, "cells");
   command.get_option("--part")->needs(grid);
   command.get_option("--merge")->needs(grid);

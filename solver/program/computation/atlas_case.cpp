@@ -9,12 +9,14 @@
 #include <utility>
 
 #include "solver/atlas/atlas.hpp"
+#include "solver/atlas/least_energy.hpp"
 #include "solver/program/case/case_atlas.hpp"
 #include "solver/program/rows/atlas_rows.hpp"
 #include "solver/program/rows/curve_table.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
+#include "solver/program/session/output_file.hpp"
 #include "solver/program/session/report.hpp"
 #include "solver/program/tiles/search_journal.hpp"
 
@@ -71,9 +73,12 @@ void add_checkpoints(Report& out, const std::vector<Checkpoint>& all,
     out.line(std::exchange(label, {}),
              fmt::format(
                  "branch ({}): at {} of {} checkpoints from nu = {:.6g} to {:.6g} the sheets have "
-                 "every solution with stretches in [{:g}, {:g}]",
+                 "every solution with {}",
                  kind_name(first->branch, first->oblique), complete, last - first, first->nu,
-                 (last - 1)->nu, searched.min_stretch, searched.max_stretch));
+                 (last - 1)->nu,
+                 searched.box ? std::string("stretches in solve.box")
+                              : fmt::format("stretches in [{:g}, {:g}]", searched.min_stretch,
+                                            searched.max_stretch)));
     while (first != last) {
       const auto alike = [&](const Checkpoint& c) {
         return c.status == first->status && c.proven == first->proven &&
@@ -120,9 +125,22 @@ void add_completeness(Report& out, const std::vector<Completeness>& all) {
     out.line({}, "in the box of the stretches; tilted and two-polar motions are not covered");
 }
 
+/// At each |pi| the motion of least energy, and where that is another.
+void add_least_energy(Report& out, const std::vector<LeastEnergyPiece>& pieces,
+                      const std::vector<AtlasSheet>& sheets) {
+  std::string_view label = "least energy";
+  for (const LeastEnergyPiece& each : pieces)
+    out.line(std::exchange(label, {}),
+             fmt::format("sheet {}, branch ({}), for |pi| in [{:.12g}, {:.12g}]", each.sheet,
+                         kind_name(sheets[std::size_t(each.sheet) - 1]), each.from.momentum,
+                         each.to.momentum));
+  if (!pieces.empty())
+    out.line({}, "of the motions listed: two-polar ones, and others beyond the range, are left out");
+}
+
 std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& found,
                     const std::vector<SheetRecord>& records, const CurveProofs& proofs,
-                    double seconds) {
+                    const std::vector<LeastEnergyPiece>& least, double seconds) {
   constexpr std::size_t label_width = 14;
   Report out(label_width);
   if (!input.title.empty()) out.line("case", printable(input.title));
@@ -144,6 +162,7 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
   if (const auto caveat = proof_caveat(input)) add_plan(out, {*caveat});
   add_checkpoints(out, found.checkpoints, asked.search);
   add_completeness(out, found.completeness);
+  add_least_energy(out, least, found.sheets);
   std::string_view label = "remarks";
   for (const Remark& each : found.remarks) {
     const std::string at = each.entry ? ", " + entry_text(*each.entry, each.nu) : std::string();
@@ -172,6 +191,11 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
                                           .pressure = input.potential.holds_volume()}),
                      "atlas", false);
   if (target != nullptr) target->prepare();
+  std::optional<AtomicFile> least_file;
+  if (!asked.least_energy.empty()) {
+    refuse_to_replace(asked.least_energy, asked.least_energy, input.source.name(), "the case file");
+    open_output(least_file, asked.least_energy, "--least-energy");
+  }
   std::optional<SearchJournal> journal;
   if (asked.journal) journal.emplace(*asked.journal, input, how, asked.resume);
   if (journal) {
@@ -185,8 +209,13 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   std::vector<SheetRecord> records;
   const CurveProofs proofs =
       write_sheets({input.body, input.potential, input.output.certificate}, found, table, records);
+  const std::vector<LeastEnergyPiece> least = least_energy(found.sheets, how.search);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (least_file) {
+    least_file->write(least_energy_csv(least, found.sheets));
+    least_file->commit();
+  }
   if (target != nullptr) {
     Metadata metadata;
     metadata.version = STATIONARY_VERSION;
@@ -196,6 +225,7 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
     metadata.seconds = seconds;
     metadata.threads = run.threads;
     metadata.atlas = &found;
+    metadata.least_energy = least;
     metadata.curves = records;
     if (const auto caveat = proof_caveat(input)) metadata.plan.push_back(*caveat);
     metadata.outcome = {{"command", "atlas"},
@@ -204,7 +234,7 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   }
   if (journal && !found.interrupted) journal->finish();
   Outcome out;
-  if (run.summary) out.summary = summary(input, how, found, records, proofs, seconds);
+  if (run.summary) out.summary = summary(input, how, found, records, proofs, least, seconds);
   if (found.interrupted) {
     run.complain(journal ? "interrupted: the atlas is not complete; --resume goes on with it"
                          : "interrupted: the atlas is not complete");

@@ -17,6 +17,7 @@ struct AtlasRun {
   std::optional<std::string> journal;  ///< the table beside which finished searches are kept
   bool resume = false;                 ///< goes on with these
   bool complete = false;               ///< for every nu, not at the checkpoints alone
+  std::string least_energy = {};       ///< file of the motions of least energy; empty: none
 };
 
 /// target: null for no table. Throws InputError before anything is computed.

@@ -1,5 +1,7 @@
 #include "solver/program/rows/atlas_rows.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "solver/kind/kind.hpp"
@@ -29,6 +31,18 @@ CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
     out.rows += table.proofs().rows;
     out.proven += table.proofs().proven;
   }
+  return out;
+}
+
+std::string least_energy_csv(const std::vector<LeastEnergyPiece>& pieces,
+                             const std::vector<AtlasSheet>& sheets) {
+  std::string out =
+      "sheet,branch,momentum_from,momentum_to,energy_from,energy_to,spin_from,spin_to\n";
+  for (const LeastEnergyPiece& each : pieces)
+    out += fmt::format("{},{},{},{},{},{},{},{}\n", each.sheet,
+                       kind_name(sheets[static_cast<std::size_t>(each.sheet) - 1]),
+                       each.from.momentum, each.to.momentum, each.from.energy, each.to.energy,
+                       each.from.spin, each.to.spin);
   return out;
 }
 

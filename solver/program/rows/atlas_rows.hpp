@@ -1,9 +1,11 @@
 // The sheets of an atlas as rows of a table.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "solver/atlas/atlas.hpp"
+#include "solver/atlas/least_energy.hpp"
 #include "solver/program/rows/curve_table.hpp"
 
 namespace stationary {
@@ -20,6 +22,10 @@ struct AtlasBody {
 /// All sheets into the table, which may be null, and what is told of each; how many rows are proven.
 CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
                          std::vector<SheetRecord>& records);
+
+/// As CSV: a row for each piece.
+std::string least_energy_csv(const std::vector<LeastEnergyPiece>& pieces,
+                             const std::vector<AtlasSheet>& sheets);
 
 /// The part of the checkpoints at which no sheet is missing; of a complete atlas the part of the
 /// range, over its kinds of motion, for which the number of sheets is proven.

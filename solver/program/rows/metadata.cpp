@@ -252,6 +252,20 @@ Json completeness_json(const std::vector<Completeness>& all) {
   return out;
 }
 
+Json least_energy_json(const std::vector<LeastEnergyPiece>& pieces,
+                       const std::vector<AtlasSheet>& sheets) {
+  Json out = Json::array();
+  for (const LeastEnergyPiece& each : pieces) {
+    const AtlasSheet& sheet = sheets[static_cast<std::size_t>(each.sheet) - 1];
+    out.push_back({{"sheet", each.sheet},
+                   {"branch", kind_name(sheet)},
+                   {"momentum", {each.from.momentum, each.to.momentum}},
+                   {"energy", {each.from.energy, each.to.energy}},
+                   {"spin", {each.from.spin, each.to.spin}}});
+  }
+  return out;
+}
+
 Json items_json(const std::vector<PlanItem>& items) {
   Json out = Json::array();
   for (const PlanItem& item : items)
@@ -317,6 +331,7 @@ std::string metadata_json(const Metadata& metadata, bool of_the_run) {
     out["remarks"] = remarks_json(metadata.atlas->remarks);
     if (!metadata.atlas->completeness.empty())
       out["completeness"] = completeness_json(metadata.atlas->completeness);
+    out["least_energy"] = least_energy_json(metadata.least_energy, metadata.atlas->sheets);
   }
   Json counts = Json::object();
   for (const auto& [name, count] : metadata.counts) counts[std::string(name)] = count;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "solver/atlas/atlas.hpp"
+#include "solver/atlas/least_energy.hpp"
 #include "solver/event_curve/event_curve.hpp"
 #include "solver/program/case/case_file.hpp"
 #include "solver/program/rows/curve_table.hpp"
@@ -75,6 +76,7 @@ struct Metadata {
   std::vector<SheetRecord> curves;  ///< the sheets followed
   std::vector<EventCurveRecord> event_curves;
   const Atlas* atlas = nullptr;  ///< its sheets, checkpoints and remarks
+  std::vector<LeastEnergyPiece> least_energy;  ///< of its sheets
   /// Of `solve` with all: the sheets of rows found where the search is undecided, and not proven.
   std::vector<int> unproven_sheets;
   std::vector<PlanItem> plan;     ///< how each unknown is had

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "solver/proof/certify.hpp"
 #include "tests/support/followed.hpp"
 #include "tests/support/random_problem.hpp"
 
@@ -67,7 +68,7 @@ TEST(NormalForm, OfTheFoldOfHencky) {
 TEST(NormalForm, OfFoldsIsOnTheSideThatContinuationFinds) {
   std::map<EventSide, int> compared;
   support::Random random(20);
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < 200; ++k) {
     const Posed made = random_problem(random, 1.0);
     const SolveOptions how;
     const double nu = 0.3 * std::abs(made.nu);

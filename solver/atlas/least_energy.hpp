@@ -1,0 +1,37 @@
+// Which of the motions of an atlas has the least energy at each |pi|: the one that a body comes to
+// which loses energy and keeps its angular momentum. On every sheet
+//
+//   dE = |nu| d|pi|,
+//
+// so that E between two rows is the cubic in |pi| with the slopes |nu| at both, and the least of all
+// sheets is the lower envelope of such pieces. It is of the motions listed: spins about the
+// material axes, tilted and oblique ones with nu in the atlas's range; two-polar motions are left
+// out, and so is what lies beyond the range or the box.
+#pragma once
+
+#include <vector>
+
+#include "solver/atlas/atlas.hpp"
+
+namespace stationary {
+
+/// At an end of a piece: |pi|, and E and |nu| of the motion.
+struct LeastEnergyEnd {
+  double momentum;
+  double energy;
+  double spin;
+};
+
+/// One sheet has the least energy from `from` to `to`.
+struct LeastEnergyPiece {
+  int sheet;  ///< its number
+  LeastEnergyEnd from;
+  LeastEnergyEnd to;
+};
+
+/// Ascending in |pi|, of the rows whose stretches are in the box of an atlas; where no sheet listed has
+/// a motion there is no piece.
+std::vector<LeastEnergyPiece> least_energy(const std::vector<AtlasSheet>& sheets,
+                                           const SearchOptions& box);
+
+}  // namespace stationary
