@@ -77,6 +77,12 @@ foreach(name neo_hookean apart near_degenerate circle double_well two_wells fibr
   message(STATUS "${name}_atlas")
 endforeach()
 
+# Two families of one body by energy and momentum.
+foreach(format svg png)
+  run_program(plot ${INTO}/maclaurin.csv ${INTO}/jacobi.csv --diagram energy-momentum
+    -o ${INTO}/maclaurin_jacobi.${format} --quiet)
+endforeach()
+
 # Pages to open, where the program was built with the page.
 foreach(name fold neo_hookean_atlas)
   execute_process(COMMAND ${PROGRAM} explore ${INTO}/${name}.csv -o ${INTO}/${name}.html --quiet

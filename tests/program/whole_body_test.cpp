@@ -405,6 +405,21 @@ TEST(WholeBody, ClassicalPointsMoveWithStiffness) {
   EXPECT_GE(compared, 18);
 }
 
+/// Where the window of growing oscillations closes: the turn of the curve of its two ends.
+TEST(WholeBody, WindowOfOscillationsCloses) {
+  const TemporaryDirectory directory;
+  const Outcome outcome =
+      run_program({"curve", shipped("elastic_sphere.toml"), "-o", directory / "curve.csv"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  int turns = 0;
+  for (const Row& row : rows_of(text_of(directory / "curve.csv"))) {
+    if (row.at("special") != "turn") continue;
+    ++turns;
+    EXPECT_NEAR(number(row.at("potential.coupled.mu")), 0.09222367420598165041, 1e-14);
+  }
+  EXPECT_EQ(turns, 1);
+}
+
 /// A nearly incompressible body, V + (L/2) ln^2(d rho): what is left of the volume's change is -P/L,
 /// P the pressure of the incompressible one, and the stretches come to its own as 1/L.
 TEST(WholeBody, IsTheLimitOfStiffVolumes) {
