@@ -32,6 +32,7 @@ void make(const ModelDescription& model, const std::vector<double>& coefficients
       Potential::coupled(model.name, coefficients);
       break;
     case Kind::fibre:
+    case Kind::whole:
       FAIL() << "no model of its own";
   }
 }

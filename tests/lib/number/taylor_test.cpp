@@ -39,7 +39,8 @@ struct Function {
   Function {                                                                \
     #expression,                                                            \
         [](double x) {                                                      \
-          using namespace std;                                              \
+          using std::exp, std::log, std::sqrt, std::sin, std::cos;          \
+          using std::tan, std::tanh, std::atan;                             \
           return double(expression);                                        \
         },                                                                  \
         [](const Four& x) { return expression; }, [](const Enclosed& x) { \

@@ -49,9 +49,8 @@ std::optional<Stretch> followed(const Problem& problem, double nu) {
       if (!x) return std::nullopt;
       return Stretch{0.0, (*x)[0], (*x)[1], model.thickness.balanced(rates.rho)};
     } else {
-      const double r = model.rest_stretch();
       const auto x = march(CoupledSystem<std::decay_t<decltype(model)>>{model, rates},
-                           ReducedVector<3>(r, r, model.rest_thickness()));
+                           ReducedVector<3>(diagonal(rest_stretch_of(model))));
       if (!x) return std::nullopt;
       return Stretch{0.0, (*x)[0], (*x)[1], (*x)[2]};
     }
