@@ -85,7 +85,7 @@ const std::vector<Malformed>& malformed_cases() {
        {"case.toml:9:", "solver: found an unknown key", "did you mean \"solve\"?"}},
       {"unknown_body",
        with_body("[body]\nJ = [1, 2, 3]\nK = 1\n"),
-       {"case.toml:3:1", "body.K: found an unknown key", "one of \"J\" in [body]"}},
+       {"case.toml:3:1", "body.K: found an unknown key", "one of \"J\", \"volume\" in [body]"}},
       {"unknown_motion",
        with_motion("[motion]\nbrunch = \"i\"\nnu = 1\n"),
        {"case.toml:7:1", "motion.brunch", "did you mean \"branch\"?"}},

@@ -62,10 +62,10 @@ TEST(Table, AllColumnsAndTheParameter) {
             "branch,sheet,point,event,nu1,nu2,nu3,alpha,xi,zeta,rho,lambda,mu,angle,pi1,pi2,pi3,"
             "energy,residual,compatibility,error_bound,class,growth,negative,re1,im1,krein1,re2,"
             "im2,krein2,re3,im3,krein3,re4,im4,krein4,re5,im5,krein5,omega,theta_dot,s3,p_theta,"
-            "status,certified,class_certified,segment,criticality,side,body.J.0\n" +
-                std::string(49, ',') +
+            "status,certified,class_certified,segment,criticality,side,pressure,body.J.0\n" +
+                std::string(50, ',') +
                 "\niii,12,4500000,fold-nu,,,,,0.1,,,,,,,,,,,,,stable,,0,,,,,,-1,,,,,,,,,,,,,,"
-                "solved,yes,no,,,,"
+                "solved,yes,no,,,,,"
                 "1e+300\n");
 }
 
