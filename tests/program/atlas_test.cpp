@@ -142,8 +142,8 @@ TEST(CompleteAtlas, IsOfTheCasesBox) {
                      "continuation.to=0.1", "--set", "solve.box=" + box});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     int out = 0;
-    for (const auto& each :
-         nlohmann::json::parse(text_of(directory / "x.meta.json"))["completeness"])
+    const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    for (const auto& each : metadata["completeness"])
       if (each["status"] == "proven") out += each["sheets"].get<int>();
     return out;
   };

@@ -27,6 +27,7 @@ constexpr const char* without_spectrum =
 constexpr const char* spectral =
     ",class,growth,negative,re1,im1,krein1,re2,im2,krein2,re3,im3,krein3,re4,im4,krein4,re5,im5,"
     "krein5,segment";
+constexpr const char* of_events = ",criticality,side";
 
 /// "continue", a case and overrides of it.
 std::vector<std::string> command(const std::string& case_file,
@@ -79,14 +80,14 @@ TEST(Continue, ColumnsInTheirOrder) {
   const Outcome outcome = continued(shipped("disc.toml"));
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.err, IsEmpty());
-  EXPECT_EQ(header_of(outcome.out), std::string(without_spectrum) + spectral);
+  EXPECT_EQ(header_of(outcome.out), std::string(without_spectrum) + spectral + of_events);
   EXPECT_TRUE(outcome.out.ends_with("\n"));
   EXPECT_EQ(outcome.out.find('\r'), std::string::npos);
   const Outcome plain = continued(shipped("disc.toml"), {"output.spectrum=false"});
-  EXPECT_EQ(header_of(plain.out), without_spectrum);
+  EXPECT_EQ(header_of(plain.out), std::string(without_spectrum) + of_events);
   const Outcome other = continued(
       shipped("disc.toml"), {"continuation.parameter=potential.plane.c", "continuation.from=0.5"});
-  EXPECT_EQ(header_of(other.out), std::string(without_spectrum) + spectral + ",potential.plane.c");
+  EXPECT_EQ(header_of(other.out), std::string(without_spectrum) + spectral + of_events + ",potential.plane.c");
 }
 
 TEST(Continue, ChosenColumnsKeepTheirOrder) {
