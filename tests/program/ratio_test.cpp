@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/program/table/column_file.hpp"
+#include "solver/program/table/hdf5_handle.hpp"
 #include "tests/program/json_schema.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
@@ -146,6 +147,14 @@ TEST_F(Ratio, ColumnFileHasItInAGroup) {
   const auto stream = column_file_table(file, {});
   const auto found = rows_of({std::istreambuf_iterator<char>(*stream), {}});
   EXPECT_EQ(found, rows_of(text_of(table_)));
+  // As little as the file does the group remember when it was made: the same bytes at any time.
+  const Handle read(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Handle group(H5Gopen2(read.id(), "body.J.1", H5P_DEFAULT), H5Gclose);
+  ASSERT_TRUE(group.valid());
+  const Handle how(H5Gget_create_plist(group.id()), H5Pclose);
+  hbool_t times = true;
+  ASSERT_GE(H5Pget_obj_track_times(how.id(), &times), 0);
+  EXPECT_FALSE(times);
 }
 
 TEST_F(Ratio, WhatIsNone) {

@@ -47,10 +47,10 @@ void write_column(hid_t file, const CellColumn& column, const Cells& cells) {
   const Handle space = require_hdf5(Handle(H5Screate_simple(1, &count, nullptr), H5Sclose), name);
   const Handle layout = require_hdf5(Handle(H5Pcreate(H5P_DATASET_CREATE), H5Pclose), name);
   require_hdf5(H5Pset_obj_track_times(layout.id(), false), name);
-  const Handle links = hdf5_links();
+  create_hdf5_groups_of(file, name);
   const auto put = [&](hid_t file_type, hid_t memory_type, const void* values) {
     const Handle set = require_hdf5(Handle(H5Dcreate2(file, name.c_str(), file_type, space.id(),
-                                                      links.id(), layout.id(), H5P_DEFAULT),
+                                                      H5P_DEFAULT, layout.id(), H5P_DEFAULT),
                                            H5Dclose),
                                     name);
     if (count == 0) return;

@@ -140,8 +140,8 @@ struct ColumnFileWriter::Data {
     const Handle layout = require_hdf5(Handle(H5Pcreate(H5P_DATASET_CREATE), H5Pclose), name);
     require_hdf5(H5Pset_chunk(layout.id(), 1, &block), name);
     require_hdf5(H5Pset_obj_track_times(layout.id(), false), name);
-    const Handle links = hdf5_links();
-    return require_hdf5(Handle(H5Dcreate2(file.id(), name.c_str(), type, space.id(), links.id(),
+    create_hdf5_groups_of(file.id(), name);
+    return require_hdf5(Handle(H5Dcreate2(file.id(), name.c_str(), type, space.id(), H5P_DEFAULT,
                                           layout.id(), H5P_DEFAULT),
                                H5Dclose),
                         name);
@@ -237,15 +237,7 @@ TablesFile::~TablesFile() = default;
 std::unique_ptr<ColumnFileWriter> TablesFile::table(const std::string& name,
                                                     const std::vector<Column>& columns,
                                                     std::size_t rows) {
-  const Handle creation = require_hdf5(Handle(H5Pcreate(H5P_GROUP_CREATE), H5Pclose), name);
-  require_hdf5(
-      H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
-      name);
-  require_hdf5(H5Pset_obj_track_times(creation.id(), false), name);
-  Handle group = require_hdf5(
-      Handle(H5Gcreate2(data_->file.id(), name.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
-             H5Gclose),
-      name);
+  Handle group = create_hdf5_group(data_->file.id(), name);
   return std::unique_ptr<ColumnFileWriter>(
       new ColumnFileWriter(ColumnFileWriter::Data{std::move(group)}, columns, {}, rows));
 }

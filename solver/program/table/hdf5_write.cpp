@@ -34,10 +34,23 @@ Handle create_hdf5(const std::string& path) {
       Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose), path);
 }
 
-Handle hdf5_links() {
-  Handle out = require_hdf5(Handle(H5Pcreate(H5P_LINK_CREATE), H5Pclose), "a group");
-  require_hdf5(H5Pset_create_intermediate_group(out.id(), 1), "a group");
-  return out;
+Handle create_hdf5_group(hid_t location, const std::string& name) {
+  const Handle creation = require_hdf5(Handle(H5Pcreate(H5P_GROUP_CREATE), H5Pclose), name);
+  require_hdf5(
+      H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
+      name);
+  require_hdf5(H5Pset_obj_track_times(creation.id(), false), name);
+  return require_hdf5(
+      Handle(H5Gcreate2(location, name.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT), H5Gclose),
+      name);
+}
+
+void create_hdf5_groups_of(hid_t location, const std::string& name) {
+  for (std::size_t at = name.find('/'); at != std::string::npos; at = name.find('/', at + 1)) {
+    const std::string group = name.substr(0, at);
+    if (H5Lexists(location, group.c_str(), H5P_DEFAULT) <= 0)
+      (void)create_hdf5_group(location, group);
+  }
 }
 
 Handle hdf5_string_type(std::size_t length) {

@@ -14,8 +14,10 @@ void require_hdf5(herr_t result, std::string_view what);
 
 /// An empty file that remembers the order of its datasets and no times.
 Handle create_hdf5(const std::string& path);
-/// A name with a slash, as a ratio's, is that of a dataset in a group.
-Handle hdf5_links();
+/// A group that remembers the same.
+Handle create_hdf5_group(hid_t location, const std::string& name);
+/// Those that a dataset of this name is to stand in: of a name with a slash, as a ratio's.
+void create_hdf5_groups_of(hid_t location, const std::string& name);
 Handle hdf5_string_type(std::size_t length);
 void write_hdf5_attribute(hid_t file, const char* what, const std::string& text);
 
