@@ -14,7 +14,7 @@
 #include "lib/material/potential.hpp"
 #include "solver/family/follow_sheet.hpp"
 #include "solver/proof/event_enclosure.hpp"
-#include "solver/proof/normal_form.hpp"
+#include "solver/motion/normal_form.hpp"
 #include "solver/search/search.hpp"
 #include "solver/solve/solve.hpp"
 

@@ -8,7 +8,7 @@
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/table/table_reader.hpp"
-#include "solver/proof/normal_form.hpp"
+#include "solver/motion/normal_form.hpp"
 
 namespace stationary {
 namespace {

@@ -1,4 +1,4 @@
-#include "solver/proof/normal_form.hpp"
+#include "solver/motion/normal_form.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
