@@ -292,12 +292,17 @@ class ModelFamily final : public Family<N> {
       return coefficient_slope<N>(at.model, options_.parameter, x);
     // The pull on x_k is J_k times nu^2 or nothing, and on no other.
     const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
-    const CentrifugalRates<double> own{k == 0 ? double(rates.xi) / J[0] : 0.0,
-                                       k == 1 ? double(rates.zeta) / J[1] : 0.0,
-                                       k == 2 ? double(rates.rho) / J[2] : 0.0};
-    ReducedVector<N> out = minus_pull(at.model, own, x);
-    if constexpr (is_body_model<Model>)
-      out += body_slope(at.model, Model::inertia_place + static_cast<std::size_t>(k), x);
+    const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
+    ReducedVector<N> out = ReducedVector<N>::Zero();
+    if constexpr (is_body_model<Model>) {
+      // Along a held volume the pull on rho is one on xi and zeta.
+      const CentrifugalRates<double> own{k == 0 ? c.xi : 0.0, k == 1 ? c.zeta : 0.0,
+                                         k == 2 ? c.rho : 0.0};
+      out = minus_pull(at.model, own, x) / J[k] +
+            body_slope(at.model, Model::inertia_place + static_cast<std::size_t>(k), x);
+    } else if (k < N) {
+      out[k] = minus_pull(at.model, c, x)[k] / J[k];
+    }
     return out;
   }
 
