@@ -50,8 +50,8 @@ SimulatedEnd simulate(const SimulatedRun& of, const std::vector<double>& costs) 
       std::vector<double> batch;
       for (const std::size_t tile : next) batch.push_back(cost[tile]);
       ranks[k].given += batch.size();
-      head += of.service;
-      out.busy += of.service;
+      head += of.handing_out;
+      out.busy += of.handing_out;
       out.batches += 1.0;
       batches.push_back(std::move(batch));
       events.push({head + of.latency, k, true, 0.0, batches.size() - 1});
@@ -70,8 +70,8 @@ SimulatedEnd simulate(const SimulatedRun& of, const std::vector<double>& costs) 
       }
       batches[event.batch].clear();
     } else {
-      head = std::max(head, event.at) + of.service;
-      out.busy += of.service;
+      head = std::max(head, event.at) + of.taking;
+      out.busy += of.taking;
       --rank.given;
       dispatcher.ended(event.cost);
       out.seconds = head;

@@ -1,6 +1,6 @@
 // Many ranks without them: the dispatcher (solver/program/tiles/dispatcher.hpp) hands out tiles of recorded
-// costs to ranks that only the clock of this file knows. Rank 0 serves one message after the other, each
-// for `service` seconds; a message is under way for `latency`.
+// costs to ranks that only the clock of this file knows. Rank 0 does one thing after the other: hands out a
+// batch, takes a result; a message is under way for `latency`.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,11 @@
 namespace stationary::bench {
 
 struct SimulatedRun {
-  std::size_t ranks = 1;  ///< that compute; rank 0, which hands out, beside them
-  std::size_t tiles = 1;  ///< costs are taken from the recorded ones in a fixed random order
-  double service = 5e-6;  ///< seconds of rank 0 a result
-  double latency = 5e-6;  ///< seconds
+  std::size_t ranks = 1;      ///< that compute; rank 0, which hands out, beside them
+  std::size_t tiles = 1;      ///< costs are taken from the recorded ones in a fixed random order
+  double handing_out = 5e-6;  ///< seconds of rank 0 a batch
+  double taking = 5e-6;       ///< seconds of rank 0 a result
+  double latency = 5e-6;      ///< seconds
 };
 
 struct SimulatedEnd {

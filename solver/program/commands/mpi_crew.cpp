@@ -274,8 +274,10 @@ class Serve {
         if (message->tag == work) fill(message->bytes);
       }
       something = send_results() || something;
+      outbox_.clear_done();
       something ? pause.over() : pause.wait();
     }
+    outbox_.wait();
     {
       const std::scoped_lock lock(mutex_);
       ended_ = true;
@@ -301,8 +303,7 @@ class Serve {
         out.emplace_back(idle, std::string());
       }
     }
-    for (const auto& [tag, bytes] : out)
-      MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, 0, tag, MPI_COMM_WORLD);
+    for (auto& [tag, bytes] : out) outbox_.send(0, tag, std::move(bytes));
     return !out.empty();
   }
 
@@ -339,6 +340,7 @@ class Serve {
   }
 
   const TileLoop& loop_;
+  Outbox outbox_;
   std::mutex mutex_;
   std::condition_variable more_;
   std::deque<std::size_t> queue_;
@@ -365,16 +367,20 @@ struct MpiCrew::Begun {
   Begun& operator=(const Begun&) = delete;
   ~Begun() {
     // The others are told to leave, whether rank 0 came to any work or not.
+    Pause pause;
     if (rank == 0) {
       for (int k = 1; k < ranks; ++k) MPI_Send(nullptr, 0, MPI_BYTE, k, leave, MPI_COMM_WORLD);
-      MPI_Barrier(MPI_COMM_WORLD);
-      // What they said and nobody listened to.
+    } else {
+      for (; !told_to_leave; pause.wait())  // while rank 0 writes its table
+        while (const auto message = received()) told_to_leave |= message->tag == leave;
+    }
+    // What they still say nobody listens to, but none may wait for that.
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Ibarrier(MPI_COMM_WORLD, &request);
+    for (int all = 0; all == 0; pause.wait()) {
+      MPI_Test(&request, &all, MPI_STATUS_IGNORE);
       while (received()) {
       }
-    } else {
-      if (!told_to_leave)
-        MPI_Recv(nullptr, 0, MPI_BYTE, 0, leave, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-      MPI_Barrier(MPI_COMM_WORLD);
     }
     MPI_Finalize();
   }
