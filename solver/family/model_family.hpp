@@ -288,8 +288,19 @@ class ModelFamily final : public Family<N> {
   ReducedVector<N> parameter_slope(const Setting& at, const CentrifugalRates<DoubleDouble>& rates,
                                    const ReducedVector<N>& x) const {
     const int k = options_.parameter.index;
-    if (options_.parameter.kind != Kind::inertia)
-      return coefficient_slope<N>(at.model, options_.parameter, x);
+    if (options_.parameter.kind != Kind::inertia) {
+      ReducedVector<N> out = coefficient_slope<N>(at.model, options_.parameter, x);
+      if constexpr (is_body_model<Model>) {
+        // rho = C/d, and its pull with it.
+        if (k == static_cast<int>(Model::volume_place) && at.model.volume) {
+          const double rho = at.model.thickness(x[0], x[1], x[2]);
+          const double pull = 2.0 * double(rates.rho) * rho * rho / *at.model.volume;
+          out[0] += pull;
+          out[1] += pull;
+        }
+      }
+      return out;
+    }
     // The pull on x_k is J_k times nu^2 or nothing, and on no other.
     const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
     const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};

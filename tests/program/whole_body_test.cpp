@@ -449,6 +449,44 @@ TEST(WholeBody, IsTheLimitOfStiffVolumes) {
   EXPECT_NEAR(apart[0] / apart[1], 100.0, 0.1);
 }
 
+/// Every number of a body may be followed: with true slopes few points are enough, and each is what
+/// `solve` finds there.
+TEST(WholeBody, EveryNumberMayBeFollowed) {
+  const std::string head = "[body]\nJ = [1.0, 1.7, 0.6]\nvolume = 1.0\n[gravity]\ng = 2.0\n";
+  const std::string elastic =
+      "[potential]\nplane = { model = \"neo-hookean\", mu = 1, lambda = 2 }\n"
+      "thickness = { model = \"reciprocal-quadratic\", a = 1, b = 3 }\n";
+  int compared = 0;
+  for (const std::string branch : {"i", "ii", "iii"}) {
+    for (const std::string key : {"body.volume", "gravity.g", "body.J.0", "body.J.1", "body.J.2",
+                                  "potential.plane.mu", "potential.thickness.a"}) {
+      const TemporaryDirectory directory;
+      const std::string path =
+          directory.file("case.toml", head + elastic + "[motion]\nbranch = \"" + branch +
+                                          "\"\nnu = 0.4\n[continuation]\nparameter = \"" + key +
+                                          "\"\nfrom = 0.5\nto = 3.5\ntolerance = 1e-6\n");
+      const Outcome outcome = run_program({"continue", path, "-o", directory / "table.csv"});
+      ASSERT_EQ(outcome.code, 0) << branch << key << outcome.err;
+      const std::vector<Row> rows = rows_of(text_of(directory / "table.csv"));
+      EXPECT_LT(rows.size(), 400U) << branch << ' ' << key;
+      ASSERT_GE(rows.size(), 5U) << branch << ' ' << key;
+      const Row& row = rows[rows.size() / 3];
+      std::ostringstream start;
+      start.precision(17);
+      start << "solve.start=[0.0," << row.at("xi") << ',' << row.at("zeta") << ',' << row.at("rho")
+            << ']';
+      const Outcome again = run_program(
+          {"solve", path, "-o", "-", "--set", key + "=" + row.at(key), "--set", start.str()});
+      ASSERT_EQ(again.code, 0) << branch << key << again.err;
+      for (const std::string column : {"xi", "zeta", "rho", "pressure"})
+        EXPECT_NEAR(number(only_row(again.out).at(column)) / number(row.at(column)), 1.0, 1e-13)
+            << branch << ' ' << key << ' ' << column;
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 21);
+}
+
 TEST(WholeBody, WrongInputIsRefusedByName) {
   const std::string body = "[body]\nJ = [1, 1, 1]\n";
   const std::string motion = "[motion]\nbranch = \"iii\"\nnu = 0.3\n";
