@@ -220,7 +220,8 @@ TEST(ShippedResults, AreOfTheCasesAndNothingElse) {
     std::erase_if(stems, is_atlas);
     // Measured: work_precision_test.cpp; the whole of stress_test.cpp. A page seen in a browser.
     std::erase_if(stems, [](const std::string& stem) {
-      return stem == "work_precision" || stem == "completeness" || stem == "explorer" || stem.starts_with("stress");
+      return stem == "work_precision" || stem == "completeness" || stem == "explorer" ||
+             stem.starts_with("stress");
     });
     return stems;
   };

@@ -35,16 +35,16 @@ struct Function {
   std::function<Four(const Four&)> taylor;
   std::function<Enclosed(const Enclosed&)> enclosed;
 };
-#define STATIONARY_FUNCTION(expression)                                     \
-  Function {                                                                \
-    #expression,                                                            \
+#define STATIONARY_FUNCTION(expression)                                   \
+  Function {                                                              \
+#expression,                                                            \
         [](double x) {                                                      \
           using namespace std;                                              \
           return double(expression);                                        \
         },                                                                  \
         [](const Four& x) { return expression; }, [](const Enclosed& x) { \
           return expression;                                                \
-        }                                                                   \
+        } \
   }
 
 const Function functions[] = {

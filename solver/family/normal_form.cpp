@@ -1,4 +1,4 @@
-#include "solver/proof/normal_form.hpp"
+#include "solver/family/normal_form.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -60,8 +60,7 @@ class NearEvent {
   State state(const Direction& v, double c) const {
     using Kind = FamilyParameter::Kind;
     State out;
-    for (std::size_t i = 0; i < 3; ++i)
-      out.x[i] = T(x_[i]) * exp(T::along(Interval(0.0), v[i]));
+    for (std::size_t i = 0; i < 3; ++i) out.x[i] = T(x_[i]) * exp(T::along(Interval(0.0), v[i]));
     const Numbers number = numbers(c);
     const Body& body = problem_.body();
     out.nu = number(member_.nu, Kind::nu, 0);
@@ -231,8 +230,7 @@ std::optional<NormalForm> at_breaking(const NearEvent& event, const Breaking& F,
 std::optional<NormalForm> at_ellipse(const NearEvent& event) {
   const Direction v{1.0, -1.0, 0.0};
   const std::array<T, 3> g = event.gradient(v, 0.0);
-  return at_breaking(event,
-                     {dot(v, of_order(g, 3)), of_order(g, 2), dot(v, event.mixed(v))},
+  return at_breaking(event, {dot(v, of_order(g, 3)), of_order(g, 2), dot(v, event.mixed(v))},
                      symmetric_basis(true));
 }
 
