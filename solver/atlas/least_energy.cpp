@@ -104,7 +104,7 @@ class Envelope {
 
   /// Of those that rounding cannot tell apart, one of the two given.
   const EnergyArc* least_at(double momentum, const EnergyArc* first = nullptr,
-                      const EnergyArc* second = nullptr) const {
+                            const EnergyArc* second = nullptr) const {
     const auto energy = [&](const EnergyArc* each) { return each->at(momentum).energy; };
     const EnergyArc* const out = *std::ranges::min_element(active_, {}, energy);
     const double tie = 1e-14 * std::abs(energy(out));

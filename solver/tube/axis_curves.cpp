@@ -102,8 +102,7 @@ class CoupledCurves final : public CurveEquations<3> {
   }
   bool contract(CurveBox<3>& y) const override {
     std::array<Interval, 3> x{y[0], y[1], y[2]};
-    const bool left =
-        terms_.contract({y[3] * rates_.xi, y[3] * rates_.zeta, y[3] * rates_.rho}, x);
+    const bool left = terms_.contract({y[3] * rates_.xi, y[3] * rates_.zeta, y[3] * rates_.rho}, x);
     y = {x[0], x[1], x[2], y[3]};
     return left;
   }
@@ -169,15 +168,16 @@ class AxisCurves {
       out.push_back(
           set<N>(std::make_unique<CircleCurves<Model, N>>(model, rates_, inputs_), circle));
     if (ellipse[1].upper.hi > 0.0) {
-      auto ellipses = std::make_unique<EllipseCurves<Model, N + 1>>(model, rates_, xi, zeta,
-                                                                    inputs_);
+      auto ellipses =
+          std::make_unique<EllipseCurves<Model, N + 1>>(model, rates_, xi, zeta, inputs_);
       out.push_back(set<N + 1>(std::move(ellipses), ellipse));
       std::get<CurveSet<N + 1>>(out.back()).region.mirror = 1;
     }
     return out;
   }
   static LogRange overlap(const LogRange& a, const LogRange& b) {
-    return {a.lower.lo > b.lower.lo ? a.lower : b.lower, a.upper.hi < b.upper.hi ? a.upper : b.upper};
+    return {a.lower.lo > b.lower.lo ? a.lower : b.lower,
+            a.upper.hi < b.upper.hi ? a.upper : b.upper};
   }
 
   template <int N>

@@ -30,7 +30,8 @@ KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
       out.interrupted = out.interrupted || cover.interrupted;
       for (const CurveBreak& each : cover.breaks)
         all.push_back({nu_of(each.q, to), each.turns, each.crosses, each.mirrors, false});
-      for (const Interval& q : cover.undecided) all.push_back({nu_of(q, to), false, false, false, true});
+      for (const Interval& q : cover.undecided)
+        all.push_back({nu_of(q, to), false, false, false, true});
     }
   }
   std::ranges::sort(all, {}, [](const NuGap& each) { return each.nu.lo; });

@@ -33,9 +33,9 @@ void write_rows(const std::string& file) {
       int proven = 0;
       for (const CompleteInterval& interval : each.intervals) proven += interval.proven;
       const std::string name(kind_name(each.branch, each.oblique));
-      std::printf("%s,%s,%g,%g,%ld,%ld,%d,%.3g,%.2g\n",
-                  std::filesystem::path(file).stem().c_str(), name.c_str(), how.from, how.to,
-                  each.boxes, each.tubes, proven, each.unproven_length(), seconds.count());
+      std::printf("%s,%s,%g,%g,%ld,%ld,%d,%.3g,%.2g\n", std::filesystem::path(file).stem().c_str(),
+                  name.c_str(), how.from, how.to, each.boxes, each.tubes, proven,
+                  each.unproven_length(), seconds.count());
     }
   }
 }

@@ -44,9 +44,8 @@ TEST(AtlasSides, AgreeWithWhereTheSheetsGo) {
   std::map<std::string, int> compared;
   for (const char* name : {"neo_hookean", "fold", "apart", "near_degenerate", "circle", "disc",
                            "tilted", "double_well", "two_wells"}) {
-    const Outcome outcome =
-        run_program({"atlas", shipped(std::string(name) + ".toml"), "-o", "-", "--checkpoints",
-                     "32", "--set", "output.spectrum=false"});
+    const Outcome outcome = run_program({"atlas", shipped(std::string(name) + ".toml"), "-o", "-",
+                                         "--checkpoints", "32", "--set", "output.spectrum=false"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const auto sheets = sheets_of(outcome.out);
     // Of sheets about axes, what they say of the sheets that leave them.
@@ -113,9 +112,9 @@ TEST(LeastEnergy, IsTheLowerEnvelopeOfTheSheets) {
           return number(each.at("momentum_from")) <= momentum &&
                  momentum <= number(each.at("momentum_to"));
         });
-        const bool in_box = std::ranges::all_of(std::array{"xi", "zeta", "rho"}, [&](const char* s) {
-          return number(row.at(s)) > 1.1e-3 && number(row.at(s)) < 900.0;
-        });
+        const bool in_box = std::ranges::all_of(
+            std::array{"xi", "zeta", "rho"},
+            [&](const char* s) { return number(row.at(s)) > 1.1e-3 && number(row.at(s)) < 900.0; });
         if (piece == pieces.end()) {
           outside += in_box;
           continue;
@@ -154,8 +153,8 @@ TEST(LeastEnergy, IsTheLowerEnvelopeOfTheSheets) {
 }
 
 TEST(LeastEnergy, OfAGridIsRefused) {
-  const Outcome outcome = run_program({"atlas", shipped("apart.toml"), "--grid", "-o", "-",
-                                       "--least-energy", "x.csv"});
+  const Outcome outcome =
+      run_program({"atlas", shipped("apart.toml"), "--grid", "-o", "-", "--least-energy", "x.csv"});
   EXPECT_EQ(outcome.code, 2);
 }
 
@@ -174,8 +173,10 @@ TEST(Completeness, IsTheTableShipped) {
     for (const auto& each : metadata["completeness"]) {
       if (each["branch"] != row.at("branch")) continue;
       EXPECT_EQ(each["boxes"].dump(), row.at("boxes")) << row.at("case");
-      if (each["status"] == "proven") ++proven;
-      else left += each["to"].get<double>() - each["from"].get<double>();
+      if (each["status"] == "proven")
+        ++proven;
+      else
+        left += each["to"].get<double>() - each["from"].get<double>();
     }
     EXPECT_EQ(std::to_string(proven), row.at("proven_intervals")) << row.at("case");
     EXPECT_LT(left, 1e-6 * (number(row.at("to")) - number(row.at("from"))));

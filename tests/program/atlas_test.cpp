@@ -113,7 +113,7 @@ TEST(CompleteAtlas, ProvesThatEllipsesPartFromCircles) {
 TEST(CompleteAtlas, IsAskedForByTheCaseToo) {
   const TemporaryDirectory directory;
   const auto metadata = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> all{"atlas", shipped("disc.toml"), "-o", directory / "x.csv", "-q",
+    std::vector<std::string> all{"atlas", shipped("disc.toml"),   "-o", directory / "x.csv", "-q",
                                  "--set", "output.spectrum=false"};
     all.insert(all.end(), more.begin(), more.end());
     const Outcome outcome = run_program(all);

@@ -87,7 +87,8 @@ TEST(Continue, ColumnsInTheirOrder) {
   EXPECT_EQ(header_of(plain.out), std::string(without_spectrum) + of_events);
   const Outcome other = continued(
       shipped("disc.toml"), {"continuation.parameter=potential.plane.c", "continuation.from=0.5"});
-  EXPECT_EQ(header_of(other.out), std::string(without_spectrum) + spectral + of_events + ",potential.plane.c");
+  EXPECT_EQ(header_of(other.out),
+            std::string(without_spectrum) + spectral + of_events + ",potential.plane.c");
 }
 
 TEST(Continue, ChosenColumnsKeepTheirOrder) {

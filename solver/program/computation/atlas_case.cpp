@@ -135,7 +135,8 @@ void add_least_energy(Report& out, const std::vector<LeastEnergyPiece>& pieces,
                          kind_name(sheets[std::size_t(each.sheet) - 1]), each.from.momentum,
                          each.to.momentum));
   if (!pieces.empty())
-    out.line({}, "of the motions listed: two-polar ones, and others beyond the range, are left out");
+    out.line({},
+             "of the motions listed: two-polar ones, and others beyond the range, are left out");
 }
 
 std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& found,

@@ -103,7 +103,7 @@ class CurveTable final : public CurveSink {
   double first_parameter_ = std::numeric_limits<double>::quiet_NaN();
   double last_parameter_ = std::numeric_limits<double>::quiet_NaN();
   EventType last_event_ = EventType::none;
-  KindAt kind_at_;  ///< empty: nothing is proven
+  KindAt kind_at_;        ///< empty: nothing is proven
   KindAt kind_of_event_;  ///< empty: nothing is told
   FamilyParameter parameter_;
   CurveProofs proofs_;

@@ -75,7 +75,7 @@ struct Metadata {
   std::vector<std::pair<std::string_view, long>> counts;
   std::vector<SheetRecord> curves;  ///< the sheets followed
   std::vector<EventCurveRecord> event_curves;
-  const Atlas* atlas = nullptr;  ///< its sheets, checkpoints and remarks
+  const Atlas* atlas = nullptr;                ///< its sheets, checkpoints and remarks
   std::vector<LeastEnergyPiece> least_energy;  ///< of its sheets
   /// Of `solve` with all: the sheets of rows found where the search is undecided, and not proven.
   std::vector<int> unproven_sheets;

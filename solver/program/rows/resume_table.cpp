@@ -5,10 +5,11 @@
 #include <fstream>
 
 #include "lib/stability/spectrum.hpp"
+#include "solver/family/normal_form.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/table/table_reader.hpp"
-#include "solver/motion/normal_form.hpp"
+#include "solver/family/normal_form.hpp"
 
 namespace stationary {
 namespace {

@@ -142,8 +142,7 @@ void ask_kinds(const Case& input, const Start& start, CurveTable& rows) {
   const auto kind_at = [at = start.at, key](double p) {
     return kind_of(with_parameter(at, key, p));
   };
-  const FamilyParameter parameter =
-      family_parameter(input.continuation->parameter, input.models);
+  const FamilyParameter parameter = family_parameter(input.continuation->parameter, input.models);
   rows.tell_normal_forms(kind_at, parameter);
   if (input.output.certificate) rows.prove(kind_at, parameter);
 }

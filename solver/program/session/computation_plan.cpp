@@ -78,7 +78,8 @@ ComputationPlan computation_plan(const Case& input, bool to_table) {
       out.skipped.push_back({"start, method", "not used", "solve.all = true searches everywhere"});
     }
   } else if (input.solve.box) {
-    out.skipped.push_back({"solve.box", "not used", "it is the box of solve.all = true, and of an atlas"});
+    out.skipped.push_back(
+        {"solve.box", "not used", "it is the box of solve.all = true, and of an atlas"});
   }
   if (input.output.certificate) {
     out.computed.push_back({"certificate",

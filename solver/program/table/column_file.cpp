@@ -7,8 +7,9 @@
 
 #include "lib/body/motion.hpp"
 #include "lib/stability/spectrum.hpp"
+#include "solver/family/normal_form.hpp"
 #include "solver/motion/event.hpp"
-#include "solver/motion/normal_form.hpp"
+#include "solver/family/normal_form.hpp"
 #include "solver/program/table/hdf5_handle.hpp"
 #include "solver/program/table/hdf5_write.hpp"
 

@@ -35,9 +35,9 @@ struct Function {
   std::function<Four(const Four&)> taylor;
   std::function<Enclosed(const Enclosed&)> enclosed;
 };
-#define STATIONARY_FUNCTION(expression)                                     \
-  Function {                                                                \
-    #expression,                                                            \
+#define STATIONARY_FUNCTION(expression)                                   \
+  Function {                                                              \
+#expression,                                                            \
         [](double x) {                                                      \
           using std::exp, std::log, std::sqrt, std::sin, std::cos;          \
           using std::tan, std::tanh, std::atan;                             \
@@ -45,7 +45,7 @@ struct Function {
         },                                                                  \
         [](const Four& x) { return expression; }, [](const Enclosed& x) { \
           return expression;                                                \
-        }                                                                   \
+        } \
   }
 
 const Function functions[] = {

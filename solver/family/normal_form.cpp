@@ -1,4 +1,4 @@
-#include "solver/motion/normal_form.hpp"
+#include "solver/family/normal_form.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
