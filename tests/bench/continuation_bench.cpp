@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/kind/kind.hpp"
 #include "solver/program/rows/curve_table.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "tests/bench/bodies.hpp"
@@ -80,7 +81,12 @@ void proven(benchmark::State& state, const Case& c) {
   long rows = 0;
   for (auto _ : state) {
     CurveTable table(name(c.problem.branch()), nullptr);
-    table.prove([&c](double) { return c.problem; }, {});
+    const Problem& problem = c.problem;
+    table.prove(
+        [&problem](double nu) {
+          return kind_of(problem.body(), problem.potential(), AxisRotation{problem.branch(), nu});
+        },
+        {});
     rows += follow(family, c.rest, 0.0, options, table).points;
   }
   state.SetItemsProcessed(rows);
