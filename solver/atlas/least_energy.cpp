@@ -50,8 +50,7 @@ class Envelope {
       ends.push_back(each.b.momentum);
     }
     std::ranges::sort(ends);
-    const auto repeated = std::ranges::unique(ends);
-    ends.erase(repeated.begin(), repeated.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     std::size_t next = 0;
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
       while (next < arcs_.size() && arcs_[next].a.momentum <= ends[k])

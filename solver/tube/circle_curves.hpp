@@ -96,7 +96,7 @@ class CircleCurves final : public CurveEquations<N> {
     std::array<Interval, N + 1> x{y[0], y[0]};
     if constexpr (coupled) x[2] = y[1];
     if (!terms_.contract(with_plane_rate<N + 1>(c), x)) return false;
-    for (const std::size_t k : {0, 1}) {
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
       if (x[k].apart_from(y[0])) return false;
       y[0] = common(y[0], x[k]);
     }
