@@ -200,7 +200,7 @@ void require_coefficients(const CaseTree& tree, const std::string& path, const t
   bool all_known = true;
   for (const auto& [name, value] : table) {
     if (std::ranges::find(allowed, name.str()) != allowed.end()) continue;
-    faults.collect([&] { refuse_unknown(tree, path, name.str(), allowed); });
+    faults.collect([&, &key = name] { refuse_unknown(tree, path, key.str(), allowed); });
     all_known = false;
   }
   std::vector<std::string_view> missing;
@@ -319,13 +319,13 @@ void require_table(const CaseTree& tree, const std::string& prefix, const toml::
     const CaseKey* key = plain ? find_case_key(path) : nullptr;
     if (key == nullptr) {
       if (const auto nearest = nearest_name(name.str(), known)) meant.push_back(*nearest);
-      faults.collect([&] { refuse_unknown(tree, prefix, name.str(), known); });
+      faults.collect([&, &found = name] { refuse_unknown(tree, prefix, found.str(), known); });
       continue;
     }
-    if (!faults.collect([&] { require_type(tree, *key, node); })) continue;
+    if (!faults.collect([&, &value = node] { require_type(tree, *key, value); })) continue;
     if (key->type == KeyType::table) require_table(tree, path, *node.as_table(), faults);
     if (key->type == KeyType::model)
-      faults.collect([&] { require_model(tree, path, *node.as_table(), faults); });
+      faults.collect([&, &value = node] { require_model(tree, path, *value.as_table(), faults); });
     if (key->type == KeyType::coefficients)
       require_coefficients(tree, path, *node.as_table(), *models_of(model_kind(path)).front(), {},
                            faults);

@@ -29,7 +29,7 @@ Json model_json(const ModelChoice& model) {
 Json motion_json(const Motion& motion) {
   Json out;
   for (const auto& [key, value] : motion_items(motion))
-    std::visit([&](const auto& each) { out[std::string(key)] = each; }, value);
+    std::visit([&out, name = std::string(key)](const auto& each) { out[name] = each; }, value);
   return out;
 }
 
