@@ -24,13 +24,13 @@ Form momentum_form() {
 
 /// x with x^T F x = curvature <= 0, found where Cholesky's factorization ends; curvature > 0 where
 /// it does not.
-struct Direction {
+struct CurvedDirection {
   std::array<double, size> x{};
   double curvature = 1.0;
 };
 
-Direction least_direction(Form F) {
-  Direction out;
+CurvedDirection least_direction(Form F) {
+  CurvedDirection out;
   Form multiplier;
   for (std::size_t k = 0; k < size; ++k) {
     if (!(F[k][k] > 0.0)) {
@@ -70,7 +70,7 @@ bool definite_with_momentum(const Leaf& leaf, double u) {
       constexpr double rounding = 2.0 * size * 0x1p-53;
       F[i][i] -= u * spread + rounding * std::abs(F[i][i]);
     }
-    const Direction at = least_direction(F);
+    const CurvedDirection at = least_direction(F);
     if (at.curvature > 0.0) return true;
     double slope = 0.0;
     for (std::size_t i = 0; i < size; ++i)

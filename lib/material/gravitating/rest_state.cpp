@@ -12,7 +12,7 @@ namespace {
 
 using Point = std::array<double, 3>;  ///< logarithms of xi, zeta, rho
 
-constexpr double largest_logarithm = 6.9;  // of 1e3
+constexpr double farthest = 6.9;  // of 1e3
 
 double sphere(const BodyModel<>& model) {
   return model.volume ? std::log(*model.volume) / 3.0 : 0.0;
@@ -66,7 +66,7 @@ std::optional<Point> minimum_from(const BodyModel<>& model, Point at, double cen
     if (!(size < 1e6)) return {};
     const double damping = size > 0.25 ? 0.25 / size : 1.0;
     for (int i = 0; i < 3; ++i) at[static_cast<std::size_t>(i)] += damping * step[i];
-    if (distance(at, centre) > largest_logarithm) return {};
+    if (distance(at, centre) > farthest) return {};
     if (size <= 0x1p-46 && !shifted) return at;
   }
   return {};

@@ -102,7 +102,7 @@ TiltedMotion read_tilted(const CaseTree& tree) {
 TwoPolarMotion read_two_polar(const CaseTree& tree, const std::optional<Body>& body) {
   constexpr std::string_view rule = "omega and theta_dot, or s3 and p_theta";
   for (const std::string_view key : {"nu", "plane", "axis"})
-    refuse_key(tree, key, two_polar_name, std::string(rule) + ", instead");
+    refuse_key(tree, key, two_polar_name, fmt::format("{}, instead", rule));
   struct Pair {
     std::string_view first;
     std::string_view second;

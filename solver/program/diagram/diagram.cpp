@@ -10,7 +10,7 @@
 #include "lib/body/motion.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/diagram/axis_name.hpp"
-#include "solver/program/diagram/family_parameter.hpp"
+#include "solver/program/diagram/row_parameter.hpp"
 #include "solver/program/text/nearest_name.hpp"
 
 namespace stationary {
@@ -167,7 +167,7 @@ class DiagramReader {
 
   void add(TableReader& table) {
     const DiagramTable source(table, choice_);
-    FamilyParameter parameter(table);
+    RowParameter parameter(table);
     const char letter = static_cast<char>('a' + static_cast<int>(out_.tables.size() % 26));
     const std::size_t first_piece = out_.pieces.size();
     out_.tables.push_back(table.name());

@@ -14,7 +14,7 @@
 namespace stationary {
 namespace {
 
-[[noreturn]] void refuse(const TableReader& table, std::string found, std::string allowed,
+[[noreturn]] void refuse_map(const TableReader& table, std::string found, std::string allowed,
                          std::string remedy = {}) {
   throw InputError(Origin::in_file(table.name()), "", std::move(found), std::move(allowed),
                    std::move(remedy));
@@ -45,7 +45,7 @@ std::string chosen(const TableReader& table, const std::optional<std::string>& a
   }
   for (const std::string_view each : {"class", "growth", "lambda", "xi"})
     if (has(each)) return std::string(each);
-  if (names.empty()) refuse(table, "found no column to show", "class, growth, lambda, ...");
+  if (names.empty()) refuse_map(table, "found no column to show", "class, growth, lambda, ...");
   return std::string(names.front());
 }
 
@@ -82,7 +82,7 @@ MapDiagramAxis axis(const TableReader& table, const std::string& parameter,
   std::vector<double> logarithms;
   for (const double each : out.values) logarithms.push_back(std::log(each));
   if (!(out.values.front() > 0.0) || !evenly_spaced(logarithms))
-    refuse(table, "found values of " + in_quotes(parameter) + " that are no grid's",
+    refuse_map(table, "found values of " + in_quotes(parameter) + " that are no grid's",
            "evenly spaced ones, or logarithmically");
   out.scale = AxisScale::log;
   return out;
@@ -106,7 +106,7 @@ std::vector<std::string> map_parameters(const std::vector<std::string>& columns)
 
 MapDiagram read_map_diagram(TableReader& table, const std::optional<std::string>& quantity) {
   const std::vector<std::string> parameters = map_parameters(table.columns());
-  if (parameters.size() != 2) refuse(table, "found no table of two parameters", "a map's");
+  if (parameters.size() != 2) refuse_map(table, "found no table of two parameters", "a map's");
   MapDiagram out;
   out.quantity = chosen(table, quantity);
   const std::size_t value = table.column(out.quantity).value();
@@ -136,11 +136,11 @@ MapDiagram read_map_diagram(TableReader& table, const std::optional<std::string>
     for (const std::size_t column : {at_x, at_y})
       if (!std::isfinite(table.number(column))) throw table.fault(column, "a finite number");
   }
-  if (cells.empty()) refuse(table, "found no rows", "a table with at least one");
+  if (cells.empty()) refuse_map(table, "found no rows", "a table with at least one");
   out.x = axis(table, parameters[0], x);
   out.y = axis(table, parameters[1], y);
   const std::size_t size = out.x.values.size() * out.y.values.size();
-  if (size > most_map_cells) refuse(table, "found values that make up no grid", "a map's");
+  if (size > most_map_cells) refuse_map(table, "found values that make up no grid", "a map's");
   out.values.assign(size, std::numeric_limits<double>::quiet_NaN());
   out.statuses.assign(size, std::nullopt);
   for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -163,7 +163,7 @@ MapDiagram read_curve_diagram(const std::vector<TableReader*>& tables) {
     for (const auto& point : line.points)
       for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) all[k].push_back(point[k]);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-    if (all[k].empty()) refuse(*tables.front(), "found no rows", "a curve");
+    if (all[k].empty()) refuse_map(*tables.front(), "found no rows", "a curve");
     const auto [low, high] = std::ranges::minmax(all[k]);
     const double room = high > low ? 0.04 * (high - low) : std::max(0.04 * std::abs(high), 1e-6);
     (k == 0 ? out.x : out.y).values = {low - room, high + room};

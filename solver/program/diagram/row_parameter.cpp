@@ -1,4 +1,4 @@
-#include "solver/program/diagram/family_parameter.hpp"
+#include "solver/program/diagram/row_parameter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,14 @@ constexpr std::array<Column, 3> nu_columns{Column::nu1, Column::nu2, Column::nu3
 
 }  // namespace
 
-FamilyParameter::FamilyParameter(const TableReader& table)
+RowParameter::RowParameter(const TableReader& table)
     : table_(&table), nu_(places(table, nu_columns)), omega_(table.column(name(Column::omega))) {
   const std::vector<std::string>& columns = table.columns();
   const bool is_nu = columns.back() == "nu";  // of a map
   if (is_nu || columns.back().find('.') != std::string::npos) key_ = columns.size() - 1;
 }
 
-double FamilyParameter::value(std::string_view branch) const {
+double RowParameter::value(std::string_view branch) const {
   if (key_) return table_->number(*key_);
   if (branch == two_polar_name) return need(omega_, Column::omega, branch);
   if (const std::optional<Branch> axis = branch_from_name(branch)) {
@@ -33,7 +33,7 @@ double FamilyParameter::value(std::string_view branch) const {
   return std::ranges::all_of(nu, [](double v) { return v <= 0.0; }) ? -norm : norm;
 }
 
-std::string FamilyParameter::symbol(std::string_view branch) const {
+std::string RowParameter::symbol(std::string_view branch) const {
   if (key_) return axis_name(table_->columns()[*key_]);
   if (branch == two_polar_name) return axis_name(name(Column::omega));
   if (const std::optional<Branch> axis = branch_from_name(branch))
@@ -41,7 +41,7 @@ std::string FamilyParameter::symbol(std::string_view branch) const {
   return "ν";
 }
 
-double FamilyParameter::need(ColumnPlace column, Column c, std::string_view branch) const {
+double RowParameter::need(ColumnPlace column, Column c, std::string_view branch) const {
   if (column) return table_->number(*column);
   throw InputError(Origin::in_file(table_->name()), "",
                    "found no column " + in_quotes(name(c)) + ", the parameter of " +

@@ -21,9 +21,9 @@ std::array<ColumnPlace, n> places(const TableReader& table, const std::array<Col
   return out;
 }
 
-class FamilyParameter {
+class RowParameter {
  public:
-  explicit FamilyParameter(const TableReader& table);
+  explicit RowParameter(const TableReader& table);
 
   /// Of this row, of that branch. Throws InputError where the table has none.
   double value(std::string_view branch) const;
