@@ -6,10 +6,8 @@
 //   events         between the last two points (event_search.hpp)
 //
 // step() advances one point; whoever calls it writes, reports and stops. A step is taken back and
-// halved where anything the corrector observed could be a jump to another sheet: a large first
-// correction, slow contraction, a large angle between tangents, or the other sign of the bordered
-// determinant (a sheet met across the gap of a broken bifurcation goes on straight, with that
-// sign).
+// halved where anything the corrector observed could be a jump to another sheet (jump_guard.hpp), or
+// the tangent turned too far.
 #pragma once
 
 #include <exception>
@@ -142,7 +140,7 @@ class Continuation {
     const double scale = curve_->corrector().scale();
     out.corrected = curve_->corrector().correct(
         moved<N>(here_.arc.x, ReducedVector<N>(ahead.template head<N>())),
-        here_.arc.p + scale * ahead[N], here_.arc.tangent, 0.5 * max_angle * h + 1e-13);
+        here_.arc.p + scale * ahead[N], here_.arc.tangent, longest_first_correction(h, max_angle));
     counts_.linearizations += out.corrected.linearizations;
     if (out.corrected.status != CorrectorStatus::converged)
       return refuse(std::string(name(out.corrected.status)), 0.5 * h);
@@ -153,7 +151,7 @@ class Continuation {
     if (const auto* broken = guard_.broken_on(out.arc))
       return refuse("beyond the domain of the potential: " + broken->text, 0.5 * h);
     out.mirrors = crosses_mirror(next);
-    if (next.positive != here_.arc.positive && !out.mirrors) {
+    if (!same_sheet(here_.arc.positive, next.positive) && !out.mirrors) {
       return refuse("the bordered determinant changed sign: another sheet, or a branch point",
                     0.5 * h);
     }

@@ -18,6 +18,7 @@
 #include <optional>
 
 #include "solver/continuation/hermite_arc.hpp"
+#include "solver/continuation/jump_guard.hpp"
 
 namespace stationary {
 
@@ -203,7 +204,7 @@ class Corrector {
       if (k == 0) {
         out.first_correction = size;
         if (size > max_correction) return CorrectorStatus::too_far;
-      } else if (size > 0.25 * previous && size > 1e-12) {
+      } else if (!contracts(size, previous)) {
         return CorrectorStatus::slow;
       }
       move(delta, out);

@@ -18,6 +18,7 @@
 #include <limits>
 #include <utility>
 
+#include "solver/continuation/jump_guard.hpp"
 #include "solver/newton/refine.hpp"
 
 namespace stationary {
@@ -170,8 +171,8 @@ class RestWalk {
       const Tangent delta = bordered(at, next.x, here_.tangent).partialPivLu().solve(rhs);
       const double size = delta.norm();
       if (!std::isfinite(size)) return false;
-      if (k == 0 && size > 0.5 * options_.max_angle * step + 1e-13) return false;
-      if (k > 0 && size > 0.25 * previous && size > 1e-12) return false;
+      if (k == 0 && size > longest_first_correction(step, options_.max_angle)) return false;
+      if (k > 0 && !contracts(size, previous)) return false;
       next.x = moved<N>(next.x, ReducedVector<N>(delta.template head<N>()));
       next.tau += delta[N];
       previous = size;
@@ -179,8 +180,7 @@ class RestWalk {
     }
     if (!converged) return false;
     symmetrize(next.x);
-    // A sheet met across the gap of a broken bifurcation goes on straight, with the other sign.
-    if (!orient(next, here_.tangent) || next.positive != here_.positive) return false;
+    if (!orient(next, here_.tangent) || !same_sheet(here_.positive, next.positive)) return false;
     if (!stays_inside(system_, here_.x, next.x)) return false;
     const double cosine = std::clamp(next.tangent.dot(here_.tangent), -1.0, 1.0);
     *angle = std::acos(cosine);
