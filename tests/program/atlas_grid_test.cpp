@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "solver/program/table/hdf5_handle.hpp"
 #include "tests/program/json_schema.hpp"
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -45,6 +45,7 @@ class AtlasGrid : public ::testing::Test {
                "map.y={parameter=\"potential.plane.lambda\",from=0.5,to=0.7,count=2}"};
 };
 
+#ifdef STATIONARY_HAS_HDF5
 TEST_F(AtlasGrid, EachRowIsAnAtlas) {
   const Outcome outcome = grid({"-o", directory_ / "g.csv", "--tables", directory_ / "t.h5"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -91,8 +92,10 @@ TEST_F(AtlasGrid, EachRowIsAnAtlas) {
   EXPECT_EQ(told["command"], "atlas");
   EXPECT_EQ(told["counts"]["solved"], 6);
 }
+#endif
 
 TEST_F(AtlasGrid, PartsThreadsAndInterruptionsDoNotChangeIt) {
+  NEEDS_HDF5();
   ASSERT_EQ(grid({"-o", directory_ / "g.csv", "--tables", directory_ / "t.h5"}).code, 0);
   ASSERT_EQ(
       grid({"-o", directory_ / "h.csv", "--tables", directory_ / "u.h5", "--threads", "3"}).code,
@@ -125,6 +128,7 @@ TEST_F(AtlasGrid, PartsThreadsAndInterruptionsDoNotChangeIt) {
   EXPECT_TRUE(text("j.h5") == text("t.h5"));
 }
 
+#ifdef STATIONARY_HAS_HDF5
 TEST_F(AtlasGrid, MergesNoTablesOfOtherParts) {
   const auto part = [&](const std::string& k, const std::string& name, const Words& more = {}) {
     Words words{"--part",   k + "/2",
@@ -169,6 +173,7 @@ TEST_F(AtlasGrid, MergesNoTablesOfOtherParts) {
   }
   refused({"a.csv", "b.csv", "a.h5", "b.h5"}, "was changed since it was written");
 }
+#endif
 
 TEST_F(AtlasGrid, RefusesWhatIsNoGrid) {
   const auto refused = [&](const Words& arguments, const std::string& words) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "lib/material/potential.hpp"
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 
 namespace stationary::testing {
@@ -43,12 +44,13 @@ TEST(CommandLine, HelpAndVersion) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.out, StartsWith("stationary " STATIONARY_VERSION "\n"));
-    for (const char* part :
-         {"compiler", "Eigen", "Ceres Solver", "NLopt", "HDF5", "oneTBB", "Boost", "CLI11", "fmt",
-          "toml\\+\\+", "nlohmann-json", "PEGTL", "gnuplot"}) {
+    for (const char* part : {"compiler", "Eigen", "Ceres Solver", "NLopt", "oneTBB", "Boost",
+                             "CLI11", "fmt", "toml\\+\\+", "nlohmann-json", "PEGTL", "gnuplot"}) {
       EXPECT_THAT(outcome.out,
                   ::testing::ContainsRegex(std::string("\n") + part + " +[^\n]*[0-9]+\\.[0-9]"));
     }
+    EXPECT_THAT(outcome.out, ::testing::ContainsRegex(has_hdf5 ? "\nHDF5 +[0-9]+\\.[0-9]"
+                                                               : "\nHDF5 +built without"));
   }
 }
 

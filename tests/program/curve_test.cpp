@@ -8,6 +8,7 @@
 
 #include "solver/program/table/column_file.hpp"
 #include "tests/program/json_schema.hpp"
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -164,6 +165,7 @@ TEST_F(Curve, FromARowIsThatCurve) {
 }
 
 TEST_F(Curve, ColumnFileHasTheSameColumns) {
+  NEEDS_HDF5();
   const std::string file = directory_.file("case.toml", fold_of_hencky);
   const std::string columnar = directory_ / "x.h5";
   ASSERT_EQ(run_program({"curve", file, "-o", columnar, "-q"}).code, 0);

@@ -13,6 +13,7 @@
 
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/column_file.hpp"
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 
 namespace stationary::testing {
@@ -63,6 +64,7 @@ TEST_F(Files, MetadataThatCannotBeWrittenLeavesNoTable) {
 /// HDF5 or CSV by the suffix, of every command that writes a table; what is neither is refused
 /// before anything is computed.
 TEST_F(Files, TheSuffixSaysWhichFormat) {
+  NEEDS_HDF5();
   std::ofstream(case_file_, std::ios::app)
       << "\n[continuation]\nparameter = \"nu\"\nfrom = 0.0\nto = 0.3\ntolerance = 1e-6\n"
          "[map]\nx = { parameter = \"nu\", from = 0.0, to = 0.3, count = 4 }\n";
@@ -93,8 +95,23 @@ TEST_F(Files, TheSuffixSaysWhichFormat) {
   }
 }
 
+/// Without HDF5 its suffix is refused before anything is computed; a file of it is recognized.
+TEST_F(Files, WithoutHdf5ThatIsSaid) {
+  if (has_hdf5) GTEST_SKIP() << "built with HDF5";
+  const Outcome refused = run_program({"solve", case_file_, "-o", directory_ / "x.h5"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("built without HDF5"));
+  EXPECT_THAT(refused.err, HasSubstr("ends in .csv"));
+  EXPECT_FALSE(fs::exists(directory_ / "x.h5"));
+  const std::string table = directory_.file("y.h5", "\x89HDF\r\n\x1a\n and what follows");
+  const Outcome read = run_program({"plot", table, "-o", directory_ / "y.svg"});
+  EXPECT_EQ(read.code, 2);
+  EXPECT_THAT(read.err, HasSubstr("found an HDF5 file; this program was built without HDF5"));
+}
+
 /// A disk that is full while HDF5 writes: the message and the exit code, no more.
 TEST_F(Files, AFullDiskUnderHdf5IsAFailure) {
+  NEEDS_HDF5();
   for (const long limit : {100L, 1000L, 5000L, 20'000L, 60'000L}) {
     const Outcome outcome = run_program({"map", STATIONARY_CASES "/map_biot_log.toml", "--set",
                                          "map.x.count=30", "-o", directory_ / "x.h5"},

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -64,6 +65,7 @@ TEST_F(FromRow, AnyRowLeadsToTheSameSheet) {
 }
 
 TEST_F(FromRow, HdfFiveToo) {
+  NEEDS_HDF5();
   const std::string csv = table("continue", "fold.toml", "fold.csv");
   const std::string hdf = table("continue", "fold.toml", "fold.h5");
   EXPECT_EQ(from("fold.toml", hdf + ":7").out, from("fold.toml", csv + ":7").out);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "tests/program/journal_reading.hpp"
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -70,6 +71,7 @@ cp "$disk/$name" "$disk/x.meta.json" "$to"
 
 TEST_P(FullDisk, WhatWasFinishedIsGoneOnWith) {
   const std::string& name = GetParam().table;
+  if (name.ends_with(".h5")) NEEDS_HDF5();
   Words whole = arguments();
   const std::string expected = directory_ / ("whole" + name);
   whole.insert(whole.end(), {"-o", expected});

@@ -2,7 +2,6 @@
 // refused, what an interruption leaves, and its figures.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <hdf5.h>
 
 #include <cmath>
 #include <csignal>
@@ -14,6 +13,7 @@
 #include "solver/program/diagram/map_diagram.hpp"
 #include "solver/program/plot/map_plot.hpp"
 #include "solver/program/table/column_file.hpp"
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -355,6 +355,7 @@ TEST(Map, CornersOfTheDomainInWhicheverOrder) {
 
 TEST(Map, InterruptedWritesWhatIsComplete) {
   for (const char* name : {"m.csv", "m.h5"}) {
+    if (!has_hdf5 && name[2] == 'h') continue;
     const TemporaryDirectory directory;
     const std::string target = directory / name;
     auto arguments = command({"map.x.count=3000", "map.y.count=2000"});
@@ -382,6 +383,7 @@ TEST(Map, InterruptedWritesWhatIsComplete) {
 class MapFile : public ::testing::Test {
  protected:
   MapFile() {
+    NEEDS_HDF5();
     mapped({}, {"-o", csv_, "-q"});
     mapped({}, {"-o", h5_, "-q"});
   }
@@ -411,6 +413,7 @@ TEST_F(MapFile, Hdf5HoldsTheSameTable) {
   EXPECT_EQ(column_file_metadata(csv_), "");
 }
 
+#ifdef STATIONARY_HAS_HDF5
 /// With the HDF5 library alone: a dataset a column, 64-bit numbers, words as enumerations.
 TEST_F(MapFile, Hdf5IsPlain) {
   const hid_t file = H5Fopen(h5_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -431,6 +434,7 @@ TEST_F(MapFile, Hdf5IsPlain) {
   H5Dclose(xi);
   H5Fclose(file);
 }
+#endif
 
 TEST_F(MapFile, IsDrawnTheSameFromEither) {
   EXPECT_EQ(plot(csv_, "a.svg", {"--title", "t"}).out,

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/program/json_schema.hpp"
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -111,6 +112,7 @@ TEST_P(Parts, TogetherTheyAreTheWhole) {
 }
 
 TEST_P(Parts, AsColumnFilesToo) {
+  NEEDS_HDF5();
   for (const char* const name : {"whole.h5", "whole.csv"})
     (void)run_program(joined({arguments(), {"-o", directory_ / name}}));
   columnar_ = true;

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/program/table/column_file.hpp"
-#include "solver/program/table/hdf5_handle.hpp"
 #include "tests/program/json_schema.hpp"
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -140,6 +140,7 @@ TEST_F(Ratio, IsProven) {
   EXPECT_GE(enclosed, 1U);
 }
 
+#ifdef STATIONARY_HAS_HDF5
 TEST_F(Ratio, ColumnFileHasItInAGroup) {
   const std::string file = directory_ / "x.h5";
   ASSERT_EQ(run_program(with({"continue", shipped("inertia.toml"), "-o", file}, by_ratio)).code, 0);
@@ -156,6 +157,7 @@ TEST_F(Ratio, ColumnFileHasItInAGroup) {
   ASSERT_GE(H5Pget_obj_track_times(how.id(), &times), 0);
   EXPECT_FALSE(times);
 }
+#endif
 
 TEST_F(Ratio, WhatIsNone) {
   const auto refused = [&](const std::string& parameter, const std::string& words) {

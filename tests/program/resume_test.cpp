@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "solver/program/table/column_file.hpp"
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -376,6 +377,7 @@ TEST_F(Resume, TablesWithOtherValues) {
 }
 
 TEST_F(Resume, FromHdf5) {
+  NEEDS_HDF5();
   table_ = directory_ / "x.h5";
   stop_after(60);
   const Outcome outcome = resume();

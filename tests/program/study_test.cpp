@@ -10,6 +10,7 @@
 
 #include "solver/program/table/column_file.hpp"
 #include "tests/program/json_schema.hpp"
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -270,6 +271,7 @@ TEST_F(Study, ThreadsDoNotChangeIt) {
 }
 
 TEST_F(Study, ColumnFileHoldsTheSame) {
+  NEEDS_HDF5();
   ASSERT_EQ(run(materials).code, 0);
   const std::string csv = text_of(out_);
   const std::string file = directory_ / "x.h5";

@@ -1,6 +1,5 @@
 // stationary --version: the version, then the compiler and the libraries that the program was made
 // with. What is loaded when the program starts says itself which version it is.
-#include <H5public.h>
 #include <ceres/version.h>
 #include <fmt/format.h>
 #include <nlopt.h>
@@ -18,6 +17,7 @@
 #include <tao/pegtl/version.hpp>
 
 #include "solver/program/session/command.hpp"
+#include "solver/program/table/column_file.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -35,11 +35,8 @@ std::string nlopt() {
 }
 
 std::string hdf5() {
-  unsigned major = 0;
-  unsigned minor = 0;
-  unsigned patch = 0;
-  H5get_libversion(&major, &minor, &patch);
-  return fmt::format("{}.{}.{}", major, minor, patch);
+  const std::string version = hdf5_version();
+  return version.empty() ? "built without; tables are CSV" : version;
 }
 
 /// What it says of itself: "5.4 patchlevel 4".

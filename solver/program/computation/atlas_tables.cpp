@@ -23,6 +23,7 @@ AtlasTables::AtlasTables(const std::string& path, const std::string& case_path,
   const std::string suffix = std::filesystem::path(path).extension().string();
   if (!is_column_file_extension(suffix))
     refuse_output(path, "found the suffix " + in_quotes(suffix), "HDF5: .h5 or .hdf5", "--tables");
+  require_hdf5_for(path, "--tables");
   refuse_to_replace(path, path, case_path, "the case file");
   open_output(file_, path, "--tables");
   tables_.emplace(file_->path().string());

@@ -98,8 +98,8 @@ Start solved_start(const Case& input, const Run& run) {
                          .start = input.solve.start,
                          .threads = run.threads,
                          .stop = run.stop};
-  const Alternatives kinds = alternatives(out.at.body, make_potential(out.at.models, out.at.body), out.at.motion,
-                                          how.start.has_value());
+  const Alternatives kinds = alternatives(out.at.body, make_potential(out.at.models, out.at.body),
+                                          out.at.motion, how.start.has_value());
   out.found = only_one(input, kinds, how, out.at.motion);
   const Kind& kind = *kinds.each.front().kind;
   if (const auto reason = kind.no_family(); reason && out.found.status == SolveStatus::solved) {

@@ -4,6 +4,7 @@
 
 #include <system_error>
 
+#include "solver/program/table/column_file.hpp"
 #include "solver/program/text/input_error.hpp"
 
 namespace stationary::cli {
@@ -20,6 +21,11 @@ void refuse_to_replace(const std::string& path, const std::filesystem::path& tar
   if (std::filesystem::equivalent(target, input, error))
     refuse_output(path, fmt::format("{} is {}", printable(target.string()), what),
                   "choose another name");
+}
+
+void require_hdf5_for(const std::string& path, std::string_view option) {
+  if (hdf5_version().empty())
+    refuse_output(path, std::string(no_hdf5), "write CSV: a name that ends in .csv", option);
 }
 
 void open_output(std::optional<AtomicFile>& file, const std::string& path,

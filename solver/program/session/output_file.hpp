@@ -18,6 +18,9 @@ namespace stationary::cli {
 void refuse_to_replace(const std::string& path, const std::filesystem::path& target,
                        const std::string& input, std::string_view what);
 
+/// Refuses a target of HDF5 where the program was built without.
+void require_hdf5_for(const std::string& path, std::string_view option = "-o");
+
 /// Opens it, or refuses.
 void open_output(std::optional<AtomicFile>& file, const std::string& path,
                  std::string_view option = "-o");

@@ -17,7 +17,8 @@ constexpr double worth_a_flush = 10.0;
 
 void require_suffix(const std::string& path) {
   const std::string suffix = fs::path(path).extension().string();
-  if (suffix.empty() || suffix == ".csv" || is_column_file_extension(suffix)) return;
+  if (suffix.empty() || suffix == ".csv") return;
+  if (is_column_file_extension(suffix)) return require_hdf5_for(path);
   throw InputError(Origin::of_option("-o " + path), "", "found the suffix " + in_quotes(suffix),
                    ".csv or none for CSV, .h5 or .hdf5 for HDF5");
 }

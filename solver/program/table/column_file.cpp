@@ -2,14 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
-#include "lib/body/motion.hpp"
-#include "lib/stability/spectrum.hpp"
-#include "solver/family/normal_form.hpp"
-#include "solver/motion/event.hpp"
-#include "solver/family/normal_form.hpp"
 #include "solver/program/table/hdf5_handle.hpp"
 #include "solver/program/table/hdf5_write.hpp"
 
@@ -85,39 +79,6 @@ constexpr hsize_t longest_block = 32768;  // rows
 
 }  // namespace
 
-std::vector<std::string_view> column_words(Column c) {
-  std::vector<std::string_view> out{""};
-  const auto add = [&](const auto& names) {
-    for (const std::string_view each : names)
-      if (!each.empty()) out.push_back(each);
-  };
-  switch (c) {
-    case Column::branch:
-      add(std::array{name(Branch::i), name(Branch::ii), name(Branch::iii), tilted_name,
-                     oblique_name, two_polar_name});
-      break;
-    case Column::event:
-      add(event_names);
-      break;
-    case Column::stability:
-      add(stability_names);
-      break;
-    case Column::status:
-      add(cell_status_names);
-      break;
-    case Column::certified:
-    case Column::class_certified:
-      add(proof_words);
-      break;
-    case Column::side:
-      add(event_side_names);
-      break;
-    default:
-      throw std::invalid_argument(std::string(name(c)) + " has no words of its own");
-  }
-  return out;
-}
-
 struct ColumnFileWriter::Data {
   Handle file;  ///< or a group of one
   hsize_t block = longest_block;
@@ -168,10 +129,6 @@ struct ColumnFileWriter::Data {
     waiting = 0;
   }
 };
-
-bool is_column_file_extension(std::string_view extension) {
-  return extension == ".h5" || extension == ".hdf5";
-}
 
 ColumnFileWriter::ColumnFileWriter(const std::string& path, const std::vector<Column>& columns,
                                    const std::vector<std::string>& parameters,

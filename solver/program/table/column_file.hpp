@@ -35,6 +35,11 @@ std::vector<std::string_view> column_words(Column c);
 /// .h5 or .hdf5, with the dot.
 bool is_column_file_extension(std::string_view extension);
 
+/// Which HDF5 this program has, "1.10.8"; empty where it was built without: then nothing of what
+/// follows but is_column_file() does anything but throw.
+std::string hdf5_version();
+constexpr std::string_view no_hdf5 = "this program was built without HDF5";
+
 class ColumnFileWriter final : public RowSink {
  public:
   /// Creates the file, or empties it; rows: how many are expected where that is known, for the

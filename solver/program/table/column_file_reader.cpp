@@ -156,6 +156,14 @@ std::unique_ptr<std::istream> table_in(const std::string& name, hid_t location,
 
 }  // namespace
 
+std::string hdf5_version() {
+  unsigned major = 0;
+  unsigned minor = 0;
+  unsigned patch = 0;
+  H5get_libversion(&major, &minor, &patch);
+  return fmt::format("{}.{}.{}", major, minor, patch);
+}
+
 bool is_column_file(const std::string& path) {
   silence_hdf5();
   return H5Fis_hdf5(path.c_str()) > 0;
