@@ -382,7 +382,7 @@ TEST(Map, InterruptedWritesWhatIsComplete) {
 
 class MapFile : public ::testing::Test {
  protected:
-  MapFile() {
+  void SetUp() override {
     NEEDS_HDF5();
     mapped({}, {"-o", csv_, "-q"});
     mapped({}, {"-o", h5_, "-q"});
