@@ -27,6 +27,8 @@ struct Residual {
 
 }  // namespace
 
+std::string version_of_ceres() { return CERES_VERSION_STRING; }
+
 template <class System>
 CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>& x, int threads) {
   constexpr int N = System::dimension;

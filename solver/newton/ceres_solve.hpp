@@ -7,10 +7,15 @@
 // 1e-8). Its verdict is not used: the caller refines and recomputes the residual.
 #pragma once
 
+#include <string>
+
 #include "lib/material/potential.hpp"
 #include "solver/newton/reduced_system.hpp"
 
 namespace stationary {
+
+/// "2.1.0"; empty where this was built without: then its method stands in no_ceres.cpp.
+std::string version_of_ceres();
 
 struct CeresOutcome {
   bool usable = false;  ///< Ceres returned a finite point no worse than the start

@@ -1,9 +1,9 @@
 #include "solver/newton/nlopt_seed.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <nlopt.hpp>
-#include <utility>
+
+#include "solver/newton/seed_selection.hpp"
 
 namespace stationary {
 namespace {
@@ -13,7 +13,7 @@ struct Recorder {
   const std::function<double(const ReducedVector<N>&)>& objective;
   const std::atomic<bool>* stop;
   nlopt::opt* optimizer;
-  std::vector<std::pair<double, ReducedVector<N>>> sampled;  // f, ln x
+  std::vector<SampledSeed<N>> sampled;
 
   static double evaluate(const std::vector<double>& log_x, std::vector<double>&, void* self) {
     auto& recorder = *static_cast<Recorder*>(self);
@@ -28,6 +28,14 @@ struct Recorder {
 };
 
 }  // namespace
+
+std::string version_of_nlopt() {
+  int major = 0;
+  int minor = 0;
+  int patch = 0;
+  ::nlopt_version(&major, &minor, &patch);
+  return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch);
+}
 
 template <int N>
 Seeds<N> nlopt_seeds(const std::function<double(const ReducedVector<N>&)>& objective,
@@ -51,19 +59,7 @@ Seeds<N> nlopt_seeds(const std::function<double(const ReducedVector<N>&)>& objec
     // The points sampled so far are as good as any: the caller polishes and checks them.
   }
   out.evaluations = optimizer.get_numevals();
-  auto& sampled = recorder.sampled;
-  std::stable_sort(sampled.begin(), sampled.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<ReducedVector<N>> kept;
-  for (const auto& sample : sampled) {
-    const ReducedVector<N>& point = sample.second;
-    if (static_cast<int>(kept.size()) == options.seeds) break;
-    const bool apart = std::all_of(kept.begin(), kept.end(), [&](const ReducedVector<N>& other) {
-      return (point - other).cwiseAbs().maxCoeff() >= options.separation;
-    });
-    if (apart) kept.push_back(point);
-  }
-  for (const auto& point : kept) out.points.emplace_back(point.array().exp());
+  out.points = select_seeds<N>(recorder.sampled, options);
   return out;
 }
 

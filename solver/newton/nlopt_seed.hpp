@@ -9,11 +9,15 @@
 
 #include <atomic>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "solver/newton/reduced_system.hpp"
 
 namespace stationary {
+
+/// "2.7.1"; empty where this was built without: then a grid is sampled in its place (no_nlopt.cpp).
+std::string version_of_nlopt();
 
 struct SeedOptions {
   double min_stretch = 1e-3;

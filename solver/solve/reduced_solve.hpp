@@ -69,6 +69,10 @@ class ReducedSolve {
     return result.converged;
   }
 
+  static std::string method_name() {
+    return version_of_ceres().empty() ? "Levenberg-Marquardt" : "Ceres";
+  }
+
   CeresOutcome run_ceres(ReducedVector<N>& x) {
     CeresOutcome outcome = ceres_solve(system_, x, options_.threads);
     counts_.ceres_iterations += outcome.iterations;
@@ -96,11 +100,11 @@ class ReducedSolve {
     const CeresOutcome outcome = run_ceres(x);
     if (outcome.usable && finish(x, out)) {
       out.connection = given ? Connection::given_start : Connection::unknown;
-      out.message = "Ceres from " + from;
+      out.message = method_name() + " from " + from;
       return out;
     }
     out.status = SolveStatus::failed;
-    out.message = "Ceres from " + from + " stopped where the balance does not hold (" +
+    out.message = method_name() + " from " + from + " stopped where the balance does not hold (" +
                   outcome.report + "); solve.method = \"auto\" walks there";
     return out;
   }
@@ -130,14 +134,14 @@ class ReducedSolve {
     const double moved_by = (x.array() / walked.x.array()).log().abs().maxCoeff();
     if (outcome.usable && moved_by < 1e-3 && finish(x, out)) {
       out.connection = Connection::rest;
-      out.message =
-          "walk from the rest state in " + std::to_string(walked.steps) + " steps, then Ceres";
+      out.message = "walk from the rest state in " + std::to_string(walked.steps) +
+                    " steps, then " + method_name();
       return out;
     }
     if (finish(walked.x, out)) {
       out.connection = Connection::rest;
-      out.message = "walk from the rest state in " + std::to_string(walked.steps) +
-                    " steps (Ceres stopped short of it)";
+      out.message = "walk from the rest state in " + std::to_string(walked.steps) + " steps (" +
+                    method_name() + " stopped short of it)";
       return out;
     }
     std::ostringstream text;
@@ -211,8 +215,9 @@ class ReducedSolve {
     }
     if (out.status == SolveStatus::solved) {
       out.message =
-          "Global search (NLopt) and Newton found this solution; whether it is "
-          "connected to the rest state is not known.";
+          std::string("Global search (") + (version_of_nlopt().empty() ? "a grid" : "NLopt") +
+          ") and Newton found this solution; whether it is connected to the rest state is not "
+          "known.";
       return out;
     }
     out.status = SolveStatus::not_found;

@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "lib/material/potential.hpp"
+#include "solver/newton/ceres_solve.hpp"
+#include "solver/newton/nlopt_seed.hpp"
 #include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 
@@ -44,13 +46,19 @@ TEST(CommandLine, HelpAndVersion) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.out, StartsWith("stationary " STATIONARY_VERSION "\n"));
-    for (const char* part : {"compiler", "Eigen", "Ceres Solver", "NLopt", "oneTBB", "Boost",
-                             "CLI11", "fmt", "toml\\+\\+", "nlohmann-json", "PEGTL", "gnuplot"}) {
+    for (const char* part : {"compiler", "Eigen", "oneTBB", "Boost", "CLI11", "fmt", "toml\\+\\+",
+                             "nlohmann-json", "PEGTL", "gnuplot"}) {
       EXPECT_THAT(outcome.out,
                   ::testing::ContainsRegex(std::string("\n") + part + " +[^\n]*[0-9]+\\.[0-9]"));
     }
-    EXPECT_THAT(outcome.out, ::testing::ContainsRegex(has_hdf5 ? "\nHDF5 +[0-9]+\\.[0-9]"
-                                                               : "\nHDF5 +built without"));
+    const auto says = [&](const std::string& part, bool there) {
+      EXPECT_THAT(outcome.out,
+                  ::testing::ContainsRegex("\n" + part +
+                                           (there ? " +[0-9]+\\.[0-9]" : " +built without; ")));
+    };
+    says("Ceres Solver", !version_of_ceres().empty());
+    says("NLopt", !version_of_nlopt().empty());
+    says("HDF5", has_hdf5);
   }
 }
 

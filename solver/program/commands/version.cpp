@@ -1,8 +1,6 @@
 // stationary --version: the version, then the compiler and the libraries that the program was made
 // with. What is loaded when the program starts says itself which version it is.
-#include <ceres/version.h>
 #include <fmt/format.h>
-#include <nlopt.h>
 #include <oneapi/tbb/version.h>
 #include <toml++/toml.h>
 #include <zlib.h>
@@ -16,6 +14,8 @@
 #include <string>
 #include <tao/pegtl/version.hpp>
 
+#include "solver/newton/ceres_solve.hpp"
+#include "solver/newton/nlopt_seed.hpp"
 #include "solver/program/session/command.hpp"
 #include "solver/program/table/column_file.hpp"
 
@@ -26,17 +26,8 @@ std::string dotted(int major, int minor, int patch) {
   return fmt::format("{}.{}.{}", major, minor, patch);
 }
 
-std::string nlopt() {
-  int major = 0;
-  int minor = 0;
-  int patch = 0;
-  nlopt_version(&major, &minor, &patch);
-  return dotted(major, minor, patch);
-}
-
-std::string hdf5() {
-  const std::string version = hdf5_version();
-  return version.empty() ? "built without; tables are CSV" : version;
+std::string or_without(const std::string& version, std::string_view what) {
+  return version.empty() ? fmt::format("built without; {}", what) : version;
 }
 
 /// What it says of itself: "5.4 patchlevel 4".
@@ -57,9 +48,9 @@ std::string version_text() {
   const std::pair<const char*, std::string> parts[] = {
       {"compiler", STATIONARY_COMPILER},
       {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-      {"Ceres Solver", dotted(CERES_VERSION_MAJOR, CERES_VERSION_MINOR, CERES_VERSION_REVISION)},
-      {"NLopt", nlopt()},
-      {"HDF5", hdf5()},
+      {"Ceres Solver", or_without(version_of_ceres(), "its method is this program's own")},
+      {"NLopt", or_without(version_of_nlopt(), "a grid is sampled in its place")},
+      {"HDF5", or_without(hdf5_version(), "tables are CSV")},
       {"zlib", zlibVersion()},
       {"oneTBB", TBB_runtime_version()},
       {"Boost", dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
