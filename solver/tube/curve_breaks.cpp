@@ -48,12 +48,16 @@ class Breaks {
     if (!turns && !crosses) return;
     const bool meets_mirror = region_.mirror && slice.y[*region_.mirror].may_be(0.0);
     const bool once = meets_mirror && !slice.velocity[*region_.mirror].may_be(0.0);
-    if ((q.hi - q.lo <= narrow && meets_mirror == once) ||
+    const double middle = s.mid();
+    const auto no_narrower_at_a_point = [&] {
+      const Interval at = tube_->slice(equations_, Interval(middle)).y[std::size_t(N)];
+      return q.hi - q.lo <= 2.0 * (at.hi - at.lo);
+    };
+    if ((meets_mirror == once && (q.hi - q.lo <= narrow || no_narrower_at_a_point())) ||
         s.hi - s.lo <= shortest * tube_->half_length()) {
       found_.push_back({q, turns, crosses, once});
       return;
     }
-    const double middle = s.mid();
     halve({s.lo, middle});
     halve({middle, s.hi});
   }
