@@ -11,6 +11,7 @@ constexpr long count = 24;
 #else
 constexpr long count = 8;  // the sanitizers take their time
 #endif
+constexpr long enough = 12;  ///< of which some show what the next two drop
 constexpr std::uint64_t seed = 2026;
 
 TEST(RandomFormulas, NothingUntrueIsClaimed) {
@@ -26,11 +27,11 @@ TEST(RandomFormulas, NothingUntrueIsClaimed) {
 }
 
 TEST(RandomFormulas, ABoundThatIsTooSmallIsSeen) {
-  EXPECT_FALSE(judged_formulas(count / 2, seed, {.bounds = 0.01}).faults.empty());
+  EXPECT_FALSE(judged_formulas(enough, seed, {.bounds = 0.01}).faults.empty());
 }
 
 TEST(RandomFormulas, ADroppedConditionIsSeen) {
-  EXPECT_FALSE(judged_formulas(count / 2, seed, {.without_domain = true}).faults.empty());
+  EXPECT_FALSE(judged_formulas(enough, seed, {.without_domain = true}).faults.empty());
 }
 
 }  // namespace
