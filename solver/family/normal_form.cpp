@@ -7,7 +7,6 @@
 #include "lib/number/interval_functions.hpp"
 #include "lib/number/taylor.hpp"
 #include "solver/family/normal_form_reduction.hpp"
-#include "solver/family/oriented_normal_form.hpp"
 #include "solver/motion/varied_balance.hpp"
 
 namespace stationary {

@@ -8,7 +8,7 @@
 //   ellipse        v = (1, -1, 0), s = ln(xi/zeta)/2
 //   tilt           v the angle s from the axis of the spin to that it tilts to:
 //                  F_ss = -nu^2 (I_b - I_a), and F_ssss = 0 at the event
-//   shear, oblique of anisotropic bodies (oriented_normal_form.hpp)
+//   shear, oblique of anisotropic bodies (oriented_normal_form.cpp)
 //
 // But for folds these break a symmetry, so that odd derivatives vanish; along the sheet that keeps it
 // F_vv = e (p - p0), and

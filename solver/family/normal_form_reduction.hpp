@@ -1,5 +1,6 @@
 // From derivatives of a reduced energy F at an event to its normal form (normal_form.hpp): F_i its
-// gradient, K the Hessian on directions of one parity, p the parameter.
+// gradient, K the Hessian on directions of one parity, p the parameter. It is all that isotropic
+// bodies (normal_form.cpp) and others (oriented_normal_form.cpp) have in common.
 #pragma once
 
 #include <optional>
@@ -30,5 +31,11 @@ struct Breaking {
 /// K, dG/dp: in these directions.
 std::optional<NormalForm> breaking_form(const Breaking& F, const IntervalMatrix& K,
                                         const IntervalVector& slope);
+
+/// normal_form() of a potential that is not isotropic. Nothing where alpha != 0, V is not known to be
+/// even in alpha, or the parameter is an angle of fibres.
+std::optional<NormalForm> oriented_normal_form(const Problem& problem,
+                                               const FamilyParameter& parameter, EventType type,
+                                               const Member& member);
 
 }  // namespace stationary

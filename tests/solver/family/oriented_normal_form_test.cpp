@@ -1,7 +1,5 @@
 // Normal forms where motions leave a spin of an anisotropic body: at one nu the energy of those that
 // leave, less that of those that stay, is -a s^4/24 + O(s^6), s the amplitude.
-#include "solver/family/oriented_normal_form.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "solver/atlas/atlas.hpp"
+#include "solver/family/normal_form.hpp"
 #include "solver/solve/anisotropic_equilibrium.hpp"
 #include "tests/support/anisotropic_motions.hpp"
 #include "tests/support/atlas_text.hpp"
