@@ -282,9 +282,16 @@ bool has_event_curve(EventType type) {
 EventCurve follow_event_curve(const EventCurveSetting& setting, const Member& event, double second,
                               bool circle, const EventCurveOptions& options) {
   const SpinningProblem at = setting.at(event.parameter, second);
-  const auto candidates = sought_events(setting.type, at.problem.branch(), event);
+  auto candidates = sought_events(setting.type, at.problem.branch(), event);
+  const bool isotropic = at.problem.potential().is_isotropic();
+  if (!isotropic)
+    std::erase_if(candidates, [](const SoughtEvent& each) { return each.function.spectral(); });
   EventCurve out;
   out.failure = "the event has no equations, or no spectrum was computed";
+  if (!isotropic && event.q.alpha != 0.0) {
+    out.failure = "of an anisotropic body events at alpha = 0 are followed alone";
+    return out;
+  }
   for (const SoughtEvent& what : candidates) {
     out = Follower(setting, what, event, second, circle, options).both();
     if (out.failure.empty()) break;

@@ -12,7 +12,8 @@
 //   double                another event of the family in p1 lies at the same point
 //   degenerate-pitchfork  ellipses begin on the other side of the circle (pitchfork.hpp)
 //
-// Of isotropic potentials, spins about a material axis.
+// Of spins about a material axis: of isotropic potentials, and of others that are even in alpha, on
+// sheets with alpha = 0, where what the Lambdas do has no curves.
 #pragma once
 
 #include <atomic>

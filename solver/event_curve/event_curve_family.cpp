@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/event_curve/oriented_event_equations.hpp"
 #include "solver/family/coefficient_slope.hpp"
+#include "solver/family/oriented_events.hpp"
 
 namespace stationary {
 namespace {
@@ -32,7 +34,8 @@ EventCurveFamily::EventCurveFamily(const EventSetting& setting, const SoughtEven
       potential_(setting.potential),
       first_parameter_(setting.parameter),
       second_parameter_(setting.held->number),
-      equations_(extended_event_equations(setting, what.function)) {
+      equations_(potential_.is_isotropic() ? extended_event_equations(setting, what.function)
+                                           : oriented_event_equations(setting, what.function)) {
   const ExtendedVector<N> y = event_unknowns(start, what);
   for (int i = 0; i < N; ++i) {
     const double value = double(y[static_cast<std::size_t>(i)]);
@@ -50,6 +53,13 @@ KindEvents EventCurveFamily::events() const {
 EventCurveFamily::X EventCurveFamily::coordinates(const Stretch&, double) const { return start_; }
 
 std::vector<ConditionValue> EventCurveFamily::conditions(const X& x, double p) const {
+  if (!potential_.is_isotropic()) {
+    AnisotropicPotential V = potential_.anisotropic();
+    if (const int k = coefficient_place(V, first_parameter_); k >= 0)
+      V = V.with_coefficient(k, first_parameter(x));
+    if (const int k = coefficient_place(V, second_parameter_); k >= 0) V = V.with_coefficient(k, p);
+    return V.conditions_at({0.0, x[0], x[1], x[2]});
+  }
   return potential_.visit_parts([&](auto model) {
     if (is_coefficient(first_parameter_))
       model = at_coefficient(model, first_parameter_, first_parameter(x));

@@ -351,11 +351,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     return out;
   }
   int coefficient_place() const {
-    const AnisotropicPotential& V = models_->potential;
-    const int k = options_.parameter.index;
-    return options_.parameter.kind == Kind::thickness ? V.thickness_place() + k
-           : options_.parameter.kind == Kind::fibre   ? V.fibre_place() + k
-                                                      : k;
+    return stationary::coefficient_place(models_->potential, options_.parameter);
   }
 
   OrientedSystem<Layout> system(const Setting& at) const {

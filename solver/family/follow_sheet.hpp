@@ -51,8 +51,9 @@ struct EventRecord {
   double before;     ///< bracket
   double after;
   EventStatus status;
-  std::optional<Interval> enclosure = std::nullopt;  ///< proven (event_enclosure.hpp)
-  std::optional<long> point = std::nullopt;          ///< its row; none of an unresolved one
+  std::optional<Interval> enclosure = std::nullopt;        ///< proven (event_enclosure.hpp)
+  std::optional<long> point = std::nullopt;                ///< its row; none of an unresolved one
+  std::optional<double> criticality_error = std::nullopt;  ///< where it has a NormalForm
 };
 
 struct FollowReport {

@@ -1,14 +1,12 @@
 #include "solver/family/normal_form.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "lib/number/interval.hpp"
 #include "lib/number/interval_functions.hpp"
 #include "lib/number/taylor.hpp"
+#include "solver/family/normal_form_reduction.hpp"
 #include "solver/motion/varied_balance.hpp"
 
 namespace stationary {
@@ -17,7 +15,6 @@ namespace {
 using T = Taylor<Interval, 3>;
 /// Of ln (xi, zeta, rho).
 using Direction = std::array<Interval, 3>;
-using Matrix = std::vector<std::vector<Interval>>;
 
 Interval dot(const Direction& a, const Direction& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -26,12 +23,15 @@ Direction of_order(const std::array<T, 3>& g, int k) {
   return {g[0].derivative(k), g[1].derivative(k), g[2].derivative(k)};
 }
 
+/// What is varied as p: the family's parameter, or |pi|, nu = |pi|/I following it.
+enum class Varied { parameter, momentum };
+
 /// The balance near the event.
 class NearEvent {
  public:
   NearEvent(const Problem& problem, const FamilyParameter& parameter, bool circle,
-            const Member& member)
-      : problem_(problem), parameter_(parameter), member_(member) {
+            const Member& member, Varied varied = Varied::parameter)
+      : problem_(problem), parameter_(parameter), member_(member), varied_(varied) {
     const Interval around(1.0 - 2.0 * member.error_bound, 1.0 + 2.0 * member.error_bound);
     const Stretch& q = member.q;
     const double r = std::sqrt(q.xi * q.zeta);
@@ -52,7 +52,8 @@ class NearEvent {
     }
   };
   Numbers numbers(double c) const {
-    return {problem_.potential(), parameter_, T::along(p_, Interval(c * scale_))};
+    const double rate = varied_ == Varied::parameter ? c * scale_ : 0.0;
+    return {problem_.potential(), parameter_, T::along(p_, Interval(rate))};
   }
   bool volume_held() const { return problem_.potential().holds_volume(); }
 
@@ -71,6 +72,13 @@ class NearEvent {
     out.nu = number(member_.nu, Kind::nu, 0);
     out.J = {number(body.J1, Kind::inertia, 0), number(body.J2, Kind::inertia, 1),
              number(body.J3, Kind::inertia, 2)};
+    if (varied_ == Varied::momentum) {
+      const auto part = axis_rates(out.J, problem_.branch(), T(1.0));
+      const T inertia =
+          part.xi * square(out.x[0]) + part.zeta * square(out.x[1]) + part.rho * square(out.x[2]);
+      const Interval momentum = absolute(out.nu.value) * inertia.value;
+      out.nu = T::along(momentum, momentum * c) / inertia;
+    }
     return out;
   }
   LogBalance<T> balance(const Direction& v, double c) const {
@@ -93,16 +101,18 @@ class NearEvent {
     return out;
   }
   /// dG/dx in a basis.
-  Matrix stiffness(const std::vector<Direction>& basis) const {
+  IntervalMatrix stiffness(const std::vector<Direction>& basis) const {
     const LogBalance<T> b = balance({}, 0.0);
     const std::array<Direction, 3> rows{Direction{b.uu.value, b.uv.value, b.uw.value},
                                         Direction{b.uv.value, b.vv.value, b.vw.value},
                                         Direction{b.uw.value, b.vw.value, b.ww.value}};
-    Matrix out;
+    IntervalMatrix out;
     for (const Direction& a : basis) {
       Direction image;
       for (std::size_t i = 0; i < 3; ++i) image[i] = dot(rows[i], a);
-      std::vector<Interval>& row = out.emplace_back();
+      // nu follows the stretches.
+      if (varied_ == Varied::momentum) image = of_order(gradient(a, 0.0), 1);
+      IntervalVector& row = out.emplace_back();
       for (const Direction& each : basis) row.push_back(dot(each, image));
     }
     return out;
@@ -112,33 +122,11 @@ class NearEvent {
   const Problem& problem_;
   FamilyParameter parameter_;
   const Member& member_;
+  Varied varied_;
   Direction x_;
   Interval p_;
   double scale_;
 };
-
-/// A x = b by elimination; nothing where a pivot may vanish.
-std::optional<std::vector<Interval>> solved(Matrix A, std::vector<Interval> b) {
-  const std::size_t n = b.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < n; ++i)
-      if (A[i][k].mignitude() > A[pivot][k].mignitude()) pivot = i;
-    std::swap(A[k], A[pivot]);
-    std::swap(b[k], b[pivot]);
-    if (A[k][k].may_be(0.0) || !A[k][k].bounded()) return std::nullopt;
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const Interval factor = A[i][k] / A[k][k];
-      for (std::size_t j = k; j < n; ++j) A[i][j] -= factor * A[k][j];
-      b[i] -= factor * b[k];
-    }
-  }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t j = k + 1; j < n; ++j) b[k] -= A[k][j] * b[j];
-    b[k] = b[k] / A[k][k];
-  }
-  return b;
-}
 
 /// Of the sheets that keep the symmetry of circles, or of all.
 std::vector<Direction> symmetric_basis(bool circle) {
@@ -147,95 +135,34 @@ std::vector<Direction> symmetric_basis(bool circle) {
   return {{side, side, 0.0}, {0.0, 0.0, 1.0}};
 }
 
-/// The unit vector v with K v = 0 at the event, K among these matrices: the eigenvector w in the
-/// middle, |w - v| <= |K w|/gap.
-std::optional<Direction> null_direction(const Matrix& K, const std::vector<Direction>& basis) {
-  const auto n = static_cast<Eigen::Index>(K.size());
-  Eigen::MatrixXd middle(n, n);
-  double width = 0.0;
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const Interval& entry = K[std::size_t(i)][std::size_t(j)];
-      if (!entry.bounded()) return std::nullopt;
-      middle(i, j) = entry.mid();
-      width = std::max(width, entry.hi - entry.lo);
-    }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(middle);
-  std::vector<Eigen::Index> order(std::size_t(n), 0);
-  for (Eigen::Index i = 0; i < n; ++i) order[std::size_t(i)] = i;
-  std::ranges::sort(order, {}, [&](Eigen::Index i) { return std::abs(eigen.eigenvalues()[i]); });
-  const Eigen::VectorXd w = eigen.eigenvectors().col(order[0]);
-  const double gap = std::abs(eigen.eigenvalues()[order[1]]) - static_cast<double>(n) * width;
-  double rest = 0.0;
-  for (std::size_t i = 0; i < K.size(); ++i) {
-    Interval sum;
-    for (std::size_t j = 0; j < K.size(); ++j) sum += K[i][j] * w[Eigen::Index(j)];
-    rest += sum.magnitude();
-  }
-  const double radius = 1.1 * rest / gap + 0x1p-50;
-  if (!(gap > 0.0 && radius < 1e-3)) return std::nullopt;
-  Direction out{};
-  for (std::size_t k = 0; k < basis.size(); ++k) {
-    const double part = w[Eigen::Index(k)];
-    for (std::size_t i = 0; i < 3; ++i)
-      out[i] += basis[k][i] * Interval(part - radius, part + radius);
-  }
-  return out;
-}
-
-bool certain(const Interval& x) { return x.positive() || x.negative(); }
-
-NormalForm form_of(const Interval& coefficient, bool after) {
-  const double middle = coefficient.mid();
-  return {middle, std::max(coefficient.hi - middle, middle - coefficient.lo),
-          after ? EventSide::after : EventSide::before};
-}
-
 std::optional<NormalForm> at_fold(const NearEvent& event, bool circle) {
   const std::vector<Direction> basis = symmetric_basis(circle);
-  const auto v = null_direction(event.stiffness(basis), basis);
-  if (!v) return std::nullopt;
-  const Interval F_vp = dot(*v, event.slope());
-  Interval F_vvv = dot(*v, of_order(event.gradient(*v, 0.0), 2));
-  if (!certain(F_vp) || !certain(F_vvv)) return std::nullopt;
-  if (F_vp.positive()) F_vvv = -F_vvv;
-  return form_of(F_vvv, F_vvv.positive());
+  const auto parts = null_vector(event.stiffness(basis));
+  if (!parts) return std::nullopt;
+  Direction v{};
+  for (std::size_t k = 0; k < basis.size(); ++k)
+    for (std::size_t i = 0; i < 3; ++i) v[i] += basis[k][i] * (*parts)[k];
+  return fold_form(dot(v, of_order(event.gradient(v, 0.0), 2)), dot(v, event.slope()));
 }
 
 /// F_vvvv, the gradient of F_vv across v, and its derivative in p at fixed x.
-struct Breaking {
-  Interval vvvv;
-  Direction vv_slope;
-  Interval vv_parameter;
-};
-
-std::optional<NormalForm> at_breaking(const NearEvent& event, const Breaking& F,
+std::optional<NormalForm> at_breaking(const NearEvent& event, const Interval& vvvv,
+                                      const Direction& vv_slope, const Interval& vv_parameter,
                                       const std::vector<Direction>& basis) {
-  const Matrix K = event.stiffness(basis);
   const Direction slope = event.slope();
-  std::vector<Interval> across;
-  std::vector<Interval> pull;
+  Breaking F{vvvv, {}, vv_parameter};
+  IntervalVector along;
   for (const Direction& each : basis) {
-    across.push_back(dot(each, F.vv_slope));
-    pull.push_back(-dot(each, slope));
+    F.vv_slope.push_back(dot(each, vv_slope));
+    along.push_back(dot(each, slope));
   }
-  const auto bent = solved(K, across);
-  const auto moved = solved(K, pull);
-  if (!bent || !moved) return std::nullopt;
-  Interval a = F.vvvv;
-  Interval e = F.vv_parameter;
-  for (std::size_t k = 0; k < basis.size(); ++k) {
-    a -= 3.0 * (across[k] * (*bent)[k]);
-    e += across[k] * (*moved)[k];
-  }
-  if (!certain(a) || !certain(e)) return std::nullopt;
-  return form_of(a, a.positive() != e.positive());
+  return breaking_form(F, event.stiffness(basis), along);
 }
 
 std::optional<NormalForm> at_ellipse(const NearEvent& event) {
   const Direction v{1.0, -1.0, 0.0};
   const std::array<T, 3> g = event.gradient(v, 0.0);
-  return at_breaking(event, {dot(v, of_order(g, 3)), of_order(g, 2), dot(v, event.mixed(v))},
+  return at_breaking(event, dot(v, of_order(g, 3)), of_order(g, 2), dot(v, event.mixed(v)),
                      symmetric_basis(true));
 }
 
@@ -253,14 +180,12 @@ std::optional<NormalForm> at_tilt(const NearEvent& event, Branch branch, const M
     return std::array{nu2 * moment(own), nu2 * moment(other)};
   };
   const auto [m_own, m_other] = stiffness(1.0);
-  Breaking F{};
-  F.vv_slope[own] = -2.0 * m_own.value;
-  F.vv_slope[other] = 2.0 * m_other.value;
-  F.vv_parameter = m_other[1] - m_own[1];
+  Direction slope{};
+  slope[own] = -2.0 * m_own.value;
+  slope[other] = 2.0 * m_other.value;
   // Along a held volume rho follows xi and zeta.
-  if (event.volume_held())
-    F.vv_slope = {F.vv_slope[0] - F.vv_slope[2], F.vv_slope[1] - F.vv_slope[2], Interval(0.0)};
-  return at_breaking(event, F, symmetric_basis(false));
+  if (event.volume_held()) slope = {slope[0] - slope[2], slope[1] - slope[2], Interval(0.0)};
+  return at_breaking(event, Interval(0.0), slope, m_other[1] - m_own[1], symmetric_basis(false));
 }
 
 }  // namespace
@@ -268,12 +193,16 @@ std::optional<NormalForm> at_tilt(const NearEvent& event, Branch branch, const M
 std::optional<NormalForm> normal_form(const Problem& problem, const FamilyParameter& parameter,
                                       bool circle, EventType type, const Member& member) {
   constexpr double least_known = 1e-6;
-  if (!problem.potential().is_isotropic() || !(member.error_bound < least_known) ||
-      !std::isfinite(member.parameter) || member.nu == 0.0)
+  if (!(member.error_bound < least_known) || !std::isfinite(member.parameter) || member.nu == 0.0)
     return std::nullopt;
+  if (!problem.potential().is_isotropic())
+    return oriented_normal_form(problem, parameter, type, member);
   switch (type) {
     case EventType::fold_nu:
       return at_fold({problem, parameter, circle, member}, circle);
+    case EventType::fold_momentum:
+      if (problem.potential().holds_volume()) return std::nullopt;  // not worked out
+      return at_fold({problem, parameter, circle, member, Varied::momentum}, circle);
     case EventType::ellipse:
       return at_ellipse({problem, parameter, true, member});
     case EventType::tilt:

@@ -2,13 +2,15 @@
 // reduced energy of a spin about a material axis, F_i = G_i its gradient in x = ln (xi, zeta, rho),
 // p the family's parameter; v the direction that is singular at the event, K the Hessian across it.
 //
-//   fold-nu  v unit, K v = 0:  p - p0 = -F_vvv s^2/(2 F_vp),  s the length along v;
-//            v points where F_vp < 0, and the coefficient is F_vvv
-//   ellipse  v = (1, -1, 0), s = ln(xi/zeta)/2
-//   tilt     v the angle s from the axis of the spin to that it tilts to:
-//            F_ss = -nu^2 (I_b - I_a), and F_ssss = 0 at the event
+//   fold-nu        v unit, K v = 0:  p - p0 = -F_vvv s^2/(2 F_vp),  s the length along v;
+//                  v points where F_vp < 0, and the coefficient is F_vvv
+//   fold-momentum  the same of V + |pi|^2/(2 I), I the locked inertia about the axis, and p = |pi|
+//   ellipse        v = (1, -1, 0), s = ln(xi/zeta)/2
+//   tilt           v the angle s from the axis of the spin to that it tilts to:
+//                  F_ss = -nu^2 (I_b - I_a), and F_ssss = 0 at the event
+//   shear, oblique of anisotropic bodies (oriented_normal_form.cpp)
 //
-// The last two break a symmetry, so that odd derivatives vanish; along the sheet that keeps it
+// But for folds these break a symmetry, so that odd derivatives vanish; along the sheet that keeps it
 // F_vv = e (p - p0), and
 //
 //   p - p0 = -a s^2/(6 e),   a = F_vvvv - 3 F_vv. K^-1 F_vv.   the coefficient.
@@ -27,8 +29,8 @@
 
 namespace stationary {
 
-/// Where p grows: the motions that meet at a fold, or those that leave the symmetric sheet, exist
-/// before the event or after it.
+/// Where p grows, |pi| at `fold-momentum`: the motions that meet at a fold, or those that leave the
+/// symmetric sheet, exist before the event or after it.
 enum class EventSide { before, after };
 constexpr std::string_view event_side_names[] = {"before", "after"};
 constexpr std::string_view name(EventSide s) { return event_side_names[static_cast<int>(s)]; }
@@ -40,8 +42,8 @@ struct NormalForm {
 };
 
 /// Of the event of this type at a located member of problem's family in a parameter, problem and nu
-/// those at the event; circle: of the family of circles (J1 = J2 in (iii)). Nothing where the
-/// potential is not isotropic, the event is of another type, or the error leaves a sign open.
+/// those at the event; circle: of the family of circles (J1 = J2 in (iii)). Nothing where the event
+/// is of another type, the error leaves a sign open, or, at `fold-momentum`, the volume is held.
 std::optional<NormalForm> normal_form(const Problem& problem, const FamilyParameter& parameter,
                                       bool circle, EventType type, const Member& member);
 

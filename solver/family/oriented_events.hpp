@@ -12,9 +12,26 @@
 #include "solver/motion/event.hpp"
 #include "solver/motion/event_functions.hpp"
 #include "solver/motion/extended_root.hpp"
+#include "solver/motion/family_parameter.hpp"
 #include "solver/motion/oriented_system.hpp"
 
 namespace stationary {
+
+/// Of the coefficient that the parameter is, among all of the potential; of nu and J none.
+inline int coefficient_place(const AnisotropicPotential& V, const FamilyParameter& parameter) {
+  using Kind = FamilyParameter::Kind;
+  switch (parameter.kind) {
+    case Kind::nu:
+    case Kind::inertia:
+      return -1;
+    case Kind::thickness:
+      return V.thickness_place() + parameter.index;
+    case Kind::fibre:
+      return V.fibre_place() + parameter.index;
+    default:
+      return parameter.index;
+  }
+}
 
 /// The coefficients of a potential in T, in their order: the parameter p, the others by `number`.
 template <class T, class Number>
@@ -63,7 +80,7 @@ class OrientedEventSystem {
         branch_(branch),
         nu_(nu),
         parameter_(parameter),
-        place_(parameter.kind == Kind::nu || parameter.kind == Kind::inertia ? -1 : place),
+        place_(place),
         function_(function) {}
 
   std::size_t inputs() const {

@@ -55,7 +55,8 @@ TEST(AtlasSides, AgreeWithWhereTheSheetsGo) {
         if (!row.at("side").empty())
           told.push_back({row.at("event"), length(row, "nu"), row.at("side")});
     const auto expect = [&](const Row& event, const Row& beside, const std::string& side) {
-      const double step = length(beside, "nu") - length(event, "nu");
+      const char* const grows = event.at("event") == "fold-momentum" ? "pi" : "nu";
+      const double step = length(beside, grows) - length(event, grows);
       EXPECT_EQ(side, step > 0.0 ? "after" : "before")
           << name << ", sheet " << event.at("sheet") << ", point " << event.at("point");
       ++compared[event.at("event")];
@@ -64,7 +65,8 @@ TEST(AtlasSides, AgreeWithWhereTheSheetsGo) {
       for (std::size_t k = 0; k < sheet.size(); ++k) {
         const Row& row = sheet[k];
         EXPECT_EQ(row.at("side").empty(), row.at("criticality").empty());
-        if (row.at("event") == "fold-nu") {
+        const bool about_axis = row.at("branch") != "tilted";
+        if (row.at("event") == "fold-nu" || (row.at("event") == "fold-momentum" && about_axis)) {
           ASSERT_FALSE(row.at("side").empty()) << name;
           EXPECT_EQ(number(row.at("criticality")) > 0.0, row.at("side") == "after");
           if (k > 0) expect(row, sheet[k - 1], row.at("side"));
@@ -84,8 +86,35 @@ TEST(AtlasSides, AgreeWithWhereTheSheetsGo) {
     }
   }
   EXPECT_GE(compared["fold-nu"], 10);
+  EXPECT_GE(compared["fold-momentum"], 6);
   EXPECT_GE(compared["tilt"], 8);
   EXPECT_GE(compared["ellipse"], 2);
+}
+
+/// The metadata say how well each coefficient is known.
+TEST(AtlasSides, HaveTheErrorOfEachCoefficient) {
+  int compared = 0;
+  for (const char* name : {"fold", "broken_pitchfork", "inertia"}) {
+    const TemporaryDirectory directory;
+    const Outcome outcome =
+        run_program({"continue", shipped(std::string(name) + ".toml"), "-o", directory / "x.csv",
+                     "-q", "--set", "output.spectrum=false"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    const std::vector<Row> rows = rows_of(text_of(directory / "x.csv"));
+    for (const auto& event : metadata["events"]) {
+      if (event["point"].is_null()) continue;
+      const Row& row = rows.at(event["point"].get<std::size_t>());
+      ASSERT_EQ(event["event"], row.at("event"));
+      ASSERT_EQ(event.contains("criticality_error"), !row.at("criticality").empty()) << name;
+      if (!event.contains("criticality_error")) continue;
+      const double coefficient = std::abs(number(row.at("criticality")));
+      EXPECT_GT(event["criticality_error"].get<double>(), 0.0);
+      EXPECT_LT(event["criticality_error"].get<double>(), 1e-6 * coefficient) << name;
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 4);
 }
 
 /// No row of any sheet has less energy than the motion named for its |pi|, and what is named is there.

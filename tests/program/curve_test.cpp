@@ -205,6 +205,55 @@ TEST_F(Curve, DrawnOverAMap) {
   EXPECT_THAT(other.err, HasSubstr("body.J.1"));
 }
 
+/// Where the axis of a body with a fibre leaves its own, as continue finds it at the ends' stiffness.
+TEST_F(Curve, ObliqueOfABodyWithAFibre) {
+  const std::string with_fibre = R"(
+[body]
+J = [1.0, 1.7, 0.6]
+[potential]
+plane     = { model = "neo-hookean", mu = 1.0, lambda = 2.0 }
+thickness = { model = "reciprocal-quadratic", a = 1.0, b = 3.0 }
+fibre     = { k = 0.4, degrees = 0.0 }
+[motion]
+branch = "i"
+nu = 0.7
+[continuation]
+from = 0.6
+to = 0.8
+[curve]
+event = "oblique"
+parameters = ["nu", "potential.fibre.k"]
+from = [0.5, 0.3]
+to = [0.9, 0.5]
+)";
+  const Outcome outcome = run(with_fibre);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<Row> curve = rows();
+  ASSERT_GE(curve.size(), 3U);
+  std::vector<double> stiffness;
+  for (const Row& row : {curve.front(), curve.back()}) {
+    stiffness.push_back(number(row.at("potential.fibre.k")));
+    const std::string own = directory_ / "own.csv";
+    const Outcome continued =
+        run_program({"continue", directory_.file("own.toml", with_fibre), "-o", own, "--set",
+                     "potential.fibre.k=" + row.at("potential.fibre.k")});
+    ASSERT_EQ(continued.code, 0) << continued.err;
+    int found = 0;
+    for (const Row& event : rows_of(text_of(own))) {
+      if (event.at("event") != "oblique") continue;
+      EXPECT_NEAR(number(event.at("nu1")), number(row.at("nu")), 1e-12);
+      EXPECT_NEAR(number(event.at("xi")), number(row.at("xi")), 1e-11);
+      EXPECT_FALSE(event.at("criticality").empty());
+      ++found;
+    }
+    EXPECT_EQ(found, 1);
+  }
+  EXPECT_THAT(stiffness, ::testing::UnorderedElementsAre(0.3, 0.5));
+  const Outcome skew = run(with_fibre, {"--set", "potential.fibre.degrees=30"});
+  EXPECT_EQ(skew.code, 2);
+  EXPECT_THAT(skew.err, HasSubstr("even in alpha"));
+}
+
 TEST_F(Curve, WhatIsRefused) {
   const auto with = [&](const std::vector<std::string>& sets) {
     std::vector<std::string> more;

@@ -24,7 +24,8 @@ FamilyParameters numbers_of(const Case& input, double first, double second) {
 
 SpinningProblem problem_of(const FamilyParameters& numbers) {
   const AxisRotation spin = *spin_of(numbers.motion);
-  return {Problem(numbers.body, make_potential(numbers.models, numbers.body), spin.branch), spin.nu};
+  return {Problem(numbers.body, make_potential(numbers.models, numbers.body), spin.branch),
+          spin.nu};
 }
 
 double own_value(const Case& input, std::size_t k) {
@@ -115,12 +116,14 @@ void require_curve(const Case& input) {
                    "a table with event, parameters, from and to",
                    "add [curve] with event = \"tilt\", parameters = [\"nu\", \"body.J.1\"]");
   }
-  if (!spin_of(input.motion) || !input.potential.is_isotropic()) {
+  const bool isotropic = input.potential.is_isotropic();
+  if (!spin_of(input.motion) || !(isotropic || input.potential.anisotropic().even_in_alpha())) {
     throw fault_at(
         input.source, "motion.branch",
         fmt::format("found branch {} and an {} potential", in_quotes(input.branch_name()),
-                    input.potential.is_isotropic() ? "isotropic" : "anisotropic"),
-        "a branch of \"i\", \"ii\", \"iii\" and an isotropic potential for curve",
+                    isotropic ? "isotropic" : "anisotropic"),
+        "a branch of \"i\", \"ii\", \"iii\" and a potential that is isotropic or even in alpha for "
+        "curve",
         "the events of other motions are located by continue, one value at a time");
   }
   const double second = own_value(input, 1);

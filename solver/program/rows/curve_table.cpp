@@ -15,7 +15,8 @@ void CurveTable::place(EventType event, double parameter, bool at_rest,
   const bool voting = event == EventType::none && !at_rest;
   row_[Column::segment] = segments_.row(point_, {event, parameter}, verdict, voting);
   row_[Column::point] = static_cast<double>(point_);
-  if (event != EventType::none) events_.push_back({event, parameter, point_, std::nullopt});
+  if (event != EventType::none)
+    events_.push_back({event, parameter, point_, std::nullopt, std::nullopt});
 }
 
 void CurveTable::convert(FollowReport& report) const {
@@ -54,6 +55,7 @@ void CurveTable::tell_normal_form(const Member& member, EventType event) {
   if (!form) return;
   row_[Column::criticality] = form->coefficient;
   row_.side = name(form->side);
+  events_.back().criticality_error = form->error;
 }
 
 RowProof CurveTable::prove(const Member& member, EventType event) {
@@ -80,6 +82,7 @@ void CurveTable::complete(std::vector<EventRecord>& events) const {
     if (at == events_.end()) continue;
     each.point = at->point;
     if (at->enclosure) each.enclosure = at->enclosure;
+    if (at->criticality_error) each.criticality_error = at->criticality_error;
     row = std::next(at);
   }
 }

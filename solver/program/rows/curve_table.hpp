@@ -83,6 +83,7 @@ class CurveTable final : public CurveSink {
     double parameter;
     long point;
     std::optional<Interval> enclosure;
+    std::optional<double> criticality_error;
   };
 
   bool proves() const { return bool(kind_at_); }

@@ -99,6 +99,7 @@ Json event_json(const EventRecord& event) {
            {"bracket", {event.before, event.after}},
            {"status", name(event.status)}};
   if (event.enclosure) out["enclosure"] = {event.enclosure->lo, event.enclosure->hi};
+  if (event.criticality_error) out["criticality_error"] = *event.criticality_error;
   return out;
 }
 
@@ -377,6 +378,8 @@ std::optional<CurveRecord> curve_record(std::string_view metadata) {
         out.events.back().enclosure =
             Interval(proven->at(0).get<double>(), proven->at(1).get<double>());
       }
+      if (const auto error = event.find("criticality_error"); error != event.end())
+        out.events.back().criticality_error = error->get<double>();
     }
     for (const Json& segment : found.at("segments")) {
       if (segment.at("class").is_null()) {  // as marginal: it says nothing of the curve

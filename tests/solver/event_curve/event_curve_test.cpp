@@ -7,6 +7,7 @@
 #include <map>
 
 #include "solver/event_curve/pitchfork.hpp"
+#include "solver/search/search.hpp"
 #include "tests/support/followed.hpp"
 #include "tests/support/random_problem.hpp"
 
@@ -170,6 +171,57 @@ TEST(EventCurve, PitchforkOfHencky) {
   }
 }
 
+/// Of an isotropic body an axis leaves its own in the plane, and an ellipse turns away from its axes,
+/// where J1 = J2, whatever nu; the stretches are the motion's there.
+TEST(EventCurve, OfAxesThatTurnWhereTwoInertiasAreEqual) {
+  struct Turning {
+    EventType type;
+    Numbers numbers;
+    double from;  ///< of nu
+    double to;
+  };
+  const std::array<double, 3> J{1.0, 1.05, 0.6};
+  const Turning all[] = {
+      {EventType::oblique, {"hencky", Branch::i, J, {1.1, 0.8}, 0.4}, 0.1, 0.7},
+      {EventType::oblique, {"neo-hookean", Branch::ii, J, {1.0, 2.0}, 0.5}, 0.2, 0.8},
+      {EventType::shear, {"biot-log", Branch::iii, J, {1.0, 4.0}, 1.2}, 1.15, 1.3}};
+  for (const Turning& each : all) {
+    const FamilyParameter J2{Kind::inertia, 1};
+    const Numbers& numbers = each.numbers;
+    // An ellipse that is far from a circle, or the only motion there is.
+    const SearchResult found = search(numbers.problem().problem, numbers.nu);
+    const auto shape = [](const Equilibrium& at) {
+      return std::abs(std::log(at.q.xi / at.q.zeta));
+    };
+    const auto start = std::ranges::max_element(found.solutions, {}, shape);
+    ASSERT_NE(start, found.solutions.end());
+    const Followed sheet =
+        followed(axis_family(numbers.problem().problem, {.nu = numbers.nu, .parameter = J2}),
+                 start->q, numbers.J[1], range(0.9, 1.1));
+    const auto events = sheet.events({each.type});
+    ASSERT_EQ(events.size(), 1U) << sheet.text();
+    const EventCurve curve = follow_event_curve(
+        setting(numbers, each.type, J2, {}), events[0].member, numbers.nu, false,
+        {.first_from = 0.5, .first_to = 1.5, .second_from = each.from, .second_to = each.to});
+    ASSERT_EQ(curve.failure, "");
+    ASSERT_GE(curve.points.size(), 3U);
+    EXPECT_EQ(curve.points.front().second, each.from);
+    EXPECT_EQ(curve.points.back().second, each.to);
+    for (const EventCurvePoint& point : curve.points) {
+      EXPECT_NEAR(point.member.parameter, 1.0, 1e-14);
+      const Numbers there = numbers.with(J2, 1.0);
+      const Equilibrium own =
+          solve(there.problem().problem, point.second, {.start = point.member.q, .search = false});
+      ASSERT_EQ(own.status, SolveStatus::solved) << name(each.type) << " " << point.second;
+      if (each.type == EventType::oblique) {
+        EXPECT_LE(relative(point.member.q.xi, own.q.xi), 1e-12);
+        EXPECT_LE(relative(point.member.q.zeta, own.q.zeta), 1e-12);
+      }
+      EXPECT_LE(relative(point.member.q.rho, own.q.rho), 1e-12);
+    }
+  }
+}
+
 /// Follows the curve of each event of a family and, at some of its points, the family anew: the
 /// event has to be there.
 void compare_events(const Numbers& numbers, double nu, const SolveOptions& start_at,
@@ -237,6 +289,75 @@ TEST(EventCurve, AgreesWithEventsAtSingleValues) {
   }
   EXPECT_GE(all, 80) << types;
   EXPECT_GE(compared.size(), 6U) << types;
+}
+
+/// Of an anisotropic body: where its axis leaves its own, its ellipse turns away, and inertias are
+/// equal, in nu and another number, against the family followed anew.
+TEST(EventCurve, OfAnisotropicBodiesAgreesWithEventsAtSingleValues) {
+  struct Numbered {
+    AnisotropicPotential::Plane plane;
+    Branch branch;
+    std::array<double, 3> J;
+    Fibre fibre;
+    FamilyParameter second;
+    double from;  ///< of it
+    double to;
+    double low;  ///< of nu
+    double high;
+  };
+  const FamilyParameter stiffness{Kind::fibre, 0};
+  const FamilyParameter J2{Kind::inertia, 1};
+  const std::array<double, 3> disc{1.0, 1.7, 0.6};
+  const std::array<double, 3> plate{1.0, 1.2, 0.6};
+  const Numbered all[] = {
+      {NeoHookean<>{1.0, 2.0}, Branch::i, disc, {0.4, 0.0}, stiffness, 0.3, 0.5, 0.5, 0.8},
+      {NeoHookean<>{1.0, 2.0}, Branch::i, disc, {0.4, 0.0}, J2, 1.6, 1.8, 0.5, 0.8},
+      {Hencky<>{1.0, 0.6}, Branch::iii, plate, {0.05, 90.0}, J2, 1.18, 1.22, 0.5, 0.75},
+      {Hencky<>{1.0, 0.6}, Branch::iii, plate, {0.05, 90.0}, stiffness, 0.045, 0.055, 0.5, 0.75}};
+  std::map<EventType, int> compared;
+  for (const Numbered& each : all) {
+    const bool of_fibre = each.second.kind == Kind::fibre;
+    const auto at = [&](double nu, double second) {
+      const double k = of_fibre ? second : each.fibre.k;
+      return SpinningProblem{
+          {Body(each.J[0], of_fibre ? each.J[1] : second, each.J[2]),
+           Potential(AnisotropicPotential(each.plane, ReciprocalQuadratic<>{1.0, 3.0},
+                                          {{k, each.fibre.degrees}})),
+           each.branch},
+          nu};
+    };
+    const double own = of_fibre ? each.fibre.k : each.J[1];
+    const FollowOptions family = range(each.low, each.high, 1e-6);
+    const Followed sheet = followed(at(each.low, own).problem, each.low, family);
+    for (const FollowedRow& row : sheet.events()) {
+      if (std::ranges::find(spectral_events, row.event) != spectral_events.end()) continue;
+      const EventCurve curve =
+          follow_event_curve({at, {}, each.second, row.event}, row.member, own, false,
+                             {.first_from = each.low,
+                              .first_to = each.high,
+                              .second_from = each.from,
+                              .second_to = each.to,
+                              .tolerance = 1e-6});
+      ASSERT_EQ(curve.failure, "") << name(row.event);
+      for (const EventCurvePoint& point : curve.points) {
+        const double p = point.member.parameter;
+        const Problem there = at(p, point.second).problem;
+        SolveOptions beside;
+        beside.start = point.member.q;
+        beside.search = false;
+        const double near = p * (1.0 - 1e-4);
+        const Followed again =
+            followed(there, near, range(p * (1.0 - 1e-3), p * (1.0 + 1e-3)), true, beside);
+        double nearest = 1.0;
+        for (const FollowedRow& found : again.events({row.event}))
+          nearest = std::min(nearest, relative(found.member.parameter, p));
+        EXPECT_LE(nearest, 1e-12) << name(row.event) << " at " << point.second << ", " << p;
+        ++compared[row.event];
+      }
+    }
+  }
+  EXPECT_GE(compared[EventType::oblique], 6);
+  EXPECT_GE(compared[EventType::shear], 6);
 }
 
 }  // namespace
