@@ -2,9 +2,9 @@
 // reduced energy of a spin about a material axis, F_i = G_i its gradient in x = ln (xi, zeta, rho),
 // p the family's parameter; v the direction that is singular at the event, K the Hessian across it.
 //
-//   fold-nu  v unit, K v = 0:  p - p0 = -F_vvv s^2/(2 F_vp),  s the length along v;
+//   a fold   v unit, K v = 0:  p - p0 = -F_vvv s^2/(2 F_vp),  s the length along v;
 //            v points where F_vp < 0, and the coefficient is F_vvv
-//   ellipse  v = (1, -1, 0), s = ln(xi/zeta)/2
+//   ellipse  v = (1, -1, 0), s = ln(xi/zeta)/2; ellipse-23, ellipse-13: of zeta and rho, xi and rho
 //   tilt     v the angle s from the axis of the spin to that it tilts to:
 //            F_ss = -nu^2 (I_b - I_a), and F_ssss = 0 at the event
 //
@@ -21,6 +21,7 @@
 #include <optional>
 #include <string_view>
 
+#include "solver/motion/circle.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"
@@ -40,9 +41,9 @@ struct NormalForm {
 };
 
 /// Of the event of this type at a located member of problem's family in a parameter, problem and nu
-/// those at the event; circle: of the family of circles (J1 = J2 in (iii)). Nothing where the
-/// potential is not isotropic, the event is of another type, or the error leaves a sign open.
+/// those at the event; circle: that the family keeps. Nothing where the potential is not isotropic,
+/// the event is of another type, or the error leaves a sign open.
 std::optional<NormalForm> normal_form(const Problem& problem, const FamilyParameter& parameter,
-                                      bool circle, EventType type, const Member& member);
+                                      Circle circle, EventType type, const Member& member);
 
 }  // namespace stationary
