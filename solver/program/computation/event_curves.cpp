@@ -198,6 +198,7 @@ EventCurves event_curve_of_row(const Case& input, const Stretch& q, bool spectru
 TableRow curve_row(const Case& input, const EventCurvePoint& point, const ColumnSet& wanted) {
   TableRow row;
   fill_row(input.branch_name(), point.member, wanted, row);
+  tell_in(input.coordinates, wanted, row);
   row.event = name(sought_event(input));
   row.parameter = point.member.parameter;
   row.second_parameter = point.second;

@@ -172,7 +172,7 @@ class FromRow {
     const Stretch q{value_or("alpha", 0.0), value("xi"), value("zeta"), value("rho")};
     if (const char* inequality = violated_inequality(q))
       refuse(text_, "found no positive definite S in the row", inequality);
-    return q;
+    return given_.coordinates.computed(q);
   }
   std::string text(std::string_view column) const {
     const auto at = row_.find(column);
