@@ -1,4 +1,4 @@
-// Where a sheet of ellipses meets the circle that its family may be (circle.hpp).
+// Where a sheet of ellipses meets the circle that its family may be (body/circle.hpp).
 #pragma once
 
 #include <boost/math/tools/toms748_solve.hpp>

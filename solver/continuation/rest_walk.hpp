@@ -18,8 +18,8 @@
 #include <limits>
 #include <utility>
 
+#include "lib/body/circle.hpp"
 #include "solver/continuation/jump_guard.hpp"
-#include "solver/motion/circle.hpp"
 #include "solver/newton/refine.hpp"
 
 namespace stationary {

@@ -1,4 +1,4 @@
-// On which side of an event where a circle breaks (motion/circle.hpp) the ellipses lie. F the reduced
+// On which side of an event where a circle breaks (body/circle.hpp) the ellipses lie. F the reduced
 // energy in logarithms, F_i = G_i, v the direction that breaks it, (1, -1, 0) where xi = zeta, K the
 // Hessian of F on the circles' own directions. At the event F_vv = 0, and near it
 //
@@ -8,7 +8,7 @@
 // so that the ellipses, s^2 = -6 (dF_vv/dp) (p - p_event)/a, change sides where a changes its sign.
 #pragma once
 
-#include "solver/motion/circle.hpp"
+#include "lib/body/circle.hpp"
 #include "solver/motion/problem.hpp"
 
 namespace stationary {

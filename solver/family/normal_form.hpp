@@ -21,7 +21,7 @@
 #include <optional>
 #include <string_view>
 
-#include "solver/motion/circle.hpp"
+#include "lib/body/circle.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"

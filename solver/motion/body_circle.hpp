@@ -1,7 +1,7 @@
-// The circle (circle.hpp) that figures of a body may be.
+// The circle (body/circle.hpp) that figures of a body may be.
 #pragma once
 
-#include "solver/motion/circle.hpp"
+#include "lib/body/circle.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"
 

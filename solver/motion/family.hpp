@@ -17,10 +17,10 @@
 #include "lib/balance/balance.hpp"
 #include "lib/balance/two_polar.hpp"
 #include "lib/body/body.hpp"
+#include "lib/body/circle.hpp"
 #include "lib/body/stretch.hpp"
 #include "lib/material/models/tape_model.hpp"
 #include "lib/stability/spectrum.hpp"
-#include "solver/motion/circle.hpp"
 #include "solver/motion/equilibrium.hpp"
 #include "solver/newton/refine.hpp"
 

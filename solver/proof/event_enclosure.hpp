@@ -15,8 +15,8 @@
 #include <optional>
 #include <string>
 
+#include "lib/body/circle.hpp"
 #include "lib/number/dual.hpp"
-#include "solver/motion/circle.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"

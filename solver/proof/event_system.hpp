@@ -14,11 +14,11 @@
 #include <optional>
 #include <vector>
 
+#include "lib/body/circle.hpp"
 #include "lib/number/dual.hpp"
 #include "lib/stability/held_linearization.hpp"
 #include "lib/stability/linearization.hpp"
 #include "lib/stability/spectrum.hpp"
-#include "solver/motion/circle.hpp"
 #include "solver/motion/event_functions.hpp"
 #include "solver/motion/extended_root.hpp"
 #include "solver/motion/family_parameter.hpp"

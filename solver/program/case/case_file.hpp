@@ -18,6 +18,7 @@
 
 #include "lib/body/body.hpp"
 #include "lib/body/motion.hpp"
+#include "lib/material/material_coordinates.hpp"
 #include "lib/material/potential.hpp"
 #include "lib/number/interval.hpp"
 #include "solver/motion/event.hpp"
@@ -26,7 +27,6 @@
 #include "solver/program/case/case_grid.hpp"
 #include "solver/program/case/case_potential.hpp"
 #include "solver/program/case/case_toml.hpp"
-#include "solver/program/case/material_coordinates.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/material/material_coordinates.hpp"
 #include "lib/stability/spectrum.hpp"
 #include "solver/batch_spectrum/batch_spectrum.hpp"
 #include "solver/kind/kind.hpp"
 #include "solver/motion/family.hpp"
-#include "solver/program/case/material_coordinates.hpp"
 #include "solver/program/table/table.hpp"
 
 namespace stationary {

@@ -281,7 +281,7 @@ TEST(TestValuesOf, AMember) {
   member.nu = 0.5;
   member.q = {0.0, 1.0, 0.5, 0.5};  // J_k q_k^2: 1, 0.5, 0.75
   member.shear_stiffness = -0.25;
-  const TestValues in_iii = test_values(member, {Branch::iii, false, false}, 0.1, -0.2);
+  const TestValues in_iii = test_values(member, {Branch::iii, false, Circle::none}, 0.1, -0.2);
   EXPECT_EQ(in_iii.value[TestValues::fold], 0.1);
   EXPECT_EQ(in_iii.value[TestValues::momentum], -0.2);
   EXPECT_DOUBLE_EQ(in_iii.value[TestValues::inertia_12], -1.0 / 3.0);
@@ -290,12 +290,12 @@ TEST(TestValuesOf, AMember) {
   EXPECT_LT(in_iii.value[TestValues::turn], 0.0);
   EXPECT_TRUE(std::isnan(in_iii.value[TestValues::ellipse]));
   EXPECT_TRUE(std::isnan(in_iii.value[TestValues::collision])) << "no spectrum";
-  const TestValues circle = test_values(member, {Branch::iii, true, true}, 0.1, -0.2);
+  const TestValues circle = test_values(member, {Branch::iii, true, Circle::xi_zeta}, 0.1, -0.2);
   EXPECT_LT(circle.value[TestValues::ellipse], 0.0);
   EXPECT_TRUE(std::isnan(circle.value[TestValues::turn]));
   EXPECT_TRUE(std::isnan(circle.value[TestValues::inertia_12]));
   EXPECT_TRUE(std::isnan(circle.value[TestValues::inertia_23]));
-  const TestValues in_i = test_values(member, {Branch::i, false, false}, 0.1, -0.2);
+  const TestValues in_i = test_values(member, {Branch::i, false, Circle::none}, 0.1, -0.2);
   EXPECT_LT(in_i.value[TestValues::turn], 0.0) << "J1 < J2";
 }
 

@@ -1,4 +1,4 @@
-#include "solver/program/case/material_coordinates.hpp"
+#include "lib/material/material_coordinates.hpp"
 
 #include <algorithm>
 #include <cmath>
