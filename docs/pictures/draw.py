@@ -67,9 +67,13 @@ SKETCHES = {
                + dot(205, 82),
     "fold-momentum": axes("|π|") + path("M40 110 C120 106 190 96 190 76", BLUE)
                      + path("M190 76 C190 58 140 44 70 40", RED) + dot(190, 76),
+    "fold-parameter": (axes("parameter") + path("M40 120 C150 116 205 105 205 82", BLUE)
+                       + path("M205 82 C205 60 150 46 60 42", BLUE) + dot(205, 82)),
     "tilt": spins(shape(75, 72, 24, 9) + arrow(75, 94, 75, 44), shape(205, 74, 24, 9, -30) + arrow(205, 96, 205, 52)),
     "inertia-exchange": two_lines("I₁", "I₂"),
     "ellipse": spins(shape(80, 70, 17, 17), shape(205, 70, 26, 13)),
+    "ellipse-23": spins(shape(80, 70, 9, 20), shape(205, 70, 9, 27)) + text(80, 42, "2, 3") + text(205, 34, "2"),
+    "ellipse-13": spins(shape(80, 70, 9, 20), shape(205, 70, 9, 27)) + text(80, 42, "1, 3") + text(205, 34, "1"),
     "oblique": spins(shape(75, 72, 26, 12) + arrow(45, 72, 110, 72), shape(200, 72, 26, 12, -20) + arrow(170, 72, 235, 72)),
     "shear": spins(shape(80, 70, 26, 13), shape(205, 70, 26, 13, -25) + path("M178 70 L232 70", GREY)),
     "hamiltonian-hopf": plane() + arrow(130, 20, 130, 44) + arrow(130, 76, 130, 66)

@@ -38,7 +38,8 @@ bool at_same_place(const Member& a, const Member& b, bool axes_alike) {
 /// Where on another sheet, one about a material axis, this end lies.
 std::optional<Junction> junction(const std::vector<AtlasSheet>& sheets, const AtlasSheet& of,
                                  const AtlasRow& end, bool axes_alike) {
-  const bool same_branch = end.event == EventType::ellipse || end.event == EventType::shear;
+  const bool same_branch =
+      broken_circle(end.event) != Circle::none || end.event == EventType::shear;
   if (!same_branch && end.event != EventType::oblique && end.event != EventType::tilt)
     return std::nullopt;
   for (const AtlasSheet& other : sheets) {

@@ -6,6 +6,7 @@
 
 #include "lib/balance/anisotropic_balance.hpp"
 #include "solver/continuation/curve.hpp"
+#include "solver/motion/body_circle.hpp"
 #include "solver/proof/event_enclosure.hpp"
 
 namespace stationary {
@@ -15,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 
 class AxisSheets final : public SheetSource {
  public:
-  explicit AxisSheets(const Problem& problem) : problem_(problem) {}
+  explicit AxisSheets(const Problem& problem) : problem_(problem), circle_(circle_of(problem)) {}
 
   Branch branch() const override { return problem_.branch(); }
 
@@ -38,25 +39,27 @@ class AxisSheets final : public SheetSource {
     return axis_family(problem_, {.nu = 0.0, .parameter = {}, .spectrum = spectrum});
   }
 
-  /// Of an ellipse and the same turned by a right angle that which is drawn out along axis 1.
+  /// Of an ellipse and the same turned by a right angle that which is drawn out along the first of
+  /// its two axes.
   Place canonical(const Place& at) const override {
-    if (!has_mirror_images()) return at;
+    if (circle_ == Circle::none) return at;
     Place out = at;
+    double* const x[3] = {&out.q.xi, &out.q.zeta, &out.q.rho};
+    const auto [a, b, other] = places(circle_);
     if (is_circle(at.q)) {
-      out.q.xi = out.q.zeta = std::sqrt(at.q.xi * at.q.zeta);
-    } else if (at.q.xi < at.q.zeta) {
-      std::swap(out.q.xi, out.q.zeta);
+      *x[a] = *x[b] = std::sqrt(*x[a] * *x[b]);
+    } else if (*x[a] < *x[b]) {
+      std::swap(*x[a], *x[b]);
     }
     return out;
   }
 
   EventType leaves_by() const override {
-    return has_mirror_images() ? EventType::ellipse : EventType::none;
+    return circle_ == Circle::none ? EventType::none : ellipse_event(circle_);
   }
   bool leaves_at(const Member& at) const override { return is_circle(at.q); }
   std::optional<Interval> proven_parting(const Member& at, Inputs inputs) const override {
-    const EventEnclosure event =
-        enclose_event(problem_, {}, /*circle=*/true, leaves_by(), at, inputs);
+    const EventEnclosure event = enclose_event(problem_, {}, circle_, leaves_by(), at, inputs);
     if (!event.proven) return std::nullopt;
     return event.parameter;
   }
@@ -67,20 +70,18 @@ class AxisSheets final : public SheetSource {
   }
 
  private:
-  bool has_mirror_images() const {
-    return problem_.branch() == Branch::iii && problem_.body().symmetric();
-  }
-  static bool is_circle(const Stretch& q) { return std::abs(std::log(q.xi / q.zeta)) < same_place; }
+  bool is_circle(const Stretch& q) const { return is_on(circle_, q, same_place); }
 
   template <int N>
-  static DepartureResult leave_circle(const Family<N>& family, const Member& at, double range) {
+  DepartureResult leave_circle(const Family<N>& family, const Member& at, double range) const {
     if constexpr (N > 3) {
       return "no family of an isotropic potential";
     } else {
-      const Curve<N> curve(family, range, /*circle=*/false);
+      const Curve<N> curve(family, range, Circle::none);
+      const auto [a, b, other] = places(circle_);
       ArcVector<N> aside = ArcVector<N>::Zero();
-      aside[0] = 1.0 / std::numbers::sqrt2;
-      aside[1] = -aside[0];
+      aside[a] = 1.0 / std::numbers::sqrt2;
+      aside[b] = -aside[a];
       constexpr double gap = 1e-3;
       const ReducedVector<N> x =
           moved<N>(unknowns<N>(at.q), ReducedVector<N>(gap * aside.template head<N>()));
@@ -93,6 +94,7 @@ class AxisSheets final : public SheetSource {
   }
 
   Problem problem_;
+  Circle circle_;
 };
 
 }  // namespace

@@ -88,7 +88,7 @@ class FollowedLane {
     how.continuation.from = from;
     how.continuation.to = to;
     how.continuation.step.tolerance = curve_tolerance;
-    how.events = EventSet::none().add(EventType::fold_nu);
+    how.events = EventSet::none().add(EventType::fold_nu).add(EventType::fold_parameter);
     how.max_points = longest_walk;
     how.stop = stop_;
     CoordinateRows<N> sink(family_);
@@ -97,7 +97,7 @@ class FollowedLane {
   }
 
   Arc<N> arc_between(const Row& a, const Row& b) const {
-    const Corrector<N> corrector(family_, range_, false);
+    const Corrector<N> corrector(family_, range_, Circle::none);
     ArcVector<N> chord;
     chord.template head<N>() = (b.x.array() / a.x.array()).log().matrix();
     chord[N] = (b.p - a.p) / range_;

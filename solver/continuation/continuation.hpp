@@ -259,7 +259,7 @@ class Continuation {
     };
     reach_ = 1.0;
     for (const Event& event : events_) {
-      if (event.type != EventType::fold_nu) continue;
+      if (!is_fold(event.type)) continue;
       if (const auto limit = beyond(event.member.parameter)) {
         const double half = arc.chord[N];  // p(u) is a cubic: its turn, from the tangents
         const double a = arc.from[N] * arc.length;
@@ -430,15 +430,17 @@ class Continuation {
     finish(escapes(arc) ? EventType::escape : EventType::collapse, unresolved_reason);
   }
 
-  /// A sheet of ellipses (J1 = J2, branch (iii)) that reaches xi = zeta meets the circle there and
-  /// goes on as its own mirror image.
+  /// A sheet of ellipses that reaches the circle its family may be (xi = zeta, say) meets it there
+  /// and goes on as its own mirror image.
   /// One with alpha != 0 of an even V likewise meets alpha = 0.
   bool crosses_mirror(const ArcPoint<N>& next) const {
     const TestContext& context = curve_->context();
     if (const auto k = curve_->family().mirrored())
       return (here_.arc.x[*k] < 1.0) != (next.x[*k] < 1.0);
-    if (!context.material_symmetry || context.circle || context.branch != Branch::iii) return false;
-    return (here_.arc.x[0] < here_.arc.x[1]) != (next.x[0] < next.x[1]);
+    const Circle circle = curve_->family().circle();
+    if (context.circle != Circle::none || circle == Circle::none) return false;
+    const auto [a, b, c] = places(circle);
+    return (here_.arc.x[a] < here_.arc.x[b]) != (next.x[a] < next.x[b]);
   }
 
   void end_at_mirror(const Attempt& attempt, int k) {
@@ -467,12 +469,13 @@ class Continuation {
     }
     const auto circle = circle_within(*curve_, here_, next, attempt.arc);
     if (!circle) {
-      finish(EventType::stalled, "xi = zeta was passed, but the circle's own point not found");
+      finish(EventType::stalled, "a circle was passed, but its own point not found");
       return;
     }
     here_ = *circle;
     if (curve_->context().kind.circle_on_own_leaf) here_.member.spectrum.reset();
-    finish(EventType::ellipse, "the ellipses meet the circle here and go on as mirror images");
+    finish(ellipse_event(curve_->family().circle()),
+           "the ellipses meet the circle here and go on as mirror images");
   }
 
   static constexpr const char* unresolved_reason =

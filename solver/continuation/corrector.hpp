@@ -66,15 +66,15 @@ ArcVector<N> kernel_by_cofactors(const Eigen::Matrix<double, N, N + 1>& A) {
 template <int N>
 class Corrector {
  public:
-  /// circle: the curve stays in xi = zeta (J1 = J2, branch (iii)); where ellipses branch off, G is
-  /// singular along xi - zeta, which a curve of circles has no part in.
+  /// circle: the curve stays in it (xi = zeta, say); where ellipses branch off, G is singular along
+  /// the difference of the two, which a curve of circles has no part in.
   /// pinned: the one p of a vertical curve, which every point of it gets.
-  Corrector(const Family<N>& family, double scale, bool circle,
+  Corrector(const Family<N>& family, double scale, Circle circle,
             std::optional<double> pinned = std::nullopt)
       : family_(&family), scale_(scale), circle_(circle), pinned_(pinned) {}
 
   double scale() const { return scale_; }
-  bool circle() const { return circle_; }
+  Circle circle() const { return circle_; }
   bool vertical() const { return pinned_.has_value(); }
 
   /// max_correction: bound of the first correction, in y.
@@ -123,7 +123,7 @@ class Corrector {
 
   FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const {
     FamilyLinearization<N> at = family_->linearize(x, p);
-    if (circle_) keep_to_circle(at);
+    if (circle_ != Circle::none) keep_to_circle(at);
     return at;
   }
 
@@ -165,18 +165,24 @@ class Corrector {
     }
   }
 
-  /// G restricted to xi = zeta, the direction (1, -1) given the eigenvalue 1.
-  static void keep_to_circle(FamilyLinearization<N>& at) {
+  /// G restricted to the circle, the difference of the two stretches given the eigenvalue 1.
+  void keep_to_circle(FamilyLinearization<N>& at) const {
     auto& J = at.jacobian;
-    const double along = 0.5 * (J(0, 0) + J(0, 1) + J(1, 0) + J(1, 1));
-    J(0, 0) = J(1, 1) = 0.5 * (along + 1.0);
-    J(0, 1) = J(1, 0) = 0.5 * (along - 1.0);
+    const auto [a, b, c] = places(circle_);
+    const double along = 0.5 * (J(a, a) + J(a, b) + J(b, a) + J(b, b));
+    J(a, a) = J(b, b) = 0.5 * (along + 1.0);
+    J(a, b) = J(b, a) = 0.5 * (along - 1.0);
     if constexpr (N == 3) {
-      J(0, 2) = J(1, 2) = 0.5 * (J(0, 2) + J(1, 2));
-      J(2, 0) = J(2, 1) = 0.5 * (J(2, 0) + J(2, 1));
+      J(a, c) = J(b, c) = 0.5 * (J(a, c) + J(b, c));
+      J(c, a) = J(c, b) = 0.5 * (J(c, a) + J(c, b));
     }
-    for (auto* column : {&at.g, &at.slope, &at.nu_slope})
-      (*column)[0] = (*column)[1] = 0.5 * ((*column)[0] + (*column)[1]);
+    for (auto* column : {&at.g, &at.slope, &at.nu_slope}) make_equal(*column);
+  }
+  /// Of a vector in (ln x[, p]) or of G, the part that keeps the circle.
+  template <class Vector>
+  void make_equal(Vector& y) const {
+    const auto [a, b, c] = places(circle_);
+    y[a] = y[b] = 0.5 * (y[a] + y[b]);
   }
 
   void move(ArcVector<N> delta, Corrected<N>& out) const {
@@ -188,7 +194,7 @@ class Corrector {
 
   /// Rounding must not leave the circle: the predictor would make it grow.
   void symmetrize(ArcVector<N>& y) const {
-    if (circle_) y[0] = y[1] = 0.5 * (y[0] + y[1]);
+    if (circle_ != Circle::none) make_equal(y);
   }
 
   CorrectorStatus iterate(const ArcVector<N>& border, double max_correction,
@@ -225,9 +231,10 @@ class Corrector {
       point.p = *pinned_;
       point.tail.setZero();
     } else if (refined.converged && refined.first_correction < 1e-3) {
-      if (circle_) {
-        x[1] = x[0];
-        point.tail[1] = point.tail[0];
+      if (circle_ != Circle::none) {
+        const auto [a, b, c] = places(circle_);
+        x[b] = x[a];
+        point.tail[b] = point.tail[a];
       }
       // Near an asymptote the rounding of p is a move along the curve.
       for (int i = 0; i < N; ++i) out.correction[i] += std::log1p((x[i] - point.x[i]) / point.x[i]);
@@ -266,7 +273,7 @@ class Corrector {
     for (int k = 0; k < 2; ++k) {
       const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
       ReducedVector<N> g = family_->extended_residual(out.point.x, out.point.p);
-      if (circle_) g[0] = g[1] = 0.5 * (g[0] + g[1]);
+      if (circle_ != Circle::none) make_equal(g);
       const ArcVector<N> delta = inverted(bordered(at, border)).template leftCols<N>() * -g;
       if (!(delta.norm() < 1e-3)) {
         out.status = CorrectorStatus::left_curve;
@@ -320,7 +327,7 @@ class Corrector {
 
   const Family<N>* family_;
   double scale_;
-  bool circle_;
+  Circle circle_;
   std::optional<double> pinned_;
 };
 

@@ -32,12 +32,16 @@ template <int N>
 class Curve {
  public:
   /// scale: of p in y. circle, pinned: see Corrector. asked: the events wanted.
-  Curve(const Family<N>& family, double scale, bool circle,
+  Curve(const Family<N>& family, double scale, Circle circle,
         std::optional<double> pinned = std::nullopt, EventSet asked = {})
       : family_(&family),
         corrector_(family, scale, circle, pinned),
-        context_{family.branch(), family.material_symmetry(), circle, family.events(),
-                 TestContext::sought_for(asked)} {}
+        context_{.branch = family.branch(),
+                 .material_symmetry = family.material_symmetry(),
+                 .circle = circle,
+                 .kind = family.events(),
+                 .sought = TestContext::sought_for(asked),
+                 .along_nu = family.turns_in_nu()} {}
 
   const Family<N>& family() const { return *family_; }
   const Corrector<N>& corrector() const { return corrector_; }

@@ -1,4 +1,4 @@
-// Where a sheet of ellipses (J1 = J2, branch (iii)) meets the circle: K_alpha,alpha = 0 on it.
+// Where a sheet of ellipses meets the circle that its family may be (body/circle.hpp).
 #pragma once
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -12,21 +12,23 @@
 namespace stationary {
 
 /// The circle's point inside the step of a sheet of ellipses from `from` to `to`, which lie on
-/// different sides of xi = zeta. The circle's points are taken by their radius: to each belongs one
+/// different sides of it. The circle's points are taken by their radius: to each belongs one
 /// p, while p may turn near by. Nothing where it is not found.
 template <int N>
 std::optional<CurvePoint<N>> circle_within(const Curve<N>& ellipses, const CurvePoint<N>& from,
                                            const CurvePoint<N>& to, const Arc<N>& arc) {
   const double scale = ellipses.corrector().scale();
-  const Curve<N> circle(ellipses.family(), scale, true);
-  const double gap = std::log(from.arc.x[0] / from.arc.x[1]);
-  const double u = gap / (gap - std::log(to.arc.x[0] / to.arc.x[1]));
+  const Circle section = ellipses.family().circle();
+  const auto [first, second, other] = places(section);
+  const Curve<N> circle(ellipses.family(), scale, section);
+  const double gap = std::log(from.arc.x[first] / from.arc.x[second]);
+  const double u = gap / (gap - std::log(to.arc.x[first] / to.arc.x[second]));
   const ArcVector<N> y = arc.at(u);
   ReducedVector<N> x = moved<N>(from.arc.x, ReducedVector<N>(y.template head<N>()));
-  x[0] = x[1] = std::sqrt(x[0] * x[1]);
+  x[first] = x[second] = std::sqrt(x[first] * x[second]);
   const double guess = from.arc.p + scale * y[N];
   ArcVector<N> outward = ArcVector<N>::Zero();
-  outward[0] = outward[1] = std::numbers::sqrt2 / 2.0;
+  outward[first] = outward[second] = std::numbers::sqrt2 / 2.0;
   constexpr double near = 0.1;
   const auto at = [&](double s) {
     const ReducedVector<N> start = moved<N>(x, s * outward.template head<N>());
@@ -46,7 +48,7 @@ std::optional<CurvePoint<N>> circle_within(const Curve<N>& ellipses, const Curve
         stiffness, -reach, reach, a, b, boost::math::tools::eps_tolerance<double>(52), evaluations);
     CurvePoint<N> out = at(0.5 * (low + high));
     out.member.error_bound *= 4.0;
-    if (auto known = circle.event_at(EventType::ellipse, out.member, reach))
+    if (auto known = circle.event_at(ellipse_event(section), out.member, reach))
       out.member = std::move(known->member);
     return out;
   }

@@ -469,7 +469,8 @@ class EventSearch {
   /// Whether the located events account for the change of `negative`; else brackets the change.
   void explain_negative() {
     // A circle's count is that of (iii), which its ellipses at other rates do not change.
-    if (curve_->context().kind.circle_on_own_leaf && curve_->context().circle) return;
+    if (curve_->context().kind.circle_on_own_leaf && curve_->context().circle != Circle::none)
+      return;
     if (next_.negative) {
       for (const Found& each : found_) {
         next_.negative->change += negative_change(each.event.type, curve_->context());

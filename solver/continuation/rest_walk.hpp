@@ -18,6 +18,7 @@
 #include <limits>
 #include <utility>
 
+#include "lib/body/circle.hpp"
 #include "solver/continuation/jump_guard.hpp"
 #include "solver/newton/refine.hpp"
 
@@ -41,6 +42,7 @@ struct WalkOptions {
   int max_steps = 5000;
   double min_stretch = 1e-8;
   double max_stretch = 1e8;
+  Circle circle = Circle::none;  ///< that the body may be; xi = zeta is seen by itself
 };
 
 template <int N>
@@ -59,7 +61,11 @@ class RestWalk {
 
   /// system: at the target nu. rest: the rest state, refined.
   RestWalk(const System& system, const ReducedVector<N>& rest, const WalkOptions& options)
-      : system_(system), options_(options), symmetric_(mirror_symmetric(system, rest)) {
+      : system_(system),
+        options_(options),
+        circle_(mirror_symmetric(system, rest)      ? Circle::xi_zeta
+                : options.circle == Circle::xi_zeta ? Circle::none
+                                                    : options.circle) {
     here_.x = rest;
     here_.tau = 0.0;
   }
@@ -122,7 +128,9 @@ class RestWalk {
   }
 
   void symmetrize(ReducedVector<N>& x) const {
-    if (symmetric_) x[0] = x[1] = 0.5 * (x[0] + x[1]);
+    if (circle_ == Circle::none) return;
+    const auto [a, b, other] = places(circle_);
+    x[a] = x[b] = 0.5 * (x[a] + x[b]);
   }
 
   /// [ J      dG/dtau ]
@@ -133,13 +141,14 @@ class RestWalk {
     A.template topLeftCorner<N, N>() = at.jacobian.matrix() / at.magnitude;
     A.template topRightCorner<N, 1>() = system_.minus_pull(x) / at.magnitude;
     A.row(N) = border.transpose();
-    // Where ellipses branch off the circle J is singular along (1, -1), which a symmetric walk has
-    // no part in: any stiffness may be added there.
-    if (symmetric_) {
-      A(0, 0) += 1.0;
-      A(1, 1) += 1.0;
-      A(0, 1) -= 1.0;
-      A(1, 0) -= 1.0;
+    // Where ellipses branch off the circle J is singular along the difference of its two stretches,
+    // which a symmetric walk has no part in: any stiffness may be added there.
+    if (circle_ != Circle::none) {
+      const auto [a, b, other] = places(circle_);
+      A(a, a) += 1.0;
+      A(b, b) += 1.0;
+      A(a, b) -= 1.0;
+      A(b, a) -= 1.0;
     }
     return A;
   }
@@ -249,7 +258,7 @@ class RestWalk {
 
   System system_;
   WalkOptions options_;
-  bool symmetric_;
+  Circle circle_;
   Point here_;
 };
 

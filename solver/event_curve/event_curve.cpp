@@ -27,14 +27,14 @@ struct Signs {
 class Follower {
  public:
   Follower(const EventCurveSetting& setting, const SoughtEvent& what, const Member& event,
-           double second, bool circle, const EventCurveOptions& options)
+           double second, Circle circle, const EventCurveOptions& options)
       : setting_(setting),
         what_(what),
         circle_(circle),
         options_(options),
         second_(second),
         family_(family_setting(setting, event, second, circle), what, event),
-        curve_(family_, options.second_to - options.second_from, false, std::nullopt,
+        curve_(family_, options.second_to - options.second_from, Circle::none, std::nullopt,
                EventSet::none()) {}
 
   EventCurve both() {
@@ -58,7 +58,7 @@ class Follower {
 
  private:
   static EventSetting family_setting(const EventCurveSetting& setting, const Member& event,
-                                     double second, bool circle) {
+                                     double second, Circle circle) {
     const SpinningProblem at = setting.at(event.parameter, second);
     return {at.problem.body(),   at.problem.potential(),
             at.problem.branch(), at.nu,
@@ -71,7 +71,12 @@ class Follower {
 
   EventPlace place_of(const ArcPoint<N>& arc) const {
     EventPlace out;
-    out.q = {0.0, arc.x[0], circle_ ? arc.x[0] : arc.x[1], arc.x[2]};
+    out.q = {0.0, arc.x[0], arc.x[1], arc.x[2]};
+    if (circle_ != Circle::none) {
+      double* const x[3] = {&out.q.xi, &out.q.zeta, &out.q.rho};
+      const auto [a, b, other] = places(circle_);
+      *x[b] = *x[a];
+    }
     out.tail = arc.tail.head<3>();
     if (!out.tail.allFinite()) out.tail.setZero();
     out.first = first_of(arc);
@@ -88,7 +93,7 @@ class Follower {
     const EventPlace place = place_of(arc);
     const SpinningProblem at = setting_.at(place.first, arc.p);
     if (what_.function.kind == EventFunction::Kind::ellipse)
-      out.pitchfork = pitchfork_coefficient(at.problem, at.nu, place.q);
+      out.pitchfork = pitchfork_coefficient(at.problem, at.nu, place.q, circle_);
     const bool collides = !what_.function.spectral() && options_.spectrum;
     out.functions =
         functions_at(at, setting_.first, place, member_at(at, setting_.first, place, collides));
@@ -166,7 +171,10 @@ class Follower {
                   here.pitchfork),
           SpecialPoint::degenerate_pitchfork);
     }
-    const TestContext context{curve_.context().branch, false, circle_, axis_events(), {}};
+    const TestContext context{.branch = curve_.context().branch,
+                              .material_symmetry = false,
+                              .circle = circle_,
+                              .along_nu = setting_.first.kind == FamilyParameter::Kind::nu};
     for (std::size_t k = 0; k < TestValues::crossings; ++k) {
       if (here.functions.sign(k) * next.functions.sign(k) != -1) continue;
       // A block's pairs that are none at one end have no common function.
@@ -264,7 +272,7 @@ class Follower {
 
   const EventCurveSetting& setting_;
   SoughtEvent what_;
-  bool circle_;
+  Circle circle_;
   EventCurveOptions options_;
   double second_;
   EventCurveFamily family_;
@@ -280,7 +288,7 @@ bool has_event_curve(EventType type) {
 }
 
 EventCurve follow_event_curve(const EventCurveSetting& setting, const Member& event, double second,
-                              bool circle, const EventCurveOptions& options) {
+                              Circle circle, const EventCurveOptions& options) {
   const SpinningProblem at = setting.at(event.parameter, second);
   auto candidates = sought_events(setting.type, at.problem.branch(), event);
   const bool isotropic = at.problem.potential().is_isotropic();

@@ -92,9 +92,9 @@ struct EventCurve {
 /// Whether events of this type have such curves.
 bool has_event_curve(EventType type);
 
-/// From a located event of the family in p1 at this p2, in both directions. circle: the family is
-/// that of circles (J1 = J2 in (iii)).
+/// From a located event of the family in p1 at this p2, in both directions. circle: that the
+/// family keeps.
 EventCurve follow_event_curve(const EventCurveSetting& setting, const Member& event, double second,
-                              bool circle, const EventCurveOptions& options);
+                              Circle circle, const EventCurveOptions& options);
 
 }  // namespace stationary

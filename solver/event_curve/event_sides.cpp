@@ -107,8 +107,10 @@ TestValues functions_at(const SpinningProblem& at, const FamilyParameter& first,
     bordered.template topRightCorner<N, 1>() = member.nu * G.nu_slope;
     bordered.template bottomLeftCorner<1, N>() = 2.0 * I.half_slope.transpose();
     bordered(N, N) = I.own;
-    const TestContext context{
-        own.branch(), own.material_symmetry(), place.circle, axis_events(), {}};
+    const TestContext context{.branch = own.branch(),
+                              .material_symmetry = own.material_symmetry(),
+                              .circle = place.circle,
+                              .along_nu = own.turns_in_nu()};
     return test_values(member, context, G.jacobian.determinant(), bordered.determinant() / I.own,
                        place.error_bound);
   });

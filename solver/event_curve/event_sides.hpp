@@ -15,7 +15,7 @@ struct EventPlace {
   ReducedVector<3> tail;  ///< of xi, zeta, rho; zero where it is not known
   double first;           ///< p1
   double error_bound;     ///< of the stretches
-  bool circle;
+  Circle circle;
 };
 
 /// The family's member there; spectrum: with its spectrum.

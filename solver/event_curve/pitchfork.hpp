@@ -1,6 +1,6 @@
-// On which side of the circle's event `ellipse` the ellipses lie. F the reduced energy in logarithms,
-// F_i = G_i, v = (1, -1, 0) the direction that breaks xi = zeta, K the Hessian of F on the circles'
-// own directions (1, 1, 0), (0, 0, 1). At the event F_vv = 0, and near it
+// On which side of an event where a circle breaks (body/circle.hpp) the ellipses lie. F the reduced
+// energy in logarithms, F_i = G_i, v the direction that breaks it, (1, -1, 0) where xi = zeta, K the
+// Hessian of F on the circles' own directions. At the event F_vv = 0, and near it
 //
 //   F = F(circle) + a s^4/24 + (dF_vv/dp) (p - p_event) s^2/2 + ...,
 //   a = F_vvvv - 3 F_vv. K^-1 F_vv.
@@ -8,12 +8,14 @@
 // so that the ellipses, s^2 = -6 (dF_vv/dp) (p - p_event)/a, change sides where a changes its sign.
 #pragma once
 
+#include "lib/body/circle.hpp"
 #include "solver/motion/problem.hpp"
 
 namespace stationary {
 
-/// a divided by the size of its terms, of J1 = J2 in (iii) and an isotropic potential; q on the
-/// circle. Exact to some 1e-14 of that size.
-double pitchfork_coefficient(const Problem& problem, double nu, const Stretch& q);
+/// a divided by the size of its terms, of an isotropic potential; q on the circle. Exact to some
+/// 1e-14 of that size.
+double pitchfork_coefficient(const Problem& problem, double nu, const Stretch& q,
+                             Circle circle = Circle::xi_zeta);
 
 }  // namespace stationary

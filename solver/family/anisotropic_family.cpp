@@ -154,7 +154,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     }
   }
 
-  std::optional<ExtendedEvent<N>> event_at(EventType type, bool,
+  std::optional<ExtendedEvent<N>> event_at(EventType type, Circle,
                                            const Member& near) const override {
     if (near.parameter == 0.0) return std::nullopt;
     if (Layout::alpha && (type == EventType::shear || type == EventType::oblique)) {
@@ -169,7 +169,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       return out;
     }
     const TestContext context{
-        .branch = branch(), .material_symmetry = false, .circle = false, .kind = events()};
+        .branch = branch(), .material_symmetry = false, .kind = events(), .along_nu = along_nu()};
     const TestValues at = test_values(near, context, 0.0, 0.0);
     std::optional<std::size_t> function;
     for (std::size_t k = 0; k < TestValues::collision; ++k) {

@@ -10,7 +10,7 @@ namespace stationary {
 
 template <int N>
 std::optional<Member> leave_straight(const Family<N>& family, const Member& event, Branch branch) {
-  const Corrector<N> corrector(family, event.nu, false);
+  const Corrector<N> corrector(family, event.nu, Circle::none);
   ReducedVector<N> x = ReducedVector<N>::Ones();
   x.template head<3>() << event.q.xi, event.q.zeta, event.q.rho;
   if constexpr (N == 5) x[4] = axis_coordinate(branch == Branch::i ? 0.0 : 0.5 * std::numbers::pi);

@@ -16,12 +16,12 @@ class Follower {
   Follower(const Family<N>& family, const Stretch& q, double p, const FollowOptions& options)
       : options_(options),
         family_(family),
-        curve_(family, scale_of(family, q, p, options.continuation), is_circle(family, q),
+        curve_(family, scale_of(family, q, p, options.continuation), circle_at(family, q),
                std::nullopt, options.events) {
     const ReducedVector<N> x = family.coordinates(q, p);
     if (may_be_vertical(family, q)) {
       if (const auto pinned = pinned_parameter(curve_, x, p)) {
-        curve_ = Curve<N>(family, curve_.corrector().scale(), false, pinned, options.events);
+        curve_ = Curve<N>(family, curve_.corrector().scale(), Circle::none, pinned, options.events);
         report_.vertical = true;
       }
     }
@@ -98,15 +98,17 @@ class Follower {
     return std::min(length, most * nu);
   }
 
-  static bool is_circle(const Family<N>& family, const Stretch& q) {
-    return family.branch() == Branch::iii && family.material_symmetry() &&
-           std::abs(q.xi - q.zeta) <= 8.0 * 0x1p-53 * q.xi;
+  static Circle circle_at(const Family<N>& family, const Stretch& q) {
+    const Circle circle = family.circle();
+    // About an axis of the plane the two are solved for by equations that are not alike.
+    const double within = circle == Circle::xi_zeta ? 8.0 * 0x1p-53 : 1e-12;
+    return is_on(circle, q, within) ? circle : Circle::none;
   }
 
   /// Ellipses of a body with J1 = J2: some potentials have them at one nu only, all of them there.
   static bool may_be_vertical(const Family<N>& family, const Stretch& q) {
     return family.branch() == Branch::iii && family.material_symmetry() && family.along_nu() &&
-           !is_circle(family, q);
+           circle_at(family, q) == Circle::none;
   }
 
   /// The start's own event: it may be an end of the sheet, in either direction.
@@ -134,7 +136,7 @@ class Follower {
     constexpr double rounding = 0x1p-53;
     double p = at.parameter;
     double bound = rounding;
-    if (const auto known = family_.event_at(event, event == EventType::ellipse, at)) {
+    if (const auto known = family_.event_at(event, broken_circle(event), at)) {
       p = double(known->parameter);
       bound += known->parameter_bound;
     }

@@ -11,6 +11,7 @@
 #include "lib/material/elastic_energy.hpp"
 #include "solver/family/axis_family.hpp"
 #include "solver/family/coefficient_slope.hpp"
+#include "solver/motion/body_circle.hpp"
 #include "solver/motion/model_stability.hpp"
 #include "solver/newton/thickness_balance.hpp"
 #include "solver/proof/event_enclosure.hpp"
@@ -26,7 +27,8 @@ class ModelFamily final : public Family<N> {
       : branch_(branch),
         options_(options),
         base_{body, model, options.nu},
-        problem_(std::move(problem)) {
+        problem_(std::move(problem)),
+        circle_(problem_ ? circle_of(*problem_, options.parameter) : Circle::none) {
     if constexpr (constant_thickness) {
       const ThicknessBalance thickness = balanced_thickness(model.thickness, DoubleDouble(0.0));
       rho_ = thickness.rho;
@@ -44,6 +46,7 @@ class ModelFamily final : public Family<N> {
     const bool breaks = options_.parameter.kind == Kind::inertia && options_.parameter.index < 2;
     return base_.body.symmetric() && !breaks;
   }
+  Circle circle() const override { return branch_ == Branch::iii ? Family<N>::circle() : circle_; }
 
   std::vector<ConditionValue> conditions(const ReducedVector<N>& x, double p) const override {
     return model_conditions(setting(p).model, {0.0, x[0], x[1], rho_of(x)});
@@ -132,7 +135,7 @@ class ModelFamily final : public Family<N> {
     return 0x1p-53 * out;
   }
 
-  std::optional<ExtendedEvent<N>> event_at(EventType type, bool circle,
+  std::optional<ExtendedEvent<N>> event_at(EventType type, Circle circle,
                                            const Member& near) const override {
     if (!problem_) return std::nullopt;
     const auto found = extended_event(*problem_, options_.parameter, circle, type, near);
@@ -228,6 +231,8 @@ class ModelFamily final : public Family<N> {
       ++this->evaluations_.potentials;
       out.energy = energy(at.body, elastic_energy(at.model, out.q), out.q, nu);
     }
+    if (branch_ != Branch::iii && is_on(circle_, out.q))
+      out.round_stiffness = across_circle(at, out);
     // What turns an ellipse or makes one; elsewhere it keeps its sign.
     const bool may_turn = at.body.symmetric() || options_.parameter.kind == Kind::inertia;
     if (branch_ != Branch::iii || !may_turn) return;
@@ -240,6 +245,21 @@ class ModelFamily final : public Family<N> {
       const auto w = at.model.template evaluate<1>(x, out.q.rho);
       out.shear_stiffness = -2.0 * w.plane.w_l / x.d - centrifugal_matrix(at.body, nu)(0, 0);
     }
+  }
+
+  /// F_ss of the reduced energy F along s = ln(zeta/rho)/2, xi held; (ii): of xi and rho.
+  double across_circle(const Setting& at, const Member& here) const {
+    ++this->evaluations_.second_derivatives;
+    const auto v = potential_derivatives<2>(at.model, here.q);
+    const CentrifugalRates<double> c = axis_rates(at.body, branch_, at.nu * at.nu);
+    const int k = branch_ == Branch::i ? 2 : 1;
+    const double x = branch_ == Branch::i ? here.q.zeta : here.q.xi;
+    const double rho = here.q.rho;
+    const double pull = (branch_ == Branch::i ? c.zeta : c.xi) * x * x + c.rho * rho * rho;
+    const double stiffness = x * (x * v.hessian(k, k) + v.gradient[k]) +
+                             rho * (rho * v.hessian(3, 3) + v.gradient[3]) -
+                             2.0 * x * rho * v.hessian(k, 3) - 2.0 * pull;
+    return stiffness / (std::abs(stiffness) + 2.0 * pull);
   }
 
   CentrifugalRates<DoubleDouble> extended_rates(const Setting& at) const {
@@ -342,6 +362,7 @@ class ModelFamily final : public Family<N> {
   AxisFamilyOptions options_;
   Setting base_;
   std::optional<Problem> problem_;
+  Circle circle_;  ///< about axis 1 or 2
   double rho_ = std::numeric_limits<double>::quiet_NaN();
   DoubleDouble extended_rho_;
   double rho_bound_ = std::numeric_limits<double>::quiet_NaN();

@@ -29,13 +29,16 @@ enum class Varied { parameter, momentum };
 /// The balance near the event.
 class NearEvent {
  public:
-  NearEvent(const Problem& problem, const FamilyParameter& parameter, bool circle,
+  NearEvent(const Problem& problem, const FamilyParameter& parameter, Circle circle,
             const Member& member, Varied varied = Varied::parameter)
       : problem_(problem), parameter_(parameter), member_(member), varied_(varied) {
     const Interval around(1.0 - 2.0 * member.error_bound, 1.0 + 2.0 * member.error_bound);
-    const Stretch& q = member.q;
-    const double r = std::sqrt(q.xi * q.zeta);
-    x_ = {around * (circle ? r : q.xi), around * (circle ? r : q.zeta), around * q.rho};
+    double x[3] = {member.q.xi, member.q.zeta, member.q.rho};
+    if (circle != Circle::none) {
+      const auto [a, b, other] = places(circle);
+      x[a] = x[b] = std::sqrt(x[a] * x[b]);
+    }
+    x_ = {around * x[0], around * x[1], around * x[2]};
     p_ = around * member.parameter;
     scale_ = member.parameter != 0.0 ? std::abs(member.parameter) : 1.0;
   }
@@ -128,15 +131,30 @@ class NearEvent {
   double scale_;
 };
 
-/// Of the sheets that keep the symmetry of circles, or of all.
-std::vector<Direction> symmetric_basis(bool circle) {
-  if (!circle) return {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-  const Interval side = sqrt(Interval(0.5));
-  return {{side, side, 0.0}, {0.0, 0.0, 1.0}};
+/// Of the sheets that keep the circle. A held volume is kept by it too where rho is one of the two:
+/// off it what is left of V (held_volume.hpp) is not symmetric in rho and another stretch.
+std::vector<Direction> symmetric_basis(Circle circle, bool volume_held) {
+  if (circle == Circle::none) return {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  const CirclePlaces at = places(circle);
+  const auto a = static_cast<std::size_t>(at.first);
+  const auto b = static_cast<std::size_t>(at.second);
+  const auto other = static_cast<std::size_t>(at.other);
+  Direction along{};
+  Direction third{};
+  if (volume_held && circle != Circle::xi_zeta) {
+    along[a] = along[b] = -sqrt(Interval(1.0) / 6.0);
+    along[other] = sqrt(Interval(2.0) / 3.0);
+    return {along};
+  }
+  along[a] = along[b] = sqrt(Interval(0.5));
+  third[other] = 1.0;
+  return {along, third};
 }
 
-std::optional<NormalForm> at_fold(const NearEvent& event, bool circle) {
-  const std::vector<Direction> basis = symmetric_basis(circle);
+std::optional<NormalForm> at_fold(const NearEvent& event, Circle circle) {
+  // One direction alone is singular by itself; all three are so too.
+  if (event.volume_held() && circle != Circle::xi_zeta) circle = Circle::none;
+  const std::vector<Direction> basis = symmetric_basis(circle, event.volume_held());
   const auto parts = null_vector(event.stiffness(basis));
   if (!parts) return std::nullopt;
   Direction v{};
@@ -159,11 +177,14 @@ std::optional<NormalForm> at_breaking(const NearEvent& event, const Interval& vv
   return breaking_form(F, event.stiffness(basis), along);
 }
 
-std::optional<NormalForm> at_ellipse(const NearEvent& event) {
-  const Direction v{1.0, -1.0, 0.0};
+std::optional<NormalForm> at_ellipse(const NearEvent& event, Circle circle) {
+  const CirclePlaces at = places(circle);
+  Direction v{};
+  v[static_cast<std::size_t>(at.first)] = 1.0;
+  v[static_cast<std::size_t>(at.second)] = -1.0;
   const std::array<T, 3> g = event.gradient(v, 0.0);
   return at_breaking(event, dot(v, of_order(g, 3)), of_order(g, 2), dot(v, event.mixed(v)),
-                     symmetric_basis(true));
+                     symmetric_basis(circle, event.volume_held()));
 }
 
 std::optional<NormalForm> at_tilt(const NearEvent& event, Branch branch, const Member& member) {
@@ -185,32 +206,38 @@ std::optional<NormalForm> at_tilt(const NearEvent& event, Branch branch, const M
   slope[other] = 2.0 * m_other.value;
   // Along a held volume rho follows xi and zeta.
   if (event.volume_held()) slope = {slope[0] - slope[2], slope[1] - slope[2], Interval(0.0)};
-  return at_breaking(event, Interval(0.0), slope, m_other[1] - m_own[1], symmetric_basis(false));
+  return at_breaking(event, Interval(0.0), slope, m_other[1] - m_own[1],
+                     symmetric_basis(Circle::none, event.volume_held()));
 }
 
 }  // namespace
 
 std::optional<NormalForm> normal_form(const Problem& problem, const FamilyParameter& parameter,
-                                      bool circle, EventType type, const Member& member) {
+                                      Circle circle, EventType type, const Member& member) {
   constexpr double least_known = 1e-6;
   if (!(member.error_bound < least_known) || !std::isfinite(member.parameter) || member.nu == 0.0)
     return std::nullopt;
   if (!problem.potential().is_isotropic())
     return oriented_normal_form(problem, parameter, type, member);
+  // rho itself follows a volume that is varied: not worked out.
+  const bool volume_varies = varies(parameter, FamilyParameter::Kind::plane,
+                                    static_cast<int>(BodyModel<>::volume_place)) &&
+                             problem.potential().holds_volume();
   switch (type) {
     case EventType::fold_nu:
+    case EventType::fold_parameter:
       return at_fold({problem, parameter, circle, member}, circle);
     case EventType::fold_momentum:
       if (problem.potential().holds_volume()) return std::nullopt;  // not worked out
       return at_fold({problem, parameter, circle, member, Varied::momentum}, circle);
     case EventType::ellipse:
-      return at_ellipse({problem, parameter, true, member});
+      return at_ellipse({problem, parameter, Circle::xi_zeta, member}, Circle::xi_zeta);
+    case EventType::ellipse_23:
+    case EventType::ellipse_13:
+      if (volume_varies) return std::nullopt;
+      return at_ellipse({problem, parameter, broken_circle(type), member}, broken_circle(type));
     case EventType::tilt:
-      // rho itself follows the volume that is varied: not worked out.
-      if (varies(parameter, FamilyParameter::Kind::plane,
-                 static_cast<int>(BodyModel<>::volume_place)) &&
-          problem.potential().holds_volume())
-        return std::nullopt;
+      if (volume_varies) return std::nullopt;
       return at_tilt({problem, parameter, circle, member}, problem.branch(), member);
     default:
       return std::nullopt;

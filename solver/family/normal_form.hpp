@@ -2,10 +2,10 @@
 // reduced energy of a spin about a material axis, F_i = G_i its gradient in x = ln (xi, zeta, rho),
 // p the family's parameter; v the direction that is singular at the event, K the Hessian across it.
 //
-//   fold-nu        v unit, K v = 0:  p - p0 = -F_vvv s^2/(2 F_vp),  s the length along v;
+//   a fold         v unit, K v = 0:  p - p0 = -F_vvv s^2/(2 F_vp),  s the length along v;
 //                  v points where F_vp < 0, and the coefficient is F_vvv
 //   fold-momentum  the same of V + |pi|^2/(2 I), I the locked inertia about the axis, and p = |pi|
-//   ellipse        v = (1, -1, 0), s = ln(xi/zeta)/2
+//   ellipse        v = (1, -1, 0), s = ln(xi/zeta)/2; ellipse-23, ellipse-13: of zeta and rho, xi and rho
 //   tilt           v the angle s from the axis of the spin to that it tilts to:
 //                  F_ss = -nu^2 (I_b - I_a), and F_ssss = 0 at the event
 //   shear, oblique of anisotropic bodies (oriented_normal_form.cpp)
@@ -23,6 +23,7 @@
 #include <optional>
 #include <string_view>
 
+#include "lib/body/circle.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"
@@ -42,9 +43,9 @@ struct NormalForm {
 };
 
 /// Of the event of this type at a located member of problem's family in a parameter, problem and nu
-/// those at the event; circle: of the family of circles (J1 = J2 in (iii)). Nothing where the event
-/// is of another type, the error leaves a sign open, or, at `fold-momentum`, the volume is held.
+/// those at the event; circle: that the family keeps. Nothing where the event is of another type,
+/// the error leaves a sign open, or, at `fold-momentum`, the volume is held.
 std::optional<NormalForm> normal_form(const Problem& problem, const FamilyParameter& parameter,
-                                      bool circle, EventType type, const Member& member);
+                                      Circle circle, EventType type, const Member& member);
 
 }  // namespace stationary

@@ -27,6 +27,7 @@ std::optional<TiltedEventSystem::Kind> vanishing_at(EventType type, const Member
   using Kind = TiltedEventSystem::Kind;
   switch (type) {
     case EventType::fold_nu:
+    case EventType::fold_parameter:
       return Kind::fold;
     case EventType::fold_momentum:
       return Kind::momentum;

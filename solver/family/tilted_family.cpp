@@ -65,7 +65,7 @@ class TiltedFamily final : public Family<2> {
     return 0x1p-53 * at.input_sensitivity(x) / at.linearize(x).magnitude;
   }
 
-  std::optional<ExtendedEvent<2>> event_at(EventType type, bool,
+  std::optional<ExtendedEvent<2>> event_at(EventType type, Circle,
                                            const Member& near) const override {
     const auto kind = vanishing_at(type, near);
     if (!kind) return std::nullopt;
@@ -163,7 +163,7 @@ std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& pote
 }
 
 std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, double nu) {
-  const Curve<2> curve(family, nu, false);
+  const Curve<2> curve(family, nu, Circle::none);
   const Corrected<2> at = start_of(curve, unknowns<2>(q), nu);
   if (at.status != CorrectorStatus::converged) return std::nullopt;
   for (const double step : {1e-3, -1e-3, 1e-5, -1e-5}) {

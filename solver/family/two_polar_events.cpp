@@ -32,7 +32,7 @@ void set_tests(const Member& member, const TestContext& context, TestValues& out
   const auto& momenta = member.two_polar->momenta;
   const Vector3<double> m = second_moments(member.body, member.q);
   out.value[TestValues::momentum] = none;
-  if (context.circle) {
+  if (context.circle != Circle::none) {
     const double pull = 2.0 * member.body.J1 * member.nu * member.nu;
     out.value[TestValues::ellipse] =
         member.shear_stiffness / (std::abs(member.shear_stiffness) + pull);
@@ -63,7 +63,7 @@ KindEvents two_polar_events() {
   KindEvents out = axis_events();
   out.set = set_tests;
   out.may_collide = [](Block block, const TestContext& context) {
-    return context.circle && axis_events().may_collide(block, context);
+    return context.circle != Circle::none && axis_events().may_collide(block, context);
   };
   out.turn = EventType::ellipse;
   out.circle_on_own_leaf = true;
@@ -77,6 +77,7 @@ std::optional<TwoPolarVanishing> vanishing_at(EventType type, bool circle, const
   const double s3 = near.two_polar->momenta.s3;
   switch (type) {
     case EventType::fold_nu:
+    case EventType::fold_parameter:
       return TwoPolarVanishing::fold;
     case EventType::fold_momentum:
       return near.two_polar->by_momenta ? TwoPolarVanishing::fold

@@ -35,6 +35,7 @@ class TwoPolarFamily final
   Branch branch() const override { return Branch::iii; }
   KindEvents events() const override { return two_polar_events(); }
   bool along_nu() const override { return false; }
+  bool turns_in_nu() const override { return parameter_.kind == FamilyParameter::Kind::nu; }
   bool material_symmetry() const override { return true; }
 
   std::vector<ConditionValue> conditions(const ReducedVector<N>& x, double p) const override {
@@ -104,8 +105,9 @@ class TwoPolarFamily final
     }
   }
 
-  std::optional<ExtendedEvent<N>> event_at(EventType type, bool circle,
+  std::optional<ExtendedEvent<N>> event_at(EventType type, Circle section,
                                            const Member& near) const override {
+    const bool circle = section != Circle::none;
     const auto what = vanishing_at(type, circle, near);
     if (!what || near.parameter == 0.0) return std::nullopt;
     const auto& [xi, zeta, rho] = std::tie(near.q.xi, near.q.zeta, near.q.rho);

@@ -1,5 +1,6 @@
 #include "solver/kind/axis_kind.hpp"
 
+#include "solver/motion/body_circle.hpp"
 #include "solver/solve/nonexistence.hpp"
 #include "solver/solve/stability.hpp"
 
@@ -21,7 +22,8 @@ PlanItem oriented_spectrum_plan(const AnisotropicPotential& V, double nu) {
 /// Of a body whose volume is held: a mode less.
 PlanItem held_volume_plan(const AxisRotation& motion) {
   constexpr const char* why =
-      "alpha = 0 and det S held: rho's velocity is that of xi and zeta, the leaf has two dimensions "
+      "alpha = 0 and det S held: rho's velocity is that of xi and zeta, the leaf has two "
+      "dimensions "
       "less";
   if (motion.nu == 0.0) return {"spectrum", "3 modes from 1 block: alpha, xi, zeta (3)", why};
   switch (motion.branch) {
@@ -117,17 +119,24 @@ class AxisKind final : public Kind {
   std::optional<EventEnclosure> enclose_event(const FamilyParameter& parameter, EventType event,
                                               const Member& member) const override {
     if (!potential().is_isotropic() || !has_enclosure(event)) return std::nullopt;
-    const bool circle = event == EventType::ellipse || is_circle(member);
-    return stationary::enclose_event(problem_, parameter, circle, event, member);
+    return stationary::enclose_event(problem_, parameter, circle_with(event, parameter, member),
+                                     event, member);
   }
   std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
                                         const Member& member) const override {
-    return stationary::normal_form(problem_, parameter, is_circle(member), event, member);
+    return stationary::normal_form(problem_, parameter, circle_with(event, parameter, member),
+                                   event, member);
   }
 
  private:
-  bool is_circle(const Member& member) const {
-    return mirror_symmetric(problem_, member.nu) && member.q.xi == member.q.zeta;
+  /// The circle that the member's sheet keeps; at its end, the one that it breaks there.
+  Circle circle_with(EventType event, const FamilyParameter& parameter,
+                     const Member& member) const {
+    if (const Circle broken = broken_circle(event); broken != Circle::none) return broken;
+    if (mirror_symmetric(problem_, member.nu) && member.q.xi == member.q.zeta)
+      return Circle::xi_zeta;
+    const Circle circle = circle_of(problem_, parameter);
+    return is_on(circle, member.q) ? circle : Circle::none;
   }
 
   AxisRotation motion_;

@@ -45,6 +45,14 @@ class TwoPolarKind final : public Kind {
              "xi = lambda, zeta = mu at theta = 0"}};
   }
   PlanItem spectrum_plan() const override {
+    if (potential().holds_volume()) {
+      return {
+          "spectrum",
+          "3 modes from 2 blocks: lambda, mu (2) and the wobble of axis 3 (1, none where s3 = 0); "
+          "on the circle lambda = mu the 4 modes of branch (iii)",
+          "alpha = 0 and det S held: reflections split the 6-dimensional leaf of fixed |pi| and "
+          "p_theta"};
+    }
     return {"spectrum",
             "4 modes from 2 blocks: lambda, mu, rho (3) and the wobble of axis 3 (1, none where "
             "s3 = 0); on the circle lambda = mu the 5 modes of branch (iii)",

@@ -105,17 +105,21 @@ void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
 void set_axis_tests(const Member& member, const TestContext& context, TestValues& out) {
   const Body& J = member.body;
   const Vector3<double> m = second_moments(J, member.q);
-  out.value[TestValues::inertia_13] = relative_difference(m[2], m[0]);
-  if (!context.circle) {  // there the axes 1 and 2 are alike
+  // On a circle two axes are alike: of equal inertias, and equal to the third at once.
+  if (context.circle != Circle::xi_rho)
+    out.value[TestValues::inertia_13] = relative_difference(m[2], m[0]);
+  if (context.circle == Circle::none)
     out.value[TestValues::inertia_12] = relative_difference(m[1], m[0]);
+  if (context.circle == Circle::none || context.circle == Circle::xi_rho)
     out.value[TestValues::inertia_23] = relative_difference(m[2], m[1]);
-  }
+  if (context.circle != Circle::none && context.circle != Circle::xi_zeta)
+    out.value[TestValues::ellipse] = member.round_stiffness;
   if (!std::isnan(member.turn)) {
     out.value[TestValues::turn] = member.turn;
   } else if (context.branch == Branch::iii) {
     const double pull = (J.J1 + J.J2) * member.nu * member.nu;  // of alpha
     const double shear = member.shear_stiffness / (std::abs(member.shear_stiffness) + 2.0 * pull);
-    if (context.circle) {
+    if (context.circle == Circle::xi_zeta) {
       out.value[TestValues::ellipse] = shear;
     } else if (!context.material_symmetry) {
       out.value[TestValues::turn] = shear;
@@ -129,7 +133,7 @@ void set_axis_tests(const Member& member, const TestContext& context, TestValues
 bool axis_may_collide(Block block, const TestContext& context) {
   if (block == Block::shear) return true;
   return block == (context.branch == Branch::iii ? Block::even : Block::odd) &&
-         !(context.circle && block == Block::even);
+         !(context.circle == Circle::xi_zeta && block == Block::even);
 }
 
 }  // namespace
@@ -147,7 +151,7 @@ KindEvents axis_events() {
 
 EventSet TestContext::sought_for(EventSet asked) {
   if (asked.has(EventType::krein_pass) || asked.has(EventType::unexplained)) return {};
-  return asked.add(EventType::fold_nu).add(EventType::tilt);
+  return asked.add(EventType::fold_nu).add(EventType::fold_parameter).add(EventType::tilt);
 }
 
 bool TestContext::seeks(std::size_t function) const {
@@ -186,7 +190,7 @@ TestValues test_values(const Member& member, const TestContext& context, double 
 EventType event_type(std::size_t k, const TestContext& context, const TestValues& at) {
   switch (k) {
     case TestValues::fold:
-      return EventType::fold_nu;
+      return context.along_nu ? EventType::fold_nu : EventType::fold_parameter;
     case TestValues::momentum:
       return EventType::fold_momentum;
     case TestValues::inertia_12:
@@ -199,7 +203,7 @@ EventType event_type(std::size_t k, const TestContext& context, const TestValues
     case TestValues::tilt_normal:
       return EventType::tilt;
     case TestValues::ellipse:
-      return EventType::ellipse;
+      return ellipse_event(context.circle);
     case TestValues::turn:
       if (context.kind.turn != EventType::none) return context.kind.turn;
       return context.branch == Branch::iii ? EventType::shear : EventType::oblique;
@@ -215,10 +219,12 @@ EventType event_type(std::size_t k, const TestContext& context, const TestValues
 int negative_change(EventType event, const TestContext& context) {
   switch (event) {
     case EventType::tilt:
-      return context.circle ? 2 : 1;  // both axes of its plane at once
+      return context.circle != Circle::none ? 2 : 1;  // both axes of its plane at once
     case EventType::fold_momentum:
     case EventType::oblique:
     case EventType::shear:
+    case EventType::ellipse_23:
+    case EventType::ellipse_13:
       return 1;
     case EventType::ellipse:
       return 2;

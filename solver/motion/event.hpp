@@ -2,11 +2,14 @@
 // I_a the locked inertia about the spin's axis a, c the kernel of [dG/d ln x  dG/dnu]):
 //
 //   fold-nu            c_nu = 0: nu turns, V_nu'' singular in the family's symmetric subspace
+//   fold-parameter     the same, of a family in any other number
 //   fold-momentum      d(I_a nu) along c = 0: |pi| turns, a zero of the spectrum's symmetric block
 //   tilt               I_a = I_b, b = 3 in (i), (ii), b = 1 or 2 in (iii); a tilted family ends
 //                      there: nu along one of its two axes is 0
 //   inertia-exchange   any other two locked inertias are equal
 //   ellipse            J1 = J2: K_alpha,alpha = 0 on the circle
+//   ellipse-23         (i), J2 = J3 and V symmetric in zeta and rho: the circle zeta = rho breaks,
+//                      F_ss = 0 along s = ln(zeta/rho)/2; ellipse-13: (ii), likewise xi = rho
 //   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2; an oblique family of an
 //                      even V ends there
 //   shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; likewise. Both, of an
@@ -19,12 +22,11 @@
 //                      infinity; where the potential ceases to be defined; the range asked for;
 //                      back at the start; given up, the metadata say why
 //
-// Of a two-polar family: fold-nu where its parameter turns at given rates; fold-momentum where it
-// turns at given momenta, or where, at given rates, the stiffness at fixed momenta is singular;
-// tilt where omega = s3/I_1 or s3/I_2; ellipse where it leaves the circle.
+// Of a two-polar family: fold-nu where a rate turns, fold-parameter where another number does at
+// given rates; fold-momentum where its parameter turns at given momenta, or where, at given rates,
+// the stiffness at fixed momenta is singular; tilt where omega = s3/I_1 or s3/I_2; ellipse where it leaves the circle.
 //
-// At a parameter other than nu the same functions are followed: a fold of the parameter is where
-// nu would turn too.
+// At a parameter other than nu the same functions are followed: where it turns nu would turn too.
 #pragma once
 
 #include <array>
@@ -47,6 +49,9 @@ enum class EventType : std::uint8_t {
   hamiltonian_hopf,
   real_collision,
   krein_pass,
+  fold_parameter,
+  ellipse_23,
+  ellipse_13,
   unexplained,
   collapse,
   escape,
@@ -55,10 +60,27 @@ enum class EventType : std::uint8_t {
   closed,
   stalled
 };
-constexpr std::string_view event_names[] = {
-    "",         "fold-nu", "fold-momentum",    "tilt",           "inertia-exchange", "ellipse",
-    "oblique",  "shear",   "hamiltonian-hopf", "real-collision", "krein-pass",       "unexplained",
-    "collapse", "escape",  "domain",           "limit",          "closed",           "stalled"};
+constexpr std::string_view event_names[] = {"",
+                                            "fold-nu",
+                                            "fold-momentum",
+                                            "tilt",
+                                            "inertia-exchange",
+                                            "ellipse",
+                                            "oblique",
+                                            "shear",
+                                            "hamiltonian-hopf",
+                                            "real-collision",
+                                            "krein-pass",
+                                            "fold-parameter",
+                                            "ellipse-23",
+                                            "ellipse-13",
+                                            "unexplained",
+                                            "collapse",
+                                            "escape",
+                                            "domain",
+                                            "limit",
+                                            "closed",
+                                            "stalled"};
 constexpr std::string_view name(EventType e) { return event_names[static_cast<int>(e)]; }
 /// Types of events; all of them unless made of some.
 class EventSet {
@@ -82,6 +104,34 @@ inline constexpr std::array spectral_events{EventType::hamiltonian_hopf, EventTy
                                             EventType::krein_pass, EventType::unexplained};
 
 constexpr bool is_end(EventType e) { return e >= EventType::collapse; }
+/// Of the parameter, whatever it is.
+constexpr bool is_fold(EventType e) {
+  return e == EventType::fold_nu || e == EventType::fold_parameter;
+}
+/// Where a circle breaks.
+constexpr EventType ellipse_event(Circle circle) {
+  switch (circle) {
+    case Circle::zeta_rho:
+      return EventType::ellipse_23;
+    case Circle::xi_rho:
+      return EventType::ellipse_13;
+    default:
+      return EventType::ellipse;
+  }
+}
+/// The circle that breaks at such an event.
+constexpr Circle broken_circle(EventType event) {
+  switch (event) {
+    case EventType::ellipse:
+      return Circle::xi_zeta;
+    case EventType::ellipse_23:
+      return Circle::zeta_rho;
+    case EventType::ellipse_13:
+      return Circle::xi_rho;
+    default:
+      return Circle::none;
+  }
+}
 
 /// The functions at one point, each of order one; NaN where it has no meaning.
 struct TestValues {
@@ -118,9 +168,10 @@ struct TestValues {
 struct TestContext {
   Branch branch;
   bool material_symmetry;
-  bool circle;
+  Circle circle = Circle::none;  ///< that the sheet keeps
   KindEvents kind = axis_events();
   EventSet sought = {};  ///< functions of no other events are evaluated or followed
+  bool along_nu = true;  ///< else what turns is another parameter
 
   /// Those to look for so that the ones asked for are found: a turn of the parameter and the end of
   /// a tilted family end a sheet; between which zeros blocks keep their signs, all of them say.

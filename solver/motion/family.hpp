@@ -17,6 +17,7 @@
 #include "lib/balance/balance.hpp"
 #include "lib/balance/two_polar.hpp"
 #include "lib/body/body.hpp"
+#include "lib/body/circle.hpp"
 #include "lib/body/stretch.hpp"
 #include "lib/material/models/tape_model.hpp"
 #include "lib/stability/spectrum.hpp"
@@ -56,6 +57,8 @@ struct Member {
   double energy = std::numeric_limits<double>::quiet_NaN();
   double pressure = std::numeric_limits<double>::quiet_NaN();         ///< of a held volume
   double shear_stiffness = std::numeric_limits<double>::quiet_NaN();  ///< (iii): K_alpha,alpha
+  /// (i), (ii), on a circle: what vanishes where it breaks, of order one.
+  double round_stiffness = std::numeric_limits<double>::quiet_NaN();
   /// Anisotropic V, alpha = 0 held: what vanishes where the ellipse or the axis turns away from the
   /// material axes, of order one: K_alpha,alpha in (iii), K_alpha,alpha (I1 - I2) - h^2 omega^2 in
   /// (i), (ii).
@@ -202,8 +205,15 @@ class Family {
   }
   /// Whether p is nu itself (else nu is held).
   virtual bool along_nu() const = 0;
+  /// Whether p is a rate or a momentum, so that its turn is fold-nu or fold-momentum.
+  virtual bool turns_in_nu() const { return along_nu(); }
   /// J1 = J2 and isotropic V at every p of the family: circles and mirror images.
   virtual bool material_symmetry() const = 0;
+
+  /// The circle that its figures may be.
+  virtual Circle circle() const {
+    return branch() == Branch::iii && material_symmetry() ? Circle::xi_zeta : Circle::none;
+  }
 
   /// The conditions under which the potential is defined, and their values; none of built-in
   /// models.
@@ -221,8 +231,7 @@ class Family {
   virtual ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const = 0;
   /// The event near a located member of this type by its own equations. Nothing where there are
   /// none or they are singular.
-  virtual std::optional<ExtendedEvent<N>> event_at(EventType, bool /*circle*/,
-                                                   const Member&) const {
+  virtual std::optional<ExtendedEvent<N>> event_at(EventType, Circle, const Member&) const {
     return std::nullopt;
   }
   /// tail: from refine_at; NaN makes the spectrum correct x once more.

@@ -34,8 +34,8 @@ bool has_enclosure(EventType type) {
   return type != EventType::none && type != EventType::unexplained && !is_end(type);
 }
 
-EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& parameter, bool circle,
-                             EventType type, const Member& member, Inputs inputs) {
+EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& parameter,
+                             Circle circle, EventType type, const Member& member, Inputs inputs) {
   EventEnclosure out;
   if (!problem.potential().is_isotropic()) {
     out.reason = "the equations of events are an isotropic potential's";
@@ -44,13 +44,14 @@ EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& para
   out.reason = "it has no equations to prove, or no spectrum was computed";
   const EventSetting setting{
       problem.body(), problem.potential(), problem.branch(), member.nu, parameter, circle, inputs};
+  const bool once = circle == Circle::xi_zeta;
   for (const SoughtEvent& what : sought_events(type, problem.branch(), member)) {
     if (what.function.spectral()) {
-      out = circle ? enclose<true, true>(setting, what, member)
-                   : enclose<false, true>(setting, what, member);
+      out = once ? enclose<true, true>(setting, what, member)
+                 : enclose<false, true>(setting, what, member);
     } else {
-      out = circle ? enclose<true, false>(setting, what, member)
-                   : enclose<false, false>(setting, what, member);
+      out = once ? enclose<true, false>(setting, what, member)
+                 : enclose<false, false>(setting, what, member);
     }
     if (out.proven) break;
   }

@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 
+#include "lib/body/circle.hpp"
 #include "lib/number/dual.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/family_parameter.hpp"
@@ -37,10 +38,10 @@ struct EventEnclosure {
 bool has_enclosure(EventType type);
 
 /// The event of this type at a located member of problem's family in a parameter; the problem is
-/// taken at the member's own parameter, with the member's nu. circle: the family is that of circles
-/// (J1 = J2 in (iii)). Inputs as in certify(); the parameter itself is an unknown.
-EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& parameter, bool circle,
-                             EventType type, const Member& member,
+/// taken at the member's own parameter, with the member's nu. circle: that the family keeps.
+/// Inputs as in certify(); the parameter itself is an unknown.
+EventEnclosure enclose_event(const Problem& problem, const FamilyParameter& parameter,
+                             Circle circle, EventType type, const Member& member,
                              Inputs inputs = Inputs::decimals);
 
 template <int N>
@@ -56,7 +57,7 @@ LogBalance<BoxDual<N>> elastic_over(const Potential& potential, const FamilyPara
 /// The event of this type near a located member by the same equations, in extended precision: x is
 /// (xi, zeta, rho). Nothing where they are singular or are not known.
 std::optional<ExtendedEvent<3>> extended_event(const Problem& problem,
-                                               const FamilyParameter& parameter, bool circle,
+                                               const FamilyParameter& parameter, Circle circle,
                                                EventType type, const Member& member);
 
 }  // namespace stationary

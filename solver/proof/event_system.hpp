@@ -1,6 +1,7 @@
 // The equations of an event (event_enclosure.hpp) in all its unknowns,
 //
-//   y = (xi, zeta, rho, p[, Lambda]),  on the circle xi = zeta once,
+//   y = (xi, zeta, rho, p[, Lambda]),  on the circle xi = zeta once; on the others the equation
+//                                      of one of the equal two is that they are equal,
 //
 // in any number type: extended precision for the event itself, numbers with their conditioning for
 // the size of its terms, dual numbers over intervals for a proof. The stiffnesses the polynomials
@@ -13,6 +14,7 @@
 #include <optional>
 #include <vector>
 
+#include "lib/body/circle.hpp"
 #include "lib/number/dual.hpp"
 #include "lib/stability/held_linearization.hpp"
 #include "lib/stability/linearization.hpp"
@@ -32,7 +34,7 @@ struct EventFunction {
     fold,       ///< det dG/d ln x
     momentum,   ///< det of that bordered by dG/d ln nu and d ln (I_a nu)
     inertia,    ///< J_a x_a^2 - J_b x_b^2
-    ellipse,    ///< the circle's dG along (1, -1)
+    ellipse,    ///< the circle's dG along the difference of its two stretches
     turn,       ///< J1 - J2: of isotropic V, what K_aa (I1 - I2) = h^2 omega^2 and K_aa = 0 come to
     collision,  ///< P and P' of `first`
     crossing    ///< P of `first` and of `second`
@@ -59,9 +61,14 @@ struct EventSetting {
   Branch branch;
   double nu;
   FamilyParameter parameter;
-  bool circle;
+  Circle circle;
   Inputs inputs;
   std::optional<Held> held{};
+
+  /// The number of J: the two of a circle are equal, whatever decimals they are.
+  int inertia_index(int index) const {
+    return circle != Circle::none && index == places(circle).second ? places(circle).first : index;
+  }
 };
 
 /// circle: 2 stretches instead of 3; spectral: Lambda among the unknowns. Input: what a number of
@@ -84,6 +91,10 @@ class EventEquations {
     out[k++] = s.balance.g_xi;
     if constexpr (!circle) out[k++] = s.balance.g_zeta;
     out[k++] = s.balance.g_rho;
+    if constexpr (!circle) {
+      if (setting_->circle == Circle::zeta_rho) out[1] = s.zeta - s.rho;
+      if (setting_->circle == Circle::xi_rho) out[0] = s.xi - s.rho;
+    }
     if constexpr (spectral) {
       const T& Lambda = y[dimension - 1];
       const AtRoot first = characteristic(s, function_.first, Lambda);
@@ -115,16 +126,18 @@ class EventEquations {
     const auto input = [&](double value, Kind kind, int index) {
       const InputPlace place = input_place(at.potential, kind, index);
       kind = place.kind;
-      index = circle && kind == Kind::inertia && place.index == 1 ? 0 : place.index;
+      index = kind == Kind::inertia ? at.inertia_index(place.index) : place.index;
       if (varies(at.parameter, kind, index)) return y[stretches];
       const bool held = at.held && varies(at.held->number, kind, index);
       return number(held ? at.held->value : value, kind, index);
     };
     const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
     State s;
-    s.J.J1 = input(J[0], Kind::inertia, 0);
-    s.J.J2 = circle ? s.J.J1 : input(J[1], Kind::inertia, 1);  // equal, whatever decimals they are
-    s.J.J3 = input(J[2], Kind::inertia, 2);
+    const auto inertia = [&](int k) {
+      const int own = at.inertia_index(k);
+      return input(J[own], Kind::inertia, own);
+    };
+    s.J = {inertia(0), inertia(1), inertia(2)};
     s.nu = input(at.nu, Kind::nu, 0);
     s.xi = y[0];
     s.zeta = circle ? s.xi : y[1];
@@ -149,13 +162,24 @@ class EventEquations {
       case EventFunction::Kind::inertia:
         return moment(s, function_.a) - moment(s, function_.b);
       case EventFunction::Kind::ellipse:
-        return s.balance.uu - s.balance.uv;
+        return across_circle(s.balance);
       case EventFunction::Kind::turn:
         return s.J.J1 - s.J.J2;
       case EventFunction::Kind::momentum:
         return turning_momentum(s);
       default:
         return determinant(stiffness(s));
+    }
+  }
+
+  T across_circle(const LogBalance<T>& b) const {
+    switch (setting_->circle) {
+      case Circle::zeta_rho:
+        return b.vv - 2.0 * b.vw + b.ww;
+      case Circle::xi_rho:
+        return b.uu - 2.0 * b.uw + b.ww;
+      default:
+        return b.uu - b.uv;
     }
   }
 
@@ -359,7 +383,7 @@ class ExtendedEventSystem {
       if (!varies(setting.parameter, kind, index)) inputs_.push_back({kind, index});
     };
     for (const int k : {0, 1, 2})
-      if (!circle || k != 1) add(Kind::inertia, k);
+      if (setting.inertia_index(k) == k) add(Kind::inertia, k);
     add(Kind::nu, 0);
   }
 

@@ -91,10 +91,12 @@ bool is_near(const ExtendedRoot<all>& found, const Member& located) {
 std::unique_ptr<ExtendedEventEquations> extended_event_equations(const EventSetting& setting,
                                                                  const EventFunction& function) {
   if (function.spectral()) {
-    if (setting.circle) return std::make_unique<EquationsOf<true, true>>(setting, function);
+    if (setting.circle == Circle::xi_zeta)
+      return std::make_unique<EquationsOf<true, true>>(setting, function);
     return std::make_unique<EquationsOf<false, true>>(setting, function);
   }
-  if (setting.circle) return std::make_unique<EquationsOf<true, false>>(setting, function);
+  if (setting.circle == Circle::xi_zeta)
+    return std::make_unique<EquationsOf<true, false>>(setting, function);
   return std::make_unique<EquationsOf<false, false>>(setting, function);
 }
 
@@ -105,7 +107,7 @@ ExtendedVector<all> event_unknowns(const Member& member, const SoughtEvent& what
 }
 
 std::optional<ExtendedEvent<3>> extended_event(const Problem& problem,
-                                               const FamilyParameter& parameter, bool circle,
+                                               const FamilyParameter& parameter, Circle circle,
                                                EventType type, const Member& member) {
   if (member.parameter == 0.0) return std::nullopt;
   const EventSetting setting{problem.body(), problem.potential(), problem.branch(),

@@ -70,10 +70,13 @@ std::vector<SoughtEvent> sought_events(EventType type, Branch branch, const Memb
   };
   switch (type) {
     case EventType::fold_nu:
+    case EventType::fold_parameter:
       return plain(EventFunction::Kind::fold);
     case EventType::fold_momentum:
       return plain(EventFunction::Kind::momentum);
     case EventType::ellipse:
+    case EventType::ellipse_23:
+    case EventType::ellipse_13:
       return plain(EventFunction::Kind::ellipse);
     case EventType::oblique:
     case EventType::shear:

@@ -28,10 +28,13 @@ class ReducedSolve {
  public:
   static constexpr int N = System::dimension;
 
-  /// rest: the rest state's stretches, to double precision. nu only labels messages.
+  /// rest: the rest state's stretches, to double precision. nu only labels messages. circle: that
+  /// the figures may be.
   ReducedSolve(const System& system, const ReducedVector<N>& rest, double nu,
-               const SolveOptions& options, Counts& counts)
-      : system_(system), rest_(rest), nu_(nu), options_(options), counts_(counts) {}
+               const SolveOptions& options, Counts& counts, Circle circle = Circle::none)
+      : system_(system), rest_(rest), nu_(nu), options_(options), counts_(counts) {
+    walk_.circle = circle;
+  }
 
   ReducedAnswer<N> run(const std::optional<ReducedVector<N>>& start) {
     switch (options_.method) {
@@ -120,7 +123,7 @@ class ReducedSolve {
 
   ReducedAnswer<N> from_rest() {
     ReducedAnswer<N> out;
-    RestWalk<System> walk(system_, rest_, WalkOptions{});
+    RestWalk<System> walk(system_, rest_, walk_);
     const WalkResult<N> walked = walk.run(options_.stop);
     counts_.walk_steps += walked.steps;
     if (walked.end == WalkEnd::interrupted) {
@@ -234,6 +237,7 @@ class ReducedSolve {
   double nu_;
   const SolveOptions& options_;
   Counts& counts_;
+  WalkOptions walk_;
 };
 
 }  // namespace stationary

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "solver/motion/body_circle.hpp"
 #include "solver/motion/vertical_branch.hpp"
 #include "solver/newton/thickness_balance.hpp"
 #include "solver/search/search.hpp"
@@ -75,8 +76,10 @@ void solve_model(const Coupled& model, const Problem& problem, double nu,
   if (options.start) {
     start = ReducedVector<3>(options.start->xi, options.start->zeta, options.start->rho);
   }
+  const Circle circle = options.start ? Circle::none : circle_of(problem);
   const auto answer =
-      ReducedSolve<CoupledSystem<Coupled>>(system, rest, nu, options, out.counts).run(start);
+      ReducedSolve<CoupledSystem<Coupled>>(system, rest, nu, options, out.counts, circle)
+          .run(start);
   adopt(answer, out);
   if (answer.status == SolveStatus::solved) out.q = {0.0, answer.x[0], answer.x[1], answer.x[2]};
 }

@@ -330,7 +330,7 @@ TEST(WholeBody, EventsOfReferences) {
     const std::string& branch = row.at("branch");
     const std::string& event = row.at("event");
     const auto elastic = described(row);
-    // ellipse-23 has no event of its own here, and at rest nothing is followed in nu.
+    // ellipse-23 is in round_figure_test.cpp; at rest nothing is followed in nu.
     if (!elastic || event == "ellipse-23" || branch == "rest" || branch == "two-polar") continue;
     const double nu = number(row.at("nu"));
     std::ostringstream rest;
@@ -500,7 +500,9 @@ TEST(WholeBody, WrongInputIsRefusedByName) {
       {body + "volume = 1\n[gravity]\ng = 4\npi_G_rho = 1\n" + motion, "g or pi_G_rho"},
       {body + "volume = 1\n[gravity]\n" + motion, "g or pi_G_rho"},
       {body + "[potential]\n" + plane + motion, "thickness"},
-      {"[body]\nJ = [1, 2, 1]\nvolume = 1\n[gravity]\ng = 4\n" + motion, "J1 = J2"},
+      {"[body]\nJ = [1, 2, 1]\nvolume = 1\n[gravity]\ng = 4\n" + motion +
+           "[continuation]\nparameter = \"body.J.0\"\nfrom = 0.5\nto = 1\n",
+       "J1 = J2"},
       {body + "volume = 1\n[potential]\n" + plane + thickness +
            "fibre = { k = 0.4, degrees = 30 }\n" + motion,
        "fibres"},

@@ -58,7 +58,7 @@ std::vector<EventFunction> functions_of(EventType type, Branch branch) {
 std::array<Number50, 4> event_50(const Problem& problem, const EventFunction& function,
                                  const Member& at) {
   const EventSetting setting{problem.body(), problem.potential(), problem.branch(), at.nu, {},
-                             false,          Inputs::doubles};
+                             Circle::none,   Inputs::doubles};
   const EventEquations<false, false, Number50> equations(setting, function);
   const auto values = [&](const std::array<Number50, 4>& y) {
     return equations.values(y, [](double x, FamilyParameter::Kind, int) { return Number50(x); });

@@ -34,7 +34,7 @@ std::vector<double> interpolation_errors(const Family<N>& family,
     s.push_back(y.empty() ? 0.0 : s.back() + (at - y.back()).norm());
     y.push_back(at);
   }
-  const Corrector<N> corrector(family, scale, false);
+  const Corrector<N> corrector(family, scale, Circle::none);
   std::vector<double> out;
   for (std::size_t k = 1; k + 2 < y.size(); ++k) {
     const double u = 0.5 * (s[k] + s[k + 1]);

@@ -263,21 +263,44 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
 /// What is built for a body with gravity or a held volume.
 void require_whole_body(const CaseTree& tree, const FamilyParameters& family) {
   if (!is_whole_body(family.models)) return;
-  const bool held = std::ranges::find(family.models, "volume", &ModelChoice::slot) !=
-                    family.models.end();
+  const bool held =
+      std::ranges::find(family.models, "volume", &ModelChoice::slot) != family.models.end();
   if (held && std::holds_alternative<TiltedMotion>(family.motion))
     throw fault_at(tree, "motion.branch", "found the string \"tilted\" with a held volume",
                    "one of \"i\", \"ii\", \"iii\", \"two-polar\"",
                    "tilted motions of a held volume are not built");
-  const bool fluid = std::ranges::all_of(family.models, [](const ModelChoice& each) {
-    return each.description.kind == ModelDescription::Kind::whole;
-  });
-  if (fluid && !family.body.symmetric())
-    throw fault_at(tree, "body.J",
-                   fmt::format("found J1 = {}, J2 = {}", family.body.J1, family.body.J2),
-                   "J1 = J2 of a fluid",
-                   "its J is a choice of material coordinates: S sqrt(J) with J = [1, 1, 1] and "
-                   "volume sqrt(J1 J2 J3) times as large is the same motion");
+}
+
+/// Whether one of J varies.
+bool follows_inertia(const std::optional<Case::Continuation>& continuation,
+                     const std::optional<CaseMap>& map, const std::optional<CaseCurve>& curve) {
+  const auto is_inertia = [](std::string_view key) {
+    return key.find("body.J.") != std::string_view::npos;
+  };
+  if (continuation && is_inertia(continuation->parameter)) return true;
+  if (curve && std::ranges::any_of(curve->parameters, is_inertia)) return true;
+  return map && std::ranges::any_of(
+                    map->axes(), [&](const MapAxis* axis) { return is_inertia(axis->parameter); });
+}
+
+/// Whether S is told in other coordinates than the body's that is computed.
+bool is_told_in_others(const CaseTree& tree, const Body& body, const Potential& potential,
+                       bool inertia_varies) {
+  if ((body.J1 == body.J2 && body.J2 == body.J3) || !is_fluid(potential)) return false;
+  if (inertia_varies && !body.symmetric())
+    throw fault_at(tree, "body.J", fmt::format("found J1 = {}, J2 = {}", body.J1, body.J2),
+                   "J1 = J2 of a fluid whose J is followed",
+                   "its J is a choice of material coordinates: S sqrt(J) is the same motion");
+  return !inertia_varies;
+}
+
+/// In the coordinates of the body that is computed.
+Case::Solve computed_in(const MaterialCoordinates& coordinates, Case::Solve solve) {
+  if (solve.start) solve.start = coordinates.computed(*solve.start);
+  if (solve.box)
+    for (std::size_t k = 0; k < 3; ++k)
+      (*solve.box)[k] = (*solve.box)[k] / Interval(coordinates.unit[k]);
+  return solve;
 }
 
 /// A formula whose second derivatives, products of three of which are formed, can be computed with.
@@ -374,27 +397,37 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
       family.reset();
     }
   }
-  const Case::Solve solve = read_solve(tree, motion, models, faults);
+  Case::Solve solve = read_solve(tree, motion, models, faults);
   const auto continuation = read_continuation(tree, family, faults);
   const auto map = read_map(tree, family ? &*family : nullptr, faults);
   const auto curve = read_curve(tree, family ? &*family : nullptr, faults);
   const Case::Atlas atlas = read_atlas(tree, faults);
   const Case::Output output = read_output(tree, faults);
   std::optional<Potential> potential;
+  MaterialCoordinates coordinates;
+  std::optional<Body> computed = body;
   if (family) {
     faults.collect([&] {
       require_whole_body(tree, *family);
       potential = make_potential(*models, *body);
       require_scale(tree, *models, *potential);
+      if (!is_told_in_others(tree, *body, *potential, follows_inertia(continuation, map, curve)))
+        return;
+      coordinates = coordinates_of(*body);
+      computed = round_body(*body);
+      potential = make_potential(*models, *computed);
+      solve = computed_in(coordinates, std::move(solve));
     });
   }
   faults.raise();
   return {.title = value_or<std::string>(tree, "title", ""),
-          .body = *body,
+          .own_body = *body,
+          .body = *computed,
           .models = *models,
           .potential = std::move(*potential),
           .motion = *motion,
-          .solve = solve,
+          .coordinates = coordinates,
+          .solve = std::move(solve),
           .continuation = continuation,
           .map = map,
           .curve = curve,

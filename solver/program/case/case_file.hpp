@@ -18,6 +18,7 @@
 
 #include "lib/body/body.hpp"
 #include "lib/body/motion.hpp"
+#include "lib/material/material_coordinates.hpp"
 #include "lib/material/potential.hpp"
 #include "lib/number/interval.hpp"
 #include "solver/motion/event.hpp"
@@ -63,11 +64,13 @@ struct Case {
   };
 
   std::string title;
-  Body body;
+  Body own_body;  ///< as it is written
+  Body body;      ///< the same, or of a fluid that in whose coordinates its J are equal
   std::vector<ModelChoice> models;  ///< plane and thickness, or coupled; then fibres
   Potential potential;              ///< made of `models`
   Motion motion;
-  Solve solve;
+  MaterialCoordinates coordinates;  ///< of S of own_body
+  Solve solve;                      ///< start and box in those of `body`
   std::optional<Continuation> continuation;
   std::optional<CaseMap> map;
   std::optional<CaseCurve> curve;

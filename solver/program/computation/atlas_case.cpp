@@ -209,7 +209,8 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   RowSink* const table = target != nullptr ? &target->open(columns) : nullptr;
   std::vector<SheetRecord> records;
   const CurveProofs proofs =
-      write_sheets({input.body, input.potential, input.output.certificate}, found, table, records);
+      write_sheets({input.body, input.potential, input.output.certificate, input.coordinates},
+                   found, table, records);
   const std::vector<LeastEnergyPiece> least = least_energy(found.sheets, how.search);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -108,7 +108,8 @@ class Grid {
           input_.map->cell({input_.body, input_.models, input_.motion}, x, y);
       AtlasOptions how = how_;
       how.stop = how.search.stop = stop;
-      found = atlas_answer({at.body, make_potential(at.models, at.body), input_.output.certificate},
+      found = atlas_answer({at.body, make_potential(at.models, at.body), input_.output.certificate,
+                            input_.coordinates},
                            how, with_tables_ ? &sink : nullptr);
     } catch (const std::bad_alloc&) {
       throw;

@@ -23,9 +23,10 @@ std::string start_text(const Case& input) {
   const auto& start = input.solve.start;
   if (!start)
     return std::string(kind_of(input.body, input.potential, input.motion)->default_start());
+  const Stretch told = input.coordinates.told(*start);
   return fmt::format("(alpha, {}, rho) = ({}, {}, {}, {})",
-                     has_rates(input.motion) ? "lambda, mu" : "xi, zeta", start->alpha, start->xi,
-                     start->zeta, start->rho);
+                     has_rates(input.motion) ? "lambda, mu" : "xi, zeta", told.alpha, told.xi,
+                     told.zeta, told.rho);
 }
 
 const char* symmetry_text(const Potential& potential) {
@@ -47,8 +48,12 @@ std::string check_case(const Case& input) {
   for (const auto& [key, option] : input.source.overrides())
     out.line("override", fmt::format("{} by {}", key, printable(option)));
   out.gap();
-  out.line("body", fmt::format("J = ({}, {}, {}){}", input.body.J1, input.body.J2, input.body.J3,
-                               input.body.symmetric() ? ", J1 = J2" : ""));
+  out.line("body", fmt::format("J = ({}, {}, {}){}", input.own_body.J1, input.own_body.J2,
+                               input.own_body.J3, input.own_body.symmetric() ? ", J1 = J2" : ""));
+  if (!input.coordinates.are_own())
+    out.line("", fmt::format("computed as J = ({0}, {0}, {0}): of a fluid J is a choice of "
+                             "coordinates; S is told in those of its own",
+                             input.body.J1));
   for (const ModelChoice& model : input.models) {
     out.line(model.slot, fmt::format("{}: {}", model.description.name, coefficients_text(model)));
     out.line("", model.description.formula);
@@ -57,10 +62,12 @@ std::string check_case(const Case& input) {
   out.line("potential",
            fmt::format("{}, {}", input.potential.is_separable() ? "separable" : "coupled",
                        symmetry_text(input.potential)));
-  if (const BodyModel<>* body = input.potential.body_model()) {
-    if (body->elastic.is_fluid())
-      out.line("", "a fluid: material rotations are a symmetry, Jacobi's ellipsoids have a zero mode");
-    out.line("", "of a free body: the modes of alpha, xi, zeta and rho in (iii) and two-polar motions");
+  if (input.potential.body_model() != nullptr) {
+    if (is_fluid(input.potential))
+      out.line("",
+               "a fluid: material rotations are a symmetry, Jacobi's ellipsoids have a zero mode");
+    out.line("",
+             "of a free body: the modes of alpha, xi, zeta and rho in (iii) and two-polar motions");
     out.line("", "of the Kirchhoff-Love body alone: the wobble, and every class in (i) and (ii)");
   }
   out.line("motion", motion_text(input.motion));

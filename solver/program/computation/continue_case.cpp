@@ -188,6 +188,7 @@ Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* 
     table = &target->open(columns, trailing_columns);
   }
   CurveTable rows(input.branch_name(), table);
+  rows.in_coordinates(input.coordinates);
   ask_kinds(input, start, rows);
   const double unit = parameter_unit(start.at, input.continuation->parameter);
   rows.in_units_of(unit);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solver/event_curve/event_sides.hpp"
+#include "solver/motion/body_circle.hpp"
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_parameter.hpp"
 #include "solver/program/case/case_schema.hpp"
@@ -36,15 +37,30 @@ FamilyParameter family_parameter_of(const Case& input, std::size_t k) {
   return family_parameter(input.curve->parameters[k], input.models);
 }
 
-/// A circle stays one only while J1 = J2.
-void require_circle(const Case& input) {
+/// A circle stays one only while two J are equal.
+void require_circle(const Case& input, Circle circle) {
+  const auto [first, second, other] = places(circle);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     const std::string& key = input.curve->parameters[k];
-    if (key != "body.J.0" && key != "body.J.1") continue;
+    if (key != fmt::format("body.J.{}", first) && key != fmt::format("body.J.{}", second)) continue;
     throw fault_at(input.source, fmt::format("curve.parameters.{}", k),
                    "found " + in_quotes(key) + ", and the event is on a circle",
-                   "another number of the case", "circles need J1 = J2");
+                   "another number of the case",
+                   fmt::format("circles need J{} = J{}", first + 1, second + 1));
   }
+}
+
+/// A turn has the name of what turns.
+EventType sought_event(const Case& input) {
+  const EventType asked = input.curve->event;
+  return asked == EventType::fold_nu && input.curve->parameters[0] != "nu"
+             ? EventType::fold_parameter
+             : asked;
+}
+
+Circle circle_of_row(const Problem& problem, const Stretch& q) {
+  const Circle circle = circle_of(problem);
+  return is_on(circle, q) ? circle : Circle::none;
 }
 
 class KeptEvents final : public CurveSink {
@@ -80,12 +96,13 @@ EventCurve curve_of(const Case& input, const Member& event, bool spectrum, const
                                     return problem_of(numbers_of(input, first, second));
                                   },
                                   family_parameter_of(input, 0), family_parameter_of(input, 1),
-                                  asked.event};
+                                  sought_event(input)};
   const double second = own_value(input, 1);
   const SpinningProblem at = setting.at(event.parameter, second);
-  const bool circle = asked.event == EventType::ellipse ||
-                      (mirror_symmetric(at.problem, at.nu) && event.q.xi == event.q.zeta);
-  if (circle) require_circle(input);
+  Circle circle = broken_circle(asked.event);
+  if (circle == Circle::none && is_on(circle_of(at.problem, setting.first), event.q))
+    circle = circle_of(at.problem, setting.first);
+  if (circle != Circle::none) require_circle(input, circle);
   return follow_event_curve(setting, event, second, circle,
                             {.first_from = asked.from[0],
                              .first_to = asked.to[0],
@@ -142,7 +159,7 @@ EventCurves event_curves(const Case& input, bool spectrum, const Run& run) {
                               .from = asked.from[0],
                               .to = asked.to[0],
                               .tolerance = asked.tolerance,
-                              .events = {std::string(name(asked.event))}};
+                              .events = {std::string(name(sought_event(input)))}};
   EventCurves out;
   const Start start = solved_start(family_case, run);
   out.status = start.found.status;
@@ -150,7 +167,7 @@ EventCurves event_curves(const Case& input, bool spectrum, const Run& run) {
   out.interrupted = out.status == SolveStatus::interrupted;
   if (out.status != SolveStatus::solved) return out;
   const AnyFamily family = family_of(family_case, start, true, false);
-  KeptEvents kept(asked.event);
+  KeptEvents kept(sought_event(input));
   const FollowReport report =
       follow(family, start.found.q, start.p, follow_options(family_case, 1.0, run), kept);
   if (!report.failure.empty()) {
@@ -173,7 +190,7 @@ EventCurves event_curve_of_row(const Case& input, const Stretch& q, bool spectru
   const SpinningProblem at = problem_of(numbers_of(input, first, own_value(input, 1)));
   const Member event =
       member_at(at, family_parameter_of(input, 0),
-                {q, ReducedVector<3>::Zero(), first, 0x1p-48, q.xi == q.zeta}, true);
+                {q, ReducedVector<3>::Zero(), first, 0x1p-48, circle_of_row(at.problem, q)}, true);
   EventCurves out;
   out.status = SolveStatus::solved;
   add_curve(out, input, event, spectrum, run);
@@ -183,7 +200,8 @@ EventCurves event_curve_of_row(const Case& input, const Stretch& q, bool spectru
 TableRow curve_row(const Case& input, const EventCurvePoint& point, const ColumnSet& wanted) {
   TableRow row;
   fill_row(input.branch_name(), point.member, wanted, row);
-  row.event = name(input.curve->event);
+  tell_in(input.coordinates, wanted, row);
+  row.event = name(sought_event(input));
   row.parameter = point.member.parameter;
   row.second_parameter = point.second;
   return row;

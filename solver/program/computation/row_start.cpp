@@ -84,7 +84,8 @@ Cells cells_of(const TableReader& table) {
 /// Whether a row of this event is no place to start from: a fold, where the parameter names no point
 /// of its own, or an end at unbounded or vanishing stretches. The row beside it is.
 bool is_no_start(std::string_view event) {
-  for (const EventType each : {EventType::fold_nu, EventType::escape, EventType::collapse})
+  for (const EventType each :
+       {EventType::fold_nu, EventType::fold_parameter, EventType::escape, EventType::collapse})
     if (event == name(each)) return true;
   return false;
 }
@@ -155,7 +156,10 @@ class FromRow {
   }
 
   EventRow event(EventType type) {
-    if (row_.contains("event") && row_.at("event") != name(type))
+    const auto is_one = [&](EventType each) { return row_.at("event") == name(each); };
+    const bool folds = is_fold(type) && row_.contains("event") &&
+                       (is_one(EventType::fold_nu) || is_one(EventType::fold_parameter));
+    if (row_.contains("event") && !is_one(type) && !folds)
       refuse(text_, "found " + in_quotes(row_.at("event")), "a row of " + in_quotes(name(type)));
     if (text("branch") != given_.branch_name())
       refuse(text_, "found a row of branch " + in_quotes(text("branch")),
@@ -168,7 +172,7 @@ class FromRow {
     const Stretch q{value_or("alpha", 0.0), value("xi"), value("zeta"), value("rho")};
     if (const char* inequality = violated_inequality(q))
       refuse(text_, "found no positive definite S in the row", inequality);
-    return q;
+    return given_.coordinates.computed(q);
   }
   std::string text(std::string_view column) const {
     const auto at = row_.find(column);

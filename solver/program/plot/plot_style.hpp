@@ -70,10 +70,11 @@ struct EventStyle {
   int point_type;
 };
 constexpr EventStyle event_styles[] = {
-    {"fold-nu", 7},     {"fold-momentum", 6},  {"tilt", 5},        {"oblique", 4},
-    {"ellipse", 13},    {"shear", 12},         {"krein-pass", 10}, {"hamiltonian-hopf", 11},
-    {"escape", 8},      {"real-collision", 9}, {"collapse", 15},   {"inertia-exchange", 2},
-    {"unexplained", 3}, {"domain", 14}};
+    {"fold-nu", 7},     {"fold-momentum", 6},  {"tilt", 5},           {"oblique", 4},
+    {"ellipse", 13},    {"shear", 12},         {"krein-pass", 10},    {"hamiltonian-hopf", 11},
+    {"escape", 8},      {"real-collision", 9}, {"collapse", 15},      {"inertia-exchange", 2},
+    {"unexplained", 3}, {"domain", 14},        {"fold-parameter", 7}, {"ellipse-23", 13},
+    {"ellipse-13", 13}};
 
 constexpr int point_type(std::string_view event) {
   constexpr int other = 1;

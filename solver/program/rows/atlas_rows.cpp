@@ -25,6 +25,7 @@ CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
     const auto kind_at = [&](double nu) {
       return kind_of(of.body, of.potential, sheet.motion(nu));
     };
+    table.in_coordinates(of.coordinates);
     table.tell_normal_forms(kind_at, {});
     if (of.prove) table.prove(kind_at, {});
     records.push_back(write_rows(sheet, table));

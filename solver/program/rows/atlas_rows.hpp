@@ -18,6 +18,7 @@ struct AtlasBody {
   const Body& body;
   const Potential& potential;
   bool prove = false;
+  MaterialCoordinates coordinates{};  ///< those of its rows
 };
 /// All sheets into the table, which may be null, and what is told of each; how many rows are proven.
 CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,

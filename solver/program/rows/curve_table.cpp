@@ -40,6 +40,7 @@ void CurveTable::row(const Member& member, EventType event) {
   }
   if (writer_ != nullptr) {
     tell_normal_form(member, event);
+    tell_in(coordinates_, writer_->columns(), row_);
     row_.event = name(event);
     row_.parameter /= unit_;
     writer_->write(row_);

@@ -65,6 +65,8 @@ class CurveTable final : public CurveSink {
   /// The table's parameter is the family's over this (a ratio's second number); report: what was told
   /// of following the family, put into the table's parameter.
   void in_units_of(double unit) { unit_ = unit; }
+  /// Those of the rows' stretches.
+  void in_coordinates(const MaterialCoordinates& coordinates) { coordinates_ = coordinates; }
   void convert(FollowReport& report) const;
   void row(const Member& member, EventType event) override;
   void between(StabilityClass verdict) override { segments_.between(verdict); }
@@ -98,6 +100,7 @@ class CurveTable final : public CurveSink {
   std::string_view branch_;
   RowSink* writer_;
   double unit_ = 1.0;
+  MaterialCoordinates coordinates_;
   long point_ = 0;
   TableRow row_;
   SegmentBuilder segments_;

@@ -109,6 +109,13 @@ void fill_row(std::string_view branch, const Member& member, const ColumnSet& wa
   if (member.spectrum) fill_spectrum(*member.spectrum, row);
 }
 
+void tell_in(const MaterialCoordinates& coordinates, const ColumnSet& wanted, TableRow& row) {
+  if (coordinates.are_own()) return;
+  const Stretch q{row[Column::alpha], row[Column::xi], row[Column::zeta], row[Column::rho]};
+  fill_stretch(coordinates.told(q), wanted, row);
+  row[Column::error_bound] += 0x1p-51;  // the units' own rounding
+}
+
 double spin(std::string_view branch, const TableRow& row) {
   constexpr Column nu[] = {Column::nu1, Column::nu2, Column::nu3};
   if (const auto about = branch_from_name(branch)) return row[nu[axis(*about)]];

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/material/material_coordinates.hpp"
 #include "lib/stability/spectrum.hpp"
 #include "solver/batch_spectrum/batch_spectrum.hpp"
 #include "solver/kind/kind.hpp"
@@ -39,6 +40,9 @@ void fill_row(std::string_view branch, const Body& body, const Potential& potent
 /// Likewise of a member of a family, its parameter and, where it was computed, its spectrum.
 void fill_row(std::string_view branch, const Member& member, const ColumnSet& wanted,
               TableRow& row);
+
+/// The stretches of a filled row in other material coordinates.
+void tell_in(const MaterialCoordinates& coordinates, const ColumnSet& wanted, TableRow& row);
 
 /// nu along a branch's axis, |nu| of a tilted motion; NaN where its columns are.
 double spin(std::string_view branch, const TableRow& row);

@@ -52,6 +52,7 @@ class SingleCells final : public MapCells {
       counts.spectra += parts.spectrum;
       counts.scalar_spectra += parts.spectrum;
       if (parts.certificate) (void)prove_row(*kind, found, spectrum, row);
+      tell_in(input_.coordinates, wanted, row);
     }
     return counts;
   }

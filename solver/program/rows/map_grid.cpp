@@ -251,6 +251,7 @@ RowCounts MapGrid::rows(std::size_t first, std::size_t last, const RowParts& par
           places.push_back({at.lane, at.step});
           rows.push_back(out.size() - 1);
         }
+        tell_in(input_.coordinates, wanted, row);
       } else {
         status = CellStatus::failed;
       }

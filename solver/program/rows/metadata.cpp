@@ -45,7 +45,7 @@ Json axis_json(const MapAxis& axis) {
 Json case_json(const Case& input) {
   Json out;
   out["title"] = input.title;
-  out["body"]["J"] = {input.body.J1, input.body.J2, input.body.J3};
+  out["body"]["J"] = {input.own_body.J1, input.own_body.J2, input.own_body.J3};
   out["potential"] = Json::object();
   for (const ModelChoice& model : input.models) {
     if (model.description.kind != ModelDescription::Kind::whole)

@@ -62,7 +62,7 @@ class SegmentBuilder {
 /// Whether a class may change at such an event.
 constexpr bool may_change_class(EventType event) {
   return event != EventType::krein_pass && event != EventType::inertia_exchange &&
-         event != EventType::fold_nu && event != EventType::none;
+         !is_fold(event) && event != EventType::none;
 }
 
 }  // namespace stationary

@@ -18,18 +18,24 @@ struct Asked {
   const ColumnSet& columns;
 };
 
-/// A found ellipsoid as a row, with its spectrum and its proof as far as they are asked for.
-Solution solution(const Kind& kind, const Equilibrium& found, const Asked& asked) {
-  Solution out;
-  fill_row(name(kind.motion()), kind.body(), kind.potential(), found, asked.columns, out.row);
-  if (asked.spectrum) out.spectrum = kind.spectrum(found);
-  if (!asked.input.output.certificate) return out;
+/// As far as it is asked for.
+void add_proof(const Kind& kind, const Equilibrium& found, const Asked& asked, Solution& out) {
+  if (!asked.input.output.certificate) return;
   const RowProof proof = prove_row(kind, found, out.spectrum, out.row);
   out.proven = proof.proven;
   out.proof = proof.proven ? "exactly one stationary ellipsoid is within the error bound"
                            : "not proven: " + proof.reason;
   if (out.spectrum)
     out.proof += proof.class_proven ? "; its class is proven too" : "; its class is not proven";
+}
+
+/// A found ellipsoid as a row, with its spectrum and its proof as far as they are asked for.
+Solution solution(const Kind& kind, const Equilibrium& found, const Asked& asked) {
+  Solution out;
+  fill_row(name(kind.motion()), kind.body(), kind.potential(), found, asked.columns, out.row);
+  if (asked.spectrum) out.spectrum = kind.spectrum(found);
+  add_proof(kind, found, asked, out);
+  tell_in(asked.input.coordinates, asked.columns, out.row);
   return out;
 }
 

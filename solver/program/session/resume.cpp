@@ -78,6 +78,11 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
   for (const TableRow& row : out.rows) checksum.add(row, columns, parameter.has_value());
   if (checksum.text() != record->checksum || !is_as_written(path, out.rows, columns, parameter))
     refuse(printable(path) + " was changed since it was written (its checksum is in the metadata)");
+  for (auto* end : {&out.first, &out.last}) {
+    if (!*end) continue;
+    (*end)->at.q = input.coordinates.computed((*end)->at.q);
+    if ((*end)->neighbour) (*end)->neighbour->q = input.coordinates.computed((*end)->neighbour->q);
+  }
   out.events = std::move(record->events);
   out.segments = std::move(record->segments);
   return out;

@@ -81,7 +81,10 @@ std::optional<StudyAnswer> followed(const StudyPlan& plan, const Case& input, co
 std::optional<StudyAnswer> charted(const StudyPlan& plan, const Case& input, const Run& run) {
   AtlasOptions how = atlas_options(input, plan.checkpoints, wants_spectrum(plan, input));
   how.stop = how.search.stop = run.stop;
-  return atlas_answer({input.body, make_potential(input.models, input.body)}, how, nullptr);
+  return atlas_answer({.body = input.body,
+                       .potential = make_potential(input.models, input.body),
+                       .coordinates = input.coordinates},
+                      how, nullptr);
 }
 
 std::optional<StudyAnswer> answer(const StudyPlan& plan, const CaseTree& base,

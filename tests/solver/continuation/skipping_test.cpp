@@ -146,7 +146,7 @@ TEST(Skipping, EventsNotAskedForCostNothing) {
   EXPECT_TRUE(none.sheet.events().empty());
   EXPECT_LT(one.sheet.report.counts.members, all.sheet.report.counts.members);
   const ModelFamily<Model, 3> family(body, Branch::i, Model{{{1.0, 2.0}}, {{1.0, 3.0}}}, bare);
-  const Curve<3> curve(family, 1.0, false, std::nullopt, EventSet::none());
+  const Curve<3> curve(family, 1.0, Circle::none, std::nullopt, EventSet::none());
   for (const std::size_t k : {TestValues::momentum, TestValues::inertia_12, TestValues::ellipse,
                               TestValues::collision, TestValues::crossings})
     EXPECT_FALSE(curve.context().seeks(k)) << k;

@@ -70,7 +70,7 @@ TEST(EventCurve, FoldOfHencky) {
       .first_from = 0.1, .first_to = 2.0, .second_from = 0.3, .second_to = 4.0, .tolerance = 1e-6};
   const EventCurve curve =
       follow_event_curve(setting(numbers, EventType::fold_nu, {}, {Kind::inertia, 1}),
-                         start(numbers, near.q, numbers.nu), numbers.J[1], false, options);
+                         start(numbers, near.q, numbers.nu), numbers.J[1], Circle::none, options);
   ASSERT_EQ(curve.failure, "");
   EXPECT_EQ(curve.first.event, EventType::limit);
   EXPECT_EQ(curve.last.event, EventType::limit);
@@ -111,7 +111,7 @@ TEST(EventCurve, TiltOfReciprocalDeterminant) {
   Numbers own = numbers;
   own.plane[0] = c;
   const EventCurve curve = follow_event_curve(setting(own, EventType::tilt, {}, {Kind::plane, 0}),
-                                              start(own, q, 0.5), c, false, options);
+                                              start(own, q, 0.5), c, Circle::none, options);
   ASSERT_EQ(curve.failure, "");
   ASSERT_GE(curve.points.size(), 10U) << curve.first.reason << "; " << curve.last.reason;
   double least = 1.0;
@@ -140,9 +140,10 @@ TEST(EventCurve, EllipseOfHencky) {
   const double xi = std::exp(0.125);
   const EventCurveOptions options{
       .first_from = 0.1, .first_to = 2.0, .second_from = 0.5, .second_to = 6.0, .tolerance = 1e-6};
-  const EventCurve curve = follow_event_curve(
-      setting(numbers, EventType::ellipse, {}, {Kind::plane, 1}),
-      start(numbers, {0.0, xi, xi, std::cbrt(1.0 / 3.0)}, numbers.nu), 3.0, true, options);
+  const EventCurve curve =
+      follow_event_curve(setting(numbers, EventType::ellipse, {}, {Kind::plane, 1}),
+                         start(numbers, {0.0, xi, xi, std::cbrt(1.0 / 3.0)}, numbers.nu), 3.0,
+                         Circle::xi_zeta, options);
   ASSERT_EQ(curve.failure, "");
   ASSERT_GE(curve.points.size(), 5U);
   for (const EventCurvePoint& point : curve.points) {
@@ -239,7 +240,7 @@ void compare_events(const Numbers& numbers, double nu, const SolveOptions& start
                                     .tolerance = 1e-6,
                                     .spectrum = false};
     const EventCurve curve = follow_event_curve(setting(numbers, row.event, {}, second), row.member,
-                                                own_value, false, options);
+                                                own_value, Circle::none, options);
     ASSERT_EQ(curve.failure, "") << numbers.model << " " << name(row.event);
     for (std::size_t k = 0; k < curve.points.size();
          k += std::max<std::size_t>(1, curve.points.size() / 4)) {

@@ -35,7 +35,7 @@ TEST(NormalForm, OfThePitchforkOfHenckyChangesItsSign) {
     const double nu = std::sqrt(mu) * std::exp(-u);
     const double r = std::exp(u);
     const Problem problem(body, make_potential("hencky", {mu, lambda}), Branch::iii);
-    const auto form = normal_form(problem, {}, true, EventType::ellipse,
+    const auto form = normal_form(problem, {}, Circle::xi_zeta, EventType::ellipse,
                                   member_at(body, {0.0, r, r, std::cbrt(1.0 / 3.0)}, nu));
     ASSERT_TRUE(form) << lambda;
     const double expected = -16.0 * mu - 48.0 * mu * mu / lambda;
@@ -56,7 +56,8 @@ TEST(NormalForm, OfTheFoldOfHencky) {
   const double nu = std::sqrt(pull / (plate.J2 * std::numbers::e));
   const Stretch q{0.0, std::exp(-0.5 * lambda / own), std::exp(0.5), 0.9};
   const Problem problem(plate, make_potential("hencky", {mu, lambda}), Branch::i);
-  const auto form = normal_form(problem, {}, false, EventType::fold_nu, member_at(plate, q, nu));
+  const auto form =
+      normal_form(problem, {}, Circle::none, EventType::fold_nu, member_at(plate, q, nu));
   ASSERT_TRUE(form);
   const double n = 1.0 / std::hypot(1.0, lambda / own);
   const double expected = -4.0 * pull * n * n * n;
@@ -78,7 +79,9 @@ TEST(NormalForm, OfFoldsIsOnTheSideThatContinuationFinds) {
     for (std::size_t row = 1; row + 1 < sheet.rows.size(); ++row) {
       if (sheet.rows[row].event != EventType::fold_nu) continue;
       const Member& at = sheet.rows[row].member;
-      const bool circle = mirror_symmetric(made.problem, at.nu) && at.q.xi == at.q.zeta;
+      const Circle circle = mirror_symmetric(made.problem, at.nu) && at.q.xi == at.q.zeta
+                                ? Circle::xi_zeta
+                                : Circle::none;
       const auto form = normal_form(made.problem, {}, circle, EventType::fold_nu, at);
       ASSERT_TRUE(form) << k;
       const double before = sheet.rows[row - 1].member.nu - at.nu;
@@ -193,8 +196,8 @@ TEST(NormalForm, IsNotToldOfAVerticalBranch) {
   const Problem problem(body, make_potential("neo-hookean", {1.0, 2.0}), Branch::iii);
   const double r = std::exp(0.25);  // lambda ln r^2 = mu
   const Member at = member_at(body, {0.0, r, r, std::cbrt(1.0 / 3.0)}, 1.0);
-  EXPECT_FALSE(normal_form(problem, {}, true, EventType::ellipse, at));
-  EXPECT_FALSE(normal_form(problem, {}, true, EventType::krein_pass, at));
+  EXPECT_FALSE(normal_form(problem, {}, Circle::xi_zeta, EventType::ellipse, at));
+  EXPECT_FALSE(normal_form(problem, {}, Circle::xi_zeta, EventType::krein_pass, at));
 }
 
 }  // namespace

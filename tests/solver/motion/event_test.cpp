@@ -106,7 +106,9 @@ TEST(CircleToEllipse, IsFoundOnTheCircleThoughNoGrowthRateChanges) {
           EXPECT_GE(row.member.nu, last);
           last = row.member.nu;
         }
-        EXPECT_TRUE(sheet.events({EventType::fold_nu, EventType::unexplained}).empty())
+        EXPECT_TRUE(
+            sheet.events({EventType::fold_nu, EventType::fold_parameter, EventType::unexplained})
+                .empty())
             << sheet.text();
         const auto hopf = sheet.events({EventType::hamiltonian_hopf});
         const double nu = std::sqrt(2.0) * plate.bifurcation();
@@ -156,7 +158,10 @@ TEST(CircleToEllipse, NeverWhereNoEllipsesAre) {
   const Body body(1.3, 1.3, 0.6);
   const Problem problem(body, make_potential("reciprocal-determinant", {1.0, 2.0}), Branch::iii);
   const Followed sheet = followed(problem, 0.0, range(0.0, 2.0));
-  EXPECT_TRUE(sheet.events({EventType::ellipse, EventType::shear, EventType::fold_nu}).empty())
+  EXPECT_TRUE(sheet
+                  .events({EventType::ellipse, EventType::shear, EventType::fold_nu,
+                           EventType::fold_parameter})
+                  .empty())
       << sheet.text();
   EXPECT_EQ(sheet.report.forward.event, EventType::escape);
   EXPECT_NEAR(sheet.rows.back().member.nu, std::sqrt(2.0 / 1.3), 1e-6);
@@ -246,7 +251,7 @@ TEST(EventTypes, NamesAreTheContracts) {
 /// Which pair of locked inertias tilts the axis: the one with the spin's own in it.
 TEST(EventTypes, TiltIsOfTheSpinsAxis) {
   for (const Branch branch : {Branch::i, Branch::ii, Branch::iii}) {
-    const TestContext context{branch, false, false};
+    const TestContext context{branch, false, Circle::none};
     const TestValues at{};
     const auto type = [&](std::size_t k) { return event_type(k, context, at); };
     EXPECT_EQ(type(TestValues::inertia_12), EventType::inertia_exchange);
@@ -258,7 +263,7 @@ TEST(EventTypes, TiltIsOfTheSpinsAxis) {
 }
 
 TEST(EventTypes, PairsOfOneSignaturePassUnmentioned) {
-  const TestContext context{Branch::i, false, false};
+  const TestContext context{Branch::i, false, Circle::none};
   TestValues at{};
   EXPECT_EQ(event_type(TestValues::crossings + 3, context, at), EventType::none);
   at.opposite = 1U << 3U;
@@ -276,7 +281,7 @@ TEST(TestValuesOf, AMember) {
   member.nu = 0.5;
   member.q = {0.0, 1.0, 0.5, 0.5};  // J_k q_k^2: 1, 0.5, 0.75
   member.shear_stiffness = -0.25;
-  const TestValues in_iii = test_values(member, {Branch::iii, false, false}, 0.1, -0.2);
+  const TestValues in_iii = test_values(member, {Branch::iii, false, Circle::none}, 0.1, -0.2);
   EXPECT_EQ(in_iii.value[TestValues::fold], 0.1);
   EXPECT_EQ(in_iii.value[TestValues::momentum], -0.2);
   EXPECT_DOUBLE_EQ(in_iii.value[TestValues::inertia_12], -1.0 / 3.0);
@@ -285,12 +290,12 @@ TEST(TestValuesOf, AMember) {
   EXPECT_LT(in_iii.value[TestValues::turn], 0.0);
   EXPECT_TRUE(std::isnan(in_iii.value[TestValues::ellipse]));
   EXPECT_TRUE(std::isnan(in_iii.value[TestValues::collision])) << "no spectrum";
-  const TestValues circle = test_values(member, {Branch::iii, true, true}, 0.1, -0.2);
+  const TestValues circle = test_values(member, {Branch::iii, true, Circle::xi_zeta}, 0.1, -0.2);
   EXPECT_LT(circle.value[TestValues::ellipse], 0.0);
   EXPECT_TRUE(std::isnan(circle.value[TestValues::turn]));
   EXPECT_TRUE(std::isnan(circle.value[TestValues::inertia_12]));
   EXPECT_TRUE(std::isnan(circle.value[TestValues::inertia_23]));
-  const TestValues in_i = test_values(member, {Branch::i, false, false}, 0.1, -0.2);
+  const TestValues in_i = test_values(member, {Branch::i, false, Circle::none}, 0.1, -0.2);
   EXPECT_LT(in_i.value[TestValues::turn], 0.0) << "J1 < J2";
 }
 

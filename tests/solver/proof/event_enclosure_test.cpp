@@ -48,7 +48,8 @@ TEST(EventEnclosure, HoldsTheReferenceDigits) {
   for (const ReferenceRow& row : support::reference_table("events.csv")) {
     const Problem problem(row.body(), row.potential(), row.branch());
     const EventType type = event_named(row.text("event"));
-    const EventEnclosure found = enclose_event(problem, {}, false, type, member_at(row, problem));
+    const EventEnclosure found =
+        enclose_event(problem, {}, Circle::none, type, member_at(row, problem));
     ASSERT_TRUE(found.proven) << row.where() << ": " << found.reason;
     EXPECT_TRUE(holds(found.parameter, row.number<Real50>("nu"))) << row.where();
     EXPECT_TRUE(holds(found.q.xi, row.number<Real50>("xi"))) << row.where();
@@ -77,7 +78,7 @@ TEST(EventEnclosure, FoldOfHencky) {
   at.parameter = at.nu = near;
   at.q = start.q;
   const EventEnclosure found =
-      enclose_event(problem, {}, false, EventType::fold_nu, at, Inputs::doubles);
+      enclose_event(problem, {}, Circle::none, EventType::fold_nu, at, Inputs::doubles);
   ASSERT_TRUE(found.proven) << found.reason;
   EXPECT_TRUE(holds(found.parameter, nu));
   EXPECT_TRUE(holds(found.q.zeta, sqrt(e)));
@@ -96,7 +97,7 @@ TEST(EventEnclosure, CircleToEllipseOfHencky) {
   const double xi = support::nearest(Real50(exp(u))) - 1e-6;
   at.q = {0.0, xi, xi, std::cbrt(1.0 / 3.0)};
   const EventEnclosure found =
-      enclose_event(problem, {}, true, EventType::ellipse, at, Inputs::doubles);
+      enclose_event(problem, {}, Circle::xi_zeta, EventType::ellipse, at, Inputs::doubles);
   ASSERT_TRUE(found.proven) << found.reason;
   EXPECT_TRUE(holds(found.parameter, nu));
   EXPECT_TRUE(holds(found.q.xi, Real50(exp(u))));
@@ -120,8 +121,8 @@ TEST(EventEnclosure, TiltInACoefficient) {
   at.q = {0.0, support::nearest(xi), support::nearest(zeta), support::nearest(rho)};
   const Problem problem(body, make_potential("reciprocal-determinant", {at.parameter, 2.0}),
                         Branch::i);
-  const EventEnclosure found = enclose_event(problem, {FamilyParameter::Kind::plane, 0}, false,
-                                             EventType::tilt, at, Inputs::doubles);
+  const EventEnclosure found = enclose_event(problem, {FamilyParameter::Kind::plane, 0},
+                                             Circle::none, EventType::tilt, at, Inputs::doubles);
   ASSERT_TRUE(found.proven) << found.reason;
   EXPECT_TRUE(holds(found.parameter, c));
   EXPECT_TRUE(holds(found.q.rho, rho));
@@ -135,7 +136,7 @@ TEST(EventEnclosure, NoEventNearByIsNoProof) {
     away.q.zeta *= 0.995;
     away.parameter *= 1.01;
     const EventEnclosure found =
-        enclose_event(problem, {}, false, event_named(row.text("event")), away);
+        enclose_event(problem, {}, Circle::none, event_named(row.text("event")), away);
     EXPECT_FALSE(found.proven) << row.where();
     EXPECT_FALSE(found.reason.empty()) << row.where();
   }
@@ -162,8 +163,10 @@ TEST(EventEnclosure, LocatedEventsOfRandomFamilies) {
         followed(axis_family(posed.problem, {.nu = 0.0, .parameter = {}}), rest.q, 0.0, options);
     for (const auto& [member, type] : sheet.events()) {
       if (!has_enclosure(type)) continue;
-      const bool circle =
-          mirror_symmetric(posed.problem, member.nu) && member.q.xi == member.q.zeta;
+      const Circle circle =
+          mirror_symmetric(posed.problem, member.nu) && member.q.xi == member.q.zeta
+              ? Circle::xi_zeta
+              : Circle::none;
       const EventEnclosure found = enclose_event(posed.problem, {}, circle, type, member);
       if (!found.proven) {
         ++refused[type];
