@@ -1,0 +1,27 @@
+// A text as C++ source: pieces of one literal each, which a function returns.
+
+export function literals({ made, header, function: name, text }) {
+  const size = 12000;
+  const pieces = [];
+  for (let at = 0; at < text.length; ) {
+    let end = Math.min(at + size, text.length);
+    if (end < text.length && /[\uD800-\uDBFF]/.test(text[end - 1])) --end;
+    pieces.push(`    R"PAGE(${text.slice(at, end)})PAGE",`);
+    at = end;
+  }
+  if (text.includes(')PAGE"')) throw new Error('the text holds the mark that ends a literal');
+  return [
+    `// ${made}`,
+    `#include "solver/program/explore/${header}"`,
+    '',
+    'namespace stationary {',
+    'namespace {',
+    'constexpr std::string_view pieces[] = {',
+    ...pieces,
+    '};',
+    '}  // namespace',
+    `std::span<const std::string_view> ${name}() { return pieces; }`,
+    '}  // namespace stationary',
+    '',
+  ].join('\n');
+}
