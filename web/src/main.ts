@@ -23,9 +23,11 @@ class Page {
   private readonly body = new BodyView();
   private heat: HeatMap | null = null;
   /** Where the table that was computed here is; null: nothing was. */
-  private live: number | null = null;
+  private live: number | null;
 
-  constructor(tables: readonly PayloadTable[]) {
+  /** computed: the one table was computed here. */
+  constructor(tables: readonly PayloadTable[], computed = false) {
+    this.live = computed ? 0 : null;
     this.tables = tables.map((each) => new Table(each));
     this.state = fromFragment(location.hash, this.tables);
     this.diagram = new Diagram({
@@ -357,11 +359,9 @@ function prepareLive(payload: Payload, page: Page | null): void {
       if (!solver) throw new Error('there is none');
       return new LivePanel(solver, {
         computed: (table) => {
-          if (!shownOn) {
-            byId('main').hidden = false;
-            shownOn = new Page([]);
-          }
-          shownOn.showLive(table);
+          byId('main').hidden = false;
+          if (shownOn) shownOn.showLive(table);
+          else shownOn = new Page([table], true);
         },
         near: (parameter, value) => shownOn?.chooseNear(parameter, value),
       });
