@@ -137,7 +137,7 @@ export class LivePanel {
       place(at);
       set(at);
     });
-    return element('div', { class: 'slider' }, element('label', { for: id, title: text === '' ? key : text }, symbol), range, number);
+    return element('div', { class: 'slider' }, element('label', { for: id, title: text === '' ? key : text }, symbol.replace(/^potential\./, '')), range, number);
   }
 
   /** Positive numbers by factors, others by differences; the digits a slider gives are few. */

@@ -346,7 +346,7 @@ function prepareLive(payload: Payload, page: Page | null): void {
   const about = byId('about-live');
   const carries = packed.trim() !== '';
   about.textContent = carries
-    ? `Its tables were computed when it was made. It carries the solver, and computes the same as stationary ${payload.version}, to the bit.`
+    ? `This page computes, too: it carries the solver of stationary ${payload.version}, whose solutions are to the bit the program's.`
     : 'This page carries its tables and no solver: what is shown was computed when it was made.';
   const host = byId<HTMLDetailsElement>('live');
   host.hidden = !carries;
