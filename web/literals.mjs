@@ -6,7 +6,9 @@ export function literals({ made, header, function: name, text }) {
   for (let at = 0; at < text.length; ) {
     let end = Math.min(at + size, text.length);
     if (end < text.length && /[\uD800-\uDBFF]/.test(text[end - 1])) --end;
-    pieces.push(`    R"PAGE(${text.slice(at, end)})PAGE",`);
+    const piece = text.slice(at, end);
+    // With its length: a compiler gives up counting megabytes.
+    pieces.push(`    {R"PAGE(${piece})PAGE", ${Buffer.byteLength(piece)}},`);
     at = end;
   }
   if (text.includes(')PAGE"')) throw new Error('the text holds the mark that ends a literal');
