@@ -38,7 +38,10 @@ python_packages=(
 mpi_packages=(libopenmpi-dev openmpi-bin)
 [[ $verb == run ]] || packages+=("${test_packages[@]}" "${python_packages[@]}" "${mpi_packages[@]}")
 # The documentation, Debian packages with what looks them over, the page of `explore` and a browser for it.
-all_packages=(python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian nodejs npm chromium)
+all_packages=(
+  python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian nodejs npm chromium
+  clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc # the solver of pages
+)
 [[ $verb != all ]] || packages+=("${all_packages[@]}")
 
 stage=
@@ -127,7 +130,11 @@ if [[ $verb == run ]]; then
   end_stage
   printf '\nOpen results/fold.svg: the stretches and the spectrum against nu. docs/tutorial.md goes on from here.\n'
 else
-  build release all -D STATIONARY_BUILD_TESTS=ON -D STATIONARY_TEST_COMPILER=clang++ -D STATIONARY_PYTHON=ON
+  # The solver of pages, four minutes of compiling, is made and tested with `all`.
+  solver_of_pages=OFF
+  [[ $verb != all ]] || solver_of_pages=ON
+  build release all -D STATIONARY_BUILD_TESTS=ON -D STATIONARY_TEST_COMPILER=clang++ -D STATIONARY_PYTHON=ON \
+    -D STATIONARY_WASM="$solver_of_pages"
   run_tests release
   build sanitize all
   # The page in a browser and the installed library are not what the sanitizers look at.

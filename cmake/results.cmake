@@ -83,9 +83,9 @@ foreach(format svg png)
     -o ${INTO}/maclaurin_jacobi.${format} --quiet)
 endforeach()
 
-# Pages to open, where the program was built with the page.
+# Pages to open, where the program was built with the page. Without the solver: its megabytes are not kept with the sources.
 foreach(name fold neo_hookean_atlas)
-  execute_process(COMMAND ${PROGRAM} explore ${INTO}/${name}.csv -o ${INTO}/${name}.html --quiet
+  execute_process(COMMAND ${PROGRAM} explore ${INTO}/${name}.csv -o ${INTO}/${name}.html --no-live --quiet
     RESULT_VARIABLE code ERROR_VARIABLE message)
   if(NOT code EQUAL 0)
     message(STATUS "no page of ${name}: ${message}")

@@ -1,5 +1,5 @@
-// Bundles the page: node build.mjs INTO. INTO/page.html has two places left for the program, @TITLE@ and @DATA@;
-// INTO/page_template.cpp is the same as the program embeds it.
+// Bundles the page: node build.mjs INTO. INTO/page.html has places left for the program, @TITLE@, @DATA@, @LIVE@ and
+// @LIVE_POLICY@; INTO/page_template.cpp is the same as the program embeds it.
 //
 // What may run is named by its hash in the page's policy, so the template is finished here and the program adds only data.
 import { createHash } from 'node:crypto';
@@ -7,6 +7,7 @@ import { mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
+import { literals } from './literals.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const into = process.argv[2] ?? join(here, 'dist');
@@ -29,16 +30,14 @@ const withoutAddresses = {
   },
 };
 
+const options = { bundle: true, format: 'iife', target: 'es2022', minify: true, charset: 'utf8', legalComments: 'none', write: false };
+/** The worker is a script of its own, which the page holds as text. */
+const worker = await build({ ...options, entryPoints: [join(here, 'src', 'live_worker.ts')] });
 const bundled = await build({
+  ...options,
   entryPoints: [join(here, 'src', 'main.ts')],
-  bundle: true,
-  format: 'iife',
-  target: 'es2022',
-  minify: true,
-  charset: 'utf8',
-  legalComments: 'none',
   metafile: true,
-  write: false,
+  define: { WORKER_CODE: JSON.stringify(worker.outputFiles[0].text) },
   plugins: [withoutAddresses],
 });
 const styled = await build({ entryPoints: [join(here, 'src', 'style.css')], minify: true, write: false, charset: 'utf8' });
@@ -66,11 +65,12 @@ const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').
 const hash = (text) => `'sha256-${createHash('sha256').update(text, 'utf8').digest('base64')}'`;
 const policy = [
   "default-src 'none'",
-  `script-src ${hash(script)}`,
   `style-src ${hash(style)}`,
   'img-src data:',
   "base-uri 'none'",
   "form-action 'none'",
+  // The last, for what a page that computes is allowed besides.
+  `script-src ${hash(script)}@LIVE_POLICY@`,
 ].join('; ');
 
 for (const [what, text] of [['script', script], ['style', style]])
@@ -81,38 +81,15 @@ const page = readFileSync(join(here, 'template.html'), 'utf8')
   .replace('@POLICY@', () => policy)
   .replace('@STYLE@', () => style)
   .replace('@SCRIPT@', () => script)
-  .replace('@NOTICES@', () => escaped(notices()));
+  .replace('@NOTICES@', () => escaped(`${notices()}\n\n----\n\n${readFileSync(join(here, 'notices.txt'), 'utf8').trim()}`));
 const address = page.match(/.{0,60}:\/\/.{0,60}/);
 if (address) throw new Error(`the page has an address: ${address[0]}`);
 const most = 350 * 1024;
 if (Buffer.byteLength(page) > most) throw new Error(`the page is larger than ${most} bytes`);
 writeFileSync(join(into, 'page.html'), page);
 
-/** Pieces of one literal each, as the program reads them. */
-function source(text) {
-  const size = 12000;
-  const pieces = [];
-  for (let at = 0; at < text.length; ) {
-    let end = Math.min(at + size, text.length);
-    if (end < text.length && /[\uD800-\uDBFF]/.test(text[end - 1])) --end;
-    pieces.push(`    R"PAGE(${text.slice(at, end)})PAGE",`);
-    at = end;
-  }
-  if (text.includes(')PAGE"')) throw new Error('the page holds the mark that ends a literal');
-  return [
-    '// Made of web/ by web/build.mjs.',
-    '#include "solver/program/explore/page_template.hpp"',
-    '',
-    'namespace stationary {',
-    'namespace {',
-    'constexpr std::string_view pieces[] = {',
-    ...pieces,
-    '};',
-    '}  // namespace',
-    'std::span<const std::string_view> page_template() { return pieces; }',
-    '}  // namespace stationary',
-    '',
-  ].join('\n');
-}
-writeFileSync(join(into, 'page_template.cpp'), source(page));
+writeFileSync(
+  join(into, 'page_template.cpp'),
+  literals({ made: 'Made of web/ by web/build.mjs.', header: 'page_template.hpp', function: 'page_template', text: page }),
+);
 console.log(`page: ${Buffer.byteLength(page)} bytes, of which script ${Buffer.byteLength(script)} and style ${Buffer.byteLength(style)}`);

@@ -171,23 +171,6 @@ void add(SheetSet& set, Atlas& out) {
 
 }  // namespace
 
-Motion AtlasSheet::motion(double nu) const {
-  if (plane) return TiltedMotion{plane, nu};
-  if (oblique) return ObliqueRotation{nu};
-  return AxisRotation{branch, nu};
-}
-
-double Completeness::unproven_length() const {
-  double out = 0.0;
-  for (const CompleteInterval& each : intervals)
-    if (!each.proven) out += each.to - each.from;
-  return out;
-}
-
-std::string_view kind_name(Branch branch, bool oblique) {
-  return oblique ? oblique_name : name(branch);
-}
-
 Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& options) {
   if (!(options.from >= 0.0 && options.from < options.to && std::isfinite(options.to)))
     throw std::invalid_argument("an atlas needs 0 <= from < to");

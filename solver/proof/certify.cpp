@@ -50,14 +50,6 @@ void certify_model(const Coupled& model, const Problem& problem, const Stretch& 
 
 }  // namespace
 
-bool mirror_symmetric(const Problem& problem, double nu) {
-  if (!problem.potential().is_isotropic()) return false;
-  const BodyModel<>* body = problem.potential().body_model();
-  const bool sees_no_axes = body == nullptr || body->isotropic();
-  return (nu == 0.0 && sees_no_axes) ||
-         (problem.branch() == Branch::iii && problem.body().symmetric());
-}
-
 Certificate certify(const Problem& problem, const Equilibrium& equilibrium, Inputs inputs) {
   if (!problem.potential().is_isotropic()) return certify_anisotropic(problem, equilibrium, inputs);
   const Stretch& q = equilibrium.q;

@@ -76,7 +76,7 @@ export async function open(path, { fragment = '', ...options } = {}) {
   page.on('pageerror', (error) => complaints.push(`error: ${error.message}`));
   const own = pathToFileURL(path).href;
   page.on('request', (request) => {
-    if (!request.url().startsWith(own) && !request.url().startsWith('data:')) complaints.push(`request: ${request.url()}`);
+    if (!request.url().startsWith(own) && !request.url().startsWith('data:') && !request.url().startsWith('blob:')) complaints.push(`request: ${request.url()}`);
   });
   await page.goto(own + fragment);
   await page.waitForSelector('body[data-state]', { state: 'attached' });

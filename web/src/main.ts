@@ -6,24 +6,30 @@ import { byId, element, fill } from './dom';
 import { markEvent, showEvents } from './events_list';
 import { HeatMap } from './heat_map';
 import { showLegend } from './legend';
-import { unpack, type Payload } from './payload';
+import { LivePanel, type LiveCase } from './live_panel';
+import { LiveSolver } from './live_solver';
+import { unpack, type Payload, type PayloadTable } from './payload';
 import { meaning, shown } from './quantities';
 import { listenToCopying, rowName, showRow } from './row_panel';
 import { showSpectrum } from './spectrum';
 import { available, colourings, firstState, fromFragment, mapQuantities, prefersLogarithm, presets, toFragment, type ColourBy, type State } from './state';
 import { Table } from './table';
+import { caseAsToml, rowAsToml } from './toml';
 
 class Page {
-  private readonly tables: readonly Table[];
+  private readonly tables: Table[];
   private state: State;
   private readonly diagram: Diagram;
   private readonly body = new BodyView();
   private heat: HeatMap | null = null;
+  /** Where the table that was computed here is; null: nothing was. */
+  private live: number | null;
 
-  constructor(payload: Payload) {
-    this.tables = payload.tables.map((each) => new Table(each));
+  /** computed: the one table was computed here. */
+  constructor(tables: readonly PayloadTable[], computed = false) {
+    this.live = computed ? 0 : null;
+    this.tables = tables.map((each) => new Table(each));
     this.state = fromFragment(location.hash, this.tables);
-    byId('version').textContent = `stationary ${payload.version}`;
     this.diagram = new Diagram({
       hovered: (row, quantity, x, y) => this.tip(row, quantity, x, y),
       chosen: (row) => this.choose(row),
@@ -38,10 +44,59 @@ class Page {
     return this.tables[this.state.table];
   }
 
+  /** In the place of what was computed before; what is drawn of it, and where, stays as far as it can. */
+  showLive(from: PayloadTable): void {
+    const table = new Table(from);
+    const before = this.live === this.state.table ? this.table : null;
+    const old = this.state;
+    this.live ??= this.tables.length;
+    this.tables[this.live] = table;
+    this.state = firstState(this.tables, this.live);
+    const { state } = this;
+    const known = (name: string): boolean => table.quantities.includes(name);
+    if (before && known(old.x) && old.y.length > 0 && old.y.every(known) && (before.rows > 1) === (table.rows > 1)) {
+      Object.assign(state, { x: old.x, y: old.y, colour: old.colour, logarithmic: old.logarithmic, hiddenClasses: old.hiddenClasses });
+      if (old.row !== null) this.nearest(before.value(before.parameter, old.row), before.text('sheet', old.row));
+    }
+    this.fillTables();
+    this.showTable();
+  }
+
+  /** Chooses the row nearest to a value of the family's parameter. */
+  chooseNear(parameter: string, value: number): void {
+    if (this.live === null || this.state.table !== this.live || (parameter !== this.table.parameter && parameter !== 'nu')) return;
+    this.nearest(value, this.state.row === null ? '' : this.table.text('sheet', this.state.row));
+    this.showChosen(false);
+    this.diagram.draw();
+  }
+
+  /** The case of the shown table, and of the chosen row. */
+  liveCase(ofRow: boolean): LiveCase | null {
+    const { table, state } = this;
+    const given = table.metadata?.case;
+    if (!given) return null;
+    return { name: 'case.toml', text: ofRow && state.row !== null ? rowAsToml(table, state.row) : caseAsToml(given) };
+  }
+
+  private nearest(value: number, sheet: string): void {
+    const { table, state } = this;
+    let least = Infinity;
+    for (let row = 0; row < table.rows; ++row) {
+      const apart = Math.abs(table.value(table.parameter, row) - value) + (table.text('sheet', row) === sheet ? 0 : 1e9);
+      if (!(apart < least) || !(table.value('xi', row) > 0)) continue;
+      least = apart;
+      state.row = row;
+    }
+  }
+
+  private fillTables(): void {
+    fill(byId<HTMLSelectElement>('tables'), this.tables.map((each, k) => ({ id: String(k), label: k === this.live ? 'computed here' : each.file })), String(this.state.table));
+    byId('tables-part').hidden = this.tables.length < 2;
+  }
+
   private listen(): void {
     const tables = byId<HTMLSelectElement>('tables');
-    fill(tables, this.tables.map((each, k) => ({ id: String(k), label: each.file })), String(this.state.table));
-    byId('tables-part').hidden = this.tables.length < 2;
+    this.fillTables();
     tables.addEventListener('change', () => {
       this.state = firstState(this.tables, Number(tables.value));
       this.showTable();
@@ -285,9 +340,69 @@ class Page {
   }
 }
 
+/** The panel that computes, of a page that carries the solver; opened by a person, or by a page of a case. */
+function prepareLive(payload: Payload, page: Page | null): void {
+  const packed = byId('solver').textContent ?? '';
+  const about = byId('about-live');
+  const carries = packed.trim() !== '';
+  about.textContent = carries
+    ? `This page computes, too: it carries the solver of stationary ${payload.version}, whose solutions are to the bit the program's.`
+    : 'This page carries its tables and no solver: what is shown was computed when it was made.';
+  const host = byId<HTMLDetailsElement>('live');
+  host.hidden = !carries;
+  byId('go-live').hidden = !carries;
+  if (!carries) return;
+  let shownOn = page;
+  let panel: Promise<LivePanel> | null = null;
+  const prepared = (): Promise<LivePanel> =>
+    (panel ??= LiveSolver.unpacked(packed).then((solver) => {
+      if (!solver) throw new Error('there is none');
+      return new LivePanel(solver, {
+        computed: (table) => {
+          byId('main').hidden = false;
+          if (shownOn) shownOn.showLive(table);
+          else shownOn = new Page([table], true);
+        },
+        near: (parameter, value) => shownOn?.chooseNear(parameter, value),
+      });
+    }));
+  const compute = (given: LiveCase | null): void => {
+    if (!given) {
+      byId('live-message').textContent = 'This table does not say what case it is of: its metadata were not beside it.';
+      host.dataset['state'] = 'failed';
+      return;
+    }
+    prepared().then(
+      (ready) => ready.open(given),
+      (error: unknown) => {
+        byId('live-message').textContent = `Nothing can be computed here: ${error instanceof Error ? error.message : String(error)}. The tables are shown all the same.`;
+        host.dataset['state'] = 'failed';
+      },
+    );
+  };
+  let begun = false;
+  host.addEventListener('toggle', () => {
+    if (!host.open || begun) return;
+    begun = true;
+    compute(payload.case ? { name: payload.case.file, text: payload.case.text } : (shownOn?.liveCase(false) ?? null));
+  });
+  byId('go-live').addEventListener('click', () => {
+    begun = true;
+    host.open = true;
+    compute(shownOn?.liveCase(true) ?? null);
+    host.scrollIntoView({ block: 'nearest' });
+  });
+  if (payload.case) host.open = true;
+}
+
 async function start(): Promise<void> {
   try {
-    new Page(await unpack(byId('data').textContent ?? ''));
+    const payload = await unpack(byId('data').textContent ?? '');
+    byId('version').textContent = `stationary ${payload.version}`;
+    byId('title').textContent = payload.title;
+    byId('main').hidden = payload.tables.length === 0;
+    const page = payload.tables.length > 0 ? new Page(payload.tables) : null;
+    prepareLive(payload, page);
     document.body.dataset['state'] = 'ready';
     performance.mark('ready');
   } catch (error) {
@@ -299,4 +414,3 @@ async function start(): Promise<void> {
 }
 
 void start();
-

@@ -24,6 +24,8 @@ export interface Payload {
   version: string;
   title: string;
   tables: PayloadTable[];
+  /** A case that the page opens with, in the place of tables. */
+  case?: { file: string; text: string };
 }
 
 export interface MetadataEvent {
@@ -36,6 +38,8 @@ export interface MetadataEvent {
 }
 
 export interface Metadata {
+  /** Of solve: what was found, and what is proven of it. */
+  message?: string;
   case?: CaseData;
   events?: MetadataEvent[];
   skipped?: { what?: string; why?: string }[];
@@ -51,12 +55,17 @@ function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   return out;
 }
 
+/** What zlib has packed, of its base64. */
+export async function unpackedBytes(base64: string): Promise<ArrayBuffer> {
+  const packed = new Blob([bytesOf(base64.trim())]).stream();
+  return new Response(packed.pipeThrough(new DecompressionStream('deflate'))).arrayBuffer();
+}
+
 /** Throws where the packed text is damaged, with a sentence for the reader. */
 export async function unpack(base64: string): Promise<Payload> {
   let text: string;
   try {
-    const packed = new Blob([bytesOf(base64.trim())]).stream();
-    text = await new Response(packed.pipeThrough(new DecompressionStream('deflate'))).text();
+    text = new TextDecoder().decode(await unpackedBytes(base64));
   } catch {
     throw new Error('The data in this page are damaged. Make the page again with `stationary explore`.');
   }

@@ -60,6 +60,19 @@ function motion(table: Table, row: number, own: CaseValue | undefined): [string,
   return out;
 }
 
+/** The case as the metadata have it; what is of other commands, or of files beside it, is left out. */
+export function caseAsToml(given: CaseData): string {
+  const lines = [];
+  if (typeof given['title'] === 'string' && given['title'] !== '') lines.push(`title = ${quoted(given['title'])}`);
+  for (const part of ['body', 'potential', 'gravity', 'motion', 'solve', 'continuation', 'output']) {
+    const section = given[part];
+    if (typeof section !== 'object' || Array.isArray(section)) continue;
+    const own = Object.entries(section).filter(([key]) => key !== 'start_row');
+    if (own.length > 0) lines.push('', `[${part}]`, ...own.map(([key, value]) => `${isBare(key) ? key : quoted(key)} = ${inline(value)}`));
+  }
+  return lines.join('\n') + '\n';
+}
+
 export function rowAsToml(table: Table, row: number): string {
   const given: CaseData = structuredClone(table.metadata?.case ?? {}) as CaseData;
   const lines = [`# row ${row + 1} of ${table.file.replace(/[\u0000-\u001f\u007f]/g, '?')}`];

@@ -1,12 +1,17 @@
-// stationary explore TABLE… -o PAGE.html: one self-contained page that shows the tables.
+// stationary explore FILE… -o PAGE.html: one self-contained page that shows tables, or opens a case, and computes.
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 
+#include "solver/program/case/case_file.hpp"
+#include "solver/program/explore/live_solver.hpp"
 #include "solver/program/explore/page.hpp"
+#include "solver/program/explore/page_data.hpp"
 #include "solver/program/explore/page_template.hpp"
 #include "solver/program/session/command.hpp"
 #include "solver/program/session/output_file.hpp"
@@ -17,9 +22,10 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ExploreOptions {
-  std::vector<std::string> tables;
+  std::vector<std::string> files;
   std::string output;
   std::optional<std::string> title;
+  bool no_live = false;
   bool quiet = false;
 };
 
@@ -32,42 +38,76 @@ void refuse_suffix(const std::string& output) {
       ".html");
 }
 
-void refuse_case(const std::string& path) {
-  if (fs::path(path).extension() != ".toml") return;
-  throw InputError(Origin::in_file(path), "", "found a case, and pages carry no solver",
-                   "tables of solve, continue, atlas or map",
-                   "make one of it with `stationary continue`");
+bool is_case(const std::string& path) { return fs::path(path).extension() == ".toml"; }
+
+/// A case is opened by itself, by a page that computes.
+void refuse_beside_case(const ExploreOptions& options, const std::string& path) {
+  if (!is_case(path)) return;
+  if (options.files.size() > 1)
+    throw InputError(Origin::in_file(path), "", "found a case among several files",
+                     "tables, or one case by itself");
+  if (options.no_live)
+    throw InputError(Origin::of_option("--no-live"), "", "found a case, " + printable(path),
+                     "tables of solve, continue, atlas, map or curve",
+                     "without its solver a page cannot open a case");
+}
+
+constexpr std::string_view missing_page =
+    "this program was built without the page: node and npm, or the packages that "
+    "web/package-lock.json names, were missing; with them, configure and build it again";
+constexpr std::string_view no_solver =
+    "this program was built without the solver for pages: clang 19 or what it needs for "
+    "WebAssembly was missing (Debian: clang-19, lld-19, libc++-19-dev-wasm32, "
+    "libc++abi-19-dev-wasm32, libclang-rt-19-dev-wasm32, wasi-libc); with them, configure and "
+    "build it again";
+
+PageCase read_page_case(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {fs::path(path).filename().string(), {std::istreambuf_iterator<char>(file), {}}};
 }
 
 ExitCode explore(const ExploreOptions& options) {
   refuse_suffix(options.output);
-  for (const std::string& each : options.tables) {
-    refuse_case(each);
-    refuse_to_replace(options.output, options.output, each, "a table");
+  for (const std::string& each : options.files) {
+    refuse_beside_case(options, each);
+    refuse_to_replace(options.output, options.output, each, "a file it is made of");
   }
-  if (page_template().empty()) {
-    throw std::runtime_error(
-        "this program was built without the page: node and npm, or the packages that "
-        "web/package-lock.json names, were missing; with them, configure and build it again");
-  }
+  if (page_template().empty()) throw std::runtime_error(std::string(missing_page));
+  const std::span<const std::string_view> live =
+      options.no_live ? std::span<const std::string_view>() : live_solver();
   std::vector<PageTable> tables;
+  std::optional<PageCase> opened;
+  std::string title;
   std::size_t rows = 0;
-  for (const std::string& each : options.tables) {
-    tables.push_back(read_page_table(each, options.title));
-    rows += tables.back().rows;
+  if (is_case(options.files.front())) {
+    const std::string& path = options.files.front();
+    const Case input = read_case(path);  // told what is wrong with it here, not by the page
+    if (live.empty()) throw std::runtime_error(std::string(no_solver));
+    opened = read_page_case(path);
+    title = options.title.value_or(input.title.empty() ? opened->file : input.title);
+  } else {
+    for (const std::string& each : options.files) {
+      tables.push_back(read_page_table(each, options.title));
+      rows += tables.back().rows;
+    }
+    title = tables.front().title;
   }
-  const std::string& title = tables.front().title;
-  const std::string text =
-      page(page_template(), title, page_data(tables, title, STATIONARY_VERSION));
+  const std::string text = page(
+      page_template(),
+      {.title = title, .data = page_data(tables, title, STATIONARY_VERSION, opened), .live = live});
   std::optional<AtomicFile> file;
   open_output(file, options.output);
   file->write(text);
   file->commit();
-  if (!options.quiet) {
-    print(fmt::format("{}: {} table{}, {} row{}, {} kB\n", printable(options.output), tables.size(),
-                      tables.size() == 1 ? "" : "s", rows, rows == 1 ? "" : "s",
-                      (text.size() + 999) / 1000));
-  }
+  if (options.quiet) return ExitCode::done;
+  const std::string what =
+      opened ? "a case"
+             : fmt::format("{} table{}, {} row{}", tables.size(), tables.size() == 1 ? "" : "s",
+                           rows, rows == 1 ? "" : "s");
+  print(
+      fmt::format("{}: {}, {} kB\n", printable(options.output), what, (text.size() + 999) / 1000));
+  if (live.empty() && !options.no_live)
+    print("The page shows its tables and computes nothing: " + std::string(no_solver) + "\n");
   return ExitCode::done;
 }
 
@@ -75,11 +115,12 @@ ExitCode explore(const ExploreOptions& options) {
 
 void add_explore(CLI::App& program, Session& session) {
   CLI::App& command = add_command(
-      program, "explore", "Make one self-contained page that shows tables, to open in a browser");
+      program, "explore",
+      "Make one self-contained page that shows tables, or opens a case, and computes in a browser");
   const auto options = std::make_shared<ExploreOptions>();
   command
-      .add_option("TABLE", options->tables,
-                  "Tables of solve, continue, atlas, map or curve (CSV or HDF5)")
+      .add_option("FILE", options->files,
+                  "Tables of solve, continue, atlas, map or curve (CSV or HDF5), or one case")
       ->required();
   command.add_option("-o,--output", options->output, "Write the page there: .html")
       ->type_name("FILE")
@@ -89,9 +130,8 @@ void add_explore(CLI::App& program, Session& session) {
       .add_option("--title", options->title,
                   "Title of the page; without it the case's, or the table's name")
       ->type_name("TEXT");
-  // Pages carry no solver yet: it is what every page is.
-  command.add_flag("--no-live")
-      ->description("Leave the solver out of the page (no page carries it so far)");
+  command.add_flag("--no-live", options->no_live,
+                   "Leave the solver out: the page shows its tables and computes nothing");
   command.add_flag("-q,--quiet", options->quiet, "Print nothing");
   command.callback(
       [options, &session] { session.action = [options] { return explore(*options); }; });

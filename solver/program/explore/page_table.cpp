@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <utility>
 
 #include "lib/stability/spectrum.hpp"
-#include "solver/program/rows/metadata.hpp"
-#include "solver/program/table/atomic_file.hpp"
-#include "solver/program/table/column_file.hpp"
 #include "solver/program/table/table.hpp"
 
 namespace stationary {
@@ -59,13 +55,6 @@ std::string joined(const std::vector<std::string>& cells) {
   return out;
 }
 
-std::string metadata_of(const std::string& path) {
-  std::ifstream file(metadata_path(path), std::ios::binary);
-  std::string out{std::istreambuf_iterator<char>(file), {}};
-  if (out.empty() && is_column_file(path)) out = column_file_metadata(path);
-  return out;
-}
-
 }  // namespace
 
 PageTable read_page_table(TableReader& table) {
@@ -101,16 +90,6 @@ PageTable read_page_table(TableReader& table) {
     column.numbers = joined(column.words);
     column.words.clear();
   }
-  return out;
-}
-
-PageTable read_page_table(const std::string& path, const std::optional<std::string>& title) {
-  TableReader table =
-      is_column_file(path) ? TableReader(column_file_table(path, {}), path) : TableReader(path);
-  PageTable out = read_page_table(table);
-  out.metadata = metadata_of(path);
-  if (const std::string of_case = case_title(out.metadata); !of_case.empty()) out.title = of_case;
-  if (title) out.title = *title;
   return out;
 }
 

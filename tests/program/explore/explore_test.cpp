@@ -16,6 +16,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 constexpr bool has_page = STATIONARY_HAS_PAGE;
+constexpr bool has_live = STATIONARY_HAS_LIVE;
 const char* const shipped_table = STATIONARY_RESULTS "/fold.csv";
 
 TEST(Explore, WritesOneFileThatIsAPage) {
@@ -63,13 +64,46 @@ TEST(Explore, RefusesWrongArguments) {
               AllOf(HasSubstr("\".svg\""), HasSubstr(".html")));
   EXPECT_THAT(refused({"explore", shipped_table, "-o", folder / "x"}), HasSubstr("no extension"));
   EXPECT_THAT(refused({"explore", shipped_table}), HasSubstr("--output"));
-  EXPECT_THAT(refused({"explore", "-o", folder / "x.html"}), HasSubstr("TABLE"));
-  EXPECT_THAT(refused({"explore", shipped("fold.toml"), "-o", folder / "x.html"}),
-              AllOf(HasSubstr("no solver"), HasSubstr("continue")));
+  EXPECT_THAT(refused({"explore", "-o", folder / "x.html"}), HasSubstr("FILE"));
+  EXPECT_THAT(refused({"explore", shipped("fold.toml"), "-o", folder / "x.html", "--no-live"}),
+              AllOf(HasSubstr("--no-live"), HasSubstr("cannot open a case")));
+  EXPECT_THAT(refused({"explore", shipped("fold.toml"), shipped_table, "-o", folder / "x.html"}),
+              HasSubstr("one case by itself"));
   const std::string table = folder.file("t.html", "branch,xi\ni,1\n");
-  EXPECT_THAT(refused({"explore", table, "-o", table}), HasSubstr("is a table"));
+  EXPECT_THAT(refused({"explore", table, "-o", table}), HasSubstr("is a file it is made of"));
   EXPECT_EQ(text_of(table), "branch,xi\ni,1\n");
   EXPECT_THAT(folder.names(), ElementsAre("t.html"));
+}
+
+TEST(Explore, OpensACaseWithItsSolver) {
+  if (!has_live) GTEST_SKIP() << "the program is built without the solver of pages";
+  const TemporaryDirectory folder;
+  const Outcome done = run_program({"explore", shipped("fold.toml"), "-o", folder / "x.html"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_THAT(done.out, HasSubstr("x.html: a case, "));
+  const std::string page = text_of(folder / "x.html");
+  EXPECT_THAT(page, HasSubstr("'wasm-unsafe-eval'; worker-src blob:"));
+  EXPECT_THAT(page, Not(HasSubstr("://")));
+  EXPECT_THAT(page, Not(HasSubstr("@LIVE@")));
+}
+
+TEST(Explore, SaysWhatIsMissingForACaseWhereItWasBuiltWithoutItsSolver) {
+  if (!has_page || has_live) GTEST_SKIP() << "the program is built with the solver of pages";
+  const TemporaryDirectory folder;
+  const Outcome failed = run_program({"explore", shipped("fold.toml"), "-o", folder / "x.html"});
+  EXPECT_EQ(failed.code, 4);
+  EXPECT_THAT(failed.err, AllOf(HasSubstr("clang-19"), HasSubstr("wasi-libc")));
+  EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(Explore, RefusesAWrongCase) {
+  if (!has_page) GTEST_SKIP() << "the program is built without the page";
+  const TemporaryDirectory folder;
+  const std::string path = folder.file("x.toml", "[body]\nJ = [1.0]\n");
+  const Outcome refused = run_program({"explore", path, "-o", folder / "x.html"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("body.J"));
+  EXPECT_THAT(folder.names(), ElementsAre("x.toml"));
 }
 
 TEST(Explore, RefusesABrokenTableWithItsPlace) {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "solver/program/explore/page_data.hpp"
 #include "solver/program/explore/page_text.hpp"
 
 namespace stationary::testing {
@@ -79,13 +80,21 @@ TEST(Page, FillsEveryPlaceOnce) {
   // A place may lie across two pieces.
   constexpr std::string_view pieces[] = {"<title>@TITLE@</title><h1>@TI", "TLE@</h1><p>", "@DATA@",
                                          "</p>"};
-  EXPECT_EQ(page(pieces, "x < y", ""),
+  EXPECT_EQ(page(pieces, {.title = "x < y", .data = ""}),
             "<title>x &lt; y</title><h1>x &lt; y</h1><p>" + packed("") + "</p>");
 }
 
 TEST(Page, ATitleIsNotSearchedForPlaces) {
   constexpr std::string_view pieces[] = {"@TITLE@|@DATA@"};
-  EXPECT_EQ(page(pieces, "@DATA@", "@TITLE@"), "@DATA@|" + packed("@TITLE@"));
+  EXPECT_EQ(page(pieces, {.title = "@DATA@", .data = "@TITLE@"}), "@DATA@|" + packed("@TITLE@"));
+}
+
+TEST(Page, IsAllowedToComputeOnlyWithTheSolver) {
+  constexpr std::string_view pieces[] = {"script-src 'x'@LIVE_POLICY@|@LIVE@|"};
+  constexpr std::string_view solver[] = {"YW", "Jj"};
+  EXPECT_EQ(page(pieces, {.title = "", .data = "", .live = solver}),
+            "script-src 'x' 'wasm-unsafe-eval'; worker-src blob:|YWJj|");
+  EXPECT_EQ(page(pieces, {.title = "", .data = ""}), "script-src 'x'||");
 }
 
 PageTable small_table(const std::string& metadata) {
@@ -112,6 +121,12 @@ TEST(PageData, HasTheTablesAndTheirMetadataWithoutTheRun) {
   EXPECT_EQ(table["columns"][1],
             Json({{"name", "body.J.0"}, {"kind", "number"}, {"cells", "1,2.5"}}));
   EXPECT_EQ(table["metadata"], Json({{"schema", 2}, {"rows", 2}}));
+}
+
+TEST(PageData, MayHaveACaseInThePlaceOfTables) {
+  const Json data = Json::parse(page_data({}, "Title", "1", PageCase{"x.toml", "a = \"<\""}));
+  EXPECT_EQ(data["tables"], Json::array());
+  EXPECT_EQ(data["case"], Json({{"file", "x.toml"}, {"text", "a = \"<\""}}));
 }
 
 TEST(PageData, IsMadeWithoutMetadataTooAndOfAnyBytes) {

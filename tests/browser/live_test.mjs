@@ -1,0 +1,239 @@
+// Pages that compute: the same bits as the program, sliders, wrong cases, giving up.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { cells, csv, filled, folder, makePage, open, run, shippedCase, start, stop, table, write } from './support.mjs';
+
+before(start);
+after(stop);
+
+/** What the panel says when what it does is over. */
+async function over(page, runs) {
+  await page.waitForFunction((least) => {
+    const { state, runs } = document.getElementById('live').dataset;
+    return Number(runs ?? 0) >= least && state !== 'working';
+  }, runs, { timeout: 60_000 });
+  return page.$eval('#live', (live) => ({ state: live.dataset.state, runs: Number(live.dataset.runs), message: live.querySelector('#live-message').textContent }));
+}
+const runsOf = (page) => page.$eval('#live', (live) => Number(live.dataset.runs ?? 0));
+
+async function openCase(text, name = 'given.toml') {
+  const page = await open(makePage(write(name, text)));
+  await over(page, 1);
+  return page;
+}
+
+/** Computes another case in the panel; `task` chooses what is done with it. Inside the page: a thousand of these are nothing. */
+const compute = (page, text) =>
+  page.evaluate(async (given) => {
+    const live = document.getElementById('live');
+    const before = Number(live.dataset.runs ?? 0);
+    document.getElementById('live-case').value = given;
+    document.getElementById('live-use').click();
+    while (!(Number(live.dataset.runs) > before && live.dataset.state !== 'working')) await new Promise((next) => setTimeout(next));
+    return { state: live.dataset.state, message: document.getElementById('live-message').textContent, table: document.getElementById('live-csv').textContent };
+  }, text);
+
+const showTable = (page) => page.evaluate(() => { document.getElementById('live-table').open = true; });
+
+/** Numbers from one seed, the same in every run. */
+function random(seed) {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
+
+/** A case of a model, a body and a spin of its own. */
+function someCase(next) {
+  const among = (low, high) => Number((low * (high / low) ** next()).toPrecision(6));
+  const pick = (list) => list[Math.floor(next() * list.length)];
+  const two = `mu = ${among(0.5, 2)}, lambda = ${among(0.3, 2)}`;
+  const plane = pick([
+    `{ model = "reciprocal-determinant", c = ${among(0.5, 2)}, k = ${among(1, 3)} }`,
+    ...['saint-venant-kirchhoff', 'biot', 'biot-log', 'neo-hookean', 'hencky'].map((model) => `{ model = "${model}", ${two} }`),
+    `{ expression = "a*(I1 - 2 - 2*log(d)) + b*(exp(d - 1) - d)", a = ${among(0.5, 2)}, b = ${among(0.5, 2)} }`,
+  ]);
+  const thickness = pick([`{ model = "reciprocal-quadratic", a = ${among(0.5, 2)}, b = ${among(1, 3)} }`, `{ model = "harmonic", k = ${among(1, 3)}, rest = 1.0 }`]);
+  const potential = next() < 0.2 ? `coupled = { model = "neo-hookean-3d", ${two} }` : `plane = ${plane}\nthickness = ${thickness}`;
+  return `[body]\nJ = [${among(0.7, 1.5)}, ${among(0.7, 1.5)}, ${among(0.7, 1.5)}]\n[potential]\n${potential}\n[motion]\nbranch = "${pick(['i', 'ii', 'iii'])}"\nnu = ${among(0.01, 0.4)}\n[solve]\nall = ${String(next() < 0.25)}\n`;
+}
+
+test('two hundred cases are solved to the bit as the program solves them', async () => {
+  const next = random(21);
+  const page = await openCase(someCase(next));
+  await showTable(page);
+  let solved = 0;
+  for (let k = 0; k < 200; ++k) {
+    const text = someCase(next);
+    const program = run('solve', write('random.toml', text), '-o', '-', '--quiet');
+    const here = await compute(page, text);
+    assert.equal(here.table, program.out, `case ${k}:\n${text}\n${here.message}`);
+    if (program.code === 0) ++solved;
+    assert.equal(here.state, { 0: 'done', 3: 'none', 4: 'failed' }[program.code], text);
+  }
+  assert.ok(solved > 150, `${solved} of 200 have a solution`);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('a family is followed as by the program: the same events, ends and solutions', async () => {
+  for (const name of ['fold.toml', 'tilted.toml', 'two_polar.toml', 'inertia.toml', 'mooney_rivlin.toml']) {
+    const page = await open(makePage(shippedCase(name)));
+    const { state, message } = await over(page, 1);
+    assert.equal(state, 'done', `${name}: ${message}`);
+    await showTable(page);
+    const here = csv(write(`${name}.live.csv`, await page.textContent('#live-csv')));
+    const there = csv(table(`${name}.csv`, 'continue', shippedCase(name)));
+    assert.deepEqual(here.header, there.header, name);
+    const events = (rows) => rows.filter((row) => row.event !== '');
+    assert.deepEqual(events(here.rows).map((row) => row.event), events(there.rows).map((row) => row.event), name);
+    for (const [k, row] of events(here.rows).entries()) {
+      if (row.event === 'escape') continue; // where the last step ended, however far out
+      for (const column of ['nu1', 'nu2', 'nu3', 'xi', 'zeta', 'rho', 'pi3', 'energy']) {
+        const [a, b] = [Number(row[column]), Number(events(there.rows)[k][column])];
+        assert.ok(Math.abs(a - b) <= 1e-7 * Math.max(1, Math.abs(b)), `${name} ${row.event} ${column}: ${a} ${b}`);
+      }
+    }
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  }
+});
+
+test('a thousand wrong formulas in a row are told what is wrong, and the next right one is solved', async () => {
+  const right = someCase(random(5)).replace(/plane = .*/, 'plane = { expression = "a*(I1 - 2 - 2*log(d))", a = 1.5 }').replace(/coupled = .*/, 'plane = { expression = "a*(I1 - 2 - 2*log(d))", a = 1.5 }\nthickness = { model = "harmonic", k = 1.0, rest = 1.0 }');
+  const page = await openCase(right);
+  const wrong = ['a*(I1 - 2', 'a**I1', 'nobody + I1', 'sin()', 'a*I1 +', '1/0 + a', 'log(-1)*a', 'I1^^2', 'a*(d))', '\\u0000', '"', 'a*rho', '(((((((((a', 'd + ]', 'abs(lambda - 1)*a'];
+  const bad = await page.evaluate(async ({ right, wrong }) => {
+    const live = document.getElementById('live');
+    const out = [];
+    for (let k = 0; k < 1000; ++k) {
+      const before = Number(live.dataset.runs);
+      document.getElementById('live-case').value = right.replace('a*(I1 - 2 - 2*log(d))', wrong[k % wrong.length]);
+      document.getElementById('live-use').click();
+      while (!(Number(live.dataset.runs) > before && live.dataset.state !== 'working')) await new Promise((next) => setTimeout(next));
+      const message = document.getElementById('live-message').textContent;
+      if (live.dataset.state === 'done' || !/given\.toml:\d+:\d+/.test(message)) out.push(`${wrong[k % wrong.length]}: ${message}`);
+    }
+    return [...new Set(out)];
+  }, { right, wrong });
+  assert.deepEqual(bad, []);
+  assert.equal((await compute(page, right)).state, 'done');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('a slider computes what the program computes with its number', async () => {
+  const path = shippedCase('fold.toml');
+  const page = await open(makePage(path));
+  await over(page, 1);
+  await showTable(page);
+  await page.click('[data-task=solve]');
+  await over(page, 2);
+  for (const [key, step] of [['nu', -30], ['body.J.1', 25], ['potential.plane.mu', 40]]) {
+    const before = await runsOf(page);
+    const slider = page.locator(`input[type=range][data-key="${key}"]`);
+    await slider.evaluate((input, by) => {
+      input.value = String(Number(input.value) + by);
+      input.dispatchEvent(new Event('input', { bubbles: true }));
+    }, step);
+    await over(page, before + 1);
+  }
+  const set = [];
+  for (const key of ['nu', 'body.J.1', 'potential.plane.mu'])
+    set.push('--set', `${key === 'nu' ? 'motion.nu' : key}=${await page.inputValue(`input[type=number][data-key="${key}"]`)}`);
+  const there = run('solve', path, '-o', '-', '--quiet', ...set);
+  assert.equal(await page.textContent('#live-csv'), there.out);
+  assert.deepEqual(await cells(page), filled(csv(write('slider.csv', there.out)).rows[0]));
+  // The keyboard moves it too.
+  const before = await runsOf(page);
+  await page.locator('input[type=range][data-key="body.J.1"]').press('ArrowRight');
+  await over(page, before + 1);
+  assert.notEqual(await page.textContent('#live-csv'), there.out);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('the slider of a followed number goes along the family', async () => {
+  const page = await open(makePage(shippedCase('fold.toml')));
+  const { runs } = await over(page, 1);
+  const slider = page.locator('input[type=range][data-key="nu"]');
+  await slider.press('Home');
+  const first = Number((await cells(page)).nu1);
+  for (let k = 0; k < 100; ++k) await slider.press('ArrowRight');
+  assert.ok(Number((await cells(page)).nu1) > first);
+  assert.equal(await runsOf(page), runs);
+  await page.close();
+});
+
+test('all solutions are found, with what is proven of them', async () => {
+  const page = await open(makePage(shippedCase('fold.toml')));
+  await over(page, 1);
+  await showTable(page);
+  await page.click('[data-task=all]');
+  const { state, message } = await over(page, 2);
+  assert.equal(state, 'done');
+  const there = run('solve', shippedCase('fold.toml'), '--set', 'solve.all=true', '-o', '-', '--quiet');
+  assert.equal(await page.textContent('#live-csv'), there.out);
+  assert.match(message, /proven|complete|every/i);
+  await page.close();
+});
+
+test('a table computes its own case, and goes on from a row', async () => {
+  const path = table('fold.csv', 'continue', shippedCase('fold.toml'));
+  const page = await open(makePage(path));
+  assert.equal(await page.locator('#live').getAttribute('open'), null);
+  await page.click('#live > summary');
+  const { state, message, runs } = await over(page, 1);
+  assert.equal(state, 'done', message);
+  assert.equal(await page.$eval('#tables', (tables) => tables.selectedOptions[0].textContent), 'computed here');
+  await page.selectOption('#tables', '0');
+  await page.evaluate(() => document.querySelectorAll('#row-part details').forEach((each) => (each.open = true)));
+  await page.click('#go-live');
+  assert.equal((await over(page, runs + 1)).state, 'done');
+  assert.match(await page.inputValue('#live-case'), /start = \[/);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('what takes long can be given up, and the page goes on', async () => {
+  const long = readFileSync(shippedCase('two_polar.toml'), 'utf8').replace('[continuation]', '[continuation]\ntolerance = 1e-16');
+  const page = await open(makePage(shippedCase('two_polar.toml')));
+  await over(page, 1);
+  await page.evaluate(async (given) => {
+    document.getElementById('live-case').value = given;
+    document.getElementById('live-use').click();
+    while (document.getElementById('live-progress').hidden) await new Promise((next) => setTimeout(next));
+    document.getElementById('live-cancel').click();
+  }, long);
+  assert.equal((await over(page, 2)).state, 'cancelled');
+  assert.equal((await compute(page, readFileSync(shippedCase('fold.toml'), 'utf8'))).state, 'done');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('a hostile case is text', async () => {
+  const hostile = `</script><img src=x onerror="window.caught=1">`;
+  const text = readFileSync(shippedCase('fold.toml'), 'utf8').replace(/^title = .*/m, `title = ${JSON.stringify(hostile)}`);
+  const page = await openCase(text, '<b>x.toml');
+  assert.equal(await page.textContent('#title'), hostile);
+  assert.equal(await page.evaluate(() => window.caught), undefined);
+  assert.equal(await page.locator('img').count(), 0);
+  const wrong = await compute(page, text.replace('hencky', '<img src=x onerror=caught=2>'));
+  assert.equal(wrong.state, 'failed');
+  assert.ok(wrong.message.includes('<img'));
+  assert.equal(await page.locator('img').count(), 0);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('a page without the solver is allowed to compute nothing', async () => {
+  const page = await open(makePage(table('fold.csv', 'continue', shippedCase('fold.toml')), '--no-live'));
+  assert.equal(await page.isVisible('#live'), false);
+  assert.match(await page.textContent('#about-live'), /no solver/);
+  const policy = await page.evaluate(() => document.querySelector('meta[http-equiv]').content);
+  assert.doesNotMatch(policy, /wasm|blob/);
+  assert.ok(readFileSync(makePage(`${folder}/fold.csv`, '--no-live')).length < 400_000);
+  await page.close();
+});

@@ -1,0 +1,67 @@
+// In the place of the certificates of rows and events, a quarter of the program's code: a page asks for none
+// (web/live/live.cpp). What an exhaustive search proves it proves here too.
+#include <stdexcept>
+
+#include "solver/proof/anisotropic_enclosure.hpp"
+#include "solver/proof/certify.hpp"
+#include "solver/proof/event_enclosure.hpp"
+#include "solver/proof/tilted_enclosure.hpp"
+#include "solver/proof/two_polar_enclosure.hpp"
+
+namespace stationary {
+namespace {
+
+[[noreturn]] void refuse() { throw std::logic_error("a page has no certificates"); }
+
+}  // namespace
+
+Certificate certify(const Problem&, const Equilibrium&, Inputs) { refuse(); }
+Certificate certify_tilted(const Body&, const Potential&, const TiltedRotation&, const Equilibrium&,
+                           Inputs) {
+  refuse();
+}
+Certificate certify_two_polar(const Body&, const Potential&, const TwoPolarMotion&,
+                              const Equilibrium&, Inputs) {
+  refuse();
+}
+Certificate certify_oblique(const Body&, const Potential&, const ObliqueRotation&,
+                            const Equilibrium&, Inputs) {
+  refuse();
+}
+
+SpectrumEnclosure enclose_spectrum(const Problem&, const Equilibrium&, const Certificate&,
+                                   const Spectrum&, Inputs) {
+  refuse();
+}
+SpectrumEnclosure enclose_spectrum(const Body&, const Potential&, const TiltedRotation&,
+                                   const Certificate&, const Spectrum&, Inputs) {
+  refuse();
+}
+SpectrumEnclosure enclose_spectrum(const Body&, const Potential&, const TwoPolarMotion&,
+                                   const Equilibrium&, const Certificate&, const Spectrum&,
+                                   Inputs) {
+  refuse();
+}
+SpectrumEnclosure enclose_oblique_spectrum(const Body&, const Potential&, const ObliqueRotation&,
+                                           const Certificate&, const Spectrum&, Inputs) {
+  refuse();
+}
+
+bool has_enclosure(EventType) { return false; }
+EventEnclosure enclose_event(const Problem&, const FamilyParameter&, bool, EventType, const Member&,
+                             Inputs) {
+  refuse();
+}
+template <int N>
+LogBalance<BoxDual<N>> elastic_over(const Potential&, const FamilyParameter&,
+                                    const std::array<BoxDual<N>, 3>&, const BoxDual<N>&, Inputs) {
+  refuse();
+}
+template LogBalance<BoxDual<3>> elastic_over<3>(const Potential&, const FamilyParameter&,
+                                                const std::array<BoxDual<3>, 3>&, const BoxDual<3>&,
+                                                Inputs);
+template LogBalance<BoxDual<4>> elastic_over<4>(const Potential&, const FamilyParameter&,
+                                                const std::array<BoxDual<4>, 3>&, const BoxDual<4>&,
+                                                Inputs);
+
+}  // namespace stationary

@@ -1,0 +1,3 @@
+// toml++, once.
+#define TOML_IMPLEMENTATION
+#include <toml++/toml.h>
