@@ -32,6 +32,8 @@ export class LivePanel {
   private readonly values = new Map<string, number>();
   private readonly moved = new Set<string>();
   private task: Task = 'solve';
+  /** A button said what is done; before that the case does. */
+  private chosen = false;
   private again = false;
   private runs = 0;
   private began = 0;
@@ -43,6 +45,7 @@ export class LivePanel {
   ) {
     for (const button of this.tasks()) {
       button.addEventListener('click', () => {
+        this.chosen = true;
         this.setTask(button.dataset['task'] as Task);
         this.compute();
       });
@@ -73,6 +76,7 @@ export class LivePanel {
     this.described = answer;
     this.values.clear();
     this.moved.clear();
+    this.chosen = false;
     for (const { key, value } of answer.parameters) this.values.set(key, value);
     const follow = this.tasks().find((each) => each.dataset['task'] === 'follow');
     if (follow) follow.disabled = answer.range === null;
@@ -104,7 +108,7 @@ export class LivePanel {
       // A body that keeps its symmetry has one number for both.
       if (key === 'body.J.0' && !this.values.has('body.J.1')) out.push(`body.J.1=${value}`);
     }
-    if (this.task !== 'follow') out.push(`solve.all=${String(this.task === 'all')}`);
+    if (this.chosen && this.task !== 'follow') out.push(`solve.all=${String(this.task === 'all')}`);
     return out;
   }
 
