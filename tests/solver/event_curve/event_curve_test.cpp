@@ -202,7 +202,7 @@ TEST(EventCurve, OfAxesThatTurnWhereTwoInertiasAreEqual) {
     const auto events = sheet.events({each.type});
     ASSERT_EQ(events.size(), 1U) << sheet.text();
     const EventCurve curve = follow_event_curve(
-        setting(numbers, each.type, J2, {}), events[0].member, numbers.nu, false,
+        setting(numbers, each.type, J2, {}), events[0].member, numbers.nu, Circle::none,
         {.first_from = 0.5, .first_to = 1.5, .second_from = each.from, .second_to = each.to});
     ASSERT_EQ(curve.failure, "");
     ASSERT_GE(curve.points.size(), 3U);
@@ -333,7 +333,7 @@ TEST(EventCurve, OfAnisotropicBodiesAgreesWithEventsAtSingleValues) {
     for (const FollowedRow& row : sheet.events()) {
       if (std::ranges::find(spectral_events, row.event) != spectral_events.end()) continue;
       const EventCurve curve =
-          follow_event_curve({at, {}, each.second, row.event}, row.member, own, false,
+          follow_event_curve({at, {}, each.second, row.event}, row.member, own, Circle::none,
                              {.first_from = each.low,
                               .first_to = each.high,
                               .second_from = each.from,

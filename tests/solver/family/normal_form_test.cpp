@@ -168,7 +168,8 @@ TEST(NormalForm, OfFoldsOfTheMomentum) {
       if (sheet.rows[row].event != EventType::fold_momentum) continue;
       const Member& at = sheet.rows[row].member;
       const bool circle = mirror_symmetric(made.problem, at.nu) && at.q.xi == at.q.zeta;
-      const auto form = normal_form(made.problem, {}, circle, EventType::fold_momentum, at);
+      const auto form = normal_form(made.problem, {}, circle ? Circle::xi_zeta : Circle::none,
+                                    EventType::fold_momentum, at);
       ASSERT_TRUE(form) << k;
       const AtMomentum F(made.problem, at);
       const double expected =

@@ -110,7 +110,7 @@ TEST(OrientedNormalForm, OfAnEllipseThatTurnsAway) {
   const Atlas found = atlas(problem.body(), problem.potential(), range(0.5, 0.75, Branch::iii));
   const Leaving at = leaving(found, EventType::shear);
   ASSERT_NE(at.event, nullptr) << text_of(found);
-  const auto form = normal_form(problem, {}, false, EventType::shear, *at.event);
+  const auto form = normal_form(problem, {}, Circle::none, EventType::shear, *at.event);
   ASSERT_TRUE(form);
   expect_side(at, *form);
   expect_coefficient(
@@ -128,7 +128,7 @@ TEST(OrientedNormalForm, OfAnAxisThatLeavesItsOwn) {
   const Atlas found = atlas(problem.body(), problem.potential(), how);
   const Leaving at = leaving(found, EventType::oblique);
   ASSERT_NE(at.event, nullptr) << text_of(found);
-  const auto form = normal_form(problem, {}, false, EventType::oblique, *at.event);
+  const auto form = normal_form(problem, {}, Circle::none, EventType::oblique, *at.event);
   ASSERT_TRUE(form);
   expect_side(at, *form);
   expect_coefficient(left_rows(problem, *at.sheet, at.event->q,
@@ -152,8 +152,8 @@ TEST(OrientedNormalForm, OfAFoldAgreesWithThatOfAnIsotropicBody) {
   at.error_bound = 1e-14;
   const Problem isotropic(body, Potential(plane, thickness), Branch::i);
   const Problem fibred(body, testing::fibred(plane, 1e-13, 0.0), Branch::i);
-  const auto expected = normal_form(isotropic, {}, false, EventType::fold_nu, at);
-  const auto form = normal_form(fibred, {}, false, EventType::fold_nu, at);
+  const auto expected = normal_form(isotropic, {}, Circle::none, EventType::fold_nu, at);
+  const auto form = normal_form(fibred, {}, Circle::none, EventType::fold_nu, at);
   ASSERT_TRUE(expected && form);
   EXPECT_NEAR(form->coefficient, expected->coefficient, 1e-9);
   EXPECT_EQ(form->side, expected->side);
@@ -167,7 +167,7 @@ TEST(OrientedNormalForm, IsNotToldOfAPotentialThatIsNotEven) {
   at.q = {0.0, 1.1, 1.2, 0.9};
   at.nu = at.parameter = 0.5;
   at.error_bound = 1e-15;
-  EXPECT_FALSE(normal_form(skew, {}, false, EventType::shear, at));
+  EXPECT_FALSE(normal_form(skew, {}, Circle::none, EventType::shear, at));
 }
 
 }  // namespace
