@@ -64,20 +64,21 @@ constexpr const RateStyle& style(RateKind kind) {
 constexpr std::string_view guide_style = "lc rgb '#9ca3af' lw 0.6 dt (2,4)";
 
 /// gnuplot's point types: filled and open circle, square, triangles, diamond, pentagon,
-/// crosses.
+/// crosses; and, these being used up, characters.
 struct EventStyle {
   std::string_view name;
-  int point_type;
+  std::string_view point_type;
 };
 constexpr EventStyle event_styles[] = {
-    {"fold-nu", 7},     {"fold-momentum", 6},  {"tilt", 5},           {"oblique", 4},
-    {"ellipse", 13},    {"shear", 12},         {"krein-pass", 10},    {"hamiltonian-hopf", 11},
-    {"escape", 8},      {"real-collision", 9}, {"collapse", 15},      {"inertia-exchange", 2},
-    {"unexplained", 3}, {"domain", 14},        {"fold-parameter", 7}, {"ellipse-23", 13},
-    {"ellipse-13", 13}};
+    {"fold-nu", "7"},        {"fold-momentum", "6"},     {"tilt", "5"},
+    {"oblique", "4"},        {"ellipse", "13"},          {"shear", "12"},
+    {"krein-pass", "10"},    {"hamiltonian-hopf", "11"}, {"escape", "8"},
+    {"real-collision", "9"}, {"collapse", "15"},         {"inertia-exchange", "2"},
+    {"unexplained", "3"},    {"domain", "14"},           {"fold-parameter", "'<'"},
+    {"ellipse-23", "'#'"},   {"ellipse-13", "'%'"}};
 
-constexpr int point_type(std::string_view event) {
-  constexpr int other = 1;
+constexpr std::string_view point_type(std::string_view event) {
+  constexpr std::string_view other = "1";
   const auto* const at = std::ranges::find(event_styles, event, &EventStyle::name);
   return at == std::end(event_styles) ? other : at->point_type;
 }

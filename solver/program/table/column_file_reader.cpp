@@ -157,6 +157,7 @@ std::unique_ptr<std::istream> table_in(const std::string& name, hid_t location,
 }  // namespace
 
 std::string hdf5_version() {
+  silence_hdf5();
   unsigned major = 0;
   unsigned minor = 0;
   unsigned patch = 0;

@@ -37,7 +37,8 @@ class Handle {
   Close close_;
 };
 
-/// Before HDF5 is used. What it would print on standard error is said in exceptions instead; and
+/// Before anything else of HDF5 is called, its version too: the first call lays its exit
+/// handler. What it would print on standard error is said in exceptions instead; and
 /// its exit handler is left out, which fails on a file that a full disk kept it from closing.
 inline void silence_hdf5() {
   static const bool without_handler = H5dont_atexit() >= 0;
