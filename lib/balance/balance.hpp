@@ -14,12 +14,6 @@
 //   G_zeta = zeta W_t + W_l - c_zeta zeta^2,
 //   G_rho  = W_r - c_rho rho^2,
 // with a symmetric Jacobian; the domain is kept by construction. That is what the solvers solve.
-//
-// A tilted axis, nu = (nu1, 0, nu3), needs I11 = I33, that is rho = sqrt(J1/J3) xi. Of the balance
-//   xi V_xi = J1 xi^2 nu3^2,   zeta V_zeta = J2 zeta^2 |nu|^2,   rho V_rho = J3 rho^2 nu1^2
-// the second and the sum of the other two hold no tilt, only |nu|; the tilt follows from either of
-// the other two. Again a gradient, that of V(xi, zeta, sqrt(J1/J3) xi) - |nu|^2 (J1 xi^2 + J2
-// zeta^2)/2. In the 2-3 plane 1 and 2, xi and zeta change places.
 #pragma once
 
 #include <Eigen/Core>
@@ -112,51 +106,6 @@ LogBalance<S> coupled_log_balance(const CoupledDerivatives<S>& w, const Q& xi, c
     out.ww = w.w_rr - 2.0 * pull_rho;
   }
   return out;
-}
-
-/// rho of a tilted motion over the stretch along the plane's own axis.
-template <class S, class Inertias>
-S tilted_slenderness(const Inertias& J, TiltPlane plane) {
-  using std::sqrt;
-  return sqrt(S(plane == TiltPlane::one_three ? J.J1 : J.J2) / S(J.J3));
-}
-
-/// rho of a tilted motion.
-template <class Inertias, class S>
-S tilted_thickness(const Inertias& J, TiltPlane plane, const S& xi, const S& zeta) {
-  return tilted_slenderness<S>(J, plane) * (plane == TiltPlane::one_three ? xi : zeta);
-}
-
-/// The balance of all three stretches with w tied to the plane's own axis, rho being
-/// tilted_thickness(): two equations. With axis_rates() of |nu|^2 in (iii) they are those of a
-/// tilted axis.
-template <int order, class S>
-LogBalance<S> tied_to_plane(LogBalance<S> balance, TiltPlane plane) {
-  const bool first = plane == TiltPlane::one_three;
-  (first ? balance.g_xi : balance.g_zeta) += balance.g_rho;
-  if constexpr (order >= 2) {
-    (first ? balance.uu : balance.vv) += 2.0 * (first ? balance.uw : balance.vw) + balance.ww;
-    balance.uv += first ? balance.vw : balance.uw;
-  }
-  return balance;
-}
-
-/// nu^2 along the plane's own axis and along axis 3. Negative: no tilted motion is there.
-template <class S>
-struct TiltSquares {
-  S in_plane;
-  S normal;
-};
-
-/// At a solution of these two, from the balance of all three stretches at rest (the
-/// elastic force alone) there.
-template <class Inertias, class S>
-TiltSquares<S> tilt_squares(const Inertias& J, TiltPlane plane, const LogBalance<S>& elastic,
-                            const S& xi, const S& zeta, const S& rho) {
-  const bool first = plane == TiltPlane::one_three;
-  const S& x = first ? xi : zeta;
-  return {elastic.g_rho / (J.J3 * (rho * rho)),
-          (first ? elastic.g_xi : elastic.g_zeta) / ((first ? J.J1 : J.J2) * (x * x))};
 }
 
 /// The verdict on a candidate (q, nu), evaluated from the returned numbers alone: what a solver's

@@ -99,12 +99,13 @@ Leaf motion_leaf(const Body& body, const Potential& potential, const BasicStretc
   constexpr double least = 1e-130;
   const bool turns = std::abs(nu_c[0].value) > least || std::abs(nu_c[1].value) > least ||
                      std::abs(nu_c[2].value) > least;
-  const LeafForm<DoubleDouble> exact = second_variation(body, q, nu, turns, V_qq);
+  const LeafShape shape{turns, potential.holds_volume()};
+  const LeafForm<DoubleDouble> exact = second_variation(body, q, nu, shape, V_qq);
   const LeafForm<Conditioned> conditioned =
       second_variation(Inertia3<Conditioned>{input(body.J1), input(body.J2), input(body.J3)}, q_c,
-                       nu_c, turns, V_qq_conditioned);
+                       nu_c, shape, V_qq_conditioned);
   Leaf out;
-  out.pairs = turns ? 5 : 4;
+  out.pairs = shape.pairs();
   for (std::size_t i = 0; i < 2 * out.pairs; ++i) {
     for (std::size_t j = 0; j < 2 * out.pairs; ++j) {
       out.second_variation[i][j] = renormalized(exact[i][j]);

@@ -79,9 +79,9 @@ StraightState<S> straight_state(const Inertia3<S>& J, const Model& model, const 
 template <class S, class C>
 StraightState<S> straight_state(const Inertia3<S>& J, const BodyModel<C>& model, const S& xi,
                                 const S& zeta, const S& rho, const S& omega) {
-  const Matrix4<S> H = model.template derivatives<2>(BasicStretch<S>{S(0.0), xi, zeta, rho}).hessian;
-  return {J,       xi,      zeta,    rho,     omega,   H(0, 0),
-          H(1, 1), H(1, 2), H(2, 2), H(1, 3), H(2, 3), H(3, 3)};
+  const Matrix4<S> H =
+      model.template derivatives<2>(BasicStretch<S>{S(0.0), xi, zeta, rho}).hessian;
+  return {J, xi, zeta, rho, omega, H(0, 0), H(1, 1), H(1, 2), H(2, 2), H(1, 3), H(2, 3), H(3, 3)};
 }
 
 /// At alpha = 0, from V's second derivatives there.

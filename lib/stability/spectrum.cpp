@@ -72,8 +72,8 @@ int add_symmetric(const SymmetricPencil<Extended>& pencil,
 }
 
 /// Of two coordinates whose masses are coupled too.
-int add_symmetric(const PlanarPencil<Extended>& pencil, const PlanarPencil<Conditioned>& conditioned,
-                  double u, ModeCollector& out) {
+int add_symmetric(const PlanarPencil<Extended>& pencil,
+                  const PlanarPencil<Conditioned>& conditioned, double u, ModeCollector& out) {
   const Polynomial<Extended, 2> p = pencil.characteristic();
   const auto pair = quadratic_roots(p.c[1] / p.c[2], p.c[0] / p.c[2]);
   int negative = 0;
@@ -336,8 +336,8 @@ int add_held_iii(const StraightState<Extended>& s, const StraightState<Condition
     conditioned.K_alpha = Conditioned(0.0);
   }
   const auto& K = conditioned.plane.K;
-  const bool definite = positive_definite_2(K[0], K[1], K[2], u) &&
-                        (forced || positive(conditioned.K_alpha, u));
+  const bool definite =
+      positive_definite_2(K[0], K[1], K[2], u) && (forced || positive(conditioned.K_alpha, u));
   const auto p = block.characteristic();
   const auto trace = block.trace_adjugate();
   const auto krein = [&](const Extended& lambda) {
@@ -398,8 +398,8 @@ Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDoubl
 
 Spectrum two_polar_spectrum(const StraightState<DoubleDouble>& state, const DoubleDouble& theta_dot,
                             const StraightState<Conditioned>& conditioned,
-                            const Conditioned& theta_dot_conditioned, double s3,
-                            double uncertainty, bool volume_held) {
+                            const Conditioned& theta_dot_conditioned, double s3, double uncertainty,
+                            bool volume_held) {
   ModeCollector out;
   int negative =
       volume_held

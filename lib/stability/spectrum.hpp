@@ -83,7 +83,7 @@ Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDoubl
 /// exactly 0, with no wobble): four modes (three). theta_dot as an input of each computation.
 Spectrum two_polar_spectrum(const StraightState<DoubleDouble>& state, const DoubleDouble& theta_dot,
                             const StraightState<Conditioned>& conditioned,
-                            const Conditioned& theta_dot_conditioned, double s3,
-                            double uncertainty, bool volume_held = false);
+                            const Conditioned& theta_dot_conditioned, double s3, double uncertainty,
+                            bool volume_held = false);
 
 }  // namespace stationary

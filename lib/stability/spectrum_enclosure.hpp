@@ -45,7 +45,6 @@ SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts,
 /// are lambda, mu, omega. wobbles: s3 is not exactly 0.
 SpectrumEnclosure enclose_two_polar_spectrum(const StraightState<Interval>& state,
                                              const Interval& theta_dot, bool wobbles,
-                                             const Spectrum& approximate,
-                                             bool volume_held = false);
+                                             const Spectrum& approximate, bool volume_held = false);
 
 }  // namespace stationary

@@ -15,6 +15,11 @@
 //   s = r3 + alpha (r_zeta - r_xi),  g = J1 xi - J2 zeta,  D = J1 J2 (xi + zeta)^2,
 //   I11 I22 - I12^2 = J1 J2 d^2 + J3 rho^2 (I11 + I22 - J3 rho^2),  d = xi zeta - alpha^2.
 //
+// Where det S = C is held rho is C/d, and rho and p_rho are no coordinates: with b = grad rho of
+// (alpha, xi, zeta), N becomes N + N_rho b^T, C(nu) has b's part of J3 (nu1^2 + nu2^2) rho^2/2 in
+// its second derivatives, V_qq is V's along the volume, and the mass M + J3 b b^T leaves
+//   r^T M^-1 r - (b^T M^-1 r)^2/(1/J3 + b^T M^-1 b).
+//
 // A symmetry of the motion leaves exact zeros, which cost nothing. At pi = 0 there is no b: 8
 // dimensions. q must be a stationary motion (not checked).
 #pragma once
@@ -34,7 +39,7 @@ template <class S>
 using LeafForm = std::array<std::array<S, 10>, 10>;
 
 struct Leaf {
-  std::size_t pairs;  ///< 5, or 4 at pi = 0; less of a part of it
+  std::size_t pairs;  ///< 5, or 4 at pi = 0, one less of a held volume; less of a part of it
   LeafForm<DoubleDouble> second_variation;
   /// |change| of an entry <= u magnitude for inputs of relative uncertainty u; 0 only where a
   /// symmetry forces a zero.
@@ -99,11 +104,73 @@ void add_product(const LinearForm<S>& x, const LinearForm<S>& y, LeafForm<S>& ou
 
 }  // namespace leaf_detail
 
-/// E'' in any number type; V_qq in the same. turns: nu is not 0; else there is no b, and rows and
-/// columns 0 and 5 are left out.
+namespace leaf_detail {
+
+/// A held volume's part of E'', of a motion with the forms s, r_alpha of the leaf.
+template <class S, class Inertias>
+void add_held_volume(const Inertias& body, const BasicStretch<S>& q, const Vector3<S>& nu,
+                     const LinearForm<S>& s, const LinearForm<S>& r_alpha, LeafForm<S>& out) {
+  constexpr std::size_t alpha = 1, xi = 2, zeta = 3, p_xi = 7, p_zeta = 8;
+  const S one(1.0);
+  const S none(0.0);
+  const S per_d = one / (q.xi * q.zeta - q.alpha * q.alpha);
+  const bool straight = vanishes(q.alpha);
+  // l = grad ln d, b = -rho l.
+  const std::array<S, 3> l{straight ? none : S(-2.0 * (q.alpha * per_d)), q.zeta * per_d,
+                           q.xi * per_d};
+  const std::array<S, 3> b{straight ? none : S(-(q.rho * l[0])), -(q.rho * l[1]), -(q.rho * l[2])};
+  LinearForm<S> r_xi, r_zeta;
+  r_xi.c[p_xi] = one;
+  r_zeta.c[p_zeta] = one;
+  if (!vanishes(nu[2])) {
+    r_xi.c[alpha] = -(S(body.J1) * nu[2]);
+    r_zeta.c[alpha] = S(body.J2) * nu[2];
+  }
+  r_xi.find();
+  r_zeta.find();
+  LinearForm<S> across = combined(S(b[1] / body.J1), r_xi, S(b[2] / body.J2), r_zeta);
+  S size = one / S(body.J3) + b[1] * b[1] / body.J1 + b[2] * b[2] / body.J2;
+  if (!straight) {
+    const S sum = q.xi + q.zeta;
+    const S per_D = one / (body.J1 * (body.J2 * (sum * sum)));
+    const S g = (body.J1 * q.xi - body.J2 * q.zeta) * per_D;
+    const S plane = (body.J1 * (q.xi * q.xi) + body.J2 * (q.zeta * q.zeta)) * per_D;
+    const S both = (S(body.J1) + body.J2) * per_D;
+    const S of_s = q.alpha * (b[2] - b[1]);
+    const S by_s = both * of_s + g * b[0];
+    const S by_alpha = g * of_s + plane * b[0];
+    across = combined(one, across, one, combined(by_s, s, by_alpha, r_alpha));
+    size = size + of_s * by_s + b[0] * by_alpha;
+  }
+  add_product(combined(S(-(one / size)), across, none, across), across, out);
+
+  const S pull = body.J3 * (nu[0] * nu[0] + nu[1] * nu[1]) * (q.rho * q.rho);
+  if (vanishes(pull)) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      if (vanishes(l[i]) && i != j) continue;
+      S slope = 3.0 * (l[i] * l[j]);
+      if (i == 0 && j == 0) slope = slope + 2.0 * per_d;
+      if (i == 1 && j == 2) slope = slope - per_d;
+      out[alpha + i][alpha + j] = out[alpha + i][alpha + j] - pull * slope;
+    }
+  }
+  static_assert(xi == alpha + 1 && zeta == alpha + 2);
+}
+
+}  // namespace leaf_detail
+
+/// What of the ten coordinates is left: no b at rest, no rho of a held volume.
+struct LeafShape {
+  bool turns;  ///< nu is not 0
+  bool held;   ///< det S is, and V_qq is along it
+  std::size_t pairs() const { return 3 + std::size_t{turns} + std::size_t{!held}; }
+};
+
+/// E'' in any number type; V_qq in the same. The rows and columns of what is not left are left out.
 template <class S, class Inertias>
 LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, const Vector3<S>& nu,
-                             bool turns, const Matrix4<S>& V_qq) {
+                             const LeafShape& shape, const Matrix4<S>& V_qq) {
   using leaf_detail::add_product;
   using leaf_detail::combined;
   using leaf_detail::LinearForm;
@@ -131,16 +198,27 @@ LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, con
 
   LinearForm<S> r1, r2, r3, r_alpha;
   const Eigen::Matrix<S, 7, 4> N = steady_momenta_jacobian(body, q, nu);
-  for (int k = 0; k < 4; ++k) {
+  if (shape.held) {
+    // N_rho b, in (pi1, pi2) alone.
+    const S per_d = one / (q.xi * q.zeta - alpha2);
+    const std::array<S, 3> b{2.0 * (q.rho * (q.alpha * per_d)), -(q.rho * (q.zeta * per_d)),
+                             -(q.rho * (q.xi * per_d))};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (vanishes(b[k])) continue;
+      if (!vanishes(N(0, 3))) r1.c[alpha + k] = -(N(0, 3) * b[k]);
+      if (!vanishes(N(1, 3))) r2.c[alpha + k] = -(N(1, 3) * b[k]);
+    }
+  }
+  for (int k = 0; k < (shape.held ? 3 : 4); ++k) {
     const auto column = alpha + static_cast<std::size_t>(k);
-    r1.c[column] = -N(0, k);
-    r2.c[column] = -N(1, k);
+    r1.c[column] = vanishes(r1.c[column]) ? S(-N(0, k)) : S(r1.c[column] - N(0, k));
+    r2.c[column] = vanishes(r2.c[column]) ? S(-N(1, k)) : S(r2.c[column] - N(1, k));
     r3.c[column] = -N(2, k);
     r_alpha.c[column] = -N(3, k);
   }
   r_alpha.c[p_alpha] = one;
   const std::array<S, 3> pi{I11 * nu[0] + I12 * nu[1], I12 * nu[0] + I22 * nu[1], I33 * nu[2]};
-  if (turns) {
+  if (shape.turns) {
     const S size = sqrt(S(pi[0] * pi[0] + pi[1] * pi[1] + pi[2] * pi[2]));
     const S root = sqrt(size);
     const std::array<S, 3> axis{pi[0] / size, pi[1] / size, pi[2] / size};
@@ -207,7 +285,7 @@ LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, con
   const auto add = [&](std::size_t i, std::size_t j, const S& x) { out[i][j] = out[i][j] + x; };
   add(p_xi, p_xi, one / S(J1));
   add(p_zeta, p_zeta, one / S(J2));
-  add(p_rho, p_rho, one / S(J3));
+  if (!shape.held) add(p_rho, p_rho, one / S(J3));
   if (!vanishes(nu[2])) {
     add(alpha, p_xi, -nu[2]);
     add(alpha, p_zeta, nu[2]);
@@ -218,20 +296,27 @@ LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, con
   add(alpha, alpha, V_qq(0, 0) - (J1 * square_1 + J2 * square_2));
   add(xi, xi, V_qq(1, 1) - J1 * (square_2 + square_3));
   add(zeta, zeta, V_qq(2, 2) - J2 * (square_1 + square_3));
-  add(rho, rho, V_qq(3, 3) - J3 * (square_1 + square_2));
+  if (!shape.held) add(rho, rho, V_qq(3, 3) - J3 * (square_1 + square_2));
   const S product = nu[0] * nu[1];
   const bool in_plane = !vanishes(product);
   add(alpha, xi, in_plane ? S(V_qq(0, 1) + J1 * product) : V_qq(0, 1));
   add(alpha, zeta, in_plane ? S(V_qq(0, 2) + J2 * product) : V_qq(0, 2));
-  add(alpha, rho, V_qq(0, 3));
   add(xi, zeta, V_qq(1, 2));
-  add(xi, rho, V_qq(1, 3));
-  add(zeta, rho, V_qq(2, 3));
+  if (shape.held) {
+    leaf_detail::add_held_volume(body, q, nu, s, r_alpha, out);
+  } else {
+    add(alpha, rho, V_qq(0, 3));
+    add(xi, rho, V_qq(1, 3));
+    add(zeta, rho, V_qq(2, 3));
+  }
 
-  if (!turns) {
-    for (std::size_t i = 0; i < 8; ++i)
-      for (std::size_t j = i; j < 8; ++j)
-        out[i][j] = out[i < 4 ? i + 1 : i + 2][j < 4 ? j + 1 : j + 2];
+  if (!shape.turns || shape.held) {
+    std::array<std::size_t, 10> left;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < 10; ++k)
+      if ((shape.turns || k % 5 != b1) && !(shape.held && k % 5 == rho)) left[count++] = k;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i; j < count; ++j) out[i][j] = out[left[i]][left[j]];
   }
   for (std::size_t i = 0; i < 10; ++i)
     for (std::size_t j = 0; j < i; ++j) out[i][j] = out[j][i];

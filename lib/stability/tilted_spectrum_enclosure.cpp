@@ -1,15 +1,20 @@
 #include "lib/stability/tilted_spectrum_enclosure.hpp"
 
+#include <algorithm>
+
 #include "lib/stability/enclosure_collector.hpp"
 #include "lib/stability/interval_form.hpp"
 
 namespace stationary {
-SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval>& forms,
-                                          bool material_symmetry, const Spectrum& approximate) {
+namespace {
+
+template <std::size_t n>
+SpectrumEnclosure enclose(const TiltedForms<Interval, n>& forms, bool material_symmetry,
+                          const Spectrum& approximate) {
   EnclosureCollector out;
   // The symmetry turns alpha and pi2: det B = 0.
   const auto in_A = negative_directions(forms.A);
-  const auto in_B = negative_directions(forms.B, material_symmetry ? 4 : 5);
+  const auto in_B = negative_directions(forms.B, material_symmetry ? n - 1 : n);
   out.negative.add(in_A);
   out.negative.add(in_B);
   // Definite but for the direction of the symmetry, which the reduced leaf leaves out.
@@ -20,13 +25,15 @@ SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval>& forms,
   const auto add = [&](const auto& roots) {
     for (const RootEnclosure& root : roots) out.add(root, definite ? 1 : unknown, definite);
   };
-  IntervalForm<5> minus_BA = product(forms.B, forms.A);
+  IntervalForm<n> minus_BA = product(forms.B, forms.A);
   for (auto& row : minus_BA)
     for (Interval& entry : row) entry = -entry;
-  const Polynomial<Interval, 5> p{characteristic(minus_BA)};
+  const Polynomial<Interval, n> p{characteristic(minus_BA)};
   if (material_symmetry) {
     out.add_forced_zero();
-    add(enclose_roots(Polynomial<Interval, 4>{{p.c[1], p.c[2], p.c[3], p.c[4], p.c[5]}}, all_real));
+    Polynomial<Interval, n - 1> rest;
+    std::copy(p.c.begin() + 1, p.c.end(), rest.c.begin());
+    add(enclose_roots(rest, all_real));
   } else {
     add(enclose_roots(p, all_real));
   }
@@ -36,6 +43,17 @@ SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval>& forms,
   // conjugate to the symmetry, which the reduced leaf leaves out.
   if (material_symmetry && negative == 1) out.set_definite_with_momentum();
   return out.finish(approximate);
+}
+
+}  // namespace
+
+SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval, 5>& forms,
+                                          bool material_symmetry, const Spectrum& approximate) {
+  return enclose(forms, material_symmetry, approximate);
+}
+SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval, 4>& forms,
+                                          bool material_symmetry, const Spectrum& approximate) {
+  return enclose(forms, material_symmetry, approximate);
 }
 
 }  // namespace stationary

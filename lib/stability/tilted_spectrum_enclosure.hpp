@@ -9,7 +9,10 @@
 namespace stationary {
 
 /// material_symmetry: J1 = J2, which forces a zero.
-SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval>& forms,
+SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval, 5>& forms,
+                                          bool material_symmetry, const Spectrum& approximate);
+/// Of a held volume.
+SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval, 4>& forms,
                                           bool material_symmetry, const Spectrum& approximate);
 
 }  // namespace stationary

@@ -7,6 +7,16 @@
 
 namespace stationary {
 
+std::array<BoxDual<3>, 3> TiltedEventSystem::over_boxes(const std::array<BoxDual<3>, 3>& y,
+                                                        Inputs inputs) const {
+  const auto number = [&](double x) { return BoxDual<3>(as_input(x, inputs)); };
+  const Inertia3<BoxDual<3>> J{number(J_[0]), number(J_[1]), number(J_[2])};
+  return equations(
+      J, y,
+      varied_tilted(potential_, plane_, J, y[0], y[1], square(y[2]),
+                    [&](double value, FamilyParameter::Kind, int) { return number(value); }));
+}
+
 KindEvents tilted_events() {
   KindEvents out = axis_events();
   out.set = [](const Member& member, const TestContext&, TestValues& values) {

@@ -10,6 +10,7 @@
 #include "solver/motion/event.hpp"
 #include "solver/motion/event_functions.hpp"
 #include "solver/motion/extended_root.hpp"
+#include "solver/motion/varied_balance.hpp"
 #include "solver/proof/event_enclosure.hpp"
 
 namespace stationary {
@@ -31,49 +32,40 @@ class TiltedEventSystem {
 
   ExtendedVector<3> values(const ExtendedVector<3>& y, const InputChange& change) const {
     const Inertia3<DoubleDouble> J{change(J_[0], 0), change(J_[1], 1), change(J_[2], 2)};
-    return equations(J, y, [&](const auto&... x) { return elastic_.at(x..., change.from(3)); });
+    const DoubleDouble square_nu = square(y[2]);
+    return equations(J, y, elastic_.tilted(plane_, J, y[0], y[1], square_nu, change.from(3)));
   }
   /// In intervals: of a proof (enclosed_event.hpp).
-  std::array<BoxDual<3>, 3> over_boxes(const std::array<BoxDual<3>, 3>& y, Inputs inputs) const {
-    const auto number = [&](double x) { return BoxDual<3>(as_input(x, inputs)); };
-    const Inertia3<BoxDual<3>> J{number(J_[0]), number(J_[1]), number(J_[2])};
-    return equations(J, y, [&](const auto& xi, const auto& zeta, const auto& rho, const auto& p) {
-      return elastic_over<3>(potential_, {}, {xi, zeta, rho}, p, inputs);
-    });
-  }
+  std::array<BoxDual<3>, 3> over_boxes(const std::array<BoxDual<3>, 3>& y, Inputs inputs) const;
   std::array<Conditioned, 3> conditioned(const std::array<Conditioned, 3>& y, bool exact) const {
     const auto number = [&](double x) { return exact ? Conditioned(x) : Conditioned::input(x); };
     const Inertia3<Conditioned> J{number(J_[0]), number(J_[1]), number(J_[2])};
-    return equations(J, y, [&](const auto&... x) { return elastic_.at(x..., exact); });
+    const Conditioned square_nu = square(y[2]);
+    return equations(J, y, elastic_.tilted(plane_, J, y[0], y[1], square_nu, exact));
   }
 
  private:
-  template <class T, class Elastic>
+  template <class T>
   std::array<T, 3> equations(const Inertia3<T>& J, const std::array<T, 3>& y,
-                             const Elastic& elastic_at) const {
-    const T& xi = y[0];
-    const T& zeta = y[1];
-    const T& p = y[2];
-    const T rho = tilted_thickness(J, plane_, xi, zeta);
-    const LogBalance<T> elastic = elastic_at(xi, zeta, rho, p);
-    const T m_xi = J.J1 * square(xi);
-    const T m_zeta = J.J2 * square(zeta);
-    const T square_nu = square(p);
-    LogBalance<T> at = elastic;
-    at.g_xi -= m_xi * square_nu;
-    at.g_zeta -= m_zeta * square_nu;
-    at.uu -= 2.0 * (m_xi * square_nu);
-    at.vv -= 2.0 * (m_zeta * square_nu);
-    at = tied_to_plane<2>(at, plane_);
+                             const TiltedParts<T>& parts) const {
+    const LogBalance<T>& at = parts.balance;
+    const T m_xi = J.J1 * square(y[0]);
+    const T m_zeta = J.J2 * square(y[1]);
     const SquareArray<T, 2> jacobian{{{at.uu, at.uv}, {at.uv, at.vv}}};
     const auto vanishing = [&]() -> T {
-      if (kind_ == Kind::fold) return determinant(jacobian);
-      if (kind_ == Kind::inertia) return m_zeta - m_xi;
-      if (kind_ == Kind::momentum)
-        return momentum_turn(jacobian, {-2.0 * (m_xi * square_nu), -2.0 * (m_zeta * square_nu)},
-                             {2.0 * m_xi, 2.0 * m_zeta}, T(m_xi + m_zeta));
-      const auto squares = tilt_squares(J, plane_, elastic, xi, zeta, rho);
-      return kind_ == Kind::in_plane ? squares.in_plane : squares.normal;
+      switch (kind_) {
+        case Kind::fold:
+          return determinant(jacobian);
+        case Kind::inertia:
+          return m_zeta - m_xi;
+        case Kind::momentum:
+          return momentum_turn(jacobian, {-2.0 * parts.pull[0], -2.0 * parts.pull[1]},
+                               {2.0 * m_xi, 2.0 * m_zeta}, T(m_xi + m_zeta));
+        case Kind::in_plane:
+          return parts.squares.in_plane;
+        default:
+          return parts.squares.normal;
+      }
     };
     return {at.g_xi, at.g_zeta, vanishing()};
   }

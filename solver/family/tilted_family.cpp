@@ -33,11 +33,13 @@ class TiltedFamily final : public Family<2> {
     ++evaluations_.jacobians;
     const Linearized<2> at = system(p).linearize(x);
     const double scale = 1.0 / at.magnitude;
-    const CentrifugalRates<double> c = axis_rates(body_, Branch::iii, 2.0 * p);
     FamilyLinearization<2> out;
     out.g = scale * at.g;
     out.jacobian = scale * at.jacobian.matrix();
-    out.slope = -scale * ReducedVector<2>(c.xi * x[0] * x[0], c.zeta * x[1] * x[1]);
+    const auto pull =
+        tilted_pull(model_, plane_, x[0], x[1], tilted_thickness(body_, plane_, x[0], x[1]),
+                    axis_rates(body_, Branch::iii, 2.0 * p));
+    out.slope = -scale * ReducedVector<2>(pull[0], pull[1]);
     out.nu_slope = out.slope;
     return out;
   }
@@ -86,8 +88,7 @@ class TiltedFamily final : public Family<2> {
                           : extended_solution(system(p), x);
     const BasicStretch<DoubleDouble> q{0.0, wide[0], wide[1],
                                        tilted_thickness(body_, plane_, wide[0], wide[1])};
-    const auto elastic = elastic_at(q);
-    const auto squares = tilt_squares(body_, plane_, elastic, q.xi, q.zeta, q.rho);
+    const TiltSquares<DoubleDouble> squares = squares_at(q, p);
     Member out;
     out.parameter = out.nu = p;
     out.body = body_;
@@ -101,7 +102,8 @@ class TiltedFamily final : public Family<2> {
     out.angular_velocity = angular_velocity(plane_, double(along[0]), double(along[1]));
     ++evaluations_.second_derivatives;
     const auto v = potential_derivatives<2>(model_, out.q);
-    const BalanceCheck check = check_balance(body_, v, out.q, out.angular_velocity);
+    const BalanceCheck check =
+        check_balance(body_, v, out.q, out.angular_velocity, holds_volume(model_));
     out.residual = check.residual;
     out.compatibility = check.compatibility;
     out.energy = energy(body_, elastic_energy(model_, out.q), out.q, out.angular_velocity);
@@ -115,14 +117,14 @@ class TiltedFamily final : public Family<2> {
   }
 
  private:
-  /// The balance at rest.
-  LogBalance<DoubleDouble> elastic_at(const BasicStretch<DoubleDouble>& q) const {
-    const CentrifugalRates<DoubleDouble> at_rest{0.0, 0.0, 0.0};
+  TiltSquares<DoubleDouble> squares_at(const BasicStretch<DoubleDouble>& q, double p) const {
     if constexpr (is_body_model<Model>) {
-      return model_.residual(q.xi, q.zeta, q.rho, at_rest.xi, at_rest.zeta, at_rest.rho);
+      return tilt_squares_of(model_, body_, plane_, q.xi, q.zeta, q.rho, two_product(p, p));
     } else {
       const auto w = model_.template evaluate<1>(planar_invariants(q.xi, q.zeta), q.rho);
-      return coupled_log_balance<1>(w, q.xi, q.zeta, q.rho, at_rest);
+      const CentrifugalRates<DoubleDouble> at_rest{0.0, 0.0, 0.0};
+      return tilt_squares(body_, plane_, coupled_log_balance<1>(w, q.xi, q.zeta, q.rho, at_rest),
+                          q.xi, q.zeta, q.rho);
     }
   }
 

@@ -40,13 +40,19 @@ class TiltedKind final : public Kind {
              "isotropic potential: the plane of the axis is a plane of material axes"},
             {"rho", motion_.plane == TiltPlane::one_three ? "sqrt(J1/J3) xi" : "sqrt(J2/J3) zeta",
              "compatibility: the locked inertias of the plane's two axes are equal"},
-            {"xi, zeta", "2 equations", "the balance, its parts that know |nu| and no tilt"},
+            {"xi, zeta", "2 equations",
+             potential().holds_volume()
+                 ? "the part of the balance that knows |nu|, no tilt and no pressure; the volume"
+                 : "the balance, its parts that know |nu| and no tilt"},
             {"nu", "closed form", "the rest of the balance gives the squares of its components"}};
   }
   PlanItem spectrum_plan() const override {
-    return {"spectrum", "5 modes from the whole problem, by a structure-preserving method",
-            "no reflection makes blocks of the dynamics about a tilted axis, on the 10-dimensional "
-            "leaf of fixed |pi|"};
+    const bool held = potential().holds_volume();
+    return {"spectrum",
+            std::string(held ? "4" : "5") +
+                " modes from the whole problem, by a structure-preserving method",
+            "no reflection makes blocks of the dynamics about a tilted axis, on the " +
+                std::string(held ? "8" : "10") + "-dimensional leaf of fixed |pi|"};
   }
   std::string_view default_start() const override {
     return "the tilts of the sheets connected to rest";

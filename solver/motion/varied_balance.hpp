@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "lib/balance/tilted_balance.hpp"
 #include "lib/body/inertia.hpp"
 #include "lib/material/models/model_coefficients.hpp"
 #include "lib/number/double_double_functions.hpp"
@@ -52,29 +53,52 @@ inline InputPlace input_place(const Potential& potential, FamilyParameter::Kind 
              : InputPlace{kind, index};
 }
 
+/// use(model), its coefficients number(value, kind, index).
+template <class Number, class Use>
+auto with_numbers(const Potential& potential, const Number& number, const Use& use) {
+  using Kind = FamilyParameter::Kind;
+  const auto convert = [&](const auto& model, Kind kind) {
+    return with_indexed_coefficients(
+        model, [&](double c, std::size_t k) { return number(c, kind, static_cast<int>(k)); });
+  };
+  return potential.visit_parts([&](const auto& model) {
+    if constexpr (requires { model.plane; }) {
+      const auto plane = convert(model.plane, Kind::plane);
+      const auto thickness = convert(model.thickness, Kind::thickness);
+      return use(
+          Separable<std::remove_cv_t<decltype(plane)>, std::remove_cv_t<decltype(thickness)>>{
+              plane, thickness});
+    } else {
+      return use(convert(model, Kind::plane));
+    }
+  });
+}
+
 /// G and dG/d ln x of all three stretches; number(value, kind, index): a coefficient in T.
 template <class T, class Number>
 LogBalance<T> varied_balance(const Potential& potential, const T& xi, const T& zeta, const T& rho,
                              const CentrifugalRates<T>& rates, const Number& number) {
-  using Kind = FamilyParameter::Kind;
-  const auto with_numbers = [&](const auto& model, Kind kind) {
-    return with_indexed_coefficients(
-        model, [&](double c, std::size_t k) { return number(c, kind, static_cast<int>(k)); });
-  };
-  return potential.visit_parts([&](const auto& model) -> LogBalance<T> {
-    if constexpr (requires { model.plane; }) {
-      const auto plane = with_numbers(model.plane, Kind::plane);
-      const auto thickness = with_numbers(model.thickness, Kind::thickness);
-      LogBalance<T> out = plane.log_balance(xi, zeta, rates.xi, rates.zeta);
-      const LogBalance<T> axial = thickness.log_balance(rho, rates.rho);
-      out.g_rho = axial.g_rho;
-      out.ww = axial.ww;
-      out.uw = out.vw = T(0.0);
-      return out;
-    } else {
-      return with_numbers(model, Kind::plane)
-          .log_balance(xi, zeta, rho, rates.xi, rates.zeta, rates.rho);
-    }
+  return with_numbers(potential, number, [&](const auto& model) -> LogBalance<T> {
+    return model.log_balance(xi, zeta, rho, rates.xi, rates.zeta, rates.rho);
+  });
+}
+
+/// The balance of a tilted axis at (xi, zeta) and |nu|^2, and what its events are told by.
+template <class T>
+struct TiltedParts {
+  LogBalance<T> balance;  ///< tilted_balance()
+  std::array<T, 2> pull;  ///< of the spin on its two rows
+  TiltSquares<T> squares;
+};
+template <class T, class Number>
+TiltedParts<T> varied_tilted(const Potential& potential, TiltPlane plane, const Inertia3<T>& J,
+                             const T& xi, const T& zeta, const T& square_nu, const Number& number) {
+  const T rho = tilted_thickness(J, plane, xi, zeta);
+  const CentrifugalRates<T> rates = axis_rates(J, Branch::iii, square_nu);
+  return with_numbers(potential, number, [&](const auto& model) -> TiltedParts<T> {
+    return {tilted_balance(model, plane, xi, zeta, rho, rates),
+            tilted_pull(model, plane, xi, zeta, rho, rates),
+            tilt_squares_of(model, J, plane, xi, zeta, rho, square_nu)};
   });
 }
 
@@ -104,7 +128,18 @@ class VariedElastic {
   LogBalance<Conditioned> at(const Conditioned& xi, const Conditioned& zeta, const Conditioned& rho,
                              const Conditioned& p, bool exact) const;
 
+  /// Likewise of a tilted axis.
+  TiltedParts<DoubleDouble> tilted(TiltPlane plane, const Inertia3<DoubleDouble>& J,
+                                   const DoubleDouble& xi, const DoubleDouble& zeta,
+                                   const DoubleDouble& square_nu, const InputChange& change) const;
+  TiltedParts<Conditioned> tilted(TiltPlane plane, const Inertia3<Conditioned>& J,
+                                  const Conditioned& xi, const Conditioned& zeta,
+                                  const Conditioned& square_nu, bool exact) const;
+
  private:
+  DoubleDouble number(double value, FamilyParameter::Kind kind, int index, const DoubleDouble& p,
+                      const InputChange& change) const;
+
   Potential potential_;
   FamilyParameter parameter_;
   std::vector<CoefficientInput> inputs_;

@@ -168,20 +168,36 @@ auto gravity_with_duals(const BodyModel<>& model, double xi, double zeta, double
   return LogBalance<D>{.g_xi = pull.pull[0], .g_zeta = pull.pull[1], .g_rho = pull.pull[2]};
 }
 
-/// coefficient_sensitivity() of all numbers of a body.
-inline ReducedVector<3> body_sensitivity(const BodyModel<>& model, const ReducedVector<3>& x) {
-  const double rho = model.thickness(x[0], x[1], x[2]);
+/// coefficient_sensitivity() of the elastic numbers of a body, at a given rho.
+inline ReducedVector<3> elastic_sensitivity(const BodyModel<>& model, const ReducedVector<3>& x) {
   ReducedVector<3> out = ReducedVector<3>::Zero();
   if (model.elastic.plane)
     out.head<2>() = coefficient_sensitivity<2>(*model.elastic.plane, ReducedVector<2>(x[0], x[1]));
   if (model.elastic.thickness)
-    out[2] = coefficient_sensitivity<1>(*model.elastic.thickness, ReducedVector<1>(rho))[0];
+    out[2] = coefficient_sensitivity<1>(*model.elastic.thickness, ReducedVector<1>(x[2]))[0];
   std::visit(
       [&](const auto& coupled) {
         if constexpr (requires { coupled.coefficients(); })
-          out = coefficient_sensitivity<3>(coupled, ReducedVector<3>(x[0], x[1], rho));
+          out = coefficient_sensitivity<3>(coupled, x);
       },
       model.elastic.coupled);
+  return out;
+}
+/// And of gravity's. held: of what is left along a held volume.
+inline ReducedVector<3> gravity_sensitivity(const BodyModel<>& model, const ReducedVector<3>& x,
+                                            bool held_volume) {
+  if (!model.gravitates) return ReducedVector<3>::Zero();
+  LogBalance<Dual<double, 4>> b =
+      gravity_with_duals(model, x[0], x[1], x[2], [](double value, std::size_t) { return value; });
+  if (held_volume) b = held<1>(b);
+  return {sensitivity(b.g_xi), sensitivity(b.g_zeta), sensitivity(b.g_rho)};
+}
+
+/// coefficient_sensitivity() of all numbers of a body.
+inline ReducedVector<3> body_sensitivity(const BodyModel<>& model, const ReducedVector<3>& x) {
+  const double rho = model.thickness(x[0], x[1], x[2]);
+  const ReducedVector<3> at(x[0], x[1], rho);
+  ReducedVector<3> out = elastic_sensitivity(model, at);
   if (model.volume) {
     // |dG_u| <= |dg_u| + |dg_w|; and the volume itself, by rho and in its own equation.
     const auto b = model.whole<2>(x[0], x[1], rho, 0.0, 0.0, 0.0);
@@ -189,12 +205,18 @@ inline ReducedVector<3> body_sensitivity(const BodyModel<>& model, const Reduced
     out = {out[0] + out[2] + std::abs(b.uw) + std::abs(b.ww) + k,
            out[1] + out[2] + std::abs(b.vw) + std::abs(b.ww) + k, k};
   }
-  if (model.gravitates) {
-    LogBalance<Dual<double, 4>> b =
-        gravity_with_duals(model, x[0], x[1], rho, [](double value, std::size_t) { return value; });
-    if (model.volume) b = held<1>(b);
-    out += ReducedVector<3>(sensitivity(b.g_xi), sensitivity(b.g_zeta), sensitivity(b.g_rho));
-  }
+  return out + gravity_sensitivity(model, at, model.volume.has_value());
+}
+
+/// Likewise of the rows at x without the constraint, the decimals of formulas among them.
+inline ReducedVector<3> unheld_sensitivity(const BodyModel<>& model, const ReducedVector<3>& x) {
+  ReducedVector<3> out = elastic_sensitivity(model, x) + gravity_sensitivity(model, x, false);
+  for_decimals(model, [&](const auto& conditioned) {
+    const Conditioned none(0.0);
+    const auto b = conditioned.template whole<1>(Conditioned(x[0]), Conditioned(x[1]),
+                                                 Conditioned(x[2]), none, none, none);
+    out += ReducedVector<3>(b.g_xi.condition, b.g_zeta.condition, b.g_rho.condition);
+  });
   return out;
 }
 

@@ -3,6 +3,7 @@
 // a solution of that balance is no motion.
 #pragma once
 
+#include "lib/balance/tilted_balance.hpp"
 #include "solver/proof/box_balance.hpp"
 
 namespace stationary {
@@ -14,21 +15,18 @@ struct TiltedBoxSystem {
   Model model;
   Inertia3<Interval> J;
   TiltPlane plane;
+  Interval square_nu;
   CentrifugalRates<Interval> rates;  ///< axis_rates() of |nu|^2 in (iii)
 
   Interval thickness(const Box<2>& x) const { return tilted_thickness(J, plane, x[0], x[1]); }
 
   BoxLinearized<2> linearize(const Box<2>& x) const {
-    const auto b = tied_to_plane<2>(
-        model.log_balance(x[0], x[1], thickness(x), rates.xi, rates.zeta, rates.rho), plane);
+    const auto b = tilted_balance(model, plane, x[0], x[1], thickness(x), rates);
     return {{b.g_xi, b.g_zeta}, {b.uu, b.uv, b.vv}};
   }
   /// At every solution in x.
   TiltSquares<Interval> squares(const Box<2>& x) const {
-    const Interval rho = thickness(x);
-    const Interval rest(0.0);
-    return tilt_squares(J, plane, model.log_balance(x[0], x[1], rho, rest, rest, rest), x[0], x[1],
-                        rho);
+    return tilt_squares_of(model, J, plane, x[0], x[1], thickness(x), square_nu);
   }
   /// No solution in x is a motion.
   bool excludes(const Box<2>& x) const {
@@ -42,9 +40,9 @@ template <class Model>
 auto tilted_box_system(const Body& body, const Model& model, TiltPlane plane, double nu,
                        Inputs inputs) {
   const auto J = inertia_intervals(body, inputs);
+  const Interval square_nu = square(as_input(nu, inputs));
   return TiltedBoxSystem<decltype(interval_model(model, inputs))>{
-      interval_model(model, inputs), J, plane,
-      axis_rates(J, Branch::iii, square(as_input(nu, inputs)))};
+      interval_model(model, inputs), J, plane, square_nu, axis_rates(J, Branch::iii, square_nu)};
 }
 
 }  // namespace stationary

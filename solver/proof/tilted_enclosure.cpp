@@ -91,10 +91,13 @@ SpectrumEnclosure enclose_spectrum(const Body& body, const Potential& potential,
     const auto square = system.squares({at.xi, at.zeta});
     const auto state =
         straight_state(system.J, system.model, at.xi, at.zeta, at.rho, as_input(motion.nu, inputs));
-    return enclose_tilted_spectrum(
-        tilted_forms(motion.plane == TiltPlane::one_three ? state : state.exchanged(),
-                     sqrt(square.in_plane), sqrt(square.normal)),
-        body.symmetric(), spectrum);
+    const auto turned = motion.plane == TiltPlane::one_three ? state : state.exchanged();
+    const Interval nu1 = sqrt(square.in_plane);
+    const Interval nu3 = sqrt(square.normal);
+    return potential.holds_volume() ? enclose_tilted_spectrum(held_tilted_forms(turned, nu1, nu3),
+                                                              body.symmetric(), spectrum)
+                                    : enclose_tilted_spectrum(tilted_forms(turned, nu1, nu3),
+                                                              body.symmetric(), spectrum);
   });
 }
 

@@ -211,6 +211,10 @@ std::string spin(const char* branch, const char* nu, const char* start = "") {
   if (*start != '\0') out += std::string("[solve]\nstart = [0.0, ") + start + "]\n";
   return out;
 }
+std::string tilted(const char* plane, const char* nu, const char* start) {
+  return std::string("[motion]\nbranch = \"tilted\"\nplane = \"") + plane + "\"\nnu = " + nu +
+         "\n[solve]\nstart = [0.0, " + start + "]\n";
+}
 std::string two_polar(const char* s3, const char* p_theta, const char* start) {
   return std::string("[motion]\nbranch = \"two-polar\"\ns3 = ") + s3 + "\np_theta = " + p_theta +
          "\n[solve]\nstart = [0.0, " + start + "]\n";
@@ -248,6 +252,12 @@ std::vector<Moving> motions() {
            spin("iii", "0.614831563210100719013282", "1.71284, 1.71284, 0.34085")},
           {"irrotational ellipsoid, b/a = 0.3", "unstable", fluid,
            two_polar("1.50462433947561414308586", "0.0", "2.0534, 0.61602, 0.79055")},
+          {"held body about a tilted axis", "unstable",
+           BodyInSpace{{0.6, 0.9, 1.1}, 0.0, true, neo_hookean(1.0)},
+           neo_hookean_text("1") + tilted("13", "0.97", "0.911, 1.63, 0.673")},
+          {"heavy body about a tilted axis", "unstable",
+           BodyInSpace{{1.0, 1.7, 1.3}, 2.0, true, neo_hookean(1.0)},
+           neo_hookean_text("1") + tilted("13", "0.55", "1.016, 1.105, 0.8907")},
           {"held plate about axis 3", "stable", plate, reciprocal_text + spin("iii", "0.5")},
           {"heavy elastic plate about axis 3", "stable", elastic,
            neo_hookean_text("1") + spin("iii", "0.75", "0.950, 1.367, 0.770")},

@@ -260,17 +260,6 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
   return out;
 }
 
-/// What is built for a body with gravity or a held volume.
-void require_whole_body(const CaseTree& tree, const FamilyParameters& family) {
-  if (!is_whole_body(family.models)) return;
-  const bool held =
-      std::ranges::find(family.models, "volume", &ModelChoice::slot) != family.models.end();
-  if (held && std::holds_alternative<TiltedMotion>(family.motion))
-    throw fault_at(tree, "motion.branch", "found the string \"tilted\" with a held volume",
-                   "one of \"i\", \"ii\", \"iii\", \"two-polar\"",
-                   "tilted motions of a held volume are not built");
-}
-
 /// Whether one of J varies.
 bool follows_inertia(const std::optional<Case::Continuation>& continuation,
                      const std::optional<CaseMap>& map, const std::optional<CaseCurve>& curve) {
@@ -408,7 +397,6 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
   std::optional<Body> computed = body;
   if (family) {
     faults.collect([&] {
-      require_whole_body(tree, *family);
       potential = make_potential(*models, *body);
       require_scale(tree, *models, *potential);
       if (!is_told_in_others(tree, *body, *potential, follows_inertia(continuation, map, curve)))

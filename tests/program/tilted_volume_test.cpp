@@ -1,0 +1,134 @@
+// Tilted motions of a body whose volume is held, from outside: the closed form of the neo-Hookean
+// body, V = (mu/2)(tr S^2 - 3), along the whole family, its ends, its proofs, the atlas that enters it.
+//
+//   A_k s_k^2 = (A_1 A_2 A_3 C^2)^(1/3),  A_k = mu - c_k,  nu3^2 - nu1^2 = mu (1/J1 - 1/J3)
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double J[3] = {0.6, 0.9, 1.1};
+
+std::string neo_hookean(const std::string& motion, const std::string& rest = "") {
+  return "[body]\nJ = [0.6, 0.9, 1.1]\nvolume = 1\n[potential]\n"
+         "coupled = { expression = \"mu/2*(I1 + rho^2 - 3)\", mu = 1 }\n[motion]\n" +
+         motion + rest;
+}
+std::string tilted(double nu) {
+  return "branch = \"tilted\"\nplane = \"13\"\nnu = " + std::to_string(nu) + "\n";
+}
+
+/// S in closed form, from the components of nu.
+struct Stretches {
+  double xi, zeta, rho;
+};
+Stretches stretches(double nu1, double nu3) {
+  const double A[3] = {1.0 - J[0] * nu3 * nu3, 1.0 - J[1] * (nu1 * nu1 + nu3 * nu3),
+                       1.0 - J[2] * nu1 * nu1};
+  const double both = std::cbrt(A[0] * A[1] * A[2]);
+  return {std::sqrt(both / A[0]), std::sqrt(both / A[1]), std::sqrt(both / A[2])};
+}
+
+std::vector<Row> followed(const std::string& path, const std::string& verb,
+                          const std::vector<std::string>& more = {}) {
+  const TemporaryDirectory directory;
+  std::vector<std::string> command{verb, path, "-o", directory / "table.csv"};
+  command.insert(command.end(), more.begin(), more.end());
+  const Outcome outcome = run_program(command);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return outcome.code == 0 ? rows_of(text_of(directory / "table.csv")) : std::vector<Row>();
+}
+
+TEST(TiltedVolume, TheClosedFormAlongTheFamily) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "case.toml",
+      neo_hookean(tilted(0.97),
+                  "[continuation]\nfrom = 0.5\nto = 1.0\n[output]\ncertificate = true\n"));
+  const std::vector<Row> rows = followed(path, "continue");
+  ASSERT_GE(rows.size(), 20u);
+  const double apart = 1.0 / J[0] - 1.0 / J[2];
+  for (const Row& row : rows) {
+    const double nu1 = number(row.at("nu1"));
+    const double nu3 = number(row.at("nu3"));
+    EXPECT_NEAR(nu3 * nu3 - nu1 * nu1, apart, 1e-14);
+    const Stretches exact = stretches(nu1, nu3);
+    const double bound = 4e-15 + number(row.at("error_bound"));
+    EXPECT_NEAR(number(row.at("xi")) / exact.xi, 1.0, bound);
+    EXPECT_NEAR(number(row.at("zeta")) / exact.zeta, 1.0, bound);
+    EXPECT_NEAR(number(row.at("rho")) / exact.rho, 1.0, bound);
+    EXPECT_EQ(row.at("certified"), "yes");
+    EXPECT_EQ(row.at("re5"), "") << "one mode less than of a compressible body";
+  }
+  // It begins where axis 3 tilts: nu1 = 0.
+  const auto end =
+      std::ranges::find(rows, std::string("tilt"), [](const Row& r) { return r.at("event"); });
+  ASSERT_NE(end, rows.end());
+  EXPECT_NEAR(number(end->at("nu3")), std::sqrt(apart), 1e-14);
+  EXPECT_EQ(number(end->at("nu1")), 0.0);
+}
+
+TEST(TiltedVolume, AllOfThemAreProven) {
+  const TemporaryDirectory directory;
+  for (const auto& [nu, count] : {std::pair{0.97, 1}, std::pair{0.8, 0}}) {
+    const std::string path =
+        directory.file("case.toml", neo_hookean(tilted(nu), "[solve]\nall = true\n"));
+    const Outcome outcome = run_program({"solve", path, "-o", "-"});
+    ASSERT_EQ(outcome.code, count == 0 ? 3 : 0) << outcome.err;
+    if (count == 0) {
+      EXPECT_THAT(outcome.err, HasSubstr("proven that there is none"));
+      continue;
+    }
+    const Row row = only_row(outcome.out);
+    const Stretches exact = stretches(number(row.at("nu1")), number(row.at("nu3")));
+    EXPECT_NEAR(number(row.at("zeta")) / exact.zeta, 1.0, 4e-15 + number(row.at("error_bound")));
+  }
+}
+
+TEST(TiltedVolume, TheAtlasEntersThem) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "case.toml",
+      neo_hookean("branch = \"iii\"\nnu = 0.5\n", "[continuation]\nfrom = 0.5\nto = 1.0\n"));
+  const std::vector<Row> rows = followed(path, "atlas");
+  const auto count = [&](const char* branch) {
+    return std::ranges::count(rows, std::string(branch),
+                              [](const Row& r) { return r.at("branch"); });
+  };
+  EXPECT_GE(count("tilted"), 20);
+  EXPECT_GE(count("iii"), 20);
+}
+
+/// A cell as a solve of its own.
+TEST(TiltedVolume, Maps) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "case.toml",
+      neo_hookean(tilted(0.97),
+                  "[map]\nx = { parameter = \"nu\", from = 0.96, to = 0.98, count = 3 }\n"
+                  "y = { parameter = \"body.volume\", from = 0.9, to = 1.1, count = 3 }\n"));
+  const std::vector<Row> rows = followed(path, "map");
+  ASSERT_EQ(rows.size(), 9u);
+  int compared = 0;
+  for (const Row& row : rows) {
+    if (row.at("status") != "solved") continue;
+    EXPECT_NEAR(number(row.at("xi")) * number(row.at("zeta")) * number(row.at("rho")),
+                number(row.at("body.volume")), 1e-14);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 9);
+}
+
+}  // namespace
+}  // namespace stationary::testing
