@@ -22,6 +22,7 @@
 #include "solver/program/computation/continue_case.hpp"
 #include "solver/program/computation/curve_case.hpp"
 #include "solver/program/computation/map_case.hpp"
+#include "solver/program/computation/sensitivity_case.hpp"
 #include "solver/program/computation/solve_case.hpp"
 #include "solver/program/computation/study_case.hpp"
 #include "solver/program/session/output_file.hpp"
@@ -70,6 +71,14 @@ std::shared_ptr<Computed> computed(const Shared& input, std::optional<int> threa
 
 std::shared_ptr<Computed> solve(const Shared& input, std::optional<int> threads) {
   return computed(input, threads, "stationary.solve", cli::solve_case);
+}
+
+std::shared_ptr<Computed> sensitivity(const Shared& input, bool events,
+                                      std::optional<int> threads) {
+  return computed(input, threads, "stationary.sensitivity",
+                  [events](const Case& given, TableTarget* target, const cli::Run& run) {
+                    return cli::sensitivity_case(given, events, target, run);
+                  });
 }
 
 std::shared_ptr<Computed> follow(const Shared& input, const std::string& row,
@@ -226,6 +235,7 @@ void declare_computed(py::module_& module) {
           },
           py::arg("quantity"));
   module.def("solve", &solve, py::arg("case"), py::arg("threads"));
+  module.def("sensitivity", &sensitivity, py::arg("case"), py::arg("events"), py::arg("threads"));
   module.def("follow", &follow, py::arg("case"), py::arg("row"), py::arg("threads"));
   module.def("atlas", &atlas, py::arg("case"), py::arg("checkpoints"), py::arg("complete"),
              py::arg("threads"));

@@ -9,7 +9,7 @@
 #include "python/binding/toml_from_python.hpp"
 #include "solver/program/case/case_file.hpp"
 #include "solver/program/case/case_schema.hpp"
-#include "solver/program/computation/model_list.hpp"
+#include "solver/program/commands/model_list.hpp"
 #include "solver/program/text/nearest_name.hpp"
 
 namespace stationary::python {

@@ -6,7 +6,7 @@ files::
     import stationary
 
     case = stationary.Case.read("cases/fold.toml")
-    family = stationary.follow(case)          # or solve, atlas, map, curve, study
+    family = stationary.follow(case)          # or solve, atlas, map, curve, study, sensitivity
     family.table["xi"]                        # a NumPy structured array, columns as in the CSV
     family.events                             # the located events, as in the metadata
     family.to_pandas(); family.plot(); family.write("fold.csv")
@@ -33,7 +33,7 @@ from .arrays import (
     sweep,
 )
 from .case import Case
-from .commands import atlas, curve, follow, map, solve, study
+from .commands import atlas, curve, follow, map, sensitivity, solve, study
 from .errors import Error, InputError, NotFound, NumericalError
 from .potentials import Model, Models, models
 from .result import Result
@@ -62,6 +62,7 @@ __all__ = [
     "map",
     "models",
     "search",
+    "sensitivity",
     "solve",
     "solve_batch",
     "spectrum",

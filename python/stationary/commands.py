@@ -71,6 +71,18 @@ def solve(case: CaseLike, *, threads: int | None = 1) -> Result:
     return _finished(_core.solve(case._inner, thread_count(threads)), case)
 
 
+def sensitivity(case: CaseLike, *, events: bool = False, threads: int | None = 1) -> Result:
+    """How the motion of the case and its modes move with each number of the case: a row a number.
+
+    ``stationary sensitivity``. events: of the events of the family of [continuation] instead. With
+    ``output.uncertainty`` in the case a last row has the uncertainties that come of it.
+
+    Raises InputError, NotFound where there is no motion, NumericalError.
+    """
+    case = _case(case)
+    return _finished(_core.sensitivity(case._inner, bool(events), thread_count(threads)), case)
+
+
 def follow(case: CaseLike, *, row: str | None = None, threads: int | None = 1) -> Result:
     """The case's family followed in its parameter, with stability and every event located.
 

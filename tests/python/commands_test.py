@@ -147,3 +147,26 @@ def test_models_are_the_program_s():
 
 def test_the_version_is_the_program_s():
     assert stationary.__version__ in run_program("--version")[1].splitlines()[0].split()
+
+
+def test_how_a_motion_moves_with_its_numbers(disc):
+    result = stationary.sensitivity(disc)
+    by_nu = result.table[result["number"] == "nu"][0]
+    ahead, behind = (
+        stationary.solve(disc | {"motion": {"branch": "i", "nu": nu}})["xi"][0]
+        for nu in (0.5001, 0.4999)
+    )
+    assert by_nu["d_xi"] == pytest.approx((ahead - behind) / 2e-4, rel=1e-6)
+    assert by_nu["error"] < 1e-9
+
+
+def test_how_events_move_with_the_numbers(disc):
+    case = disc | {
+        "output": {"uncertainty": {"body.J.0": 0.01}},
+        "continuation": {"from": 0.0, "to": 1.1},
+    }
+    result = stationary.sensitivity(case, events=True)
+    assert "tilt" in result["of"]
+    combined = result.table[result["number"] == "combined"]
+    assert len(combined) == len(set(result["at"]))
+    assert (combined["d_event"] > 0).all()

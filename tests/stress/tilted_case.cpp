@@ -1,3 +1,4 @@
+#include "lib/balance/tilted_balance.hpp"
 #include "tests/stress/tilted_case.hpp"
 
 #include <cmath>

@@ -326,6 +326,24 @@ Case::Atlas read_atlas(const CaseTree& tree, Faults& faults) {
   return out;
 }
 
+/// Of numbers that the case has, by their dotted keys.
+std::vector<std::pair<std::string, double>> read_uncertainty(const CaseTree& tree,
+                                                             const FamilyParameters& family) {
+  std::vector<std::pair<std::string, double>> out;
+  const toml::node* const node = find(tree, "output.uncertainty");
+  if (node == nullptr) return out;
+  const std::vector<std::string> valid = case_parameters(family.motion, family.models);
+  for (const auto& [key, value] : *node->as_table()) {
+    const std::string name =
+        read_parameter_name(tree, "output.uncertainty", std::string(key.str()), valid);
+    if (!parts_of(name).second.empty())
+      throw fault_at(tree, "output.uncertainty", "found the ratio " + in_quotes(name),
+                     "numbers of the case, each by itself");
+    out.emplace_back(name, *value.value<double>());
+  }
+  return out;
+}
+
 Case::Output read_output(const CaseTree& tree, Faults& faults) {
   Case::Output out;
   out.spectrum = value_or(tree, "output.spectrum", true);
@@ -391,7 +409,9 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
   const auto map = read_map(tree, family ? &*family : nullptr, faults);
   const auto curve = read_curve(tree, family ? &*family : nullptr, faults);
   const Case::Atlas atlas = read_atlas(tree, faults);
-  const Case::Output output = read_output(tree, faults);
+  Case::Output output = read_output(tree, faults);
+  if (family && faults.sound("output.uncertainty"))
+    faults.collect([&] { output.uncertainty = read_uncertainty(tree, *family); });
   std::optional<Potential> potential;
   MaterialCoordinates coordinates;
   std::optional<Body> computed = body;
@@ -420,7 +440,7 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
           .map = map,
           .curve = curve,
           .atlas = atlas,
-          .output = output,
+          .output = std::move(output),
           .source = std::move(tree)};
 }
 

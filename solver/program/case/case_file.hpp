@@ -61,6 +61,8 @@ struct Case {
     bool spectrum = true;
     bool certificate = false;
     std::vector<std::string> columns;  ///< empty: all that was computed
+    /// Standard uncertainties of numbers of the case, for `sensitivity`.
+    std::vector<std::pair<std::string, double>> uncertainty;
   };
 
   std::string title;

@@ -90,7 +90,8 @@ std::optional<OutOfScale> out_of_scale(const FamilyParameters& family) {
       if (!within(model.coefficients[k], most))
         return OutOfScale{coefficient_key(model, name),
                           fmt::format("found {}", model.coefficients[k]), range(most)};
-      if (name != "rest" && model.description.kind != ModelDescription::Kind::whole) largest = std::max(largest, std::abs(model.coefficients[k]));
+      if (name != "rest" && model.description.kind != ModelDescription::Kind::whole)
+        largest = std::max(largest, std::abs(model.coefficients[k]));
     }
   }
   if (largest > 0.0 && (largest / most > std::min({J.J1, J.J2, J.J3}) ||

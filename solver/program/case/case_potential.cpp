@@ -262,8 +262,7 @@ BodyModel<> whole_body(std::span<const ModelChoice> models, const Body& body) {
     if (model.slot == "plane") out.elastic.plane = any_plane(model);
     if (model.slot == "thickness") out.elastic.thickness = any_thickness(model);
     if (model.slot == "coupled" && model.tape)
-      out.elastic.coupled =
-          CoupledExpression<>(model.tape, coefficient_list(model.coefficients));
+      out.elastic.coupled = CoupledExpression<>(model.tape, coefficient_list(model.coefficients));
     if (model.slot == "coupled" && !model.tape)
       std::visit([&](const auto& each) { out.elastic.coupled = each; },
                  Potential::coupled(model.description.name, model.coefficients));

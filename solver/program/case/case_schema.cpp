@@ -102,6 +102,9 @@ constexpr CaseKey keys[] = {
     {"output.spectrum", boolean, false, a_boolean},
     {"output.certificate", boolean, false, a_boolean},
     {"output.columns", texts, false, "an array of column names"},
+    {"output.uncertainty", uncertainties, false,
+     "a table of numbers of the case, each with its standard uncertainty > 0, "
+     "{ \"body.J.0\" = 1e-3 }"},
 };
 
 std::string_view last_name(std::string_view path) {
@@ -294,6 +297,13 @@ void require_type(const CaseTree& tree, const CaseKey& key, const toml::node& no
       break;
     case boolean:
       require(node.is_boolean());
+      break;
+    case uncertainties:
+      require(node.is_table());
+      for (const auto& [name, value] : *node.as_table())
+        if (!finite_number(value) || !(*value.value<double>() > 0.0))
+          throw fault_at(tree, key.path, "found " + in_quotes(name.str()) + " = " + describe(value),
+                         std::string(key.allowed));
       break;
     case texts: {
       require(node.is_array());

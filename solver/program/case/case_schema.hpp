@@ -22,7 +22,8 @@ enum class KeyType {
   numbers,  ///< a fixed count of them
   ranges,   ///< one pair of numbers, or a fixed count of pairs
   boolean,
-  texts
+  texts,
+  uncertainties  ///< a table of numbers > 0 by dotted keys of numbers of the case
 };
 
 struct CaseKey {

@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
                         add_atlas(program, session);
                         add_map(program, session);
                         add_curve(program, session);
+                        add_sensitivity(program, session);
                         add_study(program, session);
                         add_check(program, session);
                         add_models(program, session);

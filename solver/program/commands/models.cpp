@@ -1,7 +1,7 @@
 // stationary models [NAME]: the built-in potentials.
 #include <memory>
 
-#include "solver/program/computation/model_list.hpp"
+#include "solver/program/commands/model_list.hpp"
 #include "solver/program/session/command.hpp"
 
 namespace stationary::cli {

@@ -90,6 +90,8 @@ Json case_json(const Case& input) {
   out["output"] = {{"spectrum", input.output.spectrum},
                    {"certificate", input.output.certificate},
                    {"columns", input.output.columns}};
+  for (const auto& [number, uncertainty] : input.output.uncertainty)
+    out["output"]["uncertainty"][number] = uncertainty;
   return out;
 }
 

@@ -32,6 +32,7 @@ void add_proof(const Kind& kind, const Equilibrium& found, const Asked& asked, S
 /// A found ellipsoid as a row, with its spectrum and its proof as far as they are asked for.
 Solution solution(const Kind& kind, const Equilibrium& found, const Asked& asked) {
   Solution out;
+  out.motion = kind.motion();
   fill_row(name(kind.motion()), kind.body(), kind.potential(), found, asked.columns, out.row);
   if (asked.spectrum) out.spectrum = kind.spectrum(found);
   add_proof(kind, found, asked, out);

@@ -24,6 +24,7 @@ enum class Listed {
 
 struct Solution {
   TableRow row;
+  Motion motion;  ///< with the plane or axis that the case left open
   std::optional<Spectrum> spectrum;
   std::string proof;  ///< what is proven of it, for a person; empty: nothing was asked
   bool proven = false;

@@ -28,6 +28,7 @@ void add_atlas(CLI::App& program, Session& session);
 void add_map(CLI::App& program, Session& session);
 void add_study(CLI::App& program, Session& session);
 void add_curve(CLI::App& program, Session& session);
+void add_sensitivity(CLI::App& program, Session& session);
 void add_check(CLI::App& program, Session& session);
 void add_models(CLI::App& program, Session& session);
 void add_plot(CLI::App& program, Session& session);

@@ -1,5 +1,6 @@
 // Every tilted motion, proven: against 25 digits, against Newton from random starts, where there is
 // none, and beside the ends of a family; certificates of single ones, and fakes they refuse.
+#include "lib/balance/tilted_balance.hpp"
 #include "solver/search/tilted_search.hpp"
 
 #include <gtest/gtest.h>

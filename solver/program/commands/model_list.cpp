@@ -1,4 +1,4 @@
-#include "solver/program/computation/model_list.hpp"
+#include "solver/program/commands/model_list.hpp"
 
 #include <fmt/format.h>
 

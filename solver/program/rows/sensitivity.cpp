@@ -1,0 +1,177 @@
+#include "solver/program/rows/sensitivity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "lib/body/circle.hpp"
+#include "solver/kind/kind.hpp"
+#include "solver/program/case/case_motion.hpp"
+#include "solver/program/rows/equilibrium_row.hpp"
+
+namespace stationary {
+namespace {
+
+std::unique_ptr<Kind> kind_at(const FamilyParameters& at) {
+  return kind_of(at.body, make_potential(at.models, at.body), at.motion);
+}
+
+/// `at` with the number at a value; nothing where that is not allowed.
+std::optional<FamilyParameters> moved_number(const FamilyParameters& at, const std::string& number,
+                                             double value) {
+  try {
+    return with_parameter(at, number, value);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+std::vector<double> picked(const TableRow& row, std::span<const Column> columns) {
+  std::vector<double> out;
+  for (const Column c : columns) out.push_back(row[c]);
+  return out;
+}
+
+/// Over which a number may change what is computed by much.
+double size_of(double value) { return value == 0.0 ? 1.0 : std::abs(value); }
+
+/// The circle of the family that the figure is.
+template <int N>
+Circle circle_of_figure(const Family<N>& family, const Stretch& q) {
+  const Circle circle = family.circle();
+  return is_on(circle, q, 1e-9) ? circle : Circle::none;
+}
+
+template <int N>
+std::optional<Member> event_beside(const Family<N>& family, Circle circle, EventType type,
+                                   const Member& near) {
+  if (circle_of_figure(family, near.q) != circle) return std::nullopt;
+  const auto found = family.event_at(type, circle, near);
+  if (!found) return std::nullopt;
+  ReducedVector<N> x;
+  ReducedVector<N> tail;
+  for (int k = 0; k < N; ++k) {
+    x[k] = found->x[static_cast<std::size_t>(k)].hi;
+    tail[k] = found->x[static_cast<std::size_t>(k)].lo;
+  }
+  return family.member(x, tail, double(found->parameter), found->error_bound);
+}
+
+template <class At>
+std::vector<NumberSlopes> slopes_by(const FamilyParameters& at,
+                                    std::span<const std::string> numbers, std::size_t count,
+                                    const At& values) {
+  std::vector<NumberSlopes> out;
+  for (const std::string& number : numbers) {
+    const double value = parameter_value(at, number);
+    out.push_back({number, value,
+                   difference_quotients(
+                       [&](double x) -> std::optional<std::vector<double>> {
+                         const auto beside = moved_number(at, number, x);
+                         if (!beside) return std::nullopt;
+                         return values(*beside);
+                       },
+                       value, size_of(value), count)});
+  }
+  return out;
+}
+
+bool stopped(const std::atomic<bool>* stop) { return stop != nullptr && *stop; }
+
+}  // namespace
+
+std::vector<Column> sloped_columns(std::span<const Column> columns) {
+  std::vector<Column> out;
+  for (const Column c : columns) {
+    const bool of_error =
+        c == Column::residual || c == Column::compatibility || c == Column::error_bound;
+    const bool of_event = c == Column::criticality;
+    if (cell_kind(c) == CellKind::number && !of_error && !of_event) out.push_back(c);
+  }
+  return out;
+}
+
+std::vector<NumberSlopes> motion_slopes(const FamilyParameters& at, const TableRow& row,
+                                        std::span<const std::string> numbers,
+                                        std::span<const Column> columns,
+                                        const std::atomic<bool>* stop) {
+  const ColumnSet wanted(columns);
+  const bool spectrum = std::ranges::any_of(columns, is_spectral);
+  const SolveOptions options{
+      .method = Method::newton,
+      .start = Stretch{row[Column::alpha], row[Column::xi], row[Column::zeta], row[Column::rho]},
+      .stop = stop};
+  return slopes_by(at, numbers, columns.size(),
+                   [&](const FamilyParameters& beside) -> std::optional<std::vector<double>> {
+                     if (stopped(stop)) return std::nullopt;
+                     const auto kind = kind_at(beside);
+                     const Equilibrium found = kind->solve(options);
+                     if (found.status != SolveStatus::solved) return std::nullopt;
+                     TableRow out;
+                     fill_row(name(kind->motion()), kind->body(), kind->potential(), found, wanted,
+                              out);
+                     if (spectrum) {
+                       const auto modes = kind->spectrum(found);
+                       if (!modes) return std::nullopt;
+                       fill_spectrum(*modes, out);
+                     }
+                     return picked(out, columns);
+                   });
+}
+
+std::vector<NumberSlopes> event_slopes(const FamilyParameters& at, const std::string& parameter,
+                                       const Member& event, EventType type,
+                                       std::span<const std::string> numbers,
+                                       std::span<const Column> columns,
+                                       const std::atomic<bool>* stop) {
+  const ColumnSet wanted(columns);
+  const std::string followed(parts_of(parameter).first);
+  const FamilyParameter in_family = family_parameter(parameter, at.models);
+  const auto family_at = [&](const FamilyParameters& beside) {
+    return kind_at(with_parameter(beside, followed, event.parameter));
+  };
+  const auto family_of = [&](const Kind& kind) {
+    return kind.family(in_family, {.spectrum = false}, event.q);
+  };
+  const Circle circle =
+      std::visit([&](const auto& family) { return circle_of_figure(*family, event.q); },
+                 family_of(*family_at(at)));
+  return slopes_by(
+      at, numbers, 1 + columns.size(),
+      [&](const FamilyParameters& beside) -> std::optional<std::vector<double>> {
+        if (stopped(stop)) return std::nullopt;
+        std::unique_ptr<Kind> kind;
+        try {
+          kind = family_at(beside);
+        } catch (const std::invalid_argument&) {
+          return std::nullopt;
+        }
+        Member near = event;
+        near.body = kind->body();
+        const std::optional<Member> found = std::visit(
+            [&](const auto& family) { return event_beside(*family, circle, type, near); },
+            family_of(*kind));
+        if (!found) return std::nullopt;
+        TableRow row;
+        fill_row(name(kind->motion()), *found, wanted, row);
+        std::vector<double> out{found->parameter / parameter_unit(beside, parameter)};
+        const std::vector<double> rest = picked(row, columns);
+        out.insert(out.end(), rest.begin(), rest.end());
+        return out;
+      });
+}
+
+std::vector<double> combined_uncertainty(std::span<const NumberSlopes> slopes,
+                                         std::span<const double> uncertainty) {
+  if (slopes.empty()) return {};
+  std::vector<double> out(slopes.front().of.slope.size(), 0.0);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    for (std::size_t k = 0; k < slopes.size(); ++k)
+      if (uncertainty[k] > 0.0) out[i] = std::hypot(out[i], slopes[k].of.slope[i] * uncertainty[k]);
+  return out;
+}
+
+}  // namespace stationary

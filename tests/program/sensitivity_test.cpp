@@ -1,0 +1,209 @@
+// `sensitivity` from outside: laws of scale that hold of every kind of motion, closed forms, errors
+// that hold the true ones, uncertainties, what is left open and what is refused.
+//
+// With units of time 1/s as long, rates and frequencies are s times as large, energies s^2: by Euler
+//   sum 2 c dX/dc + sum r dX/dr = w X,   c: coefficients of V, r: nu, rates or momenta of the case,
+// w = 0 of stretches, 1 of frequencies, rates and momenta, 2 of energies. With units of mass 1/s:
+//   sum J dX/dJ + sum c dX/dc = w X,     w = 1 of momenta and energies.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/program/json_schema.hpp"
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::vector<Row> slopes(const std::string& path, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> command{"sensitivity", path, "-o", "-"};
+  command.insert(command.end(), more.begin(), more.end());
+  const Outcome outcome = run_program(command);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return outcome.code == 0 ? rows_of(outcome.out) : std::vector<Row>();
+}
+
+bool is_coefficient(const std::string& key) {
+  return key.starts_with("potential.") && !key.ends_with(".degrees") && !key.ends_with(".rest");
+}
+bool is_rate(const std::string& key) { return key == "nu" || key.starts_with("motion."); }
+bool is_inertia(const std::string& key) { return key.starts_with("body.J."); }
+
+bool starts_with_any(const std::string& text, const std::vector<std::string>& beginnings) {
+  return std::ranges::any_of(beginnings, [&](const auto& each) { return text.starts_with(each); });
+}
+
+/// Powers of the unit of time and of mass in a column.
+int time_weight(const std::string& column) {
+  if (column == "energy") return 2;
+  const std::vector<std::string> rates{"nu",    "pi",    "re", "im",     "growth",
+                                       "omega", "theta", "s3", "p_theta"};
+  return starts_with_any(column, rates) ? 1 : 0;
+}
+int mass_weight(const std::string& column) {
+  return column == "energy" || starts_with_any(column, {"pi", "s3", "p_theta"}) ? 1 : 0;
+}
+
+struct Shipped {
+  const char* name;
+  bool has_all_inertia;  ///< J1 and J2 are numbers of the motion
+};
+void PrintTo(const Shipped& shipped, std::ostream* out) { *out << shipped.name; }
+
+class SensitivityOf : public ::testing::TestWithParam<Shipped> {};
+
+TEST_P(SensitivityOf, LawsOfScale) {
+  const std::string path = shipped(std::string(GetParam().name) + ".toml");
+  const Row solved = only_row(run_program({"solve", path, "-o", "-"}).out);
+  const std::vector<Row> rows = slopes(path);
+  ASSERT_GE(rows.size(), 5u);
+  int compared = 0;
+  for (const auto& [column, text] : solved) {
+    const std::string slope = "d_" + column;
+    if (!rows.front().contains(slope) || text.empty() || column == "angle") continue;
+    double by_time = 0.0;
+    double by_mass = 0.0;
+    double size = std::abs(number(text));
+    double error = 0.0;
+    for (const Row& row : rows) {
+      const std::string& key = row.at("number");
+      const double term = number(row.at("value")) * number(row.at(slope));
+      error += 2.0 * std::abs(number(row.at("value"))) * number(row.at("error"));
+      size = std::max(size, std::abs(term));
+      by_time += is_coefficient(key) ? 2.0 * term : is_rate(key) ? term : 0.0;
+      by_mass += is_coefficient(key) || is_inertia(key) ? term : 0.0;
+    }
+    const double most = 1e-10 * size + error;
+    EXPECT_NEAR(by_time, time_weight(column) * number(text), most) << column;
+    if (GetParam().has_all_inertia) {
+      EXPECT_NEAR(by_mass, mass_weight(column) * number(text), most) << column;
+    }
+    EXPECT_LE(error, 1e-6 * (size + 1.0)) << column << ": that says little";
+    ++compared;
+  }
+  EXPECT_GE(compared, 12);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SensitivityOf,
+                         ::testing::Values(Shipped{"disc", true}, Shipped{"second_axis", true},
+                                           Shipped{"third_axis", true}, Shipped{"tilted", true},
+                                           Shipped{"fibre", true}, Shipped{"oblique", true},
+                                           Shipped{"two_polar", false}),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+const std::string neo_hookean =
+    "[body]\nJ = [0.6, 0.9, 1.1]\nvolume = 1\n[potential]\n"
+    "coupled = { expression = \"mu/2*(I1 + rho^2 - 3)\", mu = 1 }\n[motion]\nbranch = \"iii\"\n"
+    "nu = 0.5\n[continuation]\nfrom = 0.3\nto = 1.0\n";
+
+/// Axis 3 tilts at nu^2 = mu (1/J1 - 1/J3), whatever J2 and the volume are.
+TEST(Sensitivity, OfATiltInClosedForm) {
+  const TemporaryDirectory directory;
+  const std::vector<Row> rows = slopes(directory.file("case.toml", neo_hookean), {"--events"});
+  const double nu = std::sqrt(1.0 / 0.6 - 1.0 / 1.1);
+  const std::vector<std::pair<std::string, double>> exact{{"body.J.0", -0.5 / (nu * 0.36)},
+                                                          {"body.J.1", 0.0},
+                                                          {"body.J.2", 0.5 / (nu * 1.21)},
+                                                          {"potential.coupled.mu", 0.5 * nu},
+                                                          {"body.volume", 0.0}};
+  int compared = 0;
+  for (const Row& row : rows) {
+    if (row.at("of") != "tilt" || std::abs(number(row.at("at")) - nu) > 1e-6) continue;
+    const auto expected =
+        std::ranges::find(exact, row.at("number"), &std::pair<std::string, double>::first);
+    ASSERT_NE(expected, exact.end()) << row.at("number");
+    const double got = number(row.at("d_event"));
+    EXPECT_NEAR(got, expected->second, 1e-11) << row.at("number");
+    EXPECT_LE(std::abs(got - expected->second), number(row.at("error")) + 1e-15)
+        << row.at("number");
+    ++compared;
+  }
+  EXPECT_EQ(compared, 5);
+}
+
+/// A_k s_k^2 = (A1 A2 A3 C^2)^(1/3): d ln rho/d ln C = 1/3, and in nu.
+TEST(Sensitivity, OfStretchesInClosedForm) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("case.toml", neo_hookean);
+  const Row solved = only_row(run_program({"solve", path, "-o", "-"}).out);
+  const double rho = number(solved.at("rho"));
+  // rho = (A1 A2)^(1/6), A = 1 - J nu^2.
+  const double slope = rho / 6.0 * (-2.0 * 0.5) * (0.6 / (1.0 - 0.15) + 0.9 / (1.0 - 0.225));
+  for (const Row& row : slopes(path)) {
+    const double got = number(row.at("d_rho"));
+    const double error = number(row.at("error")) + 1e-15;
+    if (row.at("number") == "body.volume") {
+      EXPECT_NEAR(got, rho / 3.0, 1e-12);
+      EXPECT_LE(std::abs(got - rho / 3.0), error);
+    }
+    if (row.at("number") == "nu") {
+      EXPECT_NEAR(got, slope, 1e-12);
+      EXPECT_LE(std::abs(got - slope), error);
+    }
+  }
+}
+
+TEST(Sensitivity, UncertaintiesAreCombined) {
+  const TemporaryDirectory directory;
+  const std::string told = "[output]\nuncertainty = { \"body.J.0\" = 0.01, \"nu\" = 0.002 }\n";
+  const std::string path = directory.file("case.toml", neo_hookean + told);
+  const std::vector<Row> rows = slopes(path);
+  double sum = 0.0;
+  for (const Row& row : rows) {
+    if (row.at("uncertainty").empty()) continue;
+    sum = std::hypot(sum, number(row.at("d_xi")) * number(row.at("uncertainty")));
+  }
+  ASSERT_EQ(rows.back().at("number"), "combined");
+  EXPECT_GT(sum, 0.0);
+  EXPECT_NEAR(number(rows.back().at("d_xi")), sum, 1e-15);
+  const Outcome outcome = run_program({"sensitivity", path, "-o", directory / "x.csv"});
+  EXPECT_THAT(outcome.out, HasSubstr("+-"));
+  const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  EXPECT_EQ(schema_fault(metadata, nlohmann::json::parse(text_of(STATIONARY_SCHEMA))), "");
+  EXPECT_EQ(metadata["command"], "sensitivity");
+  EXPECT_EQ(metadata["case"]["output"]["uncertainty"]["body.J.0"], 0.01);
+}
+
+/// J1 of a circle breaks what its ellipses begin at; J2 likewise.
+TEST(Sensitivity, WhatBreaksAnEventHasNoSlope) {
+  int seen = 0;
+  for (const Row& row : slopes(shipped("circle.toml"), {"--events"})) {
+    if (row.at("of") != "ellipse") continue;
+    const std::string& key = row.at("number");
+    EXPECT_EQ(row.at("d_event").empty(), key == "body.J.0" || key == "body.J.1") << key;
+    ++seen;
+  }
+  EXPECT_GE(seen, 5);
+}
+
+TEST(Sensitivity, WrongInputIsRefused) {
+  const TemporaryDirectory directory;
+  const auto refused = [&](const std::string& output) {
+    const Outcome outcome = run_program(
+        {"sensitivity", directory.file("case.toml", neo_hookean + "[output]\n" + output + "\n")});
+    EXPECT_EQ(outcome.code, 2);
+    return outcome.err;
+  };
+  EXPECT_THAT(refused("uncertainty = { \"body.J.4\" = 0.1 }"), HasSubstr("body.J.4"));
+  EXPECT_THAT(refused("uncertainty = { nu = -0.1 }"), HasSubstr("standard uncertainty > 0"));
+  EXPECT_THAT(refused("uncertainty = { nu = \"much\" }"), HasSubstr("standard uncertainty > 0"));
+  EXPECT_THAT(refused("uncertainty = 0.1"), HasSubstr("a table"));
+  EXPECT_THAT(refused("uncertainty = { \"body.J.0/body.J.1\" = 0.1 }"), HasSubstr("ratio"));
+  const Outcome fluid = run_program(
+      {"sensitivity", directory.file("fluid.toml",
+                                     "[body]\nJ = [1, 2, 3]\nvolume = 1\n[gravity]\ng = 4\n"
+                                     "[motion]\nbranch = \"iii\"\nnu = 0.3\n")});
+  EXPECT_EQ(fluid.code, 2);
+  EXPECT_THAT(fluid.err, HasSubstr("fluid"));
+}
+
+}  // namespace
+}  // namespace stationary::testing

@@ -1,0 +1,68 @@
+// Slopes by difference quotients against the known ones: within the error they tell, which is small
+// where the function is smooth and says so where it is not.
+#include "solver/newton/difference_quotient.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace stationary {
+namespace {
+
+using Values = std::optional<std::vector<double>>;
+
+TEST(DifferenceQuotients, HoldTheSlopesOfSmoothFunctions) {
+  for (const double x : {0.3, 1.0, 7.5}) {
+    const Slopes found = difference_quotients(
+        [](double t) -> Values {
+          return std::vector{std::exp(t), std::sin(3.0 * t), std::sqrt(t), 1.0 / t, 2.5};
+        },
+        x, x, 5);
+    const double exact[] = {std::exp(x), 3.0 * std::cos(3.0 * x), 0.5 / std::sqrt(x),
+                            -1.0 / (x * x), 0.0};
+    for (std::size_t k = 0; k < 5; ++k) {
+      const double size = std::abs(exact[k]) + 1.0;
+      EXPECT_LE(std::abs(found.slope[k] - exact[k]), found.error[k] + 1e-16) << k << ' ' << x;
+      EXPECT_LE(found.error[k], 1e-9 * size) << k << ' ' << x;
+    }
+  }
+}
+
+/// Noise of the size of rounding, by which the finest steps are useless.
+TEST(DifferenceQuotients, TellOfNoise) {
+  const auto noisy = [](double t) -> Values {
+    return std::vector{std::exp(t) * (1.0 + 1e-9 * std::sin(1e9 * t))};
+  };
+  const Slopes found = difference_quotients(noisy, 1.0, 1.0, 1);
+  EXPECT_LE(std::abs(found.slope[0] - std::exp(1.0)), found.error[0]);
+  EXPECT_LE(found.error[0], 1e-4);
+}
+
+/// One that bends within the first steps is seen at smaller ones.
+TEST(DifferenceQuotients, TakeSmallerStepsBesideAPole) {
+  const Slopes found = difference_quotients(
+      [](double t) -> Values { return std::vector{std::sqrt(t - 0.999)}; }, 1.0, 1.0, 1);
+  const double exact = 0.5 / std::sqrt(0.001);
+  EXPECT_LE(std::abs(found.slope[0] - exact), found.error[0]);
+  EXPECT_LE(found.error[0], 1e-8 * exact);
+}
+
+TEST(DifferenceQuotients, NothingIsKnownWhereTheFunctionIsNot) {
+  const Slopes nowhere =
+      difference_quotients([](double) -> Values { return std::nullopt; }, 1.0, 1.0, 2);
+  for (const double slope : nowhere.slope) EXPECT_TRUE(std::isnan(slope));
+  const Slopes partly = difference_quotients(
+      [](double t) -> Values {
+        return std::vector{t, std::numeric_limits<double>::quiet_NaN()};
+      },
+      1.0, 1.0, 2);
+  EXPECT_NEAR(partly.slope[0], 1.0, 1e-12);
+  EXPECT_TRUE(std::isnan(partly.slope[1]));
+  EXPECT_TRUE(std::isnan(partly.error[1]));
+}
+
+}  // namespace
+}  // namespace stationary
