@@ -154,8 +154,9 @@ MapDiagram read_map_diagram(TableReader& table, const std::optional<std::string>
 MapDiagram read_curve_diagram(const std::vector<TableReader*>& tables) {
   MapDiagram out;
   const std::vector<std::string> own = curve_parameters(tables.front()->columns());
-  out.x.parameter = own.at(0);
-  out.y.parameter = own.at(1);
+  if (own.size() != 2) refuse_map(*tables.front(), "found no table of curve", "a table of curve");
+  out.x.parameter = own[0];
+  out.y.parameter = own[1];
   for (TableReader* const table : tables)
     std::ranges::move(read_event_lines(*table, own[0], own[1]), std::back_inserter(out.lines));
   std::array<std::vector<double>, 2> all;
