@@ -3,6 +3,7 @@
 #include "tests/stress/near_event.hpp"
 #include "tests/stress/tilted_case.hpp"
 #include "tests/stress/two_polar_case.hpp"
+#include "tests/stress/whole_body_case.hpp"
 
 namespace stationary::stress {
 namespace {
@@ -28,7 +29,9 @@ const std::vector<Category>& categories() {
                                          {"near a pass", 10'000, 12, judging(near_pass)},
                                          {"near a double zero", 10'000, 13, judging(near_zero)},
                                          {"tilted", 4'000, 14, try_tilted},
-                                         {"two-polar", 4'000, 15, try_two_polar}};
+                                         {"two-polar", 4'000, 15, try_two_polar},
+                                         {"held volume", 4'000, 16, try_held_volume},
+                                         {"gravity", 4'000, 17, try_gravity}};
   return out;
 }
 

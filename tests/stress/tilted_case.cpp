@@ -1,8 +1,8 @@
-#include "lib/balance/tilted_balance.hpp"
 #include "tests/stress/tilted_case.hpp"
 
 #include <cmath>
 
+#include "lib/balance/tilted_balance.hpp"
 #include "solver/proof/tilted_enclosure.hpp"
 #include "solver/solve/tilted_equilibrium.hpp"
 #include "tests/stress/near_event.hpp"

@@ -29,8 +29,9 @@ struct Biot {
   static constexpr int balance_power = 1;
   template <class S>
   LinearBalance<Product<C, S>> linear_balance(const S& c_xi, const S& c_zeta) const {
-    const auto stiffness = 2.0 * mu + lambda;
-    const Product<C, S> load = 2.0 * (mu + lambda);
+    // Sums in the wider type: S may be more precise than the coefficients.
+    const Product<C, S> stiffness = Product<C, S>(2.0 * mu) + lambda;
+    const Product<C, S> load = 2.0 * (Product<C, S>(mu) + lambda);
     return {stiffness - c_xi, stiffness - c_zeta, lambda, load, load};
   }
   template <class S>

@@ -121,7 +121,8 @@ struct Hencky {
     using std::log;
     const S u = log(xi);
     const S v = log(zeta);
-    const auto own = 2.0 * mu + lambda;
+    // In the wider type: S may be more precise than the coefficients.
+    const Product<C, S> own = Product<C, S>(2.0 * mu) + lambda;
     const S pull_xi = c_xi * square(xi);
     const S pull_zeta = c_zeta * square(zeta);
     return {.g_xi = own * u + lambda * v - pull_xi,

@@ -29,8 +29,9 @@ struct SaintVenantKirchhoff {
   static constexpr int balance_power = 2;
   template <class S>
   LinearBalance<Product<C, S>> linear_balance(const S& c_xi, const S& c_zeta) const {
-    const Product<C, S> own = mu + 0.5 * lambda;
-    const auto load = mu + lambda;
+    // Sums in the wider type: S may be more precise than the coefficients.
+    const Product<C, S> own = Product<C, S>(mu) + 0.5 * lambda;
+    const Product<C, S> load = Product<C, S>(mu) + lambda;
     return {own, own, 0.5 * lambda, load + c_xi, load + c_zeta};
   }
   template <class S>

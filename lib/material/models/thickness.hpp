@@ -77,7 +77,7 @@ struct Harmonic {
   template <class S>
   LogBalance<Product<C, S>> log_balance(const S& rho, const S& m) const {
     const auto stiff = (k - m) * rho;
-    const auto load = k * rest;
+    const Product<C, S> load = Product<C, S>(k) * rest;  // S may be more precise
     return {.g_rho = rho * (stiff - load), .ww = rho * (2.0 * stiff - load)};
   }
 
