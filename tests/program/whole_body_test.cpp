@@ -494,6 +494,43 @@ TEST(WholeBody, EveryNumberMayBeFollowed) {
   EXPECT_EQ(compared, 21);
 }
 
+/// V + (k/2) ln^2(d rho) comes to the held volume as 1/k, by what its pressure does to the stretches
+/// (40 digits, by an independent computation); its fifth mode is then -k sum 1/(J s^2).
+TEST(WholeBody, StiffBodiesComeToTheHeldVolume) {
+  const std::string heavy = "[gravity]\ng = 2\n[motion]\nbranch = \"iii\"\nnu = 0.6\n";
+  const std::string body = "[body]\nJ = [1, 1.7, 0.6]\n";
+  const std::string elastic = "mu/2*(I1 + rho^2 - 3)";
+  const TemporaryDirectory directory;
+  const auto row = [&](const std::string& text) {
+    return only_row(run_program({"solve", directory.file("case.toml", text), "-o", "-"}).out);
+  };
+  const Row held = row(body + "volume = 1\n[potential]\ncoupled = { expression = \"" + elastic +
+                       "\", mu = 1 }\n" + heavy);
+  EXPECT_NEAR(number(held.at("pressure")), 1.2882175387147790407, 1e-14);
+  const std::pair<const char*, double> moved[] = {
+      {"xi", -0.41431705956}, {"zeta", -0.62713423316}, {"rho", -0.27586298722}};
+  for (const double k : {1e3, 1e4, 1e5, 1e6}) {
+    const Row stiff =
+        row(body + "[potential]\ncoupled = { expression = \"" + elastic +
+            " + k/2*ln(d*rho)^2\", mu = 1, k = " + std::to_string(k) + " }\n" + heavy);
+    const double doubt = 2.0 * number(stiff.at("error_bound"));
+    for (const auto& [column, slope] : moved)
+      EXPECT_NEAR(k * (number(stiff.at(column)) - number(held.at(column))), slope,
+                  1.0 / k + k * doubt)
+          << column << ", k = " << k;
+    double rate = 0.0;
+    const double J[] = {1.0, 1.7, 0.6};
+    const char* const stretch[] = {"xi", "zeta", "rho"};
+    for (int each = 0; each < 3; ++each)
+      rate += 1.0 / (J[each] * std::pow(number(held.at(stretch[each])), 2));
+    const double fifth = number(stiff.at("im5"));
+    EXPECT_NEAR(fifth * fifth / (k * rate), 1.0, 10.0 / k);
+    for (const std::string column : {"im1", "im2", "im3", "im4"})
+      EXPECT_NEAR(number(stiff.at(column)), number(held.at(column)), 10.0 / k + k * doubt);
+    EXPECT_EQ(stiff.at("class"), held.at("class"));
+  }
+}
+
 TEST(WholeBody, WrongInputIsRefusedByName) {
   const std::string body = "[body]\nJ = [1, 1, 1]\n";
   const std::string motion = "[motion]\nbranch = \"iii\"\nnu = 0.3\n";

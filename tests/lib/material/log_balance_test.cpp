@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/balance/balance.hpp"
+#include "lib/number/double_double_functions.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/slope.hpp"
@@ -76,6 +77,32 @@ TYPED_TEST(LogBalanceTest, JacobianIsASlope) {
           return Vector3<Real50>{there.g_xi, there.g_zeta, there.g_rho};
         },
         Vector3<Real50>(J * w)));
+  }
+}
+
+/// A model's own balance in pairs of doubles has all their digits though its coefficients are
+/// doubles: what is made of these alone is not rounded to one.
+TYPED_TEST(LogBalanceTest, IsAsPreciseAsItsStretches) {
+  Random random(323);
+  for (int trial = 0; trial < trials; ++trial) {
+    const auto model = draw<TypeParam>(random);
+    const auto wide = widen<Real50>(model);
+    const Stretch q = random.diagonal_stretch();
+    const double c[3] = {random.uniform(0.0, 1.0), random.uniform(0.0, 1.0),
+                         random.uniform(0.0, 1.0)};
+    const auto got =
+        model.log_balance(DoubleDouble(q.xi), DoubleDouble(q.zeta), DoubleDouble(q.rho),
+                          DoubleDouble(c[0]), DoubleDouble(c[1]), DoubleDouble(c[2]));
+    const auto exact = wide.log_balance(Real50(q.xi), Real50(q.zeta), Real50(q.rho), Real50(c[0]),
+                                        Real50(c[1]), Real50(c[2]));
+    const auto value = [](const DoubleDouble& x) { return Real50(x.hi) + Real50(x.lo); };
+    const Real50 size = abs(exact.uu) + abs(exact.vv) + abs(exact.ww) + abs(exact.uv) +
+                        abs(exact.g_xi) + abs(exact.g_zeta) + abs(exact.g_rho);
+    for (const auto& [ours, theirs] :
+         {std::pair{got.g_xi, exact.g_xi}, std::pair{got.g_zeta, exact.g_zeta},
+          std::pair{got.g_rho, exact.g_rho}, std::pair{got.uu, exact.uu},
+          std::pair{got.uv, exact.uv}, std::pair{got.vv, exact.vv}, std::pair{got.ww, exact.ww}})
+      EXPECT_LE(abs(value(ours) - theirs), Real50(1e-29) * size) << text_of(model);
   }
 }
 
