@@ -20,6 +20,7 @@ void add_sensitivity(CLI::App& program, Session& session) {
                   "How the motion of a case and its modes move with each number of the case");
   const auto options = std::make_shared<SensitivityOptions>();
   options->add_to(command);
+  command.remove_option(command.get_option("--certify"));  // a slope is estimated, not proven
   command.add_flag("--events", options->events,
                    "Of the events of the family of [continuation] instead: how each one's "
                    "parameter and stretches move");

@@ -222,8 +222,9 @@ std::string summary(const Asked& asked, bool events, const Answered& found) {
       std::size_t count = 0;
       for (std::size_t i = 0; i < names.size() && count < shown; ++i) {
         if (!told(names[i])) continue;
-        line +=
-            fmt::format("{}d {} = {:<14.8g}", count++ == 0 ? "" : "  ", names[i], by.of.slope[i]);
+        const double slope = by.of.slope[i];
+        line += fmt::format("{}d {} = {:<14}", count++ == 0 ? "" : "  ", names[i],
+                            slope == slope ? fmt::format("{:.8g}", slope) : "not known");
       }
       out.line(by.number, line);
     }
