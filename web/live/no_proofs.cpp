@@ -48,7 +48,7 @@ SpectrumEnclosure enclose_oblique_spectrum(const Body&, const Potential&, const 
 }
 
 bool has_enclosure(EventType) { return false; }
-EventEnclosure enclose_event(const Problem&, const FamilyParameter&, bool, EventType, const Member&,
+EventEnclosure enclose_event(const Problem&, const FamilyParameter&, Circle, EventType, const Member&,
                              Inputs) {
   refuse();
 }
