@@ -185,12 +185,16 @@ TEST(EllipsoidIntegral, IntervalsHoldTheExactValue) {
 TEST(EllipsoidIntegral, BoxesAreHulls) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> within(0.0, 1.0);
-  for (const Axes& at : all_axes(100)) {
+  unsigned wide = 0;  // which of the arguments are: each alone, two, all
+  for (const Axes& at : all_axes(140)) {
+    wide = wide % 7 + 1;
     const double reach = 3.0 * within(random);
-    const auto side = [&](double x) { return Interval(x, x * (1.0 + reach)); };
-    const Interval T = side(at.T());
-    const Interval D = side(at.D());
-    const Interval z = side(at.z);
+    const auto side = [&](double x, unsigned argument) {
+      return Interval(x, (wide & argument) != 0 ? x * (1.0 + reach) : x);
+    };
+    const Interval T = side(at.T(), 1);
+    const Interval D = side(at.D(), 2);
+    const Interval z = side(at.z, 4);
     const auto box = ellipsoid_integral<2>(T, D, z);
     const auto least = ellipsoid_integral<2>(T.lo, D.lo, z.lo);
     const auto most = ellipsoid_integral<2>(T.hi, D.hi, z.hi);
@@ -206,8 +210,13 @@ TEST(EllipsoidIntegral, BoxesAreHulls) {
       EXPECT_GE(box.c[n].lo, std::min(least.c[n], most.c[n]) - allowed);
     }
   }
-  const auto none = ellipsoid_integral<1>(Interval(-1.0, 1.0), Interval(1.0), Interval(1.0));
-  EXPECT_FALSE(none.value().bounded());
+  // Of what may not be positive there is none.
+  const Interval one(1.0);
+  for (const Interval& x : {Interval(-1.0, 1.0), Interval(0.0, 1.0), Interval(-1.0), Interval(0.0)}) {
+    EXPECT_FALSE(ellipsoid_integral<1>(x, one, one).value().bounded());
+    EXPECT_FALSE(ellipsoid_integral<1>(one, x, one).value().bounded());
+    EXPECT_FALSE(ellipsoid_integral<1>(one, one, x).value().bounded());
+  }
 }
 
 TEST(EllipsoidIntegral, SlopesOfOtherNumbersAreTheNextDerivatives) {
