@@ -41,7 +41,7 @@ NEAREST = {
     "lib/stability/tilted": ["tilted_tests", "stability_oracle_tests"],
     "lib/stability": ["stability_tests", "claims_tests", "stability_oracle_tests"],
     "solver/newton": ["solver_tests", "tilted_tests"],
-    "solver/motion": ["solver_tests", "event_bounds_tests", "continuation_tests"],
+    "solver/motion": ["event_bounds_tests", "kind_tests", "solver_tests", "continuation_tests"],
     "solver/continuation": ["claims_tests", "event_bounds_tests", "continuation_tests"],
     "solver/family/normal": ["normal_form_tests"],
     "solver/family/oriented": ["normal_form_tests", "anisotropic_tests"],
@@ -49,7 +49,7 @@ NEAREST = {
     "solver/family/tilted": ["tilted_tests"],
     "solver/family/two_polar": ["continuation_tests"],
     "solver/family": ["continuation_tests", "event_curve_tests"],
-    "solver/proof": ["solver_tests", "tilted_tests", "continuation_tests"],
+    "solver/proof": ["kind_tests", "solver_tests", "tilted_tests", "continuation_tests"],
     "solver/search/anisotropic": ["anisotropic_tests"],
     "solver/search/tilted": ["tilted_tests"],
     "solver/search/two_polar": ["two_polar_tests"],
@@ -67,7 +67,7 @@ TESTS = {
     "claims_tests": "solver", "event_bounds_tests": "solver", "continuation_tests": "solver",
     "tube_tests": "solver", "normal_form_tests": "solver", "event_curve_tests": "solver",
     "tilted_tests": "solver", "two_polar_tests": "solver", "anisotropic_tests": "solver",
-    "batch_tests": "solver",
+    "batch_tests": "solver", "kind_tests": "solver", "expression_tests": "solver",
 }
 
 

@@ -36,7 +36,7 @@ TEST(Direction, IsThatOf50Digits) {
 }
 
 TEST(Direction, OfRightAnglesIsExact) {
-  const double turns[][3] = {{0, 1, 0},   {90, 0, 1},   {180, -1, 0}, {270, 0, -1},  {360, 1, 0},
+  const double turns[][3] = {{0, 1, 0},    {90, 0, 1},    {180, -1, 0}, {270, 0, -1}, {360, 1, 0},
                              {-90, 0, -1}, {-180, -1, 0}, {-270, 0, 1}, {450, 0, 1}};
   for (const auto& [degrees, cosine, sine] : turns) {
     const Direction<DoubleDouble> at = direction(degrees);
@@ -51,7 +51,8 @@ TEST(Direction, OfRightAnglesIsExact) {
 TEST(Direction, IntervalHoldsEveryAngleWithinTheSpread) {
   Random random(412);
   for (int trial = 0; trial < 2000; ++trial) {
-    const double degrees = trial % 10 == 0 ? 90.0 * random.integer(-4, 4) : random.uniform(-400.0, 400.0);
+    const double degrees =
+        trial % 10 == 0 ? 90.0 * random.integer(-4, 4) : random.uniform(-400.0, 400.0);
     const double spread = trial % 3 == 0 ? 0.0 : random.log_uniform(1e-18, 1e-3);
     const Direction<Interval> held = direction_interval(degrees, spread);
     for (const int side : {-1, 0, 1}) {

@@ -212,7 +212,8 @@ TEST(EllipsoidIntegral, BoxesAreHulls) {
   }
   // Of what may not be positive there is none.
   const Interval one(1.0);
-  for (const Interval& x : {Interval(-1.0, 1.0), Interval(0.0, 1.0), Interval(-1.0), Interval(0.0)}) {
+  for (const Interval& x :
+       {Interval(-1.0, 1.0), Interval(0.0, 1.0), Interval(-1.0), Interval(0.0)}) {
     EXPECT_FALSE(ellipsoid_integral<1>(x, one, one).value().bounded());
     EXPECT_FALSE(ellipsoid_integral<1>(one, x, one).value().bounded());
     EXPECT_FALSE(ellipsoid_integral<1>(one, one, x).value().bounded());

@@ -132,6 +132,29 @@ TEST(ElementaryFunctions, IntervalsOfPointsAreNarrow) {
   }
 }
 
+TEST(ElementaryFunctions, IntervalsOfSineAndCosineStayWithinOne) {
+  Random random(916);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double near = random.log_uniform(1e-12, 1e-6);
+    for (const double turn : {0.0, 1.5707963267948966, 3.141592653589793, -1.5707963267948966}) {
+      const Interval x(turn + near);
+      for (const Interval& y : {sin(x), cos(x)}) ASSERT_TRUE(-1.0 <= y.lo && y.hi <= 1.0) << turn;
+    }
+  }
+}
+
+TEST(ElementaryFunctions, IntervalsOfTheSmallerAndOfTheSize) {
+  const Interval x(-3.0, 2.0);
+  const Interval y(-1.0, 5.0);
+  EXPECT_TRUE(smaller(x, y).lo == -3.0 && smaller(x, y).hi == 2.0);
+  EXPECT_TRUE(smaller(y, x).lo == -3.0 && smaller(y, x).hi == 2.0);
+  EXPECT_TRUE(absolute(x).lo == 0.0 && absolute(x).hi == 3.0);
+  EXPECT_TRUE(absolute(Interval(-3.0, -2.0)).lo == 2.0 && absolute(y).hi == 5.0);
+  for (const Interval& z : {smaller(x, Interval::entire()), smaller(Interval::entire(), x),
+                            absolute(Interval::entire())})
+    EXPECT_FALSE(z.bounded());
+}
+
 TEST(ElementaryFunctions, ConditionIsTheSlopesShare) {
   for (const Tried& f : functions()) {
     Random random(915);

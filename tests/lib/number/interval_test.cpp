@@ -171,6 +171,15 @@ TEST(Interval, Comparisons) {
   EXPECT_TRUE(x.may_be(1.0) && x.may_be(2.0) && !x.may_be(0.5) && !x.may_be(2.5));
   EXPECT_TRUE(x.within(x) && !x.inside(x) && x.inside(Interval(0.5, 2.5)));
   EXPECT_TRUE(x.apart_from(Interval(2.5, 3.0)) && !x.apart_from(Interval(2.0, 3.0)));
+  // Each bound counts by itself.
+  for (const Interval& y : {Interval(0.5, 1.5), Interval(1.5, 2.5), Interval(0.0, 3.0)}) {
+    EXPECT_FALSE(y.within(x)) << text(y);
+    EXPECT_FALSE(y.inside(x)) << text(y);
+    EXPECT_FALSE(y.apart_from(x) || x.apart_from(y)) << text(y);
+  }
+  EXPECT_FALSE(Interval(1.0, 1.5).inside(x) || Interval(1.5, 2.0).inside(x));
+  EXPECT_TRUE(Interval(1.0, 1.5).within(x) && Interval(1.5, 2.0).within(x));
+  EXPECT_TRUE(x.apart_from(Interval(0.0, 0.5)) && !x.apart_from(Interval(0.0, 1.0)));
   EXPECT_EQ(x.magnitude(), 2.0);
   EXPECT_EQ(x.mignitude(), 1.0);
   EXPECT_EQ(Interval(-1.0, 2.0).mignitude(), 0.0);

@@ -82,6 +82,7 @@ TEST(RootDiscs, SeparateRootsAreHeldAndTold) {
   check_separate<2>(921);
   check_separate<3>(922);
   check_separate<4>(923);
+  check_separate<5>(924);
 }
 
 TEST(RootDiscs, TouchingRootsAreNotToldApart) {
