@@ -116,6 +116,8 @@ def main():
     options.add_argument("--jobs", type=int, default=2)
     options.add_argument("--again", action="store_true")
     options.add_argument("--tests", nargs="*", help="these alone; who survives them is not recorded")
+    options.add_argument("--quick", action="store_true",
+                         help="the short tests and the nearest; who survives them is not recorded")
     options.add_argument("--built", action="store_true", help="the tests are built")
     options.add_argument("--only", type=int, nargs="*", help="numbers of mutants")
     arguments = options.parse_args()
@@ -127,7 +129,7 @@ def main():
     if not arguments.built:
         subprocess.run(["cmake", "--build", build / "build", "-j", str(arguments.jobs), "--target",
                         *(arguments.tests or TESTS)], check=True)
-    usual = {}
+    usual, cheap = {}, 1.0  # seconds
     for test in arguments.tests or TESTS:
         passes, usual[test], case = run(build, test, 0, 600)
         print(f"{test}: {usual[test]:.1f} s", flush=True)
@@ -138,8 +140,6 @@ def main():
     random.Random(arguments.seed).shuffle(mutants)
     if arguments.only:
         mutants = [m for m in mutants if int(m["mutant"]) in arguments.only]
-    if arguments.tests:
-        mutants = [m for m in mutants if set(NEAREST[nearest(m)]) & set(arguments.tests)]
     if arguments.sample:
         mutants = mutants[:arguments.sample]
     outcomes = {tuple(m[k] for k in FIELDS): m for m in rows(build / "outcomes.csv")}
@@ -160,16 +160,19 @@ def main():
         if arguments.minutes and time.monotonic() - begun > 60.0 * arguments.minutes:
             return
         place = nearest(mutant)
-        order = NEAREST[place] + sorted((t for t in TESTS if t not in NEAREST[place]), key=lambda t: usual.get(t, 0.0))
+        # What takes no time goes first, and finds most.
+        order = sorted(usual, key=lambda t: (usual[t] > cheap, t not in NEAREST[place], usual[t]))
+        if arguments.quick:
+            order = [t for t in order if usual[t] <= cheap or t in NEAREST[place]]
         seconds, outcome = 0.0, dict(outcome="survived", by="", case="")
-        for test in [t for t in order if t in usual]:
+        for test in order:
             passes, took, case = run(build, test, mutant["mutant"], 20.0 + 10.0 * usual[test])
             seconds += took
             if not passes:
                 outcome = dict(outcome="caught", by=test, case=case)
                 break
         with lock:
-            if outcome["outcome"] == "survived" and arguments.tests:
+            if outcome["outcome"] == "survived" and (arguments.tests or arguments.quick):
                 print(mutant["mutant"], "not caught by these", flush=True)
                 return
             outcomes[tuple(mutant[k] for k in FIELDS)] = {**mutant, **outcome, "seconds": f"{seconds:.1f}"}
