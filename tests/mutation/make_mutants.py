@@ -522,8 +522,8 @@ def main():
     subprocess.run(["cmake", "-S", tree, "-B", build, "-G", "Ninja", "-D", "CMAKE_BUILD_TYPE=Release",
                     "-D", "CMAKE_CXX_COMPILER=clang++", "-D", "CMAKE_CXX_FLAGS=-w",
                     "-D", "CMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
-                    "-D", "STATIONARY_BUILD_PROGRAM=OFF", "-D", "STATIONARY_BUILD_BENCHMARKS=OFF",
-                    "-D", "STATIONARY_PYTHON=OFF", "-D", "CMAKE_EXPORT_COMPILE_COMMANDS=ON"],
+                    "-D", "STATIONARY_UNITY_BUILD=ON", "-D", "STATIONARY_BUILD_BENCHMARKS=OFF",
+                    "-D", "STATIONARY_WASM=OFF", "-D", "STATIONARY_PYTHON=OFF", "-D", "CMAKE_EXPORT_COMPILE_COMMANDS=ON"],
                    check=True, stdout=subprocess.DEVNULL)
     # Others' headers, which hold no mutants.
     targets = subprocess.run(["ninja", "-C", build, "-t", "targets", "all"], check=True,
@@ -532,7 +532,9 @@ def main():
     subprocess.run(["ninja", "-C", build, f"-j{arguments.jobs}", *parsed], check=True,
                    stdout=subprocess.DEVNULL)
     commands = [c for c in json.loads((build / "compile_commands.json").read_text())
-                if c["file"].endswith(".cpp") and not re.search("kernel_avx|/stress/|/rooms/|/support/", c["file"])]
+                if c["file"].endswith(".cpp") and not re.search(
+                    "kernel_avx|/(stress|rooms|support|program|fuzz|browser|bench)/",
+                    c["file"].removeprefix(str(tree)))]
     # A place that one source shows not to compile is gone before the next source is parsed.
     lock = threading.Lock()
     unknown = []
