@@ -99,6 +99,47 @@ INSTANTIATE_TEST_SUITE_P(All, SensitivityOf,
                                            Shipped{"two_polar", false}),
                          [](const auto& each) { return std::string(each.param.name); });
 
+/// The error bound of S is no less than what half a unit in the last place of every number of the
+/// case comes to.
+void expect_bound_of_inputs(const std::string& path, double at_least) {
+  const Row solved = only_row(run_program({"solve", path, "-o", "-"}).out);
+  const double bound = number(solved.at("error_bound"));
+  double largest = 0.0;
+  for (const std::string stretch : {"xi", "zeta", "rho"}) {
+    double sum = 0.0;
+    for (const Row& row : slopes(path)) {
+      const std::string& slope = row.at("d_" + stretch);
+      if (!slope.empty())
+        sum += std::abs(number(row.at("value")) * number(slope) / number(solved.at(stretch)));
+    }
+    largest = std::max(largest, 0x1p-53 * sum);
+  }
+  EXPECT_LE(largest, bound * (1.0 + 1e-6)) << path;
+  EXPECT_GE(largest, at_least * bound) << path << ": a bound that is too wide is none";
+}
+
+TEST_P(SensitivityOf, ErrorBoundsHoldTheInputs) {
+  expect_bound_of_inputs(shipped(std::string(GetParam().name) + ".toml"), 0.02);
+}
+
+/// Near a fold, so that the inputs are nearly all of the bound; and a tilted axis of a held volume.
+TEST(Sensitivity, ErrorBoundsHoldTheInputsOfWholeBodies) {
+  const TemporaryDirectory directory;
+  expect_bound_of_inputs(
+      directory.file("heavy.toml",
+                     "[body]\nJ = [1.1226, 2.1184, 2.2052]\n[gravity]\ng = 0.49344\n[potential]\n"
+                     "plane = { model = \"biot\", mu = 2.7508, lambda = 0.18576 }\n"
+                     "thickness = { model = \"harmonic\", k = 1.4423, rest = 0.37303 }\n"
+                     "[motion]\nbranch = \"i\"\nnu = 0.2333\n"),
+      0.8);
+  expect_bound_of_inputs(
+      directory.file("tilted.toml",
+                     "[body]\nJ = [0.6, 0.9, 1.1]\nvolume = 1\n[potential]\n"
+                     "coupled = { expression = \"mu/2*(I1 + rho^2 - 3)\", mu = 1 }\n[motion]\n"
+                     "branch = \"tilted\"\nplane = \"13\"\nnu = 0.97\n"),
+      0.002);
+}
+
 const std::string neo_hookean =
     "[body]\nJ = [0.6, 0.9, 1.1]\nvolume = 1\n[potential]\n"
     "coupled = { expression = \"mu/2*(I1 + rho^2 - 3)\", mu = 1 }\n[motion]\nbranch = \"iii\"\n"

@@ -1,0 +1,97 @@
+// What is claimed of modes put together, condition by condition: each is dropped by itself in what
+// the collectors are given.
+#include <gtest/gtest.h>
+
+#include "lib/stability/circle_momentum.hpp"
+#include "lib/stability/enclosure_collector.hpp"
+#include "lib/stability/mode_collector.hpp"
+
+namespace stationary {
+namespace {
+
+/// Of two modes, to be told what is proven of them.
+Spectrum two_modes(double first, double second) {
+  ModeCollector out;
+  out.add_real(first, 1e-3, 1);
+  out.add_real(second, 1e-3, 1);
+  return out.finish();
+}
+
+SpectrumEnclosure proven(const RootEnclosure& first, const RootEnclosure& second, bool semisimple) {
+  EnclosureCollector out;
+  out.negative.add(0);
+  out.add(first, 1, semisimple);
+  out.add(second, 1, semisimple);
+  return out.finish(two_modes(-1.5, -1.5));
+}
+
+TEST(Claims, AComplexLambdaIsApartFromTheAxis) {
+  const auto complex = [](double low, double high) {
+    return RootEnclosure{{Interval(-1.6, -1.4), Interval(low, high)}, true};
+  };
+  EXPECT_EQ(proven(complex(0.1, 0.2), complex(-0.2, -0.1), false).verdict,
+            StabilityClass::oscillatory);
+  EXPECT_FALSE(proven(complex(-0.1, 0.2), complex(-0.2, 0.1), false).verdict);
+}
+
+TEST(Claims, ADoubleLambdaNeedsToBeSemisimple) {
+  const RootEnclosure twice{{Interval(-1.6, -1.4), 0.0}, false};
+  EXPECT_EQ(proven(twice, twice, true).verdict, StabilityClass::stable);
+  EXPECT_FALSE(proven(twice, twice, false).verdict);
+}
+
+/// Two that rounding has made complex stay real where no signatures can meet.
+TEST(Claims, CloseRootsStayOnTheAxisWhereNothingCanMeet) {
+  const Polynomial<Conditioned, 2> p{
+      {Conditioned(1.0 + 1e-13, 1.0), Conditioned(2.0, 2.0), Conditioned(1.0, 1.0)}};
+  const UncertainPolynomial<2> uncertain(p, 1e-12);
+  const auto pair = quadratic_roots(2.0, 1.0 + 1e-13);
+  ASSERT_LT(pair.separation, 0.0);
+  const auto verdict = [&](bool collision_possible) {
+    ModeCollector out;
+    out.add_pair(pair, uncertain, collision_possible, [](double) { return 1; });
+    return out.finish();
+  };
+  const Spectrum apart = verdict(false);
+  EXPECT_EQ(apart.verdict, StabilityClass::stable);
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_EQ(apart.mode[static_cast<std::size_t>(k)].lambda_im, 0.0);
+    EXPECT_NEAR(apart.mode[static_cast<std::size_t>(k)].lambda_re, -1.0, 1e-5);
+  }
+  EXPECT_EQ(verdict(true).verdict, StabilityClass::marginal);
+}
+
+/// A Lambda that may be positive has no signature yet, so that its neighbour has none that counts.
+TEST(Claims, AnOpenSignLeavesItsNeighbourOpen) {
+  for (const bool first_is_open : {true, false}) {
+    ModeCollector out;
+    const double error = 1e-8;
+    const double lambda[2] = {first_is_open ? -1e-9 : -3e-8, first_is_open ? -3e-8 : -1e-9};
+    for (const double each : lambda) out.add_real(each, error, 1, Axis::may_leave);
+    const Spectrum spectrum = out.finish();
+    EXPECT_EQ(spectrum.verdict, StabilityClass::marginal);
+    for (int k = 0; k < 2; ++k)
+      EXPECT_TRUE(spectrum.mode[static_cast<std::size_t>(k)].krein_open) << k;
+  }
+}
+
+/// E'' positive, in one direction by no more than what its entries are known to.
+TEST(Claims, ADefiniteFormIsSoForAllInputs) {
+  Leaf leaf{};
+  leaf.pairs = 5;
+  constexpr std::size_t rho = 4;  // a direction the momentum's form does not see
+  for (std::size_t k = 0; k < 10; ++k) {
+    leaf.second_variation[k][k] = k == rho ? 1e-10 : 1.0;
+    leaf.magnitude[k][k] = 1.0;
+  }
+  EXPECT_TRUE(definite_with_momentum(leaf, 1e-12));
+  EXPECT_FALSE(definite_with_momentum(leaf, 1e-9));
+  // Indefinite, and made definite by the momentum; then by no more than its entries are known to.
+  leaf.second_variation[rho][rho] = 1.0;
+  leaf.second_variation[0][0] = leaf.second_variation[5][5] = -0.2;
+  EXPECT_TRUE(definite_with_momentum(leaf, 1e-12));
+  EXPECT_FALSE(definite_with_momentum(leaf, 0.5));
+}
+
+}  // namespace
+}  // namespace stationary
