@@ -19,6 +19,10 @@
 //
 //   F_u = xi W_t + W_l,  F_v = zeta W_t + W_l,  F_w = W_r,  F_a = -2 tanh(a) W_l.
 //
+// Where det S = C is held, w = ln C - u - v - 2 ln sech a is eliminated: the four are those of V(u, v,
+// w(u, v, a), a) - q^T C(nu) q/2. w stays an unknown with k/2 (u + v + w + 2 ln sech a - ln C)^2 added
+// to the function, for any k > 0 (held_volume.hpp), or is left out.
+//
 // a and phi are numbers x > 0 here too, a = ln x and phi = 2 gd(ln x) (Gudermann's function): all
 // is rational in x but for sqrt(xi zeta), in any number type, and nothing happens where the axis
 // passes a material one.
@@ -222,10 +226,73 @@ OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicDeriv
   return out;
 }
 
+/// At rho = volume/d.
+template <class S>
+OrientedStretch<S> at_volume(const S& volume, OrientedStretch<S> at) {
+  at.q.rho = volume / (at.q.xi * at.q.zeta * square(at.sech));
+  return at;
+}
+
+/// From the balance at at_volume() that of the held volume without an equation of w.
+template <int order, class S>
+OrientedBalance<S> held(const OrientedBalance<S>& b, const OrientedStretch<S>& at) {
+  using namespace oriented;
+  OrientedBalance<S> out;
+  const S w_a = 2.0 * at.tanh;  // w_u = w_v = -1
+  out.g[u] = b.g[u] - b.g[w];
+  out.g[v] = b.g[v] - b.g[w];
+  out.g[a] = b.g[a] + w_a * b.g[w];
+  if constexpr (order >= 2) {
+    const auto& s = b.slope;
+    out.slope[u][u] = s[u][u] - 2.0 * s[u][w] + s[w][w];
+    out.slope[v][v] = s[v][v] - 2.0 * s[v][w] + s[w][w];
+    out.slope[u][v] = out.slope[v][u] = s[u][v] - s[u][w] - s[v][w] + s[w][w];
+    for (const std::size_t i : {u, v})
+      out.slope[i][a] = out.slope[a][i] = s[i][a] - s[w][a] + w_a * (s[i][w] - s[w][w]);
+    out.slope[a][a] =
+        s[a][a] + w_a * (2.0 * s[a][w] + w_a * s[w][w]) + 2.0 * (square(at.sech) * b.g[w]);
+  }
+  return out;
+}
+
+/// Adds the equation of a volume held, k > 0.
+template <int order, class S>
+void add_volume(const OrientedStretch<S>& at, const S& volume, double k, OrientedBalance<S>& out) {
+  using namespace oriented;
+  using std::log;
+  const S excess = log(S(at.q.xi * at.q.zeta * square(at.sech) * at.q.rho / volume));
+  const S pull = k * excess;
+  const S by_a = -2.0 * at.tanh;
+  for (const std::size_t i : {u, v, w}) out.g[i] += pull;
+  out.g[a] += by_a * pull;
+  if constexpr (order >= 2) {
+    for (const std::size_t i : {u, v, w}) {
+      for (const std::size_t j : {u, v, w}) out.slope[i][j] += S(k);
+      out.slope[i][a] += k * by_a;
+      out.slope[a][i] += k * by_a;
+    }
+    out.slope[a][a] += k * square(by_a) - 2.0 * (square(at.sech) * pull);
+  }
+}
+
+/// By the model; of a held volume without w's equation, whatever rho is.
+template <int order, class S>
+OrientedBalance<S> eliminated_balance(const Inertia3<S>& J, const AnisotropicModel<S>& model,
+                                      const OrientedStretch<S>& at, const SpinProducts<S>& n) {
+  const auto& volume = model.body.volume;
+  const OrientedStretch<S> whole = volume ? at_volume<S>(*volume, at) : at;
+  const auto b = oriented_balance<order>(
+      J, model.template evaluate<order>(whole.invariants(), whole.q), whole, n);
+  return volume ? held<order>(b, whole) : b;
+}
+
+/// All four equations.
 template <int order, class S>
 OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicModel<S>& model,
                                     const OrientedStretch<S>& at, const SpinProducts<S>& n) {
-  return oriented_balance<order>(J, model.template evaluate<order>(at.invariants(), at.q), at, n);
+  auto out = eliminated_balance<order>(J, model, at, n);
+  if (model.body.volume) add_volume<order>(at, *model.body.volume, model.body.stiffness, out);
+  return out;
 }
 
 /// I22 - I11, I12, I11 + I22 of the locked inertia, in the plane.

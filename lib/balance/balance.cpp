@@ -10,7 +10,7 @@ BalanceCheck check_balance(const Body& body, const Potential& potential, const S
   BalanceCheck out = check_balance(body, potential.derivatives(q), q, nu, potential.holds_volume());
   // Derivatives along the held volume do not say whether q has it.
   if (potential.holds_volume()) {
-    const double excess = planar_invariants(q).d * q.rho / *potential.body_model()->volume - 1.0;
+    const double excess = planar_invariants(q).d * q.rho / *potential.volume() - 1.0;
     if (!(std::abs(excess) <= 1e-12)) out.residual = std::fmax(out.residual, std::abs(excess));
   }
   if (!potential.defined_at(q)) out.residual = poison<double>();
@@ -50,6 +50,7 @@ double pressure(const Body& body, const Potential& potential, const Stretch& q,
                 const Vector3<double>& nu) {
   if (!potential.holds_volume()) return poison<double>();
   const double c_rho = centrifugal_matrix(body, nu)(3, 3);
+  if (!potential.is_isotropic()) return potential.anisotropic().pressure(q, c_rho);
   return potential.body_model()->pressure(q.xi, q.zeta, c_rho);
 }
 
