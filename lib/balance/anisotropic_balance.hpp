@@ -209,12 +209,60 @@ void add_in_logarithms(const OrientedStretch<S>& at, const CoupledDerivatives<S>
   }
 }
 
+/// Those of gravity, from its derivatives in (T, l, r): the rows of u, v and w are positive, and their
+/// sum is -V.
+template <int order, class S>
+void add_gravity_in_logarithms(const OrientedStretch<S>& at, const CoupledDerivatives<S>& V,
+                               const GravitatingInertia<S>& J, OrientedBalance<S>& out) {
+  using namespace oriented;
+  const auto& p = V.plane;
+  const S J_sum = J.J1 + J.J2;
+  const S first = J.J1 * square(at.q.xi);
+  const S second = J.J2 * square(at.q.zeta);
+  const S shear = J_sum * square(at.q.alpha);
+  const S root_squared = at.q.xi * at.q.zeta;
+  const S narrow = square(at.sech);
+  const std::array<S, 3> T{2.0 * first + shear, 2.0 * second + shear,
+                           2.0 * (J_sum * root_squared * at.tanh * narrow)};
+  const std::array<S, 3> l{S(1.0), S(1.0), -2.0 * at.tanh};
+  constexpr std::array places{u, v, a};
+  const auto whole = [&](const S& row) {
+    if constexpr (std::is_same_v<S, Interval>) {
+      return common(row, Interval(0.0, (-p.w).hi));
+    } else {
+      return row;
+    }
+  };
+  out.g[u] += whole(T[0] * p.w_t + p.w_l);
+  out.g[v] += whole(T[1] * p.w_t + p.w_l);
+  out.g[w] += whole(V.w_r);
+  out.g[a] += T[2] * p.w_t + l[2] * p.w_l;
+  if constexpr (order >= 2) {
+    const S T_aa = 2.0 * (J_sum * root_squared * narrow * (narrow - 2.0 * square(at.tanh)));
+    const std::array<std::array<S, 3>, 3> curved{{{4.0 * first + shear, shear, T[2]},
+                                                  {shear, 4.0 * second + shear, T[2]},
+                                                  {T[2], T[2], T_aa}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j)
+        out.slope[places[i]][places[j]] += p.w_tt * (T[i] * T[j]) + p.w_ll * (l[i] * l[j]) +
+                                           p.w_tl * (T[i] * l[j] + l[i] * T[j]) +
+                                           p.w_t * curved[i][j];
+      const S by_w = V.w_tr * T[i] + V.w_lr * l[i];
+      out.slope[places[i]][w] += by_w;
+      out.slope[w][places[i]] += by_w;
+    }
+    out.slope[w][w] += V.w_rr;
+    out.slope[a][a] -= 2.0 * (narrow * p.w_l);
+  }
+}
+
 /// The balance, in (u, v, w, a), of V's derivatives there; of phi nothing.
 template <int order, class S>
 OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicDerivatives<S>& V,
                                     const OrientedStretch<S>& at, const SpinProducts<S>& n) {
   OrientedBalance<S> out;
   add_in_logarithms<order>(at, V.isotropic, out);
+  if (V.gravity) add_gravity_in_logarithms<order>(at, V.gravity->V, V.gravity->J, out);
   const Matrix4<S> C = centrifugal_matrix(J, n);
   const Vector4<S> q = at.q.vector();
   Vector4<S> gradient = V.directed.gradient;

@@ -32,7 +32,7 @@ struct SpatialState {
   S sigma;
   S moment;         ///< trace B
   S trace_force;    ///< t W_t, of the elastic energy alone
-  S plane_force;    ///< d W_d, likewise
+  S plane_force;    ///< d W_d, likewise, a size to compare it with
   S difference;     ///< rho V_rho - d V_d
   S gravity_slope;  ///< V_T, zero without gravity
 

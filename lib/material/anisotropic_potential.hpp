@@ -42,11 +42,16 @@ template <class C>
 using OrientedCoupledModels =
     std::variant<NeoHookean3d<C>, CoupledExpression<C>, OrientedExpression<C>>;
 
-/// What does not depend on the axes and what does.
+/// What does not depend on the axes and what does; gravity by its own variables.
 template <class C>
 struct AnisotropicDerivatives {
   CoupledDerivatives<C> isotropic;
   PotentialDerivatives<C> directed;
+  struct Gravity {
+    CoupledDerivatives<C> V;  ///< gravity_derivatives()
+    GravitatingInertia<C> J;
+  };
+  std::optional<Gravity> gravity;
 };
 
 template <class C>
@@ -132,9 +137,8 @@ struct AnisotropicModel {
     }
     for (std::size_t k = 0; k < fibre_count; ++k) fibres[k].template add<order>(q, out.directed);
     if (body.gravitates)
-      add_gravity<order>(
-          gravity_derivatives<order>(body.g, body.J, planar_moment(body.J, q), x.d, q.rho), body.J,
-          q, out.directed);
+      out.gravity = {
+          gravity_derivatives<order>(body.g, body.J, planar_moment(body.J, q), x.d, q.rho), body.J};
     return out;
   }
 };
@@ -148,6 +152,7 @@ PotentialDerivatives<C> potential_derivatives(const AnisotropicModel<C>& model, 
   out.value += parts.directed.value;
   if constexpr (order >= 1) out.gradient += parts.directed.gradient;
   if constexpr (order >= 2) out.hessian += parts.directed.hessian;
+  if (parts.gravity) add_gravity<order>(parts.gravity->V, parts.gravity->J, q, out);
   return model.body.volume ? along_volume<order>(out, q) : out;
 }
 

@@ -51,10 +51,16 @@ Whole second_variation(const EnclosedMotion& at) {
   if (at.spins()) {
     // (e1, e2, axis) right-handed, e1 in the plane of axes 1 and 2.
     const bool third = at.about_third();
+    const bool in_plane = at.axis[2].lo == 0.0 && at.axis[2].hi == 0.0;
+    const Interval across =
+        in_plane || third ? Interval(1.0) : sqrt(square(at.axis[0]) + square(at.axis[1]));
     const Vector3<Interval> e1 =
-        third ? Vector3<Interval>{1.0, 0.0, 0.0} : Vector3<Interval>{-at.axis[1], at.axis[0], 0.0};
+        third ? Vector3<Interval>{1.0, 0.0, 0.0}
+              : Vector3<Interval>{-at.axis[1] / across, at.axis[0] / across, 0.0};
     const Vector3<Interval> e2 =
-        third ? Vector3<Interval>{0.0, 1.0, 0.0} : Vector3<Interval>{0.0, 0.0, 1.0};
+        third      ? Vector3<Interval>{0.0, 1.0, 0.0}
+        : in_plane ? Vector3<Interval>{0.0, 0.0, 1.0}
+                   : Vector3<Interval>{-(at.axis[2] * e1[1]), at.axis[2] * e1[0], across};
     const Matrix3<Interval> I = locked_inertia(at.J, at.q);
     Interval own;
     for (int i = 0; i < 3; ++i)

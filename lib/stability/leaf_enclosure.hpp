@@ -21,7 +21,7 @@ struct EnclosedMotion {
   Inertia3<Interval> J;
   BasicStretch<Interval> q;
   Interval speed;          ///< |nu|: > 0, or exactly 0
-  Vector3<Interval> axis;  ///< nu/|nu|: along axis 3, or in the plane of axes 1 and 2
+  Vector3<Interval> axis;  ///< nu/|nu|
   Matrix4<Interval> V_qq;  ///< along the volume where it is held
   bool rho_coupled;
   bool volume_held = false;
@@ -30,7 +30,7 @@ struct EnclosedMotion {
   bool straight = false;
 
   bool spins() const { return speed.lo > 0.0; }
-  bool about_third() const { return axis[2].lo > 0.0; }
+  bool about_third() const { return axis[2].lo == 1.0; }
 };
 
 /// V without a material symmetry (not isotropic, or at rest about no axis of one). approximate is

@@ -3,18 +3,25 @@
 // on a tilted family, alpha being 0 there (`shear`).
 #pragma once
 
+#include <array>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "lib/balance/spatial_balance.hpp"
 #include "lib/material/models/model_coefficients.hpp"
 #include "lib/material/potential.hpp"
 #include "solver/family/stated_family.hpp"
+#include "solver/newton/newton.hpp"
 
 namespace stationary {
 
 struct SpatialEquations {
   static constexpr int dimension = 3;
   static constexpr int shear_place = 2;
+  /// Of alpha over sqrt(xi zeta), tanh a, against the bound of ln x.
+  static constexpr double bound_factor = 2.0;
   using X = ReducedVector<3>;
 
   Body body;

@@ -97,6 +97,14 @@ class TiltedFamily final : public Family<2> {
     out.tilt_in_plane = share(squares.in_plane, p, error_bound);
     out.tilt_normal = share(squares.normal, p, error_bound);
     if (out.beyond_end()) return out;
+    if constexpr (is_body_model<Model>) {
+      if (model_.volume) {
+        const auto at =
+            spatial_state<double>({body_.J1, body_.J2, body_.J3}, model_, x[0], x[1], 1.0);
+        const double size = std::abs(at.trace_force) + std::abs(at.plane_force);
+        if (size > 0.0) out.turn = at.trace_force / size;
+      }
+    }
     const DoubleDouble along[2] = {root(squares.in_plane, out.tilt_in_plane),
                                    root(squares.normal, out.tilt_normal)};
     out.angular_velocity = angular_velocity(plane_, double(along[0]), double(along[1]));

@@ -36,7 +36,7 @@ std::optional<std::array<Interval, 3>> read_box(const CaseTree& tree) {
 /// Of a motion that the method finds.
 void require_method(const CaseTree& tree, Method method, const Motion& motion, bool isotropic) {
   const bool two_polar = std::holds_alternative<TwoPolarMotion>(motion);
-  const bool tilted = std::holds_alternative<TiltedMotion>(motion);
+  const bool tilted = name(motion) == tilted_name;
   if (two_polar && method != Method::automatic && method != Method::nlopt) {
     throw fault_at(
         tree, "solve.method",
