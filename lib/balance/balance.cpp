@@ -51,7 +51,14 @@ double pressure(const Body& body, const Potential& potential, const Stretch& q,
   if (!potential.holds_volume()) return poison<double>();
   const double c_rho = centrifugal_matrix(body, nu)(3, 3);
   if (!potential.is_isotropic()) return potential.anisotropic().pressure(q, c_rho);
-  return potential.body_model()->pressure(q.xi, q.zeta, c_rho);
+  const BodyModel<>& model = *potential.body_model();
+  if (q.alpha == 0.0) return model.pressure(q.xi, q.zeta, c_rho);
+  const auto x = planar_invariants(q);
+  const double rho = *model.volume / x.d;
+  double pull = model.elastic.evaluate<1>(x, rho).w_r;
+  if (model.gravitates)
+    pull += gravity_derivatives<1>(model.g, model.J, planar_moment(model.J, q), x.d, rho).w_r;
+  return (pull - c_rho * rho * rho) / *model.volume;
 }
 
 double energy(const Body& body, const Potential& potential, const Stretch& q,

@@ -207,6 +207,9 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     out.angular_velocity = {double(nu[0]), double(nu[1]), double(nu[2])};
     out.error_bound = error_bound;
     if (options_.errors || options_.energy || !Layout::alpha) add_elastic(at, out);
+    if (at.models->potential.body().volume)
+      out.pressure = at.models->potential.pressure(
+          out.q, centrifugal_matrix(at.body, out.angular_velocity)(3, 3));
     if (options_.spectrum) {
       ++this->evaluations_.spectra;
       out.spectrum =

@@ -86,6 +86,7 @@ Member SpatialEquations::member(const X& x, const X& tail, double p, double erro
   const BalanceCheck check = check_balance(body, potential, out.q, out.angular_velocity);
   out.residual = check.residual;
   out.compatibility = check.compatibility;
+  out.pressure = pressure(body, potential, out.q, out.angular_velocity);
   out.energy = energy(body, potential, out.q, out.angular_velocity);
   if (spectrum) {
     const double bound = std::isnan(error_bound) ? 1e-15 : std::max(out.error_bound, 0x1p-53);

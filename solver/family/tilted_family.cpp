@@ -114,6 +114,8 @@ class TiltedFamily final : public Family<2> {
         check_balance(body_, v, out.q, out.angular_velocity, holds_volume(model_));
     out.residual = check.residual;
     out.compatibility = check.compatibility;
+    if (potential_.holds_volume())
+      out.pressure = pressure(body_, potential_, out.q, out.angular_velocity);
     out.energy = energy(body_, elastic_energy(model_, out.q), out.q, out.angular_velocity);
     if (spectrum_) {
       const double bound = std::isnan(error_bound) ? 1e-15 : std::max(error_bound, 0x1p-53);
