@@ -7,7 +7,8 @@
 #   cmake -D PROGRAM=build/release/solver/cli/stationary -D INTO=results -P cmake/results.cmake
 #
 # `cmake --build build/release --target results` does that; the target contact_sheet shows all figures on
-# one picture.
+# one picture. With -D TABLES_ONLY=ON no figures and no pages are made: what is left needs neither gnuplot
+# nor HDF5. PROGRAM may be a list, an emulator before the program.
 foreach(name PROGRAM INTO)
   if(NOT DEFINED ${name})
     message(FATAL_ERROR "${name} is not set; usage: see ${CMAKE_CURRENT_LIST_FILE}")
@@ -20,6 +21,16 @@ function(run_program)
   if(NOT code EQUAL 0 AND NOT code EQUAL 3) # 3: there is no solution, as a case may show
     message(FATAL_ERROR "${ARGV}: exit code ${code}\n${message}")
   endif()
+endfunction()
+
+# The figures of a table, NAME.svg and NAME.png.
+function(plot_table table name)
+  if(TABLES_ONLY)
+    return()
+  endif()
+  foreach(format svg png)
+    run_program(plot ${table} ${ARGN} -o ${INTO}/${name}.${format} --quiet)
+  endforeach()
 endfunction()
 
 # A table's metadata without the key `run`, whose lines are no others' business and differ each time.
@@ -49,20 +60,16 @@ foreach(case IN LISTS cases)
   if(continued)
     run_program(continue ${case} -o ${INTO}/${name}.csv --quiet)
     if(code EQUAL 0)
-      foreach(format svg png)
-        run_program(plot ${INTO}/${name}.csv -o ${INTO}/${name}.${format} --quiet)
-      endforeach()
+      plot_table(${INTO}/${name}.csv ${name})
     endif()
   else()
     run_program(solve ${case} -o ${INTO}/${name}.csv --quiet)
   endif()
   keep_metadata(${name})
   file(STRINGS ${case} mapped REGEX "^\\[map\\]")
-  if(mapped) # the table itself is large
+  if(mapped AND NOT TABLES_ONLY) # the table itself is large
     run_program(map ${case} -o ${INTO}/${name}_map.h5 --quiet)
-    foreach(format svg png)
-      run_program(plot ${INTO}/${name}_map.h5 -o ${INTO}/${name}.${format} --quiet)
-    endforeach()
+    plot_table(${INTO}/${name}_map.h5 ${name})
     file(REMOVE ${INTO}/${name}_map.h5 ${INTO}/${name}_map.meta.json)
   endif()
   message(STATUS "${name}")
@@ -71,18 +78,16 @@ endforeach()
 foreach(name neo_hookean apart near_degenerate circle double_well two_wells fibre) # every sheet of these bodies
   run_program(atlas cases/${name}.toml -o ${INTO}/${name}_atlas.csv --quiet)
   keep_metadata(${name}_atlas)
-  foreach(format svg png)
-    run_program(plot ${INTO}/${name}_atlas.csv -o ${INTO}/${name}_atlas.${format} --quiet)
-  endforeach()
+  plot_table(${INTO}/${name}_atlas.csv ${name}_atlas)
   message(STATUS "${name}_atlas")
 endforeach()
 
 # Two families of one body by energy and momentum.
-foreach(format svg png)
-  run_program(plot ${INTO}/maclaurin.csv ${INTO}/jacobi.csv --diagram energy-momentum
-    -o ${INTO}/maclaurin_jacobi.${format} --quiet)
-endforeach()
+plot_table(${INTO}/maclaurin.csv maclaurin_jacobi ${INTO}/jacobi.csv --diagram energy-momentum)
 
+if(TABLES_ONLY)
+  return()
+endif()
 # Pages to open, where the program was built with the page. Without the solver: its megabytes are not kept with the sources.
 foreach(name fold neo_hookean_atlas)
   execute_process(COMMAND ${PROGRAM} explore ${INTO}/${name}.csv -o ${INTO}/${name}.html --no-live --quiet

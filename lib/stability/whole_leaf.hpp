@@ -110,7 +110,7 @@ class WholeLeafProblem {
     std::array<Vector<Complex>, n> z;
     std::array<Vector<Complex>, n> w;
     std::array<Complex, n> s;
-    std::array<double, n> rounding;
+    std::array<double, n> rounding{};
     std::array<Complex, n> c;
     std::array<double, n> energy{};
     std::array<Vector<double>, n> z_size;

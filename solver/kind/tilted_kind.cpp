@@ -49,10 +49,12 @@ class TiltedKind final : public Kind {
   PlanItem spectrum_plan() const override {
     const bool held = potential().holds_volume();
     return {"spectrum",
-            std::string(held ? "4" : "5") +
-                " modes from the whole problem, by a structure-preserving method",
-            "no reflection makes blocks of the dynamics about a tilted axis, on the " +
-                std::string(held ? "8" : "10") + "-dimensional leaf of fixed |pi|"};
+            held ? "4 modes from the whole problem, by a structure-preserving method"
+                 : "5 modes from the whole problem, by a structure-preserving method",
+            held ? "no reflection makes blocks of the dynamics about a tilted axis, on the "
+                   "8-dimensional leaf of fixed |pi|"
+                 : "no reflection makes blocks of the dynamics about a tilted axis, on the "
+                   "10-dimensional leaf of fixed |pi|"};
   }
   std::string_view default_start() const override {
     return "the tilts of the sheets connected to rest";

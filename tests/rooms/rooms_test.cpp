@@ -148,6 +148,25 @@ TEST(Rooms, NothingOutsideAKindAsksWhichItIs) {
               ElementsAre(HasSubstr("asks for TiltedMotion")));
 }
 
+/// The sources that name a processor's instructions outside the one header that may.
+std::vector<std::string> naming_instructions(const std::vector<Source>& all) {
+  std::vector<std::string> out;
+  for (const Source& source : all) {
+    if (source.path == "lib/number/simd_pack.hpp") continue;
+    for (const char* each : {"intrin.h", "arm_neon.h", "_mm_", "_mm256_", "_mm512_", "__m128",
+                             "__m256", "__m512", "__builtin_ia32_", "__asm"})
+      if (source.text.find(each) != std::string::npos)
+        out.push_back(source.path + " names " + each);
+  }
+  return out;
+}
+
+TEST(Rooms, OneHeaderNamesAProcessorsInstructions) {
+  EXPECT_THAT(naming_instructions(sources()), IsEmpty());
+  EXPECT_THAT(naming_instructions({{"solver/batch/a.cpp", "#include <immintrin.h>\n"}}),
+              ElementsAre(HasSubstr("intrin.h")));
+}
+
 TEST(Rooms, EveryFileIsInOneAndIncludesNothingAbove) {
   const auto all = sources();
   ASSERT_GT(all.size(), 300U);

@@ -240,7 +240,6 @@ TEST(EllipsoidIntegral, SlopesOfOtherNumbersAreTheNextDerivatives) {
   }
 }
 
-#ifdef __SSE2__
 TEST(EllipsoidIntegral, PacksAreDoublesSideBySide) {
   using P = Pack<16>;
   const std::vector<Axes> axes = all_axes(200);
@@ -264,7 +263,6 @@ TEST(EllipsoidIntegral, PacksAreDoublesSideBySide) {
     }
   }
 }
-#endif
 
 }  // namespace
 }  // namespace stationary
