@@ -43,7 +43,7 @@ class Files:
 
 def check_end(run, command):
     """No crash, no hang, an exit code that is documented."""
-    require(not run.hung, "does not end 10 s after SIGINT")
+    require(not run.hung, "does not end within 10 s after SIGINT")
     if run.code < 0:
         name = signal.Signals(-run.code).name
         require(name in ENDING, f"died by {name}")

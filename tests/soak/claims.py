@@ -47,6 +47,8 @@ class Claims:
         if run.code != DONE or not data or table.endswith(".h5") or columns or "--part" in self.command.words:
             return
         rows = table_rows(data)
+        if "--merge" in self.command.words:
+            self.merged(data)
         if verb in ("solve", "continue", "atlas", "map") and "--grid" not in self.command.words:
             self.rows(tree, rows)
         if verb == "atlas" and "x.meta.json" in files.bytes and "--grid" not in self.command.words:
@@ -274,6 +276,15 @@ class Claims:
                 self.counts["proven intervals"] += 1
 
     # Other tables.
+
+    def merged(self, data):
+        """Parts put together are the table of one run."""
+        words = self.command.words[:self.command.words.index("--merge")]
+        words[words.index("x.csv")] = "-"
+        inputs = {name: each for name, each in self.command.inputs.items() if not name.startswith("p")}
+        whole = self.again(words, inputs)
+        require(whole.out == data, "parts put together are not the table of one run")
+        self.counts["merged parts"] += 1
 
     def study(self, tree, rows):
         """A row of a study is the row that `solve` writes."""

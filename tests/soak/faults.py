@@ -10,8 +10,9 @@ import threading
 import time
 from dataclasses import dataclass, field
 
-LONGEST = 60.0  # seconds, until it is asked to end
-TO_END = 10.0   # from then on
+# Seconds of the processor, and of the clock where others have it, until a run is asked to end; and from then on.
+LONGEST = (60.0, 300.0)
+TO_END = (10.0, 60.0)
 
 ENDING = {name: getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGPIPE", "SIGKILL")}
 HEEDED = ("SIGINT", "SIGTERM")
@@ -141,7 +142,7 @@ exit $code
 """
 
 
-def run(program, words, directory, fault=Fault(), longest=LONGEST):
+def run(program, words, directory, fault=Fault()):
     """The command in a directory, with a fault."""
     command = [program] + words
     if fault.disk:
@@ -183,10 +184,10 @@ def run(program, words, directory, fault=Fault(), longest=LONGEST):
             if ended(process, begin + at - time.monotonic()):
                 break
             process.send_signal(getattr(signal, name))
-        if not ended(process, begin + longest - time.monotonic()):
+        if not ended_within(process, LONGEST):
             overdue = True
             process.send_signal(signal.SIGINT)
-            hung = not ended(process, TO_END)
+            hung = not ended_within(process, TO_END)
     finally:
         if process.poll() is None:
             process.kill()
@@ -214,6 +215,21 @@ class Drained:
         if self.thread:
             self.thread.join()
         return self.bytes
+
+
+def processor_seconds(process):
+    """Spent so far; of a process that is not waited for."""
+    with open(f"/proc/{process.pid}/stat") as file:
+        fields = file.read().rpartition(")")[2].split()
+    return sum(map(int, fields[11:13])) / os.sysconf("SC_CLK_TCK")
+
+
+def ended_within(process, limits):
+    busy, begin = processor_seconds(process) if process.poll() is None else 0.0, time.monotonic()
+    while not ended(process, 0.5):
+        if processor_seconds(process) - busy > limits[0] or time.monotonic() - begin > limits[1]:
+            return False
+    return True
 
 
 def ended(process, seconds):

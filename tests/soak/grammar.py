@@ -43,10 +43,12 @@ class Made:
 
 
 class Grammar:
-    def __init__(self, shipped, hdf5):
-        """shipped: cases as texts, by name; hdf5: whether such files are written."""
+    def __init__(self, shipped, hdf5, made):
+        """shipped: cases as texts, by name; hdf5: whether such files are written; made(words, inputs): the files
+        that a command leaves, undisturbed."""
         self.shipped = shipped
         self.hdf5 = hdf5
+        self.made = made
         self.pool = []  # of Made
 
     def keep(self, made):
@@ -57,6 +59,9 @@ class Grammar:
         if verb in ("plot", "explore") and not self.pool:
             verb = "solve"
         command = getattr(self, "draw_" + verb)(rng)
+        if command.table == "x.csv" and command.resumes and verb in ("map", "study") and "--part" not in command.words \
+                and rng.random() < 0.12:
+            self.merge(rng, command)
         if rng.random() < 0.13:
             spoil(rng, command)
         return command
@@ -248,6 +253,18 @@ class Grammar:
                             ([word] if word else []) + ["--version"]))
         return Command("help", words, expected=(DONE,))
 
+    def merge(self, rng, command):
+        """Parts of the same in place of computing it."""
+        of = rng.randint(1, 3)
+        words = [word for word in command.words if word not in ("-o", "--output", "x.csv")]
+        for k in range(1, of + 1):
+            files = self.made(words + ["--part", f"{k}/{of}", "-o", f"p{k}.csv"], command.inputs)
+            for name in (f"p{k}.csv", f"p{k}.meta.json"):
+                if name in files:
+                    command.inputs[name] = files[name]
+        command.words += ["--merge"] + [f"p{k}.csv" for k in range(1, of + 1)]
+        command.resumes = False
+
     # What reads tables.
 
     def taken(self, rng, most):
@@ -305,7 +322,7 @@ def spoil(rng, command):
     if any(name.endswith((".csv", ".h5", ".json")) for name in command.inputs):
         ways += ["bytes of table"] * 3 + ["no table"]
     if command.table:
-        ways += ["suffix", "directory"]
+        ways += ["suffix", "directory", "full device"]
     way = command.wrong = rng.choice(ways)
     command.tree = None
     exit_two = (WRONG,)
@@ -344,6 +361,9 @@ def spoil(rng, command):
             exit_two = (WRONG,)
     elif way == "suffix":
         words[words.index(command.table)] = "x.txt"
+    elif way == "full device":
+        words[words.index(command.table)] = "/dev/full"
+        exit_two = (WRONG, NONE, FAILED)
     elif way == "directory":
         words[words.index(command.table)] = "nowhere/x.csv"
     command.expected = exit_two

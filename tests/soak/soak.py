@@ -39,7 +39,8 @@ class Soak:
                 with open(os.path.join(arguments.cases, name), "rb") as file:
                     shipped[name] = file.read()
         versions = subprocess.run([self.program, "--version"], capture_output=True, text=True).stdout
-        self.grammar = Grammar(shipped, hdf5=re.search(r"^HDF5 +\d", versions, re.M) is not None)
+        self.grammar = Grammar(shipped, hdf5=re.search(r"^HDF5 +\d", versions, re.M) is not None,
+                               made=self.made)
         self.faults = Faults(self.program, arguments.shim and os.path.abspath(arguments.shim))
         self.claims = Counter()
         self.verdicts = defaultdict(Counter)
@@ -54,6 +55,11 @@ class Soak:
             with open(os.path.join(path, file), "wb") as out:
                 out.write(data)
         return path
+
+    def made(self, words, inputs):
+        place = self.directory("parts", inputs)
+        run(self.program, words, place)
+        return Files(place).bytes
 
     def one(self, number):
         """The lines of the log of one command."""
@@ -179,7 +185,7 @@ class Soak:
         text, failed = self.summary((time.monotonic() - begin) / 60)
         with open(os.path.join(self.into, "summary.txt"), "w") as out:
             out.write(text)
-        for name in ("usual", "disturbed", "again"):
+        for name in ("usual", "disturbed", "again", "parts"):
             shutil.rmtree(os.path.join(self.into, name), ignore_errors=True)
             shutil.rmtree(os.path.join(self.into, name) + ".disk", ignore_errors=True)
         print(text)
