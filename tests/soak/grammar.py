@@ -144,15 +144,16 @@ class Grammar:
         tree["continuation"]["to"] = Number(short(rng, 0.2, 1.2))
         tree["continuation"]["from"] = Number("0.0")
         words = []
-        points = rng.choice((1, 2, 3)) if anisotropic(tree) else rng.choice((4, 16, 64))
-        if rng.random() < 0.3:
+        points = 1 if anisotropic(tree) else rng.choice((4, 16, 64))
+        # Searches of anisotropic bodies take seconds, proofs of formulas minutes.
+        if not anisotropic(tree) and rng.random() < 0.3:
             add_map(rng, tree, body_only=True, most=3)
             words += ["--grid", "--checkpoints", str(points)]
             if self.hdf5 and rng.random() < 0.4:
                 words += ["--tables", "all.h5"]
         else:
             words += ["--checkpoints", str(points)]
-            if rng.random() < 0.35:
+            if rng.random() < (0.07 if "expression" in str(tree["potential"]) else 0.4):
                 words.append("--complete")
             if rng.random() < 0.25:
                 words += ["--least-energy", "least.csv"]
@@ -213,7 +214,7 @@ class Grammar:
         if "nu" in tree["motion"]:
             columns.append("motion.nu")
         rows = rng.choice((1, 3, 8, 40)) if do == "solve" else rng.choice((1, 2, 4))
-        if do == "atlas" and tree["motion"]["branch"] == "two-polar" or "solve" in tree:
+        if do == "atlas" and (tree["motion"]["branch"] == "two-polar" or anisotropic(tree)) or "solve" in tree:
             do = "solve"
         if do != "solve":
             add_continuation(rng, tree, spin_only=True)
@@ -225,7 +226,7 @@ class Grammar:
             lines.append(",".join(cells + [rng.choice((f"row {k}", '"a, b"', '"say ""so"""', "µ"))]))
         words = ["--over", "over.csv", "--do", do]
         if do == "atlas":
-            words += ["--checkpoints", str(rng.choice((1, 2)) if anisotropic(tree) else 8)]
+            words += ["--checkpoints", "8"]
         if rng.random() < 0.1:
             words += ["--part", "1/2"]
         command = self.computing(rng, "study", tree, words)
