@@ -2,9 +2,13 @@
 // the collectors are given.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "lib/stability/circle_momentum.hpp"
 #include "lib/stability/enclosure_collector.hpp"
 #include "lib/stability/mode_collector.hpp"
+#include "lib/stability/reversible_leaf.hpp"
 
 namespace stationary {
 namespace {
@@ -91,6 +95,55 @@ TEST(Claims, ADefiniteFormIsSoForAllInputs) {
   leaf.second_variation[0][0] = leaf.second_variation[5][5] = -0.2;
   EXPECT_TRUE(definite_with_momentum(leaf, 1e-12));
   EXPECT_FALSE(definite_with_momentum(leaf, 0.5));
+}
+
+/// B = 1 and A symmetric with eigenvalues next to each other: Lambda is within its bound of them, or
+/// not given.
+TEST(Claims, LambdaNextToEachOtherAreWithinTheirBoundsOrNotGiven) {
+  constexpr std::size_t n = 3;
+  int given = 0;
+  int refused = 0;
+  for (double apart = 0.25; apart > 1e-12; apart *= 0.75) {
+    const std::array exact{0.7, 0.7 + apart, 0.7 + 2.3 * apart};
+    ReversibleLeaf<n> leaf;
+    // The reflection 1 - 2 v v^T/v^T v of v = (1, 2, 4).
+    const double v[n] = {1.0, 2.0, 4.0};
+    const auto Q = [&](std::size_t i, std::size_t j) {
+      return DoubleDouble(i == j ? 1.0 : 0.0) - DoubleDouble(2.0 * v[i] * v[j]) / 21.0;
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        DoubleDouble sum(0.0);
+        for (std::size_t l = 0; l < n; ++l) sum = sum + Q(i, l) * (Q(j, l) * exact[l]);
+        leaf.A[i][j] = renormalized(sum);
+        leaf.A_magnitude[i][j] = std::abs(leading(sum));
+        leaf.B[i][j] = DoubleDouble(i == j ? 1.0 : 0.0);
+        leaf.B_magnitude[i][j] = i == j ? 1.0 : 0.0;
+      }
+    }
+    for (const double uncertainty : {0x1p-53, 1e-13, 1e-12, 1e-11, 1e-10}) {
+      LeafModes<n> modes;
+      if (!ReversibleProblem<n>(leaf, {false, uncertainty}).find(modes)) {
+        ++refused;
+        continue;
+      }
+      ++given;
+      std::ranges::sort(modes.lambda, std::ranges::greater{}, [](auto z) { return z.real(); });
+      const double error = std::ranges::max(modes.error);
+      for (std::size_t l = 0; l < n; ++l)
+        EXPECT_LE(std::abs(modes.lambda[l] + exact[l]), error) << apart << ", " << uncertainty;
+    }
+  }
+  EXPECT_GT(given, 5);
+  EXPECT_GT(refused, 5);
+}
+
+/// Two that coincide and do not move have no other bound than 0.
+TEST(Claims, DiscsOfPointsThatDoNotMoveArePoints) {
+  const auto discs = eigenvalue_discs<2>({-1.0, -1.0}, {});
+  ASSERT_TRUE(discs);
+  EXPECT_EQ((*discs)[0], 0.0);
+  EXPECT_EQ((*discs)[1], 0.0);
 }
 
 }  // namespace
