@@ -9,6 +9,7 @@
 #include "lib/stability/enclosure_collector.hpp"
 #include "lib/stability/mode_collector.hpp"
 #include "lib/stability/reversible_leaf.hpp"
+#include "lib/stability/spectrum_enclosure.hpp"
 
 namespace stationary {
 namespace {
@@ -144,6 +145,66 @@ TEST(Claims, DiscsOfPointsThatDoNotMoveArePoints) {
   ASSERT_TRUE(discs);
   EXPECT_EQ((*discs)[0], 0.0);
   EXPECT_EQ((*discs)[1], 0.0);
+}
+
+/// A slow rotation about axis 3 in which two modes have one frequency; input: a double in S.
+template <class S, class Input>
+StraightState<S> slow_rotation(const Input& input) {
+  StraightState<S> out{{input(1.0), input(1.0), input(0.5)},
+                       input(1.25),
+                       input(0.75),
+                       input(1.0),
+                       input(1e-12),
+                       {},
+                       {},
+                       {},
+                       {},
+                       {},
+                       {},
+                       {}};
+  out.V_aa = input(1.0);
+  out.V_xx = out.V_zz = input(2.0);
+  out.V_rr = input(3.0);
+  out.V_xz = out.V_xr = out.V_zr = S(0.0);
+  return out;
+}
+
+/// E'' positive, and two Lambda that the uncertainty does not tell apart.
+TEST(Claims, ADefiniteMotionIsStableWhereItsFrequenciesMeet) {
+  const BlockFacts facts{Branch::iii, false, false, 1e-13};
+  const Spectrum spectrum =
+      block_spectrum(facts, slow_rotation<DoubleDouble>([](double x) { return DoubleDouble(x); }),
+                     slow_rotation<Conditioned>(Conditioned::input));
+  EXPECT_EQ(spectrum.verdict, StabilityClass::stable);
+  EXPECT_EQ(spectrum.negative, 0);
+}
+
+/// On the circle, shear unstable: Lambda = -(omega +- i W)^2, W^2 = -omega^2 - K_aa/2 J.
+TEST(Claims, ACircleThatSpinsTooFastForItsShearIsOscillatory) {
+  const double omega = 1.0;
+  const double V_xx = 2.0;
+  const double V_xz = 2.5;
+  StraightState<Interval> s{{1.0, 1.0, 0.5}, 1.0, 1.0, 1.0, omega, {}, {}, {}, {}, {}, {}, {}};
+  s.V_aa = 2.0 * (V_xx - V_xz);  // of every isotropic V
+  s.V_xx = s.V_zz = V_xx;
+  s.V_xz = V_xz;
+  s.V_xr = s.V_zr = 0.0;
+  s.V_rr = 3.0;
+  Spectrum order;
+  order.modes = 5;
+  const EnclosureFacts facts{Branch::iii, false, true, true, false};
+  const SpectrumEnclosure found = enclose_spectrum(facts, s, order);
+  EXPECT_EQ(found.verdict, StabilityClass::oscillatory);
+  EXPECT_EQ(found.negative, 2);
+  const double W = std::sqrt(0.5);  // K_aa = V_aa - 2 J omega^2 = -3
+  int complex = 0;
+  for (const ComplexInterval& lambda : found.lambda) {
+    if (lambda.im.may_be(0.0)) continue;
+    ++complex;
+    EXPECT_NEAR(lambda.re.mid(), W * W - omega * omega, 1e-14);
+    EXPECT_NEAR(lambda.im.mid(), 2.0 * omega * W, 1e-14);
+  }
+  EXPECT_EQ(complex, 2);
 }
 
 }  // namespace
