@@ -7,9 +7,11 @@
 
 #include "lib/stability/circle_momentum.hpp"
 #include "lib/stability/enclosure_collector.hpp"
+#include "lib/stability/general_spectrum.hpp"
 #include "lib/stability/mode_collector.hpp"
 #include "lib/stability/reversible_leaf.hpp"
 #include "lib/stability/spectrum_enclosure.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary {
 namespace {
@@ -205,6 +207,43 @@ TEST(Claims, ACircleThatSpinsTooFastForItsShearIsOscillatory) {
     EXPECT_NEAR(lambda.im.mid(), 2.0 * omega * W, 1e-14);
   }
   EXPECT_EQ(complex, 2);
+}
+
+/// J1 = J2, a volume that is held: from material axes turned by theta the same motion has
+/// alpha != 0, and the same spectrum.
+TEST(Claims, TurnedMaterialAxesOfAHeldVolumeSeeOneSpectrum) {
+  BodyModel<> model;
+  model.elastic.plane = AnyPlane<>{Hencky<>{1.0, 0.6}};
+  model.elastic.thickness = AnyThickness<>{ReciprocalQuadratic<>{1.0, 3.0}};
+  model.volume = 1.3;
+  const Potential V(model);
+  const Body body(1.0, 1.0, 0.7);
+  for (const Branch branch : {Branch::i, Branch::ii}) {
+    const Equilibrium at = solve(Problem(body, V, branch), 0.5);
+    ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
+    const auto turned = [&](double theta) {
+      const DoubleDouble c = cos(DoubleDouble(theta));
+      const DoubleDouble s = sin(DoubleDouble(theta));
+      const BasicStretch<DoubleDouble> q{c * s * (at.q.xi - DoubleDouble(at.q.zeta)),
+                                         c * c * at.q.xi + s * s * at.q.zeta,
+                                         s * s * at.q.xi + c * c * at.q.zeta, at.q.rho};
+      const Vector3<DoubleDouble> nu(c * at.nu[0] - s * at.nu[1], s * at.nu[0] + c * at.nu[1],
+                                     DoubleDouble(0.0));
+      return general_spectrum(body, V, q, nu, 1e-15);
+    };
+    const Spectrum straight = turned(0.0);
+    ASSERT_EQ(straight.modes, 4);
+    for (const double theta : {0.3, 1.1, -0.8}) {
+      const Spectrum other = turned(theta);
+      ASSERT_EQ(other.modes, 4);
+      EXPECT_EQ(other.verdict, straight.verdict);
+      EXPECT_EQ(other.negative, straight.negative);
+      for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_NEAR(other.mode[k].lambda_re, straight.mode[k].lambda_re, 1e-11) << theta << k;
+        EXPECT_NEAR(other.mode[k].lambda_im, straight.mode[k].lambda_im, 1e-11) << theta << k;
+      }
+    }
+  }
 }
 
 }  // namespace
