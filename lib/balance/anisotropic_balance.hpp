@@ -19,6 +19,10 @@
 //
 //   F_u = xi W_t + W_l,  F_v = zeta W_t + W_l,  F_w = W_r,  F_a = -2 tanh(a) W_l.
 //
+// Where det S = C is held, w = ln C - u - v - 2 ln sech a is eliminated: the four are those of V(u, v,
+// w(u, v, a), a) - q^T C(nu) q/2. w stays an unknown with k/2 (u + v + w + 2 ln sech a - ln C)^2 added
+// to the function, for any k > 0 (held_volume.hpp), or is left out.
+//
 // a and phi are numbers x > 0 here too, a = ln x and phi = 2 gd(ln x) (Gudermann's function): all
 // is rational in x but for sqrt(xi zeta), in any number type, and nothing happens where the axis
 // passes a material one.
@@ -205,12 +209,60 @@ void add_in_logarithms(const OrientedStretch<S>& at, const CoupledDerivatives<S>
   }
 }
 
+/// Those of gravity, from its derivatives in (T, l, r): the rows of u, v and w are positive, and their
+/// sum is -V.
+template <int order, class S>
+void add_gravity_in_logarithms(const OrientedStretch<S>& at, const CoupledDerivatives<S>& V,
+                               const GravitatingInertia<S>& J, OrientedBalance<S>& out) {
+  using namespace oriented;
+  const auto& p = V.plane;
+  const S J_sum = J.J1 + J.J2;
+  const S first = J.J1 * square(at.q.xi);
+  const S second = J.J2 * square(at.q.zeta);
+  const S shear = J_sum * square(at.q.alpha);
+  const S root_squared = at.q.xi * at.q.zeta;
+  const S narrow = square(at.sech);
+  const std::array<S, 3> T{2.0 * first + shear, 2.0 * second + shear,
+                           2.0 * (J_sum * root_squared * at.tanh * narrow)};
+  const std::array<S, 3> l{S(1.0), S(1.0), -2.0 * at.tanh};
+  constexpr std::array places{u, v, a};
+  const auto whole = [&](const S& row) {
+    if constexpr (std::is_same_v<S, Interval>) {
+      return common(row, Interval(0.0, (-p.w).hi));
+    } else {
+      return row;
+    }
+  };
+  out.g[u] += whole(T[0] * p.w_t + p.w_l);
+  out.g[v] += whole(T[1] * p.w_t + p.w_l);
+  out.g[w] += whole(V.w_r);
+  out.g[a] += T[2] * p.w_t + l[2] * p.w_l;
+  if constexpr (order >= 2) {
+    const S T_aa = 2.0 * (J_sum * root_squared * narrow * (narrow - 2.0 * square(at.tanh)));
+    const std::array<std::array<S, 3>, 3> curved{{{4.0 * first + shear, shear, T[2]},
+                                                  {shear, 4.0 * second + shear, T[2]},
+                                                  {T[2], T[2], T_aa}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j)
+        out.slope[places[i]][places[j]] += p.w_tt * (T[i] * T[j]) + p.w_ll * (l[i] * l[j]) +
+                                           p.w_tl * (T[i] * l[j] + l[i] * T[j]) +
+                                           p.w_t * curved[i][j];
+      const S by_w = V.w_tr * T[i] + V.w_lr * l[i];
+      out.slope[places[i]][w] += by_w;
+      out.slope[w][places[i]] += by_w;
+    }
+    out.slope[w][w] += V.w_rr;
+    out.slope[a][a] -= 2.0 * (narrow * p.w_l);
+  }
+}
+
 /// The balance, in (u, v, w, a), of V's derivatives there; of phi nothing.
 template <int order, class S>
 OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicDerivatives<S>& V,
                                     const OrientedStretch<S>& at, const SpinProducts<S>& n) {
   OrientedBalance<S> out;
   add_in_logarithms<order>(at, V.isotropic, out);
+  if (V.gravity) add_gravity_in_logarithms<order>(at, V.gravity->V, V.gravity->J, out);
   const Matrix4<S> C = centrifugal_matrix(J, n);
   const Vector4<S> q = at.q.vector();
   Vector4<S> gradient = V.directed.gradient;
@@ -222,10 +274,73 @@ OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicDeriv
   return out;
 }
 
+/// At rho = volume/d.
+template <class S>
+OrientedStretch<S> at_volume(const S& volume, OrientedStretch<S> at) {
+  at.q.rho = volume / (at.q.xi * at.q.zeta * square(at.sech));
+  return at;
+}
+
+/// From the balance at at_volume() that of the held volume without an equation of w.
+template <int order, class S>
+OrientedBalance<S> held(const OrientedBalance<S>& b, const OrientedStretch<S>& at) {
+  using namespace oriented;
+  OrientedBalance<S> out;
+  const S w_a = 2.0 * at.tanh;  // w_u = w_v = -1
+  out.g[u] = b.g[u] - b.g[w];
+  out.g[v] = b.g[v] - b.g[w];
+  out.g[a] = b.g[a] + w_a * b.g[w];
+  if constexpr (order >= 2) {
+    const auto& s = b.slope;
+    out.slope[u][u] = s[u][u] - 2.0 * s[u][w] + s[w][w];
+    out.slope[v][v] = s[v][v] - 2.0 * s[v][w] + s[w][w];
+    out.slope[u][v] = out.slope[v][u] = s[u][v] - s[u][w] - s[v][w] + s[w][w];
+    for (const std::size_t i : {u, v})
+      out.slope[i][a] = out.slope[a][i] = s[i][a] - s[w][a] + w_a * (s[i][w] - s[w][w]);
+    out.slope[a][a] =
+        s[a][a] + w_a * (2.0 * s[a][w] + w_a * s[w][w]) + 2.0 * (square(at.sech) * b.g[w]);
+  }
+  return out;
+}
+
+/// Adds the equation of a volume held, k > 0.
+template <int order, class S>
+void add_volume(const OrientedStretch<S>& at, const S& volume, double k, OrientedBalance<S>& out) {
+  using namespace oriented;
+  using std::log;
+  const S excess = log(S(at.q.xi * at.q.zeta * square(at.sech) * at.q.rho / volume));
+  const S pull = k * excess;
+  const S by_a = -2.0 * at.tanh;
+  for (const std::size_t i : {u, v, w}) out.g[i] += pull;
+  out.g[a] += by_a * pull;
+  if constexpr (order >= 2) {
+    for (const std::size_t i : {u, v, w}) {
+      for (const std::size_t j : {u, v, w}) out.slope[i][j] += S(k);
+      out.slope[i][a] += k * by_a;
+      out.slope[a][i] += k * by_a;
+    }
+    out.slope[a][a] += k * square(by_a) - 2.0 * (square(at.sech) * pull);
+  }
+}
+
+/// By the model; of a held volume without w's equation, whatever rho is.
+template <int order, class S>
+OrientedBalance<S> eliminated_balance(const Inertia3<S>& J, const AnisotropicModel<S>& model,
+                                      const OrientedStretch<S>& at, const SpinProducts<S>& n) {
+  const auto& volume = model.body.volume;
+  const OrientedStretch<S> whole = volume ? at_volume<S>(*volume, at) : at;
+  const auto b = oriented_balance<order>(
+      J, model.template evaluate<order>(whole.invariants(), whole.q), whole, n);
+  return volume ? held<order>(b, whole) : b;
+}
+
+/// All four equations.
 template <int order, class S>
 OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicModel<S>& model,
                                     const OrientedStretch<S>& at, const SpinProducts<S>& n) {
-  return oriented_balance<order>(J, model.template evaluate<order>(at.invariants(), at.q), at, n);
+  auto out = eliminated_balance<order>(J, model, at, n);
+  if (model.body.volume) add_volume<order>(at, *model.body.volume, model.body.stiffness, out);
+  return out;
 }
 
 /// I22 - I11, I12, I11 + I22 of the locked inertia, in the plane.

@@ -10,7 +10,7 @@ BalanceCheck check_balance(const Body& body, const Potential& potential, const S
   BalanceCheck out = check_balance(body, potential.derivatives(q), q, nu, potential.holds_volume());
   // Derivatives along the held volume do not say whether q has it.
   if (potential.holds_volume()) {
-    const double excess = planar_invariants(q).d * q.rho / *potential.body_model()->volume - 1.0;
+    const double excess = planar_invariants(q).d * q.rho / *potential.volume() - 1.0;
     if (!(std::abs(excess) <= 1e-12)) out.residual = std::fmax(out.residual, std::abs(excess));
   }
   if (!potential.defined_at(q)) out.residual = poison<double>();
@@ -50,7 +50,15 @@ double pressure(const Body& body, const Potential& potential, const Stretch& q,
                 const Vector3<double>& nu) {
   if (!potential.holds_volume()) return poison<double>();
   const double c_rho = centrifugal_matrix(body, nu)(3, 3);
-  return potential.body_model()->pressure(q.xi, q.zeta, c_rho);
+  if (!potential.is_isotropic()) return potential.anisotropic().pressure(q, c_rho);
+  const BodyModel<>& model = *potential.body_model();
+  if (q.alpha == 0.0) return model.pressure(q.xi, q.zeta, c_rho);
+  const auto x = planar_invariants(q);
+  const double rho = *model.volume / x.d;
+  double pull = model.elastic.evaluate<1>(x, rho).w_r;
+  if (model.gravitates)
+    pull += gravity_derivatives<1>(model.g, model.J, planar_moment(model.J, q), x.d, rho).w_r;
+  return (pull - c_rho * rho * rho) / *model.volume;
 }
 
 double energy(const Body& body, const Potential& potential, const Stretch& q,

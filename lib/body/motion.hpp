@@ -2,7 +2,8 @@
 //
 //   about a material axis   nu = (nu1, 0, 0), (0, nu2, 0) or (0, 0, nu3): the paper's branches (i),
 //                           (ii), (iii)
-//   tilted                  nu = (nu1, 0, nu3) or (0, nu2, nu3), by its length
+//   tilted                  nu = (nu1, 0, nu3) or (0, nu2, nu3), by its length; of a held volume
+//                           about an axis in no material plane too (spatial_balance.hpp)
 //   oblique                 nu = (nu1, nu2, 0), by its length
 //   two-polar               R diag(lambda, mu, rho) U^-1, R and U turning steadily about axis 3
 //                           (J1 = J2; two_polar.hpp), by the two rates or by the two momenta
@@ -46,7 +47,9 @@ constexpr std::string_view two_polar_name = "two-polar";
 
 /// The planes a tilted axis can lie in.
 enum class TiltPlane { one_three, two_three };
-constexpr std::string_view tilt_plane_names[] = {"13", "23"};
+/// The last: all three, that is in no plane.
+constexpr std::string_view tilt_plane_names[] = {"13", "23", "123"};
+constexpr std::string_view spatial_plane_name = tilt_plane_names[2];
 constexpr std::string_view name(TiltPlane plane) {
   return tilt_plane_names[static_cast<int>(plane)];
 }
@@ -84,6 +87,11 @@ struct TiltedMotion {
   }
 };
 
+/// Tilted out of both planes, where det S is held: nu1 nu2 nu3 != 0.
+struct SpatialRotation {
+  double nu;  ///< |nu| > 0
+};
+
 struct ObliqueRotation {
   double nu;  ///< |nu| > 0
   /// The branch, (i) or (ii), whose axis the family's is at rest, or which it leaves at an event.
@@ -104,12 +112,15 @@ struct TwoPolarMomenta {
 using TwoPolarMotion = std::variant<TwoPolarRates<double>, TwoPolarMomenta<double>>;
 
 /// What a stationary ellipsoid is asked for by.
-using Motion = std::variant<AxisRotation, TiltedMotion, TwoPolarMotion, ObliqueRotation>;
+using Motion =
+    std::variant<AxisRotation, TiltedMotion, TwoPolarMotion, ObliqueRotation, SpatialRotation>;
 
 /// As the column `branch` has it.
 constexpr std::string_view name(const Motion& motion) {
   if (const auto* rotation = std::get_if<AxisRotation>(&motion)) return name(rotation->branch);
-  if (std::holds_alternative<TiltedMotion>(motion)) return tilted_name;
+  if (std::holds_alternative<TiltedMotion>(motion) ||
+      std::holds_alternative<SpatialRotation>(motion))
+    return tilted_name;
   return std::holds_alternative<ObliqueRotation>(motion) ? oblique_name : two_polar_name;
 }
 

@@ -39,6 +39,11 @@ GravityBalance<S> gravity_balance(const S& g, const S& y1, const S& y2, const S&
   out.slope.fill(S(0.0));
   out.pull = {twice * (y1 * F_T) + of_area, twice * (y2 * F_T) + of_area,
               twice * (z * F.derivative({0, 0, 1}))};
+  if constexpr (std::is_same_v<S, Interval>) {
+    // Each is positive, and their sum g F: much narrower in a wide box.
+    const Interval all(0.0, (g * F.derivative({0, 0, 0})).hi);
+    for (Interval& pull : out.pull) pull = common(pull, all);
+  }
   if constexpr (order >= 2) {
     const S F_Tz = F.derivative({1, 0, 1});
     const S F_Dz = F.derivative({0, 1, 1});

@@ -37,9 +37,14 @@ struct Replacing {
 
 AnisotropicPotential::AnisotropicPotential(const Plane& plane, const AnyThickness<>& thickness,
                                            std::vector<Fibre> fibres)
+    : AnisotropicPotential(plane, std::optional(thickness), std::move(fibres)) {}
+
+AnisotropicPotential::AnisotropicPotential(const Plane& plane,
+                                           const std::optional<AnyThickness<>>& thickness,
+                                           std::vector<Fibre> fibres)
     : fibres_(std::move(fibres)) {
   std::visit([](const auto& model) { require_domain(model); }, plane);
-  thickness.visit([](const auto& model) { require_domain(model); });
+  if (thickness) thickness->visit([](const auto& model) { require_domain(model); });
   model_.base = Model::Separate{plane, thickness};
   if (fibres_.empty() && !std::holds_alternative<OrthotropicSaintVenantKirchhoff<>>(plane) &&
       model_.expression() == nullptr)
@@ -65,8 +70,40 @@ void AnisotropicPotential::add_fibres() {
   }
 }
 
+AnisotropicPotential AnisotropicPotential::with_body(BodyTerms<double> body) const {
+  if (body.gravitates && !(body.g > 0.0 && std::isfinite(body.g)))
+    throw std::invalid_argument("g > 0");
+  if (body.volume && !(*body.volume > 0.0 && std::isfinite(*body.volume)))
+    throw std::invalid_argument("volume > 0");
+  AnisotropicPotential out = *this;
+  out.model_.body = body;
+  out.set_stiffness();
+  return out;
+}
+
+/// From V's derivatives in logarithms where it has them, at a cube of that volume.
+void AnisotropicPotential::set_stiffness() {
+  BodyTerms<double>& body = model_.body;
+  if (!body.volume) return;
+  Model free = model_;
+  free.body.volume.reset();
+  const double s = std::cbrt(*body.volume);
+  const auto V = potential_derivatives<2>(free, Stretch{0.0, s, s, s});
+  const double size =
+      std::max(s * s * V.hessian.cwiseAbs().maxCoeff(), s * V.gradient.cwiseAbs().maxCoeff());
+  body.stiffness = size > 0.0 && std::isfinite(size) ? size : 1.0;
+}
+
+double AnisotropicPotential::pressure(Stretch q, double c_rho) const {
+  const double d = planar_invariants(q).d;
+  q.rho = *model_.body.volume / d;
+  Model free = model_;
+  free.body.volume.reset();
+  return (potential_derivatives<1>(free, q).gradient[3] - c_rho * q.rho) / d;
+}
+
 bool AnisotropicPotential::is_separable() const {
-  return std::holds_alternative<Model::Separate>(model_.base);
+  return std::holds_alternative<Model::Separate>(model_.base) && !model_.body.any();
 }
 
 // The odd part of a fibre's V is 2 k c s alpha (xi + zeta) (c^2 xi^2 + s^2 zeta^2 + alpha^2 - 1).
@@ -97,7 +134,8 @@ bool AnisotropicPotential::sheared() const {
   return expression->sheared() && fibres_even();
 }
 
-std::vector<ConditionValue> AnisotropicPotential::conditions_at(const Stretch& q) const {
+std::vector<ConditionValue> AnisotropicPotential::conditions_at(Stretch q) const {
+  if (model_.body.volume) q.rho = *model_.body.volume / planar_invariants(q).d;
   std::vector<ConditionValue> out;
   for_models([&](const auto& model) {
     if constexpr (requires { model.conditions_at(q); }) {
@@ -108,7 +146,8 @@ std::vector<ConditionValue> AnisotropicPotential::conditions_at(const Stretch& q
   return out;
 }
 
-AnisotropicPotential AnisotropicPotential::on_part_of(const Stretch& q) const {
+AnisotropicPotential AnisotropicPotential::on_part_of(Stretch q) const {
+  if (model_.body.volume) q.rho = *model_.body.volume / planar_invariants(q).d;
   const auto restrict = [&](auto& models) {
     std::visit(
         [&](auto& model) {
@@ -119,7 +158,7 @@ AnisotropicPotential AnisotropicPotential::on_part_of(const Stretch& q) const {
   AnisotropicPotential out = *this;
   if (auto* separate = std::get_if<Model::Separate>(&out.model_.base)) {
     restrict(separate->plane);
-    separate->thickness = separate->thickness.on_part_of(q);
+    if (separate->thickness) separate->thickness = separate->thickness->on_part_of(q);
   } else {
     restrict(std::get<Coupled>(out.model_.base));
   }
@@ -127,6 +166,7 @@ AnisotropicPotential AnisotropicPotential::on_part_of(const Stretch& q) const {
 }
 
 double AnisotropicPotential::rest_stretch() const {
+  if (model_.body.any()) return std::numeric_limits<double>::quiet_NaN();
   const auto own = [](const auto& model) {
     if constexpr (requires { model.shear_free(); }) {
       return std::numeric_limits<double>::quiet_NaN();
@@ -140,8 +180,9 @@ double AnisotropicPotential::rest_stretch() const {
 }
 
 double AnisotropicPotential::rest_thickness() const {
+  if (model_.body.any()) return std::numeric_limits<double>::quiet_NaN();
   if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
-    return separate->thickness.balanced(0.0);
+    return separate->thickness->balanced(0.0);
   return std::visit(
       [](const auto& model) {
         if constexpr (requires { model.shear_free(); }) {
@@ -161,11 +202,13 @@ int AnisotropicPotential::thickness_place() const {
 
 int AnisotropicPotential::fibre_place() const {
   const auto* separate = std::get_if<Model::Separate>(&model_.base);
-  return thickness_place() + (separate == nullptr ? 0 : separate->thickness.visit(coefficients_of));
+  return thickness_place() + (separate == nullptr || !separate->thickness
+                                  ? 0
+                                  : separate->thickness->visit(coefficients_of));
 }
 
 int AnisotropicPotential::coefficient_count() const {
-  return fibre_place() + 2 * static_cast<int>(fibres_.size());
+  return volume_place() + (model_.body.volume ? 1 : 0);
 }
 
 AnisotropicPotential AnisotropicPotential::with_coefficient(int place, double value) const {
@@ -177,9 +220,11 @@ AnisotropicPotential AnisotropicPotential::with_coefficient(int place, double va
         std::visit([&](const auto& each) -> Plane { return with_coefficients(each, replace); },
                    separate->plane);
     separate->plane = plane;
-    const auto thickness = separate->thickness.visit(
-        [&](const auto& each) { return AnyThickness<>{{with_coefficients(each, replace)}}; });
-    separate->thickness = thickness;
+    if (separate->thickness) {
+      const auto thickness = separate->thickness->visit(
+          [&](const auto& each) { return AnyThickness<>{{with_coefficients(each, replace)}}; });
+      separate->thickness = thickness;
+    }
   } else {
     const auto coupled =
         std::visit([&](const auto& each) -> Coupled { return with_coefficients(each, replace); },
@@ -191,6 +236,10 @@ AnisotropicPotential AnisotropicPotential::with_coefficient(int place, double va
     fibre.k = replace(fibre.k);
     fibre.degrees = replace(fibre.degrees);
     out.model_.fibres[k] = {fibre.k, AsDouble().direction(fibre.degrees)};
+  }
+  if (model_.body.any()) {
+    out.model_.body = converted(model_.body, replace);
+    out.set_stiffness();
   }
   return out;
 }

@@ -8,15 +8,19 @@
 // built on it is compiled once for a number type and not once for a model. AnisotropicPotential:
 // the numbers as a user gives them, the facts, and models in any number type made of them.
 //
-// Any isotropic part may be written out by its user too (material/models/expression.hpp).
+// Any isotropic part may be written out by its user too (material/models/expression.hpp). Gravity
+// and a held volume may stand beside (gravitating/body_terms.hpp); with the latter the thickness may
+// be left out.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "lib/material/gravitating/body_terms.hpp"
 #include "lib/material/models/anisotropic_expression.hpp"
 #include "lib/material/models/any_model.hpp"
 #include "lib/material/models/coefficients.hpp"
@@ -38,24 +42,30 @@ template <class C>
 using OrientedCoupledModels =
     std::variant<NeoHookean3d<C>, CoupledExpression<C>, OrientedExpression<C>>;
 
-/// What does not depend on the axes and what does.
+/// What does not depend on the axes and what does; gravity by its own variables.
 template <class C>
 struct AnisotropicDerivatives {
   CoupledDerivatives<C> isotropic;
   PotentialDerivatives<C> directed;
+  struct Gravity {
+    CoupledDerivatives<C> V;  ///< gravity_derivatives()
+    GravitatingInertia<C> J;
+  };
+  std::optional<Gravity> gravity;
 };
 
 template <class C>
 struct AnisotropicModel {
   struct Separate {
     OrientedPlanarModels<C> plane;
-    AnyThickness<C> thickness;
+    std::optional<AnyThickness<C>> thickness;  ///< nothing: V has no part in rho
   };
   static constexpr std::size_t max_fibres = 4;
 
   std::variant<Separate, OrientedCoupledModels<C>> base;
   std::array<FibreTerm<C>, max_fibres> fibres{};
   std::size_t fibre_count = 0;
+  BodyTerms<C> body;
 
   /// The part that is a written-out anisotropic one, or nullptr.
   const OrientedExpression<C>* expression() const {
@@ -88,11 +98,13 @@ struct AnisotropicModel {
       }
     };
     if (const auto* separate = std::get_if<Separate>(&base))
-      return std::visit(of, separate->plane) || separate->thickness.visit(of);
+      return std::visit(of, separate->plane) ||
+             (separate->thickness && separate->thickness->visit(of));
     return std::visit(of, std::get<OrientedCoupledModels<C>>(base));
   }
 
-  /// x: the invariants of q, which a caller may know better than by its entries.
+  /// Gravity included, as if no volume were held. x: the invariants of q, which a caller may know
+  /// better than by its entries.
   template <int order>
   AnisotropicDerivatives<C> evaluate(const PlanarInvariants<C>& x, const BasicStretch<C>& q) const {
     const C none(0.0);
@@ -112,29 +124,36 @@ struct AnisotropicModel {
     };
     if (const auto* separate = std::get_if<Separate>(&base)) {
       std::visit(take, separate->plane);
-      const auto axial = separate->thickness.template evaluate<order>(q.rho);
-      out.isotropic.plane.w = out.isotropic.plane.w + axial.v;
-      out.isotropic.w_r = axial.v_r;
-      out.isotropic.w_rr = axial.v_rr;
+      out.isotropic.w_r = out.isotropic.w_rr = none;
+      if (separate->thickness) {
+        const auto axial = separate->thickness->template evaluate<order>(q.rho);
+        out.isotropic.plane.w = out.isotropic.plane.w + axial.v;
+        out.isotropic.w_r = axial.v_r;
+        out.isotropic.w_rr = axial.v_rr;
+      }
       out.isotropic.w_tr = out.isotropic.w_lr = none;
     } else {
       std::visit(take, std::get<OrientedCoupledModels<C>>(base));
     }
     for (std::size_t k = 0; k < fibre_count; ++k) fibres[k].template add<order>(q, out.directed);
+    if (body.gravitates)
+      out.gravity = {
+          gravity_derivatives<order>(body.g, body.J, planar_moment(body.J, q), x.d, q.rho), body.J};
     return out;
   }
 };
 
-/// Of the whole V; order as in evaluate().
+/// Of the whole V, along a held volume; order as in evaluate().
 template <int order, class C>
-PotentialDerivatives<C> potential_derivatives(const AnisotropicModel<C>& model,
-                                              const BasicStretch<C>& q) {
+PotentialDerivatives<C> potential_derivatives(const AnisotropicModel<C>& model, BasicStretch<C> q) {
+  if (model.body.volume) q.rho = *model.body.volume / planar_invariants(q).d;
   const AnisotropicDerivatives<C> parts = model.template evaluate<order>(planar_invariants(q), q);
   PotentialDerivatives<C> out = in_stretch<order>(parts.isotropic, q);
   out.value += parts.directed.value;
   if constexpr (order >= 1) out.gradient += parts.directed.gradient;
   if constexpr (order >= 2) out.hessian += parts.directed.hessian;
-  return out;
+  if (parts.gravity) add_gravity<order>(parts.gravity->V, parts.gravity->J, q, out);
+  return model.body.volume ? along_volume<order>(out, q) : out;
 }
 
 class AnisotropicPotential {
@@ -152,6 +171,18 @@ class AnisotropicPotential {
                        std::vector<Fibre> fibres)
       : AnisotropicPotential(plane, AnyThickness<>{{thickness}}, std::move(fibres)) {}
   AnisotropicPotential(const Coupled& coupled, std::vector<Fibre> fibres);
+  /// Without a thickness: where a volume is held.
+  AnisotropicPotential(const Plane& plane, const std::optional<AnyThickness<>>& thickness,
+                       std::vector<Fibre> fibres);
+
+  /// With gravity (J that of the body) or a held volume. Throws std::invalid_argument unless g > 0
+  /// and volume > 0 where there are.
+  AnisotropicPotential with_body(BodyTerms<double> body) const;
+  const BodyTerms<double>& body() const { return model_.body; }
+
+  /// The multiplier P of det S = C (BodyModel::pressure). c_rho: the centrifugal rate of rho. Only of
+  /// a held volume.
+  double pressure(Stretch q, double c_rho) const;
 
   /// V = V_plane(alpha, xi, zeta) + V_rho(rho).
   bool is_separable() const;
@@ -165,10 +196,10 @@ class AnisotropicPotential {
   /// written-out model.
   bool sheared() const;
 
-  /// The conditions of a written-out part and their values at q.
-  std::vector<ConditionValue> conditions_at(const Stretch& q) const;
+  /// The conditions of a written-out part and their values at q, at the volume held.
+  std::vector<ConditionValue> conditions_at(Stretch q) const;
   /// Restricted to the part of its domain that q lies in.
-  AnisotropicPotential on_part_of(const Stretch& q) const;
+  AnisotropicPotential on_part_of(Stretch q) const;
 
   const std::vector<Fibre>& fibres() const { return fibres_; }
   /// xi = zeta at rest without fibres, and rho (separable: of the thickness at nu = 0); NaN where a
@@ -176,11 +207,14 @@ class AnisotropicPotential {
   double rest_stretch() const;
   double rest_thickness() const;
 
-  /// The number of coefficients: plane (or coupled), thickness, then k and degrees of each fibre.
+  /// The number of coefficients: plane (or coupled), thickness, k and degrees of each fibre, then g,
+  /// J1, J2, J3 where it gravitates, and the volume where it is held.
   int coefficient_count() const;
   /// Of the whole: the place of the first coefficient of the thickness, and of the fibres.
   int thickness_place() const;
   int fibre_place() const;
+  int gravity_place() const { return fibre_place() + 2 * static_cast<int>(fibres_.size()); }
+  int volume_place() const { return gravity_place() + (model_.body.gravitates ? 4 : 0); }
   AnisotropicPotential with_coefficient(int place, double value) const;
 
   const Model& model() const { return model_; }
@@ -190,7 +224,7 @@ class AnisotropicPotential {
   void for_models(const F& f) const {
     if (const auto* separate = std::get_if<typename Model::Separate>(&model_.base)) {
       std::visit(f, separate->plane);
-      separate->thickness.visit(f);
+      if (separate->thickness) separate->thickness->visit(f);
     } else {
       std::visit(f, std::get<Coupled>(model_.base));
     }
@@ -208,8 +242,10 @@ class AnisotropicPotential {
             return with_coefficients(each, convert);
           },
           separate->plane);
-      AnyThickness<C> thickness = separate->thickness.visit(
-          [&](const auto& each) { return AnyThickness<C>{{with_coefficients(each, convert)}}; });
+      std::optional<AnyThickness<C>> thickness;
+      if (separate->thickness)
+        thickness = separate->thickness->visit(
+            [&](const auto& each) { return AnyThickness<C>{{with_coefficients(each, convert)}}; });
       out.base = typename AnisotropicModel<C>::Separate{std::move(plane), std::move(thickness)};
     } else {
       out.base = std::visit(
@@ -222,11 +258,28 @@ class AnisotropicPotential {
       const C k = convert(fibre.k);
       out.fibres[out.fibre_count++] = {k, convert.direction(fibre.degrees)};
     }
+    out.body = converted(model_.body, convert);
     return out;
   }
 
  private:
+  template <class Convert>
+  static auto converted(const BodyTerms<double>& body, const Convert& convert) {
+    BodyTerms<std::remove_cvref_t<decltype(convert(1.0))>> out;
+    out.gravitates = body.gravitates;
+    out.stiffness = body.stiffness;
+    if (body.gravitates) {
+      out.g = convert(body.g);
+      out.J.J1 = convert(body.J.J1);
+      out.J.J2 = convert(body.J.J2);
+      out.J.J3 = convert(body.J.J3);
+    }
+    if (body.volume) out.volume = convert(*body.volume);
+    return out;
+  }
+
   void add_fibres();
+  void set_stiffness();
   /// Whether the odd parts of all fibres' V cancel.
   bool fibres_even() const;
 

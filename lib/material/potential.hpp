@@ -9,6 +9,7 @@
 // one of the models and visit() gives an isotropic one back as its own type, once per solve.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -94,11 +95,19 @@ class Potential {
     return std::holds_alternative<SeparableModels>(models_) ||
            std::holds_alternative<CoupledPotential>(models_);
   }
-  /// With gravity or a held volume: nothing otherwise. Counts as isotropic: alpha = 0 is known of it
+  /// Isotropic with gravity or a held volume: nothing otherwise. Counts as isotropic: alpha = 0 is known of it
   /// as of these.
   const BodyModel<>* body_model() const { return std::get_if<BodyModel<>>(&models_); }
-  /// Whether det S is held.
-  bool holds_volume() const { return body_model() != nullptr && body_model()->volume; }
+  /// det S, where it is held.
+  std::optional<double> volume() const {
+    if (!is_isotropic()) return anisotropic().body().volume;
+    return body_model() == nullptr ? std::nullopt : body_model()->volume;
+  }
+  bool holds_volume() const { return volume().has_value(); }
+  /// Gravity or a held volume.
+  bool of_whole_body() const {
+    return is_isotropic() ? body_model() != nullptr : anisotropic().body().any();
+  }
   /// Only where not isotropic (std::bad_variant_access otherwise).
   const AnisotropicPotential& anisotropic() const {
     return std::get<AnisotropicPotential>(models_);

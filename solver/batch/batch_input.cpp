@@ -29,11 +29,22 @@ AnisotropicPotential at_lane(const AnisotropicPotential& V, const BatchInput& va
     return std::visit([&](const auto& each) -> Models { return at_lane(each, values.plane, lane); },
                       models);
   };
-  const auto* separate = std::get_if<AnisotropicPotential::Model::Separate>(&V.model().base);
-  if (separate == nullptr)
-    return {in_lane(std::get<AnisotropicPotential::Coupled>(V.model().base)), std::move(fibres)};
-  return {in_lane(separate->plane), at_lane(separate->thickness, values.thickness, lane),
-          std::move(fibres)};
+  const auto elastic = [&]() -> AnisotropicPotential {
+    const auto* separate = std::get_if<AnisotropicPotential::Model::Separate>(&V.model().base);
+    if (separate == nullptr)
+      return {in_lane(std::get<AnisotropicPotential::Coupled>(V.model().base)), std::move(fibres)};
+    std::optional<AnyThickness<>> thickness;
+    if (separate->thickness) thickness = at_lane(*separate->thickness, values.thickness, lane);
+    return {in_lane(separate->plane), thickness, std::move(fibres)};
+  };
+  BodyTerms<double> body = V.body();
+  if (!body.any()) return elastic();
+  if (body.gravitates) {
+    body.g = values.plane[BodyModel<>::g_place][lane];
+    body.J = {values.inertia[0][lane], values.inertia[1][lane], values.inertia[2][lane]};
+  }
+  if (body.volume) body.volume = values.plane[BodyModel<>::volume_place][lane];
+  return elastic().with_body(body);
 }
 
 bool the_same_in_all(const std::vector<LaneValues>& values) {
@@ -55,9 +66,14 @@ BatchInput::BatchInput(const Problem& problem, std::size_t lane_count,
     if (const auto* separate =
             std::get_if<AnisotropicPotential::Model::Separate>(&V.model().base)) {
       std::visit(parts, separate->plane);
-      thickness = in_all_lanes(separate->thickness.coefficients());
+      if (separate->thickness) thickness = in_all_lanes(separate->thickness->coefficients());
     } else {
       std::visit(parts, std::get<AnisotropicPotential::Coupled>(V.model().base));
+    }
+    if (V.body().any()) {
+      plane.resize(BodyModel<>::places, LaneValues(0.0));
+      plane[BodyModel<>::g_place] = LaneValues(V.body().g);
+      if (V.body().volume) plane[BodyModel<>::volume_place] = LaneValues(*V.body().volume);
     }
     for (const Fibre& fibre : V.fibres()) {
       fibres.emplace_back(fibre.k);

@@ -34,8 +34,10 @@ class OrientedEventEquations final : public ExtendedEventEquations {
         (held_.index == 0 ? body_.J1 : held_.index == 1 ? body_.J2 : body_.J3) = value;
         break;
       default:
-        potential_ = potential_.with_coefficient(coefficient_place(potential_, held_), value);
+        break;
     }
+    if (const int place = coefficient_place(potential_, held_); place >= 0)
+      potential_ = potential_.with_coefficient(place, value);
   }
 
   ExtendedVector<all> values(const ExtendedVector<all>& y) const override {

@@ -207,6 +207,9 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     out.angular_velocity = {double(nu[0]), double(nu[1]), double(nu[2])};
     out.error_bound = error_bound;
     if (options_.errors || options_.energy || !Layout::alpha) add_elastic(at, out);
+    if (at.models->potential.body().volume)
+      out.pressure = at.models->potential.pressure(
+          out.q, centrifugal_matrix(at.body, out.angular_velocity)(3, 3));
     if (options_.spectrum) {
       ++this->evaluations_.spectra;
       out.spectrum =
@@ -303,7 +306,8 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     ++this->evaluations_.second_derivatives;
     const auto V = potential_derivatives<2>(at.models->plain, out.q);
     if (options_.errors) {
-      const BalanceCheck check = check_balance(at.body, V, out.q, out.angular_velocity);
+      const BalanceCheck check = check_balance(at.body, V, out.q, out.angular_velocity,
+                                               at.models->plain.body.volume.has_value());
       out.residual = check.residual;
       out.compatibility = check.compatibility;
     }
@@ -311,8 +315,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       out.energy =
           energy(at.body, elastic_energy(at.models->extended, out.q), out.q, out.angular_velocity);
     }
-    if constexpr (!Layout::alpha)
-      out.turn = turn_of(at.body, branch_, V.hessian(0, 0), out.q, at.nu);
+    if constexpr (!Layout::alpha) out.turn = turn_at(at, branch_, V.hessian(0, 0), out.q);
   }
 
   /// An event in a layout: this family's own, or the one with alpha = 0 that it branches off.
@@ -345,11 +348,14 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
         (k == 0 ? out.body.J1 : k == 1 ? out.body.J2 : out.body.J3) = p;
         break;
       default:
-        out.models = std::make_shared<const OrientedModels>(
-            models_->potential.with_coefficient(coefficient_place(), p));
+        break;
     }
+    if (const int place = coefficient_place(); place >= 0)
+      out.models =
+          std::make_shared<const OrientedModels>(models_->potential.with_coefficient(place, p));
     return out;
   }
+  /// Of the parameter, as far as it is one of the potential: of J that of gravity.
   int coefficient_place() const {
     return stationary::coefficient_place(models_->potential, options_.parameter);
   }
@@ -371,17 +377,20 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   ReducedVector<N> parameter_slope(const Setting& at, const OrientedSystem<Layout>& system,
                                    const std::array<double, 5>& y,
                                    const ReducedVector<N>& scale) const {
+    std::array<double, 5> out{};
     if (options_.parameter.kind == Kind::inertia) {
       const int k = options_.parameter.index;
       Inertia3<double> one{0.0, 0.0, 0.0};
       (k == 0 ? one.J1 : k == 1 ? one.J2 : one.J3) = 1.0;
-      return rows(system.inertial(one, y, at.nu * at.nu), scale);
+      out = system.inertial(one, y, at.nu * at.nu);
     }
-    const auto slopes = elastic_slopes(
-        at.models->potential, CoefficientDuals{coefficient_place(), false}, system.stretch(y));
-    std::array<double, 4> first;
-    for (std::size_t i = 0; i < 4; ++i) first[i] = slopes[i].slope[0];
-    return rows(first, scale);
+    const int place = coefficient_place();
+    if (place < 0) return rows(out, scale);
+    const Inertia3<double> J{at.body.J1, at.body.J2, at.body.J3};
+    const auto slopes = coefficient_slopes(at.models->potential, CoefficientDuals{place, false}, J,
+                                           system.stretch(y), system.spin(y, at.nu * at.nu));
+    for (std::size_t i = 0; i < 4; ++i) out[i] += slopes[i].slope[0];
+    return rows(out, scale);
   }
 
   Branch straight_branch(const ReducedVector<N>& x) const {
@@ -404,7 +413,12 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     if (!refined.converged) return std::nullopt;
     const Stretch q{0.0, x[0], x[1], x[2]};
     const double V_aa = potential_derivatives<2>(at.models->plain, q).hessian(0, 0);
-    return StraightPoint{x, turn_of(at.body, branch, V_aa, q, at.nu), refined.error_bound};
+    return StraightPoint{x, turn_at(at, branch, V_aa, q), refined.error_bound};
+  }
+  static double turn_at(const Setting& at, Branch branch, double V_aa, const Stretch& q) {
+    const double stiffness = shear_stiffness(V_aa, at.models->plain.body.volume.has_value(), branch,
+                                             at.body.J3, at.nu * at.nu, q);
+    return turn_of(at.body, branch, stiffness, q, at.nu);
   }
 
   Body body_;

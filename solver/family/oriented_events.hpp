@@ -17,20 +17,26 @@
 
 namespace stationary {
 
-/// Of the coefficient that the parameter is, among all of the potential; of nu and J none.
+/// Of the coefficient that the parameter is, among all of the potential; of nu none, of J the one of
+/// gravity or none: -1.
 inline int coefficient_place(const AnisotropicPotential& V, const FamilyParameter& parameter) {
   using Kind = FamilyParameter::Kind;
   switch (parameter.kind) {
     case Kind::nu:
-    case Kind::inertia:
       return -1;
+    case Kind::inertia:  // that of its gravity
+      return V.body().gravitates ? V.gravity_place() + 1 + parameter.index : -1;
     case Kind::thickness:
       return V.thickness_place() + parameter.index;
     case Kind::fibre:
       return V.fibre_place() + parameter.index;
     default:
-      return parameter.index;
+      break;
   }
+  // Of the body's own as the others' (body_model.hpp).
+  if (parameter.index == static_cast<int>(BodyModel<>::g_place)) return V.gravity_place();
+  if (parameter.index == static_cast<int>(BodyModel<>::volume_place)) return V.volume_place();
+  return parameter.index;
 }
 
 /// The coefficients of a potential in T, in their order: the parameter p, the others by `number`.
@@ -160,7 +166,8 @@ class OrientedEventSystem {
   T turn(const Inertia3<T>& J, const AnisotropicModel<T>& model, const T& nu_squared,
          const std::array<T, 5>& y) const {
     const BasicStretch<T> q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
-    const T V_aa = potential_derivatives<2>(model, q).hessian(0, 0);
+    const T V_aa = shear_stiffness<T>(potential_derivatives<2>(model, q).hessian(0, 0),
+                                      model.body.volume.has_value(), branch_, J.J3, nu_squared, q);
     if (branch_ == Branch::iii) return V_aa - (J.J1 + J.J2) * nu_squared;
     const T along_2 = J.J2 * square(q.zeta) - J.J1 * square(q.xi);
     const T inertias = branch_ == Branch::i ? along_2 : -along_2;

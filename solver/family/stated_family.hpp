@@ -11,6 +11,9 @@
 //     Branch branch() const;
 //   };
 //
+// and, where it has them, events(), mirrored(), conditions(x), mirror_point(x, p) and a member with
+// its tail and error bound, as Family asks for them.
+//
 // From that one function: duals over doubles give the Jacobian in ln x and the slope in p, pairs of
 // doubles the residual, numbers with their conditioning the error bound, and duals over intervals
 // the proofs. Families that are evaluated millions of times state these by hand instead.
@@ -122,6 +125,35 @@ class StatedFamily final : public Family<Equations::dimension> {
   bool along_nu() const override { return true; }
   bool material_symmetry() const override { return false; }
 
+  KindEvents events() const override {
+    if constexpr (requires { equations_.events(); }) {
+      return equations_.events();
+    } else {
+      return axis_events();
+    }
+  }
+  std::optional<int> mirrored() const override {
+    if constexpr (requires { equations_.mirrored(); }) {
+      return equations_.mirrored();
+    } else {
+      return std::nullopt;
+    }
+  }
+  std::optional<Member> mirror_point(const X& x, double p) const override {
+    if constexpr (requires { equations_.mirror_point(x, p); }) {
+      return equations_.mirror_point(x, p);
+    } else {
+      return std::nullopt;
+    }
+  }
+  std::vector<ConditionValue> conditions(const X& x, double) const override {
+    if constexpr (requires { equations_.conditions(x); }) {
+      return equations_.conditions(x);
+    } else {
+      return {};
+    }
+  }
+
   X coordinates(const Stretch& q, double) const override { return equations_.unknowns(q); }
   SpinInertia<N> spin_inertia(const Member& member) const override {
     using T = Dual<double, static_cast<std::size_t>(N)>;
@@ -155,8 +187,14 @@ class StatedFamily final : public Family<Equations::dimension> {
     ++this->evaluations_.sensitivities;
     return 0x1p-53 * system(p).input_sensitivity(x);
   }
-  Member member(const X& x, const X&, double p, double error_bound) const override {
-    Member out = equations_.member(x, p);
+  Member member(const X& x, const X& tail, double p, double error_bound) const override {
+    Member out;
+    if constexpr (requires { equations_.member(x, tail, p, error_bound); }) {
+      this->evaluations_.spectra += equations_.has_spectrum();
+      return equations_.member(x, tail, p, error_bound);
+    } else {
+      out = equations_.member(x, p);
+    }
     out.parameter = out.nu = p;
     out.error_bound = error_bound;
     return out;

@@ -22,9 +22,11 @@ KindEvents tilted_events() {
   out.set = [](const Member& member, const TestContext&, TestValues& values) {
     // Where J1 = J2 only an end is on the circle.
     if (member.body.symmetric()) return;
+    values.value[TestValues::turn] = member.turn;
     const Vector3<double> m = second_moments(member.body, member.q);
     values.value[TestValues::inertia_12] = relative_difference(m[1], m[0]);
   };
+  out.turn = EventType::shear;
   out.end = EventType::tilt;
   out.end_reason = [](const Member& at) -> std::string_view {
     return at.tilt_in_plane < at.tilt_normal ? "the axis has come to axis 3, on branch (iii)"
@@ -46,6 +48,8 @@ std::optional<TiltedEventSystem::Kind> vanishing_at(EventType type, const Member
     case EventType::tilt:
       return std::abs(near.tilt_in_plane) < std::abs(near.tilt_normal) ? Kind::in_plane
                                                                        : Kind::normal;
+    case EventType::shear:
+      return Kind::shear;
     default:
       return std::nullopt;
   }

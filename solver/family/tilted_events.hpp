@@ -5,6 +5,7 @@
 //   momentum           det of that bordered by dG/d ln |nu| and d ln I
 //   inertia            J1 xi^2 - J2 zeta^2
 //   in_plane, normal   one of the squares of nu's components: an end of the family
+//   shear              W_t of a held volume: motions with alpha != 0 begin, their axis in no plane
 #pragma once
 
 #include "solver/motion/event.hpp"
@@ -18,7 +19,7 @@ namespace stationary {
 class TiltedEventSystem {
  public:
   static constexpr int dimension = 3;
-  enum class Kind { fold, momentum, inertia, in_plane, normal };
+  enum class Kind { fold, momentum, inertia, in_plane, normal, shear };
 
   TiltedEventSystem(const Body& body, const Potential& potential, TiltPlane plane, Kind kind)
       : J_{body.J1, body.J2, body.J3},
@@ -63,6 +64,8 @@ class TiltedEventSystem {
                                {2.0 * m_xi, 2.0 * m_zeta}, T(m_xi + m_zeta));
         case Kind::in_plane:
           return parts.squares.in_plane;
+        case Kind::shear:
+          return parts.trace_force;
         default:
           return parts.squares.normal;
       }

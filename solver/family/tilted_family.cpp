@@ -97,6 +97,14 @@ class TiltedFamily final : public Family<2> {
     out.tilt_in_plane = share(squares.in_plane, p, error_bound);
     out.tilt_normal = share(squares.normal, p, error_bound);
     if (out.beyond_end()) return out;
+    if constexpr (is_body_model<Model>) {
+      if (model_.volume) {
+        const auto at =
+            spatial_state<double>({body_.J1, body_.J2, body_.J3}, model_, x[0], x[1], 1.0);
+        const double size = std::abs(at.trace_force) + std::abs(at.plane_force);
+        if (size > 0.0) out.turn = at.trace_force / size;
+      }
+    }
     const DoubleDouble along[2] = {root(squares.in_plane, out.tilt_in_plane),
                                    root(squares.normal, out.tilt_normal)};
     out.angular_velocity = angular_velocity(plane_, double(along[0]), double(along[1]));
@@ -106,6 +114,8 @@ class TiltedFamily final : public Family<2> {
         check_balance(body_, v, out.q, out.angular_velocity, holds_volume(model_));
     out.residual = check.residual;
     out.compatibility = check.compatibility;
+    if (potential_.holds_volume())
+      out.pressure = pressure(body_, potential_, out.q, out.angular_velocity);
     out.energy = energy(body_, elastic_energy(model_, out.q), out.q, out.angular_velocity);
     if (spectrum_) {
       const double bound = std::isnan(error_bound) ? 1e-15 : std::max(error_bound, 0x1p-53);

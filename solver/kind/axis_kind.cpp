@@ -9,12 +9,15 @@ namespace {
 
 /// Of a potential that is not isotropic.
 PlanItem oriented_spectrum_plan(const AnisotropicPotential& V, double nu) {
+  const bool held = V.body().volume.has_value();
   if (V.shear_free() && nu != 0.0) {
-    return {"spectrum", "5 modes from blocks where alpha = 0, else from the whole problem",
+    return {"spectrum",
+            std::string(held ? "4" : "5") +
+                " modes from blocks where alpha = 0, else from the whole problem",
             "V_alpha = 0 at alpha = 0: reflections split the dynamics about a material axis"};
   }
   return {"spectrum",
-          std::string(nu == 0.0 ? "4" : "5") +
+          std::to_string((nu == 0.0 ? 4 : 5) - int(held)) +
               " modes from the whole problem, by a structure-preserving method",
           "V_alpha != 0 at alpha = 0, or not known to vanish, or nu = 0: no blocks"};
 }

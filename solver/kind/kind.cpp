@@ -6,6 +6,7 @@
 
 #include "solver/kind/axis_kind.hpp"
 #include "solver/kind/oblique_kind.hpp"
+#include "solver/kind/spatial_kind.hpp"
 #include "solver/kind/tilted_kind.hpp"
 #include "solver/kind/two_polar_kind.hpp"
 
@@ -45,6 +46,9 @@ struct Of {
     out.values = "\"13\" or \"23\"";
     out.both = "tilted motions with |nu| = " + number(motion.nu) + " in both planes";
     return out;
+  }
+  Alternatives operator()(const SpatialRotation& motion) const {
+    return only(spatial_kind(body, potential, motion));
   }
   Alternatives operator()(const ObliqueRotation& motion) const {
     if (anywhere || motion.near) return only(oblique_kind(body, potential, motion));

@@ -62,20 +62,29 @@ Spectrum united(const std::vector<std::pair<Block, Spectrum>>& parts) {
 }
 
 /// (iii), at any alpha: the reflection in the plane of axes 1 and 2 leaves pi1, pi2 to themselves,
-/// and of a separable V rho.
-Spectrum about_third(const Leaf& whole, bool separable, double uncertainty) {
+/// and of a separable V rho; of a held volume rho is no coordinate.
+Spectrum about_third(const Leaf& whole, bool separable, bool volume_held, double uncertainty) {
   const GeneralFacts facts{MaterialSymmetry::none, uncertainty};
-  const std::size_t first = whole.pairs == 5 ? 1 : 0;  // alpha; before it b1, where there is one
+  const std::size_t shape = volume_held ? 3 : 4;  // coordinates of the stretch
+  const std::size_t first =
+      whole.pairs == shape ? 0 : 1;  // alpha; before it b1, where there is one
   std::vector<std::pair<Block, Spectrum>> parts;
   if (first == 1) parts.emplace_back(Block::odd, general_spectrum(facts, part_of(whole, {0})));
   std::vector<std::size_t> plane{first, first + 1, first + 2};
   if (separable) {
     parts.emplace_back(Block::thickness, general_spectrum(facts, part_of(whole, {first + 3})));
-  } else {
+  } else if (!volume_held) {
     plane.push_back(first + 3);
   }
   parts.emplace_back(Block::even, general_spectrum(facts, part_of(whole, plane)));
   return united(parts);
+}
+
+/// (i), (ii) at alpha = 0 of a held volume, V even in alpha: (b1, alpha) and (xi, zeta).
+Spectrum straight_parts(const Leaf& whole, double uncertainty) {
+  const GeneralFacts facts{MaterialSymmetry::none, uncertainty};
+  return united({{Block::odd, general_spectrum(facts, part_of(whole, {0, 1}))},
+                 {Block::even, general_spectrum(facts, part_of(whole, {2, 3}))}});
 }
 
 }  // namespace
@@ -88,7 +97,8 @@ Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& mode
   const AnisotropicPotential& V = models.potential;
   const bool straight = spin.about_axis && double(q.alpha) == 0.0 && V.shear_free();
   const DoubleDouble omega = nu[axis(spin.branch)];
-  if (straight && double(omega) != 0.0) {
+  const bool volume_held = V.body().volume.has_value();
+  if (straight && double(omega) != 0.0 && !volume_held) {
     const auto input = [](const auto& x) { return Conditioned::input(leading(x)); };
     const BlockFacts facts{spin.branch, false, !V.is_separable(), uncertainty};
     return block_spectrum(
@@ -102,7 +112,9 @@ Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& mode
   }
   // At rest there is no axis.
   if (spin.about_axis && (spin.branch == Branch::iii || double(omega) == 0.0))
-    return about_third(motion_leaf(body, Potential(V), q, nu), V.is_separable(), uncertainty);
+    return about_third(motion_leaf(body, Potential(V), q, nu), V.is_separable(), volume_held,
+                       uncertainty);
+  if (straight) return straight_parts(motion_leaf(body, Potential(V), q, nu), uncertainty);
   return general_spectrum(body, Potential(V), q, nu, uncertainty);
 }
 

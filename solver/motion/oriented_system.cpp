@@ -19,39 +19,44 @@ Direction<Dual2> CoefficientDuals::direction(double degrees) const {
 
 namespace {
 
-/// dV in (u, v, w, a).
+/// The balance of w as an unknown.
 template <class S>
-std::array<S, 4> elastic_part(const AnisotropicModel<S>& model, const OrientedStretch<double>& at) {
+std::array<S, 4> balance_of(const AnisotropicModel<S>& model, const Inertia3<double>& J,
+                            const OrientedStretch<double>& at, const SpinProducts<double>& n) {
   const BasicStretch<double>& q = at.q;
   const OrientedStretch<S> point{{q.alpha, q.xi, q.zeta, q.rho}, at.root, at.tanh, at.sech};
-  const AnisotropicDerivatives<S> V = model.template evaluate<1>(point.invariants(), point.q);
-  OrientedBalance<S> out;
-  add_in_logarithms<1>(point, V.isotropic, out);
-  add_in_logarithms<1>(point, V.directed.gradient, V.directed.hessian, out);
+  const auto out =
+      oriented_balance<1>(Inertia3<S>{J.J1, J.J2, J.J3}, model, point,
+                          SpinProducts<S>{n.square_1, n.square_2, n.square_3, n.product_12});
   return {out.g[0], out.g[1], out.g[2], out.g[3]};
 }
 
 }  // namespace
 
-std::array<Dual2, 4> elastic_slopes(const AnisotropicPotential& potential,
-                                    const CoefficientDuals& duals,
-                                    const OrientedStretch<double>& at) {
-  return elastic_part(potential.model(duals), at);
+std::array<Dual2, 4> coefficient_slopes(const AnisotropicPotential& potential,
+                                        const CoefficientDuals& duals, const Inertia3<double>& J,
+                                        const OrientedStretch<double>& at,
+                                        const SpinProducts<double>& n) {
+  return balance_of(potential.model(duals), J, at, n);
 }
 
 std::array<double, 4> decimal_conditions(const AnisotropicPotential& potential,
                                          const OrientedStretch<double>& at) {
   std::array<double, 4> out;
-  const auto pulls = elastic_part(potential.model(AsExactConditioned()), at);
+  const auto pulls =
+      balance_of(potential.model(AsExactConditioned()), {0.0, 0.0, 0.0}, at, {0.0, 0.0, 0.0, 0.0});
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = pulls[i].condition;
   return out;
 }
 
-std::array<double, 5> inertial_part(const Inertia3<double>& J, const OrientedStretch<double>& at,
+std::array<double, 5> inertial_part(const Inertia3<double>& J, const std::optional<double>& volume,
+                                    const OrientedStretch<double>& at,
                                     const SpinProducts<double>& n, const AxisAngle<double>* axis) {
+  const OrientedStretch<double> whole = volume ? at_volume(*volume, at) : at;
   OrientedBalance<double> out;
-  const Vector4<double> force = -(centrifugal_matrix(J, n) * at.q.vector());
-  add_in_logarithms<1>(at, force, Matrix4<double>(), out);
+  const Vector4<double> force = -(centrifugal_matrix(J, n) * whole.q.vector());
+  add_in_logarithms<1>(whole, force, Matrix4<double>(), out);
+  if (volume) out = held<1>(out, whole);
   if (axis != nullptr) add_axis<1>(J, at, 0.0, *axis, out);
   return out.g;
 }

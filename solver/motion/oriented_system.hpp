@@ -1,7 +1,8 @@
 // The balance of a potential that need not be isotropic (anisotropic_balance.hpp) as reduced
 // systems, by what is unknown beside xi and zeta:
 //
-//   rho      always, but where a separable V leaves it to itself and a search takes it apart
+//   rho      always, but where a separable V leaves it to itself, or a held volume follows from the
+//            others, and a search takes it apart
 //   alpha    in (iii) and oblique; 0 in (i), (ii) and where an even V is followed in (iii)
 //   axis     oblique
 //
@@ -11,6 +12,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "lib/balance/anisotropic_balance.hpp"
 #include "lib/number/dual.hpp"
@@ -63,14 +65,20 @@ template <class Layout, int order, class S>
 OrientedBalance<S> balance_at(const Inertia3<S>& J, const AnisotropicModel<S>& model, Branch branch,
                               const S& nu_squared, const std::array<S, 5>& y) {
   const OrientedStretch<S> at = oriented_stretch(y[0], y[1], y[2], y[3]);
+  const auto balance = [&](const SpinProducts<S>& n) {
+    if constexpr (Layout::thickness) {
+      return oriented_balance<order>(J, model, at, n);
+    } else {
+      return eliminated_balance<order>(J, model, at, n);
+    }
+  };
   if constexpr (Layout::axis) {
     const AxisAngle<S> axis = axis_angle(y[4]);
-    auto out = oriented_balance<order>(J, model, at,
-                                       in_plane_products(nu_squared, axis.cosine, axis.sine));
+    auto out = balance(in_plane_products(nu_squared, axis.cosine, axis.sine));
     add_axis<order>(J, at, nu_squared, axis, out);
     return out;
   } else {
-    return oriented_balance<order>(J, model, at, axis_products(branch, nu_squared));
+    return balance(axis_products(branch, nu_squared));
   }
 }
 
@@ -84,7 +92,7 @@ struct OrientedModels {
       : potential(from), plain(from.model()), extended(from.model(AsExtended())) {}
 };
 
-/// |p dG/dp| or dG/dp of coefficients in y, two at a time; G elastic, all of (u, v, w, a).
+/// |p dG/dp| or dG/dp of coefficients in y, two at a time; G of (u, v, w, a).
 struct CoefficientDuals {
   int first;      ///< place of the one in direction 0
   bool relative;  ///< slopes to relative changes
@@ -102,17 +110,30 @@ struct CoefficientDuals {
   }
 };
 
-std::array<Dual2, 4> elastic_slopes(const AnisotropicPotential& potential,
-                                    const CoefficientDuals& duals,
-                                    const OrientedStretch<double>& at);
+/// Of the balance of a spin.
+std::array<Dual2, 4> coefficient_slopes(const AnisotropicPotential& potential,
+                                        const CoefficientDuals& duals, const Inertia3<double>& J,
+                                        const OrientedStretch<double>& at,
+                                        const SpinProducts<double>& n);
 
 /// Of the same four numbers the conditions with regard to the decimals of a formula.
 std::array<double, 4> decimal_conditions(const AnisotropicPotential& potential,
                                          const OrientedStretch<double>& at);
 
-/// The centrifugal part, -C(nu) q in the coordinates, and phi's own equation: linear in J.
-std::array<double, 5> inertial_part(const Inertia3<double>& J, const OrientedStretch<double>& at,
+/// The centrifugal part, -C(nu) q in the coordinates, along the volume where one is held, and phi's
+/// own equation: linear in J.
+std::array<double, 5> inertial_part(const Inertia3<double>& J, const std::optional<double>& volume,
+                                    const OrientedStretch<double>& at,
                                     const SpinProducts<double>& n, const AxisAngle<double>* axis);
+
+/// Of the shear's equation at alpha = 0 the coefficient that turns it, without J1 or J2 times nu^2
+/// and the like: V_alpha,alpha, less what the spin pulls rho by along a held volume. V_aa along it.
+template <class S>
+S shear_stiffness(const S& V_aa, bool volume_held, Branch branch, const S& J3, const S& nu_squared,
+                  const BasicStretch<S>& q) {
+  if (!volume_held || branch == Branch::iii) return V_aa;
+  return V_aa - 2.0 * (J3 * nu_squared * square(q.rho) / (q.xi * q.zeta));
+}
 
 /// Residual and Jacobian, rows divided by `scale`.
 template <int N>
@@ -152,7 +173,8 @@ struct OrientedSystem {
   std::array<double, 5> inertial(const Inertia3<double>& J, const std::array<double, 5>& y,
                                  double nu_squared) const {
     const AxisAngle<double> axis = axis_angle(y[4]);
-    return inertial_part(J, stretch(y), spin(y, nu_squared), Layout::axis ? &axis : nullptr);
+    return inertial_part(J, models->plain.body.volume, stretch(y), spin(y, nu_squared),
+                         Layout::axis ? &axis : nullptr);
   }
 
   OrientedLinearized<N> linearize(const ReducedVector<N>& x) const {
@@ -193,7 +215,8 @@ struct OrientedSystem {
     std::array<double, 5> sum{};
     for (int first = 0; first < models->potential.coefficient_count(); first += 2) {
       const auto slopes =
-          elastic_slopes(models->potential, CoefficientDuals{first, true}, stretch(y));
+          coefficient_slopes(models->potential, CoefficientDuals{first, true},
+                             {body.J1, body.J2, body.J3}, stretch(y), spin(y, nu * nu));
       for (std::size_t i = 0; i < slopes.size(); ++i) sum[i] += sensitivity(slopes[i]);
     }
     if (models->plain.has_decimals()) {

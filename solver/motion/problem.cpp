@@ -29,14 +29,17 @@ std::vector<PlanItem> oriented_plan(const AnisotropicPotential& V, Branch branch
                     : known ? "V_alpha != 0 at alpha = 0"
                             : "V is not even in alpha, or not known to be"});
   }
-  plan.push_back({"rho", "an unknown",
-                  V.is_separable()
+  plan.push_back({"rho", V.body().volume ? "volume/d, an unknown to the solver" : "an unknown",
+                  V.body().volume       ? "det S is held; the pressure is the multiplier of that"
+                  : V.body().gravitates ? "gravity couples it to xi, zeta and alpha"
+                  : V.is_separable()
                       ? "its equation has no other unknown in it; a search takes it apart"
                       : "the potential couples it to xi, zeta and alpha"});
   plan.push_back(
       {"xi, zeta",
        branch == Branch::iii && !even ? "4 equations with alpha and rho" : "3 equations with rho",
-       "balance of elastic and centrifugal force"});
+       V.body().any() ? "balance of elastic and centrifugal force, gravity and pressure"
+                      : "balance of elastic and centrifugal force"});
   return plan;
 }
 

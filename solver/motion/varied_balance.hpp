@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "lib/balance/spatial_balance.hpp"
 #include "lib/balance/tilted_balance.hpp"
 #include "lib/body/inertia.hpp"
 #include "lib/material/models/model_coefficients.hpp"
@@ -83,12 +84,22 @@ LogBalance<T> varied_balance(const Potential& potential, const T& xi, const T& z
   });
 }
 
+/// SpatialState::trace_force at alpha = 0; 1 where no volume is held.
+template <class T, class Model>
+T trace_force_of(const Model& model, const Inertia3<T>& J, const T& xi, const T& zeta) {
+  if constexpr (may_hold_volume<Model>)
+    if (model.volume) return spatial_state<T>(J, model, xi, zeta, T(1.0)).trace_force;
+  return T(1.0);
+}
+
 /// The balance of a tilted axis at (xi, zeta) and |nu|^2, and what its events are told by.
 template <class T>
 struct TiltedParts {
   LogBalance<T> balance;  ///< tilted_balance()
   std::array<T, 2> pull;  ///< of the spin on its two rows
   TiltSquares<T> squares;
+  /// t W_t of the elastic energy of a held volume: where it is zero an axis in no plane is possible.
+  T trace_force;
 };
 template <class T, class Number>
 TiltedParts<T> varied_tilted(const Potential& potential, TiltPlane plane, const Inertia3<T>& J,
@@ -98,7 +109,8 @@ TiltedParts<T> varied_tilted(const Potential& potential, TiltPlane plane, const 
   return with_numbers(potential, number, [&](const auto& model) -> TiltedParts<T> {
     return {tilted_balance(model, plane, xi, zeta, rho, rates),
             tilted_pull(model, plane, xi, zeta, rho, rates),
-            tilt_squares_of(model, J, plane, xi, zeta, rho, square_nu)};
+            tilt_squares_of(model, J, plane, xi, zeta, rho, square_nu),
+            trace_force_of<T>(model, J, xi, zeta)};
   });
 }
 

@@ -84,15 +84,15 @@ void require_proven(const Certificate& certificate) {
 
 SpectrumEnclosure whole(const Body& body, const AnisotropicPotential& V,
                         const Certificate& certificate, double nu, const Vector3<Interval>& axis,
-                        const Spectrum& spectrum, Inputs inputs) {
+                        const Spectrum& spectrum, Inputs inputs, bool straight = false) {
   const StretchBox& at = certificate.solution;
   const BasicStretch<Interval> q{at.alpha, at.xi, at.zeta, at.rho};
   // nu and -nu: the same dynamics run backwards, with the same Lambda.
-  return enclose_leaf_spectrum(
-      {inertia_intervals(body, inputs), q,
-       nu == 0.0 ? Interval(0.0) : as_input(std::abs(nu), inputs), axis,
-       potential_derivatives<2>(V.model(AsIntervals{inputs}), q).hessian, !V.is_separable()},
-      spectrum);
+  return enclose_leaf_spectrum({inertia_intervals(body, inputs), q,
+                                nu == 0.0 ? Interval(0.0) : as_input(std::abs(nu), inputs), axis,
+                                potential_derivatives<2>(V.model(AsIntervals{inputs}), q).hessian,
+                                !V.is_separable(), V.body().volume.has_value(), straight},
+                               spectrum);
 }
 
 }  // namespace
@@ -161,6 +161,9 @@ SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem,
   const double nu = equilibrium.nu[axis(problem.branch())];
   if (!V.shear_free() || at.alpha.lo != 0.0 || at.alpha.hi != 0.0 || nu == 0.0)
     return whole(problem.body(), V, certificate, nu, {0.0, 0.0, 1.0}, spectrum, inputs);
+  if (V.body().volume)
+    return whole(problem.body(), V, certificate, nu,
+                 angular_velocity(problem.branch(), Interval(1.0)), spectrum, inputs, true);
   const BasicStretch<Interval> q{0.0, at.xi, at.zeta, at.rho};
   return enclose_spectrum({problem.branch(), false, false, false, !V.is_separable()},
                           straight_state(inertia_intervals(problem.body(), inputs),

@@ -30,7 +30,8 @@ struct OrientedBoxSystem {
   Inertia3<Interval> J;
   Branch branch;
   Interval nu_squared;
-  Interval rho = 1.0;  ///< where that is no unknown
+  Interval rho = 1.0;                       ///< where that is no unknown, and no volume is held
+  Interval rho_range = Interval::entire();  ///< of what a held volume leaves
 
   OrientedBoxSystem(const Body& body, const AnisotropicPotential& potential, Branch about,
                     double nu, Inputs inputs)
@@ -51,12 +52,23 @@ struct OrientedBoxSystem {
     return out;
   }
 
-  /// Where the potential is not defined, and by the sum of the rows of u and v, in which a fibre is
+  OrientedStretch<Interval> at(const Box<N>& x) const {
+    const auto y = all_coordinates<Layout>(x, rho);
+    const OrientedStretch<Interval> out = oriented_stretch(y[0], y[1], y[2], y[3]);
+    return !Layout::thickness && model.body.volume ? at_volume(*model.body.volume, out) : out;
+  }
+
+  /// Where the potential is not defined or the volume another, and by the sum of the rows of u and v, in which a fibre is
   /// 2 k n (n + 1) >= -k/2, however stiff, and whatever the directions: of long stretches across it
   /// no row says as much.
   bool excludes(const Box<N>& x) const {
     const auto y = all_coordinates<Layout>(x, rho);
-    const OrientedStretch<Interval> at = oriented_stretch(y[0], y[1], y[2], y[3]);
+    OrientedStretch<Interval> at = this->at(x);
+    if (const auto& volume = model.body.volume) {
+      const OrientedStretch<Interval> whole = at_volume(*volume, at);
+      if (whole.q.rho.apart_from(Layout::thickness ? at.q.rho : rho_range)) return true;
+      at = whole;
+    }
     if (model.outside_box(at.q)) return true;
     AnisotropicModel<Interval> without = model;
     without.fibre_count = 0;
@@ -64,12 +76,14 @@ struct OrientedBoxSystem {
     AnisotropicDerivatives<Interval> V = without.evaluate<1>(at.invariants(), at.q);
     // What a written-out model pulls is narrower as one expression.
     std::optional<Interval> written;
-    if (const auto* expression = model.expression()) written = expression->plane_pull(at.q);
+    if (const auto* expression = model.expression(); expression != nullptr && !model.body.any())
+      written = expression->plane_pull(at.q);
     if (written) V.directed.gradient.setConstant(Interval(0.0));
-    const auto b =
+    auto b =
         oriented_balance<1>(J, V, at,
                             Layout::axis ? in_plane_products(nu_squared, axis.cosine, axis.sine)
                                          : axis_products(branch, nu_squared));
+    if (model.body.volume) b = held<1>(b, at);
     Interval sum = b.g[oriented::u] + b.g[oriented::v];
     if (written) sum += *written;
     for (std::size_t k = 0; k < model.fibre_count; ++k) {
@@ -81,10 +95,7 @@ struct OrientedBoxSystem {
     return !sum.may_be(0.0);
   }
 
-  BasicStretch<Interval> stretch(const Box<N>& x) const {
-    const auto y = all_coordinates<Layout>(x, rho);
-    return oriented_stretch(y[0], y[1], y[2], y[3]).q;
-  }
+  BasicStretch<Interval> stretch(const Box<N>& x) const { return at(x).q; }
   /// alpha's own force at alpha = 0: zero where a spin about axis 1 or 2 is possible.
   Interval shear_force(const Box<N>& x) const {
     return potential_derivatives<1>(model, stretch(x)).gradient[0];

@@ -32,7 +32,9 @@ class OrientedSearch {
         options_(options),
         system_{&models_, body, branch, nu},
         boxes_(body, models_.potential, branch, nu, options.inputs),
-        search_(options) {}
+        search_(options) {
+    boxes_.rho_range = options.range(2);
+  }
 
   SearchResult run() {
     if constexpr (Layout::thickness) {
@@ -42,6 +44,10 @@ class OrientedSearch {
             constexpr auto place = Layout::thickness_place;
             add(each, {each.x[place], each.proof.solution[index(place)], 0.0, true});
           });
+    } else if (const auto& volume = boxes_.model.body.volume) {
+      search_.each_of(
+          plane(), [this](const Box<N>& box) { return stretch_box(box); },
+          [&](const Found& each) { add(each, thickness_at(each, *volume)); });
     } else {
       run_separate();
     }
@@ -65,7 +71,7 @@ class OrientedSearch {
   /// The thickness is a problem of its own.
   void run_separate() {
     const auto& model =
-        std::get<AnisotropicModel<double>::Separate>(models_.potential.model().base).thickness;
+        *std::get<AnisotropicModel<double>::Separate>(models_.potential.model().base).thickness;
     const Branch about = Layout::axis ? Branch::i : branch_;
     const auto extended = axis_rates(body_, about, two_product(system_.nu, system_.nu)).rho;
     const Interval rate = about == Branch::iii ? Interval(0.0) : boxes_.J.J3 * boxes_.nu_squared;
@@ -78,6 +84,17 @@ class OrientedSearch {
     search_.combine(
         plane(), axial, [this](const Box<N>& box) { return stretch_box(box); },
         [this](const Found& each, const FoundThickness& rho) { add(each, rho); });
+  }
+
+  /// What the held volume leaves.
+  FoundThickness thickness_at(const Found& each, const Interval& volume) const {
+    const auto y = all_coordinates<Layout>(each.x, 1.0);
+    const OrientedStretch<double> at = oriented_stretch(y[0], y[1], y[2], y[3]);
+    const double rho = at_volume(*models_.potential.body().volume, at).q.rho;
+    if (!each.proof.proven) return {rho, Interval(rho), each.proof.error_bound, true};
+    const auto box = boxes_.at(each.proof.solution);
+    const Interval solution = at_volume(volume, box).q.rho;
+    return {rho, solution, (Interval(rho) / solution - Interval(1.0)).magnitude(), true};
   }
 
   PruneResult<N> plane() {
@@ -195,7 +212,7 @@ class OrientedSearch {
 template <bool alpha, bool axis>
 SearchResult run(const Body& body, const Potential& potential, Branch branch, double nu,
                  const SearchOptions& options) {
-  if (potential.is_separable())
+  if (potential.is_separable() || potential.holds_volume())
     return OrientedSearch<OrientedLayout<false, alpha, axis>>(body, potential, branch, nu, options)
         .run();
   return OrientedSearch<OrientedLayout<true, alpha, axis>>(body, potential, branch, nu, options)

@@ -31,16 +31,20 @@ class RestSearch {
     return std::nullopt;
   }
 
-  /// rho: of the thickness at rest, or near it.
-  std::optional<Stretch> nearest_minimum(double rho) {
+  /// rho: of the thickness at rest, or near it; all lengths in units of `unit`.
+  std::optional<Stretch> nearest_minimum(double rho, double unit) {
     std::optional<Stretch> out;
+    const auto from_rest = [&](const Stretch& q) {
+      return from_unit({q.alpha / unit, q.xi / unit, q.zeta / unit, q.rho / unit}, rho);
+    };
     const auto consider = [&](const Stretch& q) {
-      if (is_minimum(q) && (!out || from_unit(q, rho) < from_unit(*out, rho))) out = q;
+      if (is_minimum(q) && (!out || from_rest(q) < from_rest(*out))) out = q;
     };
     for (const double xi : {1.0, 0.7, 1.5}) {
       for (const double zeta : {1.0, 0.7, 1.5}) {
         for (const double shear : {0.0, 0.2, -0.2}) {
-          Stretch q{shear * std::sqrt(xi * zeta), xi, zeta, rho};
+          Stretch q{unit * shear * std::sqrt(xi * zeta), unit * xi, unit * zeta, unit * rho};
+          if (const auto volume = V_.body().volume) q.rho = *volume / planar_invariants(q).d;
           if (correct(1.0, q)) consider(q);
         }
       }
@@ -58,8 +62,11 @@ class RestSearch {
   /// q to the rest state with a share of the fibres' stiffness, by Newton; unchanged where false.
   bool correct(double share, Stretch& q) {
     AnisotropicPotential part = V_;
-    for (int place = V_.fibre_place(), k = 0; place < V_.coefficient_count(); place += 2, ++k)
-      part = part.with_coefficient(place, share * V_.fibres()[static_cast<std::size_t>(k)].k);
+    int place = V_.fibre_place();
+    for (const Fibre& fibre : V_.fibres()) {
+      part = part.with_coefficient(place, share * fibre.k);
+      place += 2;
+    }
     const OrientedModels models(part);
     const OrientedSystem<ShearedLayout> system{&models, body_, Branch::iii, 0.0};
     ReducedVector<4> x(q.xi, q.zeta, q.rho, shear_coordinate(q));
@@ -74,8 +81,10 @@ class RestSearch {
   }
 
   bool is_minimum(const Stretch& q) const {
-    const Eigen::LLT<Matrix4<double>> factors(potential_.derivatives(q).hessian);
-    return factors.info() == Eigen::Success;
+    // Along a held volume rho follows.
+    const int free = V_.body().volume ? 3 : 4;
+    const Eigen::MatrixXd H = potential_.derivatives(q).hessian.topLeftCorner(free, free);
+    return Eigen::LLT<Eigen::MatrixXd>(H).info() == Eigen::Success;
   }
 
   /// Largest |ln| of the principal stretches, rho's over what it is at rest.
@@ -102,7 +111,8 @@ AnisotropicRest anisotropic_rest(const Body& body, const Potential& potential,
   if (std::isfinite(r) && std::isfinite(rho))
     return {search.from_isotropic({0.0, r, r, rho}),
             "no rest state was found from that without fibres"};
-  return {search.nearest_minimum(std::isfinite(rho) ? rho : 1.0),
+  const auto& volume = potential.anisotropic().body().volume;
+  return {search.nearest_minimum(std::isfinite(rho) ? rho : 1.0, volume ? std::cbrt(*volume) : 1.0),
           "no rest state, a minimum of V, was found"};
 }
 

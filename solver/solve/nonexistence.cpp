@@ -130,8 +130,8 @@ std::optional<std::string> nonexistence_reason(const Problem& problem, double nu
   if (!problem.potential().is_isotropic()) {
     using Separate = AnisotropicPotential::Model::Separate;
     const auto* separate = std::get_if<Separate>(&problem.potential().anisotropic().model().base);
-    if (separate == nullptr) return std::nullopt;
-    const auto* thickness = std::get_if<ThicknessPotential>(&separate->thickness.model);
+    if (separate == nullptr || problem.potential().anisotropic().body().any()) return std::nullopt;
+    const auto* thickness = std::get_if<ThicknessPotential>(&separate->thickness->model);
     return thickness == nullptr ? std::nullopt : thickness_reason(*thickness, c);
   }
   if (!problem.potential().is_built_in()) return reason_beside_expression(problem, c);

@@ -8,8 +8,9 @@ namespace {
 template <int N>
 class Breaks {
  public:
-  Breaks(const CurveEquations<N>& equations, const CurveRegion<N>& region)
-      : equations_(equations), region_(region) {}
+  Breaks(const CurveEquations<N>& equations, const CurveRegion<N>& region,
+         const std::atomic<bool>* stop)
+      : equations_(equations), region_(region), stop_(stop) {}
 
   void add(const Tube<N>& tube) {
     tube_ = &tube;
@@ -39,6 +40,7 @@ class Breaks {
   void halve(const Interval& s) {
     constexpr double narrow = 1e-13;
     constexpr double shortest = 0x1p-40;
+    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return;
     const auto slice = tube_->slice(equations_, s);
     const Within within = within_region(equations_, region_, slice.y);
     if (within == Within::none) return;
@@ -64,6 +66,7 @@ class Breaks {
 
   const CurveEquations<N>& equations_;
   const CurveRegion<N>& region_;
+  const std::atomic<bool>* stop_;
   const Tube<N>* tube_ = nullptr;
   std::vector<CurveBreak> found_;
 };
@@ -72,17 +75,18 @@ class Breaks {
 
 template <int N>
 std::vector<CurveBreak> curve_breaks(const CurveEquations<N>& equations,
-                                     const CurveRegion<N>& region, const TubeSet<N>& tubes) {
-  Breaks<N> out(equations, region);
+                                     const CurveRegion<N>& region, const TubeSet<N>& tubes,
+                                     const std::atomic<bool>* stop) {
+  Breaks<N> out(equations, region, stop);
   for (const Tube<N>& tube : tubes.tubes()) out.add(tube);
   return out.merged();
 }
 
 template std::vector<CurveBreak> curve_breaks<1>(const CurveEquations<1>&, const CurveRegion<1>&,
-                                                 const TubeSet<1>&);
+                                                 const TubeSet<1>&, const std::atomic<bool>*);
 template std::vector<CurveBreak> curve_breaks<2>(const CurveEquations<2>&, const CurveRegion<2>&,
-                                                 const TubeSet<2>&);
+                                                 const TubeSet<2>&, const std::atomic<bool>*);
 template std::vector<CurveBreak> curve_breaks<3>(const CurveEquations<3>&, const CurveRegion<3>&,
-                                                 const TubeSet<3>&);
+                                                 const TubeSet<3>&, const std::atomic<bool>*);
 
 }  // namespace stationary

@@ -7,6 +7,7 @@
 // inside, so that their number is constant.
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "solver/tube/tube_set.hpp"
@@ -21,9 +22,10 @@ struct CurveBreak {
   bool mirrors = false;
 };
 
-/// Ascending, touching ones merged.
+/// Ascending, touching ones merged; some are missing where *stop became true.
 template <int N>
 std::vector<CurveBreak> curve_breaks(const CurveEquations<N>& equations,
-                                     const CurveRegion<N>& region, const TubeSet<N>& tubes);
+                                     const CurveRegion<N>& region, const TubeSet<N>& tubes,
+                                     const std::atomic<bool>* stop = nullptr);
 
 }  // namespace stationary

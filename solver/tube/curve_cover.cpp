@@ -23,10 +23,7 @@ class Cover {
   CurveCover run() {
     queue_.push_back(region_.hull());
     while (!queue_.empty()) {
-      if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
-        out_.interrupted = true;
-        break;
-      }
+      if (stopped()) break;
       if (out_.boxes >= options_.max_boxes) {
         for (const CurveBox<N>& each : queue_) out_.undecided.push_back(each[at(N)]);
         break;
@@ -36,12 +33,16 @@ class Cover {
       examine(box);
     }
     merge_undecided();
-    if (!out_.interrupted) out_.breaks = curve_breaks(equations_, region_, tubes_);
+    if (!stopped()) out_.breaks = curve_breaks(equations_, region_, tubes_, options_.stop);
+    out_.interrupted = stopped();
     out_.tubes = static_cast<long>(tubes_.tubes().size());
     return std::move(out_);
   }
 
  private:
+  bool stopped() const {
+    return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
+  }
   static double width(const CurveBox<N>& box) {
     double out = 0.0;
     for (const Interval& side : box) out = std::max(out, side.hi - side.lo);

@@ -291,7 +291,7 @@ void draw_work_precision(const std::vector<Measured>& results, const std::filesy
   }
   script += "unset multiplot\n";
   AtomicFile file(into);
-  run_gnuplot(script, file.descriptor());
+  file.write(run_gnuplot(script));
   file.commit();
 }
 

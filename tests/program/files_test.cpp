@@ -192,6 +192,27 @@ TEST_F(Files, AFullDiskIsAFailure) {
   EXPECT_EQ(run_program({"solve", case_file_}, {.standard_output = "/dev/full"}).code, 4);
 }
 
+/// A file that were given the number of a closed stream would get the messages, too.
+TEST_F(Files, MessagesOfAClosedStreamDoNotGoIntoTheTable) {
+  const std::string table = directory_ / "x.csv";
+  const std::vector<std::string> arguments{"solve", shipped("too_fast.toml"), "-o", table};
+  EXPECT_EQ(run_program(arguments).code, 3);
+  const std::string whole = text_of(table);
+  ASSERT_TRUE(whole.starts_with("branch,"));
+  for (const char* const closed : {"2>&-", ">&-", "<&- >&- 2>&-"}) {
+    const std::string script = std::string("exec \"$0\" \"$@\" ") + closed;
+    const Outcome outcome =
+        run_program(arguments, {.program = {"sh", "-c", script, STATIONARY_PROGRAM}});
+    EXPECT_EQ(outcome.code, 3) << closed;
+    EXPECT_EQ(text_of(table), whole) << closed;
+  }
+  const std::vector<std::string> streamed{"solve", case_file_, "-o", "-"};
+  const Outcome lost = run_program(
+      streamed, {.program = {"sh", "-c", "exec \"$0\" \"$@\" >&-", STATIONARY_PROGRAM}});
+  EXPECT_EQ(lost.code, 4);
+  EXPECT_THAT(lost.err, HasSubstr("writing standard output"));
+}
+
 TEST_F(Files, InterruptedRunsWriteNothingAndSaySo) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const Outcome outcome =

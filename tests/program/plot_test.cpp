@@ -426,6 +426,19 @@ TEST_F(PlotWithoutGnuplot, OneThatFailsIsHeardAndLeavesTheOldImage) {
   EXPECT_THAT(directory_.names(), ElementsAre("bin", "x.csv", "x.svg"));
 }
 
+/// gnuplot itself does not look whether the disk takes what it draws.
+TEST_F(Plot, WhatTheDiskDoesNotTakeLeavesTheOldImage) {
+  ASSERT_EQ(plot("x.svg").code, 0);
+  const std::string whole = text_of(directory_ / "x.svg");
+  directory_.file("x.svg", "old");
+  const Outcome outcome = run_program({"plot", table_, "-o", directory_ / "x.svg"},
+                                      {.file_size_limit = static_cast<long>(whole.size()) - 1});
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("File too large"));
+  EXPECT_EQ(text_of(directory_ / "x.svg"), "old");
+  EXPECT_THAT(directory_.names(), ElementsAre("x.csv", "x.svg"));
+}
+
 TEST_F(Plot, InterruptedWritesNothing) {
   const Outcome outcome =
       run_program({"plot", table_, "-o", directory_ / "x.svg"}, {.pending_signal = SIGINT});

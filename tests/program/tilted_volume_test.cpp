@@ -111,6 +111,92 @@ TEST(TiltedVolume, TheAtlasEntersThem) {
 }
 
 /// A cell as a solve of its own.
+/// biot: t = (2 mu + 2 lambda)/(2 mu + lambda), all else by d = C/rho; both ends at alpha = 0, where
+/// the tilted families of either plane have the event too.
+TEST(TiltedVolume, AxesInNoPlane) {
+  const TemporaryDirectory directory;
+  const auto text = [](const std::string& plane, const std::string& rest) {
+    return "[body]\nJ = [1.0, 1.7, 0.6]\nvolume = 1.0\n[potential]\n"
+           "plane = { model = \"biot\", mu = 1.0, lambda = 8.0 }\n"
+           "thickness = { model = \"reciprocal-quadratic\", a = 1.0, b = 3.0 }\n[motion]\n"
+           "branch = \"tilted\"\nplane = \"" +
+           plane + "\"\nnu = 2.41\n[continuation]\nfrom = 0.1\nto = 6.0\n" + rest;
+  };
+  const std::vector<Row> rows = followed(
+      directory.file("all.toml", text("123", "[output]\ncertificate = true\n")), "continue");
+  ASSERT_GE(rows.size(), 50u);
+  std::vector<double> ends;
+  int proven = 0;
+  for (const Row& row : rows) {
+    const double rho = number(row.at("rho"));
+    const double d = 1.0 / rho;
+    const double tau = 0.6 * rho * rho;
+    const double sigma = 1.7 * d * d / tau;
+    const double t = 1.8;
+    const double m = (tau + sigma + 2.7 * d) / t;
+    const double xi = (1.7 * t - m) / 0.7;
+    const double allowed = 1e-13 + 4.0 * number(row.at("error_bound"));
+    EXPECT_NEAR(number(row.at("xi")), xi, allowed * 30.0);
+    EXPECT_NEAR(number(row.at("zeta")), t - xi, allowed * 30.0);
+    const double nu =
+        std::hypot(number(row.at("nu1")), number(row.at("nu2")), number(row.at("nu3")));
+    EXPECT_NEAR(number(row.at("nu3")), std::sqrt(sigma / tau) * nu, 1e-11);
+    const double force = 3.0 * rho * rho - 1.0 / rho + 2.0 * d;
+    EXPECT_NEAR((tau - 2.0 * sigma) * nu * nu, force, 1e-11 * force);
+    proven += row.at("certified") == "yes";
+    EXPECT_FALSE(row.at("pressure").empty());
+    if (row.at("event") == "shear") ends.push_back(nu);
+  }
+  EXPECT_GE(proven, static_cast<int>(rows.size()) - 4);
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_EQ(rows.front().at("event"), "shear");
+  EXPECT_EQ(rows.back().at("event"), "shear");
+  EXPECT_EQ(rows.front().at("nu1"), "0");
+  EXPECT_EQ(rows.back().at("nu2"), "0");
+  const std::pair<const char*, const char*> planes[] = {{"23", "0.0, 0.246, 1.554, 2.6157"},
+                                                        {"13", "0.0, 1.411, 0.389, 1.8214"}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::vector<Row> tilted_rows = followed(
+        directory.file("plane.toml", text(planes[k].first, std::string("[solve]\nstart = [") +
+                                                               planes[k].second + "]\n")),
+        "continue", {"--set", "motion.nu=" + std::to_string(ends[k])});
+    const auto at = std::ranges::find_if(tilted_rows,
+                                         [](const Row& row) { return row.at("event") == "shear"; });
+    ASSERT_NE(at, tilted_rows.end()) << planes[k].first;
+    const double nu =
+        std::hypot(number(at->at("nu1")), number(at->at("nu2")), number(at->at("nu3")));
+    EXPECT_NEAR(nu, ends[k], 1e-13) << planes[k].first;
+  }
+}
+
+TEST(TiltedVolume, AxesInNoPlaneAreFoundAndTold) {
+  const TemporaryDirectory directory;
+  const auto solve = [&](const std::string& body, double nu) {
+    return run_program(
+        {"solve",
+         directory.file("case.toml", "[body]\n" + body +
+                                         "[potential]\nplane = { model = \"biot\", mu = "
+                                         "1.0, lambda = 8.0 }\nthickness = { model = "
+                                         "\"reciprocal-quadratic\", a = 1.0, b = 3.0 "
+                                         "}\n[motion]\nbranch = \"tilted\"\nplane = "
+                                         "\"123\"\nnu = " +
+                                         std::to_string(nu) + "\n[solve]\nall = true\n"),
+         "-o", "-"});
+  };
+  const std::string held = "J = [1.0, 1.7, 0.6]\nvolume = 1.0\n";
+  const Outcome one = solve(held, 2.4);
+  ASSERT_EQ(one.code, 0) << one.err;
+  EXPECT_EQ(rows_of(one.out).size(), 1u) << one.out;
+  const Outcome none = solve(held, 1.0);
+  EXPECT_EQ(none.code, 3) << none.err;
+  const Outcome round = solve("J = [1.0, 1.0, 0.6]\nvolume = 1.0\n", 2.4);
+  EXPECT_EQ(round.code, 3);
+  EXPECT_THAT(round.err, HasSubstr("J1 = J2"));
+  const Outcome compressible = solve("J = [1.0, 1.7, 0.6]\n", 2.4);
+  EXPECT_EQ(compressible.code, 2);
+  EXPECT_THAT(compressible.err, HasSubstr("no body.volume"));
+}
+
 TEST(TiltedVolume, Maps) {
   const TemporaryDirectory directory;
   const std::string path = directory.file(

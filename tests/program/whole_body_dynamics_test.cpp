@@ -42,6 +42,8 @@ struct BodyInSpace {
   double g = 0.0;
   bool holds_volume = true;
   Elastic elastic = [](double, double, double) { return Slopes{}; };
+  double fibre = 0.0;  ///< k
+  double degrees = 0.0;
 };
 
 /// F_T, F_D, F_z of F = (1/2) int_0^inf du [(u^2 + T u + D)(u + z)]^(-1/2), by the trapezoidal rule
@@ -162,6 +164,14 @@ class Motion {
     out.segment<3>(0) += 2.0 * V.of_trace * a;
     out.segment<3>(3) += 2.0 * V.of_trace * b;
     out[6] += V.of_rho;
+    if (body_.fibre != 0.0) {  // (k/2) (|c Phi1 + s Phi2|^2 - 1)^2
+      const double c = std::cos(body_.degrees * M_PI / 180.0);
+      const double s = std::sin(body_.degrees * M_PI / 180.0);
+      const Vector3 along = c * a + s * b;
+      const Vector3 pull = 2.0 * body_.fibre * (along.squaredNorm() - 1.0) * along;
+      out.segment<3>(0) += c * pull;
+      out.segment<3>(3) += s * pull;
+    }
     if (body_.g == 0.0) return out;
     const double* const J = body_.J;
     const auto F = pull_of_gravity(J[0] * aa + J[1] * bb, J[0] * J[1] * d * d, J[2] * rho * rho);
@@ -190,11 +200,21 @@ Elastic saint_venant_kirchhoff(double mu, double lambda, double a, double b) {
   };
 }
 
+/// V = mu (I1 - 2 t + 2) + (lambda/2) (t - 2)^2 with t^2 = I1 + 2 d, and of rho (slope(rho)).
+Elastic biot(double mu, double lambda, const std::function<double(double)>& slope) {
+  return [=](double I1, double d, double rho) {
+    const double t = std::sqrt(I1 + 2.0 * d);
+    const double of_t = lambda * (t - 2.0) - 2.0 * mu;
+    return Slopes{mu + 0.5 * of_t / t, of_t / t, slope(rho)};
+  };
+}
+
 struct Moving {
   const char* name;
   const char* verdict;
   BodyInSpace body;
   std::string text;  ///< of the case, but for the body
+  double time = 1.7;
 };
 
 std::string case_of(const Moving& moving) {
@@ -215,6 +235,10 @@ std::string tilted(const char* plane, const char* nu, const char* start) {
   return std::string("[motion]\nbranch = \"tilted\"\nplane = \"") + plane + "\"\nnu = " + nu +
          "\n[solve]\nstart = [0.0, " + start + "]\n";
 }
+std::string out_of_plane(const char* nu, const char* start) {
+  return std::string("[motion]\nbranch = \"tilted\"\nplane = \"123\"\nnu = ") + nu +
+         "\n[solve]\nstart = [" + start + "]\n";
+}
 std::string two_polar(const char* s3, const char* p_theta, const char* start) {
   return std::string("[motion]\nbranch = \"two-polar\"\ns3 = ") + s3 + "\np_theta = " + p_theta +
          "\n[solve]\nstart = [0.0, " + start + "]\n";
@@ -229,6 +253,45 @@ const std::string svk_text =
 std::string neo_hookean_text(const char* mu) {
   return std::string("[potential]\ncoupled = { expression = \"p/2*(I1 + rho^2 - 3)\", p = ") + mu +
          " }\n";
+}
+
+std::vector<Moving> sheared_motions() {
+  const BodyInSpace stiff{{1.0, 1.7, 0.6}, 0.0, true, biot(1.0, 8.0, [](double rho) {
+                            return 3.0 * rho - 1.0 / (rho * rho);
+                          })};
+  BodyInSpace heavy = stiff;
+  heavy.g = 2.0;
+  const BodyInSpace fibred{{1.0, 1.7, 0.6},
+                           0.0,
+                           true,
+                           biot(1.0, 0.6, [](double rho) { return 2.0 * (rho - 1.0); }),
+                           0.4,
+                           30.0};
+  BodyInSpace heavy_fibred = fibred;
+  heavy_fibred.g = 1.5;
+  BodyInSpace free = heavy_fibred;
+  free.holds_volume = false;
+  free.g = 0.5;
+  const std::string stiff_text =
+      "[potential]\nplane = { model = \"biot\", mu = 1, lambda = 8 }\n"
+      "thickness = { model = \"reciprocal-quadratic\", a = 1, b = 3 }\n";
+  const std::string fibred_text =
+      "[potential]\nplane = { model = \"biot\", mu = 1, lambda = 0.6 }\n"
+      "thickness = { model = \"harmonic\", k = 2, rest = 1 }\n"
+      "fibre = { k = 0.4, degrees = 30 }\n";
+  const std::string oblique =
+      "[motion]\nbranch = \"oblique\"\naxis = \"1\"\nnu = 0.4\n"
+      "[solve]\nstart = [0.009, 0.935, 1.087, 0.984]\n";
+  return {
+      {"held body about an axis in no plane", "oscillatory", stiff,
+       stiff_text + out_of_plane("2.41013162982928209566", "0.53, 1.13, 0.67, 2.1"), 0.8},
+      {"heavy body about an axis in no plane", "oscillatory", heavy,
+       stiff_text + out_of_plane("2.41", "0.605, 0.7735, 1.0265, 2.34"), 0.8},
+      {"held body with a fibre about axis 3", "stable", fibred, fibred_text + spin("iii", "0.6")},
+      {"held body with a fibre about an oblique axis", "unstable", fibred, fibred_text + oblique},
+      {"heavy held body with a fibre about axis 3", "stable", heavy_fibred,
+       fibred_text + spin("iii", "0.6")},
+      {"heavy body with a fibre about axis 3", "stable", free, fibred_text + spin("iii", "0.6")}};
 }
 
 std::vector<Moving> motions() {
@@ -290,8 +353,9 @@ Steady steady_of(const Row& row) {
     out.spin = Vector3(0.0, 0.0, cell(row, "omega"));
     out.own = cell(row, "theta_dot");
   }
-  const Vector3 a(axes[0], 0.0, 0.0);
-  const Vector3 b(0.0, axes[1], 0.0);
+  const double alpha = polar ? 0.0 : cell(row, "alpha");
+  const Vector3 a(axes[0], alpha, 0.0);
+  const Vector3 b(alpha, axes[1], 0.0);
   out.start.segment<3>(0) = a;
   out.start.segment<3>(3) = b;
   out.start[6] = axes[2];
@@ -321,7 +385,9 @@ Eigen::MatrixXd turned_back(const Steady& motion, double time) {
 TEST(WholeBodyDynamics, SpectraAreThoseOfTheMotionInSpace) {
   int unstable = 0;
   int stable = 0;
-  for (const Moving& moving : motions()) {
+  std::vector<Moving> all = motions();
+  for (const Moving& each : sheared_motions()) all.push_back(each);
+  for (const Moving& moving : all) {
     SCOPED_TRACE(moving.name);
     const TemporaryDirectory directory;
     const Outcome outcome =
@@ -335,7 +401,7 @@ TEST(WholeBodyDynamics, SpectraAreThoseOfTheMotionInSpace) {
       EXPECT_NEAR(motion.accelerated(steady.start).pressure, number(row.at("pressure")), 1e-12);
     }
     const double growth = number(row.at("growth"));
-    const double time = 1.7;
+    const double time = moving.time;
     const Eigen::MatrixXd back = turned_back(steady, time);
     EXPECT_LE((back * motion.after(steady.start, time) - steady.start).norm(),
               1e-11 * std::exp(growth * time));

@@ -66,8 +66,11 @@ std::string elastic_text(const Row& row) {
          (reciprocal ? "k" : "lambda") + " = " + p2 + " }\n";
   const std::string& thickness = row.at("thickness");
   const bool harmonic = thickness == "harmonic";
-  return out + "thickness = { model = \"" + thickness + "\", " + (harmonic ? "k" : "a") + " = " +
+  out += "thickness = { model = \"" + thickness + "\", " + (harmonic ? "k" : "a") + " = " +
          row.at("a") + ", " + (harmonic ? "rest" : "b") + " = " + row.at("b") + " }\n";
+  if (!row.contains("fibre_k") || row.at("fibre_k").empty()) return out;
+  return out + "fibre = { k = " + row.at("fibre_k") + ", degrees = " + row.at("fibre_degrees") +
+         " }\n";
 }
 
 std::string body_text(const Row& row) {
@@ -82,8 +85,10 @@ std::string body_text(const Row& row) {
 std::string start_text(const Row& row) {
   std::ostringstream out;
   out.precision(17);
-  out << "[solve]\nstart = [0.0, " << number(row.at("xi")) * 1.001 << ", "
-      << number(row.at("zeta")) * 1.001 << ", " << number(row.at("rho")) / 1.002 << "]\n";
+  const double alpha = row.contains("alpha") ? number(row.at("alpha")) : 0.0;
+  out << "[solve]\nstart = [" << std::showpoint << alpha * 1.001 << std::noshowpoint << ", "
+      << number(row.at("xi")) * 1.001 << ", " << number(row.at("zeta")) * 1.001 << ", "
+      << number(row.at("rho")) / 1.002 << "]\n";
   return out.str();
 }
 
@@ -96,10 +101,13 @@ std::string motion_text(const Row& row) {
   if (branch == "iii") return start + "nu = " + row.at("nu3") + "\n";
   if (branch == "two-polar")
     return start + "s3 = " + row.at("pi3") + "\np_theta = " + row.at("p_theta") + "\n";
-  if (branch == "tilted" && number(row.at("alpha")) == 0.0) {
-    std::ostringstream size;  // an exact decimal
-    size.precision(15);
-    size << std::hypot(number(row.at("nu1")), number(row.at("nu2")), number(row.at("nu3")));
+  std::ostringstream size;  // an exact decimal
+  size.precision(15);
+  size << std::hypot(number(row.at("nu1")), number(row.at("nu2")), number(row.at("nu3")));
+  if (branch == "oblique") return start + "nu = " + size.str() + "\n";
+  if (branch == "tilted") {
+    const bool in_plane = number(row.at("alpha")) == 0.0;
+    if (!in_plane) return start + "plane = \"123\"\nnu = " + size.str() + "\n";
     return start + "plane = \"" + (number(row.at("nu2")) == 0.0 ? "13" : "23") +
            "\"\nnu = " + size.str() + "\n";
   }
@@ -142,7 +150,7 @@ void expect_relative(const Row& got, const Row& want, const std::string& column,
 
 void expect_row(const Row& want, const std::string& where, int& compared) {
   const std::string motion = motion_text(want);
-  if (motion.empty() || want.at("fibre_k") != "") return;
+  if (motion.empty()) return;
   const TemporaryDirectory directory;
   const std::string path =
       directory.file("case.toml", body_text(want) + elastic_text(want) + motion + start_text(want));
@@ -151,6 +159,16 @@ void expect_row(const Row& want, const std::string& where, int& compared) {
   const Row got = only_row(outcome.out);
   for (const std::string column : {"xi", "zeta", "rho"})
     expect_relative(got, want, column, 2e-15 + number(got.at("error_bound")), where);
+  if (number(want.at("alpha")) != 0.0)
+    for (const std::string column : {"alpha", "nu1", "nu2", "nu3", "pi1", "pi2", "pi3"}) {
+      if (want.at(column).empty()) continue;
+      // nu and -nu are one S.
+      const double turned = number(got.at("nu2")) * number(want.at("nu2")) < 0.0 ? -1.0 : 1.0;
+      const double expected = number(want.at(column));
+      EXPECT_NEAR(number(got.at(column)) * (column == "alpha" ? 1.0 : turned), expected,
+                  4e-15 + 4.0 * number(got.at("error_bound")))
+          << where << column;
+    }
   expect_relative(got, want, "pressure", 1e-13, where);
   expect_relative(got, want, "energy", 1e-13, where);
   expect_modes(got, want, where);
@@ -547,9 +565,12 @@ TEST(WholeBody, WrongInputIsRefusedByName) {
       {"[body]\nJ = [1, 2, 1]\nvolume = 1\n[gravity]\ng = 4\n" + motion +
            "[continuation]\nparameter = \"body.J.0\"\nfrom = 0.5\nto = 1\n",
        "J1 = J2"},
-      {body + "volume = 1\n[potential]\n" + plane + thickness +
-           "fibre = { k = 0.4, degrees = 30 }\n" + motion,
-       "fibres"}};
+      {body + "[gravity]\ng = 4\n[potential]\n" + plane + "fibre = { k = 0.4, degrees = 30 }\n" +
+           motion,
+       "thickness"},
+      {body + "[potential]\n" + plane + thickness +
+           "[motion]\nbranch = \"tilted\"\nplane = \"123\"\nnu = 0.3\n",
+       "body.volume"}};
   for (const auto& [text, said] : faults) {
     const TemporaryDirectory directory;
     const Outcome outcome = run_program({"check", directory.file("case.toml", text)});

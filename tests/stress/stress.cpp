@@ -49,7 +49,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
 
 void draw(const std::filesystem::path& path, const std::string& script) {
   AtomicFile file(path);
-  run_gnuplot(script, file.descriptor());
+  file.write(run_gnuplot(script));
   file.commit();
 }
 

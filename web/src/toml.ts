@@ -55,7 +55,11 @@ function motion(table: Table, row: number, own: CaseValue | undefined): [string,
   }
   const axis = ['i', 'ii', 'iii'].indexOf(branch);
   if (axis >= 0) return [...out, ['nu', table.text(`nu${axis + 1}`, row)]];
-  if (branch === 'tilted') out.push(['plane', table.value('nu1', row) !== 0 ? '"13"' : '"23"']);
+  if (branch === 'tilted') {
+    const first = table.value('nu1', row) !== 0;
+    const second = table.value('nu2', row) !== 0;
+    out.push(['plane', first && second ? '"123"' : first ? '"13"' : '"23"']);
+  }
   if (table.has('|nu|')) out.push(['nu', number(table.value('|nu|', row))]);
   return out;
 }

@@ -17,20 +17,12 @@
 #include <vector>
 
 #include "lib/gravity/self_energy.hpp"
+#include "lib/material/gravitating/body_terms.hpp"
 #include "lib/material/gravitating/elastic_part.hpp"
-#include "lib/material/gravitating/gravity_derivatives.hpp"
 #include "lib/material/gravitating/held_volume.hpp"
 #include "lib/material/models/potential_derivatives.hpp"
 
 namespace stationary {
-
-/// The mass distribution by itself: J1, J2, J3.
-template <class C>
-struct GravitatingInertia {
-  C J1;
-  C J2;
-  C J3;
-};
 
 template <class C = double>
 struct BodyModel {
@@ -199,30 +191,7 @@ struct BodyModel {
     const CoupledDerivatives<R> V =
         at_volume<order>(R(g), planar_moment(GravitatingInertia<R>{R(J.J1), R(J.J2), R(J.J3)}, at),
                          R(x.d), thickness);
-    // By l and r as of any potential, T being none of q's traces.
-    CoupledDerivatives<R> without = V;
-    without.plane.w_t = without.plane.w_tt = without.plane.w_tl = without.w_tr = R(0.0);
-    const PotentialDerivatives<R> rest = in_stretch<order>(without, at);
-    out.value += rest.value;
-    if constexpr (order >= 1) {
-      const Vector4<R> T{2.0 * ((R(J.J1) + R(J.J2)) * at.alpha), 2.0 * (R(J.J1) * at.xi),
-                         2.0 * (R(J.J2) * at.zeta), R(0.0)};
-      out.gradient += rest.gradient + V.plane.w_t * T;
-      if constexpr (order >= 2) {
-        const R inverse_d = R(1.0) / R(x.d);
-        const Vector4<R> l{-2.0 * at.alpha * inverse_d, at.zeta * inverse_d, at.xi * inverse_d,
-                           R(0.0)};
-        const Vector4<R> r{R(0.0), R(0.0), R(0.0), R(1.0) / at.rho};
-        for (int i = 0; i < 4; ++i)
-          for (int j = 0; j < 4; ++j)
-            out.hessian(i, j) += rest.hessian(i, j) + V.plane.w_tt * (T[i] * T[j]) +
-                                 V.plane.w_tl * (T[i] * l[j] + l[i] * T[j]) +
-                                 V.w_tr * (T[i] * r[j] + r[i] * T[j]);
-        out.hessian(0, 0) += 2.0 * ((R(J.J1) + R(J.J2)) * V.plane.w_t);
-        out.hessian(1, 1) += 2.0 * (R(J.J1) * V.plane.w_t);
-        out.hessian(2, 2) += 2.0 * (R(J.J2) * V.plane.w_t);
-      }
-    }
+    add_gravity<order>(V, GravitatingInertia<R>{R(J.J1), R(J.J2), R(J.J3)}, at, out);
     return out;
   }
 

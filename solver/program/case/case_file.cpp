@@ -77,7 +77,7 @@ double read_length(const CaseTree& tree, std::string_view branch, std::string_vi
   if (nu > 0.0) return nu;
   throw fault_at(tree, "motion.nu",
                  fmt::format("found nu = {} with branch {}", nu, in_quotes(branch)), "nu > 0",
-                 "it is the length |nu| of a vector in a plane");
+                 "it is the length |nu| of a vector");
 }
 
 ObliqueRotation read_oblique(const CaseTree& tree) {
@@ -89,11 +89,18 @@ ObliqueRotation read_oblique(const CaseTree& tree) {
   return out;
 }
 
-TiltedMotion read_tilted(const CaseTree& tree) {
+Motion read_tilted(const CaseTree& tree) {
   constexpr std::string_view meaning = "nu (its length |nu|), and plane";
   refuse_key(tree, "axis", tilted_name, meaning);
   TiltedMotion out{{}, read_length(tree, tilted_name, meaning)};
   const std::string plane = value_or<std::string>(tree, "motion.plane", "");
+  if (plane == spatial_plane_name) {
+    if (find(tree, "body.volume") == nullptr)
+      throw fault_at(tree, "motion.plane", "found the string \"123\" with no body.volume",
+                     "\"13\" or \"23\"",
+                     "axes in no material plane are those of a body whose det S is held");
+    return SpatialRotation{out.nu};
+  }
   for (const TiltPlane each : {TiltPlane::one_three, TiltPlane::two_three})
     if (plane == name(each)) out.plane = each;
   return out;

@@ -42,6 +42,9 @@ std::string motion_text(const Motion& motion) {
                                                                 : "2-3";
         return fmt::format("tilted in the {} plane, |nu| = {}", plane, at.nu);
       },
+      [](const SpatialRotation& at) {
+        return fmt::format("tilted out of both planes, |nu| = {}", at.nu);
+      },
       [](const ObliqueRotation& at) {
         const char* near = !at.near                ? ""
                            : *at.near == Branch::i ? ", the family of axis 1"
@@ -62,6 +65,10 @@ std::vector<MotionItem> motion_items(const Motion& motion) {
       motion, [&](const AxisRotation& at) { out.emplace_back("nu", at.nu); },
       [&](const TiltedMotion& at) {
         if (at.plane) out.emplace_back("plane", name(*at.plane));
+        out.emplace_back("nu", at.nu);
+      },
+      [&](const SpatialRotation& at) {
+        out.emplace_back("plane", spatial_plane_name);
         out.emplace_back("nu", at.nu);
       },
       [&](const ObliqueRotation& at) {
@@ -95,13 +102,10 @@ std::vector<MotionNumber> motion_numbers(Motion& motion) {
 }
 
 bool nu_is_length(const Motion& motion) {
-  return std::holds_alternative<TiltedMotion>(motion) ||
-         std::holds_alternative<ObliqueRotation>(motion);
+  return is_followed_in_nu_alone(motion) || std::holds_alternative<ObliqueRotation>(motion);
 }
 bool keeps_round(const Motion& motion) { return std::holds_alternative<TwoPolarMotion>(motion); }
-bool is_followed_in_nu_alone(const Motion& motion) {
-  return std::holds_alternative<TiltedMotion>(motion);
-}
+bool is_followed_in_nu_alone(const Motion& motion) { return name(motion) == tilted_name; }
 bool has_rates(const Motion& motion) { return std::holds_alternative<TwoPolarMotion>(motion); }
 std::optional<AxisRotation> spin_of(const Motion& motion) {
   const auto* const spin = std::get_if<AxisRotation>(&motion);

@@ -194,7 +194,9 @@ FamilyParameter family_parameter(std::string_view parameter,
                           (&model - 1)->description.kind == ModelDescription::Kind::fibre;
       return {Kind::fibre, *at + (second ? 2 : 0)};
     }
-    if (is_whole_body(models)) return {Kind::plane, place_in_body(model, *at)};
+    if (model.description.kind == ModelDescription::Kind::whole ||
+        (is_whole_body(models) && !anisotropic(models)))
+      return {Kind::plane, place_in_body(model, *at)};
     if (model.parts && !anisotropic(models)) return {Kind::shared, *at};
     return {model.slot == "thickness" ? Kind::thickness : Kind::plane, *at};
   }

@@ -194,17 +194,10 @@ std::optional<std::vector<ModelChoice>> read_models(const CaseTree& tree, Faults
       require_domain(tree, out.back());
     }) && sound;
   }
-  const std::size_t elastic = out.size();
   read_whole_body(tree, faults, out);
   if (!sound || !faults.sound("potential") || !faults.sound("gravity") ||
       !faults.sound("body.volume"))
     return std::nullopt;
-  if (out.size() > elastic && anisotropic(out)) {
-    faults.add(fault_at(tree, out[elastic].slot == "gravity" ? "gravity" : "body.volume",
-                        "found it beside an anisotropic potential", "an isotropic potential",
-                        "gravity and a held volume are not built for bodies with fibres"));
-    return std::nullopt;
-  }
   const auto has = [&out](std::string_view slot) {
     return std::ranges::find(out, slot, &ModelChoice::slot) != out.end();
   };
@@ -278,20 +271,36 @@ BodyModel<> whole_body(std::span<const ModelChoice> models, const Body& body) {
 
 }  // namespace
 
+namespace {
+
+AnisotropicPotential anisotropic_potential(std::span<const ModelChoice> models, const Body& body) {
+  std::vector<Fibre> fibres;
+  BodyTerms<double> terms;
+  std::optional<AnyThickness<>> thickness;
+  for (const ModelChoice& model : models) {
+    if (model.description.kind == ModelDescription::Kind::fibre)
+      fibres.push_back({model.coefficients[0], model.coefficients[1]});
+    if (model.slot == "thickness") thickness = any_thickness(model);
+    if (model.slot == "volume") terms.volume = model.coefficients[0];
+    if (model.slot != "gravity") continue;
+    terms.gravitates = true;
+    terms.g = model.coefficients[0];
+    terms.J = {body.J1, body.J2, body.J3};
+  }
+  const AnisotropicPotential out =
+      models[0].slot == "coupled"
+          ? AnisotropicPotential(oriented_coupled(models[0]), fibres)
+          : AnisotropicPotential(oriented_plane(models[0]), thickness, fibres);
+  return terms.any() ? out.with_body(terms) : out;
+}
+
+}  // namespace
+
 Potential make_potential(std::span<const ModelChoice> models, const Body& body) {
+  if (anisotropic(models)) return Potential(anisotropic_potential(models, body));
   if (is_whole_body(models)) return Potential(whole_body(models, body));
   const auto name = [&](std::size_t k) -> std::string_view { return models[k].description.name; };
   const auto values = [&](std::size_t k) { return std::span(models[k].coefficients); };
-  if (anisotropic(models)) {
-    std::vector<Fibre> fibres;
-    for (const ModelChoice& model : models)
-      if (model.description.kind == ModelDescription::Kind::fibre)
-        fibres.push_back({model.coefficients[0], model.coefficients[1]});
-    if (models[0].slot == "coupled")
-      return Potential(AnisotropicPotential(oriented_coupled(models[0]), fibres));
-    return Potential(
-        AnisotropicPotential(oriented_plane(models[0]), any_thickness(models[1]), fibres));
-  }
   const bool written_out =
       std::ranges::any_of(models, [](const ModelChoice& m) { return m.tape != nullptr; });
   if (written_out && models.size() == 1 && models[0].parts)

@@ -36,7 +36,7 @@ std::optional<std::array<Interval, 3>> read_box(const CaseTree& tree) {
 /// Of a motion that the method finds.
 void require_method(const CaseTree& tree, Method method, const Motion& motion, bool isotropic) {
   const bool two_polar = std::holds_alternative<TwoPolarMotion>(motion);
-  const bool tilted = std::holds_alternative<TiltedMotion>(motion);
+  const bool tilted = name(motion) == tilted_name;
   if (two_polar && method != Method::automatic && method != Method::nlopt) {
     throw fault_at(
         tree, "solve.method",
@@ -60,7 +60,7 @@ void require_method(const CaseTree& tree, Method method, const Motion& motion, b
   }
 }
 
-std::optional<Stretch> read_start(const CaseTree& tree, bool two_polar, bool isotropic) {
+std::optional<Stretch> read_start(const CaseTree& tree, bool two_polar, bool straight) {
   const std::vector<double> start = numbers(tree, "solve.start");
   if (start.empty()) return std::nullopt;
   const Stretch out{start[0], start[1], start[2], start[3]};
@@ -71,8 +71,9 @@ std::optional<Stretch> read_start(const CaseTree& tree, bool two_polar, bool iso
                    fmt::format("found {} = {}", parts[k], start[k]), std::string(allowed),
                    std::string(remedy));
   };
-  if (isotropic && start[0] != 0.0)
-    refuse(0, "alpha = 0", "the potential is isotropic, and then alpha = 0 in every branch");
+  if (straight && start[0] != 0.0)
+    refuse(0, "alpha = 0",
+           "the potential is isotropic, and then alpha = 0 but for an axis in no plane");
   if (two_polar && start[1] == start[2])
     refuse(2, "lambda != mu", "on the circle the two-polar balance is singular");
   for (std::size_t k = 1; k < 4; ++k)
@@ -87,6 +88,7 @@ std::optional<Stretch> read_start(const CaseTree& tree, bool two_polar, bool iso
 Case::Solve read_solve(const CaseTree& tree, const std::optional<Motion>& motion,
                        const std::optional<std::vector<ModelChoice>>& models, Faults& faults) {
   const bool two_polar = motion && std::holds_alternative<TwoPolarMotion>(*motion);
+  const bool spatial = motion && std::holds_alternative<SpatialRotation>(*motion);
   const bool isotropic = models && !anisotropic(*models);
   Case::Solve out;
   if (faults.sound("solve.method")) {
@@ -99,7 +101,7 @@ Case::Solve read_solve(const CaseTree& tree, const std::optional<Motion>& motion
   out.all = value_or(tree, "solve.all", false);
   if (faults.sound("solve.box")) faults.collect([&] { out.box = read_box(tree); });
   if (faults.sound("solve.start"))
-    faults.collect([&] { out.start = read_start(tree, two_polar, isotropic); });
+    faults.collect([&] { out.start = read_start(tree, two_polar, isotropic && !spatial); });
   return out;
 }
 

@@ -14,6 +14,7 @@
 #include "solver/program/explore/page_data.hpp"
 #include "solver/program/explore/page_template.hpp"
 #include "solver/program/session/command.hpp"
+#include "solver/program/session/interrupt.hpp"
 #include "solver/program/session/output_file.hpp"
 
 namespace stationary::cli {
@@ -95,6 +96,7 @@ ExitCode explore(const ExploreOptions& options) {
   const std::string text = page(
       page_template(),
       {.title = title, .data = page_data(tables, title, STATIONARY_VERSION, opened), .live = live});
+  (void)stop_on_signals();  // before a file is begun, which would be left behind
   std::optional<AtomicFile> file;
   open_output(file, options.output);
   file->write(text);

@@ -207,17 +207,19 @@ void write_script(const PlotOptions& options, const std::string& script) {
   file->commit();
 }
 
-/// Draws it; false where a signal ended that.
-bool draw(const std::string& script, int image) {
+/// The image; nothing where a signal ended that.
+std::optional<std::string> image_of(const std::string& script) {
   const std::atomic<bool>& stop = stop_on_signals();
+  std::optional<std::string> out;
   // Ctrl-C reaches gnuplot as well: its end is then no failure.
   try {
-    if (!stop) run_gnuplot(script, image);
+    if (!stop) out = run_gnuplot(script);
   } catch (const std::runtime_error&) {
     if (!stop) throw;
   }
-  if (stop) complain("interrupted, nothing written");
-  return !stop;
+  if (!stop) return out;
+  complain("interrupted, nothing written");
+  return std::nullopt;
 }
 
 ExitCode plot_tables(const PlotOptions& options) {
@@ -230,16 +232,21 @@ ExitCode plot_tables(const PlotOptions& options) {
     refuse_to_replace(options.script, options.script, table, "the table");
   }
   const Figure drawn = figure(options, format);
+  (void)stop_on_signals();  // before a file is begun, which would be left behind
   if (options.output == "-") {
-    if (!draw(drawn.script, STDOUT_FILENO)) return ExitCode::interrupted;
+    const auto image = image_of(drawn.script);
+    if (!image) return ExitCode::interrupted;
+    print(*image);
     write_script(options, drawn.script);
     return ExitCode::done;
   }
   if (!options.output.empty()) {
-    std::optional<AtomicFile> image;
-    open_output(image, options.output);
-    if (!draw(drawn.script, image->descriptor())) return ExitCode::interrupted;
-    image->commit();
+    std::optional<AtomicFile> file;
+    open_output(file, options.output);  // what cannot be written is told before it is drawn
+    const auto image = image_of(drawn.script);
+    if (!image) return ExitCode::interrupted;
+    file->write(*image);
+    file->commit();
   }
   write_script(options, drawn.script);
   const std::string& written = options.output.empty() ? options.script : options.output;

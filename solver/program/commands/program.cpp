@@ -1,7 +1,11 @@
 #include "solver/program/commands/program.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <new>
@@ -66,15 +70,43 @@ ExitCode run(const Program& of, int argc, char** argv) {
   }
 }
 
+/// A file opened first would get the number of a standard stream that the parent has closed, and
+/// messages would go into it. What stands in its place can be neither read nor written.
+void hold_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0)
+      (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+void tell_out_of_memory() { std::fputs("stationary: out of memory\n", stderr); }
+
+std::terminate_handler usual_end = std::abort;
+
+/// A JSON value takes memory to go (nlohmann's destructor), and where there is none left that is no
+/// exception that could be caught.
+[[noreturn]] void end_out_of_memory() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    tell_out_of_memory();
+    ::_exit(static_cast<int>(ExitCode::failure));
+  } catch (...) {  // as without this handler
+  }
+  usual_end();
+  std::abort();
+}
+
 }  // namespace
 
 int run_program(const Program& of, int argc, char** argv) {
+  hold_standard_streams();
+  usual_end = std::set_terminate(end_out_of_memory);
   // A limit on the size of files is then met as a full disk is.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     return static_cast<int>(run(of, argc, argv));
   } catch (const std::bad_alloc&) {
-    std::fputs("stationary: out of memory\n", stderr);
+    tell_out_of_memory();
   } catch (const std::exception& error) {
     complain(std::string("failed: ") + error.what());
   } catch (...) {

@@ -62,7 +62,7 @@ std::string check_case(const Case& input) {
   out.line("potential",
            fmt::format("{}, {}", input.potential.is_separable() ? "separable" : "coupled",
                        symmetry_text(input.potential)));
-  if (input.potential.body_model() != nullptr) {
+  if (input.potential.of_whole_body()) {
     if (is_fluid(input.potential))
       out.line("",
                "a fluid: material rotations are a symmetry, Jacobi's ellipsoids have a zero mode");

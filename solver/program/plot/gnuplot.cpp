@@ -1,5 +1,6 @@
 #include "solver/program/plot/gnuplot.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -38,6 +39,43 @@ std::string text_of(std::FILE* file) {
     out.append(block, count);
   return out;
 }
+
+/// The two ends of a pipe, closed with it.
+class Pipe {
+ public:
+  Pipe() {
+    if (::pipe2(ends_, O_CLOEXEC) != 0)
+      throw std::system_error(errno, std::generic_category(), "a pipe");
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() {
+    ::close(ends_[0]);
+    close_input();
+  }
+  int input() const { return ends_[1]; }
+  void close_input() {
+    if (ends_[1] >= 0) ::close(ends_[1]);
+    ends_[1] = -1;
+  }
+  /// All that comes until nobody has its input any more.
+  std::string text() const {
+    std::string out;
+    char block[65536];
+    for (;;) {
+      const ::ssize_t count = ::read(ends_[0], block, sizeof block);
+      if (count == 0) return out;
+      if (count > 0) {
+        out.append(block, static_cast<std::size_t>(count));
+      } else if (errno != EINTR) {
+        throw std::system_error(errno, std::generic_category(), "reading what gnuplot draws");
+      }
+    }
+  }
+
+ private:
+  int ends_[2] = {-1, -1};
+};
 
 /// On one line.
 std::string message_of(std::FILE* errors) {
@@ -102,7 +140,7 @@ std::string in_gnuplot_quotes(std::string_view text) {
   return out + '\'';
 }
 
-void run_gnuplot(std::string_view script, int image) {
+std::string run_gnuplot(std::string_view script) {
   const Scratch input = scratch();
   const Scratch errors = scratch();
   if (std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() ||
@@ -110,9 +148,11 @@ void run_gnuplot(std::string_view script, int image) {
     throw std::system_error(errno, std::generic_category(), "a temporary file");
   std::rewind(input.get());
 
+  // Into a file gnuplot writes without a look at whether the disk takes it.
+  Pipe image;
   FileActions streams;
   streams.give(::fileno(input.get()), STDIN_FILENO);
-  streams.give(image, STDOUT_FILENO);
+  streams.give(image.input(), STDOUT_FILENO);
   streams.give(::fileno(errors.get()), STDERR_FILENO);
   char program[] = "gnuplot";
   char no_personal_settings[] = "-d";
@@ -124,6 +164,8 @@ void run_gnuplot(std::string_view script, int image) {
         fmt::format("gnuplot cannot be run: {}; is it installed (Debian: gnuplot-nox)?",
                     std::strerror(reason)));
   }
+  image.close_input();
+  std::string drawn = image.text();
   int status = 0;
   while (::waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "gnuplot");
@@ -134,9 +176,8 @@ void run_gnuplot(std::string_view script, int image) {
     throw std::runtime_error(fmt::format("gnuplot ended with exit code {}: {}", WEXITSTATUS(status),
                                          message_of(errors.get())));
   }
-  // The descriptor's place is common to both processes; a pipe has none.
-  if (::lseek(image, 0, SEEK_CUR) == 0)
-    throw std::runtime_error("gnuplot wrote nothing: " + message_of(errors.get()));
+  if (drawn.empty()) throw std::runtime_error("gnuplot wrote nothing: " + message_of(errors.get()));
+  return drawn;
 }
 
 }  // namespace stationary

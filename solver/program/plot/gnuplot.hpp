@@ -11,8 +11,8 @@ namespace stationary {
 /// UTF-8 replaced; within single quotes gnuplot expands nothing.
 std::string in_gnuplot_quotes(std::string_view text);
 
-/// Runs the script; what gnuplot writes to its standard output goes to the descriptor. Throws
-/// std::runtime_error with gnuplot's message where it is not installed or fails.
-void run_gnuplot(std::string_view script, int image);
+/// Runs the script: what gnuplot writes to its standard output. Throws std::runtime_error with
+/// gnuplot's message where it is not installed or fails.
+std::string run_gnuplot(std::string_view script);
 
 }  // namespace stationary

@@ -29,8 +29,6 @@ class AtomicFile : public ByteSink {
   void write(std::string_view bytes) override;
   /// to_disk: it survives a machine that loses its power.
   void commit(bool to_disk = false);
-  /// For another process to write to; this object's until commit().
-  int descriptor() const { return descriptor_; }
 
   /// The file written to until commit(), for a library that opens it by name.
   const std::filesystem::path& path() const { return is_regular() ? temporary_ : target_; }

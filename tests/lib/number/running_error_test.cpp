@@ -65,5 +65,39 @@ TEST(RunningError, BoundsTheBlocksOfASpectrum) {
   EXPECT_LT(tightest, 10.0) << "a bound of no use";
 }
 
+/// One operation at a time, of exact numbers and of inputs.
+TEST(RunningError, BoundsASingleQuotientProductOrLogarithm) {
+  support::Random random(8802);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double u = 0x1p-53;
+    const double x = random.sign() * random.log_uniform(1e-3, 1e3);
+    const double y = random.sign() * random.log_uniform(1e-3, 1e3);
+    const double off = u * random.uniform(0.5, 1.0);
+    for (const bool x_off : {false, true}) {
+      for (const bool y_off : {false, true}) {
+        const auto of = [](double each, bool input) {
+          return input ? Bounded::input(each) : Bounded(each);
+        };
+        // The signs that move a product or a quotient farthest.
+        const auto moved = [&](double each, bool input, double sign) {
+          return input ? two_sum(each, each * off * sign) : DoubleDouble(each);
+        };
+        const auto holds = [&](const Bounded& bounded, const DoubleDouble& exact) {
+          EXPECT_LE(std::abs(double(exact - DoubleDouble(bounded.value))),
+                    u * bounded.units * (1.0 + 1e-6))
+              << x << " " << y << " " << x_off << y_off;
+        };
+        const Bounded a = of(x, x_off);
+        const Bounded b = of(y, y_off);
+        for (const double sign : {-1.0, 1.0}) {
+          holds(a * b, moved(x, x_off, sign) * moved(y, y_off, sign));
+          holds(a / b, moved(x, x_off, sign) / moved(y, y_off, -sign));
+          if (x > 0.0) holds(log(a), log(moved(x, x_off, sign)));
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stationary

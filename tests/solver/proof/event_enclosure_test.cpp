@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "solver/proof/event_system.hpp"
 #include "solver/solve/stability.hpp"
 #include "tests/support/followed.hpp"
 #include "tests/support/random_problem.hpp"
@@ -188,6 +189,73 @@ TEST(EventEnclosure, LocatedEventsOfRandomFamilies) {
                                EventType::fold_nu, EventType::fold_momentum})
     EXPECT_GT(proven[type], 0) << name(type);
   EXPECT_LE(none, all / 50) << refusals;
+}
+
+/// |P/P'| of the modes of a motion, each in the equation of its block.
+template <bool circle>
+double farthest_root(const Problem& problem, const Equilibrium& at, const Spectrum& spectrum) {
+  using Equations = EventEquations<circle, true, DoubleDouble>;
+  const double nu = at.nu.norm();
+  const EventSetting setting{problem.body(),
+                             problem.potential(),
+                             problem.branch(),
+                             nu,
+                             {},
+                             circle ? Circle::xi_zeta : Circle::none,
+                             Inputs::doubles};
+  double farthest = 0.0;
+  for (int k = 0; k < spectrum.modes; ++k) {
+    const Mode& mode = spectrum.mode[static_cast<std::size_t>(k)];
+    if (mode.lambda_im != 0.0 || mode.forced_zero) continue;
+    EventFunction function;
+    function.kind = EventFunction::Kind::collision;
+    function.first = mode.block;
+    typename Equations::Unknowns y;
+    std::size_t n = 0;
+    y[n++] = at.q.xi;
+    if (!circle) y[n++] = at.q.zeta;
+    y[n++] = at.q.rho;
+    y[n++] = nu;
+    y[n] = mode.lambda_re;
+    const auto values =
+        Equations(setting, function).values(y, [](double value, FamilyParameter::Kind, int) {
+          return DoubleDouble(value);
+        });
+    farthest = std::max(farthest, std::abs(double(values[n - 1]) / double(values[n])));
+  }
+  return farthest;
+}
+
+/// What an event's proof says of Lambda it says of the spectrum's: with and without a thickness that
+/// is coupled, of a held volume too.
+TEST(EventEnclosure, EachLambdaIsAZeroOfItsBlocksEquation) {
+  std::vector<Potential> potentials{make_potential("hencky", {1.0, 0.6}),
+                                    make_potential("neo-hookean-3d", {1.0, 0.6})};
+  BodyModel<> held;
+  held.elastic.plane = AnyPlane<>{potentials[0].plane()};
+  held.elastic.thickness = AnyThickness<>{potentials[0].thickness()};
+  held.volume = 1.2;
+  potentials.emplace_back(held);
+  int motions = 0;
+  int circles = 0;
+  for (const Potential& potential : potentials) {
+    for (const Body& body : {Body(1.0, 1.4, 0.7), Body(1.0, 1.0, 0.7)}) {
+      for (const Branch branch : {Branch::i, Branch::ii, Branch::iii}) {
+        const Problem problem(body, potential, branch);
+        const Equilibrium at = solve(problem, 0.4);
+        ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
+        const Spectrum spectrum = stability(problem, at);
+        const bool circle = branch == Branch::iii && body.symmetric();
+        motions += 1;
+        circles += circle;
+        const double off = circle ? farthest_root<true>(problem, at, spectrum)
+                                  : farthest_root<false>(problem, at, spectrum);
+        EXPECT_LT(off, 1e-11) << motions << " " << name(branch);
+      }
+    }
+  }
+  EXPECT_EQ(motions, 18);
+  EXPECT_EQ(circles, 3);
 }
 
 }  // namespace

@@ -2,9 +2,16 @@
 // the collectors are given.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "lib/stability/circle_momentum.hpp"
 #include "lib/stability/enclosure_collector.hpp"
+#include "lib/stability/general_spectrum.hpp"
 #include "lib/stability/mode_collector.hpp"
+#include "lib/stability/reversible_leaf.hpp"
+#include "lib/stability/spectrum_enclosure.hpp"
+#include "solver/solve/solve.hpp"
 
 namespace stationary {
 namespace {
@@ -91,6 +98,152 @@ TEST(Claims, ADefiniteFormIsSoForAllInputs) {
   leaf.second_variation[0][0] = leaf.second_variation[5][5] = -0.2;
   EXPECT_TRUE(definite_with_momentum(leaf, 1e-12));
   EXPECT_FALSE(definite_with_momentum(leaf, 0.5));
+}
+
+/// B = 1 and A symmetric with eigenvalues next to each other: Lambda is within its bound of them, or
+/// not given.
+TEST(Claims, LambdaNextToEachOtherAreWithinTheirBoundsOrNotGiven) {
+  constexpr std::size_t n = 3;
+  int given = 0;
+  int refused = 0;
+  for (double apart = 0.25; apart > 1e-12; apart *= 0.75) {
+    const std::array exact{0.7, 0.7 + apart, 0.7 + 2.3 * apart};
+    ReversibleLeaf<n> leaf;
+    // The reflection 1 - 2 v v^T/v^T v of v = (1, 2, 4).
+    const double v[n] = {1.0, 2.0, 4.0};
+    const auto Q = [&](std::size_t i, std::size_t j) {
+      return DoubleDouble(i == j ? 1.0 : 0.0) - DoubleDouble(2.0 * v[i] * v[j]) / 21.0;
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        DoubleDouble sum(0.0);
+        for (std::size_t l = 0; l < n; ++l) sum = sum + Q(i, l) * (Q(j, l) * exact[l]);
+        leaf.A[i][j] = renormalized(sum);
+        leaf.A_magnitude[i][j] = std::abs(leading(sum));
+        leaf.B[i][j] = DoubleDouble(i == j ? 1.0 : 0.0);
+        leaf.B_magnitude[i][j] = i == j ? 1.0 : 0.0;
+      }
+    }
+    for (const double uncertainty : {0x1p-53, 1e-13, 1e-12, 1e-11, 1e-10}) {
+      LeafModes<n> modes;
+      if (!ReversibleProblem<n>(leaf, {false, uncertainty}).find(modes)) {
+        ++refused;
+        continue;
+      }
+      ++given;
+      std::ranges::sort(modes.lambda, std::ranges::greater{}, [](auto z) { return z.real(); });
+      const double error = std::ranges::max(modes.error);
+      for (std::size_t l = 0; l < n; ++l)
+        EXPECT_LE(std::abs(modes.lambda[l] + exact[l]), error) << apart << ", " << uncertainty;
+    }
+  }
+  EXPECT_GT(given, 5);
+  EXPECT_GT(refused, 5);
+}
+
+/// Two that coincide and do not move have no other bound than 0.
+TEST(Claims, DiscsOfPointsThatDoNotMoveArePoints) {
+  const auto discs = eigenvalue_discs<2>({-1.0, -1.0}, {});
+  ASSERT_TRUE(discs);
+  EXPECT_EQ((*discs)[0], 0.0);
+  EXPECT_EQ((*discs)[1], 0.0);
+}
+
+/// A slow rotation about axis 3 in which two modes have one frequency; input: a double in S.
+template <class S, class Input>
+StraightState<S> slow_rotation(const Input& input) {
+  StraightState<S> out{{input(1.0), input(1.0), input(0.5)},
+                       input(1.25),
+                       input(0.75),
+                       input(1.0),
+                       input(1e-12),
+                       {},
+                       {},
+                       {},
+                       {},
+                       {},
+                       {},
+                       {}};
+  out.V_aa = input(1.0);
+  out.V_xx = out.V_zz = input(2.0);
+  out.V_rr = input(3.0);
+  out.V_xz = out.V_xr = out.V_zr = S(0.0);
+  return out;
+}
+
+/// E'' positive, and two Lambda that the uncertainty does not tell apart.
+TEST(Claims, ADefiniteMotionIsStableWhereItsFrequenciesMeet) {
+  const BlockFacts facts{Branch::iii, false, false, 1e-13};
+  const Spectrum spectrum =
+      block_spectrum(facts, slow_rotation<DoubleDouble>([](double x) { return DoubleDouble(x); }),
+                     slow_rotation<Conditioned>(Conditioned::input));
+  EXPECT_EQ(spectrum.verdict, StabilityClass::stable);
+  EXPECT_EQ(spectrum.negative, 0);
+}
+
+/// On the circle, shear unstable: Lambda = -(omega +- i W)^2, W^2 = -omega^2 - K_aa/2 J.
+TEST(Claims, ACircleThatSpinsTooFastForItsShearIsOscillatory) {
+  const double omega = 1.0;
+  const double V_xx = 2.0;
+  const double V_xz = 2.5;
+  StraightState<Interval> s{{1.0, 1.0, 0.5}, 1.0, 1.0, 1.0, omega, {}, {}, {}, {}, {}, {}, {}};
+  s.V_aa = 2.0 * (V_xx - V_xz);  // of every isotropic V
+  s.V_xx = s.V_zz = V_xx;
+  s.V_xz = V_xz;
+  s.V_xr = s.V_zr = 0.0;
+  s.V_rr = 3.0;
+  Spectrum order;
+  order.modes = 5;
+  const EnclosureFacts facts{Branch::iii, false, true, true, false};
+  const SpectrumEnclosure found = enclose_spectrum(facts, s, order);
+  EXPECT_EQ(found.verdict, StabilityClass::oscillatory);
+  EXPECT_EQ(found.negative, 2);
+  const double W = std::sqrt(0.5);  // K_aa = V_aa - 2 J omega^2 = -3
+  int complex = 0;
+  for (const ComplexInterval& lambda : found.lambda) {
+    if (lambda.im.may_be(0.0)) continue;
+    ++complex;
+    EXPECT_NEAR(lambda.re.mid(), W * W - omega * omega, 1e-14);
+    EXPECT_NEAR(lambda.im.mid(), 2.0 * omega * W, 1e-14);
+  }
+  EXPECT_EQ(complex, 2);
+}
+
+/// J1 = J2, a volume that is held: from material axes turned by theta the same motion has
+/// alpha != 0, and the same spectrum.
+TEST(Claims, TurnedMaterialAxesOfAHeldVolumeSeeOneSpectrum) {
+  BodyModel<> model;
+  model.elastic.plane = AnyPlane<>{Hencky<>{1.0, 0.6}};
+  model.elastic.thickness = AnyThickness<>{ReciprocalQuadratic<>{1.0, 3.0}};
+  model.volume = 1.3;
+  const Potential V(model);
+  const Body body(1.0, 1.0, 0.7);
+  for (const Branch branch : {Branch::i, Branch::ii}) {
+    const Equilibrium at = solve(Problem(body, V, branch), 0.5);
+    ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
+    const auto turned = [&](double theta) {
+      const DoubleDouble c = cos(DoubleDouble(theta));
+      const DoubleDouble s = sin(DoubleDouble(theta));
+      const BasicStretch<DoubleDouble> q{c * s * (at.q.xi - DoubleDouble(at.q.zeta)),
+                                         c * c * at.q.xi + s * s * at.q.zeta,
+                                         s * s * at.q.xi + c * c * at.q.zeta, at.q.rho};
+      const Vector3<DoubleDouble> nu(c * at.nu[0] - s * at.nu[1], s * at.nu[0] + c * at.nu[1],
+                                     DoubleDouble(0.0));
+      return general_spectrum(body, V, q, nu, 1e-15);
+    };
+    const Spectrum straight = turned(0.0);
+    ASSERT_EQ(straight.modes, 4);
+    for (const double theta : {0.3, 1.1, -0.8}) {
+      const Spectrum other = turned(theta);
+      ASSERT_EQ(other.modes, 4);
+      EXPECT_EQ(other.verdict, straight.verdict);
+      EXPECT_EQ(other.negative, straight.negative);
+      for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_NEAR(other.mode[k].lambda_re, straight.mode[k].lambda_re, 1e-11) << theta << k;
+        EXPECT_NEAR(other.mode[k].lambda_im, straight.mode[k].lambda_im, 1e-11) << theta << k;
+      }
+    }
+  }
 }
 
 }  // namespace

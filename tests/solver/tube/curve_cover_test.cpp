@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -60,6 +61,20 @@ TEST(Cover, FindsAClosedCurve) {
     EXPECT_LT(each.q.width(), 1e-12);
   }
   EXPECT_LT(cover.boxes, 2000);
+}
+
+TEST(Cover, LooksForBreaksNoLongerWhenToldToStop) {
+  const Closed closed;
+  CurveRegion<2> region;
+  region.lower = {Interval(-5.0), Interval(-5.0)};
+  region.upper = {Interval(5.0), Interval(5.0)};
+  region.q = {0.0, 1.0};
+  TubeSet<2> tubes(closed, region);
+  ASSERT_TRUE(tubes.follow({0.0, Closed::radius, Closed::middle}));
+  std::atomic<bool> stop{false};
+  EXPECT_EQ(curve_breaks(closed, region, tubes, &stop).size(), 2U);
+  stop = true;
+  EXPECT_TRUE(curve_breaks(closed, region, tubes, &stop).empty());
 }
 
 TEST(Cover, LeavesNothingOfADiscUndecided) {

@@ -77,6 +77,46 @@ TEST(Tubes, SlicesHoldTheClosedFormAndItsSlope) {
   EXPECT_EQ(met, 10);
 }
 
+/// q + q^2/2 = k x.
+class Parabola final : public CurveEquations<1> {
+ public:
+  static constexpr double k = 0.8;
+  CurveLinearized<1> linearize(const CurveBox<1>& y) const override {
+    CurveLinearized<1> out;
+    out.g = {y[1] + 0.5 * square(y[1]) - k * y[0]};
+    out.slope[0] = {Interval(-k), Interval(1.0) + y[1]};
+    return out;
+  }
+};
+
+/// However much it bends within one. The tangent is mostly along x, so x is linear in s.
+TEST(Tubes, SlicesOfAParabolaHoldEverySlope) {
+  const Parabola parabola;
+  constexpr double k = Parabola::k;
+  const double per_s = 1.0 / std::hypot(1.0, k);
+  double longest = 0.0;
+  for (double h = 0.05; h < 1.0; h += 0.01) {
+    const auto tube = Tube<1>::proven(parabola, {0.0, 0.0}, {per_s, k * per_s}, h);
+    if (!tube) break;
+    longest = h;
+    for (const double half : {0.2 * h, 0.6 * h, h}) {
+      for (double middle = half - h; middle <= h - half; middle += 0.1 * h) {
+        const auto slice = tube->slice(parabola, {middle - half, middle + half});
+        for (const double at : {-0.9999, -0.5, 0.0, 0.5, 0.9999}) {
+          const double x = per_s * (middle + at * half);
+          const double root = std::sqrt(1.0 + 2.0 * k * x);
+          EXPECT_TRUE(slice.y[0].may_be(x)) << h << " " << half << " " << middle << " " << at;
+          EXPECT_TRUE(slice.y[1].may_be(root - 1.0))
+              << h << " " << half << " " << middle << " " << at;
+          EXPECT_TRUE(slice.velocity[1].may_be(per_s * k / root))
+              << h << " " << half << " " << middle << " " << at;
+        }
+      }
+    }
+  }
+  EXPECT_GT(longest, 0.2);
+}
+
 TEST(Tubes, PassTheFoldOfHencky) {
   const double to = 1.0;
   const Problem problem(plate, Potential(Hencky<>{1.1, 0.8}, thickness), Branch::i);
