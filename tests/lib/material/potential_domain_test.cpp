@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/material/models/orthotropic_saint_venant_kirchhoff.hpp"
 #include "lib/material/potential.hpp"
 #include "tests/support/models.hpp"
 
@@ -119,6 +120,14 @@ TEST(PotentialDomain, BoundariesAreOutside) {
                std::invalid_argument);
   EXPECT_NO_THROW(Potential::coupled("neo-hookean-3d", std::array{3.0, -1.999}));
   EXPECT_THROW(Potential::coupled("neo-hookean-3d", std::array{3.0, -2.0}), std::invalid_argument);
+  using Inside = std::array<bool, 4>;
+  const auto orthotropic = [](double c11, double c22, double c12, double c66) {
+    return OrthotropicSaintVenantKirchhoff<>{c11, c22, c12, c66}.in_domain();
+  };
+  EXPECT_EQ(orthotropic(4.0, 1.0, 1.9, smallest), (Inside{true, true, true, true}));
+  EXPECT_EQ(orthotropic(4.0, 1.0, 2.0, 0.0), (Inside{true, true, false, false}));
+  EXPECT_EQ(orthotropic(0.0, 1.0, 0.0, 1.0), (Inside{false, true, false, true}));
+  EXPECT_EQ(orthotropic(1.0, 0.0, 0.0, 1.0), (Inside{true, false, false, true}));
 }
 
 TEST(PotentialDomain, NamesAndCountsAreChecked) {

@@ -172,5 +172,10 @@ TEST(ElementaryFunctions, ConditionIsTheSlopesShare) {
   EXPECT_DOUBLE_EQ(power.condition, 8.0 * (3.0 + 3.0 * std::log(2.0)));
 }
 
+TEST(ElementaryFunctions, AnExponentialThatOverflowsIsInfinite) {
+  for (const double x : {710.0, 750.25, 1000.0, 1234.5, 1e5, 1e300})
+    EXPECT_EQ(double(exp(DoubleDouble(x))), HUGE_VAL) << x;
+}
+
 }  // namespace
 }  // namespace stationary
