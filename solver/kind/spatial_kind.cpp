@@ -5,54 +5,13 @@
 #include <tuple>
 #include <utility>
 
-#include "lib/stability/leaf_enclosure.hpp"
-#include "solver/family/spatial_family.hpp"
-#include "solver/proof/certificate.hpp"
+#include "solver/kind/spatial_boxes.hpp"
+#include "solver/kind/spatial_certificate.hpp"
 #include "solver/search/search_run.hpp"
 #include "solver/solve/family_solve.hpp"
 
 namespace stationary {
 namespace {
-
-constexpr int shear = SpatialEquations::shear_place;
-
-/// What a box of the unknowns holds of a motion.
-class SpatialBoxes {
- public:
-  SpatialBoxes(const SpatialEquations& equations, double nu, Inputs inputs)
-      : equations_(equations), nu_(nu), inputs_(inputs) {}
-
-  StretchBox stretch(const Box<3>& x) const {
-    const auto q = state(x).at.q;
-    return {q.xi, q.zeta, q.rho, q.alpha};
-  }
-  SpatialSquares<Interval> squares(const Box<3>& x) const {
-    return spatial_squares(state(x), square(as_input(nu_, inputs_)));
-  }
-  /// Directions that nu/|nu| may have; nothing where that is not known.
-  std::optional<Vector3<Interval>> axis(const Box<3>& x) const {
-    const SpatialState<Interval> at = state(x);
-    const auto square_of = squares(x);
-    if (!square_of.in_plane.positive() || !square_of.normal.positive()) return std::nullopt;
-    const auto n = spatial_direction<Interval>(J(), at);
-    const Interval length = sqrt(square(n[0]) + square(n[1]));
-    if (!length.positive()) return std::nullopt;
-    const Interval speed = sqrt(square_of.in_plane + square_of.normal);
-    const Interval in_plane = sqrt(square_of.in_plane) / speed;
-    return Vector3<Interval>{in_plane * n[0] / length, in_plane * n[1] / length,
-                             sqrt(square_of.normal) / speed};
-  }
-  Inertia3<Interval> J() const { return inertia_intervals(equations_.body, inputs_); }
-
- private:
-  SpatialState<Interval> state(const Box<3>& x) const {
-    return equations_.state(x, [this](double c) { return as_input(c, inputs_); });
-  }
-
-  const SpatialEquations& equations_;
-  double nu_;
-  Inputs inputs_;
-};
 
 /// Where a box holds no motion, as branch and prune asks.
 struct SearchedBoxes : StatedBoxes<SpatialEquations> {
@@ -197,58 +156,14 @@ class SpatialKind final : public Kind {
   }
 
   Certificate certify(const Equilibrium& equilibrium) const override {
-    Certificate out = begun(potential(), equilibrium.q);
-    if (!out.reason.empty()) return out;
-    if (none_) {
-      out.reason = *none_;
-      return out;
-    }
-    const StatedBoxes<SpatialEquations> boxes{*equations_, motion_.nu};
-    const SpatialBoxes stated(*equations_, motion_.nu, Inputs::decimals);
-    const ReducedVector<3> x = equations_->unknowns(equilibrium.q);
-    const Krawczyk test(boxes, x);
-    const auto proof = prove_solution(test, x, "xi, zeta, alpha", out);
-    if (!proof.proven) return out;
-    const StretchBox solution = stated.stretch(proof.solution);
-    const auto axis = stated.axis(proof.solution);
-    if (!axis) {
-      out.reason = "the squares of nu's components are not proven to be positive there";
-      return out;
-    }
-    double bound = (Interval(equilibrium.q.rho) / solution.rho - Interval(1.0)).magnitude();
-    bound = std::max(bound, SpatialEquations::bound_factor * proof.error_bound);
-    for (int k = 0; k < 3; ++k) {
-      const Interval off =
-          Interval(equilibrium.nu[k]) / (*axis)[k] / as_input(motion_.nu, Inputs::decimals);
-      if (off.apart_from(Interval(1.0 - allowed_error, 1.0 + allowed_error))) {
-        out.reason = "proven not to be a solution: its nu has other components";
-        return out;
-      }
-    }
-    std::optional<StretchBox> unique;
-    const double t = equilibrium.q.alpha / std::sqrt(equilibrium.q.xi * equilibrium.q.zeta);
-    const double spread = std::max(2.5 * bound / (1.0 - t * t), proof.error_bound);
-    if (const auto box = test.unique_within(spread)) unique = stated.stretch(*box);
-    conclude(unique, solution, bound, out);
-    require_assumptions(potential(), Inputs::decimals, out);
+    if (!none_) return certify_spatial(*equations_, motion_.nu, equilibrium);
+    Certificate out;
+    out.reason = *none_;
     return out;
   }
-  SpectrumEnclosure enclose(const Equilibrium& equilibrium, const Certificate& certificate,
+  SpectrumEnclosure enclose(const Equilibrium&, const Certificate& certificate,
                             const Spectrum& spectrum) const override {
-    if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
-    const SpatialBoxes stated(*equations_, motion_.nu, Inputs::decimals);
-    const StretchBox& at = certificate.solution;
-    const BasicStretch<Interval> q{at.alpha, at.xi, at.zeta, at.rho};
-    const Box<3> x{at.xi, at.zeta, stretch_coordinate(at.alpha / sqrt(at.xi * at.zeta))};
-    const auto axis = stated.axis(x);
-    if (!axis) throw std::invalid_argument("a spectrum needs a proven axis");
-    const auto model = with_indexed_coefficients(
-        *potential().body_model(),
-        [](double c, std::size_t) { return as_input(c, Inputs::decimals); });
-    (void)equilibrium;
-    return enclose_leaf_spectrum({stated.J(), q, as_input(motion_.nu, Inputs::decimals), *axis,
-                                  potential_derivatives<2>(model, q).hessian, true, true, false},
-                                 spectrum);
+    return enclose_spatial_spectrum(*equations_, motion_.nu, certificate, spectrum);
   }
 
   std::vector<PlanItem> unknowns() const override {
@@ -271,11 +186,6 @@ class SpatialKind final : public Kind {
   std::optional<std::string> no_family() const override { return none_; }
 
  private:
-  /// x of an interval of tanh a = tanh ln x, within (-1, 1).
-  static Interval stretch_coordinate(const Interval& t) {
-    return sqrt((Interval(1.0) + t) / (Interval(1.0) - t));
-  }
-
   SpatialRotation motion_;
   std::optional<std::string> none_;
   std::optional<SpatialEquations> equations_;

@@ -48,6 +48,34 @@ test('a column with the name of an object\'s own member is a column', async () =
   await page.close();
 });
 
+test('two thousand fragments of anything leave the page as it is made', async () => {
+  const page = await open(makePage([result('neo_hookean_atlas.csv'), result('fold.csv')]));
+  const shown = await page.evaluate(async (hostile) => {
+    let seed = 24;
+    const below = (n) => {
+      seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+      return Math.floor((seed / 2 ** 32) * n);
+    };
+    const any = (list) => list[below(list.length)];
+    const keys = ['x', 'y', 'row', 'table', 'zoom', 'hidden', 'classes', 'colour', 'log', 'case', '__proto__', 'constructor', ''];
+    const values = ['', '0', '1', '-1', '1e9', '1e308', 'NaN', 'nu', 'xi', 'lambda,mu', '__proto__', 'toString', 'stable', 'class',
+      '0,1,2', '0,0,0,0', '1,0,1,0', '0.5,1.2,0.01,100', '-Infinity,Infinity,0,1', '%', '%E0%A4%A', '%00', '\u{1F600}', hostile, 'a'.repeat(3000)];
+    for (let k = 0; k < 2000; ++k) {
+      const parts = [];
+      for (let n = below(5); n >= 0; --n) parts.push(below(4) ? `${any(keys)}=${any(values)}` : any(values));
+      history.replaceState(null, '', `#${parts.join(any(['&', '&', '&&', ';', '#']))}`);
+      window.dispatchEvent(new HashChangeEvent('hashchange'));
+      if (k % 50 === 0) await new Promise((done) => requestAnimationFrame(done));
+    }
+    history.replaceState(null, '', '#');
+    window.dispatchEvent(new HashChangeEvent('hashchange'));
+    return document.querySelectorAll('#legend *').length;
+  }, hostile);
+  assert.ok(shown > 0);
+  await untouched(page);
+  await page.close();
+});
+
 test('the policy runs no other script, evaluates no text, loads nothing', async () => {
   const page = await open(makePage(result('fold.csv')));
   const found = await page.evaluate(async () => {
