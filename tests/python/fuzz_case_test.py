@@ -63,7 +63,7 @@ def mutated(rng, trees):
             other = rng.choice(list(places(rng.choice(trees))))
             parent[key] = copy.deepcopy(other[0][other[1]])
         elif isinstance(parent[key], (int, float)) and not isinstance(parent[key], bool):
-            parent[key] = parent[key] * rng.choice([-1.0, 1e-12, 1e12, 1.0 + 1e-15, 1e300])
+            parent[key] = min(parent[key], 1e300) * rng.choice([-1.0, 1e-12, 1e12, 1.0 + 1e-15, 1e300])
         else:
             parent[key] = [copy.deepcopy(parent[key])] * rng.randint(0, 4)
     if rng.random() < 0.01:  # a tree in itself

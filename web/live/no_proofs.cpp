@@ -2,7 +2,6 @@
 // (web/live/live.cpp). What an exhaustive search proves it proves here too.
 #include <stdexcept>
 
-#include "solver/kind/spatial_certificate.hpp"
 #include "solver/proof/anisotropic_enclosure.hpp"
 #include "solver/proof/certify.hpp"
 #include "solver/proof/event_enclosure.hpp"
@@ -27,12 +26,6 @@ Certificate certify_two_polar(const Body&, const Potential&, const TwoPolarMotio
 }
 Certificate certify_oblique(const Body&, const Potential&, const ObliqueRotation&,
                             const Equilibrium&, Inputs) {
-  refuse();
-}
-
-Certificate certify_spatial(const SpatialEquations&, double, const Equilibrium&) { refuse(); }
-SpectrumEnclosure enclose_spatial_spectrum(const SpatialEquations&, double, const Certificate&,
-                                           const Spectrum&) {
   refuse();
 }
 
