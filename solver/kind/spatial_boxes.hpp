@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "solver/family/spatial_family.hpp"
+#include "solver/kind/spatial_family.hpp"
 #include "solver/proof/certify.hpp"
 
 namespace stationary {

@@ -1,7 +1,7 @@
 // Certificates of motions about an axis in no plane, and what is proven of their spectra.
 #pragma once
 
-#include "solver/family/spatial_family.hpp"
+#include "solver/kind/spatial_family.hpp"
 #include "solver/proof/certify.hpp"
 
 namespace stationary {

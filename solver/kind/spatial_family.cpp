@@ -1,4 +1,4 @@
-#include "solver/family/spatial_family.hpp"
+#include "solver/kind/spatial_family.hpp"
 
 #include <algorithm>
 #include <cmath>
