@@ -217,6 +217,9 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
   }
   for (const AtlasSheet& sheet : out.sheets)
     out.interrupted = out.interrupted || sheet.report.interrupted;
+  // A sheet or a cover that was not begun has nothing to say so.
+  out.interrupted =
+      out.interrupted || (options.stop != nullptr && options.stop->load(std::memory_order_relaxed));
   find_junctions(out.sheets, axes_alike);
   return out;
 }

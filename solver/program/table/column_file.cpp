@@ -109,6 +109,7 @@ struct ColumnFileWriter::Data {
                         name);
   }
   void flush() {
+    silence_hdf5();
     if (!created) create(waiting);
     if (waiting == 0) return;
     const hsize_t total = written + waiting;
@@ -168,7 +169,7 @@ ColumnFileWriter::ColumnFileWriter(Data data, const std::vector<Column>& columns
   write_hdf5_attribute(data_->file.id(), "columns", lines(names));
 }
 
-ColumnFileWriter::~ColumnFileWriter() = default;
+ColumnFileWriter::~ColumnFileWriter() { silence_hdf5(); }
 
 void ColumnFileWriter::put(const TableRow& row) {
   for (Dataset& each : data_->columns) each.take(row);
@@ -190,7 +191,7 @@ struct TablesFile::Data {
 TablesFile::TablesFile(const std::string& path)
     : data_(std::make_unique<Data>(Data{create_hdf5(path)})) {}
 
-TablesFile::~TablesFile() = default;
+TablesFile::~TablesFile() { silence_hdf5(); }
 
 std::unique_ptr<ColumnFileWriter> TablesFile::table(const std::string& name,
                                                     const std::vector<Column>& columns,
@@ -201,6 +202,7 @@ std::unique_ptr<ColumnFileWriter> TablesFile::table(const std::string& name,
 }
 
 void TablesFile::finish(const std::string& metadata) {
+  silence_hdf5();
   write_hdf5_attribute(data_->file.id(), "metadata", metadata);
   if (!data_->file.close()) hdf5_failed("the end of the file");
 }

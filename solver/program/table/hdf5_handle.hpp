@@ -40,6 +40,7 @@ class Handle {
 /// Before anything else of HDF5 is called, its version too: the first call lays its exit
 /// handler. What it would print on standard error is said in exceptions instead; and
 /// its exit handler is left out, which fails on a file that a full disk kept it from closing.
+/// Whether it prints every thread has for itself, and rows come from several.
 inline void silence_hdf5() {
   static const bool without_handler = H5dont_atexit() >= 0;
   (void)without_handler;

@@ -35,6 +35,7 @@ Handle create_hdf5(const std::string& path) {
 }
 
 Handle create_hdf5_group(hid_t location, const std::string& name) {
+  silence_hdf5();
   const Handle creation = require_hdf5(Handle(H5Pcreate(H5P_GROUP_CREATE), H5Pclose), name);
   require_hdf5(
       H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),

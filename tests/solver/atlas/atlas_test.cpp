@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <string>
 
@@ -54,6 +55,23 @@ TEST(Atlas, OfANeoHookeanBodyIsItsSheetsFromRestAndOneBeyond) {
   expect_joined(found.sheets[4], 1, 3);
   expect_joined(found.sheets[5], 2, 4);
   EXPECT_NEAR(found.sheets[5].joins->nu, 1.0033331936, 1e-9);
+}
+
+/// Then no sheet is followed that could say so.
+TEST(Atlas, ToldToStopAfterItsSearchesWasInterrupted) {
+  for (const bool complete : {false, true}) {
+    std::atomic<bool> stop{false};
+    AtlasOptions options;
+    options.checkpoints = 4;
+    options.complete = complete;
+    options.stop = options.search.stop = &stop;
+    std::atomic<int> left{3 * options.checkpoints};  // of (i), (ii), (iii)
+    options.searched = [&](std::size_t, const SearchResult&) {
+      if (--left == 0) stop = true;
+    };
+    EXPECT_TRUE(atlas(plate, potential_of("neo-hookean", 1.0, 2.0), options).interrupted);
+    EXPECT_EQ(left, 0);
+  }
 }
 
 TEST(Atlas, ATiltedFamilyMayEscape) {
