@@ -51,3 +51,28 @@ def test_wrong_input_has_the_programs_words(fluid):
 
 def test_shipped_cases_are_those_of_the_program():
     assert len(stationary.follow(SOURCES / "cases" / "maclaurin.toml").events) >= 4
+
+
+def test_an_axis_in_no_plane_is_found():
+    case = stationary.Case.read(SOURCES / "cases" / "no_plane.toml")
+    row = stationary.solve(case).table[0]
+    assert row["branch"] == "tilted"
+    assert min(row["nu1"], row["nu2"], row["nu3"], row["alpha"]) > 0.1
+    # Biot's: W_t = 0.
+    assert row["xi"] + row["zeta"] == pytest.approx(1.8, abs=1e-12)
+    assert (row["xi"] * row["zeta"] - row["alpha"] ** 2) * row["rho"] == pytest.approx(1.0, abs=1e-12)
+
+
+def test_fibres_stand_beside_gravity(fluid):
+    plane = {"model": "biot", "mu": 1.0, "lambda": 0.6}
+    case = stationary.Case(
+        body={"J": [1.0, 1.7, 0.6], "volume": 1.0},
+        gravity={"g": 0.5},
+        potential={"plane": plane, "fibre": {"k": 0.4, "degrees": 30.0}},
+        motion={"branch": "iii", "nu": 0.5},
+    )
+    row = stationary.solve(case).table[0]
+    assert row["alpha"] != 0.0
+    assert not math.isnan(row["pressure"])
+    with pytest.raises(stationary.InputError, match="gravity"):
+        _ = case.potential
