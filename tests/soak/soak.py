@@ -115,8 +115,10 @@ class Soak:
         """The same again: with --resume where there is something to go on with."""
         words, how = list(command.words), "again"
         journal = command.table + ".journal" in files.bytes
-        interrupted = disturbed.code == INTERRUPTED and command.verb == "continue" and not command.table.endswith("html")
-        if command.resumes and "--merge" not in words and (journal or interrupted and command.table in files.bytes):
+        # Interrupted before its first row it leaves what was there.
+        begun = (disturbed.code == INTERRUPTED and command.verb == "continue" and not command.table.endswith("html")
+                 and files.bytes.get(command.table, EARLIER) != EARLIER)
+        if command.resumes and "--merge" not in words and (journal or begun):
             words, how = words + ["--resume"], "--resume"
         more = run(self.program, words, place)
         if how == "--resume" and more.code == 2 and disturbed.code != INTERRUPTED:
