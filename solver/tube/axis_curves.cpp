@@ -2,6 +2,7 @@
 
 #include "solver/tube/circle_curves.hpp"
 #include "solver/tube/curve_terms.hpp"
+#include "solver/tube/held_curves.hpp"
 
 namespace stationary {
 namespace {
@@ -143,6 +144,9 @@ class AxisCurves {
   }
   template <class Coupled>
   void add(const Coupled& model) {
+    if constexpr (is_body_model<Coupled>) {
+      if (model.volume) return add_held({model});
+    }
     if (round_) {
       factor(circles_and_ellipses<2>(model, {stretch_[2]}));
     } else {
@@ -151,11 +155,22 @@ class AxisCurves {
     }
   }
 
+  void add_held(const HeldPlane<>& model) {
+    const HeldThickness thickness{log(as_input(*model.body.volume, inputs_)), stretch_[2]};
+    if (round_) {
+      factor(circles_and_ellipses<1>(model, {}, thickness));
+    } else {
+      factor(set<2>(std::make_unique<HeldCurves>(model, rates_, thickness, inputs_),
+                    {stretch_[0], stretch_[1]}));
+    }
+  }
+
   /// N unknowns of a circle, one more of an ellipse; thickness: the last, where it is one. Of an
   /// ellipse and the same turned by a right angle that with xi > zeta.
   template <int N, class Model>
   std::vector<AnyCurveSet> circles_and_ellipses(const Model& model,
-                                                const std::vector<LogRange>& thickness) const {
+                                                const std::vector<LogRange>& thickness,
+                                                const HeldThickness& held = {}) const {
     const LogRange& xi = stretch_[0];
     const LogRange& zeta = stretch_[1];
     std::vector<AnyCurveSet> out;
@@ -166,10 +181,10 @@ class AxisCurves {
       each->insert(each->end(), thickness.begin(), thickness.end());
     if (circle[0].lower.lo < circle[0].upper.hi)
       out.push_back(
-          set<N>(std::make_unique<CircleCurves<Model, N>>(model, rates_, inputs_), circle));
+          set<N>(std::make_unique<CircleCurves<Model, N>>(model, rates_, held, inputs_), circle));
     if (ellipse[1].upper.hi > 0.0) {
       auto ellipses =
-          std::make_unique<EllipseCurves<Model, N + 1>>(model, rates_, xi, zeta, inputs_);
+          std::make_unique<EllipseCurves<Model, N + 1>>(model, rates_, xi, zeta, held, inputs_);
       out.push_back(set<N + 1>(std::move(ellipses), ellipse));
       std::get<CurveSet<N + 1>>(out.back()).region.mirror = 1;
     }

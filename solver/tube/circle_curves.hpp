@@ -9,7 +9,8 @@
 //   circles   s = 0:  xi V_xi = c xi^2             [, rho V_rho = 0]
 //   ellipses  W_t = c t,  zeta V_zeta = c zeta^2   [, rho V_rho = 0]
 //
-// with t = 2 r cosh s, d = e^l = r^2, and rho where V couples the thickness. With s so has -s an
+// with t = 2 r cosh s, d = e^l = r^2, and rho where V couples the thickness. Of a held volume
+// (held_plane.hpp) V is what is left in xi and zeta. With s so has -s an
 // ellipse: the curves pass s = 0 into their own mirror images, at the event `ellipse` of the circles.
 #pragma once
 
@@ -19,6 +20,7 @@
 
 #include "solver/tube/curve_equations.hpp"
 #include "solver/tube/curve_terms.hpp"
+#include "solver/tube/held_curves.hpp"
 
 namespace stationary {
 
@@ -61,9 +63,11 @@ class CircleCurves final : public CurveEquations<N> {
  public:
   static constexpr bool coupled = N == 2;
 
-  CircleCurves(const Model& model, const CentrifugalRates<Interval>& rates, Inputs inputs)
+  CircleCurves(const Model& model, const CentrifugalRates<Interval>& rates,
+               const HeldThickness& thickness, Inputs inputs)
       : model_(interval_model(model, inputs)),
         rate_(rates.xi),
+        thickness_(thickness),
         terms_(model_terms<N + 1>(model, inputs)) {}
 
   CurveLinearized<N> linearize(const CurveBox<N>& y) const override {
@@ -81,6 +85,11 @@ class CircleCurves final : public CurveEquations<N> {
       out.g = {b.g_xi};
       out.slope[0] = {b.uu + b.uv, -pull};
     }
+    return out;
+  }
+  std::vector<Interval> conditions(const CurveBox<N>& y) const override {
+    std::vector<Interval> out;
+    thickness_.add_conditions(2.0 * y[0], out);
     return out;
   }
   bool excludes(const CurveBox<N>& y) const override {
@@ -107,6 +116,7 @@ class CircleCurves final : public CurveEquations<N> {
  private:
   decltype(interval_model(std::declval<Model>(), Inputs())) model_;
   Interval rate_;
+  HeldThickness thickness_;
   CurveTerms<N + 1> terms_;
 };
 
@@ -118,11 +128,12 @@ class EllipseCurves final : public CurveEquations<N> {
 
   /// xi, zeta: where the stretches are wanted.
   EllipseCurves(const Model& model, const CentrifugalRates<Interval>& rates, const LogRange& xi,
-                const LogRange& zeta, Inputs inputs)
+                const LogRange& zeta, const HeldThickness& thickness, Inputs inputs)
       : model_(interval_model(model, inputs)),
         rate_(rates.xi),
         xi_(xi),
         zeta_(zeta),
+        thickness_(thickness),
         terms_(model_terms<N>(model, inputs)) {}
 
   CurveLinearized<N> linearize(const CurveBox<N>& y) const override {
@@ -160,8 +171,10 @@ class EllipseCurves final : public CurveEquations<N> {
   }
   std::vector<Interval> conditions(const CurveBox<N>& y) const override {
     const EllipseAxes at = axes(y);
-    return {at.log_xi - xi_.lower, xi_.upper - at.log_xi, at.log_zeta - zeta_.lower,
-            zeta_.upper - at.log_zeta};
+    std::vector<Interval> out{at.log_xi - xi_.lower, xi_.upper - at.log_xi,
+                              at.log_zeta - zeta_.lower, zeta_.upper - at.log_zeta};
+    thickness_.add_conditions(2.0 * y[0], out);
+    return out;
   }
   /// By the other row too, which the two above imply.
   bool excludes(const CurveBox<N>& y) const override {
@@ -210,6 +223,7 @@ class EllipseCurves final : public CurveEquations<N> {
   Interval rate_;
   LogRange xi_;
   LogRange zeta_;
+  HeldThickness thickness_;
   CurveTerms<N> terms_;
 };
 

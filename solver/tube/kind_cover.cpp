@@ -1,7 +1,10 @@
 #include "solver/tube/kind_cover.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
+#include "solver/motion/body_circle.hpp"
 #include "solver/tube/axis_curves.hpp"
 #include "solver/tube/curve_cover.hpp"
 
@@ -13,6 +16,38 @@ Interval nu_of(const Interval& q, double to) {
   const Interval bounded(std::max(q.lo, 0.0), std::min(std::max(q.hi, 0.0), 1.0));
   const Interval out = Interval(to) * sqrt(bounded);
   return {std::max(out.lo, 0.0), std::min(out.hi, to)};
+}
+
+struct AxisSought {
+  Problem problem;
+  SearchOptions options;
+};
+
+/// The same motions turning about axis 3, by an exchange of it with theirs, where their figures may be
+/// circles: V is symmetric in all three stretches then, and circles and ellipses are taken apart
+/// (circle_curves.hpp).
+AxisSought with_circles_about_third_axis(const Problem& problem, const SearchOptions& options) {
+  AxisSought out{problem, options};
+  const Circle circle = circle_of(problem);
+  if (circle == Circle::none || circle == Circle::xi_zeta) return out;
+  const auto own = static_cast<std::size_t>(places(circle).other);
+  const auto exchange = [own](auto& inertia) {
+    std::swap(own == 0 ? inertia.J1 : inertia.J2, inertia.J3);
+  };
+  Body body = problem.body();
+  exchange(body);
+  std::array box{options.range(0), options.range(1), options.range(2)};
+  std::swap(box[own], box[2]);
+  out.options.box = box;
+  const BodyModel<>* const model = problem.potential().body_model();
+  if (model == nullptr) {
+    out.problem = {body, problem.potential(), Branch::iii};
+  } else {
+    BodyModel<> exchanged = *model;
+    exchange(exchanged.J);
+    out.problem = {body, Potential(exchanged), Branch::iii};
+  }
+  return out;
 }
 
 }  // namespace
@@ -51,9 +86,10 @@ KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
 }
 
 KindCover cover_axis(const Problem& problem, double from, double to, const SearchOptions& options) {
+  const AxisSought sought = with_circles_about_third_axis(problem, options);
   CoverOptions how;
   how.stop = options.stop;
-  return cover_kind(axis_curves(problem, from, to, options), to, how);
+  return cover_kind(axis_curves(sought.problem, from, to, sought.options), to, how);
 }
 
 }  // namespace stationary

@@ -158,15 +158,7 @@ struct BodyModel {
   CoupledDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x, const S& rho) const {
     using std::log;
     using R = Product<C, S>;
-    const R thickness = volume ? R(*volume / x.d) : R(rho);
-    CoupledDerivatives<R> out = elastic_at<order>(x, thickness);
-    if (gravitates) {
-      const R t(x.t);
-      const R d(x.d);
-      const R T = R(J.J1) * (t * t - 2.0 * d);
-      add<order>(gravity_of_trace<order>(at_volume<order>(R(g), T, d, thickness), R(J.J1), t, d),
-                 out);
-    }
+    CoupledDerivatives<R> out = in_plane<order>(x, volume ? R(*volume / x.d) : R(rho));
     if (volume) {
       if constexpr (order >= 1) {
         const R pull = stiffness * log(R(x.d * rho / *volume));
@@ -177,6 +169,11 @@ struct BodyModel {
         for (R* slope : {&out.plane.w_ll, &out.w_lr, &out.w_rr}) *slope += R(stiffness);
     }
     return out;
+  }
+  /// Of a held volume, in (t, l) alone: rho is C/d. J1 = J2.
+  template <int order, class S>
+  PlanarDerivatives<Product<C, S>> along_volume(const PlanarInvariants<S>& x) const {
+    return in_plane<order>(x, Product<C, S>(*volume / x.d)).plane;
   }
 
   /// In q; of a held volume along it.
@@ -205,6 +202,25 @@ struct BodyModel {
   }
 
  private:
+  /// In (t, l, r), J1 = J2, at a thickness that is rho, or what a held volume leaves.
+  template <int order, class S>
+  CoupledDerivatives<Product<C, S>> in_plane(const PlanarInvariants<S>& x,
+                                             const Product<C, S>& thickness) const {
+    using R = Product<C, S>;
+    CoupledDerivatives<R> out = elastic_at<order>(x, thickness);
+    if (!gravitates) return out;
+    const R t(x.t);
+    const R d(x.d);
+    R T;
+    if constexpr (std::is_same_v<R, Interval>) {
+      T = R(J.J1) * (R(x.e) + 2.0 * d);  // terms that are not negative: the narrower form
+    } else {
+      T = R(J.J1) * (t * t - 2.0 * d);
+    }
+    add<order>(gravity_of_trace<order>(at_volume<order>(R(g), T, d, thickness), R(J.J1), t, d),
+               out);
+    return out;
+  }
   template <int order, class S>
   CoupledDerivatives<Product<C, S>> elastic_at(const PlanarInvariants<S>& x,
                                                const Product<C, S>& thickness) const {

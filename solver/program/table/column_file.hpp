@@ -82,7 +82,7 @@ class TablesFile {
   std::unique_ptr<Data> data_;
 };
 
-/// Whether a file begins as HDF5 does; false where it cannot be read.
+/// Whether a file begins with HDF5's signature; false where it cannot be read.
 bool is_column_file(const std::string& path);
 
 /// Those of the wanted columns that the file has (all of its columns if none is named), as CSV for

@@ -165,11 +165,6 @@ std::string hdf5_version() {
   return fmt::format("{}.{}.{}", major, minor, patch);
 }
 
-bool is_column_file(const std::string& path) {
-  silence_hdf5();
-  return H5Fis_hdf5(path.c_str()) > 0;
-}
-
 std::unique_ptr<std::istream> column_file_table(const std::string& path,
                                                 std::span<const std::string> wanted) {
   const Handle file = open_to_read(path);
@@ -178,6 +173,7 @@ std::unique_ptr<std::istream> column_file_table(const std::string& path,
 }
 
 bool is_tables_file(const std::string& path) {
+  if (!is_column_file(path)) return false;
   const Handle file = open_to_read(path);
   return file.valid() && H5Aexists(file.id(), "metadata") > 0 &&
          H5Aexists(file.id(), "columns") == 0;

@@ -1,7 +1,5 @@
 // In the place of column_file.cpp, column_file_reader.cpp and cell_table_file.cpp where the program is built without
-// HDF5: such files are recognized and refused.
-#include <array>
-#include <fstream>
+// HDF5: such files are refused.
 #include <stdexcept>
 
 #include "solver/program/table/cell_table.hpp"
@@ -20,13 +18,6 @@ namespace {
 }  // namespace
 
 std::string hdf5_version() { return {}; }
-
-bool is_column_file(const std::string& path) {
-  constexpr std::array<char, 8> signature{'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a', '\n'};
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, 8> begin{};
-  return file.read(begin.data(), begin.size()) && begin == signature;
-}
 
 bool is_tables_file(const std::string& path) {
   if (is_column_file(path)) refuse_to_read(path);
