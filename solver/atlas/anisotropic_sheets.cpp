@@ -42,6 +42,10 @@ class AnisotropicSheets final : public SheetSource {
   SearchResult search(double nu, const SearchOptions& options) const override {
     return search_anisotropic(problem_, nu, options);
   }
+  std::optional<KindCover> cover(double from, double to,
+                                 const SearchOptions& options) const override {
+    return cover_oriented(problem_.body(), V_, branch(), false, from, to, options);
+  }
 
   std::vector<Place> at_rest(const SolveOptions& options) const override {
     const Equilibrium rest = solve(problem_, 0.0, options);
@@ -87,6 +91,10 @@ class ObliqueSheets final : public SheetSource {
 
   SearchResult search(double nu, const SearchOptions& options) const override {
     return search_oblique(body_, potential_, {nu}, options);
+  }
+  std::optional<KindCover> cover(double from, double to,
+                                 const SearchOptions& options) const override {
+    return cover_oriented(body_, V_, Branch::i, true, from, to, options);
   }
 
   /// About either axis of inertia, unless the families about these axes are branches (i), (ii).

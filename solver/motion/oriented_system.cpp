@@ -49,16 +49,4 @@ std::array<double, 4> decimal_conditions(const AnisotropicPotential& potential,
   return out;
 }
 
-std::array<double, 5> inertial_part(const Inertia3<double>& J, const std::optional<double>& volume,
-                                    const OrientedStretch<double>& at,
-                                    const SpinProducts<double>& n, const AxisAngle<double>* axis) {
-  const OrientedStretch<double> whole = volume ? at_volume(*volume, at) : at;
-  OrientedBalance<double> out;
-  const Vector4<double> force = -(centrifugal_matrix(J, n) * whole.q.vector());
-  add_in_logarithms<1>(whole, force, Matrix4<double>(), out);
-  if (volume) out = held<1>(out, whole);
-  if (axis != nullptr) add_axis<1>(J, at, 0.0, *axis, out);
-  return out.g;
-}
-
 }  // namespace stationary

@@ -122,9 +122,18 @@ std::array<double, 4> decimal_conditions(const AnisotropicPotential& potential,
 
 /// The centrifugal part, -C(nu) q in the coordinates, along the volume where one is held, and phi's
 /// own equation: linear in J.
-std::array<double, 5> inertial_part(const Inertia3<double>& J, const std::optional<double>& volume,
-                                    const OrientedStretch<double>& at,
-                                    const SpinProducts<double>& n, const AxisAngle<double>* axis);
+template <class S>
+std::array<S, 5> inertial_part(const Inertia3<S>& J, const std::optional<S>& volume,
+                               const OrientedStretch<S>& at, const SpinProducts<S>& n,
+                               const AxisAngle<S>* axis) {
+  const OrientedStretch<S> whole = volume ? at_volume(*volume, at) : at;
+  OrientedBalance<S> out;
+  const Vector4<S> force = -(centrifugal_matrix(J, n) * whole.q.vector());
+  add_in_logarithms<1>(whole, force, Matrix4<S>(), out);
+  if (volume) out = held<1>(out, whole);
+  if (axis != nullptr) add_axis<1>(J, at, S(0.0), *axis, out);
+  return out.g;
+}
 
 /// Of the shear's equation at alpha = 0 the coefficient that turns it, without J1 or J2 times nu^2
 /// and the like: V_alpha,alpha, less what the spin pulls rho by along a held volume. V_aa along it.

@@ -40,9 +40,10 @@ struct OrientedBoxSystem {
         branch(about),
         nu_squared(square(as_input(nu, inputs))) {}
 
-  GeneralBoxLinearized<N> linearize(const Box<N>& x) const {
+  GeneralBoxLinearized<N> linearize(const Box<N>& x) const { return linearize(x, nu_squared); }
+  GeneralBoxLinearized<N> linearize(const Box<N>& x, const Interval& spin_squared) const {
     const auto b =
-        balance_at<Layout, 2>(J, model, branch, nu_squared, all_coordinates<Layout>(x, rho));
+        balance_at<Layout, 2>(J, model, branch, spin_squared, all_coordinates<Layout>(x, rho));
     GeneralBoxLinearized<N> out;
     for (std::size_t i = 0; i < Layout::places.size(); ++i) {
       out.g[i] = b.g[Layout::places[i]];
@@ -61,7 +62,8 @@ struct OrientedBoxSystem {
   /// Where the potential is not defined or the volume another, and by the sum of the rows of u and v, in which a fibre is
   /// 2 k n (n + 1) >= -k/2, however stiff, and whatever the directions: of long stretches across it
   /// no row says as much.
-  bool excludes(const Box<N>& x) const {
+  bool excludes(const Box<N>& x) const { return excludes(x, nu_squared); }
+  bool excludes(const Box<N>& x, const Interval& spin_squared) const {
     const auto y = all_coordinates<Layout>(x, rho);
     OrientedStretch<Interval> at = this->at(x);
     if (const auto& volume = model.body.volume) {
@@ -81,8 +83,8 @@ struct OrientedBoxSystem {
     if (written) V.directed.gradient.setConstant(Interval(0.0));
     auto b =
         oriented_balance<1>(J, V, at,
-                            Layout::axis ? in_plane_products(nu_squared, axis.cosine, axis.sine)
-                                         : axis_products(branch, nu_squared));
+                            Layout::axis ? in_plane_products(spin_squared, axis.cosine, axis.sine)
+                                         : axis_products(branch, spin_squared));
     if (model.body.volume) b = held<1>(b, at);
     Interval sum = b.g[oriented::u] + b.g[oriented::v];
     if (written) sum += *written;

@@ -3,45 +3,10 @@
 #include "solver/tube/circle_curves.hpp"
 #include "solver/tube/curve_terms.hpp"
 #include "solver/tube/held_curves.hpp"
+#include "solver/tube/thickness_curves.hpp"
 
 namespace stationary {
 namespace {
-
-/// J_i nu_end^2 where nu_i turns about another axis than i: the rates are q times this.
-CentrifugalRates<Interval> rates_at_end(const Problem& problem, double nu_end, Inputs inputs) {
-  return axis_rates(inertia_intervals(problem.body(), inputs), problem.branch(),
-                    square(Interval(nu_end)));
-}
-
-template <class Thickness>
-class ThicknessCurves final : public CurveEquations<1> {
- public:
-  ThicknessCurves(const Thickness& model, const CentrifugalRates<Interval>& rates, Inputs inputs)
-      : model_(interval_model(model, inputs)),
-        rate_(rates.rho),
-        terms_(model_terms<1>(model, inputs)) {}
-
-  CurveLinearized<1> linearize(const CurveBox<1>& y) const override {
-    const Interval rho = exp(y[0]);
-    const auto b = model_.log_balance(rho, y[1] * rate_);
-    CurveLinearized<1> out;
-    out.g = {b.g_rho};
-    out.slope[0] = {b.ww, -(rate_ * square(rho))};
-    return out;
-  }
-  bool excludes(const CurveBox<1>& y) const override { return defined_nowhere(model_, exp(y[0])); }
-  bool contract(CurveBox<1>& y) const override {
-    std::array<Interval, 1> x{y[0]};
-    const bool left = terms_.contract({y[1] * rate_}, x);
-    y[0] = x[0];
-    return left;
-  }
-
- private:
-  decltype(interval_model(std::declval<Thickness>(), Inputs())) model_;
-  Interval rate_;
-  CurveTerms<1> terms_;
-};
 
 template <class Plane>
 class PlaneCurves final : public CurveEquations<2> {
@@ -118,7 +83,7 @@ class AxisCurves {
  public:
   AxisCurves(const Problem& problem, double from, double to, const SearchOptions& options)
       : problem_(problem),
-        rates_(rates_at_end(problem, to, options.inputs)),
+        rates_(rates_at_end(problem.body(), problem.branch(), to, options.inputs)),
         q_(curve_range(from, to)),
         inputs_(options.inputs),
         round_(problem.branch() == Branch::iii && problem.body().symmetric()) {
@@ -198,13 +163,7 @@ class AxisCurves {
   template <int N>
   AnyCurveSet set(std::unique_ptr<CurveEquations<N>> equations,
                   const std::vector<LogRange>& ranges) const {
-    CurveSet<N> out{std::move(equations), {}};
-    for (std::size_t k = 0; k < std::size_t(N); ++k) {
-      out.region.lower[k] = ranges[k].lower;
-      out.region.upper[k] = ranges[k].upper;
-    }
-    out.region.q = q_;
-    return out;
+    return curve_set<N>(std::move(equations), ranges, q_);
   }
   void factor(AnyCurveSet only) { out_.emplace_back().sets.push_back(std::move(only)); }
   void factor(std::vector<AnyCurveSet> sets) { out_.push_back({std::move(sets)}); }

@@ -19,7 +19,20 @@ struct CurveSet {
   std::unique_ptr<CurveEquations<N>> equations;
   CurveRegion<N> region;
 };
-using AnyCurveSet = std::variant<CurveSet<1>, CurveSet<2>, CurveSet<3>>;
+using AnyCurveSet = std::variant<CurveSet<1>, CurveSet<2>, CurveSet<3>, CurveSet<4>>;
+
+/// Bounds of the coordinates and of q.
+template <int N>
+CurveSet<N> curve_set(std::unique_ptr<CurveEquations<N>> equations,
+                      const std::vector<LogRange>& ranges, const Interval& q) {
+  CurveSet<N> out{std::move(equations), {}};
+  for (std::size_t k = 0; k < std::size_t(N); ++k) {
+    out.region.lower[k] = ranges[k].lower;
+    out.region.upper[k] = ranges[k].upper;
+  }
+  out.region.q = q;
+  return out;
+}
 
 /// A motion at nu is one point of each factor; a factor's points are those of all its curve sets.
 struct CurveFactor {

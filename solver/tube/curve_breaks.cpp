@@ -88,5 +88,7 @@ template std::vector<CurveBreak> curve_breaks<2>(const CurveEquations<2>&, const
                                                  const TubeSet<2>&, const std::atomic<bool>*);
 template std::vector<CurveBreak> curve_breaks<3>(const CurveEquations<3>&, const CurveRegion<3>&,
                                                  const TubeSet<3>&, const std::atomic<bool>*);
+template std::vector<CurveBreak> curve_breaks<4>(const CurveEquations<4>&, const CurveRegion<4>&,
+                                                 const TubeSet<4>&, const std::atomic<bool>*);
 
 }  // namespace stationary

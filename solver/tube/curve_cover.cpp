@@ -225,5 +225,7 @@ template CurveCover cover_curves<2>(const CurveEquations<2>&, const CurveRegion<
                                     const CoverOptions&);
 template CurveCover cover_curves<3>(const CurveEquations<3>&, const CurveRegion<3>&,
                                     const CoverOptions&);
+template CurveCover cover_curves<4>(const CurveEquations<4>&, const CurveRegion<4>&,
+                                    const CoverOptions&);
 
 }  // namespace stationary

@@ -7,6 +7,7 @@
 #include "solver/motion/body_circle.hpp"
 #include "solver/tube/axis_curves.hpp"
 #include "solver/tube/curve_cover.hpp"
+#include "solver/tube/oriented_curves.hpp"
 
 namespace stationary {
 namespace {
@@ -16,6 +17,12 @@ Interval nu_of(const Interval& q, double to) {
   const Interval bounded(std::max(q.lo, 0.0), std::min(std::max(q.hi, 0.0), 1.0));
   const Interval out = Interval(to) * sqrt(bounded);
   return {std::max(out.lo, 0.0), std::min(out.hi, to)};
+}
+
+CoverOptions cover_options(const SearchOptions& options) {
+  CoverOptions out;
+  out.stop = options.stop;
+  return out;
 }
 
 struct AxisSought {
@@ -87,9 +94,16 @@ KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
 
 KindCover cover_axis(const Problem& problem, double from, double to, const SearchOptions& options) {
   const AxisSought sought = with_circles_about_third_axis(problem, options);
-  CoverOptions how;
-  how.stop = options.stop;
-  return cover_kind(axis_curves(sought.problem, from, to, sought.options), to, how);
+  return cover_kind(axis_curves(sought.problem, from, to, sought.options), to,
+                    cover_options(options));
+}
+
+std::optional<KindCover> cover_oriented(const Body& body, const AnisotropicPotential& potential,
+                                        Branch branch, bool oblique, double from, double to,
+                                        const SearchOptions& options) {
+  const auto factors = oriented_curves(body, potential, branch, oblique, from, to, options);
+  if (factors.empty()) return std::nullopt;
+  return cover_kind(factors, to, cover_options(options));
 }
 
 }  // namespace stationary

@@ -3,6 +3,7 @@
 // the number of motions is constant. What it is, a search at one nu in between says.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "solver/motion/problem.hpp"
@@ -35,5 +36,10 @@ KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
 
 /// Of an isotropic body's spins about the problem's axis, 0 <= from < to.
 KindCover cover_axis(const Problem& problem, double from, double to, const SearchOptions& options);
+
+/// Of a body that need not be isotropic (oriented_curves.hpp); nothing of five unknowns.
+std::optional<KindCover> cover_oriented(const Body& body, const AnisotropicPotential& potential,
+                                        Branch branch, bool oblique, double from, double to,
+                                        const SearchOptions& options);
 
 }  // namespace stationary

@@ -328,6 +328,7 @@ auto Tube<N>::slice(const Equations& equations, const Interval& s) const -> Slic
 STATIONARY_TUBE(1)
 STATIONARY_TUBE(2)
 STATIONARY_TUBE(3)
+STATIONARY_TUBE(4)
 #undef STATIONARY_TUBE
 
 }  // namespace stationary

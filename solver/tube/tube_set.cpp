@@ -77,6 +77,7 @@ void TubeSet<N>::follow_from(std::size_t first, double side) {
 STATIONARY_TUBE_SET(1)
 STATIONARY_TUBE_SET(2)
 STATIONARY_TUBE_SET(3)
+STATIONARY_TUBE_SET(4)
 #undef STATIONARY_TUBE_SET
 
 }  // namespace stationary

@@ -162,7 +162,7 @@ class Grammar:
             command.outputs.append("all.h5")
         if "--least-energy" in words:
             command.outputs.append("least.csv")
-        command.expected = (DONE, WRONG, NONE, FAILED)  # gravity and fibres have no --complete
+        command.expected = (DONE, WRONG, NONE, FAILED)  # of tilted and other motions there is none
         command.resumes = command.table not in ("", "-")
         return command
 

@@ -2,6 +2,7 @@
 // (web/live/live.cpp). What an exhaustive search proves it proves here too.
 #include <stdexcept>
 
+#include "solver/kind/spatial_certificate.hpp"
 #include "solver/proof/anisotropic_enclosure.hpp"
 #include "solver/proof/certify.hpp"
 #include "solver/proof/event_enclosure.hpp"
@@ -28,7 +29,12 @@ Certificate certify_oblique(const Body&, const Potential&, const ObliqueRotation
                             const Equilibrium&, Inputs) {
   refuse();
 }
+Certificate certify_spatial(const SpatialEquations&, double, const Equilibrium&) { refuse(); }
 
+SpectrumEnclosure enclose_spatial_spectrum(const SpatialEquations&, double, const Certificate&,
+                                           const Spectrum&) {
+  refuse();
+}
 SpectrumEnclosure enclose_spectrum(const Problem&, const Equilibrium&, const Certificate&,
                                    const Spectrum&, Inputs) {
   refuse();

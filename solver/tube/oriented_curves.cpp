@@ -1,0 +1,139 @@
+#include "solver/tube/oriented_curves.hpp"
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "solver/proof/oriented_boxes.hpp"
+#include "solver/tube/thickness_curves.hpp"
+
+namespace stationary {
+namespace {
+
+template <class Layout>
+class OrientedCurves final : public CurveEquations<Layout::dimension> {
+ public:
+  static constexpr int N = Layout::dimension;
+
+  /// boxes: at nu_end. rho: where a held volume is to leave it.
+  OrientedCurves(OrientedBoxSystem<Layout> boxes, const LogRange& rho)
+      : boxes_(std::move(boxes)), rho_(rho) {}
+
+  CurveLinearized<N> linearize(const CurveBox<N>& y) const override {
+    const Box<N> x = coordinates(y);
+    const auto b = boxes_.linearize(x, y[last] * boxes_.nu_squared);
+    const auto all = all_coordinates<Layout>(x, boxes_.rho);
+    const auto at = oriented_stretch(all[0], all[1], all[2], all[3]);
+    const AxisAngle<Interval> axis = axis_angle(all[4]);
+    const auto pull =
+        inertial_part(boxes_.J, Layout::thickness ? std::nullopt : boxes_.model.body.volume, at,
+                      Layout::axis ? in_plane_products(boxes_.nu_squared, axis.cosine, axis.sine)
+                                   : axis_products(boxes_.branch, boxes_.nu_squared),
+                      static_cast<const AxisAngle<Interval>*>(nullptr));
+    CurveLinearized<N> out;
+    for (std::size_t i = 0; i < std::size_t(N); ++i) {
+      out.g[i] = b.g[i];
+      for (std::size_t j = 0; j < std::size_t(N); ++j) out.slope[i][j] = b.slope[i][j];
+      // phi's own equation has no nu in it, nor has pull a row for it.
+      out.slope[i][last] = pull[Layout::places[i]];
+    }
+    return out;
+  }
+  std::vector<Interval> conditions(const CurveBox<N>& y) const override {
+    if (Layout::thickness || !boxes_.model.body.volume) return {};
+    const Interval log_rho = log(boxes_.at(coordinates(y)).q.rho);
+    return {log_rho - rho_.lower, rho_.upper - log_rho};
+  }
+  bool excludes(const CurveBox<N>& y) const override {
+    return boxes_.excludes(coordinates(y), y[last] * boxes_.nu_squared);
+  }
+
+ private:
+  static constexpr auto last = static_cast<std::size_t>(N);
+
+  static Box<N> coordinates(const CurveBox<N>& y) {
+    Box<N> out;
+    for (std::size_t i = 0; i < last; ++i) out[i] = exp(y[i]);
+    return out;
+  }
+
+  OrientedBoxSystem<Layout> boxes_;
+  LogRange rho_;
+};
+
+class OrientedFactors {
+ public:
+  OrientedFactors(const Body& body, const AnisotropicPotential& potential, Branch branch,
+                  double from, double to, const SearchOptions& options)
+      : body_(body),
+        potential_(potential),
+        branch_(branch),
+        to_(to),
+        options_(options),
+        q_(curve_range(from, to)) {}
+
+  template <bool alpha, bool axis>
+  std::vector<CurveFactor> all() const {
+    const auto model = potential_.model();
+    using Separate = AnisotropicModel<double>::Separate;
+    const auto* const parts = std::get_if<Separate>(&model.base);
+    const bool separate = potential_.is_separable() && parts != nullptr && parts->thickness;
+    if (!separate && !potential_.body().volume) return with<OrientedLayout<true, alpha, axis>>();
+    auto out = with<OrientedLayout<false, alpha, axis>>();
+    if (!potential_.body().volume) {
+      const Branch about = axis ? Branch::i : branch_;
+      auto thickness = std::make_unique<ThicknessCurves<AnyThickness<>>>(
+          *parts->thickness, rates_at_end(body_, about, to_, options_.inputs), options_.inputs);
+      out.emplace_back().sets.push_back(
+          curve_set<1>(std::move(thickness), {log_range(options_.range(2))}, q_));
+    }
+    return out;
+  }
+
+ private:
+  template <class Layout>
+  std::vector<CurveFactor> with() const {
+    constexpr int N = Layout::dimension;
+    std::vector<CurveFactor> out;
+    if constexpr (N <= 4) {
+      std::vector<LogRange> ranges{log_range(options_.range(0)), log_range(options_.range(1))};
+      if (Layout::thickness) ranges.push_back(log_range(options_.range(2)));
+      if (Layout::alpha) {
+        const double most = std::sqrt(options_.max_stretch / options_.min_stretch);
+        ranges.push_back(log_range({1.0 / most, most}));
+      }
+      // As the search: half a turn, whose ends are no material axis.
+      if (Layout::axis)
+        ranges.push_back(log_range({axis_coordinate(-0.25 * std::numbers::pi) * (1.0 - 1e-12),
+                                    axis_coordinate(0.75 * std::numbers::pi) * (1.0 + 1e-12)}));
+      OrientedBoxSystem<Layout> boxes(body_, potential_, branch_, to_, Inputs::doubles);
+      boxes.model = potential_.model(AsIntervals{options_.inputs});
+      boxes.J = inertia_intervals(body_, options_.inputs);
+      boxes.rho_range = options_.range(2);
+      out.emplace_back().sets.push_back(curve_set<N>(
+          std::make_unique<OrientedCurves<Layout>>(std::move(boxes), log_range(options_.range(2))),
+          ranges, q_));
+    }
+    return out;
+  }
+
+  const Body& body_;
+  const AnisotropicPotential& potential_;
+  Branch branch_;
+  double to_;
+  const SearchOptions& options_;
+  Interval q_;
+};
+
+}  // namespace
+
+std::vector<CurveFactor> oriented_curves(const Body& body, const AnisotropicPotential& potential,
+                                         Branch branch, bool oblique, double from, double to,
+                                         const SearchOptions& options) {
+  const OrientedFactors factors(body, potential, branch, from, to, options);
+  if (oblique) return factors.all<true, true>();
+  return branch == Branch::iii ? factors.all<true, false>() : factors.all<false, false>();
+}
+
+}  // namespace stationary
