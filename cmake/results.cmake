@@ -49,7 +49,7 @@ endfunction()
 
 file(MAKE_DIRECTORY ${INTO})
 file(GLOB old ${INTO}/*.csv ${INTO}/*.meta.json ${INTO}/*.svg ${INTO}/*.png ${INTO}/*.html)
-list(FILTER old EXCLUDE REGEX "/(work_precision\\.|completeness\\.|stress|explorer\\.)[^/]*$") # of targets of their own
+list(FILTER old EXCLUDE REGEX "/(work_precision\\.|completeness\\.|stress|explorer\\.|riemann\\.|spin_eccentricity\\.)[^/]*$") # of targets of their own
 if(old)
   file(REMOVE ${old})
 endif()
@@ -81,6 +81,16 @@ foreach(name neo_hookean apart near_degenerate circle double_well two_wells fibr
   plot_table(${INTO}/${name}_atlas.csv ${name}_atlas)
   message(STATUS "${name}_atlas")
 endforeach()
+
+# How the classical points of a fluid move with the shear modulus.
+set(curves "")
+foreach(event ellipse fold-nu hamiltonian-hopf)
+  set(name elastic_sphere_${event})
+  run_program(curve cases/elastic_sphere.toml --set curve.event=${event} -o ${INTO}/${name}.csv --quiet)
+  keep_metadata(${name})
+  list(APPEND curves ${INTO}/${name}.csv)
+endforeach()
+plot_table("${curves}" elastic_sphere_curves)
 
 # Two families of one body by energy and momentum.
 plot_table(${INTO}/maclaurin.csv maclaurin_jacobi ${INTO}/jacobi.csv --diagram energy-momentum)

@@ -152,8 +152,8 @@ void SheetSet::complete() {
   if (!cover || cover->interrupted) {
     out.intervals.push_back({from, to, false, 0,
                              cover ? "interrupted"
-                                   : "the curves of this kind of motion are not covered yet; its "
-                                     "checkpoints are proven"});
+                                   : "five unknowns: no curves are covered; its checkpoints are "
+                                     "proven"});
     return;
   }
   out.boxes = cover->boxes;

@@ -51,7 +51,7 @@ class SheetSource {
 
   /// Every motion at nu > 0, mirror images among them. May be called by several threads.
   virtual SearchResult search(double nu, const SearchOptions& options) const = 0;
-  /// For every nu in a range; nothing of kinds whose curves are not stated.
+  /// For every nu in a range; nothing of kinds of five unknowns.
   virtual std::optional<KindCover> cover(double /*from*/, double /*to*/,
                                          const SearchOptions&) const {
     return std::nullopt;

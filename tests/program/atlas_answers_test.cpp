@@ -187,31 +187,38 @@ TEST(LeastEnergy, OfAGridIsRefused) {
   EXPECT_EQ(outcome.code, 2);
 }
 
-/// The table of results/ is of today's covers.
+/// The table of results/ is of today's covers: of the cases that take no second.
 TEST(Completeness, IsTheTableShipped) {
+  std::map<std::string, std::vector<Row>> cases;
+  for (const Row& row : rows_of(text_of(STATIONARY_RESULTS "/completeness.csv")))
+    cases[row.at("case")].push_back(row);
   int compared = 0;
-  for (const Row& row : rows_of(text_of(STATIONARY_RESULTS "/completeness.csv"))) {
+  for (const auto& [name, rows] : cases) {
+    const auto is_long = [](const Row& row) { return number(row.at("seconds")) >= 1.0; };
+    if (std::ranges::any_of(rows, is_long)) continue;
     const TemporaryDirectory directory;
     const Outcome outcome =
-        run_program({"atlas", shipped(row.at("case") + ".toml"), "-o", directory / "x.csv", "-q",
+        run_program({"atlas", shipped(name + ".toml"), "-o", directory / "x.csv", "-q",
                      "--complete", "--checkpoints", "1", "--set", "output.spectrum=false"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    int proven = 0;
-    double left = 0.0;
     const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
-    for (const auto& each : metadata["completeness"]) {
-      if (each["branch"] != row.at("branch")) continue;
-      EXPECT_EQ(each["boxes"].dump(), row.at("boxes")) << row.at("case");
-      if (each["status"] == "proven")
-        ++proven;
-      else
-        left += each["to"].get<double>() - each["from"].get<double>();
+    for (const Row& row : rows) {
+      int proven = 0;
+      double left = 0.0;
+      for (const auto& each : metadata["completeness"]) {
+        if (each["branch"] != row.at("branch")) continue;
+        EXPECT_EQ(each["boxes"].dump(), row.at("boxes")) << name;
+        if (each["status"] == "proven")
+          ++proven;
+        else
+          left += each["to"].get<double>() - each["from"].get<double>();
+      }
+      EXPECT_EQ(std::to_string(proven), row.at("proven_intervals")) << name;
+      EXPECT_LT(left, 1e-6 * (number(row.at("to")) - number(row.at("from")))) << name;
+      ++compared;
     }
-    EXPECT_EQ(std::to_string(proven), row.at("proven_intervals")) << row.at("case");
-    EXPECT_LT(left, 1e-6 * (number(row.at("to")) - number(row.at("from"))));
-    ++compared;
   }
-  EXPECT_EQ(compared, 20);
+  EXPECT_GE(compared, 23);
 }
 
 }  // namespace

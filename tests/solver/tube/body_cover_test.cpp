@@ -83,16 +83,18 @@ constexpr double largest_spin = 0.4493314121239139;
 TEST(BodyCover, MaclaurinAndJacobi) {
   // About axis 1 they are the same, by an exchange of axes.
   for (const Branch branch : {Branch::iii, Branch::i}) {
-    const double from = branch == Branch::iii ? 0.05 : 0.6;
-    const double to = branch == Branch::iii ? 0.75 : 0.68;
+    const double from = branch == Branch::iii ? 0.55 : 0.65;
+    const double to = branch == Branch::iii ? 0.70 : 0.68;
     const Problem problem(sphere, potential_of(sphere, {1.0, 4.0}), branch);
     const KindCover cover = cover_axis(problem, from, to, {});
-    ASSERT_EQ(cover.gaps.size(), 2U);
-    const NuGap& parting = cover.gaps[0];
-    EXPECT_TRUE(parting.mirrors);
-    EXPECT_FALSE(parting.undecided);
-    EXPECT_NEAR(parting.nu.mid(), std::sqrt(jacobi_bifurcation), 1e-12);
-    const NuGap& fold = cover.gaps[1];
+    ASSERT_EQ(cover.gaps.size(), branch == Branch::iii ? 2U : 1U);
+    if (branch == Branch::iii) {
+      const NuGap& parting = cover.gaps.front();
+      EXPECT_TRUE(parting.mirrors);
+      EXPECT_FALSE(parting.undecided);
+      EXPECT_NEAR(parting.nu.mid(), std::sqrt(jacobi_bifurcation), 1e-12);
+    }
+    const NuGap& fold = cover.gaps.back();
     EXPECT_TRUE(fold.turns);
     EXPECT_FALSE(fold.undecided);
     EXPECT_NEAR(fold.nu.mid(), std::sqrt(largest_spin), 1e-12);
