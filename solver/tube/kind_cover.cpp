@@ -103,7 +103,10 @@ std::optional<KindCover> cover_oriented(const Body& body, const AnisotropicPoten
                                         const SearchOptions& options) {
   const auto factors = oriented_curves(body, potential, branch, oblique, from, to, options);
   if (factors.empty()) return std::nullopt;
-  return cover_kind(factors, to, cover_options(options));
+  CoverOptions how = cover_options(options);
+  // More unknowns; a box takes some 30 microseconds.
+  how.max_boxes = 1'000'000;
+  return cover_kind(factors, to, how);
 }
 
 }  // namespace stationary
