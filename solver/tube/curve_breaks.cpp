@@ -32,15 +32,23 @@ class Breaks {
       last.turns = last.turns || each.turns;
       last.crosses = last.crosses || each.crosses;
       last.mirrors = last.mirrors || each.mirrors;
+      last.undecided = last.undecided || each.undecided;
     }
     return out;
   }
 
  private:
+  static constexpr long many = 10'000;
+  static constexpr long most = 30'000;
+
+  /// Of q, at which a slice is left as it is. On its way to an escape a curve is nearly one of a single
+  /// q, and the sign of dq/ds asks for ever shorter slices.
+  double narrow() const { return slices_ <= many ? 1e-13 : 1e-9; }
+
   void halve(const Interval& s) {
-    constexpr double narrow = 1e-13;
     constexpr double shortest = 0x1p-40;
     if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return;
+    ++slices_;
     const auto slice = tube_->slice(equations_, s);
     const Within within = within_region(equations_, region_, slice.y);
     if (within == Within::none) return;
@@ -55,9 +63,10 @@ class Breaks {
       const Interval at = tube_->slice(equations_, Interval(middle)).y[std::size_t(N)];
       return q.hi - q.lo <= 2.0 * (at.hi - at.lo);
     };
-    if ((meets_mirror == once && (q.hi - q.lo <= narrow || no_narrower_at_a_point())) ||
-        s.hi - s.lo <= shortest * tube_->half_length()) {
-      found_.push_back({q, turns, crosses, once});
+    const double width = q.hi - q.lo;
+    const bool found = meets_mirror == once && (width <= narrow() || no_narrower_at_a_point());
+    if (found || slices_ > most || s.hi - s.lo <= shortest * tube_->half_length()) {
+      found_.push_back({q, turns, crosses, once, slices_ > most});
       return;
     }
     halve({s.lo, middle});
@@ -68,6 +77,7 @@ class Breaks {
   const CurveRegion<N>& region_;
   const std::atomic<bool>* stop_;
   const Tube<N>* tube_ = nullptr;
+  long slices_ = 0;
   std::vector<CurveBreak> found_;
 };
 

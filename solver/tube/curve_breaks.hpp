@@ -3,8 +3,9 @@
 // where it passes into its own mirror image, at which it turns too.
 // Slices of each tube are halved until their signs are decided, or until what q they may have is as
 // narrow as rounding, or as that of one point of the curve: where two folds nearly meet, rounding
-// leaves q and dq/ds known to few digits. Between two neighbouring such intervals every point of a curve is regular and
-// inside, so that their number is constant.
+// leaves q and dq/ds known to few digits. After thirty thousand slices what is left is undecided.
+// Between two neighbouring such intervals every point of a curve is regular and inside, so that
+// their number is constant.
 #pragma once
 
 #include <atomic>
@@ -20,6 +21,7 @@ struct CurveBreak {
   bool crosses = false;  ///< the region or a condition may be left here
   /// A curve passes the region's mirror coordinate's 0 once, into its own mirror image.
   bool mirrors = false;
+  bool undecided = false;  ///< left so for want of patience
 };
 
 /// Ascending, touching ones merged; some are missing where *stop became true.

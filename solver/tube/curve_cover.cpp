@@ -10,6 +10,9 @@ namespace {
 
 constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// Around a point where curves cross boxes are not halved further than to this.
+constexpr double at_crossing = 0x1p-16;
+
 template <int N>
 class Cover {
  public:
@@ -67,6 +70,10 @@ class Cover {
       if (kept > 0.75) break;
     }
     if (tubes_.holds(box)) return;
+    if (width(box) < at_crossing && near_stuck(middle_of<N>(box), at_crossing)) {
+      out_.undecided.push_back(box[at(N)]);
+      return;
+    }
     constexpr double small = 0.25;
     if (width(box) < small && begins_curve(box) && tubes_.holds(box)) return;
     split(box);
@@ -139,6 +146,13 @@ class Cover {
     return true;
   }
 
+  /// A chain of tubes ends unproven at a distance below this, as beside a point where curves cross.
+  bool near_stuck(const TubePoint<N>& y, double distance) const {
+    return std::ranges::any_of(tubes_.stuck(), [&](const TubePoint<N>& each) {
+      return (y - each).cwiseAbs().maxCoeff() < distance;
+    });
+  }
+
   /// A curve not known yet passes near the box, and now is followed.
   bool begins_curve(const CurveBox<N>& box) {
     const TubePoint<N> middle = middle_of<N>(box);
@@ -147,7 +161,9 @@ class Cover {
     // Farther off it is another box's.
     const double near = 4.0 * width(box);
     if (!((*y - middle).cwiseAbs().maxCoeff() < near)) return false;
-    return tubes_.follow(*y);
+    // It would end there again.
+    constexpr double beside = 0x1p-10;
+    return !near_stuck(*y, beside) && tubes_.follow(*y);
   }
 
   /// Across the coordinate that moves some G_i most over the box, as a part of all that moves it.

@@ -71,7 +71,7 @@ KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
       out.tubes += cover.tubes;
       out.interrupted = out.interrupted || cover.interrupted;
       for (const CurveBreak& each : cover.breaks)
-        all.push_back({nu_of(each.q, to), each.turns, each.crosses, each.mirrors, false});
+        all.push_back({nu_of(each.q, to), each.turns, each.crosses, each.mirrors, each.undecided});
       for (const Interval& q : cover.undecided)
         all.push_back({nu_of(q, to), false, false, false, true});
     }
