@@ -26,6 +26,7 @@ void write_rows(const std::string& file) {
   for (const Branch branch : {Branch::i, Branch::ii, Branch::iii}) {
     if (branch == Branch::ii && input.body.symmetric()) continue;  // as (i)
     how.branches = {branch};
+    how.oblique = branch == Branch::iii;
     const auto begin = std::chrono::steady_clock::now();
     const Atlas found = atlas(input.body, input.potential, how);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

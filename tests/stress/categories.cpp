@@ -1,6 +1,7 @@
 #include "tests/stress/categories.hpp"
 
 #include "tests/stress/near_event.hpp"
+#include "tests/stress/oriented_case.hpp"
 #include "tests/stress/tilted_case.hpp"
 #include "tests/stress/two_polar_case.hpp"
 #include "tests/stress/whole_body_case.hpp"
@@ -31,7 +32,8 @@ const std::vector<Category>& categories() {
                                          {"tilted", 4'000, 14, try_tilted},
                                          {"two-polar", 4'000, 15, try_two_polar},
                                          {"held volume", 4'000, 16, try_held_volume},
-                                         {"gravity", 4'000, 17, try_gravity}};
+                                         {"gravity", 4'000, 17, try_gravity},
+                                         {"fibres", 4'000, 18, try_oriented}};
   return out;
 }
 
