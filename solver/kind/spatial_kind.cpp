@@ -103,7 +103,10 @@ class SpatialSolve : FamilySolve {
     const SearchResult all = SpatialSearch(equations_, nu_, {.stop = options_.stop}).run();
     out_.status = SolveStatus::not_found;
     out_.message = "exhaustive search: " + all.message;
-    if (all.status == SearchStatus::interrupted) out_.status = SolveStatus::interrupted;
+    if (all.status == SearchStatus::interrupted) {
+      out_.status = SolveStatus::interrupted;
+      return out_;
+    }
     if (all.solutions.empty()) return out_;
     const double unit = std::cbrt(*potential_.volume());
     const auto far = [unit](const Equilibrium& at) {

@@ -146,7 +146,10 @@ class AnisotropicSolve : FamilySolve {
   }
 
   void nearest_of(const SearchResult& all) {
-    if (all.status == SearchStatus::interrupted) out_.status = SolveStatus::interrupted;
+    if (all.status == SearchStatus::interrupted) {
+      out_.status = SolveStatus::interrupted;
+      return;
+    }
     if (all.solutions.empty()) {
       out_.message += "; exhaustive search, " + all.message;
       return;

@@ -91,8 +91,11 @@ SearchStatus search_all(const Problem& problem, double nu, const SolveOptions& o
   SearchOptions how;
   how.stop = options.stop;
   const SearchResult all = search(problem, nu, how);
-  if (all.status == SearchStatus::interrupted) out.status = SolveStatus::interrupted;
   out.message += "Exhaustive search: " + all.message + ".";
+  if (all.status == SearchStatus::interrupted) {  // the nearest may be among those not come to
+    out.status = SolveStatus::interrupted;
+    return all.status;
+  }
   if (all.solutions.empty()) {
     if (all.status == SearchStatus::complete)
       out.message += " None was found beyond that box, which is no proof that none exists.";

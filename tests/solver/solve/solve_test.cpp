@@ -1,9 +1,13 @@
 // Laws of solve() that hold whatever the model: symmetries, rest, misuse, interruption, poison.
-#include "solver/newton/reduced_system.hpp"
 #include "solver/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "solver/newton/reduced_system.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/random_problem.hpp"
 
@@ -172,6 +176,40 @@ TEST(Solve, MisuseThrows) {
   SolveOptions options;
   options.start = Stretch{0.0, 1.0, 1.0, 1.0};
   EXPECT_NO_THROW(solve(problem, 0.3, options));
+}
+
+/// Whenever it is told to stop, an answer is the whole search's or none: of a part of the solutions the
+/// nearest need not be the nearest.
+TEST(Solve, InterruptedSearchAnswersNothingElse) {
+  const Body thin(1.12, 0.0133, 1.76);
+  BodyModel<> model;
+  model.elastic.plane = AnyPlane<>{PlanarPotential(SaintVenantKirchhoff<>{2.369, 1.172})};
+  model.elastic.thickness = AnyThickness<>{ThicknessPotential(Harmonic<>{1.222, 2.593})};
+  model.gravitates = true;
+  model.g = 1.72;
+  model.J = {thin.J1, thin.J2, thin.J3};
+  const Problem problem(thin, Potential(model), Branch::iii);
+  SolveOptions options;
+  options.start = Stretch{0.0, 1.557, 1.534, 1.107};  // leads nowhere
+  const auto begin = std::chrono::steady_clock::now();
+  const Equilibrium whole = solve(problem, 0.8856, options);
+  const auto time = std::chrono::steady_clock::now() - begin;
+  ASSERT_EQ(whole.status, SolveStatus::solved);
+  ASSERT_NE(whole.message.find("Exhaustive search"), std::string::npos);
+  for (int part = 0; part < 12; ++part) {
+    std::atomic<bool> stop = false;
+    options.stop = &stop;
+    std::thread clock([&] {
+      std::this_thread::sleep_for(time * (0.4 + 0.055 * part));
+      stop = true;
+    });
+    const Equilibrium answer = solve(problem, 0.8856, options);
+    clock.join();
+    if (answer.status == SolveStatus::interrupted) continue;
+    ASSERT_EQ(answer.status, SolveStatus::solved);
+    EXPECT_EQ(answer.message, whole.message);
+    EXPECT_EQ(answer.q.vector(), whole.q.vector());
+  }
 }
 
 TEST(Solve, StopInterrupts) {
