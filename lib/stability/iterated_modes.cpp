@@ -123,12 +123,14 @@ EigenTriple triple(const Dense& H, const Dense& magnitude, Complex lambda, Real 
   const Eigen::Index last = H.rows() - 1;
   out.right = svd.matrixV().col(last);
   const ComplexVector left = svd.matrixU().col(last);
-  // |y^* dH x| <= |J y|^T |dE''| |x| u; and what the decomposition itself left.
+  // |y^* dH x| <= |J y|^T |dE''| |x| u; what the decomposition itself left; and how far s is from an
+  // eigenvalue of H, as a slow one beside stiff ones may be.
   const Eigen::Index n = H.rows() / 2;
   Eigen::Matrix<Real, Eigen::Dynamic, 1> y(H.rows());
   y << left.cwiseAbs().tail(n), left.cwiseAbs().head(n);
   const Real perturbation = u * y.dot(magnitude * out.right.cwiseAbs()) +
-                            Real(64) * std::numeric_limits<Real>::epsilon() * H.norm();
+                            Real(64) * std::numeric_limits<Real>::epsilon() * H.norm() +
+                            svd.singularValues()[last];
   const Real overlap = std::abs(left.dot(out.right));
   const Real change = perturbation / overlap;
   // ds = change to first order; near a double s it is at most sqrt(change) times what it takes, and

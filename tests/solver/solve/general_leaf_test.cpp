@@ -283,5 +283,26 @@ TEST(GeneralLeaf, BesideZero) {
   }
 }
 
+/// A collapsed body under its own gravity: four Lambda of some 4 10^6 and one of 10^-14. The latter by a
+/// linearization of its own in 50 digits.
+TEST(GeneralLeaf, ASlowModeBesideStiffOnes) {
+  const Body body(5.0945600179518769, 1.3792305714131288, 0.86379010973155024);
+  BodyModel<> model;
+  model.elastic.coupled = NeoHookean3d<>{1.1580177186729153, 5.1595940577654194};
+  model.gravitates = true;
+  model.g = 1.1445381088433928;
+  model.J = {body.J1, body.J2, body.J3};
+  const BasicStretch<DoubleDouble> q{0.0, 0.0018686227316598173537, 0.0035913403138245638147,
+                                     0.0045380662428466368492};
+  const Vector3<DoubleDouble> nu{DoubleDouble(0.93987479551303543), DoubleDouble(0.0),
+                                 DoubleDouble(0.0)};
+  const Spectrum found = general_spectrum(body, Potential(model), q, nu, 4e-14);
+  const std::vector<Mode> modes = testing::by_lambda(found);
+  ASSERT_EQ(modes.size(), 5U);
+  EXPECT_LE(std::abs(modes[3].lambda_re + 7.51627554016008131e-15), modes[3].lambda_error);
+  EXPECT_LT(modes[3].lambda_error, 1e-2 * 7.5e-15);
+  EXPECT_LE(std::abs(modes[4].lambda_re - 4214781.40361277476), modes[4].lambda_error);
+}
+
 }  // namespace
 }  // namespace stationary
