@@ -349,6 +349,7 @@ def spoil(rng, command):
         exit_two = (DONE, WRONG, NONE, FAILED)
     elif way == "key":
         words += ["--set", rng.choice(("motion.mu=1", "boddy.J=[1,1,1]", "body.J.3=1", "solve.al=true", "=1", "x"))]
+        exit_two = (WRONG, FAILED) if command.verb == "study" else (WRONG,)  # what a row's case is wrong in is the row's
     elif way == "value":
         words += ["--set", rng.choice(("motion.branch=iv", "body.J=[1,1]", "body.J=[1,-1,1]", "output.columns=[\"no\"]",
                                        "solve.method=guess", "continuation.tolerance=2", "body.J.0=0"))]
