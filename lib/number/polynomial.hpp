@@ -201,6 +201,10 @@ QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
   std::array<Complex, 4> z;
   for (std::size_t k = 0; k < 4; ++k)
     z[k] = std::pow(Complex(0.4, 0.9), static_cast<double>(k)) * scale;
+  // At double roots its steps shrink to where rounding drives them, and then may be of any length:
+  // those after the shortest ones are forgotten.
+  double least = std::numeric_limits<double>::infinity();
+  std::array<Complex, 4> nearest = z;
   for (int sweep = 0; sweep < 200; ++sweep) {
     double moved = 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -213,8 +217,13 @@ QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
       z[i] -= value / others;
       moved = std::fmax(moved, std::abs(value / others));
     }
+    if (moved < least) {
+      least = moved;
+      nearest = z;
+    }
     if (moved <= 1e-15 * scale) break;
   }
+  z = nearest;
   // Of the three pairings the one whose factors lie farthest apart, conjugates together.
   constexpr std::size_t pairings[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
   double best = -1.0;

@@ -294,6 +294,24 @@ TEST(QuarticRoots, TwoNearDoublePairsEachShareAFactor) {
   }
 }
 
+/// Where Durand and Kerner's steps never become short: in double the roots of a pair come no nearer than
+/// half its digits.
+TEST(QuarticRoots, TwoDoubleRootsAreFoundHoweverTheRoundingFalls) {
+  Random random(112);
+  for (int k = 0; k < 20000; ++k) {
+    const double m1 = random.sign() * random.log_uniform(0.3, 3.0);
+    const double m2 = m1 * random.sign() * random.log_uniform(1.3, 4.0);
+    const Real50 zero(0);
+    const auto found =
+        quartic_roots(rounded(pair_factor(Real50(m1), zero) * pair_factor(Real50(m2), zero)));
+    const double x = leading(found.first.mean);
+    const double y = leading(found.second.mean);
+    const double off =
+        std::min(std::abs(x - m1) + std::abs(y - m2), std::abs(x - m2) + std::abs(y - m1));
+    ASSERT_LE(off, 1e-6 * std::abs(m1)) << at("means", m1, m2);
+  }
+}
+
 TEST(QuarticRoots, ComplexPairBesideRealOnes) {
   Random random(111);
   for (int k = 0; k < 2000; ++k) {
