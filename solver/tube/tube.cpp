@@ -30,6 +30,10 @@ Box<N> symmetric(const Box<N>& d, double factor) {
 
 }  // namespace
 
+double fixed_point_bound(double along, double rest) {
+  return (Interval(along) / (Interval(1.0) - Interval(rest))).hi;
+}
+
 template <int N>
 TubePoint<N> tangent_of(const CurveLinearized<N>& linearized) {
   // The last column of Q is across all rows.
@@ -300,9 +304,9 @@ auto Tube<N>::slice(const Equations& equations, const Interval& s) const -> Slic
   out.y = place(s, d);
   out.velocity.fill(Interval::entire());
   if (!(rest < 0.9)) return out;
-  const Interval bound = Interval(along) / (Interval(1.0) - Interval(rest));
+  const double bound = fixed_point_bound(along, rest);
   Box<N> slope;
-  for (std::size_t i = 0; i < d.size(); ++i) slope[i] = Interval(-bound.hi, bound.hi) * core_[i].hi;
+  for (std::size_t i = 0; i < d.size(); ++i) slope[i] = Interval(-bound, bound) * core_[i].hi;
   constexpr int passes = 3;
   for (int pass = 0; pass < passes; ++pass) {
     Box<N> next = over.along;

@@ -85,6 +85,9 @@ class Tube {
   CurveBox<N> hull_;
 };
 
+/// Bound of |x|, x = a + R x, |a| <= along, |R| <= rest < 1 in any norm.
+double fixed_point_bound(double along, double rest);
+
 /// Of dG/dy in the middle of its intervals: a unit null vector, at random oriented.
 template <int N>
 TubePoint<N> tangent_of(const CurveLinearized<N>& at);

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <vector>
 
+#include "lib/balance/balance.hpp"
 #include "lib/material/gravitating/rest_state.hpp"
+#include "lib/material/material_coordinates.hpp"
 #include "lib/material/models/any_model.hpp"
 
 namespace stationary {
@@ -129,6 +131,35 @@ TEST(BodyModel, TheBalanceIsTheEnergysAndItsSlopesAreSlopes) {
       EXPECT_NEAR(own.g_rho, excess, 1e-13);
     }
   }
+}
+
+/// The derivatives along a held volume are the same whatever rho is: a stretch of another volume is
+/// no solution by what its volume is off alone.
+TEST(BodyModel, AStretchOfAnotherVolumeIsNoSolution) {
+  const Body body(1.2, 0.8, 0.7);
+  BodyModel<> model = bodies()[4];
+  model.J = {body.J1, body.J2, body.J3};
+  model.volume = 1.1;
+  model.stiffness = volume_stiffness(model);
+  const auto [xi, zeta, rho] = rest_state(model);
+  const Potential potential(model);
+  const Vector3<double> at_rest = Vector3<double>::Zero();
+  EXPECT_LT(check_balance(body, potential, {0.0, xi, zeta, rho}, at_rest).residual, 1e-12);
+  for (const double off : {1e-9, -1e-6, 1e-3, -0.3}) {
+    const Stretch q{0.0, xi, zeta, rho * (1.0 + off)};
+    EXPECT_GE(check_balance(body, potential, q, at_rest).residual, 0.99 * std::abs(off)) << off;
+  }
+}
+
+TEST(BodyModel, AFluidIsABodyWithoutElasticEnergy) {
+  BodyModel<> fluid;
+  fluid.volume = 1.3;
+  EXPECT_TRUE(is_fluid(Potential(fluid)));
+  BodyModel<> solid = bodies()[4];
+  EXPECT_FALSE(is_fluid(Potential(solid)));
+  solid.volume = 1.3;
+  EXPECT_FALSE(is_fluid(Potential(solid)));
+  EXPECT_FALSE(is_fluid(Potential(Hencky<>{1.0, 0.6}, ReciprocalQuadratic<>{0.8, 1.3})));
 }
 
 /// Of stretches from 1e-3 to 1e3 alone; between, it is the minimum.

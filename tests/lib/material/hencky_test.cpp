@@ -225,5 +225,24 @@ TEST(Hencky, IsTheSquareOfLogarithmicStrain) {
   }
 }
 
+/// B' in pairs of doubles too where its formula by the logarithm would cancel.
+TEST(Hencky, SlopesInPairsOfDoublesKeepTheirDigits) {
+  for (double difference = 0x1p-12; difference < 1.5; difference *= 1.5) {
+    const double xi = 1.0 + difference;
+    const double zeta = 1.0 / xi;
+    const PlanarInvariants<DoubleDouble> q = extended_invariants(xi, zeta);
+    const DoubleDouble t2 = q.t * q.t;
+    const DoubleDouble x = q.e / t2;
+    const AtanhRatio<DoubleDouble> ratio = atanh_ratio<2>(q, x, DoubleDouble(4.0 * q.d / t2));
+    const AtanhRatio<Real50> exact = reference_ratio(xi, zeta);
+    const auto error = [](const DoubleDouble& found, const Real50& wanted) {
+      const Real50 wide = Real50(found.hi) + found.lo;
+      return abs(wide / wanted - 1);
+    };
+    EXPECT_LE(error(ratio.b, exact.b), 0x1p-94) << difference;
+    EXPECT_LE(error(ratio.b_x, exact.b_x), 0x1p-94) << difference;
+  }
+}
+
 }  // namespace
 }  // namespace stationary

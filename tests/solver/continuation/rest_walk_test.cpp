@@ -189,6 +189,8 @@ TEST(RestWalk, StopsWhenAskedAndAtItsLimits) {
   const WalkResult<2> stopped = walk(model, 0.5, 0.3, {}, &stop);
   EXPECT_EQ(stopped.end, WalkEnd::interrupted);
   EXPECT_EQ(stopped.steps, 0);
+  const std::atomic<bool> go_on = false;
+  EXPECT_EQ(walk(model, 0.5, 0.3, {}, &go_on).end, WalkEnd::reached);
   const WalkResult<2> limited = walk(model, 0.5, 0.3, {.max_steps = 2});
   EXPECT_EQ(limited.end, WalkEnd::too_long);
   EXPECT_EQ(limited.steps, 2);

@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "solver/atlas/atlas.hpp"
+#include "solver/family/anisotropic_family.hpp"
 #include "solver/family/normal_form.hpp"
+#include "solver/motion/oriented_stability.hpp"
 #include "solver/solve/anisotropic_equilibrium.hpp"
 #include "tests/support/anisotropic_motions.hpp"
 #include "tests/support/atlas_text.hpp"
+#include "tests/support/followed.hpp"
 
 namespace stationary::testing {
 namespace {
@@ -94,7 +98,7 @@ void expect_side(const Leaving& at, const NormalForm& form) {
   EXPECT_EQ(form.side, nu > at.event->nu ? EventSide::after : EventSide::before);
 }
 
-AtlasOptions range(double from, double to, Branch branch) {
+AtlasOptions atlas_range(double from, double to, Branch branch) {
   AtlasOptions out;
   out.from = from;
   out.to = to;
@@ -107,7 +111,8 @@ AtlasOptions range(double from, double to, Branch branch) {
 
 TEST(OrientedNormalForm, OfAnEllipseThatTurnsAway) {
   const Problem problem({1.0, 1.2, 0.6}, fibred(Hencky<>{1.0, 0.6}, 0.05, 90.0), Branch::iii);
-  const Atlas found = atlas(problem.body(), problem.potential(), range(0.5, 0.75, Branch::iii));
+  const Atlas found =
+      atlas(problem.body(), problem.potential(), atlas_range(0.5, 0.75, Branch::iii));
   const Leaving at = leaving(found, EventType::shear);
   ASSERT_NE(at.event, nullptr) << text_of(found);
   const auto form = normal_form(problem, {}, Circle::none, EventType::shear, *at.event);
@@ -123,7 +128,7 @@ TEST(OrientedNormalForm, OfAnEllipseThatTurnsAway) {
 
 TEST(OrientedNormalForm, OfAnAxisThatLeavesItsOwn) {
   const Problem problem({1.0, 1.7, 0.6}, fibred(NeoHookean<>{1.0, 2.0}, 0.4, 0.0), Branch::i);
-  AtlasOptions how = range(0.7, 0.76, Branch::i);
+  AtlasOptions how = atlas_range(0.7, 0.76, Branch::i);
   how.oblique = true;
   const Atlas found = atlas(problem.body(), problem.potential(), how);
   const Leaving at = leaving(found, EventType::oblique);
@@ -168,6 +173,99 @@ TEST(OrientedNormalForm, IsNotToldOfAPotentialThatIsNotEven) {
   at.nu = at.parameter = 0.5;
   at.error_bound = 1e-15;
   EXPECT_FALSE(normal_form(skew, {}, Circle::none, EventType::shear, at));
+}
+
+/// Makes a model, and keeps the coefficient at one place.
+struct Reading {
+  int place;
+  mutable int next = 0;
+  mutable double value = 0.0;
+
+  double operator()(double c) const {
+    if (next++ == place) value = c;
+    return c;
+  }
+  Direction<double> direction(double degrees) const {
+    (*this)(degrees);
+    return {1.0, 0.0};
+  }
+};
+
+/// Of a coefficient among all of the potential's.
+int place_of(const AnisotropicPotential& V, const FamilyParameter& parameter) {
+  const bool of_fibre = parameter.kind == FamilyParameter::Kind::fibre;
+  return parameter.index + (of_fibre ? V.fibre_place() : 0);
+}
+
+/// A body with one of its numbers at another value.
+Problem changed(const Problem& problem, const FamilyParameter& parameter, double value) {
+  const Body& J = problem.body();
+  if (parameter.kind == FamilyParameter::Kind::inertia) {
+    double own[] = {J.J1, J.J2, J.J3};
+    own[parameter.index] = value;
+    return {Body(own[0], own[1], own[2]), problem.potential(), problem.branch()};
+  }
+  const AnisotropicPotential& V = problem.potential().anisotropic();
+  const int place = place_of(V, parameter);
+  return {J, Potential(V.with_coefficient(place, value)), problem.branch()};
+}
+double value_of(const Problem& problem, const FamilyParameter& parameter) {
+  const Body& J = problem.body();
+  if (parameter.kind == FamilyParameter::Kind::inertia)
+    return parameter.index == 0 ? J.J1 : parameter.index == 1 ? J.J2 : J.J3;
+  const AnisotropicPotential& V = problem.potential().anisotropic();
+  const Reading at{place_of(V, parameter)};
+  V.model(at);
+  return at.value;
+}
+
+/// The motions that leave are the same whatever parameter comes to the event; they are on that side
+/// of it on which the sheet that stays is no minimum along them.
+TEST(OrientedNormalForm, TheSideIsThatOfTheStiffnessInEveryParameter) {
+  using Kind = FamilyParameter::Kind;
+  support::Random random(279);
+  int compared = 0;
+  for (int kind = 0; kind < 240; ++kind) {
+    const OrientedBody at = random_oriented_body(random, kind);
+    if (!at.V.even_in_alpha() || at.V.fibres().empty()) continue;
+    const Problem problem = at.problem(Branch::iii);
+    const Equilibrium rest = solve(problem, 0.0, without_search());
+    if (rest.status != SolveStatus::solved || rest.q.alpha != 0.0) continue;
+    const AnyFamily family =
+        anisotropic_family(at.body, at.V, Branch::iii, false, {.parameter = {}, .spectrum = false});
+    const Followed sheet = followed(family, rest.q, 0.0, testing::range(0.0, 2.0));
+    for (const FollowedRow& row : sheet.events({EventType::shear})) {
+      const Member& event = row.member;
+      const auto turn = [&](const Problem& near, double nu) {
+        const Equilibrium found = solve(near, nu, without_search(event.q));
+        if (found.status != SolveStatus::solved || found.q.alpha != 0.0)
+          return std::numeric_limits<double>::quiet_NaN();
+        const double V_aa = near.potential().derivatives(found.q).hessian(0, 0);
+        return turn_of(near.body(), Branch::iii, V_aa, found.q, nu);
+      };
+      constexpr double h = 1e-4;
+      const double by_nu =
+          turn(problem, event.nu * (1.0 + h)) - turn(problem, event.nu * (1.0 - h));
+      const auto in_nu = normal_form(problem, {}, Circle::none, EventType::shear, event);
+      if (!in_nu || !(std::abs(by_nu) > 1e-6)) continue;
+      std::vector<FamilyParameter> parameters{{Kind::inertia, 0}, {Kind::inertia, 1},
+                                              {Kind::inertia, 2}, {Kind::plane, 0},
+                                              {Kind::plane, 1},   {Kind::fibre, 0}};
+      for (const FamilyParameter& parameter : parameters) {
+        Member same = event;
+        same.parameter = value_of(problem, parameter);
+        const double by_parameter =
+            turn(changed(problem, parameter, same.parameter * (1.0 + h)), event.nu) -
+            turn(changed(problem, parameter, same.parameter * (1.0 - h)), event.nu);
+        const auto form = normal_form(problem, parameter, Circle::none, EventType::shear, same);
+        if (!form || !(std::abs(by_parameter) > 1e-7)) continue;
+        EXPECT_EQ(form->side == in_nu->side, (by_parameter > 0.0) == (by_nu > 0.0))
+            << at.text << ", parameter " << static_cast<int>(parameter.kind) << parameter.index;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 60);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The tilted family followed: its slopes, what every row satisfies, where it begins and ends.
 #include <gtest/gtest.h>
 
+#include "lib/balance/tilted_balance.hpp"
 #include "solver/solve/tilted_equilibrium.hpp"
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/followed.hpp"
@@ -277,6 +278,86 @@ TEST(TiltedFamily, RandomFamiliesFromEndToEnd) {
   EXPECT_GE(families, 10);
   EXPECT_GE(ends, families);
   EXPECT_GE(exact, ends - 2);
+}
+
+/// The bound of an event's stretches holds what half a unit in the last place of every number does
+/// to each of the three, rho among them, which the inertias tie to another: of stiff bodies it is
+/// rho that they move most.
+TEST(TiltedFamily, TheBoundOfATiltHoldsRhoToo) {
+  using enum TiltPlane;
+  using Numbers = std::array<double, 7>;  // J, the plane's two, the thickness' two
+  struct Given {
+    std::string_view plane_model;
+    std::string_view thickness_model;
+    TiltPlane plane;
+    double nu;
+    Numbers numbers;
+  };
+  const Given given[] = {{"hencky",
+                          "reciprocal-quadratic",
+                          one_three,
+                          1.0,
+                          {2.038, 0.6041, 2.952, 9.712, 12.77, 0.3429, 1.252}},
+                         {"saint-venant-kirchhoff",
+                          "harmonic",
+                          one_three,
+                          1.0,
+                          {0.5466, 1.044, 1.908, 1.953, 0.1404, 0.454, 0.4436}},
+                         {"reciprocal-determinant",
+                          "harmonic",
+                          two_three,
+                          0.3,
+                          {1.529, 1.365, 2.59, 0.4257, 1.419, 0.1459, 0.3267}},
+                         {"biot",
+                          "reciprocal-quadratic",
+                          two_three,
+                          1.0,
+                          {0.3177, 1.217, 0.1394, 1.948, 29.96, 8.444, 0.3667}}};
+  int rho_most = 0;
+  for (const Given& of : given) {
+    const auto potential = [&](const Numbers& own) {
+      const double plane[] = {own[3], own[4]};
+      const double axial[] = {own[5], own[6]};
+      return Potential(Potential::planar(of.plane_model, plane),
+                       Potential::thickness(of.thickness_model, axial));
+    };
+    const auto body = [](const Numbers& own) { return Body(own[0], own[1], own[2]); };
+    const auto family = [&](const Numbers& own) {
+      return tilted_family(body(own), potential(own), of.plane, false);
+    };
+    const Equilibrium start =
+        solve_tilted(body(of.numbers), potential(of.numbers), {of.plane, of.nu});
+    ASSERT_EQ(start.status, SolveStatus::solved) << start.message;
+    const Followed sheet = followed(AnyFamily(family(of.numbers)), start.q, of.nu, range(0.0, 6.0));
+    int tilts = 0;
+    for (const FollowedRow& row : sheet.rows) {
+      if (row.event != EventType::tilt) continue;
+      const auto at = [&](const Numbers& own) {
+        const auto found = family(own)->event_at(EventType::tilt, Circle::none, row.member);
+        if (!found) throw std::runtime_error("no tilt beside one");
+        const double xi = double(found->x[0]);
+        const double zeta = double(found->x[1]);
+        return Vector3<double>(std::log(xi), std::log(zeta),
+                               std::log(tilted_thickness(body(own), of.plane, xi, zeta)));
+      };
+      Vector3<double> moves = Vector3<double>::Zero();
+      constexpr double h = 1e-5;
+      for (std::size_t k = 0; k < of.numbers.size(); ++k) {
+        Numbers ahead = of.numbers;
+        Numbers behind = of.numbers;
+        ahead[k] *= 1.0 + h;
+        behind[k] *= 1.0 - h;
+        moves += ((at(ahead) - at(behind)) / (2.0 * h)).cwiseAbs();
+      }
+      const auto event = family(of.numbers)->event_at(EventType::tilt, Circle::none, row.member);
+      ASSERT_TRUE(event);
+      EXPECT_LE(0x1p-53 * moves.maxCoeff(), event->error_bound * (1.0 + 1e-6)) << of.plane_model;
+      rho_most += moves[2] > 1.1 * std::max(moves[0], moves[1]) ? 1 : 0;
+      ++tilts;
+    }
+    EXPECT_GT(tilts, 0) << of.plane_model;
+  }
+  EXPECT_GE(rho_most, 3);
 }
 
 }  // namespace

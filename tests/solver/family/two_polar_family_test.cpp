@@ -56,6 +56,36 @@ void expect_members(const Potential& potential, const Followed& sheet, bool by_m
   }
 }
 
+/// At a motion, where G = 0, the slope of its rows by the parameter is that of their values.
+TEST(TwoPolarFamily, SlopesByEveryParameterAreSlopes) {
+  using Kind = FamilyParameter::Kind;
+  const double numbers[] = {1.0, 3.0};
+  const Potential potential = make_potential("hencky", {numbers[0], numbers[1]});
+  SolveOptions how;
+  how.start = Stretch{0.0, 2.3, 0.64, 0.69};
+  const TwoPolarRates<double> rates{0.65, 0.02};
+  const Equilibrium at = solve_two_polar(round, potential, rates, how);
+  ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
+  ASSERT_FALSE(at.circle);
+  for (const Kind kind : {Kind::nu, Kind::plane}) {
+    for (const int index : {0, 1}) {
+      const double p = kind == Kind::plane ? numbers[index] : index == 0 ? 0.65 : 0.02;
+      const AnyFamily any = two_polar_family(round, potential, {rates, {kind, index}, false});
+      const Family<2>& family = *std::get<std::unique_ptr<Family<2>>>(any);
+      const ReducedVector<2> x = family.coordinates(at.q, p);
+      const FamilyLinearization<2> found = family.linearize(x, p);
+      constexpr double h = 1e-5;
+      const ReducedVector<2> ahead = family.extended_residual(x, p + h);
+      const ReducedVector<2> behind = family.extended_residual(x, p - h);
+      for (int i = 0; i < 2; ++i) {
+        const double slope = (ahead[i] - behind[i]) / (2.0 * h);
+        EXPECT_NEAR(found.slope[i], slope, 1e-8) << static_cast<int>(kind) << index << i;
+        EXPECT_GT(std::abs(slope), 1e-3);
+      }
+    }
+  }
+}
+
 /// Closed form: c/d^2 = -2 J omega theta', J (omega^2 + theta'^2) = k, s3 +- p_theta of t and d.
 TEST(TwoPolarFamily, ReciprocalDeterminantInAMomentum) {
   const double c = 0.96;

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "solver/newton/refine.hpp"
+#include "solver/newton/thickness_balance.hpp"
 #include "tests/support/written_potential.hpp"
 
 namespace stationary {
@@ -25,6 +27,40 @@ TEST(RefineFormula, TheBoundHoldsBesideAPole) {
       EXPECT_LE(error, refined.error_bound) << gap << " " << off;
       EXPECT_LE(error, 0x1p-52) << gap << " " << off;
     }
+  }
+}
+
+/// A start at rounding shows no bend, and where no step more is allowed the last one is measured by
+/// none: the bound is that of the inputs then.
+TEST(RefineFormula, AStartNextToTheSolutionIsBoundedByItsInputs) {
+  for (const double gap : {0x1p-4, 0x1p-6, 0x1p-8}) {
+    const double exact = 1.0 - gap;
+    const auto model =
+        support::written_thickness("b/(r - rho)", {"b", "r"}, {gap * gap * exact, 1.0});
+    const ThicknessSystem<ThicknessExpression<>> system{model, DoubleDouble(1.0)};
+    for (const double off : {4e-16, -8e-16, 1e-12}) {
+      ReducedVector<1> x(exact * (1.0 + off));
+      const Refined refined = refine(system, x, 1);
+      ASSERT_TRUE(refined.converged) << gap << " " << off;
+      EXPECT_EQ(refined.steps, 1);
+      const double error = std::abs(x[0] / exact - 1.0);
+      EXPECT_LE(error, refined.error_bound) << gap << " " << off;
+      EXPECT_LE(refined.error_bound, 1e-14) << gap << " " << off;
+    }
+  }
+}
+
+/// A place from which Newton's method leads nowhere is no place to begin at.
+TEST(RefineFormula, AThicknessIsFoundFromItsOwnStartWhereTheGivenOneIsOfNoUse) {
+  const AnyThickness<> model{
+      support::written_thickness("a/rho + b/2*rho^2", {"a", "b"}, {1.0, 3.0})};
+  const ThicknessBalance own = balanced_thickness(model, DoubleDouble(0.2));
+  ASSERT_TRUE(own.refined.converged);
+  EXPECT_NEAR(own.rho, std::cbrt(1.0 / 2.8), 1e-14);
+  for (const double near : {own.rho, 0.9, 1e200, std::numeric_limits<double>::quiet_NaN()}) {
+    const ThicknessBalance found = balanced_thickness(model, DoubleDouble(0.2), near);
+    ASSERT_TRUE(found.refined.converged) << near;
+    EXPECT_EQ(found.rho, own.rho) << near;
   }
 }
 

@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <vector>
 
+#include "solver/search/two_polar_search.hpp"
 #include "solver/solve/stability.hpp"
 #include "tests/support/reference_table.hpp"
 
@@ -163,6 +167,54 @@ TEST(TwoPolar, MisuseThrows) {
   EXPECT_THROW(solve_two_polar(Body(1.0, 1.0, 1.0), V, TwoPolarRates<double>{1.0, std::nan("")}),
                std::invalid_argument);
   EXPECT_THROW(two_polar_stability(Body(1.0, 1.0, 1.0), V, Equilibrium{}), std::invalid_argument);
+}
+
+double from_unit(const Equilibrium& at) { return diagonal(at.q).array().log().abs().maxCoeff(); }
+
+/// Of several ellipses at the same rates the answer is the one nearest to the unit stretches; the
+/// other method comes to one of them.
+TEST(TwoPolar, TheAnswerIsTheNearestEllipseOfAll) {
+  const Body body(1.25, 1.25, 0.6);
+  struct Given {
+    const char* model;
+    double lambda;
+    TwoPolarRates<double> rates;
+  };
+  const Given given[] = {{"hencky", 3.0, {0.6, -0.05}}, {"hencky", 3.0, {0.6, 0.0}},
+                         {"hencky", 3.0, {0.65, 0.02}}, {"biot-log", 0.6, {1.2, 0.0}},
+                         {"biot-log", 1.0, {1.2, 0.0}}, {"biot-log", 3.0, {1.2, 0.1}},
+                         {"biot-log", 3.0, {1.2, 0.3}}};
+  int several = 0;
+  int not_the_first = 0;
+  int by_seeds = 0;
+  for (const auto& [model, lambda, rates] : given) {
+    const Potential V = potential(model, 1.0, lambda);
+    std::vector<double> ellipses;  // how far from the unit stretches
+    for (const Equilibrium& each : search_two_polar(body, V, rates, {}).solutions)
+      if (!each.circle) ellipses.push_back(from_unit(each));
+    ASSERT_FALSE(ellipses.empty());
+    const double nearest_one = *std::ranges::min_element(ellipses);
+    const Equilibrium found = solve_two_polar(body, V, rates);
+    ASSERT_EQ(found.status, SolveStatus::solved) << found.message;
+    ASSERT_FALSE(found.circle);
+    EXPECT_EQ(found.message.rfind("exhaustive search", 0), 0U) << found.message;
+    EXPECT_NEAR(from_unit(found), nearest_one, 1e-12);
+    several += ellipses.size() > 1 ? 1 : 0;
+    not_the_first += ellipses.front() > nearest_one + 1e-6 ? 1 : 0;
+
+    SolveOptions how;
+    how.method = Method::nlopt;
+    const Equilibrium seeded = solve_two_polar(body, V, rates, how);
+    if (seeded.status != SolveStatus::solved || seeded.circle) continue;
+    EXPECT_EQ(seeded.message, "global search, then Newton");
+    const bool known = std::ranges::any_of(
+        ellipses, [&](double each) { return std::abs(each - from_unit(seeded)) < 1e-12; });
+    EXPECT_TRUE(known);
+    ++by_seeds;
+  }
+  EXPECT_GT(several, 2);
+  EXPECT_GT(not_the_first, 0);
+  EXPECT_GT(by_seeds, 2);
 }
 
 }  // namespace

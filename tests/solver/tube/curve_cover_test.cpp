@@ -10,6 +10,7 @@
 #include <set>
 
 #include "solver/search/search.hpp"
+#include "solver/tube/axis_curves.hpp"
 #include "solver/tube/kind_cover.hpp"
 
 namespace stationary {
@@ -205,6 +206,99 @@ TEST(Cover, HasAVerticalBranchInOneGap) {
   const KindCover coupled =
       covered({round_body, Potential(NeoHookean3d<>{1.0, 2.0}), Branch::iii}, 1.3);
   EXPECT_EQ(at_one(coupled), coupled.gaps.end());
+}
+
+/// x_2 (x_1^2 - w^2) = 0, q = 1/2 + x_1 + 0.3 x_2: a line and two that cross it at q = 1/2 -+ w.
+class Crossings final : public CurveEquations<2> {
+ public:
+  CurveLinearized<2> linearize(const CurveBox<2>& y) const override {
+    CurveLinearized<2> out;
+    const Interval apart = square(y[0]) - square(Interval(w));
+    out.g = {y[1] * apart, y[0] + 0.3 * y[1] + Interval(0.5) - y[2]};
+    out.slope[0] = {2.0 * (y[0] * y[1]), apart, Interval(0.0)};
+    out.slope[1] = {Interval(1.0), Interval(0.3), Interval(-1.0)};
+    return out;
+  }
+
+  static constexpr double w = 0.2;
+};
+
+/// What is left undecided is the two crossings, and not what lies between them.
+TEST(Cover, LeavesNoMoreUndecidedThanEachCrossing) {
+  const Crossings crossings;
+  CurveRegion<2> region;
+  region.lower = {Interval(-0.45), Interval(-0.45)};
+  region.upper = {Interval(0.45), Interval(0.45)};
+  region.q = {0.0, 1.0};
+  const CurveCover cover = cover_curves(crossings, region, {.min_width = 0x1p-20});
+  int first = 0;
+  int second = 0;
+  for (const Interval& each : cover.undecided) {
+    EXPECT_LT(each.width(), 1e-2);
+    first += each.may_be(0.5 - Crossings::w) ? 1 : 0;
+    second += each.may_be(0.5 + Crossings::w) ? 1 : 0;
+  }
+  EXPECT_EQ(first, 1);
+  EXPECT_EQ(second, 1);
+}
+
+/// x_2 (x_2 - 1) = 0. On x_2 = 0 a curve turns at q = 1/2, on x_2 = 1 another passes the side x_1 =
+/// 0.4 at a q that differs by less than is told apart.
+class TurnAndSide final : public CurveEquations<2> {
+ public:
+  CurveLinearized<2> linearize(const CurveBox<2>& y) const override {
+    CurveLinearized<2> out;
+    const Interval turns = Interval(0.5) + square(y[0]);
+    const Interval passes = Interval(0.5 + 5e-13) + y[0] - Interval(side);
+    const Interval rest = Interval(1.0) - y[1];
+    out.g = {y[1] * (y[1] - Interval(1.0)), rest * turns + y[1] * passes - y[2]};
+    out.slope[0] = {Interval(0.0), 2.0 * y[1] - Interval(1.0), Interval(0.0)};
+    out.slope[1] = {2.0 * (rest * y[0]) + y[1], passes - turns, Interval(-1.0)};
+    return out;
+  }
+
+  static constexpr double side = 0.4;
+};
+
+TEST(Cover, OneBreakIsAllThatHappensThere) {
+  const TurnAndSide both;
+  CurveRegion<2> region;
+  region.lower = {Interval(-TurnAndSide::side), Interval(-5.0)};
+  region.upper = {Interval(TurnAndSide::side), Interval(5.0)};
+  region.q = {0.0, 1.0};
+  TubeSet<2> tubes(both, region);
+  ASSERT_TRUE(tubes.follow({0.0, 0.0, 0.5}));
+  ASSERT_TRUE(tubes.follow({0.3, 1.0, 0.4}));
+  const std::vector<CurveBreak> breaks = curve_breaks(both, region, tubes);
+  const auto at = [&](double q) {
+    return std::ranges::find_if(
+        breaks, [q](const CurveBreak& each) { return std::abs(each.q.mid() - q) < 1e-11; });
+  };
+  ASSERT_NE(at(0.5), breaks.end());
+  EXPECT_TRUE(at(0.5)->turns);
+  EXPECT_TRUE(at(0.5)->crosses);
+  const auto beyond = at(0.5 + TurnAndSide::side * TurnAndSide::side);
+  ASSERT_NE(beyond, breaks.end());
+  EXPECT_FALSE(beyond->turns);
+  EXPECT_TRUE(beyond->crosses);
+}
+
+/// Of a round body whose stretches are wanted in ranges with nothing in common there is no circle.
+TEST(Cover, HasNoCirclesWhereTheRangesHaveNothingInCommon) {
+  const Problem problem(round_body, Potential(BiotLog<>{1.0, 4.0}, thickness), Branch::iii);
+  const auto sets = [&](const Interval& xi, const Interval& zeta) {
+    SearchOptions options;
+    options.box = {xi, zeta, Interval(0.5, 2.0)};
+    std::size_t out = 0;
+    for (const CurveFactor& factor : axis_curves(problem, 0.0, 1.0, options))
+      out += factor.sets.size();
+    return out;
+  };
+  // The thickness, circles, and ellipses with xi > zeta.
+  EXPECT_EQ(sets({0.5, 2.0}, {0.5, 2.0}), 3U);
+  EXPECT_EQ(sets({1.5, 3.0}, {0.5, 2.0}), 3U);
+  EXPECT_EQ(sets({2.0, 3.0}, {0.5, 1.0}), 2U);
+  EXPECT_EQ(sets({0.5, 1.0}, {2.0, 3.0}), 1U);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -115,6 +116,19 @@ TEST(Tubes, SlicesOfAParabolaHoldEverySlope) {
     }
   }
   EXPECT_GT(longest, 0.2);
+}
+
+/// x = a + r x has |x| = |a|/(1 - r) at most.
+TEST(Tubes, ASlopeIsBoundedByWhatItsEquationLeaves) {
+  using Real50 = boost::multiprecision::cpp_bin_float_50;
+  for (const double along : {1e-3, 0.7, 13.0}) {
+    for (const double rest : {0.0, 1e-9, 0.3, 0.89}) {
+      const Real50 exact = Real50(along) / (1 - Real50(rest));
+      const double bound = fixed_point_bound(along, rest);
+      EXPECT_GE(Real50(bound), exact) << along << " " << rest;
+      EXPECT_LE(Real50(bound), exact * (1 + Real50(0x1p-49))) << along << " " << rest;
+    }
+  }
 }
 
 TEST(Tubes, PassTheFoldOfHencky) {

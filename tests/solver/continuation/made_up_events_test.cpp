@@ -1,0 +1,163 @@
+// The events of a step, on lines that are made up: two zeros in one step, signs that are open, what
+// no event explains.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/support/followed.hpp"
+#include "tests/support/made_up_families.hpp"
+
+namespace stationary {
+namespace {
+
+using namespace testing;
+
+/// Rows, and of the stretches between two events what is told of them.
+class Told final : public CurveSink {
+ public:
+  void row(const Member& member, EventType event) override { kept.row(member, event); }
+  void between(StabilityClass verdict) override { classes.push_back(verdict); }
+  Kept kept;
+  std::vector<StabilityClass> classes;
+};
+
+struct Found {
+  Followed sheet;
+  std::vector<StabilityClass> between;
+};
+
+Found follow_line(const Line& line, FollowOptions options = range(0.0, 1.0)) {
+  const LineFamily family(line);
+  const double from = options.continuation.from;
+  const Stretch start{0.0, std::exp(from), std::exp(from), 1.0};
+  Told told;
+  Found out;
+  out.sheet.report = follow_family<2>(family, start, from, options, told);
+  out.sheet.rows = std::move(told.kept.rows);
+  out.between = std::move(told.classes);
+  return out;
+}
+
+/// Two imaginary pairs, definite, far from zero and from each other.
+Spectrum elliptic(int negative) {
+  Spectrum out;
+  out.modes = 2;
+  out.negative = negative;
+  for (std::size_t k = 0; k < 2; ++k) {
+    Mode& mode = out.mode[k];
+    mode.lambda_re = k == 0 ? -9.0 : -4.0;
+    mode.lambda_im = 0.0;
+    mode.lambda_error = 1e-14;
+    mode.im = std::sqrt(-mode.lambda_re);
+    mode.krein = -1;
+  }
+  out.verdict = StabilityClass::elliptic;
+  return out;
+}
+
+/// The axis turns in the plane at both zeros of (p - at)^2 - apart^2, which no step ends between: of
+/// steps that grow, and of steps all alike.
+TEST(MadeUpEvents, TwoZerosInOneStepAreFound) {
+  for (const double at : {0.31, 0.472, 0.593, 0.688, 0.741}) {
+    for (const double apart : {1e-3, 1e-5}) {
+      for (const double longest : {0.5, 0.1, -0.1}) {
+        const double sign = std::copysign(1.0, longest);
+        Line line;
+        line.turn = [&](double p) { return sign * ((p - at) * (p - at) - apart * apart); };
+        FollowOptions options = range(0.0, 1.0);
+        options.continuation.step.max = std::abs(longest);
+        const Found found = follow_line(line, options);
+        const auto events = found.sheet.events({EventType::shear});
+        ASSERT_EQ(events.size(), 2U) << at << " " << apart << " " << found.sheet.text();
+        EXPECT_NEAR(events[0].member.parameter, at - apart, 1e-9);
+        EXPECT_NEAR(events[1].member.parameter, at + apart, 1e-9);
+      }
+    }
+  }
+}
+
+/// Of the curve between them the class is told where there is a spectrum, and else nothing.
+TEST(MadeUpEvents, BetweenTwoEventsTheClassIsToldWhereItIsKnown) {
+  const double at = 0.472;
+  const double apart = 1e-3;
+  Line line;
+  line.turn = [&](double p) { return (p - at) * (p - at) - apart * apart; };
+  line.spectrum = [&](double p) {
+    return std::optional(elliptic(std::abs(p - at) < apart ? 1 : 2));
+  };
+  EXPECT_EQ(follow_line(line).between, std::vector{StabilityClass::elliptic});
+  line.spectrum = [&](double p) {
+    return std::abs(p - at) < 0.5 * apart ? std::nullopt : std::optional(elliptic(2));
+  };
+  EXPECT_TRUE(follow_line(line).between.empty());
+}
+
+/// The order of two inertias is open around the event, whose own equations have its place: it is
+/// one event, in whatever step.
+TEST(MadeUpEvents, AnEventAmidOpenSignsIsFoundOnce) {
+  for (const double longest : {0.007, 0.01, 0.02, 0.033, 0.05}) {
+    constexpr double tilt = 0.5;
+    Line line;
+    line.tilt = tilt;
+    line.error_bound = [](double) { return 1e-6; };
+    FollowOptions options = range(tilt - 1e-5, tilt + 1e-5);
+    options.continuation.step.first = options.continuation.step.max = longest;
+    const Found found = follow_line(line, options);
+    ASSERT_EQ(found.sheet.report.events.size(), 1U) << longest << " " << found.sheet.text();
+    const EventRecord& event = found.sheet.report.events[0];
+    EXPECT_EQ(event.type, EventType::tilt);
+    EXPECT_EQ(event.status, EventStatus::located);
+    EXPECT_NEAR(event.before, tilt, 1e-14);
+    EXPECT_NEAR(event.after, tilt, 1e-14);
+  }
+}
+
+/// A count of negative directions that changes where nothing else happens.
+TEST(MadeUpEvents, AChangeOfTheCountThatNoEventExplainsIsReported) {
+  for (const double at : {0.3, 0.5, 0.77}) {
+    for (const int after : {1, 0}) {
+      Line line;
+      line.spectrum = [&](double p) { return std::optional(elliptic(p < at ? 2 : after)); };
+      const Found found = follow_line(line);
+      const auto& events = found.sheet.report.events;
+      const auto unexplained =
+          std::ranges::count(events, EventType::unexplained, &EventRecord::type);
+      ASSERT_EQ(unexplained, 1) << at << " " << found.sheet.text();
+      const auto& event = *std::ranges::find(events, EventType::unexplained, &EventRecord::type);
+      EXPECT_EQ(event.status, EventStatus::bracketed);
+      EXPECT_LE(event.before, at);
+      EXPECT_GE(event.after, at);
+      EXPECT_LE(event.after - event.before, 1e-12);
+    }
+  }
+}
+
+/// Pairs that appear or vanish make others take their places among the numbers that are compared:
+/// no two of them have passed each other.
+TEST(MadeUpEvents, NothingPassesWhereTheNumberOfPairsChanges) {
+  for (const double at : {0.3, 0.5, 0.77}) {
+    Line line;
+    line.spectrum = [&](double p) {
+      Spectrum out = elliptic(2);
+      out.mode[0].lambda_re = -2.0;
+      out.mode[1].lambda_re = -4.0;
+      out.mode[1].block = Block::odd;
+      out.mode[1].krein = 1;
+      if (p > at) {
+        out.modes = 3;
+        out.mode[2] = out.mode[0];
+        out.mode[2].lambda_re = -9.0;
+      }
+      return std::optional(out);
+    };
+    const Found found = follow_line(line);
+    EXPECT_EQ(
+        std::ranges::count(found.sheet.report.events, EventType::krein_pass, &EventRecord::type), 0)
+        << found.sheet.text();
+  }
+}
+
+}  // namespace
+}  // namespace stationary
