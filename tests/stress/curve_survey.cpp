@@ -138,6 +138,20 @@ bool tells(const Row& row) {
          (row.member.nu != 0.0 || row.member.two_polar);
 }
 
+/// Of a circle's motion with negative directions `stable` is told where energy and momentum together are
+/// definite. That ends where no Lambda meets another: no event.
+bool is_by_momentum(const Member& a, const Member& b) {
+  const auto round = [](const Member& each) { return each.q.xi == each.q.zeta; };
+  const auto of = [](const Member& each, StabilityClass verdict) {
+    return each.spectrum->verdict == verdict;
+  };
+  constexpr auto stable = StabilityClass::stable;
+  constexpr auto elliptic = StabilityClass::elliptic;
+  return round(a) && round(b) && a.spectrum->negative > 0 &&
+         a.spectrum->negative == b.spectrum->negative &&
+         ((of(a, stable) && of(b, elliptic)) || (of(a, elliptic) && of(b, stable)));
+}
+
 /// Every change between two rows that tell has an event between them.
 void judge_rows(const Begun& from, const Sweep& sweep, CurveSurvey& out) {
   const Row* before = nullptr;
@@ -150,7 +164,7 @@ void judge_rows(const Begun& from, const Sweep& sweep, CurveSurvey& out) {
       const Spectrum& a = *before->member.spectrum;
       const Spectrum& b = *row.member.spectrum;
       const bool counted = a.away_from_zero() && b.away_from_zero() && a.negative != b.negative;
-      if (counted || a.verdict != b.verdict) {
+      if (counted || (a.verdict != b.verdict && !is_by_momentum(before->member, row.member))) {
         ++out.changes;
         const double low = std::min(before->member.parameter, row.member.parameter);
         const double high = std::max(before->member.parameter, row.member.parameter);
