@@ -85,7 +85,7 @@ endforeach()
 # How the classical points of a fluid move with the shear modulus.
 set(curves "")
 foreach(event ellipse fold-nu hamiltonian-hopf)
-  set(name elastic_sphere_${event})
+  string(REPLACE "-" "_" name elastic_sphere_${event})
   run_program(curve cases/elastic_sphere.toml --set curve.event=${event} -o ${INTO}/${name}.csv --quiet)
   keep_metadata(${name})
   list(APPEND curves ${INTO}/${name}.csv)
