@@ -116,7 +116,7 @@ std::string motion_text(const Row& row) {
 
 double sign_of_lambda(double re, double im) { return re * re - im * im; }
 
-/// The spectrum of a row against the reference's modes, as Lambda, to 1e-12 of the largest.
+/// The spectrum of a row against the reference's modes, as Lambda, to 1e-13 of the largest.
 void expect_modes(const Row& got, const Row& want, const std::string& where) {
   std::vector<double> expected;
   std::vector<double> found;
@@ -136,7 +136,7 @@ void expect_modes(const Row& got, const Row& want, const std::string& where) {
     largest = std::max({largest, std::abs(expected.back()), std::abs(*(expected.end() - 2))});
   }
   for (std::size_t k = 0; k < expected.size(); ++k)
-    EXPECT_NEAR(found[k], expected[k], 1e-12 * largest) << where << ": Lambda " << k;
+    EXPECT_NEAR(found[k], expected[k], 1e-13 * largest) << where << ": Lambda " << k;
 }
 
 void expect_relative(const Row& got, const Row& want, const std::string& column, double most,
@@ -158,7 +158,7 @@ void expect_row(const Row& want, const std::string& where, int& compared) {
   ASSERT_EQ(outcome.code, 0) << where << outcome.err << text_of(path);
   const Row got = only_row(outcome.out);
   for (const std::string column : {"xi", "zeta", "rho"})
-    expect_relative(got, want, column, 2e-15 + number(got.at("error_bound")), where);
+    expect_relative(got, want, column, 1e-15 + number(got.at("error_bound")), where);
   if (number(want.at("alpha")) != 0.0)
     for (const std::string column : {"alpha", "nu1", "nu2", "nu3", "pi1", "pi2", "pi3"}) {
       if (want.at(column).empty()) continue;
@@ -259,7 +259,7 @@ TEST(WholeBody, RiemannEllipsoids) {
                            where);
     ASSERT_FALSE(got.empty());
     for (const std::string column : {"lambda", "mu", "rho", "energy"})
-      expect_relative(got, row, column, 1e-14 + number(got.at("error_bound")), where);
+      expect_relative(got, row, column, 1e-15 + number(got.at("error_bound")), where);
     EXPECT_EQ(got.at("negative"), row.at("negative")) << where;
     EXPECT_EQ(got.at("class"), row.at("class")) << where;
     ++compared;
