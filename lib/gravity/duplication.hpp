@@ -19,6 +19,7 @@
 
 #include <type_traits>
 
+#include "lib/gravity/carlson_sum.hpp"
 #include "lib/gravity/enclosed_sum.hpp"
 #include "lib/gravity/power_series.hpp"
 
@@ -101,19 +102,9 @@ PowerSeries<S, order> integral_by_duplication(const S& T0, const S& D0, const S&
   if constexpr (std::is_same_v<S, Interval>) {
     return duplication::enclosed_sum(E2, E3, last) * sqrt(inverse);
   } else {
-    const auto fraction = [](int p, int q) {
-      return S(static_cast<double>(p)) / S(static_cast<double>(q));
-    };
-    Series before[3] = {one, Series(), -0.5 * E2};  // T_(n-3), T_(n-2), T_(n-1)
-    Series sum = one + fraction(1, 5) * before[2];
-    for (int n = 3; n <= last; ++n) {
-      const Series next =
-          fraction(2 * n - 3, 2 * n) * (E3 * before[0]) - fraction(n - 1, n) * (E2 * before[1]);
-      sum = sum + fraction(1, 2 * n + 1) * next;
-      before[0] = before[1];
-      before[1] = before[2];
-      before[2] = next;
-    }
+    const Series sum = duplication::carlson_sum<S>(
+        one, Series(-0.5 * E2), last, [&](const Series& T_n) { return E2 * T_n; },
+        [&](const Series& T_n) { return E3 * T_n; });
     return sum * sqrt(inverse);
   }
 }

@@ -8,8 +8,8 @@
 //
 //   |d^(a+b) tail/dE2^a dE3^b| <= sum_(n > N) (n/2)^a (n/3)^b kappa^n e^(n - 2 a - 3 b)/(2 n + 1),
 //
-// kappa = 1.3248 > 1/x, x the root of x^2 + x^3 = 1: |T_n| <= (kappa e)^n by its recurrence. In other
-// number types it is below their rounding.
+// kappa = 1.3248 > 1/x, x the root of x^2 + x^3 = 1: |T_n| <= (kappa e)^n by its recurrence
+// (carlson_sum.hpp). In other number types the tail is below their rounding.
 #pragma once
 
 #include <algorithm>
@@ -17,6 +17,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/gravity/carlson_sum.hpp"
 #include "lib/gravity/power_series.hpp"
 #include "lib/number/interval.hpp"
 
@@ -39,56 +40,66 @@ inline double remainder_bound(int a, int b, double e, int last) {
   return (term / (Interval(1.0) - growth)).hi;
 }
 
-/// Coefficients of (E2 - E2_0)^a (E3 - E3_0)^b, a + b <= order, at [a][b].
+/// A polynomial in E2 - E2_0 and E3 - E3_0, cut after a total order: c[a][b] of their powers a, b.
 template <int order>
-using TwoVariables =
-    std::array<std::array<Interval, std::size_t(order) + 1>, std::size_t(order) + 1>;
+struct TwoVariables {
+  static constexpr auto size = std::size_t(order) + 1;
+  std::array<std::array<Interval, size>, size> c{};
 
-/// T_1 = 0, T_0 = 1, and the sum with the bounds of its tail.
+  /// f(a, b) of every coefficient.
+  template <class F>
+  static void each(const F& f) {
+    for (std::size_t a = 0; a < size; ++a)
+      for (std::size_t b = 0; a + b < size; ++b) f(a, b);
+  }
+  friend TwoVariables operator+(TwoVariables x, const TwoVariables& y) {
+    each([&](std::size_t a, std::size_t b) { x.c[a][b] += y.c[a][b]; });
+    return x;
+  }
+  friend TwoVariables operator-(TwoVariables x, const TwoVariables& y) {
+    each([&](std::size_t a, std::size_t b) { x.c[a][b] -= y.c[a][b]; });
+    return x;
+  }
+  friend TwoVariables operator*(const Interval& factor, TwoVariables x) {
+    each([&](std::size_t a, std::size_t b) { x.c[a][b] = factor * x.c[a][b]; });
+    return x;
+  }
+  /// Times E2 = value + the first variable, and likewise E3.
+  TwoVariables times_first(const Interval& value) const {
+    TwoVariables out = value * *this;
+    each([&](std::size_t a, std::size_t b) {
+      if (a > 0) out.c[a][b] += c[a - 1][b];
+    });
+    return out;
+  }
+  TwoVariables times_second(const Interval& value) const {
+    TwoVariables out = value * *this;
+    each([&](std::size_t a, std::size_t b) {
+      if (b > 0) out.c[a][b] += c[a][b - 1];
+    });
+    return out;
+  }
+};
+
+/// The sum with the bounds of its tail.
 template <int order>
 TwoVariables<order> sum_in_two(const Interval& E2, const Interval& E3, int last) {
   using Two = TwoVariables<order>;
-  const auto each = [](const auto& f) {
-    for (std::size_t a = 0; a <= std::size_t(order); ++a)
-      for (std::size_t b = 0; a + b <= std::size_t(order); ++b) f(a, b);
-  };
-  const auto fraction = [](int p, int q) {
-    return Interval(static_cast<double>(p)) / Interval(static_cast<double>(q));
-  };
-  Two before[3] = {};  // T_(n-3), T_(n-2), T_(n-1)
-  before[0][0][0] = 1.0;
-  before[2][0][0] = -0.5 * E2;
-  if constexpr (order > 0) before[2][1][0] = -0.5;
-  Two sum{};
-  each([&](std::size_t a, std::size_t b) {
-    sum[a][b] = before[0][a][b] + fraction(1, 5) * before[2][a][b];
-  });
-  for (int n = 3; n <= last; ++n) {
-    const Interval of_third = fraction(2 * n - 3, 2 * n);
-    const Interval of_second = fraction(n - 1, n);
-    const Interval weight = fraction(1, 2 * n + 1);
-    Two next{};
-    each([&](std::size_t a, std::size_t b) {
-      Interval third = E3 * before[0][a][b];
-      if (b > 0) third += before[0][a][b - 1];
-      Interval second = E2 * before[1][a][b];
-      if (a > 0) second += before[1][a - 1][b];
-      next[a][b] = of_third * third - of_second * second;
-      sum[a][b] += weight * next[a][b];
-    });
-    before[0] = before[1];
-    before[1] = before[2];
-    before[2] = next;
-  }
+  Two one;
+  one.c[0][0] = 1.0;
+  Two sum = carlson_sum<Interval>(
+      one, Interval(-0.5) * one.times_first(E2), last,
+      [&](const Two& T_n) { return T_n.times_first(E2); },
+      [&](const Two& T_n) { return T_n.times_second(E3); });
   const double e = above(std::max(above(std::sqrt(E2.magnitude())),
                                   above(above(std::cbrt(E3.magnitude())) * 0x1.000001p0)));
-  each([&](std::size_t a, std::size_t b) {
+  Two::each([&](std::size_t a, std::size_t b) {
     double factorials = 1.0;
     for (const std::size_t of : {a, b})
       for (std::size_t m = 2; m <= of; ++m) factorials *= static_cast<double>(m);
     const double bound =
         above(remainder_bound(static_cast<int>(a), static_cast<int>(b), e, last) / factorials);
-    sum[a][b] += Interval(-bound, bound);
+    sum.c[a][b] += Interval(-bound, bound);
   });
   return sum;
 }
@@ -97,7 +108,7 @@ template <int order>
 PowerSeries<Interval, order> enclosed_sum(const PowerSeries<Interval, order>& E2,
                                           const PowerSeries<Interval, order>& E3, int last) {
   using Series = PowerSeries<Interval, order>;
-  const TwoVariables<order> c = sum_in_two<order>(E2.value(), E3.value(), last);
+  const auto c = sum_in_two<order>(E2.value(), E3.value(), last).c;
   const Series d2 = E2.nilpotent();
   const Series d3 = E3.nilpotent();
   // Horner's form in d2, and in d3 of each of its coefficients.
