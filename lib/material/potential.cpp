@@ -119,8 +119,7 @@ Potential::Potential(const BodyModel<>& body) : models_(body) {
     throw std::invalid_argument("g > 0");
   if (body.volume && !(*body.volume > 0.0 && std::isfinite(*body.volume)))
     throw std::invalid_argument("volume > 0");
-  if (!body.gravitates && !body.volume)
-    throw std::invalid_argument("gravity or a held volume");
+  if (!body.gravitates && !body.volume) throw std::invalid_argument("gravity or a held volume");
   if (body.elastic.is_fluid() && !body.volume)
     throw std::invalid_argument("a potential: a fluid without one needs its volume held");
   std::get<BodyModel<>>(models_).stiffness = volume_stiffness(body);

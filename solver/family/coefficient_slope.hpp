@@ -54,7 +54,8 @@ inline ReducedVector<3> body_slope(const BodyModel<>& model, std::size_t place,
   }
   if (place >= BodyModel<>::g_place) {
     if (!model.gravitates) return out;
-    const std::size_t k = place == BodyModel<>::g_place ? 0 : place - BodyModel<>::inertia_place + 1;
+    const std::size_t k =
+        place == BodyModel<>::g_place ? 0 : place - BodyModel<>::inertia_place + 1;
     const auto b =
         gravity_with_duals(model, x[0], x[1], rho, [](double, std::size_t) { return 1.0; });
     out = {b.g_xi.slope[k], b.g_zeta.slope[k], b.g_rho.slope[k]};
@@ -64,8 +65,7 @@ inline ReducedVector<3> body_slope(const BodyModel<>& model, std::size_t place,
       out[2] = gradient_slope<1>(*model.elastic.thickness, place - Part::thickness_place,
                                  ReducedVector<1>(rho))[0];
     } else if (model.elastic.plane) {
-      out.head<2>() =
-          gradient_slope<2>(*model.elastic.plane, place, ReducedVector<2>(x[0], x[1]));
+      out.head<2>() = gradient_slope<2>(*model.elastic.plane, place, ReducedVector<2>(x[0], x[1]));
     } else {
       std::visit(
           [&](const auto& coupled) {

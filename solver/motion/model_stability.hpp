@@ -38,7 +38,9 @@ template <class Model>
 Spectrum model_stability(const Body& body, Branch branch, const Model& model,
                          std::array<DoubleDouble, 3> q, double nu, double bound) {
   constexpr bool separable = requires { model.plane; };
-  const BlockFacts facts{branch, body.symmetric(), !separable,
+  const BlockFacts facts{branch,
+                         body.symmetric(),
+                         !separable,
                          std::isnan(bound) ? 1e-15 : std::max(bound, 0x1p-53),
                          sees_no_axes(model),
                          holds_volume(model)};

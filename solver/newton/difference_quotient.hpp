@@ -58,8 +58,8 @@ Slopes difference_quotients(const At& at, double x, double size, std::size_t cou
       const double d3 = difference(2);
       slope[i] = (45.0 * d1 - 9.0 * d2 + d3) / (60.0 * h);
       // Values of some units in the last place: no less than that over h.
-      error[i] = std::abs(slope[i] - (8.0 * d1 - d2) / (12.0 * h)) +
-                 0x1p-50 * std::abs((*middle)[i]) / h;
+      error[i] =
+          std::abs(slope[i] - (8.0 * d1 - d2) / (12.0 * h)) + 0x1p-50 * std::abs((*middle)[i]) / h;
       if (!before.empty()) {
         // The coarser one, now that its rounding is seen.
         const double seen = std::max(before_error[i], std::abs(before[i] - slope[i]));

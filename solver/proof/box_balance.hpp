@@ -152,9 +152,8 @@ struct CoupledBoxSystem {
     if constexpr (is_body_model<Coupled>) {
       // At a solution the volume's equation holds, so the others do without what it adds to them.
       if (model.volume) {
-        const auto b = held<1>(model.template whole<1>(x[0], x[1],
-                                                       model.thickness(x[0], x[1], x[2]), rates.xi,
-                                                       rates.zeta, rates.rho));
+        const auto b = held<1>(model.template whole<1>(
+            x[0], x[1], model.thickness(x[0], x[1], x[2]), rates.xi, rates.zeta, rates.rho));
         return !b.g_xi.may_be(0.0) || !b.g_zeta.may_be(0.0);
       }
     }

@@ -81,7 +81,10 @@ SpectrumEnclosure enclose_spectrum(const Problem& problem, const Equilibrium& eq
   const double nu = equilibrium.nu[axis(problem.branch())];
   const Body& body = problem.body();
   const BodyModel<>* body_model = problem.potential().body_model();
-  const EnclosureFacts facts{problem.branch(), nu == 0.0, body.symmetric(), certificate.circle,
+  const EnclosureFacts facts{problem.branch(),
+                             nu == 0.0,
+                             body.symmetric(),
+                             certificate.circle,
                              !problem.potential().is_separable(),
                              body_model == nullptr || body_model->isotropic(),
                              problem.potential().holds_volume()};

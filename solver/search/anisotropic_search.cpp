@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
 #include <tuple>
 
 #include "solver/proof/oriented_boxes.hpp"
+#include "solver/search/oriented_box.hpp"
 #include "solver/search/search_run.hpp"
 
 namespace stationary {
@@ -98,7 +98,8 @@ class OrientedSearch {
   }
 
   PruneResult<N> plane() {
-    auto out = search_.prune(system_, boxes_, Mirror::none, everything(), box_factor);
+    auto out =
+        search_.prune(system_, boxes_, Mirror::none, oriented_box<Layout>(options_), box_factor);
     // One axis is found twice where it is at both ends of the half turn searched.
     std::vector<Found> kept;
     for (auto* list : {&out.solutions, &out.unproven})
@@ -107,22 +108,6 @@ class OrientedSearch {
         kept.push_back(each);
         return false;
       });
-    return out;
-  }
-
-  Box<N> everything() const {
-    Box<N> out;
-    out[0] = options_.range(0);
-    out[1] = options_.range(1);
-    if constexpr (Layout::thickness) out[index(Layout::thickness_place)] = options_.range(2);
-    if constexpr (Layout::alpha) {
-      const double most = std::sqrt(options_.max_stretch / options_.min_stretch);
-      out[index(Layout::alpha_place)] = {1.0 / most, most};
-    }
-    // Half a turn, whose ends are no material axis.
-    if constexpr (Layout::axis)
-      out[index(Layout::axis_place)] = {axis_coordinate(-0.25 * std::numbers::pi) * (1.0 - 1e-12),
-                                        axis_coordinate(0.75 * std::numbers::pi) * (1.0 + 1e-12)};
     return out;
   }
 

@@ -1,11 +1,10 @@
 #include "solver/tube/oriented_curves.hpp"
 
-#include <cmath>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 #include "solver/proof/oriented_boxes.hpp"
+#include "solver/search/oriented_box.hpp"
 #include "solver/tube/thickness_curves.hpp"
 
 namespace stationary {
@@ -97,19 +96,10 @@ class OrientedFactors {
     constexpr int N = Layout::dimension;
     std::vector<CurveFactor> out;
     if constexpr (N <= 4) {
-      std::vector<LogRange> ranges{log_range(options_.range(0)), log_range(options_.range(1))};
-      if (Layout::thickness) ranges.push_back(log_range(options_.range(2)));
-      if (Layout::alpha) {
-        const double most = std::sqrt(options_.max_stretch / options_.min_stretch);
-        ranges.push_back(log_range({1.0 / most, most}));
-      }
-      // As the search: half a turn, whose ends are no material axis.
-      if (Layout::axis)
-        ranges.push_back(log_range({axis_coordinate(-0.25 * std::numbers::pi) * (1.0 - 1e-12),
-                                    axis_coordinate(0.75 * std::numbers::pi) * (1.0 + 1e-12)}));
-      OrientedBoxSystem<Layout> boxes(body_, potential_, branch_, to_, Inputs::doubles);
-      boxes.model = potential_.model(AsIntervals{options_.inputs});
-      boxes.J = inertia_intervals(body_, options_.inputs);
+      std::vector<LogRange> ranges;
+      for (const Interval& side : oriented_box<Layout>(options_)) ranges.push_back(log_range(side));
+      OrientedBoxSystem<Layout> boxes(body_, potential_, branch_, to_, options_.inputs);
+      boxes.nu_squared = square(Interval(to_));  // the end of the range is no input
       boxes.rho_range = options_.range(2);
       out.emplace_back().sets.push_back(curve_set<N>(
           std::make_unique<OrientedCurves<Layout>>(std::move(boxes), log_range(options_.range(2))),

@@ -117,7 +117,8 @@ std::vector<double> atlas_costs(const std::string& path) {
     for (const double y : input.map->y.value().values()) {
       const FamilyParameters at = input.map->cell({input.body, input.models, input.motion}, x, y);
       const std::clock_t begin = std::clock();
-      (void)atlas(at.body, make_potential(at.models, at.body), atlas_options(input, std::nullopt, true));
+      (void)atlas(at.body, make_potential(at.models, at.body),
+                  atlas_options(input, std::nullopt, true));
       out.push_back(seconds_since(begin));
     }
   }

@@ -354,6 +354,8 @@ TEST_F(Plot, TablesThatLackWhatIsNeeded) {
       {"", "x.csv: found an empty file"},
       {"branch,nu1,rho\n", "x.csv: found no rows"},
       {"branch,nu1,xi\ni,0,1\n", "x.csv: found none of the columns lambda, mu, rho"},
+      {"curve,special,point,event,a,b,c\n1,,1,,0,1,2\n",
+       "found none of the columns lambda, mu, rho"},
       {"branch,nu1,rho\nii,0,1\n",
        "x.csv: found no column \"nu2\", the parameter of branch \"ii\""},
       {"branch,nu1,rho\ntwo-polar,0,1\n", "found no column \"omega\""},

@@ -227,7 +227,8 @@ inline WideVerdict wide_verdict(const SolvedMotion& motion, const WideMotion& wi
   V_qq(2, 3) = V_qq(3, 2) = s.V_zr;
   const Number50 speed = s.omega < 0 ? Number50(-s.omega) : s.omega;  // the same spectrum
   const Vector3<Number50> nu = angular_velocity(problem.branch(), speed);
-  const LeafForm<Number50> form = second_variation(body, q, nu, LeafShape{s.omega != 0, false}, V_qq);
+  const LeafForm<Number50> form =
+      second_variation(body, q, nu, LeafShape{s.omega != 0, false}, V_qq);
   const Eigen::Index dimensions = s.omega == 0 ? 8 : 10;
   WideMatrix E(dimensions, dimensions);
   for (Eigen::Index i = 0; i < dimensions; ++i)

@@ -54,8 +54,8 @@ SpectrumEnclosure enclose_oblique_spectrum(const Body&, const Potential&, const 
 }
 
 bool has_enclosure(EventType) { return false; }
-EventEnclosure enclose_event(const Problem&, const FamilyParameter&, Circle, EventType, const Member&,
-                             Inputs) {
+EventEnclosure enclose_event(const Problem&, const FamilyParameter&, Circle, EventType,
+                             const Member&, Inputs) {
   refuse();
 }
 template <int N>

@@ -1,19 +1,18 @@
 #include "solver/program/diagram/event_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
-#include <optional>
+#include <span>
 
 namespace stationary {
 
 std::vector<std::string> curve_parameters(const std::vector<std::string>& columns) {
-  const auto has = [&](std::string_view name) {
-    return std::ranges::find(columns, name) != columns.end();
-  };
-  // event, curve, point, special, branch, and then both.
-  constexpr std::size_t first = 5;
-  if (!has("curve") || !has("special") || columns.size() < first + 2) return {};
-  return {columns[first], columns[first + 1]};
+  constexpr std::array<std::string_view, 5> before{"event", "curve", "point", "special", "branch"};
+  if (columns.size() < before.size() + 2 ||
+      !std::ranges::equal(before, std::span(columns).first<before.size()>()))
+    return {};
+  return {columns[before.size()], columns[before.size() + 1]};
 }
 
 std::vector<EventLine> read_event_lines(TableReader& table, std::string_view x,
@@ -27,11 +26,11 @@ std::vector<EventLine> read_event_lines(TableReader& table, std::string_view x,
                          : "found curves in " + printable(own[0]) + " and " + printable(own[1]),
                      "a table of curve in " + printable(x) + " and " + printable(y));
   }
-  const std::size_t at_x = *table.column(x);
-  const std::size_t at_y = *table.column(y);
-  const std::size_t event = *table.column("event");
-  const std::size_t curve = *table.column("curve");
-  const std::size_t special = *table.column("special");
+  const std::size_t at_x = table.column(x).value();
+  const std::size_t at_y = table.column(y).value();
+  const std::size_t event = table.column("event").value();
+  const std::size_t curve = table.column("curve").value();
+  const std::size_t special = table.column("special").value();
   std::vector<EventLine> out;
   std::string last;
   while (table.next()) {

@@ -15,7 +15,7 @@ namespace stationary {
 namespace {
 
 [[noreturn]] void refuse_map(const TableReader& table, std::string found, std::string allowed,
-                         std::string remedy = {}) {
+                             std::string remedy = {}) {
   throw InputError(Origin::in_file(table.name()), "", std::move(found), std::move(allowed),
                    std::move(remedy));
 }
@@ -83,7 +83,7 @@ MapDiagramAxis axis(const TableReader& table, const std::string& parameter,
   for (const double each : out.values) logarithms.push_back(std::log(each));
   if (!(out.values.front() > 0.0) || !evenly_spaced(logarithms))
     refuse_map(table, "found values of " + in_quotes(parameter) + " that are no grid's",
-           "evenly spaced ones, or logarithmically");
+               "evenly spaced ones, or logarithmically");
   out.scale = AxisScale::log;
   return out;
 }

@@ -9,7 +9,6 @@
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/table/table_reader.hpp"
-#include "solver/family/normal_form.hpp"
 
 namespace stationary {
 namespace {

@@ -172,8 +172,8 @@ TEST(EventBounds, EllipsesOfGivenMomentaEndAtTheCircle) {
   const Equilibrium at = solve_two_polar(body, potential, motion);
   ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
   const Followed sheet =
-      followed(two_polar_family(body, potential, {motion, {FamilyParameter::Kind::nu, 0}}),
-               at.q, 0.79801, range(0.0082, 1.942, 1e-6));
+      followed(two_polar_family(body, potential, {motion, {FamilyParameter::Kind::nu, 0}}), at.q,
+               0.79801, range(0.0082, 1.942, 1e-6));
   const SheetEnd& end = sheet.report.forward;
   EXPECT_EQ(end.event, EventType::ellipse) << end.reason;
   const Member& last = sheet.rows.back().member;
