@@ -42,9 +42,10 @@ inline std::optional<int> negatives_2(const Interval& a, const Interval& c, cons
   const int sign = proven_sign(det);
   if (sign == unknown) return std::nullopt;
   if (sign < 0) return 1;
-  const int trace = proven_sign(a + c);
-  if (trace == unknown) return std::nullopt;
-  return trace < 0 ? 2 : 0;
+  // Both diagonal entries have one sign.
+  for (const Interval& each : {c, a, a + c})
+    if (const int of = proven_sign(each); of != unknown) return of < 0 ? 2 : 0;
+  return std::nullopt;
 }
 
 /// Enclosed modes into what is proven of them together.
@@ -71,6 +72,18 @@ class EnclosureCollector {
   }
   void add_real(const Interval& lambda, int krein_if_imaginary) {
     add({{lambda, 0.0}, true}, krein_if_imaginary, true);
+  }
+  /// A real one whose sign is known, though the enclosure may not tell.
+  void add_of_sign(const Interval& lambda, int sign, int krein_if_imaginary) {
+    const Interval side = sign > 0 ? Interval(0.0, std::max(lambda.hi, 0.0))
+                                   : Interval(std::min(lambda.lo, 0.0), 0.0);
+    lambda_.push_back({lambda.apart_from(side) ? side : common(lambda, side), 0.0});
+    if (sign > 0) {
+      real_ = true;
+    } else {
+      definite_ = definite_ && krein_if_imaginary > 0;
+      indefinite_ = indefinite_ || krein_if_imaginary < 0;
+    }
   }
   void add_forced_zero() { lambda_.push_back({}); }
   /// Spectrum's: E'' + c (P -+ |pi|)'' is definite for some c though E'' is not.

@@ -1,6 +1,6 @@
 // What is proven of the spectrum of a stationary motion whose state is known in intervals: an
 // enclosure of every Lambda = s^2, the number of negative directions of the second variation and
-// the class, each for every state in the intervals.
+// the class, each for every stationary motion in the intervals.
 //
 // The block forms of linearization.hpp in interval arithmetic; roots by discs (root_discs.hpp),
 // counts from the signs of minors. What the intervals do not decide is not claimed: an enclosure
@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "lib/number/root_discs.hpp"
+#include "lib/number/sloped.hpp"
 #include "lib/stability/linearization.hpp"
 #include "lib/stability/spectrum.hpp"
 
@@ -39,6 +40,9 @@ struct EnclosureFacts {
 /// state at alpha = 0, V isotropic. approximate is only used for the order of the modes.
 SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts,
                                    const StraightState<Interval>& state,
+                                   const Spectrum& approximate);
+/// Of all states along a curve.
+SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts, const StraightState<Sloped>& state,
                                    const Spectrum& approximate);
 
 /// Likewise of a two-polar motion with lambda != mu (two_polar_spectrum()): state.xi, zeta, omega

@@ -106,8 +106,8 @@ def atlas(
     """Every sheet of every family over the case's range of nu, connected to rest or not.
 
     checkpoints: how many values of nu are searched exhaustively; None as the program's. complete:
-    prove for every nu of the range how many sheets there are, not at the checkpoints alone; the
-    metadata's ``completeness`` has the intervals.
+    prove for every nu of the range how many sheets there are, and of which classes, not at the
+    checkpoints alone; the metadata's ``completeness`` and ``classes`` have the intervals.
 
     Raises InputError, NumericalError.
     """

@@ -6,6 +6,7 @@
 #include "solver/atlas/sheet_source.hpp"
 #include "solver/family/anisotropic_family.hpp"
 #include "solver/family/branch_switch.hpp"
+#include "solver/proof/anisotropic_enclosure.hpp"
 #include "solver/search/anisotropic_search.hpp"
 
 namespace stationary {
@@ -42,9 +43,14 @@ class AnisotropicSheets final : public SheetSource {
   SearchResult search(double nu, const SearchOptions& options) const override {
     return search_anisotropic(problem_, nu, options);
   }
-  std::optional<KindCover> cover(double from, double to,
-                                 const SearchOptions& options) const override {
-    return cover_oriented(problem_.body(), V_, branch(), false, from, to, options);
+  std::optional<KindCover> cover(double from, double to, const SearchOptions& options,
+                                 bool classes) const override {
+    return cover_oriented(problem_, false, from, to, options, classes);
+  }
+  std::optional<StabilityClass> proven_class(const Equilibrium& at, Inputs inputs) const override {
+    const Certificate proof = certify(problem_, at, inputs);
+    if (!proof.proven) return std::nullopt;
+    return enclose_spectrum(problem_, at, proof, {}, inputs).verdict;
   }
 
   std::vector<Place> at_rest(const SolveOptions& options) const override {
@@ -92,9 +98,15 @@ class ObliqueSheets final : public SheetSource {
   SearchResult search(double nu, const SearchOptions& options) const override {
     return search_oblique(body_, potential_, {nu}, options);
   }
-  std::optional<KindCover> cover(double from, double to,
-                                 const SearchOptions& options) const override {
-    return cover_oriented(body_, V_, Branch::i, true, from, to, options);
+  std::optional<KindCover> cover(double from, double to, const SearchOptions& options,
+                                 bool classes) const override {
+    return cover_oriented({body_, potential_, Branch::i}, true, from, to, options, classes);
+  }
+  std::optional<StabilityClass> proven_class(const Equilibrium& at, Inputs inputs) const override {
+    const ObliqueRotation motion{std::hypot(at.nu[0], at.nu[1])};
+    const Certificate proof = certify_oblique(body_, potential_, motion, at, inputs);
+    if (!proof.proven) return std::nullopt;
+    return enclose_oblique_spectrum(body_, potential_, motion, proof, {}, inputs).verdict;
   }
 
   /// About either axis of inertia, unless the families about these axes are branches (i), (ii).

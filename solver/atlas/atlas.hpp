@@ -12,16 +12,18 @@
 //      agree, no sheet that passes there is missing;
 //   6. where asked, the curves of each kind are covered (solver/tube) before sheets are followed: the
 //      range falls into intervals of nu with one number of motions each, and the middle of every
-//      such interval is a checkpoint too.
+//      such interval is a checkpoint too; and into others in which the class of each is one.
 //
 // nu and -nu are one, and with J1 = J2 and an isotropic V so are (i) and (ii), an ellipse of (iii)
 // and the same turned by a right angle; with an even V S and its mirror image are.
 // The work is shared by threads; what comes out does not depend on their number.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -127,16 +129,29 @@ struct CompleteInterval {
   std::string_view reason;  ///< why not, where not proven; a literal
 };
 
+/// A part of the range, and the classes of all motions in the box for every nu between.
+struct ClassInterval {
+  double from = 0.0;
+  double to = 0.0;
+  bool proven = false;
+  std::array<int, std::size(stability_names)> sheets = {};  ///< where proven, of each class
+  std::string_view reason;        ///< why not, where not proven; a literal
+  std::vector<EventType> events;  ///< of the sheets listed, where not proven: each type once
+};
+
 /// Of one kind of motion, all of the range.
 struct Completeness {
   Branch branch = Branch::i;
   bool oblique = false;
   std::vector<CompleteInterval> intervals;  ///< ascending, each beginning where the last ends
+  std::vector<ClassInterval> classes;       ///< likewise; empty without spectra
   long boxes = 0;                           ///< examined
+  long class_arcs = 0;                     ///< whose class was asked for
   long tubes = 0;                           ///< proven pieces of curves
 
   /// Of the intervals that are not proven, all together.
   double unproven_length() const;
+  double unproven_class_length() const;
 };
 
 /// What was come upon and not followed, or is not looked for.

@@ -9,12 +9,21 @@ Motion AtlasSheet::motion(double nu) const {
   return AxisRotation{branch, nu};
 }
 
-double Completeness::unproven_length() const {
+namespace {
+
+template <class Parts>
+double unproven_length_of(const Parts& parts) {
   double out = 0.0;
-  for (const CompleteInterval& each : intervals)
+  for (const auto& each : parts)
     if (!each.proven) out += each.to - each.from;
   return out;
 }
+
+}  // namespace
+
+double Completeness::unproven_length() const { return unproven_length_of(intervals); }
+
+double Completeness::unproven_class_length() const { return unproven_length_of(classes); }
 
 std::string_view kind_name(Branch branch, bool oblique) {
   return oblique ? oblique_name : name(branch);

@@ -9,9 +9,6 @@
 namespace stationary {
 namespace {
 
-constexpr std::string_view parts = "ellipses part from circles";
-constexpr std::string_view parts_once = "ellipses part from circles: one event, proven";
-
 class Keep final : public CurveSink {
  public:
   explicit Keep(std::vector<AtlasRow>& rows) : rows_(&rows) {}
@@ -111,65 +108,18 @@ void SheetSet::keep_found(std::size_t checkpoint, const SearchResult& result) {
   Checkpoint& at = checkpoints_[checkpoint];
   at.status = result.status;
   const auto places = [this](const std::vector<Equilibrium>& found, std::vector<Place>& out) {
-    for (const Equilibrium& each : found) {
-      const Place place = source_->place(each.q, each.nu);
-      const Place kept = source_->canonical(place);
-      // Of two mirror images one.
-      if (distance(place, kept) < same_place) out.push_back(kept);
-    }
+    for (const Equilibrium& each : found)
+      if (is_canonical(each)) out.push_back(source_->canonical(source_->place(each.q, each.nu)));
     return static_cast<int>(out.size());
   };
   at.proven = places(result.solutions, solutions_[checkpoint]);
   at.unproven = places(result.unproven, unproven_[checkpoint]);
 }
 
-/// The number of motions between two nu where it is constant, by one search between them.
-void SheetSet::add_interval(double from, double to) {
-  const double middle = from + 0.5 * (to - from);
-  if (!(from < middle && middle < to)) return;
-  CompleteInterval& out = completeness_->intervals.emplace_back();
-  out.from = from;
-  out.to = to;
-  const std::size_t checkpoint = checkpoints_.size();
-  add_checkpoint(middle);
-  keep_found(checkpoint, source_->search(middle, options_.search));
-  const Checkpoint& at = checkpoints_[checkpoint];
-  out.proven = at.status == SearchStatus::complete;
-  if (out.proven) {
-    out.sheets = at.proven;
-  } else {
-    out.reason = "the number of motions is constant, but the search at its middle is undecided";
-  }
-}
-
-void SheetSet::complete() {
-  Completeness& out = completeness_.emplace();
-  out.branch = source_->branch();
-  out.oblique = source_->oblique();
-  const double from = options_.from;
-  const double to = options_.to;
-  const auto cover = source_->cover(from, to, options_.search);
-  if (!cover || cover->interrupted) {
-    out.intervals.push_back({from, to, false, 0,
-                             cover ? "interrupted"
-                                   : "five unknowns: no curves are covered; its checkpoints are "
-                                     "proven"});
-    return;
-  }
-  out.boxes = cover->boxes;
-  out.tubes = cover->tubes;
-  double begin = from;
-  for (const NuGap& gap : cover->gaps) {
-    if (stopped()) return;
-    add_interval(begin, gap.nu.lo);
-    const std::string_view reason = gap.undecided ? "boxes are left undecided"
-                                    : gap.mirrors ? parts
-                                    : gap.turns   ? "two sheets meet at a fold"
-                                                  : "a sheet leaves the box";
-    out.intervals.push_back({gap.nu.lo, gap.nu.hi, false, 0, reason});
-    begin = gap.nu.hi;
-  }
-  add_interval(begin, to);
+/// Of two mirror images one.
+bool SheetSet::is_canonical(const Equilibrium& at) const {
+  const Place place = source_->place(at.q, at.nu);
+  return distance(place, source_->canonical(place)) < same_place;
 }
 
 void SheetSet::follow_all(std::span<const AtlasSheet> others) {
@@ -197,24 +147,7 @@ void SheetSet::follow_all(std::span<const AtlasSheet> others) {
   }
   for (std::size_t k = 0; k < checkpoints_.size(); ++k) count(k);
   prove_partings();
-}
-
-/// By the event's own equations, where its tube has told that they part.
-void SheetSet::prove_partings() {
-  if (!completeness_) return;
-  std::vector<Parting> partings;
-  add_partings(sheets_, partings);
-  for (const Parting& each : partings) {
-    const auto meets = [&](const CompleteInterval& interval) {
-      constexpr double near = 1e-9;
-      return interval.reason == parts && interval.from <= each.at.nu * (1.0 + near) &&
-             interval.to >= each.at.nu * (1.0 - near);
-    };
-    const auto interval = std::ranges::find_if(completeness_->intervals, meets);
-    if (interval == completeness_->intervals.end()) continue;
-    const auto nu = source_->proven_parting(each.at, options_.search.inputs);
-    if (nu && !nu->apart_from({interval->from, interval->to})) interval->reason = parts_once;
-  }
+  name_class_events();
 }
 
 bool SheetSet::stopped() const {

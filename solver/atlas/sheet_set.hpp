@@ -48,7 +48,12 @@ class SheetSet {
   bool stopped() const;
   void add_checkpoint(double nu);
   void keep_found(std::size_t checkpoint, const SearchResult& result);
-  void add_interval(double from, double to);
+  void add_interval(double from, double to, std::span<const Interval> class_gaps);
+  void add_classes(double from, double to, std::span<const Interval> class_gaps, double searched,
+                   const SearchResult& found);
+  ClassInterval classes_between(double from, double to, const SearchResult& found) const;
+  void name_class_events();
+  bool is_canonical(const Equilibrium& at) const;
   void follow_rest();
   void enter(const Place& from, double nu, Entry entry, double entry_nu);
   void remark(Entry entry, double nu, std::string reason);

@@ -24,9 +24,14 @@ class AxisSheets final : public SheetSource {
     return stationary::search(problem_, nu, options);
   }
 
-  std::optional<KindCover> cover(double from, double to,
-                                 const SearchOptions& options) const override {
-    return cover_axis(problem_, from, to, options);
+  std::optional<KindCover> cover(double from, double to, const SearchOptions& options,
+                                 bool classes) const override {
+    return cover_axis(problem_, from, to, options, classes);
+  }
+  std::optional<StabilityClass> proven_class(const Equilibrium& at, Inputs inputs) const override {
+    const Certificate proof = certify(problem_, at, inputs);
+    if (!proof.proven) return std::nullopt;
+    return enclose_spectrum(problem_, at, proof, {}, inputs).verdict;
   }
 
   std::vector<Place> at_rest(const SolveOptions& options) const override {

@@ -51,11 +51,14 @@ class SheetSource {
 
   /// Every motion at nu > 0, mirror images among them. May be called by several threads.
   virtual SearchResult search(double nu, const SearchOptions& options) const = 0;
-  /// For every nu in a range; nothing of kinds of five unknowns.
-  virtual std::optional<KindCover> cover(double /*from*/, double /*to*/,
-                                         const SearchOptions&) const {
+  /// For every nu in a range, with their classes if they are wanted; nothing of kinds of five
+  /// unknowns.
+  virtual std::optional<KindCover> cover(double /*from*/, double /*to*/, const SearchOptions&,
+                                         bool /*classes*/) const {
     return std::nullopt;
   }
+  /// Of a motion found by a search with these inputs; nothing where it is not proven.
+  virtual std::optional<StabilityClass> proven_class(const Equilibrium&, Inputs) const = 0;
   /// Where sheets begin at nu = 0; none where the rest state is not found.
   virtual std::vector<Place> at_rest(const SolveOptions& options) const = 0;
 

@@ -82,14 +82,12 @@ void require_proven(const Certificate& certificate) {
   if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
 }
 
-SpectrumEnclosure whole(const Body& body, const AnisotropicPotential& V,
-                        const Certificate& certificate, double nu, const Vector3<Interval>& axis,
-                        const Spectrum& spectrum, Inputs inputs, bool straight = false) {
-  const StretchBox& at = certificate.solution;
+SpectrumEnclosure whole(const Body& body, const AnisotropicPotential& V, const MotionBox& motion,
+                        const Vector3<Interval>& axis, const Spectrum& spectrum, Inputs inputs,
+                        bool straight = false) {
+  const StretchBox& at = motion.stretches;
   const BasicStretch<Interval> q{at.alpha, at.xi, at.zeta, at.rho};
-  // nu and -nu: the same dynamics run backwards, with the same Lambda.
-  return enclose_leaf_spectrum({inertia_intervals(body, inputs), q,
-                                nu == 0.0 ? Interval(0.0) : as_input(std::abs(nu), inputs), axis,
+  return enclose_leaf_spectrum({inertia_intervals(body, inputs), q, motion.nu, axis,
                                 potential_derivatives<2>(V.model(AsIntervals{inputs}), q).hessian,
                                 !V.is_separable(), V.body().volume.has_value(), straight},
                                spectrum);
@@ -151,24 +149,21 @@ Certificate certify_oblique(const Body& body, const Potential& potential,
   return out;
 }
 
-SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem,
-                                               const Equilibrium& equilibrium,
-                                               const Certificate& certificate,
-                                               const Spectrum& spectrum, Inputs inputs) {
-  require_proven(certificate);
+SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem, const MotionBox& motion,
+                                               const Spectrum& approximate, Inputs inputs) {
   const AnisotropicPotential& V = problem.potential().anisotropic();
-  const StretchBox& at = certificate.solution;
-  const double nu = equilibrium.nu[axis(problem.branch())];
-  if (!V.shear_free() || at.alpha.lo != 0.0 || at.alpha.hi != 0.0 || nu == 0.0)
-    return whole(problem.body(), V, certificate, nu, {0.0, 0.0, 1.0}, spectrum, inputs);
+  const StretchBox& at = motion.stretches;
+  const bool at_rest = motion.nu.hi == 0.0;
+  if (!V.shear_free() || at.alpha.lo != 0.0 || at.alpha.hi != 0.0 || at_rest)
+    return whole(problem.body(), V, motion, {0.0, 0.0, 1.0}, approximate, inputs);
   if (V.body().volume)
-    return whole(problem.body(), V, certificate, nu,
-                 angular_velocity(problem.branch(), Interval(1.0)), spectrum, inputs, true);
+    return whole(problem.body(), V, motion, angular_velocity(problem.branch(), Interval(1.0)),
+                 approximate, inputs, true);
   const BasicStretch<Interval> q{0.0, at.xi, at.zeta, at.rho};
-  return enclose_spectrum({problem.branch(), false, false, false, !V.is_separable()},
+  return enclose_spectrum({problem.branch(), false, false, false, !V.is_separable(), false},
                           straight_state(inertia_intervals(problem.body(), inputs),
-                                         V.model(AsIntervals{inputs}), q, as_input(nu, inputs)),
-                          spectrum);
+                                         V.model(AsIntervals{inputs}), q, motion.nu),
+                          approximate);
 }
 
 SpectrumEnclosure enclose_oblique_spectrum(const Body& body, const Potential& potential,
@@ -176,9 +171,19 @@ SpectrumEnclosure enclose_oblique_spectrum(const Body& body, const Potential& po
                                            const Certificate& certificate, const Spectrum& spectrum,
                                            Inputs inputs) {
   require_proven(certificate);
-  const auto& [first, second] = certificate.axis;
-  return whole(body, potential.anisotropic(), certificate, motion.nu, {first, second, 0.0},
-               spectrum, inputs);
+  MotionBox box;
+  box.stretches = certificate.solution;
+  const double nu = std::abs(motion.nu);
+  box.nu = nu == 0.0 ? Interval(0.0) : as_input(nu, inputs);
+  box.axis = certificate.axis;
+  return enclose_oblique_spectrum(body, potential, box, spectrum, inputs);
+}
+
+SpectrumEnclosure enclose_oblique_spectrum(const Body& body, const Potential& potential,
+                                           const MotionBox& motion, const Spectrum& approximate,
+                                           Inputs inputs) {
+  return whole(body, potential.anisotropic(), motion, {motion.axis[0], motion.axis[1], 0.0},
+               approximate, inputs);
 }
 
 }  // namespace stationary

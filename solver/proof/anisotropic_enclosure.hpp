@@ -6,16 +6,15 @@
 
 #include "lib/body/motion.hpp"
 #include "solver/proof/certify.hpp"
+#include "solver/proof/motion_spectrum.hpp"
 
 namespace stationary {
 
 /// As certify(), of a problem whose potential is not isotropic.
 Certificate certify_anisotropic(const Problem& problem, const Equilibrium& equilibrium,
                                 Inputs inputs);
-SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem,
-                                               const Equilibrium& equilibrium,
-                                               const Certificate& certificate,
-                                               const Spectrum& spectrum, Inputs inputs);
+SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem, const MotionBox& motion,
+                                               const Spectrum& approximate, Inputs inputs);
 
 /// Of a spin about an axis in the plane of axes 1 and 2, nu = |nu| (cos, sin, 0).
 Certificate certify_oblique(const Body& body, const Potential& potential,

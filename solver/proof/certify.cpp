@@ -8,6 +8,7 @@
 #include "solver/proof/anisotropic_enclosure.hpp"
 #include "solver/proof/axis_boxes.hpp"
 #include "solver/proof/certificate.hpp"
+#include "solver/proof/motion_spectrum.hpp"
 
 namespace stationary {
 namespace {
@@ -75,27 +76,16 @@ Certificate certify(const Problem& problem, const Equilibrium& equilibrium, Inpu
 SpectrumEnclosure enclose_spectrum(const Problem& problem, const Equilibrium& equilibrium,
                                    const Certificate& certificate, const Spectrum& spectrum,
                                    Inputs inputs) {
-  if (!problem.potential().is_isotropic())
-    return enclose_anisotropic_spectrum(problem, equilibrium, certificate, spectrum, inputs);
   if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
-  const double nu = equilibrium.nu[axis(problem.branch())];
-  const Body& body = problem.body();
-  const BodyModel<>* body_model = problem.potential().body_model();
-  const EnclosureFacts facts{problem.branch(),
-                             nu == 0.0,
-                             body.symmetric(),
-                             certificate.circle,
-                             !problem.potential().is_separable(),
-                             body_model == nullptr || body_model->isotropic(),
-                             problem.potential().holds_volume()};
-  const Inertia3<Interval> J = inertia_intervals(body, inputs);
-  StretchBox at = certificate.solution;
-  if (certificate.circle) at.xi = at.zeta = common(at.xi, at.zeta);
-  return problem.potential().visit_parts([&](const auto& model) {
-    const auto state = straight_state(J, interval_model(model, inputs), at.xi, at.zeta, at.rho,
-                                      as_input(nu, inputs));
-    return enclose_spectrum(facts, state, spectrum);
-  });
+  MotionBox motion;
+  motion.stretches = certificate.solution;
+  const double nu = std::abs(equilibrium.nu[axis(problem.branch())]);
+  motion.nu = nu == 0.0 ? Interval(0.0) : as_input(nu, inputs);
+  motion.circle = certificate.circle;
+  if (motion.circle)
+    motion.stretches.xi = motion.stretches.zeta =
+        common(motion.stretches.xi, motion.stretches.zeta);
+  return enclose_spectrum(problem, motion, spectrum, inputs);
 }
 
 }  // namespace stationary

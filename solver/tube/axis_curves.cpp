@@ -35,6 +35,10 @@ class PlaneCurves final : public CurveEquations<2> {
     y = {x[0], x[1], y[2]};
     return left;
   }
+  void place(const CurveCoordinates<2>& y, PlacedMotions& motions) const override {
+    motions.xi = exp(y[0]);
+    motions.zeta = exp(y[1]);
+  }
 
  private:
   decltype(interval_model(std::declval<Plane>(), Inputs())) model_;
@@ -71,6 +75,11 @@ class CoupledCurves final : public CurveEquations<3> {
     const bool left = terms_.contract({y[3] * rates_.xi, y[3] * rates_.zeta, y[3] * rates_.rho}, x);
     y = {x[0], x[1], x[2], y[3]};
     return left;
+  }
+  void place(const CurveCoordinates<3>& y, PlacedMotions& motions) const override {
+    motions.xi = exp(y[0]);
+    motions.zeta = exp(y[1]);
+    motions.rho = exp(y[2]);
   }
 
  private:

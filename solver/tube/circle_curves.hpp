@@ -112,6 +112,12 @@ class CircleCurves final : public CurveEquations<N> {
     if constexpr (coupled) y[1] = x[2];
     return true;
   }
+  void place(const CurveCoordinates<N>& y, PlacedMotions& motions) const override {
+    motions.circle = true;
+    motions.xi = motions.zeta = exp(y[0]);
+    if constexpr (coupled) motions.rho = exp(y[1]);
+    thickness_.place(2.0 * y[0], motions);
+  }
 
  private:
   decltype(interval_model(std::declval<Model>(), Inputs())) model_;
@@ -195,6 +201,12 @@ class EllipseCurves final : public CurveEquations<N> {
     if (!terms_.contract(with_plane_rate<N>(c), x)) return false;
     if constexpr (coupled) y[2] = x[2];
     return narrow_axes({x[0], x[1]}, y[0], y[1]);
+  }
+  void place(const CurveCoordinates<N>& y, PlacedMotions& motions) const override {
+    motions.xi = exp(y[0] + y[1]);
+    motions.zeta = exp(y[0] - y[1]);
+    if constexpr (coupled) motions.rho = exp(y[2]);
+    thickness_.place(2.0 * y[0], motions);
   }
 
  private:

@@ -17,11 +17,8 @@ template <int N>
 class Cover {
  public:
   Cover(const CurveEquations<N>& equations, const CurveRegion<N>& region,
-        const CoverOptions& options)
-      : equations_(equations),
-        region_(region),
-        options_(options),
-        tubes_(equations, region, options.tube) {}
+        const CoverOptions& options, TubeSet<N>& tubes)
+      : equations_(equations), region_(region), options_(options), tubes_(tubes) {}
 
   CurveCover run() {
     queue_.push_back(region_.hull());
@@ -222,7 +219,7 @@ class Cover {
   const CurveEquations<N>& equations_;
   const CurveRegion<N>& region_;
   CoverOptions options_;
-  TubeSet<N> tubes_;
+  TubeSet<N>& tubes_;
   std::deque<CurveBox<N>> queue_;
   CurveCover out_;
 };
@@ -231,17 +228,17 @@ class Cover {
 
 template <int N>
 CurveCover cover_curves(const CurveEquations<N>& equations, const CurveRegion<N>& region,
-                        const CoverOptions& options) {
-  return Cover<N>(equations, region, options).run();
+                        const CoverOptions& options, TubeSet<N>& tubes) {
+  return Cover<N>(equations, region, options, tubes).run();
 }
 
-template CurveCover cover_curves<1>(const CurveEquations<1>&, const CurveRegion<1>&,
-                                    const CoverOptions&);
-template CurveCover cover_curves<2>(const CurveEquations<2>&, const CurveRegion<2>&,
-                                    const CoverOptions&);
-template CurveCover cover_curves<3>(const CurveEquations<3>&, const CurveRegion<3>&,
-                                    const CoverOptions&);
-template CurveCover cover_curves<4>(const CurveEquations<4>&, const CurveRegion<4>&,
-                                    const CoverOptions&);
+#define STATIONARY_COVER(N)                                                            \
+  template CurveCover cover_curves<N>(const CurveEquations<N>&, const CurveRegion<N>&, \
+                                      const CoverOptions&, TubeSet<N>&);
+STATIONARY_COVER(1)
+STATIONARY_COVER(2)
+STATIONARY_COVER(3)
+STATIONARY_COVER(4)
+#undef STATIONARY_COVER
 
 }  // namespace stationary

@@ -23,6 +23,7 @@ namespace stationary {
 struct CoverOptions {
   double min_width = 0x1p-36;
   long max_boxes = 50'000;
+  long max_arcs = 50'000;  ///< pieces of curves whose class is asked for
   TubeOptions tube;
   const std::atomic<bool>* stop = nullptr;
 };
@@ -36,8 +37,16 @@ struct CurveCover {
   bool interrupted = false;
 };
 
+/// tubes: none yet; then all that were proven.
 template <int N>
 CurveCover cover_curves(const CurveEquations<N>& equations, const CurveRegion<N>& region,
-                        const CoverOptions& options = {});
+                        const CoverOptions& options, TubeSet<N>& tubes);
+
+template <int N>
+CurveCover cover_curves(const CurveEquations<N>& equations, const CurveRegion<N>& region,
+                        const CoverOptions& options = {}) {
+  TubeSet<N> tubes(equations, region, options.tube);
+  return cover_curves(equations, region, options, tubes);
+}
 
 }  // namespace stationary

@@ -8,10 +8,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
 
+#include "lib/number/dual.hpp"
 #include "solver/proof/box_balance.hpp"
 
 namespace stationary {
@@ -29,6 +31,30 @@ struct CurveLinearized {
   Box<N> g;
   std::array<CurveBox<N>, static_cast<std::size_t>(N)> slope;  ///< rows
 };
+
+/// A number along a piece of a curve: its range and that of its slope.
+using AlongCurve = Dual<Interval, 1>;
+
+template <int N>
+using CurveCoordinates = std::array<AlongCurve, static_cast<std::size_t>(N + 1)>;
+
+/// The motions of a piece of a curve, without their nu.
+struct PlacedMotions {
+  AlongCurve xi;
+  AlongCurve zeta;
+  AlongCurve rho;
+  AlongCurve alpha;
+  std::array<AlongCurve, 2> axis;  ///< oblique: nu/|nu| along axes 1 and 2
+  bool circle = false;             ///< xi = zeta exactly, about axis 3
+  bool has_slopes = true;          ///< else ranges alone
+};
+
+/// nu of q, outward.
+inline Interval nu_of(const Interval& q, double nu_end) {
+  const Interval bounded(std::max(q.lo, 0.0), std::min(std::max(q.hi, 0.0), 1.0));
+  const Interval out = Interval(nu_end) * sqrt(bounded);
+  return {std::max(out.lo, 0.0), std::min(out.hi, nu_end)};
+}
 
 template <int N>
 class CurveEquations {
@@ -49,6 +75,8 @@ class CurveEquations {
   virtual bool excludes(const CurveBox<N>&) const { return false; }
   /// Narrows a place likewise; false where nothing is left.
   virtual bool contract(CurveBox<N>&) const { return true; }
+  /// Adds what coordinates along a curve tell of its motions. Nothing of curves that are no motions'.
+  virtual void place(const CurveCoordinates<N>&, PlacedMotions&) const {}
 };
 
 /// Bounds of the logarithm of a stretch, as enclosures.

@@ -22,6 +22,9 @@ struct HeldThickness {
     to.push_back(log_rho - rho.lower);
     to.push_back(rho.upper - log_rho);
   }
+  void place(const AlongCurve& l, PlacedMotions& motions) const {
+    if (log_volume) motions.rho = exp(AlongCurve(*log_volume) - l);
+  }
 };
 
 class HeldCurves final : public CurveEquations<2> {
@@ -49,6 +52,11 @@ class HeldCurves final : public CurveEquations<2> {
   }
   bool excludes(const CurveBox<2>& y) const override {
     return defined_nowhere(model_, exp(y[0]), exp(y[1]));
+  }
+  void place(const CurveCoordinates<2>& y, PlacedMotions& motions) const override {
+    motions.xi = exp(y[0]);
+    motions.zeta = exp(y[1]);
+    thickness_.place(y[0] + y[1], motions);
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 
 #include "solver/motion/body_circle.hpp"
@@ -12,13 +13,6 @@
 namespace stationary {
 namespace {
 
-/// nu of q, outward.
-Interval nu_of(const Interval& q, double to) {
-  const Interval bounded(std::max(q.lo, 0.0), std::min(std::max(q.hi, 0.0), 1.0));
-  const Interval out = Interval(to) * sqrt(bounded);
-  return {std::max(out.lo, 0.0), std::min(out.hi, to)};
-}
-
 CoverOptions cover_options(const SearchOptions& options) {
   CoverOptions out;
   out.stop = options.stop;
@@ -28,6 +22,7 @@ CoverOptions cover_options(const SearchOptions& options) {
 struct AxisSought {
   Problem problem;
   SearchOptions options;
+  std::size_t exchanged = 2;  ///< the axis whose stretch stands for rho
 };
 
 /// The same motions turning about axis 3, by an exchange of it with theirs, where their figures may be
@@ -43,6 +38,7 @@ AxisSought with_circles_about_third_axis(const Problem& problem, const SearchOpt
   };
   Body body = problem.body();
   exchange(body);
+  out.exchanged = own;
   std::array box{options.range(0), options.range(1), options.range(2)};
   std::swap(box[own], box[2]);
   out.options.box = box;
@@ -57,16 +53,55 @@ AxisSought with_circles_about_third_axis(const Problem& problem, const SearchOpt
   return out;
 }
 
+/// Their own stretches of motions whose axes are exchanged; those about axis 1 or 2 are no circles of
+/// axis 3.
+MotionArc exchanged_back(MotionArc motions, std::size_t own) {
+  if (own == 2) return motions;
+  for (StretchBox* const at :
+       {&motions.over.stretches, &motions.at.stretches, &motions.stretch_slope})
+    std::swap(own == 0 ? at->xi : at->zeta, at->rho);
+  motions.over.circle = motions.at.circle = false;
+  return motions;
+}
+
+template <int N>
+std::unique_ptr<ProvenCurvesOf<N>> proven_curves(const CurveSet<N>& set,
+                                                 const CoverOptions& options) {
+  return std::make_unique<ProvenCurvesOf<N>>(*set.equations, set.region, options.tube);
+}
+
+/// Ascending ones; those that touch as one.
+std::vector<Interval> nu_of_all(const std::vector<Interval>& q, double to) {
+  std::vector<Interval> out;
+  for (const Interval& each : q) {
+    const Interval nu = nu_of(each, to);
+    if (out.empty() || nu.lo > out.back().hi) {
+      out.push_back(nu);
+    } else {
+      out.back().hi = std::max(out.back().hi, nu.hi);
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
-                     const CoverOptions& options) {
+                     const CoverOptions& options, const ClassOver& class_over) {
   KindCover out;
   std::vector<NuGap> all;
+  std::vector<std::vector<std::unique_ptr<ProvenCurves>>> proven;
   for (const CurveFactor& factor : factors) {
+    proven.emplace_back();
     for (const AnyCurveSet& any : factor.sets) {
       const CurveCover cover = std::visit(
-          [&](const auto& set) { return cover_curves(*set.equations, set.region, options); }, any);
+          [&](const auto& set) {
+            auto curves = proven_curves(set, options);
+            CurveCover found = cover_curves(*set.equations, set.region, options, curves->set());
+            proven.back().push_back(std::move(curves));
+            return found;
+          },
+          any);
       out.boxes += cover.boxes;
       out.tubes += cover.tubes;
       out.interrupted = out.interrupted || cover.interrupted;
@@ -89,24 +124,47 @@ KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
     last.mirrors = last.mirrors || each.mirrors;
     last.undecided = last.undecided || each.undecided;
   }
+  if (class_over && !out.interrupted) {
+    const ClassGaps classes = class_gaps(proven, class_over, to, options.max_arcs, options.stop);
+    out.class_gaps = nu_of_all(classes.gaps, to);
+    out.class_arcs = classes.arcs;
+    out.interrupted = classes.interrupted;
+  }
   return out;
 }
 
-KindCover cover_axis(const Problem& problem, double from, double to, const SearchOptions& options) {
+KindCover cover_axis(const Problem& problem, double from, double to, const SearchOptions& options,
+                     bool classes) {
   const AxisSought sought = with_circles_about_third_axis(problem, options);
-  return cover_kind(axis_curves(sought.problem, from, to, sought.options), to,
-                    cover_options(options));
+  const ClassOver class_over = [&](const MotionArc& motions) {
+    return enclose_spectrum(problem, exchanged_back(motions, sought.exchanged), {}, options.inputs)
+        .verdict;
+  };
+  CoverOptions how = cover_options(options);
+  const BodyModel<>* const body = problem.potential().body_model();
+  // An arc takes milliseconds then, not microseconds.
+  if (body != nullptr && body->gravitates) how.max_arcs = 6'000;
+  return cover_kind(axis_curves(sought.problem, from, to, sought.options), to, how,
+                    classes ? class_over : ClassOver());
 }
 
-std::optional<KindCover> cover_oriented(const Body& body, const AnisotropicPotential& potential,
-                                        Branch branch, bool oblique, double from, double to,
-                                        const SearchOptions& options) {
-  const auto factors = oriented_curves(body, potential, branch, oblique, from, to, options);
+std::optional<KindCover> cover_oriented(const Problem& problem, bool oblique, double from,
+                                        double to, const SearchOptions& options, bool classes) {
+  const Body& body = problem.body();
+  const Potential& V = problem.potential();
+  const auto factors =
+      oriented_curves(body, V.anisotropic(), problem.branch(), oblique, from, to, options);
   if (factors.empty()) return std::nullopt;
   CoverOptions how = cover_options(options);
   // More unknowns; a box takes some 30 microseconds.
   how.max_boxes = 1'000'000;
-  return cover_kind(factors, to, how);
+  how.max_arcs = 20'000;
+  const ClassOver class_over = [&](const MotionArc& motions) {
+    return (oblique ? enclose_oblique_spectrum(body, V, motions.over, {}, options.inputs)
+                    : enclose_spectrum(problem, motions, {}, options.inputs))
+        .verdict;
+  };
+  return cover_kind(factors, to, how, classes ? class_over : ClassOver());
 }
 
 }  // namespace stationary

@@ -1,6 +1,7 @@
-// How many motions of one kind there are at each nu of a range, proven: its curves are covered
-// (curve_cover.hpp), their breaks and what is undecided divide the range, and between two of these
-// the number of motions is constant. What it is, a search at one nu in between says.
+// How many motions of one kind there are at each nu of a range, and of which classes, proven: its
+// curves are covered (curve_cover.hpp), their breaks and what is undecided divide the range, and
+// between two of these the number of motions is constant; between two class gaps (class_gaps.hpp) the
+// class of each. What they are, a search at one nu in between says.
 #pragma once
 
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "solver/motion/problem.hpp"
 #include "solver/search/search.hpp"
+#include "solver/tube/class_gaps.hpp"
 
 namespace stationary {
 
@@ -25,21 +27,27 @@ struct NuGap {
 
 struct KindCover {
   std::vector<NuGap> gaps;  ///< ascending, apart from each other
+  /// Where the class of a motion is not proven, and may change. Ascending, apart from each other.
+  /// Nothing where classes were not asked for.
+  std::optional<std::vector<Interval>> class_gaps;
   long boxes = 0;
+  long class_arcs = 0;  ///< whose class was asked for
   long tubes = 0;
   bool interrupted = false;
 };
 
-/// factors: of the kind (axis_curves.hpp), with nu_end = to.
+/// factors: of the kind (axis_curves.hpp), with nu_end = to. class_over: none where classes are not
+/// asked for.
 KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
-                     const CoverOptions& options);
+                     const CoverOptions& options, const ClassOver& class_over);
 
 /// Of an isotropic body's spins about the problem's axis, 0 <= from < to.
-KindCover cover_axis(const Problem& problem, double from, double to, const SearchOptions& options);
+KindCover cover_axis(const Problem& problem, double from, double to, const SearchOptions& options,
+                     bool classes = true);
 
 /// Of a body that need not be isotropic (oriented_curves.hpp); nothing of five unknowns.
-std::optional<KindCover> cover_oriented(const Body& body, const AnisotropicPotential& potential,
-                                        Branch branch, bool oblique, double from, double to,
-                                        const SearchOptions& options);
+std::optional<KindCover> cover_oriented(const Problem& problem, bool oblique, double from,
+                                        double to, const SearchOptions& options,
+                                        bool classes = true);
 
 }  // namespace stationary

@@ -47,6 +47,20 @@ class OrientedCurves final : public CurveEquations<Layout::dimension> {
   bool excludes(const CurveBox<N>& y) const override {
     return boxes_.excludes(coordinates(y), y[last] * boxes_.nu_squared);
   }
+  void place(const CurveCoordinates<N>& y, PlacedMotions& motions) const override {
+    motions.has_slopes = false;
+    Box<N> x;
+    for (std::size_t i = 0; i < last; ++i) x[i] = exp(y[i].value);
+    const BasicStretch<Interval> q = boxes_.stretch(x);
+    motions.xi = q.xi;
+    motions.zeta = q.zeta;
+    if (Layout::alpha) motions.alpha = q.alpha;
+    if (Layout::thickness || boxes_.model.body.volume) motions.rho = q.rho;
+    if constexpr (Layout::axis) {
+      const AxisAngle<Interval> axis = axis_angle(x[static_cast<std::size_t>(Layout::axis_place)]);
+      motions.axis = {axis.cosine, axis.sine};
+    }
+  }
 
  private:
   static constexpr auto last = static_cast<std::size_t>(N);

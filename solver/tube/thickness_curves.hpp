@@ -41,6 +41,9 @@ class ThicknessCurves final : public CurveEquations<1> {
     y[0] = x[0];
     return left;
   }
+  void place(const CurveCoordinates<1>& y, PlacedMotions& motions) const override {
+    motions.rho = exp(y[0]);
+  }
 
  private:
   decltype(interval_model(std::declval<Thickness>(), Inputs())) model_;

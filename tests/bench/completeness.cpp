@@ -3,8 +3,10 @@
 //   completeness_bench CASE.toml... > results/completeness.csv
 //
 // A row for each case and branch: boxes examined and tubes proven, the intervals of nu with a proven
-// number of sheets, how much of the range is left between them, and the seconds, which are of the
-// machine. `cmake --build build/release --target completeness` makes the table.
+// number of sheets, how much of the range is left between them; arcs whose class was asked for, the
+// intervals with a proven number of motions of each class, what is left between these; and the
+// seconds, which are of the machine. `cmake --build build/release --target completeness` makes the table.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -23,6 +25,7 @@ void write_rows(const std::string& file) {
   const Case input = read_case(file);
   AtlasOptions how = atlas_options(input, 1, false);
   how.complete = true;
+  how.spectrum = true;
   for (const Branch branch : {Branch::i, Branch::ii, Branch::iii}) {
     if (branch == Branch::ii && input.body.symmetric()) continue;  // as (i)
     how.branches = {branch};
@@ -34,9 +37,11 @@ void write_rows(const std::string& file) {
       int proven = 0;
       for (const CompleteInterval& interval : each.intervals) proven += interval.proven;
       const std::string name(kind_name(each.branch, each.oblique));
-      std::printf("%s,%s,%g,%g,%ld,%ld,%d,%.3g,%.2g\n", std::filesystem::path(file).stem().c_str(),
-                  name.c_str(), how.from, how.to, each.boxes, each.tubes, proven,
-                  each.unproven_length(), seconds.count());
+      const auto classes = std::ranges::count(each.classes, true, &ClassInterval::proven);
+      std::printf("%s,%s,%g,%g,%ld,%ld,%d,%.3g,%ld,%td,%.3g,%.2g\n",
+                  std::filesystem::path(file).stem().c_str(), name.c_str(), how.from, how.to,
+                  each.boxes, each.tubes, proven, each.unproven_length(), each.class_arcs, classes,
+                  each.unproven_class_length(), seconds.count());
     }
   }
 }
@@ -45,7 +50,10 @@ void write_rows(const std::string& file) {
 
 int main(int count, char** arguments) {
   try {
-    std::puts("case,branch,from,to,boxes,tubes,proven_intervals,undecided_length,seconds");
+    std::puts(
+        "case,branch,from,to,boxes,tubes,proven_intervals,undecided_length,class_arcs,class_"
+        "intervals,"
+        "class_undecided_length,seconds");
     for (int k = 1; k < count; ++k) write_rows(arguments[k]);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "completeness_bench: %s\n", e.what());

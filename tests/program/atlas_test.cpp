@@ -5,9 +5,11 @@
 #include <cmath>
 #include <csignal>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <string>
 
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
@@ -94,6 +96,65 @@ TEST(CompleteAtlas, IsCompleteButForAMillionthOfTheRange) {
       EXPECT_LT(undecided_length(completeness, branch), 1e-6) << each << ' ' << branch;
     }
   }
+}
+
+/// A proven stability diagram: at most a millionth of the range is left, there are as many motions of
+/// all classes as are proven to be, and at the sheets' rows they are those of the table.
+TEST(CompleteAtlas, ProvesTheClassesOfEveryMotion) {
+  int compared = 0;
+  for (const char* each :
+       {"neo_hookean", "fold", "apart", "near_degenerate", "circle", "disc", "coupled"}) {
+    const TemporaryDirectory directory;
+    const Outcome outcome = run_program({"atlas", shipped(std::string(each) + ".toml"), "-o",
+                                         directory / "x.csv", "--complete", "--checkpoints", "1"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("classes       branch (i): proven for nu in ["));
+    const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    std::map<std::string, double> open;
+    std::map<std::string, double> range;
+    for (const auto& part : metadata["classes"]) {
+      const std::string branch = part["branch"];
+      const double from = part["from"];
+      const double to = part["to"];
+      range[branch] = to;
+      if (part["status"] != "proven") {
+        open[branch] += to - from;
+        EXPECT_TRUE(part.contains("reason") && part.contains("events"));
+        continue;
+      }
+      int of_all_classes = 0;
+      for (const auto& [word, number] : part["sheets"].items()) of_all_classes += number.get<int>();
+      const double middle = 0.5 * (from + to);
+      for (const auto& whole : metadata["completeness"]) {
+        if (whole["branch"] == branch && whole["from"].get<double>() < middle &&
+            middle < whole["to"].get<double>()) {
+          EXPECT_EQ(whole["sheets"], of_all_classes) << each << ' ' << branch << ' ' << middle;
+        }
+      }
+    }
+    for (const auto& [branch, length] : open)
+      EXPECT_LT(length, 1e-6 * range[branch]) << each << ' ' << branch;
+    // A row's class is one of those proven at its nu; beyond the box, rows are of no proof.
+    for (const Row& row : rows_of(text_of(directory / "x.csv"))) {
+      const std::string branch = row.at("branch");
+      const std::string column = branch == "i" ? "nu1" : branch == "ii" ? "nu2" : "nu3";
+      if (!range.contains(branch) || !row.at("event").empty()) continue;
+      const auto inside = [&](const char* stretch) {
+        return number(row.at(stretch)) > 1e-3 && number(row.at(stretch)) < 1e3;
+      };
+      if (!inside("xi") || !inside("zeta") || !inside("rho")) continue;
+      const double nu = number(row.at(column));
+      for (const auto& part : metadata["classes"]) {
+        if (part["branch"] != branch || part["status"] != "proven") continue;
+        if (!(part["from"].get<double>() < nu && nu < part["to"].get<double>())) continue;
+        if (row.at("class") == "marginal") continue;
+        EXPECT_TRUE(part["sheets"].contains(row.at("class")))
+            << each << " (" << branch << ") at nu = " << nu << ": " << row.at("class");
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 2000);
 }
 
 TEST(CompleteAtlas, ProvesThatEllipsesPartFromCircles) {

@@ -94,7 +94,10 @@ def test_atlas_has_every_sheet():
 def test_atlas_is_proven_for_every_nu():
     case = SOURCES / "cases" / "apart.toml"
     assert "completeness" not in stationary.atlas(case, checkpoints=2).metadata
-    proven = stationary.atlas(case, checkpoints=2, complete=True).metadata["completeness"]
+    metadata = stationary.atlas(case, checkpoints=2, complete=True).metadata
+    proven = metadata["completeness"]
+    classes = [sum(each["sheets"].values()) for each in metadata["classes"] if "sheets" in each]
+    assert max(classes) == max(each["sheets"] for each in proven if "sheets" in each)
     assert {each["branch"] for each in proven} == {"i", "ii", "iii"}
     sheets = [each["sheets"] for each in proven if each["status"] == "proven"]
     assert sheets and max(sheets) >= 1

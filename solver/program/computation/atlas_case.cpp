@@ -125,6 +125,43 @@ void add_completeness(Report& out, const std::vector<Completeness>& all) {
     out.line({}, "in the box of the stretches; tilted and two-polar motions are not covered");
 }
 
+std::string class_counts(const ClassInterval& of) {
+  std::string out;
+  for (std::size_t k = 0; k < of.sheets.size(); ++k)
+    if (of.sheets[k] > 0)
+      out += fmt::format("{}{} {}", out.empty() ? "" : ", ", of.sheets[k], stability_names[k]);
+  return out.empty() ? "no motion" : out;
+}
+
+std::string class_change(const ClassInterval& of) {
+  if (of.events.empty()) return std::string(of.reason);
+  std::string out;
+  for (const EventType event : of.events)
+    out += fmt::format("{}{}", out.empty() ? "" : ", ", name(event));
+  return out;
+}
+
+/// For every nu: of how many motions each class is, and where that is not told.
+void add_classes(Report& out, const std::vector<Completeness>& all) {
+  std::string_view label = "classes";
+  for (const Completeness& kind : all) {
+    if (kind.classes.empty()) continue;
+    const auto unproven = std::ranges::count(kind.classes, false, &ClassInterval::proven);
+    std::string text = fmt::format("branch ({}): proven for nu in [{:.6g}, {:.6g}]",
+                                   kind_name(kind.branch, kind.oblique), kind.classes.front().from,
+                                   kind.classes.back().to);
+    if (unproven > 0)
+      text += fmt::format(" but for {} interval{} of total length {:.2g}", unproven,
+                          unproven == 1 ? "" : "s", kind.unproven_class_length());
+    out.line(std::exchange(label, {}), text + fmt::format("; {} arcs", kind.class_arcs));
+    for (const ClassInterval& each : kind.classes) {
+      const std::string range = fmt::format("[{:.12g}, {:.12g}]", each.from, each.to);
+      out.line({}, each.proven ? fmt::format("  {} for nu in {}", class_counts(each), range)
+                               : fmt::format("  not told in {}: {}", range, class_change(each)));
+    }
+  }
+}
+
 /// At each |pi| the motion of least energy, and where that is another.
 void add_least_energy(Report& out, const std::vector<LeastEnergyPiece>& pieces,
                       const std::vector<AtlasSheet>& sheets) {
@@ -163,6 +200,7 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
   if (const auto caveat = proof_caveat(input)) add_plan(out, {*caveat});
   add_checkpoints(out, found.checkpoints, asked.search);
   add_completeness(out, found.completeness);
+  add_classes(out, found.completeness);
   add_least_energy(out, least, found.sheets);
   std::string_view label = "remarks";
   for (const Remark& each : found.remarks) {

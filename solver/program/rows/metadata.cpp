@@ -255,6 +255,34 @@ Json completeness_json(const std::vector<Completeness>& all) {
   return out;
 }
 
+/// Of how many motions each class is, for every nu of an interval.
+Json classes_json(const std::vector<Completeness>& all) {
+  Json out = Json::array();
+  for (const Completeness& kind : all) {
+    for (const ClassInterval& each : kind.classes) {
+      Json interval{{"branch", kind_name(kind.branch, kind.oblique)},
+                    {"from", each.from},
+                    {"to", each.to},
+                    {"status", each.proven ? "proven" : "undecided"}};
+      if (each.proven) {
+        Json sheets = Json::object();
+        for (std::size_t k = 0; k < each.sheets.size(); ++k)
+          if (each.sheets[k] > 0) sheets[stability_names[k]] = each.sheets[k];
+        interval["sheets"] = std::move(sheets);
+      } else {
+        interval["reason"] = each.reason;
+        Json events = Json::array();
+        for (const EventType event : each.events) events.push_back(name(event));
+        interval["events"] = std::move(events);
+      }
+      interval["boxes"] = kind.class_arcs;
+      interval["beyond"] = "not-examined";
+      out.push_back(std::move(interval));
+    }
+  }
+  return out;
+}
+
 Json least_energy_json(const std::vector<LeastEnergyPiece>& pieces,
                        const std::vector<AtlasSheet>& sheets) {
   Json out = Json::array();
@@ -334,6 +362,8 @@ std::string metadata_json(const Metadata& metadata, bool of_the_run) {
     out["remarks"] = remarks_json(metadata.atlas->remarks);
     if (!metadata.atlas->completeness.empty())
       out["completeness"] = completeness_json(metadata.atlas->completeness);
+    if (Json classes = classes_json(metadata.atlas->completeness); !classes.empty())
+      out["classes"] = std::move(classes);
     out["least_energy"] = least_energy_json(metadata.least_energy, metadata.atlas->sheets);
   }
   Json counts = Json::object();

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <vector>
 
-#include "solver/search/search.hpp"
-#include "solver/tube/kind_cover.hpp"
+#include "tests/support/covers.hpp"
 
-namespace stationary {
+namespace stationary::testing {
 namespace {
 
 struct Forces {
@@ -27,45 +25,6 @@ Potential potential_of(const Body& body, const Forces& forces) {
   out.g = forces.g;
   out.J = {body.J1, body.J2, body.J3};
   return Potential(out);
-}
-
-double length_of(const KindCover& cover) {
-  double out = 0.0;
-  for (const NuGap& each : cover.gaps) out += each.nu.width();
-  return out;
-}
-
-/// Circles and ellipses, an ellipse and the same turned by a right angle counted once.
-int motions_at(const Problem& problem, double nu) {
-  const SearchResult found = search(problem, nu);
-  EXPECT_EQ(found.status, SearchStatus::complete) << nu;
-  const bool round = problem.branch() == Branch::iii && problem.body().symmetric();
-  return static_cast<int>(std::ranges::count_if(found.solutions, [&](const Equilibrium& each) {
-    return !round || std::log(each.q.xi / each.q.zeta) > -1e-9;
-  }));
-}
-
-/// The numbers between gaps; each the same at three nu.
-std::vector<int> numbers_of(const Problem& problem, const KindCover& cover, double from,
-                            double to) {
-  std::vector<int> out;
-  std::vector<double> begins{from};
-  std::vector<double> ends;
-  for (const NuGap& each : cover.gaps) {
-    ends.push_back(each.nu.lo);
-    begins.push_back(each.nu.hi);
-  }
-  ends.push_back(to);
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    const double length = ends[k] - begins[k];
-    if (length < 1e-4) continue;
-    std::set<int> numbers;
-    for (const double part : {0.03, 0.4, 0.97})
-      numbers.insert(motions_at(problem, begins[k] + part * length));
-    EXPECT_EQ(numbers.size(), 1U) << "from nu = " << begins[k] << " to " << ends[k];
-    out.push_back(*numbers.begin());
-  }
-  return out;
 }
 
 const NuGap* gap_at(const KindCover& cover, double nu) {
@@ -86,7 +45,7 @@ TEST(BodyCover, MaclaurinAndJacobi) {
     const double from = branch == Branch::iii ? 0.55 : 0.65;
     const double to = branch == Branch::iii ? 0.70 : 0.68;
     const Problem problem(sphere, potential_of(sphere, {1.0, 4.0}), branch);
-    const KindCover cover = cover_axis(problem, from, to, {});
+    const KindCover cover = cover_axis(problem, from, to, {}, /*classes=*/false);
     ASSERT_EQ(cover.gaps.size(), branch == Branch::iii ? 2U : 1U);
     if (branch == Branch::iii) {
       const NuGap& parting = cover.gaps.front();
@@ -110,7 +69,7 @@ TEST(BodyCover, OfHeldVolumesAgreesWithSearches) {
     for (const double g : {0.0, 1.5}) {
       const Problem problem(plate, potential_of(plate, {1.3, g, NeoHookean3d<>{1.0, 2.0}}), branch);
       const double to = 0.95;
-      const KindCover cover = cover_axis(problem, 0.1, to, {});
+      const KindCover cover = cover_axis(problem, 0.1, to, {}, /*classes=*/false);
       EXPECT_LT(length_of(cover), 1e-9) << name(branch) << " g = " << g;
       for (const NuGap& each : cover.gaps) EXPECT_FALSE(each.undecided);
       EXPECT_GE(numbers_of(problem, cover, 0.1, to).size(), 1U);
@@ -126,7 +85,7 @@ TEST(BodyCover, HeldThicknessEndsWhereTheBoxDoes) {
   SearchOptions options;
   options.box = {Interval(0.01, 100.0), Interval(0.01, 100.0), Interval(0.5, 100.0)};
   const double to = 0.99;
-  const KindCover cover = cover_axis(problem, 0.0, to, options);
+  const KindCover cover = cover_axis(problem, 0.0, to, options, /*classes=*/false);
   // xi = zeta = 2^(1/2), rho = 1/2: mu (xi^2 - rho^2) = c xi^2, c = mu (1 - 1/8).
   const double end = std::sqrt(0.875);
   const NuGap* const gap = gap_at(cover, end);
@@ -141,10 +100,10 @@ TEST(BodyCover, OfACompressibleBody) {
   const Body body(1.0, 1.4, 0.8);
   const Problem problem(body, potential_of(body, {{}, 1.0, NeoHookean3d<>{1.0, 2.0}}), Branch::iii);
   const double to = 0.7;
-  const KindCover cover = cover_axis(problem, 0.05, to, {});
+  const KindCover cover = cover_axis(problem, 0.05, to, {}, /*classes=*/false);
   EXPECT_LT(length_of(cover), 1e-9);
   EXPECT_GE(numbers_of(problem, cover, 0.05, to).size(), 1U);
 }
 
 }  // namespace
-}  // namespace stationary
+}  // namespace stationary::testing

@@ -7,24 +7,18 @@
 #include <atomic>
 #include <cmath>
 #include <numbers>
-#include <set>
 
-#include "solver/search/search.hpp"
 #include "solver/tube/axis_curves.hpp"
-#include "solver/tube/kind_cover.hpp"
+#include "tests/support/covers.hpp"
 
-namespace stationary {
+namespace stationary::testing {
 namespace {
 
 const Body plate{1.0, 1.7, 0.6};
 const ReciprocalQuadratic<> thickness{1.0, 3.0};
 
-KindCover covered(const Problem& problem, double to) { return cover_axis(problem, 0.0, to, {}); }
-
-double undecided_length(const KindCover& cover) {
-  double out = 0.0;
-  for (const NuGap& each : cover.gaps) out += each.nu.hi - each.nu.lo;
-  return out;
+KindCover covered(const Problem& problem, double to) {
+  return cover_axis(problem, 0.0, to, {}, /*classes=*/false);
 }
 
 /// x_1^2 + x_2^2 = r^2, x_1 = (q - middle)/width: a closed curve with folds at middle +- r width.
@@ -90,7 +84,7 @@ TEST(Cover, LeavesNothingOfADiscUndecided) {
 TEST(Cover, TellsTheFoldOfHencky) {
   const Potential V(Hencky<>{1.1, 0.8}, thickness);
   const KindCover cover = covered({plate, V, Branch::i}, 1.0);
-  EXPECT_LT(undecided_length(cover), 1e-9);
+  EXPECT_LT(length_of(cover), 1e-9);
   ASSERT_EQ(cover.gaps.size(), 2U);
   EXPECT_TRUE(cover.gaps[0].crosses);  // zeta leaves the box at 1000
   EXPECT_TRUE(cover.gaps[1].turns);
@@ -101,7 +95,7 @@ TEST(Cover, TellsTheFoldOfHencky) {
 TEST(Cover, HasThreeSheetsApartFromRest) {
   const Potential V(BiotLog<>{1.0, 0.6}, thickness);
   const KindCover cover = covered({plate, V, Branch::iii}, 2.0);
-  EXPECT_LT(undecided_length(cover), 1e-9);
+  EXPECT_LT(length_of(cover), 1e-9);
   ASSERT_EQ(cover.gaps.size(), 4U);
   EXPECT_TRUE(cover.gaps[1].turns);
   EXPECT_NEAR(cover.gaps[1].nu.mid(), 1.34556, 1e-5);
@@ -113,37 +107,7 @@ TEST(Cover, OfAThreeDimensionalCoupling) {
   const KindCover cover = covered({plate, V, Branch::ii}, 2.0);
   ASSERT_EQ(cover.gaps.size(), 1U);
   EXPECT_TRUE(cover.gaps[0].crosses);
-  EXPECT_LT(undecided_length(cover), 1e-9);
-}
-
-/// How many circles and ellipses there are at nu, an ellipse and the same turned counted once.
-int motions_at(const Problem& problem, double nu) {
-  const SearchResult found = search(problem, nu);
-  EXPECT_EQ(found.status, SearchStatus::complete) << nu;
-  return static_cast<int>(std::ranges::count_if(found.solutions, [](const Equilibrium& each) {
-    return std::log(each.q.xi / each.q.zeta) > -1e-9;
-  }));
-}
-
-/// At several nu between two gaps there are as many.
-int intervals_of_one_number(const Problem& problem, const KindCover& cover, double to) {
-  int out = 0;
-  double begin = 0.0;
-  std::vector<double> ends;
-  for (const NuGap& each : cover.gaps) ends.push_back(each.nu.lo);
-  ends.push_back(to);
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    const double length = ends[k] - begin;
-    if (length > 1e-4) {
-      std::set<int> numbers;
-      for (const double part : {0.03, 0.4, 0.97})
-        numbers.insert(motions_at(problem, begin + part * length));
-      EXPECT_EQ(numbers.size(), 1U) << "from nu = " << begin << " to " << ends[k];
-      ++out;
-    }
-    if (k < cover.gaps.size()) begin = cover.gaps[k].nu.hi;
-  }
-  return out;
+  EXPECT_LT(length_of(cover), 1e-9);
 }
 
 const Body round_body{1.0, 1.0, 0.6};
@@ -153,7 +117,7 @@ TEST(Cover, EllipsesPartFromCirclesWhereTheClosedFormSays) {
   const double to = 3.0;
   const Problem problem(round_body, Potential(BiotLog<>{1.0, 4.0}, thickness), Branch::iii);
   const KindCover cover = covered(problem, to);
-  EXPECT_LT(undecided_length(cover), 1e-9);
+  EXPECT_LT(length_of(cover), 1e-9);
   EXPECT_LT(cover.boxes, 20'000);
   std::vector<double> parting;
   for (double r : {1.155, 26.1}) {
@@ -169,7 +133,7 @@ TEST(Cover, EllipsesPartFromCirclesWhereTheClosedFormSays) {
     EXPECT_LT(each.nu.width(), 1e-12);
   }
   EXPECT_EQ(met, parting.size());
-  EXPECT_GE(intervals_of_one_number(problem, cover, to), 4);
+  EXPECT_GE(numbers_of(problem, cover, 0.0, to).size(), 4U);
 }
 
 TEST(Cover, OfRoundBodiesAgreesWithSearches) {
@@ -185,8 +149,8 @@ TEST(Cover, OfRoundBodiesAgreesWithSearches) {
     const double to = 1.3;
     const Problem problem(round_body, V, Branch::iii);
     const KindCover cover = covered(problem, to);
-    EXPECT_LT(undecided_length(cover), 1e-9);
-    intervals += intervals_of_one_number(problem, cover, to);
+    EXPECT_LT(length_of(cover), 1e-9);
+    intervals += static_cast<int>(numbers_of(problem, cover, 0.0, to).size());
   }
   EXPECT_GE(intervals, 7);
 }
@@ -302,4 +266,4 @@ TEST(Cover, HasNoCirclesWhereTheRangesHaveNothingInCommon) {
 }
 
 }  // namespace
-}  // namespace stationary
+}  // namespace stationary::testing

@@ -2,40 +2,16 @@
 // own, and between gaps the numbers of motions of searches.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <set>
-#include <utility>
-#include <vector>
 
 #include "solver/search/anisotropic_search.hpp"
-#include "solver/search/search.hpp"
-#include "solver/tube/kind_cover.hpp"
+#include "tests/support/covers.hpp"
 
-namespace stationary {
+namespace stationary::testing {
 namespace {
 
 const Body plate{1.0, 1.7, 0.6};
 const ReciprocalQuadratic<> thickness{1.0, 3.0};
-
-double length_of(const KindCover& cover) {
-  double out = 0.0;
-  for (const NuGap& each : cover.gaps) out += each.nu.width();
-  return out;
-}
-
-/// Ends of what is known between gaps longer than this.
-std::vector<std::pair<double, double>> known_parts(const KindCover& cover, double from, double to,
-                                                   double longer) {
-  std::vector<std::pair<double, double>> out;
-  double begin = from;
-  for (const NuGap& each : cover.gaps) {
-    if (each.nu.lo - begin > longer) out.emplace_back(begin, each.nu.lo);
-    begin = each.nu.hi;
-  }
-  if (to - begin > longer) out.emplace_back(begin, to);
-  return out;
-}
 
 /// With mu = c66 and lambda = c12 it is saint-venant-kirchhoff.
 TEST(OrientedCover, OfIsotropicCoefficientsIsThatOfTheIsotropicBody) {
@@ -47,9 +23,10 @@ TEST(OrientedCover, OfIsotropicCoefficientsIsThatOfTheIsotropicBody) {
   const Potential isotropic(SaintVenantKirchhoff<>{mu, lambda}, thickness);
   const double to = 3.0;
   for (const Branch branch : {Branch::i, Branch::ii}) {
-    const auto cover = cover_oriented(plate, V, branch, false, 0.0, to, {});
+    const auto cover =
+        cover_oriented({plate, Potential(V), branch}, false, 0.0, to, {}, /*classes=*/false);
     ASSERT_TRUE(cover.has_value());
-    const KindCover meant = cover_axis({plate, isotropic, branch}, 0.0, to, {});
+    const KindCover meant = cover_axis({plate, isotropic, branch}, 0.0, to, {}, /*classes=*/false);
     EXPECT_LT(length_of(*cover), 1e-9) << name(branch);
     ASSERT_EQ(cover->gaps.size(), meant.gaps.size()) << name(branch);
     EXPECT_FALSE(meant.gaps.empty() && branch == Branch::i);
@@ -71,7 +48,8 @@ TEST(OrientedCover, AgreesWithSearches) {
       if (branch == Branch::i && !V.shear_free()) continue;
       const double from = 0.1;
       const double to = 0.6;
-      const auto cover = cover_oriented(plate, V, branch, false, from, to, {});
+      const auto cover =
+          cover_oriented({plate, Potential(V), branch}, false, from, to, {}, /*classes=*/false);
       ASSERT_TRUE(cover.has_value());
       EXPECT_LT(length_of(*cover), 1e-3 * (to - from)) << name(branch) << " " << degrees;
       for (const auto& [begin, end] : known_parts(*cover, from, to, 1e-3)) {
@@ -92,8 +70,8 @@ TEST(OrientedCover, AgreesWithSearches) {
 
 TEST(OrientedCover, FiveUnknownsAreNotCovered) {
   const AnisotropicPotential V(NeoHookean3d<>{1.0, 1.5}, {{0.3, 25.0}});
-  EXPECT_FALSE(cover_oriented(plate, V, Branch::i, true, 0.1, 0.6, {}).has_value());
+  EXPECT_FALSE(cover_oriented({plate, Potential(V), Branch::i}, true, 0.1, 0.6, {}).has_value());
 }
 
 }  // namespace
-}  // namespace stationary
+}  // namespace stationary::testing

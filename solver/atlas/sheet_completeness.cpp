@@ -1,0 +1,165 @@
+// What is proven of a kind of motion for every nu of the range (SheetSet::complete()).
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "solver/atlas/sheet_set.hpp"
+
+namespace stationary {
+namespace {
+
+constexpr std::string_view parts = "ellipses part from circles";
+constexpr std::string_view parts_once = "ellipses part from circles: one event, proven";
+
+/// Neighbours without a proof as one, by the reason of the first: a fold's own gap, and those of the
+/// classes beside it.
+void join_open_classes(std::vector<ClassInterval>& all) {
+  std::vector<ClassInterval> out;
+  for (ClassInterval& each : all) {
+    const bool joins = !out.empty() && !each.proven && !out.back().proven;
+    if (!joins)
+      out.push_back(std::move(each));
+    else
+      out.back().to = each.to;
+  }
+  all = std::move(out);
+}
+
+}  // namespace
+
+/// The number of motions between two nu where it is constant, by one search between them.
+void SheetSet::add_interval(double from, double to, std::span<const Interval> class_gaps) {
+  const double middle = from + 0.5 * (to - from);
+  if (!(from < middle && middle < to)) return;
+  CompleteInterval& out = completeness_->intervals.emplace_back();
+  out.from = from;
+  out.to = to;
+  const std::size_t checkpoint = checkpoints_.size();
+  add_checkpoint(middle);
+  const SearchResult found = source_->search(middle, options_.search);
+  keep_found(checkpoint, found);
+  const Checkpoint& at = checkpoints_[checkpoint];
+  out.proven = at.status == SearchStatus::complete;
+  if (out.proven) {
+    out.sheets = at.proven;
+  } else {
+    out.reason = "the number of motions is constant, but the search at its middle is undecided";
+  }
+  if (options_.spectrum) add_classes(from, to, class_gaps, middle, found);
+}
+
+/// Likewise their classes; found: at one nu between.
+void SheetSet::add_classes(double from, double to, std::span<const Interval> class_gaps,
+                           double searched, const SearchResult& found) {
+  const auto constant = [&](double begin, double end) {
+    const double middle = begin + 0.5 * (end - begin);
+    if (!(begin < middle && middle < end)) return;
+    const bool known = begin <= searched && searched <= end;
+    completeness_->classes.push_back(
+        classes_between(begin, end, known ? found : source_->search(middle, options_.search)));
+  };
+  double begin = from;
+  for (const Interval& gap : class_gaps) {
+    if (stopped()) return;
+    if (gap.hi <= from || gap.lo >= to) continue;
+    constant(begin, gap.lo);
+    ClassInterval& open = completeness_->classes.emplace_back();
+    open.from = std::max(gap.lo, from);
+    open.to = std::min(gap.hi, to);
+    open.reason = gap.lo <= 0.0 ? "at rest the classes are those of another leaf"
+                                : "the class of a motion may change";
+    begin = open.to;
+  }
+  constant(begin, to);
+}
+
+ClassInterval SheetSet::classes_between(double from, double to, const SearchResult& found) const {
+  ClassInterval out;
+  out.from = from;
+  out.to = to;
+  out.proven = found.status == SearchStatus::complete;
+  if (!out.proven) out.reason = "classes are constant, but the search between is undecided";
+  for (const Equilibrium& each : found.solutions) {
+    if (!out.proven) break;
+    if (!is_canonical(each)) continue;
+    const auto verdict = source_->proven_class(each, options_.search.inputs);
+    out.proven = verdict.has_value();
+    if (verdict)
+      ++out.sheets[static_cast<std::size_t>(*verdict)];
+    else
+      out.reason = "classes are constant, but one between is not proven";
+  }
+  return out;
+}
+
+void SheetSet::complete() {
+  Completeness& out = completeness_.emplace();
+  out.branch = source_->branch();
+  out.oblique = source_->oblique();
+  const double from = options_.from;
+  const double to = options_.to;
+  const auto cover = source_->cover(from, to, options_.search, options_.spectrum);
+  if (!cover || cover->interrupted) {
+    const std::string_view reason =
+        cover ? "interrupted" : "five unknowns: no curves are covered; its checkpoints are proven";
+    out.intervals.push_back({from, to, false, 0, reason});
+    if (options_.spectrum) out.classes.push_back({from, to, false, {}, reason, {}});
+    return;
+  }
+  out.boxes = cover->boxes;
+  out.class_arcs = cover->class_arcs;
+  out.tubes = cover->tubes;
+  const std::vector<Interval> class_gaps = cover->class_gaps.value_or(std::vector<Interval>{});
+  double begin = from;
+  for (const NuGap& gap : cover->gaps) {
+    if (stopped()) return;
+    add_interval(begin, gap.nu.lo, class_gaps);
+    const std::string_view reason = gap.undecided ? "boxes are left undecided"
+                                    : gap.mirrors ? parts
+                                    : gap.turns   ? "two sheets meet at a fold"
+                                                  : "a sheet leaves the box";
+    out.intervals.push_back({gap.nu.lo, gap.nu.hi, false, 0, reason});
+    if (options_.spectrum) out.classes.push_back({gap.nu.lo, gap.nu.hi, false, {}, reason, {}});
+    begin = gap.nu.hi;
+  }
+  add_interval(begin, to, class_gaps);
+  join_open_classes(out.classes);
+}
+
+/// By the event's own equations, where its tube has told that they part.
+void SheetSet::prove_partings() {
+  if (!completeness_) return;
+  std::vector<Parting> partings;
+  add_partings(sheets_, partings);
+  for (const Parting& each : partings) {
+    const auto meets = [&](const CompleteInterval& interval) {
+      constexpr double near = 1e-9;
+      return interval.reason == parts && interval.from <= each.at.nu * (1.0 + near) &&
+             interval.to >= each.at.nu * (1.0 - near);
+    };
+    const auto interval = std::ranges::find_if(completeness_->intervals, meets);
+    if (interval == completeness_->intervals.end()) continue;
+    const auto nu = source_->proven_parting(each.at, options_.search.inputs);
+    if (nu && !nu->apart_from({interval->from, interval->to})) interval->reason = parts_once;
+  }
+}
+
+/// What the sheets' events say of the parts in which no class is proven.
+void SheetSet::name_class_events() {
+  if (!completeness_) return;
+  for (const AtlasSheet& sheet : sheets_) {
+    for (const EventRecord& event : sheet.report.events) {
+      if (event.status == EventStatus::unresolved || std::isnan(event.parameter)) continue;
+      for (ClassInterval& each : completeness_->classes) {
+        constexpr double near = 1e-9;
+        const double nu = std::abs(event.parameter);
+        if (each.proven || nu < each.from * (1.0 - near) || nu > each.to * (1.0 + near)) continue;
+        if (std::ranges::find(each.events, event.type) == each.events.end())
+          each.events.push_back(event.type);
+      }
+    }
+  }
+}
+
+}  // namespace stationary
