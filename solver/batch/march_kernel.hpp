@@ -12,8 +12,8 @@
 #include <limits>
 
 #include "lib/number/simd_pack.hpp"
-#include "lib/number/term_magnitude.hpp"
 #include "solver/batch/march.hpp"
+#include "solver/batch/term_magnitude.hpp"
 
 namespace stationary {
 

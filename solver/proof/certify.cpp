@@ -88,4 +88,28 @@ SpectrumEnclosure enclose_spectrum(const Problem& problem, const Equilibrium& eq
   return enclose_spectrum(problem, motion, spectrum, inputs);
 }
 
+EnclosureFacts enclosure_facts(const Problem& problem, const MotionBox& motion) {
+  const BodyModel<>* body_model = problem.potential().body_model();
+  return {problem.branch(),
+          motion.nu.hi == 0.0,
+          problem.body().symmetric(),
+          motion.circle,
+          !problem.potential().is_separable(),
+          body_model == nullptr || body_model->isotropic(),
+          problem.potential().holds_volume()};
+}
+
+SpectrumEnclosure enclose_spectrum(const Problem& problem, const MotionBox& motion,
+                                   const Spectrum& approximate, Inputs inputs) {
+  if (!problem.potential().is_isotropic())
+    return enclose_anisotropic_spectrum(problem, motion, approximate, inputs);
+  const Inertia3<Interval> J = inertia_intervals(problem.body(), inputs);
+  const StretchBox& at = motion.stretches;
+  return problem.potential().visit_parts([&](const auto& model) {
+    const auto state =
+        straight_state(J, interval_model(model, inputs), at.xi, at.zeta, at.rho, motion.nu);
+    return enclose_spectrum(enclosure_facts(problem, motion), state, approximate);
+  });
+}
+
 }  // namespace stationary

@@ -18,20 +18,11 @@ struct MotionBox {
   std::array<Interval, 2> axis = {};
 };
 
-/// Those along a curve, u in [-1, 1], as sloped.hpp has numbers.
-struct MotionArc {
-  MotionBox over;
-  bool has_slopes = false;  ///< else nothing more is known
-  MotionBox at;             ///< u = 0
-  StretchBox stretch_slope;
-  Interval nu_slope;
-};
+/// What is known exactly of such motions about the problem's axis, V isotropic.
+EnclosureFacts enclosure_facts(const Problem& problem, const MotionBox& motion);
 
 /// Of motions about the problem's axis.
 SpectrumEnclosure enclose_spectrum(const Problem& problem, const MotionBox& at,
-                                   const Spectrum& approximate, Inputs inputs);
-/// Slopes are of use where V is isotropic.
-SpectrumEnclosure enclose_spectrum(const Problem& problem, const MotionArc& along,
                                    const Spectrum& approximate, Inputs inputs);
 
 /// Of oblique ones.

@@ -6,7 +6,6 @@
 
 #include "lib/stability/tilted_spectrum_enclosure.hpp"
 #include "solver/proof/certificate.hpp"
-#include "solver/proof/tilted_boxes.hpp"
 
 namespace stationary {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "solver/family/tilted_family.hpp"
 #include "solver/motion/tilted_system.hpp"
-#include "solver/proof/tilted_boxes.hpp"
+#include "solver/proof/tilted_enclosure.hpp"
 #include "solver/search/search_run.hpp"
 
 namespace stationary {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "lib/stability/spectrum.hpp"
-#include "solver/proof/motion_spectrum.hpp"
+#include "solver/tube/arc_spectrum.hpp"
 #include "solver/tube/proven_curves.hpp"
 
 namespace stationary {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "lib/number/term_magnitude.hpp"
+#include "solver/batch/term_magnitude.hpp"
 #include "tests/support/random_states.hpp"
 
 namespace stationary {
