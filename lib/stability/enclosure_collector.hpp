@@ -88,6 +88,8 @@ class EnclosureCollector {
   void add_forced_zero() { lambda_.push_back({}); }
   /// Spectrum's: E'' + c (P -+ |pi|)'' is definite for some c though E'' is not.
   void set_definite_with_momentum() { definite_with_momentum_ = true; }
+  /// Whether there is such a c is not decided: stable or elliptic is not told apart.
+  void set_momentum_open() { momentum_open_ = true; }
   /// E'' is definite: the motion is stable, whatever of the Lambda is decided.
   void set_definite() { proven_definite_ = true; }
   /// E'' has negative directions, whichever modes they are of.
@@ -109,7 +111,7 @@ class EnclosureCollector {
       out.verdict = StabilityClass::oscillatory;
     } else if (decided_ && (definite_ || definite_with_momentum_)) {
       out.verdict = StabilityClass::stable;
-    } else if (decided_ && indefinite_) {
+    } else if (decided_ && indefinite_ && !momentum_open_) {
       out.verdict = StabilityClass::elliptic;
     }
     return out;
@@ -145,6 +147,7 @@ class EnclosureCollector {
   bool definite_ = true;
   bool indefinite_ = false;
   bool definite_with_momentum_ = false;
+  bool momentum_open_ = false;
   bool proven_definite_ = false;
 };
 

@@ -259,7 +259,11 @@ void add_shears(const StraightState<S>& s, const S& K_alpha, const EnclosureFact
     out.add_real(range(-square(fast)), 1);
     out.add_real(range(-square(slow)), proven_sign(range(slow)));
     const Interval margin = range(0.5 * fast + spin * (s.I3() / s.I1() - S(1.0)));
-    if (omega.positive() && margin.positive()) out.set_definite_with_momentum();
+    if (omega.positive() && margin.positive()) {
+      out.set_definite_with_momentum();
+    } else if (!facts.at_rest && !margin.negative()) {
+      out.set_momentum_open();
+    }
   } else if (Omega2.negative()) {
     const Interval rate = sqrt(-Omega2);
     const Interval re = -Omega2 - square(omega);
