@@ -7,8 +7,6 @@
 // 604.
 #pragma once
 
-#include <limits>
-
 #include "lib/number/interval.hpp"
 
 namespace stationary {
@@ -65,9 +63,4 @@ class Sloped {
 inline const Interval& range(const Interval& x) { return x; }
 inline const Interval& range(const Sloped& x) { return x.range(); }
 
-inline double leading(const Sloped& x) { return x.range().mid(); }
-
 }  // namespace stationary
-
-template <>
-class std::numeric_limits<stationary::Sloped> : public std::numeric_limits<double> {};

@@ -146,7 +146,7 @@ struct Completeness {
   std::vector<CompleteInterval> intervals;  ///< ascending, each beginning where the last ends
   std::vector<ClassInterval> classes;       ///< likewise; empty without spectra
   long boxes = 0;                           ///< examined
-  long class_arcs = 0;                     ///< whose class was asked for
+  long class_arcs = 0;                      ///< whose class was asked for
   long tubes = 0;                           ///< proven pieces of curves
 
   /// Of the intervals that are not proven, all together.

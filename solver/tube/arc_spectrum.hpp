@@ -9,9 +9,9 @@ namespace stationary {
 /// Motions along a curve, u in [-1, 1], as sloped.hpp has numbers.
 struct MotionArc {
   MotionBox over;
-  bool has_slopes = false;  ///< else nothing more is known
-  MotionBox at;             ///< u = 0
-  StretchBox stretch_slope;
+  bool has_slopes = false;   ///< else nothing more is known
+  MotionBox at;              ///< u = 0
+  StretchBox stretch_slope;  ///< of an isotropic V: alpha is 0
   Interval nu_slope;
 };
 

@@ -46,7 +46,7 @@ class Gaps {
       queue_.pop_front();
       examine(std::move(next));
     }
-    merge();
+    out_.gaps = merged(std::move(out_.gaps));
     return std::move(out_);
   }
 
@@ -141,8 +141,7 @@ class Gaps {
     MotionArc out;
     out.over = motions(over, nu_of(q, nu_end_));
     out.at = motions(at, nu_of(middle.q(), nu_end_));
-    out.stretch_slope = {over.xi.slope[0], over.zeta.slope[0], over.rho.slope[0],
-                         over.alpha.slope[0]};
+    out.stretch_slope = {over.xi.slope[0], over.zeta.slope[0], over.rho.slope[0]};
     // nu - nu_0 = nu_end^2 (q - q_0)/(nu + nu_0)
     out.nu_slope = square(Interval(nu_end_)) * q_slope / (out.over.nu + out.at.nu);
     out.has_slopes = over.has_slopes && out.nu_slope.bounded();
@@ -153,20 +152,6 @@ class Gaps {
             nu,
             of.circle,
             {of.axis[0].value, of.axis[1].value}};
-  }
-
-  void merge() {
-    auto& all = out_.gaps;
-    std::ranges::sort(all, {}, &Interval::lo);
-    std::vector<Interval> out;
-    for (const Interval& each : all) {
-      if (out.empty() || each.lo > out.back().hi) {
-        out.push_back(each);
-      } else {
-        out.back().hi = std::max(out.back().hi, each.hi);
-      }
-    }
-    all = std::move(out);
   }
 
   const ClassOver& class_over_;

@@ -32,7 +32,7 @@ class Cover {
       queue_.pop_front();
       examine(box);
     }
-    merge_undecided();
+    out_.undecided = merged(std::move(out_.undecided));
     if (!stopped()) out_.breaks = curve_breaks(equations_, region_, tubes_, options_.stop);
     out_.interrupted = stopped();
     out_.tubes = static_cast<long>(tubes_.tubes().size());
@@ -200,20 +200,6 @@ class Cover {
     queue_.push_back(half);
     half[chosen] = {cut, side.hi};
     queue_.push_back(half);
-  }
-
-  void merge_undecided() {
-    auto& all = out_.undecided;
-    std::ranges::sort(all, {}, &Interval::lo);
-    std::vector<Interval> out;
-    for (const Interval& each : all) {
-      if (out.empty() || each.lo > out.back().hi) {
-        out.push_back(each);
-      } else {
-        out.back().hi = std::max(out.back().hi, each.hi);
-      }
-    }
-    all = std::move(out);
   }
 
   const CurveEquations<N>& equations_;

@@ -49,6 +49,20 @@ struct PlacedMotions {
   bool has_slopes = true;          ///< else ranges alone
 };
 
+/// Ascending; those that touch as one.
+inline std::vector<Interval> merged(std::vector<Interval> all) {
+  std::ranges::sort(all, {}, &Interval::lo);
+  std::vector<Interval> out;
+  for (const Interval& each : all) {
+    if (out.empty() || each.lo > out.back().hi) {
+      out.push_back(each);
+    } else {
+      out.back().hi = std::max(out.back().hi, each.hi);
+    }
+  }
+  return out;
+}
+
 /// nu of q, outward.
 inline Interval nu_of(const Interval& q, double nu_end) {
   const Interval bounded(std::max(q.lo, 0.0), std::min(std::max(q.hi, 0.0), 1.0));

@@ -70,18 +70,10 @@ std::unique_ptr<ProvenCurvesOf<N>> proven_curves(const CurveSet<N>& set,
   return std::make_unique<ProvenCurvesOf<N>>(*set.equations, set.region, options.tube);
 }
 
-/// Ascending ones; those that touch as one.
 std::vector<Interval> nu_of_all(const std::vector<Interval>& q, double to) {
   std::vector<Interval> out;
-  for (const Interval& each : q) {
-    const Interval nu = nu_of(each, to);
-    if (out.empty() || nu.lo > out.back().hi) {
-      out.push_back(nu);
-    } else {
-      out.back().hi = std::max(out.back().hi, nu.hi);
-    }
-  }
-  return out;
+  for (const Interval& each : q) out.push_back(nu_of(each, to));
+  return merged(std::move(out));
 }
 
 }  // namespace

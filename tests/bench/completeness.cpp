@@ -51,9 +51,8 @@ void write_rows(const std::string& file) {
 int main(int count, char** arguments) {
   try {
     std::puts(
-        "case,branch,from,to,boxes,tubes,proven_intervals,undecided_length,class_arcs,class_"
-        "intervals,"
-        "class_undecided_length,seconds");
+        "case,branch,from,to,boxes,tubes,proven_intervals,undecided_length,"
+        "class_arcs,class_intervals,class_undecided_length,seconds");
     for (int k = 1; k < count; ++k) write_rows(arguments[k]);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "completeness_bench: %s\n", e.what());

@@ -67,8 +67,8 @@ void add_atlas(CLI::App& program, Session& session) {
       ->check(CLI::Range(1, most_checkpoints));
   CLI::Option* const complete =
       command.add_flag("--complete", options->complete,
-                       "Prove for every nu of the range how many sheets there are, not at the "
-                       "checkpoints alone");
+                       "Prove for every nu of the range how many sheets there are, and of which "
+                       "classes, not at the checkpoints alone");
   CLI::Option* const grid = command.add_flag(
       "--grid", options->grid,
       "An atlas of every cell of [map], a row each: how many sheets and events, and the first");

@@ -234,14 +234,20 @@ Json checkpoints_json(const std::vector<Checkpoint>& checkpoints) {
   return out;
 }
 
+/// What intervals of either sort have in common.
+template <class Part>
+Json proven_part_json(const Completeness& kind, const Part& part) {
+  return {{"branch", kind_name(kind.branch, kind.oblique)},
+          {"from", part.from},
+          {"to", part.to},
+          {"status", part.proven ? "proven" : "undecided"}};
+}
+
 Json completeness_json(const std::vector<Completeness>& all) {
   Json out = Json::array();
   for (const Completeness& kind : all) {
     for (const CompleteInterval& each : kind.intervals) {
-      Json interval{{"branch", kind_name(kind.branch, kind.oblique)},
-                    {"from", each.from},
-                    {"to", each.to},
-                    {"status", each.proven ? "proven" : "undecided"}};
+      Json interval = proven_part_json(kind, each);
       if (each.proven) {
         interval["sheets"] = each.sheets;
       } else {
@@ -260,10 +266,7 @@ Json classes_json(const std::vector<Completeness>& all) {
   Json out = Json::array();
   for (const Completeness& kind : all) {
     for (const ClassInterval& each : kind.classes) {
-      Json interval{{"branch", kind_name(kind.branch, kind.oblique)},
-                    {"from", each.from},
-                    {"to", each.to},
-                    {"status", each.proven ? "proven" : "undecided"}};
+      Json interval = proven_part_json(kind, each);
       if (each.proven) {
         Json sheets = Json::object();
         for (std::size_t k = 0; k < each.sheets.size(); ++k)

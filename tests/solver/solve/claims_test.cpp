@@ -209,6 +209,23 @@ TEST(Claims, ACircleThatSpinsTooFastForItsShearIsOscillatory) {
   EXPECT_EQ(complex, 2);
 }
 
+/// On a long circle E'' is indefinite, and with the material momentum's it is definite while (omega +
+/// Omega)/2 + omega (I3/I1 - 1) > 0: here for rho < 2. Where that is open, nothing is said.
+TEST(Claims, ACircleIsStableOrEllipticOnlyWhereItsMomentumTells) {
+  const auto verdict = [](const Interval& rho) {
+    StraightState<Interval> s{{1.0, 1.0, 1.0}, 1.0, 1.0, rho, 1.0, {}, {}, {}, {}, {}, {}, {}};
+    s.V_xx = s.V_zz = 2.0;
+    s.V_xz = 1.96;
+    s.V_aa = 2.0 * (s.V_xx - s.V_xz);  // Omega = 0.2
+    s.V_xr = s.V_zr = 0.0;
+    s.V_rr = 3.0;
+    return enclose_spectrum({Branch::iii, false, true, true, false}, s, {}).verdict;
+  };
+  EXPECT_EQ(verdict({1.99, 1.999}), StabilityClass::stable);
+  EXPECT_EQ(verdict({1.999, 2.001}), std::nullopt);
+  EXPECT_EQ(verdict({2.001, 2.01}), StabilityClass::elliptic);
+}
+
 /// J1 = J2, a volume that is held: from material axes turned by theta the same motion has
 /// alpha != 0, and the same spectrum.
 TEST(Claims, TurnedMaterialAxesOfAHeldVolumeSeeOneSpectrum) {
