@@ -34,6 +34,7 @@
 #include "lib/body/inertia.hpp"
 #include "lib/body/motion.hpp"
 #include "lib/material/anisotropic_potential.hpp"
+#include "lib/number/elementary.hpp"
 
 namespace stationary {
 
@@ -107,7 +108,7 @@ AxisAngle<S> axis_angle(const S& x) {
 }
 
 /// x of phi in (-pi, pi).
-inline double axis_coordinate(double phi) { return from_hyperbolic(std::sin(0.5 * phi)); }
+inline double axis_coordinate(double phi) { return from_hyperbolic(sin(0.5 * phi)); }
 
 /// Of nu = |nu| (cosine, sine, 0).
 template <class S>
@@ -307,7 +308,6 @@ OrientedBalance<S> held(const OrientedBalance<S>& b, const OrientedStretch<S>& a
 template <int order, class S>
 void add_volume(const OrientedStretch<S>& at, const S& volume, double k, OrientedBalance<S>& out) {
   using namespace oriented;
-  using std::log;
   const S excess = log(S(at.q.xi * at.q.zeta * square(at.sech) * at.q.rho / volume));
   const S pull = k * excess;
   const S by_a = -2.0 * at.tanh;

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "lib/balance/balance.hpp"
+#include "lib/number/elementary.hpp"
 
 namespace stationary {
 
@@ -107,7 +108,6 @@ LogBalance<S> held_in_plane(const LogBalance<S>& tied, TiltPlane plane, const S&
 template <int order, class Model, class S>
 LogBalance<S> held_tilted_balance(const Model& model, TiltPlane plane, const S& xi, const S& zeta,
                                   const S& rho, const CentrifugalRates<S>& rates) {
-  using std::log;
   const auto [x, z, r] = tilted_at_volume(model, plane, xi, zeta, rho);
   const LogBalance<S> tied = tied_to_plane<order>(
       model.template whole<order>(x, z, r, rates.xi, rates.zeta, rates.rho), plane);

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "lib/number/elementary.hpp"
+
 namespace stationary {
 
 const char* violated_inequality(const Stretch& q) {
@@ -21,18 +23,18 @@ void require_positive_definite(const Stretch& q) {
 PrincipalStretches principal_stretches(const Stretch& q) {
   if (q.alpha == 0.0) {
     if (q.xi == q.zeta) return {q.xi, q.zeta, std::nullopt};
-    return {std::fmax(q.xi, q.zeta), std::fmin(q.xi, q.zeta), 0.5 * std::atan2(0.0, q.xi - q.zeta)};
+    return {std::fmax(q.xi, q.zeta), std::fmin(q.xi, q.zeta), 0.5 * atan2(0.0, q.xi - q.zeta)};
   }
   const double t = q.xi + q.zeta;
   const DoubleDouble d = two_product(q.xi, q.zeta) - two_product(q.alpha, q.alpha);
-  const double lambda = 0.5 * (t + std::hypot(q.xi - q.zeta, 2.0 * q.alpha));
-  return {lambda, double(d) / lambda, 0.5 * std::atan2(2.0 * q.alpha, q.xi - q.zeta)};
+  const double lambda = 0.5 * (t + hypotenuse(q.xi - q.zeta, 2.0 * q.alpha));
+  return {lambda, double(d) / lambda, 0.5 * atan2(2.0 * q.alpha, q.xi - q.zeta)};
 }
 
 Stretch stretch_from_principal(const PrincipalStretches& planar, double rho) {
   const double theta = planar.theta.value_or(0.0);
-  const double c = std::cos(theta);
-  const double s = std::sin(theta);
+  const double c = cos(theta);
+  const double s = sin(theta);
   return {(planar.lambda - planar.mu) * s * c, planar.lambda * c * c + planar.mu * s * s,
           planar.lambda * s * s + planar.mu * c * c, rho};
 }

@@ -9,6 +9,7 @@
 
 #include "lib/expression/residue.hpp"
 #include "lib/formula/expression.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/tape/tape_run.hpp"
 
 namespace stationary::expression {
@@ -22,7 +23,7 @@ class Points {
     return static_cast<double>(state_ >> 11) * 0x1p-53;
   }
   /// In (1/range, range), uniform in its logarithm.
-  double scale(double range) { return std::pow(range, 2.0 * next() - 1.0); }
+  double scale(double range) { return pow(range, 2.0 * next() - 1.0); }
 
  private:
   std::uint64_t state_ = 20101131;

@@ -19,6 +19,7 @@
 
 #include "lib/gravity/carlson_sum.hpp"
 #include "lib/gravity/power_series.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/number/interval.hpp"
 
 namespace stationary::duplication {
@@ -92,7 +93,7 @@ TwoVariables<order> sum_in_two(const Interval& E2, const Interval& E3, int last)
       [&](const Two& T_n) { return T_n.times_first(E2); },
       [&](const Two& T_n) { return T_n.times_second(E3); });
   const double e = above(std::max(above(std::sqrt(E2.magnitude())),
-                                  above(above(std::cbrt(E3.magnitude())) * 0x1.000001p0)));
+                                  above(above(cube_root(E3.magnitude())) * 0x1.000001p0)));
   Two::each([&](std::size_t a, std::size_t b) {
     double factorials = 1.0;
     for (const std::size_t of : {a, b})

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lib/material/model_domain.hpp"
+#include "lib/number/elementary.hpp"
 
 namespace stationary {
 namespace {
@@ -87,7 +88,7 @@ void AnisotropicPotential::set_stiffness() {
   if (!body.volume) return;
   Model free = model_;
   free.body.volume.reset();
-  const double s = std::cbrt(*body.volume);
+  const double s = cube_root(*body.volume);
   const auto V = potential_derivatives<2>(free, Stretch{0.0, s, s, s});
   const double size =
       std::max(s * s * V.hessian.cwiseAbs().maxCoeff(), s * V.gradient.cwiseAbs().maxCoeff());

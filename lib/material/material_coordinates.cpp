@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/number/double_double_functions.hpp"
+#include "lib/number/elementary.hpp"
 
 namespace stationary {
 
@@ -13,7 +14,7 @@ bool is_fluid(const Potential& potential) {
   if (body->elastic.is_fluid()) return true;
   const auto elastic = with_indexed_coefficients(
       body->elastic, [](double value, std::size_t) { return DoubleDouble(value); });
-  const double unit = body->volume ? std::cbrt(*body->volume) : 1.0;
+  const double unit = body->volume ? cube_root(*body->volume) : 1.0;
   int defined = 0;
   for (const double first : {0.83, 1.29, 2.17}) {
     for (const double second : {0.71, 1.13}) {
@@ -37,7 +38,7 @@ bool is_fluid(const Potential& potential) {
 }
 
 Body round_body(const Body& body) {
-  const double s = std::cbrt(body.J1 * body.J2 * body.J3);
+  const double s = cube_root(body.J1 * body.J2 * body.J3);
   return Body(s, s, s);
 }
 

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -63,6 +64,14 @@ const std::vector<ModelDescription>& anisotropic_descriptions();
 using SeparableExpression = Separable<AnyPlane<>, AnyThickness<>>;
 /// One of built-in models.
 using BuiltInParts = Separable<BuiltInPlane<>, BuiltInThickness<>>;
+
+/// Code small before fast, as a page's solver has it: a separable potential is one type, whatever it
+/// is made of. The numbers are the same.
+#ifdef STATIONARY_FEW_TYPES
+constexpr bool few_types = true;
+#else
+constexpr bool few_types = false;
+#endif
 
 class Potential {
  public:
@@ -126,16 +135,20 @@ class Potential {
   template <class F>
   decltype(auto) visit(F&& f) const {
     if (!is_isotropic()) throw std::invalid_argument("an isotropic potential");
-    if (const auto* parts = std::get_if<SeparableModels>(&models_)) {
-      return std::visit(
-          [&](const auto& plane, const auto& thickness) -> decltype(auto) {
-            return f(Separable<std::decay_t<decltype(plane)>, std::decay_t<decltype(thickness)>>{
-                plane, thickness});
-          },
-          parts->plane, parts->thickness);
+    if constexpr (few_types) {
+      return visit_parts(f);
+    } else {
+      if (const auto* parts = std::get_if<SeparableModels>(&models_)) {
+        return std::visit(
+            [&](const auto& plane, const auto& thickness) -> decltype(auto) {
+              return f(Separable<std::decay_t<decltype(plane)>, std::decay_t<decltype(thickness)>>{
+                  plane, thickness});
+            },
+            parts->plane, parts->thickness);
+      }
+      if (const auto* parts = std::get_if<SeparableExpression>(&models_)) return f(*parts);
+      return visit_coupled(f);
     }
-    if (const auto* parts = std::get_if<SeparableExpression>(&models_)) return f(*parts);
-    return visit_coupled(f);
   }
 
   /// Likewise, but every separable potential of built-in parts as the same type: for what is slow
@@ -143,7 +156,8 @@ class Potential {
   template <class F>
   decltype(auto) visit_parts(F&& f) const {
     if (const auto* parts = std::get_if<SeparableModels>(&models_))
-      return f(BuiltInParts{{{parts->plane}}, {{parts->thickness}}});
+      return f(std::conditional_t<few_types, SeparableExpression, BuiltInParts>{
+          {{parts->plane}}, {{parts->thickness}}});
     if (const auto* parts = std::get_if<SeparableExpression>(&models_)) return f(*parts);
     return visit_coupled(f);
   }

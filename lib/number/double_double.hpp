@@ -24,6 +24,7 @@
 #include <type_traits>
 
 #include "lib/number/double_double_log_table.hpp"
+#include "lib/number/elementary.hpp"
 
 namespace stationary {
 
@@ -183,14 +184,15 @@ template <class Real>
   return {r, (((x.hi - square.hi) - square.lo) + x.lo) / (2.0 * r)};
 }
 
+inline constexpr DoubleDouble double_double_log_two{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+
 /// Natural logarithm of x > 0 (NaN below, -inf at 0): x = 2^k m, m r_i = 1 + z with r_i from a
 /// table of 128 reciprocals, |z| < 2^-7; log x = k log 2 - log r_i + log(1 + z). In double
 /// precision where x is subnormal or at least 2^1022, whose 2^-k is no normal number.
 inline DoubleDouble log(const DoubleDouble& x) {
-  constexpr DoubleDouble log_two{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
   constexpr std::uint64_t first_interval = 0x3fe6000000000000;  // 0.6875, so that 1 needs no table
   if (!(x.hi >= std::numeric_limits<double>::min()) || !(x.hi < 0x1p1022)) {
-    return std::log(x.hi);  // also zero, negative, infinite, NaN
+    return log(x.hi);  // also zero, negative, infinite, NaN
   }
   const auto bits = std::bit_cast<std::uint64_t>(x.hi);
   const std::uint64_t offset = bits - first_interval;
@@ -217,7 +219,7 @@ inline DoubleDouble log(const DoubleDouble& x) {
   const DoubleDouble table =
       DoubleDouble(coarse.head, coarse.tail) + DoubleDouble(fine.head, fine.tail);
   if (exponent == 0) return table + logarithm_1p;
-  return log_two * static_cast<double>(exponent) + (table + logarithm_1p);
+  return double_double_log_two * static_cast<double>(exponent) + (table + logarithm_1p);
 }
 
 }  // namespace stationary

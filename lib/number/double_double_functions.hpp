@@ -29,11 +29,10 @@ inline DoubleDouble double_double_small_exp_minus_one(const DoubleDouble& x) {
 }
 
 inline DoubleDouble exp(const DoubleDouble& y) {
-  constexpr DoubleDouble log_two{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
   const DoubleDouble x = renormalized(y);
-  if (!(x.hi > -700.0) || !(x.hi < 700.0)) return std::exp(x.hi);  // also NaN; in double precision
-  const double k = std::round(x.hi / log_two.hi);
-  const DoubleDouble r = renormalized(x - log_two * k);
+  if (!(x.hi > -700.0) || !(x.hi < 700.0)) return exp(x.hi);  // also NaN; in double precision
+  const double k = std::round(x.hi / double_double_log_two.hi);
+  const DoubleDouble r = renormalized(x - double_double_log_two * k);
   const DoubleDouble power = renormalized(1.0 + double_double_small_exp_minus_one(r));
   const int exponent = static_cast<int>(k);
   return {std::ldexp(power.hi, exponent), std::ldexp(power.lo, exponent)};
@@ -85,7 +84,7 @@ inline DoubleDouble tan(const DoubleDouble& x) {
 
 inline DoubleDouble tanh(const DoubleDouble& y) {
   const DoubleDouble x = renormalized(y);
-  if (std::abs(x.hi) > 40.0) return std::tanh(x.hi);
+  if (std::abs(x.hi) > 40.0) return tanh(x.hi);
   const DoubleDouble twice = 2.0 * x;
   const DoubleDouble e = std::abs(twice.hi) < 0.4 ? double_double_small_exp_minus_one(twice)
                                                   : renormalized(exp(twice) - 1.0);
@@ -94,7 +93,7 @@ inline DoubleDouble tanh(const DoubleDouble& y) {
 
 inline DoubleDouble atan(const DoubleDouble& y) {
   const DoubleDouble x = renormalized(y);
-  const double near = std::atan(x.hi);
+  const double near = atan(x.hi);
   if (!(std::abs(x.hi) < 0x1p60)) return near;  // pi/2 to a double; also NaN
   const DoubleDoubleSineCosine of = sine_cosine(near);
   // tan(near + h) = x, and h is as small as a rounding error.
@@ -105,7 +104,7 @@ inline DoubleDouble atan(const DoubleDouble& y) {
 
 /// x^p for x > 0 (NaN below; 0 or infinite at 0).
 inline DoubleDouble pow(const DoubleDouble& x, const DoubleDouble& p) {
-  if (!(double(x) > 0.0)) return std::pow(double(x), double(p));
+  if (!(double(x) > 0.0)) return pow(double(x), double(p));
   return exp(p * log(renormalized(x)));
 }
 

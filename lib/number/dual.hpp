@@ -59,7 +59,6 @@ struct Dual {
   friend Dual& operator+=(Dual& x, const Dual& y) { return x = x + y; }
   friend Dual& operator-=(Dual& x, const Dual& y) { return x = x - y; }
   friend Dual log(const Dual& x) {
-    using std::log;
     const T inverse = T(1.0) / x.value;
     return of(log(x.value), [&](std::size_t k) { return x.slope[k] * inverse; });
   }
@@ -69,38 +68,24 @@ struct Dual {
     return chain(x, root, T(0.5) / root);
   }
   friend Dual exp(const Dual& x) {
-    using std::exp;
     const T value = exp(x.value);
     return chain(x, value, value);
   }
-  friend Dual sin(const Dual& x) {
-    using std::cos;
-    using std::sin;
-    return chain(x, sin(x.value), cos(x.value));
-  }
-  friend Dual cos(const Dual& x) {
-    using std::cos;
-    using std::sin;
-    return chain(x, cos(x.value), -sin(x.value));
-  }
+  friend Dual sin(const Dual& x) { return chain(x, sin(x.value), cos(x.value)); }
+  friend Dual cos(const Dual& x) { return chain(x, cos(x.value), -sin(x.value)); }
   friend Dual tan(const Dual& x) {
-    using std::tan;
     const T value = tan(x.value);
     return chain(x, value, T(1.0) + square(value));
   }
   friend Dual tanh(const Dual& x) {
-    using std::tanh;
     const T value = tanh(x.value);
     return chain(x, value, T(1.0) - square(value));
   }
   friend Dual atan(const Dual& x) {
-    using std::atan;
     return chain(x, atan(x.value), T(1.0) / (T(1.0) + square(x.value)));
   }
   /// x^p for x > 0.
   friend Dual pow(const Dual& x, const Dual& p) {
-    using std::log;
-    using std::pow;
     const T value = pow(x.value, p.value);
     const T of_base = p.value * value / x.value;
     const T of_exponent = value * log(x.value);

@@ -49,7 +49,7 @@ inline Conditioned& operator+=(Conditioned& x, const Conditioned& y) { return x 
 inline Conditioned& operator-=(Conditioned& x, const Conditioned& y) { return x = x - y; }
 
 inline Conditioned log(const Conditioned& x) {
-  return {std::log(x.value), x.condition / std::abs(x.value)};
+  return {log(x.value), x.condition / std::abs(x.value)};
 }
 inline Conditioned sqrt(const Conditioned& x) {
   const double root = std::sqrt(x.value);

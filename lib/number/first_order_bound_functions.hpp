@@ -11,30 +11,30 @@
 namespace stationary {
 
 inline Conditioned exp(const Conditioned& x) {
-  const double value = std::exp(x.value);
+  const double value = exp(x.value);
   return {value, value * x.condition};
 }
 inline Conditioned sin(const Conditioned& x) {
-  return {std::sin(x.value), std::abs(std::cos(x.value)) * x.condition};
+  return {sin(x.value), std::abs(cos(x.value)) * x.condition};
 }
 inline Conditioned cos(const Conditioned& x) {
-  return {std::cos(x.value), std::abs(std::sin(x.value)) * x.condition};
+  return {cos(x.value), std::abs(sin(x.value)) * x.condition};
 }
 inline Conditioned tan(const Conditioned& x) {
-  const double value = std::tan(x.value);
+  const double value = tan(x.value);
   return {value, (1.0 + value * value) * x.condition};
 }
 inline Conditioned tanh(const Conditioned& x) {
-  const double reciprocal = 1.0 / std::cosh(x.value);
-  return {std::tanh(x.value), reciprocal * reciprocal * x.condition};
+  const double e = exp(-2.0 * std::abs(x.value));  // 1 - tanh^2 = 4 e/(1 + e)^2
+  return {tanh(x.value), 4.0 * e / ((1.0 + e) * (1.0 + e)) * x.condition};
 }
 inline Conditioned atan(const Conditioned& x) {
-  return {std::atan(x.value), x.condition / (1.0 + x.value * x.value)};
+  return {atan(x.value), x.condition / (1.0 + x.value * x.value)};
 }
 inline Conditioned pow(const Conditioned& x, const Conditioned& p) {
-  const double value = std::pow(x.value, p.value);
+  const double value = pow(x.value, p.value);
   const double of_base = std::abs(p.value / x.value) * x.condition;
-  const double of_exponent = p.condition == 0.0 ? 0.0 : std::abs(std::log(x.value)) * p.condition;
+  const double of_exponent = p.condition == 0.0 ? 0.0 : std::abs(log(x.value)) * p.condition;
   return {value, std::abs(value) * (of_base + of_exponent)};
 }
 

@@ -138,7 +138,7 @@ CubicRoots<S> cubic_roots(const Polynomial<S, 3>& p) {
   if (Q != 0.0) {
     // Three real roots: the isolated one lies within sqrt(-P) 1 ... 2/sqrt(3).
     double bound = std::sqrt(std::fmax(-4.0 * P / 3.0, 0.0));
-    if (4.0 * P * P * P + 27.0 * Q * Q > 0.0) bound += std::cbrt(std::abs(Q));
+    if (4.0 * P * P * P + 27.0 * Q * Q > 0.0) bound += cube_root(std::abs(Q));
     double r = leading(inflection) + (Q < 0.0 ? bound : -bound);
     for (int k = 0; k < 60; ++k) {
       const double step = rough(r) / rough.slope(r);
@@ -196,11 +196,14 @@ QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
   // Durand-Kerner, scaled to a root size of about one.
   double scale = 0.0;
   for (std::size_t k = 0; k < 4; ++k)
-    scale = std::fmax(scale, std::pow(std::abs(rough[k]), 1.0 / static_cast<double>(4 - k)));
+    scale = std::fmax(scale, pow(std::abs(rough[k]), 1.0 / static_cast<double>(4 - k)));
   if (scale == 0.0) scale = 1.0;
   std::array<Complex, 4> z;
-  for (std::size_t k = 0; k < 4; ++k)
-    z[k] = std::pow(Complex(0.4, 0.9), static_cast<double>(k)) * scale;
+  Complex power = scale;
+  for (Complex& each : z) {
+    each = power;
+    power *= Complex(0.4, 0.9);
+  }
   // At double roots its steps shrink to where rounding drives them, and then may be of any length:
   // those after the shortest ones are forgotten.
   double least = std::numeric_limits<double>::infinity();
@@ -214,8 +217,9 @@ QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
       for (std::size_t j = 0; j < 4; ++j)
         if (j != i) others *= z[i] - z[j];
       if (others == 0.0) continue;
-      z[i] -= value / others;
-      moved = std::fmax(moved, std::abs(value / others));
+      const Complex step = quotient(value, others);
+      z[i] -= step;
+      moved = std::fmax(moved, modulus(step));
     }
     if (moved < least) {
       least = moved;
@@ -235,7 +239,7 @@ QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
     if (std::abs(s.imag()) > 1e-6 * scale || std::abs(q.imag()) > 1e-6 * scale * scale) continue;
     double apart = std::numeric_limits<double>::infinity();
     for (std::size_t a = 0; a < 2; ++a)
-      for (std::size_t b = 2; b < 4; ++b) apart = std::fmin(apart, std::abs(z[i[a]] - z[i[b]]));
+      for (std::size_t b = 2; b < 4; ++b) apart = std::fmin(apart, modulus(z[i[a]] - z[i[b]]));
     if (apart > best) {
       best = apart;
       sum = s;

@@ -80,7 +80,7 @@ inline std::complex<double> laguerre_root(const double* c, std::size_t degree) {
     }
     if (p == 0.0) return z;
     const std::complex<double> root =
-        std::sqrt((n - 1.0) * ((n - 1.0) * slope * slope - 2.0 * n * p * half_curvature));
+        square_root((n - 1.0) * ((n - 1.0) * slope * slope - 2.0 * n * p * half_curvature));
     const std::complex<double> plus = slope + root;
     const std::complex<double> minus = slope - root;
     const std::complex<double> below = std::norm(plus) < std::norm(minus) ? minus : plus;
@@ -88,7 +88,7 @@ inline std::complex<double> laguerre_root(const double* c, std::size_t degree) {
       z += 1.0;
       continue;
     }
-    const std::complex<double> step = n * p / below;
+    const std::complex<double> step = quotient(n * p, below);
     z -= step;
     if (std::norm(step) <= enough * enough * std::norm(z)) break;
   }

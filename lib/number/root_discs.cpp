@@ -62,8 +62,8 @@ std::array<Complex, 5> middle_roots(const Polynomial<Interval, 5>& p) {
         slope = slope * z + value;
         value = value * z + leading(m.c[j]);
       }
-      const Complex change = value / slope;
-      if (std::isfinite(std::abs(change)) && std::abs(change) < 1e-3 * std::abs(z)) z -= change;
+      const Complex change = quotient(value, slope);
+      if (modulus(change) < 1e-3 * modulus(z)) z -= change;
     }
   }
   return out;

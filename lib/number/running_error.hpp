@@ -63,7 +63,6 @@ struct RunningError {
   /// The logarithm of a pack is good to some units in its last place (simd_pack.hpp).
   [[gnu::always_inline]] friend RunningError log(const RunningError& x) {
     using std::abs;
-    using std::log;
     const Real value = log(x.value);
     return rounded(value, x.units / abs(x.value) + 4.0 * (1.0 + abs(value)));
   }

@@ -5,9 +5,9 @@
 // result is the same whatever its neighbours are and whichever instruction set computes it. Two
 // registers, because a Newton step is a chain of operations that one alone would wait for.
 //
-// A file that uses Pack<64> must be compiled for AVX-512, Pack<32> for AVX2 with FMA; Pack<16> is
-// SSE2, the baseline. The width is part of every name built from it, so that the linker cannot
-// take code of one file for another's.
+// A file that uses Pack<64> must be compiled for AVX-512, Pack<32> for AVX2 with FMA; Pack<16> asks for
+// no instructions by name and is SSE2 on x86-64, NEON on aarch64. The width is part of every name built
+// from it, so that the linker cannot take code of one file for another's.
 #pragma once
 
 #include <bit>
@@ -250,7 +250,6 @@ template <int bytes>
 template <int bytes>
 [[gnu::always_inline]] inline Pack<bytes> log(const Pack<bytes>& x) {
   using P = Pack<bytes>;
-  constexpr double log_two = 0x1.62e42fefa39efp-1;
   const PackExponent<bytes> split = split_exponent(x);
   const P s = (split.m - 1.0) / (split.m + 1.0);
   const P z = s * s;
@@ -258,7 +257,8 @@ template <int bytes>
   const P z4 = z2 * z2;
   const P low = (1.0 / 3.0 + z * (1.0 / 5.0)) + z2 * (1.0 / 7.0 + z * (1.0 / 9.0));
   const P high = (1.0 / 11.0 + z * (1.0 / 13.0)) + z2 * (1.0 / 15.0 + z * (1.0 / 17.0));
-  return split.k * log_two + 2.0 * (s + s * (z * (low + z4 * (high + z4 * (1.0 / 19.0)))));
+  return split.k * double_double_log_two.hi +
+         2.0 * (s + s * (z * (low + z4 * (high + z4 * (1.0 / 19.0)))));
 }
 
 /// One number a lane of a table's rows.
@@ -277,7 +277,6 @@ template <int bytes, class Member>
 template <int bytes>
 [[gnu::always_inline]] inline Pair<Pack<bytes>> log(const Pair<Pack<bytes>>& x) {
   using P = Pack<bytes>;
-  constexpr DoubleDouble log_two{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
   const PackExponent<bytes> split = split_exponent(x.hi);
   const P m_tail = x.lo * split.scale;
   const P reciprocal = gathered(split, &LogRow::reciprocal);
@@ -291,7 +290,8 @@ template <int bytes>
   const Pair<P> logarithm_1p =
       z + Pair<P>(-0.5 * square.hi, -0.5 * square.lo) + Pair<P>(h * h * h * series);
   const Pair<P> table(gathered(split, &LogRow::head), gathered(split, &LogRow::tail));
-  const Pair<P> exponent = Pair<P>(P(log_two.hi), P(log_two.lo)) * Pair<P>(split.k);
+  const Pair<P> exponent =
+      Pair<P>(P(double_double_log_two.hi), P(double_double_log_two.lo)) * Pair<P>(split.k);
   return exponent + (table + logarithm_1p);
 }
 

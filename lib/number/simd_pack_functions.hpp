@@ -57,37 +57,30 @@ concept Lanes = LanesOf<P>::are;
 
 template <Lanes P>
 inline P exp(const P& x) {
-  using std::exp;
   return lane_by_lane([](const auto& lane) { return exp(lane); }, x);
 }
 template <Lanes P>
 inline P sin(const P& x) {
-  using std::sin;
   return lane_by_lane([](const auto& lane) { return sin(lane); }, x);
 }
 template <Lanes P>
 inline P cos(const P& x) {
-  using std::cos;
   return lane_by_lane([](const auto& lane) { return cos(lane); }, x);
 }
 template <Lanes P>
 inline P tan(const P& x) {
-  using std::tan;
   return lane_by_lane([](const auto& lane) { return tan(lane); }, x);
 }
 template <Lanes P>
 inline P tanh(const P& x) {
-  using std::tanh;
   return lane_by_lane([](const auto& lane) { return tanh(lane); }, x);
 }
 template <Lanes P>
 inline P atan(const P& x) {
-  using std::atan;
   return lane_by_lane([](const auto& lane) { return atan(lane); }, x);
 }
 template <Lanes P>
 inline P pow(const P& x, const P& p) {
-  using std::pow;
   return lane_by_lane([](const auto& lane, const auto& by) { return pow(lane, by); }, x, p);
 }
 

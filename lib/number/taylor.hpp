@@ -90,31 +90,25 @@ struct Taylor {
     return out;
   }
   friend Taylor exp(const Taylor& x) {
-    using std::exp;
     return integrated(exp(x.value), x, [](const Taylor& f) { return f; });
   }
   friend Taylor log(const Taylor& x) {
-    using std::log;
     return integrated(log(x.value), x, [&](const Taylor&) { return Taylor(1.0) / x; });
   }
   friend Taylor sin(const Taylor& x) { return sine_and_cosine(x)[0]; }
   friend Taylor cos(const Taylor& x) { return sine_and_cosine(x)[1]; }
   friend Taylor tan(const Taylor& x) {
-    using std::tan;
     return integrated(tan(x.value), x, [](const Taylor& f) { return Taylor(1.0) + square(f); });
   }
   friend Taylor tanh(const Taylor& x) {
-    using std::tanh;
     return integrated(tanh(x.value), x, [](const Taylor& f) { return Taylor(1.0) - square(f); });
   }
   friend Taylor atan(const Taylor& x) {
-    using std::atan;
     return integrated(atan(x.value), x,
                       [&](const Taylor&) { return Taylor(1.0) / (Taylor(1.0) + square(x)); });
   }
   /// x^p for x > 0.
   friend Taylor pow(const Taylor& x, const Taylor& p) {
-    using std::pow;
     const Taylor exponent = p * log(x);
     return integrated(pow(x.value, p.value), exponent, [](const Taylor& f) { return f; });
   }
@@ -144,8 +138,6 @@ struct Taylor {
     return out;
   }
   static std::array<Taylor, 2> sine_and_cosine(const Taylor& x) {
-    using std::cos;
-    using std::sin;
     std::array<Taylor, 2> out{Taylor(sin(x.value)), Taylor(cos(x.value))};
     for (int k = 1; k <= order; ++k) {
       T sine(0.0);

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lib/number/hessenberg.hpp"
+#include "lib/matrix/hessenberg.hpp"
 
 namespace stationary {
 namespace {

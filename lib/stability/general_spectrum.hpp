@@ -2,7 +2,7 @@
 // the characteristic polynomial of the Lambda, of half the size where a reversing symmetry divides
 // the leaf (reversible_leaf.hpp), else of all of it (whole_leaf.hpp); its roots as factors of which
 // the nearest share one; vectors in double for energies and error bounds. Lambda is found, and s in
-// pairs by construction. Where Lambda do not stand apart, iterations in 80 bits take its place
+// pairs by construction. Where Lambda do not stand apart, iterations in pairs of doubles take its place
 // (iterated_modes.hpp).
 // The blocks (spectrum.hpp) are faster and sharper wherever they apply; the two agree there.
 #pragma once

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "lib/number/elementary.hpp"
 #include "lib/stability/enclosure_collector.hpp"
 #include "lib/stability/interval_form.hpp"
 
@@ -121,9 +122,9 @@ IntervalForm<2 * n> part_of(const Whole& whole, const std::array<std::size_t, n>
     place[n + k] = pairs + coordinates[k];
     const double q = whole[place[k]][place[k]].magnitude();
     const double p = whole[place[n + k]][place[n + k]].magnitude();
-    const double c = std::exp2(std::round(0.25 * std::log2(p / q)));
-    const bool usable = std::isfinite(c) && c > 0.0;
-    scale[k] = usable ? c : 1.0;
+    const double power = std::round(0.25 * log(p / q) / double_double_log_two.hi);
+    const bool usable = std::abs(power) < 600.0;  // else one of them is zero, or not finite
+    scale[k] = usable ? std::ldexp(1.0, static_cast<int>(power)) : 1.0;
     scale[n + k] = 1.0 / scale[k];
   }
   IntervalForm<2 * n> out;

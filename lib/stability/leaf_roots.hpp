@@ -8,7 +8,8 @@
 #include <complex>
 #include <cstddef>
 
-#include "lib/number/hessenberg.hpp"
+#include "lib/matrix/hessenberg.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/number/real_factors.hpp"
 
 namespace stationary {
@@ -61,7 +62,7 @@ LeafRoots<n> leaf_roots(const std::array<DoubleDouble, n + 1>& c,
       at += 2;
     }
     for (std::size_t k = left_out; k < n; ++k) {
-      const double size = std::abs(out.lambda[k]);
+      const double size = modulus(out.lambda[k]);
       double terms = magnitude[n];
       for (std::size_t j = n; j-- > left_out;) terms = terms * size + magnitude[j];
       double others = 1.0;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/number/elementary.hpp"
 #include "lib/number/polynomial.hpp"
 #include "lib/stability/spectrum.hpp"
 
@@ -42,8 +43,8 @@ struct UncertainPolynomial {
       slope_im = slope_re * im + slope_im * re;
       slope_re = real;
     }
-    const double size = std::hypot(re, im);
-    return spread(size) / std::hypot(slope_re, slope_im) + 0x1p-53 * size;
+    const double size = hypotenuse(re, im);
+    return spread(size) / hypotenuse(slope_re, slope_im) + 0x1p-53 * size;
   }
   /// Half the distance two roots around `mean` must keep to be told apart from a double root.
   double merging_distance(double mean) const {
@@ -74,7 +75,7 @@ class ModeCollector {
     m.lambda_re = re;
     m.lambda_im = im;
     m.lambda_error = error;
-    const double size = std::hypot(re, im);
+    const double size = hypotenuse(re, im);
     if (re > 0.0) {
       m.re = std::sqrt(0.5 * (size + re));
       m.im = 0.5 * im / m.re;

@@ -19,8 +19,9 @@
 #include <optional>
 #include <type_traits>
 
-#include "lib/number/eigenvalue_discs.hpp"
-#include "lib/number/form_signs.hpp"
+#include "lib/matrix/eigenvalue_discs.hpp"
+#include "lib/matrix/form_signs.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/stability/leaf_modes.hpp"
 #include "lib/stability/leaf_roots.hpp"
 #include "lib/stability/symplectic_leaf.hpp"
@@ -92,7 +93,7 @@ template <std::size_t n, class T>
 Vectors<n, double> magnitudes(const Vectors<n, T>& x) {
   Vectors<n, double> out;
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < n; ++k) out[i][k] = std::abs(x[i][k]);
+    for (std::size_t k = 0; k < n; ++k) out[i][k] = modulus(x[i][k]);
   return out;
 }
 

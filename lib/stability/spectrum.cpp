@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/number/elementary.hpp"
 #include "lib/stability/held_linearization.hpp"
 #include "lib/stability/mode_collector.hpp"
 
@@ -354,7 +355,7 @@ int add_held_iii(const StraightState<Extended>& s, const StraightState<Condition
 
 bool Spectrum::away_from_zero() const {
   return std::all_of(mode.begin(), mode.begin() + modes, [](const Mode& m) {
-    return m.forced_zero || std::hypot(m.lambda_re, m.lambda_im) > m.lambda_error;
+    return m.forced_zero || hypotenuse(m.lambda_re, m.lambda_im) > m.lambda_error;
   });
 }
 

@@ -167,6 +167,44 @@ struct LeafShape {
   std::size_t pairs() const { return 3 + std::size_t{turns} + std::size_t{!held}; }
 };
 
+/// |pi|, and e1, e2 that make (e1, e2, pi/|pi|) right-handed. pi is not 0.
+template <class S>
+struct LeafFrame {
+  S size;
+  std::array<S, 3> e1;
+  std::array<S, 3> e2;
+};
+
+template <class S>
+LeafFrame<S> leaf_frame(const std::array<S, 3>& pi) {
+  using leaf_detail::vanishes;
+  using std::sqrt;
+  const S one(1.0);
+  const S none(0.0);
+  const S size = sqrt(S(pi[0] * pi[0] + pi[1] * pi[1] + pi[2] * pi[2]));
+  const std::array<S, 3> axis{pi[0] / size, pi[1] / size, pi[2] / size};
+  std::size_t aside = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (std::abs(leading(pi[k])) < std::abs(leading(pi[aside]))) aside = k;
+  // e1 = e_aside x axis, of length one; e2 = axis x e1.
+  const std::size_t next = (aside + 1) % 3;
+  const std::size_t last = (aside + 2) % 3;
+  std::array<S, 3> e1{none, none, none};
+  std::array<S, 3> e2{none, none, none};
+  e1[next] = -axis[last];
+  e1[last] = axis[next];
+  e2[aside] = one;
+  if (!vanishes(axis[aside])) {
+    const S length = sqrt(S(axis[next] * axis[next] + axis[last] * axis[last]));
+    e1[next] = e1[next] / length;
+    e1[last] = e1[last] / length;
+    e2[aside] = length;
+    e2[next] = -(axis[aside] * axis[next] / length);
+    e2[last] = -(axis[aside] * axis[last] / length);
+  }
+  return {size, e1, e2};
+}
+
 /// E'' in any number type; V_qq in the same. The rows and columns of what is not left are left out.
 template <class S, class Inertias>
 LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, const Vector3<S>& nu,
@@ -219,28 +257,8 @@ LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, con
   r_alpha.c[p_alpha] = one;
   const std::array<S, 3> pi{I11 * nu[0] + I12 * nu[1], I12 * nu[0] + I22 * nu[1], I33 * nu[2]};
   if (shape.turns) {
-    const S size = sqrt(S(pi[0] * pi[0] + pi[1] * pi[1] + pi[2] * pi[2]));
+    const auto [size, e1, e2] = leaf_frame(pi);
     const S root = sqrt(size);
-    const std::array<S, 3> axis{pi[0] / size, pi[1] / size, pi[2] / size};
-    std::size_t aside = 0;
-    for (std::size_t k = 1; k < 3; ++k)
-      if (std::abs(leading(pi[k])) < std::abs(leading(pi[aside]))) aside = k;
-    // e1 = e_aside x axis, of length one; e2 = axis x e1.
-    const std::size_t next = (aside + 1) % 3;
-    const std::size_t last = (aside + 2) % 3;
-    std::array<S, 3> e1{none, none, none};
-    std::array<S, 3> e2{none, none, none};
-    e1[next] = -axis[last];
-    e1[last] = axis[next];
-    e2[aside] = one;
-    if (!vanishes(axis[aside])) {
-      const S length = sqrt(S(axis[next] * axis[next] + axis[last] * axis[last]));
-      e1[next] = e1[next] / length;
-      e1[last] = e1[last] / length;
-      e2[aside] = length;
-      e2[next] = -(axis[aside] * axis[next] / length);
-      e2[last] = -(axis[aside] * axis[last] / length);
-    }
     LinearForm<S>* const r[3] = {&r1, &r2, &r3};
     for (std::size_t k = 0; k < 3; ++k) {
       if (!vanishes(e1[k])) r[k]->c[b1] = root * e1[k];

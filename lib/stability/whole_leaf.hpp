@@ -11,8 +11,9 @@
 #include <complex>
 #include <cstddef>
 
-#include "lib/number/eigenvalue_discs.hpp"
-#include "lib/number/form_signs.hpp"
+#include "lib/matrix/eigenvalue_discs.hpp"
+#include "lib/matrix/form_signs.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/stability/leaf_modes.hpp"
 #include "lib/stability/leaf_roots.hpp"
 #include "lib/stability/symplectic_leaf.hpp"
@@ -120,7 +121,7 @@ class WholeLeafProblem {
         s[i] = 0.0;
         continue;
       }
-      s[i] = std::sqrt(roots.lambda[i]);
+      s[i] = square_root(roots.lambda[i]);
       if (roots.lambda[i].imag() == 0.0 && roots.lambda[i].real() < 0.0)
         s[i] = Complex(0.0, std::abs(s[i].imag()));
       NullVectors<Complex, N> x = null_vectors<Complex, N>(h, s[i]);
@@ -138,10 +139,10 @@ class WholeLeafProblem {
         w[i][n + k] = x.left[k] * scale_[k];
       }
       c[i] = paired(w[i], z[i]);
-      rounding[i] = right * left / std::abs(c[i]);
+      rounding[i] = right * left / modulus(c[i]);
       for (std::size_t k = 0; k < N; ++k) {
-        z_size[i][k] = std::abs(z[i][k]);
-        w_size[i][k] = std::abs(w[i][k]);
+        z_size[i][k] = modulus(z[i][k]);
+        w_size[i][k] = modulus(w[i][k]);
       }
       if (roots.lambda[i].imag() == 0.0 && roots.lambda[i].real() < 0.0) {
         // z^* E z, against its terms.
@@ -178,15 +179,15 @@ class WholeLeafProblem {
         }
         if (i == j) {
           d[i][i] =
-              facts_.uncertainty * 2.0 * std::abs(s[i]) * product(w_size[i], of_z) / std::abs(c[i]);
+              facts_.uncertainty * 2.0 * modulus(s[i]) * product(w_size[i], of_z) / modulus(c[i]);
           continue;
         }
         // Rows of z_i and of w_i; z and w of j.
-        const double sum = std::abs(s[i] + s[j]);
-        const double difference = std::abs(s[i] - s[j]);
+        const double sum = modulus(s[i] + s[j]);
+        const double difference = modulus(s[i] - s[j]);
         const double by_w = sum * product(w_size[i], of_z) + difference * product(w_size[i], of_w);
         const double by_z = difference * product(z_size[i], of_z) + sum * product(z_size[i], of_w);
-        d[i][j] = facts_.uncertainty * std::fmax(by_w, by_z) / std::sqrt(std::abs(c[i] * c[j]));
+        d[i][j] = facts_.uncertainty * std::fmax(by_w, by_z) / std::sqrt(modulus(c[i] * c[j]));
       }
     }
     for (std::size_t i = 0; i < n; ++i) {
@@ -196,11 +197,11 @@ class WholeLeafProblem {
           i == roots.forced
               ? 0.0
               : unit_ * unit_ *
-                    (2.0 * std::abs(s[i]) * 0x1p-94 * h_size * rounding[i] + roots.error[i]);
+                    (2.0 * modulus(s[i]) * 0x1p-94 * h_size * rounding[i] + roots.error[i]);
     }
     // s and -s have to stand apart too.
     for (std::size_t i = 0; i < n; ++i)
-      if (i != roots.forced && !(d[i][i] <= discs_apart * std::abs(out.lambda[i]))) return false;
+      if (i != roots.forced && !(d[i][i] <= discs_apart * modulus(out.lambda[i]))) return false;
     const auto discs = eigenvalue_discs(out.lambda, d);
     if (!discs) return false;
     out.error = *discs;

@@ -16,6 +16,7 @@
 
 #include "lib/expression/symmetric_kernel.hpp"
 #include "lib/number/double_double_functions.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/number/first_order_bound_functions.hpp"
 #include "lib/number/interval_functions.hpp"
 #include "lib/number/number.hpp"
@@ -60,14 +61,6 @@ R whole_reciprocal(int k) {
 /// c[0 .. count): Taylor coefficients of f itself at a, then of f^(derivatives).
 template <class R>
 void taylor_coefficients(const KernelFunction<R>& f, const R& a, int count, R* c) {
-  using std::atan;
-  using std::cos;
-  using std::exp;
-  using std::log;
-  using std::pow;
-  using std::sin;
-  using std::tan;
-  using std::tanh;
   const int all = count + f.derivatives;
   const auto whole = [](int j) { return static_cast<double>(j); };
   switch (f.function) {
@@ -173,9 +166,9 @@ inline double convergence_radius(Function f, double a) {
     case Function::tan:
       return half_pi - std::abs(std::remainder(a, 2.0 * half_pi));
     case Function::tanh:
-      return std::hypot(a, half_pi);
+      return hypotenuse(a, half_pi);
     case Function::atan:
-      return std::hypot(a, 1.0);
+      return hypotenuse(a, 1.0);
     default:
       return 2.0;
   }
@@ -215,7 +208,9 @@ R kernel_at_ends(const KernelFunction<R>& f, KernelPart part, const R& x, const 
 template <class R>
 int series_length(double ratio, int most) {
   if (!(ratio > 0.0)) return 1;
-  return std::min(most, static_cast<int>((significand_bits<R>() + 6) / -std::log2(ratio)) + 4);
+  return std::min(
+      most,
+      static_cast<int>((significand_bits<R>() + 6) * double_double_log_two.hi / -log(ratio)) + 4);
 }
 
 /// The odd part of log and its y-derivatives, x = y/a^2 < 1/4:
@@ -239,7 +234,6 @@ R log_series(KernelPart part, const R& a, const R& y, double ratio) {
 /// The same from one logarithm, norm = a^2 - y: E[f'] = a/norm and O[f''] = 2 a/norm^2.
 template <class R>
 R log_at_ends(KernelPart part, const R& a, const R& y, const R& norm) {
-  using std::log;
   using std::sqrt;
   const R root = sqrt(y);
   const R end = a + root;
@@ -335,7 +329,7 @@ inline Conditioned kernel_of(const KernelFunction<Conditioned>& f, KernelPart pa
   const double value = at(plain, part);
   double condition = std::abs(slope_a) * a.condition + std::abs(slope_y) * y.condition;
   if (f.function == Function::power && f.exponent->condition > 0.0) {
-    const double spread = std::abs(std::log(std::abs(a.value))) + std::abs(std::log(norm.value));
+    const double spread = std::abs(log(std::abs(a.value))) + std::abs(log(norm.value));
     condition +=
         (std::abs(value) * (1.0 + spread) + std::abs(slope_a * a.value)) * f.exponent->condition;
   }

@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "lib/number/double_double_functions.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/number/first_order_bound_functions.hpp"
 #include "lib/number/interval_functions.hpp"
 #include "lib/number/number.hpp"
@@ -124,15 +125,7 @@ R smaller(const R& x, const R& y) {
 template <class R>
 R coefficient_step(const Instruction& at, const double* literals, const R* parameters,
                    const R* value) {
-  using std::atan;
-  using std::cos;
-  using std::exp;
-  using std::log;
-  using std::pow;
-  using std::sin;
   using std::sqrt;
-  using std::tan;
-  using std::tanh;
   const R* a = value + at.a;
   switch (at.operation) {
     case Operation::add:
@@ -198,15 +191,7 @@ void compute_constants(const Coefficients& c, const R* parameters, R* constants)
 
 template <class R>
 void run(const Program& program, const double* literals, const R* constants, R* place) {
-  using std::atan;
-  using std::cos;
-  using std::exp;
-  using std::log;
-  using std::pow;
-  using std::sin;
   using std::sqrt;
-  using std::tan;
-  using std::tanh;
   for (const Instruction& at : program.code) {
     R& out = place[at.out];
     const R& a = place[at.a];

@@ -23,6 +23,7 @@ using ::testing::IsEmpty;
 /// From the ground up.
 constexpr std::string_view rooms[] = {
     "lib/number",
+    "lib/matrix",
     "lib/body",
     "lib/gravity",
     "lib/expression",
@@ -38,6 +39,7 @@ constexpr std::string_view rooms[] = {
     "solver/continuation",
     "solver/proof",
     "solver/family",
+    "solver/normal_form",
     "solver/search",
     "solver/tube",
     "solver/solve",

@@ -21,6 +21,7 @@
 #include "lib/material/gravitating/elastic_part.hpp"
 #include "lib/material/gravitating/held_volume.hpp"
 #include "lib/material/models/potential_derivatives.hpp"
+#include "lib/number/elementary.hpp"
 
 namespace stationary {
 
@@ -120,7 +121,6 @@ struct BodyModel {
   /// log_balance() from whole() at thickness().
   template <int order, class R>
   LogBalance<R> held_of(const LogBalance<R>& all, const R& xi, const R& zeta, const R& rho) const {
-    using std::log;
     if (!volume) return all;
     const R excess = log(xi * zeta * rho / R(*volume));
     return with_volume<order>(held<order>(all), excess, stiffness);
@@ -156,7 +156,6 @@ struct BodyModel {
   /// In (t, l, r), J1 = J2; of a held volume with its equation, as log_balance() has it.
   template <int order, class S>
   CoupledDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x, const S& rho) const {
-    using std::log;
     using R = Product<C, S>;
     CoupledDerivatives<R> out = in_plane<order>(x, volume ? R(*volume / x.d) : R(rho));
     if (volume) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lib/number/elementary.hpp"
 #include "lib/number/number.hpp"
 
 namespace stationary {
@@ -14,18 +15,16 @@ using Point = std::array<double, 3>;  ///< logarithms of xi, zeta, rho
 
 constexpr double farthest = 6.9;  // of 1e3
 
-double sphere(const BodyModel<>& model) {
-  return model.volume ? std::log(*model.volume) / 3.0 : 0.0;
-}
+double sphere(const BodyModel<>& model) { return model.volume ? log(*model.volume) / 3.0 : 0.0; }
 
 double distance(const Point& a, double centre) {
   double out = 0.0;
-  for (const double x : a) out = std::hypot(out, x - centre);
+  for (const double x : a) out = hypotenuse(out, x - centre);
   return out;
 }
 
 LogBalance<double> balance_at(const BodyModel<>& model, const Point& at) {
-  return model.log_balance(std::exp(at[0]), std::exp(at[1]), std::exp(at[2]), 0.0, 0.0, 0.0);
+  return model.log_balance(exp(at[0]), exp(at[1]), exp(at[2]), 0.0, 0.0, 0.0);
 }
 
 /// The shift of the diagonal that makes a symmetric matrix positive definite, 0 where it is.
@@ -87,13 +86,13 @@ std::array<double, 3> rest_state(const BodyModel<>& model) {
   }
   if (!nearest) return {poison<double>(), poison<double>(), poison<double>()};
   std::array<double, 3> out;
-  for (std::size_t i = 0; i < 3; ++i) out[i] = std::exp((*nearest)[i]);
+  for (std::size_t i = 0; i < 3; ++i) out[i] = exp((*nearest)[i]);
   if (model.isotropic()) out[1] = out[0];
   return out;
 }
 
 double volume_stiffness(const BodyModel<>& model) {
-  const double s = std::exp(sphere(model));
+  const double s = exp(sphere(model));
   const LogBalance<double> b = model.whole<2>(s, s, s, 0.0, 0.0, 0.0);
   double out = 0.0;
   for (const double each : {b.uu, b.vv, b.ww, b.uv, b.uw, b.vw, b.g_xi, b.g_rho})

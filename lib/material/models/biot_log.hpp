@@ -8,6 +8,7 @@
 
 #include "lib/body/stretch.hpp"
 #include "lib/material/models/model_derivatives.hpp"
+#include "lib/number/elementary.hpp"
 
 namespace stationary {
 
@@ -28,7 +29,6 @@ struct BiotLog {
   template <class S>
   LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& c_xi,
                                         const S& c_zeta) const {
-    using std::log;
     const auto volumetric = lambda * log(xi * zeta);
     const auto force_xi = (2.0 * mu - c_xi) * xi;
     const auto force_zeta = (2.0 * mu - c_zeta) * zeta;
@@ -41,7 +41,6 @@ struct BiotLog {
 
   template <int order, class S>
   PlanarDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x) const {
-    using std::log;
     PlanarDerivatives<Product<C, S>> out;
     const S l = log(x.d);
     const auto area = 2.0 * mu * x.d;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/material/models/first_order_bound_model.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/number/first_order_bound_functions.hpp"
 
 namespace stationary {
@@ -18,8 +19,8 @@ constexpr int grid_steps = 160;
 /// doubles, g in extended precision deciding; the end with the smaller |g|.
 template <class Slope>
 double crossing(const Slope& g, double a, double b) {
-  double lo = std::exp(a);
-  double hi = std::exp(b);
+  double lo = exp(a);
+  double hi = exp(b);
   for (;;) {
     const double middle = std::sqrt(lo) * std::sqrt(hi);
     const double next = middle > lo && middle < hi ? middle : lo + 0.5 * (hi - lo);
@@ -91,10 +92,10 @@ double nearest_minimum(const Line& line) {
     // Cells are centred, so that 1 is inside the first one.
     const double a = (k - 0.5) * step;
     const double b = (k + 0.5) * step;
-    if (!(slope(std::exp(a)) <= 0.0) || !(slope(std::exp(b)) > 0.0)) return;
+    if (!(slope(exp(a)) <= 0.0) || !(slope(exp(b)) > 0.0)) return;
     const double x = crossing(slope, a, b);
-    if (!is_minimum(line, x, std::exp(a), std::exp(b))) return;
-    if (!found || std::abs(std::log(x)) < std::abs(std::log(*found))) found = x;
+    if (!is_minimum(line, x, exp(a), exp(b))) return;
+    if (!found || std::abs(log(x)) < std::abs(log(*found))) found = x;
   };
   for (int k = 0; k <= grid_steps && !found; ++k) {
     consider(k);
@@ -132,8 +133,8 @@ std::optional<CoupledRest> minimum_from(const CoupledExpression<double>& model,
                                         const LogStretches& start) {
   LogStretches at = start;
   for (int k = 0; k < 60; ++k) {
-    const double r = std::exp(at.u);
-    const double rho = std::exp(at.w);
+    const double r = exp(at.u);
+    const double rho = exp(at.w);
     const double t = 2.0 * r;
     const auto x = model.evaluate<2>(planar_invariants(r, r), rho);
     const auto fine = model.evaluate<1>(extended_invariants(r, r), DoubleDouble(rho));
@@ -179,11 +180,11 @@ double balanced_thickness_of(const ThicknessExpression<double>& model, const Dou
   const auto excess = [&](double rho) {
     return double(part.evaluate<1>(DoubleDouble(rho)).v_r - m * two_product(rho, rho));
   };
-  double a = std::log(rest);
+  double a = log(rest);
   while (a < largest_logarithm) {
     const double b = a + step;
-    const auto v = part.evaluate<2>(std::exp(b));
-    if (excess(std::exp(b)) > 0.0) return crossing(excess, a, b);
+    const auto v = part.evaluate<2>(exp(b));
+    if (excess(exp(b)) > 0.0) return crossing(excess, a, b);
     if (!(v.v_rr > 2.0 * v.v_r)) break;
     a = b;
   }

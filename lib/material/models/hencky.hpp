@@ -13,6 +13,7 @@
 
 #include "lib/body/stretch.hpp"
 #include "lib/material/models/model_derivatives.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/number/interval.hpp"
 #include "lib/number/odd_reciprocal.hpp"
 
@@ -31,7 +32,6 @@ struct AtanhRatio {
 /// there. Needs 1 - x = 4 d/t^2 separately, since x may round to 1.
 template <int order, class S>
 AtanhRatio<S> atanh_ratio(const PlanarInvariants<S>& q, const S& x, const S& one_minus_x) {
-  using std::log;
   using std::sqrt;
   constexpr int bits = significand_bits<S>();
   const double size = leading(x);
@@ -118,7 +118,6 @@ struct Hencky {
   template <class S>
   LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& c_xi,
                                         const S& c_zeta) const {
-    using std::log;
     const S u = log(xi);
     const S v = log(zeta);
     // In the wider type: S may be more precise than the coefficients.
@@ -134,7 +133,6 @@ struct Hencky {
 
   template <int order, class S>
   PlanarDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& q) const {
-    using std::log;
     PlanarDerivatives<Product<C, S>> out;
     const S l = log(q.d);
     const S t2 = q.t * q.t;

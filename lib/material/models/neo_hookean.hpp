@@ -8,6 +8,7 @@
 
 #include "lib/body/stretch.hpp"
 #include "lib/material/models/model_derivatives.hpp"
+#include "lib/number/elementary.hpp"
 
 namespace stationary {
 
@@ -28,7 +29,6 @@ struct NeoHookean {
   template <class S>
   LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& c_xi,
                                         const S& c_zeta) const {
-    using std::log;
     const auto pressure = lambda * log(xi * zeta) - mu;
     const auto square_xi = (mu - c_xi) * square(xi);
     const auto square_zeta = (mu - c_zeta) * square(zeta);
@@ -41,7 +41,6 @@ struct NeoHookean {
 
   template <int order, class S>
   PlanarDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x) const {
-    using std::log;
     PlanarDerivatives<Product<C, S>> out;
     const S l = log(x.d);
     const auto area = mu * x.d;

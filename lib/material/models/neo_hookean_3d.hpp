@@ -8,6 +8,7 @@
 
 #include "lib/body/stretch.hpp"
 #include "lib/material/models/model_derivatives.hpp"
+#include "lib/number/elementary.hpp"
 
 namespace stationary {
 
@@ -30,7 +31,6 @@ struct NeoHookean3d {
   template <class S>
   LogBalance<Product<C, S>> log_balance(const S& xi, const S& zeta, const S& rho, const S& c_xi,
                                         const S& c_zeta, const S& c_rho) const {
-    using std::log;
     using R = Product<C, S>;
     const auto pressure = lambda * log(xi * zeta * rho) - mu;
     const auto square_xi = (mu - c_xi) * square(xi);
@@ -49,7 +49,6 @@ struct NeoHookean3d {
 
   template <int order, class S>
   CoupledDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x, const S& rho) const {
-    using std::log;
     CoupledDerivatives<Product<C, S>> out;
     const S volume = log(x.d * rho);
     const auto area = mu * x.d;

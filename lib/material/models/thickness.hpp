@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "lib/material/models/model_derivatives.hpp"
+#include "lib/number/elementary.hpp"
 
 namespace stationary {
 
@@ -32,7 +33,7 @@ struct ReciprocalQuadratic {
   /// rho^3 = a/(b - m), to double precision; NaN unless m < b. m is extended: b - m may cancel.
   double balanced(const DoubleDouble& m) const {
     const double stiffness = double(leading(b) - m);
-    return stiffness > 0.0 ? std::cbrt(leading(a) / stiffness) : poison<double>();
+    return stiffness > 0.0 ? cube_root(leading(a) / stiffness) : poison<double>();
   }
 
   template <class S>

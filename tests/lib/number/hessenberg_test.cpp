@@ -1,6 +1,6 @@
 // Small eigenvalue problems in pairs of doubles against the same in 100 digits: characteristic
 // polynomials, their real factors, the shifted QR algorithm, null vectors.
-#include "lib/number/hessenberg.hpp"
+#include "lib/matrix/hessenberg.hpp"
 
 #include <gtest/gtest.h>
 

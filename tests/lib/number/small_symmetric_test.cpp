@@ -1,5 +1,5 @@
 // The closed inverses against Eigen's, and the small operations beside them.
-#include "lib/number/small_symmetric.hpp"
+#include "lib/matrix/small_symmetric.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,8 @@
 
 #include <Eigen/LU>
 
+#include "lib/matrix/elimination.hpp"
+
 namespace stationary {
 
 template <int N>
@@ -13,7 +15,13 @@ struct SmallMatrix {
   const Eigen::Matrix<double, N, N>& matrix() const { return entries; }
   double determinant() const { return entries.determinant(); }
   /// Not finite where the matrix is singular.
-  SmallMatrix inverse() const { return {entries.inverse()}; }
+  SmallMatrix inverse() const {
+    if constexpr (N > 4) {
+      return {Elimination<N>(entries).inverse()};
+    } else {
+      return {entries.inverse()};
+    }
+  }
   SmallMatrix absolute() const { return {entries.cwiseAbs()}; }
   Eigen::Matrix<double, N, 1> operator*(const Eigen::Matrix<double, N, 1>& x) const {
     return entries * x;

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "lib/number/hessenberg.hpp"
+#include "lib/matrix/hessenberg.hpp"
 #include "lib/number/number.hpp"
 
 namespace stationary {

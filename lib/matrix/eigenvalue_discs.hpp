@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "lib/number/hessenberg.hpp"
+#include "lib/matrix/hessenberg.hpp"
 
 namespace stationary {
 
@@ -36,7 +36,7 @@ std::optional<std::array<double, n>> eigenvalue_discs(
     double tau = 0x1p60;
     for (std::size_t j = 0; j < n; ++j) {
       if (j == i) continue;
-      const double distance = std::abs(lambda[i] - lambda[j]);
+      const double distance = modulus(lambda[i] - lambda[j]);
       if (!(radius[i] + radius[j] <= discs_apart * distance)) return std::nullopt;
       // Half the distance is each one's own.
       const double room = 0.5 * distance - radius[j];
