@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "lib/material/elastic_energy.hpp"
+#include "lib/matrix/elementwise.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/family/oriented_events.hpp"
 #include "solver/motion/oriented_stability.hpp"
 #include "solver/newton/newton.hpp"
@@ -47,7 +49,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     if constexpr (Layout::axis) {
       const Setting at = setting(p);
       const auto I = in_plane_inertia(Inertia3<double>{at.body.J1, at.body.J2, at.body.J3}, q);
-      const double principal = 0.5 * std::atan2(2.0 * I.product, -I.difference);
+      const double principal = 0.5 * atan2(2.0 * I.product, -I.difference);
       const double near = branch_ == Branch::i ? 0.0 : 0.5 * std::numbers::pi;
       // The balance tells the two axes of inertia apart, but for a slow spin.
       double best = std::numeric_limits<double>::infinity();
@@ -71,7 +73,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     ReducedVector<N> x = stretch_coordinates(member.q);
     if constexpr (Layout::axis)
       x[Layout::axis_place] =
-          axis_coordinate(std::atan2(member.angular_velocity[1], member.angular_velocity[0]));
+          axis_coordinate(atan2(member.angular_velocity[1], member.angular_velocity[0]));
     return x;
   }
 
@@ -252,7 +254,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
         if constexpr (Layout::axis) {
           const double angle = straight == Branch::i ? 0.0 : 0.5 * std::numbers::pi;
           at[Layout::axis_place] =
-              axis_coordinate(std::copysign(angle, std::log(x[Layout::axis_place])));
+              axis_coordinate(std::copysign(angle, log(x[Layout::axis_place])));
         }
         if (const auto known = event_near<StraightLayout>(straight, TestValues::turn, found->x,
                                                           0.5 * (low + high))) {
@@ -265,7 +267,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
         }
         // What the turn's own rounding leaves open of p, along the family.
         constexpr double noise = 64.0 * 0x1p-53;
-        const double moved_by = (ahead->x.array() / behind->x.array()).log().abs().maxCoeff();
+        const double moved_by = logarithms(ahead->x.array() / behind->x.array()).abs().maxCoeff();
         const double along = noise * moved_by / std::abs(b - a);
         return member(at, ReducedVector<N>::Zero(), 0.5 * (low + high),
                       2.0 * found->error_bound + along);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/matrix/elementwise.hpp"
 #include "solver/continuation/curve_start.hpp"
 
 namespace stationary {
@@ -58,10 +59,10 @@ class Follower {
     int direction = end.direction;
     if (end.neighbour) {
       ArcVector<N> ahead;
-      ahead.template head<N>() = (family_.coordinates(end.at.q, end.at.p).array() /
-                                  family_.coordinates(end.neighbour->q, end.neighbour->p).array())
-                                     .log()
-                                     .matrix();
+      ahead.template head<N>() =
+          logarithms(family_.coordinates(end.at.q, end.at.p).array() /
+                     family_.coordinates(end.neighbour->q, end.neighbour->p).array())
+              .matrix();
       ahead[N] = (end.at.p - end.neighbour->p) / curve_.corrector().scale();
       StepOptions& step = options_.continuation.step;
       step.first = std::clamp(ahead.norm(), 1e-6, step.max);
@@ -75,7 +76,7 @@ class Follower {
   /// Whether the start is this x; near a fold the rounding of p moves it by some 1e-8.
   bool is_at(const ReducedVector<N>& x) const {
     constexpr double same = 1e-6;
-    return ((start_.arc.x.array() / x.array()).log().abs() <= same).all();
+    return (logarithms(start_.arc.x.array() / x.array()).abs() <= same).all();
   }
 
   /// Of p in the distance along the curve: the range asked for, where it is neither nothing but

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "lib/body/inertia.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/event_functions.hpp"
 #include "solver/motion/extended_root.hpp"
@@ -226,7 +227,7 @@ template <bool oblique>
 void set_inertia_tests(const Member& member, const TestContext&, TestValues& out) {
   const Matrix3<double> I = locked_inertia(member.body, member.q);
   const double mean = 0.5 * (I(0, 0) + I(1, 1));
-  const double radius = std::hypot(0.5 * (I(0, 0) - I(1, 1)), I(0, 1));
+  const double radius = hypotenuse(0.5 * (I(0, 0) - I(1, 1)), I(0, 1));
   double first = mean - radius;
   double second = mean + radius;
   if constexpr (oblique) {

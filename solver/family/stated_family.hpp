@@ -22,9 +22,9 @@
 #include <array>
 #include <cmath>
 
+#include "lib/matrix/small_matrix.hpp"
 #include "lib/number/dual.hpp"
 #include "lib/number/first_order_bound_functions.hpp"
-#include "lib/number/small_matrix.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/newton/refine.hpp"
 #include "solver/proof/box_balance.hpp"

@@ -47,6 +47,12 @@ void set_tests(const Member& member, const TestContext& context, TestValues& out
     const double turn = momenta.s3 / inertia;
     return (rates.omega - turn) / (std::abs(rates.omega) + std::abs(turn));
   };
+  // Given itself and 0 it is 0 on all of the sheet.
+  if (momenta.s3 != 0.0 || !member.two_polar->by_momenta) {
+    const double product = 2.0 * member.body.J1 * member.q.xi * member.q.zeta;
+    out.value[TestValues::zero_momentum] =
+        momenta.s3 / ((m[0] + m[1]) * std::abs(rates.omega) + product * std::abs(rates.theta_dot));
+  }
   out.value[TestValues::inertia_13] = axis_leaves(m[1] + m[2]);
   out.value[TestValues::inertia_23] = axis_leaves(m[0] + m[2]);
   if (member.two_polar->by_momenta) {  // what turns is a momentum
@@ -91,6 +97,10 @@ std::optional<TwoPolarVanishing> vanishing_at(EventType type, bool circle, const
       return gap(rates.omega, s3 / (m[1] + m[2])) < gap(rates.omega, s3 / (m[0] + m[2]))
                  ? TwoPolarVanishing::leaves_mu
                  : TwoPolarVanishing::leaves_lambda;
+    case EventType::zero_momentum:
+      // A momentum that is varied is where it is.
+      if (circle || near.two_polar->by_momenta) return std::nullopt;
+      return TwoPolarVanishing::momentum;
     default:
       return std::nullopt;
   }

@@ -20,7 +20,8 @@ enum class TwoPolarVanishing {
   shear,          ///< the circle's K_alpha,alpha as a motion of (iii)
   leaves_mu,      ///< omega - s3/I_1
   leaves_lambda,  ///< omega - s3/I_2
-  leaves_circle   ///< the circle's I_1 - I_3
+  leaves_circle,  ///< the circle's I_1 - I_3
+  momentum        ///< s3
 };
 
 template <template <class> class Motion, bool circle>
@@ -117,9 +118,11 @@ class TwoPolarEventSystem {
         return first - third;
       case TwoPolarVanishing::leaves_mu:
       case TwoPolarVanishing::leaves_lambda:
+      case TwoPolarVanishing::momentum:
         break;
     }
     const T s3 = momenta_of(first, second, J, lambda, mu, rates).s3;
+    if (what_ == TwoPolarVanishing::momentum) return s3;
     const T inertia = (what_ == TwoPolarVanishing::leaves_mu ? second : first) + third;
     return rates.omega * inertia - s3;
   }

@@ -209,6 +209,25 @@ TEST(TiltedFamily, EndsOnADisconnectedSheet) {
   EXPECT_NEAR(there.q.zeta, on_iii.q.zeta, 1e-13 * there.q.zeta);
 }
 
+/// Two pairs of frequencies meet, go round zero as a quadruple, and are real again before the family
+/// ends: in one step, which a coarse sweep takes.
+TEST(TiltedFamily, AQuadrupleInsideTheLastStepIsFound) {
+  const Body body(2.6988437362719471, 2.6451092757639478, 1.2594877902335551);
+  const Potential potential(BiotLog<>{0.39699810771235533, 0.68100791134747052},
+                            ReciprocalQuadratic<>{0.4495206176291594, 0.51373933433548802});
+  const TiltedRotation motion{TiltPlane::one_three, 0.43762576519637031};
+  const Equilibrium start = solve_tilted(body, potential, motion);
+  ASSERT_EQ(start.status, SolveStatus::solved);
+  for (const double tolerance : {1e-4, 1e-5, 1e-7, 1e-10}) {
+    const Followed sheet = followed(AnyFamily(tilted_family(body, potential, motion.plane, true)),
+                                    start.q, motion.nu, range(0.0, 1.3, tolerance));
+    const auto found = sheet.events({EventType::hamiltonian_hopf, EventType::real_collision});
+    ASSERT_EQ(found.size(), 2U) << tolerance << " " << sheet.text();
+    EXPECT_NEAR(found[0].member.nu, 0.462425234071, 1e-9);
+    EXPECT_NEAR(found[1].member.nu, 0.463849875713, 1e-9);
+  }
+}
+
 /// f of the rows turns exactly where they have an event of that type.
 template <class F>
 void expect_turns(const Followed& sheet, EventType type, const F& f) {

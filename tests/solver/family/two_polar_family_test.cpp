@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/kind/kind.hpp"
 #include "solver/solve/two_polar_equilibrium.hpp"
 #include "tests/support/followed.hpp"
 #include "tests/support/random_problem.hpp"
@@ -159,6 +160,77 @@ TEST(TwoPolarFamily, EllipseOffTheCircle) {
   EXPECT_NEAR(pull * (omega + theta_dot) * (omega + theta_dot),
               2.0 * (mu + lambda) * std::log(at.q.xi), 1e-12);
   EXPECT_TRUE(circle.events({EventType::unexplained}).empty()) << circle.text();
+}
+
+/// s3 = 0: no Lambda is, but the wobble's signature is another beyond. At given rates and in s3 itself.
+TEST(TwoPolarFamily, TheMomentumPassesZero) {
+  const Body body(1.1140512247561987, 1.1140512247561987, 0.80698629346427531);
+  const Potential potential =
+      Potential(make_potential("hencky", {0.69030789872063525, 0.62600236112043262}).plane(),
+                ReciprocalQuadratic<>{0.72191634950235206, 0.56340260408996812});
+  const double theta_dot = -0.29590454318639337;
+  const TwoPolarMotion rates = TwoPolarRates<double>{0.60828918005922683, theta_dot};
+  const auto kind = kind_of(body, potential, rates);
+  const Equilibrium start = kind->solve({});
+  ASSERT_EQ(start.status, SolveStatus::solved);
+  for (const double tolerance : {1e-5, 1e-10}) {
+    const Followed sheet = followed(kind->family(first, {}, start.q), start.q, 0.60828918005922683,
+                                    range(0.0, 1.0, tolerance));
+    EXPECT_TRUE(sheet.events({EventType::unexplained}).empty()) << sheet.text();
+    const auto found = sheet.events({EventType::zero_momentum});
+    ASSERT_EQ(found.size(), 1U) << sheet.text();
+    const Member& at = found[0].member;
+    const double squares = at.q.xi * at.q.xi + at.q.zeta * at.q.zeta;
+    const double product = -2.0 * at.q.xi * at.q.zeta * theta_dot;
+    EXPECT_NEAR(squares * at.parameter, product, 1e-13 * product);
+    const auto proof = kind->enclose_event(first, EventType::zero_momentum, at);
+    ASSERT_TRUE(proof);
+    EXPECT_TRUE(proof->proven) << proof->reason;
+    int of[2] = {-1, -1};  // the counts beside it
+    for (const FollowedRow& row : sheet.rows)
+      if (row.event == EventType::none && std::abs(row.member.parameter - at.parameter) < 1e-3)
+        of[row.member.parameter > at.parameter] = row.member.spectrum->negative;
+    if (tolerance == 1e-10) {
+      EXPECT_EQ(of[0], 0);
+      EXPECT_EQ(of[1], 2);
+    }
+    // The same ellipses in s3.
+    const TwoPolarMotion momenta = TwoPolarMomenta<double>{0.1, at.two_polar->momenta.p_theta};
+    const auto by_s3 = kind_of(body, potential, momenta);
+    SolveOptions near;
+    near.start = at.q;
+    const Equilibrium beside = by_s3->solve(near);
+    ASSERT_EQ(beside.status, SolveStatus::solved);
+    const Followed in_s3 =
+        followed(by_s3->family(first, {}, beside.q), beside.q, 0.1, range(-0.1, 0.1, tolerance));
+    const auto zero = in_s3.events({EventType::zero_momentum});
+    ASSERT_EQ(zero.size(), 1U) << in_s3.text();
+    EXPECT_NEAR(zero[0].member.parameter, 0.0, 1e-12);
+    EXPECT_NEAR(zero[0].member.q.xi, at.q.xi, 1e-9 * at.q.xi);
+    EXPECT_TRUE(in_s3.events({EventType::unexplained}).empty()) << in_s3.text();
+  }
+}
+
+/// An axis tilts inside the step in which the ellipses meet the circle, however long that is.
+TEST(TwoPolarFamily, ATiltInTheLastStepIsFound) {
+  const Body body(1.8436338131161401, 1.8436338131161401, 1.4615131464400442);
+  const Potential potential(BiotLog<>{0.78686029287011927, 1.5298820169229108},
+                            ReciprocalQuadratic<>{1.6426975043747094, 1.1246853750326709});
+  const double omega = 0.81399323489050368;
+  const auto kind =
+      kind_of(body, potential, TwoPolarMotion(TwoPolarRates<double>{omega, -0.086557156545163674}));
+  const Equilibrium start = kind->solve({});
+  ASSERT_EQ(start.status, SolveStatus::solved);
+  for (const double tolerance : {1e-4, 1e-5, 1e-10}) {
+    const Followed sheet =
+        followed(kind->family(first, {}, start.q), start.q, omega, range(0.0, 0.9, tolerance));
+    const auto found = sheet.events({EventType::tilt});
+    ASSERT_EQ(found.size(), 1U) << tolerance << " " << sheet.text();
+    EXPECT_NEAR(found[0].member.parameter, 0.70603264552, 1e-10);
+    EXPECT_EQ(sheet.events({EventType::ellipse}).size(), 1U) << sheet.text();
+    EXPECT_TRUE(sheet.events({EventType::fold_nu, EventType::fold_parameter}).empty())
+        << sheet.text();
+  }
 }
 
 /// In a coefficient and in J3; the ellipse does not know J3, its wobble does.

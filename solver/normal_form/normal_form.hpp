@@ -1,6 +1,7 @@
 // On which side of an event the motions lie that begin there, and how they begin. F(x; p) is the
-// reduced energy of a spin about a material axis, F_i = G_i its gradient in x = ln (xi, zeta, rho),
-// p the family's parameter; v the direction that is singular at the event, K the Hessian across it.
+// reduced energy of a kind of motion in x, the logarithms of the stretches and what else the kind
+// leaves open (isotropic_gradient.hpp, oriented_normal_form.cpp, two_polar_normal_form.cpp), p the
+// family's parameter; v the direction that is singular at the event, K the Hessian across it.
 //
 //   a fold         v unit, K v = 0:  p - p0 = -F_vvv s^2/(2 F_vp),  s the length along v;
 //                  v points where F_vp < 0, and the coefficient is F_vvv
@@ -15,8 +16,8 @@
 //
 //   p - p0 = -a s^2/(6 e),   a = F_vvvv - 3 F_vv. K^-1 F_vv.   the coefficient.
 //
-// Derivatives are Taylor numbers (lib/number/taylor.hpp) over intervals about the event, through
-// the formulas of the balance itself.
+// A family that begins there has that event as its end. Derivatives are Taylor numbers
+// (lib/number/taylor.hpp) over intervals about the event, through the formulas of the balance itself.
 #pragma once
 
 #include <array>
@@ -43,9 +44,25 @@ struct NormalForm {
 };
 
 /// Of the event of this type at a located member of problem's family in a parameter, problem and nu
-/// those at the event; circle: that the family keeps. Nothing where the event is of another type,
-/// the error leaves a sign open, or, at `fold-momentum`, the volume is held.
+/// those at the event; circle: that the family keeps. Nothing where the event is of another type, or
+/// the error leaves a sign open.
 std::optional<NormalForm> normal_form(const Problem& problem, const FamilyParameter& parameter,
                                       Circle circle, EventType type, const Member& member);
+
+/// Likewise of a tilted family in |nu|.
+std::optional<NormalForm> tilted_normal_form(const Body& body, const Potential& potential,
+                                             TiltPlane plane, EventType type, const Member& member);
+
+/// Of an oblique family of a potential that is not isotropic.
+std::optional<NormalForm> oblique_normal_form(const Body& body, const Potential& potential,
+                                              const FamilyParameter& parameter, EventType type,
+                                              const Member& member);
+
+/// Of a two-polar family in what it holds or a number of the problem. Nothing where |pi| turns at
+/// given rates, which no number of the family does there, or where its axis tilts.
+std::optional<NormalForm> two_polar_normal_form(const Body& body, const Potential& potential,
+                                                const TwoPolarMotion& motion,
+                                                const FamilyParameter& parameter, EventType type,
+                                                const Member& member);
 
 }  // namespace stationary

@@ -9,8 +9,8 @@
 
 #include "solver/atlas/atlas.hpp"
 #include "solver/family/anisotropic_family.hpp"
-#include "solver/family/normal_form.hpp"
 #include "solver/motion/oriented_stability.hpp"
+#include "solver/normal_form/normal_form.hpp"
 #include "solver/solve/anisotropic_equilibrium.hpp"
 #include "tests/support/anisotropic_motions.hpp"
 #include "tests/support/atlas_text.hpp"

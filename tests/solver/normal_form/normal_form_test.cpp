@@ -1,6 +1,6 @@
 // Normal forms against closed forms, one of which changes its sign, and against the side at which
 // continuation finds the motions.
-#include "solver/family/normal_form.hpp"
+#include "solver/normal_form/normal_form.hpp"
 
 #include <gtest/gtest.h>
 
