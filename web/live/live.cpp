@@ -6,11 +6,16 @@
 //   {"do": "solve" | "continue", ...}
 //     -> {"code", "messages": [...], "summary", "csv", "metadata", "page": what a page holds of the table}
 //
+//   {"do": "modes", ..., "row": {"q": S of the row, "nu": [...], "rates": [omega, theta'] | null, "s": [[re, im], ...]}}
+//     -> {"code", "modes": for each s {"s", "displacement", "residual"} (mode_shape.hpp), null where s is 0}
+//
 // code is the program's exit code; csv is to the byte what it would have written.
+#include <complex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "solver/program/case/case_file.hpp"
 #include "solver/program/case/case_motion.hpp"
@@ -20,6 +25,7 @@
 #include "solver/program/explore/page_data.hpp"
 #include "solver/program/explore/page_table.hpp"
 #include "solver/program/session/exit_code.hpp"
+#include "solver/solve/mode_shape.hpp"
 
 namespace {
 
@@ -105,6 +111,44 @@ Json computed(Case input, const std::string& what, const std::string& table_name
   return out;
 }
 
+/// How modes of a row of the case's table move the body, S being told in the case's coordinates.
+Json mode_answer(const Case& input, const Json& row) {
+  using Complex = std::complex<double>;
+  const auto q = row.at("q").get<std::vector<double>>();
+  const auto nu = row.at("nu").get<std::vector<double>>();
+  const Stretch at = input.coordinates.computed({q.at(0), q.at(1), q.at(2), q.at(3)});
+  std::vector<Complex> moving;
+  for (const Json& s : row.at("s"))
+    if (const Complex each(s.at(0).get<double>(), s.at(1).get<double>()); each != 0.0)
+      moving.push_back(each);
+  // On the circle a two-polar motion is one of branch (iii).
+  const bool two_polar = !row.at("rates").is_null() && at.xi != at.zeta;
+  const auto rates = two_polar ? row.at("rates").get<std::vector<double>>() : std::vector(2, 0.0);
+  const std::vector<ModeShape> shapes =
+      two_polar ? mode_shapes(input.body, input.potential, at,
+                              TwoPolarRates<double>{rates.at(0), rates.at(1)}, moving)
+                : mode_shapes(input.body, input.potential, at,
+                              Vector3<double>(nu.at(0), nu.at(1), nu.at(2)), moving);
+  const auto pair = [](const Complex& z) { return Json::array({z.real(), z.imag()}); };
+  Json out{{"code", 0}, {"modes", Json::array()}};
+  std::size_t next = 0;
+  for (const Json& s : row.at("s")) {
+    if (next == shapes.size() || pair(shapes[next].s) != s) {
+      out["modes"].push_back(nullptr);
+      continue;
+    }
+    const ModeShape& shape = shapes[next++];
+    Json displacement = Json::array();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        displacement.push_back(
+            pair(shape.displacement(i, j) * input.coordinates.unit[static_cast<std::size_t>(j)]));
+    out["modes"].push_back(
+        {{"s", s}, {"displacement", displacement}, {"residual", shape.residual}});
+  }
+  return out;
+}
+
 Json answered(const Json& request) {
   std::vector<Override> overrides;
   for (const Json& each : request.at("set")) overrides.push_back({each.get<std::string>()});
@@ -112,6 +156,7 @@ Json answered(const Json& request) {
   const Case input =
       make_case(CaseTree::parse(request.at("case").get<std::string>(), file), overrides);
   const std::string what = request.at("do").get<std::string>();
+  if (what == "modes") return mode_answer(input, request.at("row"));
   return what == "read" ? described(input) : computed(input, what, "live.csv");
 }
 

@@ -4,7 +4,8 @@ import { bodyOf, inWords, type Body } from './body';
 import { circle, head, shaft, sphere, square, type Mesh } from './body_meshes';
 import { fragmentShader, vertexShader } from './body_shaders';
 import { byId, element, fitCanvas, styleValue } from './dom';
-import { aboutThird, applied, diagonal, identity, inverse, norm, product, scaled, transposed, unit, upright, type Matrix, type Vector } from './matrix';
+import { displacement, growthTime, modeTime, type MovingMode } from './modes';
+import { aboutThird, applied, diagonal, identity, inverse, norm, product, sum, scaled, transposed, unit, upright, type Matrix, type Vector } from './matrix';
 import { shown } from './quantities';
 import type { Table } from './table';
 
@@ -37,6 +38,9 @@ export class BodyView {
   /** Units of time in a second of the page. */
   private pace = 1;
   private asMass = false;
+  private mode: MovingMode | null = null;
+  private modeClock = 0;
+  modeRuns = false;
   private queued = false;
 
   constructor() {
@@ -58,6 +62,26 @@ export class BodyView {
     this.queue();
   }
 
+  /** Beside the motion of the row; null: none. It runs at once, unless less motion is asked for. */
+  showMode(mode: MovingMode | null): void {
+    this.mode = mode;
+    this.modeRuns = mode !== null && !matchMedia('(prefers-reduced-motion: reduce)').matches;
+    // One that grows is first seen at all of its size where it stands.
+    const growth = mode ? growthTime(mode) : Infinity;
+    this.modeClock = mode && mode.re > 0 && !this.modeRuns ? 0.999 * growth : 0;
+    this.last = null;
+    if (this.gl && this.body) byId('body-note').textContent = this.caption(this.body);
+    this.queue();
+  }
+
+  /** Whether it runs, then. */
+  runMode(runs: boolean): boolean {
+    this.modeRuns = runs && this.mode !== null;
+    this.last = null;
+    this.queue();
+    return this.modeRuns;
+  }
+
   /** For the dark, and after other sizes. */
   redraw(): void {
     this.queue();
@@ -65,8 +89,18 @@ export class BodyView {
 
   private caption(body: Body): string {
     const [lambda, mu, rho] = body.stretches.map((each) => shown(Number(each.toPrecision(5))));
-    const time = this.pace === 1 ? '1 s is a unit of time' : `1 s is ${shown(this.pace)} units of time`;
-    return `λ ${lambda}, μ ${mu}, ϱ ${rho}` + (body.turning === 0 && body.flow === 0 ? ', at rest' : `; ${time}`);
+    const pace = this.shownPace();
+    const time = pace === 1 ? '1 s is a unit of time' : `1 s is ${shown(pace)} units of time`;
+    const moves = body.turning !== 0 || body.flow !== 0;
+    return `λ ${lambda}, μ ${mu}, ϱ ${rho}` + (moves ? '' : ', at rest') + (moves || this.mode ? `; ${time}` : '');
+  }
+
+  /** Units of time in a second: with a mode, those in which a period takes two to five. */
+  private shownPace(): number {
+    if (!this.mode) return this.pace;
+    const wanted = modeTime(this.mode) / 2;
+    const ten = 10 ** Math.floor(Math.log10(wanted));
+    return ten * (wanted >= 5 * ten ? 5 : wanted >= 2 * ten ? 2 : 1);
   }
 
   private prepare(gl: WebGL2RenderingContext): BodyView['meshes'] {
@@ -149,8 +183,13 @@ export class BodyView {
     this.queued = true;
     requestAnimationFrame((now) => {
       this.queued = false;
-      const moves = this.running && this.body !== null && (this.body.turning !== 0 || this.body.flow !== 0) && !document.hidden;
-      if (moves && this.last !== null) this.clock += (this.pace * Math.min(now - this.last, 100)) / 1000;
+      const turns = this.running && this.body !== null && (this.body.turning !== 0 || this.body.flow !== 0);
+      const moves = (turns || this.modeRuns) && !document.hidden;
+      if (moves && this.last !== null) {
+        const step = (this.shownPace() * Math.min(now - this.last, 100)) / 1000;
+        if (turns) this.clock += step;
+        if (this.modeRuns) this.modeClock += step;
+      }
       this.last = moves ? now : null;
       this.draw();
       if (moves) this.queue();
@@ -169,8 +208,9 @@ export class BodyView {
     const reference: Vector = this.asMass && body.reference ? body.reference : [1, 1, 1];
     const rest = diagonal(...reference);
     const turned = product(aboutThird(body.turning * this.clock), upright(body.axis));
-    const deformed = product(body.S, rest);
-    const extent = Math.max(...body.axes.map((axis) => norm(applied(transposed(deformed), axis))), 1e-9);
+    const extent = Math.max(...body.axes.map((axis) => norm(applied(transposed(product(body.S, rest)), axis))), 1e-9);
+    const moved = this.mode ? sum(body.S, displacement(this.mode, this.modeClock)) : body.S;
+    const deformed = product(moved, rest);
     const scale = 1 / extent;
     const shape = product(turned, matrixScaled(deformed, scale));
 
@@ -197,10 +237,12 @@ export class BodyView {
     if (byId<HTMLInputElement>('show-axes').checked) {
       const names = ['λ', 'μ', 'ϱ'];
       body.axes.forEach((axis, k) => {
-        const reach = scale * norm(applied(transposed(deformed), axis));
-        const tip = this.drawArrow(gl, applied(turned, axis), reach + 0.24, 0.016, colourOf(`--axis-${k + 1}`));
+        // What lay along the axis, where a mode has moved it.
+        const along = unit(applied(moved, axis));
+        const reach = scale * norm(applied(transposed(deformed), along));
+        const tip = this.drawArrow(gl, applied(turned, along), reach + 0.24, 0.016, colourOf(`--axis-${k + 1}`));
         this.label(names[k], tip, camera, width, height, `axis-${k + 1}`);
-        this.drawArrow(gl, applied(turned, scaled(axis, -1)), reach + 0.1, 0.016, colourOf(`--axis-${k + 1}`), false);
+        this.drawArrow(gl, applied(turned, scaled(along, -1)), reach + 0.1, 0.016, colourOf(`--axis-${k + 1}`), false);
       });
     }
     if (byId<HTMLInputElement>('show-momentum').checked && norm(body.momentum) > 0) {

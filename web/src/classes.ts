@@ -27,7 +27,7 @@ export function isEnd(event: string): boolean {
   return ['limit', 'collapse', 'escape', 'domain', 'closed'].includes(event);
 }
 
-type Shape = 'disc' | 'ring' | 'square' | 'box' | 'triangle' | 'wedge' | 'diamond' | 'rhomb' | 'star' | 'cross';
+type Shape = 'disc' | 'ring' | 'square' | 'box' | 'triangle' | 'wedge' | 'diamond' | 'rhomb' | 'star' | 'cross' | 'plus';
 
 const shapes: Record<string, Shape> = {
   'fold-nu': 'disc',
@@ -43,6 +43,7 @@ const shapes: Record<string, Shape> = {
   shear: 'rhomb',
   'inertia-exchange': 'star',
   'real-collision': 'cross',
+  'zero-momentum': 'plus',
   turn: 'disc',
   cusp: 'triangle',
   double: 'star',
@@ -86,13 +87,18 @@ export function drawEvent(context: CanvasRenderingContext2D, event: string, x: n
     context.lineTo(x + r, y + r);
     context.moveTo(x - r, y + r);
     context.lineTo(x + r, y - r);
+  } else if (shape === 'plus') {
+    context.moveTo(x - 1.3 * r, y);
+    context.lineTo(x + 1.3 * r, y);
+    context.moveTo(x, y - 1.3 * r);
+    context.lineTo(x, y + 1.3 * r);
   } else if (shape === 'disc' || shape === 'ring') {
     context.arc(x, y, r, 0, 2 * Math.PI);
   } else {
     outline(shape, r).forEach(([dx, dy], k) => (k === 0 ? context.moveTo(x + dx, y + dy) : context.lineTo(x + dx, y + dy)));
     context.closePath();
   }
-  if (shape !== 'cross') {
+  if (shape !== 'cross' && shape !== 'plus') {
     context.fillStyle = filled.includes(shape) ? ink : paper;
     context.fill();
   }

@@ -1,13 +1,15 @@
 // What the page asks its solver, and what it is told (web/live/live.cpp).
 
 export interface Request {
-  do: 'read' | 'solve' | 'continue';
+  do: 'read' | 'solve' | 'continue' | 'modes';
   /** Of the case, for messages. */
   name: string;
   /** TOML. */
   case: string;
   /** As after --set: key=value. */
   set: string[];
+  /** Whose modes: S, nu, of a two-polar motion omega and theta', and s of each mode as [re, im]. */
+  row?: { q: number[]; nu: number[]; rates: number[] | null; s: [number, number][] };
 }
 
 export interface Described {
@@ -30,6 +32,13 @@ export interface Computed {
   metadata?: string;
   /** The table as a page holds it, JSON; null: there is none. */
   page?: string | null;
+}
+
+export interface ModeAnswer {
+  code: number;
+  messages?: string[];
+  /** Of each s: D row by row, as [re, im] (solver/solve/mode_shape.hpp); null where s is 0. */
+  modes?: ({ s: [number, number]; displacement: [number, number][]; residual: number } | null)[];
 }
 
 /** To the worker: the solver once, then requests. */

@@ -14,11 +14,15 @@ export class LiveSolver {
 
   private constructor(private readonly module: WebAssembly.Module) {}
 
-  /** Null where the page carries none. Throws where the browser has no WebAssembly, or an old one. */
-  static async unpacked(base64: string): Promise<LiveSolver | null> {
-    if (base64.trim() === '') return null;
+  /** Throws where the browser has no WebAssembly, or an old one. */
+  static async unpacked(base64: string): Promise<LiveSolver> {
     if (typeof WebAssembly !== 'object') throw new Error('this browser has no WebAssembly, or has it switched off');
     return new LiveSolver(await WebAssembly.compile(await unpackedBytes(base64)));
+  }
+
+  /** The same code in a worker of its own, so that neither waits for the other. */
+  another(): LiveSolver {
+    return new LiveSolver(this.module);
   }
 
   get busy(): boolean {

@@ -9,6 +9,8 @@ import { showLegend } from './legend';
 import { LivePanel, type LiveCase } from './live_panel';
 import { LiveSolver } from './live_solver';
 import { unpack, type Payload, type PayloadTable } from './payload';
+import { Modes } from './modes';
+import { showProvenClasses } from './proven_classes';
 import { meaning, shown } from './quantities';
 import { listenToCopying, rowName, showRow } from './row_panel';
 import { showSpectrum } from './spectrum';
@@ -16,17 +18,22 @@ import { available, colourings, firstState, fromFragment, mapQuantities, prefers
 import { Table } from './table';
 import { caseAsToml, rowAsToml } from './toml';
 
+/** Unpacks it when it is first asked for. */
+type SolverSource = () => Promise<LiveSolver>;
+
 class Page {
   private readonly tables: Table[];
   private state: State;
   private readonly diagram: Diagram;
   private readonly body = new BodyView();
+  private readonly modes: Modes;
   private heat: HeatMap | null = null;
   /** Where the table that was computed here is; null: nothing was. */
   private live: number | null;
 
-  /** computed: the one table was computed here. */
-  constructor(tables: readonly PayloadTable[], computed = false) {
+  /** solver: the one this page carries; null: none. computed: the one table was computed here. */
+  constructor(tables: readonly PayloadTable[], solver: SolverSource | null, computed = false) {
+    this.modes = new Modes(this.body, solver);
     this.live = computed ? 0 : null;
     this.tables = tables.map((each) => new Table(each));
     this.state = fromFragment(location.hash, this.tables);
@@ -151,6 +158,7 @@ class Page {
     byId('y-name').textContent = table.kind === 'map' ? 'Colour shows' : 'Vertical';
     byId('y-part').hidden = table.kind === 'events';
     fill(byId('colour'), colourings.map((id) => ({ id, label: id })), state.colour);
+    showProvenClasses(table);
     showEvents(table, state.row, (row) => this.choose(row));
     this.showAxes();
     this.showChosen(false);
@@ -211,7 +219,8 @@ class Page {
   private showChosen(aloud: boolean): void {
     const { table, state } = this;
     this.body.show(table, state.row);
-    showSpectrum(table, state.row);
+    showSpectrum(table, state.row, (mode) => this.modes.choose(mode));
+    this.modes.show(table, state.row);
     showRow(table, state.row);
     markEvent(state.row);
     const sentence = state.row === null ? '' : this.sentence(state.row);
@@ -341,10 +350,9 @@ class Page {
 }
 
 /** The panel that computes, of a page that carries the solver; opened by a person, or by a page of a case. */
-function prepareLive(payload: Payload, page: Page | null): void {
-  const packed = byId('solver').textContent ?? '';
+function prepareLive(payload: Payload, page: Page | null, solver: SolverSource | null): void {
   const about = byId('about-live');
-  const carries = packed.trim() !== '';
+  const carries = solver !== null;
   about.textContent = carries
     ? `This page computes, too: it carries the solver of stationary ${payload.version}, whose solutions are to the bit the program's.`
     : 'This page carries its tables and no solver: what is shown was computed when it was made.';
@@ -355,13 +363,12 @@ function prepareLive(payload: Payload, page: Page | null): void {
   let shownOn = page;
   let panel: Promise<LivePanel> | null = null;
   const prepared = (): Promise<LivePanel> =>
-    (panel ??= LiveSolver.unpacked(packed).then((solver) => {
-      if (!solver) throw new Error('there is none');
-      return new LivePanel(solver, {
+    (panel ??= solver().then((loaded) => {
+      return new LivePanel(loaded, {
         computed: (table) => {
           byId('main').hidden = false;
           if (shownOn) shownOn.showLive(table);
-          else shownOn = new Page([table], true);
+          else shownOn = new Page([table], solver, true);
         },
         near: (parameter, value) => shownOn?.chooseNear(parameter, value),
       });
@@ -395,14 +402,22 @@ function prepareLive(payload: Payload, page: Page | null): void {
   if (payload.case) host.open = true;
 }
 
+function solverSource(): SolverSource | null {
+  const packed = byId('solver').textContent ?? '';
+  if (packed.trim() === '') return null;
+  let loaded: Promise<LiveSolver> | null = null;
+  return () => (loaded ??= LiveSolver.unpacked(packed));
+}
+
 async function start(): Promise<void> {
   try {
     const payload = await unpack(byId('data').textContent ?? '');
     byId('version').textContent = `stationary ${payload.version}`;
     byId('title').textContent = payload.title;
     byId('main').hidden = payload.tables.length === 0;
-    const page = payload.tables.length > 0 ? new Page(payload.tables) : null;
-    prepareLive(payload, page);
+    const solver = solverSource();
+    const page = payload.tables.length > 0 ? new Page(payload.tables, solver) : null;
+    prepareLive(payload, page, solver);
     document.body.dataset['state'] = 'ready';
     performance.mark('ready');
   } catch (error) {

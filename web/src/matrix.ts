@@ -14,6 +14,8 @@ export function unit(v: Vector): Vector {
   return size > 0 ? scaled(v, 1 / size) : [0, 0, 1];
 }
 
+export const sum = (a: Matrix, b: Matrix): Matrix => a.map((each, k) => each + b[k]) as unknown as Matrix;
+
 export function product(a: Matrix, b: Matrix): Matrix {
   const out = [0, 0, 0, 0, 0, 0, 0, 0, 0];
   for (let i = 0; i < 3; ++i) for (let j = 0; j < 3; ++j) for (let k = 0; k < 3; ++k) out[3 * i + j] += a[3 * i + k] * b[3 * k + j];

@@ -37,11 +37,26 @@ export interface MetadataEvent {
   status?: string;
 }
 
+/** Of a complete atlas: what is proven of every motion of a branch at every ν in [from, to]. */
+export interface ProvenInterval {
+  branch: string;
+  from: number;
+  to: number;
+  status: string;
+  /** How many are of each class. */
+  sheets?: { [name: string]: number };
+  /** Why nothing is told, and the events that the listed sheets have there. */
+  reason?: string;
+  events?: string[];
+  beyond?: string;
+}
+
 export interface Metadata {
   /** Of solve: what was found, and what is proven of it. */
   message?: string;
   case?: CaseData;
   events?: MetadataEvent[];
+  classes?: ProvenInterval[];
   skipped?: { what?: string; why?: string }[];
 }
 

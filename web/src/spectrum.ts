@@ -29,7 +29,16 @@ function mark(krein: number | null): string {
   return krein === 1 ? 'plus' : krein === -1 ? 'minus' : 'none';
 }
 
-export function showSpectrum(table: Table, row: number | null): void {
+/** Which mode is animated. */
+export function markMode(number: number | null): void {
+  for (const button of byId('modes').querySelectorAll('button')) button.setAttribute('aria-pressed', String(button.dataset['mode'] === String(number)));
+  select(byId<SVGSVGElement>('spectrum'))
+    .selectAll<SVGPathElement, Root>('.root')
+    .classed('chosen', (each) => each.mode === number);
+}
+
+/** choose: a mode is asked for, to be animated. */
+export function showSpectrum(table: Table, row: number | null, choose: (mode: number) => void): void {
   const svg = select(byId<SVGSVGElement>('spectrum'));
   const found = row === null ? [] : roots(table, row);
   byId('spectrum-none').hidden = found.length > 0;
@@ -51,18 +60,27 @@ export function showSpectrum(table: Table, row: number | null): void {
     .join('path')
     .attr('class', (each) => `root ${mark(each.krein)}${each.re > 0 ? ' growing' : ''}`)
     .attr('d', (each) => (mark(each.krein) === 'none' ? cross : disc))
-    .attr('transform', (each) => `translate(${x(each.re)},${y(each.im)})`);
+    .attr('transform', (each) => `translate(${x(each.re)},${y(each.im)})`)
+    .on('click', (_, each) => choose(each.mode));
   const body = byId('modes');
   body.replaceChildren(
     ...(row === null ? [] : table.modes(row)).map((mode, k) =>
       element(
         'tr',
         {},
-        element('th', { scope: 'row' }, String(k + 1)),
+        element('th', { scope: 'row' }, animating(k + 1, mode, choose)),
         element('td', {}, shown(mode.re)),
         element('td', {}, shown(mode.im)),
         element('td', {}, mode.krein === null ? 'not certain' : mode.krein > 0 ? '+1' : mode.krein < 0 ? '−1' : '0'),
       ),
     ),
   );
+}
+
+/** One that stands still, a symmetry's, has nothing to show. */
+function animating(number: number, { re, im }: { re: number; im: number }, choose: (mode: number) => void): HTMLElement {
+  const button = element('button', { type: 'button', 'data-mode': String(number), 'aria-pressed': 'false', 'aria-label': `Mode ${number}: animate` }, String(number));
+  button.disabled = re === 0 && im === 0;
+  button.addEventListener('click', () => choose(number));
+  return button;
 }
