@@ -40,7 +40,7 @@ mpi_packages=(libopenmpi-dev openmpi-bin)
 # The documentation, Debian packages with what looks them over, the page of `explore` and a browser for it.
 all_packages=(
   python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian nodejs npm chromium
-  clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc # the solver of pages
+  clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc binaryen # the solver of pages
 )
 [[ $verb != all ]] || packages+=("${all_packages[@]}")
 

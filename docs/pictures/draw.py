@@ -84,6 +84,10 @@ SKETCHES = {
                   + text(52, 98, "+") + text(52, 46, "−"),
     "real-collision": plane() + path("M230 80 L138 80", RED) + arrow(204, 80, 198, 80) + arrow(164, 80, 170, 80)
                       + path("M184 80 C184 60 184 50 190 34", RED) + path("M184 80 C184 100 184 110 190 126", RED) + dot(184, 80),
+    "zero-momentum": (axes("s₃", "ω") + path("M135 140 L135 20", GREY + ' stroke-dasharray="2 4"')
+                      + path("M40 118 C90 110 120 90 135 78", BLUE)
+                      + path("M135 78 C150 66 190 46 230 40", BLUE.replace("/>", "") + ' stroke-dasharray="2 4"') + dot(135, 78)
+                      + text(80, 84, "+") + text(190, 84, "−")),
     "unexplained": axes(up="negative") + path("M40 110 L135 110 L135 60 L230 60", BLUE) + text(135, 48, "?") + dot(135, 85),
     "collapse": axes() + path("M40 60 C140 64 190 90 205 136", BLUE) + dot(205, 138),
     "escape": axes() + path("M40 116 C140 112 196 90 206 20", BLUE) + path("M212 18 L212 140", GREY + ' stroke-dasharray="2 4"'),

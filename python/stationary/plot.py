@@ -35,6 +35,7 @@ _EVENTS: dict[str, tuple[str, bool]] = {
     "hamiltonian-hopf": ("v", True),
     "escape": ("^", False),
     "real-collision": ("^", True),
+    "zero-momentum": ("P", False),
     "collapse": ("p", True),
     "domain": ("p", False),
 }

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "lib/balance/anisotropic_balance.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/atlas/sheet_source.hpp"
 #include "solver/family/anisotropic_family.hpp"
 #include "solver/family/branch_switch.hpp"
@@ -18,7 +19,7 @@ constexpr double right_angle = 0.5 * std::numbers::pi;
 /// Of S and its mirror image, alpha and the axis' angle reversed, that with alpha > 0; alpha = 0 to
 /// rounding: exactly.
 Place mirrored_upwards(const Place& at) {
-  const double a = std::log(shear_coordinate(at.q));
+  const double a = log(shear_coordinate(at.q));
   Place out = at;
   if (std::abs(a) < same_place) {
     out.q.alpha = 0.0;
@@ -103,7 +104,7 @@ class ObliqueSheets final : public SheetSource {
     return cover_oriented({body_, potential_, Branch::i}, true, from, to, options, classes);
   }
   std::optional<StabilityClass> proven_class(const Equilibrium& at, Inputs inputs) const override {
-    const ObliqueRotation motion{std::hypot(at.nu[0], at.nu[1])};
+    const ObliqueRotation motion{hypotenuse(at.nu[0], at.nu[1])};
     const Certificate proof = certify_oblique(body_, potential_, motion, at, inputs);
     if (!proof.proven) return std::nullopt;
     return enclose_oblique_spectrum(body_, potential_, motion, proof, {}, inputs).verdict;

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "lib/matrix/elementwise.hpp"
+
 namespace stationary {
 namespace {
 
@@ -44,7 +46,7 @@ std::optional<Member> between(const Family<N>& family, Member a, Member b, doubl
   if (a.angular_velocity.dot(b.angular_velocity) < 0.0) b.angular_velocity *= -1.0;
   const double u = (nu - a.nu) / (b.nu - a.nu);
   const ReducedVector<N> from = family.coordinates_of(a);
-  ReducedVector<N> x = from.array() * (family.coordinates_of(b).array() / from.array()).pow(u);
+  ReducedVector<N> x = from.array() * powers(family.coordinates_of(b).array() / from.array(), u);
   ReducedVector<N> tail;
   const Refined refined = family.refine_at(x, tail, nu);
   if (!refined.converged) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lib/balance/anisotropic_balance.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/continuation/curve.hpp"
 #include "solver/motion/body_circle.hpp"
 #include "solver/proof/event_enclosure.hpp"
@@ -105,14 +106,14 @@ class AxisSheets final : public SheetSource {
 }  // namespace
 
 double distance(const Place& a, const Place& b) {
-  return std::max({std::abs(std::log(a.q.xi / b.q.xi)), std::abs(std::log(a.q.zeta / b.q.zeta)),
-                   std::abs(std::log(a.q.rho / b.q.rho)),
-                   std::abs(std::log(shear_coordinate(a.q) / shear_coordinate(b.q))),
+  return std::max({std::abs(log(a.q.xi / b.q.xi)), std::abs(log(a.q.zeta / b.q.zeta)),
+                   std::abs(log(a.q.rho / b.q.rho)),
+                   std::abs(log(shear_coordinate(a.q) / shear_coordinate(b.q))),
                    std::abs(std::remainder(a.axis - b.axis, pi))});
 }
 
 Place SheetSource::place(const Stretch& q, const Vector3<double>& nu) const {
-  return {q, oblique() ? std::remainder(std::atan2(nu[1], nu[0]), pi) : 0.0};
+  return {q, oblique() ? std::remainder(atan2(nu[1], nu[0]), pi) : 0.0};
 }
 
 std::unique_ptr<SheetSource> axis_sheets(const Problem& problem) {

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/matrix/elementwise.hpp"
 #include "solver/continuation/corrector.hpp"
 #include "solver/family/anisotropic_family.hpp"
 #include "solver/family/follow_sheet.hpp"
@@ -99,7 +100,7 @@ class FollowedLane {
   Arc<N> arc_between(const Row& a, const Row& b) const {
     const Corrector<N> corrector(family_, range_, Circle::none);
     ArcVector<N> chord;
-    chord.template head<N>() = (b.x.array() / a.x.array()).log().matrix();
+    chord.template head<N>() = logarithms(b.x.array() / a.x.array()).matrix();
     chord[N] = (b.p - a.p) / range_;
     const auto ahead = [&](const Row& at) {
       const ArcVector<N> along = corrector.direction_near(at.x, at.p);
@@ -126,7 +127,7 @@ class FollowedLane {
     const double steepness = 1.0 / std::max(arc.direction(u)[N], 1e-3);
     ReducedVector<N> x = near;
     const Refined refined = correct(x, nu, out);
-    const double moved_by = (x.array() / near.array()).log().abs().maxCoeff();
+    const double moved_by = logarithms(x.array() / near.array()).abs().maxCoeff();
     return refined.converged && refined.positive == positive_ &&
            moved_by <= few * curve_tolerance * steepness;
   }

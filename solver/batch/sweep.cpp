@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lib/number/elementary.hpp"
 #include "solver/newton/refine.hpp"
 
 namespace stationary {
@@ -99,13 +100,13 @@ template <class System>
   ReducedVector<N> halfway;
   double move = 0.0;
   for (int i = 0; i < N; ++i) {
-    move = std::max(move, std::abs(std::log(to[i] / from[i])));
+    move = std::max(move, std::abs(log(to[i] / from[i])));
     halfway[i] = std::sqrt(to[i]) * std::sqrt(from[i]);
   }
   ReducedVector<N> x = halfway;
   if (!refine<false>(middle, x).converged) return false;
   for (int i = 0; i < N; ++i)
-    if (!(std::abs(std::log(x[i] / halfway[i])) <= off_middle * move)) return false;
+    if (!(std::abs(log(x[i] / halfway[i])) <= off_middle * move)) return false;
   return true;
 }
 

@@ -35,7 +35,6 @@ struct TermSize {
   }
   [[gnu::always_inline]] friend TermSize log(const TermSize& x) {
     using std::abs;
-    using std::log;
     return TermSize(abs(log(x.value)));
   }
 };

@@ -16,6 +16,8 @@
 #include <string>
 #include <utility>
 
+#include "lib/matrix/elementwise.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/continuation/domain_guard.hpp"
 #include "solver/continuation/ellipse_end.hpp"
 #include "solver/continuation/event_search.hpp"
@@ -227,6 +229,23 @@ class Continuation {
     unlocated_ = events_in_.unresolved();
   }
 
+  /// Those of the step before its end where gap(x) of the stretches is 0, up to a tenth of the way
+  /// from it: there the curve meets another, and its functions vanish or say nothing.
+  template <class Gap>
+  void find_events_before(const Gap& gap, const Attempt& attempt) {
+    const auto f = [&](double u) { return gap(curve_->at(here_.arc, attempt.arc, u).point.x); };
+    std::uintmax_t evaluations = 30;
+    const auto close = [](double low, double high) { return high - low <= 0x1p-20; };
+    const auto [low, high] = boost::math::tools::toms748_solve(
+        f, 0.0, 1.0, gap(here_.arc.x), gap(attempt.corrected.point.x), close, evaluations);
+    const double u = 0.9 * low;
+    const Corrected<N> at = curve_->at(here_.arc, attempt.arc, u);
+    const bool before = (gap(at.point.x) > 0.0) == (gap(here_.arc.x) > 0.0);
+    if (at.status != CorrectorStatus::converged || !before) return;
+    find_events(completed(at.point),
+                Arc<N>(attempt.arc.at(u), here_.arc.tangent, at.point.tangent));
+  }
+
   void settle(const CurvePoint<N>& next, const Attempt& attempt) {
     events_in_.settle();
     earlier_tests_ = here_.tests;
@@ -334,7 +353,7 @@ class Continuation {
     const Corrected<N> corrected = curve_->corrector().correct_at(x, end.parameter, attempt.arc.to);
     if (corrected.status == CorrectorStatus::converged) {
       ArcVector<N> chord;
-      chord.template head<N>() = (x.array() / here_.arc.x.array()).log().matrix();
+      chord.template head<N>() = logarithms(x.array() / here_.arc.x.array()).matrix();
       chord[N] = (end.parameter - here_.arc.p) / curve_->corrector().scale();
       attempt.arc = Arc<N>(chord, here_.arc.tangent, corrected.point.tangent);
       CurvePoint<N> last = completed(corrected.point);
@@ -444,8 +463,9 @@ class Continuation {
   }
 
   void end_at_mirror(const Attempt& attempt, int k) {
-    const double gap = std::log(here_.arc.x[k]);
-    const ArcVector<N> y = attempt.arc.at(gap / (gap - std::log(attempt.corrected.point.x[k])));
+    const double gap = log(here_.arc.x[k]);
+    find_events_before([&](const ReducedVector<N>& x) { return log(x[k]); }, attempt);
+    const ArcVector<N> y = attempt.arc.at(gap / (gap - log(attempt.corrected.point.x[k])));
     const auto at =
         curve_->family().mirror_point(moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())),
                                       here_.arc.p + curve_->corrector().scale() * y[N]);
@@ -460,6 +480,10 @@ class Continuation {
   }
 
   void end_at_circle(const Attempt& attempt, const CurvePoint<N>& next) {
+    const auto [first, second, other] = places(curve_->family().circle());
+    find_events_before(
+        [a = first, b = second](const ReducedVector<N>& x) { return log(x[a] / x[b]); },
+        attempt);
     if (const auto at = curve_->family().circle_point(next.arc.x)) {
       here_.member = *at;
       here_.member.spectrum.reset();

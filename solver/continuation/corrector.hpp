@@ -17,6 +17,8 @@
 #include <limits>
 #include <optional>
 
+#include "lib/matrix/elimination.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/continuation/hermite_arc.hpp"
 #include "solver/continuation/jump_guard.hpp"
 
@@ -161,7 +163,7 @@ class Corrector {
     if constexpr (N < 3) {
       return A.inverse();
     } else {
-      return Eigen::PartialPivLU<Bordered>(A).inverse();
+      return Elimination<N + 1>(A).inverse();
     }
   }
 
@@ -237,7 +239,7 @@ class Corrector {
         point.tail[b] = point.tail[a];
       }
       // Near an asymptote the rounding of p is a move along the curve.
-      for (int i = 0; i < N; ++i) out.correction[i] += std::log1p((x[i] - point.x[i]) / point.x[i]);
+      for (int i = 0; i < N; ++i) out.correction[i] += log1p((x[i] - point.x[i]) / point.x[i]);
       point.x = x;
       point.error_bound = refined.error_bound;
     } else {
@@ -253,7 +255,7 @@ class Corrector {
     if constexpr (N < 3) {
       A.computeInverseAndDetWithCheck(inverse, determinant, invertible, 0.0);
     } else {
-      const Eigen::PartialPivLU<Bordered> lu(A);
+      const Elimination<N + 1> lu(A);
       determinant = lu.determinant();
       invertible = determinant != 0.0;
       inverse = lu.inverse();

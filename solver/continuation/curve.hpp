@@ -2,6 +2,7 @@
 // member computed, the event functions evaluated.
 #pragma once
 
+#include "lib/number/elementary.hpp"
 #include "solver/continuation/corrector.hpp"
 #include "solver/motion/event.hpp"
 
@@ -75,7 +76,7 @@ class Curve {
       const DoubleDouble& exact = found->x[static_cast<std::size_t>(i)];
       x[i] = double(exact);
       tail[i] = double(exact - x[i]);
-      moved = std::max(moved, std::abs(std::log(x[i] / from[i])));
+      moved = std::max(moved, std::abs(log(x[i] / from[i])));
     }
     if (!(moved <= distance)) return std::nullopt;
     const double rounding = 0x1p-53;

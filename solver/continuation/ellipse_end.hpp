@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "lib/number/elementary.hpp"
 #include "solver/continuation/curve.hpp"
 
 namespace stationary {
@@ -21,8 +22,8 @@ std::optional<CurvePoint<N>> circle_within(const Curve<N>& ellipses, const Curve
   const Circle section = ellipses.family().circle();
   const auto [first, second, other] = places(section);
   const Curve<N> circle(ellipses.family(), scale, section);
-  const double gap = std::log(from.arc.x[first] / from.arc.x[second]);
-  const double u = gap / (gap - std::log(to.arc.x[first] / to.arc.x[second]));
+  const double gap = log(from.arc.x[first] / from.arc.x[second]);
+  const double u = gap / (gap - log(to.arc.x[first] / to.arc.x[second]));
   const ArcVector<N> y = arc.at(u);
   ReducedVector<N> x = moved<N>(from.arc.x, ReducedVector<N>(y.template head<N>()));
   x[first] = x[second] = std::sqrt(x[first] * x[second]);

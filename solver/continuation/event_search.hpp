@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/number/elementary.hpp"
 #include "solver/continuation/curve.hpp"
 
 namespace stationary {
@@ -72,6 +73,8 @@ class EventSearch {
       if (!compare_ends(k)) continue;
       if (k == TestValues::fold && curve_->family().along_nu()) {
         fold_dip();
+      } else if (k == TestValues::collision && pairs_changed_sides()) {
+        search_dips(k);
       } else if (earlier != nullptr) {
         dip(k, earlier->value[k], earlier_length);
       }
@@ -357,7 +360,7 @@ class EventSearch {
     double out = 0.0;
     for (int i = 0; at.spectrum && i < at.spectrum->modes; ++i) {
       const Mode& mode = at.spectrum->mode[static_cast<std::size_t>(i)];
-      const double size = std::hypot(mode.lambda_re, mode.lambda_im);
+      const double size = hypotenuse(mode.lambda_re, mode.lambda_im);
       if (!mode.forced_zero && size > 0.0) out = std::max(out, mode.lambda_error / size);
     }
     return out;
@@ -385,6 +388,28 @@ class EventSearch {
     if (!may_touch_zero(slope, b)) return;
     constexpr std::size_t k = TestValues::fold;
     search_dip(k, from_->tests.value[k], to_->tests.value[k]);
+  }
+
+  /// Whether two Lambdas of a block that are negative at one end of the step are positive at the other.
+  /// One passes zero only where an event says so; two together went round it, as a complex pair.
+  bool pairs_changed_sides() const {
+    const auto& from = from_->tests.composition;
+    const auto& to = to_->tests.composition;
+    for (std::size_t block = 0; block < from.size(); ++block)
+      if (from[block][0] == to[block][0] && std::abs(from[block][1] - to[block][1]) >= 2)
+        return true;
+    return false;
+  }
+  /// Where the step is looked at in between.
+  void search_dips(std::size_t k) {
+    constexpr int parts = 32;
+    Sample last{0.0, from_->tests.value[k]};
+    for (int part = 1; part <= parts; ++part) {
+      Sample next{double(part) / parts, to_->tests.value[k]};
+      if (part < parts) next.value = value(k, next.u, last.value);
+      if ((next.value < 0.0) != (last.value < 0.0)) locate(k, last, next);
+      last = next;
+    }
   }
 
   /// a + u (slope + u curvature), 0 <= u <= 1

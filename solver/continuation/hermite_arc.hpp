@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/number/elementary.hpp"
 #include "solver/motion/family.hpp"
 
 namespace stationary {
@@ -41,7 +42,7 @@ struct Arc {
   Arc(const ArcVector<N>& between, const ArcVector<N>& t0, const ArcVector<N>& t1)
       : chord(between), from(t0), to(t1) {
     const double half = 0.5 * angle(t0, t1);
-    length = chord.norm() * (half > 1e-4 ? half / std::sin(half) : 1.0 + half * half / 6.0);
+    length = chord.norm() * (half > 1e-4 ? half / sin(half) : 1.0 + half * half / 6.0);
   }
 
   /// y(u) - y(0), u = 0 ... 1 and, extrapolating, beyond.
@@ -57,7 +58,7 @@ struct Arc {
   }
 
   static double angle(const ArcVector<N>& a, const ArcVector<N>& b) {
-    return 2.0 * std::asin(std::min(1.0, 0.5 * (a - b).norm()));  // accurate where small
+    return 2.0 * asin(std::min(1.0, 0.5 * (a - b).norm()));  // accurate where small
   }
 };
 

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "lib/body/circle.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/continuation/jump_guard.hpp"
 #include "solver/newton/refine.hpp"
 
@@ -192,7 +193,7 @@ class RestWalk {
     if (!orient(next, here_.tangent) || !same_sheet(here_.positive, next.positive)) return false;
     if (!stays_inside(system_, here_.x, next.x)) return false;
     const double cosine = std::clamp(next.tangent.dot(here_.tangent), -1.0, 1.0);
-    *angle = std::acos(cosine);
+    *angle = acos(cosine);
     return *angle <= options_.max_angle;
   }
 

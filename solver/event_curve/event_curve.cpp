@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/matrix/elementwise.hpp"
 #include "solver/continuation/continuation.hpp"
 #include "solver/continuation/curve_start.hpp"
 #include "solver/event_curve/event_curve_family.hpp"
@@ -244,7 +245,7 @@ class Follower {
       if (!walk.step()) break;
       ArcPoint<N> next = walk.point().arc;
       ArcVector<N> chord;
-      chord.head<N>() = (next.x.array() / here.x.array()).log().matrix();
+      chord.head<N>() = logarithms(next.x.array() / here.x.array()).matrix();
       chord[N] = (next.p - here.p) / curve_.corrector().scale();
       Arc<N> arc(chord, here.tangent, next.tangent);
       bool at_limit = false;
@@ -252,7 +253,7 @@ class Follower {
         const auto limit = at_first_limit(here, arc);
         if (!limit) return {EventType::stalled, "the end of the range was not reached"};
         next = *limit;
-        chord.head<N>() = (next.x.array() / here.x.array()).log().matrix();
+        chord.head<N>() = logarithms(next.x.array() / here.x.array()).matrix();
         chord[N] = (next.p - here.p) / curve_.corrector().scale();
         arc = Arc<N>(chord, here.tangent, next.tangent);
         at_limit = true;

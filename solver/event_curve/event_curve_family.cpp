@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/number/elementary.hpp"
 #include "solver/event_curve/oriented_event_equations.hpp"
 #include "solver/family/coefficient_slope.hpp"
 #include "solver/family/oriented_events.hpp"
@@ -123,7 +124,7 @@ Refined EventCurveFamily::refine_at(X& x, X& tail, double p) const {
     const DoubleDouble exact = sign_[i] * root->y[k];
     const double rounded = double(exact);
     if (!(rounded > 0.0)) return Refined{};  // another root, across a zero
-    out.first_correction = std::max(out.first_correction, std::abs(std::log(rounded / x[i])));
+    out.first_correction = std::max(out.first_correction, std::abs(log(rounded / x[i])));
     if (i < first) out.error_bound = std::max(out.error_bound, root->error[k]);
     x[i] = rounded;
     tail[i] = double(exact - DoubleDouble(rounded));

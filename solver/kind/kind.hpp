@@ -13,7 +13,7 @@
 #include "lib/body/motion.hpp"
 #include "lib/material/potential.hpp"
 #include "solver/family/follow_sheet.hpp"
-#include "solver/family/normal_form.hpp"
+#include "solver/normal_form/normal_form.hpp"
 #include "solver/proof/event_enclosure.hpp"
 #include "solver/search/search.hpp"
 #include "solver/solve/solve.hpp"

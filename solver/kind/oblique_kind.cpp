@@ -55,6 +55,10 @@ class ObliqueKind final : public Kind {
                           {.nu = motion_.nu, .parameter = parameter, .spectrum = outputs.spectrum},
                           motion_.near.value_or(Branch::i));
   }
+  std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
+                                        const Member& member) const override {
+    return oblique_normal_form(body(), potential(), parameter, event, member);
+  }
 
  private:
   ObliqueRotation motion_;

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "lib/number/elementary.hpp"
 #include "solver/kind/spatial_boxes.hpp"
 #include "solver/kind/spatial_certificate.hpp"
 #include "solver/search/search_run.hpp"
@@ -108,10 +109,10 @@ class SpatialSolve : FamilySolve {
       return out_;
     }
     if (all.solutions.empty()) return out_;
-    const double unit = std::cbrt(*potential_.volume());
+    const double unit = cube_root(*potential_.volume());
     const auto far = [unit](const Equilibrium& at) {
-      return std::max({std::abs(std::log(at.q.xi / unit)), std::abs(std::log(at.q.zeta / unit)),
-                       std::abs(std::log(at.q.rho / unit))});
+      return std::max({std::abs(log(at.q.xi / unit)), std::abs(log(at.q.zeta / unit)),
+                       std::abs(log(at.q.rho / unit))});
     };
     const Counts counts = out_.counts;
     out_ = *std::ranges::min_element(all.solutions, {}, far);

@@ -68,6 +68,10 @@ class TiltedKind final : public Kind {
                                               const Member& member) const override {
     return enclose_tilted_event(body(), potential(), motion_.plane, event, member);
   }
+  std::optional<NormalForm> normal_form(const FamilyParameter&, EventType event,
+                                        const Member& member) const override {
+    return tilted_normal_form(body(), potential(), motion_.plane, event, member);
+  }
 
  private:
   TiltedRotation motion_;

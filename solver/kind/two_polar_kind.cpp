@@ -72,6 +72,10 @@ class TwoPolarKind final : public Kind {
                                               const Member& member) const override {
     return enclose_two_polar_event(body(), potential(), motion_, parameter, event, member);
   }
+  std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
+                                        const Member& member) const override {
+    return two_polar_normal_form(body(), potential(), motion_, parameter, event, member);
+  }
 
  private:
   TwoPolarMotion motion_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/number/elementary.hpp"
 #include "solver/motion/varied_balance.hpp"
 
 namespace stationary {
@@ -66,7 +67,7 @@ bool is_symmetric(const Potential& potential, const FamilyParameter& parameter,
                   const CirclePlaces& at) {
   const BodyModel<>* body = potential.body_model();
   const bool held = body != nullptr && body->volume;
-  const double unit = held ? std::cbrt(*body->volume) : 1.0;
+  const double unit = held ? cube_root(*body->volume) : 1.0;
   int defined = 0;
   for (const double factor : {1.0, 1.375}) {
     const Elastic V(potential, parameter, factor);

@@ -17,6 +17,7 @@
 //   hamiltonian-hopf   two imaginary pairs of one block meet and leave the axis
 //   real-collision     two real pairs of one block do
 //   krein-pass         imaginary pairs of opposite signature, of two blocks, meet and pass
+//   zero-momentum      two-polar: s3 = 0; the wobble's signature changes, and the count by two
 //   unexplained        the count of negative directions changes and none of these accounts for it
 //   collapse escape domain limit closed stalled   ends of a sheet: d or rho -> 0; a stretch ->
 //                      infinity; where the potential ceases to be defined; the range asked for;
@@ -52,6 +53,7 @@ enum class EventType : std::uint8_t {
   fold_parameter,
   ellipse_23,
   ellipse_13,
+  zero_momentum,
   unexplained,
   collapse,
   escape,
@@ -74,6 +76,7 @@ constexpr std::string_view event_names[] = {"",
                                             "fold-parameter",
                                             "ellipse-23",
                                             "ellipse-13",
+                                            "zero-momentum",
                                             "unexplained",
                                             "collapse",
                                             "escape",
@@ -141,11 +144,12 @@ struct TestValues {
   static constexpr std::size_t inertia_13 = 3;
   static constexpr std::size_t inertia_23 = 4;
   static constexpr std::size_t ellipse = 5;
-  static constexpr std::size_t turn = 6;       ///< in the plane: oblique, shear
-  static constexpr std::size_t collision = 7;  ///< ((Lambda_1 - Lambda_2)/2)^2, < 0 of a quadruple
-  static constexpr std::size_t tilt_in_plane = 8;  ///< shares of nu^2, of a tilted family
-  static constexpr std::size_t tilt_normal = 9;
-  static constexpr std::size_t crossings = 10;  ///< Lambda_1 - Lambda_2 of two blocks
+  static constexpr std::size_t turn = 6;           ///< in the plane: oblique, shear
+  static constexpr std::size_t zero_momentum = 7;  ///< the momentum about the axis, two-polar
+  static constexpr std::size_t collision = 8;  ///< ((Lambda_1 - Lambda_2)/2)^2, < 0 of a quadruple
+  static constexpr std::size_t tilt_in_plane = 9;  ///< shares of nu^2, of a tilted family
+  static constexpr std::size_t tilt_normal = 10;
+  static constexpr std::size_t crossings = 11;  ///< Lambda_1 - Lambda_2 of two blocks
   static constexpr std::size_t count = crossings + 10;
 
   std::array<double, count> value;

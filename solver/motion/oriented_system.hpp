@@ -15,8 +15,8 @@
 #include <optional>
 
 #include "lib/balance/anisotropic_balance.hpp"
+#include "lib/matrix/small_matrix.hpp"
 #include "lib/number/dual.hpp"
-#include "lib/number/small_matrix.hpp"
 #include "solver/newton/reduced_system.hpp"
 
 namespace stationary {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/balance/tilted_balance.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/newton/reduced_system.hpp"
 
 namespace stationary {
@@ -59,7 +60,7 @@ struct TiltedSystem {
         const double size =
             magnitude_of(all, c.xi * at[0] * at[0], c.zeta * at[1] * at[1], 0.0, false);
         return {held_in_plane<2>(tied_to_plane<2>(all, plane), plane,
-                                 std::log(x[0] * x[1] * rho / *model.volume), model.stiffness),
+                                 log(x[0] * x[1] * rho / *model.volume), model.stiffness),
                 4.0 * (size + model.stiffness)};
       }
     }

@@ -2,6 +2,9 @@
 
 #include <ceres/ceres.h>
 
+#include "lib/matrix/elementwise.hpp"
+#include "lib/number/elementary.hpp"
+
 namespace stationary {
 namespace {
 
@@ -13,7 +16,6 @@ struct Residual {
 
   template <class T>
   bool operator()(const T* const log_x, T* out) const {
-    using std::exp;
     std::array<T, N> x;
     for (std::size_t i = 0; i < N; ++i) x[i] = exp(log_x[i]);
     const auto g = system.residual(x);
@@ -32,7 +34,7 @@ std::string version_of_ceres() { return CERES_VERSION_STRING; }
 template <class System>
 CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>& x, int threads) {
   constexpr int N = System::dimension;
-  Eigen::Matrix<double, N, 1> log_x = x.array().log();
+  Eigen::Matrix<double, N, 1> log_x = logarithms(x.array());
   ceres::Problem problem;
   problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Residual<System>, N, N>(
                                new Residual<System>{system, 1.0 / system.linearize(x).magnitude}),
@@ -57,7 +59,7 @@ CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>&
   out.residuals = summary.num_residual_evaluations;
   out.jacobians = summary.num_jacobian_evaluations;
   out.report = summary.BriefReport();
-  const ReducedVector<N> found = log_x.array().exp();
+  const ReducedVector<N> found = exponentials(log_x.array());
   out.usable = found.allFinite() && found.minCoeff() > 0.0 && summary.IsSolutionUsable();
   if (out.usable) x = found;
   return out;

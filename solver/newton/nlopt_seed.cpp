@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlopt.hpp>
 
+#include "lib/matrix/elementwise.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/newton/seed_selection.hpp"
 
 namespace stationary {
@@ -20,7 +22,7 @@ struct Recorder {
     if (recorder.stop != nullptr && recorder.stop->load(std::memory_order_relaxed))
       recorder.optimizer->force_stop();
     const ReducedVector<N> point = Eigen::Map<const ReducedVector<N>>(log_x.data());
-    const double f = recorder.objective(point.array().exp());
+    const double f = recorder.objective(exponentials(point.array()));
     if (!std::isfinite(f)) return std::numeric_limits<double>::max();
     recorder.sampled.emplace_back(f, point);
     return f;
@@ -44,8 +46,8 @@ Seeds<N> nlopt_seeds(const std::function<double(const ReducedVector<N>&)>& objec
   Recorder<N> recorder{objective, options.stop, &optimizer, {}};
   recorder.sampled.reserve(static_cast<std::size_t>(options.evaluations));
   optimizer.set_min_objective(&Recorder<N>::evaluate, &recorder);
-  optimizer.set_lower_bounds(std::log(options.min_stretch));
-  optimizer.set_upper_bounds(std::log(options.max_stretch));
+  optimizer.set_lower_bounds(log(options.min_stretch));
+  optimizer.set_upper_bounds(log(options.max_stretch));
   optimizer.set_maxeval(options.evaluations);
 
   Seeds<N> out;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/number/elementary.hpp"
 #include "solver/newton/ceres_solve.hpp"
 
 namespace stationary {
@@ -36,7 +37,7 @@ CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>&
   double scale = 0.0;
   const auto at = [&](const Vector& log_x) {
     ReducedVector<N> stretches;
-    for (int k = 0; k < N; ++k) stretches[k] = std::exp(log_x[k]);
+    for (int k = 0; k < N; ++k) stretches[k] = exp(log_x[k]);
     const auto linearized = system.linearize(stretches);
     if (scale == 0.0) scale = linearized.magnitude;
     Point point{log_x, {}, {}, 0.0};
@@ -51,7 +52,7 @@ CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>&
   };
 
   Vector start;
-  for (int k = 0; k < N; ++k) start[k] = std::log(x[k]);
+  for (int k = 0; k < N; ++k) start[k] = log(x[k]);
   Point here = at(start);
   out.report = "Levenberg-Marquardt";
   if (!std::isfinite(here.cost)) return out;
@@ -75,8 +76,8 @@ CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>&
     if (std::isfinite(next.cost) && gained > least_decrease) {
       const bool tiny = here.cost - next.cost <= 1e-32 * here.cost;
       here = next;
-      radius = std::min(largest_radius,
-                        radius / std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * gained - 1.0, 3)));
+      radius =
+          std::min(largest_radius, radius / std::max(1.0 / 3.0, 1.0 - pow(2.0 * gained - 1.0, 3)));
       shrink = 2.0;
       if (tiny || here.cost == 0.0) break;
     } else {
@@ -85,7 +86,7 @@ CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>&
     }
   }
   if (!(here.cost <= first_cost)) return out;
-  for (int k = 0; k < N; ++k) x[k] = std::exp(here.log_x[k]);
+  for (int k = 0; k < N; ++k) x[k] = exp(here.log_x[k]);
   out.usable = true;
   return out;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/matrix/elementwise.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/newton/nlopt_seed.hpp"
 #include "solver/newton/seed_selection.hpp"
 
@@ -14,9 +16,9 @@ std::string version_of_nlopt() { return {}; }
 template <int N>
 Seeds<N> nlopt_seeds(const std::function<double(const ReducedVector<N>&)>& objective,
                      const SeedOptions& options) {
-  const int count = static_cast<int>(std::floor(std::pow(options.evaluations, 1.0 / N)));
-  const double from = std::log(options.min_stretch);
-  const double step = std::log(options.max_stretch / options.min_stretch) / count;
+  const int count = static_cast<int>(std::floor(pow(options.evaluations, 1.0 / N)));
+  const double from = log(options.min_stretch);
+  const double step = log(options.max_stretch / options.min_stretch) / count;
   Seeds<N> out;
   std::vector<SampledSeed<N>> sampled;
   std::array<int, N> index{};
@@ -28,7 +30,7 @@ Seeds<N> nlopt_seeds(const std::function<double(const ReducedVector<N>&)>& objec
     ReducedVector<N> log_x;
     for (std::size_t i = 0; i < N; ++i)
       log_x[static_cast<Eigen::Index>(i)] = from + (index[i] + 0.5) * step;
-    const double f = objective(log_x.array().exp());
+    const double f = objective(exponentials(log_x.array()));
     ++out.evaluations;
     if (std::isfinite(f)) sampled.emplace_back(f, log_x);
     for (k = 0; k < N && ++index[k] == count; ++k) index[k] = 0;

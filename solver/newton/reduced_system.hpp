@@ -19,9 +19,10 @@
 #include "lib/material/gravitating/rest_state.hpp"
 #include "lib/material/models/model_coefficients.hpp"
 #include "lib/material/potential.hpp"
+#include "lib/matrix/small_symmetric.hpp"
 #include "lib/number/dual.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/number/first_order_bound_functions.hpp"
-#include "lib/number/small_symmetric.hpp"
 
 namespace stationary {
 
@@ -441,7 +442,6 @@ struct CoupledSystem {
   std::array<S, 3> residual(const std::array<S, 3>& x) const {
     if constexpr (is_body_model<Coupled>) {
       // Value and first derivatives, all that a Jet holds: none go through gravity's own series.
-      using std::log;
       const ReducedVector<3> at(leading(x[0]), leading(x[1]), leading(x[2]));
       const Linearized<3> own = linearize(at);
       std::array<S, 3> out;
@@ -449,7 +449,7 @@ struct CoupledSystem {
         out[i] = S(own.g[static_cast<int>(i)]);
         for (std::size_t k = 0; k < 3; ++k)
           out[i] += own.jacobian(static_cast<int>(i), static_cast<int>(k)) *
-                    (log(x[k]) - std::log(at[static_cast<int>(k)]));
+                    (log(x[k]) - log(at[static_cast<int>(k)]));
       }
       return out;
     } else {
@@ -509,7 +509,7 @@ bool stays_inside(const System& system, const ReducedVector<System::dimension>& 
   if (system_conditions(system, to).empty()) return true;
   for (const double u : {0.25, 0.5, 0.75}) {
     ReducedVector<System::dimension> x;
-    for (int i = 0; i < System::dimension; ++i) x[i] = from[i] * std::pow(to[i] / from[i], u);
+    for (int i = 0; i < System::dimension; ++i) x[i] = from[i] * pow(to[i] / from[i], u);
     if (!std::ranges::all_of(system_conditions(system, x), &ConditionValue::holds)) return false;
   }
   return true;

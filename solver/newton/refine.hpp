@@ -23,6 +23,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/number/elementary.hpp"
 #include "lib/number/first_order_bound.hpp"
 #include "solver/newton/reduced_system.hpp"
 
@@ -43,8 +44,7 @@ ReducedVector<N> moved(const ReducedVector<N>& x, const ReducedVector<N>& delta,
   ReducedVector<N> out;
   for (int i = 0; i < N; ++i) {
     const double d = scale * delta[i];
-    out[i] =
-        std::abs(d) < 0x1p-13 ? x[i] + x[i] * (d + d * d * (0.5 + d / 6.0)) : x[i] * std::exp(d);
+    out[i] = std::abs(d) < 0x1p-13 ? x[i] + x[i] * (d + d * d * (0.5 + d / 6.0)) : x[i] * exp(d);
   }
   return out;
 }

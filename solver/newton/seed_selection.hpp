@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/matrix/elementwise.hpp"
 #include "solver/newton/nlopt_seed.hpp"
 
 namespace stationary {
@@ -27,7 +28,7 @@ std::vector<ReducedVector<N>> select_seeds(std::vector<SampledSeed<N>>& sampled,
     });
     if (apart) kept.push_back(point);
   }
-  for (ReducedVector<N>& each : kept) each = each.array().exp();
+  for (ReducedVector<N>& each : kept) each = exponentials(each.array());
   return kept;
 }
 

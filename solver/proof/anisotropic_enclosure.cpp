@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "lib/number/elementary.hpp"
 #include "lib/stability/leaf_enclosure.hpp"
 #include "solver/newton/refine.hpp"
 #include "solver/proof/certificate.hpp"
@@ -30,7 +31,7 @@ void certify_at(const OrientedBoxSystem<Layout>& system, const Stretch& q,
   x[1] = q.zeta;
   x[Layout::thickness_place] = q.rho;
   if constexpr (Layout::alpha) x[Layout::alpha_place] = shear_coordinate(q);
-  if constexpr (Layout::axis) x[Layout::axis_place] = axis_coordinate(std::atan2(nu[1], nu[0]));
+  if constexpr (Layout::axis) x[Layout::axis_place] = axis_coordinate(atan2(nu[1], nu[0]));
   const Krawczyk test(system, x);
   const auto proof = test.prove();
   if (!proof.proven) {

@@ -10,8 +10,8 @@
 
 #include "lib/balance/balance.hpp"
 #include "lib/material/models/model_coefficients.hpp"
+#include "lib/matrix/small_matrix.hpp"
 #include "lib/number/interval.hpp"
-#include "lib/number/small_matrix.hpp"
 #include "lib/stability/linearization.hpp"
 #include "solver/newton/reduced_system.hpp"
 #include "solver/proof/term_bounds.hpp"

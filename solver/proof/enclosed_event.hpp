@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/matrix/elementwise.hpp"
 #include "lib/number/dual.hpp"
 #include "solver/proof/event_enclosure.hpp"
 #include "solver/proof/krawczyk.hpp"
@@ -56,7 +57,7 @@ bool polish_event(const System& system, ReducedVector<System::dimension>& y) {
     const double size = step.cwiseAbs().maxCoeff();
     if (!std::isfinite(size) || size > 0.1) return false;
     if (size >= before) return true;  // at rounding
-    y = (y.array() * step.array().exp()).matrix();
+    y = (y.array() * exponentials(step.array())).matrix();
     if (size < 1e-15) return true;
     before = size < 1e-10 ? size : std::numeric_limits<double>::infinity();
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/number/elementary.hpp"
 #include "solver/proof/event_enclosure.hpp"
 
 namespace stationary {
@@ -82,7 +83,7 @@ bool is_near(const ExtendedRoot<all>& found, const Member& located) {
   constexpr double near = 1e-3;
   const double x[3] = {located.q.xi, located.q.zeta, located.q.rho};
   for (std::size_t i = 0; i < 3; ++i)
-    if (!(std::abs(std::log(double(found.y[i]) / x[i])) < near)) return false;
+    if (!(std::abs(log(double(found.y[i]) / x[i])) < near)) return false;
   return true;
 }
 

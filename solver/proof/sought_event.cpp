@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "lib/body/inertia.hpp"
+#include "lib/number/elementary.hpp"
 
 namespace stationary {
 namespace {
@@ -28,7 +29,7 @@ std::optional<SoughtEvent> meeting_modes(const Spectrum& spectrum, EventType typ
     const Mode& a = spectrum.mode[static_cast<std::size_t>(i)];
     if (a.forced_zero) continue;
     if (within && a.lambda_im > 0.0)
-      offer(a.lambda_im / std::hypot(a.lambda_re, a.lambda_im), a.lambda_re, a.block, a.block);
+      offer(a.lambda_im / hypotenuse(a.lambda_re, a.lambda_im), a.lambda_re, a.block, a.block);
     for (int k = 0; k < i; ++k) {
       const Mode& b = spectrum.mode[static_cast<std::size_t>(k)];
       if (b.forced_zero || a.lambda_im > 0.0 || b.lambda_im > 0.0) continue;

@@ -22,9 +22,9 @@
 #include <vector>
 
 #include "lib/formula/term_table.hpp"
+#include "lib/matrix/small_matrix.hpp"
 #include "lib/number/affine_form.hpp"
 #include "lib/number/interval_functions.hpp"
-#include "lib/number/small_matrix.hpp"
 
 namespace stationary {
 

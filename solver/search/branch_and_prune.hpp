@@ -25,6 +25,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/number/elementary.hpp"
 #include "solver/newton/newton.hpp"
 #include "solver/proof/krawczyk.hpp"
 
@@ -105,7 +106,7 @@ class BranchAndPrune {
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  static double log_width(const Interval& x) { return std::log(x.hi / x.lo); }
+  static double log_width(const Interval& x) { return log(x.hi / x.lo); }
 
   static bool within(const Box<N>& inner, const Box<N>& outer) {
     for (int i = 0; i < N; ++i)

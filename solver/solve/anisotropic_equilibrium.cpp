@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "lib/number/elementary.hpp"
 #include "solver/family/branch_switch.hpp"
 #include "solver/motion/oriented_stability.hpp"
 #include "solver/motion/oriented_system.hpp"
@@ -157,8 +158,8 @@ class AnisotropicSolve : FamilySolve {
     const double known = V_.rest_stretch();
     const double r = std::isfinite(known) ? known : 1.0;
     const auto distance = [&](const Equilibrium& at) {
-      return std::max({std::abs(std::log(at.q.xi / r)), std::abs(std::log(at.q.zeta / r)),
-                       std::abs(at.q.alpha) / r});
+      return std::max(
+          {std::abs(log(at.q.xi / r)), std::abs(log(at.q.zeta / r)), std::abs(at.q.alpha) / r});
     };
     const Equilibrium& nearest = *std::ranges::min_element(all.solutions, {}, distance);
     const Counts counts = out_.counts;

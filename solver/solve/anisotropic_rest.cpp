@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/number/elementary.hpp"
 #include "solver/motion/oriented_system.hpp"
 #include "solver/newton/newton.hpp"
 #include "solver/search/anisotropic_search.hpp"
@@ -90,8 +91,8 @@ class RestSearch {
   /// Largest |ln| of the principal stretches, rho's over what it is at rest.
   static double from_unit(const Stretch& q, double rho) {
     const PrincipalStretches plane = principal_stretches(q);
-    return std::max({std::abs(std::log(plane.lambda)), std::abs(std::log(plane.mu)),
-                     std::abs(std::log(q.rho / rho))});
+    return std::max(
+        {std::abs(log(plane.lambda)), std::abs(log(plane.mu)), std::abs(log(q.rho / rho))});
   }
 
   const Body& body_;
@@ -112,7 +113,7 @@ AnisotropicRest anisotropic_rest(const Body& body, const Potential& potential,
     return {search.from_isotropic({0.0, r, r, rho}),
             "no rest state was found from that without fibres"};
   const auto& volume = potential.anisotropic().body().volume;
-  return {search.nearest_minimum(std::isfinite(rho) ? rho : 1.0, volume ? std::cbrt(*volume) : 1.0),
+  return {search.nearest_minimum(std::isfinite(rho) ? rho : 1.0, volume ? cube_root(*volume) : 1.0),
           "no rest state, a minimum of V, was found"};
 }
 

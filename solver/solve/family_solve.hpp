@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "lib/body/inertia.hpp"
-#include "lib/number/small_matrix.hpp"
+#include "lib/matrix/small_matrix.hpp"
 #include "solver/family/follow_sheet.hpp"
 #include "solver/newton/newton.hpp"
 #include "solver/solve/solve.hpp"

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "lib/matrix/elementwise.hpp"
 #include "solver/continuation/rest_walk.hpp"
 #include "solver/newton/ceres_solve.hpp"
 #include "solver/newton/newton.hpp"
@@ -137,7 +138,7 @@ class ReducedSolve {
     ReducedVector<N> x = walked.x;
     const CeresOutcome outcome = run_ceres(x);
     // Ceres may not leave the walk's end for another solution.
-    const double moved_by = (x.array() / walked.x.array()).log().abs().maxCoeff();
+    const double moved_by = logarithms(x.array() / walked.x.array()).abs().maxCoeff();
     if (outcome.usable && moved_by < 1e-3 && finish(x, out)) {
       out.connection = Connection::rest;
       out.message = "walk from the rest state in " + std::to_string(walked.steps) +
@@ -213,7 +214,7 @@ class ReducedSolve {
       if (!polish(x) || !finish(x, candidate)) continue;
       if (x.minCoeff() < 0.1 * options.min_stretch || x.maxCoeff() > 10.0 * options.max_stretch)
         continue;
-      const double distance = (x.array() / rest_.array()).log().abs().maxCoeff();
+      const double distance = logarithms(x.array() / rest_.array()).abs().maxCoeff();
       if (distance < nearest) {
         nearest = distance;
         out = candidate;

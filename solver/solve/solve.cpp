@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "lib/number/elementary.hpp"
 #include "solver/motion/body_circle.hpp"
 #include "solver/motion/vertical_branch.hpp"
 #include "solver/newton/thickness_balance.hpp"
@@ -110,7 +111,7 @@ SearchStatus search_all(const Problem& problem, double nu, const SolveOptions& o
     }
   });
   const auto apart = [](double x, double at_rest) {
-    return std::abs(std::log(std::isfinite(at_rest) ? x / at_rest : x));
+    return std::abs(log(std::isfinite(at_rest) ? x / at_rest : x));
   };
   const auto distance = [&](const Equilibrium& at) {
     return std::max({apart(at.q.xi, rest.xi), apart(at.q.zeta, rest.zeta),

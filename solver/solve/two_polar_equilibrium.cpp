@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "lib/matrix/elementwise.hpp"
 #include "solver/motion/two_polar_stability.hpp"
 #include "solver/motion/two_polar_system.hpp"
 #include "solver/newton/newton.hpp"
@@ -203,7 +204,7 @@ class Solver {
           candidate.maxCoeff() > 10.0 * seed_options.max_stretch) {
         continue;
       }
-      const double distance = candidate.array().log().abs().maxCoeff();
+      const double distance = logarithms(candidate.array()).abs().maxCoeff();
       if (distance < nearest) {
         nearest = distance;
         x = candidate;
@@ -262,7 +263,7 @@ bool nearest_of_all(const Body& body, const Potential& potential, const TwoPolar
   const Equilibrium* nearest = nullptr;
   int ellipses = 0;
   const auto distance = [](const Equilibrium& at) {
-    return diagonal(at.q).array().log().abs().maxCoeff();
+    return logarithms(diagonal(at.q).array()).abs().maxCoeff();
   };
   for (const Equilibrium& each : all.solutions) {
     if (each.circle) continue;

@@ -234,6 +234,113 @@ test('what takes long can be given up, and the page goes on', async () => {
   await page.close();
 });
 
+/** The modes' buttons, and what is said of the one that is pressed. */
+const modeButtons = (page) => page.$$eval('#modes button', (all) => all.map((each) => ({ number: each.dataset.mode, pressed: each.getAttribute('aria-pressed'), enabled: !each.disabled })));
+const modeSaid = async (page, wanted) => {
+  await page.waitForFunction((text) => document.getElementById('mode-note').textContent.includes(text), wanted, { timeout: 20_000 });
+  return page.textContent('#mode-note');
+};
+
+/** Whether two pictures of the body differ in more than a level or two of some pixels. */
+const differ = (page, one, other) =>
+  page.evaluate(async (sources) => {
+    const [a, b] = await Promise.all(sources.map(async (source) => {
+      const picture = new Image();
+      picture.src = 'data:image/png;base64,' + source;
+      await picture.decode();
+      const canvas = new OffscreenCanvas(picture.width, picture.height).getContext('2d');
+      canvas.drawImage(picture, 0, 0);
+      return canvas.getImageData(0, 0, picture.width, picture.height).data;
+    }));
+    return a.filter((level, k) => Math.abs(level - b[k]) > 24).length;
+  }, [one, other]);
+const bodyPicture = async (page) => (await page.locator('#body-frame').screenshot()).toString('base64');
+
+test('a mode is animated on the body: by the pointer, by keys, run, stopped and ended', async () => {
+  const path = table('fold.csv', 'continue', shippedCase('fold.toml'));
+  const row = csv(path).rows.findIndex((each, k) => k > 3 && each.event === '' && each.class === 'stable');
+  const wanted = csv(path).rows[row];
+  const page = await open(makePage(path), { fragment: `#row=${row + 1}` });
+  const buttons = await modeButtons(page);
+  assert.equal(buttons.length, [1, 2, 3, 4, 5].filter((k) => wanted[`im${k}`] !== '').length);
+  assert.ok(buttons.every((each) => each.enabled && each.pressed === 'false'));
+  const still = await bodyPicture(page);
+  // Less motion is asked for: a mode stands at its largest until it is run.
+  await page.locator('#modes [data-mode="2"]').focus();
+  await page.keyboard.press('Enter');
+  const said = await modeSaid(page, 'Mode 2: period');
+  const period = Number(/period ([\d.]*\d)/.exec(said)[1]);
+  assert.ok(Math.abs(period - (2 * Math.PI) / Number(wanted.im2)) < 1e-3 * period, said);
+  assert.deepEqual((await modeButtons(page)).map((each) => each.pressed), ['false', 'true', 'false', 'false', 'false'].slice(0, buttons.length));
+  assert.equal(await page.textContent('#mode-run'), 'Run the mode');
+  const displaced = await bodyPicture(page);
+  assert.ok((await differ(page, still, displaced)) > 200);
+  await page.waitForTimeout(300);
+  assert.equal(await differ(page, displaced, await bodyPicture(page)), 0);
+  await page.locator('#mode-run').press('Enter');
+  const pictures = [];
+  for (let k = 0; k < 4; ++k) {
+    await page.waitForTimeout(250);
+    pictures.push(await bodyPicture(page));
+  }
+  let moved = 0;
+  for (let k = 1; k < pictures.length; ++k) if ((await differ(page, pictures[k - 1], pictures[k])) > 50) ++moved;
+  assert.ok(moved >= 2, `${moved} of 3 pictures moved`);
+  assert.equal(await page.textContent('#mode-run'), 'Stop the mode');
+  await page.click('#mode-run');
+  // Another, from the picture of the spectrum; then none.
+  await page.locator('#spectrum .root').first().dispatchEvent('click');
+  await modeSaid(page, 'Mode 1: period');
+  assert.ok((await page.locator('#spectrum .root.chosen').count()) >= 2);
+  await page.click('#mode-reset');
+  assert.equal(await page.isVisible('#mode-buttons'), false);
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.mode), '1');
+  await page.waitForTimeout(100);
+  assert.equal(await differ(page, still, await bodyPicture(page)), 0);
+  // Another row is another body.
+  await page.click('#modes [data-mode="1"]');
+  await modeSaid(page, 'Mode 1: period');
+  await page.locator('#plot').press('ArrowRight');
+  assert.equal(await page.textContent('#mode-note'), '');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('every mode of every kind of motion has a shape, a growing one says how fast', async () => {
+  for (const name of ['tilted.toml', 'two_polar.toml', 'elastic_sphere.toml', 'no_plane.toml', 'oblique.toml', 'mooney_rivlin.toml']) {
+    const path = table(`${name}.csv`, 'continue', shippedCase(name));
+    const { rows } = csv(path);
+    const growing = rows.findIndex((each) => each.event === '' && Number(each.growth) > 0.01);
+    const page = await open(makePage(path), { fragment: `#row=${(growing < 0 ? Math.floor(rows.length / 2) : growing) + 1}`, reducedMotion: 'no-preference' });
+    const buttons = await modeButtons(page);
+    assert.ok(buttons.length >= 3, name);
+    for (const { number, enabled } of buttons) {
+      if (!enabled) continue;
+      await page.click(`#modes [data-mode="${number}"]`);
+      const said = await modeSaid(page, `Mode ${number}: `).then(() => page.waitForFunction(() => !document.getElementById('mode-note').textContent.includes('is computed'))).then(() => page.textContent('#mode-note'));
+      assert.match(said, /period|grows|decays/, `${name} ${number}`);
+      assert.equal(await page.isVisible('#mode-run'), true);
+    }
+    if (growing >= 0) {
+      const mode = await page.$$eval('#modes tr', (all) => all.findIndex((each) => Number(each.children[1].textContent) > 0.01));
+      await page.click('#mode-reset');
+      await page.click(`#modes [data-mode="${mode + 1}"]`);
+      assert.match(await modeSaid(page, 'grows'), /factor e in/);
+    }
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  }
+});
+
+test('a page without the solver says why a mode is not shown', async () => {
+  const page = await open(makePage(table('fold.csv', 'continue', shippedCase('fold.toml')), '--no-live'));
+  await page.click('#modes [data-mode="1"]');
+  await modeSaid(page, 'carries no solver');
+  assert.equal(await page.isVisible('#mode-buttons'), false);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
 test('a hostile case is text', async () => {
   const hostile = `</script><img src=x onerror="window.caught=1">`;
   const text = readFileSync(shippedCase('fold.toml'), 'utf8').replace(/^title = .*/m, `title = ${JSON.stringify(hostile)}`);

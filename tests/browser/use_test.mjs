@@ -97,6 +97,57 @@ test('classes, branches and sheets are switched off and on', async () => {
   await page.close();
 });
 
+test('of a complete atlas, how many motions of each class there are at every nu is drawn and told', async () => {
+  const path = table('complete.csv', 'atlas', shippedCase('neo_hookean.toml'), '--complete');
+  const { classes } = JSON.parse(readFileSync(path.replace(/\.csv$/, '.meta.json'), 'utf8'));
+  assert.ok(classes.length > 10);
+  const page = await open(makePage(path));
+  assert.equal(await page.locator('.proven-strip').count(), new Set(classes.map((each) => each.branch)).size);
+  await page.evaluate(() => document.querySelectorAll('#proven-part details').forEach((each) => (each.open = true)));
+  const told = await page.$$eval('#proven tr', (all) => all.map((each) => [...each.children].map((cell) => cell.textContent)));
+  assert.equal(told.length, classes.length);
+  for (const [k, each] of classes.entries()) {
+    assert.ok(told[k][0].includes(each.branch));
+    assert.equal(Number(told[k][1]), each.from);
+    assert.equal(Number(told[k][2]), each.to);
+    const counts = Object.entries(each.sheets ?? {}).map(([name, count]) => `${count} ${name}`).join(', ');
+    assert.equal(told[k][3], each.status === 'proven' ? counts || 'no motion' : [each.reason, ...each.events].join(': '));
+  }
+  // Ink where there is a motion, in one band for each; not where there is none; a mark where nothing is told.
+  const seen = await page.$$eval('.proven-strip', (strips, given) => {
+    const { from, to } = { from: Math.min(...given.map((each) => each.from)), to: Math.max(...given.map((each) => each.to)) };
+    return [...new Set(given.map((each) => each.branch))].flatMap((branch, which) => {
+      const strip = strips[which];
+      const { data } = strip.getContext('2d').getImageData(0, 0, strip.width, strip.height);
+      const inked = (x, y) => data[4 * (y * strip.width + x) + 3] > 200;
+      return given.filter((each) => each.branch === branch && each.to - each.from > 0.02 * (to - from) && each.status === 'proven').map((each) => {
+        const x = Math.floor((((each.from + each.to) / 2 - from) / (to - from)) * strip.width);
+        const bands = Object.values(each.sheets).reduce((sum, count) => sum + count, 0);
+        let rows = 0;
+        for (let y = 0; y < strip.height - 8; ++y) if (inked(x, y)) ++rows;
+        return { bands, rows: Math.round(rows / 13) };
+      });
+    });
+  }, classes);
+  assert.ok(seen.length >= 5);
+  for (const { bands, rows } of seen) assert.equal(rows, bands);
+  // Not by colour alone: samples of different classes have different patterns of light.
+  const patterns = await page.$$eval('.proven-sample', (samples) =>
+    samples.map((sample) => {
+      const { data } = sample.getContext('2d').getImageData(0, 1, sample.width, 11);
+      const light = data.filter((_, k) => k % 4 === 1);
+      return light.map((level) => (level > light.reduce((a, b) => Math.min(a, b)) + 20 ? 1 : 0)).join('');
+    }),
+  );
+  assert.ok(patterns.length >= 3);
+  assert.equal(new Set(patterns).size, patterns.length);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+  const other = await open(makePage(result('neo_hookean_atlas.csv')));
+  assert.equal(await other.isVisible('#proven-part'), false);
+  await other.close();
+});
+
 test('axes are any columns; energy against momentum is a button', async () => {
   const page = await open(makePage(followed()));
   const before = await inked(page);

@@ -156,8 +156,9 @@ TEST(LeastEnergy, IsTheLowerEnvelopeOfTheSheets) {
         const double below = number(piece->at("energy_from"));
         const double least_slope =
             std::min(number(piece->at("spin_from")), number(piece->at("spin_to")));
-        if (to - from < 1e-2 * to)
+        if (to - from < 1e-2 * to) {
           EXPECT_GE(energy, below + 0.5 * least_slope * (momentum - from) - 1e-9) << name;
+        }
         EXPECT_GE(energy, below - 1e-9 * std::abs(below) - 1e-12) << name << ' ' << row.at("sheet");
       }
     }

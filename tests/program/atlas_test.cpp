@@ -77,7 +77,9 @@ double undecided_length(const nlohmann::json& completeness, const std::string& b
   for (const auto& each : completeness) {
     if (each["branch"] != branch) continue;
     ++found;
-    if (end) EXPECT_EQ(each["from"].get<double>(), *end);
+    if (end) {
+      EXPECT_EQ(each["from"].get<double>(), *end);
+    }
     end = each["to"].get<double>();
     EXPECT_EQ(each.contains("sheets"), each["status"] == "proven");
     EXPECT_EQ(each["beyond"], "not-examined");

@@ -79,9 +79,11 @@ TEST(Gallery, HasEveryCaseWithItsPicture) {
     const std::string stem = entry.path().stem().string();
     EXPECT_THAT(gallery, HasSubstr("](../cases/" + stem + ".toml)"));
     ++cases;
-    for (const std::string& picture : {stem, stem + "_atlas"})
-      if (fs::exists(STATIONARY_RESULTS "/" + picture + ".svg"))
+    for (const std::string& picture : {stem, stem + "_atlas"}) {
+      if (fs::exists(STATIONARY_RESULTS "/" + picture + ".svg")) {
         EXPECT_THAT(gallery, HasSubstr("](../results/" + picture + ".svg)"));
+      }
+    }
   }
   EXPECT_GE(cases, 20);
 }

@@ -58,7 +58,7 @@ TEST_F(InterruptedMap, KilledAroundEveryCallThatChangesAFile) {
       RunOptions faulty;
       faulty.environment = {std::string("LD_PRELOAD=") + STATIONARY_FAULT_SHIM,
                             "FAULT_AT=" + std::to_string(at), std::string("FAULT_WHEN=") + when,
-                            "FAULT_CLOCK=10000"};
+                            "FAULT_CLOCK=100000"};
       const Outcome first = map(out_, faulty);
       ended = first.code == 0;
       if (ended) break;

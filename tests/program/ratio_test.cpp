@@ -60,8 +60,11 @@ TEST_F(Ratio, FollowsTheSameMotions) {
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
     EXPECT_EQ(number(found[k].at(ratio)), 0.5 * number(expected[k].at("body.J.1")));
-    for (const auto& [column, cell] : expected[k])
-      if (column != "body.J.1") EXPECT_EQ(found[k].at(column), cell) << column;
+    for (const auto& [column, cell] : expected[k]) {
+      if (column != "body.J.1") {
+        EXPECT_EQ(found[k].at(column), cell) << column;
+      }
+    }
   }
   ASSERT_EQ(ratios["events"].size(), numbers["events"].size());
   ASSERT_FALSE(numbers["events"].empty());

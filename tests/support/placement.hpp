@@ -83,11 +83,12 @@ Vector7<S> placed(const BasicStretch<S>& q) {
 /// x'' from M x'' + G x' + K x = 0, with L(x, v) in that frame, M = L_vv, G = L_vx - L_xv, K =
 /// -L_xx. In space the frame turns at -nu (the sign of nu: lib/conventions.md); nu is an
 /// eigenvector of the locked inertia, so at L = 1 that is a steady turn. 14 = 10 of the leaf, a
-/// zero pair (turning about nu, its momentum) and +- i |nu| (the other turns).
+/// zero pair (turning about nu, its momentum) and +- i |nu| (the other turns). flow: theta' of a
+/// two-polar motion (J1 = J2), at omega = nu3: the frame of the material turns with it.
 template <class Model>
 Eigen::Matrix<Number50, Eigen::Dynamic, Eigen::Dynamic> placement_matrix(
     const Body& body, const Model& model, const BasicStretch<Number50>& q,
-    const Vector3<Number50>& nu) {
+    const Vector3<Number50>& nu, const Number50& flow = Number50(0)) {
   using Vector14 = Eigen::Matrix<Number50, 14, 1>;
   const Vector3<Number50> turn = -nu;
   const auto lagrangian = [&](const Vector14& xv) {
@@ -112,6 +113,10 @@ Eigen::Matrix<Number50, Eigen::Dynamic, Eigen::Dynamic> placement_matrix(
       const Vector3<Number50> column = y.segment<3>(3 * c);
       const Vector3<Number50> swept = crossed<Number50>(turn, column);
       for (int k = 0; k < 3; ++k) rate[3 * c + k] += swept[k];
+    }
+    for (int k = 0; k < 3; ++k) {
+      rate[k] -= flow * y[3 + k];
+      rate[3 + k] += flow * y[k];
     }
     return Number50(weighted_square<Number50>(body, rate) / 2 -
                     elastic_energy<Model, Number50>(model, X));

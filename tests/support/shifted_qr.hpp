@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-#include "lib/number/hessenberg.hpp"
+#include "lib/matrix/hessenberg.hpp"
 
 namespace stationary {
 

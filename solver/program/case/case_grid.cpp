@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lib/number/elementary.hpp"
 #include "solver/program/case/case_parameter.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/text/nearest_name.hpp"
@@ -87,7 +88,7 @@ std::vector<double> MapAxis::values() const {
   std::vector<double> out(count);
   for (std::size_t k = 0; k < count; ++k) {
     const double part = static_cast<double>(k) / static_cast<double>(count - 1);
-    out[k] = scale == AxisScale::log ? from * std::pow(to / from, part) : from + (to - from) * part;
+    out[k] = scale == AxisScale::log ? from * pow(to / from, part) : from + (to - from) * part;
   }
   out.back() = to;
   return out;

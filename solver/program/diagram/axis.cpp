@@ -7,6 +7,8 @@
 #include <iterator>
 #include <limits>
 
+#include "lib/number/elementary.hpp"
+
 namespace stationary {
 namespace {
 
@@ -84,12 +86,12 @@ constexpr double linear_ratio = 12.0;  ///< of a core
 
 double Axis::place(double value) const {
   if (!logarithmic) return (value - range.low) / (range.high - range.low);
-  return std::log(value / range.low) / std::log(range.high / range.low);
+  return log(value / range.low) / log(range.high / range.low);
 }
 
 double Axis::value(double place) const {
   if (!logarithmic) return range.low + place * (range.high - range.low);
-  return range.low * std::pow(range.high / range.low, place);
+  return range.low * pow(range.high / range.low, place);
 }
 
 Axis fitted_axis(const std::vector<WeightedCurve>& curves) {
@@ -105,7 +107,7 @@ Axis fitted_axis(const std::vector<WeightedCurve>& curves) {
   }
   Axis out;
   out.logarithmic = all.low > 0.0 && core.high / core.low > linear_ratio;
-  const auto scaled = [&](double value) { return out.logarithmic ? std::log(value) : value; };
+  const auto scaled = [&](double value) { return out.logarithmic ? log(value) : value; };
   const AxisRange full{scaled(all.low), scaled(all.high)};
   AxisRange shown{scaled(core.low), scaled(core.high)};
   const double least = 0.05 * std::max(std::abs(shown.low), std::abs(shown.high));
@@ -120,7 +122,7 @@ Axis fitted_axis(const std::vector<WeightedCurve>& curves) {
   if (!cut_below) shown.low = wide.low;
   // A stretch is positive: the picture ends there.
   if (!out.logarithmic && all.low > 0.0 && shown.low < 0.0) shown.low = 0.0;
-  const auto back = [&](double value) { return out.logarithmic ? std::exp(value) : value; };
+  const auto back = [&](double value) { return out.logarithmic ? exp(value) : value; };
   out.range = {back(shown.low), back(shown.high)};
   return out;
 }
@@ -159,8 +161,8 @@ Axis fitted_rate_axis(const std::vector<WeightedCurve>& curves) {
   // Frequencies fall to zero: only so much of that is shown.
   constexpr double decades = 8.0;
   const double high = all.high < 30.0 * highest ? all.high : 3.0 * highest;
-  const double least = std::max(0.1 * cores.front().high, high * std::pow(10.0, -decades));
-  return {{least, high * std::pow(high / least, room)}, true};
+  const double least = std::max(0.1 * cores.front().high, high * pow(10.0, -decades));
+  return {{least, high * pow(high / least, room)}, true};
 }
 
 Axis whole_axis(const std::vector<WeightedCurve>& curves) {
@@ -173,8 +175,8 @@ Axis asked_axis(const AxisRange& range, bool logarithmic) {
 }
 
 std::string logarithmic_ticks(const AxisRange& range, bool decades) {
-  const double first = std::log10(range.low);
-  const double last = std::log10(range.high);
+  const double first = log10(range.low);
+  const double last = log10(range.high);
   const int stride = std::max(1, static_cast<int>(std::ceil((last - first) / 7.0)));
   const bool few = last - first < 2.5;
   std::string out;
@@ -184,10 +186,10 @@ std::string logarithmic_ticks(const AxisRange& range, bool decades) {
     for (int digit = 1; digit < 10; ++digit) {
       const bool named = digit == 1 || digit == 2 || digit == 5 ||
                          (last - first < 1.3 && digit % 2 == 1 && digit < 9) || last - first < 0.7;
-      const double at = power + std::log10(digit);
+      const double at = power + log10(digit);
       if ((digit > 1 && !few) || !named || at < first - rounding || at > last + rounding) continue;
       fmt::format_to(std::back_inserter(out), "{}'{:g}' {:.12g}", out.empty() ? "" : ", ",
-                     digit * std::pow(10.0, power), decades ? at : digit * std::pow(10.0, power));
+                     digit * pow(10.0, power), decades ? at : digit * pow(10.0, power));
     }
   }
   return out;

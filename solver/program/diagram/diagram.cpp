@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lib/body/motion.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/diagram/axis_name.hpp"
 #include "solver/program/diagram/row_parameter.hpp"
@@ -82,7 +83,7 @@ class DiagramTable {
     out.parameter = parameter;
     out.abscissa = parameter;
     if (momentum_[0]) {
-      out.abscissa = std::hypot(number(*table_, momentum_[0]), number(*table_, momentum_[1]),
+      out.abscissa = hypotenuse(number(*table_, momentum_[0]), number(*table_, momentum_[1]),
                                 number(*table_, momentum_[2]));
     }
     for (std::size_t k = 0; k < ordinates_.size(); ++k)

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string_view>
 
+#include "lib/number/elementary.hpp"
 #include "lib/stability/spectrum.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/text/nearest_name.hpp"
@@ -80,7 +81,7 @@ MapDiagramAxis axis(const TableReader& table, const std::string& parameter,
   MapDiagramAxis out{parameter, different(cells)};
   if (out.values.size() < 2 || evenly_spaced(out.values)) return out;
   std::vector<double> logarithms;
-  for (const double each : out.values) logarithms.push_back(std::log(each));
+  for (const double each : out.values) logarithms.push_back(log(each));
   if (!(out.values.front() > 0.0) || !evenly_spaced(logarithms))
     refuse_map(table, "found values of " + in_quotes(parameter) + " that are no grid's",
                "evenly spaced ones, or logarithmically");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/body/motion.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/program/diagram/axis_name.hpp"
 
 namespace stationary {
@@ -29,7 +30,7 @@ double RowParameter::value(std::string_view branch) const {
   }
   std::array<double, 3> nu;
   for (std::size_t k = 0; k < nu.size(); ++k) nu[k] = need(nu_[k], nu_columns[k], branch);
-  const double norm = std::hypot(nu[0], nu[1], nu[2]);
+  const double norm = hypotenuse(nu[0], nu[1], nu[2]);
   return std::ranges::all_of(nu, [](double v) { return v <= 0.0; }) ? -norm : norm;
 }
 

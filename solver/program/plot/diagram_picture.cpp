@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "lib/number/elementary.hpp"
 #include "solver/program/diagram/axis_name.hpp"
 #include "solver/program/diagram/diagram_lines.hpp"
 #include "solver/program/plot/plot_style.hpp"
@@ -121,7 +122,7 @@ void PanelDrawing::choose_axes(const PageChoice& choice) {
   AxisRange& range = panel_.ordinate.range;
   const double width = range.high - range.low;
   if (width < narrow * std::abs(range.high)) {
-    const double unit = std::pow(10.0, std::ceil(std::log10(width)));
+    const double unit = pow(10.0, std::ceil(log10(width)));
     panel_.base = unit * std::round(range.low / unit);
     range = {range.low - panel_.base, range.high - panel_.base};
     panel_.ordinate.logarithmic = false;
@@ -194,7 +195,7 @@ void PanelDrawing::draw_line(const DiagramPiece& piece, const DiagramLine& line,
   const auto length = [&](std::size_t begin, std::size_t end) {
     const PagePoint a = place(line.points[begin], ordinate);
     const PagePoint b = place(line.points[end], ordinate);
-    return std::hypot(b.x - a.x, b.y - a.y);
+    return hypotenuse(b.x - a.x, b.y - a.y);
   };
   for (std::size_t begin = 0; begin + 1 < count;) {
     std::size_t end = end_of_run(begin);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/number/elementary.hpp"
 #include "lib/stability/spectrum.hpp"
 #include "solver/program/diagram/axis_name.hpp"
 #include "solver/program/plot/gnuplot.hpp"
@@ -56,7 +57,7 @@ class MapScript {
     return (axis.values.size() + most_pixels - 1) / most_pixels;
   }
   double place(const MapDiagramAxis& axis, double value) const {
-    return axis.scale == AxisScale::log ? std::log10(value) : value;
+    return axis.scale == AxisScale::log ? log10(value) : value;
   }
   std::string pixels(const MapDiagramAxis& axis, int coordinate) const;
   void data();
@@ -138,8 +139,7 @@ void MapScript::set_axis(const MapDiagramAxis& axis, char letter) {
   line("set {}range [{}:{}]", letter, shown.low, shown.high);
   if (!is_log) return;
   // The axis is linear in the logarithm.
-  const std::string ticks =
-      logarithmic_ticks({std::pow(10.0, shown.low), std::pow(10.0, shown.high)}, true);
+  const std::string ticks = logarithmic_ticks({pow(10.0, shown.low), pow(10.0, shown.high)}, true);
   line("set {}tics ({})", letter, ticks);
 }
 

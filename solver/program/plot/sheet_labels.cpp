@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/number/elementary.hpp"
+
 namespace stationary {
 namespace {
 
@@ -24,7 +26,7 @@ std::vector<PagePoint> evenly(const std::vector<PagePoint>& path, const PanelSiz
     if (within(b, panel, 0.0)) out.push_back(b);
     if (k == 0) continue;
     const PagePoint& a = path[k - 1];
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const double length = hypotenuse(b.x - a.x, b.y - a.y);
     if (!std::isfinite(length) || length > 4.0 * longest) continue;
     const int steps = static_cast<int>(length / spacing);
     for (int step = 1; step < steps; ++step) {
@@ -38,7 +40,7 @@ std::vector<PagePoint> evenly(const std::vector<PagePoint>& path, const PanelSiz
 
 /// 0 where the point is in the box.
 double distance(const PictureLabel& box, const PagePoint& p) {
-  return std::hypot(std::max(0.0, std::abs(p.x - box.at.x) - 0.5 * box.size.width),
+  return hypotenuse(std::max(0.0, std::abs(p.x - box.at.x) - 0.5 * box.size.width),
                     std::max(0.0, std::abs(p.y - box.at.y) - 0.5 * box.size.height));
 }
 

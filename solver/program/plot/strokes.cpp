@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "lib/number/elementary.hpp"
+
 namespace stationary {
 namespace {
 
@@ -76,7 +78,7 @@ class Pen {
 
   void draw(const PagePoint& from, const PagePoint& to) {
     constexpr double touching = 1e-6;
-    const bool goes_on = down_ && std::hypot(out_.strokes.back().back().x - from.x,
+    const bool goes_on = down_ && hypotenuse(out_.strokes.back().back().x - from.x,
                                              out_.strokes.back().back().y - from.y) < touching;
     if (!goes_on) out_.strokes.push_back({from});
     out_.strokes.back().push_back(to);

@@ -6,6 +6,7 @@
 
 #include "lib/balance/two_polar.hpp"
 #include "lib/body/inertia.hpp"
+#include "lib/number/elementary.hpp"
 
 namespace stationary {
 namespace {
@@ -119,7 +120,7 @@ void tell_in(const MaterialCoordinates& coordinates, const ColumnSet& wanted, Ta
 double spin(std::string_view branch, const TableRow& row) {
   constexpr Column nu[] = {Column::nu1, Column::nu2, Column::nu3};
   if (const auto about = branch_from_name(branch)) return row[nu[axis(*about)]];
-  return std::hypot(row[nu[0]], row[nu[1]], row[nu[2]]);
+  return hypotenuse(row[nu[0]], row[nu[1]], row[nu[2]]);
 }
 
 namespace {

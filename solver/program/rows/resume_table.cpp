@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "lib/stability/spectrum.hpp"
-#include "solver/family/normal_form.hpp"
+#include "solver/normal_form/normal_form.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/table/table_reader.hpp"

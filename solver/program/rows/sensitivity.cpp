@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "lib/body/circle.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/kind/kind.hpp"
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
@@ -170,7 +171,7 @@ std::vector<double> combined_uncertainty(std::span<const NumberSlopes> slopes,
   std::vector<double> out(slopes.front().of.slope.size(), 0.0);
   for (std::size_t i = 0; i < out.size(); ++i)
     for (std::size_t k = 0; k < slopes.size(); ++k)
-      if (uncertainty[k] > 0.0) out[i] = std::hypot(out[i], slopes[k].of.slope[i] * uncertainty[k]);
+      if (uncertainty[k] > 0.0) out[i] = hypotenuse(out[i], slopes[k].of.slope[i] * uncertainty[k]);
   return out;
 }
 

@@ -5,7 +5,7 @@
 
 #include "lib/body/motion.hpp"
 #include "lib/stability/spectrum.hpp"
-#include "solver/family/normal_form.hpp"
+#include "solver/normal_form/normal_form.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/program/table/column_file.hpp"
 

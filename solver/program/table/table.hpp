@@ -28,7 +28,7 @@ enum class Column : std::uint8_t {
   status,                         // of a map's cell
   certified, class_certified,     // with output.certificate
   segment,                        // of a curve with classes
-  criticality, side,              // of its events (solver/family/normal_form.hpp)
+  criticality, side,              // of its events (solver/normal_form/normal_form.hpp)
   pressure                        // of a body whose volume is held
   // clang-format on
 };

@@ -132,9 +132,13 @@ int clock_gettime(clockid_t which, timespec* out) noexcept {
   const int result = next(which, out);
   const long factor = clock_factor();
   if (which != CLOCK_MONOTONIC || factor == 1) return result;
+  // From the first reading on: that of a machine that has been up for days would not fit, K times.
   constexpr long second = 1'000'000'000;
-  out->tv_sec = out->tv_sec * factor + out->tv_nsec / (second / factor);
-  out->tv_nsec = out->tv_nsec % (second / factor) * factor;
+  const long now = out->tv_sec * second + out->tv_nsec;
+  static const long first = now;
+  const long fast = first + (now - first) * factor;
+  out->tv_sec = fast / second;
+  out->tv_nsec = fast % second;
   return result;
 }
 }

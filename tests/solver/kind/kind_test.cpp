@@ -180,7 +180,9 @@ TEST_P(EveryKind, FollowsWhatItProves) {
       EXPECT_TRUE(proof.proven) << row.member.parameter << ": " << proof.reason;
     }
   }
-  if (posed.has_events) EXPECT_GE(events, 1) << sheet.text();
+  if (posed.has_events) {
+    EXPECT_GE(events, 1) << sheet.text();
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind, ::testing::ValuesIn(all_kinds()), [](const auto& info) {

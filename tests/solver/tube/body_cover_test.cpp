@@ -58,8 +58,9 @@ TEST(BodyCover, MaclaurinAndJacobi) {
     EXPECT_FALSE(fold.undecided);
     EXPECT_NEAR(fold.nu.mid(), std::sqrt(largest_spin), 1e-12);
     EXPECT_LT(length_of(cover), 1e-11);
-    if (branch == Branch::iii)
+    if (branch == Branch::iii) {
       EXPECT_EQ(numbers_of(problem, cover, from, to), (std::vector{3, 2, 0}));
+    }
   }
 }
 

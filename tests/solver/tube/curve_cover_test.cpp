@@ -194,7 +194,9 @@ TEST(Cover, LeavesNoMoreUndecidedThanEachCrossing) {
   region.lower = {Interval(-0.45), Interval(-0.45)};
   region.upper = {Interval(0.45), Interval(0.45)};
   region.q = {0.0, 1.0};
-  const CurveCover cover = cover_curves(crossings, region, {.min_width = 0x1p-20});
+  CoverOptions options;
+  options.min_width = 0x1p-20;
+  const CurveCover cover = cover_curves(crossings, region, options);
   int first = 0;
   int second = 0;
   for (const Interval& each : cover.undecided) {
