@@ -6,6 +6,7 @@
 
 #include "lib/balance/two_polar.hpp"
 #include "lib/body/inertia.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/stability/general_spectrum.hpp"
 #include "lib/stability/held_linearization.hpp"
 #include "lib/stability/iterated_modes.hpp"
@@ -35,8 +36,11 @@ Matrix3<double> matrix_of(const Stretch& q) {
 ComplexMatrix normalized(const ComplexMatrix& D, const Stretch& q) {
   const ComplexMatrix strain = D * matrix_of(q).inverse().cast<Complex>();
   const Complex square = strain.cwiseProduct(strain).sum();
-  const ComplexMatrix turned = D * std::polar(1.0, -0.5 * std::arg(square));
-  const double size = std::sqrt(0.5 * (strain.squaredNorm() + std::abs(square)));
+  const double length = modulus(square);
+  const Complex turn =
+      length > 0.0 ? std::conj(square_root(square)) / std::sqrt(length) : Complex(1.0);
+  const ComplexMatrix turned = D * turn;
+  const double size = std::sqrt(0.5 * (strain.squaredNorm() + length));
   return size > 0.0 ? ComplexMatrix(turned / size) : turned;
 }
 
@@ -44,7 +48,7 @@ ComplexMatrix normalized(const ComplexMatrix& D, const Stretch& q) {
 std::size_t equal_before(std::span<const Complex> s, std::size_t k) {
   constexpr double near = 1e-12;
   return static_cast<std::size_t>(std::ranges::count_if(s.first(k), [&](const Complex& other) {
-    return std::abs(other - s[k]) <= near * std::abs(s[k]);
+    return modulus(other - s[k]) <= near * modulus(s[k]);
   }));
 }
 
@@ -84,12 +88,11 @@ class RotationShape {
     ComplexVector moved = d_pi - N_.cast<Complex>() * dq;
     moved[2] -= s * (B_.cast<Complex>().cwiseProduct(dq.head<3>())).sum();
     const ComplexVector d_nu = I_.inverse().cast<Complex>() * moved;
-    ComplexVector chi = -d_nu / s;
+    ComplexVector chi = d_nu * quotient(-1.0, s);
     if (turns) {
       const Vector3<double> n = nu_.normalized();
       const Complex along = (n.cast<Complex>().cwiseProduct(chi)).sum();
-      chi =
-          along * n.cast<Complex>() - hat(pi_.cast<Complex>()) * d_pi / Complex(pi_.squaredNorm());
+      chi = along * n.cast<Complex>() - hat(pi_.cast<Complex>()) * d_pi / pi_.squaredNorm();
     }
     ComplexMatrix dS;
     dS << dq[1], dq[0], Complex(0.0), dq[0], dq[2], Complex(0.0), Complex(0.0), Complex(0.0), dq[3];
@@ -174,8 +177,8 @@ class TwoPolarShape {
     const Complex d_theta_dot = 0.5 * (fast - slow);
     // -s x delta s/s3^2 of s = (0, 0, s3), which at 0 does not wobble.
     const double per_s3 = s3_ == 0.0 ? 0.0 : 1.0 / s3_;
-    const ComplexVector chi(x[pairs + wobble] * per_s3, -x[wobble] * per_s3, -d_omega / s);
-    const ComplexVector around(Complex(0.0), Complex(0.0), d_theta_dot / s);
+    const ComplexVector chi(x[pairs + wobble] * per_s3, -x[wobble] * per_s3, quotient(-d_omega, s));
+    const ComplexVector around(Complex(0.0), Complex(0.0), quotient(d_theta_dot, s));
     const ComplexMatrix S = matrix_of(q_).cast<Complex>();
     ComplexMatrix out = hat(chi) * S - S * hat(around);
     out(0, 0) += x[0];
