@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "lib/number/double_double.hpp"
+#include "lib/number/quarter_turns.hpp"
 
 namespace stationary {
 
@@ -38,12 +39,7 @@ inline DoubleDouble exp(const DoubleDouble& y) {
   return {std::ldexp(power.hi, exponent), std::ldexp(power.lo, exponent)};
 }
 
-struct DoubleDoubleSineCosine {
-  DoubleDouble sine;
-  DoubleDouble cosine;
-};
-
-inline DoubleDoubleSineCosine sine_cosine(const DoubleDouble& y) {
+inline SineCosine<DoubleDouble> sine_cosine(const DoubleDouble& y) {
   const DoubleDouble x = renormalized(y);
   if (!(std::abs(x.hi) <= 0x1p30)) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -63,22 +59,13 @@ inline DoubleDoubleSineCosine sine_cosine(const DoubleDouble& y) {
     cosine = 1.0 - z * cosine / (n * (n - 1.0));
   }
   sine = sine * r;
-  switch (static_cast<int>(static_cast<long long>(k) & 3)) {
-    case 0:
-      return {sine, cosine};
-    case 1:
-      return {cosine, -sine};
-    case 2:
-      return {-sine, -cosine};
-    default:
-      return {-cosine, sine};
-  }
+  return after_quarter_turns(k, sine, cosine);
 }
 
 inline DoubleDouble sin(const DoubleDouble& x) { return sine_cosine(x).sine; }
 inline DoubleDouble cos(const DoubleDouble& x) { return sine_cosine(x).cosine; }
 inline DoubleDouble tan(const DoubleDouble& x) {
-  const DoubleDoubleSineCosine of = sine_cosine(x);
+  const SineCosine<DoubleDouble> of = sine_cosine(x);
   return renormalized(of.sine) / renormalized(of.cosine);
 }
 
@@ -95,7 +82,7 @@ inline DoubleDouble atan(const DoubleDouble& y) {
   const DoubleDouble x = renormalized(y);
   const double near = atan(x.hi);
   if (!(std::abs(x.hi) < 0x1p60)) return near;  // pi/2 to a double; also NaN
-  const DoubleDoubleSineCosine of = sine_cosine(near);
+  const SineCosine<DoubleDouble> of = sine_cosine(near);
   // tan(near + h) = x, and h is as small as a rounding error.
   const DoubleDouble h =
       renormalized(x * of.cosine - of.sine) / renormalized(of.cosine + x * of.sine);

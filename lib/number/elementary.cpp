@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "lib/number/double_double_functions.hpp"
+#include "lib/number/quarter_turns.hpp"
 
 namespace stationary {
 namespace {
@@ -176,7 +177,7 @@ template <std::size_t terms>
 }
 
 /// sin and cos of r, |r| < 0.79.
-DoubleDoubleSineCosine small_sine_cosine(const DoubleDouble& r) {
+SineCosine<DoubleDouble> small_sine_cosine(const DoubleDouble& r) {
   static constexpr auto sines = reciprocal_factorials<9>(3, 2);
   static constexpr auto cosines = reciprocal_factorials<9>(4, 2);
   const DoubleDouble z = two_product(r.hi, r.hi);
@@ -188,7 +189,7 @@ DoubleDoubleSineCosine small_sine_cosine(const DoubleDouble& r) {
 }
 
 /// x = k pi/2 + r.
-DoubleDoubleSineCosine pair_sine_cosine(double x) {
+SineCosine<DoubleDouble> pair_sine_cosine(double x) {
   if (!(std::abs(x) <= 0x1p30)) return {not_a_number, not_a_number};
   if (std::abs(x) < 0.78) return small_sine_cosine(x);
   const double k = (x * 0x1.45f306dc9c883p-1 + to_integer) - to_integer;
@@ -198,16 +199,7 @@ DoubleDoubleSineCosine pair_sine_cosine(double x) {
   const DoubleDouble second = two_sum(first.hi, -tail.hi);
   const double least = first.lo + (second.lo - tail.lo - k * half_pi[2]);
   const auto [sine, cosine] = small_sine_cosine(quick_two_sum(second.hi, least));
-  switch (static_cast<int>(static_cast<std::int64_t>(k) & 3)) {
-    case 0:
-      return {sine, cosine};
-    case 1:
-      return {cosine, -sine};
-    case 2:
-      return {-sine, -cosine};
-    default:
-      return {-cosine, sine};
-  }
+  return after_quarter_turns(k, sine, cosine);
 }
 
 /// atan of t, 0 <= t <= 1: a polynomial to 2e-8 (M. Abramowitz, I. Stegun, Handbook of Mathematical

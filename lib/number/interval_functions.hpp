@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "lib/number/interval.hpp"
+#include "lib/number/quarter_turns.hpp"
 
 namespace stationary {
 
@@ -31,11 +32,7 @@ inline constexpr int interval_series_length = 12;
 
 /// sin and cos of one double, |x| <= 2^20: x = k pi/2 + r, |r| < 0.79, r an interval; the series
 /// end with r^24/24! and r^25/25! times [-1, 1], below 2^-87.
-struct IntervalSineCosine {
-  Interval sine;
-  Interval cosine;
-};
-inline IntervalSineCosine sine_cosine_of_double(double x) {
+inline SineCosine<Interval> sine_cosine_of_double(double x) {
   if (!(std::abs(x) <= 0x1p20)) return {Interval(-1.0, 1.0), Interval(-1.0, 1.0)};
   // pi/2 = head + tail, the head of 33 bits so that k head is exact; x - k head then is rounded
   // once, and the interval holds it.
@@ -52,16 +49,7 @@ inline IntervalSineCosine sine_cosine_of_double(double x) {
     cosine = Interval(1.0) - z * cosine / Interval(n * (n - 1.0));
   }
   sine = sine * r;
-  switch (static_cast<int>(static_cast<long long>(k) & 3)) {
-    case 0:
-      return {sine, cosine};
-    case 1:
-      return {cosine, -sine};
-    case 2:
-      return {-sine, -cosine};
-    default:
-      return {-cosine, sine};
-  }
+  return after_quarter_turns(k, sine, cosine);
 }
 
 /// Whether x may hold a whole multiple of `period`, shifted: (x - shift)/period may be an integer.
@@ -98,8 +86,8 @@ inline Interval tan(const Interval& x) {
   if (!x.bounded() || !(x.magnitude() <= 0x1p20) ||
       may_hold_multiple(x, interval_half_pi, 2.0 * interval_half_pi))
     return Interval::entire();
-  const IntervalSineCosine lo = sine_cosine_of_double(x.lo);
-  const IntervalSineCosine hi = sine_cosine_of_double(x.hi);
+  const SineCosine<Interval> lo = sine_cosine_of_double(x.lo);
+  const SineCosine<Interval> hi = sine_cosine_of_double(x.hi);
   const Interval out((lo.sine / lo.cosine).lo, (hi.sine / hi.cosine).hi);
   return out.bounded() ? out : Interval::entire();
 }
