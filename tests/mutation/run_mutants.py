@@ -1,68 +1,36 @@
 #!/usr/bin/env python3
-"""Runs the tests against each mutant that make_mutants.py has made, the nearest tests first, until
-one fails.
+"""Runs the tests against each mutant that make_mutants.py has made, those that come by its place and
+the shortest first, until one fails.
 
-    run_mutants.py BUILD [--sample N] [--seed S] [--minutes M] [--jobs J] [--again]
+    run_mutants.py BUILD [--sample N] [--seed S] [--minutes M] [--jobs J] [--again] [--only N ...]
 
-Builds the tests in BUILD/build, runs them with no fault (all must pass, and their times set the
-limits), then with each of BUILD/mutants.csv in turn, or with a sample. A test that fails, crashes,
-or takes ten times its time has caught the mutant. BUILD/outcomes.csv has a line for each: what is
-there already is not run again, unless its line in the list has changed or --again asks for it. The
-seed decides their order, and so the sample; `today` is another every day.
+Builds the tests in BUILD/build, runs each of their cases once with no fault (all must pass; the
+places that a case comes by and its time are kept in BUILD/reached.json until the tests are built
+anew), then with each of BUILD/mutants.csv in turn, or with a sample, the cases that come by it. One
+that fails, crashes, or takes ten times its time has caught the mutant. BUILD/outcomes.csv has a line
+for each: what is there already is not run again, unless its line in the list has changed or --again
+asks for it. The seed decides their order, and so the sample; `today` is another every day.
 
 A survivor must have its line in survivors.csv, beside this script, that says why no test can fail or
-why none need: the same program, or a search that only takes longer. The exit status is 1 where one
-has not.
+why none need: the same program, or a search that only takes longer. Those that have one come last.
+The exit status is 1 where a survivor has none.
 """
 import argparse
 import csv
+import json
 import pathlib
 import random
 import resource
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 
 FIELDS = ["mutant", "file", "line", "kind", "text", "becomes"]
 
-# Of each room the tests that are nearest; the others follow, the shortest first.
-NEAREST = {
-    "lib/number": ["mechanics_tests"],
-    "lib/body": ["mechanics_tests"],
-    "lib/gravity": ["gravity_tests", "mechanics_tests"],
-    "lib/material/gravitating": ["gravity_tests", "whole_body_test"],
-    "lib/material": ["mechanics_tests", "anisotropic_tests"],
-    "lib/balance/two_polar": ["mechanics_tests", "two_polar_tests"],
-    "lib/balance/tilted": ["tilted_tests"],
-    "lib/balance": ["mechanics_tests", "anisotropic_tests"],
-    "lib/stability/circle_momentum": ["claims_tests", "stability_tests", "continuation_tests"],
-    "lib/stability/tilted": ["tilted_tests", "stability_oracle_tests"],
-    "lib/stability": ["stability_tests", "claims_tests", "stability_oracle_tests"],
-    "solver/newton": ["solver_tests", "tilted_tests"],
-    "solver/motion": ["event_bounds_tests", "kind_tests", "solver_tests", "continuation_tests"],
-    "solver/continuation": ["claims_tests", "event_bounds_tests", "continuation_tests"],
-    "solver/normal_form/": ["normal_form_tests"],
-    "solver/family/oriented": ["anisotropic_tests"],
-    "solver/family/anisotropic": ["anisotropic_tests"],
-    "solver/family/tilted": ["tilted_tests"],
-    "solver/family/two_polar": ["continuation_tests"],
-    "solver/family": ["continuation_tests", "event_curve_tests"],
-    "solver/proof": ["kind_tests", "expression_tests", "solver_tests", "tilted_tests",
-                     "continuation_tests"],
-    "solver/search/anisotropic": ["anisotropic_tests"],
-    "solver/search/tilted": ["tilted_tests"],
-    "solver/search/two_polar": ["two_polar_tests"],
-    "solver/search": ["solver_tests", "two_polar_tests"],
-    "solver/solve/anisotropic": ["anisotropic_tests"],
-    "solver/solve/tilted": ["tilted_tests"],
-    "solver/solve": ["solver_tests"],
-    "solver/tube": ["tube_tests"],
-    "solver/atlas/anisotropic": ["anisotropic_tests"],
-    "solver/atlas": ["continuation_tests", "anisotropic_tests"],
-}
 TESTS = {
     "mechanics_tests": "lib", "gravity_tests": "lib", "solver_tests": "solver",
     "stated_kind_tests": "solver", "stability_tests": "solver", "stability_oracle_tests": "solver",
@@ -86,16 +54,17 @@ def set_limits(seconds):
     resource.setrlimit(resource.RLIMIT_CPU, (int(seconds), int(seconds) + 1))
 
 
-def run(build, test, mutant, limit):
-    """Whether the test passes, its seconds, and the first of its cases that failed."""
+def run(build, test, case, mutant, limit, reached=None):
+    """Whether the case passes, its seconds, and how it failed."""
     program = build / "build/tests" / TESTS[test] / test
+    environment = {"MUTANT": str(mutant), "PATH": "/usr/bin:/bin", "LC_ALL": "C"}
+    if reached:
+        environment["MUTANT_REACHED"] = str(reached)
     start = time.monotonic()
     try:
-        result = subprocess.run([program, "--gtest_brief=1", "--gtest_fail_fast",
-                                 "--gtest_filter=" + CASES.get(test, "*")],
-                                env={"MUTANT": str(mutant), "PATH": "/usr/bin:/bin", "LC_ALL": "C"},
-                                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=20.0 * limit,
-                                preexec_fn=lambda: set_limits(limit))
+        result = subprocess.run([program, "--gtest_brief=1", "--gtest_filter=" + case], env=environment,
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                timeout=20.0 * limit, preexec_fn=lambda: set_limits(limit))
     except subprocess.TimeoutExpired:
         return False, time.monotonic() - start, "time"
     seconds = time.monotonic() - start
@@ -103,14 +72,48 @@ def run(build, test, mutant, limit):
         return True, seconds, ""
     if -result.returncode in (signal.SIGXCPU, signal.SIGKILL):
         return False, seconds, "time"
-    for line in result.stdout.decode(errors="replace").splitlines():
-        if line.startswith("[  FAILED  ] "):
-            return False, seconds, line[13:].split(",")[0].split(" (")[0]
-    return False, seconds, f"exit {result.returncode}"
+    return False, seconds, "" if result.returncode == 1 else f"exit {result.returncode}"
 
 
-def nearest(mutant):
-    return max((place for place in NEAREST if mutant["file"].startswith(place)), key=len)
+def cases_of(build, test):
+    """The names of its cases, those that CASES leaves."""
+    program = build / "build/tests" / TESTS[test] / test
+    listed = subprocess.run([program, "--gtest_list_tests", "--gtest_filter=" + CASES.get(test, "*")],
+                            check=True, stdout=subprocess.PIPE).stdout.decode()
+    suite, out = "", []
+    for line in listed.splitlines():
+        name = line.split("#")[0].rstrip()
+        if name.startswith("  "):
+            if "DISABLED_" not in suite + name:
+                out.append(suite + name.strip())
+        elif name.endswith("."):
+            suite = name
+    return out
+
+
+def reaches(build, jobs):
+    """Of each case its test, its seconds, and the numbers of the places that it comes by."""
+    kept = build / "reached.json"
+    newest = max((build / "build/tests" / TESTS[t] / t).stat().st_mtime for t in TESTS)
+    if kept.exists() and kept.stat().st_mtime > newest:
+        return json.loads(kept.read_text())
+
+    def measure(job):
+        test, case = job
+        with tempfile.NamedTemporaryFile() as file:
+            passes, seconds, how = run(build, test, case, 0, 600, file.name)
+            if not passes:
+                print(f"{test} {case} fails without a fault: {how}", flush=True)
+                return None
+            places = sorted({int(n) for n in pathlib.Path(file.name).read_text().split()})
+        return {"test": test, "case": case, "seconds": seconds, "places": places}
+
+    with ThreadPoolExecutor(jobs) as pool:
+        out = list(pool.map(measure, [(t, c) for t in TESTS for c in cases_of(build, t)]))
+    if None in out:
+        sys.exit(1)
+    kept.write_text(json.dumps(out))
+    return out
 
 
 def rows(path):
@@ -128,9 +131,6 @@ def main():
     options.add_argument("--minutes", type=float)
     options.add_argument("--jobs", type=int, default=2)
     options.add_argument("--again", action="store_true")
-    options.add_argument("--tests", nargs="*", help="these alone; who survives them is not recorded")
-    options.add_argument("--quick", action="store_true",
-                         help="the short tests and the nearest; who survives them is not recorded")
     options.add_argument("--built", action="store_true", help="the tests are built")
     options.add_argument("--only", type=int, nargs="*", help="numbers of mutants")
     arguments = options.parse_args()
@@ -141,13 +141,9 @@ def main():
     begun = time.monotonic()
     if not arguments.built:
         subprocess.run(["cmake", "--build", build / "build", "-j", str(arguments.jobs), "--target",
-                        *(arguments.tests or TESTS)], check=True)
-    usual, cheap = {}, 1.0  # seconds
-    for test in arguments.tests or TESTS:
-        passes, usual[test], case = run(build, test, 0, 600)
-        print(f"{test}: {usual[test]:.1f} s", flush=True)
-        if not passes:
-            sys.exit(f"{test} fails without a fault: {case}")
+                        *TESTS], check=True)
+    cases = sorted(reaches(build, arguments.jobs), key=lambda c: c["seconds"])
+    print(f"{len(cases)} cases, {sum(c['seconds'] for c in cases):.0f} s", flush=True)
 
     mutants = rows(build / "mutants.csv")
     random.Random(arguments.seed).shuffle(mutants)
@@ -160,7 +156,14 @@ def main():
         for m in mutants:
             outcomes.pop(tuple(m[k] for k in FIELDS), None)
     lock = threading.Lock()
+    reasons = {(r["file"], r["kind"], r["text"], r["becomes"]): r["why"]
+               for r in rows(pathlib.Path(__file__).parent / "survivors.csv")}
+
+    def reason(m):
+        return reasons.get((m["file"], m["kind"], m["text"], m["becomes"]))
+
     todo = [m for m in mutants if tuple(m[k] for k in FIELDS) not in outcomes]
+    todo.sort(key=lambda m: reason(m) is not None)
 
     def save():
         with open(build / "outcomes.new", "w", newline="") as file:
@@ -172,22 +175,17 @@ def main():
     def judge(mutant):
         if arguments.minutes and time.monotonic() - begun > 60.0 * arguments.minutes:
             return
-        place = nearest(mutant)
-        # What takes no time goes first, and finds most.
-        order = sorted(usual, key=lambda t: (usual[t] > cheap, t not in NEAREST[place], usual[t]))
-        if arguments.quick:
-            order = [t for t in order if usual[t] <= cheap or t in NEAREST[place]]
         seconds, outcome = 0.0, dict(outcome="survived", by="", case="")
-        for test in order:
-            passes, took, case = run(build, test, mutant["mutant"], 20.0 + 10.0 * usual[test])
+        for each in cases:  # the shortest first
+            if int(mutant["mutant"]) not in each["places"]:
+                continue
+            passes, took, how = run(build, each["test"], each["case"], mutant["mutant"],
+                                    20.0 + 10.0 * each["seconds"])
             seconds += took
             if not passes:
-                outcome = dict(outcome="caught", by=test, case=case)
+                outcome = dict(outcome="caught", by=each["test"], case=each["case"] + " " * bool(how) + how)
                 break
         with lock:
-            if outcome["outcome"] == "survived" and (arguments.tests or arguments.quick):
-                print(mutant["mutant"], "not caught by these", flush=True)
-                return
             outcomes[tuple(mutant[k] for k in FIELDS)] = {**mutant, **outcome, "seconds": f"{seconds:.1f}"}
             save()
             print(mutant["mutant"], outcome["outcome"], outcome["by"], outcome["case"], f"{seconds:.1f} s",
@@ -196,13 +194,11 @@ def main():
     with ThreadPoolExecutor(arguments.jobs) as pool:
         list(pool.map(judge, todo))
 
-    reasons = {(r["file"], r["kind"], r["text"], r["becomes"]): r["why"]
-               for r in rows(pathlib.Path(__file__).parent / "survivors.csv")}
     ran = [outcomes[k] for k in (tuple(m[f] for f in FIELDS) for m in mutants) if k in outcomes]
     survivors = [m for m in ran if m["outcome"] == "survived"]
     unexplained = 0
     for m in survivors:
-        why = reasons.get((m["file"], m["kind"], m["text"], m["becomes"]))
+        why = reason(m)
         unexplained += why is None
         print(f"{m['mutant']} {m['file']}:{m['line']} {m['kind']}: {m['text']} -> {m['becomes']}\n"
               f"    {why or 'NOT EXPLAINED'}")
