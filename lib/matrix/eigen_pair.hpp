@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 #include "lib/number/double_double.hpp"
@@ -63,6 +64,43 @@ class EigenPair {
  private:
   DoubleDouble pair_;
 };
+
+/// Eigen and std::complex find these before the standard library's, which are for its own numbers.
+using ComplexPair = std::complex<EigenPair>;
+
+[[gnu::always_inline]] inline ComplexPair operator*(const ComplexPair& z, const ComplexPair& w) {
+  return {z.real() * w.real() - z.imag() * w.imag(), z.real() * w.imag() + z.imag() * w.real()};
+}
+inline ComplexPair operator/(const ComplexPair& z, const ComplexPair& w) {
+  const EigenPair size = w.real() * w.real() + w.imag() * w.imag();
+  return {(z.real() * w.real() + z.imag() * w.imag()) / size,
+          (z.imag() * w.real() - z.real() * w.imag()) / size};
+}
+
+/// Divided by the larger part first: no square overflows.
+inline EigenPair abs(const ComplexPair& z) {
+  const EigenPair x = abs(z.real());
+  const EigenPair y = abs(z.imag());
+  const EigenPair larger = x < y ? y : x;
+  if (larger == 0.0) return larger;
+  const EigenPair a = x / larger;
+  const EigenPair b = y / larger;
+  return larger * sqrt(a * a + b * b);
+}
+
+/// The root with a real part that is not negative.
+inline ComplexPair sqrt(const ComplexPair& z) {
+  const EigenPair x = z.real();
+  const EigenPair y = z.imag();
+  if (x == 0.0) {
+    const EigenPair part = sqrt(abs(y) / 2.0);
+    return {part, y < 0.0 ? -part : part};
+  }
+  const EigenPair twice = sqrt(2.0 * (abs(z) + abs(x)));
+  const EigenPair half = twice / 2.0;
+  if (x > 0.0) return {half, y / twice};
+  return {abs(y) / twice, y < 0.0 ? -half : half};
+}
 
 }  // namespace stationary
 

@@ -15,7 +15,7 @@ namespace stationary {
 namespace {
 
 using Real = EigenPair;
-using Complex = std::complex<Real>;
+using Complex = ComplexPair;
 using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 using ComplexDense = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic>;
 using ComplexVector = Eigen::Matrix<Complex, Eigen::Dynamic, 1>;
@@ -144,7 +144,7 @@ struct EigenTriple {
 EigenTriple triple(const Dense& H, const Dense& magnitude, Complex lambda, Real u) {
   const Eigen::Index size = H.rows();
   EigenTriple out;
-  const Complex s = std::sqrt(lambda);
+  const Complex s = sqrt(lambda);
   const Real rounding = Real(64) * std::numeric_limits<Real>::epsilon() * H.norm();
   ComplexDense shifted = H.cast<Complex>();
   shifted.diagonal().array() -= s;
@@ -171,11 +171,11 @@ EigenTriple triple(const Dense& H, const Dense& magnitude, Complex lambda, Real 
   y << left.cwiseAbs().tail(n), left.cwiseAbs().head(n);
   const Real residual = std::max((shifted * out.right).norm(), (shifted.adjoint() * left).norm());
   const Real perturbation = u * y.dot(magnitude * out.right.cwiseAbs()) + rounding + residual;
-  const Real overlap = std::abs(left.dot(out.right));
+  const Real overlap = abs(left.dot(out.right));
   const Real change = out.change = perturbation / overlap;
   // ds = change to first order; near a double s it is at most sqrt(change) times what it takes, and
   // the overlap, which vanishes there, has made the bound that large already.
-  out.error = Real(2) * std::abs(s) * change + change * change;
+  out.error = Real(2) * abs(s) * change + change * change;
   return out;
 }
 
@@ -184,8 +184,8 @@ EigenTriple triple(const Dense& H, const Dense& magnitude, Complex lambda, Real 
 /// least bound takes, it is as small as that of Lambda, which is simple.
 EigenTriple triple_beside_zero(const Dense& H, const Dense& magnitude, Complex lambda, Real u) {
   const EigenTriple at = triple(H, magnitude, lambda, u);
-  if (at.error < std::abs(lambda)) return at;
-  const Real product = std::abs(std::sqrt(lambda)) * at.change;
+  if (at.error < abs(lambda)) return at;
+  const Real product = abs(sqrt(lambda)) * at.change;
   const Real away = product > Real(0) && isfinite(product) ? product : u * H.squaredNorm();
   EigenTriple beside = triple(H, magnitude, lambda - away, u);
   beside.error += away;
@@ -204,8 +204,8 @@ std::vector<IteratedMode> iterated_modes(const Leaf& leaf, const LeafFacts& fact
   if (lambdas.empty()) lambdas = squared_eigenvalues(H);
   std::vector<IteratedMode> out;
   if (facts.forced_zero) {
-    lambdas.erase(std::ranges::min_element(lambdas, {},
-                                           [](const Complex& lambda) { return std::abs(lambda); }));
+    lambdas.erase(
+        std::ranges::min_element(lambdas, {}, [](const Complex& lambda) { return abs(lambda); }));
     out.push_back({.forced = true});
   }
   for (const Complex& lambda : lambdas) {
