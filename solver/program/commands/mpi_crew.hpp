@@ -21,6 +21,9 @@ class MpiCrew final : public Crew {
   /// Lets the others go and ends MPI, if it was begun.
   ~MpiCrew() override;
 
+  /// Whether MPI was.
+  bool begun() const { return begun_ != nullptr; }
+
   bool leads() override;
   int ranks() override;
   bool run(const TileLoop& loop, const std::string& hash) override;

@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   using namespace stationary::cli;
   if (coming_rank() > 0) say_nothing();
   MpiCrew crew;
-  return run_program(
+  const int code = run_program(
       {"stationary-mpi", "Maps, studies and grids of atlases by the ranks of mpirun or srun",
        [](CLI::App& program, Session& session) {
          add_map(program, session);
@@ -40,4 +40,9 @@ int main(int argc, char** argv) {
        },
        &crew},
       argc, argv);
+  // With the first rank that fails mpirun ends the others: rank 0 is to say before what is wrong. Its
+  // end wakes them.
+  constexpr unsigned seconds = 10;
+  if (coming_rank() > 0 && code != 0 && !crew.begun()) ::sleep(seconds);
+  return code;
 }
