@@ -21,14 +21,14 @@ esac
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 # libatlas-base-dev comes with libceres-dev; Ceres' package file asks for its BLAS and LAPACK.
+# Clang compiles all of it in half of GCC's time, to a program that is no slower.
 packages=(
-  g++ cmake ninja-build
+  g++ clang cmake ninja-build
   libeigen3-dev libceres-dev libnlopt-dev libnlopt-cxx-dev libtbb-dev libhdf5-dev zlib1g-dev
   libcli11-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev tao-pegtl-dev
   libboost-dev gnuplot-nox scdoc
 )
-# Clang compiles the tests, in release and under the sanitizers, in half of GCC's time.
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libcminpack-dev clang libclang-rt-14-dev)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libcminpack-dev libclang-rt-14-dev)
 # The Python module, what its results turn into, and what tests it.
 python_packages=(
   python3-dev pybind11-dev python3-numpy python3-pandas python3-xarray python3-matplotlib
@@ -103,7 +103,8 @@ build() { # preset target [cmake option ...]
   shift 2
   say "building ($preset)"
   # From nothing: the program's sources ten at once.
-  cmake --preset "$preset" -D STATIONARY_BUILD_BENCHMARKS=OFF -D STATIONARY_UNITY_BUILD=ON "$@"
+  cmake --preset "$preset" -D CMAKE_CXX_COMPILER=clang++ -D STATIONARY_BUILD_BENCHMARKS=OFF \
+    -D STATIONARY_UNITY_BUILD=ON "$@"
   cmake --build --preset "$preset" --parallel "$(compile_jobs)" --target "$target"
 }
 
@@ -135,8 +136,7 @@ else
   # The solver of pages, four minutes of compiling, is made and tested with `all`.
   solver_of_pages=OFF
   [[ $verb != all ]] || solver_of_pages=ON
-  build release all -D STATIONARY_BUILD_TESTS=ON -D STATIONARY_TEST_COMPILER=clang++ -D STATIONARY_PYTHON=ON \
-    -D STATIONARY_WASM="$solver_of_pages"
+  build release all -D STATIONARY_BUILD_TESTS=ON -D STATIONARY_PYTHON=ON -D STATIONARY_WASM="$solver_of_pages"
   run_tests release
   build sanitize all
   # The page in a browser and the installed library are not what the sanitizers look at.
