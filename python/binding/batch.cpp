@@ -130,8 +130,9 @@ py::tuple solve_batch(const Body& body, const Material& material, const std::str
     if (spins.empty() || lanes == 0) return;
     how.stop = &stop;
     constexpr std::size_t tile = BatchResult::tile;
-    const std::size_t at_once =
-        std::max<std::size_t>(cells_at_once / spins.size() / tile, how.threads) * tile;
+    const std::size_t at_once = std::max<std::size_t>(cells_at_once / spins.size() / tile,
+                                                      static_cast<std::size_t>(how.threads)) *
+                                tile;
     BatchResult solved;
     for (std::size_t begin = 0; begin < lanes && !stop; begin += at_once) {
       const std::size_t share_of = std::min(at_once, lanes - begin);
