@@ -37,9 +37,9 @@ NodeId Differentiation::of_variable(Variable v) {
       return itself(coordinate_ == Coordinate::log_d, false);
     case Variable::discriminant:  // t^2 - 4 d
       if (coordinate_ == Coordinate::t)
-        return graph_.multiply(graph_.number(2.0), graph_.variable(Variable::t));
+        return graph_.multiply({graph_.number(2.0), graph_.variable(Variable::t)});
       if (coordinate_ == Coordinate::log_d)
-        return graph_.multiply(graph_.number(-4.0), graph_.variable(Variable::d));
+        return graph_.multiply({graph_.number(-4.0), graph_.variable(Variable::d)});
       return graph_.zero();
     case Variable::lambda:
     case Variable::mu:
@@ -61,7 +61,7 @@ NodeId Differentiation::of_variable(Variable v) {
 std::optional<NodeId> Differentiation::undivided(NodeId x) {
   if (graph_.is_coefficient(x)) return graph_.zero();
   const NodeId slope = known_.at(x);
-  if (graph_.is_zero(slope) || slope == x) return graph_.divide(slope, x);
+  if (graph_.is_zero(slope) || slope == x) return graph_.divide({slope, x});
   const Node node = graph_[x];
   switch (node.kind) {
     case Kind::sum:
@@ -72,21 +72,21 @@ std::optional<NodeId> Differentiation::undivided(NodeId x) {
       for (const Term& factor : node.terms) {
         const auto part = undivided(factor.node);
         if (!part) return {};
-        out = graph_.add(out, graph_.multiply(graph_.number(factor.exponent), *part));
+        out = graph_.add({out, graph_.multiply({graph_.number(factor.exponent), *part})});
       }
       return out;
     }
     case Kind::power: {
       const auto base = undivided(node.a);
       if (!base) return {};
-      return graph_.multiply(node.b, *base);
+      return graph_.multiply({node.b, *base});
     }
     case Kind::function:
       if (node.function == Function::exp) return known_.at(node.a);
       if (node.function == Function::sqrt) {
         const auto base = undivided(node.a);
         if (!base) return {};
-        return graph_.multiply(graph_.number(0.5), *base);
+        return graph_.multiply({graph_.number(0.5), *base});
       }
       return {};
     default:
@@ -103,10 +103,11 @@ NodeId Differentiation::relative(NodeId x) {
   if (node.kind == Kind::product) {
     NodeId out = graph_.zero();
     for (const Term& factor : node.terms)
-      out = graph_.add(out, graph_.multiply(graph_.number(factor.exponent), relative(factor.node)));
+      out = graph_.add(
+          {out, graph_.multiply({graph_.number(factor.exponent), relative(factor.node)})});
     return out;
   }
-  return graph_.divide(known_.at(x), x);
+  return graph_.divide({known_.at(x), x});
 }
 
 NodeId Differentiation::of_function(const Node& node, NodeId id) {
@@ -114,10 +115,10 @@ NodeId Differentiation::of_function(const Node& node, NodeId id) {
   if (graph_.is_zero(slope)) return slope;
   if (node.function == Function::sqrt) {
     if (const auto base = undivided(node.a))
-      return graph_.multiply(graph_.multiply(graph_.number(0.5), id), *base);
+      return graph_.multiply({graph_.multiply({graph_.number(0.5), id}), *base});
   }
   if (node.function == Function::log) return relative(node.a);
-  return graph_.multiply(derivative(graph_, node.function, node.a), slope);
+  return graph_.multiply({derivative(graph_, node.function, node.a), slope});
 }
 
 NodeId Differentiation::of(NodeId x) {
@@ -129,14 +130,15 @@ NodeId Differentiation::of(NodeId x) {
     case Kind::sum: {
       NodeId out = graph_.zero();
       for (const Term& term : node.terms)
-        out = graph_.add(out, graph_.multiply(term.coefficient, known_.at(term.node)));
+        out = graph_.add({out, graph_.multiply({term.coefficient, known_.at(term.node)})});
       return out;
     }
     case Kind::product: {
       NodeId out = graph_.zero();
       for (const Term& factor : node.terms) {
-        const NodeId share = graph_.multiply(graph_.number(factor.exponent), relative(factor.node));
-        out = graph_.add(out, graph_.multiply(share, x));
+        const NodeId share =
+            graph_.multiply({graph_.number(factor.exponent), relative(factor.node)});
+        out = graph_.add({out, graph_.multiply({share, x})});
       }
       return out;
     }
@@ -144,15 +146,15 @@ NodeId Differentiation::of(NodeId x) {
       const NodeId slope = known_.at(node.a);
       if (graph_.is_zero(slope)) return slope;
       const auto base = undivided(node.a);
-      if (base) return graph_.multiply(graph_.multiply(node.b, x), *base);
-      const NodeId lower = graph_.power(node.a, graph_.subtract(node.b, graph_.one()));
-      return graph_.multiply(graph_.multiply(node.b, lower), slope);
+      if (base) return graph_.multiply({graph_.multiply({node.b, x}), *base});
+      const NodeId lower = graph_.power(node.a, graph_.subtract({node.b, graph_.one()}));
+      return graph_.multiply({graph_.multiply({node.b, lower}), slope});
     }
     case Kind::function:
       return of_function(node, x);
     case Kind::kernel:
-      return graph_.add(graph_.multiply(kernel_slope_a(graph_, x), known_.at(node.a)),
-                        graph_.multiply(kernel_slope_y(graph_, x), known_.at(node.b)));
+      return graph_.add({graph_.multiply({kernel_slope_a(graph_, x), known_.at(node.a)}),
+                         graph_.multiply({kernel_slope_y(graph_, x), known_.at(node.b)})});
     default:
       return graph_.zero();
   }

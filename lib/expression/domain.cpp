@@ -147,11 +147,11 @@ void require_positive(Graph& graph, NodeId x, std::string_view text, std::vector
         if (factor.exponent % 2 == 0) {
           require_nonzero(graph, factor.node, text, out);
         } else if (sign(graph, factor.node) != Sign::positive) {
-          odd = graph.multiply(odd, factor.node);
+          odd = graph.multiply({odd, factor.node});
         }
       }
     } else if (sign(graph, term.node) != Sign::positive) {
-      odd = graph.multiply(odd, term.node);
+      odd = graph.multiply({odd, term.node});
     }
   }
   if (sign(graph, odd) != Sign::positive) add({odd, true, std::string(text)}, out);

@@ -205,7 +205,8 @@ NodeId Graph::from(const LinearForm& form) {
   return intern(std::move(node));
 }
 
-NodeId Graph::add(NodeId x, NodeId y) {
+NodeId Graph::add(Operands of) {
+  auto [x, y] = of;
   if (is_coefficient(x) && is_coefficient(y)) return coefficient_add(x, y);
   LinearForm form{zero(), {}};
   accumulate(form, one(), x, false);
@@ -239,7 +240,8 @@ NodeId Graph::negate(NodeId x) {
   return from(form);
 }
 
-NodeId Graph::multiply(NodeId x, NodeId y) {
+NodeId Graph::multiply(Operands of) {
+  auto [x, y] = of;
   if (is_coefficient(x) && is_coefficient(y)) return coefficient_multiply(x, y);
   if (is_coefficient(x)) return times(x, y);
   if (is_coefficient(y)) return times(y, x);
@@ -301,10 +303,11 @@ NodeId Graph::power(NodeId x, int n) {
   return times(power(term.coefficient, n), whole);
 }
 
-NodeId Graph::divide(NodeId x, NodeId y) {
+NodeId Graph::divide(Operands of) {
+  auto [x, y] = of;
   if (is_coefficient(x) && is_coefficient(y)) return coefficient_divide(x, y);
   if (is_coefficient(y)) return times(coefficient_divide(one(), y), x);
-  return multiply(x, power(y, -1));
+  return multiply({x, power(y, -1)});
 }
 
 NodeId Graph::power(NodeId x, NodeId y) {
@@ -316,7 +319,7 @@ NodeId Graph::power(NodeId x, NodeId y) {
   }
   if (is_literal(y, 0.5)) return apply(Function::sqrt, x);
   if (is_literal(x, 1.0)) return x;
-  if (!is_coefficient(y)) return apply(Function::exp, multiply(y, apply(Function::log, x)));
+  if (!is_coefficient(y)) return apply(Function::exp, multiply({y, apply(Function::log, x)}));
   Node node;
   node.kind = Kind::power;
   node.a = x;
@@ -344,7 +347,8 @@ NodeId Graph::apply(Function f, NodeId x) {
   return intern(std::move(out));
 }
 
-NodeId Graph::minimum(NodeId x, NodeId y) {
+NodeId Graph::minimum(Operands of) {
+  auto [x, y] = of;
   if (!is_coefficient(x) || !is_coefficient(y))
     throw NotSmooth("min has no derivative where its arguments are equal");
   Node node;
@@ -354,7 +358,8 @@ NodeId Graph::minimum(NodeId x, NodeId y) {
   return intern(std::move(node));
 }
 
-NodeId Graph::maximum(NodeId x, NodeId y) {
+NodeId Graph::maximum(Operands of) {
+  auto [x, y] = of;
   if (!is_coefficient(x) || !is_coefficient(y))
     throw NotSmooth("max has no derivative where its arguments are equal");
   Node node;

@@ -106,6 +106,13 @@ class NotSmooth : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// In braces, and so made in this order by every compiler: terms are added in the order in which they
+/// were made.
+struct Operands {
+  NodeId x;
+  NodeId y;
+};
+
 class Graph {
  public:
   static constexpr std::size_t largest_size = 20000;
@@ -122,17 +129,17 @@ class Graph {
   NodeId parameter(int index) { return leaf(Kind::parameter, index); }
   NodeId variable(Variable v) { return leaf(Kind::variable, static_cast<int>(v)); }
 
-  NodeId add(NodeId x, NodeId y);
-  NodeId subtract(NodeId x, NodeId y) { return add(x, negate(y)); }
+  NodeId add(Operands of);
+  NodeId subtract(Operands of) { return add({of.x, negate(of.y)}); }
   NodeId negate(NodeId x);
-  NodeId multiply(NodeId x, NodeId y);
-  NodeId divide(NodeId x, NodeId y);
+  NodeId multiply(Operands of);
+  NodeId divide(Operands of);
   NodeId power(NodeId x, int n);
   NodeId power(NodeId x, NodeId y);
   NodeId apply(Function f, NodeId x);
   /// Of coefficients only; NotSmooth otherwise.
-  NodeId minimum(NodeId x, NodeId y);
-  NodeId maximum(NodeId x, NodeId y);
+  NodeId minimum(Operands of);
+  NodeId maximum(Operands of);
   /// As read: no simplification. See symmetric_kernel.hpp.
   NodeId kernel(Function f, int which, NodeId a, NodeId y, NodeId norm, NodeId exponent);
 

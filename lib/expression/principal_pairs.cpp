@@ -21,8 +21,8 @@ class Splitter {
  public:
   explicit Splitter(Graph& graph)
       : g_(graph),
-        half_trace_(g_.multiply(g_.number(0.5), g_.variable(Variable::t))),
-        square_(g_.multiply(g_.number(0.25), g_.variable(Variable::discriminant))) {}
+        half_trace_(g_.multiply({g_.number(0.5), g_.variable(Variable::t)})),
+        square_(g_.multiply({g_.number(0.25), g_.variable(Variable::discriminant)})) {}
 
   EvenOdd split(NodeId x) {
     const std::array<NodeId, 1> root{x};
@@ -34,8 +34,8 @@ class Splitter {
  private:
   Split even(NodeId a) { return {a, g_.zero(), g_.power(a, 2), false}; }
   Split with_norm(NodeId a, NodeId b) {
-    const NodeId odd = g_.multiply(g_.power(b, 2), square_);
-    return {a, b, g_.subtract(g_.power(a, 2), odd), false};
+    const NodeId odd = g_.multiply({g_.power(b, 2), square_});
+    return {a, b, g_.subtract({g_.power(a, 2), odd}), false};
   }
   Split product(const Split& x, const Split& y);
   Split power(const Split& x, int n);
@@ -52,11 +52,12 @@ class Splitter {
 };
 
 Split Splitter::product(const Split& x, const Split& y) {
-  if (x.a == y.a && g_.is_zero(g_.add(x.b, y.b)))  // conjugate
+  if (x.a == y.a && g_.is_zero(g_.add({x.b, y.b})))  // conjugate
     return {x.norm, g_.zero(), g_.power(x.norm, 2), x.positive && y.positive};
-  const NodeId both = g_.multiply(g_.multiply(x.b, y.b), square_);
-  return {g_.add(g_.multiply(x.a, y.a), both), g_.add(g_.multiply(x.a, y.b), g_.multiply(x.b, y.a)),
-          g_.multiply(x.norm, y.norm), x.positive && y.positive};
+  const NodeId both = g_.multiply({g_.multiply({x.b, y.b}), square_});
+  return {g_.add({g_.multiply({x.a, y.a}), both}),
+          g_.add({g_.multiply({x.a, y.b}), g_.multiply({x.b, y.a})}), g_.multiply({x.norm, y.norm}),
+          x.positive && y.positive};
 }
 
 Split Splitter::power(const Split& x, int n) {
@@ -67,8 +68,8 @@ Split Splitter::power(const Split& x, int n) {
   }
   if (n < 0) {
     const Split below = power(x, -n);
-    const NodeId inverse = g_.divide(g_.one(), below.norm);
-    return {g_.multiply(below.a, inverse), g_.negate(g_.multiply(below.b, inverse)), inverse,
+    const NodeId inverse = g_.divide({g_.one(), below.norm});
+    return {g_.multiply({below.a, inverse}), g_.negate(g_.multiply({below.b, inverse})), inverse,
             x.positive};
   }
   if (n == 1) return x;
@@ -82,15 +83,15 @@ Split Splitter::sum(const Node& node) {
   NodeId b = g_.zero();
   for (const Term& term : node.terms) {
     const Split& part = known_.at(term.node);
-    a = g_.add(a, g_.multiply(term.coefficient, part.a));
-    b = g_.add(b, g_.multiply(term.coefficient, part.b));
+    a = g_.add({a, g_.multiply({term.coefficient, part.a})});
+    b = g_.add({b, g_.multiply({term.coefficient, part.b})});
   }
   if (g_.is_zero(b)) return even(a);
   if (node.terms.size() == 1 && g_.is_zero(node.a)) {
     const Split& part = known_.at(node.terms[0].node);
     const NodeId c = node.terms[0].coefficient;
     const bool positive = part.positive && g_.is_exact_literal(c) && g_[c].literal > 0.0;
-    return {a, b, g_.multiply(g_.power(c, 2), part.norm), positive};
+    return {a, b, g_.multiply({g_.power(c, 2), part.norm}), positive};
   }
   return with_norm(a, b);
 }
@@ -117,11 +118,11 @@ Split Splitter::product(const Node& node) {
 }
 
 Split Splitter::kernels(Function f, const Split& x, NodeId exponent) {
-  const NodeId y = g_.multiply(g_.power(x.b, 2), square_);
+  const NodeId y = g_.multiply({g_.power(x.b, 2), square_});
   const auto kernel = [&](KernelPart part) {
     return g_.kernel(f, kernel_index(0, part), x.a, y, x.norm, exponent);
   };
-  return with_norm(kernel(KernelPart::even), g_.multiply(x.b, kernel(KernelPart::odd)));
+  return with_norm(kernel(KernelPart::even), g_.multiply({x.b, kernel(KernelPart::odd)}));
 }
 
 Split Splitter::function(const Node& node, NodeId id) {
@@ -143,17 +144,17 @@ Split Splitter::function(const Node& node, NodeId id) {
     case Function::log: {
       Split out = kernels(Function::log, x, g_.one());
       if (!x.positive) return out;
-      return with_norm(g_.multiply(g_.number(0.5), g_.apply(Function::log, x.norm)), out.b);
+      return with_norm(g_.multiply({g_.number(0.5), g_.apply(Function::log, x.norm)}), out.b);
     }
     case Function::sqrt: {
       // (sqrt x + sqrt x')/2 = sqrt((a + sqrt(x x'))/2), x' = a - b s.
       const NodeId root = g_.apply(Function::sqrt, x.norm);
-      const NodeId a = g_.apply(Function::sqrt, g_.multiply(g_.number(0.5), g_.add(x.a, root)));
-      return {a, g_.divide(g_.multiply(g_.number(0.5), x.b), a), root, x.positive};
+      const NodeId a = g_.apply(Function::sqrt, g_.multiply({g_.number(0.5), g_.add({x.a, root})}));
+      return {a, g_.divide({g_.multiply({g_.number(0.5), x.b}), a}), root, x.positive};
     }
     case Function::exp: {
       Split out = kernels(Function::exp, x, g_.one());
-      out.norm = g_.apply(Function::exp, g_.multiply(g_.number(2.0), x.a));
+      out.norm = g_.apply(Function::exp, g_.multiply({g_.number(2.0), x.a}));
       out.positive = true;
       return out;
     }

@@ -13,14 +13,14 @@ using Known = std::map<NodeId, NodeId>;
 NodeId varied_sum(Graph& g, const Node& node, const Known& now) {
   NodeId out = now.at(node.a);
   for (const Term& term : node.terms)
-    out = g.add(out, g.multiply(now.at(term.coefficient), now.at(term.node)));
+    out = g.add({out, g.multiply({now.at(term.coefficient), now.at(term.node)})});
   return out;
 }
 
 NodeId varied_product(Graph& g, const Node& node, const Known& now) {
   NodeId out = g.one();
   for (const Term& factor : node.terms)
-    out = g.multiply(out, g.power(now.at(factor.node), factor.exponent));
+    out = g.multiply({out, g.power(now.at(factor.node), factor.exponent)});
   return out;
 }
 
@@ -30,11 +30,11 @@ std::optional<NodeId> varied(Graph& g, NodeId id, const Known& now) {
     case Kind::parameter:
       return g.variable(parameter_variable(node.index));
     case Kind::coefficient_sum:
-      return g.add(now.at(node.a), now.at(node.b));
+      return g.add({now.at(node.a), now.at(node.b)});
     case Kind::coefficient_product:
-      return g.multiply(now.at(node.a), now.at(node.b));
+      return g.multiply({now.at(node.a), now.at(node.b)});
     case Kind::coefficient_quotient:
-      return g.divide(now.at(node.a), now.at(node.b));
+      return g.divide({now.at(node.a), now.at(node.b)});
     case Kind::minimum:
     case Kind::maximum:
       if (now.at(node.a) != node.a || now.at(node.b) != node.b) return {};

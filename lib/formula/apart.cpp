@@ -27,15 +27,15 @@ class Division {
   void add(NodeId addend) {
     const bool has_plane = occurs(graph_, addend, of_plane);
     if (!occurs(graph_, addend, of_thickness)) {
-      plane_ = graph_.add(plane_, addend);
+      plane_ = graph_.add({plane_, addend});
     } else if (!has_plane) {
-      thickness_ = graph_.add(thickness_, addend);
+      thickness_ = graph_.add({thickness_, addend});
     } else {
       const NodeId at_one = substitute(graph_, addend, {{Variable::rho, graph_.one()}});
-      plane_ = graph_.add(plane_, at_one);
+      plane_ = graph_.add({plane_, at_one});
       thickness_ =
-          graph_.add(thickness_, graph_.subtract(substitute(graph_, addend, at_unit_plane_),
-                                                 substitute(graph_, at_one, at_unit_plane_)));
+          graph_.add({thickness_, graph_.subtract({substitute(graph_, addend, at_unit_plane_),
+                                                   substitute(graph_, at_one, at_unit_plane_)})});
     }
   }
 
@@ -59,14 +59,14 @@ std::optional<PlaneAndThickness> taken_apart(const Expression& whole) {
   if (!g.is_coefficient(root) && g[root].kind == Kind::sum) {
     const Node sum = g[root];
     parts.add(sum.a);
-    for (const Term& term : sum.terms) parts.add(g.multiply(term.coefficient, term.node));
+    for (const Term& term : sum.terms) parts.add(g.multiply({term.coefficient, term.node}));
   } else {
     parts.add(root);
   }
   if (!occurs(g, parts.plane(), of_plane) || !occurs(g, parts.thickness(), of_thickness))
     return std::nullopt;
   Expression rest = e;
-  rest.root = rest.graph.subtract(root, rest.graph.add(parts.plane(), parts.thickness()));
+  rest.root = rest.graph.subtract({root, rest.graph.add({parts.plane(), parts.thickness()})});
   const NodeId difference = rest.graph.expanded(in_stretch(rest));
   if (!Facts::holds(vanishes(rest.graph, difference, e.parameters.size()))) return std::nullopt;
   PlaneAndThickness out{e, e};

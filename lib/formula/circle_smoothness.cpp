@@ -36,14 +36,14 @@ std::vector<NodeId> bases(const Graph& g, NodeId id) {
 void require_smooth_at_circle(Expression& e) {
   Graph& g = e.graph;
   const NodeId xi = g.variable(Variable::xi);
-  const NodeId twice = g.multiply(g.number(2.0), xi);
+  const NodeId twice = g.multiply({g.number(2.0), xi});
   const NodeId square = g.power(xi, 2);
   const std::map<Variable, NodeId> circle{
       {Variable::lambda, xi},
       {Variable::mu, xi},
       {Variable::t, twice},
       {Variable::d, square},
-      {Variable::first_invariant, g.multiply(g.number(2.0), square)}};
+      {Variable::first_invariant, g.multiply({g.number(2.0), square})}};
   const std::array<NodeId, 1> root{e.root};
   for (const NodeId id : g.parts(root)) {
     for (const NodeId base : bases(g, id)) {

@@ -18,13 +18,13 @@ NodeId rebuilt(Graph& g, const Node& node, const std::map<NodeId, NodeId>& now) 
     case Kind::sum: {
       NodeId out = node.a;
       for (const Term& term : node.terms)
-        out = g.add(out, g.multiply(term.coefficient, now.at(term.node)));
+        out = g.add({out, g.multiply({term.coefficient, now.at(term.node)})});
       return out;
     }
     case Kind::product: {
       NodeId out = g.one();
       for (const Term& factor : node.terms)
-        out = g.multiply(out, g.power(now.at(factor.node), factor.exponent));
+        out = g.multiply({out, g.power(now.at(factor.node), factor.exponent)});
       return out;
     }
     case Kind::function:
@@ -64,16 +64,16 @@ NodeId gathered(Graph& g, NodeId x, NodeId v) {
   NodeId with = g.zero();
   NodeId without = sum.a;
   for (const Term& term : sum.terms) {
-    NodeId part = g.multiply(term.coefficient, term.node);
+    NodeId part = g.multiply({term.coefficient, term.node});
     if (exponent_of(g, term.node, v) < 1) {
-      without = g.add(without, part);
+      without = g.add({without, part});
     } else {
-      part = g.multiply(part, g.power(v, -lowest));
-      with = g.add(with, part);
+      part = g.multiply({part, g.power(v, -lowest)});
+      with = g.add({with, part});
     }
   }
   with = gathered(g, with, v);
-  return g.add(without, g.multiply(with, g.power(v, lowest)));
+  return g.add({without, g.multiply({with, g.power(v, lowest)})});
 }
 
 NodeId gathered(Graph& g, NodeId x) {
@@ -86,8 +86,8 @@ NodeId gathered(Graph& g, NodeId x) {
 /// lambda = (t + sqrt(t^2 - 4 d))/2 and mu = d/lambda, for conditions, which need not be smooth.
 std::map<Variable, NodeId> ordered_stretches(Graph& g, NodeId t, NodeId d, NodeId discriminant) {
   const NodeId root = g.apply(Function::sqrt, discriminant);
-  const NodeId lambda = g.multiply(g.number(0.5), g.add(t, root));
-  return {{Variable::lambda, lambda}, {Variable::mu, g.divide(d, lambda)}};
+  const NodeId lambda = g.multiply({g.number(0.5), g.add({t, root})});
+  return {{Variable::lambda, lambda}, {Variable::mu, g.divide({d, lambda})}};
 }
 
 /// Conditions of an isotropic expression as its tape evaluates it.
@@ -95,7 +95,7 @@ NodeId condition_in_invariants(Graph& g, NodeId x) {
   const NodeId t = g.variable(Variable::t);
   const NodeId d = g.variable(Variable::d);
   auto by = ordered_stretches(g, t, d, g.variable(Variable::discriminant));
-  by[Variable::first_invariant] = g.subtract(g.power(t, 2), g.multiply(g.number(2.0), d));
+  by[Variable::first_invariant] = g.subtract({g.power(t, 2), g.multiply({g.number(2.0), d})});
   by[Variable::alpha] = g.zero();
   by[Variable::xi] = by[Variable::lambda];
   by[Variable::zeta] = by[Variable::mu];
@@ -113,12 +113,12 @@ std::vector<NodeId> balance(Graph& g, NodeId potential, std::span<const Directio
   std::vector<Differentiation> d;
   for (const Direction& direction : directions) d.emplace_back(g, direction.coordinate);
   const auto pull = [&](const Direction& direction) {
-    return g.multiply(g.variable(direction.rate), g.power(g.variable(direction.stretch), 2));
+    return g.multiply({g.variable(direction.rate), g.power(g.variable(direction.stretch), 2)});
   };
   std::vector<NodeId> out;
   std::vector<NodeId> force;
   for (std::size_t i = 0; i < d.size(); ++i) {
-    force.push_back(g.subtract(d[i](potential), pull(directions[i])));
+    force.push_back(g.subtract({d[i](potential), pull(directions[i])}));
     out.push_back(gathered(g, force[i]));
   }
   for (std::size_t i = 0; i < d.size(); ++i)
@@ -296,7 +296,7 @@ bool split_by_directions(Expression& e, NodeId& without, NodeId& with) {
   for (const Term& term : sum.terms) {
     const bool directed = occurs(g, term.node, {Variable::alpha, Variable::xi, Variable::zeta});
     NodeId& part = directed ? with : without;
-    part = g.add(part, g.multiply(term.coefficient, term.node));
+    part = g.add({part, g.multiply({term.coefficient, term.node})});
     of_invariants += !directed;
   }
   return of_invariants > 0 && !g.is_zero(with);
@@ -333,12 +333,12 @@ std::map<Variable, NodeId> invariants_in_stretch(Graph& g) {
   const NodeId xi = g.variable(Variable::xi);
   const NodeId zeta = g.variable(Variable::zeta);
   const auto number = [&](double x) { return g.number(x); };
-  return {{Variable::t, g.add(xi, zeta)},
-          {Variable::d, g.subtract(g.multiply(xi, zeta), alpha2)},
+  return {{Variable::t, g.add({xi, zeta})},
+          {Variable::d, g.subtract({g.multiply({xi, zeta}), alpha2})},
           {Variable::first_invariant,
-           g.add(g.add(g.power(xi, 2), g.power(zeta, 2)), g.multiply(number(2.0), alpha2))},
+           g.add({g.add({g.power(xi, 2), g.power(zeta, 2)}), g.multiply({number(2.0), alpha2})})},
           {Variable::discriminant,
-           g.add(g.power(g.subtract(xi, zeta), 2), g.multiply(number(4.0), alpha2))}};
+           g.add({g.power(g.subtract({xi, zeta}), 2), g.multiply({number(4.0), alpha2})})}};
 }
 
 }  // namespace
@@ -359,19 +359,20 @@ NodeId at_principal_axes(Graph& g, NodeId x) {
   const NodeId zeta = g.variable(Variable::zeta);
   return substitute(g, x,
                     {{Variable::alpha, g.zero()},
-                     {Variable::t, g.add(xi, zeta)},
-                     {Variable::d, g.multiply(xi, zeta)},
+                     {Variable::t, g.add({xi, zeta})},
+                     {Variable::d, g.multiply({xi, zeta})},
                      {Variable::lambda, xi},
                      {Variable::mu, zeta},
-                     {Variable::first_invariant, g.add(g.power(xi, 2), g.power(zeta, 2))}});
+                     {Variable::first_invariant, g.add({g.power(xi, 2), g.power(zeta, 2)})}});
 }
 
 NodeId condition_at_principal_axes(Graph& g, NodeId x) {
   const NodeId xi = g.variable(Variable::xi);
   const NodeId zeta = g.variable(Variable::zeta);
-  auto by =
-      ordered_stretches(g, g.add(xi, zeta), g.multiply(xi, zeta), g.power(g.subtract(xi, zeta), 2));
-  return at_principal_axes(g, substitute(g, x, by));
+  const NodeId t = g.add({xi, zeta});
+  const NodeId d = g.multiply({xi, zeta});
+  const NodeId discriminant = g.power(g.subtract({xi, zeta}), 2);
+  return at_principal_axes(g, substitute(g, x, ordered_stretches(g, t, d, discriminant)));
 }
 
 NodeId in_invariants(Expression& e) {
@@ -390,7 +391,7 @@ NodeId in_invariants(Expression& e) {
   const NodeId d = g.variable(Variable::d);
   return substitute(
       g, without_principal_stretches(e),
-      {{Variable::first_invariant, g.subtract(g.power(t, 2), g.multiply(g.number(2.0), d))}});
+      {{Variable::first_invariant, g.subtract({g.power(t, 2), g.multiply({g.number(2.0), d})})}});
 }
 
 std::shared_ptr<const Tape> planar_tape(Expression e) {

@@ -96,12 +96,12 @@ namespace {
 Verdict turns_with_body(Graph& g, NodeId v, std::size_t parameter_count,
                         std::span<const double> values) {
   const NodeId alpha = g.variable(Variable::alpha);
-  const NodeId difference = g.subtract(g.variable(Variable::xi), g.variable(Variable::zeta));
+  const NodeId difference = g.subtract({g.variable(Variable::xi), g.variable(Variable::zeta)});
   const NodeId shear = Differentiation(g, Coordinate::alpha)(v);
   const NodeId stretch =
-      g.subtract(Differentiation(g, Coordinate::zeta)(v), Differentiation(g, Coordinate::xi)(v));
-  const NodeId along_rotation =
-      g.add(g.multiply(shear, difference), g.multiply(g.multiply(g.number(2.0), alpha), stretch));
+      g.subtract({Differentiation(g, Coordinate::zeta)(v), Differentiation(g, Coordinate::xi)(v)});
+  const NodeId along_rotation = g.add(
+      {g.multiply({shear, difference}), g.multiply({g.multiply({g.number(2.0), alpha}), stretch})});
   return vanishes(g, g.expanded(along_rotation), parameter_count, values);
 }
 
@@ -132,9 +132,9 @@ Verdict shear_freedom(Expression& e, std::span<const double> values) {
 Verdict evenness(Expression& e, std::span<const double> values) {
   Graph& g = e.graph;
   const NodeId v = in_stretch(e);
-  const NodeId opposite = g.multiply(g.number(-1.0), g.variable(Variable::alpha));
+  const NodeId opposite = g.multiply({g.number(-1.0), g.variable(Variable::alpha)});
   const NodeId mirrored = substitute(g, v, {{Variable::alpha, opposite}});
-  return vanishes(g, g.expanded(g.subtract(v, mirrored)), e.parameters.size(), values);
+  return vanishes(g, g.expanded(g.subtract({v, mirrored})), e.parameters.size(), values);
 }
 
 Facts facts(Expression e, Slot slot, std::span<const double> values) {

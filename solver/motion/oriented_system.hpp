@@ -129,7 +129,7 @@ std::array<S, 5> inertial_part(const Inertia3<S>& J, const std::optional<S>& vol
   const OrientedStretch<S> whole = volume ? at_volume(*volume, at) : at;
   OrientedBalance<S> out;
   const Vector4<S> force = -(centrifugal_matrix(J, n) * whole.q.vector());
-  add_in_logarithms<1>(whole, force, Matrix4<S>(), out);
+  add_in_logarithms<1>(whole, force, Matrix4<S>::Zero(), out);
   if (volume) out = held<1>(out, whole);
   if (axis != nullptr) add_axis<1>(J, at, S(0.0), *axis, out);
   return out.g;

@@ -178,10 +178,10 @@ NodeId ExpressionBuilder::meaning(const Word& word) {
   if (of_body && slot_ == ExpressionSlot::coupled) {
     const NodeId d = graph().variable(Variable::d);
     const NodeId rho = graph().variable(Variable::rho);
-    if (word.text == "I3") return graph().power(graph().multiply(d, rho), 2);
+    if (word.text == "I3") return graph().power(graph().multiply({d, rho}), 2);
     return graph().add(
-        graph().power(d, 2),
-        graph().multiply(graph().power(rho, 2), graph().variable(Variable::first_invariant)));
+        {graph().power(d, 2),
+         graph().multiply({graph().power(rho, 2), graph().variable(Variable::first_invariant)})});
   }
   if (variable != variables.end() && is_known_in(variable->variable, slot_))
     return graph().variable(variable->variable);
@@ -244,8 +244,8 @@ void ExpressionBuilder::unknown_function(const Word& word) const {
 NodeId ExpressionBuilder::applied(const Call& call) {
   const std::string_view name = functions[call.function];
   if (name == "pow") return power(top(1), top(0).node, call.name.offset);
-  if (name == "min") return graph().minimum(top(1).node, top(0).node);
-  if (name == "max") return graph().maximum(top(1).node, top(0).node);
+  if (name == "min") return graph().minimum({top(1).node, top(0).node});
+  if (name == "max") return graph().maximum({top(1).node, top(0).node});
   const Operand& x = top(0);
   if (name == "log" || (name == "sqrt" && !graph().is_coefficient(x.node))) require_positive(x);
   if (name == "tan") {
@@ -318,18 +318,18 @@ void ExpressionBuilder::apply_operation() {
     const NodeId right = top(0).node;
     switch (by.symbol) {
       case '+':
-        return graph().add(left, right);
+        return graph().add({left, right});
       case '-':
-        return graph().subtract(left, right);
+        return graph().subtract({left, right});
       case '*':
-        return graph().multiply(left, right);
+        return graph().multiply({left, right});
       default:
         require_divisor(right, by.offset);
         require_nonzero(top(0));
         // d/k is 1/k times d, in which 1/k is a constant that may not be finite.
         if (graph().is_coefficient(right) && !graph().is_coefficient(left))
-          at(by.offset, [&] { return graph().divide(graph().one(), right); });
-        return graph().divide(left, right);
+          at(by.offset, [&] { return graph().divide({graph().one(), right}); });
+        return graph().divide({left, right});
     }
   });
   replace(2, out);
@@ -344,7 +344,8 @@ void ExpressionBuilder::add_condition() {
   const NodeId left = top(1).node;
   const NodeId right = top(0).node;
   operands_.resize(operands_.size() - 2);
-  const NodeId excess = is_less_ ? graph().subtract(right, left) : graph().subtract(left, right);
+  const NodeId excess =
+      is_less_ ? graph().subtract({right, left}) : graph().subtract({left, right});
   expression::require_positive(graph(), excess, text_, out_.expression.conditions);
 }
 
