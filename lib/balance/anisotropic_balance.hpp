@@ -142,8 +142,7 @@ struct OrientedBalance {
   std::array<std::array<S, 5>, 5> slope{};
 };
 
-/// Adds the derivatives in (u, v, w, a) of a function of q from those in q; below order 2 without the
-/// Hessian.
+/// Adds the derivatives in (u, v, w, a) of a function of q from those in q.
 template <int order, class S>
 void add_in_logarithms(const OrientedStretch<S>& at, const Vector4<S>& gradient,
                        const Matrix4<S>& hessian, OrientedBalance<S>& out) {
@@ -378,7 +377,8 @@ void add_axis(const Inertia3<S>& J, const OrientedStretch<S>& at, const S& nu_sq
                         J.J1 * (cosine * q.alpha - sine * q.xi),
                         J.J2 * (cosine * q.alpha + sine * q.zeta), S(0.0)};
     OrientedBalance<S> in_q;
-    add_in_logarithms<1>(at, gradient, Matrix4<S>::Zero(), in_q);
+    const Matrix4<S> none = Matrix4<S>::Zero();
+    add_in_logarithms<1>(at, gradient, none, in_q);
     for (const std::size_t i : {u, v, w, a}) {
       out.slope[phi][i] = in_q.g[i];
       out.slope[i][phi] = nu_squared * (in_q.g[i] * axis.rate);

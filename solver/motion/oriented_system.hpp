@@ -129,7 +129,8 @@ std::array<S, 5> inertial_part(const Inertia3<S>& J, const std::optional<S>& vol
   const OrientedStretch<S> whole = volume ? at_volume(*volume, at) : at;
   OrientedBalance<S> out;
   const Vector4<S> force = -(centrifugal_matrix(J, n) * whole.q.vector());
-  add_in_logarithms<1>(whole, force, Matrix4<S>::Zero(), out);
+  const Matrix4<S> none = Matrix4<S>::Zero();
+  add_in_logarithms<1>(whole, force, none, out);
   if (volume) out = held<1>(out, whole);
   if (axis != nullptr) add_axis<1>(J, at, S(0.0), *axis, out);
   return out.g;
