@@ -175,10 +175,10 @@ def main():
     def judge(mutant):
         if arguments.minutes and time.monotonic() - begun > 60.0 * arguments.minutes:
             return
-        seconds, outcome = 0.0, dict(outcome="survived", by="", case="")
-        for each in cases:  # the shortest first
-            if int(mutant["mutant"]) not in each["places"]:
-                continue
+        near = [each for each in cases if int(mutant["mutant"]) in each["places"]]
+        seconds = 0.0
+        outcome = dict(outcome="survived", by="", case="" if near else "none comes by it")
+        for each in near:  # the shortest first
             passes, took, how = run(build, each["test"], each["case"], mutant["mutant"],
                                     20.0 + 10.0 * each["seconds"])
             seconds += took
