@@ -22,6 +22,8 @@
 #include "lib/gravity/carlson_sum.hpp"
 #include "lib/gravity/enclosed_sum.hpp"
 #include "lib/gravity/power_series.hpp"
+#include "lib/number/double_double.hpp"
+#include "lib/number/interval.hpp"
 
 namespace stationary {
 
@@ -108,5 +110,20 @@ PowerSeries<S, order> integral_by_duplication(const S& T0, const S& D0, const S&
     return sum * sqrt(inverse);
   }
 }
+
+// Compiled once, in duplication.cpp: it is long, and every solver comes by it.
+#define STATIONARY_DUPLICATION(order, S)                                                   \
+  extern template PowerSeries<S, order> integral_by_duplication<order>(const S&, const S&, \
+                                                                       const S&);
+STATIONARY_DUPLICATION(1, double)
+STATIONARY_DUPLICATION(2, double)
+STATIONARY_DUPLICATION(3, double)
+STATIONARY_DUPLICATION(0, DoubleDouble)
+STATIONARY_DUPLICATION(1, DoubleDouble)
+STATIONARY_DUPLICATION(2, DoubleDouble)
+STATIONARY_DUPLICATION(1, Interval)
+STATIONARY_DUPLICATION(2, Interval)
+STATIONARY_DUPLICATION(3, Interval)
+#undef STATIONARY_DUPLICATION
 
 }  // namespace stationary

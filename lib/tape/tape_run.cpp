@@ -11,5 +11,7 @@ template void run(const Program&, const double*, const double*, double*);
 template void run(const Program&, const double*, const DoubleDouble*, DoubleDouble*);
 template void run(const Program&, const double*, const Interval*, Interval*);
 template void run(const Program&, const double*, const Conditioned*, Conditioned*);
+template void run(const Program&, const double*, const PerParameter*, PerParameter*);
+template void run(const Program&, const double*, const Dual<Interval, 3>*, Dual<Interval, 3>*);
 
 }  // namespace stationary::expression

@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "lib/number/double_double_functions.hpp"
+#include "lib/number/dual.hpp"
 #include "lib/number/elementary.hpp"
 #include "lib/number/first_order_bound_functions.hpp"
 #include "lib/number/interval_functions.hpp"
@@ -277,6 +278,9 @@ void run(const Program& program, const double* literals, const R* constants, R* 
   }
 }
 
+/// With a slope for each parameter of a formula.
+using PerParameter = Dual<double, largest_parameter_count>;
+
 // Compiled once, in tape_run.cpp.
 extern template void compute_constants(const Coefficients&, const double*, double*);
 extern template void compute_constants(const Coefficients&, const DoubleDouble*, DoubleDouble*);
@@ -286,5 +290,8 @@ extern template void run(const Program&, const double*, const double*, double*);
 extern template void run(const Program&, const double*, const DoubleDouble*, DoubleDouble*);
 extern template void run(const Program&, const double*, const Interval*, Interval*);
 extern template void run(const Program&, const double*, const Conditioned*, Conditioned*);
+extern template void run(const Program&, const double*, const PerParameter*, PerParameter*);
+extern template void run(const Program&, const double*, const Dual<Interval, 3>*,
+                         Dual<Interval, 3>*);
 
 }  // namespace stationary::expression

@@ -7,12 +7,12 @@
 namespace stationary {
 namespace {
 
-/// A piece of each factor's curves.
-struct Member {
+/// A piece of the curves of one factor.
+struct FactorPiece {
   const ProvenCurves* curves;
   CurvePiece piece;
 };
-using Together = std::vector<Member>;
+using Together = std::vector<FactorPiece>;
 
 class Gaps {
  public:
@@ -53,7 +53,7 @@ class Gaps {
  private:
   static std::optional<Interval> common_q(const Together& all) {
     Interval out = all.front().piece.q();
-    for (const Member& each : all) {
+    for (const FactorPiece& each : all) {
       if (each.piece.within == Within::none || each.piece.q().apart_from(out)) return std::nullopt;
       out = common(out, each.piece.q());
     }
@@ -66,7 +66,7 @@ class Gaps {
   void examine(Together together) {
     const Interval q = *common_q(together);
     // What has no part in it of one piece says nothing of the others.
-    for (Member& each : together) each.piece = each.curves->trimmed(each.piece, q);
+    for (FactorPiece& each : together) each.piece = each.curves->trimmed(each.piece, q);
     if (out_.arcs >= most_) {
       out_.gaps.push_back(q);
       return;
@@ -78,7 +78,7 @@ class Gaps {
       out_.gaps.push_back(q);
       return;
     }
-    const Member& split = together[*widest];
+    const FactorPiece& split = together[*widest];
     const Interval s = split.piece.s;
     const double middle = s.mid();
     for (const Interval& half : {Interval(s.lo, middle), Interval(middle, s.hi)}) {
@@ -97,7 +97,7 @@ class Gaps {
     return out;
   }
   /// In q, relative, for near rest nu is small; or hardly wider than at one point.
-  static bool is_narrow(const Member& member) {
+  static bool is_narrow(const FactorPiece& member) {
     constexpr double narrow = 1e-13;
     const CurvePiece& piece = member.piece;
     if (piece.q().hi - piece.q().lo <= narrow * piece.q().hi) return true;
@@ -111,7 +111,7 @@ class Gaps {
     for (std::size_t leader = 0; leader < together.size(); ++leader)
       if (const auto out = arc_led_by(leader, together, q)) return *out;
     PlacedMotions all;
-    for (const Member& each : together) each.curves->place(each.piece, Interval(0.0), all);
+    for (const FactorPiece& each : together) each.curves->place(each.piece, Interval(0.0), all);
     return {.over = motions(all, nu_of(q, nu_end_)), .at = {}, .stretch_slope = {}, .nu_slope = {}};
   }
 
@@ -119,7 +119,7 @@ class Gaps {
   /// one of these is not.
   std::optional<MotionArc> arc_led_by(std::size_t leader, const Together& together,
                                       const Interval& q) const {
-    const Member& first = together[leader];
+    const FactorPiece& first = together[leader];
     const CurvePiece middle = first.curves->middle_of(first.piece);
     const double h =
         std::max(above(first.piece.s.hi - middle.s.lo), above(middle.s.hi - first.piece.s.lo));
