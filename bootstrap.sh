@@ -102,7 +102,7 @@ build() { # preset target [cmake option ...]
   local preset=$1 target=$2
   shift 2
   say "building ($preset)"
-  # From nothing: the program's sources ten at once.
+  # From nothing: many sources at once.
   cmake --preset "$preset" -D CMAKE_CXX_COMPILER=clang++ -D STATIONARY_BUILD_BENCHMARKS=OFF \
     -D STATIONARY_UNITY_BUILD=ON "$@"
   cmake --build --preset "$preset" --parallel "$(compile_jobs)" --target "$target"
