@@ -3,12 +3,11 @@
 #include <array>
 
 #include "tests/bench/bodies.hpp"
+#include "tests/bench/references.hpp"
 #include "tests/support/curve_error.hpp"
 
 namespace stationary::bench {
 namespace {
-
-constexpr double last_nu = 3.0;
 
 /// Counts the rows and keeps none.
 class Counted final : public CurveSink {
@@ -26,25 +25,60 @@ Curve curve(std::string_view model, Branch branch) {
           axis_family(problem, {.nu = 0.0, .parameter = {}, .spectrum = true})};
 }
 
-void add_curves(const Curve& of, const std::string& what, std::vector<Entry>& out) {
+std::vector<double> errors_between(const Curve& of, const std::vector<CurveRow>& rows) {
+  std::vector<testing::FollowedRow> all;
+  for (const CurveRow& row : rows) {
+    const auto& [xi, zeta, rho] = row.stretches;
+    Member member;
+    member.parameter = row.nu;
+    member.q = {0.0, double(xi), double(zeta), double(rho)};
+    all.push_back({member, EventType::none});
+  }
+  return std::visit([&](const auto& f) { return testing::interpolation_errors(*f, all, last_nu); },
+                    of.equilibria);
+}
+
+std::vector<double> errors_at(const Curve& of, const std::vector<CurveRow>& rows) {
+  const Problem problem = problem_of(of.model, of.branch);
+  std::vector<double> out;
+  for (const CurveRow& row : rows) {
+    const auto& [xi, zeta, rho] = row.stretches;
+    if (testing::is_moderate(Stretch{0.0, double(xi), double(zeta), double(rho)}))
+      out.push_back(distance_from_sheet(problem, row.stretches, row.nu, last_nu));
+  }
+  return out;
+}
+
+void add_curves(const Curve& of, std::vector<Entry>& out) {
+  constexpr double tolerance_of_rows = 1e-9;
   for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13}) {
     const FollowOptions options = testing::range(0.0, last_nu, tolerance);
     for (const bool spectra : {false, true}) {
       const AnyFamily& family = spectra ? of.with_spectra : of.equilibria;
+      const std::string method = spectra ? "follow-spectra" : "follow";
       Counted counted;
       follow(family, of.rest, 0.0, options, counted);
       const auto pass = [&of, &family, options] {
         Counted sink;
         follow(family, of.rest, 0.0, options, sink);
       };
-      const auto errors = [&of, &family, options] {
-        const testing::Followed sheet = testing::followed(family, of.rest, 0.0, options);
-        return std::visit(
-            [&](const auto& f) { return testing::interpolation_errors(*f, sheet.rows, last_nu); },
-            family);
+      const auto rows = [&of, &family, options] {
+        std::vector<CurveRow> all;
+        for (const testing::FollowedRow& row :
+             testing::followed(family, of.rest, 0.0, options).rows) {
+          const Stretch& q = row.member.q;
+          if (row.event == EventType::none || is_end(row.event))
+            all.push_back({{DoubleDouble(q.xi), DoubleDouble(q.zeta), DoubleDouble(q.rho)},
+                           row.member.parameter});
+        }
+        return all;
       };
-      out.push_back({what, spectra ? "follow-spectra" : "follow", of.model, of.branch, tolerance,
-                     counted.rows, timed(pass), errors});
+      const auto add = [&](const char* what, const auto& errors) {
+        out.push_back({what, method, of.model, of.branch, tolerance, counted.rows, timed(pass),
+                       [rows, errors, &of] { return errors(of, rows()); }});
+      };
+      add("curve", errors_between);
+      if (tolerance == tolerance_of_rows) add("curve-rows", errors_at);
     }
   }
 }

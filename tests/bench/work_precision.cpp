@@ -4,11 +4,13 @@
 //   cold         equilibria, each from the rest state
 //   spectrum     of an equilibrium
 //   curve        the rest state's sheet, followed to a tolerance
+//   curve-rows   the same at one tolerance: what its rows cost and keep
 // Writes DIRECTORY/work_precision.csv, .meta.json, .svg and .png:
 //
-//   work_precision_bench --into DIRECTORY --scipy SCRIPT
+//   work_precision_bench --into DIRECTORY --scipy SCRIPT --auto EQUATIONS
 //
-// `cmake --build build/release --target work_precision` does that.
+// `cmake --build build/release --target work_precision` does that; with AUTO_DIR in the environment,
+// or `auto` on the PATH, AUTO-07p follows the curves too.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
@@ -16,6 +18,7 @@
 #include <list>
 
 #include "solver/program/table/atomic_file.hpp"
+#include "tests/bench/auto_peer.hpp"
 #include "tests/bench/bodies.hpp"
 #include "tests/bench/curves.hpp"
 #include "tests/bench/equilibria.hpp"
@@ -36,7 +39,8 @@ void write(const std::filesystem::path& path, std::string_view text) {
   file.commit();
 }
 
-void run(const std::filesystem::path& directory, const std::string& script) {
+void run(const std::filesystem::path& directory, const std::string& script,
+         const std::string& equations) {
   const auto from = std::chrono::steady_clock::now();
   std::list<Equilibria> sweeps;  // lists: entries refer to their elements
   std::list<Spectra> motions;
@@ -45,6 +49,9 @@ void run(const std::filesystem::path& directory, const std::string& script) {
   ScipyPeer scipy(script);
   const bool has_scipy = !scipy.versions().empty();
   if (!has_scipy) std::printf("python3 with SciPy was not found: scipy-hybr is left out\n");
+  const AutoPeer auto_peer(equations);
+  const bool has_auto = auto_peer.missing().empty();
+  if (!has_auto) std::printf("%s: its methods are left out\n", auto_peer.missing().c_str());
   for (const std::string_view model : measured_models) {
     for (const Branch branch : {Branch::i, Branch::iii}) {
       for (const auto& [what, count] : {std::pair{"warm", 1000}, {"warm-coarse", 50}}) {
@@ -56,7 +63,9 @@ void run(const std::filesystem::path& directory, const std::string& script) {
       add_cold(of, "cold", entries);
       if (has_scipy) scipy.add(of, "cold", false, entries);
       add_spectra(motions.emplace_back(spectra(model, branch, 20)), "spectrum", entries);
-      add_curves(curves.emplace_back(curve(model, branch)), "curve", entries);
+      const Curve& sheet = curves.emplace_back(curve(model, branch));
+      add_curves(sheet, entries);
+      if (has_auto) auto_peer.add(sheet, entries);
     }
   }
   const std::vector<Measured> results = measure(entries, repeats);
@@ -66,10 +75,12 @@ void run(const std::filesystem::path& directory, const std::string& script) {
   std::filesystem::create_directories(directory);
   write(directory / "work_precision.csv", table_csv(results));
   write(directory / "work_precision.meta.json",
-        table_metadata({repeats, seconds, results.size(), scipy.versions()}));
+        table_metadata({repeats, seconds, results.size(), scipy.versions(), auto_peer.version(),
+                        auto_peer.missing()}));
   for (const char* extension : {"svg", "png"})
     draw_work_precision(results, directory / ("work_precision." + std::string(extension)));
   std::fputs(comparison(results).c_str(), stdout);
+  std::fputs(comparison_of_curves(results).c_str(), stdout);
   std::printf("%zu rows in %.0f s, written to %s\n", results.size(), seconds,
               (directory / "work_precision.csv").c_str());
 }
@@ -83,9 +94,11 @@ int main(int argc, char** argv) {
   std::string script;
   app.add_option("--into", directory, "where the table and the figures go")->required();
   app.add_option("--scipy", script, "the script that runs SciPy")->required();
+  std::string equations;
+  app.add_option("--auto", equations, "the equations of the curves for AUTO-07p")->required();
   CLI11_PARSE(app, argc, argv);
   try {
-    stationary::bench::run(directory, script);
+    stationary::bench::run(directory, script, equations);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "work_precision_bench: %s\n", e.what());
     return 4;

@@ -55,7 +55,9 @@ constexpr MethodStyle method_styles[] = {
     {"general", "general path", "#009e73", 5},
     {"eigen-qr-11x11", "Eigen QR, 11×11", "#d55e00", 6},
     {"follow", "equilibria", "#0072b2", 7},
-    {"follow-spectra", "with spectra", "#009e73", 5}};
+    {"follow-spectra", "with spectra", "#009e73", 5},
+    {"auto", "AUTO-07p", "#d55e00", 6},
+    {"auto-events", "AUTO-07p, its events", "#e69f00", 4}};
 
 struct Panel {
   std::string title;
@@ -129,7 +131,8 @@ void add_cases(const std::vector<Measured>& results, Panel& panel) {
   }
   for (std::size_t k = 0; k < cases.size(); ++k) {
     Line line = line_of(results, items, [&](const Entry& e) {
-      return e.method == "follow" && e.model == cases[k].first && e.branch == cases[k].second;
+      return e.what == "curve" && e.method == "follow" && e.model == cases[k].first &&
+             e.branch == cases[k].second;
     });
     line.label = fmt::format("{} ({})", cases[k].first, name(cases[k].second));
     line.colour = colours[k % colours.size()];

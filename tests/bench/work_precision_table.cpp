@@ -30,6 +30,12 @@ std::string processor() {
   return "unknown";
 }
 
+#ifdef __clang__
+constexpr const char* compiler = "clang++ " __clang_version__;
+#else
+constexpr const char* compiler = "g++ " __VERSION__;
+#endif
+
 bool is_of_the_library(const std::string& method) {
   return method.starts_with("sweep") || method.starts_with("reduced");
 }
@@ -97,13 +103,18 @@ std::string table_metadata(const Run& run) {
                  {"cminpack", STATIONARY_CMINPACK_VERSION},
                  {"Boost", BOOST_LIB_VERSION}};
   for (const auto& [library, version] : run.scipy) libraries[library] = version;
+  if (!run.auto_version.empty()) libraries["AUTO-07p"] = run.auto_version;
   Json skipped = Json::array();
   if (run.scipy.empty())
     skipped.push_back({{"method", "scipy-hybr"}, {"why", "python3 with SciPy was not found"}});
+  if (run.auto_version.empty()) {
+    for (const char* method : {"auto", "auto-events"})
+      skipped.push_back({{"method", method}, {"why", run.auto_missing}});
+  }
   const Json out{{"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
                  {"processor", processor()},
                  {"processors", std::thread::hardware_concurrency()},
-                 {"compiler", "g++ " __VERSION__},
+                 {"compiler", compiler},
                  {"flags", STATIONARY_FLAGS},
                  {"libraries", libraries},
                  {"repeats", run.repeats},
@@ -143,6 +154,40 @@ std::string comparison(const std::vector<Measured>& results) {
         fmt::format("| {} | {} | {:.1e} to {:.1e} | {:.1f} to {:.1f} | {:.1f} to {:.1f} |\n",
                     key.first, key.second, peer.error.least, peer.error.most, peer.to_fastest.least,
                     peer.to_fastest.most, peer.to_sweep.least, peer.to_sweep.most);
+  }
+  return out;
+}
+
+std::string comparison_of_curves(const std::vector<Measured>& results) {
+  struct Method {
+    Range rate;
+    Range error;
+    Range to_follow;
+    Range to_spectra;
+  };
+  std::map<std::string, Method> methods;
+  for (const Measured& m : results) {
+    const Entry& e = *m.entry;
+    if (e.what != "curve-rows") continue;
+    Method& method = methods[e.method];
+    method.rate.add(1.0 / m.seconds);
+    method.error.add(m.error_worst);
+    for (const Measured& other : results) {
+      if (!same_case(*other.entry, e)) continue;
+      if (other.entry->method == "follow") method.to_follow.add(m.seconds / other.seconds);
+      if (other.entry->method == "follow-spectra") method.to_spectra.add(m.seconds / other.seconds);
+    }
+  }
+  std::string out =
+      "| curve | points a second | worst errors of its rows | times follow's time a point | "
+      "times follow-spectra's |\n|---|---|---|---|---|\n";
+  for (const auto& [name, method] : methods) {
+    out += fmt::format(
+        "| {} | {:.0f} to {:.0f} | {:.1e} to {:.1e} | {:.1f} to {:.1f} | "
+        "{:.1f} to {:.1f} |\n",
+        name, method.rate.least, method.rate.most, method.error.least, method.error.most,
+        method.to_follow.least, method.to_follow.most, method.to_spectra.least,
+        method.to_spectra.most);
   }
   return out;
 }

@@ -19,6 +19,8 @@ struct Run {
   double seconds;
   std::size_t rows;
   std::map<std::string, std::string> scipy;  ///< versions; empty: not there
+  std::string auto_version;                  ///< of AUTO-07p; empty: not there,
+  std::string auto_missing;                  ///< and why
 };
 
 /// JSON: machine, compiler, flags, versions, date.
@@ -28,5 +30,9 @@ std::string table_metadata(const Run& run);
 /// library's fastest setting of equal or smaller worst error, and than the corrected sweep, each
 /// peer in its fastest setting within a factor of two of its least error. A table in Markdown.
 std::string comparison(const std::vector<Measured>& results);
+
+/// Of every method that follows a curve: points a second, the error of its rows, and by how much a
+/// point takes longer than the library's (least and most of the cases). A table in Markdown.
+std::string comparison_of_curves(const std::vector<Measured>& results);
 
 }  // namespace stationary::bench
