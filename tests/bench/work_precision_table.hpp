@@ -31,8 +31,9 @@ std::string table_metadata(const Run& run);
 /// peer in its fastest setting within a factor of two of its least error. A table in Markdown.
 std::string comparison(const std::vector<Measured>& results);
 
-/// Of every method that follows a curve: points a second, the error of its rows, and by how much a
-/// point takes longer than the library's (least and most of the cases). A table in Markdown.
+/// Of every method that follows a curve: points a second, the errors of its rows, and by how much it
+/// is slower (least and most of the cases) than the library's, a point, and a curve whose rows,
+/// interpolated, have an equal or smaller worst error. A table in Markdown.
 std::string comparison_of_curves(const std::vector<Measured>& results);
 
 }  // namespace stationary::bench
