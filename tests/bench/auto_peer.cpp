@@ -122,7 +122,11 @@ struct AutoRun {
   std::vector<AutoPoint> points() const {
     seconds(1);
     std::ifstream file(directory / "fort.7");
-    return auto_points(std::string(std::istreambuf_iterator<char>(file), {}));
+    std::vector<AutoPoint> out = auto_points(std::string(std::istreambuf_iterator<char>(file), {}));
+    constexpr int as_far_as_asked = 9;
+    if (out.empty() || out.back().type != as_far_as_asked)
+      throw std::runtime_error("AUTO-07p has not followed the curve to its end");
+    return out;
   }
 };
 
