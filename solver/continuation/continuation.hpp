@@ -1,8 +1,7 @@
 // Pseudo-arclength continuation of a family from a point, in one direction:
 //
-//   predictor      cubic through the last two points and their tangents (hermite_arc.hpp)
 //   corrector      bordered Newton, then extended precision (corrector.hpp)
-//   step control   the error the first correction shows, against the tolerance (step_control.hpp)
+//   step           predicted, guarded, and made longer or shorter (path_step.hpp)
 //   events         between the last two points (event_search.hpp)
 //
 // step() advances one point; whoever calls it writes, reports and stops. A step is taken back and
@@ -21,7 +20,7 @@
 #include "solver/continuation/domain_guard.hpp"
 #include "solver/continuation/ellipse_end.hpp"
 #include "solver/continuation/event_search.hpp"
-#include "solver/continuation/step_control.hpp"
+#include "solver/continuation/path_step.hpp"
 
 namespace stationary {
 
@@ -56,12 +55,11 @@ class Continuation {
                const ContinuationOptions& options)
       : curve_(&curve),
         options_(options),
-        control_(options.step),
+        step_(options.step),
         events_in_(curve),
         guard_(curve),
         start_(start),
-        here_(start),
-        h_(options.step.first) {
+        here_(start) {
     if (direction < 0) reverse(here_);
     start_ = here_;
     guard_.enter(here_.arc);
@@ -76,8 +74,8 @@ class Continuation {
     unlocated_.clear();
     if (end_ != EventType::none) return false;
     for (;;) {
-      if (h_ < options_.step.min) {
-        finish(EventType::stalled, "the step became too small: " + refusal_);
+      if (step_.too_short()) {
+        finish(EventType::stalled, "the step became too small: " + step_.refusal());
         return false;
       }
       try {
@@ -87,11 +85,11 @@ class Continuation {
           return !ended_before_step_;
         }
       } catch (const std::exception& error) {  // a failed step like any other
-        refuse(error.what(), 0.5 * h_);
+        step_.refuse(error.what());
       }
       ++counts_.rejected;
       constexpr double near_border = 1e-6;
-      if (h_ < near_border && end_at_border(4.0 * h_)) return true;
+      if (step_.length() < near_border && end_at_border(4.0 * step_.length())) return true;
       if (end_ != EventType::none) return false;
     }
   }
@@ -127,59 +125,39 @@ class Continuation {
     point.tests.value[TestValues::momentum] *= -1.0;
   }
 
-  bool refuse(const std::string& why, double next_step) {
-    refusal_ = why;
-    h_ = next_step;
-    return false;
-  }
-
-  /// One predictor-corrector step of length h_ from here_. Where it is refused h_ is shortened.
+  /// One predictor-corrector step from here_. Where it is refused the next is shorter.
   bool try_step(Attempt& out) {
-    const double h = h_;
-    const double max_angle = options_.step.max_angle;
-    const ArcVector<N> ahead = has_arc_ ? ArcVector<N>(arc_.at(1.0 + h / arc_.length) - arc_.chord)
-                                        : ArcVector<N>(h * here_.arc.tangent);
+    const double h = step_.length();
+    const ArcVector<N> ahead = step_.ahead(here_.arc.tangent, h);
     const double scale = curve_->corrector().scale();
     out.corrected = curve_->corrector().correct(
         moved<N>(here_.arc.x, ReducedVector<N>(ahead.template head<N>())),
-        here_.arc.p + scale * ahead[N], here_.arc.tangent, longest_first_correction(h, max_angle));
+        here_.arc.p + scale * ahead[N], here_.arc.tangent, step_.longest_correction(h));
     counts_.linearizations += out.corrected.linearizations;
     if (out.corrected.status != CorrectorStatus::converged)
-      return refuse(std::string(name(out.corrected.status)), 0.5 * h);
+      return step_.refuse(std::string(name(out.corrected.status)));
     const ArcPoint<N>& next = out.corrected.point;
     out.arc = Arc<N>(ahead + out.corrected.correction, here_.arc.tangent, next.tangent);
     out.angle = Arc<N>::angle(here_.arc.tangent, next.tangent);
-    if (!(out.angle <= max_angle)) return refuse("the tangent turned too far", 0.5 * h);
+    if (!step_.straight(out.angle)) return step_.refuse("the tangent turned too far");
     if (const auto* broken = guard_.broken_on(out.arc))
-      return refuse("beyond the domain of the potential: " + broken->text, 0.5 * h);
+      return step_.refuse("beyond the domain of the potential: " + broken->text);
     out.mirrors = crosses_mirror(next);
-    if (!same_sheet(here_.arc.positive, next.positive) && !out.mirrors) {
-      return refuse("the bordered determinant changed sign: another sheet, or a branch point",
-                    0.5 * h);
+    if (!same_sheet(here_.arc.positive, next.positive) && !out.mirrors)
+      return step_.refuse(
+          "the bordered determinant changed sign: another sheet, or a branch point");
+    if (step_.has_arc()) {
+      out.D = step_.shown(out.corrected.first_correction, h,
+                          [&] { return curve_->corrector().correction_rounding(next); });
+    } else {
+      // The first step shows no fourth derivative: its middle does, against the cubic.
+      const Corrected<N> middle = curve_->at(here_.arc, out.arc, 0.5);
+      counts_.linearizations += middle.linearizations;
+      if (middle.status != CorrectorStatus::converged)
+        return step_.refuse(std::string(name(middle.status)));
+      out.D = StepControl::fourth_derivative_in_middle(middle.first_correction, h);
     }
-    if (has_arc_) {
-      const double correction = out.corrected.first_correction;
-      out.D = StepControl::fourth_derivative(correction, h, arc_.length);
-      if (control_.shortens(out.D, h) && correction < 1e-8) {
-        // Rounding of G may be in it: believe the last step, as far as what is left allows.
-        const double left = correction - curve_->corrector().correction_rounding(next);
-        out.D = std::clamp(D_, StepControl::fourth_derivative(left, h, arc_.length), out.D);
-      }
-      if (control_.too_long(out.D, h)) {
-        return refuse("the curve bends more than the tolerance allows",
-                      std::max(0.25 * h, std::min(0.5 * h, control_.next(out.D, 0.0, h, 0.0))));
-      }
-      return true;
-    }
-    // The first step shows no fourth derivative: its middle does, against the cubic.
-    const Corrected<N> middle = curve_->at(here_.arc, out.arc, 0.5);
-    counts_.linearizations += middle.linearizations;
-    if (middle.status != CorrectorStatus::converged)
-      return refuse(std::string(name(middle.status)), 0.5 * h);
-    out.D = 384.0 * std::max(middle.first_correction, 1e-16) / (h * h * h * h);
-    if (control_.too_long(out.D, h))
-      return refuse("the curve bends more than the tolerance allows", 0.5 * h);
-    return true;
+    return step_.fits(out.D, h) || step_.refuse_bend(out.D);
   }
 
   void accept(Attempt& attempt) {
@@ -209,11 +187,9 @@ class Continuation {
       return;
     }
     if (ends_family(next, attempt)) return;
-    const double D_before = D_;
-    const double h = h_;
+    const double h = step_.length();
     settle(next, attempt);
-    h_ = control_.next(attempt.D, D_before, h, attempt.angle);
-    D_ = attempt.D;
+    step_.lengthen(attempt.D, attempt.angle);
     end_if_closed(h);
     if (end_ == EventType::none) end_if_out_of_bounds();
   }
@@ -224,8 +200,8 @@ class Continuation {
   }
 
   void find_events(const CurvePoint<N>& next, const Arc<N>& arc) {
-    events_ = events_in_.run(here_, next, arc, has_arc_ ? &earlier_tests_ : nullptr, arc_.length,
-                             counts_.steps == 1);
+    events_ = events_in_.run(here_, next, arc, step_.has_arc() ? &earlier_tests_ : nullptr,
+                             step_.arc().length, counts_.steps == 1);
     unlocated_ = events_in_.unresolved();
   }
 
@@ -251,9 +227,8 @@ class Continuation {
     earlier_tests_ = here_.tests;
     here_ = next;
     guard_.enter(here_.arc);
-    arc_ = attempt.arc;
-    has_arc_ = true;
-    travelled_ += arc_.chord;
+    step_.take(attempt.arc);
+    travelled_ += attempt.arc.chord;
     farthest_ = std::max(farthest_, travelled_.norm());
   }
 
@@ -419,18 +394,20 @@ class Continuation {
     const double least = std::min({q.xi, q.zeta, q.rho});
     const double most = std::max({q.xi, q.zeta, q.rho});
     if (most > options_.max_stretch || least < options_.min_stretch) {
-      finish(most > options_.max_stretch || escapes(arc_) ? EventType::escape : EventType::collapse,
+      finish(most > options_.max_stretch || escapes(step_.arc()) ? EventType::escape
+                                                                 : EventType::collapse,
              "a stretch left the bounds followed");
       return;
     }
     // Near an asymptote in p a double no longer tells its points apart.
     constexpr double far = 1e3;
     constexpr double coarse = 1e-5;  // of a bound that still holds
-    const double resolved = std::abs(arc_.chord[N]) * curve_->corrector().scale() / arc_.length;
+    const Arc<N>& arc = step_.arc();
+    const double resolved = std::abs(arc.chord[N]) * curve_->corrector().scale() / arc.length;
     if (curve_->corrector().vertical() || options_.from == options_.to) return;
     if (((most > far || least < 1.0 / far) && resolved < 1e-9 * std::abs(here_.arc.p)) ||
         here_.arc.error_bound > coarse)
-      finish(escapes(arc_) ? EventType::escape : EventType::collapse, unresolved_reason);
+      finish(escapes(arc) ? EventType::escape : EventType::collapse, unresolved_reason);
   }
 
   /// In the logarithms of the stretches: one that only grows along while another vanishes does not
@@ -482,8 +459,7 @@ class Continuation {
   void end_at_circle(const Attempt& attempt, const CurvePoint<N>& next) {
     const auto [first, second, other] = places(curve_->family().circle());
     find_events_before(
-        [a = first, b = second](const ReducedVector<N>& x) { return log(x[a] / x[b]); },
-        attempt);
+        [a = first, b = second](const ReducedVector<N>& x) { return log(x[a] / x[b]); }, attempt);
     if (const auto at = curve_->family().circle_point(next.arc.x)) {
       here_.member = *at;
       here_.member.spectrum.reset();
@@ -507,17 +483,13 @@ class Continuation {
 
   const Curve<N>* curve_;
   ContinuationOptions options_;
-  StepControl control_;
+  PathStep<N> step_;
   EventSearch<N> events_in_;
   DomainGuard<N> guard_;
   CurvePoint<N> start_;
   CurvePoint<N> here_;
   CurvePoint<N> here_next_;
   TestValues earlier_tests_{};
-  Arc<N> arc_;  ///< of the last step
-  bool has_arc_ = false;
-  double h_;
-  double D_ = 0.0;
   double reach_ = 1.0;  ///< of the last step, to its first turn beyond the range
   ArcVector<N> travelled_;
   double farthest_ = 0.0;
@@ -526,7 +498,6 @@ class Continuation {
   EventType end_ = EventType::none;
   bool ended_before_step_ = false;
   std::string reason_;
-  std::string refusal_ = "the first step";
   ContinuationCounts counts_;
 };
 

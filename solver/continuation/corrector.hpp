@@ -1,47 +1,19 @@
-// From a predicted y = (ln x, p/scale) back onto the curve G(x; p) = 0, in the plane across a given
-// direction (the border):
-//
-//   [ dG/d ln x   scale dG/dp ] [ d ln x     ]     [ G ]
-//   [        border^T         ] [ dp / scale ] = - [ 0 ]     nonsingular at a simple turn of p
-//
-// then, p fixed at the double it has come to, the extended-precision correction every solve ends in
+// From a predicted y = (ln x, p/scale) back onto the curve G(x; p) = 0 of a family, in the plane across a given
+// direction (bordered_newton.hpp); then, p fixed at the double it has come to, the extended-precision correction every solve ends in
 // (refine.hpp). At a turn of p itself, or where p has an asymptote, where that is singular, the
 // bordered system once more, with the extended residual.
 //
-// Nothing is accepted that a jump to another sheet could have produced: the first correction must
-// be small against the step, the corrections must contract, and the sign of the bordered
-// determinant and the angle between tangents are handed to the caller to compare.
+// The sign of the bordered determinant and the tangent are handed to the caller to compare.
 #pragma once
 
-#include <Eigen/LU>
 #include <limits>
 #include <optional>
 
-#include "lib/matrix/elimination.hpp"
 #include "lib/number/elementary.hpp"
-#include "solver/continuation/hermite_arc.hpp"
-#include "solver/continuation/jump_guard.hpp"
+#include "solver/continuation/bordered_newton.hpp"
+#include "solver/continuation/circle_part.hpp"
 
 namespace stationary {
-
-enum class CorrectorStatus {
-  converged,
-  not_finite,     ///< G or its derivatives left the domain
-  too_far,        ///< the first correction is too large for the step
-  slow,           ///< the corrections do not contract as Newton's should
-  not_converged,  ///< max_iterations
-  left_curve      ///< the last correction moved far: not the point corrected so far
-};
-constexpr std::string_view corrector_status_names[] = {
-    "converged",
-    "left the domain",
-    "the first correction was too large for the step",
-    "the corrections did not contract",
-    "too many corrections",
-    "the last correction led elsewhere"};
-constexpr std::string_view name(CorrectorStatus s) {
-  return corrector_status_names[static_cast<int>(s)];
-}
 
 template <int N>
 struct Corrected {
@@ -125,16 +97,16 @@ class Corrector {
 
   FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const {
     FamilyLinearization<N> at = family_->linearize(x, p);
-    if (circle_ != Circle::none) keep_to_circle(at);
+    keep_to_circle<N>(circle_, at);
     return at;
   }
 
   /// |change of y| that half a unit in the last place of every input makes: across the curve, and
   /// along it where x is that of the row's rounded p.
   double curve_error(const ArcPoint<N>& point) const {
-    const Bordered inverse = inverted(bordered(point.at, point.tangent));
-    const ReducedVector<N> perturbation = family_->input_perturbation(point.x, point.p);
-    const double across = (inverse.template leftCols<N>().cwiseAbs() * perturbation).maxCoeff();
+    const double across = inverse(point.at, point.tangent)
+                              .largest(family_->input_perturbation(point.x, point.p))
+                              .maxCoeff();
     const double along =
         point.at_turn ? 0.0 : 0x1p-53 * std::abs(point.p / (scale_ * point.tangent[N]));
     return across + along + 0x1p-53;
@@ -142,84 +114,37 @@ class Corrector {
 
   /// What of a correction is the rounding of G in double precision: some units of its magnitude.
   double correction_rounding(const ArcPoint<N>& point) const {
-    const Bordered inverse = inverted(bordered(point.at, point.tangent));
-    return 0x1p-50 * inverse.template leftCols<N>().cwiseAbs().rowwise().sum().maxCoeff();
+    return 0x1p-50 * rows(inverse(point.at, point.tangent));
   }
 
  private:
-  using Bordered = Eigen::Matrix<double, N + 1, N + 1>;
-
-  Bordered bordered(const FamilyLinearization<N>& at, const ArcVector<N>& border) const {
-    Bordered A;
-    A.template topLeftCorner<N, N>() = at.jacobian;
-    A.template topRightCorner<N, 1>() = scale_ * at.slope;
-    A.row(N) = border.transpose();
-    return A;
+  BorderedInverse<N> inverse(const FamilyLinearization<N>& at, const ArcVector<N>& border) const {
+    return BorderedInverse<N>(at.jacobian, scale_ * at.slope, border);
   }
-
-  /// By elimination where there are four or more: the cofactors of a body that is far stiffer in
-  /// volume than in shape cancel twice.
-  static Bordered inverted(const Bordered& A) {
-    if constexpr (N < 3) {
-      return A.inverse();
-    } else {
-      return Elimination<N + 1>(A).inverse();
-    }
-  }
-
-  /// G restricted to the circle, the difference of the two stretches given the eigenvalue 1.
-  void keep_to_circle(FamilyLinearization<N>& at) const {
-    auto& J = at.jacobian;
-    const auto [a, b, c] = places(circle_);
-    const double along = 0.5 * (J(a, a) + J(a, b) + J(b, a) + J(b, b));
-    J(a, a) = J(b, b) = 0.5 * (along + 1.0);
-    J(a, b) = J(b, a) = 0.5 * (along - 1.0);
-    if constexpr (N == 3) {
-      J(a, c) = J(b, c) = 0.5 * (J(a, c) + J(b, c));
-      J(c, a) = J(c, b) = 0.5 * (J(c, a) + J(c, b));
-    }
-    for (auto* column : {&at.g, &at.slope, &at.nu_slope}) make_equal(*column);
-  }
-  /// Of a vector in (ln x[, p]) or of G, the part that keeps the circle.
-  template <class Vector>
-  void make_equal(Vector& y) const {
-    const auto [a, b, c] = places(circle_);
-    y[a] = y[b] = 0.5 * (y[a] + y[b]);
+  /// The largest sum of magnitudes in a row of what takes G to y.
+  static double rows(const BorderedInverse<N>& inverse) {
+    return inverse.matrix().template leftCols<N>().cwiseAbs().rowwise().sum().maxCoeff();
   }
 
   void move(ArcVector<N> delta, Corrected<N>& out) const {
-    symmetrize(delta);
+    make_equal(circle_, delta);
     out.point.x = moved<N>(out.point.x, ReducedVector<N>(delta.template head<N>()));
     out.point.p += scale_ * delta[N];
     out.correction += delta;
   }
 
-  /// Rounding must not leave the circle: the predictor would make it grow.
-  void symmetrize(ArcVector<N>& y) const {
-    if (circle_ != Circle::none) make_equal(y);
-  }
-
   CorrectorStatus iterate(const ArcVector<N>& border, double max_correction,
                           Corrected<N>& out) const {
-    constexpr int max_iterations = 8;
-    double previous = 0.0;
-    for (int k = 0; k < max_iterations; ++k) {
-      const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
-      ++out.linearizations;
-      const ArcVector<N> delta = inverted(bordered(at, border)).template leftCols<N>() * -at.g;
-      const double size = delta.norm();
-      if (!std::isfinite(size)) return CorrectorStatus::not_finite;
-      if (k == 0) {
-        out.first_correction = size;
-        if (size > max_correction) return CorrectorStatus::too_far;
-      } else if (!contracts(size, previous)) {
-        return CorrectorStatus::slow;
-      }
-      move(delta, out);
-      previous = size;
-      if (size <= 1e-7) return CorrectorStatus::converged;  // the next is at rounding
-    }
-    return CorrectorStatus::not_converged;
+    const auto scaled = [&] {
+      FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
+      at.slope *= scale_;
+      return at;
+    };
+    const NewtonCourse<N> course = bordered_newton<N>(
+        border, max_correction, scaled, [&](const ArcVector<N>& delta) { move(delta, out); });
+    out.first_correction = course.first_correction;
+    out.linearizations += course.linearizations;
+    return course.status;
   }
 
   /// The extended-precision correction, tangent and orientation.
@@ -248,24 +173,13 @@ class Corrector {
     }
     point.at = linearize(point.x, point.p);
     ++out.linearizations;
-    const Bordered A = bordered(point.at, ahead);
-    Bordered inverse = Bordered::Zero();
-    double determinant = 0.0;
-    bool invertible = false;
-    if constexpr (N < 3) {
-      A.computeInverseAndDetWithCheck(inverse, determinant, invertible, 0.0);
-    } else {
-      const Elimination<N + 1> lu(A);
-      determinant = lu.determinant();
-      invertible = determinant != 0.0;
-      inverse = lu.inverse();
-    }
-    point.tangent = inverse.col(N);
-    symmetrize(point.tangent);
+    const BorderedInverse<N> at_end = inverse(point.at, ahead);
+    point.tangent = at_end.kernel();
+    make_equal(circle_, point.tangent);
     if (pinned_) point.tangent[N] = 0.0;
     point.tangent.normalize();
-    point.positive = determinant > 0.0;
-    if (!invertible || !point.tangent.allFinite()) out.status = CorrectorStatus::not_finite;
+    point.positive = at_end.positive();
+    if (!point.tangent.allFinite()) out.status = CorrectorStatus::not_finite;
     if (pinned_) point.error_bound = curve_error(point);
   }
 
@@ -275,8 +189,8 @@ class Corrector {
     for (int k = 0; k < 2; ++k) {
       const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
       ReducedVector<N> g = family_->extended_residual(out.point.x, out.point.p);
-      if (circle_ != Circle::none) make_equal(g);
-      const ArcVector<N> delta = inverted(bordered(at, border)).template leftCols<N>() * -g;
+      make_equal(circle_, g);
+      const ArcVector<N> delta = inverse(at, border).correction(g);
       if (!(delta.norm() < 1e-3)) {
         out.status = CorrectorStatus::left_curve;
         return;
@@ -295,14 +209,15 @@ class Corrector {
     const ArcVector<N> along = direction_near(out.point.x, out.point.p);
     if (!along.allFinite()) return;
     const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
-    const Bordered inverse = inverted(bordered(at, along));
-    const auto absolute = inverse.template leftCols<N>().cwiseAbs().eval();
-    const ArcVector<N> moved_by = absolute * family_->input_perturbation(out.point.x, out.point.p);
+    const BorderedInverse<N> inverted = inverse(at, along);
+    const ArcVector<N> moved_by =
+        inverted.largest(family_->input_perturbation(out.point.x, out.point.p));
     const double across = moved_by.template head<N>().maxCoeff();
     const double D = moved_by[N] + 0x1p-53 * std::abs(out.point.p) / scale_;
     // In double, with its rounding.
-    const double rounding = 0x1p-50 * absolute.rowwise().sum().maxCoeff();
-    const double slope = std::abs(inverse(N, N) / inverse.col(N).norm());
+    const double rounding = 0x1p-50 * rows(inverted);
+    const ArcVector<N> kernel = inverted.kernel();
+    const double slope = std::abs(kernel[N] / kernel.norm());
     constexpr double h = 1e-3;
     const double bend = std::abs(slope_at(out, along, h) - slope_at(out, along, -h)) / (2.0 * h);
     double s = std::numeric_limits<double>::infinity();
@@ -323,7 +238,7 @@ class Corrector {
     const ReducedVector<N> x =
         moved<N>(out.point.x, ReducedVector<N>(distance * along.template head<N>()));
     const FamilyLinearization<N> at = linearize(x, out.point.p + distance * scale_ * along[N]);
-    const ArcVector<N> tangent = inverted(bordered(at, along)).col(N);
+    const ArcVector<N> tangent = inverse(at, along).kernel();
     return tangent[N] / tangent.norm();
   }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "solver/continuation/curve.hpp"
@@ -15,15 +17,26 @@ namespace stationary {
 template <int N>
 class DomainGuard {
  public:
-  explicit DomainGuard(const Curve<N>& curve) : curve_(&curve) {}
+  /// The conditions at x, p.
+  using Conditions = std::function<std::vector<ConditionValue>(const ReducedVector<N>&, double)>;
+
+  /// scale: of p in y.
+  DomainGuard(Conditions conditions, double scale)
+      : conditions_(std::move(conditions)), scale_(scale) {}
+  explicit DomainGuard(const Curve<N>& curve)
+      : DomainGuard([&family = curve.family()](const ReducedVector<N>& x,
+                                               double p) { return family.conditions(x, p); },
+                    curve.corrector().scale()) {}
 
   /// To be called at every point of the curve, before what is asked of the next step.
-  void enter(const ArcPoint<N>& at) {
+  void enter(const ReducedVector<N>& x, double p) {
     if (entered_ && !watches()) return;
     entered_ = true;
-    from_ = at;
-    here_ = curve_->family().conditions(at.x, at.p);
+    x_ = x;
+    p_ = p;
+    here_ = conditions_(x, p);
   }
+  void enter(const ArcPoint<N>& at) { enter(at.x, at.p); }
   /// Built-in potentials are defined everywhere.
   bool watches() const { return !here_.empty(); }
 
@@ -56,12 +69,11 @@ class DomainGuard {
   /// of its coordinates, and so what rounding does to a condition, were some units off.
   bool has(const ArcPoint<N>& point) const {
     constexpr double some_units = 0x1p-48;
-    if (broken_at(curve_->family().conditions(point.x, point.p)) != nullptr) return false;
+    if (broken_at(conditions_(point.x, point.p)) != nullptr) return false;
     for (int k = 0; k < 2 * N; ++k) {
       ReducedVector<N> step = ReducedVector<N>::Zero();
       step[k / 2] = k % 2 == 0 ? some_units : -some_units;
-      if (broken_at(curve_->family().conditions(moved<N>(point.x, step), point.p)) != nullptr)
-        return false;
+      if (broken_at(conditions_(moved<N>(point.x, step), point.p)) != nullptr) return false;
     }
     return true;
   }
@@ -74,8 +86,7 @@ class DomainGuard {
 
  private:
   std::vector<ConditionValue> at(const ArcVector<N>& y) const {
-    const ReducedVector<N> x = moved<N>(from_.x, ReducedVector<N>(y.template head<N>()));
-    return curve_->family().conditions(x, from_.p + curve_->corrector().scale() * y[N]);
+    return conditions_(moved<N>(x_, ReducedVector<N>(y.template head<N>())), p_ + scale_ * y[N]);
   }
 
   const expression::TapeCondition* broken_at(const std::vector<ConditionValue>& values) const {
@@ -85,8 +96,10 @@ class DomainGuard {
     return nullptr;
   }
 
-  const Curve<N>* curve_;
-  ArcPoint<N> from_;
+  Conditions conditions_;
+  double scale_;
+  ReducedVector<N> x_;
+  double p_ = 0.0;
   std::vector<ConditionValue> here_;
   bool entered_ = false;
 };

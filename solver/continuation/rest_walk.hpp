@@ -2,25 +2,23 @@
 //
 //   G(x, tau) = elastic(x) - tau pull(x) = 0,   tau = nu'^2 / nu^2,   from (x_rest, 0) to tau = 1,
 //
-// by pseudo-arclength in (ln x, tau): tangent predictor, bordered Newton corrector, so a turn of nu
-// is passed and not stumbled over. It decides whether the rest state's sheet reaches nu. Steps are
-// bounded by what the corrector observed (angle between tangents, size and contraction of the
-// corrections, sign of the bordered determinant), which is what keeps it from jumping to a
-// neighbouring sheet.
+// by pseudo-arclength in y = (ln x, tau), so a turn of nu is passed and not stumbled over. It decides whether the rest
+// state's sheet reaches nu. Predictor, corrector, guard and step control are the continuation's (path_step.hpp,
+// bordered_newton.hpp, domain_guard.hpp). Two things differ: the tolerance, for the points on the way are no rows of a
+// table, and that a step predicted to come to tau = 1 is corrected there, with tau held.
 // tau and not nu: at nu = 0 the solution is smooth in nu^2.
 #pragma once
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <atomic>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "lib/body/circle.hpp"
-#include "lib/number/elementary.hpp"
-#include "solver/continuation/jump_guard.hpp"
+#include "solver/continuation/circle_part.hpp"
+#include "solver/continuation/domain_guard.hpp"
+#include "solver/continuation/path_step.hpp"
 #include "solver/newton/refine.hpp"
 
 namespace stationary {
@@ -36,10 +34,8 @@ enum class WalkEnd {
 };
 
 struct WalkOptions {
-  double first_step = 0.05;
-  double max_step = 0.5;  ///< arclength in (ln x, tau)
-  double min_step = 1e-9;
-  double max_angle = 0.2;  ///< radians between successive tangents
+  /// tolerance: how far the path may be from what was predicted, in y.
+  StepOptions step{.tolerance = 0.01, .first = 1.5, .max = 1.5, .min = 1e-9, .growth = 3.0};
   int max_steps = 5000;
   double min_stretch = 1e-8;
   double max_stretch = 1e8;
@@ -52,6 +48,7 @@ struct WalkResult {
   ReducedVector<N> x;        ///< last point (at tau = 1 if reached)
   double largest_tau = 0.0;  ///< how far in nu^2 the sheet went
   int steps = 0;
+  int linearizations = 0;
   const expression::TapeCondition* border = nullptr;  ///< what does not hold beyond it
 };
 
@@ -66,61 +63,73 @@ class RestWalk {
         options_(options),
         circle_(mirror_symmetric(system, rest)      ? Circle::xi_zeta
                 : options.circle == Circle::xi_zeta ? Circle::none
-                                                    : options.circle) {
+                                                    : options.circle),
+        step_(options.step),
+        guard_([this](const ReducedVector<N>& x, double) { return system_conditions(system_, x); },
+               1.0) {
     here_.x = rest;
-    here_.tau = 0.0;
+    out_.x = rest;
   }
+  RestWalk(const RestWalk&) = delete;
+  RestWalk& operator=(const RestWalk&) = delete;
 
   WalkResult<N> run(const std::atomic<bool>* stop) {
-    WalkResult<N> out;
-    out.x = here_.x;
-    Tangent forward = Tangent::Zero();
-    forward[N] = 1.0;
-    if (!orient(here_, forward)) return out;
-    double step = options_.first_step;
-    while (out.steps < options_.max_steps) {
+    if (!leave_rest()) return out_;
+    while (out_.steps < options_.max_steps) {
       if (stop != nullptr && stop->load(std::memory_order_relaxed)) {
-        out.end = WalkEnd::interrupted;
-        return out;
+        out_.end = WalkEnd::interrupted;
+        return out_;
       }
-      Point next;
-      double angle = 0.0;
-      if (!advance(step, next, &angle)) {
-        step *= 0.5;
-        if (step >= options_.min_step) continue;
-        out.border = border_ahead();
-        if (out.border != nullptr) out.end = WalkEnd::at_border;
-        return out;
+      if (step_.too_short()) {
+        out_.border = border_ahead();
+        if (out_.border != nullptr) out_.end = WalkEnd::at_border;
+        return out_;
       }
-      ++out.steps;
-      if (arrives(step, next, out)) return out;
-      here_ = next;
-      out.x = here_.x;
-      out.largest_tau = std::max(out.largest_tau, here_.tau);
-      if (here_.tau < 0.0) {
-        out.end = WalkEnd::turned_back;
-        return out;
+      if (step_to_end()) return out_;
+      Attempt attempt;
+      if (!try_step(attempt)) continue;
+      if (passes_end(attempt)) {
+        if (out_.end == WalkEnd::reached) return out_;
+        step_.refuse("tau = 1 was passed, but the point there not found");
+        continue;
+      }
+      settle(attempt);
+      // Where stretches escape while nu falls to 0, tau is rounding.
+      if (here_.tau < -1e-9 * out_.largest_tau) {
+        out_.end = WalkEnd::turned_back;
+        return out_;
       }
       if (here_.x.minCoeff() < options_.min_stretch || here_.x.maxCoeff() > options_.max_stretch) {
-        out.end = WalkEnd::escaped;
-        return out;
+        out_.end = WalkEnd::escaped;
+        return out_;
       }
-      const double growth = 0.7 * options_.max_angle / std::max(angle, 1e-12);
-      step = std::min(options_.max_step, step * std::clamp(growth, 0.5, 2.0));
     }
-    out.end = WalkEnd::too_long;
-    return out;
+    out_.end = WalkEnd::too_long;
+    return out_;
   }
 
  private:
-  using Tangent = Eigen::Matrix<double, N + 1, 1>;
-  using Bordered = Eigen::Matrix<double, N + 1, N + 1>;
+  using Y = ArcVector<N>;
 
   struct Point {
     ReducedVector<N> x;
     double tau = 0.0;
-    Tangent tangent;
-    bool positive = true;  ///< det of bordered() with the tangent: one sign all along a sheet
+    Y tangent;
+    bool positive = true;  ///< see ArcPoint
+  };
+  struct Attempt {
+    Point point;
+    Arc<N> arc;
+    double length = 0.0;  ///< of what was predicted
+    double first_correction = 0.0;
+    double D = 0.0;  ///< fourth derivative shown
+    double angle = 0.0;
+    CorrectorStatus status = CorrectorStatus::not_finite;
+  };
+  struct Linearization {
+    ReducedVector<N> g;
+    Eigen::Matrix<double, N, N> jacobian;
+    ReducedVector<N> slope;  ///< dG/dtau
   };
 
   /// A circle xi = zeta stays one where both pulls are equal: then rounding must not break it.
@@ -128,139 +137,181 @@ class RestWalk {
     return system.rates.xi == system.rates.zeta && rest[0] == rest[1];
   }
 
-  void symmetrize(ReducedVector<N>& x) const {
-    if (circle_ == Circle::none) return;
-    const auto [a, b, other] = places(circle_);
-    x[a] = x[b] = 0.5 * (x[a] + x[b]);
+  static Y along_tau() {
+    Y out = Y::Zero();
+    out[N] = 1.0;
+    return out;
   }
 
-  /// [ J      dG/dtau ]
-  /// [ border^T       ]   nonsingular at a simple turn of tau
-  Bordered bordered(const Linearized<N>& at, const ReducedVector<N>& x,
-                    const Tangent& border) const {
-    Bordered A;
-    A.template topLeftCorner<N, N>() = at.jacobian.matrix() / at.magnitude;
-    A.template topRightCorner<N, 1>() = system_.minus_pull(x) / at.magnitude;
-    A.row(N) = border.transpose();
-    // Where ellipses branch off the circle J is singular along the difference of its two stretches,
-    // which a symmetric walk has no part in: any stiffness may be added there.
-    if (circle_ != Circle::none) {
-      const auto [a, b, other] = places(circle_);
-      A(a, a) += 1.0;
-      A(b, b) += 1.0;
-      A(a, b) -= 1.0;
-      A(b, a) -= 1.0;
-    }
-    return A;
-  }
-
-  /// Tangent at p, on the side of `ahead`, and the sign of the determinant.
-  bool orient(Point& p, const Tangent& ahead) const {
+  Linearization linearize(const Point& p) {
+    ++out_.linearizations;
     const Linearized<N> at = system_.at_fraction(p.tau).linearize(p.x);
-    Tangent unit = Tangent::Zero();
-    unit[N] = 1.0;
-    const auto lu = bordered(at, p.x, ahead).partialPivLu();
-    p.tangent = lu.solve(unit);
-    p.tangent.normalize();
-    p.positive = lu.determinant() > 0.0;
-    return p.tangent.allFinite();
+    Linearization out{at.g, at.jacobian.matrix(), system_.minus_pull(p.x)};
+    keep_to_circle<N>(circle_, out);
+    return out;
   }
 
-  /// One predictor-corrector step of length `step` from here_. False where anything observed says
-  /// the step was too long.
-  bool advance(double step, Point& next, double* angle) const {
-    next.x = moved<N>(here_.x, ReducedVector<N>(step * here_.tangent.template head<N>()));
-    next.tau = here_.tau + step * here_.tangent[N];
-    double previous = std::numeric_limits<double>::infinity();
-    bool converged = false;
-    for (int k = 0; k < 8 && !converged; ++k) {
-      const Linearized<N> at = system_.at_fraction(next.tau).linearize(next.x);
-      Tangent rhs;
-      rhs.template head<N>() = -at.g / at.magnitude;
-      rhs[N] = 0.0;  // corrections stay in the plane across the predictor
-      const Tangent delta = bordered(at, next.x, here_.tangent).partialPivLu().solve(rhs);
-      const double size = delta.norm();
-      if (!std::isfinite(size)) return false;
-      if (k == 0 && size > longest_first_correction(step, options_.max_angle)) return false;
-      if (k > 0 && !contracts(size, previous)) return false;
-      next.x = moved<N>(next.x, ReducedVector<N>(delta.template head<N>()));
-      next.tau += delta[N];
-      previous = size;
-      converged = size <= 1e-11;
+  /// Tangent and sign of the determinant, from the bordered matrix beside p.
+  void orient(Point& p, const BorderedInverse<N>& inverse) const {
+    p.tangent = inverse.kernel();
+    make_equal(circle_, p.tangent);
+    p.tangent.normalize();
+    p.positive = inverse.positive();
+  }
+
+  bool leave_rest() {
+    const Linearization at = linearize(here_);
+    orient(here_, BorderedInverse<N>(at.jacobian, at.slope, along_tau()));
+    guard_.enter(here_.x, 0.0);
+    return here_.tangent.allFinite();
+  }
+
+  /// The point of the curve in the plane across the border, from that predicted `ahead` of here, along a path this long.
+  Attempt corrected(const Y& ahead, const Y& border, double length) {
+    Attempt out;
+    out.length = length;
+    Point& next = out.point;
+    next.x = moved<N>(here_.x, ReducedVector<N>(ahead.template head<N>()));
+    next.tau = here_.tau + ahead[N];
+    Y chord = ahead;
+    const NewtonCourse<N> course = bordered_newton<N>(
+        border, step_.longest_correction(length), [&] { return linearize(next); },
+        [&](Y delta) {
+          make_equal(circle_, delta);
+          next.x = moved<N>(next.x, ReducedVector<N>(delta.template head<N>()));
+          next.tau += delta[N];
+          chord += delta;
+        });
+    out.status = course.status;
+    out.first_correction = course.first_correction;
+    if (course.status != CorrectorStatus::converged) return out;
+    orient(next, course.last);
+    out.arc = Arc<N>(chord, here_.tangent, next.tangent);
+    out.angle = Arc<N>::angle(here_.tangent, next.tangent);
+    return out;
+  }
+
+  /// Whether nothing observed says that it led elsewhere.
+  bool accepts(const Attempt& attempt) const {
+    return attempt.status == CorrectorStatus::converged && step_.straight(attempt.angle) &&
+           same_sheet(here_.positive, attempt.point.positive) &&
+           guard_.broken_on(attempt.arc) == nullptr;
+  }
+
+  /// Whether the path between here and there is what was predicted, by the fourth derivative shown: of the first step by
+  /// its middle, of the others by the first correction.
+  bool bends_little(Attempt& attempt) {
+    if (step_.has_arc()) {
+      attempt.D = step_.shown(attempt.first_correction, attempt.length, [] { return 0.0; });
+    } else {
+      const Attempt middle = on_arc(attempt.arc, 0.5);
+      if (!accepts(middle)) return false;
+      attempt.D = StepControl::fourth_derivative_in_middle(middle.first_correction, attempt.length);
     }
-    if (!converged) return false;
-    symmetrize(next.x);
-    if (!orient(next, here_.tangent) || !same_sheet(here_.positive, next.positive)) return false;
-    if (!stays_inside(system_, here_.x, next.x)) return false;
-    const double cosine = std::clamp(next.tangent.dot(here_.tangent), -1.0, 1.0);
-    *angle = acos(cosine);
-    return *angle <= options_.max_angle;
+    return step_.fits(attempt.D, attempt.length);
+  }
+
+  bool try_step(Attempt& out) {
+    const double h = step_.length();
+    out = corrected(step_.ahead(here_.tangent, h), here_.tangent, h);
+    if (!accepts(out)) return step_.refuse("led elsewhere");
+    return bends_little(out) || step_.refuse_bend(out.D);
+  }
+
+  void settle(const Attempt& attempt) {
+    ++out_.steps;
+    here_ = attempt.point;
+    guard_.enter(here_.x, here_.tau);
+    step_.take(attempt.arc);
+    step_.lengthen(attempt.D, attempt.angle);
+    out_.x = here_.x;
+    out_.largest_tau = std::max(out_.largest_tau, here_.tau);
+  }
+
+  bool reach(const Attempt& attempt) {
+    if (!(std::abs(attempt.point.tau - 1.0) <= 1e-9)) return false;
+    ++out_.steps;
+    out_.x = attempt.point.x;
+    out_.largest_tau = 1.0;
+    out_.end = WalkEnd::reached;
+    return true;
+  }
+
+  /// To where the next step is predicted to pass tau = 1, if it does. Where that is refused, as beside a turn of tau, a
+  /// step like any other is taken.
+  bool step_to_end() {
+    const double left = 1.0 - here_.tau;
+    double s = step_.length();
+    Y ahead = step_.ahead(here_.tangent, s);
+    if (!(ahead[N] >= left)) return false;
+    for (int k = 0; k < 3; ++k) {  // the corrector does the rest
+      s = std::min(s * left / ahead[N], step_.length());
+      if (!(s > 0.0)) return false;
+      ahead = step_.ahead(here_.tangent, s);
+    }
+    ahead[N] = left;
+    Attempt attempt = corrected(ahead, along_tau(), s);
+    return accepts(attempt) && bends_little(attempt) && reach(attempt);
+  }
+
+  /// Whether the step passes tau = 1, also by turning just above it. Then the walk ends there, if the point is found.
+  bool passes_end(const Attempt& step) {
+    double far = 1.0;
+    if (step.point.tau < 1.0) {
+      const double up = here_.tangent[N];
+      const double down = -step.point.tangent[N];
+      if (!(up > 0.0 && down > 0.0)) return false;
+      // Flat, to rounding.
+      if (step.arc.length * std::min(up, down) <= 0x1p-50 * here_.tau) return false;
+      // The sheet turns inside this step: does it turn above tau = 1?
+      far = root_on(step.arc, far, [](const Point& p) { return p.tangent[N]; });
+      const Attempt turn = on_arc(step.arc, far);
+      if (!accepts(turn)) return false;
+      out_.largest_tau = std::max(out_.largest_tau, turn.point.tau);
+      if (turn.point.tau < 1.0) return false;
+    }
+    const double u = root_on(step.arc, far, [](const Point& p) { return p.tau - 1.0; });
+    const Attempt end = on_arc(step.arc, u);
+    if (accepts(end)) reach(end);
+    return true;
+  }
+
+  /// The point of the curve beside a fraction u of the arc of a step.
+  Attempt on_arc(const Arc<N>& arc, double u) {
+    return corrected(arc.at(u), arc.direction(u), arc.length);
+  }
+
+  /// The fraction u in [0, far] of the arc where f(point there) changes sign (it does between the ends).
+  template <class F>
+  double root_on(const Arc<N>& arc, double far, F f) {
+    const auto value = [&](double u) {
+      const Attempt at = on_arc(arc, u);
+      return f(accepts(at) ? at.point : here_);
+    };
+    const double from = f(here_);
+    const double to = value(far);
+    if (from == 0.0) return 0.0;
+    if (!(from * to < 0.0)) return far;
+    std::uintmax_t evaluations = 60;
+    const auto bracket = boost::math::tools::toms748_solve(
+        value, 0.0, far, from, to, boost::math::tools::eps_tolerance<double>(52), evaluations);
+    return 0.5 * (bracket.first + bracket.second);
   }
 
   /// The condition that does not hold a little ahead of where the walk is stuck.
   const expression::TapeCondition* border_ahead() const {
-    const auto here = system_conditions(system_, here_.x);
-    for (double reach = options_.min_step; reach < 1e-3; reach *= 4.0) {
-      const auto ahead = system_conditions(
-          system_, moved<N>(here_.x, ReducedVector<N>(reach * here_.tangent.template head<N>())));
-      for (std::size_t k = 0; k < ahead.size(); ++k)
-        if (!ahead[k].holds() || (ahead[k].value < 0.0) != (here[k].value < 0.0))
-          return ahead[k].condition;
-    }
+    for (double reach = options_.step.min; reach < 1e-3; reach *= 4.0)
+      if (const auto* broken = guard_.broken_along(here_.tangent, reach)) return broken;
     return nullptr;
-  }
-
-  /// Whether the step from here_ to next passes tau = 1, also by turning just above it: then the
-  /// walk ends, with the point there or stuck before it.
-  bool arrives(double step, const Point& next, WalkResult<N>& out) const {
-    double far = step;
-    if (next.tau < 1.0) {
-      if (!(here_.tangent[N] > 0.0 && next.tangent[N] < 0.0)) return false;
-      // The sheet turns inside this step: does it turn above tau = 1?
-      far = root_in(0.0, step, [](const Point& p) { return p.tangent[N]; });
-      Point turn;
-      double angle = 0.0;
-      if (!advance(far, turn, &angle)) return false;
-      out.largest_tau = std::max(out.largest_tau, turn.tau);
-      if (turn.tau < 1.0) return false;
-    }
-    const double s = root_in(0.0, far, [](const Point& p) { return p.tau - 1.0; });
-    Point at;
-    double angle = 0.0;
-    if (!advance(s, at, &angle) || std::abs(at.tau - 1.0) > 1e-9) {
-      out.x = here_.x;  // between here_ and next, but not found: `stuck`
-      out.largest_tau = std::max(out.largest_tau, here_.tau);
-      return true;
-    }
-    out.x = at.x;
-    out.largest_tau = 1.0;
-    out.end = WalkEnd::reached;
-    return true;
-  }
-
-  /// The s in [a, b] where f(point at s) changes sign (it does between the ends).
-  template <class F>
-  double root_in(double a, double b, F f) const {
-    const auto value = [&](double s) {
-      if (s == 0.0) return f(here_);
-      Point p;
-      double angle = 0.0;
-      return advance(s, p, &angle) ? f(p) : f(here_);
-    };
-    const double fa = value(a);
-    const double fb = value(b);
-    if (fa == 0.0) return a;
-    if (!(fa * fb < 0.0)) return b;
-    std::uintmax_t evaluations = 60;
-    const auto bracket = boost::math::tools::toms748_solve(
-        value, a, b, fa, fb, boost::math::tools::eps_tolerance<double>(52), evaluations);
-    return 0.5 * (bracket.first + bracket.second);
   }
 
   System system_;
   WalkOptions options_;
   Circle circle_;
+  PathStep<N> step_;
+  DomainGuard<N> guard_;
   Point here_;
+  WalkResult<N> out_;
 };
 
 }  // namespace stationary

@@ -18,6 +18,7 @@ struct StepOptions {
   double first = 0.01;
   double max = 0.5;
   double min = 1e-12;
+  double growth = 1.5;     ///< of one step to the next, at most
   double max_angle = 0.2;  ///< radians between successive tangents
 };
 
@@ -38,6 +39,11 @@ class StepControl {
     return 24.0 * std::max(correction, 1e-16) / (reach * reach);
   }
 
+  /// The one that the middle of a step h shows, against the cubic through its ends.
+  static double fourth_derivative_in_middle(double correction, double h) {
+    return 384.0 * std::max(correction, 1e-16) / (h * h * h * h);
+  }
+
   /// A step this much too long is taken back.
   bool too_long(double D, double h) const { return D * h * h * h * h > 48.0 * options_.tolerance; }
 
@@ -51,7 +57,7 @@ class StepControl {
     const double fits =
         std::sqrt(std::sqrt(24.0 * safety * options_.tolerance / std::max(D, D_before)));
     const double bends = h * 0.7 * options_.max_angle / std::max(angle, 1e-12);
-    return std::min({fits, bends, 1.5 * h, options_.max});
+    return std::min({fits, bends, options_.growth * h, options_.max});
   }
 
  private:

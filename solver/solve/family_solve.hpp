@@ -15,6 +15,7 @@
 #include "lib/matrix/small_matrix.hpp"
 #include "solver/family/follow_sheet.hpp"
 #include "solver/newton/newton.hpp"
+#include "solver/solve/counted_steps.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {
@@ -135,7 +136,7 @@ class FamilySolve {
       fail(what + ": " + report.failure);
     } else if (const Member* member = ends.at(to)) {
       adopt(*member, Connection::rest,
-            "along " + what + " in " + std::to_string(report.counts.steps) + " steps");
+            "along " + what + " in " + counted_steps(report.counts.steps));
     } else if (report.out_of_points) {
       fail(what + " was given up after " + std::to_string(report.points) +
            " points, without coming to |nu| = " + text(to));

@@ -11,6 +11,7 @@
 #include "solver/newton/ceres_solve.hpp"
 #include "solver/newton/newton.hpp"
 #include "solver/newton/nlopt_seed.hpp"
+#include "solver/solve/counted_steps.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {
@@ -130,6 +131,7 @@ class ReducedSolve {
     RestWalk<System> walk(system_, rest_, walk_);
     const WalkResult<N> walked = walk.run(options_.stop);
     counts_.walk_steps += walked.steps;
+    counts_.jacobians += walked.linearizations;
     if (walked.end == WalkEnd::interrupted) {
       out.status = SolveStatus::interrupted;
       return out;
@@ -141,14 +143,12 @@ class ReducedSolve {
     const double moved_by = logarithms(x.array() / walked.x.array()).abs().maxCoeff();
     if (outcome.usable && moved_by < 1e-3 && finish(x, out)) {
       out.connection = Connection::rest;
-      out.message = "walk from the rest state in " + std::to_string(walked.steps) +
-                    " steps, then " + method_name();
+      out.message = way(walked) + ", then " + method_name();
       return out;
     }
     if (finish(walked.x, out)) {
       out.connection = Connection::rest;
-      out.message = "walk from the rest state in " + std::to_string(walked.steps) + " steps (" +
-                    method_name() + " stopped short of it)";
+      out.message = way(walked) + " (" + method_name() + " stopped short of it)";
       return out;
     }
     std::ostringstream text;
@@ -163,6 +163,10 @@ class ReducedSolve {
     out.status = SolveStatus::not_found;
     out.message = before;
     return out;
+  }
+
+  static std::string way(const WalkResult<N>& walked) {
+    return "walk from the rest state in " + counted_steps(walked.steps);
   }
 
   std::string story(const WalkResult<N>& walked) const {

@@ -250,6 +250,21 @@ TEST(Methods, CountWhatTheyDid) {
   EXPECT_EQ(nlopt.ceres_iterations + nlopt.walk_steps, 0);
 }
 
+/// The message and the counts tell the same walk; its linearizations are among the Jacobians.
+TEST(Methods, TellTheStepsOfTheWalk) {
+  const Problem problem(Body(1.0, 1.7, 0.6), make_potential("neo-hookean", {1.0, 2.0}), Branch::i);
+  const Equilibrium slow = solve(problem, 0.05);
+  EXPECT_EQ(slow.counts.walk_steps, 1);
+  EXPECT_THAT(slow.message, HasSubstr("walk from the rest state in 1 step, then"));
+  const Equilibrium fast = solve(problem, 0.75);
+  EXPECT_GT(fast.counts.walk_steps, 1);
+  EXPECT_THAT(fast.message, HasSubstr("walk from the rest state in " +
+                                      std::to_string(fast.counts.walk_steps) + " steps, then"));
+  const Counts ceres = solve_by(Method::ceres, problem, 0.05).counts;
+  EXPECT_GT(slow.counts.jacobians, slow.counts.ceres_iterations + slow.counts.walk_steps);
+  EXPECT_EQ(ceres.walk_steps, 0);
+}
+
 /// Where the solution is unique, four ways lead to the same doubles.
 TEST(Methods, AgreeToTheLastBit) {
   for (const Branch branch : {Branch::i, Branch::ii, Branch::iii}) {

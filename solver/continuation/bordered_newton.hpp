@@ -1,0 +1,135 @@
+// Newton's method across a border, from a predicted point back onto a curve G(y) = 0 in y = (ln x, p/scale):
+//
+//   [ dG/dy    ]           [ G ]
+//   [ border^T ] delta = - [ 0 ]     nonsingular at a simple turn of p
+//
+// The last column of the inverse is the kernel of dG/dy, the curve's tangent. Every path that is followed is corrected
+// here and accepted by the one rule of jump_guard.hpp: the first correction small, the next ones contracting.
+#pragma once
+
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "lib/matrix/elimination.hpp"
+#include "solver/continuation/hermite_arc.hpp"
+#include "solver/continuation/jump_guard.hpp"
+
+namespace stationary {
+
+enum class CorrectorStatus {
+  converged,
+  not_finite,     ///< G or its derivatives left the domain
+  too_far,        ///< the first correction is too large for the step
+  slow,           ///< the corrections do not contract as Newton's should
+  not_converged,  ///< too many corrections
+  left_curve      ///< the last correction moved far: not the point corrected so far
+};
+constexpr std::string_view corrector_status_names[] = {
+    "converged",
+    "left the domain",
+    "the first correction was too large for the step",
+    "the corrections did not contract",
+    "too many corrections",
+    "the last correction led elsewhere"};
+constexpr std::string_view name(CorrectorStatus s) {
+  return corrector_status_names[static_cast<int>(s)];
+}
+
+/// [dG/dy; border^T] and its inverse: NaN where it is singular.
+template <int N>
+class BorderedInverse {
+ public:
+  using Matrix = Eigen::Matrix<double, N + 1, N + 1>;
+
+  BorderedInverse() = default;
+  /// slope: dG/d(p/scale).
+  BorderedInverse(const Eigen::Matrix<double, N, N>& jacobian, const ReducedVector<N>& slope,
+                  const ArcVector<N>& border) {
+    Matrix A;
+    A.template topLeftCorner<N, N>() = jacobian;
+    A.template topRightCorner<N, 1>() = slope;
+    A.row(N) = border.transpose();
+    // By elimination where there are four or more: the cofactors of a body that is far stiffer in
+    // volume than in shape cancel twice.
+    if constexpr (N < 3) {
+      bool invertible = false;
+      A.computeInverseAndDetWithCheck(inverse_, determinant_, invertible, 0.0);
+    } else {
+      const Elimination<N + 1> lu(A);
+      determinant_ = lu.determinant();
+      inverse_ = lu.inverse();
+    }
+    if (!(std::abs(determinant_) > 0.0))
+      inverse_.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  const Matrix& matrix() const { return inverse_; }
+  /// The correction of y where the residual is g.
+  ArcVector<N> correction(const ReducedVector<N>& g) const {
+    return inverse_.template leftCols<N>() * -g;
+  }
+  /// y that a residual of this size in each row may be off by, at most.
+  ArcVector<N> largest(const ReducedVector<N>& g) const {
+    return inverse_.template leftCols<N>().cwiseAbs() * g;
+  }
+  /// Of dG/dy, on the border's side.
+  ArcVector<N> kernel() const { return inverse_.col(N); }
+  /// Of the matrix's determinant: with the tangent as border one sign all along a sheet.
+  bool positive() const { return determinant_ > 0.0; }
+
+ private:
+  Matrix inverse_;
+  double determinant_ = 0.0;
+};
+
+/// What the corrections showed.
+template <int N>
+struct NewtonCourse {
+  CorrectorStatus status = CorrectorStatus::not_converged;
+  double first_correction = 0.0;  ///< length in y
+  int linearizations = 0;
+  BorderedInverse<N> last;  ///< at the point the last correction started from
+};
+
+/// linearize() gives g, jacobian = dG/d ln x and slope = dG/d(p/scale) where the point is now, move(delta) moves it.
+/// max_correction: of the first, see longest_first_correction().
+template <int N, class Linearize, class Move>
+NewtonCourse<N> bordered_newton(const ArcVector<N>& border, double max_correction,
+                                const Linearize& linearize, const Move& move) {
+  constexpr int max_iterations = 8;
+  constexpr double enough = 1e-7;  // the next is at rounding
+  NewtonCourse<N> out;
+  double previous = 0.0;
+  for (int k = 0; k < max_iterations; ++k) {
+    const auto at = linearize();
+    ++out.linearizations;
+    out.last = BorderedInverse<N>(at.jacobian, at.slope, border);
+    const ArcVector<N> delta = out.last.correction(at.g);
+    const double size = delta.norm();
+    if (!std::isfinite(size)) {
+      out.status = CorrectorStatus::not_finite;
+      return out;
+    }
+    if (k == 0) {
+      out.first_correction = size;
+      if (size > max_correction) {
+        out.status = CorrectorStatus::too_far;
+        return out;
+      }
+    } else if (!contracts(size, previous)) {
+      out.status = CorrectorStatus::slow;
+      return out;
+    }
+    move(delta);
+    previous = size;
+    if (size <= enough) {
+      out.status = CorrectorStatus::converged;
+      return out;
+    }
+  }
+  return out;
+}
+
+}  // namespace stationary

@@ -1,0 +1,38 @@
+// The part of vectors and equations in (ln x[, p]) that keeps two stretches equal, for a curve of circles. Where ellipses
+// branch off it, the balance is singular along the difference of the two, which such a curve has no part in.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "lib/body/circle.hpp"
+
+namespace stationary {
+
+/// Of a vector in (ln x[, p]), or of G. Rounding must not leave the circle: a predictor would make it grow.
+template <class Vector>
+void make_equal(Circle circle, Vector& y) {
+  if (circle == Circle::none) return;
+  const auto [a, b, c] = places(circle);
+  y[a] = y[b] = 0.5 * (y[a] + y[b]);
+}
+
+/// Of a linearization (g, jacobian, slope): restricted to the circle, the difference of the two stretches is given the
+/// eigenvalue 1.
+template <int N, class Linearization>
+void keep_to_circle(Circle circle, Linearization& at) {
+  if (circle == Circle::none) return;
+  auto& J = at.jacobian;
+  const auto [a, b, c] = places(circle);
+  const double along = 0.5 * (J(a, a) + J(a, b) + J(b, a) + J(b, b));
+  J(a, a) = J(b, b) = 0.5 * (along + 1.0);
+  J(a, b) = J(b, a) = 0.5 * (along - 1.0);
+  if constexpr (N == 3) {
+    J(a, c) = J(b, c) = 0.5 * (J(a, c) + J(b, c));
+    J(c, a) = J(c, b) = 0.5 * (J(c, a) + J(c, b));
+  }
+  make_equal(circle, at.g);
+  make_equal(circle, at.slope);
+  if constexpr (requires { at.nu_slope; }) make_equal(circle, at.nu_slope);
+}
+
+}  // namespace stationary
