@@ -14,6 +14,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "lib/body/circle.hpp"
 #include "solver/continuation/circle_part.hpp"
@@ -88,14 +89,17 @@ class RestWalk {
       if (step_to_end()) return out_;
       Attempt attempt;
       if (!try_step(attempt)) continue;
-      if (passes_end(attempt)) {
+      const std::optional<Turn> turn = turn_in(attempt);
+      if (turn) out_.largest_tau = std::max(out_.largest_tau, turn->tau);
+      if (passes_end(attempt, turn)) {
         if (out_.end == WalkEnd::reached) return out_;
         step_.refuse("tau = 1 was passed, but the point there not found");
         continue;
       }
       settle(attempt);
       // Where stretches escape while nu falls to 0, tau is rounding.
-      if (here_.tau < -1e-9 * out_.largest_tau) {
+      const double least = turn ? std::min(turn->tau, here_.tau) : here_.tau;
+      if (least < -1e-9 * out_.largest_tau) {
         out_.end = WalkEnd::turned_back;
         return out_;
       }
@@ -254,21 +258,33 @@ class RestWalk {
     return accepts(attempt) && bends_little(attempt) && reach(attempt);
   }
 
+  /// Where tau turns inside a step, at a fraction u of its arc.
+  struct Turn {
+    double u;
+    double tau;
+  };
+  /// Nothing where it does not, or not far enough to matter: to fall again from more than rounding above the ends, or to
+  /// rise again from below 0.
+  std::optional<Turn> turn_in(const Attempt& step) {
+    const double from = here_.tangent[N];
+    const double to = step.point.tangent[N];
+    if (!(from * to < 0.0)) return std::nullopt;
+    const double beyond_ends = step.arc.length * std::min(std::abs(from), std::abs(to));
+    const double lower_end = std::min(here_.tau, step.point.tau);
+    if (from > 0.0 ? beyond_ends <= 0x1p-50 * here_.tau : beyond_ends < lower_end)
+      return std::nullopt;
+    const double u = root_on(step.arc, 1.0, [](const Point& p) { return p.tangent[N]; });
+    const Attempt at = on_arc(step.arc, u);
+    if (!accepts(at)) return std::nullopt;
+    return Turn{u, at.point.tau};
+  }
+
   /// Whether the step passes tau = 1, also by turning just above it. Then the walk ends there, if the point is found.
-  bool passes_end(const Attempt& step) {
+  bool passes_end(const Attempt& step, const std::optional<Turn>& turn) {
     double far = 1.0;
     if (step.point.tau < 1.0) {
-      const double up = here_.tangent[N];
-      const double down = -step.point.tangent[N];
-      if (!(up > 0.0 && down > 0.0)) return false;
-      // Flat, to rounding.
-      if (step.arc.length * std::min(up, down) <= 0x1p-50 * here_.tau) return false;
-      // The sheet turns inside this step: does it turn above tau = 1?
-      far = root_on(step.arc, far, [](const Point& p) { return p.tangent[N]; });
-      const Attempt turn = on_arc(step.arc, far);
-      if (!accepts(turn)) return false;
-      out_.largest_tau = std::max(out_.largest_tau, turn.point.tau);
-      if (turn.point.tau < 1.0) return false;
+      if (!turn || turn->tau < 1.0) return false;
+      far = turn->u;
     }
     const double u = root_on(step.arc, far, [](const Point& p) { return p.tau - 1.0; });
     const Attempt end = on_arc(step.arc, u);

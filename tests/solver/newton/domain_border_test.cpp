@@ -1,5 +1,5 @@
 // Steps of a solve where a formula is not defined everywhere: none leaves the domain between its
-// ends, and a walk from rest says that a border stops it.
+// ends, and a walk from rest says that a border stops it. And where such a walk comes back to rest.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,6 +50,31 @@ TEST(DomainBorder, AWalkEndsAtTheBorder) {
     EXPECT_TRUE(stopped.border->positive);
     EXPECT_NEAR(stopped.x[0] * stopped.x[1], 1.44, 1e-3);
     EXPECT_LT(stopped.largest_tau, 1.0);
+  }
+}
+
+/// nu^2 rises from rest, falls below 0 and rises again, which a long step may not see: the sheet ends at another state of
+/// rest, and what it reaches beyond is another one.
+TEST(DomainBorder, AWalkEndsAtAnotherStateOfRest) {
+  struct Case {
+    double k, w, c_xi, c_zeta, largest;
+  };
+  for (const auto& [k, w, c_xi, c_zeta, largest] :
+       {Case{0.29737, 1.82779, 0.99318869, 0.53470847, 0.0812},
+        Case{0.0812579, 3.51335, 0.64663884, 0.97252393, 0.00624},
+        Case{0.0958743, 3.22362, 0.7561435, 0.75613105, 0.00746}}) {
+    const PlanarExpression<> model = support::written_plane("mu/2*I1 - mu*log(d) + k*cos(w*log(d))",
+                                                            {"mu", "k", "w"}, {1, k, w});
+    ReducedVector<2> rest = ReducedVector<2>::Constant(model.rest_stretch());
+    ASSERT_TRUE(newton(System{model, {0.0, 0.0, 0.0}}, rest, NewtonOptions()).converged);
+    for (const double first : {0.003, 0.05, 0.5, 1.5}) {
+      WalkOptions options;
+      options.step.first = first;
+      const auto back =
+          RestWalk<System>(System{model, {c_xi, c_zeta, 0.0}}, rest, options).run(nullptr);
+      EXPECT_EQ(back.end, WalkEnd::turned_back) << k << " " << first;
+      EXPECT_NEAR(back.largest_tau, largest, 0.01 * largest) << k << " " << first;
+    }
   }
 }
 
