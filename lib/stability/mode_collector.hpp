@@ -8,13 +8,24 @@
 #pragma once
 
 #include <cmath>
-#include <utility>
 
 #include "lib/number/elementary.hpp"
 #include "lib/number/polynomial.hpp"
 #include "lib/stability/spectrum.hpp"
 
 namespace stationary {
+
+inline int sign(double x) { return (x > 0.0) - (x < 0.0); }
+
+/// Certainly positive for inputs uncertain by u.
+inline bool positive(const Conditioned& x, double u) { return x.value > u * x.condition; }
+
+/// Negative eigenvalues of [a b; b c] given its determinant.
+inline int negatives_2(double a, double c, double det) {
+  if (det < 0.0) return 1;
+  if (det == 0.0) return a + c < 0.0 ? 1 : 0;
+  return a + c < 0.0 ? 2 : 0;
+}
 
 /// A polynomial known through its conditioning: values and |change| <= u condition per coefficient.
 template <int D>
@@ -57,42 +68,41 @@ enum class Axis { stays, may_leave };
 
 class ModeCollector {
  public:
+  /// unit: of rates, a power of two; what is given is in it.
+  explicit ModeCollector(double unit = 1.0) : unit_(unit), unit2_(unit * unit) {}
+
   /// krein_if_imaginary: of the Lambda as it stands; 0 where even that is not known.
   void add_real(double lambda, double error, int krein_if_imaginary, Axis axis = Axis::stays) {
-    Mode m;
-    m.lambda_re = lambda;
-    m.lambda_error = error;
-    m.re = lambda > 0.0 ? std::sqrt(lambda) : 0.0;
-    m.im = lambda < 0.0 ? std::sqrt(-lambda) : 0.0;
-    m.krein = lambda < 0.0 ? krein_if_imaginary : 0;
-    push(m, axis, std::abs(lambda) > error);
+    const double rate = unit_ * std::sqrt(std::abs(lambda));
+    Mode& m = next(axis, std::abs(lambda) > error);
+    m.lambda_re = unit2_ * lambda;
+    m.lambda_error = unit2_ * error;
+    if (lambda < 0.0) {
+      m.im = rate;
+      m.krein = krein_if_imaginary;
+    } else if (lambda > 0.0) {
+      m.re = rate;
+    }
   }
 
   /// A conjugate pair of Lambda with im > 0: a quadruple of s, two modes; nothing is claimed of
   /// them where within the error they may be two real ones.
   void add_complex(double re, double im, double error) {
-    Mode m;
-    m.lambda_re = re;
-    m.lambda_im = im;
-    m.lambda_error = error;
     const double size = hypotenuse(re, im);
-    if (re > 0.0) {
-      m.re = std::sqrt(0.5 * (size + re));
-      m.im = 0.5 * im / m.re;
-    } else {
-      m.im = std::sqrt(0.5 * (size - re));
-      m.re = 0.5 * im / m.im;
-    }
+    const double larger = std::sqrt(0.5 * (size + std::abs(re)));
+    const double smaller = 0.5 * im / larger;
     const bool complex = 2.0 * error < im;  // apart from its conjugate, as in may_meet()
-    push(m, Axis::may_leave, complex);
-    push(m, Axis::may_leave, complex);
+    for (int k = 0; k < 2; ++k) {
+      Mode& m = next(Axis::may_leave, complex);
+      m.re = unit_ * (re > 0.0 ? larger : smaller);
+      m.im = unit_ * (re > 0.0 ? smaller : larger);
+      m.lambda_re = unit2_ * re;
+      m.lambda_im = unit2_ * im;
+      m.lambda_error = unit2_ * error;
+    }
   }
 
-  void add_forced_zero() {
-    Mode m;
-    m.forced_zero = true;
-    push(m, Axis::stays, true);
-  }
+  void add_forced_zero() { next(Axis::stays, true).forced_zero = true; }
 
   /// The two roots of one quadratic factor. `collision_possible`: opposite signatures may meet
   /// here; krein(lambda) is the signature of a simple imaginary mode.
@@ -128,6 +138,22 @@ class ModeCollector {
     }
   }
 
+  /// The roots of a cubic of (alpha, xi, zeta); forced: one of them is a symmetry's zero.
+  template <class S, class Krein>
+  void add_cubic(const Polynomial<S, 3>& p, const UncertainPolynomial<3>& uncertain, bool forced,
+                 bool definite, const Krein& krein) {
+    if (forced) {
+      add_forced_zero();
+      add_pair(quadratic_roots(p.c[2] / p.c[3], p.c[1] / p.c[3]), uncertain, !definite, krein);
+      return;
+    }
+    const CubicRoots<S> roots = cubic_roots(p);
+    const double single = leading(roots.single);
+    add_real(single, uncertain.root_error(single), krein(roots.single),
+             definite ? Axis::stays : Axis::may_leave);
+    add_pair(roots.pair, uncertain, !definite, krein);
+  }
+
   /// The modes added from here on belong to this block.
   void begin(Block block) { block_ = block; }
   void set_negative(int count) { negative_ = count; }
@@ -136,18 +162,21 @@ class ModeCollector {
 
   Spectrum finish() const {
     Spectrum out;
-    out.modes = count_;
-    out.mode = modes_;
     out.negative = negative_;
+    out.modes = static_cast<int>(count_);
     bool real = false;
     bool complex = false;
     bool undecided = false;
     bool all_positive = true;
     bool some_negative = false;
-    for (int k = 0; k < count_; ++k) {
-      Mode& m = out.mode[index(k)];
+    double growth = 0.0;
+    const std::array<std::size_t, 5> order = ascending();
+    for (std::size_t k = 0; k < count_; ++k) {
+      Mode& m = out.mode[k];
+      m = modes_[order[k]];
       if (m.forced_zero) continue;
-      if (!decided_[index(k)] || may_meet_another(k)) {
+      if (m.re > growth) growth = m.re;
+      if (!decided_[order[k]] || may_meet_another(order[k])) {
         undecided = true;
         m.krein_open = m.im > 0.0 && m.re == 0.0;
         m.krein = 0;
@@ -161,12 +190,6 @@ class ModeCollector {
         some_negative = some_negative || m.krein < 0;
       }
     }
-    const auto before = [](const Mode& a, const Mode& b) {
-      return a.im != b.im ? a.im < b.im : a.re < b.re;
-    };
-    for (std::size_t k = 1; k < index(count_); ++k)
-      for (std::size_t j = k; j > 0 && before(out.mode[j], out.mode[j - 1]); --j)
-        std::swap(out.mode[j], out.mode[j - 1]);
     if (real) {
       out.verdict = StabilityClass::unstable;
     } else if (undecided) {
@@ -178,45 +201,64 @@ class ModeCollector {
     } else {
       out.verdict = some_negative ? StabilityClass::elliptic : StabilityClass::marginal;
     }
-    if (real || out.verdict == StabilityClass::oscillatory)
-      for (int k = 0; k < count_; ++k) out.growth = std::fmax(out.growth, modes_[index(k)].re);
+    if (real || out.verdict == StabilityClass::oscillatory) out.growth = growth;
     return out;
   }
 
  private:
-  static std::size_t index(int k) { return static_cast<std::size_t>(k); }
-  void push(const Mode& m, Axis axis, bool decided) {
-    modes_[index(count_)] = m;
-    modes_[index(count_)].block = block_;
-    axis_[index(count_)] = axis;
-    decided_[index(count_++)] = decided;
+  Mode& next(Axis axis, bool decided) {
+    axis_[count_] = axis;
+    decided_[count_] = decided;
+    leaving_ = leaving_ || axis == Axis::may_leave;
+    Mode& out = modes_[count_++];
+    out.block = block_;
+    return out;
   }
 
-  bool may_meet_another(int k) const {
-    for (int j = 0; j < count_; ++j)
+  /// By im, then re.
+  std::array<std::size_t, 5> ascending() const {
+    std::array<std::size_t, 5> out{};
+    for (std::size_t k = 1; k < count_; ++k) {
+      const Mode& m = modes_[k];
+      std::size_t j = k;
+      for (; j > 0; --j) {
+        const Mode& other = modes_[out[j - 1]];
+        if (!(m.im != other.im ? m.im < other.im : m.re < other.re)) break;
+        out[j] = out[j - 1];
+      }
+      out[j] = k;
+    }
+    return out;
+  }
+
+  bool may_meet_another(std::size_t k) const {
+    if (!leaving_ || axis_[k] == Axis::stays) return false;
+    for (std::size_t j = 0; j < count_; ++j)
       if (j != k && may_meet(j, k)) return true;
     return false;
   }
 
   /// Real ones that their bounds do not tell apart. The bounds are first-order: they hold where
   /// they are small against the distance.
-  bool may_meet(int j, int k) const {
-    const Mode& a = modes_[index(j)];
-    const Mode& b = modes_[index(k)];
-    if (a.block != b.block || axis_[index(j)] == Axis::stays || axis_[index(k)] == Axis::stays)
-      return false;
+  bool may_meet(std::size_t j, std::size_t k) const {
+    const Mode& a = modes_[j];
+    const Mode& b = modes_[k];
+    if (a.block != b.block || axis_[j] == Axis::stays || axis_[k] == Axis::stays) return false;
     if (a.lambda_im > 0.0 || b.lambda_im > 0.0) return false;
-    if (a.krein * b.krein > 0 && decided_[index(j)] && decided_[index(k)]) return false;
+    if (a.krein * b.krein > 0 && decided_[j] && decided_[k]) return false;
     const double error = std::fmax(a.lambda_error, b.lambda_error);
     return !(4.0 * error < std::abs(a.lambda_re - b.lambda_re));
   }
 
+  const double unit_;
+  const double unit2_;
   std::array<Mode, 5> modes_;
   std::array<Axis, 5> axis_{};
   std::array<bool, 5> decided_{};
-  Block block_ = Block::even;
-  int count_ = 0;
+  std::size_t count_ = 0;
   int negative_ = 0;
+  bool leaving_ = false;  ///< any of them may leave the axis
+  Block block_ = Block::even;
   bool definite_with_momentum_ = false;
 };
 

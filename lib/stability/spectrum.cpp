@@ -11,21 +11,25 @@ namespace {
 
 using Extended = DoubleDouble;
 
-int sign(double x) { return (x > 0.0) - (x < 0.0); }
-
-/// Certainly positive for inputs uncertain by u.
-bool positive(const Conditioned& x, double u) { return x.value > u * x.condition; }
+/// Signature of the mode of Lambda in the odd block of (i): Q1 on the eigenvector of P Q1 to -Lambda.
+int odd_signature(const double (&p)[3], const double (&q1)[3], double lambda) {
+  const double m = -lambda;
+  const double n11 = p[0] * q1[0] + p[1] * q1[1];
+  const double n12 = p[0] * q1[1] + p[1] * q1[2];
+  const double n21 = p[1] * q1[0] + p[2] * q1[1];
+  const double n22 = p[1] * q1[1] + p[2] * q1[2];
+  double x = n12;
+  double y = m - n11;
+  if (std::abs(n21) * q1[0] * q1[0] + std::abs(m - n22) > std::abs(x) + std::abs(y)) {
+    x = m - n22;
+    y = n21;
+  }
+  return sign(q1[0] * x * x + 2.0 * q1[1] * x * y + q1[2] * y * y);
+}
 
 bool positive_definite_2(const Conditioned& a, const Conditioned& b, const Conditioned& c,
                          double u) {
   return positive(a, u) && positive(a * c - b * b, u);
-}
-
-/// Negative eigenvalues of [a b; b c] given its determinant.
-int negatives_2(double a, double c, double det) {
-  if (det < 0.0) return 1;
-  if (det == 0.0) return a + c < 0.0 ? 1 : 0;
-  return a + c < 0.0 ? 2 : 0;
 }
 
 /// |change of an eigenvalue| of mass^-1 K: Weyl, on mass^-1/2 K mass^-1/2.
@@ -99,22 +103,8 @@ int add_odd_i(const StraightState<Extended>& s, const StraightState<Conditioned>
   const double det_p = leading(odd.det_P);
   const int negative = negatives_2(q1[0], q1[2], det_q1) + (det_p < 0.0 ? 1 : 0);
 
-  // Energy of the mode with m = -Lambda: Q1 on the eigenvector of P Q1.
   const double p[3] = {leading(odd.P[0]), leading(odd.P[1]), leading(odd.P[2])};
-  const auto krein = [&](const Extended& lambda) {
-    const double m = -leading(lambda);
-    const double n11 = p[0] * q1[0] + p[1] * q1[1];
-    const double n12 = p[0] * q1[1] + p[1] * q1[2];
-    const double n21 = p[1] * q1[0] + p[2] * q1[1];
-    const double n22 = p[1] * q1[1] + p[2] * q1[2];
-    double x = n12;
-    double y = m - n11;
-    if (std::abs(n21) * q1[0] * q1[0] + std::abs(m - n22) > std::abs(x) + std::abs(y)) {
-      x = m - n22;
-      y = n21;
-    }
-    return sign(q1[0] * x * x + 2.0 * q1[1] * x * y + q1[2] * y * y);
-  };
+  const auto krein = [&](const Extended& lambda) { return odd_signature(p, q1, leading(lambda)); };
 
   const Polynomial<Extended, 2> characteristic = odd.characteristic();
   const UncertainPolynomial<2> uncertain(conditioned.characteristic(), u);
@@ -157,22 +147,6 @@ bool forced_zero(const StraightState<Extended>& s, const BlockFacts& facts) {
          (facts.isotropic && leading(s.omega) == 0.0 && leading(s.xi) != leading(s.zeta));
 }
 
-/// The roots of a cubic of (alpha, xi, zeta), one of them the forced zero.
-template <class Krein>
-void add_even_cubic(const Polynomial<Extended, 3>& p, const UncertainPolynomial<3>& uncertain,
-                    bool forced, bool definite, const Krein& krein, ModeCollector& out) {
-  if (forced) {
-    out.add_forced_zero();
-    out.add_pair(quadratic_roots(p.c[2] / p.c[3], p.c[1] / p.c[3]), uncertain, !definite, krein);
-    return;
-  }
-  const CubicRoots<Extended> roots = cubic_roots(p);
-  const double single = leading(roots.single);
-  out.add_real(single, uncertain.root_error(single), krein(roots.single),
-               definite ? Axis::stays : Axis::may_leave);
-  out.add_pair(roots.pair, uncertain, !definite, krein);
-}
-
 /// (iii), even, away from the circle.
 int add_even_iii(const StraightState<Extended>& s, const StraightState<Conditioned>& c,
                  const BlockFacts& facts, ModeCollector& out) {
@@ -198,7 +172,7 @@ int add_even_iii(const StraightState<Extended>& s, const StraightState<Condition
     const auto krein = [&](const Extended& lambda) {
       return definite ? 1 : sign(leading(p.slope(lambda)) * leading(trace(lambda)));
     };
-    add_even_cubic(p, uncertain, forced, definite, krein, out);
+    out.add_cubic(p, uncertain, forced, definite, krein);
     return negative_alpha +
            negatives_2(leading(block.rest.K[0][0]), leading(block.rest.K[1][1]), det_K);
   }
@@ -344,8 +318,8 @@ int add_held_iii(const StraightState<Extended>& s, const StraightState<Condition
   const auto krein = [&](const Extended& lambda) {
     return definite ? 1 : sign(leading(p.slope(lambda)) * leading(trace(lambda)));
   };
-  add_even_cubic(p, UncertainPolynomial<3>(conditioned.characteristic(), u), forced, definite,
-                 krein, out);
+  out.add_cubic(p, UncertainPolynomial<3>(conditioned.characteristic(), u), forced, definite,
+                krein);
   const double det = leading(block.plane.characteristic().c[0]);
   return (leading(block.K_alpha) < 0.0 ? 1 : 0) +
          negatives_2(leading(block.plane.K[0]), leading(block.plane.K[2]), det);

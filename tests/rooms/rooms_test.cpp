@@ -34,6 +34,7 @@ constexpr std::string_view rooms[] = {
     "lib/material",
     "lib/balance",
     "lib/stability",
+    "lib/balanced",
     "solver/newton",
     "solver/motion",
     "solver/continuation",

@@ -1,0 +1,211 @@
+// The blocks of linearization.hpp of a separable isotropic V at omega != 0, balanced: each mode is
+// scaled by its own stretch and by the square root of its own mass. Their entries are then squares
+// of rates however far apart the stretches are, and need few operations.
+//
+// With G the balance in (u, v, w) = ln (xi, zeta, rho) (log_balance.hpp), m = (J1 xi^2, J2 zeta^2,
+// J3 rho^2), gain = 4 omega^2:
+//
+//   q_i (V_xx - omega^2 diag)_ik q_k = dG_i/dx_k                                 at equilibrium
+//   V_aa (xi - zeta)/2 = V_x - V_z = omega^2 (J1 xi - J2 zeta), in (i) without xi   likewise:
+//   then what V is does not enter
+//
+// (i) even: [a d 0; d b e; 0 e c], a = G_uu/m1, d^2 = G_uv^2/(m1 m2), f2 = m2/(m2+m3) = 1 - f3,
+//       b = G_vv/m2 + gain f2,  c = G_ww/m3 + gain f3,  e^2 = gain^2 f2 f3,
+//       b c - e^2 = b0 c0 + gain (b0 f3 + c0 f2),  b0 = G_vv/m2, c0 = G_ww/m3
+// (i) odd: Lambda^2 + B Lambda + C with E = J1 (xi^2 - zeta^2),
+//       B = (V_aa - J2 omega^2) I3/D + 2 omega^2 m1/I2      = omega^2 (2 m1/I2 - I3/E)
+//       C = omega^2 (m3 - m1)/I2 [V_aa (m2 - m1) - omega^2 J2 zeta ((J1 + J2) zeta + 2 J1 xi)]/D
+//                                                 = omega^4 (m3 - m1)/I2 (J1 - J2) zeta^2/E
+// (iii) even: k = (V_aa - omega^2 (J1 + J2)) I3/D = omega^2 (J1 - J2) I3/(J2 E),  a0 = G_uu/m1, b0 = G_vv/m2, f1 = m1/I3 = 1 - f2, det = a b - d^2,
+//       Lambda^3 + (k + a0 + b0 + 2 gain) Lambda^2
+//         + [k (a0 + b0 + gain) + a0 b0 - G_uv^2/(m1 m2) + gain (a0 + b0) + gain^2] Lambda + k det,
+//       det = a0 b0 - G_uv^2/(m1 m2) + gain (a0 f2 + b0 f1 - 2 G_uv/I3)
+//
+// S: pairs of doubles for values, Conditioned for their bounds; C: that of J and omega.
+#pragma once
+
+#include "lib/balanced/part_curvatures.hpp"
+#include "lib/balanced/spin_units.hpp"
+#include "lib/body/motion.hpp"
+#include "lib/number/first_order_bound.hpp"
+#include "lib/number/polynomial.hpp"
+
+namespace stationary {
+
+/// (xi, zeta) along a spin about axis 1 or 3; about axis 2 with 1 and 2 exchanged. In the units of
+/// SpinUnits.
+template <class S, class C>
+struct BalancedState {
+  C J1;
+  C J2;
+  S xi, zeta;
+  S zeta2;  ///< its square
+  S m1, m2, m3;
+  S omega2;
+  S uu, uv, vv, ww;
+  S sum;       ///< xi + zeta
+  bool apart;  ///< xi and zeta are: V_aa is had from the balance
+  S E;         ///< where apart
+  S V_aa;      ///< where not
+};
+
+/// What BalancedState is made of. apart: least |xi - zeta|/(xi + zeta) that K_alpha is divided by.
+template <class S, class C, class Model>
+struct SpinningBody {
+  const Model& model;
+  C J1, J2, J3;
+  S xi, zeta, rho;
+  C omega;
+  bool normal;  ///< (iii), else (i)
+  double least_apart;
+};
+
+template <class S, class C, class Model>
+BalancedState<S, C> balanced_state(const SpinningBody<S, C, Model>& of, const SpinUnits& units) {
+  BalancedState<S, C> out;
+  const S square = S(of.omega) * of.omega;
+  const S pull_zeta = of.J2 * square;
+  const S none(0.0);
+  const auto plane = plane_curvatures(of.model.plane, of.xi, of.zeta,
+                                      of.normal ? S(of.J1 * square) : none, pull_zeta);
+  out.uu = by_power(plane.uu, units.energy);
+  out.uv = by_power(plane.uv, units.energy);
+  out.vv = by_power(plane.vv, units.energy);
+  out.ww = by_power(
+      thickness_curvature(of.model.thickness, of.rho, of.normal ? none : S(of.J3 * square)),
+      units.energy);
+
+  out.J1 = by_power(of.J1, units.inertia);
+  out.J2 = by_power(of.J2, units.inertia);
+  out.xi = of.xi;
+  out.zeta = of.zeta;
+  out.zeta2 = of.zeta * of.zeta;
+  out.m1 = out.J1 * (of.xi * of.xi);
+  out.m2 = out.J2 * out.zeta2;
+  out.m3 = by_power(of.J3, units.inertia) * (of.rho * of.rho);
+  out.omega2 = by_power(square, units.rate * units.rate);
+
+  out.sum = of.xi + of.zeta;
+  const S difference = renormalized(S(of.xi - of.zeta));
+  out.apart = std::abs(leading(difference)) >= of.least_apart * leading(out.sum);
+  if (out.apart) {
+    out.E = out.J1 * (out.sum * difference);
+  } else {
+    const S w_l = pressure(of.model.plane, of.xi, of.zeta);
+    out.V_aa = by_power(w_l, -2.0 * units.energy) / (of.xi * of.zeta);
+  }
+  return out;
+}
+
+/// (i), even, as entries.
+template <class S>
+struct ChainEntries {
+  S a, b, c;
+  S d2, e2;
+};
+/// (i), even, its parts.
+template <class S>
+struct ChainParts {
+  S a, b0, c0, d2;
+  S gain, f2, f3;
+
+  ChainEntries<S> entries() const {
+    return {a, b0 + gain * f2, c0 + gain * f3, d2, gain * gain * (f2 * f3)};
+  }
+  Polynomial<S, 3> characteristic() const {
+    const S pair = b0 * c0 + gain * (b0 * f3 + c0 * f2);
+    const S rest = b0 + c0 + gain;
+    return {{S(a * pair - d2 * (c0 + gain * f3)), S(a * rest + (pair - d2)), S(a + rest), S(1.0)}};
+  }
+};
+template <class S, class C>
+ChainParts<S> even_chain_i(const BalancedState<S, C>& s) {
+  const S inverse = S(1.0) / (s.m2 + s.m3);
+  return {s.uu / s.m1,
+          s.vv / s.m2,
+          s.ww / s.m3,
+          s.uv * s.uv / (s.m1 * s.m2),
+          by_power(s.omega2, 4.0),
+          s.m2 * inverse,
+          s.m3 * inverse};
+}
+
+/// (i), odd; the determinants and Q1_22 of linearization.hpp but for positive factors.
+template <class S>
+struct OddQuadratic {
+  S b, c;
+  S det_P;
+  S det_Q;
+  S Q_22;
+};
+template <class S, class C>
+OddQuadratic<S> odd_quadratic_i(const BalancedState<S, C>& s) {
+  const S inverse = S(1.0) / (s.m1 + s.m3);
+  const S I3 = s.m1 + s.m2;
+  OddQuadratic<S> out;
+  out.det_P = renormalized(S(s.m3 - s.m1));
+  out.Q_22 = renormalized(S(s.m2 - s.m1));
+  const S own = by_power(s.m1 * inverse, 2.0);
+  const S tilt = s.omega2 * (out.det_P * inverse);
+  if (s.apart) {
+    const S inverse_E = S(1.0) / s.E;
+    out.det_Q = (S(s.J1) - S(s.J2)) * (s.zeta2 * inverse_E);
+    out.b = renormalized(S(s.omega2 * (own - I3 * inverse_E)));
+    out.c = tilt * (s.omega2 * out.det_Q);
+  } else {
+    const S inverse_D = S(1.0) / ((S(s.J1) * s.J2) * (s.sum * s.sum));
+    const S pull = (s.J2 * s.zeta) * ((S(s.J1) + S(s.J2)) * s.zeta + by_power(S(s.J1 * s.xi), 2.0));
+    out.det_Q = renormalized(S(s.V_aa * out.Q_22 - s.omega2 * pull)) * inverse_D;
+    out.b = renormalized(S((s.V_aa - s.J2 * s.omega2) * (I3 * inverse_D) + s.omega2 * own));
+    out.c = tilt * out.det_Q;
+  }
+  return out;
+}
+
+/// (iii), even.
+template <class S>
+struct NormalBlock {
+  S k;  ///< of alpha
+  S a, b;
+  S det;  ///< of (xi, zeta)
+  S det0, trace0;
+  S gain;
+
+  Polynomial<S, 3> characteristic() const {
+    return {{S(k * det), S(k * (trace0 + gain) + det0 + gain * (trace0 + gain)),
+             S(k + trace0 + by_power(gain, 2.0)), S(1.0)}};
+  }
+  /// As of GyroscopicBlock.
+  Polynomial<S, 2> trace_adjugate() const {
+    const S trace = trace0 + gain;
+    return {{S(k * trace + det), S(by_power(k + trace, 2.0) + gain), S(3.0)}};
+  }
+};
+template <class S, class C>
+NormalBlock<S> normal_block(const BalancedState<S, C>& s) {
+  NormalBlock<S> out;
+  const S I3 = s.m1 + s.m2;
+  const S inverse = S(1.0) / I3;
+  const S f1 = s.m1 * inverse;
+  const S f2 = s.m2 * inverse;
+  const S a0 = s.uu / s.m1;
+  const S b0 = s.vv / s.m2;
+  out.gain = by_power(s.omega2, 4.0);
+  out.k = s.apart ? ((S(s.J1) - S(s.J2)) * s.omega2) * I3 / (s.J2 * s.E)
+                  : renormalized(S(s.V_aa - (S(s.J1) + S(s.J2)) * s.omega2)) * I3 /
+                        ((S(s.J1) * s.J2) * (s.sum * s.sum));
+  out.a = a0 + out.gain * f1;
+  out.b = b0 + out.gain * f2;
+  out.det0 = a0 * b0 - s.uv * s.uv / (s.m1 * s.m2);
+  out.trace0 = a0 + b0;
+  out.det = out.det0 + out.gain * (a0 * f2 + b0 * f1 - by_power(s.uv * inverse, 2.0));
+  return out;
+}
+
+/// (iii), odd.
+template <class S, class C>
+S odd_lambda_iii(const BalancedState<S, C>& s) {
+  return -(s.omega2 * ((s.m1 - s.m3) * (s.m2 - s.m3))) / ((s.m1 + s.m3) * (s.m2 + s.m3));
+}
+
+}  // namespace stationary

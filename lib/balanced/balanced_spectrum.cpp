@@ -1,0 +1,218 @@
+#include "lib/balanced/balanced_spectrum.hpp"
+
+#include "lib/balanced/separated_roots.hpp"
+#include "lib/stability/mode_collector.hpp"
+
+namespace stationary {
+namespace {
+
+/// How far a root of the chain moves with its entries, and what of this is of second order.
+class ChainBound {
+ public:
+  ChainBound(const ChainEntries<Conditioned>& at, double u) : at_(at) {
+    const auto error = [&](const Conditioned& x) { return u * (x.condition + std::abs(x.value)); };
+    a_ = error(at.a);
+    b_ = error(at.b);
+    c_ = error(at.c);
+    d2_ = error(at.d2);
+    e2_ = error(at.e2);
+    // |d|'s change of d^2's: where d = 0 it has none.
+    const double d = at.d2.value > 0.0 ? d2_ * d2_ / at.d2.value : 0.0;
+    const double e = at.e2.value > 0.0 ? e2_ * e2_ / at.e2.value : 0.0;
+    square_ = a_ * a_ + b_ * b_ + c_ * c_ + 0.5 * (d + e);
+  }
+
+  /// Of a root apart from the others: sum |dp/dx| |change of x| over |p'|, and 2 |change|^2/gap.
+  double operator()(double root, double slope, double gap) const {
+    constexpr double rounding = 0x1p-50;
+    const double a = at_.a.value + root;
+    const double b = at_.b.value + root;
+    const double c = at_.c.value + root;
+    const auto minor = [](double x, double y, double square) {
+      return std::abs(x * y - square) + rounding * (std::abs(x * y) + square);
+    };
+    const double first = minor(b, c, at_.e2.value) * a_ + std::abs(a * c) * b_ +
+                         minor(a, b, at_.d2.value) * c_ + std::abs(c) * d2_ + std::abs(a) * e2_;
+    return first / std::abs(slope) + 2.0 * square_ / gap + 0x1p-53 * std::abs(root);
+  }
+  /// Whether that holds: the change is small beside the distance.
+  bool resolves(double gap) const { return 256.0 * square_ < gap * gap; }
+
+  /// Of any root: Weyl.
+  double largest() const {
+    const double d = change_of_root(at_.d2.value, d2_);
+    const double e = change_of_root(at_.e2.value, e2_);
+    return std::max({a_ + d, b_ + d + e, c_ + e});
+  }
+
+ private:
+  static double change_of_root(double square, double change) {
+    return square > 0.0 ? change / std::sqrt(square) : 0.0;
+  }
+
+  ChainEntries<Conditioned> at_;
+  double a_, b_, c_, d2_, e2_;
+  double square_;
+};
+
+/// (i), even: a symmetric matrix, all energies +1 where imaginary. Returns the negative directions.
+int add_chain(const BalancedPair& s, const BalancedBound& bound, double u, ModeCollector& out) {
+  const Polynomial<DoubleDouble, 3> p = even_chain_i(s).characteristic();
+  const ChainBound error(even_chain_i(bound).entries(), u);
+  const SeparatedRoots roots = separated_roots(p);
+  int negative = 0;
+  if (roots.found && error.resolves(*std::min_element(roots.gap.begin(), roots.gap.end()))) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double lambda = roots.root[k];
+      out.add_real(lambda, error(lambda, roots.slope[k], roots.gap[k]), 1);
+      negative += lambda > 0.0;
+    }
+    return negative;
+  }
+  const CubicRoots<DoubleDouble> careful = cubic_roots(p);
+  const double any = error.largest();
+  for (const DoubleDouble& root : {careful.single, careful.pair.small, careful.pair.large}) {
+    const double lambda = leading(root);
+    out.add_real(lambda, any + 0x1p-53 * std::abs(lambda), 1);
+    negative += lambda > 0.0;
+  }
+  return negative;
+}
+
+/// Sign of Q1 where it has a direction of no energy: its diagonal has one sign then, of which the
+/// entry that cancels less is the more certain. Q_22: up to a positive factor.
+int semidefinite_sign(const BalancedPair& s, double Q_22) {
+  const double m1 = leading(s.m1);
+  const double m2 = leading(s.m2);
+  const double omega2 = leading(s.omega2);
+  const double zeta = leading(s.zeta);
+  const double V_aa = s.apart ? -2.0 * omega2 * s.J1 * s.J2 * zeta * leading(s.sum) / leading(s.E)
+                              : leading(s.V_aa);
+  const double h = s.J1 * leading(s.xi) + s.J2 * zeta;
+  const double spin = omega2 * h * h / (m1 + leading(s.m3));
+  const double Q_11 = V_aa - s.J1 * omega2 + spin;
+  const double size = std::abs(V_aa) + s.J1 * omega2 + spin;
+  return std::abs(Q_11) * (m1 + m2) > std::abs(Q_22) * size ? sign(Q_11) : sign(Q_22);
+}
+
+int add_odd(const BalancedPair& s, const BalancedBound& bound, bool material_symmetry, double u,
+            ModeCollector& out) {
+  OddQuadratic<DoubleDouble> odd = odd_quadratic_i(s);
+  OddQuadratic<Conditioned> conditioned = odd_quadratic_i(bound);
+  const double Q_22 = leading(odd.Q_22);
+  const double det_P = leading(odd.det_P);
+  const UncertainPolynomial<2> uncertain(
+      Polynomial<Conditioned, 2>{{conditioned.c, conditioned.b, Conditioned(1.0)}}, u);
+  if (material_symmetry) {
+    out.add_forced_zero();
+    const double lambda = -leading(odd.b);
+    const int energy = semidefinite_sign(s, Q_22);
+    out.add_real(lambda, uncertain.spread.c[1] + 0x1p-53 * std::abs(lambda), energy);
+    return (energy < 0) + (det_P < 0.0);
+  }
+  const double det_Q = leading(odd.det_Q);
+  const bool definite =
+      positive(conditioned.det_P, u) || positive(conditioned.det_Q, u);  // then Lambda is real
+  const auto krein = [&](const DoubleDouble& lambda) {
+    // Q1 x = m P^-1 x, m = -Lambda > 0: the sign of P where that is definite, or of Q1.
+    if (det_P > 0.0) return 1;
+    if (det_Q > 0.0) return sign(Q_22);
+    // Else one of each. adj(Q1 - m P^-1) = r x x^T, r of one sign at both, x^T P^-1 x = -f'(m)/r of
+    // f = det(Q1 - m P^-1): of the nearer to zero that of -r, seen best half-way between them.
+    const double middle = -0.5 * leading(odd.b);
+    const double I2 = leading(s.m1) + leading(s.m3);
+    const double I3 = leading(s.m1) + leading(s.m2);
+    const double r = -Q_22 * leading(s.omega2) * det_P - middle * I2 * I3;
+    return leading(lambda) > middle ? -sign(r) : sign(r);
+  };
+  out.add_pair(quadratic_roots(odd.b, odd.c), uncertain, !definite, krein);
+  const int of_Q = det_Q < 0.0 ? 1 : 2 * (Q_22 < 0.0);
+  return of_Q + (det_P < 0.0);
+}
+
+int add_normal(const BalancedPair& s, const BalancedBound& bound, bool material_symmetry, double u,
+               ModeCollector& out) {
+  NormalBlock<DoubleDouble> block = normal_block(s);
+  NormalBlock<Conditioned> conditioned = normal_block(bound);
+  if (material_symmetry) {
+    block.k = DoubleDouble(0.0);
+    conditioned.k = Conditioned(0.0);
+  }
+  const bool definite = positive(conditioned.a, u) && positive(conditioned.det, u) &&
+                        (material_symmetry || positive(conditioned.k, u));
+  const Polynomial<DoubleDouble, 3> p = block.characteristic();
+  const UncertainPolynomial<3> uncertain(conditioned.characteristic(), u);
+  const auto krein = [&](const DoubleDouble& lambda) {
+    return definite ? 1 : sign(leading(p.slope(lambda)) * leading(block.trace_adjugate()(lambda)));
+  };
+  const int negative = (leading(block.k) < 0.0) +
+                       negatives_2(leading(block.a), leading(block.b), leading(block.det));
+  SeparatedRoots roots;
+  std::array<double, 3> error;
+  if (!material_symmetry) {
+    roots = separated_roots(p);
+    for (std::size_t k = 0; roots.found && k < 3; ++k) {
+      error[k] = uncertain.root_error(roots.root[k]);
+      roots.found = 16.0 * error[k] < roots.gap[k];
+    }
+  }
+  if (!roots.found) {
+    out.add_cubic(p, uncertain, material_symmetry, definite, krein);
+    return negative;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.add_real(roots.root[k], error[k], krein(DoubleDouble(roots.root[k])),
+                 definite ? Axis::stays : Axis::may_leave);
+  }
+  return negative;
+}
+
+/// A pair that stands alone.
+void add_single(const DoubleDouble& value, const Conditioned& bound, int signature, double u,
+                ModeCollector& out) {
+  const double lambda = leading(value);
+  out.add_real(lambda, u * bound.condition + 0x1p-53 * std::abs(lambda), signature);
+}
+
+}  // namespace
+
+bool in_range(const BalancedPair& s) {
+  const auto between = [](double x, double low, double high) {
+    const double size = std::abs(x);
+    return low < size && size < high;
+  };
+  for (const double m : {leading(s.m1), leading(s.m2), leading(s.m3), s.J2})
+    if (!between(m, 0x1p-120, 0x1p120)) return false;
+  const double uv = std::abs(leading(s.uv));
+  const double largest = (std::abs(leading(s.uu)) + uv) / leading(s.m1) +
+                         (std::abs(leading(s.vv)) + uv) / leading(s.m2) +
+                         std::abs(leading(s.ww)) / leading(s.m3);
+  return largest < 0x1p200 && between(leading(s.omega2), 0.5, 5.0);
+}
+
+Spectrum balanced_spectrum(const BlockFacts& facts, const BalancedPair& state,
+                           const BalancedBound& conditioned, const SpinUnits& units) {
+  ModeCollector out(1.0 / units.rate);
+  const double u = facts.uncertainty;
+  int negative = 0;
+  if (facts.branch != Branch::iii) {
+    negative = add_chain(state, conditioned, u, out);
+    out.begin(Block::odd);
+    negative += add_odd(state, conditioned, facts.material_symmetry, u, out);
+  } else {
+    out.begin(Block::odd);
+    const int first = sign(leading(state.m1 - state.m3));   // of I3 - I1
+    const int second = sign(leading(state.m2 - state.m3));  // of I3 - I2
+    add_single(odd_lambda_iii(state), odd_lambda_iii(conditioned), first > 0 ? 1 : -1, u, out);
+    out.begin(Block::thickness);
+    const DoubleDouble rho = -(state.ww / state.m3);
+    add_single(rho, conditioned.ww / conditioned.m3, 1, u, out);
+    out.begin(Block::even);
+    negative = (first < 0) + (second < 0) + (leading(rho) > 0.0) +
+               add_normal(state, conditioned, facts.material_symmetry, u, out);
+  }
+  out.set_negative(negative);
+  return out.finish();
+}
+
+}  // namespace stationary

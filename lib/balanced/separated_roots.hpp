@@ -1,0 +1,83 @@
+// Roots of a cubic in pairs of doubles where all are real and none lies close to another: found in
+// double, y = sqrt(-P) z in z^3 - z = t for the isolated one and a quadratic for the others, and
+// corrected once each with the residual in pairs,
+//
+//   r <- r - p(r)/[(r - r_1)(r - r_2)],   which leaves the correction's square over the distance.
+//
+// Else nothing: that is for polynomial.hpp.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "lib/number/polynomial.hpp"
+
+namespace stationary {
+
+struct SeparatedRoots {
+  bool found = false;
+  std::array<double, 3> root;   ///< rounded once
+  std::array<double, 3> slope;  ///< p' there
+  std::array<double, 3> gap;    ///< distance from the nearest other
+};
+
+/// Of a monic cubic.
+inline SeparatedRoots separated_roots(const Polynomial<DoubleDouble, 3>& monic) {
+  SeparatedRoots out;
+  const double c0 = leading(monic.c[0]);
+  const double c1 = leading(monic.c[1]);
+  const double c2 = leading(monic.c[2]);
+  const double inflection = c2 * (-1.0 / 3.0);
+  const double P = c1 + c2 * inflection;
+  if (!(P < 0.0)) return out;
+  const double Q = ((inflection + c2) * inflection + c1) * inflection + c0;
+  const double scale = std::sqrt(-P);
+  const double t = std::abs(Q) / (scale * -P);
+  // At 2/(3 sqrt 3) = 0.384900... the other two meet.
+  if (!(t < 0.38489)) return out;
+  // To 2e-3, and by two steps of Halley's beyond a double.
+  double z = 1.0 + t * (0.5 - 0.2548 * t);
+  for (int k = 0; k < 2; ++k) {
+    const double square = z * z;
+    const double value = (square - 1.0) * z - t;
+    const double slope = 3.0 * square - 1.0;
+    z -= value * slope / (slope * slope - 3.0 * z * value);
+  }
+  const double single = Q < 0.0 ? inflection + scale * z : inflection - scale * z;
+  // p = (x - r)(x^2 + b x + c), from the end where nothing cancels.
+  double b;
+  double c;
+  if (std::abs(single * single * single) >= std::abs(c0)) {
+    c = -c0 / single;
+    b = (c - c1) / single;
+  } else {
+    b = c2 + single;
+    c = c1 + single * b;
+  }
+  const double mean = -0.5 * b;
+  const double separation = mean * mean - c;
+  if (!(separation > 0.0)) return out;
+  const double half = std::sqrt(separation);
+  const double large = mean < 0.0 ? mean - half : mean + half;
+  const double small = c / large;
+
+  const std::array<double, 3> rough{single, small, large};
+  const double between[3] = {rough[1] - rough[2], rough[2] - rough[0], rough[0] - rough[1]};
+  bool exact = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double one = between[(k + 1) % 3];
+    const double other = between[(k + 2) % 3];
+    const double r = rough[k];
+    const DoubleDouble value = ((monic.c[2] + r) * r + monic.c[1]) * r + monic.c[0];
+    out.slope[k] = -(one * other);
+    const double step = leading(value) / out.slope[k];
+    out.root[k] = r - step;
+    out.gap[k] = std::fmin(std::abs(one), std::abs(other));
+    exact = exact && 2.0 * step * step <= 0x1p-57 * std::abs(out.root[k]) * out.gap[k];
+  }
+  out.found = exact;
+  return out;
+}
+
+}  // namespace stationary
