@@ -45,7 +45,7 @@ from concurrent.futures import ThreadPoolExecutor
 # Places of each room.
 ROOMS = {
     "lib/number": 30, "lib/matrix": 15, "lib/body": 20, "lib/gravity": 25, "lib/material": 35,
-    "lib/balance": 30, "lib/stability": 55, "solver/newton": 20, "solver/motion": 25, "solver/continuation": 40,
+    "lib/balance": 30, "lib/balanced": 20, "lib/stability": 55, "solver/newton": 20, "solver/motion": 25, "solver/continuation": 40,
     "solver/family": 30, "solver/proof": 35, "solver/search": 20, "solver/tube": 25,
     "solver/solve": 25, "solver/atlas": 15, "solver/normal_form": 15,
 }
