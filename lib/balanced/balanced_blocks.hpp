@@ -11,12 +11,13 @@
 //
 // (i) even: [a d 0; d b e; 0 e c], a = G_uu/m1, d^2 = G_uv^2/(m1 m2), f2 = m2/(m2+m3) = 1 - f3,
 //       b = G_vv/m2 + gain f2,  c = G_ww/m3 + gain f3,  e^2 = gain^2 f2 f3,
-//       b c - e^2 = b0 c0 + gain (b0 f3 + c0 f2),  b0 = G_vv/m2, c0 = G_ww/m3
-// (i) odd: Lambda^2 + B Lambda + C with E = J1 (xi^2 - zeta^2),
+//       b c - e^2 = b0 c + c0 gain f2,  b0 = G_vv/m2, c0 = G_ww/m3
+// (i) odd: Lambda^2 + B Lambda + C with D = J1 J2 (xi + zeta)^2, E = J1 (xi^2 - zeta^2),
 //       B = (V_aa - J2 omega^2) I3/D + 2 omega^2 m1/I2      = omega^2 (2 m1/I2 - I3/E)
 //       C = omega^2 (m3 - m1)/I2 [V_aa (m2 - m1) - omega^2 J2 zeta ((J1 + J2) zeta + 2 J1 xi)]/D
 //                                                 = omega^4 (m3 - m1)/I2 (J1 - J2) zeta^2/E
-// (iii) even: k = (V_aa - omega^2 (J1 + J2)) I3/D = omega^2 (J1 - J2) I3/(J2 E),  a0 = G_uu/m1, b0 = G_vv/m2, f1 = m1/I3 = 1 - f2, det = a b - d^2,
+// (iii) even: k = (V_aa - omega^2 (J1 + J2)) I3/D = omega^2 (J1 - J2) I3/(J2 E),
+//       a0 = G_uu/m1, b0 = G_vv/m2, f1 = m1/I3 = 1 - f2, det = a b - d^2,
 //       Lambda^3 + (k + a0 + b0 + 2 gain) Lambda^2
 //         + [k (a0 + b0 + gain) + a0 b0 - G_uv^2/(m1 m2) + gain (a0 + b0) + gain^2] Lambda + k det,
 //       det = a0 b0 - G_uv^2/(m1 m2) + gain (a0 f2 + b0 f1 - 2 G_uv/I3)
@@ -107,27 +108,22 @@ struct ChainEntries {
 template <class S>
 struct ChainParts {
   S a, b0, c0, d2;
-  S gain, f2, f3;
+  S gain, gain2, gain3;  ///< the latter times f2, f3
 
-  ChainEntries<S> entries() const {
-    return {a, b0 + gain * f2, c0 + gain * f3, d2, gain * gain * (f2 * f3)};
-  }
+  ChainEntries<S> entries() const { return {a, b0 + gain2, c0 + gain3, d2, gain2 * gain3}; }
   Polynomial<S, 3> characteristic() const {
-    const S pair = b0 * c0 + gain * (b0 * f3 + c0 * f2);
+    const S c = c0 + gain3;
+    const S pair = b0 * c + c0 * gain2;
     const S rest = b0 + c0 + gain;
-    return {{S(a * pair - d2 * (c0 + gain * f3)), S(a * rest + (pair - d2)), S(a + rest), S(1.0)}};
+    return {{S(a * pair - d2 * c), S(a * rest + (pair - d2)), S(a + rest), S(1.0)}};
   }
 };
 template <class S, class C>
 ChainParts<S> even_chain_i(const BalancedState<S, C>& s) {
-  const S inverse = S(1.0) / (s.m2 + s.m3);
-  return {s.uu / s.m1,
-          s.vv / s.m2,
-          s.ww / s.m3,
-          s.uv * s.uv / (s.m1 * s.m2),
-          by_power(s.omega2, 4.0),
-          s.m2 * inverse,
-          s.m3 * inverse};
+  const S gain = by_power(s.omega2, 4.0);
+  const S share = gain / (s.m2 + s.m3);
+  return {s.uu / s.m1, s.vv / s.m2,  s.ww / s.m3, s.uv * s.uv / (s.m1 * s.m2),
+          gain,        s.m2 * share, s.m3 * share};
 }
 
 /// (i), odd; the determinants and Q1_22 of linearization.hpp but for positive factors.

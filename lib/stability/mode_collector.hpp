@@ -234,16 +234,16 @@ class ModeCollector {
   bool may_meet_another(std::size_t k) const {
     if (!leaving_ || axis_[k] == Axis::stays) return false;
     for (std::size_t j = 0; j < count_; ++j)
-      if (j != k && may_meet(j, k)) return true;
+      if (j != k && axis_[j] == Axis::may_leave && may_meet(j, k)) return true;
     return false;
   }
 
-  /// Real ones that their bounds do not tell apart. The bounds are first-order: they hold where
-  /// they are small against the distance.
+  /// Of two that may leave: real ones that their bounds do not tell apart. The bounds are
+  /// first-order: they hold where they are small against the distance.
   bool may_meet(std::size_t j, std::size_t k) const {
     const Mode& a = modes_[j];
     const Mode& b = modes_[k];
-    if (a.block != b.block || axis_[j] == Axis::stays || axis_[k] == Axis::stays) return false;
+    if (a.block != b.block) return false;
     if (a.lambda_im > 0.0 || b.lambda_im > 0.0) return false;
     if (a.krein * b.krein > 0 && decided_[j] && decided_[k]) return false;
     const double error = std::fmax(a.lambda_error, b.lambda_error);

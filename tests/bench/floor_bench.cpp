@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "lib/balance/balance.hpp"
-#include "lib/stability/linearization.hpp"
+#include "lib/balanced/balanced_blocks.hpp"
 #include "solver/batch/sweep.hpp"
 #include "solver/solve/stability.hpp"
 
@@ -54,6 +54,7 @@ struct Counted {
   friend Counted sqrt(const Counted& x) { return ++functions, std::sqrt(x.value); }
 };
 double leading(const Counted& x) { return x.value; }
+Counted by_power(const Counted& x, double power) { return Counted(power) * x; }
 /// A product and a fused multiply-add; without the latter it takes 17.
 Pair<Counted> two_product(const Counted& a, const Counted& b) {
   Counted::flops += 2;
@@ -194,14 +195,24 @@ Operations solve_operations(const Plane& plane, double xi, double zeta) {
 template <class Model>
 Operations spectrum_operations(const Model& model, Branch branch) {
   return count([&] {
-    const Inertia3<Extended> J{1.0, 1.7, 0.6};
+    const SpinUnits units(1.0, 0.5);
     const auto s =
-        straight_state(J, model, Extended(0.9), Extended(1.2), Extended(0.7), Extended(0.5));
+        balanced_state(SpinningBody<Extended, Counted, Model>{.model = model,
+                                                              .J1 = 1.0,
+                                                              .J2 = 1.7,
+                                                              .J3 = 0.6,
+                                                              .xi = Extended(0.9),
+                                                              .zeta = Extended(1.2),
+                                                              .rho = Extended(0.7),
+                                                              .omega = 0.5,
+                                                              .normal = branch == Branch::iii,
+                                                              .least_apart = 0.01},
+                       units);
     if (branch == Branch::i) {
-      even_pencil_i(s).characteristic();
-      odd_forms_i(s).characteristic();
+      even_chain_i(s).characteristic();
+      odd_quadratic_i(s);
     } else {
-      even_block_iii(s).characteristic();
+      normal_block(s).characteristic();
       odd_lambda_iii(s);
     }
   });
