@@ -17,10 +17,9 @@
 //       C = omega^2 (m3 - m1)/I2 [V_aa (m2 - m1) - omega^2 J2 zeta ((J1 + J2) zeta + 2 J1 xi)]/D
 //                                                 = omega^4 (m3 - m1)/I2 (J1 - J2) zeta^2/E
 // (iii) even: k = (V_aa - omega^2 (J1 + J2)) I3/D = omega^2 (J1 - J2) I3/(J2 E),
-//       a0 = G_uu/m1, b0 = G_vv/m2, f1 = m1/I3 = 1 - f2, det = a b - d^2,
-//       Lambda^3 + (k + a0 + b0 + 2 gain) Lambda^2
-//         + [k (a0 + b0 + gain) + a0 b0 - G_uv^2/(m1 m2) + gain (a0 + b0) + gain^2] Lambda + k det,
-//       det = a0 b0 - G_uv^2/(m1 m2) + gain (a0 f2 + b0 f1 - 2 G_uv/I3)
+//       a0 = G_uu/m1, b0 = G_vv/m2, det0 = a0 b0 - G_uv^2/(m1 m2),
+//       trace = a0 + b0 + gain, det = det0 + gain/I3 (a0 m2 + b0 m1 - 2 G_uv) of (xi, zeta),
+//       Lambda^3 + (k + trace + gain) Lambda^2 + [(k + gain) trace + det0] Lambda + k det
 //
 // S: pairs of doubles for values, Conditioned for their bounds; C: that of J and omega.
 #pragma once
@@ -161,19 +160,15 @@ OddQuadratic<S> odd_quadratic_i(const BalancedState<S, C>& s) {
 /// (iii), even.
 template <class S>
 struct NormalBlock {
-  S k;  ///< of alpha
-  S a, b;
-  S det;  ///< of (xi, zeta)
-  S det0, trace0;
-  S gain;
+  S k;           ///< of alpha
+  S trace, det;  ///< of (xi, zeta)
+  S det0, gain;
 
   Polynomial<S, 3> characteristic() const {
-    return {{S(k * det), S(k * (trace0 + gain) + det0 + gain * (trace0 + gain)),
-             S(k + trace0 + by_power(gain, 2.0)), S(1.0)}};
+    return {{S(k * det), S((k + gain) * trace + det0), S(k + trace + gain), S(1.0)}};
   }
   /// As of GyroscopicBlock.
   Polynomial<S, 2> trace_adjugate() const {
-    const S trace = trace0 + gain;
     return {{S(k * trace + det), S(by_power(k + trace, 2.0) + gain), S(3.0)}};
   }
 };
@@ -181,20 +176,15 @@ template <class S, class C>
 NormalBlock<S> normal_block(const BalancedState<S, C>& s) {
   NormalBlock<S> out;
   const S I3 = s.m1 + s.m2;
-  const S inverse = S(1.0) / I3;
-  const S f1 = s.m1 * inverse;
-  const S f2 = s.m2 * inverse;
   const S a0 = s.uu / s.m1;
   const S b0 = s.vv / s.m2;
   out.gain = by_power(s.omega2, 4.0);
   out.k = s.apart ? ((S(s.J1) - S(s.J2)) * s.omega2) * I3 / (s.J2 * s.E)
                   : renormalized(S(s.V_aa - (S(s.J1) + S(s.J2)) * s.omega2)) * I3 /
                         ((S(s.J1) * s.J2) * (s.sum * s.sum));
-  out.a = a0 + out.gain * f1;
-  out.b = b0 + out.gain * f2;
   out.det0 = a0 * b0 - s.uv * s.uv / (s.m1 * s.m2);
-  out.trace0 = a0 + b0;
-  out.det = out.det0 + out.gain * (a0 * f2 + b0 * f1 - by_power(s.uv * inverse, 2.0));
+  out.trace = a0 + b0 + out.gain;
+  out.det = out.det0 + out.gain / I3 * (a0 * s.m2 + b0 * s.m1 - by_power(s.uv, 2.0));
   return out;
 }
 

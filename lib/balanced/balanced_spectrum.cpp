@@ -138,15 +138,15 @@ int add_normal(const BalancedPair& s, const BalancedBound& bound, bool material_
     block.k = DoubleDouble(0.0);
     conditioned.k = Conditioned(0.0);
   }
-  const bool definite = positive(conditioned.a, u) && positive(conditioned.det, u) &&
+  const bool definite = positive(conditioned.trace, u) && positive(conditioned.det, u) &&
                         (material_symmetry || positive(conditioned.k, u));
   const Polynomial<DoubleDouble, 3> p = block.characteristic();
   const UncertainPolynomial<3> uncertain(conditioned.characteristic(), u);
   const auto krein = [&](const DoubleDouble& lambda) {
     return definite ? 1 : sign(leading(p.slope(lambda)) * leading(block.trace_adjugate()(lambda)));
   };
-  const int negative = (leading(block.k) < 0.0) +
-                       negatives_2(leading(block.a), leading(block.b), leading(block.det));
+  const int negative =
+      (leading(block.k) < 0.0) + negatives_2(leading(block.trace), 0.0, leading(block.det));
   SeparatedRoots roots;
   std::array<double, 3> error;
   if (!material_symmetry) {
