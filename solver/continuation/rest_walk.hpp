@@ -232,10 +232,19 @@ class RestWalk {
     out_.largest_tau = std::max(out_.largest_tau, here_.tau);
   }
 
+  /// Corrected once more, to rounding, with tau held: whoever solves from there has less to do. Not beside a turn of tau.
+  ReducedVector<N> sharpened(const Point& p) {
+    const Linearization at = linearize(p);
+    Y delta = BorderedInverse<N>(at.jacobian, at.slope, along_tau()).correction(at.g);
+    if (!(delta.norm() <= 1e-7)) return p.x;
+    make_equal(circle_, delta);
+    return moved<N>(p.x, ReducedVector<N>(delta.template head<N>()));
+  }
+
   bool reach(const Attempt& attempt) {
     if (!(std::abs(attempt.point.tau - 1.0) <= 1e-9)) return false;
     ++out_.steps;
-    out_.x = attempt.point.x;
+    out_.x = sharpened(attempt.point);
     out_.largest_tau = 1.0;
     out_.end = WalkEnd::reached;
     return true;
