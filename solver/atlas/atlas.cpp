@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "lib/body/inertia.hpp"
+#include "solver/atlas/sheet_arc.hpp"
 #include "solver/atlas/sheet_set.hpp"
 
 namespace stationary {
@@ -104,12 +105,18 @@ void enter_tilted(const Body& body, const Potential& potential, const AtlasOptio
         not_entered("tilted motions not entered: no plane has two equal locked inertias");
         continue;
       }
-      const auto start = just_inside(*tilted_family(body, potential, *sheet.plane, false),
-                                     row.member.q, row.member.nu);
+      const auto plain =
+          std::make_shared<const AnyFamily>(tilted_family(body, potential, *sheet.plane, false));
+      const Family<2>& family = *std::get<std::unique_ptr<Family<2>>>(*plain);
+      const auto start =
+          just_inside(family, row.member.q, row.member.nu, {options.from, options.to});
       if (!start) {
-        not_entered("tilted motions not entered: none was found beside it");
+        not_entered(just_inside(family, row.member.q, row.member.nu)
+                        ? "tilted motions not entered: they begin beyond the range of nu"
+                        : "tilted motions not entered: none was found beside it");
         continue;
       }
+      sheet.arc = sheet_arc(plain);
       sheet.report = follow_rows(tilted_family(body, potential, *sheet.plane, options.spectrum),
                                  start->q, start->nu, options, sheet.rows);
       if (sheet.report.failure.empty()) {

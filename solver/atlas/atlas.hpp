@@ -80,6 +80,10 @@ constexpr std::string_view entry_names[] = {"rest",    "search", "ellipse",  "sh
                                             "oblique", "tilt",   "numerical"};
 constexpr std::string_view name(Entry e) { return entry_names[static_cast<int>(e)]; }
 
+/// The motion at a fraction of the way along a sheet from one of its rows to the next; nothing where it
+/// is not found.
+using SheetArc = std::function<std::optional<Member>(const Member&, const Member&, double)>;
+
 /// Where the end of a sheet lies on another.
 struct Junction {
   int sheet;  ///< its number
@@ -98,6 +102,7 @@ struct AtlasSheet {
   std::optional<Junction> joins;   ///< the sheet its other end lies on
   FollowReport report;
   std::vector<AtlasRow> rows;
+  SheetArc arc;  ///< between its rows
 
   /// Of its members, at one nu.
   Motion motion(double nu) const;
@@ -120,6 +125,17 @@ struct Checkpoint {
   }
 };
 
+/// What is known of motions outside the box, for the nu of an interval.
+enum class Beyond {
+  excluded,         ///< proven: there are none, with stretches between 10^-50 and 10^50
+  not_examined,     ///< or in vain
+  sheet_listed,     ///< at some of these nu a sheet of the atlas is there; others are not examined
+  sheet_leaves_box  ///< at one of these nu a sheet passes a side of the box
+};
+constexpr std::string_view beyond_names[] = {"excluded", "not-examined", "sheet-listed",
+                                             "sheet-leaves-box"};
+constexpr std::string_view name(Beyond b) { return beyond_names[static_cast<int>(b)]; }
+
 /// A part of the range of nu, and what is known of it for every nu.
 struct CompleteInterval {
   double from = 0.0;
@@ -127,6 +143,10 @@ struct CompleteInterval {
   bool proven = false;
   int sheets = 0;           ///< where proven, of those in the box: motions at every nu between
   std::string_view reason;  ///< why not, where not proven; a literal
+  Beyond beyond = Beyond::not_examined;
+
+  /// Not proven for no other reason than that a sheet leaves the box.
+  bool leaves_box() const { return !proven && beyond == Beyond::sheet_leaves_box; }
 };
 
 /// A part of the range, and the classes of all motions in the box for every nu between.
@@ -135,8 +155,9 @@ struct ClassInterval {
   double to = 0.0;
   bool proven = false;
   std::array<int, std::size(stability_names)> sheets = {};  ///< where proven, of each class
-  std::string_view reason;        ///< why not, where not proven; a literal
-  std::vector<EventType> events;  ///< of the sheets listed, where not proven: each type once
+  std::string_view reason;             ///< why not, where not proven; a literal
+  std::vector<EventType> events = {};  ///< of the sheets listed, where not proven: each type once
+  Beyond beyond = Beyond::not_examined;
 };
 
 /// Of one kind of motion, all of the range.

@@ -1,12 +1,14 @@
 #include "solver/atlas/least_energy.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "lib/body/inertia.hpp"
+#include "solver/atlas/sheet_arc.hpp"
 
 namespace stationary {
 namespace {
@@ -18,13 +20,31 @@ LeastEnergyEnd place_of(const Member& member) {
   return {(locked_inertia(member.body, member.q) * nu).norm(), member.energy, nu.norm()};
 }
 
+bool is_finite(const LeastEnergyEnd& at) {
+  return std::isfinite(at.energy + at.momentum + at.spin);
+}
+
 /// E(|pi|) between two rows.
 struct EnergyArc {
-  int sheet;
+  const AtlasSheet* sheet;
+  std::size_t run;  ///< a part of a sheet along which |pi| does not turn
   LeastEnergyEnd a;
-  LeastEnergyEnd b;  ///< the larger |pi|
+  LeastEnergyEnd b;     ///< the larger |pi|
+  const Member* row_a;  ///< the rows, in the order of a and b
+  const Member* row_b;
 
+  bool has(double momentum) const { return a.momentum <= momentum && momentum <= b.momentum; }
+
+  /// Near a turn of |pi| E bends as |pi|^(3/2), near one of nu E - |nu| |pi| does so in |nu|: cubic in
+  /// what changes more.
   LeastEnergyEnd at(double momentum) const {
+    if (std::abs(b.spin - a.spin) * b.momentum > (b.momentum - a.momentum) * b.spin)
+      if (const auto out = by_spin(momentum)) return *out;
+    return by_momentum(momentum);
+  }
+
+ private:
+  LeastEnergyEnd by_momentum(double momentum) const {
     const double h = b.momentum - a.momentum;
     const double u = (momentum - a.momentum) / h;
     const double rise = b.energy - a.energy;
@@ -35,7 +55,56 @@ struct EnergyArc {
     const double slope = h * a.spin + u * (2.0 * bend + (3.0 * u - 2.0) * twist);
     return {momentum, energy, slope / h};
   }
+
+  /// L(nu) = E - nu |pi|, dL = -|pi| dnu, likewise; then |pi|(nu) is a quadratic.
+  std::optional<LeastEnergyEnd> by_spin(double momentum) const {
+    const double k = b.spin - a.spin;
+    const double first = a.energy - a.spin * a.momentum;
+    const double rise = b.energy - b.spin * b.momentum - first;
+    const double bend = rise + k * a.momentum;
+    const double twist = -k * (a.momentum + b.momentum) - 2.0 * rise;
+    const double A = 3.0 * twist;
+    const double B = 2.0 * (bend - twist);
+    const double C = k * (momentum - a.momentum);
+    const double root = std::sqrt(std::max(0.0, B * B - 4.0 * A * C));
+    const double sum = -0.5 * (B + std::copysign(root, B));
+    for (const double u : {C / sum, sum / A}) {
+      if (!(u >= 0.0 && u <= 1.0)) continue;
+      const double spin = a.spin + u * k;
+      const double L = first + u * (-k * a.momentum + u * (bend + (u - 1.0) * twist));
+      return LeastEnergyEnd{momentum, L + spin * momentum, spin};
+    }
+    return std::nullopt;
+  }
 };
+
+/// The motion of an arc at this |pi|, from the balance itself; nothing where it is not found.
+std::optional<LeastEnergyEnd> solved_at(const EnergyArc& arc, double momentum) {
+  if (!arc.sheet->arc) return std::nullopt;
+  double low = 0.0;
+  double high = 1.0;
+  double slope = 1.0 / (arc.b.momentum - arc.a.momentum);  // du/d|pi|
+  double u = (momentum - arc.a.momentum) * slope;
+  std::optional<std::pair<double, double>> last;
+  constexpr int most = 60;
+  for (int k = 0; k < most; ++k) {
+    const auto member = arc.sheet->arc(*arc.row_a, *arc.row_b, u);
+    if (!member) return std::nullopt;
+    const LeastEnergyEnd at = place_of(*member);
+    if (!is_finite(at)) return std::nullopt;
+    const double left = momentum - at.momentum;
+    // dE = |nu| d|pi|, to the square of what is left.
+    if (std::abs(left) <= 1e-12 * momentum)
+      return LeastEnergyEnd{momentum, at.energy + at.spin * left, at.spin};
+    (left > 0.0 ? low : high) = u;
+    if (last && last->second != at.momentum)
+      slope = (u - last->first) / (at.momentum - last->second);
+    last = {u, at.momentum};
+    const double next = u + slope * left;
+    u = low < next && next < high && k % 4 != 3 ? next : 0.5 * (low + high);
+  }
+  return std::nullopt;
+}
 
 class Envelope {
  public:
@@ -62,43 +131,116 @@ class Envelope {
       const double margin = inside * (ends[k + 1] - ends[k]);
       divide(ends[k], ends[k + 1], least_at(ends[k] + margin), least_at(ends[k + 1] - margin));
     }
-    drop_unclear();
-    return std::move(out_);
+    decide_unclear();
+    for (std::size_t k = 1; k < out_.size(); ++k) refine(out_[k - 1], out_[k]);
+    std::vector<LeastEnergyPiece> all;
+    for (const Piece& each : out_) all.push_back({each.sheet, each.from, each.to});
+    return all;
   }
 
  private:
-  const EnergyArc* arc_of(int sheet, double momentum) const {
-    const EnergyArc* out = nullptr;
-    for (const EnergyArc& each : arcs_)
-      if (each.sheet == sheet && each.a.momentum <= momentum && momentum <= each.b.momentum &&
-          (out == nullptr || each.at(momentum).energy < out->at(momentum).energy))
-        out = &each;
+  struct Piece {
+    int sheet;
+    std::size_t run;
+    LeastEnergyEnd from;
+    LeastEnergyEnd to;
+  };
+
+  const EnergyArc* arc_of(std::size_t run, double momentum) const {
+    const auto is_it = [&](const EnergyArc& each) { return each.run == run && each.has(momentum); };
+    const auto found = std::ranges::find_if(arcs_, is_it);
+    return found == arcs_.end() ? nullptr : &*found;
+  }
+
+  /// The |pi| that a run has.
+  std::pair<double, double> momenta(std::size_t run) const {
+    std::pair out{std::numeric_limits<double>::infinity(), 0.0};
+    for (const EnergyArc& each : arcs_) {
+      if (each.run != run) continue;
+      out = {std::min(out.first, each.a.momentum), std::max(out.second, each.b.momentum)};
+    }
     return out;
   }
 
-  /// Where two sheets come to the same energy, as on the way to one escape, a change of hands by less
-  /// than the interpolation is good for is none.
-  void drop_unclear() {
-    constexpr double unclear = 1e-10;
-    std::vector<LeastEnergyPiece> kept;
-    for (const LeastEnergyPiece& each : out_) {
-      if (!kept.empty() && kept.back().to.momentum == each.from.momentum) {
-        LeastEnergyPiece& last = kept.back();
-        const double middle = 0.5 * (each.from.momentum + each.to.momentum);
-        const EnergyArc* own = arc_of(each.sheet, middle);
-        const EnergyArc* other = arc_of(last.sheet, middle);
-        const EnergyArc* end = arc_of(last.sheet, each.to.momentum);
-        const bool same = own != nullptr && other != nullptr && end != nullptr &&
-                          other->at(middle).energy - own->at(middle).energy <=
-                              unclear * std::abs(own->at(middle).energy);
-        if (same || each.sheet == last.sheet) {
-          last.to = same ? end->at(each.to.momentum) : each.to;
+  /// A motion of a run, solved for, or between its rows.
+  std::optional<LeastEnergyEnd> motion(std::size_t run, double momentum) const {
+    const EnergyArc* const arc = arc_of(run, momentum);
+    if (arc == nullptr) return std::nullopt;
+    if (const auto solved = solved_at(*arc, momentum)) return solved;
+    return arc->at(momentum);
+  }
+
+  /// Of energies that are told apart by less than the interpolation is good for, as of sheets on the way to
+  /// one escape, motions that are solved for decide; of those that rounding cannot tell apart, the piece
+  /// before.
+  void decide_unclear() {
+    constexpr double unclear = 1e-5;
+    constexpr double rounding = 1e-14;
+    std::vector<Piece> kept;
+    for (Piece each : out_) {
+      const double middle = 0.5 * (each.from.momentum + each.to.momentum);
+      const double coarse = arc_of(each.run, middle)->at(middle).energy;
+      const auto own = motion(each.run, middle);
+      const double size = std::abs(coarse) + own->momentum * own->spin;
+      const bool adjoins = !kept.empty() && kept.back().to.momentum == each.from.momentum;
+      double least = own->energy;
+      for (const EnergyArc& other : arcs_) {
+        if (other.run == each.run || !other.has(middle)) continue;
+        if (!(other.at(middle).energy - coarse <= unclear * size)) continue;
+        if (!arc_of(other.run, each.from.momentum) || !arc_of(other.run, each.to.momentum))
           continue;
-        }
+        const double energy = motion(other.run, middle)->energy;
+        const bool before = adjoins && other.run == kept.back().run;
+        if (!(energy < least - rounding * size || (before && energy <= least + rounding * size)))
+          continue;
+        least = energy;
+        each.run = other.run;
+        each.sheet = other.sheet->number;
       }
-      kept.push_back(each);
+      each.from = arc_of(each.run, each.from.momentum)->at(each.from.momentum);
+      each.to = arc_of(each.run, each.to.momentum)->at(each.to.momentum);
+      if (adjoins && kept.back().run == each.run) {
+        kept.back().to = each.to;
+      } else {
+        kept.push_back(each);
+      }
     }
     out_ = std::move(kept);
+  }
+
+  /// The |pi| at which two motions have one energy, by Newton's method with motions solved for, between the
+  /// middles of their pieces as far as both are there. Where one of them begins or ends there is none.
+  void refine(Piece& last, Piece& next) const {
+    if (last.to.momentum != next.from.momentum) return;
+    double low = std::max(0.5 * (last.from.momentum + last.to.momentum), momenta(next.run).first);
+    double high = std::min(0.5 * (next.from.momentum + next.to.momentum), momenta(last.run).second);
+    const auto lead = [&](double momentum) -> std::optional<double> {
+      const auto a = motion(last.run, momentum);
+      const auto b = motion(next.run, momentum);
+      if (!a || !b) return std::nullopt;
+      return b->energy - a->energy;
+    };
+    const auto at_low = lead(low);
+    const auto at_high = lead(high);
+    if (!at_low || !at_high || !(*at_low > 0.0) || !(*at_high < 0.0)) return;
+    double momentum = next.from.momentum;
+    constexpr int most = 100;
+    for (int k = 0; k < most; ++k) {
+      const auto a = motion(last.run, momentum);
+      const auto b = motion(next.run, momentum);
+      if (!a || !b) return;
+      const double ahead = b->energy - a->energy;
+      (ahead > 0.0 ? low : high) = momentum;
+      const double step = ahead / (a->spin - b->spin);
+      if (std::abs(step) <= 0x1p-48 * momentum || high - low <= 0x1p-48 * momentum ||
+          k + 1 == most) {
+        last.to = *a;
+        next.from = *b;
+        return;
+      }
+      const double newton = momentum + step;
+      momentum = low < newton && newton < high ? newton : 0.5 * (low + high);
+    }
   }
 
   /// Of those that rounding cannot tell apart, one of the two given.
@@ -128,40 +270,90 @@ class Envelope {
 
   void add(const EnergyArc* arc, double from, double to) {
     if (!(from < to)) return;
-    if (!out_.empty() && out_.back().sheet == arc->sheet && out_.back().to.momentum == from) {
+    if (!out_.empty() && out_.back().run == arc->run && out_.back().to.momentum == from) {
       out_.back().to = arc->at(to);
     } else {
-      out_.push_back({arc->sheet, arc->at(from), arc->at(to)});
+      out_.push_back({arc->sheet->number, arc->run, arc->at(from), arc->at(to)});
     }
   }
 
   std::vector<EnergyArc> arcs_;
   std::vector<const EnergyArc*> active_;
-  std::vector<LeastEnergyPiece> out_;
+  std::vector<Piece> out_;
+};
+
+/// The arcs of the sheets in the box, and which of them belong together.
+class EnergyArcs {
+ public:
+  explicit EnergyArcs(const SearchOptions& box) : box_(box) {}
+
+  void add(const AtlasSheet& sheet) {
+    ++run_;
+    rising_.reset();
+    for (std::size_t k = 1; k < sheet.rows.size(); ++k)
+      add(sheet, sheet.rows[k - 1].member, sheet.rows[k].member);
+  }
+  std::vector<EnergyArc> taken() { return std::move(arcs_); }
+
+ private:
+  bool inside(const Member& member) const { return in_box(member.q, box_); }
+
+  void add(const AtlasSheet& sheet, const Member& first, const Member& second) {
+    LeastEnergyEnd a = place_of(first);
+    LeastEnergyEnd b = place_of(second);
+    const bool has_a = inside(first);
+    const bool has_b = inside(second);
+    if (has_a != has_b) {
+      const auto side = side_of_box(sheet, first, second, has_a);
+      if (side) (has_a ? b : a) = *side;
+      if (!side) return end_run();
+    }
+    if (!(has_a || has_b) || !is_finite(a) || !is_finite(b)) return end_run();
+    if (a.momentum == b.momentum) return;
+    const bool rises = a.momentum < b.momentum;
+    if (rising_ && *rising_ != rises) ++run_;
+    rising_ = rises;
+    arcs_.push_back(rises ? EnergyArc{&sheet, run_, a, b, &first, &second}
+                          : EnergyArc{&sheet, run_, b, a, &second, &first});
+    if (!has_b) end_run();
+  }
+  void end_run() {
+    ++run_;
+    rising_.reset();
+  }
+
+  /// Where the sheet leaves the box between two rows; starts_inside: whether the first is in it.
+  std::optional<LeastEnergyEnd> side_of_box(const AtlasSheet& sheet, const Member& first,
+                                            const Member& second, bool starts_inside) const {
+    if (!sheet.arc) return std::nullopt;
+    double in = starts_inside ? 0.0 : 1.0;
+    double out = 1.0 - in;
+    std::optional<LeastEnergyEnd> at;
+    constexpr int halvings = 44;
+    for (int k = 0; k < halvings; ++k) {
+      const double middle = 0.5 * (in + out);
+      const auto member = sheet.arc(first, second, middle);
+      if (!member) return std::nullopt;
+      const bool is_in = inside(*member);
+      (is_in ? in : out) = middle;
+      if (is_in) at = place_of(*member);
+    }
+    return at;
+  }
+
+  const SearchOptions& box_;
+  std::size_t run_ = 0;
+  std::optional<bool> rising_;  ///< of |pi| on the run so far
+  std::vector<EnergyArc> arcs_;
 };
 
 }  // namespace
 
 std::vector<LeastEnergyPiece> least_energy(const std::vector<AtlasSheet>& sheets,
                                            const SearchOptions& box) {
-  const auto inside = [&](const Member& member) {
-    const std::array stretches{member.q.xi, member.q.zeta, member.q.rho};
-    for (std::size_t k = 0; k < stretches.size(); ++k)
-      if (!(stretches[k] >= box.range(k).lo && stretches[k] <= box.range(k).hi)) return false;
-    return true;
-  };
-  std::vector<EnergyArc> arcs;
-  for (const AtlasSheet& sheet : sheets) {
-    for (std::size_t k = 1; k < sheet.rows.size(); ++k) {
-      if (!inside(sheet.rows[k - 1].member) || !inside(sheet.rows[k].member)) continue;
-      LeastEnergyEnd a = place_of(sheet.rows[k - 1].member);
-      LeastEnergyEnd b = place_of(sheet.rows[k].member);
-      if (!std::isfinite(a.energy + b.energy + a.momentum + b.momentum)) continue;
-      if (a.momentum > b.momentum) std::swap(a, b);
-      if (a.momentum < b.momentum) arcs.push_back({sheet.number, a, b});
-    }
-  }
-  return Envelope(std::move(arcs)).pieces();
+  EnergyArcs arcs(box);
+  for (const AtlasSheet& sheet : sheets) arcs.add(sheet);
+  return Envelope(arcs.taken()).pieces();
 }
 
 }  // namespace stationary

@@ -4,7 +4,9 @@
 //   dE = |nu| d|pi|,
 //
 // so that E between two rows is the cubic in |pi| with the slopes |nu| at both, and the least of all
-// sheets is the lower envelope of such pieces. It is of the motions listed: spins about the
+// sheets is the lower envelope of such pieces. The |pi| at which two motions have one energy is then
+// solved for, and so is the place where a sheet leaves the box. Where |pi| turns, twice, along a sheet
+// it may pass from one of its parts to another of them. It is of the motions listed: spins about the
 // material axes, tilted and oblique ones with nu in the atlas's range; two-polar motions are left
 // out, and so is what lies beyond the range or the box.
 #pragma once
@@ -22,15 +24,15 @@ struct LeastEnergyEnd {
   double spin;
 };
 
-/// One sheet has the least energy from `from` to `to`.
+/// One part of a sheet, along which |pi| does not turn, has the least energy from `from` to `to`.
 struct LeastEnergyPiece {
   int sheet;  ///< its number
   LeastEnergyEnd from;
   LeastEnergyEnd to;
 };
 
-/// Ascending in |pi|, of the rows whose stretches are in the box of an atlas; where no sheet listed has
-/// a motion there is no piece.
+/// Ascending in |pi|, of the motions whose stretches are in the box of an atlas; where no sheet listed
+/// has one there is no piece. Solves for motions with the sheets' arcs, which one thread may do at a time.
 std::vector<LeastEnergyPiece> least_energy(const std::vector<AtlasSheet>& sheets,
                                            const SearchOptions& box);
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "solver/atlas/sheet_arc.hpp"
 #include "solver/atlas/sheet_set.hpp"
 
 namespace stationary {
@@ -11,6 +12,27 @@ namespace {
 
 constexpr std::string_view parts = "ellipses part from circles";
 constexpr std::string_view parts_once = "ellipses part from circles: one event, proven";
+constexpr std::string_view folds = "two sheets meet at a fold";
+constexpr std::string_view leaves = "a sheet leaves the box";
+
+std::string_view reason_of(const NuGap& gap) {
+  if (gap.undecided) return "boxes are left undecided";
+  if (gap.mirrors) return parts;
+  return gap.turns ? folds : leaves;
+}
+
+/// A sheet on its way to an escape hardly changes nu any more where it leaves the box, so that it may as well
+/// turn there. Two sheets that meet are two fewer, on one side of where they do; where the number proven
+/// on both sides differs by an odd one a sheet has left.
+void tell_box_from_folds(std::vector<CompleteInterval>& all, const std::vector<NuGap>& gaps) {
+  for (std::size_t k = 1; k + 1 < all.size(); ++k) {
+    if (all[k].reason != folds || !all[k - 1].proven || !all[k + 1].proven) continue;
+    const auto is_it = [&](const NuGap& gap) { return gap.nu.lo == all[k].from; };
+    const auto gap = std::ranges::find_if(gaps, is_it);
+    const bool odd = (all[k + 1].sheets - all[k - 1].sheets) % 2 != 0;
+    if (gap != gaps.end() && gap->crosses && odd) all[k].reason = leaves;
+  }
+}
 
 /// Neighbours without a proof as one, by the reason of the first: a fold's own gap, and those of the
 /// classes beside it.
@@ -18,10 +40,12 @@ void join_open_classes(std::vector<ClassInterval>& all) {
   std::vector<ClassInterval> out;
   for (ClassInterval& each : all) {
     const bool joins = !out.empty() && !each.proven && !out.back().proven;
-    if (!joins)
+    if (!joins) {
       out.push_back(std::move(each));
-    else
+    } else {
       out.back().to = each.to;
+      out.back().beyond = std::max(out.back().beyond, each.beyond);
+    }
   }
   all = std::move(out);
 }
@@ -104,7 +128,7 @@ void SheetSet::complete() {
     const std::string_view reason =
         cover ? "interrupted" : "five unknowns: no curves are covered; its checkpoints are proven";
     out.intervals.push_back({from, to, false, 0, reason});
-    if (options_.spectrum) out.classes.push_back({from, to, false, {}, reason, {}});
+    if (options_.spectrum) out.classes.push_back({from, to, false, {}, reason});
     return;
   }
   out.boxes = cover->boxes;
@@ -115,16 +139,63 @@ void SheetSet::complete() {
   for (const NuGap& gap : cover->gaps) {
     if (stopped()) return;
     add_interval(begin, gap.nu.lo, class_gaps);
-    const std::string_view reason = gap.undecided ? "boxes are left undecided"
-                                    : gap.mirrors ? parts
-                                    : gap.turns   ? "two sheets meet at a fold"
-                                                  : "a sheet leaves the box";
+    const std::string_view reason = reason_of(gap);
     out.intervals.push_back({gap.nu.lo, gap.nu.hi, false, 0, reason});
-    if (options_.spectrum) out.classes.push_back({gap.nu.lo, gap.nu.hi, false, {}, reason, {}});
+    if (options_.spectrum) out.classes.push_back({gap.nu.lo, gap.nu.hi, false, {}, reason});
     begin = gap.nu.hi;
   }
   add_interval(begin, to, class_gaps);
+  tell_box_from_folds(out.intervals, cover->gaps);
+  for (CompleteInterval& each : out.intervals) {
+    if (each.reason != leaves) continue;
+    each.beyond = Beyond::sheet_leaves_box;
+    for (ClassInterval& open : out.classes) {
+      if (open.proven || open.from != each.from || open.to != each.to) continue;
+      open.reason = leaves;
+      open.beyond = Beyond::sheet_leaves_box;
+    }
+  }
   join_open_classes(out.classes);
+}
+
+/// By the rows of the sheets followed, and where there are none outside the box, by a proof that there is
+/// nothing.
+void SheetSet::name_beyond() {
+  if (!completeness_) return;
+  const auto listed_in = [](auto& intervals, double low, double high) {
+    for (auto& each : intervals)
+      if (each.from <= high && low <= each.to)
+        each.beyond = std::max(each.beyond, Beyond::sheet_listed);
+  };
+  for (const AtlasSheet& sheet : sheets_) {
+    for (std::size_t k = 1; k < sheet.rows.size(); ++k) {
+      const Member& a = sheet.rows[k - 1].member;
+      const Member& b = sheet.rows[k].member;
+      const bool has_a = !in_box(a.q, options_.search);
+      const bool has_b = !in_box(b.q, options_.search);
+      if (!has_a && !has_b) continue;
+      // Where one of the two is inside, of the way between them nothing is said.
+      const auto [low, high] =
+          std::minmax(std::abs((has_a ? a : b).nu), std::abs((has_b ? b : a).nu));
+      listed_in(completeness_->intervals, low, high);
+      listed_in(completeness_->classes, low, high);
+    }
+  }
+  for (CompleteInterval& each : completeness_->intervals)
+    if (each.beyond == Beyond::not_examined &&
+        source_->none_outside(each.from, each.to, options_.search))
+      each.beyond = Beyond::excluded;
+  for (ClassInterval& each : completeness_->classes) {
+    const auto meets = [&](const CompleteInterval& other) {
+      return other.from < each.to && each.from < other.to;
+    };
+    const auto leaves_room = [&](const CompleteInterval& other) {
+      return meets(other) && other.beyond != Beyond::excluded;
+    };
+    if (each.beyond == Beyond::not_examined &&
+        std::ranges::none_of(completeness_->intervals, leaves_room))
+      each.beyond = Beyond::excluded;
+  }
 }
 
 /// By the event's own equations, where its tube has told that they part.

@@ -1,12 +1,12 @@
 #include "solver/atlas/sheet_set.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "lib/matrix/elementwise.hpp"
+#include "solver/atlas/sheet_arc.hpp"
 
 namespace stationary {
 namespace {
@@ -38,12 +38,7 @@ Entry entry_at(EventType event) {
 /// The motion of a family at nu between two of its rows.
 template <int N>
 std::optional<Member> between(const Family<N>& family, Member a, Member b, double nu) {
-  // A row at rest has no axis of its own.
-  for (Member* each : {&a, &b})
-    if (each->nu == 0.0) each->angular_velocity = (each == &a ? b : a).angular_velocity;
-  // An axis is a line: both ways along it are one, and the angle between the two is what they turn.
-  if (a.angular_velocity[0] < 0.0) a.angular_velocity *= -1.0;
-  if (a.angular_velocity.dot(b.angular_velocity) < 0.0) b.angular_velocity *= -1.0;
+  align_axes(a, b);
   const double u = (nu - a.nu) / (b.nu - a.nu);
   const ReducedVector<N> from = family.coordinates_of(a);
   ReducedVector<N> x = from.array() * powers(family.coordinates_of(b).array() / from.array(), u);
@@ -75,7 +70,7 @@ SheetSet::SheetSet(std::unique_ptr<SheetSource> source, const AtlasOptions& opti
     : options_(options), source_(std::move(source)) {
   for (int k = 0; k < source_->families(); ++k) {
     families_.push_back(source_->family(k, options.spectrum));
-    plain_.push_back(source_->family(k, false));
+    plain_.push_back(std::make_shared<const AnyFamily>(source_->family(k, false)));
   }
   const double part = (options.to - options.from) / options.checkpoints;
   for (int k = 0; k < options.checkpoints; ++k) add_checkpoint(options.from + (k + 0.5) * part);
@@ -150,6 +145,7 @@ void SheetSet::follow_all(std::span<const AtlasSheet> others) {
   for (std::size_t k = 0; k < checkpoints_.size(); ++k) count(k);
   prove_partings();
   name_class_events();
+  name_beyond();
 }
 
 bool SheetSet::stopped() const {
@@ -180,6 +176,7 @@ void SheetSet::enter(const Place& from, double nu, Entry entry, double entry_nu)
   if (std::ranges::any_of(sheets_, is_it)) return;
   for (std::size_t k = 0; k < checkpoints_.size(); ++k)
     add_crossings(sheet, family, checkpoints_[k].nu, on_sheets_[k]);
+  sheet.arc = sheet_arc(plain_[static_cast<std::size_t>(family)]);
   sheets_.push_back(std::move(sheet));
 }
 
@@ -213,7 +210,7 @@ void SheetSet::add_crossings(const AtlasSheet& sheet, int family, double nu,
     if ((a.nu < nu) == (b.nu < nu)) continue;
     const std::optional<Member> found =
         std::visit([&](const auto& f) { return between(*f, a, b, nu); },
-                   plain_[static_cast<std::size_t>(family)]);
+                   *plain_[static_cast<std::size_t>(family)]);
     if (found) out.push_back(place(*found));
   }
 }
@@ -232,24 +229,11 @@ void SheetSet::count(std::size_t checkpoint) {
     const auto found = std::ranges::find_if(proven, same_as_p);
     if (found != proven.end()) {
       met[static_cast<std::size_t>(found - proven.begin())] = true;
-    } else if (in_box(p.q)) {
+    } else if (in_box(p.q, options_.search)) {
       ++at.beyond;
     }
   }
   at.on_sheets = static_cast<int>(std::ranges::count(met, true));
-}
-
-bool SheetSet::in_box(const Stretch& q) const {
-  const PrincipalStretches planar = principal_stretches(q);
-  // Sheared, the two of the plane are sought between the same bounds.
-  const std::array<double, 3> stretches = q.alpha == 0.0
-                                              ? std::array{q.xi, q.zeta, q.rho}
-                                              : std::array{planar.lambda, planar.mu, q.rho};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Interval range = options_.search.range(k);
-    if (!(stretches[k] > range.lo && stretches[k] < range.hi)) return false;
-  }
-  return true;
 }
 
 /// The places on sheets, but for their ends, where sheets of this kind begin.
@@ -280,7 +264,10 @@ void SheetSet::leave(const Parting& parting) {
   const Entry entry = entry_at(source_->leaves_by());
   const DepartureResult found =
       source_->departure(parting.branch, parting.at, options_.to - options_.from);
-  if (const auto* start = std::get_if<Departure>(&found)) {
+  const auto* start = std::get_if<Departure>(&found);
+  if (start != nullptr && !(options_.from <= start->nu && start->nu <= options_.to)) {
+    remark(entry, parting.at.nu, "not entered: beside it these motions are beyond the range of nu");
+  } else if (start != nullptr) {
     enter(start->at, start->nu, entry, parting.at.nu);
   } else {
     remark(entry, parting.at.nu, "not entered: " + std::get<std::string>(found));

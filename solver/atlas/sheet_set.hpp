@@ -53,6 +53,7 @@ class SheetSet {
                    const SearchResult& found);
   ClassInterval classes_between(double from, double to, const SearchResult& found) const;
   void name_class_events();
+  void name_beyond();
   bool is_canonical(const Equilibrium& at) const;
   void follow_rest();
   void enter(const Place& from, double nu, Entry entry, double entry_nu);
@@ -61,7 +62,6 @@ class SheetSet {
   Place place(const Member& member) const;
   void add_crossings(const AtlasSheet& sheet, int family, double nu, std::vector<Place>& out) const;
   bool on_a_sheet(const Place& at, std::size_t checkpoint) const;
-  bool in_box(const Stretch& q) const;
   void count(std::size_t checkpoint);
   void add_partings(std::span<const AtlasSheet> sheets, std::vector<Parting>& out) const;
   void leave(const Parting& parting);
@@ -71,7 +71,7 @@ class SheetSet {
   const AtlasOptions& options_;
   std::unique_ptr<SheetSource> source_;
   std::vector<AnyFamily> families_;
-  std::vector<AnyFamily> plain_;  ///< without spectra
+  std::vector<std::shared_ptr<const AnyFamily>> plain_;  ///< without spectra
   std::vector<Checkpoint> checkpoints_;
   std::vector<std::vector<Place>> solutions_;  ///< proven at each checkpoint, canonical
   std::vector<std::vector<Place>> unproven_;   ///< likewise, where a search is undecided

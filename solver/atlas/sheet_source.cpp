@@ -29,6 +29,9 @@ class AxisSheets final : public SheetSource {
                                  bool classes) const override {
     return cover_axis(problem_, from, to, options, classes);
   }
+  bool none_outside(double from, double to, const SearchOptions& options) const override {
+    return stationary::none_outside(problem_, from, to, options);
+  }
   std::optional<StabilityClass> proven_class(const Equilibrium& at, Inputs inputs) const override {
     const Certificate proof = certify(problem_, at, inputs);
     if (!proof.proven) return std::nullopt;

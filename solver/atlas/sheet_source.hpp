@@ -57,6 +57,10 @@ class SheetSource {
                                          bool /*classes*/) const {
     return std::nullopt;
   }
+  /// Whether it is proven that no motion at any nu of a range is outside the box (kind_cover.hpp).
+  virtual bool none_outside(double /*from*/, double /*to*/, const SearchOptions&) const {
+    return false;
+  }
   /// Of a motion found by a search with these inputs; nothing where it is not proven.
   virtual std::optional<StabilityClass> proven_class(const Equilibrium&, Inputs) const = 0;
   /// Where sheets begin at nu = 0; none where the rest state is not found.

@@ -284,8 +284,26 @@ class Follower {
 
 }  // namespace
 
-bool has_event_curve(EventType type) {
-  return type != EventType::none && type != EventType::unexplained && !is_end(type);
+bool has_event_curve(EventType type, bool isotropic) {
+  switch (type) {
+    case EventType::fold_nu:
+    case EventType::fold_parameter:
+    case EventType::fold_momentum:
+    case EventType::tilt:
+    case EventType::inertia_exchange:
+    case EventType::oblique:
+    case EventType::shear:
+      return true;
+    case EventType::ellipse:
+    case EventType::ellipse_23:
+    case EventType::ellipse_13:
+    case EventType::hamiltonian_hopf:
+    case EventType::real_collision:
+    case EventType::krein_pass:
+      return isotropic;
+    default:
+      return false;
+  }
 }
 
 EventCurve follow_event_curve(const EventCurveSetting& setting, const Member& event, double second,

@@ -89,8 +89,8 @@ struct EventCurve {
   bool interrupted = false;
 };
 
-/// Whether events of this type have such curves.
-bool has_event_curve(EventType type);
+/// Whether events of this type have such curves, of isotropic bodies or of others.
+bool has_event_curve(EventType type, bool isotropic = true);
 
 /// From a located event of the family in p1 at this p2, in both directions. circle: that the
 /// family keeps.

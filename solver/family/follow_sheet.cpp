@@ -34,6 +34,7 @@ class Follower {
     }
     start_ = curve_.complete(start.point);
     report_.counts.members = 1;
+    if (options.from_event) begin_beside();
   }
 
   FollowReport both(CurveSink& sink) {
@@ -73,6 +74,21 @@ class Follower {
   }
 
  private:
+  /// A step from a start that is an event: there its functions vanish, or have a sign by chance, and from
+  /// beside it is met like any other; inside the first step back, which is longer.
+  void begin_beside() {
+    ContinuationOptions how = options_.continuation;
+    how.step.first *= 0.6;
+    for (const int direction : {+1, -1}) {
+      Continuation<N> walk(curve_, start_, direction, how);
+      if (!walk.step() || walk.end() != EventType::none) continue;
+      const Corrected<N> beside = start_of(curve_, walk.point().arc.x, walk.point().arc.p);
+      if (beside.status != CorrectorStatus::converged) continue;
+      start_ = curve_.complete(beside.point);
+      return;
+    }
+  }
+
   /// Whether the start is this x; near a fold the rounding of p moves it by some 1e-8.
   bool is_at(const ReducedVector<N>& x) const {
     constexpr double same = 1e-6;

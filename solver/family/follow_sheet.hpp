@@ -33,6 +33,7 @@ class CurveSink {
 struct FollowOptions {
   ContinuationOptions continuation;
   EventSet events;              ///< those to be found, all by default
+  bool from_event = false;      ///< the start is one, and is to be among them
   long max_points = 1'000'000;  ///< no step from there on; events in the last one come on top
   const std::atomic<bool>* stop = nullptr;  ///< becomes true: end at the point reached
   /// Called every few hundred points with the parameter and the number of points so far.

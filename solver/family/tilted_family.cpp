@@ -174,18 +174,19 @@ std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& pote
       [&](const auto& model) { return family_of(body, potential, model, plane, spectrum); });
 }
 
-std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, double nu) {
+std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, double nu,
+                                  const Interval& within) {
   const Curve<2> curve(family, nu, Circle::none);
   const Corrected<2> at = start_of(curve, unknowns<2>(q), nu);
   if (at.status != CorrectorStatus::converged) return std::nullopt;
-  for (const double step : {1e-3, -1e-3, 1e-5, -1e-5}) {
+  for (const double step : {1e-3, -1e-3, 1e-5, -1e-5, 1e-7, -1e-7}) {
     const ArcVector<2> y = step * at.point.tangent;
     const Corrected<2> inside = curve.corrector().correct(
         moved<2>(at.point.x, ReducedVector<2>(y.head<2>())),
         at.point.p + curve.corrector().scale() * y[2], at.point.tangent, std::abs(step));
     if (inside.status != CorrectorStatus::converged) continue;
     const Member member = curve.complete(inside.point).member;
-    if (!member.beyond_end()) return member;
+    if (!member.beyond_end() && within.may_be(member.nu)) return member;
   }
   return std::nullopt;
 }

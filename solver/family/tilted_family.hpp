@@ -19,7 +19,9 @@ namespace stationary {
 std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& potential,
                                          TiltPlane plane, bool spectrum);
 
-/// A member of the family that begins where a branch's axis tilts (q, nu), a little along it.
-std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, double nu);
+/// A member of the family that begins where a branch's axis tilts (q, nu), a little along it; within:
+/// |nu| that it may have.
+std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, double nu,
+                                  const Interval& within = Interval::entire());
 
 }  // namespace stationary

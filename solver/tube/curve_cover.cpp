@@ -72,7 +72,7 @@ class Cover {
       return;
     }
     constexpr double small = 0.25;
-    if (width(box) < small && begins_curve(box) && tubes_.holds(box)) return;
+    if (options_.follow && width(box) < small && begins_curve(box) && tubes_.holds(box)) return;
     split(box);
   }
 

@@ -24,6 +24,7 @@ struct CoverOptions {
   double min_width = 0x1p-36;
   long max_boxes = 50'000;
   long max_arcs = 50'000;  ///< pieces of curves whose class is asked for
+  bool follow = true;      ///< curves that are come upon; else what has any is undecided
   TubeOptions tube;
   const std::atomic<bool>* stop = nullptr;
 };

@@ -140,6 +140,45 @@ KindCover cover_axis(const Problem& problem, double from, double to, const Searc
                     classes ? class_over : ClassOver());
 }
 
+namespace {
+
+/// No point of any of its curves.
+bool is_empty(const CurveFactor& factor, const CoverOptions& options) {
+  return std::ranges::all_of(factor.sets, [&](const AnyCurveSet& any) {
+    const CurveCover cover = std::visit(
+        [&](const auto& set) { return cover_curves(*set.equations, set.region, options); }, any);
+    return cover.undecided.empty() && !cover.interrupted;
+  });
+}
+
+}  // namespace
+
+bool none_outside(const Problem& problem, double from, double to, const SearchOptions& options) {
+  constexpr double farthest = 1e50;
+  // A gravitating body's boxes take milliseconds.
+  if (const auto* body = problem.potential().body_model(); body != nullptr && body->gravitates)
+    return false;
+  const AxisSought sought = with_circles_about_third_axis(problem, options);
+  CoverOptions how = cover_options(options);
+  how.follow = false;
+  how.max_boxes = 2'000;
+  // Beyond one side of the box, the other stretches any.
+  const auto none_in = [&](std::size_t k, const Interval& outside) {
+    if (!(outside.lo < outside.hi)) return true;
+    SearchOptions there = sought.options;
+    there.box.emplace().fill({1.0 / farthest, farthest});
+    (*there.box)[k] = outside;
+    const std::vector<CurveFactor> factors = axis_curves(sought.problem, from, to, there);
+    return std::ranges::any_of(factors, [&](const auto& each) { return is_empty(each, how); });
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Interval inside = sought.options.range(k);
+    if (!none_in(k, {1.0 / farthest, inside.lo}) || !none_in(k, {inside.hi, farthest}))
+      return false;
+  }
+  return true;
+}
+
 std::optional<KindCover> cover_oriented(const Problem& problem, bool oblique, double from,
                                         double to, const SearchOptions& options, bool classes) {
   const Body& body = problem.body();

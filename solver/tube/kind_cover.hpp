@@ -45,6 +45,10 @@ KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
 KindCover cover_axis(const Problem& problem, double from, double to, const SearchOptions& options,
                      bool classes = true);
 
+/// Whether it is proven that no motion of these, at any nu of the range, has a stretch outside the box,
+/// between 10^-50 and 10^50.
+bool none_outside(const Problem& problem, double from, double to, const SearchOptions& options);
+
 /// Of a body that need not be isotropic (oriented_curves.hpp); nothing of five unknowns.
 std::optional<KindCover> cover_oriented(const Problem& problem, bool oblique, double from,
                                         double to, const SearchOptions& options,

@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "tests/program/json_schema.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -81,8 +82,9 @@ double undecided_length(const nlohmann::json& completeness, const std::string& b
       EXPECT_EQ(each["from"].get<double>(), *end);
     }
     end = each["to"].get<double>();
-    EXPECT_EQ(each.contains("sheets"), each["status"] == "proven");
-    EXPECT_EQ(each["beyond"], "not-examined");
+    EXPECT_EQ(each.at("sheets").is_number_integer(), each["status"] == "proven");
+    EXPECT_EQ(each.contains("reason"), each["status"] != "proven");
+    EXPECT_EQ(each["beyond"] == "sheet-leaves-box", each["status"] == "beyond");
     if (each["status"] != "proven") length += *end - each["from"].get<double>();
   }
   EXPECT_GT(found, 0);
@@ -170,6 +172,51 @@ TEST(CompleteAtlas, ProvesThatEllipsesPartFromCircles) {
     }
   }
   EXPECT_EQ(parts, 2);
+}
+
+/// What is told of the outside of the box: of every interval one word, "excluded" only where no row of any
+/// sheet is outside at its nu, and a sheet that leaves the box changes the number by one.
+TEST(CompleteAtlas, SaysWhatIsKnownBeyondTheBox) {
+  std::map<std::string, int> words;
+  for (const char* each : {"neo_hookean", "apart", "near_degenerate", "circle", "fold"}) {
+    const TemporaryDirectory directory;
+    const Outcome outcome =
+        run_program({"atlas", shipped(std::string(each) + ".toml"), "-o", directory / "x.csv",
+                     "--complete", "--checkpoints", "1", "--set", "output.spectrum=false"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr(" of the range of these branches is proven"));
+    const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    EXPECT_EQ(schema_fault(metadata, nlohmann::json::parse(text_of(STATIONARY_SCHEMA))), "");
+    EXPECT_GT(metadata["complete_fraction"].get<double>(), 1.0 - 1e-9);
+    EXPECT_LE(metadata["complete_fraction"].get<double>(), 1.0);
+    const std::vector<Row> rows = rows_of(text_of(directory / "x.csv"));
+    const auto& all = metadata["completeness"];
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const std::string beyond = all[k]["beyond"];
+      ++words[beyond];
+      if (beyond == "sheet-leaves-box") {
+        EXPECT_EQ(all[k]["status"], "beyond");
+        EXPECT_THAT(all[k]["reason"].get<std::string>(), HasSubstr("a sheet leaves the box"));
+        ASSERT_TRUE(k > 0 && k + 1 < all.size());
+        const int change = all[k + 1]["sheets"].get<int>() - all[k - 1]["sheets"].get<int>();
+        EXPECT_TRUE(std::abs(change) == 1 || std::string(each) == "circle") << each << ' ' << k;
+      }
+      if (beyond != "excluded") continue;
+      for (const Row& row : rows) {
+        if (row.at("branch") != all[k]["branch"]) continue;
+        const double nu =
+            std::hypot(number(row.at("nu1")), number(row.at("nu2")), number(row.at("nu3")));
+        if (!(all[k]["from"].get<double>() < nu && nu < all[k]["to"].get<double>())) continue;
+        for (const char* stretch : {"xi", "zeta", "rho"}) {
+          EXPECT_GT(number(row.at(stretch)), 1e-3) << each << " at nu = " << nu;
+          EXPECT_LT(number(row.at(stretch)), 1e3) << each << " at nu = " << nu;
+        }
+      }
+    }
+  }
+  EXPECT_GE(words["excluded"], 20);
+  EXPECT_GE(words["sheet-leaves-box"], 10);
+  EXPECT_GE(words["sheet-listed"], 3);
 }
 
 /// The key is the option, and either's checkpoints are.

@@ -164,6 +164,33 @@ TEST_F(Curve, FromARowIsThatCurve) {
   EXPECT_THAT(wrong.err, HasSubstr("fold-nu"));
 }
 
+/// Of either parameter, of the row's own and of the case's.
+TEST_F(Curve, ARowOutsideTheRangeIsRefused) {
+  const std::string file = directory_.file(
+      "family.toml", std::string(fold_of_hencky) + "[continuation]\nfrom = 0.0\nto = 1.0\n");
+  const std::string table = directory_ / "family.csv";
+  ASSERT_EQ(run_program({"continue", file, "-o", table, "-q"}).code, 0);
+  for (const auto& [sets, said] :
+       {std::pair{"curve.to=[0.4, 3.0]", "found a row at nu = 0.549"},
+        {"curve.from=[0.9, 0.5]", "a row in the range followed, [0.9, 1.2]"},
+        {"curve.from=[0.0, 2.0]", "found a row at body.J.1 = 1.7"}}) {
+    const Outcome outcome = run(fold_of_hencky, {"--from", table + ":fold-nu", "--set", sets});
+    EXPECT_EQ(outcome.code, 2) << sets;
+    EXPECT_THAT(outcome.err, HasSubstr(said)) << sets;
+    EXPECT_EQ(outcome.out, "") << sets;
+  }
+  // The row's own numbers stand for the case's: those alone must be in the range.
+  const std::string in_inertia = directory_ / "inertia.csv";
+  ASSERT_EQ(
+      run_program({"curve", directory_.file("case.toml", fold_of_hencky), "-o", in_inertia, "-q"})
+          .code,
+      0);
+  const std::size_t rows = rows_of(text_of(in_inertia)).size();
+  const Outcome last = run(fold_of_hencky, {"--from", in_inertia + ":" + std::to_string(rows),
+                                            "--set", "curve.from=[0.0, 2.0]"});
+  EXPECT_EQ(last.code, 0) << last.err;
+}
+
 TEST_F(Curve, ColumnFileHasTheSameColumns) {
   NEEDS_HDF5();
   const std::string file = directory_.file("case.toml", fold_of_hencky);
@@ -252,6 +279,56 @@ to = [0.9, 0.5]
   const Outcome skew = run(with_fibre, {"--set", "potential.fibre.degrees=30"});
   EXPECT_EQ(skew.code, 2);
   EXPECT_THAT(skew.err, HasSubstr("even in alpha"));
+  // What its frequencies do has no curves.
+  for (const char* event : {"hamiltonian-hopf", "krein-pass", "real-collision", "ellipse"}) {
+    const Outcome refused = run(with_fibre, {"--set", std::string("curve.event=") + event});
+    EXPECT_EQ(refused.code, 2) << event;
+    EXPECT_THAT(refused.err, HasSubstr("an anisotropic potential")) << event;
+    EXPECT_THAT(refused.err, HasSubstr("curve.event")) << event;
+  }
+}
+
+/// A ratio's curve is that of the number it varies, in units of the other.
+TEST_F(Curve, InARatioOfTwoNumbers) {
+  ASSERT_EQ(run(fold_of_hencky, {"--set", "body.J=[2.0, 1.7, 0.6]"}).code, 0);
+  const std::vector<Row> expected = rows();
+  const std::vector<std::string> by_ratio{
+      "--set",    "body.J=[2.0, 1.7, 0.6]",
+      "--set",    "curve.parameters=[\"nu\", \"body.J.1/body.J.0\"]",
+      "--set",    "curve.from=[0.0, 0.25]",
+      "--set",    "curve.to=[1.2, 1.5]",
+      "--certify"};
+  const Outcome outcome = run(fold_of_hencky, by_ratio);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("in nu and body.J.1/body.J.0"));
+  EXPECT_THAT(outcome.out, HasSubstr("body.J.1/body.J.0 = 0.25: "));
+  const std::vector<Row> found = rows();
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    EXPECT_EQ(2.0 * number(found[k].at("body.J.1/body.J.0")), number(expected[k].at("body.J.1")));
+    EXPECT_EQ(found[k].at("nu"), expected[k].at("nu"));
+    EXPECT_EQ(found[k].at("zeta"), expected[k].at("zeta"));
+    EXPECT_EQ(found[k].at("certified"), "yes");
+  }
+  EXPECT_EQ(schema_fault(metadata(), json::parse(text_of(STATIONARY_SCHEMA))), "");
+  // The family may be one in a ratio too.
+  const Outcome first =
+      run(fold_of_hencky, {"--set", "body.J=[2.0, 1.7, 0.6]", "--set", "motion.nu=0.5", "--set",
+                           "curve.parameters=[\"body.J.1/body.J.0\", \"nu\"]", "--set",
+                           "curve.from=[0.25, 0.3]", "--set", "curve.to=[2.0, 0.9]"});
+  ASSERT_EQ(first.code, 0) << first.err;
+  const double product = 2.0 * 1.1 * 1.9 / (3.0 * std::exp(1.0));
+  for (const Row& row : rows()) {
+    const double nu = number(row.at("nu"));
+    EXPECT_EQ(row.at("event"), "fold-parameter");
+    EXPECT_NEAR(nu * nu * 2.0 * number(row.at("body.J.1/body.J.0")), product, 1e-13);
+  }
+  for (const char* pair :
+       {"[\"body.J.1/body.J.0\", \"body.J.1\"]", "[\"body.J.0\", \"body.J.1/body.J.0\"]"}) {
+    const Outcome refused = run(fold_of_hencky, {"--set", std::string("curve.parameters=") + pair});
+    EXPECT_EQ(refused.code, 2) << pair;
+    EXPECT_THAT(refused.err, HasSubstr("leaves the other as it is")) << pair;
+  }
 }
 
 TEST_F(Curve, WhatIsRefused) {

@@ -3,7 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <compare>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
@@ -95,6 +99,57 @@ TEST_F(FromRow, ATiltLeadsToTheTiltedFamilyAndBack) {
     const auto expected = events(text_of(back), "tilt", nu);
     EXPECT_NEAR(at[0], std::max(expected[0], expected[1]), 1e-12) << branch;
   }
+}
+
+/// From a row that is an event its sheet has all of its events, that one too, where they are.
+TEST_F(FromRow, TheEventOfTheRowIsKept) {
+  struct Found {
+    std::string event;
+    double parameter;
+    auto operator<=>(const Found&) const = default;
+  };
+  const auto is_proper = [](const Row& row) {
+    const std::string& event = row.at("event");
+    return !event.empty() && event != "limit" && event != "escape" && event != "collapse";
+  };
+  const auto events_of = [&](const std::string& csv, const std::string& column) {
+    std::vector<Found> out;
+    for (const Row& row : rows_of(csv)) {
+      if (!is_proper(row)) continue;
+      const double nu =
+          std::hypot(number(row.at("nu1")), number(row.at("nu2")), number(row.at("nu3")));
+      out.push_back({row.at("event"), column.empty() ? nu : number(row.at(column))});
+    }
+    std::ranges::sort(out);
+    return out;
+  };
+  int compared = 0;
+  for (const auto& [file, column] : {std::pair{"fold.toml", ""},
+                                     {"circle.toml", ""},
+                                     {"neo_hookean.toml", ""},
+                                     {"tilted.toml", ""},
+                                     {"inertia.toml", "body.J.1"},
+                                     {"broken_pitchfork.toml", ""}}) {
+    const std::string path = table("continue", file, "own.csv");
+    const std::vector<Found> expected = events_of(text_of(path), column);
+    ASSERT_FALSE(expected.empty()) << file;
+    std::size_t number_of_row = 0;
+    for (const Row& row : rows_of(text_of(path))) {
+      ++number_of_row;
+      if (!is_proper(row)) continue;
+      const std::string& event = row.at("event");
+      const Outcome outcome = from(file, path + ":" + std::to_string(number_of_row));
+      ASSERT_EQ(outcome.code, 0) << file << ' ' << event << ": " << outcome.err;
+      const std::vector<Found> found = events_of(outcome.out, column);
+      ASSERT_EQ(found.size(), expected.size()) << file << ' ' << event << ' ' << number_of_row;
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        EXPECT_EQ(found[k].event, expected[k].event) << file << ' ' << event;
+        EXPECT_NEAR(found[k].parameter, expected[k].parameter, 1e-11) << file << ' ' << event;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GE(compared, 20);
 }
 
 TEST_F(FromRow, ATrailingParameterOverridesTheCase) {

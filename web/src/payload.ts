@@ -44,7 +44,7 @@ export interface ProvenInterval {
   to: number;
   status: string;
   /** How many are of each class. */
-  sheets?: { [name: string]: number };
+  sheets?: { [name: string]: number } | null;
   /** Why nothing is told, and the events that the listed sheets have there. */
   reason?: string;
   events?: string[];

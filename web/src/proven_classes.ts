@@ -63,7 +63,7 @@ let watching = false;
 export function showProvenClasses(table: Table): void {
   const all = table.metadata?.classes ?? [];
   byId('proven-part').hidden = all.length === 0;
-  byId('proven-beyond').hidden = !all.some((each) => each.beyond === 'not-examined');
+  byId('proven-beyond').hidden = all.every((each) => each.beyond === 'excluded');
   const [low, high] = [Math.min(...all.map((each) => each.from)), Math.max(...all.map((each) => each.to))];
   const branches = [...new Set(all.map((each) => each.branch))];
   const strips = branches.map((branch) => {

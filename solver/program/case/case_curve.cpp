@@ -30,9 +30,15 @@ void read_parameters(const CaseTree& tree, const FamilyParameters& family, CaseC
     throw fault_at(tree, element("parameters", 1),
                    "found " + in_quotes(out.parameters[1]) + " twice", "two numbers of the case");
   }
-  for (const int k : {0, 1}) {
-    if (parts_of(out.parameters[static_cast<std::size_t>(k)]).second.empty()) continue;
-    throw fault_at(tree, element("parameters", k), "found a ratio", "a number of the case");
+  // What varies the one must leave the other alone.
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    const auto [number, held] = parts_of(out.parameters[k]);
+    const ParameterParts other = parts_of(out.parameters[1 - k]);
+    if (number != other.first && number != other.second) continue;
+    throw fault_at(tree, element("parameters", static_cast<int>(k)),
+                   fmt::format("found {} beside {}", in_quotes(out.parameters[k]),
+                               in_quotes(out.parameters[1 - k])),
+                   "two parameters, each of which leaves the other as it is");
   }
 }
 

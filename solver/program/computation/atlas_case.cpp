@@ -100,18 +100,24 @@ void add_checkpoints(Report& out, const std::vector<Checkpoint>& all,
   }
 }
 
+/// " but for ...": what is left of a range; nothing where nothing is.
+std::string all_but(std::ptrdiff_t intervals, double length, double range) {
+  if (intervals == 0) return {};
+  return fmt::format(" but for {} interval{} of total length {:.2g}, {:.2g} of the range",
+                     intervals, intervals == 1 ? "" : "s", length, length / range);
+}
+
 /// For every nu: the numbers of sheets, and where they are not told.
 void add_completeness(Report& out, const std::vector<Completeness>& all) {
   std::string_view label = "complete";
   for (const Completeness& kind : all) {
+    if (kind.intervals.empty()) continue;  // interrupted
     const auto unproven = std::ranges::count(kind.intervals, false, &CompleteInterval::proven);
     const double from = kind.intervals.front().from;
     const double to = kind.intervals.back().to;
     std::string text = fmt::format("branch ({}): complete for nu in [{:.6g}, {:.6g}]",
                                    kind_name(kind.branch, kind.oblique), from, to);
-    if (unproven > 0)
-      text += fmt::format(" but for {} interval{} of total length {:.2g}", unproven,
-                          unproven == 1 ? "" : "s", kind.unproven_length());
+    text += all_but(unproven, kind.unproven_length(), to - from);
     out.line(std::exchange(label, {}),
              text + fmt::format("; {} boxes, {} tubes", kind.boxes, kind.tubes));
     for (const CompleteInterval& each : kind.intervals) {
@@ -121,8 +127,14 @@ void add_completeness(Report& out, const std::vector<Completeness>& all) {
                                : fmt::format("  not told in {}: {}", range, each.reason));
     }
   }
-  if (!all.empty())
-    out.line({}, "in the box of the stretches; tilted and two-polar motions are not covered");
+  if (!all.empty()) {
+    const double left = unproven_fraction(all);
+    out.line({},
+             fmt::format(
+                 "{} of the range of these branches is proven, in the box of the stretches; tilted "
+                 "and two-polar motions are not covered",
+                 left > 0.0 ? fmt::format("all but {:.2g}", left) : "all"));
+  }
 }
 
 std::string class_counts(const ClassInterval& of) {
@@ -150,9 +162,8 @@ void add_classes(Report& out, const std::vector<Completeness>& all) {
     std::string text = fmt::format("branch ({}): proven for nu in [{:.6g}, {:.6g}]",
                                    kind_name(kind.branch, kind.oblique), kind.classes.front().from,
                                    kind.classes.back().to);
-    if (unproven > 0)
-      text += fmt::format(" but for {} interval{} of total length {:.2g}", unproven,
-                          unproven == 1 ? "" : "s", kind.unproven_class_length());
+    text += all_but(unproven, kind.unproven_class_length(),
+                    kind.classes.back().to - kind.classes.front().from);
     out.line(std::exchange(label, {}), text + fmt::format("; {} arcs", kind.class_arcs));
     for (const ClassInterval& each : kind.classes) {
       const std::string range = fmt::format("[{:.12g}, {:.12g}]", each.from, each.to);

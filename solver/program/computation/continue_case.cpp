@@ -192,7 +192,8 @@ Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* 
   ask_kinds(input, start, rows);
   const double unit = parameter_unit(start.at, input.continuation->parameter);
   rows.in_units_of(unit);
-  const FollowOptions how = follow_options(input, unit, run);
+  FollowOptions how = follow_options(input, unit, run);
+  how.from_event = start.is_event;
   FollowReport report = old ? follow_on(family, *old, unit, how, rows)
                             : follow(family, start.found.q, start.p * unit, how, rows);
   if (!old) rows.convert(report);

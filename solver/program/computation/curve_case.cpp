@@ -94,7 +94,7 @@ class Rows {
   long proven_ = 0;
 };
 
-EventCurveRecord record_of(const EventCurve& curve, int number) {
+EventCurveRecord record_of(const Case& input, const EventCurve& curve, int number) {
   EventCurveRecord out;
   out.curve = number;
   out.points = static_cast<long>(curve.points.size());
@@ -104,14 +104,15 @@ EventCurveRecord record_of(const EventCurve& curve, int number) {
     const EventCurvePoint& at = curve.points[k];
     if (at.special == SpecialPoint::none) continue;
     out.special.push_back(
-        {name(at.special), name(at.other), static_cast<long>(k), {at.member.parameter, at.second}});
+        {name(at.special), name(at.other), static_cast<long>(k), curve_place(input, at)});
   }
   return out;
 }
 
 std::string end_text(const Case& input, const EventCurveEnd& end, const EventCurvePoint& at) {
-  return fmt::format("{} = {:.12g}, {} = {:.12g}: {}", input.curve->parameters[0],
-                     at.member.parameter, input.curve->parameters[1], at.second, end.reason);
+  const auto [first, second] = curve_place(input, at);
+  return fmt::format("{} = {:.12g}, {} = {:.12g}: {}", input.curve->parameters[0], first,
+                     input.curve->parameters[1], second, end.reason);
 }
 
 std::string summary(const Case& input, const EventCurves& found, const Rows& rows, double seconds) {
@@ -133,9 +134,10 @@ std::string summary(const Case& input, const EventCurves& found, const Rows& row
     out.line({}, "to " + end_text(input, curve.last, curve.points.back()));
     for (const EventCurvePoint& at : curve.points) {
       if (at.special == SpecialPoint::none) continue;
+      const auto [first, second] = curve_place(input, at);
       out.line({},
-               fmt::format("{:<20} {} = {:.15g}, {} = {:.15g}{}", name(at.special), keys[0],
-                           at.member.parameter, keys[1], at.second,
+               fmt::format("{:<20} {} = {:.15g}, {} = {:.15g}{}", name(at.special), keys[0], first,
+                           keys[1], second,
                            at.other == EventType::none ? std::string()
                                                        : fmt::format(", with {}", name(at.other))));
     }
@@ -150,6 +152,7 @@ Outcome curve_case(const Case& given, const std::string& row, TableTarget* targe
   std::optional<EventRow> at_row;
   if (!row.empty()) at_row = event_of_row(given, row, given.curve->event);
   const Case& input = at_row ? at_row->input : given;
+  require_second_in_range(input);
   const Wanted wanted = wanted_columns(input, target != nullptr);
   if (target != nullptr) target->prepare();
 
@@ -168,7 +171,7 @@ Outcome curve_case(const Case& given, const std::string& row, TableTarget* targe
   Metadata metadata;
   for (const EventCurve& curve : found.curves) {
     const int number = static_cast<int>(metadata.event_curves.size()) + 1;
-    metadata.event_curves.push_back(record_of(curve, number));
+    metadata.event_curves.push_back(record_of(input, curve, number));
     long point = 0;
     for (const EventCurvePoint& at : curve.points) rows.write(number, point++, at);
   }

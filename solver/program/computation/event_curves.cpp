@@ -17,10 +17,20 @@
 namespace stationary::cli {
 namespace {
 
+FamilyParameters own_numbers(const Case& input) { return {input.body, input.models, input.motion}; }
+
+/// What a parameter varies: of a ratio its first number.
+std::string_view number_of(const Case& input, std::size_t k) {
+  return parts_of(input.curve->parameters[k]).first;
+}
+double unit_of(const Case& input, std::size_t k) {
+  return parameter_unit(own_numbers(input), input.curve->parameters[k]);
+}
+
+/// first, second: of the numbers that vary.
 FamilyParameters numbers_of(const Case& input, double first, double second) {
-  const auto& keys = input.curve->parameters;
-  return with_parameter(with_parameter({input.body, input.models, input.motion}, keys[0], first),
-                        keys[1], second);
+  return with_parameter(with_parameter(own_numbers(input), number_of(input, 0), first),
+                        number_of(input, 1), second);
 }
 
 SpinningProblem problem_of(const FamilyParameters& numbers) {
@@ -29,8 +39,8 @@ SpinningProblem problem_of(const FamilyParameters& numbers) {
           spin.nu};
 }
 
-double own_value(const Case& input, std::size_t k) {
-  return parameter_value({input.body, input.models, input.motion}, input.curve->parameters[k]);
+double own_number(const Case& input, std::size_t k) {
+  return parameter_value(own_numbers(input), number_of(input, k));
 }
 
 FamilyParameter family_parameter_of(const Case& input, std::size_t k) {
@@ -41,7 +51,7 @@ FamilyParameter family_parameter_of(const Case& input, std::size_t k) {
 void require_circle(const Case& input, Circle circle) {
   const auto [first, second, other] = places(circle);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-    const std::string& key = input.curve->parameters[k];
+    const std::string_view key = number_of(input, k);
     if (key != fmt::format("body.J.{}", first) && key != fmt::format("body.J.{}", second)) continue;
     throw fault_at(input.source, fmt::format("curve.parameters.{}", k),
                    "found " + in_quotes(key) + ", and the event is on a circle",
@@ -53,9 +63,8 @@ void require_circle(const Case& input, Circle circle) {
 /// A turn has the name of what turns.
 EventType sought_event(const Case& input) {
   const EventType asked = input.curve->event;
-  return asked == EventType::fold_nu && input.curve->parameters[0] != "nu"
-             ? EventType::fold_parameter
-             : asked;
+  return asked == EventType::fold_nu && number_of(input, 0) != "nu" ? EventType::fold_parameter
+                                                                    : asked;
 }
 
 Circle circle_of_row(const Problem& problem, const Stretch& q) {
@@ -97,17 +106,17 @@ EventCurve curve_of(const Case& input, const Member& event, bool spectrum, const
                                   },
                                   family_parameter_of(input, 0), family_parameter_of(input, 1),
                                   sought_event(input)};
-  const double second = own_value(input, 1);
+  const double second = own_number(input, 1);
   const SpinningProblem at = setting.at(event.parameter, second);
   Circle circle = broken_circle(asked.event);
   if (circle == Circle::none && is_on(circle_of(at.problem, setting.first), event.q))
     circle = circle_of(at.problem, setting.first);
   if (circle != Circle::none) require_circle(input, circle);
   return follow_event_curve(setting, event, second, circle,
-                            {.first_from = asked.from[0],
-                             .first_to = asked.to[0],
-                             .second_from = asked.from[1],
-                             .second_to = asked.to[1],
+                            {.first_from = asked.from[0] * unit_of(input, 0),
+                             .first_to = asked.to[0] * unit_of(input, 0),
+                             .second_from = asked.from[1] * unit_of(input, 1),
+                             .second_to = asked.to[1] * unit_of(input, 1),
                              .tolerance = asked.tolerance,
                              .spectrum = spectrum,
                              .stop = run.stop});
@@ -121,7 +130,8 @@ void add_curve(EventCurves& out, const Case& input, const Member& event, bool sp
     out.curves.push_back(std::move(curve));
   } else {
     out.failures.push_back(fmt::format("{} at {} = {:.12g}: {}", name(input.curve->event),
-                                       input.curve->parameters[0], event.parameter, curve.failure));
+                                       input.curve->parameters[0],
+                                       event.parameter / unit_of(input, 0), curve.failure));
   }
 }
 
@@ -143,7 +153,18 @@ void require_curve(const Case& input) {
         "curve",
         "the events of other motions are located by continue, one value at a time");
   }
-  const double second = own_value(input, 1);
+  if (!has_event_curve(input.curve->event, isotropic)) {
+    throw fault_at(
+        input.source, "curve.event",
+        fmt::format("found {} and an anisotropic potential", in_quotes(name(input.curve->event))),
+        "\"fold-nu\", \"fold-momentum\", \"tilt\", \"inertia-exchange\", \"shear\" or "
+        "\"oblique\" for curve",
+        "what frequencies do, and circles, have curves of isotropic bodies alone");
+  }
+}
+
+void require_second_in_range(const Case& input) {
+  const double second = parameter_value(own_numbers(input), input.curve->parameters[1]);
   if (second < input.curve->from[1] || second > input.curve->to[1]) {
     throw fault_at(
         input.source, "curve.from.1",
@@ -168,8 +189,9 @@ EventCurves event_curves(const Case& input, bool spectrum, const Run& run) {
   if (out.status != SolveStatus::solved) return out;
   const AnyFamily family = family_of(family_case, start, true, false);
   KeptEvents kept(sought_event(input));
+  const double unit = unit_of(input, 0);
   const FollowReport report =
-      follow(family, start.found.q, start.p, follow_options(family_case, 1.0, run), kept);
+      follow(family, start.found.q, start.p * unit, follow_options(family_case, unit, run), kept);
   if (!report.failure.empty()) {
     out.status = SolveStatus::failed;
     out.message = report.failure;
@@ -186,8 +208,8 @@ EventCurves event_curves(const Case& input, bool spectrum, const Run& run) {
 }
 
 EventCurves event_curve_of_row(const Case& input, const Stretch& q, bool spectrum, const Run& run) {
-  const double first = own_value(input, 0);
-  const SpinningProblem at = problem_of(numbers_of(input, first, own_value(input, 1)));
+  const double first = own_number(input, 0);
+  const SpinningProblem at = problem_of(numbers_of(input, first, own_number(input, 1)));
   const Member event =
       member_at(at, family_parameter_of(input, 0),
                 {q, ReducedVector<3>::Zero(), first, 0x1p-48, circle_of_row(at.problem, q)}, true);
@@ -197,13 +219,18 @@ EventCurves event_curve_of_row(const Case& input, const Stretch& q, bool spectru
   return out;
 }
 
+std::array<double, 2> curve_place(const Case& input, const EventCurvePoint& point) {
+  return {point.member.parameter / unit_of(input, 0), point.second / unit_of(input, 1)};
+}
+
 TableRow curve_row(const Case& input, const EventCurvePoint& point, const ColumnSet& wanted) {
   TableRow row;
   fill_row(input.branch_name(), point.member, wanted, row);
   tell_in(input.coordinates, wanted, row);
   row.event = name(sought_event(input));
-  row.parameter = point.member.parameter;
-  row.second_parameter = point.second;
+  const auto [first, second] = curve_place(input, point);
+  row.parameter = first;
+  row.second_parameter = second;
   return row;
 }
 

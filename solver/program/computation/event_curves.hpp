@@ -3,6 +3,7 @@
 // again start none of their own.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -24,15 +25,21 @@ struct EventCurves {
   bool interrupted = false;
 };
 
-/// Throws InputError where the case has no [curve], is none of an isotropic body that spins about a
-/// material axis, or where its own value of the second parameter is out of the range.
+/// Throws InputError where the case has no [curve], or none of its event: of a body that does not spin
+/// about a material axis, of an anisotropic one that is not even in alpha, or of what its frequencies do.
 void require_curve(const Case& input);
 
-/// require_curve() holds of the case, here and below.
+/// Throws InputError where the case's own value of the second parameter is out of the range.
+void require_second_in_range(const Case& input);
+
+/// Both hold of the case, here and below.
 EventCurves event_curves(const Case& input, bool spectrum, const Run& run);
 
 /// The curve through a motion that is such an event, at the case's own values of both parameters.
 EventCurves event_curve_of_row(const Case& input, const Stretch& q, bool spectrum, const Run& run);
+
+/// The values of both parameters, of a ratio those of the ratio.
+std::array<double, 2> curve_place(const Case& input, const EventCurvePoint& point);
 
 /// A point as a row: event, branch, both parameters, and the common columns that are wanted.
 TableRow curve_row(const Case& input, const EventCurvePoint& point, const ColumnSet& wanted);

@@ -164,7 +164,11 @@ class FromRow {
     if (text("branch") != given_.branch_name())
       refuse(text_, "found a row of branch " + in_quotes(text("branch")),
              "a row of branch " + in_quotes(given_.branch_name()));
-    return {with_numbers_of_the_row(), stretch()};
+    EventRow out{with_numbers_of_the_row(), stretch()};
+    const Case& input = out.input;
+    for (std::size_t k = 0; k < input.curve->parameters.size(); ++k)
+      require_between(input, input.curve->parameters[k], input.curve->from[k], input.curve->to[k]);
+    return out;
   }
 
  private:
@@ -242,19 +246,40 @@ class FromRow {
     return any;
   }
 
+  /// The row's own value of the parameter, which must be in the range followed.
+  double require_between(const Case& input, const std::string& parameter, double from,
+                         double to) const {
+    const double p = parameter_value({input.body, input.models, input.motion}, parameter);
+    if (!(p >= from && p <= to))
+      refuse(text_, fmt::format("found a row at {} = {}", parameter, p),
+             fmt::format("a row in the range followed, [{}, {}]", from, to));
+    return p;
+  }
+
   RowStart finished(Case input, const Stretch& q) const {
     const Case::Continuation& range = *input.continuation;
-    const FamilyParameters at{input.body, input.models, input.motion};
-    const double p = parameter_value(at, range.parameter);
-    if (!(p >= range.from && p <= range.to))
-      refuse(text_, fmt::format("found a row at {} = {}", range.parameter, p),
-             fmt::format("a row in the range followed, [{}, {}]", range.from, range.to));
-    Start start{at, p, {}};
+    const double p = require_between(input, range.parameter, range.from, range.to);
+    Start start{{input.body, input.models, input.motion}, p, {}};
     start.found.status = SolveStatus::solved;
     start.found.message = "row " + printable(text_);
     start.found.connection = Connection::given_start;
     start.found.q = q;
+    start.is_event = is_event_proper();
     return {std::move(input), std::move(start)};
+  }
+
+  /// Of an event, and no end of a sheet.
+  bool is_event_proper() const {
+    const auto event = row_.find("event");
+    if (event == row_.end() || event->second.empty()) return false;
+    const auto* const named = std::ranges::find(event_names, event->second);
+    return named != std::end(event_names) &&
+           !is_end(static_cast<EventType>(named - std::begin(event_names)));
+  }
+  /// A little way from the row's event.
+  static RowStart beside(RowStart start) {
+    start.start.is_event = false;
+    return start;
   }
 
   /// The case's family where it leaves the row's.
@@ -266,9 +291,12 @@ class FromRow {
     if (wanted == tilted_name && from && event == name(EventType::tilt)) {
       if (const auto plane = tilt_plane(input.body, q)) {
         const auto family = tilted_family(input.body, input.potential, *plane, false);
-        if (const auto start = just_inside(*family, q, nu().norm())) {
+        const Case::Continuation& range = *input.continuation;
+        auto start = just_inside(*family, q, nu().norm(), {range.from, range.to});
+        if (!start) start = just_inside(*family, q, nu().norm());
+        if (start) {
           input.motion = TiltedMotion{*plane, start->nu};
-          return finished(std::move(input), start->q);
+          return beside(finished(std::move(input), start->q));
         }
       }
     }
@@ -283,7 +311,7 @@ class FromRow {
       member.angular_velocity = nu();
       if (const auto start = leave_straight(*family, member, *from)) {
         input.motion = ObliqueRotation{start->parameter, *from};
-        return finished(std::move(input), start->q);
+        return beside(finished(std::move(input), start->q));
       }
     }
     // The end of a family whose axis has come to a material one.

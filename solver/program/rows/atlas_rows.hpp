@@ -31,5 +31,7 @@ std::string least_energy_csv(const std::vector<LeastEnergyPiece>& pieces,
 /// The part of the checkpoints at which no sheet is missing; of a complete atlas the part of the
 /// range, over its kinds of motion, for which the number of sheets is proven.
 double complete_fraction(const Atlas& found);
+/// Of the ranges of all kinds of motion together, the part for which nothing is proven.
+double unproven_fraction(const std::vector<Completeness>& completeness);
 
 }  // namespace stationary

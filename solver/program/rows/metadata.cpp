@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/program/case/case_motion.hpp"
+#include "solver/program/rows/atlas_rows.hpp"
 #include "solver/program/table/table.hpp"
 
 namespace stationary {
@@ -248,13 +249,11 @@ Json completeness_json(const std::vector<Completeness>& all) {
   for (const Completeness& kind : all) {
     for (const CompleteInterval& each : kind.intervals) {
       Json interval = proven_part_json(kind, each);
-      if (each.proven) {
-        interval["sheets"] = each.sheets;
-      } else {
-        interval["reason"] = each.reason;
-      }
+      if (each.leaves_box()) interval["status"] = "beyond";
+      interval["sheets"] = each.proven ? Json(each.sheets) : Json();
+      if (!each.proven) interval["reason"] = each.reason;
       interval["boxes"] = kind.boxes;
-      interval["beyond"] = "not-examined";
+      interval["beyond"] = name(each.beyond);
       out.push_back(std::move(interval));
     }
   }
@@ -273,13 +272,14 @@ Json classes_json(const std::vector<Completeness>& all) {
           if (each.sheets[k] > 0) sheets[stability_names[k]] = each.sheets[k];
         interval["sheets"] = std::move(sheets);
       } else {
+        interval["sheets"] = nullptr;
         interval["reason"] = each.reason;
         Json events = Json::array();
         for (const EventType event : each.events) events.push_back(name(event));
         interval["events"] = std::move(events);
       }
       interval["boxes"] = kind.class_arcs;
-      interval["beyond"] = "not-examined";
+      interval["beyond"] = name(each.beyond);
       out.push_back(std::move(interval));
     }
   }
@@ -363,8 +363,10 @@ std::string metadata_json(const Metadata& metadata, bool of_the_run) {
     out["sheets"] = sheets_json(metadata.atlas->sheets);
     out["checkpoints"] = checkpoints_json(metadata.atlas->checkpoints);
     out["remarks"] = remarks_json(metadata.atlas->remarks);
-    if (!metadata.atlas->completeness.empty())
+    if (!metadata.atlas->completeness.empty()) {
+      out["complete_fraction"] = complete_fraction(*metadata.atlas);
       out["completeness"] = completeness_json(metadata.atlas->completeness);
+    }
     if (Json classes = classes_json(metadata.atlas->completeness); !classes.empty())
       out["classes"] = std::move(classes);
     out["least_energy"] = least_energy_json(metadata.least_energy, metadata.atlas->sheets);

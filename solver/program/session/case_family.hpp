@@ -14,6 +14,7 @@ struct Start {
   FamilyParameters at;  ///< with the parameter at p
   double p;
   Equilibrium found;
+  bool is_event = false;  ///< of the family, which then is to be met on the way
 };
 
 /// Throws InputError where the case has no range to be followed.

@@ -193,6 +193,48 @@ TEST(Atlas, RandomBodiesAreComplete) {
   EXPECT_GE(complete, checkpoints * 98 / 100) << checkpoints;
 }
 
+/// Families that begin close to an end of the range and leave it there.
+TEST(Atlas, SheetsAreInTheRange) {
+  const auto of_range = [](double from, double to, const Body& body, const Potential& potential) {
+    AtlasOptions options;
+    options.from = from;
+    options.to = to;
+    options.checkpoints = 8;
+    options.step.tolerance = 1e-6;
+    options.spectrum = false;
+    return atlas(body, potential, options);
+  };
+  int listed = 0;
+  int said = 0;
+  for (const auto& [body, potential] :
+       {std::pair{plate, potential_of("neo-hookean", 1.0, 2.0)},
+        {Body(1.0, 1.0, 0.6), potential_of("biot-log", 1.0, 4.0)}}) {
+    std::vector<double> begin;
+    for (const AtlasSheet& sheet : of_range(0.0, 1.5, body, potential).sheets)
+      for (const AtlasRow& row : sheet.rows)
+        if (row.event == EventType::tilt || row.event == EventType::ellipse)
+          begin.push_back(row.member.nu);
+    ASSERT_GE(begin.size(), 4U);
+    for (const double nu : begin) {
+      for (const auto& [from, to] :
+           {std::pair{0.0, nu * (1.0 + 1e-7)}, {nu * (1.0 - 1e-7), 1.2 * nu}}) {
+        const Atlas found = of_range(from, to, body, potential);
+        for (const AtlasSheet& sheet : found.sheets) {
+          listed += sheet.plane.has_value();
+          for (const AtlasRow& row : sheet.rows) {
+            EXPECT_GE(row.member.nu, from) << nu;
+            EXPECT_LE(row.member.nu, to) << nu;
+          }
+        }
+        for (const Remark& each : found.remarks)
+          said += each.reason.find("beyond the range") != std::string::npos;
+      }
+    }
+  }
+  EXPECT_GT(listed, 0);
+  EXPECT_GT(said, 0);
+}
+
 TEST(Atlas, RefusesARangeThatIsNone) {
   const Potential potential = potential_of("neo-hookean", 1.0, 2.0);
   for (const auto& [from, to] : {std::pair{-1.0, 1.0}, {1.0, 1.0}, {2.0, 1.0}, {0.0, INFINITY}}) {
