@@ -14,6 +14,8 @@ constexpr std::string_view parts = "ellipses part from circles";
 constexpr std::string_view parts_once = "ellipses part from circles: one event, proven";
 constexpr std::string_view folds = "two sheets meet at a fold";
 constexpr std::string_view leaves = "a sheet leaves the box";
+constexpr std::string_view part_leaves =
+    "one stretch leaves the box, where there is no motion for want of the others";
 
 std::string_view reason_of(const NuGap& gap) {
   if (gap.undecided) return "boxes are left undecided";
@@ -26,7 +28,10 @@ std::string_view reason_of(const NuGap& gap) {
 /// on both sides differs by an odd one a sheet has left.
 void tell_box_from_folds(std::vector<CompleteInterval>& all, const std::vector<NuGap>& gaps) {
   for (std::size_t k = 1; k + 1 < all.size(); ++k) {
-    if (all[k].reason != folds || !all[k - 1].proven || !all[k + 1].proven) continue;
+    if (!all[k - 1].proven || !all[k + 1].proven) continue;
+    if (all[k].reason == leaves && all[k - 1].sheets == 0 && all[k + 1].sheets == 0)
+      all[k].reason = part_leaves;
+    if (all[k].reason != folds) continue;
     const auto is_it = [&](const NuGap& gap) { return gap.nu.lo == all[k].from; };
     const auto gap = std::ranges::find_if(gaps, is_it);
     const bool odd = (all[k + 1].sheets - all[k - 1].sheets) % 2 != 0;
@@ -149,10 +154,12 @@ void SheetSet::complete() {
   for (CompleteInterval& each : out.intervals) {
     if (each.reason != leaves) continue;
     each.beyond = Beyond::sheet_leaves_box;
+  }
+  for (const CompleteInterval& each : out.intervals) {
     for (ClassInterval& open : out.classes) {
-      if (open.proven || open.from != each.from || open.to != each.to) continue;
-      open.reason = leaves;
-      open.beyond = Beyond::sheet_leaves_box;
+      if (each.proven || open.proven || open.from != each.from || open.to != each.to) continue;
+      open.reason = each.reason;
+      open.beyond = each.beyond;
     }
   }
   join_open_classes(out.classes);
