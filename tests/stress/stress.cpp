@@ -155,7 +155,8 @@ int main(int count, char** arguments) {
     const double share = count >= 3 ? std::stod(arguments[2]) : 1.0;
     const std::string_view wanted = count == 4 ? arguments[3] : "";
     const bool known = wanted.empty() || std::ranges::count(parts, wanted, &Part::name) == 1;
-    if (count < 2 || count > 4 || !(share > 0.0 && share <= 1.0) || !known) {
+    const bool named = count >= 2 && *arguments[1] != '-';  // a directory, not an option
+    if (!named || count > 4 || !(share > 0.0 && share <= 1.0) || !known) {
       std::fputs(
           "usage: stress DIRECTORY [SHARE] [PART]\n"
           "0 < SHARE <= 1; PART: categories | formulas | followed | fold | curves\n",
