@@ -216,8 +216,10 @@ TEST(Atlas, SheetsAreInTheRange) {
           begin.push_back(row.member.nu);
     ASSERT_GE(begin.size(), 4U);
     for (const double nu : begin) {
-      for (const auto& [from, to] :
-           {std::pair{0.0, nu * (1.0 + 1e-7)}, {nu * (1.0 - 1e-7), 1.2 * nu}}) {
+      for (const auto& [from, to] : {std::pair{0.0, nu * (1.0 + 1e-7)},
+                                     {nu * (1.0 - 1e-7), 1.2 * nu},
+                                     {0.0, nu * (1.0 + 1e-10)},
+                                     {nu * (1.0 - 1e-10), 1.2 * nu}}) {
         const Atlas found = of_range(from, to, body, potential);
         for (const AtlasSheet& sheet : found.sheets) {
           listed += sheet.plane.has_value();
