@@ -18,8 +18,8 @@ namespace stationary {
 struct SeparatedRoots {
   bool found = false;
   std::array<double, 3> root;   ///< rounded once
-  std::array<double, 3> slope;  ///< p' there
-  std::array<double, 3> gap;    ///< distance from the nearest other
+  std::array<double, 3> slope;  ///< p' there, from the roots before their correction
+  std::array<double, 3> gap;    ///< distance from the nearest other, likewise
 };
 
 /// Of a monic cubic.
