@@ -1,5 +1,5 @@
 // The spectrum of a separable isotropic V at omega != 0, off the circle of (iii), by its balanced
-// blocks (balanced_blocks.hpp): as block_spectrum(), in half the time.
+// blocks (balanced_blocks.hpp): as block_spectrum(), in fewer operations and with tighter bounds.
 #pragma once
 
 #include <algorithm>
