@@ -24,6 +24,8 @@
 // S: pairs of doubles for values, Conditioned for their bounds; C: that of J and omega.
 #pragma once
 
+#include <cmath>
+
 #include "lib/balanced/part_curvatures.hpp"
 #include "lib/balanced/spin_units.hpp"
 #include "lib/body/motion.hpp"

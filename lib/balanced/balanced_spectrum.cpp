@@ -1,5 +1,8 @@
 #include "lib/balanced/balanced_spectrum.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "lib/balanced/separated_roots.hpp"
 #include "lib/stability/mode_collector.hpp"
 

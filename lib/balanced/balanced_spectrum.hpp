@@ -2,9 +2,6 @@
 // blocks (balanced_blocks.hpp): as block_spectrum(), in fewer operations and with tighter bounds.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "lib/balanced/balanced_blocks.hpp"
 #include "lib/stability/spectrum.hpp"
 
