@@ -93,13 +93,15 @@ struct NewtonCourse {
   BorderedInverse<N> last;  ///< at the point the last correction started from
 };
 
+/// The next after one as short is at rounding.
+constexpr double last_correction = 1e-7;
+
 /// linearize() gives g, jacobian = dG/d ln x and slope = dG/d(p/scale) where the point is now, move(delta) moves it.
 /// max_correction: of the first, see longest_first_correction().
 template <int N, class Linearize, class Move>
 NewtonCourse<N> bordered_newton(const ArcVector<N>& border, double max_correction,
                                 const Linearize& linearize, const Move& move) {
   constexpr int max_iterations = 8;
-  constexpr double enough = 1e-7;  // the next is at rounding
   NewtonCourse<N> out;
   double previous = 0.0;
   for (int k = 0; k < max_iterations; ++k) {
@@ -124,7 +126,7 @@ NewtonCourse<N> bordered_newton(const ArcVector<N>& border, double max_correctio
     }
     move(delta);
     previous = size;
-    if (size <= enough) {
+    if (size <= last_correction) {
       out.status = CorrectorStatus::converged;
       return out;
     }

@@ -236,7 +236,7 @@ class RestWalk {
   ReducedVector<N> sharpened(const Point& p) {
     const Linearization at = linearize(p);
     Y delta = BorderedInverse<N>(at.jacobian, at.slope, along_tau()).correction(at.g);
-    if (!(delta.norm() <= 1e-7)) return p.x;
+    if (!(delta.norm() <= last_correction)) return p.x;
     make_equal(circle_, delta);
     return moved<N>(p.x, ReducedVector<N>(delta.template head<N>()));
   }
