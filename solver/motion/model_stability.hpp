@@ -85,7 +85,7 @@ Spectrum model_stability(const Body& body, Branch branch, const Model& model,
   if (body.symmetric() && apart <= 4.0 * facts.uncertainty * leading(q[0]))
     q[0] = q[1] = 0.5 * (q[0] + q[1]);
   const auto input = [](const auto& x) { return Conditioned::input(leading(x)); };
-  if constexpr (separable) {
+  if constexpr (requires { model.plane.log_balance(q[0], q[0], q[0], q[0]); }) {
     const bool circle = body.symmetric() && leading(q[0]) == leading(q[1]);
     if (nu != 0.0 && !(branch == Branch::iii && circle)) {
       const SpinUnits units(branch == Branch::ii ? body.J2 : body.J1, nu);
