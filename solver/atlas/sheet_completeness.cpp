@@ -183,7 +183,7 @@ void SheetSet::name_beyond() {
       if (!has_a && !has_b) continue;
       // Where one of the two is inside, of the way between them nothing is said.
       const auto [low, high] =
-          std::minmax(std::abs((has_a ? a : b).nu), std::abs((has_b ? b : a).nu));
+          std::minmax({std::abs((has_a ? a : b).nu), std::abs((has_b ? b : a).nu)});
       listed_in(completeness_->intervals, low, high);
       listed_in(completeness_->classes, low, high);
     }
