@@ -111,19 +111,14 @@ PowerSeries<S, order> integral_by_duplication(const S& T0, const S& D0, const S&
   }
 }
 
-// Compiled once, in duplication.cpp: it is long, and every solver comes by it.
-#define STATIONARY_DUPLICATION(order, S)                                                   \
+// Compiled once, in duplication.cpp, for these orders and numbers: it is long, and every solver comes by it.
+#define STATIONARY_DUPLICATIONS(each)                                                         \
+  each(1, double) each(2, double) each(3, double) each(0, DoubleDouble) each(1, DoubleDouble) \
+      each(2, DoubleDouble) each(1, Interval) each(2, Interval) each(3, Interval)
+#define STATIONARY_DECLARED(order, S)                                                      \
   extern template PowerSeries<S, order> integral_by_duplication<order>(const S&, const S&, \
                                                                        const S&);
-STATIONARY_DUPLICATION(1, double)
-STATIONARY_DUPLICATION(2, double)
-STATIONARY_DUPLICATION(3, double)
-STATIONARY_DUPLICATION(0, DoubleDouble)
-STATIONARY_DUPLICATION(1, DoubleDouble)
-STATIONARY_DUPLICATION(2, DoubleDouble)
-STATIONARY_DUPLICATION(1, Interval)
-STATIONARY_DUPLICATION(2, Interval)
-STATIONARY_DUPLICATION(3, Interval)
-#undef STATIONARY_DUPLICATION
+STATIONARY_DUPLICATIONS(STATIONARY_DECLARED)
+#undef STATIONARY_DECLARED
 
 }  // namespace stationary
