@@ -116,7 +116,7 @@ run_tests() { # preset [ctest option ...]
 }
 
 if [[ $verb == run ]]; then
-  echo "Installs missing Debian packages, builds the program and runs a first case: about 7 minutes on two cores."
+  echo "Installs missing Debian packages, builds the program and runs a first case: about 6 minutes on two cores."
 else
   echo "Installs missing Debian packages, builds everything in release and under the sanitizers, and runs the tests: about an hour on two cores."
 fi
