@@ -49,7 +49,7 @@ endfunction()
 
 file(MAKE_DIRECTORY ${INTO})
 file(GLOB old ${INTO}/*.csv ${INTO}/*.meta.json ${INTO}/*.svg ${INTO}/*.png ${INTO}/*.html)
-list(FILTER old EXCLUDE REGEX "/(work_precision\\.|completeness\\.|stress|explorer\\.|riemann\\.|spin_eccentricity\\.)[^/]*$") # of targets of their own
+list(FILTER old EXCLUDE REGEX "/(work_precision\\.|completeness\\.|event_curves\\.|stress|explorer\\.|riemann\\.|spin_eccentricity\\.)[^/]*$") # of targets of their own
 if(old)
   file(REMOVE ${old})
 endif()

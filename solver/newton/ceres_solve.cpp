@@ -58,7 +58,6 @@ CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>&
   out.iterations = static_cast<int>(summary.iterations.size());
   out.residuals = summary.num_residual_evaluations;
   out.jacobians = summary.num_jacobian_evaluations;
-  out.report = summary.BriefReport();
   const ReducedVector<N> found = exponentials(log_x.array());
   out.usable = found.allFinite() && found.minCoeff() > 0.0 && summary.IsSolutionUsable();
   if (out.usable) x = found;

@@ -22,7 +22,6 @@ struct CeresOutcome {
   int iterations = 0;
   int residuals = 0;
   int jacobians = 0;
-  std::string report;  ///< Ceres' brief report, for messages
 };
 
 /// x in place, threads >= 1. Compiled in ceres_solve.cpp for the types that

@@ -54,7 +54,6 @@ CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>&
   Vector start;
   for (int k = 0; k < N; ++k) start[k] = log(x[k]);
   Point here = at(start);
-  out.report = "Levenberg-Marquardt";
   if (!std::isfinite(here.cost)) return out;
   const double first_cost = here.cost;
   Vector columns;

@@ -112,8 +112,9 @@ class ReducedSolve {
       return out;
     }
     out.status = SolveStatus::failed;
-    out.message = method_name() + " from " + from + " stopped where the balance does not hold (" +
-                  outcome.report + "); solve.method = \"auto\" walks there";
+    out.message =
+        method_name() + " from " + from + " stopped after " + std::to_string(outcome.iterations) +
+        " iterations where the balance does not hold; solve.method = \"auto\" walks there";
     return out;
   }
 

@@ -26,7 +26,7 @@ TYPED_TEST(CeresSolveTest, ReachesASlowRotationFromRestToFullPrecision) {
     system.rates = {rate, 0.5 * rate, 0.0};
     ReducedVector<2> x(r, r);
     const CeresOutcome outcome = ceres_solve(system, x, 1);
-    ASSERT_TRUE(outcome.usable) << support::text_of(model) << " " << outcome.report;
+    ASSERT_TRUE(outcome.usable) << support::text_of(model);
     const Linearized<2> at = system.linearize(x);
     EXPECT_LE(at.g.cwiseAbs().maxCoeff(), 1e-13 * at.magnitude) << support::text_of(model);
     const ReducedVector<2> left = x;
@@ -36,7 +36,6 @@ TYPED_TEST(CeresSolveTest, ReachesASlowRotationFromRestToFullPrecision) {
     EXPECT_GT(outcome.iterations, 0);
     EXPECT_GE(outcome.residuals, outcome.iterations - 1);
     EXPECT_GT(outcome.jacobians, 0);
-    EXPECT_FALSE(outcome.report.empty());
   }
 }
 
