@@ -6,7 +6,11 @@
 // rho, of which the other knows nothing.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <variant>
+
+#include "lib/material/models/isotropic_models.hpp"
 
 namespace stationary {
 
@@ -36,11 +40,16 @@ struct March {
 
 enum class InstructionSet { baseline, avx2, avx512 };
 
+/// The models of a variant, for functions that take their names alone.
+template <class Models>
+constexpr const Models* models = nullptr;
+
 /// Marches by the index of the model in PlanarPotential and ThicknessPotential.
 struct MarchKernels {
+  using Kernel = void (*)(const March&);
   int lanes;
-  void (*plane[6])(const March&);
-  void (*thickness[2])(const March&);
+  std::array<Kernel, std::variant_size_v<PlanarPotential>> plane;
+  std::array<Kernel, std::variant_size_v<ThicknessPotential>> thickness;
 };
 
 const MarchKernels& march_kernels_baseline();

@@ -224,4 +224,23 @@ template <class V, class System>
   }
 }
 
+/// A kernel a model, in the order of its variant.
+template <class Lanes, template <class> class... Model>
+constexpr decltype(MarchKernels::plane) plane_marches(const std::variant<Model<double>...>*) {
+  return {&march<Lanes, PlanarLanes<Lanes, Model>>...};
+}
+template <class Lanes, template <class> class... Model>
+constexpr decltype(MarchKernels::thickness) thickness_marches(
+    const std::variant<Model<double>...>*) {
+  return {&march<Lanes, ThicknessLanes<Lanes, Model>>...};
+}
+
+/// All of them in packs of these lanes.
+template <class Lanes>
+const MarchKernels& march_kernels() {
+  static constexpr MarchKernels kernels{Lanes::lanes, plane_marches<Lanes>(models<PlanarPotential>),
+                                        thickness_marches<Lanes>(models<ThicknessPotential>)};
+  return kernels;
+}
+
 }  // namespace stationary

@@ -1,26 +1,8 @@
 // The marches for processors with AVX-512 F and DQ; compiled with those flags.
-#include "lib/material/potential.hpp"
 #include "solver/batch/march_kernel.hpp"
 
 namespace stationary {
-namespace {
 
-using Lanes = Pack<64>;
-
-template <template <class> class Model>
-constexpr auto plane = &march<Lanes, PlanarLanes<Lanes, Model>>;
-template <template <class> class Model>
-constexpr auto thickness = &march<Lanes, ThicknessLanes<Lanes, Model>>;
-
-}  // namespace
-
-const MarchKernels& march_kernels_avx512() {
-  static constexpr MarchKernels kernels{
-      Lanes::lanes,
-      {plane<ReciprocalDeterminant>, plane<SaintVenantKirchhoff>, plane<Biot>, plane<BiotLog>,
-       plane<NeoHookean>, plane<Hencky>},
-      {thickness<ReciprocalQuadratic>, thickness<Harmonic>}};
-  return kernels;
-}
+const MarchKernels& march_kernels_avx512() { return march_kernels<Pack<64>>(); }
 
 }  // namespace stationary

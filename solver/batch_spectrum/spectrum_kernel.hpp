@@ -85,4 +85,24 @@ template <class V, bool normal>
   }
 }
 
+/// A kernel a model, in the order of its variant.
+template <class Lanes, template <class> class... Model>
+constexpr decltype(SpectrumKernels::plane) plane_kernels(const std::variant<Model<double>...>*) {
+  return {&plane_derivatives<Lanes, Model>...};
+}
+template <class Lanes, template <class> class... Model>
+constexpr decltype(SpectrumKernels::thickness) thickness_kernels(
+    const std::variant<Model<double>...>*) {
+  return {&thickness_derivatives<Lanes, Model>...};
+}
+
+/// All of them, and the branches', in packs of these lanes.
+template <class Lanes>
+const SpectrumKernels& spectrum_kernels() {
+  static constexpr SpectrumKernels kernels{plane_kernels<Lanes>(models<PlanarPotential>),
+                                           thickness_kernels<Lanes>(models<ThicknessPotential>),
+                                           &lane_spectra<Lanes, false>, &lane_spectra<Lanes, true>};
+  return kernels;
+}
+
 }  // namespace stationary

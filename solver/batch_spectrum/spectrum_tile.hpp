@@ -6,7 +6,9 @@
 // have anything else in common. Branch (ii) is handed over as (i), axes 1 and 2 exchanged.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <variant>
 
 #include "solver/batch/march.hpp"
 
@@ -51,10 +53,11 @@ struct SpectrumTile {
 /// By the index of the model in PlanarPotential and ThicknessPotential; the branch's kernel comes
 /// after them. modes: growth and modes too, in pairs.
 struct SpectrumKernels {
-  void (*plane[6])(SpectrumTile&, bool modes);
-  void (*thickness[2])(SpectrumTile&, bool modes);
-  void (*in_plane)(SpectrumTile&, bool modes);  ///< (i)
-  void (*normal)(SpectrumTile&, bool modes);    ///< (iii)
+  using Kernel = void (*)(SpectrumTile&, bool modes);
+  std::array<Kernel, std::variant_size_v<PlanarPotential>> plane;
+  std::array<Kernel, std::variant_size_v<ThicknessPotential>> thickness;
+  Kernel in_plane;  ///< (i)
+  Kernel normal;    ///< (iii)
 };
 
 const SpectrumKernels& spectrum_kernels_baseline();
