@@ -54,11 +54,7 @@ class Corrector {
   /// max_correction: bound of the first correction, in y.
   Corrected<N> correct(const ReducedVector<N>& x, double p, const ArcVector<N>& border,
                        double max_correction) const {
-    Corrected<N> out;
-    out.point.x = x;
-    out.point.p = p;
-    out.correction.setZero();
-    out.status = iterate(border, max_correction, out);
+    Corrected<N> out = iterated(x, p, border, max_correction);
     if (out.status == CorrectorStatus::converged) finish(border, out);
     return out;
   }
@@ -66,11 +62,7 @@ class Corrector {
   /// As correct(), but p stays what the bordered system makes it: no tangent, no error bound.
   Corrected<N> correct_freely(const ReducedVector<N>& x, double p, const ArcVector<N>& border,
                               double max_correction) const {
-    Corrected<N> out;
-    out.point.x = x;
-    out.point.p = p;
-    out.correction.setZero();
-    out.status = iterate(border, max_correction, out);
+    Corrected<N> out = iterated(x, p, border, max_correction);
     if (out.status == CorrectorStatus::converged) correct_onto_curve(border, out);
     return out;
   }
@@ -133,8 +125,13 @@ class Corrector {
     out.correction += delta;
   }
 
-  CorrectorStatus iterate(const ArcVector<N>& border, double max_correction,
-                          Corrected<N>& out) const {
+  /// By Newton's method in doubles, from x, p.
+  Corrected<N> iterated(const ReducedVector<N>& x, double p, const ArcVector<N>& border,
+                        double max_correction) const {
+    Corrected<N> out;
+    out.point.x = x;
+    out.point.p = p;
+    out.correction.setZero();
     const auto scaled = [&] {
       FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
       at.slope *= scale_;
@@ -144,7 +141,8 @@ class Corrector {
         border, max_correction, scaled, [&](const ArcVector<N>& delta) { move(delta, out); });
     out.first_correction = course.first_correction;
     out.linearizations += course.linearizations;
-    return course.status;
+    out.status = course.status;
+    return out;
   }
 
   /// The extended-precision correction, tangent and orientation.

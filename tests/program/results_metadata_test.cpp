@@ -22,7 +22,7 @@ std::vector<std::string> tables() {
   for (const auto& entry : fs::directory_iterator(STATIONARY_RESULTS)) {
     const std::string stem = entry.path().stem().string();
     if (entry.path().extension() == ".csv" && stem != "work_precision" && stem != "completeness" &&
-        stem != "riemann" && !stem.starts_with("stress"))
+        stem != "event_curves" && stem != "riemann" && !stem.starts_with("stress"))
       out.push_back(stem);
   }
   std::ranges::sort(out);

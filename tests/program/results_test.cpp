@@ -222,11 +222,17 @@ TEST(ShippedResults, AreOfTheCasesAndNothingElse) {
     std::erase_if(stems, is_atlas);
     // Measured: work_precision_test.cpp; the whole of stress_test.cpp. A page seen in a browser. Two
     // cases in one figure, and curves of events of one. By tests/python/classical_test.py.
-    const std::set<std::string> others{
-        "maclaurin_jacobi", "work_precision",         "completeness",
-        "explorer",         "elastic_sphere_ellipse", "elastic_sphere_fold_nu",
-        "riemann",          "elastic_sphere_curves",  "elastic_sphere_hamiltonian_hopf",
-        "spin_eccentricity"};
+    const std::set<std::string> others{"maclaurin_jacobi",
+                                       "work_precision",
+                                       "completeness",
+                                       "explorer",
+                                       "elastic_sphere_ellipse",
+                                       "elastic_sphere_fold_nu",
+                                       "riemann",
+                                       "elastic_sphere_curves",
+                                       "elastic_sphere_hamiltonian_hopf",
+                                       "spin_eccentricity",
+                                       "event_curves"};
     std::erase_if(stems, [&](const std::string& stem) {
       return others.contains(stem) || stem.starts_with("stress");
     });
@@ -235,6 +241,18 @@ TEST(ShippedResults, AreOfTheCasesAndNothingElse) {
   EXPECT_EQ(of_cases(stems_in(STATIONARY_RESULTS, ".csv")), cases);
   for (const char* extension : {".svg", ".png"})
     EXPECT_THAT(cases, ::testing::IsSupersetOf(of_cases(stems_in(STATIONARY_RESULTS, extension))));
+}
+
+/// Each type of event that has curves, at fifty single values.
+TEST(ShippedResults, CurvesOfEventsAreTheEventsOfSingleFamilies) {
+  int types = 0;
+  for (const Row& row : rows_of(text_of(STATIONARY_RESULTS "/event_curves.csv"))) {
+    ++types;
+    EXPECT_GE(number(row.at("values")), 50) << row.at("event");
+    EXPECT_GE(number(row.at("found")), 48) << row.at("event");
+    EXPECT_LE(number(row.at("largest_difference")), 1e-12) << row.at("event");
+  }
+  EXPECT_EQ(types, 10);
 }
 
 }  // namespace

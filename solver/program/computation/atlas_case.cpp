@@ -18,6 +18,7 @@
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/output_file.hpp"
 #include "solver/program/session/report.hpp"
+#include "solver/program/session/run_metadata.hpp"
 #include "solver/program/tiles/search_journal.hpp"
 
 namespace stationary::cli {
@@ -268,13 +269,9 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
     least_file->commit();
   }
   if (target != nullptr) {
-    Metadata metadata;
-    metadata.version = STATIONARY_VERSION;
-    metadata.command_line = run.command_line;
-    metadata.input = &input;
+    Metadata metadata = metadata_of(run, &input);
     if (input.output.certificate) metadata.counts.emplace_back("proven", proofs.proven);
     metadata.seconds = seconds;
-    metadata.threads = run.threads;
     metadata.atlas = &found;
     metadata.least_energy = least;
     metadata.curves = records;

@@ -20,6 +20,7 @@
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/output_file.hpp"
 #include "solver/program/session/report.hpp"
+#include "solver/program/session/run_metadata.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/table/row_pack.hpp"
 #include "solver/program/table/table_reader.hpp"
@@ -188,11 +189,7 @@ std::string summary(const Case& input, const GridCounts& counts, double seconds)
 }
 
 Metadata describe(const Run& run, const Case& input, const GridCounts& counts, std::size_t cells) {
-  Metadata out;
-  out.version = STATIONARY_VERSION;
-  out.command_line = run.command_line;
-  out.threads = run.threads;
-  out.input = &input;
+  Metadata out = metadata_of(run, &input);
   for (const StudyStatus each :
        {StudyStatus::solved, StudyStatus::none, StudyStatus::not_found, StudyStatus::failed})
     out.counts.emplace_back(name(each), counts.of(each));

@@ -17,6 +17,7 @@
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/report.hpp"
 #include "solver/program/session/resume.hpp"
+#include "solver/program/session/run_metadata.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -106,11 +107,7 @@ Metadata describe(const Run& run, const Case& input, const Start& start, const F
                   const EvaluationCounts& evaluations, const CurveTable& table) {
   const SheetRecord curve = table.record(report);
   ComputationPlan plan = computation_plan(input, true);
-  Metadata out;
-  out.version = STATIONARY_VERSION;
-  out.command_line = run.command_line;
-  out.threads = run.threads;
-  out.input = &input;
+  Metadata out = metadata_of(run, &input);
   out.counts = counts_of(start, report, evaluations, table);
   if (input.output.certificate) out.counts.emplace_back("proven", table.proofs().proven);
   out.plan = std::move(plan.computed);

@@ -13,6 +13,7 @@
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/report.hpp"
+#include "solver/program/session/run_metadata.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -168,7 +169,7 @@ Outcome curve_case(const Case& given, const std::string& row, TableTarget* targe
   }
   CellTable* const table = target != nullptr ? &target->open(header(input, wanted)) : nullptr;
   Rows rows(input, wanted, table);
-  Metadata metadata;
+  Metadata metadata = metadata_of(run, &input);
   for (const EventCurve& curve : found.curves) {
     const int number = static_cast<int>(metadata.event_curves.size()) + 1;
     metadata.event_curves.push_back(record_of(input, curve, number));
@@ -178,11 +179,7 @@ Outcome curve_case(const Case& given, const std::string& row, TableTarget* targe
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (target != nullptr) {
-    metadata.version = STATIONARY_VERSION;
-    metadata.command_line = run.command_line;
     metadata.seconds = seconds;
-    metadata.threads = run.threads;
-    metadata.input = &input;
     metadata.counts = {{"curves", static_cast<long>(found.curves.size())},
                        {"without_curve", static_cast<long>(found.failures.size())}};
     if (input.output.certificate) metadata.counts.emplace_back("proven", rows.proven());

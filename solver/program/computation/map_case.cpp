@@ -16,6 +16,7 @@
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/report.hpp"
+#include "solver/program/session/run_metadata.hpp"
 #include "solver/program/table/row_pack.hpp"
 #include "solver/program/tiles/parts.hpp"
 
@@ -200,11 +201,7 @@ std::string summary(const Case& input, const MapCounts& counts, double seconds) 
 Metadata describe(const Run& run, const Case& input, const MapCounts& counts, std::size_t cells,
                   const std::string& instructions) {
   ComputationPlan plan = map_plan(input, true);
-  Metadata out;
-  out.version = STATIONARY_VERSION;
-  out.command_line = run.command_line;
-  out.threads = run.threads;
-  out.input = &input;
+  Metadata out = metadata_of(run, &input);
   for (const std::string_view status : cell_status_names) {
     const auto at = counts.statuses.find(status);
     out.counts.emplace_back(status, at == counts.statuses.end() ? 0 : at->second);

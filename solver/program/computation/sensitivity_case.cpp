@@ -17,6 +17,7 @@
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/report.hpp"
+#include "solver/program/session/run_metadata.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -256,11 +257,7 @@ Outcome sensitivity_case(const Case& input, bool events, TableTarget* target, co
   if (found.code != ExitCode::done) return {found.code, {}};
   if (target != nullptr) {
     write(asked, found, target->open(asked.header(events)));
-    Metadata out;
-    out.version = STATIONARY_VERSION;
-    out.command_line = run.command_line;
-    out.threads = run.threads;
-    out.input = &input;
+    Metadata out = metadata_of(run, &input);
     out.seconds = found.seconds;
     out.counts = found.counts;
     out.outcome = {{"command", "sensitivity"}, {"status", found.status}};

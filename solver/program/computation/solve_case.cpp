@@ -12,6 +12,7 @@
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/report.hpp"
+#include "solver/program/session/run_metadata.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -107,11 +108,7 @@ std::string summary(const Case& input, const Answer& found) {
 
 Metadata describe(const Run& run, const Case& input, const Answer& found) {
   ComputationPlan plan = computation_plan(input, true);
-  Metadata out;
-  out.version = STATIONARY_VERSION;
-  out.command_line = run.command_line;
-  out.threads = run.threads;
-  out.input = &input;
+  Metadata out = metadata_of(run, &input);
   out.seconds = found.seconds;
   out.counts = found.counts;
   out.plan = std::move(plan.computed);

@@ -12,6 +12,7 @@
 
 #include "solver/program/rows/sheet_summary.hpp"
 #include "solver/program/session/report.hpp"
+#include "solver/program/session/run_metadata.hpp"
 #include "solver/program/table/table_reader.hpp"
 #include "solver/program/text/input_error.hpp"
 #include "solver/program/tiles/parts.hpp"
@@ -75,11 +76,7 @@ std::string summary(const CaseTree& tree, const StudyRecord& study, const StudyC
 /// rows: how many were to be done.
 Metadata describe(const Run& run, const CaseTree& tree, const std::optional<Case>& alone,
                   StudyRecord study, const StudyCounts& counts, std::size_t rows) {
-  Metadata out;
-  out.version = STATIONARY_VERSION;
-  out.command_line = run.command_line;
-  out.threads = run.threads;
-  if (alone) out.input = &*alone;
+  Metadata out = metadata_of(run, alone ? &*alone : nullptr);
   out.source = &tree;
   out.study = std::move(study);
   for (const std::string_view each : study_status_names) {
