@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <functional>
 #include <map>
 #include <optional>
@@ -50,8 +51,8 @@ struct Families {
   double nu = 0.02 * to;
 };
 
-/// The event of the type of the family in nu that is nearest to the curve's point; nothing where no
-/// family could be followed beside it.
+/// The event of the type of the family in nu that is nearest to the curve's point; nothing where
+/// none is found beside it.
 std::optional<double> own_event(const Families& families, const EventCurvePoint& point,
                                 EventType type) {
   const double nu = point.member.parameter;

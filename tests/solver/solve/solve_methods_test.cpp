@@ -101,6 +101,9 @@ TEST(Automatic, SolvesWhereNewtonAndCeresFromRestDoNot) {
     const Equilibrium by_ceres = solve_by(Method::ceres, problem, c.nu);
     EXPECT_EQ(by_ceres.status, SolveStatus::failed) << c.model;
     EXPECT_THAT(by_ceres.message, HasSubstr("auto"));
+    EXPECT_THAT(by_ceres.message,
+                HasSubstr("after " + std::to_string(by_ceres.counts.ceres_iterations) +
+                          " iterations where the balance does not hold"));
     const Equilibrium answer = solve(problem, c.nu);
     ASSERT_EQ(answer.status, SolveStatus::solved) << c.model;
     EXPECT_EQ(answer.connection, Connection::rest);
