@@ -289,7 +289,7 @@ class EnergyArcs {
 
   void add(const AtlasSheet& sheet) {
     ++run_;
-    rising_.reset();
+    direction_ = 0;
     for (std::size_t k = 1; k < sheet.rows.size(); ++k)
       add(sheet, sheet.rows[k - 1].member, sheet.rows[k].member);
   }
@@ -311,15 +311,16 @@ class EnergyArcs {
     if (!(has_a || has_b) || !is_finite(a) || !is_finite(b)) return end_run();
     if (a.momentum == b.momentum) return;
     const bool rises = a.momentum < b.momentum;
-    if (rising_ && *rising_ != rises) ++run_;
-    rising_ = rises;
+    const int direction = rises ? 1 : -1;
+    if (direction_ == -direction) ++run_;
+    direction_ = direction;
     arcs_.push_back(rises ? EnergyArc{&sheet, run_, a, b, &first, &second}
                           : EnergyArc{&sheet, run_, b, a, &second, &first});
     if (!has_b) end_run();
   }
   void end_run() {
     ++run_;
-    rising_.reset();
+    direction_ = 0;
   }
 
   /// Where the sheet leaves the box between two rows; starts_inside: whether the first is in it.
@@ -343,7 +344,7 @@ class EnergyArcs {
 
   const SearchOptions& box_;
   std::size_t run_ = 0;
-  std::optional<bool> rising_;  ///< of |pi| on the run so far
+  int direction_ = 0;  ///< of |pi| on the run so far: 1 rising, -1 falling, 0 not known
   std::vector<EnergyArc> arcs_;
 };
 
