@@ -1,0 +1,242 @@
+// `atlas --complete` from outside: what is proven for every nu of the range.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "tests/program/json_schema.hpp"
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+nlohmann::json completeness_of(const std::string& case_file) {
+  const TemporaryDirectory directory;
+  const Outcome outcome = run_program({"atlas", case_file, "-o", directory / "x.csv", "--complete",
+                                       "--checkpoints", "1", "--set", "output.spectrum=false"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return nlohmann::json::parse(text_of(directory / "x.meta.json"))["completeness"];
+}
+
+/// The parts of the range that are not proven, of a branch; each begins where the last ends.
+double undecided_length(const nlohmann::json& completeness, const std::string& branch) {
+  double length = 0.0;
+  std::optional<double> end;
+  int found = 0;
+  for (const auto& each : completeness) {
+    if (each["branch"] != branch) continue;
+    ++found;
+    if (end) {
+      EXPECT_EQ(each["from"].get<double>(), *end);
+    }
+    end = each["to"].get<double>();
+    EXPECT_EQ(each.at("sheets").is_number_integer(), each["status"] == "proven");
+    EXPECT_EQ(each.contains("reason"), each["status"] != "proven");
+    EXPECT_EQ(each["beyond"] == "sheet-leaves-box", each["status"] == "beyond");
+    if (each["status"] != "proven") length += *end - each["from"].get<double>();
+  }
+  EXPECT_GT(found, 0);
+  return length;
+}
+
+TEST(CompleteAtlas, IsCompleteButForAMillionthOfTheRange) {
+  for (const char* each :
+       {"neo_hookean", "fold", "apart", "near_degenerate", "circle", "disc", "coupled"}) {
+    const auto completeness = completeness_of(shipped(std::string(each) + ".toml"));
+    for (const char* branch : {"i", "ii", "iii"}) {
+      if (std::string(each) == "circle" && std::string(branch) == "ii") continue;  // as (i)
+      EXPECT_LT(undecided_length(completeness, branch), 1e-6) << each << ' ' << branch;
+    }
+  }
+}
+
+/// A proven stability diagram: at most a millionth of the range is left, there are as many motions of
+/// all classes as are proven to be, and at the sheets' rows they are those of the table.
+TEST(CompleteAtlas, ProvesTheClassesOfEveryMotion) {
+  int compared = 0;
+  for (const char* each :
+       {"neo_hookean", "fold", "apart", "near_degenerate", "circle", "disc", "coupled"}) {
+    const TemporaryDirectory directory;
+    const Outcome outcome = run_program({"atlas", shipped(std::string(each) + ".toml"), "-o",
+                                         directory / "x.csv", "--complete", "--checkpoints", "1"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("classes       branch (i): proven for nu in ["));
+    const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    std::map<std::string, double> open;
+    std::map<std::string, double> range;
+    for (const auto& part : metadata["classes"]) {
+      const std::string branch = part["branch"];
+      const double from = part["from"];
+      const double to = part["to"];
+      range[branch] = to;
+      if (part["status"] != "proven") {
+        open[branch] += to - from;
+        EXPECT_TRUE(part.contains("reason") && part.contains("events"));
+        continue;
+      }
+      int of_all_classes = 0;
+      for (const auto& [word, number] : part["sheets"].items()) of_all_classes += number.get<int>();
+      const double middle = 0.5 * (from + to);
+      for (const auto& whole : metadata["completeness"]) {
+        if (whole["branch"] == branch && whole["from"].get<double>() < middle &&
+            middle < whole["to"].get<double>()) {
+          EXPECT_EQ(whole["sheets"], of_all_classes) << each << ' ' << branch << ' ' << middle;
+        }
+      }
+    }
+    for (const auto& [branch, length] : open)
+      EXPECT_LT(length, 1e-6 * range[branch]) << each << ' ' << branch;
+    // A row's class is one of those proven at its nu; beyond the box, rows are of no proof.
+    for (const Row& row : rows_of(text_of(directory / "x.csv"))) {
+      const std::string branch = row.at("branch");
+      const std::string column = branch == "i" ? "nu1" : branch == "ii" ? "nu2" : "nu3";
+      if (!range.contains(branch) || !row.at("event").empty()) continue;
+      const auto inside = [&](const char* stretch) {
+        return number(row.at(stretch)) > 1e-3 && number(row.at(stretch)) < 1e3;
+      };
+      if (!inside("xi") || !inside("zeta") || !inside("rho")) continue;
+      const double nu = number(row.at(column));
+      for (const auto& part : metadata["classes"]) {
+        if (part["branch"] != branch || part["status"] != "proven") continue;
+        if (!(part["from"].get<double>() < nu && nu < part["to"].get<double>())) continue;
+        if (row.at("class") == "marginal") continue;
+        EXPECT_TRUE(part["sheets"].contains(row.at("class")))
+            << each << " (" << branch << ") at nu = " << nu << ": " << row.at("class");
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 2000);
+}
+
+TEST(CompleteAtlas, ProvesThatEllipsesPartFromCircles) {
+  int parts = 0;
+  for (const auto& each : completeness_of(shipped("circle.toml"))) {
+    if (each["status"] == "proven") continue;
+    if (each["reason"].get<std::string>().starts_with("ellipses part from circles")) {
+      EXPECT_EQ(each["branch"], "iii");
+      EXPECT_THAT(each["reason"].get<std::string>(), HasSubstr("one event, proven"));
+      ++parts;
+    }
+  }
+  EXPECT_EQ(parts, 2);
+}
+
+/// What is told of the outside of the box: of every interval one word, "excluded" only where no row of any
+/// sheet is outside at its nu, and a sheet that leaves the box changes the number by one.
+TEST(CompleteAtlas, SaysWhatIsKnownBeyondTheBox) {
+  std::map<std::string, int> words;
+  for (const char* each : {"neo_hookean", "apart", "near_degenerate", "circle", "fold"}) {
+    const TemporaryDirectory directory;
+    const Outcome outcome =
+        run_program({"atlas", shipped(std::string(each) + ".toml"), "-o", directory / "x.csv",
+                     "--complete", "--checkpoints", "1", "--set", "output.spectrum=false"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr(" of the range of these branches is proven"));
+    const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    EXPECT_EQ(schema_fault(metadata, nlohmann::json::parse(text_of(STATIONARY_SCHEMA))), "");
+    EXPECT_GT(metadata["complete_fraction"].get<double>(), 1.0 - 1e-9);
+    EXPECT_LE(metadata["complete_fraction"].get<double>(), 1.0);
+    const std::vector<Row> rows = rows_of(text_of(directory / "x.csv"));
+    const auto& all = metadata["completeness"];
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const std::string beyond = all[k]["beyond"];
+      ++words[beyond];
+      if (beyond == "sheet-leaves-box") {
+        EXPECT_EQ(all[k]["status"], "beyond");
+        EXPECT_THAT(all[k]["reason"].get<std::string>(), HasSubstr("a sheet leaves the box"));
+        ASSERT_TRUE(k > 0 && k + 1 < all.size());
+        const int change = all[k + 1]["sheets"].get<int>() - all[k - 1]["sheets"].get<int>();
+        EXPECT_EQ(std::abs(change), 1) << each << ' ' << k;
+      }
+      if (beyond != "excluded") continue;
+      for (const Row& row : rows) {
+        if (row.at("branch") != all[k]["branch"]) continue;
+        const double nu =
+            std::hypot(number(row.at("nu1")), number(row.at("nu2")), number(row.at("nu3")));
+        if (!(all[k]["from"].get<double>() < nu && nu < all[k]["to"].get<double>())) continue;
+        for (const char* stretch : {"xi", "zeta", "rho"}) {
+          EXPECT_GT(number(row.at(stretch)), 1e-3) << each << " at nu = " << nu;
+          EXPECT_LT(number(row.at(stretch)), 1e3) << each << " at nu = " << nu;
+        }
+      }
+    }
+  }
+  EXPECT_GE(words["excluded"], 20);
+  EXPECT_GE(words["sheet-leaves-box"], 10);
+  EXPECT_GE(words["sheet-listed"], 3);
+}
+
+/// So far out that along the sheet nu has come to its limit to all digits, and may as well turn: a number
+/// that changes by an odd one is no fold.
+TEST(CompleteAtlas, TellsASheetThatLeavesFromAFold) {
+  int left = 0;
+  for (const char* each : {"neo_hookean", "near_degenerate"}) {
+    const TemporaryDirectory directory;
+    const Outcome outcome = run_program(
+        {"atlas", shipped(std::string(each) + ".toml"), "-o", directory / "x.csv", "--complete",
+         "--checkpoints", "1", "--set", "output.spectrum=false", "--set", "solve.box=[1e-6, 1e6]"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    const auto& all = metadata["completeness"];
+    for (std::size_t k = 1; k + 1 < all.size(); ++k) {
+      if (all[k]["status"] == "proven") continue;
+      const int change = all[k + 1]["sheets"].get<int>() - all[k - 1]["sheets"].get<int>();
+      EXPECT_EQ(all[k]["status"], change % 2 == 0 ? "undecided" : "beyond") << each << ' ' << k;
+      left += all[k]["status"] == "beyond";
+    }
+  }
+  EXPECT_EQ(left, 10);
+}
+
+/// The key is the option, and either's checkpoints are.
+TEST(CompleteAtlas, IsAskedForByTheCaseToo) {
+  const TemporaryDirectory directory;
+  const auto metadata = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"atlas", shipped("disc.toml"),   "-o", directory / "x.csv", "-q",
+                                 "--set", "output.spectrum=false"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(all);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  };
+  const auto by_option = metadata({"--complete", "--checkpoints", "3"});
+  const auto by_key = metadata({"--set", "atlas.complete=true", "--set", "atlas.checkpoints=3"});
+  EXPECT_FALSE(by_key["completeness"].empty());
+  EXPECT_EQ(by_key["completeness"], by_option["completeness"]);
+  EXPECT_EQ(by_key["checkpoints"], by_option["checkpoints"]);
+  EXPECT_EQ(by_key["case"]["atlas"]["complete"], true);
+  EXPECT_EQ(by_key["case"]["atlas"]["checkpoints"], 3);
+  const auto neither = metadata({"--set", "atlas.checkpoints=7", "--checkpoints", "2"});
+  EXPECT_FALSE(neither.contains("completeness"));
+  EXPECT_EQ(neither["checkpoints"].size(), 6U);  // three branches
+}
+
+/// Sheets are sought and counted in the case's box.
+TEST(CompleteAtlas, IsOfTheCasesBox) {
+  const TemporaryDirectory directory;
+  const auto sheets = [&](const std::string& box) {
+    const Outcome outcome =
+        run_program({"atlas", shipped("disc.toml"), "-o", directory / "x.csv", "-q", "--complete",
+                     "--checkpoints", "1", "--set", "output.spectrum=false", "--set",
+                     "continuation.to=0.1", "--set", "solve.box=" + box});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    int out = 0;
+    const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+    for (const auto& each : metadata["completeness"])
+      if (each["status"] == "proven") out += each["sheets"].get<int>();
+    return out;
+  };
+  EXPECT_EQ(sheets("[0.1, 10]"), 3);
+  EXPECT_EQ(sheets("[2, 10]"), 0);
+}
+
+}  // namespace
+}  // namespace stationary::testing
