@@ -165,10 +165,14 @@ struct Completeness {
   Branch branch = Branch::i;
   bool oblique = false;
   std::vector<CompleteInterval> intervals;  ///< ascending, each beginning where the last ends
-  std::vector<ClassInterval> classes;       ///< likewise; empty without spectra
+  std::vector<ClassInterval> classes;       ///< likewise, not cut; empty without spectra
   long boxes = 0;                           ///< examined
   long class_arcs = 0;                      ///< whose class was asked for
   long tubes = 0;                           ///< proven pieces of curves
+
+  /// The intervals, without the cuts between proven ones that differ in `beyond` alone: of a joined one that
+  /// is what is known of all of it.
+  std::vector<CompleteInterval> joined() const;
 
   /// Of the intervals that are not proven, all together.
   double unproven_length() const;

@@ -1,4 +1,6 @@
 // What is said of an atlas, apart from how it is made.
+#include <algorithm>
+
 #include "solver/atlas/atlas.hpp"
 
 namespace stationary {
@@ -20,6 +22,19 @@ double unproven_length_of(const Parts& parts) {
 }
 
 }  // namespace
+
+std::vector<CompleteInterval> Completeness::joined() const {
+  std::vector<CompleteInterval> out;
+  for (const CompleteInterval& each : intervals) {
+    if (out.empty() || !out.back().proven || !each.proven || out.back().sheets != each.sheets) {
+      out.push_back(each);
+    } else {
+      out.back().to = each.to;
+      out.back().beyond = std::max(out.back().beyond, each.beyond);
+    }
+  }
+  return out;
+}
 
 double Completeness::unproven_length() const { return unproven_length_of(intervals); }
 

@@ -1,5 +1,6 @@
 // What is proven of a kind of motion for every nu of the range (SheetSet::complete()).
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -53,6 +54,24 @@ void join_open_classes(std::vector<ClassInterval>& all) {
     }
   }
   all = std::move(out);
+}
+
+bool is_listed(std::span<const Interval> listed, const Interval& nu) {
+  return std::ranges::any_of(listed, [&](const Interval& each) { return !each.apart_from(nu); });
+}
+
+/// What is known without a proof that there is nothing.
+Beyond by_rows(Beyond known, std::span<const Interval> listed, const Interval& nu) {
+  return is_listed(listed, nu) ? std::max(known, Beyond::sheet_listed) : known;
+}
+
+/// A sheet that leaves the box is counted on one side of where it does: on the other it is outside.
+OpenEnds open_ends(std::span<const CompleteInterval> all, std::size_t k) {
+  const auto is_outside = [&](const CompleteInterval& gap, const CompleteInterval& other) {
+    return all[k].proven && gap.leaves_box() && other.proven && other.sheets > all[k].sheets;
+  };
+  return {k >= 2 && is_outside(all[k - 1], all[k - 2]),
+          k + 2 < all.size() && is_outside(all[k + 1], all[k + 2])};
 }
 
 }  // namespace
@@ -165,15 +184,9 @@ void SheetSet::complete() {
   join_open_classes(out.classes);
 }
 
-/// By the rows of the sheets followed, and where there are none outside the box, by a proof that there is
-/// nothing.
-void SheetSet::name_beyond() {
-  if (!completeness_) return;
-  const auto listed_in = [](auto& intervals, double low, double high) {
-    for (auto& each : intervals)
-      if (each.from <= high && low <= each.to)
-        each.beyond = std::max(each.beyond, Beyond::sheet_listed);
-  };
+/// The nu at which rows of the sheets followed are outside the box.
+std::vector<Interval> SheetSet::listed_outside() const {
+  std::vector<Interval> out;
   for (const AtlasSheet& sheet : sheets_) {
     for (std::size_t k = 1; k < sheet.rows.size(); ++k) {
       const Member& a = sheet.rows[k - 1].member;
@@ -184,23 +197,78 @@ void SheetSet::name_beyond() {
       // Where one of the two is inside, of the way between them nothing is said.
       const auto [low, high] =
           std::minmax({std::abs((has_a ? a : b).nu), std::abs((has_b ? b : a).nu)});
-      listed_in(completeness_->intervals, low, high);
-      listed_in(completeness_->classes, low, high);
+      out.emplace_back(low, high);
     }
   }
-  for (CompleteInterval& each : completeness_->intervals)
-    if (each.beyond == Beyond::not_examined &&
-        source_->none_outside(each.from, each.to, options_.search))
-      each.beyond = Beyond::excluded;
+  return out;
+}
+
+bool SheetSet::excludes_outside(const Interval& nu, std::span<const Interval> listed) const {
+  return !is_listed(listed, nu) && source_->none_outside(nu.lo, nu.hi, options_.search);
+}
+
+/// Of an interval all but its open ends, each as small as the proof allows: no motion is outside at these
+/// nu. Nothing where there is no proof for most of the interval.
+std::optional<Interval> SheetSet::excluded_between(const CompleteInterval& of, const OpenEnds& ends,
+                                                   std::span<const Interval> listed) const {
+  // Of an end, relative to nu. How far a sheet goes on before it escapes depends on its potential.
+  constexpr std::array sizes{1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9,
+                             1e-8,  1e-7,  1e-6,  1e-5,  1e-4,  1e-3};
+  const auto between = [&](std::size_t k) {
+    return Interval(ends.low ? of.from * (1.0 + sizes[k]) : of.from,
+                    ends.high ? of.to * (1.0 - sizes[k]) : of.to);
+  };
+  const auto excluded = [&](std::size_t k) { return excludes_outside(between(k), listed); };
+  const auto is_small = [&](double size) { return size * of.to < 0.1 * (of.to - of.from); };
+  auto proven = static_cast<std::size_t>(std::ranges::count_if(sizes, is_small));
+  // The largest first: where it fails, smaller ones would.
+  if (proven == 0 || !excluded(--proven)) return std::nullopt;
+  for (std::size_t least = 0; least < proven;) {
+    const std::size_t k = (least + proven) / 2;
+    if (excluded(k))
+      proven = k;
+    else
+      least = k + 1;
+  }
+  return between(proven);
+}
+
+/// By the rows of the sheets followed, and where there are none outside the box, by a proof that there is
+/// nothing. A sheet that leaves the box often escapes soon after: the interval is cut then, so that
+/// nothing is left open but a small end of it.
+void SheetSet::name_beyond() {
+  if (!completeness_) return;
+  const std::vector<Interval> listed = listed_outside();
+  const std::vector<CompleteInterval> all = std::move(completeness_->intervals);
+  std::vector<CompleteInterval>& out = completeness_->intervals;
+  out.clear();
+  const auto add = [&](CompleteInterval part, double from, double to, bool excluded) {
+    part.from = from;
+    part.to = to;
+    part.beyond = excluded ? Beyond::excluded : by_rows(part.beyond, listed, {from, to});
+    out.push_back(part);
+  };
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const CompleteInterval& each = all[k];
+    const bool excluded = !each.leaves_box() && excludes_outside({each.from, each.to}, listed);
+    const OpenEnds ends = excluded ? OpenEnds() : open_ends(all, k);
+    const auto between =
+        ends.low || ends.high ? excluded_between(each, ends, listed) : std::nullopt;
+    if (!between) {
+      add(each, each.from, each.to, excluded);
+      continue;
+    }
+    if (ends.low) add(each, each.from, between->lo, false);
+    add(each, between->lo, between->hi, true);
+    if (ends.high) add(each, between->hi, each.to, false);
+  }
   for (ClassInterval& each : completeness_->classes) {
-    const auto meets = [&](const CompleteInterval& other) {
-      return other.from < each.to && each.from < other.to;
-    };
     const auto leaves_room = [&](const CompleteInterval& other) {
-      return meets(other) && other.beyond != Beyond::excluded;
+      const bool meets = other.from < each.to && each.from < other.to;
+      return meets && other.beyond != Beyond::excluded;
     };
-    if (each.beyond == Beyond::not_examined &&
-        std::ranges::none_of(completeness_->intervals, leaves_room))
+    each.beyond = by_rows(each.beyond, listed, {each.from, each.to});
+    if (each.beyond == Beyond::not_examined && std::ranges::none_of(out, leaves_room))
       each.beyond = Beyond::excluded;
   }
 }

@@ -16,6 +16,12 @@ namespace stationary {
 FollowReport follow_rows(const AnyFamily& family, const Stretch& q, double nu,
                          const AtlasOptions& options, std::vector<AtlasRow>& rows);
 
+/// At which ends of an interval of nu a sheet is outside that leaves the box there.
+struct OpenEnds {
+  bool low = false;
+  bool high = false;
+};
+
 class SheetSet {
  public:
   /// options must outlive this.
@@ -54,6 +60,10 @@ class SheetSet {
   ClassInterval classes_between(double from, double to, const SearchResult& found) const;
   void name_class_events();
   void name_beyond();
+  std::vector<Interval> listed_outside() const;
+  bool excludes_outside(const Interval& nu, std::span<const Interval> listed) const;
+  std::optional<Interval> excluded_between(const CompleteInterval& of, const OpenEnds& ends,
+                                           std::span<const Interval> listed) const;
   bool is_canonical(const Equilibrium& at) const;
   void follow_rest();
   void enter(const Place& from, double nu, Entry entry, double entry_nu);

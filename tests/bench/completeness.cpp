@@ -3,9 +3,10 @@
 //   completeness_bench CASE.toml... > results/completeness.csv
 //
 // A row for each case and branch: boxes examined and tubes proven, the intervals of nu with a proven
-// number of sheets, how much of the range is left between them; arcs whose class was asked for, the
-// intervals with a proven number of motions of each class, what is left between these; and the
-// seconds, which are of the machine. `cmake --build build/release --target completeness` makes the table.
+// number of sheets (neighbours that differ in what is known outside the box as one), how much of the range
+// is left between them; arcs whose class was asked for, the intervals with a proven number of motions of
+// each class, what is left between these; and the seconds, which are of the machine.
+// `cmake --build build/release --target completeness` makes the table.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -34,11 +35,10 @@ void write_rows(const std::string& file) {
     const Atlas found = atlas(input.body, input.potential, how);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     for (const Completeness& each : found.completeness) {
-      int proven = 0;
-      for (const CompleteInterval& interval : each.intervals) proven += interval.proven;
+      const auto proven = std::ranges::count(each.joined(), true, &CompleteInterval::proven);
       const std::string name(kind_name(each.branch, each.oblique));
       const auto classes = std::ranges::count(each.classes, true, &ClassInterval::proven);
-      std::printf("%s,%s,%g,%g,%ld,%ld,%d,%.3g,%ld,%td,%.3g,%.2g\n",
+      std::printf("%s,%s,%g,%g,%ld,%ld,%td,%.3g,%ld,%td,%.3g,%.2g\n",
                   std::filesystem::path(file).stem().c_str(), name.c_str(), how.from, how.to,
                   each.boxes, each.tubes, proven, each.unproven_length(), each.class_arcs, classes,
                   each.unproven_class_length(), seconds.count());

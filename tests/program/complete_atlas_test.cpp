@@ -2,11 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tests/program/json_schema.hpp"
 #include "tests/program/program.hpp"
@@ -17,10 +19,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
-nlohmann::json completeness_of(const std::string& case_file) {
+nlohmann::json completeness_of(const std::string& case_file,
+                               const std::vector<std::string>& more = {}) {
   const TemporaryDirectory directory;
-  const Outcome outcome = run_program({"atlas", case_file, "-o", directory / "x.csv", "--complete",
-                                       "--checkpoints", "1", "--set", "output.spectrum=false"});
+  std::vector<std::string> command{
+      "atlas",         case_file, "-o",    directory / "x.csv",    "--complete",
+      "--checkpoints", "1",       "--set", "output.spectrum=false"};
+  command.insert(command.end(), more.begin(), more.end());
+  const Outcome outcome = run_program(command);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   return nlohmann::json::parse(text_of(directory / "x.meta.json"))["completeness"];
 }
@@ -169,9 +175,75 @@ TEST(CompleteAtlas, SaysWhatIsKnownBeyondTheBox) {
       }
     }
   }
-  EXPECT_GE(words["excluded"], 20);
+  EXPECT_GE(words["excluded"], 40);
   EXPECT_GE(words["sheet-leaves-box"], 10);
   EXPECT_GE(words["sheet-listed"], 3);
+}
+
+/// Of a branch, where sheets leave the box.
+std::vector<nlohmann::json> leaving(const nlohmann::json& completeness, const std::string& branch) {
+  std::vector<nlohmann::json> out;
+  for (const auto& each : completeness)
+    if (each["branch"] == branch && each["beyond"] == "sheet-leaves-box") out.push_back(each);
+  return out;
+}
+
+/// A sheet that leaves the box is outside it at least until it leaves a wider one too: of no nu between
+/// is it said that there is nothing.
+TEST(CompleteAtlas, ExcludesNoSheetThatHasLeftTheBox) {
+  int outside = 0;
+  for (const char* each : {"neo_hookean", "apart", "near_degenerate"}) {
+    const auto all = completeness_of(shipped(std::string(each) + ".toml"));
+    const auto wide =
+        completeness_of(shipped(std::string(each) + ".toml"), {"--set", "solve.box=[1e-5, 1e5]"});
+    for (const char* branch : {"i", "ii", "iii"}) {
+      const auto leaves = leaving(all, branch);
+      const auto leaves_wide = leaving(wide, branch);
+      ASSERT_EQ(leaves.size(), leaves_wide.size()) << each << ' ' << branch;
+      for (std::size_t k = 0; k < leaves.size(); ++k) {
+        // As it grows nu goes up or down, or by less than it is told to.
+        const double low =
+            std::min(leaves[k]["to"].get<double>(), leaves_wide[k]["to"].get<double>());
+        const double high =
+            std::max(leaves[k]["from"].get<double>(), leaves_wide[k]["from"].get<double>());
+        if (!(low < high)) continue;
+        ++outside;
+        for (const auto& part : all) {
+          if (part["branch"] != branch || part["beyond"] != "excluded") continue;
+          EXPECT_FALSE(part["from"].get<double>() < high && low < part["to"].get<double>())
+              << each << " (" << branch << ") in [" << low << ", " << high << "]";
+        }
+      }
+    }
+  }
+  EXPECT_GE(outside, 10);
+}
+
+/// Beside an escape nothing is left open but a small end of the interval, and the summary has that in one piece.
+TEST(CompleteAtlas, ExcludesMotionsOutsideSoonAfterAnEscape) {
+  const TemporaryDirectory directory;
+  const Outcome outcome =
+      run_program({"atlas", shipped("neo_hookean.toml"), "-o", directory / "x.csv", "--complete",
+                   "--checkpoints", "1", "--set", "output.spectrum=false"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("  0 sheets for nu in [0.766964988846, 1.1]"));
+  EXPECT_THAT(outcome.out, HasSubstr("  0 sheets for nu in [0.766964988847, 1]"));
+  std::map<std::string, double> open;
+  std::map<std::string, int> pieces;
+  const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  for (const auto& each : metadata["completeness"]) {
+    if (each["status"] != "proven" || each["sheets"] != 0) continue;
+    ++pieces[each["branch"]];
+    if (each["beyond"] != "excluded")
+      open[each["branch"]] += each["to"].get<double>() - each["from"].get<double>();
+  }
+  // Of (iii) cut at both ends, between its two families, and whole above the fold.
+  EXPECT_EQ(pieces, (std::map<std::string, int>{{"i", 2}, {"ii", 2}, {"iii", 4}}));
+  for (const auto& [branch, length] : open) {
+    EXPECT_GT(length, 0.0) << branch;
+    EXPECT_LT(length, 1e-9) << branch;
+  }
+  EXPECT_EQ(open.size(), 3U);
 }
 
 /// So far out that along the sheet nu has come to its limit to all digits, and may as well turn: a number

@@ -121,7 +121,7 @@ void add_completeness(Report& out, const std::vector<Completeness>& all) {
     text += all_but(unproven, kind.unproven_length(), to - from);
     out.line(std::exchange(label, {}),
              text + fmt::format("; {} boxes, {} tubes", kind.boxes, kind.tubes));
-    for (const CompleteInterval& each : kind.intervals) {
+    for (const CompleteInterval& each : kind.joined()) {
       const std::string range = fmt::format("[{:.12g}, {:.12g}]", each.from, each.to);
       out.line({}, each.proven ? fmt::format("  {} sheet{} for nu in {}", each.sheets,
                                              each.sheets == 1 ? "" : "s", range)
