@@ -129,6 +129,16 @@ bool AnisotropicPotential::shear_free() const {
   return fibres_even() && (expression == nullptr || expression->shear_free());
 }
 
+// A written-out part is shear-free at all values of its coefficients. Fibres that are for one k or
+// angle, along the axes or in pairs, are not for any other but by chance.
+bool AnisotropicPotential::keeps_shear_free(int place) const {
+  if (!shear_free()) return false;
+  if (place < fibre_place() || place >= gravity_place()) return true;
+  const auto& fibre = fibres_[static_cast<std::size_t>((place - fibre_place()) / 2)];
+  const bool angle = (place - fibre_place()) % 2 == 1;
+  return with_coefficient(place, angle ? fibre.degrees + 17.3 : 1.37 * fibre.k).shear_free();
+}
+
 bool AnisotropicPotential::sheared() const {
   const auto* expression = model_.expression();
   if (expression == nullptr || expression->shear_free()) return !fibres_even();

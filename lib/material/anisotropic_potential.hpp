@@ -192,6 +192,9 @@ class AnisotropicPotential {
   /// Whether V_alpha = 0 at alpha = 0, for all xi, zeta, rho, is established; without a written-out
   /// part the same as even_in_alpha().
   bool shear_free() const;
+  /// Whether that is so whatever the coefficient at this place is; -1: none. Where it is,
+  /// even_in_alpha() is kept too.
+  bool keeps_shear_free(int place) const;
   /// Whether it is established that V_alpha != 0 somewhere at alpha = 0. Neither may be, of a
   /// written-out model.
   bool sheared() const;

@@ -294,12 +294,13 @@ bool has_event_curve(EventType type, bool isotropic) {
     case EventType::oblique:
     case EventType::shear:
       return true;
-    case EventType::ellipse:
-    case EventType::ellipse_23:
-    case EventType::ellipse_13:
     case EventType::hamiltonian_hopf:
     case EventType::real_collision:
     case EventType::krein_pass:
+      return true;
+    case EventType::ellipse:
+    case EventType::ellipse_23:
+    case EventType::ellipse_13:
       return isotropic;
     default:
       return false;
@@ -309,13 +310,10 @@ bool has_event_curve(EventType type, bool isotropic) {
 EventCurve follow_event_curve(const EventCurveSetting& setting, const Member& event, double second,
                               Circle circle, const EventCurveOptions& options) {
   const SpinningProblem at = setting.at(event.parameter, second);
-  auto candidates = sought_events(setting.type, at.problem.branch(), event);
-  const bool isotropic = at.problem.potential().is_isotropic();
-  if (!isotropic)
-    std::erase_if(candidates, [](const SoughtEvent& each) { return each.function.spectral(); });
+  const auto candidates = sought_events(setting.type, at.problem.branch(), event);
   EventCurve out;
   out.failure = "the event has no equations, or no spectrum was computed";
-  if (!isotropic && event.q.alpha != 0.0) {
+  if (!at.problem.potential().is_isotropic() && event.q.alpha != 0.0) {
     out.failure = "of an anisotropic body events at alpha = 0 are followed alone";
     return out;
   }

@@ -13,7 +13,7 @@
 //   degenerate-pitchfork  ellipses begin on the other side of the circle (pitchfork.hpp)
 //
 // Of spins about a material axis: of isotropic potentials, and of others that are even in alpha, on
-// sheets with alpha = 0, where what the Lambdas do has no curves.
+// sheets with alpha = 0.
 #pragma once
 
 #include <atomic>

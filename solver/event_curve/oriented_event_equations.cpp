@@ -10,11 +10,68 @@ namespace stationary {
 namespace {
 
 constexpr int all = ExtendedEventEquations::dimension;
+constexpr auto p_place = static_cast<std::size_t>(ExtendedEventEquations::parameter);
 constexpr auto lambda_place = static_cast<std::size_t>(ExtendedEventEquations::lambda);
 
-class OrientedEventEquations final : public ExtendedEventEquations {
+/// Of xi, zeta, rho, p and Lambda: the balance, and two modes that meet.
+class MeetingSystem {
  public:
-  OrientedEventEquations(const EventSetting& setting, std::size_t function)
+  static constexpr int dimension = all;
+  template <class T>
+  using Values = std::array<T, static_cast<std::size_t>(all)>;
+
+  MeetingSystem(const VariedSpin& spin, const SpinBlocks& blocks, const MeetingModes& modes)
+      : spin_(spin), blocks_(blocks), modes_(modes) {}
+
+  std::size_t inputs() const { return spin_.inputs(); }
+  bool has_decimals() const { return spin_.has_decimals(); }
+
+  Values<DoubleDouble> values(const Values<DoubleDouble>& y, const InputChange& change) const {
+    return equations<DoubleDouble>(y, [&](double x, std::size_t k) { return change(x, k); });
+  }
+  Values<Conditioned> conditioned(const Values<Conditioned>& y, bool exact) const {
+    return equations<Conditioned>(
+        y, [&](double x, std::size_t) { return exact ? Conditioned(x) : Conditioned::input(x); });
+  }
+
+ private:
+  template <class T, class Number>
+  Values<T> equations(const Values<T>& y, const Number& number) const {
+    const auto [J, nu, model] = spin_.at<T>(y[p_place], number);
+    const std::array<T, 5> x{y[0], y[1], y[2], T(1.0), T(1.0)};
+    const auto balance = balance_at<StraightLayout, 1>(J, model, blocks_.branch, square(nu), x);
+    StraightState<T> state = straight_state(J, model, {T(0.0), y[0], y[1], y[2]}, nu);
+    if (blocks_.volume_held && blocks_.branch != Branch::iii)
+      state = with_thickness_pull(state, T(J.J3 * square(nu)));
+    const auto meeting = meeting_equations<false>(modes_, blocks_, state, y[lambda_place]);
+    Values<T> out;
+    for (std::size_t i = 0; i < StraightLayout::places.size(); ++i)
+      out[i] = balance.g[StraightLayout::places[i]];
+    out[p_place] = meeting[0];
+    out[lambda_place] = meeting[1];
+    return out;
+  }
+
+  VariedSpin spin_;
+  SpinBlocks blocks_;
+  MeetingModes modes_;
+};
+
+class OrientedEventEquations final : public ExtendedEventEquations {
+  /// answer(the event's own equations): where no Lambda is an unknown, one fewer.
+  template <class Answer>
+  auto with_system(const Answer& answer) const {
+    const VariedSpin spin(potential_, body_, nu_, parameter_,
+                          coefficient_place(potential_, parameter_));
+    if (!function_.spectral())
+      return answer(OrientedEventSystem<StraightLayout>(spin, branch_, *own_function(function_)));
+    const SpinBlocks blocks{branch_, !potential_.is_separable(),
+                            potential_.body().volume.has_value()};
+    return answer(MeetingSystem(spin, blocks, function_.meeting()));
+  }
+
+ public:
+  OrientedEventEquations(const EventSetting& setting, const EventFunction& function)
       : potential_(setting.potential.anisotropic()),
         body_(setting.body),
         branch_(setting.branch),
@@ -41,39 +98,40 @@ class OrientedEventEquations final : public ExtendedEventEquations {
   }
 
   ExtendedVector<all> values(const ExtendedVector<all>& y) const override {
-    const auto at = system().values(own(y), {});
-    ExtendedVector<all> out;
-    std::copy(at.begin(), at.end(), out.begin());
-    out[lambda_place] = y[lambda_place] - DoubleDouble(1.0);
-    return out;
+    return with_system([&](const auto& system) {
+      ExtendedVector<all> out;
+      out[lambda_place] = y[lambda_place] - DoubleDouble(1.0);
+      const auto at = system.values(own(system, y), {});
+      std::copy(at.begin(), at.end(), out.begin());
+      return out;
+    });
   }
   std::optional<ExtendedRoot<all>> root(const ExtendedVector<all>& y) const override {
-    const auto found = extended_root(system(), own(y));
-    if (!found) return std::nullopt;
-    ExtendedRoot<all> out{y, {}};
-    std::copy(found->y.begin(), found->y.end(), out.y.begin());
-    std::copy(found->error.begin(), found->error.end(), out.error.begin());
-    out.y[lambda_place] = DoubleDouble(1.0);
-    return out;
+    return with_system([&](const auto& system) -> std::optional<ExtendedRoot<all>> {
+      const auto found = extended_root(system, own(system, y));
+      if (!found) return std::nullopt;
+      ExtendedRoot<all> out{y, {}};
+      out.y[lambda_place] = DoubleDouble(1.0);
+      std::copy(found->y.begin(), found->y.end(), out.y.begin());
+      std::copy(found->error.begin(), found->error.end(), out.error.begin());
+      return out;
+    });
   }
   std::array<double, all> conditions(const ExtendedVector<all>& y) const override {
-    std::array<Conditioned, System::dimension> rounded;
-    for (std::size_t k = 0; k < rounded.size(); ++k) rounded[k] = Conditioned::input(double(y[k]));
-    const auto at = system().conditioned(rounded, false);
-    std::array<double, all> out{};
-    for (std::size_t k = 0; k < at.size(); ++k) out[k] = at[k].condition;
-    return out;
+    return with_system([&]<class System>(const System& system) {
+      std::array<Conditioned, System::dimension> rounded;
+      for (std::size_t k = 0; k < rounded.size(); ++k)
+        rounded[k] = Conditioned::input(double(y[k]));
+      const auto at = system.conditioned(rounded, false);
+      std::array<double, all> out{};
+      for (std::size_t k = 0; k < at.size(); ++k) out[k] = at[k].condition;
+      return out;
+    });
   }
 
  private:
-  /// Of xi, zeta, rho and p.
-  using System = OrientedEventSystem<StraightLayout>;
-
-  System system() const {
-    return {potential_, body_, branch_, nu_, parameter_, coefficient_place(potential_, parameter_),
-            function_};
-  }
-  static ExtendedVector<System::dimension> own(const ExtendedVector<all>& y) {
+  template <class System>
+  static ExtendedVector<System::dimension> own(const System&, const ExtendedVector<all>& y) {
     ExtendedVector<System::dimension> out;
     std::copy_n(y.begin(), out.size(), out.begin());
     return out;
@@ -85,16 +143,14 @@ class OrientedEventEquations final : public ExtendedEventEquations {
   double nu_;
   FamilyParameter parameter_;
   FamilyParameter held_;
-  std::size_t function_;
+  EventFunction function_;
 };
 
 }  // namespace
 
 std::unique_ptr<ExtendedEventEquations> oriented_event_equations(const EventSetting& setting,
                                                                  const EventFunction& function) {
-  const auto own_one = own_function(function);
-  if (function.spectral() || !own_one) return nullptr;
-  return std::make_unique<OrientedEventEquations>(setting, *own_one);
+  return std::make_unique<OrientedEventEquations>(setting, function);
 }
 
 }  // namespace stationary

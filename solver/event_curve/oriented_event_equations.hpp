@@ -1,6 +1,6 @@
 // The equations of an event (extended_event.hpp) of a spin of an anisotropic body about a material
-// axis, alpha = 0: the balance and what vanishes at the event (oriented_events.hpp). Those of the
-// Lambdas have none.
+// axis, alpha = 0: the balance and what vanishes at the event (oriented_events.hpp,
+// event_functions.hpp).
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace stationary {
 
-/// setting.held: the second parameter. Null of a function of the Lambdas.
+/// setting.held: the second parameter.
 std::unique_ptr<ExtendedEventEquations> oriented_event_equations(const EventSetting& setting,
                                                                  const EventFunction& function);
 

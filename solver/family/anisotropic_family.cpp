@@ -33,6 +33,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       : body_(body),
         branch_(branch),
         options_(options),
+        even_(potential.even_in_alpha() && keeps_shear_free(potential, options.parameter)),
         models_(std::make_shared<const OrientedModels>(potential)) {}
 
   Branch branch() const override { return Layout::axis ? Branch::i : branch_; }
@@ -40,7 +41,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   bool along_nu() const override { return options_.parameter.kind == Kind::nu; }
   bool material_symmetry() const override { return false; }
   std::optional<int> mirrored() const override {
-    if (!Layout::alpha || !models_->potential.even_in_alpha()) return std::nullopt;
+    if (!Layout::alpha || !even_) return std::nullopt;
     return Layout::alpha_place;
   }
 
@@ -324,8 +325,9 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   template <class Its, class X>
   std::optional<ExtendedEvent<Its::dimension>> event_near(Branch branch, std::size_t function,
                                                           const X& x, double p) const {
-    const OrientedEventSystem<Its> system(models_->potential, body_, branch, options_.nu,
-                                          options_.parameter, coefficient_place(), function);
+    const OrientedEventSystem<Its> system(
+        VariedSpin(models_->potential, body_, options_.nu, options_.parameter, coefficient_place()),
+        branch, function);
     ExtendedVector<Its::dimension + 1> y;
     for (int i = 0; i < Its::dimension; ++i) y[index(i)] = x[i];
     y.back() = p;
@@ -426,17 +428,23 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   Body body_;
   Branch branch_;
   AxisFamilyOptions options_;
+  bool even_;  ///< V in alpha, all along the family
   std::shared_ptr<const OrientedModels> models_;
 };
 
 }  // namespace
 
+bool keeps_shear_free(const AnisotropicPotential& potential, const FamilyParameter& parameter) {
+  return potential.keeps_shear_free(coefficient_place(potential, parameter));
+}
+
 AnyFamily anisotropic_family(const Body& body, const AnisotropicPotential& potential, Branch branch,
                              bool alpha_free, const AxisFamilyOptions& options) {
-  const bool even = potential.even_in_alpha();
+  const bool shear_free = keeps_shear_free(potential, options.parameter);
+  const bool even = shear_free && potential.even_in_alpha();
   if (branch == Branch::iii && (alpha_free || !even))
     return std::make_unique<AnisotropicFamily<ShearedLayout>>(body, potential, branch, options);
-  if (!potential.shear_free())
+  if (!shear_free)
     throw std::invalid_argument("V_alpha = 0 at alpha = 0, for a family about axis 1 or 2");
   return std::make_unique<AnisotropicFamily<StraightLayout>>(body, potential, branch, options);
 }

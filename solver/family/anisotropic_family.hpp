@@ -1,8 +1,8 @@
 // Families of stationary ellipsoids of a potential that is not isotropic (anisotropic_balance.hpp),
 // in nu or in any other number of the problem:
 //
-//   x = (xi, zeta, rho)               (i), (ii), where V is even in alpha; (iii) likewise,
-//                                     alpha = 0
+//   x = (xi, zeta, rho)               (i), (ii), where V is even in alpha all along; (iii)
+//                                     likewise, alpha = 0
 //   x = (xi, zeta, rho, e^a)          (iii) else
 //   x = (xi, zeta, rho, e^a, x_phi)   oblique, nu = |nu| (cos phi, sin phi, 0)
 //
@@ -17,8 +17,12 @@
 
 namespace stationary {
 
+/// Whether V_alpha = 0 at alpha = 0 all along a family in this number: a fibre's angle turns V away
+/// from the axes, and k of one of a pair of fibres as well.
+bool keeps_shear_free(const AnisotropicPotential& potential, const FamilyParameter& parameter);
+
 /// alpha_free: of an even V in (iii), the family with alpha != 0. Throws std::invalid_argument for
-/// (i), (ii) with a V that is not even in alpha: no such family exists.
+/// (i), (ii) unless keeps_shear_free(): no such family exists.
 AnyFamily anisotropic_family(const Body& body, const AnisotropicPotential& potential, Branch branch,
                              bool alpha_free, const AxisFamilyOptions& options);
 

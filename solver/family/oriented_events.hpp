@@ -69,31 +69,70 @@ struct VariedCoefficients {
   }
 };
 
+/// A spinning body of which one number, the parameter, is an unknown.
+class VariedSpin {
+ public:
+  using Kind = FamilyParameter::Kind;
+
+  /// place: of the coefficient that varies.
+  VariedSpin(const AnisotropicPotential& potential, const Body& body, double nu,
+             const FamilyParameter& parameter, int place)
+      : potential_(&potential),
+        J_{body.J1, body.J2, body.J3},
+        nu_(nu),
+        parameter_(parameter),
+        place_(place) {}
+
+  std::size_t inputs() const {
+    return 4 + static_cast<std::size_t>(potential_->coefficient_count());
+  }
+  bool has_decimals() const { return potential_->model().has_decimals(); }
+
+  template <class T>
+  struct Numbers {
+    Inertia3<T> J;
+    T nu;
+    AnisotropicModel<T> model;
+  };
+  /// p: the parameter. number(value, k): any other, J, nu and the coefficients in this order.
+  template <class T, class Number>
+  Numbers<T> at(const T& p, const Number& number) const {
+    const auto inertia = [&](int k) {
+      const bool varied = parameter_.kind == Kind::inertia && parameter_.index == k;
+      const auto at = static_cast<std::size_t>(k);
+      return varied ? p : number(J_[at], at);
+    };
+    const Inertia3<T> J{inertia(0), inertia(1), inertia(2)};
+    const T nu = parameter_.kind == Kind::nu ? p : number(nu_, 3);
+    const auto coefficient = [&](double c, std::size_t k) { return number(c, k + 4); };
+    return {
+        J, nu,
+        potential_->model(VariedCoefficients<T, decltype(coefficient)>{place_, p, coefficient})};
+  }
+
+ private:
+  const AnisotropicPotential* potential_;
+  std::array<double, 3> J_;
+  double nu_;
+  FamilyParameter parameter_;
+  int place_;
+};
+
 /// The equations, of which there are one more than unknowns.
 template <class Layout>
 class OrientedEventSystem {
  public:
   static constexpr int dimension = Layout::dimension + 1;
   static constexpr std::size_t unknowns = Layout::places.size();
-  using Kind = FamilyParameter::Kind;
   template <class T>
   using Values = std::array<T, unknowns + 1>;
 
-  /// function: as of TestValues. place: of the coefficient that varies.
-  OrientedEventSystem(const AnisotropicPotential& potential, const Body& body, Branch branch,
-                      double nu, const FamilyParameter& parameter, int place, std::size_t function)
-      : potential_(&potential),
-        J_{body.J1, body.J2, body.J3},
-        branch_(branch),
-        nu_(nu),
-        parameter_(parameter),
-        place_(place),
-        function_(function) {}
+  /// function: as of TestValues.
+  OrientedEventSystem(const VariedSpin& spin, Branch branch, std::size_t function)
+      : spin_(spin), branch_(branch), function_(function) {}
 
-  std::size_t inputs() const {
-    return 4 + static_cast<std::size_t>(potential_->coefficient_count());
-  }
-  bool has_decimals() const { return potential_->model().has_decimals(); }
+  std::size_t inputs() const { return spin_.inputs(); }
+  bool has_decimals() const { return spin_.has_decimals(); }
 
   Values<DoubleDouble> values(const Values<DoubleDouble>& y, const InputChange& change) const {
     return equations<DoubleDouble>(y, [&](double x, std::size_t k) { return change(x, k); });
@@ -106,17 +145,8 @@ class OrientedEventSystem {
  private:
   template <class T, class Number>
   Values<T> equations(const Values<T>& y, const Number& number) const {
-    const T& p = y[unknowns];
-    const auto inertia = [&](int k) {
-      const bool varied = parameter_.kind == Kind::inertia && parameter_.index == k;
-      const auto at = static_cast<std::size_t>(k);
-      return varied ? p : number(J_[at], at);
-    };
-    const Inertia3<T> J{inertia(0), inertia(1), inertia(2)};
-    const T nu_squared = square(parameter_.kind == Kind::nu ? p : number(nu_, 3));
-    const auto coefficient = [&](double c, std::size_t k) { return number(c, k + 4); };
-    const auto model =
-        potential_->model(VariedCoefficients<T, decltype(coefficient)>{place_, p, coefficient});
+    const auto [J, nu, model] = spin_.at<T>(y[unknowns], number);
+    const T nu_squared = square(nu);
     std::array<T, unknowns> x;
     std::copy_n(y.begin(), unknowns, x.begin());
     const auto all = all_coordinates<Layout>(x, T(1.0));
@@ -211,12 +241,8 @@ class OrientedEventSystem {
     }
   }
 
-  const AnisotropicPotential* potential_;
-  std::array<double, 3> J_;
+  VariedSpin spin_;
   Branch branch_;
-  double nu_;
-  FamilyParameter parameter_;
-  int place_;
   std::size_t function_;
 };
 

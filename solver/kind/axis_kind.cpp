@@ -1,5 +1,6 @@
 #include "solver/kind/axis_kind.hpp"
 
+#include "solver/family/anisotropic_family.hpp"
 #include "solver/motion/body_circle.hpp"
 #include "solver/solve/nonexistence.hpp"
 #include "solver/solve/stability.hpp"
@@ -111,8 +112,13 @@ class AxisKind final : public Kind {
            potential().anisotropic().shear_free();
   }
 
-  std::optional<std::string> no_family() const override {
-    if (from_rest()) return std::nullopt;
+  std::optional<std::string> no_family(const FamilyParameter& parameter) const override {
+    const bool straight = motion_.branch != Branch::iii && !potential().is_isotropic();
+    if (!straight || keeps_shear_free(potential().anisotropic(), parameter)) return std::nullopt;
+    if (from_rest())
+      return "with another, alpha = 0, which compatibility asks for about this axis, leaves a "
+             "force "
+             "V_alpha; with branch = \"oblique\" the axis may turn";
     return "at rest alone there is an ellipsoid: about this axis compatibility asks for alpha = 0, "
            "which leaves a force V_alpha";
   }

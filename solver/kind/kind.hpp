@@ -65,8 +65,10 @@ class Kind {
                            const Stretch& start) const = 0;
   /// Whether the family in nu is followed from rest.
   virtual bool from_rest() const { return false; }
-  /// Why there is no family though there may be a motion; nothing where there is one.
-  virtual std::optional<std::string> no_family() const { return std::nullopt; }
+  /// Why there is no family in this number though there may be a motion; nothing where there is one.
+  virtual std::optional<std::string> no_family(const FamilyParameter&) const {
+    return std::nullopt;
+  }
   /// Whether a start on a continuum of motions is followed along it.
   virtual bool follows_continuum() const { return false; }
   /// An event at a member of the family: nothing where it has no equations of its own.

@@ -187,7 +187,7 @@ class SpatialKind final : public Kind {
                    const Stretch&) const override {
     return spatial_family(body(), potential(), outputs.spectrum);
   }
-  std::optional<std::string> no_family() const override { return none_; }
+  std::optional<std::string> no_family(const FamilyParameter&) const override { return none_; }
 
  private:
   SpatialRotation motion_;

@@ -16,9 +16,6 @@
 
 #include "lib/body/circle.hpp"
 #include "lib/number/dual.hpp"
-#include "lib/stability/held_linearization.hpp"
-#include "lib/stability/linearization.hpp"
-#include "lib/stability/spectrum.hpp"
 #include "solver/motion/event_functions.hpp"
 #include "solver/motion/extended_root.hpp"
 #include "solver/motion/family_parameter.hpp"
@@ -46,6 +43,7 @@ struct EventFunction {
   Block second = Block::odd;
 
   bool spectral() const { return kind == Kind::collision || kind == Kind::crossing; }
+  MeetingModes meeting() const { return {kind == Kind::collision, first, second}; }
 };
 
 /// A family, at whose numbers the equations are taken.
@@ -96,12 +94,11 @@ class EventEquations {
       if (setting_->circle == Circle::xi_rho) out[0] = s.xi - s.rho;
     }
     if constexpr (spectral) {
-      const T& Lambda = y[dimension - 1];
-      const AtRoot first = characteristic(s, function_.first, Lambda);
-      out[k++] = first.value;
-      out[k++] = function_.kind == EventFunction::Kind::collision
-                     ? first.slope
-                     : characteristic(s, function_.second, Lambda).value;
+      const SpinBlocks blocks{setting_->branch, !setting_->potential.is_separable(), held()};
+      const auto meeting =
+          meeting_equations<circle>(function_.meeting(), blocks, straight(s), y[dimension - 1]);
+      out[k++] = meeting[0];
+      out[k++] = meeting[1];
     } else {
       out[k++] = function(s);
     }
@@ -213,19 +210,6 @@ class EventEquations {
     return momentum_turn(stiffness(s), column, row, own);
   }
 
-  // The characteristic polynomials.
-
-  struct AtRoot {
-    T value;
-    T slope;
-  };
-  template <int D>
-  static AtRoot evaluate(const Polynomial<T, D>& p, const T& x) {
-    return {p(x), p.slope(x)};
-  }
-
-  bool coupled() const { return !setting_->potential.is_separable(); }
-
   StraightState<T> straight(const State& s) const {
     const LogBalance<T>& b = s.balance;
     if (held()) return with_rotated_gravity(s, held_state(s));
@@ -279,57 +263,6 @@ class EventEquations {
           out.V_aa + 2.0 * (s.g * F_T) * ((s.J.J1 - s.J.J2) * (s.xi + s.zeta) / (s.xi - s.zeta));
     }
     return out;
-  }
-
-  AtRoot characteristic(const State& at, Block block, const T& Lambda) const {
-    const StraightState<T> s = straight(at);
-    if (setting_->branch != Branch::iii) {
-      const StraightState<T> first = setting_->branch == Branch::ii ? s.exchanged() : s;
-      if (block == Block::odd) return evaluate(odd_forms_i(first).characteristic(), Lambda);
-      return held() ? evaluate(held_even_i(first).characteristic(), Lambda)
-                    : evaluate(even_pencil_i(first).characteristic(), Lambda);
-    }
-    switch (block) {
-      case Block::odd:
-        return {Lambda - odd_lambda_iii(s), T(1.0)};
-      case Block::thickness:
-        return {Lambda + s.V_rr / s.J.J3, T(1.0)};
-      case Block::shear:
-        return evaluate(circle_shears(s), Lambda);
-      default:
-        break;
-    }
-    if (held()) return held_characteristic(s, Lambda);
-    const GyroscopicBlock<T> even = even_block_iii(s);
-    if constexpr (circle) {
-      const T breathing = (even.rest.K[0][0] + even.rest.K[0][1]) / s.J.J1;
-      if (!coupled()) return {Lambda + breathing, T(1.0)};
-      const T thickness = s.V_rr / s.J.J3;
-      const T mixed = 2.0 * (s.V_xr * s.V_xr) / (s.J.J1 * s.J.J3);
-      return evaluate(Polynomial<T, 2>{{breathing * thickness - mixed, breathing + thickness, 1.0}},
-                      Lambda);
-    } else {
-      return coupled() ? evaluate(even.characteristic_coupled(), Lambda)
-                       : evaluate(even.characteristic(), Lambda);
-    }
-  }
-
-  AtRoot held_characteristic(const StraightState<T>& s, const T& Lambda) const {
-    const HeldGyroscopicBlock<T> even = held_even_iii(s);
-    if constexpr (circle) {
-      const PlanarPencil<T>& plane = even.plane;
-      return {Lambda + (plane.K[0] + plane.K[1]) / (plane.mass[0] + plane.mass[1]), T(1.0)};
-    } else {
-      return evaluate(even.characteristic(), Lambda);
-    }
-  }
-
-  /// s = i (omega +- Omega): Lambda^2 + 2 (omega^2 + Omega^2) Lambda + (Omega^2 - omega^2)^2,
-  /// Omega^2 - omega^2 = K_aa/(2 J).
-  static Polynomial<T, 2> circle_shears(const StraightState<T>& s) {
-    const T omega2 = s.omega * s.omega;
-    const T k = s.V_aa / (2.0 * s.J.J1) - omega2;
-    return {{k * k, 2.0 * (2.0 * omega2 + k), 1.0}};
   }
 
   const EventSetting* setting_;

@@ -114,6 +114,38 @@ TEST(AnisotropicCase, NothingToContinueAboutAnAxisThatTheFibreLeaves) {
   }
 }
 
+/// Turned, a fibre along an axis leaves a force as well, so that about axis 1 there is nothing to
+/// follow in its angle; about axis 3 alpha moves, from 0 on.
+TEST(AnisotropicCase, TurnsAFibreAwayFromAnAxis) {
+  const std::vector<std::string> turning{
+      "potential.fibre.degrees=0", "continuation.parameter=\"potential.fibre.degrees\"",
+      "continuation.from=-5", "continuation.to=5", "motion.nu=0.3"};
+  auto about_one = turning;
+  about_one.emplace_back("motion.branch=\"i\"");
+  const Outcome refused = run({"continue", fibre_case}, about_one);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("continuation.parameter: found \"potential.fibre.degrees\""));
+  EXPECT_THAT(refused.err, HasSubstr("leaves a force V_alpha"));
+  // So does the stiffness of one of a pair.
+  const Outcome pair = run({"continue", fibre_case},
+                           {"potential.second_fibre.k=0.4", "potential.second_fibre.degrees=-30",
+                            "continuation.parameter=\"potential.fibre.k\"", "continuation.from=0.3",
+                            "continuation.to=0.5", "motion.nu=0.3", "motion.branch=\"ii\""});
+  EXPECT_EQ(pair.code, 2);
+  EXPECT_THAT(pair.err, HasSubstr("leaves a force V_alpha"));
+
+  const Outcome outcome = run({"continue", fibre_case, "-o", "-"}, turning);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto rows = rows_of(outcome.out);
+  EXPECT_GT(number(rows.front().at("alpha")), 1e-4);
+  EXPECT_LT(number(rows.back().at("alpha")), -1e-4);
+  for (const Row& row : rows) {
+    EXPECT_LT(number(row.at("residual")), 1e-14);
+    EXPECT_EQ(row.at("event"),
+              row.at("point") == "0" || row.at("point") == rows.back().at("point") ? "limit" : "");
+  }
+}
+
 TEST(AnisotropicCase, ContinuesInTheAngle) {
   const Outcome outcome =
       run({"continue", fibre_case, "-o", "-"},

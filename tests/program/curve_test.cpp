@@ -279,12 +279,60 @@ to = [0.9, 0.5]
   const Outcome skew = run(with_fibre, {"--set", "potential.fibre.degrees=30"});
   EXPECT_EQ(skew.code, 2);
   EXPECT_THAT(skew.err, HasSubstr("even in alpha"));
-  // What its frequencies do has no curves.
-  for (const char* event : {"hamiltonian-hopf", "krein-pass", "real-collision", "ellipse"}) {
-    const Outcome refused = run(with_fibre, {"--set", std::string("curve.event=") + event});
-    EXPECT_EQ(refused.code, 2) << event;
-    EXPECT_THAT(refused.err, HasSubstr("an anisotropic potential")) << event;
-    EXPECT_THAT(refused.err, HasSubstr("curve.event")) << event;
+  const Outcome refused = run(with_fibre, {"--set", "curve.event=ellipse"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("an anisotropic potential"));
+  EXPECT_THAT(refused.err, HasSubstr("curve.event"));
+  // Turned, the fibre leaves no motion with alpha = 0.
+  const Outcome turned =
+      run(with_fibre, {"--set", "curve.parameters=[\"nu\", \"potential.fibre.degrees\"]", "--set",
+                       "curve.from=[0.5, -1.0]", "--set", "curve.to=[0.9, 1.0]"});
+  EXPECT_EQ(turned.code, 2);
+  EXPECT_THAT(turned.err, HasSubstr("curve.parameters.1"));
+  EXPECT_THAT(turned.err, HasSubstr("even in alpha"));
+}
+
+/// Where frequencies of a body with a fibre meet, as continue finds it at the ends' stiffness.
+TEST_F(Curve, FrequenciesOfABodyWithAFibre) {
+  const std::string with_fibre = R"(
+[body]
+J = [1.0, 1.7, 0.6]
+[potential]
+plane     = { model = "hencky", mu = 1.0, lambda = 0.6 }
+thickness = { model = "reciprocal-quadratic", a = 1.0, b = 3.0 }
+fibre     = { k = 0.5, degrees = 0.0 }
+[motion]
+branch = "i"
+nu = 0.3
+[continuation]
+from = 0.01
+to = 0.9
+[curve]
+event = "hamiltonian-hopf"
+parameters = ["nu", "potential.fibre.k"]
+from = [0.01, 0.2]
+to = [0.9, 0.8]
+)";
+  for (const std::string event : {"hamiltonian-hopf", "real-collision"}) {
+    const Outcome outcome = run(with_fibre, {"--set", "curve.event=" + event});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::vector<Row> curve = rows();
+    ASSERT_GE(curve.size(), 3U);
+    int found = 0;
+    for (const Row& row : {curve.front(), curve.back()}) {
+      const std::string own = directory_ / "own.csv";
+      const Outcome continued =
+          run_program({"continue", directory_.file("own.toml", with_fibre), "-o", own, "--set",
+                       "potential.fibre.k=" + row.at("potential.fibre.k")});
+      ASSERT_EQ(continued.code, 0) << continued.err;
+      for (const Row& each : rows_of(text_of(own))) {
+        if (each.at("event") != event) continue;
+        EXPECT_NEAR(number(each.at("nu1")), number(row.at("nu")), 1e-12) << event;
+        EXPECT_NEAR(number(each.at("zeta")), number(row.at("zeta")), 1e-11) << event;
+        ++found;
+      }
+    }
+    EXPECT_EQ(found, 2) << event;
   }
 }
 

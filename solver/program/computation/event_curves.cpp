@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solver/event_curve/event_sides.hpp"
+#include "solver/family/anisotropic_family.hpp"
 #include "solver/motion/body_circle.hpp"
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_parameter.hpp"
@@ -153,13 +154,20 @@ void require_curve(const Case& input) {
         "curve",
         "the events of other motions are located by continue, one value at a time");
   }
+  for (std::size_t k = 0; !isotropic && k < input.curve->parameters.size(); ++k) {
+    if (keeps_shear_free(input.potential.anisotropic(), family_parameter_of(input, k))) continue;
+    throw fault_at(input.source, fmt::format("curve.parameters.{}", k),
+                   fmt::format("found \"{}\"", input.curve->parameters[k]),
+                   "a number that leaves the potential even in alpha",
+                   "where it is not, no motion about a material axis has alpha = 0");
+  }
   if (!has_event_curve(input.curve->event, isotropic)) {
     throw fault_at(
         input.source, "curve.event",
         fmt::format("found {} and an anisotropic potential", in_quotes(name(input.curve->event))),
-        "\"fold-nu\", \"fold-momentum\", \"tilt\", \"inertia-exchange\", \"shear\" or "
-        "\"oblique\" for curve",
-        "what frequencies do, and circles, have curves of isotropic bodies alone");
+        "\"fold-nu\", \"fold-momentum\", \"tilt\", \"inertia-exchange\", \"shear\", \"oblique\", "
+        "\"hamiltonian-hopf\", \"krein-pass\" or \"real-collision\" for curve",
+        "circles have curves of isotropic bodies alone");
   }
 }
 

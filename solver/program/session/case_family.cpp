@@ -43,6 +43,18 @@ FamilyParameters at_parameter(const Case& input, double p) {
   return with_parameter({input.body, input.models, input.motion}, input.continuation->parameter, p);
 }
 
+FamilyParameter family_parameter_of(const Case& input) {
+  return family_parameter(input.continuation->parameter, input.models);
+}
+
+/// Where there are families of the kind, of other numbers. reason: Kind::no_family().
+void require_followable(const Case& input, const Kind& kind, const std::string& reason) {
+  if (!kind.from_rest()) return;
+  throw fault_at(input.source, "continuation.parameter",
+                 "found " + in_quotes(input.continuation->parameter),
+                 "another number for branch " + in_quotes(input.branch_name()), reason);
+}
+
 Start start_at(const Case& input, double p) { return {at_parameter(input, p), p, {}}; }
 
 /// The motion of the only alternative that has one, which is left in `motion`. Throws InputError
@@ -102,9 +114,12 @@ Start solved_start(const Case& input, const Run& run) {
                                           out.at.motion, how.start.has_value());
   out.found = only_one(input, kinds, how, out.at.motion);
   const Kind& kind = *kinds.each.front().kind;
-  if (const auto reason = kind.no_family(); reason && out.found.status == SolveStatus::solved) {
-    out.found.status = SolveStatus::none_exists;
-    out.found.message = *reason;
+  if (out.found.status == SolveStatus::solved) {
+    if (const auto reason = kind.no_family(family_parameter_of(input))) {
+      require_followable(input, kind, *reason);
+      out.found.status = SolveStatus::none_exists;
+      out.found.message = *reason;
+    }
   }
   if (out.found.status == SolveStatus::not_isolated && how.start && kind.follows_continuum()) {
     out.found.status = SolveStatus::solved;
@@ -129,7 +144,7 @@ Start resumed_start(const Case& input, const ResumedTable& old) {
 }
 
 AnyFamily family_of(const Case& input, const Start& start, bool with_spectrum, bool to_table) {
-  return kind_of(start.at)->family(family_parameter(input.continuation->parameter, input.models),
+  return kind_of(start.at)->family(family_parameter_of(input),
                                    {.spectrum = with_spectrum,
                                     .errors = wants_column(input, Column::residual, to_table) ||
                                               wants_column(input, Column::compatibility, to_table),
@@ -142,7 +157,7 @@ void ask_kinds(const Case& input, const Start& start, CurveTable& rows) {
   const auto kind_at = [at = start.at, key](double p) {
     return kind_of(with_parameter(at, key, p));
   };
-  const FamilyParameter parameter = family_parameter(input.continuation->parameter, input.models);
+  const FamilyParameter parameter = family_parameter_of(input);
   rows.tell_normal_forms(kind_at, parameter);
   if (input.output.certificate) rows.prove(kind_at, parameter);
 }

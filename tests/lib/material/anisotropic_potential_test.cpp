@@ -109,6 +109,25 @@ TEST(AnisotropicPotential, FibresAlongTheAxesAndOpposedPairsAreEven) {
   EXPECT_FALSE(even({{0.7, 45.0}}));
 }
 
+/// Whether they are so by chance: whatever its stiffness, one along an axis is; whatever its angle,
+/// none.
+TEST(AnisotropicPotential, WhatKeepsItEven) {
+  const ThicknessPotential thickness = Harmonic<>{1.0, 1.0};
+  const AnisotropicPotential one(Biot<>{1.0, 1.0}, thickness, {{0.7, 90.0}});
+  const AnisotropicPotential pair(Biot<>{1.0, 1.0}, thickness, {{0.7, 33.0}, {0.7, -33.0}});
+  const AnisotropicPotential skew(Biot<>{1.0, 1.0}, thickness, {{0.7, 33.0}});
+  const int stiffness = one.fibre_place();
+  for (int place = -1; place < stiffness; ++place) {
+    EXPECT_TRUE(one.keeps_shear_free(place)) << place;
+    EXPECT_TRUE(pair.keeps_shear_free(place)) << place;
+    EXPECT_FALSE(skew.keeps_shear_free(place)) << place;
+  }
+  EXPECT_TRUE(one.keeps_shear_free(stiffness));
+  EXPECT_FALSE(one.keeps_shear_free(stiffness + 1));
+  for (int place = stiffness; place < stiffness + 4; ++place)
+    EXPECT_FALSE(pair.keeps_shear_free(place)) << place;
+}
+
 /// Axes exchanged, an axis turned about, a whole half turn of a fibre.
 TEST(AnisotropicPotential, SymmetriesOfTheMaterialFrame) {
   support::Random random(304);

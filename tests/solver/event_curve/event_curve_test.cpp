@@ -292,8 +292,8 @@ TEST(EventCurve, AgreesWithEventsAtSingleValues) {
   EXPECT_GE(compared.size(), 6U) << types;
 }
 
-/// Of an anisotropic body: where its axis leaves its own, its ellipse turns away, and inertias are
-/// equal, in nu and another number, against the family followed anew.
+/// Of an anisotropic body: where its axis leaves its own, its ellipse turns away, inertias are equal
+/// and frequencies meet, in nu and another number, against the family followed anew.
 TEST(EventCurve, OfAnisotropicBodiesAgreesWithEventsAtSingleValues) {
   struct Numbered {
     AnisotropicPotential::Plane plane;
@@ -305,6 +305,7 @@ TEST(EventCurve, OfAnisotropicBodiesAgreesWithEventsAtSingleValues) {
     double to;
     double low;  ///< of nu
     double high;
+    std::optional<double> volume{};
   };
   const FamilyParameter stiffness{Kind::fibre, 0};
   const FamilyParameter J2{Kind::inertia, 1};
@@ -314,24 +315,32 @@ TEST(EventCurve, OfAnisotropicBodiesAgreesWithEventsAtSingleValues) {
       {NeoHookean<>{1.0, 2.0}, Branch::i, disc, {0.4, 0.0}, stiffness, 0.3, 0.5, 0.5, 0.8},
       {NeoHookean<>{1.0, 2.0}, Branch::i, disc, {0.4, 0.0}, J2, 1.6, 1.8, 0.5, 0.8},
       {Hencky<>{1.0, 0.6}, Branch::iii, plate, {0.05, 90.0}, J2, 1.18, 1.22, 0.5, 0.75},
-      {Hencky<>{1.0, 0.6}, Branch::iii, plate, {0.05, 90.0}, stiffness, 0.045, 0.055, 0.5, 0.75}};
+      {Hencky<>{1.0, 0.6}, Branch::iii, plate, {0.05, 90.0}, stiffness, 0.045, 0.055, 0.5, 0.75},
+      {Hencky<>{1.0, 0.6}, Branch::i, disc, {0.5, 0.0}, stiffness, 0.4, 0.6, 0.2, 0.9},
+      {Hencky<>{1.0, 0.6}, Branch::ii, {1.7, 1.0, 0.6}, {0.5, 90.0}, J2, 0.95, 1.05, 0.2, 0.9},
+      {Hencky<>{1.0, 0.6}, Branch::i, disc, {0.5, 0.0}, J2, 1.6, 1.8, 0.2, 0.9, 1.0},
+      {Biot<>{1.0, 2.0}, Branch::iii, disc, {0.5, 90.0}, stiffness, 0.45, 0.55, 0.1, 1.8}};
   std::map<EventType, int> compared;
+  int held_volume = 0;
   for (const Numbered& each : all) {
     const bool of_fibre = each.second.kind == Kind::fibre;
     const auto at = [&](double nu, double second) {
       const double k = of_fibre ? second : each.fibre.k;
+      AnisotropicPotential V(each.plane, ReciprocalQuadratic<>{1.0, 3.0},
+                             {{k, each.fibre.degrees}});
+      if (each.volume) {
+        BodyTerms<double> held;
+        held.volume = each.volume;
+        V = V.with_body(held);
+      }
       return SpinningProblem{
-          {Body(each.J[0], of_fibre ? each.J[1] : second, each.J[2]),
-           Potential(AnisotropicPotential(each.plane, ReciprocalQuadratic<>{1.0, 3.0},
-                                          {{k, each.fibre.degrees}})),
-           each.branch},
+          {Body(each.J[0], of_fibre ? each.J[1] : second, each.J[2]), Potential(V), each.branch},
           nu};
     };
     const double own = of_fibre ? each.fibre.k : each.J[1];
     const FollowOptions family = range(each.low, each.high, 1e-6);
     const Followed sheet = followed(at(each.low, own).problem, each.low, family);
     for (const FollowedRow& row : sheet.events()) {
-      if (std::ranges::find(spectral_events, row.event) != spectral_events.end()) continue;
       const EventCurve curve =
           follow_event_curve({at, {}, each.second, row.event}, row.member, own, Circle::none,
                              {.first_from = each.low,
@@ -354,11 +363,16 @@ TEST(EventCurve, OfAnisotropicBodiesAgreesWithEventsAtSingleValues) {
           nearest = std::min(nearest, relative(found.member.parameter, p));
         EXPECT_LE(nearest, 1e-12) << name(row.event) << " at " << point.second << ", " << p;
         ++compared[row.event];
+        held_volume += each.volume.has_value();
       }
     }
   }
   EXPECT_GE(compared[EventType::oblique], 6);
   EXPECT_GE(compared[EventType::shear], 6);
+  EXPECT_GE(compared[EventType::hamiltonian_hopf], 6);
+  EXPECT_GE(compared[EventType::real_collision], 6);
+  EXPECT_GE(compared[EventType::krein_pass], 3);
+  EXPECT_GE(held_volume, 6);
 }
 
 }  // namespace
