@@ -13,7 +13,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Outcome run(std::vector<std::string> arguments, const std::vector<std::string>& sets = {}) {
+Outcome run_with_sets(std::vector<std::string> arguments,
+                      const std::vector<std::string>& sets = {}) {
   for (const std::string& each : sets) {
     arguments.push_back("--set");
     arguments.push_back(each);
@@ -25,22 +26,22 @@ const std::string fibre_case = shipped("fibre.toml");
 const std::string oblique_case = shipped("oblique.toml");
 
 TEST(AnisotropicCase, CheckPrintsTheFacts) {
-  const Outcome skew = run({"check", fibre_case});
+  const Outcome skew = run_with_sets({"check", fibre_case});
   EXPECT_EQ(skew.code, 0) << skew.err;
   EXPECT_THAT(skew.out, HasSubstr("fibre: k = 0.4, degrees = 30"));
   EXPECT_THAT(skew.out, HasSubstr("separable, anisotropic, V_alpha != 0 at alpha = 0"));
   EXPECT_THAT(skew.out, HasSubstr("an unknown"));
-  const Outcome even = run({"check", fibre_case}, {"potential.fibre.degrees=90"});
+  const Outcome even = run_with_sets({"check", fibre_case}, {"potential.fibre.degrees=90"});
   EXPECT_THAT(even.out, HasSubstr("even in alpha: V_alpha = 0 at alpha = 0"));
-  const Outcome pair = run({"check", fibre_case},
-                           {"potential.second_fibre.k=0.4", "potential.second_fibre.degrees=-30"});
+  const Outcome pair = run_with_sets({"check", fibre_case}, {"potential.second_fibre.k=0.4",
+                                                             "potential.second_fibre.degrees=-30"});
   EXPECT_THAT(pair.out, HasSubstr("even in alpha"));
-  const Outcome oblique = run({"check", oblique_case});
+  const Outcome oblique = run_with_sets({"check", oblique_case});
   EXPECT_THAT(oblique.out, HasSubstr("about an axis in the plane of axes 1 and 2, |nu| = 0.5"));
 }
 
 TEST(AnisotropicCase, SolvesAboutAxisThreeWithAlpha) {
-  const Outcome outcome = run({"solve", fibre_case, "--certify", "-o", "-"});
+  const Outcome outcome = run_with_sets({"solve", fibre_case, "--certify", "-o", "-"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   auto row = only_row(outcome.out);
   EXPECT_EQ(row["branch"], "iii");
@@ -51,7 +52,7 @@ TEST(AnisotropicCase, SolvesAboutAxisThreeWithAlpha) {
 }
 
 TEST(AnisotropicCase, ObliqueMotionsOfBothAxesOrOne) {
-  const Outcome both = run({"solve", oblique_case, "-o", "-"}, {"motion.axis=\"1\""});
+  const Outcome both = run_with_sets({"solve", oblique_case, "-o", "-"}, {"motion.axis=\"1\""});
   ASSERT_EQ(both.code, 0) << both.err;
   auto one = only_row(both.out);
   EXPECT_EQ(one["branch"], "oblique");
@@ -59,10 +60,10 @@ TEST(AnisotropicCase, ObliqueMotionsOfBothAxesOrOne) {
   EXPECT_EQ(one["nu3"], "0");
   EXPECT_NEAR(number(one["pi1"]) * number(one["nu2"]), number(one["pi2"]) * number(one["nu1"]),
               1e-15);
-  auto two = only_row(run({"solve", oblique_case, "-o", "-"}, {"motion.axis=\"2\""}).out);
+  auto two = only_row(run_with_sets({"solve", oblique_case, "-o", "-"}, {"motion.axis=\"2\""}).out);
   EXPECT_LT(std::abs(number(two["nu1"])), std::abs(number(two["nu2"])));
   // Every one, with proof: these two.
-  const Outcome every = run({"solve", oblique_case, "-o", "-"}, {"solve.all=true"});
+  const Outcome every = run_with_sets({"solve", oblique_case, "-o", "-"}, {"solve.all=true"});
   ASSERT_EQ(every.code, 0) << every.err;
   auto all = rows_of(every.out);
   ASSERT_EQ(all.size(), 2U);
@@ -75,7 +76,7 @@ TEST(AnisotropicCase, ContinuesTheObliqueFamilyAndGoesOn) {
   const std::string whole = directory / "whole.csv";
   const std::string cut = directory / "cut.csv";
   const std::vector<std::string> coarse{"continuation.tolerance=1e-5"};
-  ASSERT_EQ(run({"continue", oblique_case, "--quiet", "-o", whole}, coarse).code, 0);
+  ASSERT_EQ(run_with_sets({"continue", oblique_case, "--quiet", "-o", whole}, coarse).code, 0);
   auto rows = rows_of(text_of(whole));
   ASSERT_GT(rows.size(), 20U);
   EXPECT_EQ(rows.front()["event"], "limit");
@@ -90,8 +91,9 @@ TEST(AnisotropicCase, ContinuesTheObliqueFamilyAndGoesOn) {
   // Stopped, and gone on with.
   std::vector<std::string> short_of = coarse;
   short_of.push_back("continuation.max_points=20");
-  ASSERT_EQ(run({"continue", oblique_case, "--quiet", "-o", cut}, short_of).code, 0);
-  const Outcome on = run({"continue", oblique_case, "--resume", "--quiet", "-o", cut}, coarse);
+  ASSERT_EQ(run_with_sets({"continue", oblique_case, "--quiet", "-o", cut}, short_of).code, 0);
+  const Outcome on =
+      run_with_sets({"continue", oblique_case, "--resume", "--quiet", "-o", cut}, coarse);
   ASSERT_EQ(on.code, 0) << on.err;
   auto again = rows_of(text_of(cut));
   EXPECT_NEAR(number(again.back()["alpha"]), number(rows.back()["alpha"]), 1e-12);
@@ -101,14 +103,14 @@ TEST(AnisotropicCase, ContinuesTheObliqueFamilyAndGoesOn) {
 /// About axis 1 a skew fibre leaves a force: nothing is there to be followed, as `solve` says.
 TEST(AnisotropicCase, NothingToContinueAboutAnAxisThatTheFibreLeaves) {
   const std::vector<std::string> about{"motion.branch=\"i\"", "motion.nu=0.5"};
-  const Outcome solved = run({"solve", fibre_case}, about);
+  const Outcome solved = run_with_sets({"solve", fibre_case}, about);
   EXPECT_EQ(solved.code, 3);
   const std::string reason = "leaves a force V_alpha";
   EXPECT_THAT(solved.err, HasSubstr(reason));
   for (const char* nu : {"motion.nu=0.5", "motion.nu=0.0"}) {
     auto sets = about;
     sets.emplace_back(nu);
-    const Outcome followed = run({"continue", fibre_case}, sets);
+    const Outcome followed = run_with_sets({"continue", fibre_case}, sets);
     EXPECT_EQ(followed.code, 3) << followed.err;
     EXPECT_THAT(followed.err, HasSubstr(reason));
   }
@@ -122,19 +124,20 @@ TEST(AnisotropicCase, TurnsAFibreAwayFromAnAxis) {
       "continuation.from=-5", "continuation.to=5", "motion.nu=0.3"};
   auto about_one = turning;
   about_one.emplace_back("motion.branch=\"i\"");
-  const Outcome refused = run({"continue", fibre_case}, about_one);
+  const Outcome refused = run_with_sets({"continue", fibre_case}, about_one);
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("continuation.parameter: found \"potential.fibre.degrees\""));
   EXPECT_THAT(refused.err, HasSubstr("leaves a force V_alpha"));
   // So does the stiffness of one of a pair.
-  const Outcome pair = run({"continue", fibre_case},
-                           {"potential.second_fibre.k=0.4", "potential.second_fibre.degrees=-30",
-                            "continuation.parameter=\"potential.fibre.k\"", "continuation.from=0.3",
-                            "continuation.to=0.5", "motion.nu=0.3", "motion.branch=\"ii\""});
+  const Outcome pair =
+      run_with_sets({"continue", fibre_case},
+                    {"potential.second_fibre.k=0.4", "potential.second_fibre.degrees=-30",
+                     "continuation.parameter=\"potential.fibre.k\"", "continuation.from=0.3",
+                     "continuation.to=0.5", "motion.nu=0.3", "motion.branch=\"ii\""});
   EXPECT_EQ(pair.code, 2);
   EXPECT_THAT(pair.err, HasSubstr("leaves a force V_alpha"));
 
-  const Outcome outcome = run({"continue", fibre_case, "-o", "-"}, turning);
+  const Outcome outcome = run_with_sets({"continue", fibre_case, "-o", "-"}, turning);
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto rows = rows_of(outcome.out);
   EXPECT_GT(number(rows.front().at("alpha")), 1e-4);
@@ -148,9 +151,9 @@ TEST(AnisotropicCase, TurnsAFibreAwayFromAnAxis) {
 
 TEST(AnisotropicCase, ContinuesInTheAngle) {
   const Outcome outcome =
-      run({"continue", fibre_case, "-o", "-"},
-          {"continuation.parameter=\"potential.fibre.degrees\"", "continuation.from=0",
-           "continuation.to=90", "continuation.tolerance=1e-5"});
+      run_with_sets({"continue", fibre_case, "-o", "-"},
+                    {"continuation.parameter=\"potential.fibre.degrees\"", "continuation.from=0",
+                     "continuation.to=90", "continuation.tolerance=1e-5"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   auto rows = rows_of(outcome.out);
   EXPECT_NEAR(number(rows.front()["alpha"]), 0.0, 1e-15);
@@ -169,17 +172,18 @@ TEST(AnisotropicCase, MapsAreSolvesOfTheirOwn) {
                         "potential.fibre.k\",from=0.1,to=2", "potential.plane.mu\",from=0.5,to=1.5",
                         "potential.thickness.a\",from=0.5,to=2", "body.J.1\",from=0.3,to=3"}) {
     const Outcome outcome =
-        run({"map", fibre_case, "-o", "-"},
-            {map_over_nu, "map.y={parameter=\"" + std::string(y) + ",count=4}"});
+        run_with_sets({"map", fibre_case, "-o", "-"},
+                      {map_over_nu, "map.y={parameter=\"" + std::string(y) + ",count=4}"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     const auto rows = rows_of(outcome.out);
     ASSERT_EQ(rows.size(), 24U) << y;
     const std::string key = std::string(y).substr(0, std::string(y).find('"'));
     for (const std::size_t k : {0U, 8U, 15U, 21U}) {
       ASSERT_EQ(rows[k].at("status"), "solved") << key << " " << k;
-      const Row one = only_row(run({"solve", fibre_case, "-o", "-"},
-                                   {"motion.nu=" + rows[k].at("nu"), key + "=" + rows[k].at(key)})
-                                   .out);
+      const Row one =
+          only_row(run_with_sets({"solve", fibre_case, "-o", "-"},
+                                 {"motion.nu=" + rows[k].at("nu"), key + "=" + rows[k].at(key)})
+                       .out);
       for (const char* column : {"class", "negative", "krein1"})
         EXPECT_EQ(rows[k].at(column), one.at(column)) << key << " " << k << " " << column;
       for (const char* column : {"alpha", "xi", "zeta", "rho", "angle", "pi3", "energy", "im5"}) {
@@ -195,12 +199,13 @@ TEST(AnisotropicCase, MapsAreSolvesOfTheirOwn) {
 
 TEST(AnisotropicCase, MapsDoNotDependOnThreadsOrTheGridsOrder) {
   const std::vector<std::string> cells{map_over_nu, map_over_angle, "output.spectrum=false"};
-  const Outcome one = run({"map", fibre_case, "-o", "-", "--threads", "1"}, cells);
-  EXPECT_EQ(run({"map", fibre_case, "-o", "-", "--threads", "3"}, cells).out, one.out);
-  const Outcome turned = run({"map", fibre_case, "-o", "-"},
-                             {"map.y={parameter=\"nu\",from=0.0,to=0.95,count=6}",
-                              "map.x={parameter=\"potential.fibre.degrees\",from=0,to=90,count=4}",
-                              "output.spectrum=false"});
+  const Outcome one = run_with_sets({"map", fibre_case, "-o", "-", "--threads", "1"}, cells);
+  EXPECT_EQ(run_with_sets({"map", fibre_case, "-o", "-", "--threads", "3"}, cells).out, one.out);
+  const Outcome turned =
+      run_with_sets({"map", fibre_case, "-o", "-"},
+                    {"map.y={parameter=\"nu\",from=0.0,to=0.95,count=6}",
+                     "map.x={parameter=\"potential.fibre.degrees\",from=0,to=90,count=4}",
+                     "output.spectrum=false"});
   const auto rows = rows_of(one.out);
   const auto turned_rows = rows_of(turned.out);
   ASSERT_EQ(rows.size(), turned_rows.size());
@@ -219,7 +224,7 @@ TEST(AnisotropicCase, MapsComputeWhatIsAskedForAndSayHow) {
     arguments.insert(arguments.end(), options.begin(), options.end());
     std::vector<std::string> sets{map_over_nu, map_over_angle};
     sets.insert(sets.end(), columns.begin(), columns.end());
-    const Outcome outcome = run(arguments, sets);
+    const Outcome outcome = run_with_sets(arguments, sets);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return nlohmann::json::parse(text_of(directory / "x.meta.json"));
   };
@@ -240,7 +245,7 @@ TEST(AnisotropicCase, MapsComputeWhatIsAskedForAndSayHow) {
 TEST(AnisotropicCase, MapsProveThatNoneIsAboutAnAxisThatIsNoneOfSymmetry) {
   const std::vector<std::string> cells{
       "motion.branch=\"i\"", "map.x={parameter=\"nu\",from=0.0,to=0.4,count=3}", map_over_angle};
-  const Outcome outcome = run({"map", fibre_case, "-o", "-"}, cells);
+  const Outcome outcome = run_with_sets({"map", fibre_case, "-o", "-"}, cells);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   for (const Row& row : rows_of(outcome.out)) {
     const double degrees = number(row.at("potential.fibre.degrees"));
@@ -249,14 +254,14 @@ TEST(AnisotropicCase, MapsProveThatNoneIsAboutAnAxisThatIsNoneOfSymmetry) {
     EXPECT_EQ(row.at("status"), even || rests ? "solved" : "none-exists") << row.at("point");
   }
   const Outcome none =
-      run({"map", fibre_case, "-o", "-"},
-          {"motion.branch=\"ii\"", "map.x={parameter=\"nu\",from=0.2,to=0.4,count=2}"});
+      run_with_sets({"map", fibre_case, "-o", "-"},
+                    {"motion.branch=\"ii\"", "map.x={parameter=\"nu\",from=0.2,to=0.4,count=2}"});
   EXPECT_EQ(none.code, 3);
   EXPECT_THAT(none.err, HasSubstr("no stationary ellipsoid in any of 2 cells: 2 none-exists"));
 }
 
 TEST(AnisotropicCase, NoMotionAboutAnAxisThatIsNoneOfSymmetry) {
-  const Outcome outcome = run({"solve", fibre_case}, {"motion.branch=\"i\""});
+  const Outcome outcome = run_with_sets({"solve", fibre_case}, {"motion.branch=\"i\""});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("no stationary ellipse about this axis"));
   EXPECT_THAT(outcome.err, HasSubstr("no stationary ellipsoid in the box searched"));
@@ -283,7 +288,7 @@ TEST(AnisotropicCase, WrongInputIsRefusedByName) {
            {{"motion.axis=\"1\""}, "found axis, which branch \"iii\" does not take"},
            {{"solve.method=\"ceres\""}, "with an anisotropic potential"},
        }) {
-    const Outcome outcome = run({"check", fibre_case}, fault.sets);
+    const Outcome outcome = run_with_sets({"check", fibre_case}, fault.sets);
     EXPECT_EQ(outcome.code, 2) << fault.fragment;
     EXPECT_THAT(outcome.err, HasSubstr(fault.fragment));
   }
@@ -292,13 +297,13 @@ TEST(AnisotropicCase, WrongInputIsRefusedByName) {
 TEST(AnisotropicCase, ContinueAsksWhichObliqueFamily) {
   const std::vector<std::string> coarse{"motion.branch=\"oblique\"", "continuation.to=0.6",
                                         "continuation.tolerance=1e-6"};
-  const Outcome neither = run({"continue", fibre_case}, coarse);
+  const Outcome neither = run_with_sets({"continue", fibre_case}, coarse);
   EXPECT_EQ(neither.code, 2);
   EXPECT_THAT(neither.err, HasSubstr("motion.axis: found no such key, and oblique motions with "
                                      "|nu| = 0.5 of the families of both axes"));
   std::vector<std::string> second = coarse;
   second.push_back("motion.axis=\"2\"");
-  const Outcome named = run({"continue", fibre_case, "-o", "-"}, second);
+  const Outcome named = run_with_sets({"continue", fibre_case, "-o", "-"}, second);
   EXPECT_EQ(named.code, 0) << named.err;
   EXPECT_GT(std::abs(number(rows_of(named.out).back()["nu2"])), 0.59);
 }
@@ -308,7 +313,7 @@ TEST(AnisotropicCase, AtlasHasTheObliqueSheets) {
   const std::vector<std::string> sets{"continuation.to=0.5", "continuation.tolerance=1e-6",
                                       "output.certificate=true"};
   const Outcome written =
-      run({"atlas", fibre_case, "-o", directory / "x.csv", "--checkpoints", "3"}, sets);
+      run_with_sets({"atlas", fibre_case, "-o", directory / "x.csv", "--checkpoints", "3"}, sets);
   ASSERT_EQ(written.code, 0) << written.err;
   const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
   ASSERT_EQ(metadata["sheets"].size(), 3U);
@@ -322,7 +327,7 @@ TEST(AnisotropicCase, AtlasHasTheObliqueSheets) {
     unproven += row.at("certified") != "yes";
   EXPECT_EQ(metadata["counts"]["proven"].get<long>() + unproven, metadata["rows"].get<long>());
   EXPECT_EQ(unproven, 0);
-  const Outcome printed = run({"atlas", fibre_case, "--checkpoints", "3"}, sets);
+  const Outcome printed = run_with_sets({"atlas", fibre_case, "--checkpoints", "3"}, sets);
   ASSERT_EQ(printed.code, 0) << printed.err;
   EXPECT_THAT(printed.out, HasSubstr("branch (oblique): at 3 of 3 checkpoints"));
   EXPECT_THAT(printed.out, HasSubstr("branch (ii): not looked for"));
@@ -338,8 +343,9 @@ TEST(AnisotropicCase, OrthotropicPlaneInEveryBranch) {
   text.erase(fibre, text.find('\n', fibre) - fibre);
   const std::string path = directory.file("orthotropic.toml", text);
   for (const char* branch : {"\"i\"", "\"ii\"", "\"iii\""}) {
-    const Outcome outcome = run({"solve", path, "--certify", "-o", "-"},
-                                {plane, std::string("motion.branch=") + branch, "motion.nu=0.2"});
+    const Outcome outcome =
+        run_with_sets({"solve", path, "--certify", "-o", "-"},
+                      {plane, std::string("motion.branch=") + branch, "motion.nu=0.2"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     auto row = only_row(outcome.out);
     EXPECT_EQ(row["alpha"], "0");

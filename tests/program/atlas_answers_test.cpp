@@ -15,24 +15,6 @@
 namespace stationary::testing {
 namespace {
 
-double length(const Row& row, const std::string& vector) {
-  double square = 0.0;
-  for (const char* k : {"1", "2", "3"}) {
-    const double part = number(row.at(vector + k));
-    square += part * part;
-  }
-  return std::sqrt(square);
-}
-
-std::vector<std::vector<Row>> sheets_of(const std::string& csv) {
-  std::vector<std::vector<Row>> out;
-  for (const Row& row : rows_of(csv)) {
-    if (out.empty() || out.back().front().at("sheet") != row.at("sheet")) out.emplace_back();
-    out.back().push_back(row);
-  }
-  return out;
-}
-
 struct Sided {
   std::string event;
   double nu;
@@ -47,7 +29,7 @@ TEST(AtlasSides, AgreeWithWhereTheSheetsGo) {
     const Outcome outcome = run_program({"atlas", shipped(std::string(name) + ".toml"), "-o", "-",
                                          "--checkpoints", "32", "--set", "output.spectrum=false"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const auto sheets = sheets_of(outcome.out);
+    const auto sheets = sheets_of(rows_of(outcome.out));
     // Of sheets about axes, what they say of the sheets that leave them.
     std::vector<Sided> told;
     for (const auto& sheet : sheets)
@@ -132,7 +114,7 @@ TEST(LeastEnergy, IsTheLowerEnvelopeOfTheSheets) {
     ASSERT_EQ(json.size(), pieces.size());
     std::map<std::string, int> on_pieces;
     int outside = 0;
-    for (const auto& sheet : sheets_of(text_of(directory / "x.csv"))) {
+    for (const auto& sheet : sheets_of(rows_of(text_of(directory / "x.csv")))) {
       for (const Row& row : sheet) {
         const double momentum = length(row, "pi");
         const double energy = number(row.at("energy"));

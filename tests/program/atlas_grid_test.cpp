@@ -22,8 +22,6 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-using Words = std::vector<std::string>;
-
 class AtlasGrid : public ::testing::Test {
  protected:
   Outcome grid(const Words& more, const RunOptions& options = {}) const {

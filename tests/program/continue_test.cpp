@@ -30,8 +30,8 @@ constexpr const char* spectral =
 constexpr const char* of_events = ",criticality,side";
 
 /// "continue", a case and overrides of it.
-std::vector<std::string> command(const std::string& case_file,
-                                 const std::vector<std::string>& overrides) {
+std::vector<std::string> continue_command(const std::string& case_file,
+                                          const std::vector<std::string>& overrides) {
   std::vector<std::string> out{"continue", case_file};
   for (const std::string& each : overrides) {
     out.emplace_back("--set");
@@ -42,7 +42,7 @@ std::vector<std::string> command(const std::string& case_file,
 
 Outcome continued(const std::string& case_file, const std::vector<std::string>& overrides = {},
                   const std::string& target = "-") {
-  auto arguments = command(case_file, overrides);
+  auto arguments = continue_command(case_file, overrides);
   arguments.insert(arguments.end(), {"-o", target});
   return run_program(arguments);
 }
@@ -60,21 +60,19 @@ bool is_end_name(const std::string& event) {
 }
 
 /// "limit tilt ... escape"
-std::string events_of(const std::vector<Row>& rows) {
+std::string names_of_events(const std::vector<Row>& rows) {
   std::string out;
   for (const Row& row : rows)
     if (!row.at("event").empty()) out += (out.empty() ? "" : " ") + row.at("event");
   return out;
 }
 
-std::size_t place_of(const std::vector<Row>& rows, const std::string& event) {
+std::size_t index_of(const std::vector<Row>& rows, const std::string& event) {
   std::size_t k = 0;
   while (k < rows.size() && rows[k].at("event") != event) ++k;
   EXPECT_LT(k, rows.size()) << "no " << event;
   return k;
 }
-
-double number(const Row& row, const std::string& column) { return testing::number(row.at(column)); }
 
 TEST(Continue, ColumnsInTheirOrder) {
   const Outcome outcome = continued(shipped("disc.toml"));
@@ -148,7 +146,7 @@ TEST(Continue, EveryCaseIsFollowedFromEndToEnd) {
       EXPECT_EQ(rows[k].at("point"), std::to_string(k));
       EXPECT_LE(number(rows[k], "residual"), 1e-14) << entry.path() << " row " << k;
     }
-    EXPECT_EQ(events_of(rows).find("unexplained"), std::string::npos) << entry.path();
+    EXPECT_EQ(names_of_events(rows).find("unexplained"), std::string::npos) << entry.path();
   }
 }
 
@@ -165,8 +163,8 @@ TEST(Continue, EndsAtTheLimitsAsked) {
 /// The fold by its closed form (cases/fold.toml), and nu at rest on either side of it.
 TEST(Continue, AFoldStandsWhereTheSpinIsGreatest) {
   const auto rows = rows_of(continued(shipped("fold.toml"), along_nu("0", "3")).out);
-  EXPECT_EQ(events_of(rows), "limit fold-nu tilt escape");
-  const std::size_t fold = place_of(rows, "fold-nu");
+  EXPECT_EQ(names_of_events(rows), "limit fold-nu tilt escape");
+  const std::size_t fold = index_of(rows, "fold-nu");
   constexpr double mu = 1.1;
   constexpr double lambda = 0.8;
   const double greatest =
@@ -183,8 +181,8 @@ TEST(Continue, AFoldStandsWhereTheSpinIsGreatest) {
 /// I1 = I3 at a tilt of (i): the class changes there and nowhere else.
 TEST(Continue, ATiltStandsWhereTwoInertiasAreEqual) {
   const auto rows = rows_of(continued(shipped("neo_hookean.toml"), along_nu("0", "0.766")).out);
-  EXPECT_EQ(events_of(rows), "limit tilt limit");
-  const std::size_t tilt = place_of(rows, "tilt");
+  EXPECT_EQ(names_of_events(rows), "limit tilt limit");
+  const std::size_t tilt = index_of(rows, "tilt");
   const double xi = number(rows[tilt], "xi");
   const double rho = number(rows[tilt], "rho");
   EXPECT_NEAR(xi * xi, 0.6 * rho * rho, 1e-13);
@@ -347,14 +345,14 @@ TEST(Continue, MetadataTellTheEventsOfTheTable) {
 }
 
 TEST(Continue, SummaryForAPerson) {
-  const Outcome outcome = run_program(command(shipped("fold.toml"), along_nu("0", "3")));
+  const Outcome outcome = run_program(continue_command(shipped("fold.toml"), along_nu("0", "3")));
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.err, IsEmpty());
   for (const char* words :
        {"branch (i) in nu, from 0 to 3", "walk from the rest state", "limit at nu = 0",
         "escape at nu = ", "fold-nu           nu = 0.54910552293", "tilt", "unstable", "stable"})
     EXPECT_THAT(outcome.out, HasSubstr(words));
-  auto quiet = command(shipped("fold.toml"), along_nu("0", "3"));
+  auto quiet = continue_command(shipped("fold.toml"), along_nu("0", "3"));
   quiet.emplace_back("--quiet");
   EXPECT_THAT(run_program(quiet).out, IsEmpty());
 }
@@ -475,7 +473,7 @@ TEST(Continue, AFullDiskIsAFailure) {
   const Outcome outcome = continued(shipped("disc.toml"), {}, "/dev/full");
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("No space left"));
-  auto streamed = command(shipped("disc.toml"), {});
+  auto streamed = continue_command(shipped("disc.toml"), {});
   streamed.insert(streamed.end(), {"-o", "-"});
   EXPECT_EQ(run_program(streamed, {.standard_output = "/dev/full"}).code, 4);
 }

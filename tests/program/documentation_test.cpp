@@ -23,13 +23,6 @@ using ::testing::HasSubstr;
 
 std::string page(const std::string& name) { return text_of(STATIONARY_DOCS "/" + name); }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> out;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) out.push_back(line);
-  return out;
-}
-
 /// What the pages and the README link to is there.
 TEST(Documentation, LinksLeadSomewhere) {
   std::vector<fs::path> pages{fs::path(STATIONARY_DOCS) / ".." / "README.md",

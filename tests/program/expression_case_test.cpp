@@ -23,7 +23,7 @@ std::string case_with(const std::string& potential, const std::string& more = ""
          potential + "\n" + more;
 }
 
-const std::string thickness = "thickness = { model = \"harmonic\", k = 3.0, rest = 1.0 }";
+const std::string harmonic_thickness = "thickness = { model = \"harmonic\", k = 3.0, rest = 1.0 }";
 
 TEST(ExpressionCase, CheckSaysWhatWasFoundOut) {
   const Outcome ogden = run_program({"check", STATIONARY_CASES "/ogden.toml"});
@@ -85,7 +85,7 @@ TEST(ExpressionCase, WrongOnesAreRefusedAtTheirCharacter) {
   };
   for (const Wrong& each : wrong) {
     const std::string path =
-        directory.file("wrong.toml", case_with(each.potential + ("\n" + thickness)));
+        directory.file("wrong.toml", case_with(each.potential + ("\n" + harmonic_thickness)));
     const Outcome outcome = run_program({"check", path});
     EXPECT_EQ(outcome.code, 2) << each.potential;
     EXPECT_THAT(outcome.err, StartsWith("stationary: " + path + each.place)) << each.potential;
@@ -102,7 +102,7 @@ TEST(ExpressionCase, ConstantsThatAreZeroPass) {
       case_with(
           "plane = { expression = \"I1/2 - log(d) + sqrt(k) + 0^a + k^a + (-2)^n + k^2*d + min(k, "
           "1)*t + log(1 + k)\", k = 0.0, a = 0.5, n = 2.0 }\n" +
-          thickness));
+          harmonic_thickness));
   const Outcome outcome = run_program({"check", path});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
@@ -159,8 +159,8 @@ TEST(ExpressionCase, EveryThicknessIsFoundAndAStartChoosesOne) {
 
 TEST(ExpressionCase, NoStateOfRestIsSaidSo) {
   const TemporaryDirectory directory;
-  const std::string path =
-      directory.file("open.toml", case_with("plane = { expression = \"-log(d)\" }\n" + thickness));
+  const std::string path = directory.file(
+      "open.toml", case_with("plane = { expression = \"-log(d)\" }\n" + harmonic_thickness));
   const Outcome outcome = run_program({"solve", path});
   EXPECT_EQ(outcome.code, 3) << outcome.out;
   EXPECT_THAT(outcome.err, HasSubstr("no state of rest was found"));
@@ -191,7 +191,7 @@ TEST(ExpressionCase, SizesThatCannotBeComputedWithAreRefused) {
   for (const char* size : {"1e120", "1e200", "1e300"}) {
     const std::string path =
         directory.file("size.toml", case_with("plane = { expression = \"" + std::string(size) +
-                                              "*(I1 + 1/d)\" }\n" + thickness));
+                                              "*(I1 + 1/d)\" }\n" + harmonic_thickness));
     const Outcome outcome = run_program({"solve", path});
     EXPECT_EQ(outcome.code, 2) << size;
     EXPECT_THAT(outcome.err,
@@ -205,8 +205,9 @@ TEST(ExpressionCase, EnergyIsThatOfTheSum) {
   const TemporaryDirectory directory;
   const auto energies = [&](const std::string& expression) {
     const std::string path = directory.file(
-        "sum.toml", case_with("plane = { expression = \"" + expression + "\" }\n" + thickness,
-                              "[continuation]\nparameter = \"nu\"\nfrom = 0.0\nto = 0.3\n"));
+        "sum.toml",
+        case_with("plane = { expression = \"" + expression + "\" }\n" + harmonic_thickness,
+                  "[continuation]\nparameter = \"nu\"\nfrom = 0.0\nto = 0.3\n"));
     std::vector<double> out;
     out.push_back(number(only_row(run_program({"solve", path, "-o", "-"}).out)["energy"]));
     out.push_back(number(rows_of(run_program({"continue", path, "-o", "-"}).out).back()["energy"]));
@@ -231,9 +232,10 @@ TEST(ExpressionCase, CirclesAndVerticalBranches) {
       "}\n";
   const std::string built_in = "plane = { model = \"neo-hookean\", mu = 0.64, lambda = 2.0 }\n";
   const std::string written_thickness = "thickness = { expression = \"1.5*(rho - 1)^2\" }\n";
-  const std::string potentials[] = {built_in + thickness, written_plane + thickness,
+  const std::string potentials[] = {built_in + harmonic_thickness,
+                                    written_plane + harmonic_thickness,
                                     built_in + written_thickness, written_plane + written_thickness,
-                                    "plane = { expression = \"I1 + 1/d\" }\n" + thickness};
+                                    "plane = { expression = \"I1 + 1/d\" }\n" + harmonic_thickness};
   std::vector<Row> neo_hookean;
   for (const std::string& potential : potentials) {
     const std::string path =
@@ -318,8 +320,8 @@ TEST(ExpressionCase, IsFollowedInItsParameterAndMapped) {
   const auto continued = [&](const std::string& potential, const std::string& parameter) {
     const std::string path = directory.file(
         "followed.toml",
-        case_with(potential + thickness, "[continuation]\nparameter = \"potential.plane." +
-                                             parameter + "\"\nfrom = 1.0\nto = 3.0\n"));
+        case_with(potential + harmonic_thickness, "[continuation]\nparameter = \"potential.plane." +
+                                                      parameter + "\"\nfrom = 1.0\nto = 3.0\n"));
     const Outcome outcome = run_program({"continue", path, "-o", "-"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return rows_of(outcome.out).back();
@@ -333,7 +335,7 @@ TEST(ExpressionCase, IsFollowedInItsParameterAndMapped) {
   const auto mapped = [&](const std::string& potential) {
     const std::string path = directory.file(
         "mapped.toml",
-        case_with(potential + thickness,
+        case_with(potential + harmonic_thickness,
                   "[map]\nx = { parameter = \"nu\", from = 0.0, to = 0.7, count = 5 }\n"
                   "y = { parameter = \"potential.plane.mu\", from = 0.8, to = 1.6, count = 3 }\n"));
     const Outcome outcome = run_program({"map", path, "-o", "-"});

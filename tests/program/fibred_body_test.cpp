@@ -29,7 +29,7 @@ std::string text(const std::string& body, const std::string& plane, const std::s
                  const char* J = "[1.0, 1.7, 0.6]") {
   return std::string("[body]\nJ = ") + J + "\n" + body + "[potential]\n" + plane + thickness + rest;
 }
-std::string spin(const std::string& branch, const std::string& nu) {
+std::string spin_text(const std::string& branch, const std::string& nu) {
   return "[motion]\nbranch = \"" + branch + "\"\nnu = " + nu + "\n";
 }
 
@@ -68,8 +68,8 @@ TEST(FibredBody, IsotropicCoefficientsAreIsotropic) {
     for (const std::string branch : {"i", "ii", "iii"}) {
       for (const char* nu : {"0.0", "0.5"}) {
         const std::string where = body + branch + " " + nu + " ";
-        const auto a = rows_from("solve", text(body, orthotropic, spin(branch, nu)));
-        const auto b = rows_from("solve", text(body, isotropic, spin(branch, nu)));
+        const auto a = rows_from("solve", text(body, orthotropic, spin_text(branch, nu)));
+        const auto b = rows_from("solve", text(body, isotropic, spin_text(branch, nu)));
         ASSERT_EQ(a.size(), 1u) << where;
         expect_alike(a[0], b[0], where);
       }
@@ -78,7 +78,7 @@ TEST(FibredBody, IsotropicCoefficientsAreIsotropic) {
 }
 
 TEST(FibredBody, MapsAreThoseOfTheIsotropicBody) {
-  const std::string map = spin("iii", "0.5") +
+  const std::string map = spin_text("iii", "0.5") +
                           "[map]\nx = { parameter = \"nu\", from = 0.0, to = 0.6, count = 4 }\n"
                           "y = { parameter = \"gravity.g\", from = 0.1, to = 0.5, count = 3 }\n";
   const auto a = rows_from("map", text(bodies[1], orthotropic, map));
@@ -103,7 +103,7 @@ TEST(FibredBody, AnyNumberIsFollowed) {
     const std::string range = std::string("[continuation]\nparameter = \"") + number_key +
                               "\"\nfrom = " + std::to_string(from) +
                               "\nto = " + std::to_string(to) + "\n";
-    std::string content = text(bodies[1], std::string(isotropic) + fibre, spin("iii", "0.5"));
+    std::string content = text(bodies[1], std::string(isotropic) + fibre, spin_text("iii", "0.5"));
     const TemporaryDirectory directory;
     const std::string start = std::string(number_key) == "nu" ? "motion.nu" : number_key;
     const std::string path = directory.file("case.toml", content + range);
@@ -124,8 +124,8 @@ TEST(FibredBody, AnyNumberIsFollowed) {
 TEST(FibredBody, AllOfThemAreProven) {
   const std::string fibre = "fibre = { k = 0.4, degrees = 30.0 }\n";
   const std::string all = "[solve]\nall = true\n[output]\ncertificate = true\n";
-  const std::pair<std::string, std::size_t> motions[] = {{spin("iii", "0.5"), 1},
-                                                         {spin("oblique", "0.4"), 2}};
+  const std::pair<std::string, std::size_t> motions[] = {{spin_text("iii", "0.5"), 1},
+                                                         {spin_text("oblique", "0.4"), 2}};
   for (const auto& [motion, count] : motions) {
     const auto rows = rows_from("solve", text(held, std::string(isotropic) + fibre, motion + all));
     ASSERT_EQ(rows.size(), count) << motion;
@@ -134,8 +134,8 @@ TEST(FibredBody, AllOfThemAreProven) {
       EXPECT_EQ(row.at("class_certified"), "yes") << motion;
     }
   }
-  const auto rows =
-      rows_from("solve", text(bodies[1], std::string(isotropic) + fibre, spin("iii", "0.5") + all));
+  const auto rows = rows_from(
+      "solve", text(bodies[1], std::string(isotropic) + fibre, spin_text("iii", "0.5") + all));
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].at("certified"), "yes");
   EXPECT_EQ(rows[0].at("class_certified"), "yes");
@@ -146,10 +146,11 @@ TEST(FibredBody, TheThicknessMayBeLeftOut) {
   const TemporaryDirectory directory;
   const std::string plane = std::string(isotropic) + "fibre = { k = 0.4, degrees = 0.0 }\n";
   const auto without = [&](const std::string& body) {
-    return run_program({"solve",
-                        directory.file("case.toml", "[body]\nJ = [1.0, 1.7, 0.6]\n" + body +
-                                                        "[potential]\n" + plane + spin("i", "0.4")),
-                        "-o", "-"});
+    return run_program(
+        {"solve",
+         directory.file("case.toml", "[body]\nJ = [1.0, 1.7, 0.6]\n" + body + "[potential]\n" +
+                                         plane + spin_text("i", "0.4")),
+         "-o", "-"});
   };
   EXPECT_EQ(without(held).code, 0);
   EXPECT_EQ(without("").code, 2);

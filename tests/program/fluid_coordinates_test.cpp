@@ -18,9 +18,10 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr std::array<double, 3> J{1.0, 1.7, 0.6};
+constexpr std::array<double, 3> fluid_J{1.0, 1.7, 0.6};
 const double s = std::cbrt(1.0 * 1.7 * 0.6);
-const double unit[3] = {std::sqrt(s / J[0]), std::sqrt(s / J[1]), std::sqrt(s / J[2])};
+const double unit[3] = {std::sqrt(s / fluid_J[0]), std::sqrt(s / fluid_J[1]),
+                        std::sqrt(s / fluid_J[2])};
 
 std::string start(double xi, double zeta, double rho) {
   std::ostringstream out;
@@ -30,7 +31,7 @@ std::string start(double xi, double zeta, double rho) {
   return out.str();
 }
 
-std::string fluid(const std::string& motion) {
+std::string fluid_case(const std::string& motion) {
   return "[body]\nJ = [1.0, 1.7, 0.6]\nvolume = 1\n[gravity]\npi_G_rho = 1\n[motion]\n" + motion;
 }
 
@@ -63,7 +64,7 @@ Row event(const std::vector<Row>& rows, const std::string& name) {
 TEST_F(Fluid, JacobisEllipsoidIsStableWhateverItsCoordinates) {
   const double axes[3] = {1.49911080661478416932038, 0.9744220242996097100582471,
                           0.684572065801018726801909};
-  const Row row = solved(fluid("branch = \"iii\"\nnu = 0.5895180264839983585672417\n") +
+  const Row row = solved(fluid_case("branch = \"iii\"\nnu = 0.5895180264839983585672417\n") +
                          start(1.4991, 0.97442, 0.68457));
   ASSERT_FALSE(row.empty());
   const char* const columns[3] = {"xi", "zeta", "rho"};
@@ -90,7 +91,7 @@ TEST_F(Fluid, SpheroidsBreakAndTurnWhereTheyDo) {
        {Known{"iii", "ellipse", "nu3", 0, 1}, Known{"i", "ellipse-23", "nu1", 1, 2},
         Known{"ii", "ellipse-13", "nu2", 0, 2}}) {
     const auto rows =
-        continued(fluid(std::string("branch = \"") + at.branch + "\"\nnu = 0.3\n") + range);
+        continued(fluid_case(std::string("branch = \"") + at.branch + "\"\nnu = 0.3\n") + range);
     ASSERT_FALSE(rows.empty());
     const Row broken = event(rows, at.event);
     ASSERT_FALSE(broken.empty()) << at.branch;
@@ -106,7 +107,7 @@ TEST_F(Fluid, SpheroidsBreakAndTurnWhereTheyDo) {
 /// Rows are read in the coordinates they were written in.
 TEST_F(Fluid, GoesOnFromARow) {
   const std::string text =
-      fluid("branch = \"iii\"\nnu = 0.3\n") + "[continuation]\nfrom = 0.1\nto = 0.5\n";
+      fluid_case("branch = \"iii\"\nnu = 0.3\n") + "[continuation]\nfrom = 0.1\nto = 0.5\n";
   const auto rows = continued(text);
   ASSERT_GE(rows.size(), 3U);
   const auto again = continued(
@@ -138,7 +139,7 @@ TEST_F(Fluid, MayBeCompressible) {
 TEST_F(Fluid, AllFiguresAndMaps) {
   const Outcome outcome = run_program(
       {"solve",
-       directory_.file("case.toml", fluid("branch = \"iii\"\nnu = 0.5477225575051661\n") +
+       directory_.file("case.toml", fluid_case("branch = \"iii\"\nnu = 0.5477225575051661\n") +
                                         "[solve]\nall = true\n"),
        "-o", "-"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -148,7 +149,7 @@ TEST_F(Fluid, AllFiguresAndMaps) {
     EXPECT_NEAR(number(row.at("xi")) * number(row.at("zeta")) * number(row.at("rho")), 1.0, 1e-14);
   const Outcome map = run_program(
       {"map",
-       directory_.file("map.toml", fluid("branch = \"iii\"\nnu = 0.3\n") +
+       directory_.file("map.toml", fluid_case("branch = \"iii\"\nnu = 0.3\n") +
                                        "[map]\nx = { parameter = \"nu\", from = 0.1, to = 0.5, "
                                        "count = 3 }\n"),
        "-o", "-"});
@@ -161,7 +162,7 @@ TEST_F(Fluid, AllFiguresAndMaps) {
 }
 
 TEST_F(Fluid, TheCaseIsToldAsItIs) {
-  const std::string path = directory_.file("case.toml", fluid("branch = \"iii\"\nnu = 0.3\n"));
+  const std::string path = directory_.file("case.toml", fluid_case("branch = \"iii\"\nnu = 0.3\n"));
   const Outcome outcome = run_program({"check", path});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("J = (1, 1.7, 0.6)"));
@@ -169,7 +170,7 @@ TEST_F(Fluid, TheCaseIsToldAsItIs) {
   ASSERT_EQ(run_program({"solve", path, "-o", directory_ / "row.csv"}).code, 0);
   EXPECT_THAT(text_of(directory_ / "row.meta.json"), HasSubstr("1.7"));
   const Outcome followed = run_program(
-      {"check", directory_.file("J.toml", fluid("branch = \"iii\"\nnu = 0.3\n") +
+      {"check", directory_.file("J.toml", fluid_case("branch = \"iii\"\nnu = 0.3\n") +
                                               "[continuation]\nparameter = \"body.J.2\"\nfrom = "
                                               "0.5\nto = 1.0\n")});
   EXPECT_EQ(followed.code, 2);

@@ -18,8 +18,6 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-using Words = std::vector<std::string>;
-
 /// A command of the shell as root of namespaces of its own, with $1, $2, ....
 Outcome in_namespace(const std::string& script, const Words& words) {
   RunOptions options;

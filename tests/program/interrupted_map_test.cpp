@@ -21,8 +21,6 @@ using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-using Words = std::vector<std::string>;
-
 class InterruptedMap : public ::testing::Test {
  protected:
   Outcome map(const std::string& out, const RunOptions& options = {}, bool resume = false) const {

@@ -415,13 +415,6 @@ TEST(CaseFile, IntegersAreNumbers) {
   EXPECT_THAT(outcome.out, HasSubstr("nu from 0 to 1, tolerance 1"));
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> out;
-  for (std::string line; std::getline(in, line);) out.push_back(line);
-  return out;
-}
-
 TEST(CaseFile, AllFaultsAreToldAtOnce) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("case.toml", R"([body]

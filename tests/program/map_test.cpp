@@ -29,7 +29,7 @@ using ::testing::Not;
 const std::string map_case = STATIONARY_CASES "/map_biot_log.toml";
 
 /// map of the shipped case on 13 by 9 cells, with more overrides.
-std::vector<std::string> command(const std::vector<std::string>& overrides = {}) {
+std::vector<std::string> map_command(const std::vector<std::string>& overrides = {}) {
   std::vector<std::string> out{"map", map_case};
   std::vector<std::string> all{"map.x.count=13", "map.y.count=9"};
   all.insert(all.end(), overrides.begin(), overrides.end());
@@ -42,7 +42,7 @@ std::vector<std::string> command(const std::vector<std::string>& overrides = {})
 
 Outcome mapped(const std::vector<std::string>& overrides = {},
                const std::vector<std::string>& options = {"-o", "-"}) {
-  auto arguments = command(overrides);
+  auto arguments = map_command(overrides);
   arguments.insert(arguments.end(), options.begin(), options.end());
   return run_program(arguments);
 }
@@ -360,7 +360,7 @@ TEST(Map, InterruptedWritesWhatIsComplete) {
     if (!has_hdf5 && name[2] == 'h') continue;
     const TemporaryDirectory directory;
     const std::string target = directory / name;
-    auto arguments = command({"map.x.count=3000", "map.y.count=2000"});
+    auto arguments = map_command({"map.x.count=3000", "map.y.count=2000"});
     arguments.insert(arguments.end(), {"-o", target, "--threads", "1"});
     const Outcome outcome = run_program(arguments, {.interrupt_once_written = target});
     EXPECT_EQ(outcome.code, 130);

@@ -22,8 +22,6 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-using Words = std::vector<std::string>;
-
 Words joined(std::initializer_list<Words> all) {
   Words out;
   for (const Words& each : all) out.insert(out.end(), each.begin(), each.end());

@@ -20,8 +20,6 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-using Words = std::vector<std::string>;
-
 /// What is shared out: a command, its case and its options.
 struct Shared {
   std::string name;

@@ -69,6 +69,13 @@ std::string text_of(const std::string& path) {
   return text.str();
 }
 
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> out;
+  for (std::string line; std::getline(in, line);) out.push_back(line);
+  return out;
+}
+
 Outcome run_program(const std::vector<std::string>& arguments, const RunOptions& options) {
   const TemporaryDirectory streams;
   const std::string out =

@@ -9,6 +9,9 @@
 
 namespace stationary::testing {
 
+/// Of a command line.
+using Words = std::vector<std::string>;
+
 struct Outcome {
   int code = -1;  ///< exit code, or 128 + signal
   std::string out;
@@ -50,6 +53,7 @@ class TemporaryDirectory {
 };
 
 std::string text_of(const std::string& path);
+std::vector<std::string> lines_of(const std::string& text);
 
 /// A case of cases/, by its file's name.
 inline std::string shipped(const std::string& name) {

@@ -27,7 +27,7 @@ std::vector<std::string> stems_in(const std::string& directory, const std::strin
   return out;
 }
 
-std::string case_of(const std::string& stem) { return STATIONARY_CASES "/" + stem + ".toml"; }
+std::string case_path(const std::string& stem) { return STATIONARY_CASES "/" + stem + ".toml"; }
 std::string result_of(const std::string& file) { return STATIONARY_RESULTS "/" + file; }
 
 /// The spin and the logarithms of the stretches.
@@ -67,13 +67,6 @@ void expect_on_the_curve(const std::vector<Row>& rows, const std::vector<Row>& c
       least = std::min(least, distance_to_line(at, line[k - 1], line[k]));
     EXPECT_LE(least, 2e-3) << "point " << row.at("point");
   }
-}
-
-std::vector<Row> events_of(const std::vector<Row>& rows) {
-  std::vector<Row> out;
-  std::ranges::copy_if(rows, std::back_inserter(out),
-                       [](const Row& row) { return !row.at("event").empty(); });
-  return out;
 }
 
 /// `negative` along the curve, once where it stays. At an event the sign of a zero may be either.
@@ -119,23 +112,15 @@ constexpr std::string_view atlas_suffix = "_atlas";
 
 bool is_atlas(const std::string& stem) { return stem.ends_with(atlas_suffix); }
 
-std::vector<std::vector<Row>> sheets_of(const std::vector<Row>& rows) {
-  std::vector<std::vector<Row>> out;
-  for (const Row& row : rows) {
-    if (out.empty() || out.back().back().at("sheet") != row.at("sheet")) out.emplace_back();
-    out.back().push_back(row);
-  }
-  return out;
-}
-
 class ShippedResult : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedResult, IsWhatTheProgramMakesOfItsCase) {
   const std::string& stem = GetParam();
-  const bool curve = text_of(case_of(stem)).find("\n[continuation]") != std::string::npos;
+  const bool curve = text_of(case_path(stem)).find("\n[continuation]") != std::string::npos;
   const TemporaryDirectory directory;
   const std::string path = directory / "today.csv";
-  const Outcome run = run_program({curve ? "continue" : "solve", case_of(stem), "-o", path, "-q"});
+  const Outcome run =
+      run_program({curve ? "continue" : "solve", case_path(stem), "-o", path, "-q"});
   EXPECT_EQ(run.code, stem == "too_fast" ? 3 : 0) << run.err;
   const std::string shipped = text_of(result_of(stem + ".csv"));
   const std::string today = text_of(path);
@@ -160,7 +145,7 @@ TEST(ShippedResults, AtlasesAreWhatTheProgramMakesOfTheirCases) {
     if (!is_atlas(stem)) continue;
     const TemporaryDirectory directory;
     const std::string path = directory / "today.csv";
-    const std::string toml = case_of(stem.substr(0, stem.size() - atlas_suffix.size()));
+    const std::string toml = case_path(stem.substr(0, stem.size() - atlas_suffix.size()));
     std::vector<std::string> arguments{"atlas", toml, "-o", path, "-q"};
     // Its searches take seconds, and its sheets are all connected to rest.
     if (text_of(toml).find("\nfibre ") != std::string::npos)
@@ -174,15 +159,6 @@ TEST(ShippedResults, AtlasesAreWhatTheProgramMakesOfTheirCases) {
     ++compared;
   }
   EXPECT_GE(compared, 3);
-}
-
-double length(const Row& row, const std::string& vector) {
-  double square = 0.0;
-  for (const char* k : {"1", "2", "3"}) {
-    const double part = number(row.at(vector + k));
-    square += part * part;
-  }
-  return std::sqrt(square);
 }
 
 /// dE = |nu| d|pi| along a family in nu: between two rows |nu| lies between theirs.

@@ -38,13 +38,6 @@ to = 1.0
 tolerance = 1e-7
 )";
 
-std::vector<Row> events_of(const std::vector<Row>& rows) {
-  std::vector<Row> out;
-  for (const Row& row : rows)
-    if (!row.at("event").empty()) out.push_back(row);
-  return out;
-}
-
 double nu(const Row& row) { return number(row.at("nu1")); }
 
 class Resume : public ::testing::Test {

@@ -17,7 +17,7 @@
 namespace stationary::testing {
 namespace {
 
-constexpr double J = 1.25;
+constexpr double round_J = 1.25;
 constexpr double g = 4.0;
 
 struct Rates {
@@ -27,8 +27,8 @@ struct Rates {
 
 /// y1 F_T etc. from R_D: F_1 = F_T + y2 F_D, F_2 = F_T + y1 F_D for y1 != y2.
 Rates closed_form(double mu, double lambda, double other, double rho, double J3) {
-  const double y1 = J * lambda * lambda;
-  const double y2 = J * other * other;
+  const double y1 = round_J * lambda * lambda;
+  const double y2 = round_J * other * other;
   const double z = J3 * rho * rho;
   const double F_1 = -boost::math::ellint_rd(y2, z, y1) / 6.0;
   const double F_2 = -boost::math::ellint_rd(y1, z, y2) / 6.0;
@@ -37,8 +37,8 @@ Rates closed_form(double mu, double lambda, double other, double rho, double J3)
   const double F_T = F_1 - y2 * F_D;
   const double d = lambda * other;
   const double thick = rho * rho / d;
-  return {mu / J - 2.0 * g * F_T,
-          -mu / J * thick - 2.0 * g * J * d * F_D + 2.0 * g * (J3 / J) * thick * F_z};
+  return {mu / round_J - 2.0 * g * F_T, -mu / round_J * thick - 2.0 * g * round_J * d * F_D +
+                                            2.0 * g * (J3 / round_J) * thick * F_z};
 }
 
 std::string body(const std::string& mu) {
@@ -48,7 +48,7 @@ std::string body(const std::string& mu) {
 }
 
 /// Follows the motions in J3 from J3 = 1 on; the row nearest to there.
-Row followed(const std::string& mu, const std::string& motion) {
+Row followed_in_J3(const std::string& mu, const std::string& motion) {
   const TemporaryDirectory directory;
   const std::string path = directory.file(
       "case.toml", body(mu) + "[motion]\nbranch = \"two-polar\"\n" + motion +
@@ -93,11 +93,11 @@ Row followed(const std::string& mu, const std::string& motion) {
 
 TEST(RiemannFigure, FollowsInertiasAtMomentaAndAtRates) {
   for (const std::string mu : {"0.0", "0.05", "1.0"}) {
-    const Row at = followed(mu, "s3 = 2.9\np_theta = 2.5\n");
+    const Row at = followed_in_J3(mu, "s3 = 2.9\np_theta = 2.5\n");
     ASSERT_FALSE(at.empty());
-    (void)followed(mu, "omega = " + at.at("omega") + "\ntheta_dot = " + at.at("theta_dot") +
-                           "\n[solve]\nstart = [0.0, " + at.at("xi") + ", " + at.at("zeta") + ", " +
-                           at.at("rho") + "]\n");
+    (void)followed_in_J3(mu, "omega = " + at.at("omega") + "\ntheta_dot = " + at.at("theta_dot") +
+                                 "\n[solve]\nstart = [0.0, " + at.at("xi") + ", " + at.at("zeta") +
+                                 ", " + at.at("rho") + "]\n");
   }
 }
 

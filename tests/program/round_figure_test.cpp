@@ -31,7 +31,7 @@ struct Placement {
 constexpr Placement placements[] = {{"i", "ellipse-23", "nu1", "xi", "zeta", "rho"},
                                     {"ii", "ellipse-13", "nu2", "zeta", "xi", "rho"}};
 
-std::string fluid(const std::string& branch, const std::string& J = "1, 1, 1") {
+std::string round_fluid(const std::string& branch, const std::string& J = "1, 1, 1") {
   return "[body]\nJ = [" + J + "]\nvolume = 1\n[gravity]\npi_G_rho = 1\n[motion]\nbranch = \"" +
          branch + "\"\nnu = 0.3\n[continuation]\nfrom = 0.1\nto = 0.7\n";
 }
@@ -56,7 +56,8 @@ std::vector<Row> events(const std::vector<Row>& rows, const std::string& name) {
 TEST(RoundFigure, BreaksWhereJacobisEllipsoidsBranchOff) {
   for (const Placement& at : placements) {
     const TemporaryDirectory directory;
-    const auto rows = continued(directory, fluid(at.branch) + "[output]\ncertificate = true\n");
+    const auto rows =
+        continued(directory, round_fluid(at.branch) + "[output]\ncertificate = true\n");
     const auto broken = events(rows, at.event);
     ASSERT_EQ(broken.size(), 1U) << at.branch;
     const Row& row = broken.front();
@@ -94,7 +95,7 @@ TEST(RoundFigure, EllipsoidsEndOnIt) {
       const bool first = std::string(at.branch) == "i";
       const std::string start = "[solve]\nstart = [0.0, " + (first ? axes[0] : axes[1]) + ", " +
                                 (first ? axes[1] : axes[0]) + ", " + axes[2] + "]\n";
-      std::string text = fluid(at.branch);
+      std::string text = round_fluid(at.branch);
       text.replace(text.find("nu = 0.3"), 8, "nu = 0.6017");
       const auto rows = continued(directory, text + start);
       ASSERT_FALSE(rows.empty());
@@ -110,11 +111,11 @@ TEST(RoundFigure, EllipsoidsEndOnIt) {
 /// A normal form is of the figure, whatever its axes are called.
 TEST(RoundFigure, HasTheNormalFormOfTheCircleInThePlane) {
   const TemporaryDirectory directory;
-  const auto plane = events(continued(directory, fluid("iii")), "ellipse");
+  const auto plane = events(continued(directory, round_fluid("iii")), "ellipse");
   ASSERT_EQ(plane.size(), 1U);
   ASSERT_NE(plane.front().at("criticality"), "");
   for (const Placement& at : placements) {
-    const auto broken = events(continued(directory, fluid(at.branch)), at.event);
+    const auto broken = events(continued(directory, round_fluid(at.branch)), at.event);
     ASSERT_EQ(broken.size(), 1U);
     EXPECT_EQ(broken.front().at("side"), plane.front().at("side"));
     EXPECT_EQ(broken.front().at("side"), "before");
@@ -160,7 +161,7 @@ TEST(RoundFigure, IsNoneOfUnequalInertias) {
   const std::string other =
       "[potential]\ncoupled = { expression = \"mu/2*(I1 + 1.1*rho^2 - 3)\", mu = 0.05 }\n";
   for (const auto& [J, V] : {std::pair{"1, 1, 1.02", elastic}, std::pair{"1, 1, 1", other}}) {
-    std::string text = fluid("i", J) + V;
+    std::string text = round_fluid("i", J) + V;
     const auto rows = continued(directory, text);
     EXPECT_TRUE(events(rows, "ellipse-23").empty()) << J;
     for (const Row& row : rows)

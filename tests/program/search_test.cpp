@@ -18,9 +18,9 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 const std::string apart = STATIONARY_CASES "/apart.toml";
-const std::string disc = STATIONARY_CASES "/disc.toml";
+const std::string disc_case = STATIONARY_CASES "/disc.toml";
 
-Outcome solve(const std::string& file, std::vector<std::string> more) {
+Outcome solved_case(const std::string& file, std::vector<std::string> more) {
   std::vector<std::string> arguments{"solve", file};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return run_program(arguments);
@@ -65,7 +65,7 @@ std::string nu_at_fold(double times) {
 }
 
 TEST(SolveAll, OneRowASheet) {
-  const Outcome outcome = solve(apart, {"-o", "-", "--set", "solve.all=true"});
+  const Outcome outcome = solved_case(apart, {"-o", "-", "--set", "solve.all=true"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("solve.start is not used"));
   EXPECT_THAT(std::string(header_of(outcome.out)), Not(HasSubstr("certified")));
@@ -82,14 +82,14 @@ TEST(SolveAll, OneRowASheet) {
     EXPECT_FALSE(rows[k]["class"].empty());
   }
   // The one solve finds from the case's own start is among them.
-  auto alone = only_row(solve(apart, {"-o", "-"}).out);
+  auto alone = only_row(solved_case(apart, {"-o", "-"}).out);
   EXPECT_EQ(alone["xi"], rows[0]["xi"]);
   EXPECT_EQ(alone["zeta"], rows[0]["zeta"]);
 }
 
 TEST(SolveAll, NoneIsThreeAndProven) {
   const TemporaryDirectory directory;
-  const Outcome outcome = solve(
+  const Outcome outcome = solved_case(
       apart, {"-o", directory / "x.csv", "--set", "solve.all=true", "--set", "motion.nu=1.2"});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("no stationary ellipsoid in the box searched"));
@@ -106,7 +106,7 @@ TEST(SolveAll, NoneIsThreeAndProven) {
 TEST(SolveAll, MetadataSaysWhatIsProven) {
   const TemporaryDirectory directory;
   const Outcome outcome =
-      solve(apart, {"-o", directory / "x.csv", "--set", "solve.all=true", "--certify"});
+      solved_case(apart, {"-o", directory / "x.csv", "--set", "solve.all=true", "--certify"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
   EXPECT_EQ(metadata["method"], "exhaustive search");
@@ -122,7 +122,7 @@ TEST(SolveAll, MetadataSaysWhatIsProven) {
 TEST(SolveAll, ContinuumIsAFailureThatSaysWhere) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("line.toml", continuum);
-  const Outcome outcome = solve(file, {"-o", directory / "x.csv"});
+  const Outcome outcome = solved_case(file, {"-o", directory / "x.csv"});
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("not decided"));
   EXPECT_THAT(outcome.err, HasSubstr("not isolated"));
@@ -133,15 +133,17 @@ TEST(SolveAll, DoubleRootIsReportedWithItsBox) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("fold.toml", folding);
   const std::string all = "solve.all=true";
-  const Outcome at = solve(file, {"-o", "-", "--set", all, "--set", nu_at_fold(1.0)});
+  const Outcome at = solved_case(file, {"-o", "-", "--set", all, "--set", nu_at_fold(1.0)});
   EXPECT_EQ(at.code, 4);
   EXPECT_THAT(at.err, HasSubstr("a fold"));
   EXPECT_THAT(at.err, HasSubstr("zeta [1.6487"));
   EXPECT_THAT(at.out, IsEmpty());
-  const Outcome before = solve(file, {"-o", "-", "--set", all, "--set", nu_at_fold(1.0 - 1e-10)});
+  const Outcome before =
+      solved_case(file, {"-o", "-", "--set", all, "--set", nu_at_fold(1.0 - 1e-10)});
   EXPECT_EQ(before.code, 0) << before.err;
   EXPECT_EQ(rows_of(before.out).size(), 2U);
-  const Outcome after = solve(file, {"-o", "-", "--set", all, "--set", nu_at_fold(1.0 + 1e-10)});
+  const Outcome after =
+      solved_case(file, {"-o", "-", "--set", all, "--set", nu_at_fold(1.0 + 1e-10)});
   EXPECT_EQ(after.code, 3);
   EXPECT_THAT(after.err, HasSubstr("proven that there is none"));
 }
@@ -160,7 +162,7 @@ nu = 0.5947796761039316
 [solve]
 all = true
 )");
-  const Outcome outcome = solve(file, {"-o", directory / "x.csv"});
+  const Outcome outcome = solved_case(file, {"-o", directory / "x.csv"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.err, HasSubstr("2 proven; not decided whether there are more in xi [0.8606"));
   EXPECT_THAT(outcome.err, HasSubstr("a fold"));
@@ -171,7 +173,7 @@ all = true
 }
 
 TEST(SolveAll, SummaryForAPerson) {
-  const Outcome outcome = solve(apart, {"--set", "solve.all=true"});
+  const Outcome outcome = solved_case(apart, {"--set", "solve.all=true"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   for (const char* words : {"proven to be all", "solution 1", "of 2", "solution 2", "(proven)",
                             "2 proven", "all solutions"})
@@ -181,10 +183,10 @@ TEST(SolveAll, SummaryForAPerson) {
 TEST(SolveAll, InABoxOfItsOwn) {
   const TemporaryDirectory directory;
   const auto within = [&](const std::string& box) {
-    return solve(
+    return solved_case(
         apart, {"-o", directory / "x.csv", "--set", "solve.all=true", "--set", "solve.box=" + box});
   };
-  const auto all = rows_of(solve(apart, {"-o", "-", "--set", "solve.all=true"}).out);
+  const auto all = rows_of(solved_case(apart, {"-o", "-", "--set", "solve.all=true"}).out);
   ASSERT_EQ(all.size(), 2U);
   // zeta = 0.722 and 0.0215.
   for (const auto& [box, of] :
@@ -208,8 +210,8 @@ TEST(SolveAll, InABoxOfItsOwn) {
 TEST(SolveAll, MirrorImagesInBoxesOfTheirOwn) {
   const std::string circle = STATIONARY_CASES "/circle.toml";
   const auto in = [&](const std::string& box) {
-    return rows_of(solve(circle, {"-o", "-", "--set", "solve.all=true", "--set", "motion.nu=1.1",
-                                  "--set", "solve.box=" + box})
+    return rows_of(solved_case(circle, {"-o", "-", "--set", "solve.all=true", "--set",
+                                        "motion.nu=1.1", "--set", "solve.box=" + box})
                        .out);
   };
   const auto all = in("[0.001, 1000]");
@@ -239,11 +241,11 @@ TEST(SolveAll, BoxesThatAreNone) {
         std::pair{"[[1, 2], [1, 2], 3]", "solve.box.2"}, std::pair{"wide", "the string"},
         std::pair{"[]", "an array of 0 values"}, std::pair{"[1, inf]", "the number inf"}}) {
     const Outcome outcome =
-        solve(apart, {"--set", "solve.all=true", "--set", std::string("solve.box=") + box});
+        solved_case(apart, {"--set", "solve.all=true", "--set", std::string("solve.box=") + box});
     EXPECT_EQ(outcome.code, 2) << box;
     EXPECT_THAT(outcome.err, HasSubstr(words)) << box;
   }
-  const Outcome unused = solve(disc, {"--set", "solve.box=[0.1, 10]"});
+  const Outcome unused = solved_case(disc_case, {"--set", "solve.box=[0.1, 10]"});
   EXPECT_EQ(unused.code, 0);
   EXPECT_THAT(unused.out, HasSubstr("solve.box"));
 }
@@ -253,7 +255,7 @@ TEST(Certify, RowCarriesTheProof) {
        {std::vector<std::string>{"--certify"}, {"--set", "output.certificate=true"}}) {
     std::vector<std::string> arguments{"-o", "-"};
     arguments.insert(arguments.end(), way.begin(), way.end());
-    const Outcome outcome = solve(disc, arguments);
+    const Outcome outcome = solved_case(disc_case, arguments);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.err, IsEmpty());
     EXPECT_TRUE(header_of(outcome.out).ends_with(",krein5,certified,class_certified"));
@@ -262,21 +264,23 @@ TEST(Certify, RowCarriesTheProof) {
     EXPECT_EQ(row["class_certified"], "yes");
     EXPECT_LT(number(row["error_bound"]), 1e-14);
     EXPECT_GT(number(row["error_bound"]), 1e-16);
-    auto plain = only_row(solve(disc, {"-o", "-"}).out);
+    auto plain = only_row(solved_case(disc_case, {"-o", "-"}).out);
     for (const char* same : {"xi", "zeta", "rho", "class", "growth", "re1"})
       EXPECT_EQ(row[same], plain[same]) << same;
   }
 }
 
 TEST(Certify, WithoutSpectrumNoClass) {
-  const Outcome outcome = solve(disc, {"--certify", "-o", "-", "--set", "output.spectrum=false"});
+  const Outcome outcome =
+      solved_case(disc_case, {"--certify", "-o", "-", "--set", "output.spectrum=false"});
   EXPECT_TRUE(header_of(outcome.out).ends_with(",error_bound,certified")) << outcome.out;
 }
 
 TEST(Certify, WhatIsNotProvenSaysSo) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("fold.toml", folding);
-  const Outcome outcome = solve(file, {"--certify", "-o", "-", "--set", nu_at_fold(1.0 - 2e-15)});
+  const Outcome outcome =
+      solved_case(file, {"--certify", "-o", "-", "--set", nu_at_fold(1.0 - 2e-15)});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("not proven"));
   EXPECT_THAT(outcome.err, HasSubstr("fold"));
@@ -284,7 +288,7 @@ TEST(Certify, WhatIsNotProvenSaysSo) {
   EXPECT_EQ(row["certified"], "no");
   EXPECT_EQ(row["class_certified"], "no");
   // Nor does the plan say otherwise.
-  const Outcome words = solve(file, {"--certify", "--set", nu_at_fold(1.0 - 2e-15)});
+  const Outcome words = solved_case(file, {"--certify", "--set", nu_at_fold(1.0 - 2e-15)});
   EXPECT_THAT(words.out, HasSubstr("error bound and class, to be proven"));
 }
 
@@ -324,8 +328,8 @@ TEST(Certify, RowsOfACurve) {
 }
 
 TEST(Certify, CheckAnnouncesIt) {
-  const Outcome outcome =
-      run_program({"check", disc, "--set", "output.certificate=true", "--set", "solve.all=true"});
+  const Outcome outcome = run_program(
+      {"check", disc_case, "--set", "output.certificate=true", "--set", "solve.all=true"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("exhaustive search, to be proven complete"));
   EXPECT_THAT(outcome.out, HasSubstr("existence, uniqueness, error bound and class, to be proven"));
@@ -333,7 +337,8 @@ TEST(Certify, CheckAnnouncesIt) {
 
 TEST(Certify, TwoPolarMotionsByRatesAndByMomenta) {
   for (const char* file : {"/two_polar.toml", "/two_polar_momenta.toml"}) {
-    const Outcome outcome = solve(std::string(STATIONARY_CASES) + file, {"--certify", "-o", "-"});
+    const Outcome outcome =
+        solved_case(std::string(STATIONARY_CASES) + file, {"--certify", "-o", "-"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.err, IsEmpty());
     auto row = only_row(outcome.out);

@@ -140,7 +140,7 @@ TEST(Sensitivity, ErrorBoundsHoldTheInputsOfWholeBodies) {
       0.002);
 }
 
-const std::string neo_hookean =
+const std::string neo_hookean_case =
     "[body]\nJ = [0.6, 0.9, 1.1]\nvolume = 1\n[potential]\n"
     "coupled = { expression = \"mu/2*(I1 + rho^2 - 3)\", mu = 1 }\n[motion]\nbranch = \"iii\"\n"
     "nu = 0.5\n[continuation]\nfrom = 0.3\nto = 1.0\n";
@@ -148,7 +148,7 @@ const std::string neo_hookean =
 /// Axis 3 tilts at nu^2 = mu (1/J1 - 1/J3), whatever J2 and the volume are.
 TEST(Sensitivity, OfATiltInClosedForm) {
   const TemporaryDirectory directory;
-  const std::vector<Row> rows = slopes(directory.file("case.toml", neo_hookean), {"--events"});
+  const std::vector<Row> rows = slopes(directory.file("case.toml", neo_hookean_case), {"--events"});
   const double nu = std::sqrt(1.0 / 0.6 - 1.0 / 1.1);
   const std::vector<std::pair<std::string, double>> exact{{"body.J.0", -0.5 / (nu * 0.36)},
                                                           {"body.J.1", 0.0},
@@ -173,7 +173,7 @@ TEST(Sensitivity, OfATiltInClosedForm) {
 /// A_k s_k^2 = (A1 A2 A3 C^2)^(1/3): d ln rho/d ln C = 1/3, and in nu.
 TEST(Sensitivity, OfStretchesInClosedForm) {
   const TemporaryDirectory directory;
-  const std::string path = directory.file("case.toml", neo_hookean);
+  const std::string path = directory.file("case.toml", neo_hookean_case);
   const Row solved = only_row(run_program({"solve", path, "-o", "-"}).out);
   const double rho = number(solved.at("rho"));
   // rho = (A1 A2)^(1/6), A = 1 - J nu^2.
@@ -195,7 +195,7 @@ TEST(Sensitivity, OfStretchesInClosedForm) {
 TEST(Sensitivity, UncertaintiesAreCombined) {
   const TemporaryDirectory directory;
   const std::string told = "[output]\nuncertainty = { \"body.J.0\" = 0.01, \"nu\" = 0.002 }\n";
-  const std::string path = directory.file("case.toml", neo_hookean + told);
+  const std::string path = directory.file("case.toml", neo_hookean_case + told);
   const std::vector<Row> rows = slopes(path);
   double sum = 0.0;
   for (const Row& row : rows) {
@@ -228,8 +228,9 @@ TEST(Sensitivity, WhatBreaksAnEventHasNoSlope) {
 TEST(Sensitivity, WrongInputIsRefused) {
   const TemporaryDirectory directory;
   const auto refused = [&](const std::string& output) {
-    const Outcome outcome = run_program(
-        {"sensitivity", directory.file("case.toml", neo_hookean + "[output]\n" + output + "\n")});
+    const Outcome outcome =
+        run_program({"sensitivity",
+                     directory.file("case.toml", neo_hookean_case + "[output]\n" + output + "\n")});
     EXPECT_EQ(outcome.code, 2);
     return outcome.err;
   };

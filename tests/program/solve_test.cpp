@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr const char* header =
+constexpr const char* solve_columns =
     "branch,sheet,point,nu1,nu2,nu3,alpha,xi,zeta,rho,lambda,mu,angle,pi1,pi2,pi3,energy,residual,"
     "compatibility,error_bound,class,growth,negative,re1,im1,krein1,re2,im2,krein2,re3,im3,krein3,"
     "re4,im4,krein4,re5,im5,krein5";
@@ -26,7 +26,7 @@ TEST(Solve, TableReadsBackToTheLastBit) {
   const Outcome outcome = run_program({"solve", shipped("disc.toml"), "-o", "-"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, IsEmpty());
-  EXPECT_TRUE(outcome.out.starts_with(std::string(header) + '\n'));
+  EXPECT_TRUE(outcome.out.starts_with(std::string(solve_columns) + '\n'));
   EXPECT_TRUE(outcome.out.ends_with("\n"));
   EXPECT_EQ(outcome.out.find('\r'), std::string::npos);
 
@@ -122,7 +122,7 @@ TEST(Solve, NoneExistsIsThreeAndAnEmptyTable) {
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("no stationary ellipsoid exists"));
   EXPECT_THAT(outcome.err, HasSubstr("J3 nu^2"));
-  EXPECT_EQ(text_of(directory / "x.csv"), std::string(header) + '\n');
+  EXPECT_EQ(text_of(directory / "x.csv"), std::string(solve_columns) + '\n');
   EXPECT_EQ(nlohmann::json::parse(text_of(directory / "x.meta.json"))["rows"], 0);
 }
 

@@ -13,9 +13,9 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string disc = STATIONARY_CASES "/disc.toml";
+const std::string main_case = STATIONARY_CASES "/disc.toml";
 
-std::map<std::string, std::string> row_of(std::vector<std::string> arguments) {
+std::map<std::string, std::string> solved_row(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "solve");
   arguments.insert(arguments.end(), {"-o", "-"});
   const Outcome outcome = run_program(arguments);
@@ -25,7 +25,7 @@ std::map<std::string, std::string> row_of(std::vector<std::string> arguments) {
 
 nlohmann::json metadata_of(const std::vector<std::string>& overrides) {
   const TemporaryDirectory directory;
-  std::vector<std::string> arguments{"solve", disc, "-o", directory / "x.csv"};
+  std::vector<std::string> arguments{"solve", main_case, "-o", directory / "x.csv"};
   for (const std::string& each : overrides) {
     arguments.emplace_back("--set");
     arguments.push_back(each);
@@ -37,7 +37,7 @@ nlohmann::json metadata_of(const std::vector<std::string>& overrides) {
 
 TEST(SpectrumOutput, OfTheMainCase) {
   // Growth and third mode from the closed forms of the two blocks.
-  auto row = row_of({disc});
+  auto row = solved_row({main_case});
   EXPECT_EQ(row["class"], "unstable");
   EXPECT_EQ(row["negative"], "1");
   EXPECT_NEAR(number(row["growth"]), 0.1543037674, 1e-10);
@@ -56,7 +56,7 @@ TEST(SpectrumOutput, OfTheMainCase) {
 }
 
 TEST(SpectrumOutput, KreinSignsAndClassOfANegativeMode) {
-  auto row = row_of({STATIONARY_CASES "/second_axis.toml"});
+  auto row = solved_row({STATIONARY_CASES "/second_axis.toml"});
   EXPECT_EQ(row["class"], "elliptic");
   EXPECT_EQ(row["growth"], "0");
   EXPECT_EQ(row["negative"], "2");
@@ -64,14 +64,15 @@ TEST(SpectrumOutput, KreinSignsAndClassOfANegativeMode) {
 }
 
 TEST(SpectrumOutput, FourModesAtRestLeaveTheFifthEmpty) {
-  auto row = row_of({disc, "--set", "motion.nu=0"});
+  auto row = solved_row({main_case, "--set", "motion.nu=0"});
   EXPECT_EQ(row["class"], "stable");
   EXPECT_NE(row["im4"], "");
   for (const char* column : {"re5", "im5", "krein5"}) {
     ASSERT_TRUE(row.contains(column));
     EXPECT_EQ(row[column], "") << column;
   }
-  EXPECT_THAT(run_program({"check", disc, "--set", "motion.nu=0"}).out, HasSubstr("4 modes from"));
+  EXPECT_THAT(run_program({"check", main_case, "--set", "motion.nu=0"}).out,
+              HasSubstr("4 modes from"));
 }
 
 TEST(SpectrumOutput, MetadataCountItAndNameTheClass) {
@@ -91,10 +92,10 @@ TEST(SpectrumOutput, SwitchedOffNoneOfItIsComputed) {
   EXPECT_EQ(metadata["skipped"][0]["why"], "output.spectrum = false");
 
   const std::vector<std::string> off{"--set", "output.spectrum=false"};
-  const Outcome table = run_program({"solve", disc, "-o", "-", off[0], off[1]});
+  const Outcome table = run_program({"solve", main_case, "-o", "-", off[0], off[1]});
   EXPECT_TRUE(header_of(table.out).ends_with(",error_bound")) << table.out;
   for (const char* command : {"solve", "check"}) {
-    const Outcome outcome = run_program({command, disc, off[0], off[1]});
+    const Outcome outcome = run_program({command, main_case, off[0], off[1]});
     EXPECT_THAT(outcome.out, HasSubstr("spectrum      skipped\n"));
     EXPECT_THAT(outcome.out, HasSubstr("output.spectrum = false"));
     EXPECT_THAT(outcome.out, Not(HasSubstr("growth")));
@@ -106,13 +107,13 @@ TEST(SpectrumOutput, ColumnsWithoutItSkipItInATableOnly) {
   const auto metadata = metadata_of({columns});
   EXPECT_EQ(metadata["counts"]["spectra"], 0);
   EXPECT_THAT(metadata["skipped"][0]["why"].get<std::string>(), HasSubstr("output.columns"));
-  EXPECT_THAT(run_program({"check", disc, "--set", columns}).out, HasSubstr("skipped"));
-  EXPECT_THAT(run_program({"solve", disc, "--set", columns}).out, HasSubstr("unstable: "));
+  EXPECT_THAT(run_program({"check", main_case, "--set", columns}).out, HasSubstr("skipped"));
+  EXPECT_THAT(run_program({"solve", main_case, "--set", columns}).out, HasSubstr("unstable: "));
   EXPECT_EQ(metadata_of({"output.columns=[\"xi\", \"im3\"]"})["counts"]["spectra"], 1);
 }
 
 TEST(SpectrumOutput, SummaryHasTheModesAndWhatTheClassClaims) {
-  const Outcome outcome = run_program({"solve", disc});
+  const Outcome outcome = run_program({"solve", main_case});
   for (const char* text : {"unstable: a real pair of eigenvalues", "growth 0.154303767405", "im s",
                            "Krein", "error bound of s^2", "1.81536788799", "1 spectra"})
     EXPECT_THAT(outcome.out, HasSubstr(text));

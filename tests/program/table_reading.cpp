@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace stationary::testing {
@@ -60,6 +61,31 @@ double number(const std::string& text) {
   const auto end = text.data() + text.size();
   EXPECT_EQ(std::from_chars(text.data(), end, value).ptr, end) << text;
   return value;
+}
+
+double length(const Row& row, const std::string& vector) {
+  double square = 0.0;
+  for (const char* k : {"1", "2", "3"}) {
+    const double part = number(row.at(vector + k));
+    square += part * part;
+  }
+  return std::sqrt(square);
+}
+
+std::vector<Row> events_of(const std::vector<Row>& rows) {
+  std::vector<Row> out;
+  std::ranges::copy_if(rows, std::back_inserter(out),
+                       [](const Row& row) { return !row.at("event").empty(); });
+  return out;
+}
+
+std::vector<std::vector<Row>> sheets_of(const std::vector<Row>& rows) {
+  std::vector<std::vector<Row>> out;
+  for (const Row& row : rows) {
+    if (out.empty() || out.back().back().at("sheet") != row.at("sheet")) out.emplace_back();
+    out.back().push_back(row);
+  }
+  return out;
 }
 
 }  // namespace stationary::testing

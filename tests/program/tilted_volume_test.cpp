@@ -18,14 +18,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double J[3] = {0.6, 0.9, 1.1};
+constexpr double tilted_J[3] = {0.6, 0.9, 1.1};
 
-std::string neo_hookean(const std::string& motion, const std::string& rest = "") {
+std::string neo_hookean_case(const std::string& motion, const std::string& rest = "") {
   return "[body]\nJ = [0.6, 0.9, 1.1]\nvolume = 1\n[potential]\n"
          "coupled = { expression = \"mu/2*(I1 + rho^2 - 3)\", mu = 1 }\n[motion]\n" +
          motion + rest;
 }
-std::string tilted(double nu) {
+std::string tilted_motion(double nu) {
   return "branch = \"tilted\"\nplane = \"13\"\nnu = " + std::to_string(nu) + "\n";
 }
 
@@ -34,14 +34,14 @@ struct Stretches {
   double xi, zeta, rho;
 };
 Stretches stretches(double nu1, double nu3) {
-  const double A[3] = {1.0 - J[0] * nu3 * nu3, 1.0 - J[1] * (nu1 * nu1 + nu3 * nu3),
-                       1.0 - J[2] * nu1 * nu1};
+  const double A[3] = {1.0 - tilted_J[0] * nu3 * nu3, 1.0 - tilted_J[1] * (nu1 * nu1 + nu3 * nu3),
+                       1.0 - tilted_J[2] * nu1 * nu1};
   const double both = std::cbrt(A[0] * A[1] * A[2]);
   return {std::sqrt(both / A[0]), std::sqrt(both / A[1]), std::sqrt(both / A[2])};
 }
 
-std::vector<Row> followed(const std::string& path, const std::string& verb,
-                          const std::vector<std::string>& more = {}) {
+std::vector<Row> rows_of_run(const std::string& path, const std::string& verb,
+                             const std::vector<std::string>& more = {}) {
   const TemporaryDirectory directory;
   std::vector<std::string> command{verb, path, "-o", directory / "table.csv"};
   command.insert(command.end(), more.begin(), more.end());
@@ -54,11 +54,11 @@ TEST(TiltedVolume, TheClosedFormAlongTheFamily) {
   const TemporaryDirectory directory;
   const std::string path = directory.file(
       "case.toml",
-      neo_hookean(tilted(0.97),
-                  "[continuation]\nfrom = 0.5\nto = 1.0\n[output]\ncertificate = true\n"));
-  const std::vector<Row> rows = followed(path, "continue");
+      neo_hookean_case(tilted_motion(0.97),
+                       "[continuation]\nfrom = 0.5\nto = 1.0\n[output]\ncertificate = true\n"));
+  const std::vector<Row> rows = rows_of_run(path, "continue");
   ASSERT_GE(rows.size(), 20u);
-  const double apart = 1.0 / J[0] - 1.0 / J[2];
+  const double apart = 1.0 / tilted_J[0] - 1.0 / tilted_J[2];
   for (const Row& row : rows) {
     const double nu1 = number(row.at("nu1"));
     const double nu3 = number(row.at("nu3"));
@@ -83,7 +83,7 @@ TEST(TiltedVolume, AllOfThemAreProven) {
   const TemporaryDirectory directory;
   for (const auto& [nu, count] : {std::pair{0.97, 1}, std::pair{0.8, 0}}) {
     const std::string path =
-        directory.file("case.toml", neo_hookean(tilted(nu), "[solve]\nall = true\n"));
+        directory.file("case.toml", neo_hookean_case(tilted_motion(nu), "[solve]\nall = true\n"));
     const Outcome outcome = run_program({"solve", path, "-o", "-"});
     ASSERT_EQ(outcome.code, count == 0 ? 3 : 0) << outcome.err;
     if (count == 0) {
@@ -100,8 +100,8 @@ TEST(TiltedVolume, TheAtlasEntersThem) {
   const TemporaryDirectory directory;
   const std::string path = directory.file(
       "case.toml",
-      neo_hookean("branch = \"iii\"\nnu = 0.5\n", "[continuation]\nfrom = 0.5\nto = 1.0\n"));
-  const std::vector<Row> rows = followed(path, "atlas");
+      neo_hookean_case("branch = \"iii\"\nnu = 0.5\n", "[continuation]\nfrom = 0.5\nto = 1.0\n"));
+  const std::vector<Row> rows = rows_of_run(path, "atlas");
   const auto count = [&](const char* branch) {
     return std::ranges::count(rows, std::string(branch),
                               [](const Row& r) { return r.at("branch"); });
@@ -122,7 +122,7 @@ TEST(TiltedVolume, AxesInNoPlane) {
            "branch = \"tilted\"\nplane = \"" +
            plane + "\"\nnu = 2.41\n[continuation]\nfrom = 0.1\nto = 6.0\n" + rest;
   };
-  const std::vector<Row> rows = followed(
+  const std::vector<Row> rows = rows_of_run(
       directory.file("all.toml", text("123", "[output]\ncertificate = true\n")), "continue");
   ASSERT_GE(rows.size(), 50u);
   std::vector<double> ends;
@@ -156,7 +156,7 @@ TEST(TiltedVolume, AxesInNoPlane) {
   const std::pair<const char*, const char*> planes[] = {{"23", "0.0, 0.246, 1.554, 2.6157"},
                                                         {"13", "0.0, 1.411, 0.389, 1.8214"}};
   for (std::size_t k = 0; k < 2; ++k) {
-    const std::vector<Row> tilted_rows = followed(
+    const std::vector<Row> tilted_rows = rows_of_run(
         directory.file("plane.toml", text(planes[k].first, std::string("[solve]\nstart = [") +
                                                                planes[k].second + "]\n")),
         "continue", {"--set", "motion.nu=" + std::to_string(ends[k])});
@@ -201,10 +201,10 @@ TEST(TiltedVolume, Maps) {
   const TemporaryDirectory directory;
   const std::string path = directory.file(
       "case.toml",
-      neo_hookean(tilted(0.97),
-                  "[map]\nx = { parameter = \"nu\", from = 0.96, to = 0.98, count = 3 }\n"
-                  "y = { parameter = \"body.volume\", from = 0.9, to = 1.1, count = 3 }\n"));
-  const std::vector<Row> rows = followed(path, "map");
+      neo_hookean_case(tilted_motion(0.97),
+                       "[map]\nx = { parameter = \"nu\", from = 0.96, to = 0.98, count = 3 }\n"
+                       "y = { parameter = \"body.volume\", from = 0.9, to = 1.1, count = 3 }\n"));
+  const std::vector<Row> rows = rows_of_run(path, "map");
   ASSERT_EQ(rows.size(), 9u);
   int compared = 0;
   for (const Row& row : rows) {

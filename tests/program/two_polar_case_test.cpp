@@ -31,7 +31,7 @@ omega = 0.8
 theta_dot = -0.6
 )";
 
-std::map<std::string, std::string> row_of(const std::vector<std::string>& arguments) {
+std::map<std::string, std::string> two_polar_row(const std::vector<std::string>& arguments) {
   std::vector<std::string> all{"solve", "-o", "-"};
   all.insert(all.end(), arguments.begin(), arguments.end());
   const Outcome outcome = run_program(all);
@@ -73,7 +73,7 @@ TEST(TwoPolarCase, TableOfPrescribedRates) {
 }
 
 TEST(TwoPolarCase, PrescribedMomentaOnALineOfSolutions) {
-  auto row = row_of({momenta_case});
+  auto row = two_polar_row({momenta_case});
   EXPECT_NEAR(number(row["lambda"]), 2.0, 1e-14);
   EXPECT_NEAR(number(row["mu"]), 0.5, 1e-14);
   EXPECT_NEAR(number(row["omega"]), 0.8, 1e-14);
@@ -92,13 +92,13 @@ TEST(TwoPolarCase, PrescribedMomentaOnALineOfSolutions) {
 }
 
 TEST(TwoPolarCase, RatesAndMomentaOfOneMotionGiveTheSameRow) {
-  auto rates = row_of({rates_case});
+  auto rates = two_polar_row({rates_case});
   std::string text = text_of(rates_case);
   text.resize(text.find("omega = 1.2"));
   const TemporaryDirectory directory;
   const std::string path = directory.file(
       "case.toml", text + "s3 = " + rates["s3"] + "\np_theta = " + rates["p_theta"] + '\n');
-  auto momenta = row_of({path});
+  auto momenta = two_polar_row({path});
   for (const char* column : {"lambda", "mu", "energy", "omega", "theta_dot", "im1", "im4"})
     EXPECT_NEAR(number(momenta[column]), number(rates[column]), 1e-11) << column;
   EXPECT_EQ(momenta["class"], rates["class"]);
@@ -107,12 +107,12 @@ TEST(TwoPolarCase, RatesAndMomentaOfOneMotionGiveTheSameRow) {
 TEST(TwoPolarCase, OnTheCircleItIsBranchThree) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("case.toml", line_of_ellipses);
-  auto row = row_of({path, "--set", "motion.omega=0.7"});
+  auto row = two_polar_row({path, "--set", "motion.omega=0.7"});
   std::string text = line_of_ellipses;
   text.resize(text.find("[motion]"));
   const std::string third =
       directory.file("third.toml", text + "[motion]\nbranch = \"iii\"\nnu = " + row["nu3"] + '\n');
-  auto expected = row_of({third});
+  auto expected = two_polar_row({third});
   EXPECT_EQ(row["angle"], "");
   EXPECT_EQ(row["omega"], "0.7");
   for (const char* column : {"xi", "zeta", "rho", "class", "negative"})
@@ -158,12 +158,12 @@ TEST(TwoPolarCase, AllOfThem) {
 TEST(TwoPolarCase, TheCircleOfEqualMomenta) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("case.toml", line_of_ellipses);
-  auto rates = row_of({path, "--set", "motion.omega=0.7"});
+  auto rates = two_polar_row({path, "--set", "motion.omega=0.7"});
   std::string text = line_of_ellipses;
   text.resize(text.find("omega"));
   const std::string momenta = directory.file(
       "momenta.toml", text + "s3 = " + rates["s3"] + "\np_theta = " + rates["s3"] + '\n');
-  auto row = row_of({momenta});
+  auto row = two_polar_row({momenta});
   EXPECT_EQ(row["angle"], "");
   EXPECT_NEAR(number(row["lambda"]), number(rates["lambda"]), 1e-14);
   EXPECT_NEAR(number(row["nu3"]), number(rates["nu3"]), 1e-14);
@@ -174,7 +174,7 @@ TEST(TwoPolarCase, TheCircleOfEqualMomenta) {
 }
 
 TEST(TwoPolarCase, AStartOfOnesOwn) {
-  auto row = row_of({rates_case, "--set", "solve.start=[0, 1.4, 0.5, 0.9]"});
+  auto row = two_polar_row({rates_case, "--set", "solve.start=[0, 1.4, 0.5, 0.9]"});
   EXPECT_NEAR(number(row["lambda"]), 1.372402225529043649, 1e-14);
   EXPECT_THAT(run_program({"solve", rates_case, "--set", "solve.start=[0, 1.4, 0.5, 0.9]"}).out,
               HasSubstr("given start"));

@@ -200,7 +200,7 @@ TEST(WholeBody, GravitatingReferences) {
 }
 
 /// A fluid of unit volume, pi G rho = 1.
-std::string fluid(const std::string& motion, const Row& shape) {
+std::string fluid_near(const std::string& motion, const Row& shape) {
   return "[body]\nJ = [1, 1, 1]\nvolume = 1\n[gravity]\npi_G_rho = 1\n[motion]\n" + motion +
          start_text(shape);
 }
@@ -218,7 +218,7 @@ TEST(WholeBody, MaclaurinSpheroids) {
     if (!row.at("event").empty()) continue;
     row["zeta"] = row.at("xi");
     const std::string where = "e = " + row.at("e");
-    const Row got = solved(fluid("branch = \"iii\"\nnu = " + row.at("nu") + "\n", row), where);
+    const Row got = solved(fluid_near("branch = \"iii\"\nnu = " + row.at("nu") + "\n", row), where);
     ASSERT_FALSE(got.empty());
     for (const std::string column : {"xi", "zeta", "rho", "pi3"})
       expect_relative(got, row, column, 4e-15 + number(got.at("error_bound")), where);
@@ -236,7 +236,7 @@ TEST(WholeBody, JacobiEllipsoids) {
     row["xi"] = row.at("lambda");
     row["zeta"] = row.at("mu");
     const std::string where = "b/a = " + row.at("b_over_a");
-    const Row got = solved(fluid("branch = \"iii\"\nnu = " + row.at("nu") + "\n", row), where);
+    const Row got = solved(fluid_near("branch = \"iii\"\nnu = " + row.at("nu") + "\n", row), where);
     ASSERT_FALSE(got.empty());
     for (const std::string column : {"xi", "zeta", "rho", "pi3"})
       expect_relative(got, row, column, 4e-15 + number(got.at("error_bound")), where);
@@ -253,9 +253,9 @@ TEST(WholeBody, RiemannEllipsoids) {
     row["xi"] = row.at("lambda");
     row["zeta"] = row.at("mu");
     const std::string where = "f = " + row.at("f") + ", b/a = " + row.at("b_over_a");
-    const Row got = solved(fluid("branch = \"two-polar\"\ns3 = " + row.at("s3") +
-                                     "\np_theta = " + row.at("p_theta") + "\n",
-                                 row),
+    const Row got = solved(fluid_near("branch = \"two-polar\"\ns3 = " + row.at("s3") +
+                                          "\np_theta = " + row.at("p_theta") + "\n",
+                                      row),
                            where);
     ASSERT_FALSE(got.empty());
     for (const std::string column : {"lambda", "mu", "rho", "energy"})

@@ -17,7 +17,7 @@ namespace {
 
 using testing::Number50;
 
-class Kept final : public CurveSink {
+class KeptRows final : public CurveSink {
  public:
   struct Row {
     Member member;
@@ -87,7 +87,7 @@ class Judge {
   Judge(const HardCase& c, const FollowReport& report, FollowedRows& out)
       : case_(&c), report_(&report), out_(&out) {}
 
-  void row(const Kept::Row& row) {
+  void row(const KeptRows::Row& row) {
     const Member& at = row.member;
     if (at.parameter == 0.0) return;
     if (row.event == EventType::none || is_end(row.event)) {
@@ -122,7 +122,7 @@ class Judge {
     }
   }
 
-  void fault(const Kept::Row& row, const std::string& what) {
+  void fault(const KeptRows::Row& row, const std::string& what) {
     std::ostringstream text;
     text.precision(17);
     text << case_->text << ": " << name(row.event) << " row at nu " << row.member.parameter << " "
@@ -142,7 +142,7 @@ class Judge {
     }
   }
 
-  void hold(const std::array<Number50, 3>& exact, const Kept::Row& row) {
+  void hold(const std::array<Number50, 3>& exact, const KeptRows::Row& row) {
     const double error = testing::relative_error(row.member.q, exact);
     const double bound = row.member.error_bound;
     out_->worst_error_over_bound = std::max(out_->worst_error_over_bound, error / bound);
@@ -173,14 +173,14 @@ FollowedRows followed_rows(long sheets) {
     how.continuation.to = 5.0 * escape_speed(body);
     how.continuation.step.tolerance = 1e-5;
     how.max_points = 400;
-    Kept kept;
+    KeptRows kept;
     const FollowReport report =
         follow(axis_family(c.problem, {.nu = 0.0, .parameter = {}, .spectrum = false}), at.q, c.nu,
                how, kept);
     out.ends +=
         report.forward.event == EventType::collapse || report.forward.event == EventType::escape;
     Judge judge(c, report, out);
-    for (const Kept::Row& row : kept.rows) {
+    for (const KeptRows::Row& row : kept.rows) {
       try {
         judge.row(row);
       } catch (const std::runtime_error& error) {

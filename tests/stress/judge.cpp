@@ -26,7 +26,7 @@ double units_off(double x, const Number50& exact) {
   return abs(Number50((Number50(x) - exact) / unit)).convert_to<double>();
 }
 
-std::string text_of(StabilityClass verdict) { return std::string(name(verdict)); }
+std::string class_name(StabilityClass verdict) { return std::string(name(verdict)); }
 
 bool finite(const Equilibrium& at) {
   return std::isfinite(at.q.xi) && std::isfinite(at.q.zeta) && std::isfinite(at.q.rho) &&
@@ -148,7 +148,7 @@ class Judgement {
     const StabilityClass exact = testing::wide_verdict(motion, wide).verdict;
     if (spectrum.verdict != StabilityClass::marginal && spectrum.verdict != exact) {
       out_.wrong_class = true;
-      fault("said to be " + text_of(spectrum.verdict) + ", is " + text_of(exact));
+      fault("said to be " + class_name(spectrum.verdict) + ", is " + class_name(exact));
     }
     const Certificate certificate = certify(motion.problem, motion.at);
     judge_by_proof(
@@ -157,7 +157,7 @@ class Judgement {
         out_);
     if (out_.proven_class && *out_.proven_class != exact) {
       out_.wrong_proof = true;
-      fault("proven to be " + text_of(*out_.proven_class) + ", is " + text_of(exact));
+      fault("proven to be " + class_name(*out_.proven_class) + ", is " + class_name(exact));
     }
   }
 
@@ -202,7 +202,8 @@ void judge_by_proof(const Certificate& certificate, const Spectrum& spectrum,
   const SpectrumEnclosure proof = enclose();
   if (proof.verdict && !out.marginal && *proof.verdict != spectrum.verdict) {
     out.wrong_class = true;
-    fault("said to be " + text_of(spectrum.verdict) + ", proven to be " + text_of(*proof.verdict),
+    fault("said to be " + class_name(spectrum.verdict) + ", proven to be " +
+              class_name(*proof.verdict),
           text, out);
   }
   out.proven_class = proof.verdict;

@@ -56,7 +56,7 @@ Found corrected(const Body& body, const AnisotropicPotential& V, Branch branch, 
   return {y};
 }
 
-testing::Number50 widened(const DoubleDouble& x) {
+testing::Number50 as_number_50(const DoubleDouble& x) {
   return testing::Number50(x.hi) + testing::Number50(x.lo);
 }
 
@@ -92,7 +92,7 @@ Outcome try_oriented(Random& random) {
     out.fault = "no solution in 30 digits: " + text;
     return out;
   }
-  judge_stretch({widened(exact.y[0]), widened(exact.y[1]), widened(exact.y[2])},
+  judge_stretch({as_number_50(exact.y[0]), as_number_50(exact.y[1]), as_number_50(exact.y[2])},
                 {at.q.xi, at.q.zeta, at.q.rho}, at.error_bound, text, out);
   const std::optional<Spectrum> spectrum =
       oblique ? oblique_stability(body, potential, at) : anisotropic_stability(problem, at);

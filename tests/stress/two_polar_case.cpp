@@ -37,8 +37,8 @@ std::array<Number50, 3> two_polar_reference(const Problem& problem, const Motion
       });
 }
 
-std::array<Number50, 3> reference(const Problem& problem, const TwoPolarMotion& motion,
-                                  const Equilibrium& at) {
+std::array<Number50, 3> motion_reference(const Problem& problem, const TwoPolarMotion& motion,
+                                         const Equilibrium& at) {
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&motion))
     return two_polar_reference(problem, widened(*rates), diagonal(at.q));
   const auto& momenta = std::get<TwoPolarMomenta<double>>(motion);
@@ -48,7 +48,7 @@ std::array<Number50, 3> reference(const Problem& problem, const TwoPolarMotion& 
   return two_polar_reference(problem, widened(momenta), diagonal(at.q));
 }
 
-std::string text_of(const TwoPolarMotion& motion) {
+std::string motion_text(const TwoPolarMotion& motion) {
   std::ostringstream text;
   text.precision(17);
   const bool rates = std::holds_alternative<TwoPolarRates<double>>(motion);
@@ -94,14 +94,14 @@ Outcome judged_two_polar(const Problem& problem, const TwoPolarMotion& motion,
                          const std::string& of) {
   const Body& body = problem.body();
   const Potential& potential = problem.potential();
-  const std::string text = of + text_of(motion);
+  const std::string text = of + motion_text(motion);
   const Equilibrium at = solve_two_polar(body, potential, motion);
   Outcome out;
   out.status = at.status;
   out.work = work(at.counts);
   if (at.status != SolveStatus::solved) return out;
-  judge_stretch(reference(problem, motion, at), {at.q.xi, at.q.zeta, at.q.rho}, at.error_bound,
-                text, out);
+  judge_stretch(motion_reference(problem, motion, at), {at.q.xi, at.q.zeta, at.q.rho},
+                at.error_bound, text, out);
   const Certificate proof = certify_two_polar(body, potential, motion, at);
   const Spectrum spectrum = two_polar_stability(body, potential, at);
   judge_by_proof(

@@ -177,7 +177,7 @@ Three polished(const Balance50& balance, const Stretch& q) {
   return balance.stretches(std::vector<Number50>(found.begin(), found.end()));
 }
 
-Three reference(const WholeBody& of, const Stretch& q) {
+Three whole_body_reference(const WholeBody& of, const Stretch& q) {
   const Balance50 balance(of);
   switch (balance.unknowns()) {
     case 1:
@@ -224,7 +224,7 @@ void compare_ways(const WholeBody& of, const Potential& potential, const Equilib
     out.fault = "a mode of the blocks is none of the leaf's: " + of.text;
 }
 
-Outcome tried(Random& random, bool held, bool gravitates) {
+Outcome tried_whole_body(Random& random, bool held, bool gravitates) {
   const WholeBody of = drawn(random, held, gravitates);
   const Potential potential = of.potential();
   Outcome out;
@@ -234,8 +234,8 @@ Outcome tried(Random& random, bool held, bool gravitates) {
     out.status = at.status;
     out.work = work(at.counts);
     if (at.status != SolveStatus::solved) return out;
-    judge_stretch(reference(of, at.q), {at.q.xi, at.q.zeta, at.q.rho}, at.error_bound, of.text,
-                  out);
+    judge_stretch(whole_body_reference(of, at.q), {at.q.xi, at.q.zeta, at.q.rho}, at.error_bound,
+                  of.text, out);
     const auto spectrum = tilted_stability(of.body, potential, motion, at);
     if (!spectrum) return out;
     const Certificate proof = certify_tilted(of.body, potential, motion, at);
@@ -250,7 +250,8 @@ Outcome tried(Random& random, bool held, bool gravitates) {
   out.status = at.status;
   out.work = work(at.counts);
   if (at.status != SolveStatus::solved) return out;
-  judge_stretch(reference(of, at.q), {at.q.xi, at.q.zeta, at.q.rho}, at.error_bound, of.text, out);
+  judge_stretch(whole_body_reference(of, at.q), {at.q.xi, at.q.zeta, at.q.rho}, at.error_bound,
+                of.text, out);
   const Spectrum spectrum = stability(problem, at);
   const Certificate proof = certify(problem, at);
   judge_by_proof(
@@ -262,7 +263,9 @@ Outcome tried(Random& random, bool held, bool gravitates) {
 
 }  // namespace
 
-Outcome try_held_volume(Random& random) { return tried(random, true, random.integer(0, 1) == 0); }
-Outcome try_gravity(Random& random) { return tried(random, false, true); }
+Outcome try_held_volume(Random& random) {
+  return tried_whole_body(random, true, random.integer(0, 1) == 0);
+}
+Outcome try_gravity(Random& random) { return tried_whole_body(random, false, true); }
 
 }  // namespace stationary::stress

@@ -1,6 +1,12 @@
 // Random bodies with anisotropic potentials, slow enough that the family from rest reaches them.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+
 #include "solver/solve/anisotropic_equilibrium.hpp"
 #include "tests/support/random_anisotropic.hpp"
 
@@ -43,6 +49,13 @@ inline SolveOptions without_search(std::optional<Stretch> start = std::nullopt) 
 inline Equilibrium solved_motion(const OrientedBody& at, std::optional<Branch> near) {
   if (near) return solve_oblique(at.body, at.potential(), {at.nu, near}, without_search());
   return solve(at.problem(Branch::iii), at.nu, without_search());
+}
+
+/// Largest relative difference, of alpha over sqrt(xi zeta).
+inline double stretch_difference(const Stretch& a, const Stretch& b) {
+  return std::max({std::abs(a.xi / b.xi - 1.0), std::abs(a.zeta / b.zeta - 1.0),
+                   std::abs(a.rho / b.rho - 1.0),
+                   std::abs(a.alpha - b.alpha) / std::sqrt(b.xi * b.zeta)});
 }
 
 }  // namespace stationary::testing

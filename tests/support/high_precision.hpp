@@ -169,4 +169,9 @@ inline double relative_error(const Stretch& q, const std::array<Number50, 3>& ex
   return worst;
 }
 
+/// Half a unit in the last place, relative to the number: correct rounding.
+constexpr double half_unit = 0x1p-53 * (1.0 + 1e-3);
+/// Half a unit, and what the accepted correction may leave of its square (refine.hpp).
+constexpr double refined_half_unit = 0x1p-53 + 0x1p-56;
+
 }  // namespace stationary::testing

@@ -15,6 +15,8 @@
 
 namespace stationary::support {
 
+constexpr double unit_roundoff = 0x1p-53;
+
 /// What a failed law prints as x: any number of labels and values.
 template <class... Parts>
 std::string at(const Parts&... parts) {

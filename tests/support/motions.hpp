@@ -40,6 +40,8 @@ inline std::ostream& operator<<(std::ostream& out, const Spectrum& spectrum) {
 
 namespace stationary::testing {
 
+inline constexpr Branch branches[] = {Branch::i, Branch::ii, Branch::iii};
+
 struct SolvedMotion {
   Problem problem;
   Equilibrium at;

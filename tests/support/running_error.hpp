@@ -14,46 +14,48 @@
 
 namespace stationary::support {
 
-struct RunningError {
+struct BoundedDouble {
   double value = 0.0;
   double bound = 0.0;
 
-  RunningError() = default;
-  RunningError(double x) : value(x) {}  // NOLINT(google-explicit-constructor)
-  RunningError(double x, double inherited) : value(x), bound(inherited + std::abs(x)) {}
+  BoundedDouble() = default;
+  BoundedDouble(double x) : value(x) {}  // NOLINT(google-explicit-constructor)
+  BoundedDouble(double x, double inherited) : value(x), bound(inherited + std::abs(x)) {}
 };
 
-inline double leading(const RunningError& x) { return x.value; }
+inline double leading(const BoundedDouble& x) { return x.value; }
 
-inline RunningError operator-(const RunningError& x) {
-  RunningError out = x;
+inline BoundedDouble operator-(const BoundedDouble& x) {
+  BoundedDouble out = x;
   out.value = -x.value;
   return out;
 }
-inline RunningError operator+(const RunningError& x, const RunningError& y) {
+inline BoundedDouble operator+(const BoundedDouble& x, const BoundedDouble& y) {
   return {x.value + y.value, x.bound + y.bound};
 }
-inline RunningError operator-(const RunningError& x, const RunningError& y) {
+inline BoundedDouble operator-(const BoundedDouble& x, const BoundedDouble& y) {
   return {x.value - y.value, x.bound + y.bound};
 }
-inline RunningError operator*(const RunningError& x, const RunningError& y) {
+inline BoundedDouble operator*(const BoundedDouble& x, const BoundedDouble& y) {
   return {x.value * y.value, std::abs(x.value) * y.bound + std::abs(y.value) * x.bound};
 }
-inline RunningError operator/(const RunningError& x, const RunningError& y) {
+inline BoundedDouble operator/(const BoundedDouble& x, const BoundedDouble& y) {
   const double quotient = x.value / y.value;
   return {quotient, (x.bound + std::abs(quotient) * y.bound) / std::abs(y.value)};
 }
-inline RunningError& operator+=(RunningError& x, const RunningError& y) { return x = x + y; }
-inline RunningError& operator-=(RunningError& x, const RunningError& y) { return x = x - y; }
-inline RunningError& operator*=(RunningError& x, const RunningError& y) { return x = x * y; }
-inline bool operator==(const RunningError& x, const RunningError& y) { return x.value == y.value; }
-inline bool operator<(const RunningError& x, const RunningError& y) { return x.value < y.value; }
-inline RunningError sqrt(const RunningError& x) {
+inline BoundedDouble& operator+=(BoundedDouble& x, const BoundedDouble& y) { return x = x + y; }
+inline BoundedDouble& operator-=(BoundedDouble& x, const BoundedDouble& y) { return x = x - y; }
+inline BoundedDouble& operator*=(BoundedDouble& x, const BoundedDouble& y) { return x = x * y; }
+inline bool operator==(const BoundedDouble& x, const BoundedDouble& y) {
+  return x.value == y.value;
+}
+inline bool operator<(const BoundedDouble& x, const BoundedDouble& y) { return x.value < y.value; }
+inline BoundedDouble sqrt(const BoundedDouble& x) {
   const double root = std::sqrt(x.value);
   return {root, x.value == 0.0 ? 0.0 : x.bound / (2.0 * root)};
 }
 /// The library's logarithm is good to one unit in the last place, two halves of one.
-inline RunningError log(const RunningError& x) {
+inline BoundedDouble log(const BoundedDouble& x) {
   const double logarithm = std::log(x.value);
   return {logarithm, x.bound / std::abs(x.value) + std::abs(logarithm)};
 }
@@ -61,5 +63,5 @@ inline RunningError log(const RunningError& x) {
 }  // namespace stationary::support
 
 template <>
-class std::numeric_limits<stationary::support::RunningError> : public std::numeric_limits<double> {
+class std::numeric_limits<stationary::support::BoundedDouble> : public std::numeric_limits<double> {
 };

@@ -12,6 +12,10 @@
 
 namespace stationary::support {
 
+/// Names of the parameters of most formulas.
+inline const std::vector<std::string> k_and_n{"k", "n"};
+inline const std::vector<std::string> p_and_q{"p", "q"};
+
 inline PlanarExpression<> written_plane(std::string_view text,
                                         const std::vector<std::string>& parameters,
                                         const std::vector<double>& values) {

@@ -45,7 +45,7 @@ struct Setting {
 };
 
 /// x e^h to first order, and back by the same.
-Point moved(Point x, std::size_t k, double h) {
+Point moved_point(Point x, std::size_t k, double h) {
   x[k] = x[k] * (1.0 + DoubleDouble(h));
   return x;
 }
@@ -76,8 +76,8 @@ TEST(AnisotropicBalance, IsTheGradientOfOneFunctionAndItsSlopes) {
           for (const DoubleDouble& entry : row) scale = std::max(scale, std::abs(double(entry)));
         constexpr double h = 1e-8;
         for (std::size_t k = 0; k < 5; ++k) {
-          const Point ahead = moved(x, k, h);
-          const Point behind = moved(x, k, -h);
+          const Point ahead = moved_point(x, k, h);
+          const Point behind = moved_point(x, k, -h);
           const double slope = double(at.function(ahead) - at.function(behind)) / (2.0 * h);
           // phi's row is for |nu| = 1 and the angle itself.
           const double own = k == 4 ? at.nu * at.nu * double(axis_angle(x[4]).rate) : 1.0;

@@ -17,7 +17,7 @@ namespace {
 
 using namespace support;
 
-constexpr int trials = 50;
+constexpr int momenta_trials = 50;
 
 /// Each branch, and any direction.
 std::vector<Vector3<double>> spins(Random& random) {
@@ -29,12 +29,12 @@ std::vector<Vector3<double>> spins(Random& random) {
 }
 
 template <class Model>
-class MomentumFormTest : public testing::Test {};
+class MomentumFormTest : public ::testing::Test {};
 TYPED_TEST_SUITE(MomentumFormTest, WholeModels, ModelName);
 
 TYPED_TEST(MomentumFormTest, AgreesWithTheNuForm) {
   Random random(401);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < momenta_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const auto wide = widen<Real50>(model);
     const Body body = random.body();
@@ -52,13 +52,13 @@ TYPED_TEST(MomentumFormTest, AgreesWithTheNuForm) {
 
 TYPED_TEST(MomentumFormTest, AgreesInDoublesToTheRoundingOfItsTerms) {
   Random random(402);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < momenta_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const Body body = random.body();
     const Stretch narrow = trial % 2 == 0 ? random.stretch() : random.diagonal_stretch();
-    const BasicStretch<RunningError> q{narrow.alpha, narrow.xi, narrow.zeta, narrow.rho};
+    const BasicStretch<BoundedDouble> q{narrow.alpha, narrow.xi, narrow.zeta, narrow.rho};
     for (const auto& spin : spins(random)) {
-      const Vector3<RunningError> nu{spin[0], spin[1], spin[2]};
+      const Vector3<BoundedDouble> nu{spin[0], spin[1], spin[2]};
       const auto F = balance_residual(body, model, q, nu);
       const auto N = momentum_balance_residual(body, model, q, steady_momenta(body, q, nu));
       for (int k = 0; k < 4; ++k) {
@@ -80,7 +80,7 @@ Vector4<double> minus_energy_slope(const Body& body, const Stretch& q, const Vec
 
 TEST(MomentumForm, ForcesAreMinusTheSlopeOfTheKineticEnergy) {
   Random random(403);
-  for (int trial = 0; trial < 4 * trials; ++trial) {
+  for (int trial = 0; trial < 4 * momenta_trials; ++trial) {
     const Body body = random.body();
     const Stretch q = random.stretch();
     const Vector7<double> m = random.direction<7>();
@@ -94,7 +94,7 @@ TEST(MomentumForm, ForcesAreMinusTheSlopeOfTheKineticEnergy) {
 
 TEST(MomentumForm, EachPartIsTheSlopeOfItsOwnEnergy) {
   Random random(404);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < momenta_trials; ++trial) {
     const Body body = random.body();
     const Stretch q = random.stretch();
     Vector7<double> in_plane = Vector7<double>::Zero();
@@ -114,7 +114,7 @@ TEST(MomentumForm, EachPartIsTheSlopeOfItsOwnEnergy) {
 
 TEST(MomentumForm, InertiaDeterminantIsTheDeterminant) {
   Random random(405);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < momenta_trials; ++trial) {
     const Body body = random.body();
     const auto q = widen_stretch<Real50>(random.stretch());
     const auto I = locked_inertia(body, q);
@@ -126,7 +126,7 @@ TEST(MomentumForm, InertiaDeterminantIsTheDeterminant) {
 
 TEST(MomentumForm, CompatibilityIsPlusOnBranchOneAndMinusOnBranchTwo) {
   Random random(406);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < momenta_trials; ++trial) {
     const Body body = random.body();
     const auto q = widen_stretch<Real50>(random.stretch());
     const Real50 nu = random.uniform(0.2, 2.0);
@@ -147,7 +147,7 @@ TEST(MomentumForm, CompatibilityIsTheDeterminantTimesTheNuForm) {
   // For any in-plane nu: with pi = I nu, the paper's left side is Xi times a component of nu x pi
   // up to sign, since both are quadratic forms with the same kernel.
   Random random(407);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < momenta_trials; ++trial) {
     const Body body = random.body();
     const auto q = widen_stretch<Real50>(random.stretch());
     const Vector3<Real50> nu{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0};

@@ -17,7 +17,7 @@ namespace {
 
 using namespace support;
 
-constexpr int trials = 25;
+constexpr int balance_trials = 25;
 
 /// A model times a number.
 template <class Model>
@@ -37,12 +37,12 @@ struct Scaled {
 };
 
 template <class Model>
-class BalanceTest : public testing::Test {};
+class BalanceTest : public ::testing::Test {};
 TYPED_TEST_SUITE(BalanceTest, WholeModels, ModelName);
 
 TYPED_TEST(BalanceTest, ResidualIsTheGradientOfTheAmendedPotential) {
   Random random(301);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < balance_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const auto wide = widen<Real50>(model);
     const Body body = random.body();
@@ -61,7 +61,7 @@ TYPED_TEST(BalanceTest, ResidualIsTheGradientOfTheAmendedPotential) {
 
 TYPED_TEST(BalanceTest, JacobiansAreSlopes) {
   Random random(302);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < balance_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const auto wide = widen<Real50>(model);
     const Body body = random.body();
@@ -87,7 +87,7 @@ TYPED_TEST(BalanceTest, JacobiansAreSlopes) {
 
 TYPED_TEST(BalanceTest, ScalesWithInertiaAndPotentialTogether) {
   Random random(303);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < balance_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const Body body = random.body();
     const Stretch q = random.stretch();
@@ -106,7 +106,7 @@ TYPED_TEST(BalanceTest, ScalesWithInertiaAndPotentialTogether) {
 
 TYPED_TEST(BalanceTest, DoesNotSeeTheSignOfNu) {
   Random random(304);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < balance_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const Body body = random.body();
     const Stretch q = random.stretch();
@@ -119,7 +119,7 @@ TYPED_TEST(BalanceTest, DoesNotSeeTheSignOfNu) {
 
 TYPED_TEST(BalanceTest, ExchangeOfAxesOneAndTwo) {
   Random random(305);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < balance_trials; ++trial) {
     const auto model = widen<Real50>(draw<TypeParam>(random));
     const Body body = random.body();
     const Body exchanged(body.J2, body.J1, body.J3);
@@ -140,7 +140,7 @@ TYPED_TEST(BalanceTest, ExchangeOfAxesOneAndTwo) {
 
 TYPED_TEST(BalanceTest, MaterialRotationsCarryResidualsAlongWhereTheBodyIsSymmetric) {
   Random random(306);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < balance_trials; ++trial) {
     const auto model = widen<Real50>(draw<TypeParam>(random));
     const Body body = random.symmetric_body();
     const auto q = widen_stretch<Real50>(random.stretch());
@@ -155,7 +155,7 @@ TYPED_TEST(BalanceTest, MaterialRotationsCarryResidualsAlongWhereTheBodyIsSymmet
 
 TEST(Compatibility, VanishesForAPrincipalAxisAndOnlyThere) {
   Random random(311);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < balance_trials; ++trial) {
     const Body body = random.body();
     const Stretch straight = random.diagonal_stretch();
     const Stretch sheared = random.stretch();
@@ -221,7 +221,7 @@ TEST(CheckBalance, MeasuresTheDistanceFromABalance) {
 TEST(Energy, IsConservedByTheLegendreTransform) {
   Random random(312);
   const Potential potential(BiotLog<>{1.0, 0.6}, ReciprocalQuadratic<>{1.0, 3.0});
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < balance_trials; ++trial) {
     const Body body = random.body();
     const Stretch q = random.stretch();
     const Vector3<double> nu = random.direction<3>();

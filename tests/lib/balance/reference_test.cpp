@@ -44,7 +44,7 @@ void expect_stationary_in_doubles(const ReferenceRow& row) {
   EXPECT_LE(check.compatibility, 8 * 0x1p-53) << row.where();
 }
 
-class EquilibriaTest : public testing::TestWithParam<const char*> {};
+class EquilibriaTest : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(EquilibriaTest, BalanceIn50Digits) {
   const auto rows = reference_table(GetParam());
@@ -57,7 +57,8 @@ TEST_P(EquilibriaTest, BalanceInDoubles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Tables, EquilibriaTest,
-                         testing::Values("equilibria.csv", "equilibria_extreme.csv", "tilted.csv"),
+                         ::testing::Values("equilibria.csv", "equilibria_extreme.csv",
+                                           "tilted.csv"),
                          [](const auto& info) {
                            const std::string name = info.param;
                            return name.substr(0, name.find('.'));

@@ -15,7 +15,7 @@ namespace {
 
 using namespace support;
 
-constexpr int trials = 40;
+constexpr int two_polar_trials = 40;
 
 struct State {
   double J;
@@ -33,12 +33,12 @@ struct State {
 };
 
 template <class Model>
-class TwoPolarTest : public testing::Test {};
+class TwoPolarTest : public ::testing::Test {};
 TYPED_TEST_SUITE(TwoPolarTest, WholeModels, ModelName);
 
 TYPED_TEST(TwoPolarTest, JacobianIsASlope) {
   Random random(1001);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < two_polar_trials; ++trial) {
     const auto model = widen<Real50>(draw<TypeParam>(random));
     const State s(random);
     const Vector3<Real50> w = widen_vector<Real50>(random.direction<3>());
@@ -55,7 +55,7 @@ TYPED_TEST(TwoPolarTest, JacobianIsASlope) {
 
 TYPED_TEST(TwoPolarTest, RatesAndMomentaStateOneBalance) {
   Random random(1002);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < two_polar_trials; ++trial) {
     const auto model = widen<Real50>(draw<TypeParam>(random));
     const State s(random);
     const auto in_rates = two_polar_residual(s.J, model, s.x, s.omega, s.theta_dot);
@@ -69,7 +69,7 @@ TYPED_TEST(TwoPolarTest, RatesAndMomentaStateOneBalance) {
 TYPED_TEST(TwoPolarTest, MomentumBalanceIsTheSlopeOfTheEnergy) {
   // V + T at fixed momenta, T from its definition.
   Random random(1003);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < two_polar_trials; ++trial) {
     const auto model = widen<Real50>(draw<TypeParam>(random));
     const State s(random);
     const auto momenta = two_polar_momenta(s.J, s.x, s.omega, s.theta_dot);
@@ -92,7 +92,7 @@ TYPED_TEST(TwoPolarTest, MomentumBalanceIsTheSlopeOfTheEnergy) {
 
 TYPED_TEST(TwoPolarTest, ExchangeOfTheRatesKeepsTheBalance) {
   Random random(1004);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < two_polar_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const double J = random.log_uniform(0.25, 4.0);
     const Vector3<double> x = random.diagonal_stretch().vector().tail<3>();
@@ -109,7 +109,7 @@ TYPED_TEST(TwoPolarTest, ExchangeOfTheRatesKeepsTheBalance) {
 
 TYPED_TEST(TwoPolarTest, ExchangeOfTheStretchesExchangesTheRows) {
   Random random(1005);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < two_polar_trials; ++trial) {
     const auto model = widen<Real50>(draw<TypeParam>(random));
     const State s(random);
     const auto r = two_polar_residual(s.J, model, s.x, s.omega, s.theta_dot);
@@ -124,7 +124,7 @@ TYPED_TEST(TwoPolarTest, IsTheBalanceInTheInvariants) {
   // R_lambda = W_t + mu W_d - ..., so off the circle the rows combine to
   //   W_t = J t (omega^2 + theta'^2),  W_d = -J (omega - theta')^2.
   Random random(1006);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < two_polar_trials; ++trial) {
     const auto model = widen<Real50>(draw<TypeParam>(random));
     const State s(random);
     const auto x = planar_invariants(s.x[0], s.x[1]);
@@ -143,7 +143,7 @@ TYPED_TEST(TwoPolarTest, IsTheBalanceInTheInvariants) {
 
 TEST(TwoPolar, RatesAreTheInverseOfTheMomenta) {
   Random random(1009);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < two_polar_trials; ++trial) {
     const State s(random);
     const auto rates = two_polar_rates(s.J, s.x, two_polar_momenta(s.J, s.x, s.omega, s.theta_dot));
     EXPECT_TRUE(agrees<Real50>(s.text(), s.omega, rates.omega, Real50("1e-40")));
@@ -153,7 +153,7 @@ TEST(TwoPolar, RatesAreTheInverseOfTheMomenta) {
 
 TEST(TwoPolar, KineticEnergyIsHalfTheMomentaTimesTheRates) {
   Random random(1011);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < two_polar_trials; ++trial) {
     State s(random);
     if (trial % 4 == 0) s.x[1] = s.x[0];  // the circle, which has rates but no formula in momenta
     const auto m = two_polar_momenta(s.J, s.x, s.omega, s.theta_dot);
@@ -190,7 +190,7 @@ void expect_pull(const State& s, const Motion& motion, const Vector3<Real50>& fo
 TEST(TwoPolar, PullIsTheForceAndItsSlope) {
   Random random(1010);
   const Separable<Biot<Real50>, Harmonic<Real50>> model{{1, 0.5}, {1, 1}};
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < two_polar_trials; ++trial) {
     const State s(random);
     const auto momenta = two_polar_momenta(s.J, s.x, s.omega, s.theta_dot);
     const Vector3<Real50> w = widen_vector<Real50>(random.direction<3>());
@@ -209,7 +209,7 @@ TEST(TwoPolar, PullIsTheForceAndItsSlope) {
 
 TYPED_TEST(TwoPolarTest, IsBranchThreeWithoutInternalRotation) {
   Random random(1007);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < two_polar_trials; ++trial) {
     const auto model = widen<Real50>(draw<TypeParam>(random));
     const State s(random);
     const Body body(s.J, s.J, random.log_uniform(0.25, 4.0));
@@ -230,7 +230,7 @@ TYPED_TEST(TwoPolarTest, IsBranchThreeWithoutInternalRotation) {
 
 TYPED_TEST(TwoPolarTest, OnTheCircleOnlyTheSumOfTheRatesIsSeen) {
   Random random(1008);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < two_polar_trials; ++trial) {
     const auto model = widen<Real50>(draw<TypeParam>(random));
     State s(random);
     s.x[1] = s.x[0];

@@ -18,10 +18,10 @@ using support::Real50;
 Real50 radians(const Real50& degrees) {
   return degrees * boost::math::constants::pi<Real50>() / 180;
 }
-Real50 wide(const DoubleDouble& x) { return Real50(x.hi) + Real50(x.lo); }
+Real50 in_50_digits(const DoubleDouble& x) { return Real50(x.hi) + Real50(x.lo); }
 
 /// But for the last of the 50 digits: cosines of right angles are zero in the interval alone.
-bool holds(const Interval& x, const Real50& exact) {
+bool nearly_holds(const Interval& x, const Real50& exact) {
   return Real50(x.lo) <= exact + 1e-45 && exact - 1e-45 <= Real50(x.hi);
 }
 
@@ -31,8 +31,8 @@ TEST(Direction, IsThatOf50Digits) {
     const double degrees = random.sign() * random.log_uniform(1e-6, 720.0);
     const Direction<DoubleDouble> at = direction(degrees);
     const Real50 angle = radians(degrees);
-    ASSERT_LT(abs(wide(at.cosine) - cos(angle)), Real50(0x1p-96)) << degrees;
-    ASSERT_LT(abs(wide(at.sine) - sin(angle)), Real50(0x1p-96)) << degrees;
+    ASSERT_LT(abs(in_50_digits(at.cosine) - cos(angle)), Real50(0x1p-96)) << degrees;
+    ASSERT_LT(abs(in_50_digits(at.sine) - sin(angle)), Real50(0x1p-96)) << degrees;
   }
 }
 
@@ -58,8 +58,8 @@ TEST(Direction, IntervalHoldsEveryAngleWithinTheSpread) {
     const Direction<Interval> held = direction_interval(degrees, spread);
     for (const int side : {-1, 0, 1}) {
       const Real50 angle = radians(Real50(degrees) + side * Real50(spread));
-      ASSERT_TRUE(holds(held.cosine, cos(angle))) << degrees << " " << side * spread;
-      ASSERT_TRUE(holds(held.sine, sin(angle))) << degrees << " " << side * spread;
+      ASSERT_TRUE(nearly_holds(held.cosine, cos(angle))) << degrees << " " << side * spread;
+      ASSERT_TRUE(nearly_holds(held.sine, sin(angle))) << degrees << " " << side * spread;
     }
     const double widest = 0x1p-3 * spread + 0x1p-50;
     ASSERT_LT(held.cosine.width(), widest) << degrees << " " << spread;

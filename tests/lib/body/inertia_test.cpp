@@ -17,7 +17,7 @@ namespace {
 
 using namespace support;
 
-constexpr int trials = 100;
+constexpr int inertia_trials = 100;
 
 /// T of a motion from its definition: T = tr(Phi' diag(J) Phi'^T)/2 with Phi = L S, and so
 /// tr((N S + S') diag(J) (N S + S')^T)/2 with N = L^-1 L'.
@@ -38,7 +38,7 @@ S kinetic_energy_from_definition(const Body& body, const BasicStretch<S>& q, con
 
 TEST(Inertia, MassMatrixIsTheKineticEnergy) {
   Random random(201);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < inertia_trials; ++trial) {
     const Body body = random.body();
     const auto q = widen_stretch<Real50>(random.stretch());
     const Vector7<Real50> v = widen_vector<Real50>(random.direction<7>());
@@ -50,7 +50,7 @@ TEST(Inertia, MassMatrixIsTheKineticEnergy) {
 
 TEST(Inertia, KineticEnergyInTheMomentaIsTheSame) {
   Random random(202);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < inertia_trials; ++trial) {
     const Body body = random.body();
     const auto q = widen_stretch<Real50>(random.stretch());
     const Vector7<Real50> v = widen_vector<Real50>(random.direction<7>());
@@ -62,7 +62,7 @@ TEST(Inertia, KineticEnergyInTheMomentaIsTheSame) {
 
 TEST(Inertia, InverseLegendreIsTheInverse) {
   Random random(203);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < inertia_trials; ++trial) {
     const Body body = random.body();
     const auto q = widen_stretch<Real50>(random.stretch());
     const Vector7<Real50> v = widen_vector<Real50>(random.direction<7>());
@@ -76,7 +76,7 @@ TEST(Inertia, InverseLegendreIsTheInverse) {
 
 TEST(Inertia, MassMatrixIsSymmetricPositiveDefinite) {
   Random random(204);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < inertia_trials; ++trial) {
     const Body body = random.body(100.0);
     const auto M = mass_matrix(body, widen_stretch<Real50>(random.stretch(100.0)));
     EXPECT_EQ(M, M.transpose().eval());
@@ -87,7 +87,7 @@ TEST(Inertia, MassMatrixIsSymmetricPositiveDefinite) {
 
 TEST(Inertia, RotationalEnergyInBothForms) {
   Random random(205);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < inertia_trials; ++trial) {
     const Body body = random.body();
     const auto q = widen_stretch<Real50>(random.stretch());
     const Vector3<Real50> nu = widen_vector<Real50>(random.direction<3>());
@@ -112,7 +112,7 @@ TEST(Inertia, CentrifugalRatesAreTheDiagonal) {
 
 TEST(Inertia, SteadyMomentaAreThoseOfARotationAlone) {
   Random random(207);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < inertia_trials; ++trial) {
     const Body body = random.body();
     const Stretch q = random.stretch();
     const Vector3<double> nu = random.direction<3>();
@@ -128,7 +128,7 @@ TEST(Inertia, SteadyMomentaAreThoseOfARotationAlone) {
 
 TEST(Inertia, SteadyMomentaJacobianIsASlope) {
   Random random(208);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < inertia_trials; ++trial) {
     const Body body = random.body();
     const auto q = widen_stretch<Real50>(random.stretch());
     const Vector3<Real50> nu = widen_vector<Real50>(random.direction<3>());

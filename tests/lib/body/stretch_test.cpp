@@ -20,7 +20,6 @@ namespace {
 
 using namespace support;
 
-constexpr double u = 0x1p-53;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// lambda, mu, theta in 50 digits from the exact doubles of q.
@@ -46,12 +45,14 @@ TEST(PrincipalStretches, AreAccurateAtAnyRatio) {
       const ReferencePolar expected(q);
       const auto actual = principal_stretches(q);
       EXPECT_TRUE(agrees<Real50>(at(q, "lambda"), expected.lambda, Real50(actual.lambda),
-                                 8 * u * expected.lambda));
-      EXPECT_TRUE(agrees<Real50>(at(q, "mu"), expected.mu, Real50(actual.mu), 8 * u * expected.mu));
+                                 8 * unit_roundoff * expected.lambda));
+      EXPECT_TRUE(agrees<Real50>(at(q, "mu"), expected.mu, Real50(actual.mu),
+                                 8 * unit_roundoff * expected.mu));
       ASSERT_TRUE(actual.theta);
       // theta inherits the rounding of xi - zeta, relative to the larger of the two legs.
-      EXPECT_TRUE(agrees<Real50>(at(q, "theta"), expected.theta, Real50(*actual.theta),
-                                 Real50(4 * u * std::max(1.0, std::abs(*actual.theta)))));
+      EXPECT_TRUE(
+          agrees<Real50>(at(q, "theta"), expected.theta, Real50(*actual.theta),
+                         Real50(4 * unit_roundoff * std::max(1.0, std::abs(*actual.theta)))));
       EXPECT_GE(actual.lambda, actual.mu);
     }
   }
@@ -65,9 +66,10 @@ TEST(PrincipalStretches, KeepASmallOneNextToAHugeOne) {
     ASSERT_EQ(violated_inequality(q), nullptr);
     const ReferencePolar expected(q);
     const auto actual = principal_stretches(q);
-    EXPECT_TRUE(agrees<Real50>(at(q, "mu"), expected.mu, Real50(actual.mu), 8 * u * expected.mu));
+    EXPECT_TRUE(agrees<Real50>(at(q, "mu"), expected.mu, Real50(actual.mu),
+                               8 * unit_roundoff * expected.mu));
     EXPECT_TRUE(agrees<Real50>(at(q, "lambda"), expected.lambda, Real50(actual.lambda),
-                               8 * u * expected.lambda));
+                               8 * unit_roundoff * expected.lambda));
   }
 }
 
@@ -83,7 +85,7 @@ TEST(PrincipalStretches, NearTheEdgeOfPositiveDefiniteness) {
     if (violated_inequality(q) != nullptr) continue;
     const ReferencePolar expected(q);
     EXPECT_TRUE(agrees<Real50>(at(q, "mu"), expected.mu, Real50(principal_stretches(q).mu),
-                               8 * u * expected.mu));
+                               8 * unit_roundoff * expected.mu));
     ++compared;
   }
   EXPECT_GE(compared, 150);
@@ -118,15 +120,17 @@ TEST(PrincipalStretches, RoundTrip) {
       const Stretch q = stretch_from_principal(planar, 0.7);
       EXPECT_EQ(q.rho, 0.7);
       // An entry carries the larger stretch's rounding, which mu sees divided by mu.
-      EXPECT_TRUE(
-          agrees(at(q, "trace"), planar.lambda + planar.mu, q.xi + q.zeta, 8 * u * planar.lambda));
+      EXPECT_TRUE(agrees(at(q, "trace"), planar.lambda + planar.mu, q.xi + q.zeta,
+                         8 * unit_roundoff * planar.lambda));
       if (ratio > 1e4) continue;  // beyond, the rounded entries may not be positive definite
       ASSERT_EQ(violated_inequality(q), nullptr);
       const auto back = principal_stretches(q);
-      EXPECT_TRUE(agrees(at(q, "lambda"), planar.lambda, back.lambda, 16 * u * planar.lambda));
-      EXPECT_TRUE(agrees(at(q, "mu"), planar.mu, back.mu, 16 * u * planar.lambda));
+      EXPECT_TRUE(
+          agrees(at(q, "lambda"), planar.lambda, back.lambda, 16 * unit_roundoff * planar.lambda));
+      EXPECT_TRUE(agrees(at(q, "mu"), planar.mu, back.mu, 16 * unit_roundoff * planar.lambda));
       const double angle_scale = planar.lambda / (planar.lambda - planar.mu);
-      EXPECT_TRUE(agrees(at(q, "theta"), *planar.theta, *back.theta, 16 * u * angle_scale));
+      EXPECT_TRUE(
+          agrees(at(q, "theta"), *planar.theta, *back.theta, 16 * unit_roundoff * angle_scale));
     }
   }
 }
@@ -139,7 +143,7 @@ TEST(PrincipalStretches, FromPrincipalIsTheRotatedDiagonal) {
     const Stretch q = stretch_from_principal(planar, 1.0);
     const Real50 c = cos(Real50(*planar.theta));
     const Real50 s = sin(Real50(*planar.theta));
-    const Real50 allowed = 8 * u * planar.lambda;
+    const Real50 allowed = 8 * unit_roundoff * planar.lambda;
     const std::string x = at(planar.lambda, planar.mu, *planar.theta);
     EXPECT_TRUE(agrees<Real50>(x, planar.lambda * c * c + planar.mu * s * s, q.xi, allowed));
     EXPECT_TRUE(agrees<Real50>(x, planar.lambda * s * s + planar.mu * c * c, q.zeta, allowed));

@@ -15,11 +15,11 @@ namespace {
 
 using namespace support;
 
-const std::vector<std::string> names{"k", "n"};
 const std::vector<double> values{1.3, 2.6};
 
 std::optional<expression::PlaneAndThickness> parts_of(const std::string& text) {
-  return expression::taken_apart(parse_expression(text, names, ExpressionSlot::coupled).expression);
+  return expression::taken_apart(
+      parse_expression(text, k_and_n, ExpressionSlot::coupled).expression);
 }
 
 TEST(ExpressionApart, ThePartsMakeUpTheWhole) {
@@ -30,7 +30,7 @@ TEST(ExpressionApart, ThePartsMakeUpTheWhole) {
         "n*(xi^2 + zeta^2 + 2*alpha^2 + rho^2 - 3) - k*log(d*rho^2)"}) {
     const auto parts = parts_of(text);
     ASSERT_TRUE(parts) << text;
-    const CoupledExpression<> whole = written_coupled(text, names, values);
+    const CoupledExpression<> whole = written_coupled(text, k_and_n, values);
     const Separable<PlanarExpression<>, ThicknessExpression<>> sum{
         {expression::planar_tape(parts->plane), coefficient_list(values)},
         {expression::thickness_tape(parts->thickness), coefficient_list(values)}};

@@ -21,11 +21,10 @@ namespace {
 using namespace support;
 using Wide = Binary<140>;
 
-const std::vector<std::string> names{"p", "q"};
 const std::vector<double> gaps{8.0, 0.5, 1e-1, 1e-2, 1e-3, 1e-5, 1e-9, 1e-15, 0.0};
 
 template <class S>
-std::array<S, 6> numbers(const PlanarDerivatives<S>& w) {
+std::array<S, 6> planar_numbers(const PlanarDerivatives<S>& w) {
   return {w.w, w.w_t, w.w_l, w.w_tt, w.w_tl, w.w_ll};
 }
 
@@ -33,11 +32,11 @@ std::array<S, 6> numbers(const PlanarDerivatives<S>& w) {
 template <class Model, class T>
 void expect_digits(const std::string& place, const Model& model, double lambda, double mu,
                    const std::array<T, 6>& expected) {
-  const auto plain = numbers(model.template evaluate<2>(planar_invariants(lambda, mu)));
-  const auto extended = numbers(model.template evaluate<2>(extended_invariants(lambda, mu)));
+  const auto plain = planar_numbers(model.template evaluate<2>(planar_invariants(lambda, mu)));
+  const auto extended = planar_numbers(model.template evaluate<2>(extended_invariants(lambda, mu)));
   const auto intervals = with_coefficients(model, [](double c) { return Interval(c); });
-  const auto enclosed =
-      numbers(intervals.template evaluate<2>(planar_invariants(Interval(lambda), Interval(mu))));
+  const auto enclosed = planar_numbers(
+      intervals.template evaluate<2>(planar_invariants(Interval(lambda), Interval(mu))));
   for (std::size_t k = 0; k < 6; ++k) {
     const std::string here = place + ", number " + std::to_string(k) + ", " + at(lambda, mu);
     const T size = 1 + abs(expected[k]);
@@ -53,11 +52,12 @@ TEST(ExpressionCircle, HenckyIsTheBuiltInOneIn50Digits) {
   const Hencky<> built_in{1.25, 0.75};
   const auto wide = with_coefficients(built_in, [](double c) { return Real50(c); });
   const auto model =
-      written_plane("p*(log(lambda)^2 + log(mu_)^2) + q/2*log(d)^2", names, {1.25, 0.75});
+      written_plane("p*(log(lambda)^2 + log(mu_)^2) + q/2*log(d)^2", p_and_q, {1.25, 0.75});
   for (const double gap : gaps) {
     const double mu = 0.875;
     const double lambda = mu + gap;
-    const auto expected = numbers(wide.evaluate<2>(planar_invariants(Real50(lambda), Real50(mu))));
+    const auto expected =
+        planar_numbers(wide.evaluate<2>(planar_invariants(Real50(lambda), Real50(mu))));
     expect_digits("hencky", model, lambda, mu, expected);
     expect_digits("hencky, exchanged", model, mu, lambda, expected);
   }
@@ -98,7 +98,7 @@ struct Sum {
 template <class F>
 void expect_sum(const std::string& f, const F& value, Wide (*slope)(const Wide&)) {
   const std::string of_lambda = f + "(lambda)";
-  const auto model = written_plane(f, names, {1.25, 0.75});
+  const auto model = written_plane(f, p_and_q, {1.25, 0.75});
   for (const double gap : gaps) {
     const double mu = 0.8125;
     const double lambda = mu + gap;

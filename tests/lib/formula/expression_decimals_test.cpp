@@ -53,46 +53,48 @@ void expect_covered(const Solved& exact, const Solved& rough, const std::string&
 }
 
 const std::string plane = "(I1 - 2 - 2*log(d)) + log(d)^2";
-const std::string harmonic = "\nthickness = { model = \"harmonic\", k = 3.0, rest = 1.0 }";
+const std::string harmonic_thickness =
+    "\nthickness = { model = \"harmonic\", k = 3.0, rest = 1.0 }";
 
-std::string written(const std::string& slot, const std::string& formula) {
+std::string slot_text(const std::string& slot, const std::string& formula) {
   return slot + " = { expression = \"" + formula + "\" }";
 }
 
 TEST(ExpressionDecimals, OfThePlane) {
-  const Solved exact = solved(written("plane", plane + " + 0.1*t") + harmonic);
+  const Solved exact = solved(slot_text("plane", plane + " + 0.1*t") + harmonic_thickness);
   EXPECT_LE(exact.at.error_bound, 2e-15);
   for (const char* text : {" + 100000.1*t - 100000*t", " + 10000000.1*t - 10000000*t"})
-    expect_covered(exact, solved(written("plane", plane + text) + harmonic), text);
+    expect_covered(exact, solved(slot_text("plane", plane + text) + harmonic_thickness), text);
 }
 
 TEST(ExpressionDecimals, InPrincipalStretches) {
   const std::string base = "lambda^2 + mu_^2 - 2*log(d)";
-  const Solved exact = solved(written("plane", base + " + 0.1*(lambda + mu_)") + harmonic);
+  const Solved exact =
+      solved(slot_text("plane", base + " + 0.1*(lambda + mu_)") + harmonic_thickness);
   const std::string text = base + " + 1000000.1*(lambda + mu_) - 1000000*(lambda + mu_)";
-  expect_covered(exact, solved(written("plane", text) + harmonic), text);
+  expect_covered(exact, solved(slot_text("plane", text) + harmonic_thickness), text);
 }
 
 TEST(ExpressionDecimals, OfTheThickness) {
-  const std::string other = written("plane", plane) + "\n";
+  const std::string other = slot_text("plane", plane) + "\n";
   const std::string base = "1/rho + rho^2";
-  const Solved exact = solved(other + written("thickness", base + " + 0.1*rho"), "i");
+  const Solved exact = solved(other + slot_text("thickness", base + " + 0.1*rho"), "i");
   const std::string text = base + " + 1000000.1*rho - 1000000*rho";
-  expect_covered(exact, solved(other + written("thickness", text), "i"), text);
+  expect_covered(exact, solved(other + slot_text("thickness", text), "i"), text);
 }
 
 TEST(ExpressionDecimals, OfBothTogether) {
   const std::string base = plane + " + (rho*d - 1)^2 + (rho - 1)^2";
-  const Solved exact = solved(written("coupled", base + " + 0.1*t*rho"));
+  const Solved exact = solved(slot_text("coupled", base + " + 0.1*t*rho"));
   const std::string text = base + " + 1000000.1*t*rho - 1000000*t*rho";
-  expect_covered(exact, solved(written("coupled", text)), text);
+  expect_covered(exact, solved(slot_text("coupled", text)), text);
 }
 
 TEST(ExpressionDecimals, OfAnAnisotropicOne) {
   const std::string base = plane + " + (xi*alpha + zeta^2)/4";
-  const Solved exact = solved(written("plane", base + " + 0.1*xi") + harmonic);
+  const Solved exact = solved(slot_text("plane", base + " + 0.1*xi") + harmonic_thickness);
   const std::string text = base + " + 1000000.1*xi - 1000000*xi";
-  expect_covered(exact, solved(written("plane", text) + harmonic), text);
+  expect_covered(exact, solved(slot_text("plane", text) + harmonic_thickness), text);
 }
 
 }  // namespace

@@ -15,12 +15,10 @@ namespace {
 
 using namespace support;
 
-const std::vector<std::string> names{"k", "n"};
-
 std::vector<std::string> conditions(const std::string& text) {
   std::vector<std::string> out;
   for (const auto& each :
-       parse_expression(text, names, ExpressionSlot::coupled).expression.conditions)
+       parse_expression(text, k_and_n, ExpressionSlot::coupled).expression.conditions)
     out.push_back(each.text);
   return out;
 }
@@ -57,7 +55,7 @@ TEST(ExpressionDomain, TheOthersAreFoundInTheWordsOfTheFormula) {
 TEST(ExpressionDomain, OfPartsAndOfTheUser) {
   const Formula formula{
       {{"J", "d*rho"}, {"A", "1 - J/k"}}, {"I1 + rho^2 < 3*k", "J >= 0.1"}, "-n*log(A) + I1"};
-  const auto parsed = parse_formula(formula, names, ExpressionSlot::coupled);
+  const auto parsed = parse_formula(formula, k_and_n, ExpressionSlot::coupled);
   Texts found;
   for (const auto& each : parsed.expression.conditions) found.push_back(each.text);
   EXPECT_EQ(found, (Texts{"k != 0", "I1 + rho^2 < 3*k", "J >= 0.1", "A > 0"}));
@@ -68,7 +66,7 @@ TEST(ExpressionDomain, OfPartsAndOfTheUser) {
 /// No number where a condition does not hold, in any number type.
 TEST(ExpressionDomain, NothingIsEvaluatedOutside) {
   const CoupledExpression<> gent =
-      written_coupled("-k*log(1 - (I1 + rho^2 - 3)/n) - k*log(d*rho)", names, {0.5, 5.0});
+      written_coupled("-k*log(1 - (I1 + rho^2 - 3)/n) - k*log(d*rho)", k_and_n, {0.5, 5.0});
   const auto at = [&](double xi) {
     const auto w = gent.evaluate<2>(planar_invariants(xi, 1.0), 1.0);
     const auto b = gent.log_balance(xi, 1.0, 1.0, 0.1, 0.2, 0.3);
@@ -91,12 +89,12 @@ TEST(ExpressionDomain, NothingIsEvaluatedOutside) {
   EXPECT_TRUE(model.outside_in(over(2.5, 2.6), one, one));
   // The derivatives of a logarithm have numbers beyond it, which mean nothing.
   const auto unrestricted =
-      written_coupled("k*(I1 + rho^2)/(3 + n - I1 - rho^2)", names, {0.5, 5.0});
+      written_coupled("k*(I1 + rho^2)/(3 + n - I1 - rho^2)", k_and_n, {0.5, 5.0});
   EXPECT_TRUE(std::isfinite(unrestricted.evaluate<1>(planar_invariants(2.5, 1.0), 1.0).plane.w_t));
 }
 
 TEST(ExpressionDomain, ADenominatorPartsIt) {
-  const PlanarExpression<> pole = written_plane("I1 + k/(d - n)", names, {0.1, 2.0});
+  const PlanarExpression<> pole = written_plane("I1 + k/(d - n)", k_and_n, {0.1, 2.0});
   const Stretch below{0.0, 1.0, 1.0, 1.0};
   const Stretch above{0.0, 2.0, 2.0, 1.0};
   const auto value = [](const PlanarExpression<>& model, const Stretch& q) {
@@ -116,7 +114,7 @@ TEST(ExpressionDomain, ADenominatorPartsIt) {
 
 TEST(ExpressionDomain, ConditionsOnTheLargerStretchKnowWhichItIs) {
   const PlanarExpression<> model =
-      written_plane("I1 + k/d - n*log(3 - lambda) - n*log(3 - mu_)", names, {1.0, 0.1});
+      written_plane("I1 + k/d - n*log(3 - lambda) - n*log(3 - mu_)", k_and_n, {1.0, 0.1});
   EXPECT_TRUE(model.conditions_at({0.0, 1.0, 2.5, 1.0})[0].holds());
   EXPECT_FALSE(model.conditions_at({0.0, 1.0, 3.5, 1.0})[0].holds());
   EXPECT_FALSE(model.conditions_at({0.0, 3.5, 1.0, 1.0})[0].holds());

@@ -18,8 +18,6 @@ using namespace support;
 using expression::Facts;
 using expression::Verdict;
 
-const std::vector<std::string> names{"k", "n"};
-
 struct Known {
   const char* text;
   bool isotropic;
@@ -50,7 +48,7 @@ TEST(ExpressionFacts, AreFound) {
                                {"lambda + mu_ + alpha", false, false, true},
                                {"k", true, true, true}};
   for (const Known& known : all) {
-    const Facts facts = written_facts(known.text, names);
+    const Facts facts = written_facts(known.text, k_and_n);
     EXPECT_EQ(facts.is_isotropic(), known.isotropic) << known.text;
     EXPECT_EQ(facts.is_shear_free(), known.shear_free) << known.text;
     EXPECT_EQ(facts.is_separable(), known.separable) << known.text;
@@ -58,26 +56,26 @@ TEST(ExpressionFacts, AreFound) {
 }
 
 TEST(ExpressionFacts, SayHowTheyWereEstablished) {
-  EXPECT_EQ(written_facts("k*t", names).isotropic, Verdict::term_by_term);
-  const Facts facts = written_facts("xi^3 + zeta^3 + 3*alpha^2*(xi + zeta)", names);
+  EXPECT_EQ(written_facts("k*t", k_and_n).isotropic, Verdict::term_by_term);
+  const Facts facts = written_facts("xi^3 + zeta^3 + 3*alpha^2*(xi + zeta)", k_and_n);
   EXPECT_EQ(facts.isotropic, Verdict::exactly);
   EXPECT_EQ(facts.sentences,
             (std::vector<std::string>{
                 "made of alpha, xi, zeta", "isotropic (a function of t, d and rho): holds exactly",
                 "separable (a potential of the plane and one of the thickness): holds term by "
                 "term"}));
-  EXPECT_EQ(written_facts("k*alpha", names).shear_free, Verdict::refuted);
+  EXPECT_EQ(written_facts("k*alpha", k_and_n).shear_free, Verdict::refuted);
   // Defined nowhere.
-  EXPECT_EQ(written_facts("sqrt(-xi)", names).isotropic, Verdict::undecided);
+  EXPECT_EQ(written_facts("sqrt(-xi)", k_and_n).isotropic, Verdict::undecided);
 }
 
 TEST(ExpressionFacts, UnsymmetricFunctionsOfTheStretchesAreRefused) {
   for (const char* text : {"lambda", "lambda^2*mu_", "lambda - mu_", "(lambda - mu_)^3",
                            "k*lambda^n + mu_^n", "atan(lambda/mu_)"}) {
-    EXPECT_THROW(written_facts(text, names), expression::Unsuitable) << text;
-    EXPECT_THROW(written_plane(text, names, {1.0, 2.0}), expression::Unsuitable) << text;
+    EXPECT_THROW(written_facts(text, k_and_n), expression::Unsuitable) << text;
+    EXPECT_THROW(written_plane(text, k_and_n, {1.0, 2.0}), expression::Unsuitable) << text;
   }
-  EXPECT_THROW(written_plane("xi^2", names, {1.0, 2.0}), expression::Unsuitable);
+  EXPECT_THROW(written_plane("xi^2", k_and_n, {1.0, 2.0}), expression::Unsuitable);
 }
 
 /// What holds for one half of all parameters, or of all stretches, does not hold. Given values at
@@ -102,7 +100,7 @@ TEST(ExpressionFacts, HoldWhateverTheParametersAre) {
       {"n*xi + (abs(k) - k)*alpha^3", &Facts::even, 0.5}};
   for (const Branching& each : all) {
     const auto verdict = [&](const std::vector<double>& values) {
-      const auto parsed = parse_expression(each.text, names, ExpressionSlot::coupled);
+      const auto parsed = parse_expression(each.text, k_and_n, ExpressionSlot::coupled);
       return expression::facts(parsed.expression, ExpressionSlot::coupled, values).*each.fact;
     };
     EXPECT_EQ(verdict({}), Verdict::refuted) << each.text;
@@ -111,8 +109,8 @@ TEST(ExpressionFacts, HoldWhateverTheParametersAre) {
   }
   EXPECT_EQ(written_facts("t^2 + alpha*exp(-200*(xi - 0.2))", {}).isotropic, Verdict::refuted);
   EXPECT_EQ(written_facts("t^2 + alpha*exp(-200/xi)", {}).isotropic, Verdict::refuted);
-  EXPECT_THROW(written_facts("k*lambda + abs(k)*mu_", names), expression::Unsuitable);
-  EXPECT_THROW(written_facts("lambda + mu_ + min(k, 0)*lambda", names), expression::Unsuitable);
+  EXPECT_THROW(written_facts("k*lambda + abs(k)*mu_", k_and_n), expression::Unsuitable);
+  EXPECT_THROW(written_facts("lambda + mu_ + min(k, 0)*lambda", k_and_n), expression::Unsuitable);
 }
 
 /// Branches that enter as one number do no harm, nor do those that no parameter decides.
@@ -125,13 +123,13 @@ TEST(ExpressionFacts, HoldBesideBranches) {
         "(k^2)^0.25*(lambda - mu_)^2 + abs(n)*(lambda^k + mu_^k)"}) {
     for (const std::vector<double>& values :
          {std::vector<double>{}, {-1.25, 3.0}, {100.0, -0.25}}) {
-      const auto parsed = parse_expression(text, names, ExpressionSlot::coupled);
+      const auto parsed = parse_expression(text, k_and_n, ExpressionSlot::coupled);
       const Facts facts = expression::facts(parsed.expression, ExpressionSlot::coupled, values);
       EXPECT_TRUE(facts.is_isotropic()) << text;
       EXPECT_TRUE(facts.is_separable()) << text;
     }
   }
-  const auto parsed = parse_expression("k*alpha + n*xi", names, ExpressionSlot::coupled);
+  const auto parsed = parse_expression("k*alpha + n*xi", k_and_n, ExpressionSlot::coupled);
   const std::vector<double> one{1.0};
   EXPECT_THROW(expression::facts(parsed.expression, ExpressionSlot::coupled, one),
                std::invalid_argument);
@@ -143,26 +141,27 @@ TEST(ExpressionFacts, KinksAtTheCircleAreRefused) {
        {"k*sqrt((lambda - mu_)^2)", "((lambda - mu_)^2)^n", "((lambda^n - mu_^n)^2)^1.5",
         "log((lambda - mu_)^2)", "sqrt(t^2 - 4*d)", "d*sqrt(I1/2 - d)", "1/(t^2 - 4*d)",
         "(lambda^3 - mu_^3)/(lambda - mu_)", "sqrt(log(lambda/mu_)^2)"}) {
-    EXPECT_THROW(written_facts(text, names), expression::Unsuitable) << text;
-    EXPECT_THROW(written_plane(text, names, {1.0, 2.0}), expression::Unsuitable) << text;
+    EXPECT_THROW(written_facts(text, k_and_n), expression::Unsuitable) << text;
+    EXPECT_THROW(written_plane(text, k_and_n, {1.0, 2.0}), expression::Unsuitable) << text;
     const std::string beside = std::string(text) + " + alpha";
-    EXPECT_THROW(written_facts(beside, names), expression::Unsuitable) << beside;
-    EXPECT_THROW(written_anisotropic(beside, names, {1.0, 2.0}), expression::Unsuitable) << beside;
+    EXPECT_THROW(written_facts(beside, k_and_n), expression::Unsuitable) << beside;
+    EXPECT_THROW(written_anisotropic(beside, k_and_n, {1.0, 2.0}), expression::Unsuitable)
+        << beside;
   }
   EXPECT_THROW(written_plane("sqrt((xi - zeta)^2 + 4*alpha^2)", {}, {}), expression::Unsuitable);
   for (const char* text : {"((lambda - mu_)^2)^2.5", "sqrt((lambda - mu_)^2 + d)",
                            "sqrt(1 + log(lambda/mu_)^2)", "log(t/2)/d", "(t - 2*sqrt(d))^2"})
-    EXPECT_NO_THROW(written_facts(text, names)) << text;
+    EXPECT_NO_THROW(written_facts(text, k_and_n)) << text;
 }
 
 /// V_alpha of a kink is 0 times infinity at alpha = 0.
 TEST(ExpressionFacts, NothingIsKnownOfAKinkAtNoShear) {
   for (const char* text : {"k*sqrt(alpha^2) + xi", "xi*sqrt(alpha^2)", "(alpha^2)^0.5*d + n*xi",
                            "alpha*log(alpha^2) + xi"}) {
-    const Facts facts = written_facts(text, names);
+    const Facts facts = written_facts(text, k_and_n);
     EXPECT_FALSE(facts.is_shear_free() || facts.is_even()) << text;
   }
-  EXPECT_TRUE(written_facts("k*sqrt(1 + alpha^2) + xi", names).is_even());
+  EXPECT_TRUE(written_facts("k*sqrt(1 + alpha^2) + xi", k_and_n).is_even());
 }
 
 /// An isotropic potential is the same whichever of its two ways it is evaluated.
@@ -171,8 +170,8 @@ TEST(ExpressionFacts, IsotropicExpressionsInTheStretchAndInItsInvariants) {
   for (const char* text :
        {"xi^3 + zeta^3 + 3*alpha^2*(xi + zeta)", "exp(-(xi - zeta)^2 - 4*alpha^2)*d + log(d*rho)",
         "k*(lambda^n + mu_^n) + rho*t^2", "log(lambda)^2 + log(mu_)^2"}) {
-    const auto one = written_anisotropic(text, names, {1.25, 1.75});
-    const auto other = written_coupled(text, names, {1.25, 1.75});
+    const auto one = written_anisotropic(text, k_and_n, {1.25, 1.75});
+    const auto other = written_coupled(text, k_and_n, {1.25, 1.75});
     for (int trial = 0; trial < 20; ++trial) {
       const Stretch q = random.stretch();
       const auto a = one.derivatives<2>(q);

@@ -8,17 +8,17 @@
 #include "lib/expression/residue.hpp"
 #include "lib/formula/vanishing.hpp"
 #include "solver/program/text/expression_parser.hpp"
+#include "tests/support/written_potential.hpp"
 
 namespace stationary {
 namespace {
 
 using expression::Residues;
 using expression::Verdict;
-
-const std::vector<std::string> names{"k", "n"};
+using support::k_and_n;
 
 expression::Expression difference(const std::string& a, const std::string& b) {
-  return parse_expression("(" + a + ") - (" + b + ")", names, ExpressionSlot::coupled).expression;
+  return parse_expression("(" + a + ") - (" + b + ")", k_and_n, ExpressionSlot::coupled).expression;
 }
 
 TEST(Residues, ProveWhatHoldsByTheRules) {
@@ -78,7 +78,7 @@ TEST(Residues, DoNotTakeARootForItsArgument) {
 TEST(Vanishing, AsksPointsOnlyWhereResiduesCannotTell) {
   const auto verdict = [](const std::string& a, const std::string& b) {
     const auto e = difference(a, b);
-    return expression::vanishes(e.graph, e.root, names.size());
+    return expression::vanishes(e.graph, e.root, k_and_n.size());
   };
   EXPECT_EQ(verdict("xi", "xi"), Verdict::term_by_term);
   EXPECT_EQ(verdict("(xi + rho)^2", "xi^2 + 2*xi*rho + rho^2"), Verdict::exactly);

@@ -24,8 +24,6 @@ namespace {
 
 using namespace support;
 
-const std::vector<std::string> names{"p", "q"};
-
 template <class S>
 std::array<S, 6> numbers(const PlanarDerivatives<S>& w) {
   return {w.w, w.w_t, w.w_l, w.w_tt, w.w_tl, w.w_ll};
@@ -84,7 +82,7 @@ struct BothBalance {
 };
 
 template <class T>
-std::array<T, 6> in(const std::array<double, 6>& x) {
+std::array<T, 6> state_in(const std::array<double, 6>& x) {
   std::array<T, 6> out;
   for (std::size_t k = 0; k < 6; ++k) out[k] = T(x[k]);
   return out;
@@ -92,7 +90,7 @@ std::array<T, 6> in(const std::array<double, 6>& x) {
 
 /// The written model against the built-in one in 50 digits.
 template <class At, class Written, class BuiltIn>
-void expect_same(const Written& written, const BuiltIn& built_in, const std::string& text) {
+void expect_as_built_in(const Written& written, const BuiltIn& built_in, const std::string& text) {
   const At at;
   const auto wide = with_coefficients(built_in, [](double c) { return Real50(c); });
   const auto conditioned = with_coefficients(written, Conditioned::input);
@@ -103,17 +101,17 @@ void expect_same(const Written& written, const BuiltIn& built_in, const std::str
     std::array<double, 6> x;
     for (double& each : x) each = random.log_uniform(0.2, 5.0);
     if (trial == 0) x[1] = x[0];
-    const auto expected = at(wide, in<Real50>(x));
+    const auto expected = at(wide, state_in<Real50>(x));
     const std::array<double, 2> shift{random.uniform(-1e-9, 1e-9), random.uniform(-1e-9, 1e-9)};
     const auto moved = at(
         with_indexed_coefficients(
             built_in, [&](double c, std::size_t k) { return Real50(c) * (1 + Real50(shift[k])); }),
-        in<Real50>(x));
+        state_in<Real50>(x));
     const auto plain = at(written, x);
-    const auto extended = at(written, in<DoubleDouble>(x));
-    const auto enclosed = at(intervals, in<Interval>(x));
-    const auto bound = at(conditioned, in<Conditioned>(x));
-    const auto inputs = at(of_built_in, in<Conditioned>(x));
+    const auto extended = at(written, state_in<DoubleDouble>(x));
+    const auto enclosed = at(intervals, state_in<Interval>(x));
+    const auto bound = at(conditioned, state_in<Conditioned>(x));
+    const auto inputs = at(of_built_in, state_in<Conditioned>(x));
     for (std::size_t k = 0; k < expected.size(); ++k) {
       const double value = nearest(expected[k]);
       if (std::isnan(value)) {
@@ -141,9 +139,9 @@ void expect_same(const Written& written, const BuiltIn& built_in, const std::str
 template <class BuiltIn>
 void expect_same_plane(const std::string& text, const BuiltIn& built_in) {
   const auto c = built_in.coefficients();
-  const auto written = written_plane(text, names, {c[0], c[1]});
-  expect_same<AtPlane>(written, built_in, text);
-  expect_same<PlaneBalance>(written, built_in, text + ", balance");
+  const auto written = written_plane(text, p_and_q, {c[0], c[1]});
+  expect_as_built_in<AtPlane>(written, built_in, text);
+  expect_as_built_in<PlaneBalance>(written, built_in, text + ", balance");
 }
 
 TEST(ExpressionModels, BuiltInPlanesWrittenOut) {
@@ -168,12 +166,12 @@ TEST(ExpressionModels, BuiltInPlanesWrittenInTheStretches) {
 TEST(ExpressionModels, BuiltInThicknessesWrittenOut) {
   const ReciprocalQuadratic<> reciprocal{1.3, 0.7};
   const Harmonic<> harmonic{1.3, 0.7};
-  const auto first = written_thickness("p/rho + q/2*rho^2", names, {1.3, 0.7});
-  const auto second = written_thickness("p/2*(rho - q)^2", names, {1.3, 0.7});
-  expect_same<AtThickness>(first, reciprocal, "reciprocal-quadratic");
-  expect_same<ThicknessBalance>(first, reciprocal, "reciprocal-quadratic, balance");
-  expect_same<AtThickness>(second, harmonic, "harmonic");
-  expect_same<ThicknessBalance>(second, harmonic, "harmonic, balance");
+  const auto first = written_thickness("p/rho + q/2*rho^2", p_and_q, {1.3, 0.7});
+  const auto second = written_thickness("p/2*(rho - q)^2", p_and_q, {1.3, 0.7});
+  expect_as_built_in<AtThickness>(first, reciprocal, "reciprocal-quadratic");
+  expect_as_built_in<ThicknessBalance>(first, reciprocal, "reciprocal-quadratic, balance");
+  expect_as_built_in<AtThickness>(second, harmonic, "harmonic");
+  expect_as_built_in<ThicknessBalance>(second, harmonic, "harmonic, balance");
   for (const double m : {0.0, 0.1, 0.5, 0.69}) {
     EXPECT_NEAR(first.balanced(m), reciprocal.balanced(m), 1e-14 * reciprocal.balanced(m));
     EXPECT_NEAR(second.balanced(m), harmonic.balanced(m), 1e-14 * harmonic.balanced(m));
@@ -183,10 +181,10 @@ TEST(ExpressionModels, BuiltInThicknessesWrittenOut) {
 
 TEST(ExpressionModels, BuiltInCoupledWrittenOut) {
   const NeoHookean3d<> built_in{1.3, 0.7};
-  const auto written =
-      written_coupled("p/2*(I1 + rho^2 - 3 - 2*log(d*rho)) + q/2*log(d*rho)^2", names, {1.3, 0.7});
-  expect_same<AtBoth>(written, built_in, "neo-hookean-3d");
-  expect_same<BothBalance>(written, built_in, "neo-hookean-3d, balance");
+  const auto written = written_coupled("p/2*(I1 + rho^2 - 3 - 2*log(d*rho)) + q/2*log(d*rho)^2",
+                                       p_and_q, {1.3, 0.7});
+  expect_as_built_in<AtBoth>(written, built_in, "neo-hookean-3d");
+  expect_as_built_in<BothBalance>(written, built_in, "neo-hookean-3d, balance");
   EXPECT_EQ(written.rest_stretch(), 1.0);
   EXPECT_EQ(written.rest_thickness(), 1.0);
 }
@@ -204,7 +202,7 @@ const std::vector<const char*> planes{
 TEST(ExpressionModels, DerivativesAreSlopes) {
   Random random(418);
   for (const char* text : planes) {
-    const auto model = written_plane(text, names, {1.25, 0.75});
+    const auto model = written_plane(text, p_and_q, {1.25, 0.75});
     for (int trial = 0; trial < 3; ++trial) {
       const Real50 xi(random.log_uniform(0.4, 2.5));
       const Real50 zeta(random.log_uniform(0.4, 2.5));
@@ -233,7 +231,7 @@ TEST(ExpressionModels, DerivativesAreSlopes) {
 TEST(ExpressionModels, BalanceIsThatOfTheDerivatives) {
   Random random(419);
   for (const char* text : planes) {
-    const auto model = written_plane(text, names, {1.25, 0.75});
+    const auto model = written_plane(text, p_and_q, {1.25, 0.75});
     for (int trial = 0; trial < 5; ++trial) {
       const Real50 xi(random.log_uniform(0.4, 2.5));
       const Real50 zeta(random.log_uniform(0.4, 2.5));
@@ -259,7 +257,7 @@ TEST(ExpressionModels, SlopesInTheParameters) {
   using Dual8 = Dual<double, 8>;
   for (const char* text : planes) {
     const std::array<double, 2> values{1.25, 0.75};
-    const auto model = written_plane(text, names, {values[0], values[1]});
+    const auto model = written_plane(text, p_and_q, {values[0], values[1]});
     const auto dual = with_indexed_coefficients(model, [](double c, std::size_t k) {
       Dual8 out(c);
       out.slope[k + 1] = 2.0;
@@ -303,7 +301,7 @@ TEST(ExpressionModels, SlopesInTheParameters) {
 TEST(ExpressionModels, IntervalsHoldThePointsOfBoxes) {
   Random random(421);
   for (const char* text : planes) {
-    const auto model = written_plane(text, names, {1.25, 0.75});
+    const auto model = written_plane(text, p_and_q, {1.25, 0.75});
     const auto intervals = with_coefficients(model, [](double c) { return Interval(c); });
     for (int trial = 0; trial < 40; ++trial) {
       const double width = std::exp2(random.uniform(-30.0, -1.0));
@@ -334,7 +332,7 @@ TEST(ExpressionModels, DualStates) {
   Random random(422);
   using DualBox = Dual<Interval, 2>;
   for (const char* text : planes) {
-    const auto model = written_plane(text, names, {1.25, 0.75});
+    const auto model = written_plane(text, p_and_q, {1.25, 0.75});
     const auto intervals = with_coefficients(model, [](double c) { return Interval(c); });
     for (int trial = 0; trial < 5; ++trial) {
       const double xi = random.log_uniform(0.4, 2.5);
@@ -372,13 +370,13 @@ TEST(ExpressionModels, DecimalNumbers) {
 
 TEST(ExpressionModels, RestStates) {
   EXPECT_EQ(
-      written_plane("p/2*(I1 - 2 - 2*log(d)) + q/2*log(d)^2", names, {1.0, 2.0}).rest_stretch(),
+      written_plane("p/2*(I1 - 2 - 2*log(d)) + q/2*log(d)^2", p_and_q, {1.0, 2.0}).rest_stretch(),
       1.0);
   // Minima in d at 0.25 and 2.25, r = 0.5 and 1.5: the second is the nearer one, in its logarithm.
   EXPECT_NEAR(written_plane("(d - 0.25)^2*(d - 2.25)^2", {}, {}).rest_stretch(), 1.5, 1e-14);
   EXPECT_TRUE(std::isnan(written_plane("t^2", {}, {}).rest_stretch()));
   EXPECT_TRUE(std::isnan(written_plane("-log(d)^2", {}, {}).rest_stretch()));
-  EXPECT_NEAR(written_plane("p*d + 1/d", names, {1e-8, 0.0}).rest_stretch(), 100.0, 1e-11);
+  EXPECT_NEAR(written_plane("p*d + 1/d", p_and_q, {1e-8, 0.0}).rest_stretch(), 100.0, 1e-11);
 
   const auto wells = written_thickness("(rho - 0.8)^2*(rho - 3)^2", {}, {});
   EXPECT_NEAR(wells.rest_thickness(), 0.8, 1e-15);
@@ -411,9 +409,9 @@ TEST(ExpressionModels, RestIsAMinimumAndNoPoleOrNoise) {
                   .rest_thickness(),
               1.5, 0.3);
   for (const char* text : {"t^2/d", "(t^2 - 4*d)*p", "log(t^2/d)*q", "exp(t/sqrt(d))"})
-    EXPECT_TRUE(std::isnan(written_plane(text, names, {0.1, 0.7}).rest_stretch())) << text;
+    EXPECT_TRUE(std::isnan(written_plane(text, p_and_q, {0.1, 0.7}).rest_stretch())) << text;
   EXPECT_TRUE(
-      std::isnan(written_thickness("log(p*rho^3) - log(q*rho) - 2*log(rho)", names, {0.1, 0.7})
+      std::isnan(written_thickness("log(p*rho^3) - log(q*rho) - 2*log(rho)", p_and_q, {0.1, 0.7})
                      .rest_thickness()));
   // A flat minimum is one.
   EXPECT_NEAR(written_thickness("(rho - 1.3)^4", {}, {}).rest_thickness(), 1.3, 1e-12);
@@ -431,7 +429,7 @@ TEST(ExpressionModels, CoupledRestIsTheNearestMinimum) {
 }
 
 TEST(ExpressionModels, CoefficientsAreCounted) {
-  const auto parsed = parse_expression("p*d", names, ExpressionSlot::plane);
+  const auto parsed = parse_expression("p*d", p_and_q, ExpressionSlot::plane);
   const std::vector<double> one{1.0};
   EXPECT_THROW(
       PlanarExpression<>(expression::planar_tape(parsed.expression), coefficient_list(one)),

@@ -20,8 +20,8 @@ using support::Random;
 const std::string isotropic_text = "mu/2*(I1 - 2 - 2*log(d)) + k/2*log(d)^2";
 const std::string fibre_text =
     "c/2*((xi*cos(pi/6) + alpha*sin(pi/6))^2 + (alpha*cos(pi/6) + zeta*sin(pi/6))^2 - 1)^2";
-const std::vector<std::string> names{"mu", "k", "c"};
-const std::vector<double> values{1.1, 0.7, 0.4};
+const std::vector<std::string> fibred_names{"mu", "k", "c"};
+const std::vector<double> fibred_values{1.1, 0.7, 0.4};
 
 OrientedExpression<> oriented(const std::string& text, const std::vector<std::string>& parameters,
                               const std::vector<double>& coefficients) {
@@ -36,14 +36,16 @@ AnisotropicPotential built_in() { return {NeoHookean<>{1.1, 0.7}, axial, {{0.4, 
 /// isotropic part alone.
 std::vector<AnisotropicPotential> written() {
   return {
-      AnisotropicPotential(oriented(isotropic_text + " + " + fibre_text, names, values), axial, {}),
       AnisotropicPotential(
-          oriented("tan(atan(" + isotropic_text + " + " + fibre_text + "))", names, values),
+          oriented(isotropic_text + " + " + fibre_text, fibred_names, fibred_values), axial, {}),
+      AnisotropicPotential(
+          oriented("tan(atan(" + isotropic_text + " + " + fibre_text + "))", fibred_names,
+                   fibred_values),
           AnyThickness<>{{support::written_thickness("a/rho + b/2*rho^2", {"a", "b"}, {1.0, 3.0})}},
           {}),
       AnisotropicPotential(
-          support::written_plane(isotropic_text, {"mu", "k"}, {values[0], values[1]}), axial,
-          {{0.4, 30.0}})};
+          support::written_plane(isotropic_text, {"mu", "k"}, {fibred_values[0], fibred_values[1]}),
+          axial, {{0.4, 30.0}})};
 }
 
 Stretch random_stretch(Random& random) {
@@ -57,8 +59,8 @@ BasicStretch<S> as(const Stretch& q) {
   return {S(q.alpha), S(q.xi), S(q.zeta), S(q.rho)};
 }
 
-void expect_same(const PotentialDerivatives<double>& a, const PotentialDerivatives<double>& b,
-                 double error) {
+void expect_same_derivatives(const PotentialDerivatives<double>& a,
+                             const PotentialDerivatives<double>& b, double error) {
   EXPECT_NEAR(a.value, b.value, error);
   EXPECT_LE((a.gradient - b.gradient).cwiseAbs().maxCoeff(), error);
   EXPECT_LE((a.hessian - b.hessian).cwiseAbs().maxCoeff(), error);
@@ -70,8 +72,8 @@ TEST(OrientedExpression, IsTheBuiltInOneInAllNumberTypes) {
     EXPECT_TRUE(V.is_separable());
     for (int k = 0; k < 20; ++k) {
       const Stretch q = random_stretch(random);
-      expect_same(potential_derivatives<2>(V.model(), q),
-                  potential_derivatives<2>(built_in().model(), q), 1e-12);
+      expect_same_derivatives(potential_derivatives<2>(V.model(), q),
+                              potential_derivatives<2>(built_in().model(), q), 1e-12);
       const auto wide = as<DoubleDouble>(q);
       const auto a = potential_derivatives<2>(V.model(AsExtended()), wide);
       const auto b = potential_derivatives<2>(built_in().model(AsExtended()), wide);
@@ -130,8 +132,8 @@ TEST(OrientedExpression, EveryCoefficientHasItsPlace) {
       const int there = beside ? place : own[place];
       const AnisotropicPotential a = V.with_coefficient(place, 1.25);
       const AnisotropicPotential b = built_in().with_coefficient(there, 1.25);
-      expect_same(potential_derivatives<2>(a.model(), q), potential_derivatives<2>(b.model(), q),
-                  1e-12);
+      expect_same_derivatives(potential_derivatives<2>(a.model(), q),
+                              potential_derivatives<2>(b.model(), q), 1e-12);
     }
   }
 }
@@ -194,7 +196,7 @@ TEST(OrientedExpression, DomainIsFiniteParameters) {
 
 /// Programs that no model reads are not made: their room is the others'.
 TEST(OrientedExpression, ATapeHasTheProgramsItsModelReads) {
-  const auto parsed = parse_expression(fibre_text, names, ExpressionSlot::coupled);
+  const auto parsed = parse_expression(fibre_text, fibred_names, ExpressionSlot::coupled);
   const auto directed = expression::anisotropic_tape(parsed.expression);
   EXPECT_FALSE(directed->plane_pull.results.empty());
   EXPECT_TRUE(directed->balance.results.empty());

@@ -17,13 +17,13 @@ using support::agrees;
 
 using Wide = BasicStretch<DoubleDouble>;
 
-Wide moved(const Wide& q, int i, double h) {
+Wide moved_stretch(const Wide& q, int i, double h) {
   Vector4<DoubleDouble> v = q.vector();
   v[i] = v[i] + h;
   return Wide::from(v);
 }
 
-Wide wide(const Stretch& q) { return {q.alpha, q.xi, q.zeta, q.rho}; }
+Wide widened(const Stretch& q) { return {q.alpha, q.xi, q.zeta, q.rho}; }
 
 template <class F>
 void over_bodies(std::uint64_t seed, const F& f) {
@@ -34,13 +34,13 @@ void over_bodies(std::uint64_t seed, const F& f) {
 TEST(AnisotropicPotential, DerivativesAreTheSlopesOfValueAndGradient) {
   over_bodies(301, [](const support::Anisotropic& of, support::Random& random) {
     const auto model = of.V.model(AsExtended());
-    const Wide q = wide(random.stretch());
+    const Wide q = widened(random.stretch());
     const auto at = potential_derivatives<2>(model, q);
     const double scale = 1.0 + double(at.hessian.cwiseAbs().maxCoeff());
     constexpr double h = 1e-9;
     for (int i = 0; i < 4; ++i) {
-      const auto ahead = potential_derivatives<1>(model, moved(q, i, h));
-      const auto behind = potential_derivatives<1>(model, moved(q, i, -h));
+      const auto ahead = potential_derivatives<1>(model, moved_stretch(q, i, h));
+      const auto behind = potential_derivatives<1>(model, moved_stretch(q, i, -h));
       const double slope = double(ahead.value - behind.value) / (2.0 * h);
       EXPECT_NEAR(slope, double(at.gradient[i]), 1e-13 * scale) << of.text;
       for (int j = 0; j < 4; ++j) {
@@ -56,7 +56,7 @@ TEST(AnisotropicPotential, NumberTypesAgree) {
   over_bodies(302, [](const support::Anisotropic& of, support::Random& random) {
     const Stretch q = random.stretch();
     const auto plain = potential_derivatives<2>(of.V.model(), q);
-    const auto extended = potential_derivatives<2>(of.V.model(AsExtended()), wide(q));
+    const auto extended = potential_derivatives<2>(of.V.model(AsExtended()), widened(q));
     const auto input = [](double x) { return Conditioned::input(x); };
     const auto conditioned = potential_derivatives<2>(
         of.V.model(AsConditioned()),

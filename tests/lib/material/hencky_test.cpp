@@ -18,8 +18,6 @@ namespace {
 
 using namespace support;
 
-constexpr double u = 0x1p-53;
-
 /// B(x) = atanh(sqrt x)/sqrt x and B' from stretches, by formulas of their own: 2 atanh(sqrt x) =
 /// log(a/b); near the circle from the series in 50 digits.
 AtanhRatio<Real50> reference_ratio(const Real50& a, const Real50& b) {
@@ -90,17 +88,17 @@ const Entry entries[] = {
 };
 
 /// Every derivative within `units` rounding units of its terms.
-testing::AssertionResult full_precision(double mu, double lambda, double xi, double zeta,
-                                        double units) {
+::testing::AssertionResult full_precision(double mu, double lambda, double xi, double zeta,
+                                          double units) {
   const auto actual = Hencky<>{mu, lambda}.evaluate<2>(planar_invariants(xi, zeta));
   const Reference expected = reference(mu, lambda, xi, zeta);
   for (const Entry& entry : entries) {
     const auto result = agrees<Real50>(
         at("hencky", mu, lambda, "xi zeta", xi, zeta, entry.name), expected.derivatives.*entry.wide,
-        Real50(actual.*entry.narrow), units * u * expected.terms.*entry.wide);
+        Real50(actual.*entry.narrow), units * unit_roundoff * expected.terms.*entry.wide);
     if (!result) return result;
   }
-  return testing::AssertionSuccess();
+  return ::testing::AssertionSuccess();
 }
 
 TEST(Hencky, AtTheCircle) {

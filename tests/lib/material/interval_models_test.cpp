@@ -17,7 +17,7 @@ namespace {
 
 using namespace support;
 
-constexpr int trials = 400;
+constexpr int interval_trials = 400;
 
 /// A stretch box from very narrow to wide, some of them across the circle, and a point in it.
 struct Sample {
@@ -38,7 +38,7 @@ Sample draw_sample(Random& random) {
   return out;
 }
 
-::testing::AssertionResult holds(const Interval& x, const Real50& exact, const char* what) {
+::testing::AssertionResult is_held(const Interval& x, const Real50& exact, const char* what) {
   if (!x.bounded()) return ::testing::AssertionFailure() << what << " is not bounded";
   if (Real50(x.lo) <= exact && exact <= Real50(x.hi)) return ::testing::AssertionSuccess();
   return ::testing::AssertionFailure()
@@ -46,12 +46,12 @@ Sample draw_sample(Random& random) {
 }
 
 template <class T>
-auto members(const PlanarDerivatives<T>& w) {
+auto named_members(const PlanarDerivatives<T>& w) {
   return std::array<std::pair<const char*, T>, 5>{
       {{"w_t", w.w_t}, {"w_l", w.w_l}, {"w_tt", w.w_tt}, {"w_tl", w.w_tl}, {"w_ll", w.w_ll}}};
 }
 template <class T>
-auto members(const LogBalance<T>& b, bool coupled) {
+auto named_members(const LogBalance<T>& b, bool coupled) {
   std::vector<std::pair<const char*, T>> out{
       {"g_xi", b.g_xi}, {"g_zeta", b.g_zeta}, {"uu", b.uu}, {"uv", b.uv}, {"vv", b.vv}};
   if (coupled) {
@@ -65,7 +65,7 @@ auto members(const LogBalance<T>& b, bool coupled) {
 template <class Point, class Over>
 void expect_held(const Over& over, const Point& point) {
   for (std::size_t k = 0; k < point.size(); ++k)
-    EXPECT_TRUE(holds(over[k].second, point[k].second, point[k].first));
+    EXPECT_TRUE(is_held(over[k].second, point[k].second, point[k].first));
 }
 
 template <class T>
@@ -81,12 +81,12 @@ struct Rates {
 };
 
 template <class Model>
-class PlanarIntervalTest : public testing::Test {};
+class PlanarIntervalTest : public ::testing::Test {};
 TYPED_TEST_SUITE(PlanarIntervalTest, BuiltInPlanarModels, ModelName);
 
 TYPED_TEST(PlanarIntervalTest, DerivativesHoldEveryPointValue) {
   Random random(911);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < interval_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const Sample s = draw_sample(random);
     const auto over = with_coefficients(model, Interval::decimal)
@@ -95,14 +95,14 @@ TYPED_TEST(PlanarIntervalTest, DerivativesHoldEveryPointValue) {
         widen<Real50>(model).template evaluate<2>(planar_invariants(s.at[0], s.at[1]));
     // Far from its middle a wide box may leave a formula without a bound; a narrow one may not.
     if (!over.w_t.bounded() && s.x[0].hi > 1.5 * s.x[0].lo) continue;
-    expect_held(members(over), members(point));
-    EXPECT_TRUE(holds(over.w, point.w, "w")) << text_of(model);
+    expect_held(named_members(over), named_members(point));
+    EXPECT_TRUE(is_held(over.w, point.w, "w")) << text_of(model);
   }
 }
 
 TYPED_TEST(PlanarIntervalTest, BalanceHoldsEveryPointValue) {
   Random random(912);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < interval_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const Sample s = draw_sample(random);
     const Rates c(random);
@@ -110,7 +110,7 @@ TYPED_TEST(PlanarIntervalTest, BalanceHoldsEveryPointValue) {
                           .log_balance(s.x[0], s.x[1], Interval(c.c[0]), Interval(c.c[1]));
     const auto wide = widen<Real50>(model);
     const auto point = wide.log_balance(s.at[0], s.at[1], Real50(c.c[0]), Real50(c.c[1]));
-    expect_held(members(over, false), members(point, false));
+    expect_held(named_members(over, false), named_members(point, false));
   }
 }
 
@@ -123,8 +123,8 @@ TYPED_TEST(PlanarIntervalTest, BothWaysToTheBalanceAgree) {
     const auto direct = model.log_balance(s.at[0], s.at[1], Real50(c.c[0]), Real50(c.c[1]));
     const auto w = model.template evaluate<2>(planar_invariants(s.at[0], s.at[1]));
     const auto through = planar_log_balance<2>(w, s.at[0], s.at[1], rates<Real50>(c.c));
-    const auto a = members(direct, false);
-    const auto b = members(through, false);
+    const auto a = named_members(direct, false);
+    const auto b = named_members(through, false);
     for (std::size_t k = 0; k < a.size(); ++k) {
       EXPECT_LE(abs(a[k].second - b[k].second), Real50("1e-34") * (1 + abs(a[k].second)))
           << a[k].first;
@@ -133,12 +133,12 @@ TYPED_TEST(PlanarIntervalTest, BothWaysToTheBalanceAgree) {
 }
 
 template <class Model>
-class CoupledIntervalTest : public testing::Test {};
+class CoupledIntervalTest : public ::testing::Test {};
 TYPED_TEST_SUITE(CoupledIntervalTest, BuiltInCoupledModels, ModelName);
 
 TYPED_TEST(CoupledIntervalTest, BalanceHoldsEveryPointValueAndBothWaysAgree) {
   Random random(914);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < interval_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const Sample s = draw_sample(random);
     const Rates c(random);
@@ -148,11 +148,11 @@ TYPED_TEST(CoupledIntervalTest, BalanceHoldsEveryPointValueAndBothWaysAgree) {
     const auto wide = widen<Real50>(model);
     const auto point =
         wide.log_balance(s.at[0], s.at[1], s.at[2], Real50(c.c[0]), Real50(c.c[1]), Real50(c.c[2]));
-    expect_held(members(over, true), members(point, true));
+    expect_held(named_members(over, true), named_members(point, true));
     const auto w = wide.template evaluate<2>(planar_invariants(s.at[0], s.at[1]), s.at[2]);
     const auto through = coupled_log_balance<2>(w, s.at[0], s.at[1], s.at[2], rates<Real50>(c.c));
-    const auto a = members(point, true);
-    const auto b = members(through, true);
+    const auto a = named_members(point, true);
+    const auto b = named_members(through, true);
     for (std::size_t k = 0; k < a.size(); ++k) {
       EXPECT_LE(abs(a[k].second - b[k].second), Real50("1e-40") * (1 + abs(a[k].second)))
           << a[k].first;
@@ -161,26 +161,26 @@ TYPED_TEST(CoupledIntervalTest, BalanceHoldsEveryPointValueAndBothWaysAgree) {
 }
 
 template <class Model>
-class ThicknessIntervalTest : public testing::Test {};
+class ThicknessIntervalTest : public ::testing::Test {};
 TYPED_TEST_SUITE(ThicknessIntervalTest, BuiltInThicknessModels, ModelName);
 
 TYPED_TEST(ThicknessIntervalTest, DerivativesHoldEveryPointValue) {
   Random random(915);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < interval_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const Sample s = draw_sample(random);
     const auto over = with_coefficients(model, Interval::decimal).template evaluate<2>(s.x[0]);
     const auto point = widen<Real50>(model).template evaluate<2>(s.at[0]);
-    EXPECT_TRUE(holds(over.v, point.v, "v"));
-    EXPECT_TRUE(holds(over.v_r, point.v_r, "v_r"));
-    EXPECT_TRUE(holds(over.v_rr, point.v_rr, "v_rr"));
+    EXPECT_TRUE(is_held(over.v, point.v, "v"));
+    EXPECT_TRUE(is_held(over.v_r, point.v_r, "v_r"));
+    EXPECT_TRUE(is_held(over.v_rr, point.v_rr, "v_rr"));
     const double m = random.log_uniform(1e-2, 10.0);
     const auto balance =
         with_coefficients(model, Interval::decimal).log_balance(s.x[0], Interval(m));
     const Real50 g = point.v_r - m * s.at[0] * s.at[0];
     const Real50 slope = point.v_rr - 2 * m * s.at[0] * s.at[0];
-    EXPECT_TRUE(holds(balance.g_rho, g, "g_rho"));
-    EXPECT_TRUE(holds(balance.ww, slope, "ww"));
+    EXPECT_TRUE(is_held(balance.g_rho, g, "g_rho"));
+    EXPECT_TRUE(is_held(balance.ww, slope, "ww"));
     const auto direct = widen<Real50>(model).log_balance(s.at[0], Real50(m));
     EXPECT_LE(abs(direct.g_rho - g), Real50("1e-40") * (1 + abs(g)));
     EXPECT_LE(abs(direct.ww - slope), Real50("1e-40") * (1 + abs(slope)));
@@ -204,7 +204,7 @@ TEST(HenckyInterval, AcrossItsFormulas) {
     const Real50 z =
         Real50(zeta.lo) + (Real50(zeta.hi) - Real50(zeta.lo)) * random.uniform(0.0, 1.0);
     const auto point = widen<Real50>(model).evaluate<2>(planar_invariants(x, z));
-    expect_held(members(over), members(point));
+    expect_held(named_members(over), named_members(point));
     if (width < 1e-10) {
       EXPECT_LE(over.w_ll.width(), 1e-7);
     }
@@ -212,7 +212,7 @@ TEST(HenckyInterval, AcrossItsFormulas) {
 }
 
 template <class Model>
-class StateIntervalTest : public testing::Test {};
+class StateIntervalTest : public ::testing::Test {};
 TYPED_TEST_SUITE(StateIntervalTest, WholeModels, ModelName);
 
 TYPED_TEST(StateIntervalTest, LinearizationHoldsEveryPointValue) {
@@ -228,21 +228,21 @@ TYPED_TEST(StateIntervalTest, LinearizationHoldsEveryPointValue) {
     const auto point = straight_state<Real50>({Real50(body.J1), Real50(body.J2), Real50(body.J3)},
                                               widen<Real50>(model), Real50(q.xi), Real50(q.zeta),
                                               Real50(q.rho), Real50(nu));
-    EXPECT_TRUE(holds(over.V_aa, point.V_aa, "V_aa"));
-    EXPECT_TRUE(holds(over.V_xx, point.V_xx, "V_xx"));
-    EXPECT_TRUE(holds(over.V_xz, point.V_xz, "V_xz"));
-    EXPECT_TRUE(holds(over.V_zz, point.V_zz, "V_zz"));
-    EXPECT_TRUE(holds(over.V_rr, point.V_rr, "V_rr"));
+    EXPECT_TRUE(is_held(over.V_aa, point.V_aa, "V_aa"));
+    EXPECT_TRUE(is_held(over.V_xx, point.V_xx, "V_xx"));
+    EXPECT_TRUE(is_held(over.V_xz, point.V_xz, "V_xz"));
+    EXPECT_TRUE(is_held(over.V_zz, point.V_zz, "V_zz"));
+    EXPECT_TRUE(is_held(over.V_rr, point.V_rr, "V_rr"));
     const auto even = even_pencil_i(over).characteristic();
     const auto even_at = even_pencil_i(point).characteristic();
     const auto odd = odd_forms_i(over).characteristic();
     const auto odd_at = odd_forms_i(point).characteristic();
     const auto third = even_block_iii(over).characteristic_coupled();
     const auto third_at = even_block_iii(point).characteristic_coupled();
-    for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(holds(even.c[k], even_at.c[k], "even (i)"));
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(holds(odd.c[k], odd_at.c[k], "odd (i)"));
-    for (std::size_t k = 0; k < 5; ++k) EXPECT_TRUE(holds(third.c[k], third_at.c[k], "(iii)"));
-    EXPECT_TRUE(holds(odd_lambda_iii(over), odd_lambda_iii(point), "odd (iii)"));
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(is_held(even.c[k], even_at.c[k], "even (i)"));
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(is_held(odd.c[k], odd_at.c[k], "odd (i)"));
+    for (std::size_t k = 0; k < 5; ++k) EXPECT_TRUE(is_held(third.c[k], third_at.c[k], "(iii)"));
+    EXPECT_TRUE(is_held(odd_lambda_iii(over), odd_lambda_iii(point), "odd (iii)"));
   }
 }
 
@@ -267,9 +267,9 @@ TEST(BalanceInterval, ResidualAndCompatibilityHoldEveryPointValue) {
                                  Vector3<T>(T(nu[0]), T(nu[1]), T(nu[2]))));
     };
     for (int i = 0; i < 4; ++i)
-      EXPECT_TRUE(holds(over(residual)[i], exactly(residual)[i], "balance"));
+      EXPECT_TRUE(is_held(over(residual)[i], exactly(residual)[i], "balance"));
     for (int i = 0; i < 3; ++i)
-      EXPECT_TRUE(holds(over(compatibility)[i], exactly(compatibility)[i], "compatibility"));
+      EXPECT_TRUE(is_held(over(compatibility)[i], exactly(compatibility)[i], "compatibility"));
   }
 }
 

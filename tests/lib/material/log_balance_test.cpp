@@ -13,19 +13,19 @@ namespace {
 
 using namespace support;
 
-constexpr int trials = 25;
+constexpr int log_balance_trials = 25;
 
 CentrifugalRates<Real50> rates_of(const Body& body, const Vector3<Real50>& nu) {
   return centrifugal_rates<Real50>(body, nu[0] * nu[0], nu[1] * nu[1], nu[2] * nu[2]);
 }
 
 template <class Model>
-class LogBalanceTest : public testing::Test {};
+class LogBalanceTest : public ::testing::Test {};
 TYPED_TEST_SUITE(LogBalanceTest, WholeModels, ModelName);
 
 TYPED_TEST(LogBalanceTest, IsTheBalanceTimesTheStretches) {
   Random random(321);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < log_balance_trials; ++trial) {
     const auto model = widen<Real50>(draw<TypeParam>(random));
     const Body body = random.body();
     const auto q = widen_stretch<Real50>(random.diagonal_stretch());
@@ -52,7 +52,7 @@ TYPED_TEST(LogBalanceTest, IsTheBalanceTimesTheStretches) {
 
 TYPED_TEST(LogBalanceTest, JacobianIsASlope) {
   Random random(322);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < log_balance_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const auto wide = widen<Real50>(model);
     const Body body = random.body();
@@ -84,7 +84,7 @@ TYPED_TEST(LogBalanceTest, JacobianIsASlope) {
 /// doubles: what is made of these alone is not rounded to one.
 TYPED_TEST(LogBalanceTest, IsAsPreciseAsItsStretches) {
   Random random(323);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < log_balance_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const auto wide = widen<Real50>(model);
     const Stretch q = random.diagonal_stretch();

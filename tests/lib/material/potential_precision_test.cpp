@@ -34,7 +34,7 @@ std::array<S, 10> evaluate(const Model& model, const BasicStretch<S>& q) {
 }
 
 template <class Model>
-class PotentialPrecisionTest : public testing::Test {
+class PotentialPrecisionTest : public ::testing::Test {
  protected:
   static constexpr int trials = 120;
 
@@ -53,7 +53,7 @@ TYPED_TEST(PotentialPrecisionTest, DoublesAreWithinTheRoundingOfTheirTerms) {
     const Stretch q = this->state(random, trial);
     const auto actual = evaluate(model, q);
     const auto expected = evaluate(widen<Real50>(model), widen_stretch<Real50>(q));
-    const auto bounds = evaluate(widen<RunningError>(model), widen_stretch<RunningError>(q));
+    const auto bounds = evaluate(widen<BoundedDouble>(model), widen_stretch<BoundedDouble>(q));
     for (std::size_t k = 0; k < names.size(); ++k) {
       EXPECT_TRUE(agrees<Real50>(at(text_of(model), q, names[k]), expected[k], Real50(actual[k]),
                                  Real50(bounds[k].bound) * (0x1p-53 * (1.0 + 0x1p-20))));
@@ -105,7 +105,7 @@ TYPED_TEST(PotentialPrecisionTest, ExtendedPrecisionIsGoodToItsLogarithm) {
     const auto x = planar_invariants(widen_stretch<DoubleDouble>(q));
     const auto actual = listed(model.template evaluate<1>(x, DoubleDouble(q.rho)));
     const auto expected = evaluate(widen<Real50>(model), widen_stretch<Real50>(q));
-    const auto bounds = evaluate(widen<RunningError>(model), widen_stretch<RunningError>(q));
+    const auto bounds = evaluate(widen<BoundedDouble>(model), widen_stretch<BoundedDouble>(q));
     for (const std::size_t k : {0U, 1U, 2U, 3U}) {
       EXPECT_TRUE(agrees<Real50>(at(text_of(model), q, names[k]), expected[k],
                                  exact<Real50>(actual[k]), Real50(bounds[k].bound) * 0x1p-80));
@@ -124,8 +124,8 @@ TYPED_TEST(PotentialPrecisionTest, BalanceInExtendedPrecision) {
                                          widen_vector<DoubleDouble>(nu));
     const auto expected = balance_residual(body, widen<Real50>(model), widen_stretch<Real50>(q),
                                            widen_vector<Real50>(nu));
-    const auto bounds = balance_residual(body, model, widen_stretch<RunningError>(q),
-                                         widen_vector<RunningError>(nu));
+    const auto bounds = balance_residual(body, model, widen_stretch<BoundedDouble>(q),
+                                         widen_vector<BoundedDouble>(nu));
     for (int k = 0; k < 4; ++k) {
       EXPECT_TRUE(agrees<Real50>(at(text_of(model), body, q, nu, "row", k), expected[k],
                                  exact<Real50>(actual[k]), Real50(bounds[k].bound) * 0x1p-80));
@@ -141,7 +141,7 @@ TYPED_TEST(PotentialPrecisionTest, BinaryAndDecimalFloatsAgree) {
         trial % 4 == 0 ? Stretch{0.0, 1.25, 1.25 + 1e-9 * trial, 0.75} : this->state(random, trial);
     const auto binary = evaluate(widen<Real50>(model), widen_stretch<Real50>(q));
     const auto decimal = evaluate(widen<Decimal50>(model), widen_stretch<Decimal50>(q));
-    const auto bounds = evaluate(widen<RunningError>(model), widen_stretch<RunningError>(q));
+    const auto bounds = evaluate(widen<BoundedDouble>(model), widen_stretch<BoundedDouble>(q));
     for (std::size_t k = 0; k < names.size(); ++k) {
       EXPECT_TRUE(agrees<Real50>(at(text_of(model), q, names[k]), binary[k], Real50(decimal[k]),
                                  Real50(bounds[k].bound) * Real50("1e-47")));

@@ -16,7 +16,7 @@ namespace {
 
 using namespace support;
 
-constexpr int trials = 25;
+constexpr int potential_trials = 25;
 
 PlanarInvariants<Real50> invariants(const Real50& t, const Real50& l) {
   const Real50 d = exp(l);
@@ -33,12 +33,12 @@ Vector3<Real50> random_trl(Random& random) {
 }
 
 template <class Model>
-class PlanarModelTest : public testing::Test {};
+class PlanarModelTest : public ::testing::Test {};
 TYPED_TEST_SUITE(PlanarModelTest, BuiltInPlanarModels, ModelName);
 
 TYPED_TEST(PlanarModelTest, DerivativesAreSlopes) {
   Random random(101);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < potential_trials; ++trial) {
     const auto model = random.coefficients<TypeParam>();
     const auto wide = widen<Real50>(model);
     const Vector3<Real50> x = random_trl(random);
@@ -72,7 +72,7 @@ TYPED_TEST(PlanarModelTest, WhatIsNotAskedForIsNaN) {
 
 TYPED_TEST(PlanarModelTest, IsAtRestAtItsRestStretch) {
   Random random(103);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < potential_trials; ++trial) {
     const auto model = random.coefficients<TypeParam>();
     const double s = model.rest_stretch();
     const auto v = model.template evaluate<2>(planar_invariants(s, s));
@@ -85,7 +85,7 @@ TYPED_TEST(PlanarModelTest, IsAtRestAtItsRestStretch) {
 
 TYPED_TEST(PlanarModelTest, ItsRestStateIsAMinimum) {
   Random random(104);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < potential_trials; ++trial) {
     const auto model = random.coefficients<TypeParam>();
     const double s = model.rest_stretch();
     const auto v = potential_derivatives<2>(Separable<TypeParam, Harmonic<>>{model, {1.0, 1.0}},
@@ -103,12 +103,12 @@ TYPED_TEST(PlanarModelTest, ItsRestStateIsAMinimum) {
 }
 
 template <class Model>
-class ThicknessModelTest : public testing::Test {};
+class ThicknessModelTest : public ::testing::Test {};
 TYPED_TEST_SUITE(ThicknessModelTest, BuiltInThicknessModels, ModelName);
 
 TYPED_TEST(ThicknessModelTest, DerivativesAreSlopes) {
   Random random(111);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < potential_trials; ++trial) {
     const auto model = random.coefficients<TypeParam>();
     const auto wide = widen<Real50>(model);
     const Real50 r = random.uniform(-2.0, 2.0);
@@ -125,7 +125,7 @@ TYPED_TEST(ThicknessModelTest, DerivativesAreSlopes) {
 TYPED_TEST(ThicknessModelTest, BalancedThicknessBalances) {
   Random random(112);
   int solved = 0;
-  for (int trial = 0; trial < 4 * trials; ++trial) {
+  for (int trial = 0; trial < 4 * potential_trials; ++trial) {
     const auto model = random.coefficients<TypeParam>();
     const double m = trial % 4 == 0 ? 0.0 : random.uniform(0.0, 2.0);
     const double rho = model.balanced(m);
@@ -136,7 +136,7 @@ TYPED_TEST(ThicknessModelTest, BalancedThicknessBalances) {
     const double term = std::abs(v.v_rr) + 2.0 * pull;
     EXPECT_TRUE(agrees(at(text_of(model), "m", m), v.v_r, pull, 8 * 0x1p-53 * term));
   }
-  EXPECT_GT(solved, trials);
+  EXPECT_GT(solved, potential_trials);
 }
 
 TYPED_TEST(ThicknessModelTest, HasNoBalancedThicknessFromTheStiffnessOn) {
@@ -153,12 +153,12 @@ TYPED_TEST(ThicknessModelTest, HasNoBalancedThicknessFromTheStiffnessOn) {
 }
 
 template <class Model>
-class CoupledModelTest : public testing::Test {};
+class CoupledModelTest : public ::testing::Test {};
 TYPED_TEST_SUITE(CoupledModelTest, BuiltInCoupledModels, ModelName);
 
 TYPED_TEST(CoupledModelTest, DerivativesAreSlopes) {
   Random random(121);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < potential_trials; ++trial) {
     const auto model = random.coefficients<TypeParam>();
     const auto wide = widen<Real50>(model);
     const Vector3<Real50> x = random_trl(random);
@@ -190,12 +190,12 @@ TYPED_TEST(CoupledModelTest, IsAtRestAtItsRestStretch) {
 }
 
 template <class Model>
-class WholeModelTest : public testing::Test {};
+class WholeModelTest : public ::testing::Test {};
 TYPED_TEST_SUITE(WholeModelTest, WholeModels, ModelName);
 
 TYPED_TEST(WholeModelTest, GradientAndHessianAreSlopes) {
   Random random(131);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < potential_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const auto wide = widen<Real50>(model);
     const auto q = widen_stretch<Real50>(random.stretch());
@@ -217,7 +217,7 @@ TYPED_TEST(WholeModelTest, GradientAndHessianAreSlopes) {
 TYPED_TEST(WholeModelTest, AutomaticDifferentiationAgrees) {
   using Jet = ceres::Jet<double, 4>;
   Random random(132);
-  for (int trial = 0; trial < 4 * trials; ++trial) {
+  for (int trial = 0; trial < 4 * potential_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const Stretch q = trial % 2 == 0 ? random.stretch() : random.diagonal_stretch();
     const BasicStretch<Jet> jets{Jet(q.alpha, 0), Jet(q.xi, 1), Jet(q.zeta, 2), Jet(q.rho, 3)};
@@ -236,7 +236,7 @@ TYPED_TEST(WholeModelTest, AutomaticDifferentiationAgrees) {
 
 TYPED_TEST(WholeModelTest, RotationsOfThePlaneChangeNothing) {
   Random random(133);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < potential_trials; ++trial) {
     const auto model = draw<TypeParam>(random);
     const auto wide = widen<Real50>(model);
     const auto q = widen_stretch<Real50>(random.stretch());

@@ -16,11 +16,11 @@ using support::Random;
 using support::Real50;
 using Form = AffineForm<3>;
 
-struct Point {
+struct EpsilonPoint {
   std::array<double, 3> epsilon;
 };
 
-bool holds(const Form& form, const Point& at, const Real50& exact) {
+bool form_holds(const Form& form, const EpsilonPoint& at, const Real50& exact) {
   Real50 linear(form.center);
   for (std::size_t j = 0; j < 3; ++j) linear += Real50(form.slope[j]) * Real50(at.epsilon[j]);
   return abs(exact - linear) <= Real50(form.radius) && Real50(form.range.lo) <= exact &&
@@ -31,7 +31,7 @@ bool holds(const Form& form, const Point& at, const Real50& exact) {
 struct Box {
   std::array<Interval, 3> side;
   std::array<Form, 3> form;
-  Point point;
+  EpsilonPoint point;
   std::array<Real50, 3> value;
 };
 
@@ -63,18 +63,18 @@ TEST(AffineForm, HoldsWhatItStandsFor) {
     const Interval k(random.uniform(-3.0, 0.0), random.uniform(0.0, 3.0));
     const Real50 in_k = Real50(k.lo) + Real50(random.uniform(0.0, 1.0)) * Real50(k.hi - k.lo);
     const std::string where = "trial " + std::to_string(trial);
-    ASSERT_TRUE(holds(x + y, box.point, a + b)) << where;
-    ASSERT_TRUE(holds(x + k, box.point, a + in_k)) << where;
-    ASSERT_TRUE(holds(k * x, box.point, in_k * a)) << where;
-    ASSERT_TRUE(holds(x * y, box.point, a * b)) << where;
-    ASSERT_TRUE(holds(x * x, box.point, a * a)) << where;
+    ASSERT_TRUE(form_holds(x + y, box.point, a + b)) << where;
+    ASSERT_TRUE(form_holds(x + k, box.point, a + in_k)) << where;
+    ASSERT_TRUE(form_holds(k * x, box.point, in_k * a)) << where;
+    ASSERT_TRUE(form_holds(x * y, box.point, a * b)) << where;
+    ASSERT_TRUE(form_holds(x * x, box.point, a * a)) << where;
     const Form sum = Interval(0.3) * x + Interval(-1.7) * y + z * z;
     const Real50 exact_sum = Real50(0.3) * a + Real50(-1.7) * b + c * c;
-    ASSERT_TRUE(holds(sum, box.point, exact_sum)) << where;
-    ASSERT_TRUE(holds(exp(x), box.point, exp(a))) << where;
-    ASSERT_TRUE(holds(exp(x + Interval(-1.0) * y), box.point, exp(a - b))) << where;
+    ASSERT_TRUE(form_holds(sum, box.point, exact_sum)) << where;
+    ASSERT_TRUE(form_holds(exp(x), box.point, exp(a))) << where;
+    ASSERT_TRUE(form_holds(exp(x + Interval(-1.0) * y), box.point, exp(a - b))) << where;
     const Form size = exp(x) + exp(y);
-    ASSERT_TRUE(holds(log(size), box.point, log(exp(a) + exp(b)))) << where;
+    ASSERT_TRUE(form_holds(log(size), box.point, log(exp(a) + exp(b)))) << where;
   }
 }
 
@@ -87,7 +87,7 @@ TEST(AffineForm, ExponentialsFarBelowAndAbove) {
   for (const double epsilon : {-1.0, -0.5, 0.0, 0.5, 0.999, 1.0}) {
     const Real50 at = Real50(x.center) + Real50(x.slope[0]) * Real50(epsilon);
     if (at > Real50(3.0)) continue;
-    EXPECT_TRUE(holds(low, {{epsilon, 0.0, 0.0}}, exp(at))) << epsilon;
+    EXPECT_TRUE(form_holds(low, {{epsilon, 0.0, 0.0}}, exp(at))) << epsilon;
   }
   EXPECT_FALSE(exp(Form::coordinate(0, Interval(0.0, 800.0))).bounded());
   EXPECT_FALSE(log(Form::coordinate(0, Interval(0.0, 1.0))).bounded());

@@ -18,7 +18,7 @@ namespace {
 
 using namespace support;
 
-testing::AssertionResult row_holds(const LogRow& row) {
+::testing::AssertionResult row_holds(const LogRow& row) {
   const Real100 expected = -log(Real100(row.reciprocal));
   const Real100 actual = Real100(row.head) + Real100(row.tail);
   return agrees<Real100>(at("r", row.reciprocal), expected, actual,
@@ -46,7 +46,7 @@ TEST(LogTable, FineRowsAreReciprocalsAndTheirLogarithms) {
   }
 }
 
-testing::AssertionResult log_holds(const DoubleDouble& x) {
+::testing::AssertionResult log_holds(const DoubleDouble& x) {
   const Real100 expected = log(exact<Real100>(x));
   return agrees<Real100>(at("log of", x.hi, "+", x.lo), expected, exact<Real100>(log(x)),
                          ldexp(Real100(abs(expected)), -82));

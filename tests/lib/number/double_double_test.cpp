@@ -17,7 +17,7 @@ namespace {
 
 using namespace support;
 
-constexpr int trials = 4000;
+constexpr int double_double_trials = 4000;
 
 Real100 wide(const DoubleDouble& x) { return exact<Real100>(x); }
 
@@ -29,7 +29,7 @@ bool nearly_normalized(const DoubleDouble& x) {
 
 TEST(DoubleDouble, TwoSumIsExact) {
   Operands operands(501);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < double_double_trials; ++trial) {
     const auto [x, y] = operands.pair();
     const DoubleDouble s = two_sum(x.hi, y.hi);
     ASSERT_EQ(s.hi, x.hi + y.hi);
@@ -43,7 +43,7 @@ TEST(DoubleDouble, TwoSumIsExact) {
 
 TEST(DoubleDouble, TwoProductIsExact) {
   Operands operands(502);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < double_double_trials; ++trial) {
     const auto [x, y] = operands.pair();
     const DoubleDouble p = two_product(x.hi, y.hi);
     ASSERT_EQ(p.hi, x.hi * y.hi);
@@ -53,7 +53,7 @@ TEST(DoubleDouble, TwoProductIsExact) {
 
 TEST(DoubleDouble, SumAndDifference) {
   Operands operands(503);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < double_double_trials; ++trial) {
     const auto [x, y] = operands.pair();
     const Real100 allowed = ldexp(Real100(abs(wide(x)) + abs(wide(y))), -104);
     const std::string where = at(x.hi, x.lo, y.hi, y.lo);
@@ -75,7 +75,7 @@ TEST(DoubleDouble, SumAndDifference) {
 
 TEST(DoubleDouble, ProductAndQuotient) {
   Operands operands(504);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < double_double_trials; ++trial) {
     const auto [x, y] = operands.pair();
     const std::string where = at(x.hi, x.lo, y.hi, y.lo);
     const auto relative = [&](const Real100& expected, const DoubleDouble& actual) {
@@ -99,7 +99,7 @@ TEST(DoubleDouble, ProductAndQuotient) {
 
 TEST(DoubleDouble, SquareRoot) {
   Operands operands(505);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < double_double_trials; ++trial) {
     const DoubleDouble x = abs(operands.one());
     const Real100 expected = sqrt(wide(x));
     ASSERT_TRUE(agrees<Real100>(at(x.hi, x.lo), expected, wide(sqrt(x)), ldexp(expected, -101)));
@@ -111,7 +111,7 @@ TEST(DoubleDouble, SquareRoot) {
 
 TEST(DoubleDouble, OrderAndSign) {
   Operands operands(506);
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < double_double_trials; ++trial) {
     const auto [x, y] = operands.pair();
     ASSERT_EQ(x < y, wide(x) < wide(y)) << at(x.hi, x.lo, y.hi, y.lo);
     ASSERT_EQ(x > y, wide(x) > wide(y)) << at(x.hi, x.lo, y.hi, y.lo);
@@ -140,7 +140,7 @@ TEST(DoubleDouble, LosesNothingAtTheEndsOfItsRange) {
 TEST(DoubleDouble, RenormalizedIsTheSameNumberInOrder) {
   Operands operands(507);
   int cancelled = 0;
-  for (int trial = 0; trial < trials; ++trial) {
+  for (int trial = 0; trial < double_double_trials; ++trial) {
     const auto [x, y] = operands.pair();
     const DoubleDouble sum = x + y;
     const DoubleDouble r = renormalized(sum);

@@ -20,7 +20,7 @@ using namespace support;
 
 /// One function in every number type, where it is tried, and its error in extended numbers there,
 /// relative to scale(x, f(x)).
-struct Tried {
+struct TriedInAllTypes {
   std::string name;
   Real100 (*wide)(const Real100&);
   DoubleDouble (*extended)(const DoubleDouble&);
@@ -32,32 +32,33 @@ struct Tried {
 };
 
 #define TRIED(f, largest, error, relative)                          \
-  Tried {                                                           \
+  TriedInAllTypes {                                                 \
 #f, [](const Real100& x) { return Real100(f(x)); },               \
         [](const DoubleDouble& x) { return f(x); },                   \
         [](const Interval& x) { return f(x); },                       \
         [](const Conditioned& x) { return f(x); }, largest, error, relative \
   }
 
-const std::vector<Tried>& functions() {
-  static const std::vector<Tried> all{
+const std::vector<TriedInAllTypes>& functions_in_all_types() {
+  static const std::vector<TriedInAllTypes> all{
       TRIED(exp, 300.0, 0x1p-92, true), TRIED(sin, 1e4, 0x1p-95, false),
       TRIED(cos, 1e4, 0x1p-95, false),  TRIED(tan, 1.4, 0x1p-92, true),
       TRIED(tanh, 15.0, 0x1p-92, true), TRIED(atan, 1e6, 0x1p-95, false)};
   return all;
 }
+#undef TRIED
 
 /// Of all sizes, and of both signs.
-double argument(Random& random, double largest) {
+double random_argument(Random& random, double largest) {
   const double size = largest * std::exp2(-random.uniform(0.0, 20.0));
   return random.sign() * size;
 }
 
 TEST(ElementaryFunctions, ExtendedErrorIsWithinWhatIsStated) {
-  for (const Tried& f : functions()) {
+  for (const TriedInAllTypes& f : functions_in_all_types()) {
     Random random(911);
     for (int trial = 0; trial < 150; ++trial) {
-      const double x = argument(random, f.largest);
+      const double x = random_argument(random, f.largest);
       const Real100 expected = f.wide(Real100(x));
       const double allowed =
           f.relative ? f.error * std::abs(nearest(expected)) : f.error * (1.0 + std::abs(x));
@@ -90,10 +91,10 @@ TEST(ElementaryFunctions, ExtendedOutsideTheRangeIsNoNumberOrTheDoubles) {
 }
 
 TEST(ElementaryFunctions, IntervalsHoldTheValuesOfTheirPoints) {
-  for (const Tried& f : functions()) {
+  for (const TriedInAllTypes& f : functions_in_all_types()) {
     Random random(913);
     for (int trial = 0; trial < 150; ++trial) {
-      const double lo = argument(random, f.largest);
+      const double lo = random_argument(random, f.largest);
       const double width = std::exp2(random.uniform(-40.0, 2.0));
       const Interval x(lo, lo + width);
       const Interval image = f.interval(x);
@@ -121,10 +122,10 @@ TEST(ElementaryFunctions, IntervalsHoldTheExtremesOfSineAndCosine) {
 }
 
 TEST(ElementaryFunctions, IntervalsOfPointsAreNarrow) {
-  for (const Tried& f : functions()) {
+  for (const TriedInAllTypes& f : functions_in_all_types()) {
     Random random(914);
     for (int trial = 0; trial < 100; ++trial) {
-      const double x = argument(random, std::min(f.largest, 30.0));
+      const double x = random_argument(random, std::min(f.largest, 30.0));
       const Interval image = f.interval(Interval(x));
       const double size = f.relative ? image.magnitude() : 1.0;
       ASSERT_LE(image.width(), 0x1p-47 * (1.0 + std::abs(x)) * size) << f.name << " " << at(x);
@@ -156,10 +157,10 @@ TEST(ElementaryFunctions, IntervalsOfTheSmallerAndOfTheSize) {
 }
 
 TEST(ElementaryFunctions, ConditionIsTheSlopesShare) {
-  for (const Tried& f : functions()) {
+  for (const TriedInAllTypes& f : functions_in_all_types()) {
     Random random(915);
     for (int trial = 0; trial < 100; ++trial) {
-      const double x = argument(random, std::min(f.largest, 30.0));
+      const double x = random_argument(random, std::min(f.largest, 30.0));
       const Conditioned value = f.conditioned(Conditioned::input(x));
       const Real100 h = Real100(x) * Real100("1e-40");
       const Real100 slope = (f.wide(Real100(x) + h) - f.wide(Real100(x) - h)) / (2 * h);

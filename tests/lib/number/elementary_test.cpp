@@ -34,7 +34,7 @@ double units_off(double actual, const Real100& expected) {
       .convert_to<double>();
 }
 
-struct Tried {
+struct TriedInDoubles {
   std::string name;
   double (*actual)(double);
   std::function<Real100(const Real100&)> expected;
@@ -43,10 +43,10 @@ struct Tried {
   double units;
 };
 
-const std::vector<Tried>& functions() {
+const std::vector<TriedInDoubles>& functions_in_doubles() {
   using Wide = const Real100&;
   static const Real100 log_ten = log(Real100(10));
-  static const std::vector<Tried> all{
+  static const std::vector<TriedInDoubles> all{
       {"exp", exp, [](Wide x) { return Real100(exp(x)); }, 1e-6, 700.0, 0.52},
       {"log", log, [](Wide x) { return Real100(log(x)); }, 1e-300, 1e300, 0.53},
       {"log near 1", log, [](Wide x) { return Real100(log(x)); }, 0.5, 2.0, 0.53},
@@ -65,7 +65,7 @@ const std::vector<Tried>& functions() {
 }
 
 TEST(Elementary, IsWithinWhatIsStated) {
-  for (const Tried& f : functions()) {
+  for (const TriedInDoubles& f : functions_in_doubles()) {
     Random random(921);
     const bool positive = f.name.starts_with("log") && f.name != "log1p";
     for (int trial = 0; trial < 1500; ++trial) {

@@ -17,17 +17,17 @@ namespace {
 
 using namespace support;
 
-constexpr double u = 1e-9;
-/// Second order in u, generously, and the rounding of the Conditioned value itself.
+constexpr double shake = 1e-9;
+/// Second order in it, generously, and the rounding of the Conditioned value itself.
 constexpr double slack = 1.0 + 1e-5;
 
-/// x (1 + s u), s = -1, 1 or between.
+/// x (1 + s shake), s = -1, 1 or between.
 Real50 perturbed(Random& random, double x) {
   const double s = random.integer(0, 2) == 0 ? random.uniform(-1.0, 1.0) : random.sign();
-  return Real50(x) * (1 + Real50(s) * u);
+  return Real50(x) * (1 + Real50(s) * shake);
 }
 
-/// f(vector of inputs) in any type; returns the largest |change|/(u condition) seen.
+/// f(vector of inputs) in any type; returns the largest |change|/(shake condition) seen.
 template <class F>
 double worst_ratio(Random& random, const std::vector<double>& inputs, const F& f) {
   std::vector<Conditioned> c;
@@ -44,8 +44,8 @@ double worst_ratio(Random& random, const std::vector<double>& inputs, const F& f
     std::vector<Real50> y;
     for (const double input : inputs) y.push_back(perturbed(random, input));
     const double change = nearest(Real50(abs(Real50(f(y) - value))));
-    EXPECT_LE(change, slack * u * bound.condition);
-    if (bound.condition > 0.0) worst = std::max(worst, change / (u * bound.condition));
+    EXPECT_LE(change, slack * shake * bound.condition);
+    if (bound.condition > 0.0) worst = std::max(worst, change / (shake * bound.condition));
   }
   return worst;
 }
@@ -149,7 +149,7 @@ TYPED_TEST(ConditionedModelTest, BoundsTheSpectrumsCoefficients) {
                                  const std::string& where) {
     for (std::size_t k = 0; k < c.size(); ++k) {
       const double change = nearest(Real50(abs(Real50(at_y[k] - at_x[k]))));
-      EXPECT_LE(change, slack * u * c[k].condition) << where << " entry " << k;
+      EXPECT_LE(change, slack * shake * c[k].condition) << where << " entry " << k;
       EXPECT_LE(std::abs(c[k].value - nearest(at_x[k])), 1e3 * 0x1p-53 * c[k].condition)
           << where << " entry " << k;
     }

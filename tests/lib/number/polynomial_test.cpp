@@ -248,7 +248,7 @@ TEST(CubicRoots, TripleRoot) {
   }
 }
 
-std::vector<DoubleDouble> members(const QuarticRoots<DoubleDouble>& found) {
+std::vector<DoubleDouble> all_four(const QuarticRoots<DoubleDouble>& found) {
   return {found.first.small, found.first.large, found.second.small, found.second.large};
 }
 
@@ -265,7 +265,7 @@ TEST(QuarticRoots, SpreadRealOnesToTheLastPlace) {
     ++compared;
     const auto p =
         rounded((factor(roots[0]) * factor(roots[1])) * (factor(roots[2]) * factor(roots[3])));
-    expect_roots(at("roots", roots[0], roots[1], roots[2], roots[3]), members(quartic_roots(p)),
+    expect_roots(at("roots", roots[0], roots[1], roots[2], roots[3]), all_four(quartic_roots(p)),
                  roots, half_unit);
   }
   EXPECT_GE(compared, 4000);
@@ -335,7 +335,7 @@ TEST(QuarticRoots, ComplexPairBesideRealOnes) {
 TEST(QuarticRoots, ZeroConstantTerm) {
   const auto p =
       rounded(factor(Real50(0)) * factor(Real50(-1)) * factor(Real50(-3)) * factor(Real50(-7)));
-  const auto roots = members(quartic_roots(p));
+  const auto roots = all_four(quartic_roots(p));
   double least = 1.0;
   for (const auto& root : roots) least = std::min(least, std::abs(leading(root)));
   EXPECT_LE(least, 0x1p-95);

@@ -37,7 +37,7 @@ Polynomial<Interval, static_cast<int>(D)> from_roots(const std::array<Complex, D
   return out;
 }
 
-bool holds(const RootEnclosure& e, const Complex& r) {
+bool root_is_in(const RootEnclosure& e, const Complex& r) {
   const auto re = static_cast<double>(r.real());
   const auto im = static_cast<double>(r.imag());
   return e.z.re.may_be(re) && e.z.im.may_be(im);
@@ -69,7 +69,7 @@ void check_separate(std::uint64_t seed) {
     const auto found = enclose_roots(from_roots(roots, random.sign() * 3.0, 1e-13), false);
     for (const Complex& r : roots) {
       const auto at = std::find_if(found.begin(), found.end(),
-                                   [&](const RootEnclosure& e) { return holds(e, r); });
+                                   [&](const RootEnclosure& e) { return root_is_in(e, r); });
       ASSERT_NE(at, found.end()) << r;
       EXPECT_TRUE(at->simple);
       EXPECT_EQ(at->real(), r.imag() == 0.0L) << r;
@@ -91,14 +91,14 @@ TEST(RootDiscs, TouchingRootsAreNotToldApart) {
     const auto p = from_roots(roots, 1.0, 1e-15);
     int together = 0;
     for (const RootEnclosure& e : enclose_roots(p, false)) {
-      if (holds(e, roots[2])) {
+      if (root_is_in(e, roots[2])) {
         EXPECT_TRUE(e.simple && e.real());
         continue;
       }
       ++together;
       EXPECT_FALSE(e.simple);
       EXPECT_FALSE(e.real()) << "they may be a complex pair";
-      EXPECT_TRUE(holds(e, roots[0]) && holds(e, roots[1]));
+      EXPECT_TRUE(root_is_in(e, roots[0]) && root_is_in(e, roots[1]));
     }
     EXPECT_EQ(together, 2);
     for (const RootEnclosure& e : enclose_roots(p, true)) EXPECT_TRUE(e.real());

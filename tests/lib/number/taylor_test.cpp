@@ -43,7 +43,7 @@ struct Function {
                                                                -> Enclosed { return expression; } \
   }
 
-const Function functions[] = {
+const Function taylor_functions[] = {
     STATIONARY_FUNCTION(exp(x)),
     STATIONARY_FUNCTION(log(x)),
     STATIONARY_FUNCTION(sqrt(x)),
@@ -58,7 +58,7 @@ const Function functions[] = {
 #undef STATIONARY_FUNCTION
 
 TEST(Taylor, LeavesARestOfTheNextOrder) {
-  for (const Function& f : functions) {
+  for (const Function& f : taylor_functions) {
     const Four x = argument<double>(0.7, 1.3, -0.4);
     const Four at = f.taylor(x);
     const auto rest = [&](double h) { return std::abs(f.plain(sum(x, h)) - sum(at, h)); };
@@ -70,7 +70,7 @@ TEST(Taylor, LeavesARestOfTheNextOrder) {
 }
 
 TEST(Taylor, EnclosesOverIntervals) {
-  for (const Function& f : functions) {
+  for (const Function& f : taylor_functions) {
     const Four at = f.taylor(argument<double>(0.7, 1.3, -0.4));
     const Enclosed held = f.enclosed(argument<Interval>(0.7, 1.3, -0.4));
     for (int k = 0; k <= 4; ++k) {

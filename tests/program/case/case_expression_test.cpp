@@ -96,7 +96,7 @@ PotentialDerivatives<S> derivatives_in(const Potential& potential, const BasicSt
 }
 
 template <class S>
-BasicStretch<S> in(const Stretch& q) {
+BasicStretch<S> stretch_in(const Stretch& q) {
   return {S(q.alpha), S(q.xi), S(q.zeta), S(q.rho)};
 }
 
@@ -108,7 +108,7 @@ TEST_P(CaseExpression, DerivativesAreSlopesAndEveryNumberTypeAgrees) {
   for (int trial = 0; trial < 60; ++trial) {
     Stretch q{0.0, random.uniform(0.5, 2.0), random.uniform(0.5, 2.0), random.uniform(0.5, 2.0)};
     if (trial % 4 != 0) q.alpha = random.uniform(-0.4, 0.4) * std::sqrt(q.xi * q.zeta);
-    const Stretch50 wide = in<Real50>(q);
+    const Stretch50 wide = stretch_in<Real50>(q);
     const auto expected = derivatives_in(V, wide);
     const std::string place = at(q);
     ASSERT_TRUE(agrees(place, GetParam().value(wide), expected.value, Real50("1e-46")));
@@ -124,7 +124,7 @@ TEST_P(CaseExpression, DerivativesAreSlopesAndEveryNumberTypeAgrees) {
         place, [&](const Real50& h) { return derivatives_in(V, along(h)).gradient; },
         Vector4<Real50>(expected.hessian * w)));
     const auto plain = V.derivatives(q);
-    const auto extended = derivatives_in(V, in<DoubleDouble>(q));
+    const auto extended = derivatives_in(V, stretch_in<DoubleDouble>(q));
     for (int i = 0; i < 4; ++i) {
       EXPECT_TRUE(agrees(place, nearest(expected.gradient[i]), plain.gradient[i], 1e-13));
       EXPECT_TRUE(agrees(place, expected.gradient[i], exact<Real50>(extended.gradient[i]),
@@ -147,7 +147,7 @@ TEST_P(CaseExpression, TheMotionIsThatOfFiftyDigits) {
   ASSERT_EQ(found.status, SolveStatus::solved) << found.message;
   const Vector3<Real50> spin = angular_velocity(problem.branch(), Real50(nu));
   const Matrix4<Real50> C = centrifugal_matrix(input.body, spin);
-  Vector4<Real50> q = in<Real50>(found.q).vector();
+  Vector4<Real50> q = stretch_in<Real50>(found.q).vector();
   for (int step = 0; step < 6; ++step) {
     const auto V = derivatives_in(input.potential, Stretch50::from(q));
     const Matrix4<Real50> slope = V.hessian - C;

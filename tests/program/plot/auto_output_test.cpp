@@ -13,7 +13,7 @@ namespace {
 using bench::auto_points;
 using ::testing::ElementsAre;
 
-const std::string header =
+const std::string auto_header =
     "   0  -1.0000E+00  3.0000E+00 -9.9000E+01  1.3816E+01\n"
     "   0   NMX=*****   NPR=    0   MXBF=   0   IID =   0   IADS=   1\n"
     "   0   NPAR=  36   THL = {}    THU = {}\n"
@@ -32,7 +32,7 @@ const std::string point =
     "1.3797662928E+001\n";
 
 TEST(AutoOutput, HasThePointsWithTheirElevenDigits) {
-  const auto points = auto_points(header + start + fold + point);
+  const auto points = auto_points(auto_header + start + fold + point);
   ASSERT_EQ(points.size(), 3U);
   EXPECT_EQ(points[0].type, 9);
   EXPECT_EQ(points[0].parameter, 0.0);
@@ -43,11 +43,11 @@ TEST(AutoOutput, HasThePointsWithTheirElevenDigits) {
 }
 
 TEST(AutoOutput, IsThatOfTheLastRun) {
-  const auto points = auto_points(header + start + point + header + start + fold);
+  const auto points = auto_points(auto_header + start + point + auto_header + start + fold);
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points[1].type, 2);
   EXPECT_TRUE(auto_points("").empty());
-  EXPECT_TRUE(auto_points(header + start + header).empty());
+  EXPECT_TRUE(auto_points(auto_header + start + auto_header).empty());
 }
 
 TEST(AutoOutput, NothingElseIsTakenForAPoint) {
@@ -59,7 +59,7 @@ TEST(AutoOutput, NothingElseIsTakenForAPoint) {
            "   1     2   0    0  1.0E+000  2.0E+000                NaN\n",
            "   1     2   0    0                NaN  2.0E+000  1.0E+000\n",
        })
-    EXPECT_THROW(auto_points(header + start + line), std::runtime_error) << line;
+    EXPECT_THROW(auto_points(auto_header + start + line), std::runtime_error) << line;
 }
 
 }  // namespace

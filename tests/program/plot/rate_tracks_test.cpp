@@ -16,7 +16,7 @@ struct RowModes {
   double growth = 0.0;
 };
 
-Diagram diagram_of(const std::vector<RowModes>& rows) {
+Diagram diagram_of_modes(const std::vector<RowModes>& rows) {
   Diagram out;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     DiagramPoint point{};
@@ -35,7 +35,7 @@ Diagram diagram_of(const std::vector<RowModes>& rows) {
 std::vector<RateTrack> tracks(const std::vector<RowModes>& rows) {
   std::vector<std::size_t> all(rows.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return rate_tracks(diagram_of(rows), all);
+  return rate_tracks(diagram_of_modes(rows), all);
 }
 
 std::vector<double> rates(const RateTrack& track) {

@@ -21,7 +21,7 @@ TableReader reader(const std::string& csv) {
 }
 
 /// All cells, row by row.
-std::vector<std::vector<std::string>> cells(const std::string& csv) {
+std::vector<std::vector<std::string>> all_cells(const std::string& csv) {
   TableReader table = reader(csv);
   std::vector<std::vector<std::string>> out;
   while (table.next()) {
@@ -61,16 +61,16 @@ TEST(TableReader, RowsByColumn) {
 
 TEST(TableReader, EndsOfLines) {
   const auto expected = ElementsAre(ElementsAre("1", "2"), ElementsAre("3", ""));
-  EXPECT_THAT(cells("a,b\n1,2\n3,\n"), expected);
-  EXPECT_THAT(cells("a,b\r\n1,2\r\n3,\r\n"), expected);
-  EXPECT_THAT(cells("a,b\n1,2\n3,"), expected);
-  EXPECT_THAT(cells("\xEF\xBB\xBF"
-                    "a,b\n1,2\n3,\n"),
+  EXPECT_THAT(all_cells("a,b\n1,2\n3,\n"), expected);
+  EXPECT_THAT(all_cells("a,b\r\n1,2\r\n3,\r\n"), expected);
+  EXPECT_THAT(all_cells("a,b\n1,2\n3,"), expected);
+  EXPECT_THAT(all_cells("\xEF\xBB\xBF"
+                        "a,b\n1,2\n3,\n"),
               expected);
 }
 
 TEST(TableReader, Quotes) {
-  EXPECT_THAT(cells("a,\"b\"\n\"x,\"\"y\"\"\",\"\"\n\"two\nlines\",\"\"\"\"\n"),
+  EXPECT_THAT(all_cells("a,\"b\"\n\"x,\"\"y\"\"\",\"\"\n\"two\nlines\",\"\"\"\"\n"),
               ElementsAre(ElementsAre("x,\"y\"", ""), ElementsAre("two\nlines", "\"")));
 }
 

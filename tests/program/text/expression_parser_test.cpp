@@ -101,43 +101,43 @@ struct Wrong {
   const char* remedy;
 };
 
-constexpr const char* operand = R"(a number, a name, "(" or a sign)";
-constexpr const char* name =
+constexpr const char* an_operand = R"(a number, a name, "(" or a sign)";
+constexpr const char* a_name =
     "a variable (alpha, xi, zeta, rho, t, d, I1, lambda, mu_, I2, I3, pi or e) or a parameter (k "
     "or n)";
-constexpr const char* function =
+constexpr const char* a_function =
     "a function (sqrt, exp, log, sin, cos, tan, tanh, atan, abs, pow, min or max)";
 constexpr const char* more = "an operator or the end";
-constexpr const char* number = "a number that a double can hold";
+constexpr const char* a_number = "a number that a double can hold";
 
 TEST(ExpressionParser, WrongExpressionsAreRefusedAtTheirCharacter) {
   const std::vector<Wrong> wrong{
-      {"", 0, "the end", operand, ""},
-      {"   ", 3, "the end", operand, ""},
-      {"t +", 3, "the end", operand, ""},
-      {"t + * d", 4, R"("*")", operand, ""},
+      {"", 0, "the end", an_operand, ""},
+      {"   ", 3, "the end", an_operand, ""},
+      {"t +", 3, "the end", an_operand, ""},
+      {"t + * d", 4, R"("*")", an_operand, ""},
       {"(t", 2, "the end", "an operator or \")\"", ""},
       {"t)", 1, "\")\"", more, ""},
       {"((t)", 4, "the end", "an operator or \")\"", ""},
       {"t d", 2, R"("d")", more, R"(a product is written with "*")"},
       {"2t", 1, R"("t")", more, R"(a product is written with "*")"},
-      {"t**2", 2, R"("*")", operand, R"(a power is written with "^")"},
-      {"t^^2", 2, R"("^")", operand, ""},
-      {"*t", 0, R"("*")", operand, ""},
+      {"t**2", 2, R"("*")", an_operand, R"(a power is written with "^")"},
+      {"t^^2", 2, R"("^")", an_operand, ""},
+      {"*t", 0, R"("*")", an_operand, ""},
       {"t,d", 1, R"(",")", more, ""},
-      {"t\n+\n)", 4, "\")\"", operand, ""},
+      {"t\n+\n)", 4, "\")\"", an_operand, ""},
       {"pow(t, d", 8, "the end", "an operator, \",\" or \")\"", ""},
       {"pow(t)", 0, "pow of 1 argument", "two arguments", ""},
       {"pow(t, d, k)", 0, "pow of 3 arguments", "two arguments", ""},
       {"sqrt(t, d)", 0, "sqrt of 2 arguments", "one argument", ""},
-      {"sqrt()", 5, "\")\"", operand, ""},
+      {"sqrt()", 5, "\")\"", an_operand, ""},
       {"log t", 0, R"("log")", R"("(" after the name of a function)", ""},
-      {"1 + lgo(d)", 4, R"("lgo(")", function, R"(did you mean "log"?)"},
-      {"t(3)", 0, R"("t(")", function, R"(a product is written with "*")"},
-      {"xii", 0, R"("xii")", name, R"(did you mean "xi"?)"},
-      {"d*Lambda", 2, R"("Lambda")", name, R"(did you mean "lambda"?)"},
-      {"mu", 0, R"("mu")", name, R"(did you mean "mu_"?)"},
-      {"stiffness*t", 0, R"("stiffness")", name,
+      {"1 + lgo(d)", 4, R"("lgo(")", a_function, R"(did you mean "log"?)"},
+      {"t(3)", 0, R"("t(")", a_function, R"(a product is written with "*")"},
+      {"xii", 0, R"("xii")", a_name, R"(did you mean "xi"?)"},
+      {"d*Lambda", 2, R"("Lambda")", a_name, R"(did you mean "lambda"?)"},
+      {"mu", 0, R"("mu")", a_name, R"(did you mean "mu_"?)"},
+      {"stiffness*t", 0, R"("stiffness")", a_name,
        "a parameter is given beside the expression: stiffness = 1.0"},
       {"1/0", 1, "a division by 0", "a divisor that is not 0", ""},
       {"t/(d - d)", 1, "a division by 0", "a divisor that is not 0", ""},
@@ -149,21 +149,21 @@ TEST(ExpressionParser, WrongExpressionsAreRefusedAtTheirCharacter) {
        "min has no derivative where its arguments are equal"},
       {"max(k, rho)", 0, R"("max" of a variable)", R"("max" of numbers and parameters alone)",
        "max has no derivative where its arguments are equal"},
-      {"lg(d)", 0, R"("lg(")", function, R"(did you mean "log"?)"},
-      {"1e999*t", 0, R"("1e999")", number, ""},
-      {"1e-999*t", 0, R"("1e-999")", number, ""},
+      {"lg(d)", 0, R"("lg(")", a_function, R"(did you mean "log"?)"},
+      {"1e999*t", 0, R"("1e999")", a_number, ""},
+      {"1e-999*t", 0, R"("1e-999")", a_number, ""},
       {"t & d", 2, R"("&")", more, ""},
       {"t = d", 2, R"("=")", more, ""},
-      {"\xc3\xa9*t", 0, "\"\xc3\xa9\"", operand, ""},
-      {"t + \x01", 4, R"("\x01")", operand, ""},
-      {"λ + mu_", 0, R"("λ")", operand, "write lambda"},
-      {"lambda + μ", 9, R"("μ")", operand, "write mu_"},
-      {"\u00b5", 0, "\"\u00b5\"", operand, "write mu_"},
+      {"\xc3\xa9*t", 0, "\"\xc3\xa9\"", an_operand, ""},
+      {"t + \x01", 4, R"("\x01")", an_operand, ""},
+      {"λ + mu_", 0, R"("λ")", an_operand, "write lambda"},
+      {"lambda + μ", 9, R"("μ")", an_operand, "write mu_"},
+      {"\u00b5", 0, "\"\u00b5\"", an_operand, "write mu_"},
       {"2ξ", 1, R"("ξ")", more, "write xi"},
-      {"ζ", 0, R"("ζ")", operand, "write zeta"},
-      {"α^2", 0, R"("α")", operand, "write alpha"},
-      {"1/ϱ", 2, R"("ϱ")", operand, "write rho"},
-      {"1/ρ", 2, R"("ρ")", operand, "write rho"},
+      {"ζ", 0, R"("ζ")", an_operand, "write zeta"},
+      {"α^2", 0, R"("α")", an_operand, "write alpha"},
+      {"1/ϱ", 2, R"("ϱ")", an_operand, "write rho"},
+      {"1/ρ", 2, R"("ρ")", an_operand, "write rho"},
       {"d − 1", 2, R"("−")", more, R"(write "-")"},
       {"d²", 1, R"("²")", more, R"(write "^2")"},
       {"d³", 1, R"("³")", more, R"(write "^3")"},
@@ -271,7 +271,7 @@ TEST(ExpressionParser, OneLineSaysAll) {
     FAIL();
   } catch (const ExpressionError& error) {
     EXPECT_EQ(std::string(error.what()), std::string("byte 3: found \"lgo(\", allowed: ") +
-                                             function + "; did you mean \"log\"?");
+                                             a_function + "; did you mean \"log\"?");
   }
 }
 

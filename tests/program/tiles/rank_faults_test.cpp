@@ -23,7 +23,6 @@ namespace stationary::testing {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
 
 class RankFaults : public ::testing::Test {
  protected:

@@ -9,20 +9,14 @@
 #include "solver/solve/anisotropic_equilibrium.hpp"
 #include "tests/support/anisotropic_motions.hpp"
 #include "tests/support/atlas_text.hpp"
+#include "tests/support/fibred_plates.hpp"
 
 namespace stationary {
 namespace {
 
 using namespace testing;
 
-const Body disc(1.0, 1.7, 0.6);
-const Potential skew = fibred(NeoHookean<>{1.0, 2.0}, 0.4, 30.0);
-const Potential along = fibred(NeoHookean<>{1.0, 2.0}, 0.4, 0.0);
-/// One whose ellipse turns away from its axes.
-const Body plate(1.0, 1.2, 0.6);
-const Potential across = fibred(Hencky<>{1.0, 0.6}, 0.05, 90.0);
-
-AtlasOptions range(double from, double to, int checkpoints) {
+AtlasOptions atlas_range(double from, double to, int checkpoints) {
   AtlasOptions out;
   out.from = from;
   out.to = to;
@@ -33,8 +27,8 @@ AtlasOptions range(double from, double to, int checkpoints) {
 
 /// No search there is left undecided.
 TEST(AnisotropicAtlas, OfASkewFibreAxisThreeAndTwoObliqueFamiliesFromRest) {
-  AtlasOptions how = range(0.0, 0.6, 6);
-  const Atlas found = atlas(disc, skew, how);
+  AtlasOptions how = atlas_range(0.0, 0.6, 6);
+  const Atlas found = atlas(plate, skew_fibres, how);
   EXPECT_EQ(text_of(found), "iii: limit limit; oblique: limit limit; oblique: limit limit; ");
   expect_complete(found);
   ASSERT_EQ(found.checkpoints.size(), 12U);
@@ -49,7 +43,7 @@ TEST(AnisotropicAtlas, OfASkewFibreAxisThreeAndTwoObliqueFamiliesFromRest) {
   EXPECT_EQ(found.remarks[1].branch, Branch::ii);
   EXPECT_EQ(found.remarks[1].reason.substr(0, 14), "not looked for");
   how.threads = 2;
-  const Atlas shared = atlas(disc, skew, how);
+  const Atlas shared = atlas(plate, skew_fibres, how);
   ASSERT_EQ(shared.sheets.size(), found.sheets.size());
   for (std::size_t k = 0; k < found.sheets.size(); ++k) {
     ASSERT_EQ(shared.sheets[k].rows.size(), found.sheets[k].rows.size());
@@ -60,14 +54,14 @@ TEST(AnisotropicAtlas, OfASkewFibreAxisThreeAndTwoObliqueFamiliesFromRest) {
 
 /// Very slow spins: an axis is found where it starts.
 TEST(AnisotropicAtlas, AxesAreKnownDownToRest) {
-  expect_complete(atlas(disc, skew, range(0.0, 0.02, 8)));
+  expect_complete(atlas(plate, skew_fibres, atlas_range(0.0, 0.02, 8)));
 }
 
 /// The sheets of an even V: (i), (ii) and (iii) have alpha = 0 and the oblique family leaves (i).
 TEST(AnisotropicAtlas, AnObliqueFamilyLeavesTheFirstAxis) {
-  AtlasOptions how = range(0.7, 0.76, 2);
+  AtlasOptions how = atlas_range(0.7, 0.76, 2);
   how.branches = {Branch::i};
-  const Atlas found = atlas(disc, along, how);
+  const Atlas found = atlas(plate, fibres_along, how);
   ASSERT_EQ(found.sheets.size(), 2U) << text_of(found);
   const AtlasSheet& oblique = found.sheets[1];
   EXPECT_TRUE(oblique.oblique);
@@ -79,9 +73,9 @@ TEST(AnisotropicAtlas, AnObliqueFamilyLeavesTheFirstAxis) {
 
 /// Where no checkpoint meets it, it is entered at the event.
 TEST(AnisotropicAtlas, AnObliqueFamilyBetweenCheckpointsIsEnteredAtItsEvent) {
-  AtlasOptions how = range(0.735, 0.742, 1);
+  AtlasOptions how = atlas_range(0.735, 0.742, 1);
   how.branches = {Branch::i};
-  const Atlas found = atlas(disc, along, how);
+  const Atlas found = atlas(plate, fibres_along, how);
   ASSERT_EQ(found.sheets.size(), 2U) << text_of(found);
   EXPECT_EQ(found.sheets[1].entry, Entry::oblique);
   ASSERT_TRUE(found.sheets[1].parent);
@@ -89,10 +83,10 @@ TEST(AnisotropicAtlas, AnObliqueFamilyBetweenCheckpointsIsEnteredAtItsEvent) {
 }
 
 TEST(AnisotropicAtlas, AnEllipseTurnsAwayFromTheAxes) {
-  AtlasOptions how = range(0.0, 0.75, 3);
+  AtlasOptions how = atlas_range(0.0, 0.75, 3);
   how.branches = {Branch::iii};
   how.oblique = false;
-  const Atlas found = atlas(plate, across, how);
+  const Atlas found = atlas(turning_plate, fibres_across, how);
   const auto sheared = std::ranges::find_if(
       found.sheets, [](const AtlasSheet& sheet) { return sheet.parent.has_value(); });
   ASSERT_NE(sheared, found.sheets.end()) << text_of(found);

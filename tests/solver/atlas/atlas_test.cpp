@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/support/atlas_text.hpp"
+#include "tests/support/plate.hpp"
 #include "tests/support/random_problem.hpp"
 #include "tests/support/random_states.hpp"
 
@@ -37,8 +38,6 @@ void expect_joined(const AtlasSheet& sheet, int from, int to) {
   EXPECT_EQ(sheet.joins->sheet, to);
   EXPECT_EQ(sheet.joins->event, EventType::tilt);
 }
-
-const Body plate(1.0, 1.7, 0.6);
 
 TEST(Atlas, OfANeoHookeanBodyIsItsSheetsFromRestAndOneBeyond) {
   const Atlas found = atlas_to(1.1, plate, potential_of("neo-hookean", 1.0, 2.0));

@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing;
 
-Case two_wells(const std::string& depth) {
+Case two_wells_case(const std::string& depth) {
   return make_case(CaseTree::parse(
       "[body]\nJ = [1.0, 1.7, 0.6]\n[motion]\nbranch = \"i\"\nnu = 0.9\n[potential]\n"
       "plane = { expression = \"c/d + 0.5*k*(t^2 - 2*d) - A*exp(-((t - t0)^2 + (d - d0)^2)/w^2)\", "
@@ -44,14 +44,14 @@ std::vector<double> folds_of(const AtlasSheet& sheet) {
 }
 
 TEST(ClosedSheet, IsMissedByCheckpointsAlone) {
-  const Case input = two_wells("0.19106");
+  const Case input = two_wells_case("0.19106");
   const Atlas found = atlas(input.body, input.potential, sparse());
   EXPECT_EQ(found.sheets.size(), 1U) << text_of(found);
   expect_complete(found);
 }
 
 TEST(ClosedSheet, IsFoundBetweenCheckpoints) {
-  const Case input = two_wells("0.19106");
+  const Case input = two_wells_case("0.19106");
   AtlasOptions how = sparse();
   how.complete = true;
   const Atlas found = atlas(input.body, input.potential, how);
@@ -85,7 +85,7 @@ TEST(ClosedSheet, IsFoundBetweenCheckpoints) {
 
 /// A little shallower there is no second sheet, and a proof of that.
 TEST(ClosedSheet, IsProvenAbsentWhereTheWellIsTooShallow) {
-  const Case input = two_wells("0.19");
+  const Case input = two_wells_case("0.19");
   AtlasOptions how = sparse();
   how.complete = true;
   const Atlas found = atlas(input.body, input.potential, how);

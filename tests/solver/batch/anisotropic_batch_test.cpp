@@ -13,13 +13,12 @@
 #include "solver/solve/stability.hpp"
 #include "tests/support/anisotropic_motions.hpp"
 #include "tests/support/evenly.hpp"
+#include "tests/support/plate.hpp"
 
 namespace stationary {
 namespace {
 
 using namespace testing;
-
-const Body plate(1.0, 1.7, 0.6);
 
 BatchResult solved(const BatchInput& input, const BatchOptions& options = {}) {
   BatchResult out;
@@ -28,13 +27,6 @@ BatchResult solved(const BatchInput& input, const BatchOptions& options = {}) {
 }
 
 Stretch stretch(const BatchCell& cell) { return {cell.alpha, cell.xi, cell.zeta, cell.rho}; }
-
-/// Largest relative difference, of alpha over sqrt(xi zeta).
-double difference(const Stretch& a, const Stretch& b) {
-  return std::max({std::abs(a.xi / b.xi - 1.0), std::abs(a.zeta / b.zeta - 1.0),
-                   std::abs(a.rho / b.rho - 1.0),
-                   std::abs(a.alpha - b.alpha) / std::sqrt(b.xi * b.zeta)});
-}
 
 /// Every cell against solve() there; how many are solved.
 int expect_as_solved_alone(const BatchInput& input, const std::string& what) {
@@ -50,7 +42,7 @@ int expect_as_solved_alone(const BatchInput& input, const std::string& what) {
           << what << "; lane " << lane << ", nu " << nu << ": " << alone.message;
       if (cell.status != SolveStatus::solved || alone.status != SolveStatus::solved) continue;
       ++count;
-      EXPECT_LE(difference(stretch(cell), alone.q), cell.error_bound + alone.error_bound)
+      EXPECT_LE(stretch_difference(stretch(cell), alone.q), cell.error_bound + alone.error_bound)
           << what << "; lane " << lane << ", nu " << nu;
       EXPECT_LE(cell.error_bound, 1.5 * alone.error_bound);
       EXPECT_LE(
@@ -185,7 +177,7 @@ TEST(AnisotropicBatch, AFaintFibreLeavesTheIsotropicBody) {
     for (std::size_t k = 0; k < nu.size(); ++k) {
       const BatchCell cell = out.cell(lane, k);
       ASSERT_EQ(cell.status, SolveStatus::solved);
-      EXPECT_LE(difference(stretch(cell), stretch(isotropic.cell(lane, k))), 2.3e-16);
+      EXPECT_LE(stretch_difference(stretch(cell), stretch(isotropic.cell(lane, k))), 2.3e-16);
     }
   }
   // Memory that was an anisotropic batch's.
@@ -220,7 +212,8 @@ TEST(AnisotropicBatch, NeitherOrderNorSignNorOtherLanesNorThreadsMatter) {
   }
   // Other nu in the lane are other rows on the way, not another answer.
   const BatchInput fewer = fan(Branch::iii, BiotLog<>{1.0, 0.6}, 0.4, {10.0}, {0.3});
-  EXPECT_LE(difference(stretch(solved(fewer).cell(0, 0)), stretch(out.cell(0, 0))), 2.3e-16);
+  EXPECT_LE(stretch_difference(stretch(solved(fewer).cell(0, 0)), stretch(out.cell(0, 0))),
+            2.3e-16);
 }
 
 TEST(AnisotropicBatch, ProvenNoneAboutAnAxisThatIsNoneOfSymmetry) {

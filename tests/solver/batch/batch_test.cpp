@@ -8,16 +8,13 @@
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/evenly.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/plate.hpp"
 #include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {
 
 using namespace testing;
-
-/// Half a unit, and what the accepted correction may leave of its square (refine.hpp).
-constexpr double half_unit = 0x1p-53 + 0x1p-56;
-const Body plate(1.0, 1.7, 0.6);
 
 BatchResult solved(const BatchInput& input, const BatchOptions& options = {}) {
   BatchResult out;
@@ -72,7 +69,7 @@ void expect_accurate(const BatchInput& input, const BatchResult& out, std::size_
   const double error = relative_error(stretch(cell), exact);
   EXPECT_LE(error, cell.error_bound) << what << " at nu = " << nu;
   if (corrected) {
-    EXPECT_LE(error, half_unit) << what << " at nu = " << nu;
+    EXPECT_LE(error, refined_half_unit) << what << " at nu = " << nu;
   }
 }
 

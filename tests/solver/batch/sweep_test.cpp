@@ -7,16 +7,13 @@
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/evenly.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/plate.hpp"
 #include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {
 
 using namespace testing;
-
-/// Half a unit, and what the accepted correction may leave of its square (refine.hpp).
-constexpr double half_unit = 0x1p-53 + 0x1p-56;
-const Body plate(1.0, 1.7, 0.6);
 
 std::vector<SweepPoint> swept(const Problem& problem, const std::vector<double>& nu,
                               const SweepOptions& options = {}) {
@@ -33,7 +30,7 @@ void expect_rounded(const Problem& problem, const SweepPoint& point, const std::
   ASSERT_EQ(point.status, SolveStatus::solved) << x;
   const auto exact = reference_solution(problem, point.nu, stretch(point));
   const double error = relative_error(stretch(point), exact);
-  EXPECT_LE(error, half_unit) << x << " " << point.nu;
+  EXPECT_LE(error, refined_half_unit) << x << " " << point.nu;
   EXPECT_LE(error, point.error_bound) << x << " " << point.nu;
 }
 

@@ -49,7 +49,8 @@ Spectrum stability_of(const BatchInput& input, const BatchResult& solved, const 
   return stability(input.problem(place.lane), at);
 }
 
-void expect_same(const CellSpectrum& actual, const Spectrum& expected, const std::string& what) {
+void expect_same_spectrum(const CellSpectrum& actual, const Spectrum& expected,
+                          const std::string& what) {
   ASSERT_EQ(name(actual.verdict), name(expected.verdict)) << what;
   ASSERT_EQ(actual.negative, expected.negative) << what;
   ASSERT_EQ(actual.modes, expected.modes) << what;
@@ -85,7 +86,7 @@ Classes expect_as_alone(const BatchInput& input, const std::string& what,
     const Spectrum expected = stability_of(input, solved, place);
     const std::string where =
         what + ", lane " + std::to_string(place.lane) + ", nu " + std::to_string(input.nu[place.k]);
-    expect_same(with_modes.spectra[i], expected, where);
+    expect_same_spectrum(with_modes.spectra[i], expected, where);
     EXPECT_EQ(classes.spectra[i].verdict, expected.verdict) << where;
     EXPECT_EQ(classes.spectra[i].negative, expected.negative) << where;
     EXPECT_TRUE(std::isnan(classes.spectra[i].growth)) << where;

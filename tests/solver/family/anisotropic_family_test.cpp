@@ -10,6 +10,8 @@
 #include "solver/family/branch_switch.hpp"
 #include "solver/family/follow_sheet.hpp"
 #include "tests/support/anisotropic_motions.hpp"
+#include "tests/support/fibred_plates.hpp"
+#include "tests/support/followed.hpp"
 
 namespace stationary {
 namespace {
@@ -34,29 +36,14 @@ class Rows final : public CurveSink {
   }
 };
 
-FollowOptions range(double from, double to) {
-  FollowOptions out;
-  out.continuation.from = from;
-  out.continuation.to = to;
-  out.continuation.step.tolerance = 1e-8;
-  return out;
-}
+using ParameterKind = FamilyParameter::Kind;
 
-AxisFamilyOptions in(FamilyParameter::Kind kind, int index = 0, double nu = 0.0) {
+AxisFamilyOptions in(ParameterKind kind, int index = 0, double nu = 0.0) {
   AxisFamilyOptions out;
   out.nu = nu;
   out.parameter = {kind, index};
   return out;
 }
-using Kind = FamilyParameter::Kind;
-
-const Body disc(1.0, 1.7, 0.6);
-const Potential skew = fibred(NeoHookean<>{1.0, 2.0}, 0.4, 30.0);
-const Potential along = fibred(NeoHookean<>{1.0, 2.0}, 0.4, 0.0);
-/// One whose ellipse turns away from its axes.
-const Body plate(1.0, 1.2, 0.6);
-const Potential across = fibred(Hencky<>{1.0, 0.6}, 0.05, 90.0);
-
 double spin_momentum(const Member& at) {
   return (locked_inertia(at.body, at.q) * at.angular_velocity).norm();
 }
@@ -90,24 +77,25 @@ void expect_slopes(const Family<N>& family, const ReducedVector<N>& x, double p)
 
 TEST(AnisotropicFamily, SlopesInEveryParameter) {
   const double nu = 0.4;
-  const Equilibrium third = solve(Problem(disc, skew, Branch::iii), nu);
-  const Equilibrium oblique = solve_oblique(disc, skew, {nu, Branch::ii});
+  const Equilibrium third = solve(Problem(plate, skew_fibres, Branch::iii), nu);
+  const Equilibrium oblique = solve_oblique(plate, skew_fibres, {nu, Branch::ii});
   struct Parameter {
-    Kind kind;
+    ParameterKind kind;
     int index;
     double value;
   };
-  for (const Parameter& each : {Parameter{Kind::nu, 0, nu}, Parameter{Kind::inertia, 0, 1.0},
-                                Parameter{Kind::inertia, 1, 1.7}, Parameter{Kind::inertia, 2, 0.6},
-                                Parameter{Kind::plane, 0, 1.0}, Parameter{Kind::plane, 1, 2.0},
-                                Parameter{Kind::thickness, 1, 3.0}, Parameter{Kind::fibre, 0, 0.4},
-                                Parameter{Kind::fibre, 1, 30.0}}) {
-    const AnyFamily family = anisotropic_family(disc, skew.anisotropic(), Branch::iii, false,
-                                                in(each.kind, each.index, nu));
+  for (const Parameter& each :
+       {Parameter{ParameterKind::nu, 0, nu}, Parameter{ParameterKind::inertia, 0, 1.0},
+        Parameter{ParameterKind::inertia, 1, 1.7}, Parameter{ParameterKind::inertia, 2, 0.6},
+        Parameter{ParameterKind::plane, 0, 1.0}, Parameter{ParameterKind::plane, 1, 2.0},
+        Parameter{ParameterKind::thickness, 1, 3.0}, Parameter{ParameterKind::fibre, 0, 0.4},
+        Parameter{ParameterKind::fibre, 1, 30.0}}) {
+    const AnyFamily family = anisotropic_family(plate, skew_fibres.anisotropic(), Branch::iii,
+                                                false, in(each.kind, each.index, nu));
     const auto& four = *std::get<std::unique_ptr<Family<4>>>(family);
     expect_slopes<4>(four, four.coordinates(third.q, each.value), each.value);
     const auto five =
-        oblique_family(disc, skew.anisotropic(), in(each.kind, each.index, nu), Branch::ii);
+        oblique_family(plate, skew_fibres.anisotropic(), in(each.kind, each.index, nu), Branch::ii);
     expect_slopes<5>(*five, five->coordinates(oblique.q, each.value), each.value);
   }
 }
@@ -119,13 +107,14 @@ TEST(AnisotropicFamily, TurnsAreWhereTheEventsSay) {
     Rows out;
     const FollowOptions how = range(0.0, 0.8);
     if (near) {
-      const auto family = oblique_family(disc, skew.anisotropic(), in(Kind::nu), *near);
-      const Equilibrium start = solve_oblique(disc, skew, {0.3, near});
+      const auto family =
+          oblique_family(plate, skew_fibres.anisotropic(), in(ParameterKind::nu), *near);
+      const Equilibrium start = solve_oblique(plate, skew_fibres, {0.3, near});
       EXPECT_EQ(follow_family<5>(*family, start.q, 0.3, how, out).failure, "");
     } else {
-      const Equilibrium start = solve(Problem(disc, skew, Branch::iii), 0.3);
-      const AnyFamily family =
-          anisotropic_family(disc, skew.anisotropic(), Branch::iii, false, in(Kind::nu));
+      const Equilibrium start = solve(Problem(plate, skew_fibres, Branch::iii), 0.3);
+      const AnyFamily family = anisotropic_family(plate, skew_fibres.anisotropic(), Branch::iii,
+                                                  false, in(ParameterKind::nu));
       EXPECT_EQ(follow(family, start.q, 0.3, how, out).failure, "");
     }
     ASSERT_GT(out.rows.size(), 20U);
@@ -150,14 +139,15 @@ TEST(AnisotropicFamily, TurnsAreWhereTheEventsSay) {
 /// A tilt of an oblique family: the inertias about its axis and about axis 3 are equal, and a pair
 /// of eigenvalues passes through zero.
 TEST(AnisotropicFamily, TiltOfAnObliqueAxis) {
-  const auto family = oblique_family(disc, skew.anisotropic(), in(Kind::nu), Branch::i);
-  const Equilibrium start = solve_oblique(disc, skew, {0.5, Branch::i});
+  const auto family =
+      oblique_family(plate, skew_fibres.anisotropic(), in(ParameterKind::nu), Branch::i);
+  const Equilibrium start = solve_oblique(plate, skew_fibres, {0.5, Branch::i});
   Rows out;
   follow_family<5>(*family, start.q, 0.5, range(0.0, 0.77), out);
   const auto tilts = out.of(EventType::tilt);
   ASSERT_EQ(tilts.size(), 1U);
   const Vector3<double> axis = tilts[0].angular_velocity.normalized();
-  const Matrix3<double> I = locked_inertia(disc, tilts[0].q);
+  const Matrix3<double> I = locked_inertia(plate, tilts[0].q);
   EXPECT_NEAR(axis.dot(I * axis), I(2, 2), 1e-10);
   double least = INFINITY;
   for (int k = 0; k < 5; ++k)
@@ -172,8 +162,8 @@ TEST(AnisotropicFamily, NoEventIsMadeOfARestStateWithoutShear) {
   const Potential V = fibred(BiotLog<>{1.0, 0.6}, 0.4, 85.0);
   const Equilibrium rest = solve(Problem(body, V, Branch::iii), 0.0);
   Rows out;
-  follow(anisotropic_family(body, V.anisotropic(), Branch::iii, false, in(Kind::nu)), rest.q, 0.0,
-         range(0.0, 0.2), out);
+  follow(anisotropic_family(body, V.anisotropic(), Branch::iii, false, in(ParameterKind::nu)),
+         rest.q, 0.0, range(0.0, 0.2), out);
   EXPECT_EQ(out.rows.front().member.q.alpha, 0.0);
   EXPECT_NE(out.rows.back().member.q.alpha, 0.0);
   EXPECT_TRUE(out.of(EventType::tilt).empty());
@@ -201,17 +191,18 @@ double bisected(const Problem& problem, double low, double high) {
 
 void follow_straight(const Problem& problem, double to, Rows& out) {
   const Equilibrium start = solve(problem, 0.3);
-  follow(axis_family(problem, in(Kind::nu)), start.q, 0.3, range(0.0, to), out);
+  follow(axis_family(problem, in(ParameterKind::nu)), start.q, 0.3, range(0.0, to), out);
 }
 
 TEST(AnisotropicFamily, ObliqueEventAndTheFamilyThatLeavesThere) {
   Rows sheet;
-  const Problem first_axis(disc, along, Branch::i);
+  const Problem first_axis(plate, fibres_along, Branch::i);
   follow_straight(first_axis, 0.76, sheet);
   const auto events = sheet.of(EventType::oblique);
   ASSERT_EQ(events.size(), 1U);
   EXPECT_NEAR(events[0].parameter, bisected(first_axis, 0.6, 0.759), 1e-12);
-  const auto family = oblique_family(disc, along.anisotropic(), in(Kind::nu), Branch::i);
+  const auto family =
+      oblique_family(plate, fibres_along.anisotropic(), in(ParameterKind::nu), Branch::i);
   const auto start = leave_straight(*family, events[0], Branch::i);
   ASSERT_TRUE(start);
   EXPECT_NE(start->q.alpha, 0.0);
@@ -233,13 +224,13 @@ TEST(AnisotropicFamily, ObliqueEventAndTheFamilyThatLeavesThere) {
   }
   // From rest to nu: through the event.
   const double nu = 0.76;
-  const Equilibrium at = solve_oblique(disc, along, {nu, Branch::i}, without_search());
+  const Equilibrium at = solve_oblique(plate, fibres_along, {nu, Branch::i}, without_search());
   ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
   EXPECT_NE(at.message.find("leaves axis 1 at |nu| = 0.7405"), std::string::npos) << at.message;
 }
 
 TEST(AnisotropicFamily, ShearEventAndTheFamilyThatLeavesThere) {
-  const Problem problem(plate, across, Branch::iii);
+  const Problem problem(turning_plate, fibres_across, Branch::iii);
   Rows sheet;
   follow_straight(problem, 0.75, sheet);
   const auto events = sheet.of(EventType::shear);
@@ -259,7 +250,7 @@ TEST(AnisotropicFamily, ShearEventAndTheFamilyThatLeavesThere) {
   mirrored.alpha = -mirrored.alpha;
   EXPECT_EQ(solve(problem, at.nu[2], without_search(mirrored)).q.alpha, -at.q.alpha);
   Rows out;
-  follow(axis_family(problem, in(Kind::nu), true), at.q, at.nu[2], range(0.6, 0.8), out);
+  follow(axis_family(problem, in(ParameterKind::nu), true), at.q, at.nu[2], range(0.6, 0.8), out);
   const bool first = out.rows.front().event == EventType::shear;
   const Row& end = first ? out.rows.front() : out.rows.back();
   ASSERT_EQ(end.event, EventType::shear);
@@ -270,16 +261,16 @@ TEST(AnisotropicFamily, ShearEventAndTheFamilyThatLeavesThere) {
 
 /// Every point is what a solve at its angle gives.
 TEST(AnisotropicFamily, FollowedInTheAngleOfTheFibre) {
-  const AxisFamilyOptions options = in(Kind::fibre, 1, 0.5);
-  const Equilibrium start = solve(Problem(disc, skew, Branch::iii), 0.5);
+  const AxisFamilyOptions options = in(ParameterKind::fibre, 1, 0.5);
+  const Equilibrium start = solve(Problem(plate, skew_fibres, Branch::iii), 0.5);
   Rows out;
-  follow(anisotropic_family(disc, skew.anisotropic(), Branch::iii, false, options), start.q, 30.0,
-         range(-10.0, 100.0), out);
+  follow(anisotropic_family(plate, skew_fibres.anisotropic(), Branch::iii, false, options), start.q,
+         30.0, range(-10.0, 100.0), out);
   ASSERT_EQ(out.rows.front().event, EventType::limit);
   ASSERT_EQ(out.rows.back().event, EventType::limit);
   for (const Row& each : out.rows) {
     const Potential V = fibred(NeoHookean<>{1.0, 2.0}, 0.4, each.member.parameter);
-    const Equilibrium at = solve(Problem(disc, V, Branch::iii), 0.5);
+    const Equilibrium at = solve(Problem(plate, V, Branch::iii), 0.5);
     EXPECT_NEAR(at.q.alpha, each.member.q.alpha, 1e-14) << each.member.parameter;
     EXPECT_NEAR(at.q.zeta, each.member.q.zeta, 1e-14) << each.member.parameter;
   }

@@ -9,7 +9,7 @@ namespace stationary {
 namespace {
 
 using namespace testing;
-using Kind = FamilyParameter::Kind;
+using ParameterKind = FamilyParameter::Kind;
 
 /// A problem as its numbers.
 struct Numbers {
@@ -29,15 +29,15 @@ struct Numbers {
   double& at(const FamilyParameter& p) {
     const auto k = static_cast<std::size_t>(p.index);
     switch (p.kind) {
-      case Kind::nu:
+      case ParameterKind::nu:
         return nu;
-      case Kind::inertia:
+      case ParameterKind::inertia:
         return J[k];
-      case Kind::plane:
+      case ParameterKind::plane:
         return plane[k];
-      case Kind::thickness:
-      case Kind::shared:  // of no model here
-      case Kind::fibre:
+      case ParameterKind::thickness:
+      case ParameterKind::shared:  // of no model here
+      case ParameterKind::fibre:
         break;
     }
     return axial[k];
@@ -53,9 +53,11 @@ struct Numbers {
 };
 
 std::vector<FamilyParameter> parameters(const Numbers& of) {
-  std::vector<FamilyParameter> out{{Kind::nu, 0},      {Kind::inertia, 0}, {Kind::inertia, 1},
-                                   {Kind::inertia, 2}, {Kind::plane, 0},   {Kind::plane, 1}};
-  if (!of.coupled()) out.insert(out.end(), {{Kind::thickness, 0}, {Kind::thickness, 1}});
+  std::vector<FamilyParameter> out{{ParameterKind::nu, 0},      {ParameterKind::inertia, 0},
+                                   {ParameterKind::inertia, 1}, {ParameterKind::inertia, 2},
+                                   {ParameterKind::plane, 0},   {ParameterKind::plane, 1}};
+  if (!of.coupled())
+    out.insert(out.end(), {{ParameterKind::thickness, 0}, {ParameterKind::thickness, 1}});
   return out;
 }
 
@@ -145,7 +147,8 @@ TEST_P(ParameterFamily, SlopesAreThoseOfTheBalance) {
 TEST_P(ParameterFamily, WhatTheBalanceDoesNotKnowMovesNothing) {
   Numbers of = numbers();
   const int idle = of.branch == Branch::i ? 0 : of.branch == Branch::ii ? 1 : 2;
-  const FamilyParameter own{Kind::inertia, idle};  // J about the spin's own material direction
+  const FamilyParameter own{ParameterKind::inertia,
+                            idle};  // J about the spin's own material direction
   const Equilibrium solved = solve(of.problem(), of.nu);
   ASSERT_EQ(solved.status, SolveStatus::solved);
   const Followed sheet = followed(of.family(own), solved.q, of.at(own),
@@ -188,7 +191,7 @@ TEST_P(ParameterFamily, RowsAreWhatASolveFinds) {
 /// J1 through J2: in (iii) the ellipse changes its long axis, as a circle at J1 = J2.
 TEST_P(ParameterFamily, ThroughTheRoundBody) {
   Numbers of = numbers();
-  const FamilyParameter first{Kind::inertia, 0};
+  const FamilyParameter first{ParameterKind::inertia, 0};
   const Equilibrium start = solve(of.problem(), of.nu);
   ASSERT_EQ(start.status, SolveStatus::solved);
   const Followed sheet = followed(of.family(first), start.q, 1.0, range(1.0, 2.5, 1e-5));
@@ -233,7 +236,7 @@ TEST(ParameterFamilies, APassAndATiltInOneStep) {
   of.plane = {1.0, 4.0};
   of.nu = 1.1;
   const Equilibrium start = solve(of.problem(), of.nu);
-  const AnyFamily family = of.family({Kind::inertia, 2}, true);
+  const AnyFamily family = of.family({ParameterKind::inertia, 2}, true);
   for (const double first : {1e-3, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5}) {
     FollowOptions options = range(0.05, 6.0);
     options.continuation.step.first = first;
@@ -262,20 +265,21 @@ TEST(SharedCoefficient, IsOneOfBothParts) {
   numbers.axial = {numbers.plane[0], 3.0};
   const Problem problem = numbers.problem();
   const Equilibrium at = solve(problem, numbers.nu);
-  const auto slope = [&](Kind kind, double p) {
+  const auto slope = [&](ParameterKind kind, double p) {
     const AnyFamily family = numbers.family({kind, 0});
     const auto& each = *std::get<std::unique_ptr<Family<3>>>(family);
     return each.linearize(unknowns<3>(at.q), p).slope;
   };
   const double p = numbers.plane[0];
-  const ReducedVector<3> both = slope(Kind::shared, p);
-  EXPECT_EQ(both, ReducedVector<3>(slope(Kind::plane, p) + slope(Kind::thickness, p)));
+  const ReducedVector<3> both = slope(ParameterKind::shared, p);
+  EXPECT_EQ(both,
+            ReducedVector<3>(slope(ParameterKind::plane, p) + slope(ParameterKind::thickness, p)));
   EXPECT_NE(both[0], 0.0);
   EXPECT_NE(both[2], 0.0);
   Numbers changed = numbers;
   changed.plane[0] = changed.axial[0] = 1.25;
   const Equilibrium expected = solve(changed.problem(), numbers.nu);
-  const AnyFamily family = numbers.family({Kind::shared, 0});
+  const AnyFamily family = numbers.family({ParameterKind::shared, 0});
   const auto& shared = *std::get<std::unique_ptr<Family<3>>>(family);
   ReducedVector<3> x = unknowns<3>(expected.q);
   ReducedVector<3> tail;

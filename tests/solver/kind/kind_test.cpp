@@ -23,7 +23,7 @@ Potential made_of(std::string_view plane, std::string_view thickness = "reciproc
                            thickness == "harmonic" ? 0.9 : 3.0};
   return {Potential::planar(plane, first), Potential::thickness(thickness, second)};
 }
-Potential coupled() {
+Potential coupled_model() {
   const double coefficients[] = {1.0, 2.0};
   return Potential(Potential::coupled("neo-hookean-3d", coefficients));
 }
@@ -56,7 +56,7 @@ std::vector<Posed> all_kinds() {
       {"biot-log", made_of("biot-log", "harmonic")},
       {"neo-hookean", made_of("neo-hookean")},
       {"hencky", made_of("hencky")},
-      {"neo-hookean-3d", coupled()},
+      {"neo-hookean-3d", coupled_model()},
       {"formula", formula()}};
   for (const auto& [text, V] : isotropic) {
     for (const Branch branch : {Branch::i, Branch::ii, Branch::iii})

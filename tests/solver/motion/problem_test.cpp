@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/plate.hpp"
 #include "tests/support/random_problem.hpp"
 
 namespace stationary {
@@ -11,8 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using testing::make_potential;
-
-const Body plate(1.0, 1.7, 0.6);
+using testing::plate;
 
 TEST(Problem, ThicknessRuleFollowsPotentialAndBranch) {
   const Potential separable = make_potential("biot", {1.0, 0.5});

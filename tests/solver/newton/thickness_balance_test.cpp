@@ -20,7 +20,7 @@ Number50 exact_rho(const Harmonic<>& v, const DoubleDouble& m) {
 }
 
 template <class Thickness>
-void expect_rounded(const Thickness& model, const DoubleDouble& m) {
+void expect_thickness_rounded(const Thickness& model, const DoubleDouble& m) {
   const ThicknessBalance balance = balanced_thickness(model, m);
   ASSERT_TRUE(balance.refined.converged) << double(m);
   const Number50 exact = exact_rho(model, m);
@@ -46,7 +46,7 @@ TYPED_TEST(ThicknessBalanceTest, RoundsCorrectly) {
   support::Random random(41);
   for (int k = 0; k < 1000; ++k) {
     const TypeParam model{random.log_uniform(1e-3, 1e3), random.log_uniform(1e-3, 1e3)};
-    expect_rounded(model, stiffness(model) * random.uniform(0.0, 1.0));
+    expect_thickness_rounded(model, stiffness(model) * random.uniform(0.0, 1.0));
   }
 }
 
@@ -58,7 +58,7 @@ TYPED_TEST(ThicknessBalanceTest, RoundsCorrectlyJustBelowTheEnd) {
     // m is a product with an error term of its own, as J3 nu^2 is.
     const double nu = std::sqrt(stiffness(model) * (1.0 - gap));
     const DoubleDouble m = two_product(nu, nu);
-    if (double(stiffness(model) - m) > 0.0) expect_rounded(model, m);
+    if (double(stiffness(model) - m) > 0.0) expect_thickness_rounded(model, m);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "solver/newton/newton.hpp"
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/plate.hpp"
 #include "tests/support/random_problem.hpp"
 
 namespace stationary {
@@ -16,7 +17,6 @@ namespace {
 using namespace testing;
 using ::testing::HasSubstr;
 
-const Body plate(1.0, 1.7, 0.6);
 constexpr double stiff = 1e6;  // a thickness that never gives out
 
 std::optional<std::string> reason(std::string_view model, std::array<double, 2> c, Branch branch,

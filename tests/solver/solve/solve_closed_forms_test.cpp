@@ -16,8 +16,6 @@ using namespace testing;
 using ::testing::HasSubstr;
 using Closed = support::ReciprocalDeterminantSolution<Number50>;
 
-constexpr double half_unit = 0x1p-53 * (1.0 + 1e-3);
-
 struct Case {
   Body body;
   std::array<double, 2> plane;

@@ -12,9 +12,6 @@ namespace {
 
 using namespace testing;
 
-/// Half a unit in the last place, relative to the number: correct rounding.
-constexpr double half_unit = 0x1p-53 * (1.0 + 1e-3);
-
 class SolveTableTest : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(SolveTableTest, EveryRowFromItsInputsAlone) {

@@ -9,14 +9,13 @@
 
 #include "solver/newton/reduced_system.hpp"
 #include "tests/support/law.hpp"
+#include "tests/support/plate.hpp"
 #include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {
 
 using namespace testing;
-
-const Body plate(1.0, 1.7, 0.6);
 
 void expect_same_q(const std::string& x, const Stretch& expected, const Stretch& actual,
                    double units) {

@@ -12,7 +12,6 @@ namespace {
 
 using namespace testing;
 
-constexpr Branch branches[] = {Branch::i, Branch::ii, Branch::iii};
 const PotentialName neo_hookean{"neo-hookean", "reciprocal-quadratic"};
 const PotentialName biot_log{"biot-log", "reciprocal-quadratic"};
 

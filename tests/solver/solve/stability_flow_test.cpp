@@ -12,7 +12,6 @@ namespace {
 
 using namespace testing;
 
-constexpr Branch branches[] = {Branch::i, Branch::ii, Branch::iii};
 using Complex = std::complex<double>;
 
 const PotentialName reciprocal{"reciprocal-determinant", "reciprocal-quadratic"};

@@ -11,8 +11,6 @@ namespace {
 
 using namespace testing;
 
-constexpr Branch branches[] = {Branch::i, Branch::ii, Branch::iii};
-
 bool has_undecided_krein(const Spectrum& spectrum) {
   for (const Mode& m : modes(spectrum))
     if (m.lambda_re < 0.0 && m.lambda_im == 0.0 && m.krein == 0 && !m.forced_zero) return true;

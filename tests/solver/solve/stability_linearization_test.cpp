@@ -13,8 +13,6 @@ namespace {
 
 using namespace testing;
 
-constexpr Branch branches[] = {Branch::i, Branch::ii, Branch::iii};
-
 /// Each +-s of the spectrum is among the eigenvalues, each once; what is left is returned.
 /// s^2 must agree within the mode's own bound.
 std::vector<WideEigenvalue> expect_modes_among(const SolvedMotion& motion, const Spectrum& spectrum,

@@ -15,17 +15,15 @@
 #include "solver/solve/stability.hpp"
 #include "solver/tube/curve_cover.hpp"
 #include "tests/support/covers.hpp"
+#include "tests/support/plate.hpp"
 
 namespace stationary::testing {
 namespace {
 
-const Body plate{1.0, 1.7, 0.6};
-const ReciprocalQuadratic<> thickness{1.0, 3.0};
-
 /// x = a + b q + c q^2, as ln xi or as ln rho.
-class Parabola final : public CurveEquations<1> {
+class PlacedParabola final : public CurveEquations<1> {
  public:
-  Parabola(double a, double b, double c, bool is_thickness)
+  PlacedParabola(double a, double b, double c, bool is_thickness)
       : a_(a), b_(b), c_(c), is_thickness_(is_thickness) {}
 
   CurveLinearized<1> linearize(const CurveBox<1>& y) const override {
@@ -47,7 +45,7 @@ class Parabola final : public CurveEquations<1> {
 
 /// All of a curve over q in [0, 1].
 struct Covered {
-  Parabola equations;
+  PlacedParabola equations;
   CurveRegion<1> region;
   std::unique_ptr<ProvenCurvesOf<1>> curves;
 
@@ -164,10 +162,10 @@ int parts_of_one_mixture(const Problem& problem, double to) {
 
 TEST(ClassGaps, LeaveTheClassesOfSearchesBetween) {
   const Potential potentials[] = {
-      Potential(ReciprocalDeterminant<>{1.0, 2.0}, thickness),
-      Potential(BiotLog<>{1.0, 0.6}, thickness),
-      Potential(Hencky<>{1.1, 0.8}, thickness),
-      Potential(SaintVenantKirchhoff<>{1.0, 0.5}, thickness),
+      Potential(ReciprocalDeterminant<>{1.0, 2.0}, plate_thickness),
+      Potential(BiotLog<>{1.0, 0.6}, plate_thickness),
+      Potential(Hencky<>{1.1, 0.8}, plate_thickness),
+      Potential(SaintVenantKirchhoff<>{1.0, 0.5}, plate_thickness),
       Potential(NeoHookean3d<>{1.0, 2.0}),
   };
   int parts = 0;
@@ -181,13 +179,14 @@ TEST(ClassGaps, OfRoundBodies) {
   const Body round{1.0, 1.0, 0.6};
   int parts = 0;
   for (const Branch branch : {Branch::i, Branch::iii})
-    parts += parts_of_one_mixture({round, Potential(BiotLog<>{1.0, 4.0}, thickness), branch}, 1.5);
+    parts +=
+        parts_of_one_mixture({round, Potential(BiotLog<>{1.0, 4.0}, plate_thickness), branch}, 1.5);
   EXPECT_GE(parts, 4);
 }
 
 /// Of a fibred body slopes are of no use: less is decided, but some, and it is what the spectra say.
 TEST(ClassGaps, OfAFibredBody) {
-  const AnisotropicPotential V(NeoHookean<>{1.0, 1.5}, thickness, {{0.3, 0.0}});
+  const AnisotropicPotential V(NeoHookean<>{1.0, 1.5}, plate_thickness, {{0.3, 0.0}});
   const Problem problem(plate, Potential(V), Branch::i);
   const double from = 0.1;
   const double to = 0.6;
@@ -220,7 +219,8 @@ TEST(ClassGaps, OfAFibredBody) {
 
 /// No classes where none are asked for.
 TEST(ClassGaps, AreNotLookedForWithoutNeed) {
-  const Problem problem(plate, Potential(ReciprocalDeterminant<>{1.0, 2.0}, thickness), Branch::i);
+  const Problem problem(plate, Potential(ReciprocalDeterminant<>{1.0, 2.0}, plate_thickness),
+                        Branch::i);
   const KindCover cover = cover_axis(problem, 0.0, 1.0, {}, /*classes=*/false);
   EXPECT_FALSE(cover.class_gaps.has_value());
   EXPECT_EQ(cover.class_arcs, 0);

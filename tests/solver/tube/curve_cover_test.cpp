@@ -10,12 +10,10 @@
 
 #include "solver/tube/axis_curves.hpp"
 #include "tests/support/covers.hpp"
+#include "tests/support/plate.hpp"
 
 namespace stationary::testing {
 namespace {
-
-const Body plate{1.0, 1.7, 0.6};
-const ReciprocalQuadratic<> thickness{1.0, 3.0};
 
 KindCover covered(const Problem& problem, double to) {
   return cover_axis(problem, 0.0, to, {}, /*classes=*/false);
@@ -73,7 +71,7 @@ TEST(Cover, LooksForBreaksNoLongerWhenToldToStop) {
 }
 
 TEST(Cover, LeavesNothingOfADiscUndecided) {
-  const Potential V(ReciprocalDeterminant<>{1.0, 2.0}, thickness);
+  const Potential V(ReciprocalDeterminant<>{1.0, 2.0}, plate_thickness);
   for (const Branch branch : {Branch::i, Branch::ii, Branch::iii}) {
     const KindCover cover = covered({plate, V, branch}, 1.05);
     EXPECT_TRUE(cover.gaps.empty());
@@ -82,7 +80,7 @@ TEST(Cover, LeavesNothingOfADiscUndecided) {
 }
 
 TEST(Cover, TellsTheFoldOfHencky) {
-  const Potential V(Hencky<>{1.1, 0.8}, thickness);
+  const Potential V(Hencky<>{1.1, 0.8}, plate_thickness);
   const KindCover cover = covered({plate, V, Branch::i}, 1.0);
   EXPECT_LT(length_of(cover), 1e-9);
   ASSERT_EQ(cover.gaps.size(), 2U);
@@ -93,7 +91,7 @@ TEST(Cover, TellsTheFoldOfHencky) {
 }
 
 TEST(Cover, HasThreeSheetsApartFromRest) {
-  const Potential V(BiotLog<>{1.0, 0.6}, thickness);
+  const Potential V(BiotLog<>{1.0, 0.6}, plate_thickness);
   const KindCover cover = covered({plate, V, Branch::iii}, 2.0);
   EXPECT_LT(length_of(cover), 1e-9);
   ASSERT_EQ(cover.gaps.size(), 4U);
@@ -115,7 +113,7 @@ const Body round_body{1.0, 1.0, 0.6};
 /// W_t = c t and W_l = -c d at t = 2 r, d = r^2:  2 mu - c = mu/r,  2 lambda ln r = mu r.
 TEST(Cover, EllipsesPartFromCirclesWhereTheClosedFormSays) {
   const double to = 3.0;
-  const Problem problem(round_body, Potential(BiotLog<>{1.0, 4.0}, thickness), Branch::iii);
+  const Problem problem(round_body, Potential(BiotLog<>{1.0, 4.0}, plate_thickness), Branch::iii);
   const KindCover cover = covered(problem, to);
   EXPECT_LT(length_of(cover), 1e-9);
   EXPECT_LT(cover.boxes, 20'000);
@@ -138,10 +136,10 @@ TEST(Cover, EllipsesPartFromCirclesWhereTheClosedFormSays) {
 
 TEST(Cover, OfRoundBodiesAgreesWithSearches) {
   const Potential potentials[] = {
-      Potential(ReciprocalDeterminant<>{1.0, 2.0}, thickness),
-      Potential(Hencky<>{1.1, 0.8}, thickness),
-      Potential(SaintVenantKirchhoff<>{1.0, 0.5}, thickness),
-      Potential(NeoHookean<>{1.0, 2.0}, thickness),
+      Potential(ReciprocalDeterminant<>{1.0, 2.0}, plate_thickness),
+      Potential(Hencky<>{1.1, 0.8}, plate_thickness),
+      Potential(SaintVenantKirchhoff<>{1.0, 0.5}, plate_thickness),
+      Potential(NeoHookean<>{1.0, 2.0}, plate_thickness),
       Potential(NeoHookean3d<>{1.0, 2.0}),
   };
   int intervals = 0;
@@ -161,7 +159,7 @@ TEST(Cover, HasAVerticalBranchInOneGap) {
     return std::ranges::find_if(cover.gaps, [](const NuGap& each) { return each.nu.may_be(1.0); });
   };
   const KindCover cover =
-      covered({round_body, Potential(NeoHookean<>{1.0, 2.0}, thickness), Branch::iii}, 1.3);
+      covered({round_body, Potential(NeoHookean<>{1.0, 2.0}, plate_thickness), Branch::iii}, 1.3);
   const auto vertical = at_one(cover);
   ASSERT_NE(vertical, cover.gaps.end());
   EXPECT_TRUE(vertical->mirrors);
@@ -251,7 +249,7 @@ TEST(Cover, OneBreakIsAllThatHappensThere) {
 
 /// Of a round body whose stretches are wanted in ranges with nothing in common there is no circle.
 TEST(Cover, HasNoCirclesWhereTheRangesHaveNothingInCommon) {
-  const Problem problem(round_body, Potential(BiotLog<>{1.0, 4.0}, thickness), Branch::iii);
+  const Problem problem(round_body, Potential(BiotLog<>{1.0, 4.0}, plate_thickness), Branch::iii);
   const auto sets = [&](const Interval& xi, const Interval& zeta) {
     SearchOptions options;
     options.box = {xi, zeta, Interval(0.5, 2.0)};

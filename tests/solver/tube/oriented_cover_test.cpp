@@ -6,12 +6,10 @@
 
 #include "solver/search/anisotropic_search.hpp"
 #include "tests/support/covers.hpp"
+#include "tests/support/plate.hpp"
 
 namespace stationary::testing {
 namespace {
-
-const Body plate{1.0, 1.7, 0.6};
-const ReciprocalQuadratic<> thickness{1.0, 3.0};
 
 /// With mu = c66 and lambda = c12 it is saint-venant-kirchhoff.
 TEST(OrientedCover, OfIsotropicCoefficientsIsThatOfTheIsotropicBody) {
@@ -19,8 +17,8 @@ TEST(OrientedCover, OfIsotropicCoefficientsIsThatOfTheIsotropicBody) {
   const double lambda = 0.7;
   const double stiff = 2.0 * mu + lambda;
   const AnisotropicPotential V(OrthotropicSaintVenantKirchhoff<>{stiff, stiff, lambda, mu},
-                               thickness, {});
-  const Potential isotropic(SaintVenantKirchhoff<>{mu, lambda}, thickness);
+                               plate_thickness, {});
+  const Potential isotropic(SaintVenantKirchhoff<>{mu, lambda}, plate_thickness);
   const double to = 3.0;
   for (const Branch branch : {Branch::i, Branch::ii}) {
     const auto cover =
@@ -43,7 +41,7 @@ TEST(OrientedCover, OfIsotropicCoefficientsIsThatOfTheIsotropicBody) {
 TEST(OrientedCover, AgreesWithSearches) {
   int parts = 0;
   for (const double degrees : {0.0, 25.0}) {
-    const AnisotropicPotential V(NeoHookean<>{1.0, 1.5}, thickness, {{0.3, degrees}});
+    const AnisotropicPotential V(NeoHookean<>{1.0, 1.5}, plate_thickness, {{0.3, degrees}});
     for (const Branch branch : {Branch::i, Branch::iii}) {
       if (branch == Branch::i && !V.shear_free()) continue;
       const double from = 0.1;

@@ -11,12 +11,13 @@
 #include "solver/search/search.hpp"
 #include "solver/tube/axis_curves.hpp"
 #include "solver/tube/tube_set.hpp"
+#include "tests/support/plate.hpp"
 
 namespace stationary {
 namespace {
 
-const Body plate{1.0, 1.7, 0.6};
-const ReciprocalQuadratic<> thickness{1.0, 3.0};
+using testing::plate;
+using testing::plate_thickness;
 
 /// The plane of a separable body's spin, nu_end = to.
 CurveSet<2> plane_of(const Problem& problem, double to) {
@@ -25,7 +26,7 @@ CurveSet<2> plane_of(const Problem& problem, double to) {
 }
 
 Problem disc() {
-  return {plate, Potential(ReciprocalDeterminant<>{1.0, 2.0}, thickness), Branch::i};
+  return {plate, Potential(ReciprocalDeterminant<>{1.0, 2.0}, plate_thickness), Branch::i};
 }
 
 /// (ln xi, ln zeta, q) of `disc` at nu, in closed form.
@@ -133,7 +134,7 @@ TEST(Tubes, ASlopeIsBoundedByWhatItsEquationLeaves) {
 
 TEST(Tubes, PassTheFoldOfHencky) {
   const double to = 1.0;
-  const Problem problem(plate, Potential(Hencky<>{1.1, 0.8}, thickness), Branch::i);
+  const Problem problem(plate, Potential(Hencky<>{1.1, 0.8}, plate_thickness), Branch::i);
   const CurveSet<2> curves = plane_of(problem, to);
   TubeSet<2> tubes(*curves.equations, curves.region);
   ASSERT_TRUE(tubes.follow({0.0, 0.0, 0.01}));
