@@ -161,7 +161,8 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
                                            const Member& near) const override {
     if (near.parameter == 0.0) return std::nullopt;
     if (Layout::alpha && (type == EventType::shear || type == EventType::oblique)) {
-      // Where alpha comes to 0: of the family it branches off.
+      // Where alpha comes to 0: of the family it branches off, if there is one.
+      if (!keeps_shear_free(models_->potential, options_.parameter)) return std::nullopt;
       const ReducedVector<N> x = coordinates_of(near);
       const auto straight =
           event_near<StraightLayout>(straight_branch(x), TestValues::turn, x, near.parameter);

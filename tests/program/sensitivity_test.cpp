@@ -225,6 +225,32 @@ TEST(Sensitivity, WhatBreaksAnEventHasNoSlope) {
   EXPECT_GE(seen, 5);
 }
 
+/// A fibre turned away from an axis leaves no motion about axis 1, and about axis 3 none at alpha = 0,
+/// where the ellipse turns away. A tilt is left, and is the same for either sense.
+TEST(Sensitivity, OfEventsByTheAngleOfAFibreAlongAnAxis) {
+  const std::vector<std::string> along{"--events",
+                                       "--set",
+                                       "potential.fibre.degrees=0",
+                                       "--set",
+                                       "continuation.from=0.1",
+                                       "--set",
+                                       "continuation.to=0.6"};
+  const auto of_angle = [&](const std::string& branch, const std::string& event) {
+    std::vector<std::string> command = along;
+    command.insert(command.end(),
+                   {"--set", "motion.branch=" + branch, "--set",
+                    "potential.plane={ model = \"hencky\", mu = 1.0, lambda = 0.6 }"});
+    std::vector<std::string> out;
+    for (const Row& row : slopes(shipped("fibre.toml"), command))
+      if (row.at("number") == "potential.fibre.degrees" && row.at("of") == event)
+        out.push_back(row.at("d_event"));
+    return out;
+  };
+  EXPECT_THAT(of_angle("i", "oblique"), ::testing::ElementsAre(""));
+  EXPECT_THAT(of_angle("iii", "shear"), ::testing::ElementsAre(""));
+  EXPECT_THAT(of_angle("iii", "tilt"), ::testing::ElementsAre("0"));
+}
+
 TEST(Sensitivity, WrongInputIsRefused) {
   const TemporaryDirectory directory;
   const auto refused = [&](const std::string& output) {

@@ -145,8 +145,10 @@ std::vector<NumberSlopes> event_slopes(const FamilyParameters& at, const std::st
       [&](const FamilyParameters& beside) -> std::optional<std::vector<double>> {
         if (stopped(stop)) return std::nullopt;
         std::unique_ptr<Kind> kind;
+        AnyFamily beside_it;
         try {
           kind = family_at(beside);
+          beside_it = family_of(*kind);
         } catch (const std::invalid_argument&) {
           return std::nullopt;
         }
@@ -154,7 +156,7 @@ std::vector<NumberSlopes> event_slopes(const FamilyParameters& at, const std::st
         near.body = kind->body();
         const std::optional<Member> found = std::visit(
             [&](const auto& family) { return event_beside(*family, circle, type, near); },
-            family_of(*kind));
+            beside_it);
         if (!found) return std::nullopt;
         TableRow row;
         fill_row(name(kind->motion()), *found, wanted, row);
