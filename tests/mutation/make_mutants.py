@@ -546,13 +546,14 @@ def main():
     # Others' headers, which hold no mutants.
     targets = subprocess.run(["ninja", "-C", build, "-t", "targets", "all"], check=True,
                              capture_output=True, text=True).stdout
-    parsed = re.findall(r"^(\S+\.pch): ", targets, re.M)
+    parsed = re.findall(r"^(\S+\.[gp]ch): ", targets, re.M)
     subprocess.run(["ninja", "-C", build, f"-j{arguments.jobs}", *parsed], check=True,
                    stdout=subprocess.DEVNULL)
+    # Sources that are compiled as one are of the build tree.
     commands = [c for c in json.loads((build / "compile_commands.json").read_text())
-                if c["file"].endswith(".cpp") and not re.search(
-                    "kernel_avx|/(stress|rooms|support|program|fuzz|browser|bench)/",
-                    c["file"].removeprefix(str(tree)))]
+                if (c["file"].endswith(".cpp") or "/Unity/" in c["file"]) and not re.search(
+                    "kernel_avx|/(stress|rooms|support|program|fuzz|browser|bench|web)/",
+                    c["file"].removeprefix(str(tree)).removeprefix(str(build)))]
     # A place that one source shows not to compile is gone before the next source is parsed.
     lock = threading.Lock()
     unknown = []
