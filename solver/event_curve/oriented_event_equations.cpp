@@ -14,37 +14,21 @@ constexpr auto p_place = static_cast<std::size_t>(ExtendedEventEquations::parame
 constexpr auto lambda_place = static_cast<std::size_t>(ExtendedEventEquations::lambda);
 
 /// Of xi, zeta, rho, p and Lambda: the balance, and two modes that meet.
-class MeetingSystem {
+class MeetingSystem : public SpinSystem<MeetingSystem, all> {
  public:
-  static constexpr int dimension = all;
-  template <class T>
-  using Values = std::array<T, static_cast<std::size_t>(all)>;
-
   MeetingSystem(const VariedSpin& spin, const SpinBlocks& blocks, const MeetingModes& modes)
-      : spin_(spin), blocks_(blocks), modes_(modes) {}
+      : SpinSystem(spin), blocks_(blocks), modes_(modes) {}
 
-  std::size_t inputs() const { return spin_.inputs(); }
-  bool has_decimals() const { return spin_.has_decimals(); }
-
-  Values<DoubleDouble> values(const Values<DoubleDouble>& y, const InputChange& change) const {
-    return equations<DoubleDouble>(y, [&](double x, std::size_t k) { return change(x, k); });
-  }
-  Values<Conditioned> conditioned(const Values<Conditioned>& y, bool exact) const {
-    return equations<Conditioned>(
-        y, [&](double x, std::size_t) { return exact ? Conditioned(x) : Conditioned::input(x); });
-  }
-
- private:
   template <class T, class Number>
-  Values<T> equations(const Values<T>& y, const Number& number) const {
-    const auto [J, nu, model] = spin_.at<T>(y[p_place], number);
+  std::array<T, all> equations(const std::array<T, all>& y, const Number& number) const {
+    const auto [J, nu, model] = spin_.at(y[p_place], number);
     const std::array<T, 5> x{y[0], y[1], y[2], T(1.0), T(1.0)};
     const auto balance = balance_at<StraightLayout, 1>(J, model, blocks_.branch, square(nu), x);
     StraightState<T> state = straight_state(J, model, {T(0.0), y[0], y[1], y[2]}, nu);
     if (blocks_.volume_held && blocks_.branch != Branch::iii)
       state = with_thickness_pull(state, T(J.J3 * square(nu)));
     const auto meeting = meeting_equations<false>(modes_, blocks_, state, y[lambda_place]);
-    Values<T> out;
+    std::array<T, all> out;
     for (std::size_t i = 0; i < StraightLayout::places.size(); ++i)
       out[i] = balance.g[StraightLayout::places[i]];
     out[p_place] = meeting[0];
@@ -52,7 +36,7 @@ class MeetingSystem {
     return out;
   }
 
-  VariedSpin spin_;
+ private:
   SpinBlocks blocks_;
   MeetingModes modes_;
 };

@@ -118,34 +118,52 @@ class VariedSpin {
   int place_;
 };
 
-/// The equations, of which there are one more than unknowns.
-template <class Layout>
-class OrientedEventSystem {
+/// N equations of such a body, Own::equations(y, number), as extended_root.hpp asks for them.
+template <class Own, int N>
+class SpinSystem {
  public:
-  static constexpr int dimension = Layout::dimension + 1;
-  static constexpr std::size_t unknowns = Layout::places.size();
+  static constexpr int dimension = N;
   template <class T>
-  using Values = std::array<T, unknowns + 1>;
+  using Values = std::array<T, static_cast<std::size_t>(N)>;
 
-  /// function: as of TestValues.
-  OrientedEventSystem(const VariedSpin& spin, Branch branch, std::size_t function)
-      : spin_(spin), branch_(branch), function_(function) {}
+  explicit SpinSystem(const VariedSpin& spin) : spin_(spin) {}
 
   std::size_t inputs() const { return spin_.inputs(); }
   bool has_decimals() const { return spin_.has_decimals(); }
 
   Values<DoubleDouble> values(const Values<DoubleDouble>& y, const InputChange& change) const {
-    return equations<DoubleDouble>(y, [&](double x, std::size_t k) { return change(x, k); });
+    return own().equations(y, [&](double x, std::size_t k) { return change(x, k); });
   }
   Values<Conditioned> conditioned(const Values<Conditioned>& y, bool exact) const {
-    return equations<Conditioned>(
+    return own().equations(
         y, [&](double x, std::size_t) { return exact ? Conditioned(x) : Conditioned::input(x); });
   }
 
+ protected:
+  VariedSpin spin_;
+
  private:
+  const Own& own() const { return static_cast<const Own&>(*this); }
+};
+
+/// The equations, of which there are one more than unknowns.
+template <class Layout>
+class OrientedEventSystem : public SpinSystem<OrientedEventSystem<Layout>, Layout::dimension + 1> {
+  using Base = SpinSystem<OrientedEventSystem<Layout>, Layout::dimension + 1>;
+
+ public:
+  static constexpr std::size_t unknowns = Layout::places.size();
+  template <class T>
+  using Values = typename Base::template Values<T>;
+
+  /// function: as of TestValues.
+  OrientedEventSystem(const VariedSpin& spin, Branch branch, std::size_t function)
+      : Base(spin), branch_(branch), function_(function) {}
+
   template <class T, class Number>
-  Values<T> equations(const Values<T>& y, const Number& number) const {
-    const auto [J, nu, model] = spin_.at<T>(y[unknowns], number);
+  std::array<T, unknowns + 1> equations(const std::array<T, unknowns + 1>& y,
+                                        const Number& number) const {
+    const auto [J, nu, model] = this->spin_.at(y[unknowns], number);
     const T nu_squared = square(nu);
     std::array<T, unknowns> x;
     std::copy_n(y.begin(), unknowns, x.begin());
@@ -169,6 +187,7 @@ class OrientedEventSystem {
     return out;
   }
 
+ private:
   template <class T>
   T turning(const Inertia3<T>& J, const AnisotropicModel<T>& model, const T& nu_squared,
             const std::array<T, 5>& y, const OrientedBalance<T>& balance,
@@ -241,7 +260,6 @@ class OrientedEventSystem {
     }
   }
 
-  VariedSpin spin_;
   Branch branch_;
   std::size_t function_;
 };

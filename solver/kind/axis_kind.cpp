@@ -116,9 +116,9 @@ class AxisKind final : public Kind {
     const bool straight = motion_.branch != Branch::iii && !potential().is_isotropic();
     if (!straight || keeps_shear_free(potential().anisotropic(), parameter)) return std::nullopt;
     if (from_rest())
-      return "with another, alpha = 0, which compatibility asks for about this axis, leaves a "
-             "force "
-             "V_alpha; with branch = \"oblique\" the axis may turn";
+      return "at its other values alpha = 0, which compatibility asks for about this axis, leaves "
+             "a "
+             "force V_alpha; with branch = \"oblique\" the axis may turn";
     return "at rest alone there is an ellipsoid: about this axis compatibility asks for alpha = 0, "
            "which leaves a force V_alpha";
   }

@@ -55,7 +55,7 @@ T momentum_turn(const SquareArray<T, N>& jacobian, const std::array<T, N>& nu_sl
   return determinant(bordered(jacobian, nu_slope, inertia_slope, inertia));
 }
 
-/// On which blocks the linearization at alpha = 0 falls into.
+/// What tells the blocks that the linearization at alpha = 0 falls into.
 struct SpinBlocks {
   Branch branch;
   bool coupled;      ///< rho is not left to itself

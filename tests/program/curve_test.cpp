@@ -232,7 +232,30 @@ TEST_F(Curve, DrawnOverAMap) {
   EXPECT_THAT(other.err, HasSubstr("body.J.1"));
 }
 
-/// Where the axis of a body with a fibre leaves its own, as continue finds it at the ends' stiffness.
+/// A curve in nu and a fibre's stiffness: its ends, as continue finds them there.
+void expect_ends_as_continued(const std::vector<Row>& curve, const std::string& with_fibre,
+                              const std::string& event, const TemporaryDirectory& directory) {
+  ASSERT_GE(curve.size(), 3U);
+  for (const Row& row : {curve.front(), curve.back()}) {
+    const std::string own = directory / "own.csv";
+    const Outcome continued =
+        run_program({"continue", directory.file("own.toml", with_fibre), "-o", own, "--set",
+                     "potential.fibre.k=" + row.at("potential.fibre.k")});
+    ASSERT_EQ(continued.code, 0) << continued.err;
+    int found = 0;
+    for (const Row& each : rows_of(text_of(own))) {
+      if (each.at("event") != event) continue;
+      EXPECT_NEAR(number(each.at("nu1")), number(row.at("nu")), 1e-12) << event;
+      EXPECT_NEAR(number(each.at("xi")), number(row.at("xi")), 1e-11) << event;
+      EXPECT_NEAR(number(each.at("zeta")), number(row.at("zeta")), 1e-11) << event;
+      EXPECT_EQ(each.at("criticality").empty(), event != "oblique");
+      ++found;
+    }
+    EXPECT_EQ(found, 1) << event;
+  }
+}
+
+/// Where the axis of a body with a fibre leaves its own.
 TEST_F(Curve, ObliqueOfABodyWithAFibre) {
   const std::string with_fibre = R"(
 [body]
@@ -256,26 +279,10 @@ to = [0.9, 0.5]
   const Outcome outcome = run(with_fibre);
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::vector<Row> curve = rows();
-  ASSERT_GE(curve.size(), 3U);
-  std::vector<double> stiffness;
-  for (const Row& row : {curve.front(), curve.back()}) {
-    stiffness.push_back(number(row.at("potential.fibre.k")));
-    const std::string own = directory_ / "own.csv";
-    const Outcome continued =
-        run_program({"continue", directory_.file("own.toml", with_fibre), "-o", own, "--set",
-                     "potential.fibre.k=" + row.at("potential.fibre.k")});
-    ASSERT_EQ(continued.code, 0) << continued.err;
-    int found = 0;
-    for (const Row& event : rows_of(text_of(own))) {
-      if (event.at("event") != "oblique") continue;
-      EXPECT_NEAR(number(event.at("nu1")), number(row.at("nu")), 1e-12);
-      EXPECT_NEAR(number(event.at("xi")), number(row.at("xi")), 1e-11);
-      EXPECT_FALSE(event.at("criticality").empty());
-      ++found;
-    }
-    EXPECT_EQ(found, 1);
-  }
-  EXPECT_THAT(stiffness, ::testing::UnorderedElementsAre(0.3, 0.5));
+  expect_ends_as_continued(curve, with_fibre, "oblique", directory_);
+  EXPECT_THAT(
+      (std::vector{curve.front().at("potential.fibre.k"), curve.back().at("potential.fibre.k")}),
+      ::testing::UnorderedElementsAre("0.3", "0.5"));
   const Outcome skew = run(with_fibre, {"--set", "potential.fibre.degrees=30"});
   EXPECT_EQ(skew.code, 2);
   EXPECT_THAT(skew.err, HasSubstr("even in alpha"));
@@ -292,7 +299,7 @@ to = [0.9, 0.5]
   EXPECT_THAT(turned.err, HasSubstr("even in alpha"));
 }
 
-/// Where frequencies of a body with a fibre meet, as continue finds it at the ends' stiffness.
+/// Where its frequencies meet.
 TEST_F(Curve, FrequenciesOfABodyWithAFibre) {
   const std::string with_fibre = R"(
 [body]
@@ -316,23 +323,7 @@ to = [0.9, 0.8]
   for (const std::string event : {"hamiltonian-hopf", "real-collision"}) {
     const Outcome outcome = run(with_fibre, {"--set", "curve.event=" + event});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const std::vector<Row> curve = rows();
-    ASSERT_GE(curve.size(), 3U);
-    int found = 0;
-    for (const Row& row : {curve.front(), curve.back()}) {
-      const std::string own = directory_ / "own.csv";
-      const Outcome continued =
-          run_program({"continue", directory_.file("own.toml", with_fibre), "-o", own, "--set",
-                       "potential.fibre.k=" + row.at("potential.fibre.k")});
-      ASSERT_EQ(continued.code, 0) << continued.err;
-      for (const Row& each : rows_of(text_of(own))) {
-        if (each.at("event") != event) continue;
-        EXPECT_NEAR(number(each.at("nu1")), number(row.at("nu")), 1e-12) << event;
-        EXPECT_NEAR(number(each.at("zeta")), number(row.at("zeta")), 1e-11) << event;
-        ++found;
-      }
-    }
-    EXPECT_EQ(found, 2) << event;
+    expect_ends_as_continued(rows(), with_fibre, event, directory_);
   }
 }
 
