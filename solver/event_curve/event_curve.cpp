@@ -4,37 +4,34 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "lib/matrix/elementwise.hpp"
 #include "solver/continuation/continuation.hpp"
 #include "solver/continuation/curve_start.hpp"
 #include "solver/event_curve/event_curve_family.hpp"
-#include "solver/event_curve/event_sides.hpp"
-#include "solver/event_curve/pitchfork.hpp"
 
 namespace stationary {
 namespace {
-
-constexpr int N = EventCurveFamily::N;
 
 /// What changes its sign at a special point.
 struct Signs {
   double first_speed = 0.0;   ///< dp1/ds
   double second_speed = 0.0;  ///< dp2/ds
-  double pitchfork = 0.0;     ///< of `ellipse`; else 0
-  TestValues functions;
+  double pitchfork = 0.0;     ///< of a circle that breaks; else 0
+  EventFunctions functions;
 };
 
+template <int N>
 class Follower {
  public:
-  Follower(const EventCurveSetting& setting, const SoughtEvent& what, const Member& event,
-           double second, Circle circle, const EventCurveOptions& options)
+  Follower(const EventCurveSetting& setting, EventCurveSystem<N> system, double second,
+           Circle circle, const EventCurveOptions& options)
       : setting_(setting),
-        what_(what),
         circle_(circle),
         options_(options),
         second_(second),
-        family_(family_setting(setting, event, second, circle), what, event),
+        family_(std::move(system)),
         curve_(family_, options.second_to - options.second_from, Circle::none, std::nullopt,
                EventSet::none()) {}
 
@@ -58,62 +55,46 @@ class Follower {
   }
 
  private:
-  static EventSetting family_setting(const EventCurveSetting& setting, const Member& event,
-                                     double second, Circle circle) {
-    const SpinningProblem at = setting.at(event.parameter, second);
-    return {at.problem.body(),   at.problem.potential(),
-            at.problem.branch(), at.nu,
-            setting.first,       circle,
-            Inputs::doubles,     EventSetting::Held{setting.second, second}};
-  }
-
-  bool is_fold() const { return what_.function.kind == EventFunction::Kind::fold; }
+  const EventCurveSystem<N>& what() const { return family_.system(); }
   double first_of(const ArcPoint<N>& arc) const { return family_.first_parameter(arc.x); }
 
-  EventPlace place_of(const ArcPoint<N>& arc) const {
-    EventPlace out;
-    out.q = {0.0, arc.x[0], arc.x[1], arc.x[2]};
+  EventPlace place_at(const ArcPoint<N>& arc) const {
+    EventPlace out{.first = first_of(arc), .circle = circle_};
+    out.x.template head<N>() = family_.signed_unknowns(arc.x);
     if (circle_ != Circle::none) {
-      double* const x[3] = {&out.q.xi, &out.q.zeta, &out.q.rho};
       const auto [a, b, other] = places(circle_);
-      *x[b] = *x[a];
+      out.x[b] = out.x[a];
     }
-    out.tail = arc.tail.head<3>();
-    if (!out.tail.allFinite()) out.tail.setZero();
-    out.first = first_of(arc);
+    if (arc.tail.allFinite()) out.tail.template head<N>() = family_.signed_unknowns(arc.tail);
     // At a turn of p2 the bound is of x at the row's p2; on the curve x is far better known.
     out.error_bound = arc.at_turn ? curve_.corrector().curve_error(arc) : arc.error_bound;
-    out.circle = circle_;
     return out;
   }
 
   Signs signs_at(const ArcPoint<N>& arc) const {
     Signs out;
-    out.first_speed = arc.tangent[EventCurveFamily::first];
+    out.first_speed = arc.tangent[EventCurveFamily<N>::first];
     out.second_speed = arc.tangent[N];
-    const EventPlace place = place_of(arc);
-    const SpinningProblem at = setting_.at(place.first, arc.p);
-    if (what_.function.kind == EventFunction::Kind::ellipse)
-      out.pitchfork = pitchfork_coefficient(at.problem, at.nu, place.q, circle_);
-    const bool collides = !what_.function.spectral() && options_.spectrum;
-    out.functions =
-        functions_at(at, setting_.first, place, member_at(at, setting_.first, place, collides));
-    if (const auto own = own_function(what_.function))
-      out.functions.value[*own] = std::numeric_limits<double>::quiet_NaN();
+    const EventPlace place = place_at(arc);
+    if (what().pitchfork) out.pitchfork = what().pitchfork(place, arc.p);
+    const AnyFamily family =
+        setting_.family(place.first, arc.p, !what().spectral && options_.spectrum);
+    out.functions = functions_at(family, place, member_at(family, place));
+    if (const auto own = what().own_function)
+      out.functions.values.value[*own] = std::numeric_limits<double>::quiet_NaN();
     return out;
   }
 
   EventCurvePoint completed(const ArcPoint<N>& arc, const Signs& signs,
                             SpecialPoint special) const {
-    const EventPlace place = place_of(arc);
-    const SpinningProblem at = setting_.at(place.first, arc.p);
+    const EventPlace place = place_at(arc);
+    const AnyFamily family = setting_.family(place.first, arc.p, options_.spectrum);
     EventCurvePoint out;
-    out.member = member_at(at, setting_.first, place, options_.spectrum);
+    out.member = member_at(family, place);
     out.second = arc.p;
     out.special = special;
-    const bool folds = is_fold() && signs.first_speed != 0.0;
     if (options_.spectrum && special == SpecialPoint::none) {
-      const EventSides sides = sides_of(at, setting_.first, place, is_fold() && folds);
+      const EventSides sides = sides_of(family, place, what().turns && signs.first_speed != 0.0);
       out.before = sides.before;
       out.after = sides.after;
     }
@@ -156,14 +137,14 @@ class Follower {
     if (changes(here.second_speed, next.second_speed)) {
       const auto second = zero_of([](const ArcPoint<N>& at) { return at.tangent[N]; }, from, arc,
                                   here.second_speed);
-      if (is_fold() && changes(here.first_speed, next.first_speed)) {
+      if (what().turns && changes(here.first_speed, next.first_speed)) {
         const auto first =
-            zero_of([](const ArcPoint<N>& at) { return at.tangent[EventCurveFamily::first]; }, from,
-                    arc, here.first_speed);
+            zero_of([](const ArcPoint<N>& at) { return at.tangent[EventCurveFamily<N>::first]; },
+                    from, arc, here.first_speed);
         constexpr double together = 1e-4;
         if (first && second && std::abs(*first - *second) < together)
           add(second, SpecialPoint::cusp);
-      } else if (what_.function.spectral()) {
+      } else if (what().spectral) {
         add(second, SpecialPoint::turn);
       }
     }
@@ -172,19 +153,17 @@ class Follower {
                   here.pitchfork),
           SpecialPoint::degenerate_pitchfork);
     }
-    const TestContext context{.branch = curve_.context().branch,
-                              .material_symmetry = false,
-                              .circle = circle_,
-                              .along_nu = setting_.first.kind == FamilyParameter::Kind::nu};
+    const TestValues& before = here.functions.values;
+    const TestValues& after = next.functions.values;
     for (std::size_t k = 0; k < TestValues::crossings; ++k) {
-      if (here.functions.sign(k) * next.functions.sign(k) != -1) continue;
+      if (before.sign(k) * after.sign(k) != -1) continue;
       // A block's pairs that are none at one end have no common function.
-      if (k == TestValues::collision &&
-          here.functions.collides_imaginary != next.functions.collides_imaginary)
+      if (k == TestValues::collision && before.collides_imaginary != after.collides_imaginary)
         continue;
-      add(zero_of([this, k](const ArcPoint<N>& at) { return signs_at(at).functions.value[k]; },
-                  from, arc, here.functions.value[k]),
-          SpecialPoint::double_event, event_type(k, context, here.functions));
+      add(zero_of(
+              [this, k](const ArcPoint<N>& at) { return signs_at(at).functions.values.value[k]; },
+              from, arc, before.value[k]),
+          SpecialPoint::double_event, event_type(k, here.functions.context, before));
     }
     std::ranges::sort(out, {}, &Special::u);
     return out;
@@ -221,9 +200,8 @@ class Follower {
                            from.p - second_);
     if (!u) return;
     const Corrected<N> at = curve_.at(from, arc, *u);
-    const EventPlace place = place_of(at.point);
-    out_.crossings.push_back(
-        member_at(setting_.at(place.first, at.point.p), setting_.first, place, false));
+    const EventPlace place = place_at(at.point);
+    out_.crossings.push_back(member_at(setting_.family(place.first, at.point.p, false), place));
   }
 
   EventCurveEnd one(int direction) {
@@ -245,7 +223,7 @@ class Follower {
       if (!walk.step()) break;
       ArcPoint<N> next = walk.point().arc;
       ArcVector<N> chord;
-      chord.head<N>() = logarithms(next.x.array() / here.x.array()).matrix();
+      chord.template head<N>() = logarithms(next.x.array() / here.x.array()).matrix();
       chord[N] = (next.p - here.p) / curve_.corrector().scale();
       Arc<N> arc(chord, here.tangent, next.tangent);
       bool at_limit = false;
@@ -253,7 +231,7 @@ class Follower {
         const auto limit = at_first_limit(here, arc);
         if (!limit) return {EventType::stalled, "the end of the range was not reached"};
         next = *limit;
-        chord.head<N>() = logarithms(next.x.array() / here.x.array()).matrix();
+        chord.template head<N>() = logarithms(next.x.array() / here.x.array()).matrix();
         chord[N] = (next.p - here.p) / curve_.corrector().scale();
         arc = Arc<N>(chord, here.tangent, next.tangent);
         at_limit = true;
@@ -272,36 +250,55 @@ class Follower {
   }
 
   const EventCurveSetting& setting_;
-  SoughtEvent what_;
   Circle circle_;
   EventCurveOptions options_;
   double second_;
-  EventCurveFamily family_;
+  EventCurveFamily<N> family_;
   Curve<N> curve_;
   CurvePoint<N> start_;
   EventCurve out_;
 };
 
+/// Of a spin about a material axis.
+EventCurve follow_of_spin(const EventCurveSetting& setting, const Member& event, double second,
+                          Circle circle, const EventCurveOptions& options) {
+  EventCurve out;
+  out.failure = "the event has no equations, or no spectrum was computed";
+  const SpinningProblem at = setting.spin(event.parameter, second);
+  if (!at.problem.potential().is_isotropic() && event.q.alpha != 0.0) {
+    out.failure = "of an anisotropic body events at alpha = 0 are followed alone";
+    return out;
+  }
+  for (EventCurveSystem<5>& system : spin_event_systems(setting, event, second, circle)) {
+    out = Follower<5>(setting, std::move(system), second, circle, options).both();
+    if (out.failure.empty()) break;
+  }
+  return out;
+}
+
 }  // namespace
 
-bool has_event_curve(EventType type, bool isotropic) {
+bool has_event_curve(EventType type, bool spin, bool isotropic) {
   switch (type) {
     case EventType::fold_nu:
     case EventType::fold_parameter:
     case EventType::fold_momentum:
     case EventType::tilt:
     case EventType::inertia_exchange:
-    case EventType::oblique:
     case EventType::shear:
       return true;
+    case EventType::oblique:
     case EventType::hamiltonian_hopf:
     case EventType::real_collision:
     case EventType::krein_pass:
-      return true;
+      return spin;
     case EventType::ellipse:
+      return isotropic;
     case EventType::ellipse_23:
     case EventType::ellipse_13:
-      return isotropic;
+      return spin && isotropic;
+    case EventType::zero_momentum:
+      return !spin;
     default:
       return false;
   }
@@ -309,19 +306,22 @@ bool has_event_curve(EventType type, bool isotropic) {
 
 EventCurve follow_event_curve(const EventCurveSetting& setting, const Member& event, double second,
                               Circle circle, const EventCurveOptions& options) {
-  const SpinningProblem at = setting.at(event.parameter, second);
-  const auto candidates = sought_events(setting.type, at.problem.branch(), event);
-  EventCurve out;
-  out.failure = "the event has no equations, or no spectrum was computed";
-  if (!at.problem.potential().is_isotropic() && event.q.alpha != 0.0) {
-    out.failure = "of an anisotropic body events at alpha = 0 are followed alone";
-    return out;
+  if (setting.spin) {
+    EventCurve out = follow_of_spin(setting, event, second, circle, options);
+    // Where alpha is an unknown, the family's own equations.
+    if (out.failure.empty() || event.q.alpha == 0.0) return out;
   }
-  for (const SoughtEvent& what : candidates) {
-    out = Follower(setting, what, event, second, circle, options).both();
-    if (out.failure.empty()) break;
-  }
-  return out;
+  const AnyFamily family = setting.family(event.parameter, second, false);
+  return std::visit(
+      [&]<int N>(const std::unique_ptr<Family<N>>&) {
+        EventCurve out;
+        out.failure = "the family has no equations for it";
+        if (auto system = family_event_system<N>(setting, event, second, circle))
+          out = Follower<event_dimension<N>>(setting, std::move(*system), second, circle, options)
+                    .both();
+        return out;
+      },
+      family);
 }
 
 }  // namespace stationary

@@ -12,8 +12,8 @@
 //   double                another event of the family in p1 lies at the same point
 //   degenerate-pitchfork  ellipses begin on the other side of the circle (pitchfork.hpp)
 //
-// Of spins about a material axis: of isotropic potentials, and of others that are even in alpha, on
-// sheets with alpha = 0.
+// Of every kind whose family knows its events' equations (Family::event_equations); where Lambdas
+// meet, of spins about a material axis with alpha = 0 alone.
 #pragma once
 
 #include <atomic>
@@ -44,12 +44,20 @@ struct SpinningProblem {
 };
 
 struct EventCurveSetting {
-  /// Throws std::invalid_argument where there is none at these values.
-  std::function<SpinningProblem(double first, double second)> at;
+  /// The family in p1 at this p2; a p1 of it where its other numbers are valid. Throws
+  /// std::invalid_argument where there is none.
+  std::function<AnyFamily(double first, double second, bool spectrum)> family;
   FamilyParameter first;
   FamilyParameter second;
   EventType type;
+  /// Of a spin about a material axis, whose events have equations of their own; else empty.
+  std::function<SpinningProblem(double first, double second)> spin{};
 };
+
+/// Of spins about a material axis, alpha = 0.
+EventCurveSetting spin_setting(std::function<SpinningProblem(double first, double second)> spin,
+                               const FamilyParameter& first, const FamilyParameter& second,
+                               EventType type);
 
 struct EventCurvePoint {
   Member member;        ///< of the family in p1, with its spectrum
@@ -89,8 +97,9 @@ struct EventCurve {
   bool interrupted = false;
 };
 
-/// Whether events of this type have such curves, of isotropic bodies or of others.
-bool has_event_curve(EventType type, bool isotropic = true);
+/// Whether events of this type have such curves. spin: of a spin about a material axis, alpha = 0;
+/// of another family the types of which it may have equations.
+bool has_event_curve(EventType type, bool spin, bool isotropic);
 
 /// From a located event of the family in p1 at this p2, in both directions. circle: that the
 /// family keeps.

@@ -1,29 +1,29 @@
 // The events of one type as a family in the second parameter (family.hpp), with the unknowns
 //
-//   x = (xi, zeta, rho, |p1|, |Lambda|),
+//   x = (xi, zeta, rho, |p1|, ...),
 //
-// whose signs are those of the event it starts at. The slopes are central differences of values in
-// extended precision, h = 2^-27, and as accurate as a double.
+// those of the event's equations (event_equations.hpp), whose signs are those of the event it starts
+// at. The slopes are central differences of values in extended precision, h = 2^-27, and as accurate
+// as a double.
 #pragma once
 
-#include <memory>
 #include <vector>
 
-#include "solver/event_curve/event_curve.hpp"
-#include "solver/proof/extended_event.hpp"
+#include "solver/event_curve/event_curve_system.hpp"
 
 namespace stationary {
 
-class EventCurveFamily final : public Family<ExtendedEventEquations::dimension> {
+template <int N>
+class EventCurveFamily final : public Family<N> {
  public:
-  static constexpr int N = ExtendedEventEquations::dimension;
-  static constexpr int first = ExtendedEventEquations::parameter;  ///< the place of p1 in x
+  static constexpr int first = ExtendedEventEquations<N>::parameter;  ///< the place of p1 in x
   using X = ReducedVector<N>;
 
-  /// setting: held is the second parameter. start: the event.
-  EventCurveFamily(const EventSetting& setting, const SoughtEvent& what, const Member& start);
+  explicit EventCurveFamily(EventCurveSystem<N> system);
 
-  Branch branch() const override { return branch_; }
+  const EventCurveSystem<N>& system() const { return system_; }
+
+  Branch branch() const override { return system_.branch; }
   bool along_nu() const override { return false; }
   bool material_symmetry() const override { return false; }
   KindEvents events() const override;
@@ -39,6 +39,7 @@ class EventCurveFamily final : public Family<ExtendedEventEquations::dimension> 
   /// The stretches alone.
   Member member(const X& x, const X& tail, double p, double error_bound) const override;
 
+  X signed_unknowns(const X& x) const { return sign_.cwiseProduct(x); }
   double first_parameter(const X& x) const { return sign_[first] * x[first]; }
 
  private:
@@ -50,13 +51,12 @@ class EventCurveFamily final : public Family<ExtendedEventEquations::dimension> 
   };
   Slopes slopes(const ExtendedVector<N>& y, double p) const;
 
-  Branch branch_;
-  Potential potential_;
-  FamilyParameter first_parameter_;
-  FamilyParameter second_parameter_;
-  std::unique_ptr<ExtendedEventEquations> equations_;
+  EventCurveSystem<N> system_;
   X start_;
   X sign_;
 };
+
+extern template class EventCurveFamily<5>;
+extern template class EventCurveFamily<6>;
 
 }  // namespace stationary

@@ -7,21 +7,14 @@
 #include <variant>
 
 #include "solver/continuation/corrector.hpp"
-#include "solver/family/axis_family.hpp"
 
 namespace stationary {
 namespace {
 
-AnyFamily family_at(const SpinningProblem& at, const FamilyParameter& first, bool spectrum) {
-  return axis_family(at.problem, {.nu = at.nu, .parameter = first, .spectrum = spectrum}, false);
-}
-
-/// answer(family) of an isotropic body's family: two or three unknowns.
+/// answer(family).
 template <class Answer>
-auto visit_axis(const AnyFamily& family, const Answer& answer) {
-  if (const auto* planar = std::get_if<std::unique_ptr<Family<2>>>(&family))
-    return answer(**planar);
-  return answer(*std::get<std::unique_ptr<Family<3>>>(family));
+auto visit_family(const AnyFamily& family, const Answer& answer) {
+  return std::visit([&](const auto& own) { return answer(*own); }, family);
 }
 
 template <int N>
@@ -43,7 +36,7 @@ template <int N>
 std::optional<Side<N>> beside(const Family<N>& family, const EventPlace& place, bool fold,
                               double side) {
   const Corrector<N> corrector(family, 1.0, place.circle);
-  const ReducedVector<N> x = unknowns<N>(place.q);
+  const ReducedVector<N> x = EventPlace::of<N>(place.x);
   const FamilyLinearization<N> at = corrector.linearize(x, place.first);
   Side<N> out;
   if (fold) {
@@ -73,19 +66,31 @@ std::optional<StabilityClass> class_of(const Member& member) {
 
 }  // namespace
 
-Member member_at(const SpinningProblem& at, const FamilyParameter& first, const EventPlace& place,
-                 bool spectrum) {
-  const AnyFamily family = family_at(at, first, spectrum);
-  return visit_axis(family, [&]<int N>(const Family<N>& own) {
-    return own.member(unknowns<N>(place.q), ReducedVector<N>(place.tail.template head<N>()),
-                      place.first, place.error_bound);
+EventPlace place_of(const AnyFamily& family, const Member& member, Circle circle) {
+  EventPlace out{.first = member.parameter, .error_bound = member.error_bound, .circle = circle};
+  out.x[2] = member.q.rho;
+  visit_family(family,
+               [&](const auto& own) { EventPlace::put(own.coordinates_of(member), out.x); });
+  return out;
+}
+
+EventPlace place_of(const AnyFamily& family, const Stretch& q, double first, double error_bound,
+                    Circle circle) {
+  EventPlace out{.first = first, .error_bound = error_bound, .circle = circle};
+  out.x[2] = q.rho;
+  visit_family(family, [&](const auto& own) { EventPlace::put(own.coordinates(q, first), out.x); });
+  return out;
+}
+
+Member member_at(const AnyFamily& family, const EventPlace& place) {
+  return visit_family(family, [&]<int N>(const Family<N>& own) {
+    return own.member(EventPlace::of<N>(place.x), EventPlace::of<N>(place.tail), place.first,
+                      place.error_bound);
   });
 }
 
-EventSides sides_of(const SpinningProblem& at, const FamilyParameter& first,
-                    const EventPlace& place, bool fold) {
-  const AnyFamily family = family_at(at, first, true);
-  return visit_axis(family, [&]<int N>(const Family<N>& own) {
+EventSides sides_of(const AnyFamily& family, const EventPlace& place, bool fold) {
+  return visit_family(family, [&]<int N>(const Family<N>& own) {
     auto before = beside(own, place, fold, -1.0);
     auto after = beside(own, place, fold, 1.0);
     if (!before || !after) return EventSides{};
@@ -95,48 +100,28 @@ EventSides sides_of(const SpinningProblem& at, const FamilyParameter& first,
   });
 }
 
-TestValues functions_at(const SpinningProblem& at, const FamilyParameter& first,
-                        const EventPlace& place, const Member& member) {
-  const AnyFamily family = family_at(at, first, false);
-  return visit_axis(family, [&]<int N>(const Family<N>& own) {
+EventFunctions functions_at(const AnyFamily& family, const EventPlace& place,
+                            const Member& member) {
+  return visit_family(family, [&]<int N>(const Family<N>& own) {
     const Corrector<N> corrector(own, 1.0, place.circle);
-    const FamilyLinearization<N> G = corrector.linearize(unknowns<N>(place.q), place.first);
+    const FamilyLinearization<N> G = corrector.linearize(EventPlace::of<N>(place.x), place.first);
     const SpinInertia<N> I = own.spin_inertia(member);
     Eigen::Matrix<double, N + 1, N + 1> bordered;
     bordered.template topLeftCorner<N, N>() = G.jacobian;
     bordered.template topRightCorner<N, 1>() = member.nu * G.nu_slope;
     bordered.template bottomLeftCorner<1, N>() = 2.0 * I.half_slope.transpose();
     bordered(N, N) = I.own;
-    const TestContext context{.branch = own.branch(),
-                              .material_symmetry = own.material_symmetry(),
-                              .circle = place.circle,
-                              .along_nu = own.turns_in_nu()};
-    return test_values(member, context, G.jacobian.determinant(), bordered.determinant() / I.own,
-                       place.error_bound);
+    EventFunctions out{{},
+                       {.branch = own.branch(),
+                        .material_symmetry = own.material_symmetry(),
+                        .circle = place.circle,
+                        .kind = own.events(),
+                        .along_nu = own.turns_in_nu()},
+                       G.jacobian.determinant()};
+    out.values = test_values(member, out.context, out.turning, bordered.determinant() / I.own,
+                             place.error_bound);
+    return out;
   });
-}
-
-std::optional<std::size_t> own_function(const EventFunction& function) {
-  using Kind = EventFunction::Kind;
-  switch (function.kind) {
-    case Kind::fold:
-      return TestValues::fold;
-    case Kind::momentum:
-      return TestValues::momentum;
-    case Kind::inertia:
-      return function.a + function.b == 1   ? TestValues::inertia_12
-             : function.a + function.b == 2 ? TestValues::inertia_13
-                                            : TestValues::inertia_23;
-    case Kind::ellipse:
-      return TestValues::ellipse;
-    case Kind::turn:
-      return TestValues::turn;
-    case Kind::collision:
-      return TestValues::collision;
-    case Kind::crossing:
-      return std::nullopt;
-  }
-  return std::nullopt;
 }
 
 }  // namespace stationary

@@ -1,17 +1,16 @@
 #include "solver/event_curve/oriented_event_equations.hpp"
 
-#include <algorithm>
 #include <array>
 
-#include "solver/event_curve/event_sides.hpp"
+#include "solver/event_curve/event_curve_system.hpp"
 #include "solver/family/oriented_events.hpp"
 
 namespace stationary {
 namespace {
 
-constexpr int all = ExtendedEventEquations::dimension;
-constexpr auto p_place = static_cast<std::size_t>(ExtendedEventEquations::parameter);
-constexpr auto lambda_place = static_cast<std::size_t>(ExtendedEventEquations::lambda);
+constexpr int all = 5;
+constexpr auto p_place = static_cast<std::size_t>(ExtendedEventEquations<all>::parameter);
+constexpr auto lambda_place = static_cast<std::size_t>(ExtendedEventEquations<all>::lambda);
 
 /// Of xi, zeta, rho, p and Lambda: the balance, and two modes that meet.
 class MeetingSystem : public SpinSystem<MeetingSystem, all> {
@@ -41,14 +40,14 @@ class MeetingSystem : public SpinSystem<MeetingSystem, all> {
   MeetingModes modes_;
 };
 
-class OrientedEventEquations final : public ExtendedEventEquations {
+class OrientedEventEquations final : public HeldEventEquations<all> {
   /// answer(the event's own equations): where no Lambda is an unknown, one fewer.
   template <class Answer>
   auto with_system(const Answer& answer) const {
     const VariedSpin spin(potential_, body_, nu_, parameter_,
                           coefficient_place(potential_, parameter_));
     if (!function_.spectral())
-      return answer(OrientedEventSystem<StraightLayout>(spin, branch_, *own_function(function_)));
+      return answer(OrientedEventSystem<StraightLayout>(spin, branch_, *test_function(function_)));
     const SpinBlocks blocks{branch_, !potential_.is_separable(),
                             potential_.body().volume.has_value()};
     return answer(MeetingSystem(spin, blocks, function_.meeting()));
@@ -82,43 +81,26 @@ class OrientedEventEquations final : public ExtendedEventEquations {
   }
 
   ExtendedVector<all> values(const ExtendedVector<all>& y) const override {
-    return with_system([&](const auto& system) {
-      ExtendedVector<all> out;
-      out[lambda_place] = y[lambda_place] - DoubleDouble(1.0);
-      const auto at = system.values(own(system, y), {});
-      std::copy(at.begin(), at.end(), out.begin());
-      return out;
-    });
+    return with_system([&](const auto& system) { return in_places(system).values(y); });
   }
   std::optional<ExtendedRoot<all>> root(const ExtendedVector<all>& y) const override {
-    return with_system([&](const auto& system) -> std::optional<ExtendedRoot<all>> {
-      const auto found = extended_root(system, own(system, y));
-      if (!found) return std::nullopt;
-      ExtendedRoot<all> out{y, {}};
-      out.y[lambda_place] = DoubleDouble(1.0);
-      std::copy(found->y.begin(), found->y.end(), out.y.begin());
-      std::copy(found->error.begin(), found->error.end(), out.error.begin());
-      return out;
-    });
+    return with_system([&](const auto& system) { return in_places(system).root(y); });
   }
-  std::array<double, all> conditions(const ExtendedVector<all>& y) const override {
-    return with_system([&]<class System>(const System& system) {
-      std::array<Conditioned, System::dimension> rounded;
-      for (std::size_t k = 0; k < rounded.size(); ++k)
-        rounded[k] = Conditioned::input(double(y[k]));
-      const auto at = system.conditioned(rounded, false);
-      std::array<double, all> out{};
-      for (std::size_t k = 0; k < at.size(); ++k) out[k] = at[k].condition;
-      return out;
-    });
+  Errors conditions(const ExtendedVector<all>& y) const override {
+    return with_system([&](const auto& system) { return in_places(system).conditions(y); });
   }
 
  private:
+  /// The system's unknowns are the first of all.
   template <class System>
-  static ExtendedVector<System::dimension> own(const System&, const ExtendedVector<all>& y) {
-    ExtendedVector<System::dimension> out;
-    std::copy_n(y.begin(), out.size(), out.begin());
-    return out;
+  static EventSystemInPlaces<all, System> in_places(const System& system) {
+    using InPlaces = EventSystemInPlaces<all, System>;
+    static constexpr typename InPlaces::Places places = [] {
+      typename InPlaces::Places out{};
+      for (std::size_t k = 0; k < out.size(); ++k) out[k] = k;
+      return out;
+    }();
+    return {system, places};
   }
 
   AnisotropicPotential potential_;
@@ -132,8 +114,8 @@ class OrientedEventEquations final : public ExtendedEventEquations {
 
 }  // namespace
 
-std::unique_ptr<ExtendedEventEquations> oriented_event_equations(const EventSetting& setting,
-                                                                 const EventFunction& function) {
+std::unique_ptr<HeldEventEquations<5>> oriented_event_equations(const EventSetting& setting,
+                                                                const EventFunction& function) {
   return std::make_unique<OrientedEventEquations>(setting, function);
 }
 

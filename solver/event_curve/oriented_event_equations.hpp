@@ -10,7 +10,7 @@
 namespace stationary {
 
 /// setting.held: the second parameter.
-std::unique_ptr<ExtendedEventEquations> oriented_event_equations(const EventSetting& setting,
-                                                                 const EventFunction& function);
+std::unique_ptr<HeldEventEquations<5>> oriented_event_equations(const EventSetting& setting,
+                                                                const EventFunction& function);
 
 }  // namespace stationary

@@ -27,6 +27,7 @@ template <class Layout>
 class AnisotropicFamily final : public Family<Layout::dimension> {
  public:
   static constexpr int N = Layout::dimension;
+  using EventEquations = ExtendedEventEquations<event_dimension<N>>;
 
   AnisotropicFamily(const Body& body, const AnisotropicPotential& potential, Branch branch,
                     const AxisFamilyOptions& options)
@@ -157,21 +158,23 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     }
   }
 
-  std::optional<ExtendedEvent<N>> event_at(EventType type, Circle,
+  std::optional<ExtendedEvent<N>> event_at(EventType type, Circle circle,
                                            const Member& near) const override {
-    if (near.parameter == 0.0) return std::nullopt;
-    if (Layout::alpha && (type == EventType::shear || type == EventType::oblique)) {
-      // Where alpha comes to 0: of the family it branches off, if there is one.
-      if (!keeps_shear_free(models_->potential, options_.parameter)) return std::nullopt;
-      const ReducedVector<N> x = coordinates_of(near);
-      const auto straight =
-          event_near<StraightLayout>(straight_branch(x), TestValues::turn, x, near.parameter);
-      if (!straight) return std::nullopt;
-      ExtendedEvent<N> out{
-          {}, straight->parameter, straight->error_bound, straight->parameter_bound};
-      for (int i = 0; i < N; ++i) out.x[index(i)] = i < 3 ? straight->x[index(i)] : x[i];
-      return out;
-    }
+    if (!meets_mirror(type)) return Family<N>::event_at(type, circle, near);
+    // Of the family with alpha = 0, if there is one.
+    if (near.parameter == 0.0 || !keeps_shear_free(models_->potential, options_.parameter))
+      return std::nullopt;
+    const ReducedVector<N> x = coordinates_of(near);
+    const auto straight = straight_turn(straight_branch(x), x, near.parameter);
+    if (!straight) return std::nullopt;
+    ExtendedEvent<N> out{{}, straight->parameter, straight->error_bound, straight->parameter_bound};
+    for (int i = 0; i < N; ++i) out.x[index(i)] = i < 3 ? straight->x[index(i)] : x[i];
+    return out;
+  }
+  /// None where alpha comes to 0: those are the events of the family that this branches off.
+  std::unique_ptr<EventEquations> event_equations(EventType type, Circle,
+                                                  const Member& near) const override {
+    if (meets_mirror(type)) return nullptr;
     const TestContext context{
         .branch = branch(), .material_symmetry = false, .kind = events(), .along_nu = along_nu()};
     const TestValues at = test_values(near, context, 0.0, 0.0);
@@ -180,8 +183,8 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       if (std::isnan(at.value[k]) || event_type(k, context, at) != type) continue;
       if (!function || std::abs(at.value[k]) < std::abs(at.value[*function])) function = k;
     }
-    if (!function) return std::nullopt;
-    return event_near<Layout>(branch_, *function, coordinates_of(near), near.parameter);
+    if (!function) return nullptr;
+    return equations_of<Layout>(branch_, *function);
   }
 
   Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,
@@ -258,8 +261,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
           at[Layout::axis_place] =
               axis_coordinate(std::copysign(angle, log(x[Layout::axis_place])));
         }
-        if (const auto known = event_near<StraightLayout>(straight, TestValues::turn, found->x,
-                                                          0.5 * (low + high))) {
+        if (const auto known = straight_turn(straight, found->x, 0.5 * (low + high))) {
           ReducedVector<N> tail = ReducedVector<N>::Zero();
           for (int i = 0; i < 3; ++i) {
             at[i] = double(known->x[index(i)]);
@@ -322,24 +324,34 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     if constexpr (!Layout::alpha) out.turn = turn_at(at, branch_, V.hessian(0, 0), out.q);
   }
 
-  /// An event in a layout: this family's own, or the one with alpha = 0 that it branches off.
-  template <class Its, class X>
-  std::optional<ExtendedEvent<Its::dimension>> event_near(Branch branch, std::size_t function,
-                                                          const X& x, double p) const {
-    const OrientedEventSystem<Its> system(
-        VariedSpin(models_->potential, body_, options_.nu, options_.parameter, coefficient_place()),
-        branch, function);
-    ExtendedVector<Its::dimension + 1> y;
-    for (int i = 0; i < Its::dimension; ++i) y[index(i)] = x[i];
-    y.back() = p;
-    const auto root = extended_root(system, y);
+  static bool meets_mirror(EventType type) {
+    return Layout::alpha && (type == EventType::shear || type == EventType::oblique);
+  }
+
+  /// In a layout: this family's own, or that of the one with alpha = 0 that it branches off.
+  template <class Its>
+  std::unique_ptr<ExtendedEventEquations<event_dimension<Its::dimension>>> equations_of(
+      Branch branch, std::size_t function) const {
+    using System = OrientedEventSystem<Its>;
+    std::array<std::size_t, Its::dimension + 1> places;
+    for (std::size_t k = 0; k < Its::dimension; ++k) places[k] = event_place(k);
+    places.back() = EventEquations::parameter;
+    return std::make_unique<SystemEventEquations<event_dimension<Its::dimension>, System>>(
+        System(VariedSpin(models_->potential, body_, options_.nu, options_.parameter,
+                          coefficient_place()),
+               branch, function),
+        places, false, StretchErrorRule{.factor = bound_factor});
+  }
+  /// Where the family with alpha = 0 turns away from the material axes.
+  std::optional<ExtendedEvent<3>> straight_turn(Branch branch, const auto& x, double p) const {
+    const auto equations = equations_of<StraightLayout>(branch, TestValues::turn);
+    const auto root = equations->root({DoubleDouble(x[0]), DoubleDouble(x[1]), DoubleDouble(x[2]),
+                                       DoubleDouble(p), DoubleDouble(1.0)});
     if (!root) return std::nullopt;
-    ExtendedEvent<Its::dimension> out{{}, root->y.back(), 0.0, root->error.back()};
-    for (std::size_t i = 0; i < out.x.size(); ++i) {
-      out.x[i] = root->y[i];
-      out.error_bound = std::max(out.error_bound, bound_factor * root->error[i]);
-    }
-    return out;
+    return ExtendedEvent<3>{{root->y[0], root->y[1], root->y[2]},
+                            root->y[EventEquations::parameter],
+                            equations->stretch_error(root->error),
+                            root->error[EventEquations::parameter]};
   }
 
   Setting setting(double p) const {

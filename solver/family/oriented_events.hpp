@@ -11,8 +11,8 @@
 #include "lib/body/inertia.hpp"
 #include "lib/number/elementary.hpp"
 #include "solver/motion/event.hpp"
+#include "solver/motion/event_equations.hpp"
 #include "solver/motion/event_functions.hpp"
-#include "solver/motion/extended_root.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/oriented_system.hpp"
 

@@ -9,8 +9,8 @@
 #pragma once
 
 #include "solver/motion/event.hpp"
+#include "solver/motion/event_equations.hpp"
 #include "solver/motion/event_functions.hpp"
-#include "solver/motion/extended_root.hpp"
 #include "solver/motion/varied_balance.hpp"
 #include "solver/proof/event_enclosure.hpp"
 

@@ -67,18 +67,14 @@ class TiltedFamily final : public Family<2> {
     return 0x1p-53 * at.input_sensitivity(x) / at.linearize(x).magnitude;
   }
 
-  std::optional<ExtendedEvent<2>> event_at(EventType type, Circle,
-                                           const Member& near) const override {
+  std::unique_ptr<ExtendedEventEquations<5>> event_equations(EventType type, Circle,
+                                                             const Member& near) const override {
     const auto kind = vanishing_at(type, near);
-    if (!kind) return std::nullopt;
-    const auto root = extended_root(TiltedEventSystem(body_, potential_, plane_, *kind),
-                                    {near.q.xi, near.q.zeta, near.parameter});
-    if (!root) return std::nullopt;
-    return ExtendedEvent<2>{{root->y[0], root->y[1]},
-                            root->y[2],
-                            // rho has its own error of the J that tie it
-                            std::max(root->error[0], root->error[1]) + 0x1p-53,
-                            root->error[2]};
+    if (!kind) return nullptr;
+    // rho has its own error of the J that tie it.
+    return std::make_unique<SystemEventEquations<5, TiltedEventSystem>>(
+        TiltedEventSystem(body_, potential_, plane_, *kind), std::array<std::size_t, 3>{0, 1, 3},
+        false, StretchErrorRule{.rounding = 0x1p-53});
   }
 
   Member member(const ReducedVector<2>& x, const ReducedVector<2>& tail, double p,

@@ -105,32 +105,19 @@ class TwoPolarFamily final
     }
   }
 
-  std::optional<ExtendedEvent<N>> event_at(EventType type, Circle section,
-                                           const Member& near) const override {
+  std::unique_ptr<ExtendedEventEquations<5>> event_equations(EventType type, Circle section,
+                                                             const Member& near) const override {
     const bool circle = section != Circle::none;
     const auto what = vanishing_at(type, circle, near);
-    if (!what || near.parameter == 0.0) return std::nullopt;
-    const auto& [xi, zeta, rho] = std::tie(near.q.xi, near.q.zeta, near.q.rho);
-    ExtendedEvent<N> out;
-    const auto take = [&](const auto& root, const std::array<std::size_t, 3>& places) {
-      if (!root) return false;
-      for (std::size_t i = 0; i < out.x.size(); ++i) out.x[i] = root->y[places[i]];
-      const std::size_t p = places[2] + 1;
-      out.parameter = root->y[p];
-      out.error_bound = *std::max_element(root->error.begin(), root->error.begin() + places[2] + 1);
-      out.parameter_bound = root->error[p];
-      return true;
+    if (!what) return nullptr;
+    const auto equations =
+        [&]<bool round>(const auto& places) -> std::unique_ptr<ExtendedEventEquations<5>> {
+      using System = TwoPolarEventSystem<Motion, round>;
+      return std::make_unique<SystemEventEquations<5, System>>(
+          System(base_.body, potential_, base_.motion, parameter_, *what), places, round);
     };
-    const bool found =
-        circle ? take(extended_root(TwoPolarEventSystem<Motion, true>(
-                                        base_.body, potential_, base_.motion, parameter_, *what),
-                                    {xi, rho, near.parameter}),
-                      {0, 0, 1})
-               : take(extended_root(TwoPolarEventSystem<Motion, false>(
-                                        base_.body, potential_, base_.motion, parameter_, *what),
-                                    {xi, zeta, rho, near.parameter}),
-                      {0, 1, 2});
-    return found ? std::optional(out) : std::nullopt;
+    if (circle) return equations.template operator()<true>(std::array<std::size_t, 3>{0, 2, 3});
+    return equations.template operator()<false>(std::array<std::size_t, 4>{0, 1, 2, 3});
   }
 
   Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "lib/material/models/tape_model.hpp"
 #include "lib/stability/spectrum.hpp"
 #include "solver/motion/equilibrium.hpp"
+#include "solver/motion/event_equations.hpp"
 #include "solver/newton/refine.hpp"
 
 namespace stationary {
@@ -99,6 +101,16 @@ struct ExtendedEvent {
   double error_bound;      ///< relative, of the stretches
   double parameter_bound;  ///< relative
 };
+/// A located event as its equations have it; x: the family's unknowns there.
+template <int N>
+ExtendedVector<event_dimension<N>> event_unknowns(const Member& near, const ReducedVector<N>& x) {
+  ExtendedVector<event_dimension<N>> y;
+  y.fill(DoubleDouble(1.0));
+  y[2] = DoubleDouble(near.q.rho);
+  for (int k = 0; k < N; ++k) y[event_place(static_cast<std::size_t>(k))] = DoubleDouble(x[k]);
+  y[ExtendedEventEquations<event_dimension<N>>::parameter] = DoubleDouble(near.parameter);
+  return y;
+}
 enum class EventType : std::uint8_t;
 struct TestContext;
 struct TestValues;
@@ -229,10 +241,25 @@ class Family {
   virtual ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const = 0;
   /// |change of G| by half a unit in the last place of every input, rows divided likewise.
   virtual ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const = 0;
+  /// Of events of this type near a located member; null where there are none. The family outlives
+  /// them.
+  virtual std::unique_ptr<ExtendedEventEquations<event_dimension<N>>> event_equations(
+      EventType, Circle, const Member&) const {
+    return nullptr;
+  }
   /// The event near a located member of this type by its own equations. Nothing where there are
   /// none or they are singular.
-  virtual std::optional<ExtendedEvent<N>> event_at(EventType, Circle, const Member&) const {
-    return std::nullopt;
+  virtual std::optional<ExtendedEvent<N>> event_at(EventType type, Circle circle,
+                                                   const Member& near) const {
+    if (near.parameter == 0.0) return std::nullopt;
+    const auto equations = event_equations(type, circle, near);
+    if (!equations) return std::nullopt;
+    const auto root = equations->root(event_unknowns(near, coordinates_of(near)));
+    if (!root) return std::nullopt;
+    constexpr std::size_t p = ExtendedEventEquations<event_dimension<N>>::parameter;
+    ExtendedEvent<N> out{{}, root->y[p], equations->stretch_error(root->error), root->error[p]};
+    for (std::size_t k = 0; k < out.x.size(); ++k) out.x[k] = root->y[event_place(k)];
+    return out;
   }
   /// tail: from refine_at; NaN makes the spectrum correct x once more.
   virtual Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,

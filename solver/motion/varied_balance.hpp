@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "lib/balance/spatial_balance.hpp"
@@ -14,24 +13,9 @@
 #include "lib/number/first_order_bound_functions.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"
+#include "solver/newton/extended_root.hpp"
 
 namespace stationary {
-
-/// One of the inputs is larger by a relative amount; none where there is no such input.
-struct InputChange {
-  std::size_t input = std::numeric_limits<std::size_t>::max();
-  double relative = 0.0;
-
-  /// Input number k, of this value.
-  DoubleDouble operator()(double value, std::size_t k) const {
-    return k == input ? DoubleDouble(value) + two_product(value, relative) : DoubleDouble(value);
-  }
-  /// Of the inputs from number k on.
-  InputChange from(std::size_t k) const {
-    return input == InputChange().input || input < k ? InputChange()
-                                                     : InputChange{input - k, relative};
-  }
-};
 
 /// Whether the number of this kind and place is the parameter.
 constexpr bool varies(const FamilyParameter& parameter, FamilyParameter::Kind kind, int index) {

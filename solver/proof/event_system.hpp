@@ -17,7 +17,6 @@
 #include "lib/body/circle.hpp"
 #include "lib/number/dual.hpp"
 #include "solver/motion/event_functions.hpp"
-#include "solver/motion/extended_root.hpp"
 #include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"
 #include "solver/motion/varied_balance.hpp"

@@ -9,12 +9,12 @@
 namespace stationary {
 namespace {
 
-constexpr int all = ExtendedEventEquations::dimension;
-constexpr auto p_place = static_cast<std::size_t>(ExtendedEventEquations::parameter);
-constexpr auto lambda_place = static_cast<std::size_t>(ExtendedEventEquations::lambda);
+constexpr int all = 5;
+using Equations = HeldEventEquations<all>;
+constexpr auto p_place = static_cast<std::size_t>(Equations::parameter);
 
 template <bool circle, bool spectral>
-class EquationsOf final : public ExtendedEventEquations {
+class EquationsOf final : public Equations {
  public:
   EquationsOf(const EventSetting& setting, const EventFunction& function)
       : setting_(setting), system_(setting_, function) {}
@@ -22,60 +22,29 @@ class EquationsOf final : public ExtendedEventEquations {
   void hold(double value) override { setting_.held->value = value; }
 
   ExtendedVector<all> values(const ExtendedVector<all>& y) const override {
-    return with_the_rest(system_.values(own(y), {}), y);
+    return in_places_.values(y);
   }
   std::optional<ExtendedRoot<all>> root(const ExtendedVector<all>& y) const override {
-    const auto found = extended_root(system_, own(y));
-    if (!found) return std::nullopt;
-    ExtendedRoot<all> out{y, {}};
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      out.y[places[k]] = found->y[k];
-      out.error[places[k]] = found->error[k];
-    }
-    if constexpr (circle) {
-      out.y[1] = out.y[0];
-      out.error[1] = out.error[0];
-    }
-    if constexpr (!spectral) out.y[lambda_place] = DoubleDouble(1.0);
-    return out;
+    return in_places_.root(y);
   }
-  std::array<double, all> conditions(const ExtendedVector<all>& y) const override {
-    std::array<Conditioned, places.size()> rounded;
-    for (std::size_t k = 0; k < places.size(); ++k)
-      rounded[k] = Conditioned::input(double(y[places[k]]));
-    const auto at = system_.conditioned(rounded, false);
-    std::array<double, all> out{};
-    for (std::size_t k = 0; k < places.size(); ++k) out[places[k]] = at[k].condition;
-    return out;
+  Errors conditions(const ExtendedVector<all>& y) const override {
+    return in_places_.conditions(y);
   }
 
  private:
   using System = ExtendedEventSystem<circle, spectral>;
-  /// Of the system's unknowns and equations, among all.
-  static constexpr auto places = [] {
-    std::array<std::size_t, static_cast<std::size_t>(System::dimension)> out{};
+  using InPlaces = EventSystemInPlaces<all, System>;
+  static constexpr typename InPlaces::Places places = [] {
+    typename InPlaces::Places out{};
     std::size_t k = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(all); ++i)
-      if (!(circle && i == 1) && (spectral || i != lambda_place)) out[k++] = i;
+      if (!(circle && i == 1) && (spectral || i != static_cast<std::size_t>(lambda))) out[k++] = i;
     return out;
   }();
 
-  static ExtendedVector<System::dimension> own(const ExtendedVector<all>& y) {
-    ExtendedVector<System::dimension> out;
-    for (std::size_t k = 0; k < places.size(); ++k) out[k] = y[places[k]];
-    return out;
-  }
-  static ExtendedVector<all> with_the_rest(const ExtendedVector<System::dimension>& values,
-                                           const ExtendedVector<all>& y) {
-    ExtendedVector<all> out;
-    for (std::size_t k = 0; k < places.size(); ++k) out[places[k]] = values[k];
-    if constexpr (circle) out[1] = y[1] - y[0];
-    if constexpr (!spectral) out[lambda_place] = y[lambda_place] - DoubleDouble(1.0);
-    return out;
-  }
-
   EventSetting setting_;
   System system_;
+  InPlaces in_places_{system_, places, circle};
 };
 
 /// Whether an event found is the one located, and not another of its kind.
@@ -89,8 +58,8 @@ bool is_near(const ExtendedRoot<all>& found, const Member& located) {
 
 }  // namespace
 
-std::unique_ptr<ExtendedEventEquations> extended_event_equations(const EventSetting& setting,
-                                                                 const EventFunction& function) {
+std::unique_ptr<Equations> extended_event_equations(const EventSetting& setting,
+                                                    const EventFunction& function) {
   if (function.spectral()) {
     if (setting.circle == Circle::xi_zeta)
       return std::make_unique<EquationsOf<true, true>>(setting, function);

@@ -88,11 +88,11 @@ void compare(const Families& families, std::map<EventType, Count>& counts) {
   const bool isotropic = own.potential().is_isotropic();
   for (const testing::FollowedRow& row : sheet.events()) {
     Count& count = counts[row.event];
-    if (!has_event_curve(row.event, isotropic) || count.values >= enough) continue;
+    if (!has_event_curve(row.event, true, isotropic) || count.values >= enough) continue;
     const auto at = [&](double nu, double second) {
       return SpinningProblem{families.at(second), nu};
     };
-    const EventCurve curve = follow_event_curve({at, {}, families.second, row.event}, row.member,
+    const EventCurve curve = follow_event_curve(spin_setting(at, {}, families.second, row.event), row.member,
                                                 families.own, circle_of(own, families.second),
                                                 {.first_from = 0.0,
                                                  .first_to = families.to,

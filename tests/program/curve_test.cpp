@@ -327,6 +327,85 @@ to = [0.9, 0.8]
   }
 }
 
+/// Of motions of other kinds, whose families have equations of their own for it: the ends of the curve,
+/// as continue finds the event there.
+TEST_F(Curve, OfOtherMotions) {
+  struct Asked {
+    const char* of;
+    const char* event;
+    const char* first;
+    const char* second;
+    std::array<double, 2> from;
+    std::array<double, 2> to;
+    const char* column;  ///< of continue's table: the first; empty: |nu|
+    const char* proven;
+  };
+  for (const Asked& each :
+       {Asked{"tilted", "tilt", "nu", "body.J.1", {1.0, 1.68}, {1.12, 1.72}, "", "yes"},
+        {"oblique", "tilt", "nu", "potential.fibre.degrees", {0.3, 28.0}, {0.785, 32.0}, "", "no"},
+        {"fibre", "tilt", "nu", "potential.fibre.degrees", {0.3, 28.0}, {0.79, 32.0}, "", "no"},
+        {"two_polar",
+         "ellipse",
+         "motion.theta_dot",
+         "potential.plane.mu",
+         {-0.7, 0.88},
+         {-0.3, 0.92},
+         "theta_dot",
+         "yes"},
+        {"two_polar_momenta",
+         "tilt",
+         "motion.s3",
+         "body.J.2",
+         {0.3, 0.58},
+         {4.0, 0.62},
+         "s3",
+         "yes"}}) {
+    SCOPED_TRACE(each.of);
+    const std::string file = std::string(STATIONARY_CASES "/") + each.of + ".toml";
+    const auto pair = [](const std::array<double, 2>& at) {
+      return "[" + std::to_string(at[0]) + ", " + std::to_string(at[1]) + "]";
+    };
+    const Outcome outcome = run_program(
+        {"curve", file, "-o", out_, "--certify", "--set", std::string("curve.event=") + each.event,
+         "--set", std::string("curve.parameters=[\"") + each.first + "\", \"" + each.second + "\"]",
+         "--set", "curve.from=" + pair(each.from), "--set", "curve.to=" + pair(each.to)});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::vector<Row> curve = rows();
+    ASSERT_GE(curve.size(), 2U);
+    for (const Row* row : {&curve.front(), &curve.back()}) {
+      EXPECT_EQ(row->at("certified"), each.proven);
+      const std::string own = directory_ / "own.csv";
+      const Outcome continued =
+          run_program({"continue", file, "-o", own, "-q", "--set",
+                       std::string(each.second) + "=" + row->at(each.second), "--set",
+                       "continuation.to=" + std::to_string(each.to[0])});
+      ASSERT_EQ(continued.code, 0) << continued.err;
+      double nearest = 1.0;
+      for (const Row& found : rows_of(text_of(own))) {
+        if (found.at("event") != each.event) continue;
+        const double p = *each.column == '\0'
+                             ? std::hypot(number(found.at("nu1")), number(found.at("nu2")),
+                                          number(found.at("nu3")))
+                             : number(found.at(each.column));
+        nearest = std::min(nearest, std::abs(p - number(row->at(each.first))));
+      }
+      EXPECT_LE(nearest, 1e-12) << row->at(each.second);
+    }
+  }
+  const Outcome refused =
+      run_program({"curve", STATIONARY_CASES "/tilted.toml", "-o", out_, "--set",
+                   "curve.event=krein-pass", "--set", "curve.parameters=[\"nu\", \"body.J.1\"]",
+                   "--set", "curve.from=[1.0, 1.6]", "--set", "curve.to=[1.1, 1.8]"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("branch \"tilted\""));
+  const Outcome in_inertia =
+      run_program({"curve", STATIONARY_CASES "/tilted.toml", "-o", out_, "--set",
+                   "curve.event=tilt", "--set", "curve.parameters=[\"body.J.1\", \"nu\"]", "--set",
+                   "curve.from=[1.6, 1.0]", "--set", "curve.to=[1.8, 1.1]"});
+  EXPECT_EQ(in_inertia.code, 2);
+  EXPECT_THAT(in_inertia.err, HasSubstr("curve.parameters.0"));
+}
+
 /// A ratio's curve is that of the number it varies, in units of the other.
 TEST_F(Curve, InARatioOfTwoNumbers) {
   ASSERT_EQ(run(fold_of_hencky, {"--set", "body.J=[2.0, 1.7, 0.6]"}).code, 0);
@@ -406,7 +485,7 @@ nu = 0.3
 )");
   EXPECT_EQ(missing.code, 2);
   EXPECT_THAT(missing.err, HasSubstr("add [curve]"));
-  const Outcome tilted = with({"motion.branch=tilted"});
+  const Outcome tilted = with({"motion.branch=tilted", "curve.event=krein-pass"});
   EXPECT_EQ(tilted.code, 2);
   EXPECT_THAT(tilted.err, HasSubstr("for curve"));
 }

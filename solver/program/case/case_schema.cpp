@@ -23,10 +23,10 @@ using enum KeyType;
 
 constexpr std::string_view branches[] = {name(Branch::i), name(Branch::ii), name(Branch::iii),
                                          tilted_name,     oblique_name,     two_polar_name};
-/// All but the ends of a sheet, what is unexplained, and a two-polar family's own.
+/// All but the ends of a sheet and what is unexplained.
 constexpr std::span<const std::string_view> curve_events =
     std::span(event_names)
-        .subspan(1, static_cast<std::size_t>(EventType::zero_momentum) - std::size_t{1});
+        .subspan(1, static_cast<std::size_t>(EventType::unexplained) - std::size_t{1});
 constexpr std::string_view oblique_axes[] = {"1", "2"};
 constexpr std::string_view a_boolean = "true or false";
 constexpr std::string_view a_number = "a finite number";

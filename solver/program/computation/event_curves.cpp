@@ -8,7 +8,7 @@
 
 #include "solver/event_curve/event_sides.hpp"
 #include "solver/family/anisotropic_family.hpp"
-#include "solver/motion/body_circle.hpp"
+#include "solver/kind/kind.hpp"
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_parameter.hpp"
 #include "solver/program/case/case_schema.hpp"
@@ -34,10 +34,8 @@ FamilyParameters numbers_of(const Case& input, double first, double second) {
                         number_of(input, 1), second);
 }
 
-SpinningProblem problem_of(const FamilyParameters& numbers) {
-  const AxisRotation spin = *spin_of(numbers.motion);
-  return {Problem(numbers.body, make_potential(numbers.models, numbers.body), spin.branch),
-          spin.nu};
+std::unique_ptr<Kind> kind_at(const FamilyParameters& numbers) {
+  return kind_of(numbers.body, make_potential(numbers.models, numbers.body), numbers.motion);
 }
 
 double own_number(const Case& input, std::size_t k) {
@@ -68,8 +66,34 @@ EventType sought_event(const Case& input) {
                                                                     : asked;
 }
 
-Circle circle_of_row(const Problem& problem, const Stretch& q) {
-  const Circle circle = circle_of(problem);
+/// q: of the sheet, whose families it tells apart.
+EventCurveSetting setting_of(const Case& input, const Stretch& q) {
+  const FamilyParameter first_parameter = family_parameter_of(input, 0);
+  EventCurveSetting out;
+  out.family = [&input, q, first_parameter](double first, double second, bool spectrum) {
+    return kind_at(numbers_of(input, first, second))
+        ->family(first_parameter, {.spectrum = spectrum}, q);
+  };
+  out.first = first_parameter;
+  out.second = family_parameter_of(input, 1);
+  out.type = sought_event(input);
+  if (spin_of(input.motion)) {
+    out.spin = [&input](double first, double second) {
+      const FamilyParameters numbers = numbers_of(input, first, second);
+      const AxisRotation spin = *spin_of(numbers.motion);
+      return SpinningProblem{
+          Problem(numbers.body, make_potential(numbers.models, numbers.body), spin.branch),
+          spin.nu};
+    };
+  }
+  return out;
+}
+
+/// That the family keeps, where its event is on it; of an event where it breaks, that.
+Circle circle_at(const Case& input, const AnyFamily& family, const Stretch& q) {
+  if (const Circle broken = broken_circle(input.curve->event); broken != Circle::none)
+    return broken;
+  const Circle circle = std::visit([](const auto& own) { return own->circle(); }, family);
   return is_on(circle, q) ? circle : Circle::none;
 }
 
@@ -102,16 +126,9 @@ bool passes(const EventCurve& curve, const Member& event) {
 
 EventCurve curve_of(const Case& input, const Member& event, bool spectrum, const Run& run) {
   const CaseCurve& asked = *input.curve;
-  const EventCurveSetting setting{[&input](double first, double second) {
-                                    return problem_of(numbers_of(input, first, second));
-                                  },
-                                  family_parameter_of(input, 0), family_parameter_of(input, 1),
-                                  sought_event(input)};
+  const EventCurveSetting setting = setting_of(input, event.q);
   const double second = own_number(input, 1);
-  const SpinningProblem at = setting.at(event.parameter, second);
-  Circle circle = broken_circle(asked.event);
-  if (circle == Circle::none && is_on(circle_of(at.problem, setting.first), event.q))
-    circle = circle_of(at.problem, setting.first);
+  const Circle circle = circle_at(input, setting.family(event.parameter, second, false), event.q);
   if (circle != Circle::none) require_circle(input, circle);
   return follow_event_curve(setting, event, second, circle,
                             {.first_from = asked.from[0] * unit_of(input, 0),
@@ -145,29 +162,36 @@ void require_curve(const Case& input) {
                    "add [curve] with event = \"tilt\", parameters = [\"nu\", \"body.J.1\"]");
   }
   const bool isotropic = input.potential.is_isotropic();
-  if (!spin_of(input.motion) || !(isotropic || input.potential.anisotropic().even_in_alpha())) {
+  const bool spin = spin_of(input.motion).has_value();
+  const std::vector<std::string> followed = followed_parameters(input.motion, input.models);
+  if (std::ranges::find(followed, number_of(input, 0)) == followed.end()) {
     throw fault_at(
-        input.source, "motion.branch",
-        fmt::format("found branch {} and an {} potential", in_quotes(input.branch_name()),
-                    isotropic ? "isotropic" : "anisotropic"),
-        "a branch of \"i\", \"ii\", \"iii\" and a potential that is isotropic or even in alpha for "
-        "curve",
-        "the events of other motions are located by continue, one value at a time");
+        input.source, "curve.parameters.0", fmt::format("found \"{}\"", input.curve->parameters[0]),
+        "a number that families of this motion are followed in: " +
+            fmt::format("{}", fmt::join(followed, ", ")),
+        "events are of the family in the first number; the second may be any of the case");
   }
-  for (std::size_t k = 0; !isotropic && k < input.curve->parameters.size(); ++k) {
+  // Of a spin about axis 1 or 2 compatibility asks for alpha = 0.
+  const bool straight = spin && !isotropic && spin_of(input.motion)->branch != Branch::iii;
+  for (std::size_t k = 0; straight && k < input.curve->parameters.size(); ++k) {
     if (keeps_shear_free(input.potential.anisotropic(), family_parameter_of(input, k))) continue;
     throw fault_at(input.source, fmt::format("curve.parameters.{}", k),
                    fmt::format("found \"{}\"", input.curve->parameters[k]),
                    "a number that leaves the potential even in alpha",
                    "where it is not, no motion about a material axis has alpha = 0");
   }
-  if (!has_event_curve(input.curve->event, isotropic)) {
+  if (!has_event_curve(input.curve->event, spin, isotropic)) {
     throw fault_at(
         input.source, "curve.event",
-        fmt::format("found {} and an anisotropic potential", in_quotes(name(input.curve->event))),
-        "\"fold-nu\", \"fold-momentum\", \"tilt\", \"inertia-exchange\", \"shear\", \"oblique\", "
-        "\"hamiltonian-hopf\", \"krein-pass\" or \"real-collision\" for curve",
-        "circles have curves of isotropic bodies alone");
+        fmt::format("found {} and {}", in_quotes(name(input.curve->event)),
+                    spin ? "an anisotropic potential" : "branch " + in_quotes(input.branch_name())),
+        spin ? "\"fold-nu\", \"fold-momentum\", \"tilt\", \"inertia-exchange\", \"shear\", "
+               "\"oblique\", \"hamiltonian-hopf\", \"krein-pass\" or \"real-collision\" for curve"
+             : "\"fold-nu\", \"fold-momentum\", \"tilt\", \"inertia-exchange\", \"shear\", "
+               "\"ellipse\" or \"zero-momentum\" for curve",
+        spin ? "circles have curves of isotropic bodies alone"
+             : "where frequencies meet has curves of spins about a material axis with alpha = 0 "
+               "alone");
   }
 }
 
@@ -217,10 +241,9 @@ EventCurves event_curves(const Case& input, bool spectrum, const Run& run) {
 
 EventCurves event_curve_of_row(const Case& input, const Stretch& q, bool spectrum, const Run& run) {
   const double first = own_number(input, 0);
-  const SpinningProblem at = problem_of(numbers_of(input, first, own_number(input, 1)));
+  const AnyFamily family = setting_of(input, q).family(first, own_number(input, 1), true);
   const Member event =
-      member_at(at, family_parameter_of(input, 0),
-                {q, ReducedVector<3>::Zero(), first, 0x1p-48, circle_of_row(at.problem, q)}, true);
+      member_at(family, place_of(family, q, first, 0x1p-48, circle_at(input, family, q)));
   EventCurves out;
   out.status = SolveStatus::solved;
   add_curve(out, input, event, spectrum, run);
@@ -244,9 +267,8 @@ TableRow curve_row(const Case& input, const EventCurvePoint& point, const Column
 
 bool prove_curve_row(const Case& input, const EventCurvePoint& point, TableRow& row) {
   const FamilyParameters at = numbers_of(input, point.member.parameter, point.second);
-  const auto kind = kind_of(at.body, make_potential(at.models, at.body), at.motion);
   const auto proof =
-      kind->enclose_event(family_parameter_of(input, 0), input.curve->event, point.member);
+      kind_at(at)->enclose_event(family_parameter_of(input, 0), input.curve->event, point.member);
   const bool proven = proof && proof->proven;
   row.certified = proof_word(proven);
   if (proven) row[Column::error_bound] = proof->error_bound;

@@ -25,8 +25,7 @@ struct EventCurves {
   bool interrupted = false;
 };
 
-/// Throws InputError where the case has no [curve], or none of its event: of a body that does not spin
-/// about a material axis, of an anisotropic one that is not even in alpha, or of what its frequencies do.
+/// Throws InputError where the case has no [curve], or none of its event or in its numbers.
 void require_curve(const Case& input);
 
 /// Throws InputError where the case's own value of the second parameter is out of the range.

@@ -21,11 +21,26 @@
 #include <limits>
 #include <optional>
 
-#include "lib/number/double_double.hpp"
-#include "lib/number/first_order_bound.hpp"
-#include "solver/motion/varied_balance.hpp"
+#include "lib/number/double_double_functions.hpp"
+#include "lib/number/first_order_bound_functions.hpp"
 
 namespace stationary {
+
+/// One of the inputs is larger by a relative amount; none where there is no such input.
+struct InputChange {
+  std::size_t input = std::numeric_limits<std::size_t>::max();
+  double relative = 0.0;
+
+  /// Input number k, of this value.
+  DoubleDouble operator()(double value, std::size_t k) const {
+    return k == input ? DoubleDouble(value) + two_product(value, relative) : DoubleDouble(value);
+  }
+  /// Of the inputs from number k on.
+  InputChange from(std::size_t k) const {
+    return input == InputChange().input || input < k ? InputChange()
+                                                     : InputChange{input - k, relative};
+  }
+};
 
 template <int N>
 using ExtendedVector = std::array<DoubleDouble, static_cast<std::size_t>(N)>;
