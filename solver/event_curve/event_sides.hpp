@@ -14,9 +14,9 @@ struct EventPlace {
 
   Unknowns x = Unknowns::Ones();     ///< by event_place(), as far as the family has them
   Unknowns tail = Unknowns::Zero();  ///< of them; zero where it is not known
-  double first;                      ///< p1
-  double error_bound;                ///< of the stretches
-  Circle circle;
+  double first = 0.0;                ///< p1
+  double error_bound = 0.0;          ///< of the stretches
+  Circle circle = Circle::none;
 
   /// The family's unknowns among all, of a vector that has them.
   template <int N>
