@@ -92,14 +92,15 @@ void compare(const Families& families, std::map<EventType, Count>& counts) {
     const auto at = [&](double nu, double second) {
       return SpinningProblem{families.at(second), nu};
     };
-    const EventCurve curve = follow_event_curve(spin_setting(at, {}, families.second, row.event), row.member,
-                                                families.own, circle_of(own, families.second),
-                                                {.first_from = 0.0,
-                                                 .first_to = families.to,
-                                                 .second_from = 0.95 * families.own,
-                                                 .second_to = 1.05 * families.own,
-                                                 .tolerance = 1e-6,
-                                                 .spectrum = false});
+    const EventCurve curve =
+        follow_event_curve(spin_setting(at, {}, families.second, row.event), row.member,
+                           families.own, circle_of(own, families.second),
+                           {.first_from = 0.0,
+                            .first_to = families.to,
+                            .second_from = 0.95 * families.own,
+                            .second_to = 1.05 * families.own,
+                            .tolerance = 1e-6,
+                            .spectrum = false});
     if (!curve.failure.empty()) continue;
     ++count.curves;
     const auto all = static_cast<long>(curve.points.size());
