@@ -7,6 +7,7 @@
 
 #include "solver/atlas/sheet_arc.hpp"
 #include "solver/atlas/sheet_set.hpp"
+#include "solver/tube/curve_equations.hpp"
 
 namespace stationary {
 namespace {
@@ -233,6 +234,32 @@ std::optional<Interval> SheetSet::excluded_between(const CompleteInterval& of, c
   return between(proven);
 }
 
+/// The parts of an interval, ascending, with no motion outside, by halves: what is left about a point
+/// or two, as where a pull equals a stiffness and a stretch may be any, is as small as rounding lets it be.
+std::vector<Interval> SheetSet::excluded_parts(const CompleteInterval& of,
+                                               std::span<const Interval> listed) const {
+  constexpr int levels = 44;
+  constexpr int hopeless = 3;  // nothing by then: nothing after
+  constexpr double worth =
+      1e-3;  // of nu: what is shorter lies at events, where no half has a proof
+  constexpr std::size_t points = 4;  // about so many
+  std::vector<Interval> out;
+  if (of.to - of.from < worth * of.to) return out;
+  std::vector<Interval> open{{of.from, of.to}};
+  for (int level = 1; level <= levels && !open.empty() && !stopped(); ++level) {
+    std::vector<Interval> left;
+    for (const Interval& each : open) {
+      const double middle = 0.5 * (each.lo + each.hi);
+      for (const Interval& half : {Interval(each.lo, middle), Interval(middle, each.hi)})
+        (excludes_outside(half, listed) ? out : left).push_back(half);
+    }
+    open = std::move(left);
+    const bool hangs_on_points = open.size() <= 2 * points;
+    if (level >= hopeless && (out.empty() || !hangs_on_points)) break;
+  }
+  return merged(std::move(out));
+}
+
 /// By the rows of the sheets followed, and where there are none outside the box, by a proof that there is
 /// nothing. A sheet that leaves the box often escapes soon after: the interval is cut then, so that
 /// nothing is left open but a small end of it.
@@ -255,7 +282,15 @@ void SheetSet::name_beyond() {
     const auto between =
         ends.low || ends.high ? excluded_between(each, ends, listed) : std::nullopt;
     if (!between) {
-      add(each, each.from, each.to, excluded);
+      double done = each.from;
+      if (!excluded && !each.leaves_box()) {
+        for (const Interval& part : excluded_parts(each, listed)) {
+          if (part.lo > done) add(each, done, part.lo, false);
+          add(each, part.lo, part.hi, true);
+          done = part.hi;
+        }
+      }
+      if (done < each.to) add(each, done, each.to, excluded);
       continue;
     }
     if (ends.low) add(each, each.from, between->lo, false);

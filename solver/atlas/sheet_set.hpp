@@ -64,6 +64,8 @@ class SheetSet {
   bool excludes_outside(const Interval& nu, std::span<const Interval> listed) const;
   std::optional<Interval> excluded_between(const CompleteInterval& of, const OpenEnds& ends,
                                            std::span<const Interval> listed) const;
+  std::vector<Interval> excluded_parts(const CompleteInterval& of,
+                                       std::span<const Interval> listed) const;
   bool is_canonical(const Equilibrium& at) const;
   void follow_rest();
   void enter(const Place& from, double nu, Entry entry, double entry_nu);

@@ -62,6 +62,7 @@ class Cover {
       const auto over = equations_.linearize(box);
       for (const Interval& g : over.g)
         if (!g.may_be(0.0)) return;
+      if (options_.differences && rows_differ(over, box)) return;
       double kept = 1.0;
       if (!narrow(over, box, kept)) return;
       if (kept > 0.75) break;
@@ -74,6 +75,36 @@ class Cover {
     constexpr double small = 0.25;
     if (options_.follow && width(box) < small && begins_curve(box) && tubes_.holds(box)) return;
     split(box);
+  }
+
+  /// Whether some G_i - G_j has one sign: where a slope of it has one, at the end of that side that
+  /// it is nearest to zero at, along the others by their mean value form.
+  bool rows_differ(const CurveLinearized<N>& over, const CurveBox<N>& box) const {
+    for (std::size_t i = 0; i + 1 < at(N); ++i)
+      for (std::size_t j = i + 1; j < at(N); ++j) {
+        CurveBox<N> least = box;
+        CurveBox<N> most = box;
+        Interval along;
+        for (std::size_t k = 0; k < box.size(); ++k) {
+          const Interval slope = over.slope[i][k] - over.slope[j][k];
+          const Interval low(box[k].lo);
+          const Interval high(box[k].hi);
+          if (slope.lo >= 0.0 || slope.hi <= 0.0) {
+            least[k] = slope.lo >= 0.0 ? low : high;
+            most[k] = slope.lo >= 0.0 ? high : low;
+          } else {
+            least[k] = most[k] = Interval(box[k].mid());
+            along += slope * (box[k] - least[k]);
+          }
+        }
+        if (!along.bounded()) continue;
+        const auto difference = [&](const CurveBox<N>& corner) {
+          const auto g = equations_.linearize(corner).g;
+          return g[i] - g[j] + along;
+        };
+        if (difference(least).positive() || difference(most).negative()) return true;
+      }
+    return false;
   }
 
   /// G = E - q P: each row bounds q by the ranges of E and P. False where nothing is left.

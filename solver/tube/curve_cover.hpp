@@ -3,7 +3,8 @@
 //   empty      where a condition is negative, where some G_i = E_i - q P_i excludes 0 over it, or
 //              no q of it is among the E_i/P_i, or where the mean
 //              value form G(c) + dG/dy (y - c), preconditioned with the inverse of the N columns of
-//              dG/dy that move G most over the box, cannot vanish;
+//              dG/dy that move G most over the box, cannot vanish; asked for, where some G_i - G_j,
+//              by the corners of the box that it is least and largest at, does not;
 //   covered    where it lies wholly in one tube (tube_set.hpp): its points are that curve's;
 //   narrowed   by that form in those N coordinates, or split where it is widest;
 //   undecided  where it is as narrow as min_width, or the boxes allowed are used up.
@@ -25,6 +26,9 @@ struct CoverOptions {
   long max_boxes = 50'000;
   long max_arcs = 50'000;  ///< pieces of curves whose class is asked for
   bool follow = true;      ///< curves that are come upon; else what has any is undecided
+  /// What is common to two rows, as a large ln det S is, leaves large boxes open, and not their
+  /// difference.
+  bool differences = false;
   TubeOptions tube;
   const std::atomic<bool>* stop = nullptr;
 };

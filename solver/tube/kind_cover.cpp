@@ -161,6 +161,7 @@ bool none_outside(const Problem& problem, double from, double to, const SearchOp
   const AxisSought sought = with_circles_about_third_axis(problem, options);
   CoverOptions how = cover_options(options);
   how.follow = false;
+  how.differences = true;
   how.max_boxes = 2'000;
   // Beyond one side of the box, the other stretches any.
   const auto none_in = [&](std::size_t k, const Interval& outside) {

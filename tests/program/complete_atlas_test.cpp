@@ -219,6 +219,29 @@ TEST(CompleteAtlas, ExcludesNoSheetThatHasLeftTheBox) {
   EXPECT_GE(outside, 10);
 }
 
+/// Of a coupled body no row alone says that nothing is outside, as all three have ln det S in common; their
+/// differences do, but for the nu at which a stretch escapes or its pull equals its stiffness.
+TEST(CompleteAtlas, ExcludesMotionsOutsideOfACoupledBody) {
+  const TemporaryDirectory directory;
+  const Outcome outcome =
+      run_program({"atlas", shipped("coupled.toml"), "-o", directory / "x.csv", "--complete",
+                   "--checkpoints", "1", "--set", "output.spectrum=false"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::map<std::string, double> open;
+  std::map<std::string, double> excluded;
+  const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  for (const auto& each : metadata["completeness"]) {
+    (each["beyond"] == "excluded" ? excluded : open)[each["branch"]] +=
+        each["to"].get<double>() - each["from"].get<double>();
+  }
+  ASSERT_EQ(excluded.size(), 3U);
+  for (const auto& [branch, length] : excluded) {
+    EXPECT_NEAR(length + open[branch], 2.0, 1e-12) << branch;
+    EXPECT_GT(open[branch], 0.0) << branch;
+    EXPECT_LT(open[branch], 1e-6) << branch;
+  }
+}
+
 /// Beside an escape nothing is left open but a small end of the interval, and the summary has that in one piece.
 TEST(CompleteAtlas, ExcludesMotionsOutsideSoonAfterAnEscape) {
   const TemporaryDirectory directory;
