@@ -239,10 +239,10 @@ std::optional<Interval> SheetSet::excluded_between(const CompleteInterval& of, c
 std::vector<Interval> SheetSet::excluded_parts(const CompleteInterval& of,
                                                std::span<const Interval> listed) const {
   constexpr int levels = 44;
-  constexpr int hopeless = 3;  // nothing by then: nothing after
-  constexpr double worth =
-      1e-3;  // of nu: what is shorter lies at events, where no half has a proof
-  constexpr std::size_t points = 4;  // about so many
+  constexpr int hopeless = 3;        // nothing by then: nothing after
+  constexpr std::size_t points = 4;  // about so many are left
+  // Of nu: what is shorter lies at events, where no half has a proof.
+  constexpr double worth = 1e-3;
   std::vector<Interval> out;
   if (of.to - of.from < worth * of.to) return out;
   std::vector<Interval> open{{of.from, of.to}};

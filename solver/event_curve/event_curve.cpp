@@ -259,16 +259,11 @@ class Follower {
   EventCurve out_;
 };
 
-/// Of a spin about a material axis.
+/// Of a spin about a material axis, alpha = 0.
 EventCurve follow_of_spin(const EventCurveSetting& setting, const Member& event, double second,
                           Circle circle, const EventCurveOptions& options) {
   EventCurve out;
   out.failure = "the event has no equations, or no spectrum was computed";
-  const SpinningProblem at = setting.spin(event.parameter, second);
-  if (!at.problem.potential().is_isotropic() && event.q.alpha != 0.0) {
-    out.failure = "of an anisotropic body events at alpha = 0 are followed alone";
-    return out;
-  }
   for (EventCurveSystem<5>& system : spin_event_systems(setting, event, second, circle)) {
     out = Follower<5>(setting, std::move(system), second, circle, options).both();
     if (out.failure.empty()) break;
@@ -306,11 +301,9 @@ bool has_event_curve(EventType type, bool spin, bool isotropic) {
 
 EventCurve follow_event_curve(const EventCurveSetting& setting, const Member& event, double second,
                               Circle circle, const EventCurveOptions& options) {
-  if (setting.spin) {
-    EventCurve out = follow_of_spin(setting, event, second, circle, options);
-    // Where alpha is an unknown, the family's own equations.
-    if (out.failure.empty() || event.q.alpha == 0.0) return out;
-  }
+  // Where alpha is an unknown, by the family's own equations.
+  if (setting.spin && event.q.alpha == 0.0)
+    return follow_of_spin(setting, event, second, circle, options);
   const AnyFamily family = setting.family(event.parameter, second, false);
   return std::visit(
       [&]<int N>(const std::unique_ptr<Family<N>>&) {

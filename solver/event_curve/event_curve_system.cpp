@@ -115,18 +115,6 @@ class EquationsOfFamilies final : public HeldEventEquations<event_dimension<N>> 
   AtValue* here_ = nullptr;
 };
 
-/// Of the functions that events of this type are zeros of, the one nearest to it.
-std::optional<std::size_t> vanishing_function(const EventFunctions& at, EventType type) {
-  std::optional<std::size_t> out;
-  for (std::size_t k = 0; k < TestValues::crossings; ++k) {
-    if (k == TestValues::collision || std::isnan(at.values.value[k]) ||
-        event_type(k, at.context, at.values) != type)
-      continue;
-    if (!out || std::abs(at.values.value[k]) < std::abs(at.values.value[*out])) out = k;
-  }
-  return out;
-}
-
 }  // namespace
 
 EventCurveSetting spin_setting(std::function<SpinningProblem(double first, double second)> spin,
@@ -205,7 +193,7 @@ std::optional<EventCurveSystem<event_dimension<N>>> family_event_system(
                           }};
   const EventPlace place = place_of(family, event, circle);
   const EventFunctions at = functions_at(family, place, member_at(family, place));
-  out.own_function = vanishing_function(at, setting.type);
+  out.own_function = nearest_function(setting.type, at.context, at.values);
   out.turns = out.own_function && at.values.value[*out.own_function] == at.turning;
   out.equations = std::move(equations);
   return out;

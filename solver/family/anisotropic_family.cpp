@@ -178,11 +178,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     const TestContext context{
         .branch = branch(), .material_symmetry = false, .kind = events(), .along_nu = along_nu()};
     const TestValues at = test_values(near, context, 0.0, 0.0);
-    std::optional<std::size_t> function;
-    for (std::size_t k = 0; k < TestValues::collision; ++k) {
-      if (std::isnan(at.value[k]) || event_type(k, context, at) != type) continue;
-      if (!function || std::abs(at.value[k]) < std::abs(at.value[*function])) function = k;
-    }
+    const auto function = nearest_function(type, context, at);
     if (!function) return nullptr;
     return equations_of<Layout>(branch_, *function);
   }

@@ -219,6 +219,17 @@ EventType event_type(std::size_t k, const TestContext& context, const TestValues
   return opposite ? EventType::krein_pass : EventType::none;
 }
 
+std::optional<std::size_t> nearest_function(EventType type, const TestContext& context,
+                                            const TestValues& at) {
+  std::optional<std::size_t> out;
+  for (std::size_t k = 0; k < TestValues::crossings; ++k) {
+    if (k == TestValues::collision || std::isnan(at.value[k]) || event_type(k, context, at) != type)
+      continue;
+    if (!out || std::abs(at.value[k]) < std::abs(at.value[*out])) out = k;
+  }
+  return out;
+}
+
 int negative_change(EventType event, const TestContext& context) {
   switch (event) {
     case EventType::tilt:

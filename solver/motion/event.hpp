@@ -194,6 +194,11 @@ constexpr double relative_difference(double a, double b) { return (a - b) / (a +
 /// What a zero of function k is; none where it is no event (equal signatures, say).
 EventType event_type(std::size_t k, const TestContext& context, const TestValues& at);
 
+/// Of the functions of x and p that events of this type are zeros of, the one nearest to zero; nothing
+/// where none has a value.
+std::optional<std::size_t> nearest_function(EventType type, const TestContext& context,
+                                            const TestValues& at);
+
 /// How many negative directions a crossing of this event changes at most, and with which parity.
 int negative_change(EventType event, const TestContext& context);
 

@@ -71,9 +71,9 @@ std::unique_ptr<Equations> extended_event_equations(const EventSetting& setting,
 }
 
 ExtendedVector<all> event_unknowns(const Member& member, const SoughtEvent& what) {
-  const double lambda = what.function.spectral() ? what.lambda : 1.0;
-  return {DoubleDouble(member.q.xi), DoubleDouble(member.q.zeta), DoubleDouble(member.q.rho),
-          DoubleDouble(member.parameter), DoubleDouble(lambda)};
+  ExtendedVector<all> y = event_unknowns(member, unknowns<3>(member.q));
+  if (what.function.spectral()) y[Equations::lambda] = DoubleDouble(what.lambda);
+  return y;
 }
 
 std::optional<ExtendedEvent<3>> extended_event(const Problem& problem,

@@ -398,6 +398,14 @@ TEST_F(Curve, OfOtherMotions) {
                    "--set", "curve.from=[1.0, 1.6]", "--set", "curve.to=[1.1, 1.8]"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("branch \"tilted\""));
+  // At 0 degrees alpha is 0, and beside it is not.
+  const Outcome leaves =
+      run_program({"curve", STATIONARY_CASES "/fibre.toml", "-o", out_, "--set",
+                   "potential.fibre.degrees=0.0", "--set", "curve.event=tilt", "--set",
+                   "curve.parameters=[\"nu\", \"potential.fibre.degrees\"]", "--set",
+                   "curve.from=[0.3, -5.0]", "--set", "curve.to=[0.79, 5.0]"});
+  EXPECT_EQ(leaves.code, 4);
+  EXPECT_THAT(leaves.err, HasSubstr("alpha = 0 there"));
   const Outcome in_inertia =
       run_program({"curve", STATIONARY_CASES "/tilted.toml", "-o", out_, "--set",
                    "curve.event=tilt", "--set", "curve.parameters=[\"body.J.1\", \"nu\"]", "--set",

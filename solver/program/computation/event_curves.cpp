@@ -124,8 +124,23 @@ bool passes(const EventCurve& curve, const Member& event) {
                              [&](const Member& each) { return is_same(each, event); });
 }
 
+/// Whether alpha = 0 at the event, and not along its curve.
+bool leaves_alpha_zero(const Case& input, const Member& event) {
+  if (!spin_of(input.motion) || input.potential.is_isotropic() || event.q.alpha != 0.0)
+    return false;
+  const AnisotropicPotential& V = input.potential.anisotropic();
+  return !keeps_shear_free(V, family_parameter_of(input, 0)) ||
+         !keeps_shear_free(V, family_parameter_of(input, 1));
+}
+
 EventCurve curve_of(const Case& input, const Member& event, bool spectrum, const Run& run) {
   const CaseCurve& asked = *input.curve;
+  if (leaves_alpha_zero(input, event)) {
+    EventCurve out;
+    out.failure =
+        "alpha = 0 there and at other values of the numbers is not; start at another value";
+    return out;
+  }
   const EventCurveSetting setting = setting_of(input, event.q);
   const double second = own_number(input, 1);
   const Circle circle = circle_at(input, setting.family(event.parameter, second, false), event.q);

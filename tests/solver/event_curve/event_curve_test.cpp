@@ -438,6 +438,10 @@ void compare_other_motions(const OtherMotions& motions, std::map<EventType, int>
     ASSERT_EQ(curve.failure, "") << name(row.event) << " at " << row.member.parameter;
     ++curves[row.event];
     ASSERT_GE(curve.points.size(), 2U);
+    // What vanishes all along is no other event.
+    for (const EventCurvePoint& each : curve.points)
+      EXPECT_FALSE(each.special == SpecialPoint::double_event && each.other == row.event)
+          << name(row.event) << " at " << each.second;
     for (const EventCurvePoint* point :
          {&curve.points.front(), &curve.points[curve.points.size() / 2], &curve.points.back()}) {
       // Where two events nearly meet, or |nu| is nearly none, which of the two it is hangs on rounding.
