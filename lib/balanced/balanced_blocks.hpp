@@ -51,31 +51,49 @@ struct BalancedState {
   S V_aa;      ///< where not
 };
 
-/// What BalancedState is made of. apart: least |xi - zeta|/(xi + zeta) that K_alpha is divided by.
-template <class S, class C, class Model>
+/// What BalancedState is made of besides the potential's curvatures. least_apart: least
+/// |xi - zeta|/(xi + zeta) that K_alpha is divided by.
+template <class S, class C>
 struct SpinningBody {
-  const Model& model;
   C J1, J2, J3;
   S xi, zeta, rho;
   C omega;
   bool normal;  ///< (iii), else (i)
   double least_apart;
+
+  S square() const { return S(omega) * omega; }
+  /// c of c_i x_i^2 in the balance.
+  S pull_xi() const { return normal ? S(J1 * square()) : S(0.0); }
+  S pull_zeta() const { return J2 * square(); }
+  S pull_rho() const { return normal ? S(0.0) : S(J3 * square()); }
+  S difference() const { return renormalized(S(xi - zeta)); }
+  bool apart() const {
+    return std::abs(leading(difference())) >= least_apart * leading(S(xi + zeta));
+  }
 };
 
-template <class S, class C, class Model>
-BalancedState<S, C> balanced_state(const SpinningBody<S, C, Model>& of, const SpinUnits& units) {
+/// Those of a body of separable potential.
+template <class S, class C, class Plane>
+[[gnu::always_inline]] inline void add_plane(const Plane& model, const SpinningBody<S, C>& of,
+                                             Curvatures<S>& out) {
+  out.plane = plane_curvatures(model, of.xi, of.zeta, of.pull_xi(), of.pull_zeta());
+  if (!of.apart()) out.w_l = pressure(model, of.xi, of.zeta);
+}
+template <class S, class C, class Thickness>
+[[gnu::always_inline]] inline void add_thickness(const Thickness& model,
+                                                 const SpinningBody<S, C>& of, Curvatures<S>& out) {
+  out.ww = thickness_curvature(model, of.rho, of.pull_rho());
+}
+
+template <class S, class C>
+[[gnu::always_inline]] inline BalancedState<S, C> balanced_state(const SpinningBody<S, C>& of,
+                                                                 const Curvatures<S>& curvatures,
+                                                                 const SpinUnits& units) {
   BalancedState<S, C> out;
-  const S square = S(of.omega) * of.omega;
-  const S pull_zeta = of.J2 * square;
-  const S none(0.0);
-  const auto plane = plane_curvatures(of.model.plane, of.xi, of.zeta,
-                                      of.normal ? S(of.J1 * square) : none, pull_zeta);
-  out.uu = by_power(plane.uu, units.energy);
-  out.uv = by_power(plane.uv, units.energy);
-  out.vv = by_power(plane.vv, units.energy);
-  out.ww = by_power(
-      thickness_curvature(of.model.thickness, of.rho, of.normal ? none : S(of.J3 * square)),
-      units.energy);
+  out.uu = by_power(curvatures.plane.uu, units.energy);
+  out.uv = by_power(curvatures.plane.uv, units.energy);
+  out.vv = by_power(curvatures.plane.vv, units.energy);
+  out.ww = by_power(curvatures.ww, units.energy);
 
   out.J1 = by_power(of.J1, units.inertia);
   out.J2 = by_power(of.J2, units.inertia);
@@ -85,16 +103,14 @@ BalancedState<S, C> balanced_state(const SpinningBody<S, C, Model>& of, const Sp
   out.m1 = out.J1 * (of.xi * of.xi);
   out.m2 = out.J2 * out.zeta2;
   out.m3 = by_power(of.J3, units.inertia) * (of.rho * of.rho);
-  out.omega2 = by_power(square, units.rate * units.rate);
+  out.omega2 = by_power(of.square(), units.rate * units.rate);
 
   out.sum = of.xi + of.zeta;
-  const S difference = renormalized(S(of.xi - of.zeta));
-  out.apart = std::abs(leading(difference)) >= of.least_apart * leading(out.sum);
+  out.apart = of.apart();
   if (out.apart) {
-    out.E = out.J1 * (out.sum * difference);
+    out.E = out.J1 * (out.sum * of.difference());
   } else {
-    const S w_l = pressure(of.model.plane, of.xi, of.zeta);
-    out.V_aa = by_power(w_l, -2.0 * units.energy) / (of.xi * of.zeta);
+    out.V_aa = by_power(curvatures.w_l, -2.0 * units.energy) / (of.xi * of.zeta);
   }
   return out;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/balanced/separated_roots.hpp"
 #include "lib/stability/mode_collector.hpp"
 
 namespace stationary {
@@ -59,10 +58,10 @@ class ChainBound {
 };
 
 /// (i), even: a symmetric matrix, all energies +1 where imaginary. Returns the negative directions.
-int add_chain(const BalancedPair& s, const BalancedBound& bound, double u, ModeCollector& out) {
-  const Polynomial<DoubleDouble, 3> p = even_chain_i(s).characteristic();
+int add_chain(const InPlaneBlocks& blocks, const BalancedBound& bound, double u,
+              ModeCollector& out) {
   const ChainBound error(even_chain_i(bound).entries(), u);
-  const SeparatedRoots roots = separated_roots(p);
+  const SeparatedRoots& roots = blocks.chain_roots;
   int negative = 0;
   if (roots.found && error.resolves(*std::min_element(roots.gap.begin(), roots.gap.end()))) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -72,7 +71,7 @@ int add_chain(const BalancedPair& s, const BalancedBound& bound, double u, ModeC
     }
     return negative;
   }
-  const CubicRoots<DoubleDouble> careful = cubic_roots(p);
+  const CubicRoots<DoubleDouble> careful = cubic_roots(blocks.chain);
   const double any = error.largest();
   for (const DoubleDouble& root : {careful.single, careful.pair.small, careful.pair.large}) {
     const double lambda = leading(root);
@@ -84,24 +83,20 @@ int add_chain(const BalancedPair& s, const BalancedBound& bound, double u, ModeC
 
 /// Sign of Q1 where it has a direction of no energy: its diagonal has one sign then, of which the
 /// entry that cancels less is the more certain. Q_22: up to a positive factor.
-int semidefinite_sign(const BalancedPair& s, double Q_22) {
-  const double m1 = leading(s.m1);
-  const double m2 = leading(s.m2);
-  const double omega2 = leading(s.omega2);
-  const double zeta = leading(s.zeta);
-  const double V_aa = s.apart ? -2.0 * omega2 * s.J1 * s.J2 * zeta * leading(s.sum) / leading(s.E)
-                              : leading(s.V_aa);
-  const double h = s.J1 * leading(s.xi) + s.J2 * zeta;
-  const double spin = omega2 * h * h / (m1 + leading(s.m3));
-  const double Q_11 = V_aa - s.J1 * omega2 + spin;
-  const double size = std::abs(V_aa) + s.J1 * omega2 + spin;
-  return std::abs(Q_11) * (m1 + m2) > std::abs(Q_22) * size ? sign(Q_11) : sign(Q_22);
+int semidefinite_sign(const LeadingState& s, double Q_22) {
+  const double V_aa = s.apart ? -2.0 * s.omega2 * s.J1 * s.J2 * s.zeta * s.sum / s.E : s.V_aa;
+  const double h = s.J1 * s.xi + s.J2 * s.zeta;
+  const double spin = s.omega2 * h * h / (s.m1 + s.m3);
+  const double Q_11 = V_aa - s.J1 * s.omega2 + spin;
+  const double size = std::abs(V_aa) + s.J1 * s.omega2 + spin;
+  return std::abs(Q_11) * (s.m1 + s.m2) > std::abs(Q_22) * size ? sign(Q_11) : sign(Q_22);
 }
 
-int add_odd(const BalancedPair& s, const BalancedBound& bound, bool material_symmetry, double u,
-            ModeCollector& out) {
-  OddQuadratic<DoubleDouble> odd = odd_quadratic_i(s);
-  OddQuadratic<Conditioned> conditioned = odd_quadratic_i(bound);
+int add_odd(const InPlaneBlocks& blocks, const BalancedBound& bound, bool material_symmetry,
+            double u, ModeCollector& out) {
+  const LeadingState& s = blocks.state;
+  const OddQuadratic<DoubleDouble>& odd = blocks.odd;
+  const OddQuadratic<Conditioned> conditioned = odd_quadratic_i(bound);
   const double Q_22 = leading(odd.Q_22);
   const double det_P = leading(odd.det_P);
   const UncertainPolynomial<2> uncertain(
@@ -123,43 +118,38 @@ int add_odd(const BalancedPair& s, const BalancedBound& bound, bool material_sym
     // Else one of each. adj(Q1 - m P^-1) = r x x^T, r of one sign at both, x^T P^-1 x = -f'(m)/r of
     // f = det(Q1 - m P^-1): of the nearer to zero that of -r, seen best half-way between them.
     const double middle = -0.5 * leading(odd.b);
-    const double I2 = leading(s.m1) + leading(s.m3);
-    const double I3 = leading(s.m1) + leading(s.m2);
-    const double r = -Q_22 * leading(s.omega2) * det_P - middle * I2 * I3;
+    const double I2 = s.m1 + s.m3;
+    const double I3 = s.m1 + s.m2;
+    const double r = -Q_22 * s.omega2 * det_P - middle * I2 * I3;
     return leading(lambda) > middle ? -sign(r) : sign(r);
   };
-  out.add_pair(quadratic_roots(odd.b, odd.c), uncertain, !definite, krein);
+  out.add_pair(blocks.odd_roots, uncertain, !definite, krein);
   const int of_Q = det_Q < 0.0 ? 1 : 2 * (Q_22 < 0.0);
   return of_Q + (det_P < 0.0);
 }
 
-int add_normal(const BalancedPair& s, const BalancedBound& bound, bool material_symmetry, double u,
-               ModeCollector& out) {
-  NormalBlock<DoubleDouble> block = normal_block(s);
+int add_normal(const NormalBlocks& blocks, const BalancedBound& bound, bool material_symmetry,
+               double u, ModeCollector& out) {
+  const NormalBlock<DoubleDouble>& block = blocks.even;
   NormalBlock<Conditioned> conditioned = normal_block(bound);
-  if (material_symmetry) {
-    block.k = DoubleDouble(0.0);
-    conditioned.k = Conditioned(0.0);
-  }
+  if (material_symmetry) conditioned.k = Conditioned(0.0);
   const bool definite = positive(conditioned.trace, u) && positive(conditioned.det, u) &&
                         (material_symmetry || positive(conditioned.k, u));
-  const Polynomial<DoubleDouble, 3> p = block.characteristic();
+  const Polynomial<DoubleDouble, 3>& p = blocks.cubic;
   const UncertainPolynomial<3> uncertain(conditioned.characteristic(), u);
   const auto krein = [&](const DoubleDouble& lambda) {
     return definite ? 1 : sign(leading(p.slope(lambda)) * leading(block.trace_adjugate()(lambda)));
   };
   const int negative =
       (leading(block.k) < 0.0) + negatives_2(leading(block.trace), 0.0, leading(block.det));
-  SeparatedRoots roots;
+  const SeparatedRoots& roots = blocks.cubic_roots;
   std::array<double, 3> error;
-  if (!material_symmetry) {
-    roots = separated_roots(p);
-    for (std::size_t k = 0; roots.found && k < 3; ++k) {
-      error[k] = uncertain.root_error(roots.root[k]);
-      roots.found = 16.0 * error[k] < roots.gap[k];
-    }
+  bool apart = roots.found;
+  for (std::size_t k = 0; apart && k < 3; ++k) {
+    error[k] = uncertain.root_error(roots.root[k]);
+    apart = 16.0 * error[k] < roots.gap[k];
   }
-  if (!roots.found) {
+  if (!apart) {
     out.add_cubic(p, uncertain, material_symmetry, definite, krein);
     return negative;
   }
@@ -171,50 +161,50 @@ int add_normal(const BalancedPair& s, const BalancedBound& bound, bool material_
 }
 
 /// A pair that stands alone.
-void add_single(const DoubleDouble& value, const Conditioned& bound, int signature, double u,
+void add_single(double lambda, const Conditioned& bound, int signature, double u,
                 ModeCollector& out) {
-  const double lambda = leading(value);
   out.add_real(lambda, u * bound.condition + 0x1p-53 * std::abs(lambda), signature);
 }
 
 }  // namespace
 
-bool in_range(const BalancedPair& s) {
+bool in_range(const LeadingState& s) {
   const auto between = [](double x, double low, double high) {
     const double size = std::abs(x);
     return low < size && size < high;
   };
-  for (const double m : {leading(s.m1), leading(s.m2), leading(s.m3), s.J2})
+  for (const double m : {s.m1, s.m2, s.m3, s.J2})
     if (!between(m, 0x1p-120, 0x1p120)) return false;
-  const double uv = std::abs(leading(s.uv));
-  const double largest = (std::abs(leading(s.uu)) + uv) / leading(s.m1) +
-                         (std::abs(leading(s.vv)) + uv) / leading(s.m2) +
-                         std::abs(leading(s.ww)) / leading(s.m3);
-  return largest < 0x1p200 && between(leading(s.omega2), 0.5, 5.0);
+  const double uv = std::abs(s.uv);
+  const double largest =
+      (std::abs(s.uu) + uv) / s.m1 + (std::abs(s.vv) + uv) / s.m2 + std::abs(s.ww) / s.m3;
+  return largest < 0x1p200 && between(s.omega2, 0.5, 5.0);
 }
 
-Spectrum balanced_spectrum(const BlockFacts& facts, const BalancedPair& state,
+Spectrum balanced_spectrum(const BlockFacts& facts, const InPlaneBlocks& blocks,
                            const BalancedBound& conditioned, const SpinUnits& units) {
   ModeCollector out(1.0 / units.rate);
   const double u = facts.uncertainty;
-  int negative = 0;
-  if (facts.branch != Branch::iii) {
-    negative = add_chain(state, conditioned, u, out);
-    out.begin(Block::odd);
-    negative += add_odd(state, conditioned, facts.material_symmetry, u, out);
-  } else {
-    out.begin(Block::odd);
-    const int first = sign(leading(state.m1 - state.m3));   // of I3 - I1
-    const int second = sign(leading(state.m2 - state.m3));  // of I3 - I2
-    add_single(odd_lambda_iii(state), odd_lambda_iii(conditioned), first > 0 ? 1 : -1, u, out);
-    out.begin(Block::thickness);
-    const DoubleDouble rho = -(state.ww / state.m3);
-    add_single(rho, conditioned.ww / conditioned.m3, 1, u, out);
-    out.begin(Block::even);
-    negative = (first < 0) + (second < 0) + (leading(rho) > 0.0) +
-               add_normal(state, conditioned, facts.material_symmetry, u, out);
-  }
+  int negative = add_chain(blocks, conditioned, u, out);
+  out.begin(Block::odd);
+  negative += add_odd(blocks, conditioned, facts.material_symmetry, u, out);
   out.set_negative(negative);
+  return out.finish();
+}
+
+Spectrum balanced_spectrum(const BlockFacts& facts, const NormalBlocks& blocks,
+                           const BalancedBound& conditioned, const SpinUnits& units) {
+  ModeCollector out(1.0 / units.rate);
+  const double u = facts.uncertainty;
+  out.begin(Block::odd);
+  const int first = sign(blocks.I3_I1);
+  const int second = sign(blocks.I3_I2);
+  add_single(blocks.odd, odd_lambda_iii(conditioned), first > 0 ? 1 : -1, u, out);
+  out.begin(Block::thickness);
+  add_single(blocks.rho, conditioned.ww / conditioned.m3, 1, u, out);
+  out.begin(Block::even);
+  out.set_negative((first < 0) + (second < 0) + (blocks.rho > 0.0) +
+                   add_normal(blocks, conditioned, facts.material_symmetry, u, out));
   return out.finish();
 }
 

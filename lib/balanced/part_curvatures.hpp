@@ -21,6 +21,13 @@ template <class S>
 struct PlaneCurvatures {
   S uu, uv, vv;
 };
+/// Of both parts, in the body's own units.
+template <class S>
+struct Curvatures {
+  PlaneCurvatures<S> plane;
+  S w_l;  ///< pressure(), asked for only where xi and zeta are not apart
+  S ww;
+};
 
 template <class Model, class S>
 [[gnu::flatten]] PlaneCurvatures<S> plane_curvatures(const Model& model, const S& xi, const S& zeta,

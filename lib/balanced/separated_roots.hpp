@@ -1,5 +1,5 @@
 // Roots of a cubic in pairs of doubles where all are real and none lies close to another: found in
-// double, y = sqrt(-P) z in z^3 - z = t for the isolated one and a quadratic for the others, and
+// double, y = sqrt(-p) z in z^3 - z = t for the isolated one and a quadratic for the others, and
 // corrected once each with the residual in pairs,
 //
 //   r <- r - p(r)/[(r - r_1)(r - r_2)],   which leaves the correction's square over the distance.
@@ -22,28 +22,27 @@ struct SeparatedRoots {
   std::array<double, 3> gap;    ///< distance from the nearest other, likewise
 };
 
-/// Of a monic cubic.
-inline SeparatedRoots separated_roots(const Polynomial<DoubleDouble, 3>& monic) {
+/// Of a monic cubic; P: DoubleDouble, or what rounds as it does (fused.hpp).
+template <class P>
+SeparatedRoots separated_roots(const Polynomial<P, 3>& monic) {
   SeparatedRoots out;
   const double c0 = leading(monic.c[0]);
   const double c1 = leading(monic.c[1]);
   const double c2 = leading(monic.c[2]);
   const double inflection = c2 * (-1.0 / 3.0);
-  const double P = c1 + c2 * inflection;
-  if (!(P < 0.0)) return out;
+  const double p = c1 + c2 * inflection;
+  if (!(p < 0.0)) return out;
   const double Q = ((inflection + c2) * inflection + c1) * inflection + c0;
-  const double scale = std::sqrt(-P);
-  const double t = std::abs(Q) / (scale * -P);
+  const double scale = std::sqrt(-p);
+  const double t = std::abs(Q) / (scale * -p);
   // At 2/(3 sqrt 3) = 0.384900... the other two meet.
   if (!(t < 0.38489)) return out;
-  // To 2e-3, and by two steps of Halley's beyond a double.
-  double z = 1.0 + t * (0.5 - 0.2548 * t);
-  for (int k = 0; k < 2; ++k) {
-    const double square = z * z;
-    const double value = (square - 1.0) * z - t;
-    const double slope = 3.0 * square - 1.0;
-    z -= value * slope / (slope * slope - 3.0 * z * value);
-  }
+  // To 4e-5, and by a step of Halley's to 1e-13, whose square is nothing to a double.
+  double z = (1.0000375 + 0.4964256 * t) + t * t * (-0.3201088 + 0.1937796 * t);
+  const double square = z * z;
+  const double value = (square - 1.0) * z - t;
+  const double slope = 3.0 * square - 1.0;
+  z -= value * slope / (slope * slope - 3.0 * z * value);
   const double single = Q < 0.0 ? inflection + scale * z : inflection - scale * z;
   // p = (x - r)(x^2 + b x + c), from the end where nothing cancels.
   double b;
@@ -69,7 +68,7 @@ inline SeparatedRoots separated_roots(const Polynomial<DoubleDouble, 3>& monic) 
     const double one = between[(k + 1) % 3];
     const double other = between[(k + 2) % 3];
     const double r = rough[k];
-    const DoubleDouble value = ((monic.c[2] + r) * r + monic.c[1]) * r + monic.c[0];
+    const P value = ((monic.c[2] + r) * r + monic.c[1]) * r + monic.c[0];
     out.slope[k] = -(one * other);
     const double step = leading(value) / out.slope[k];
     out.root[k] = r - step;

@@ -43,7 +43,12 @@ template <class Real>
 /// (fl(a b), error), exact for |a|, |b| < 2^996 and |a b| >= 2^-968 or = 0, unless it overflows.
 [[gnu::always_inline]] constexpr DoubleDouble two_product(double a, double b);
 
-/// In any type whose numbers round like doubles: double itself, and packs of them (simd_pack.hpp).
+/// Whether Real is one number (double, Fused of fused.hpp) and no pack of them.
+template <class Real>
+inline constexpr bool is_scalar = std::is_same_v<Real, double>;
+
+/// In any type whose numbers round like doubles: double itself, Fused, and packs of them
+/// (simd_pack.hpp).
 template <class Real>
 struct Pair {
   Real hi{0.0};
@@ -91,7 +96,7 @@ struct Pair {
   /// The quotient of the heads, and its exact remainder over the whole divisor. Of packs by one
   /// division, which they wait for: the head, off by an ulp then, leaves a larger remainder.
   [[gnu::always_inline]] friend constexpr Pair operator/(const Pair& x, const Pair& y) {
-    constexpr bool one_division = !std::is_same_v<Real, double>;
+    constexpr bool one_division = !is_scalar<Real>;
     const Real inverse = one_division ? 1.0 / y.hi : Real(0.0);
     const Real q = one_division ? x.hi * inverse : x.hi / y.hi;
     const Pair p = two_product(q, y.hi);
@@ -171,16 +176,20 @@ template <class Real>
 }
 
 /// The same number with |lo| <= ulp(hi)/2: needed where a sum may have cancelled its heads.
-[[gnu::always_inline]] constexpr DoubleDouble renormalized(const DoubleDouble& x) {
+template <class Real>
+requires is_scalar<Real>
+[[gnu::always_inline]] constexpr Pair<Real> renormalized(const Pair<Real>& x) {
   return two_sum(x.hi, x.lo);
 }
 
 /// Square root of x >= 0 (NaN below).
-[[gnu::always_inline]] inline DoubleDouble sqrt(const DoubleDouble& y) {
-  const DoubleDouble x = renormalized(y);
-  if (x.hi == 0.0) return {};
-  const double r = std::sqrt(x.hi);
-  const DoubleDouble square = two_product(r, r);
+template <class Real>
+requires is_scalar<Real>
+[[gnu::always_inline]] inline Pair<Real> sqrt(const Pair<Real>& y) {
+  const Pair<Real> x = renormalized(y);
+  if (double(x.hi) == 0.0) return {};
+  const Real r = std::sqrt(double(x.hi));
+  const Pair<Real> square = two_product(r, r);
   return {r, (((x.hi - square.hi) - square.lo) + x.lo) / (2.0 * r)};
 }
 
@@ -189,37 +198,41 @@ inline constexpr DoubleDouble double_double_log_two{0x1.62e42fefa39efp-1, 0x1.ab
 /// Natural logarithm of x > 0 (NaN below, -inf at 0): x = 2^k m, m r_i = 1 + z with r_i from a
 /// table of 128 reciprocals, |z| < 2^-7; log x = k log 2 - log r_i + log(1 + z). In double
 /// precision where x is subnormal or at least 2^1022, whose 2^-k is no normal number.
-inline DoubleDouble log(const DoubleDouble& x) {
+template <class Real>
+requires is_scalar<Real>
+[[gnu::pure]] inline Pair<Real> log(const Pair<Real>& x) {
   constexpr std::uint64_t first_interval = 0x3fe6000000000000;  // 0.6875, so that 1 needs no table
-  if (!(x.hi >= std::numeric_limits<double>::min()) || !(x.hi < 0x1p1022)) {
-    return log(x.hi);  // also zero, negative, infinite, NaN
+  const double head(x.hi);
+  if (!(head >= std::numeric_limits<double>::min()) || !(head < 0x1p1022)) {
+    return Real(log(head));  // also zero, negative, infinite, NaN
   }
-  const auto bits = std::bit_cast<std::uint64_t>(x.hi);
+  const auto bits = std::bit_cast<std::uint64_t>(head);
   const std::uint64_t offset = bits - first_interval;
   const auto exponent = static_cast<int>(static_cast<std::int64_t>(offset) >> 52);
   const LogRow& coarse = coarse_rows[(offset >> 45) & 127];
   const double m = std::bit_cast<double>(bits - (offset & 0xfff0000000000000));
-  const double m_tail =
+  const Real m_tail =
       x.lo * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52);
 
   // m r1 = 1 + z1, |z1| < 2^-7; then (1 + z1) r2 = 1 + z, |z| < 2^-14.9.
-  const DoubleDouble p1 = two_product(m, coarse.reciprocal);
-  const double p1_tail = p1.lo + m_tail * coarse.reciprocal;
+  const Pair<Real> p1 = two_product(Real(m), Real(coarse.reciprocal));
+  const Real p1_tail = p1.lo + m_tail * coarse.reciprocal;
   // Adding 1.5 * 2^52 leaves the nearest integer in the low bits.
-  const auto j = std::bit_cast<std::uint64_t>((p1.hi - 1.0) * 0x1p14 + (0x1.8p52 + 128.0));
+  const auto j = std::bit_cast<std::uint64_t>((double(p1.hi) - 1.0) * 0x1p14 + (0x1.8p52 + 128.0));
   const LogRow& fine = fine_rows[j & 0x1ff];
-  const DoubleDouble p2 = two_product(p1.hi, fine.reciprocal);
-  const DoubleDouble z = two_sum(p2.hi - 1.0, p2.lo + p1_tail * fine.reciprocal);
+  const Pair<Real> p2 = two_product(p1.hi, Real(fine.reciprocal));
+  const Pair<Real> z = two_sum(Real(p2.hi - 1.0), Real(p2.lo + p1_tail * fine.reciprocal));
 
   // log(1 + z) = z - z^2/2 + z^3 (1/3 - z/4 + z^2/5 - z^3/6 + ...): the cube is below 2^-46.
-  const double h = z.hi;
+  const double h(z.hi);
   const double cubic = h * h * h * (1.0 / 3.0 - h * (0.25 - h * (0.2 - h * (1.0 / 6.0))));
-  const DoubleDouble square = z * z;
-  const DoubleDouble logarithm_1p = z + DoubleDouble(-0.5 * square.hi, -0.5 * square.lo) + cubic;
-  const DoubleDouble table =
-      DoubleDouble(coarse.head, coarse.tail) + DoubleDouble(fine.head, fine.tail);
+  const Pair<Real> square = z * z;
+  const Pair<Real> logarithm_1p = z + Pair<Real>(-0.5 * square.hi, -0.5 * square.lo) + cubic;
+  const Pair<Real> table = Pair<Real>(coarse.head, coarse.tail) + Pair<Real>(fine.head, fine.tail);
   if (exponent == 0) return table + logarithm_1p;
-  return double_double_log_two * static_cast<double>(exponent) + (table + logarithm_1p);
+  return Pair<Real>(double_double_log_two.hi, double_double_log_two.lo) *
+             static_cast<double>(exponent) +
+         (table + logarithm_1p);
 }
 
 }  // namespace stationary

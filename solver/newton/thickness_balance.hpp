@@ -14,7 +14,8 @@
 namespace stationary {
 
 struct ThicknessBalance {
-  double rho;  ///< NaN where no solution exists (then `refined` has not converged)
+  double rho;   ///< NaN where no solution exists (then `refined` has not converged)
+  double tail;  ///< what rounding left of it (refine.hpp)
   Refined refined;
 };
 
@@ -38,8 +39,10 @@ ThicknessBalance balanced_thickness(const Thickness& model, const DoubleDouble& 
     if (near && newton(system, y).converged) x = y;
   }
   ThicknessBalance out;
-  out.refined = refine<bound>(system, x);
+  ReducedVector<1> tail;
+  out.refined = refine<bound>(system, x, 8, &tail);
   out.rho = x[0];
+  out.tail = tail[0];
   return out;
 }
 

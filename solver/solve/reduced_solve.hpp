@@ -20,6 +20,7 @@ template <int N>
 struct ReducedAnswer {
   SolveStatus status = SolveStatus::not_run;
   ReducedVector<N> x = ReducedVector<N>::Constant(std::numeric_limits<double>::quiet_NaN());
+  ReducedVector<N> tail = ReducedVector<N>::Constant(std::numeric_limits<double>::quiet_NaN());
   double error_bound = std::numeric_limits<double>::quiet_NaN();
   Connection connection = Connection::unknown;
   std::string message;
@@ -57,13 +58,15 @@ class ReducedSolve {
   /// not on the way to it, and a page, which has no Ceres, tells the same bits.
   bool finish(ReducedVector<N> x, ReducedAnswer<N>& out) {
     for (int time = 0; time < 2; ++time) {
-      const Refined refined = refine(system_, x);
+      ReducedVector<N> tail;
+      const Refined refined = refine(system_, x, 8, &tail);
       counts_.newton_steps += refined.steps;
       counts_.extended_residuals += refined.steps;
       counts_.jacobians += refined.steps;
       if (!refined.converged) break;
       out.status = SolveStatus::solved;
       out.x = x;
+      out.tail = tail;
       out.error_bound = refined.error_bound;
     }
     return out.status == SolveStatus::solved;

@@ -62,6 +62,7 @@ void solve_model(const Separable<Plane, Thickness>& model, const Problem& proble
   adopt(answer, out);
   if (answer.status != SolveStatus::solved) return;
   out.q = {0.0, answer.x[0], answer.x[1], thickness.rho};
+  out.tail = {answer.tail[0], answer.tail[1], thickness.tail};
   out.error_bound = std::max(out.error_bound, thickness.refined.error_bound);
 }
 
@@ -82,7 +83,9 @@ void solve_model(const Coupled& model, const Problem& problem, double nu,
       ReducedSolve<CoupledSystem<Coupled>>(system, rest, nu, options, out.counts, circle)
           .run(start);
   adopt(answer, out);
-  if (answer.status == SolveStatus::solved) out.q = {0.0, answer.x[0], answer.x[1], answer.x[2]};
+  if (answer.status != SolveStatus::solved) return;
+  out.q = {0.0, answer.x[0], answer.x[1], answer.x[2]};
+  out.tail = answer.tail;
 }
 
 /// Of all solutions in the search's box the one nearest to the rest state, and whether the search

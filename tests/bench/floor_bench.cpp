@@ -75,6 +75,9 @@ Pair<Counted> sqrt(const Pair<Counted>& x) {
 }  // namespace stationary
 
 template <>
+inline constexpr bool stationary::is_scalar<stationary::Counted> = true;
+
+template <>
 class std::numeric_limits<stationary::Counted> : public std::numeric_limits<double> {};
 template <>
 class std::numeric_limits<stationary::Pair<stationary::Counted>>
@@ -139,8 +142,17 @@ struct Machine {
   double divisions;
 };
 
-/// Scalars: kept apart by hiding them from the vectorizer.
-[[gnu::optimize("no-tree-vectorize", "no-tree-slp-vectorize")]] double scalar_rate() {
+/// Keeps x in a register of its own, from which no vector is made.
+inline void keep_scalar(double& x) {
+#ifdef __x86_64__
+  asm volatile("" : "+x"(x));
+#else
+  asm volatile("" : "+w"(x));
+#endif
+}
+
+/// Of independent scalars.
+double scalar_rate() {
   constexpr int rounds = 100'000;
   double a = 1.0, b = 1.1, c = 1.2, d = 1.3, e = 1.4, f = 1.5, g = 1.6, h = 1.7;
   double factor = 0.999999;
@@ -157,8 +169,9 @@ struct Machine {
       f = f * factor + term;
       g = g * factor + term;
       h = h * factor + term;
+      keep_scalar(a), keep_scalar(b), keep_scalar(c), keep_scalar(d);
+      keep_scalar(e), keep_scalar(f), keep_scalar(g), keep_scalar(h);
     }
-    hide(a), hide(b), hide(c), hide(d), hide(e), hide(f), hide(g), hide(h);
   });
   return 16.0 * rounds / seconds;
 }
@@ -196,18 +209,19 @@ template <class Model>
 Operations spectrum_operations(const Model& model, Branch branch) {
   return count([&] {
     const SpinUnits units(1.0, 0.5);
-    const auto s =
-        balanced_state(SpinningBody<Extended, Counted, Model>{.model = model,
-                                                              .J1 = 1.0,
-                                                              .J2 = 1.7,
-                                                              .J3 = 0.6,
-                                                              .xi = Extended(0.9),
-                                                              .zeta = Extended(1.2),
-                                                              .rho = Extended(0.7),
-                                                              .omega = 0.5,
-                                                              .normal = branch == Branch::iii,
-                                                              .least_apart = 0.01},
-                       units);
+    const SpinningBody<Extended, Counted> spin{.J1 = 1.0,
+                                               .J2 = 1.7,
+                                               .J3 = 0.6,
+                                               .xi = Extended(0.9),
+                                               .zeta = Extended(1.2),
+                                               .rho = Extended(0.7),
+                                               .omega = 0.5,
+                                               .normal = branch == Branch::iii,
+                                               .least_apart = 0.01};
+    Curvatures<Extended> curvatures;
+    add_plane(model.plane, spin, curvatures);
+    add_thickness(model.thickness, spin, curvatures);
+    const auto s = balanced_state(spin, curvatures, units);
     if (branch == Branch::i) {
       even_chain_i(s).characteristic();
       odd_quadratic_i(s);

@@ -4,6 +4,7 @@
 
 #include "solver/solve/stability.hpp"
 #include "tests/support/motions.hpp"
+#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {
@@ -68,7 +69,7 @@ TEST(BalancedStability, IsTheSameInOtherUnits) {
       const Problem problem(body, named_potential(potential, plane, axial), branch);
       const Equilibrium at = solve(problem, nu);
       ASSERT_EQ(at.status, SolveStatus::solved);
-      const Spectrum plain = stability(problem, at);
+      const Spectrum plain = stability(problem, known(problem, at.q, nu, at.error_bound));
       for (const auto& [inertia, energy] :
            {std::pair{40, 0}, {0, -60}, {-200, 0}, {0, 200}, {-100, 100}, {180, 180}}) {
         const Problem other(
@@ -91,6 +92,38 @@ TEST(BalancedStability, IsTheSameInOtherUnits) {
       }
     }
   }
+}
+
+/// What rounding left of q, as the solve has told it, is what another correction would find, and is
+/// not asked where it is none.
+TEST(BalancedStability, TakesTheSolvesTail) {
+  support::Random random(78);
+  int known_tails = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Posed posed = random_problem(random, 2.0);
+    const Equilibrium at = solve(posed.problem, posed.nu);
+    if (at.status != SolveStatus::solved || !at.tail.allFinite()) continue;
+    ++known_tails;
+    Equilibrium without = known(posed.problem, at.q, posed.nu, at.error_bound);
+    const Spectrum again = stability(posed.problem, without);
+    const Spectrum spectrum = stability(posed.problem, at);
+    EXPECT_EQ(spectrum.verdict, again.verdict) << posed.text;
+    EXPECT_EQ(spectrum.negative, again.negative) << posed.text;
+    for (std::size_t i = 0; i < 5; ++i) {
+      const Mode& one = spectrum.mode[i];
+      const Mode& other = again.mode[i];
+      EXPECT_NEAR(one.lambda_re, other.lambda_re,
+                  0x1p-51 * std::abs(other.lambda_re) + 1e-3 * other.lambda_error)
+          << posed.text;
+      EXPECT_EQ(one.krein, other.krein) << posed.text;
+    }
+    without.tail = at.tail;
+    without.tail[1] = 1e-3 * at.q.zeta;
+    const Spectrum kept = stability(posed.problem, without);
+    for (std::size_t i = 0; i < 5; ++i)
+      EXPECT_EQ(kept.mode[i].lambda_re, again.mode[i].lambda_re) << posed.text;
+  }
+  EXPECT_GT(known_tails, 150);
 }
 
 /// J1 = J2 near rest: xi - zeta is below its error, and the sign of the energy is not asked of it.

@@ -1,0 +1,22 @@
+# Fails where an object compiled for instructions that not every processor has defines a function that other objects may
+# define too: the linker takes any one of them, and the program then stops elsewhere. Of a function whose name has the
+# pack's width or `Fused` in it there is no other.
+cmake_policy(VERSION 3.25)
+set(seen 0)
+set(found "")
+foreach(library IN LISTS libraries)
+  execute_process(COMMAND ${nm} -A ${library} OUTPUT_VARIABLE symbols ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  string(REPLACE "\n" ";" symbols "${symbols}")
+  list(FILTER symbols INCLUDE REGEX "_(avx2|avx512|fused)\\.[^ ]*:[0-9a-f]+ W ")
+  list(LENGTH symbols count)
+  math(EXPR seen "${seen} + ${count}")
+  list(FILTER symbols EXCLUDE REGEX "4PackILi(32|64)E|PackMaskILi(32|64)E|5Fused")
+  list(APPEND found ${symbols})
+endforeach()
+if(seen EQUAL 0)
+  message(FATAL_ERROR "${nm} names no function of the objects compiled for some processors")
+endif()
+if(found)
+  list(JOIN found "\n" found)
+  message(FATAL_ERROR "Functions that other objects may define too:\n${found}")
+endif()
