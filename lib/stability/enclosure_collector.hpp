@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "lib/number/elementary.hpp"
 #include "lib/stability/spectrum_enclosure.hpp"
 
 namespace stationary {
@@ -128,8 +127,8 @@ class EnclosureCollector {
       std::size_t nearest = 0;
       double least = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < left.size(); ++i) {
-        const double off = hypotenuse(left[i].re.mid() - mode.lambda_re,
-                                      std::abs(left[i].im.mid()) - mode.lambda_im);
+        const double off = std::abs(left[i].re.mid() - mode.lambda_re) +
+                           std::abs(std::abs(left[i].im.mid()) - mode.lambda_im);
         if (!(off < least)) continue;
         least = off;
         nearest = i;

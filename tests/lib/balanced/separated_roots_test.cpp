@@ -56,7 +56,8 @@ TEST(SeparatedRoots, NoneThatAreCloseOrComplex) {
   EXPECT_FALSE(separated_roots(with_roots(-3.0, -3.0, -3.0)).found);
   EXPECT_FALSE(separated_roots(with_roots(0.0, 0.0, 0.0)).found);
   const DoubleDouble one(1.0);
-  EXPECT_FALSE(separated_roots({{one, one, one, one}}).found);  // -1, i, -i
+  const Polynomial<DoubleDouble, 3> turned{{one, one, one, one}};  // -1, i, -i
+  EXPECT_FALSE(separated_roots(turned).found);
 }
 
 TEST(SpinUnits, ArePowersOfTwo) {
