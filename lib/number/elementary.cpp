@@ -229,6 +229,23 @@ DoubleDouble arctangent(double a, double b) {
   return steep ? DoubleDouble(half_pi[0], half_pi[1]) - angle : angle;
 }
 
+/// The rounded arctangent() of a / b < 1/32 by its series, of which all but the first term is in
+/// double; NaN where that leaves the rounding open (one in some hundred), or a product may not be
+/// exact.
+double quick_arctangent(double a, double b) {
+  if (!(a > 0x1p-400) || !(b < 0x1p500)) return not_a_number;
+  const DoubleDouble t = renormalized(DoubleDouble(a) / DoubleDouble(b));
+  if (t.hi < 0x1p-30) return not_a_number;  // t itself (small_arctangent)
+  static constexpr std::array<double, 6> series{-1.0 / 3.0, 1.0 / 5.0,   -1.0 / 7.0,
+                                                1.0 / 9.0,  -1.0 / 11.0, 1.0 / 13.0};
+  const double z = t.hi * t.hi;
+  const double rest = t.hi * (z * polynomial(series, z));
+  const double tail = (t.lo - t.lo * z) + rest;
+  const double error = 0x1p-49 * std::abs(rest) + 0x1p-70 * t.hi;
+  const double angle = t.hi + (tail + error);
+  return angle == t.hi + (tail - error) ? angle : not_a_number;
+}
+
 bool is_whole(double p) { return std::floor(p) == p; }
 bool is_odd(double p) { return is_whole(p) && std::floor(0.5 * p) != 0.5 * p; }
 
@@ -314,6 +331,10 @@ double atan2(double y, double x) noexcept {
   }
   if (y == 0.0) return std::signbit(x) ? std::copysign(2.0 * half_pi[0], y) : y;
   if (x == 0.0) return std::copysign(half_pi[0], y);
+  if (std::abs(y) < 0x1p-5 * x) {
+    const double quick = quick_arctangent(std::abs(y), x);
+    if (quick == quick) return std::copysign(quick, y);
+  }
   DoubleDouble angle = arctangent(std::abs(y), std::abs(x));
   if (x < 0.0) angle = double_double_pi - angle;
   return std::copysign(double(angle), y);
@@ -321,9 +342,10 @@ double atan2(double y, double x) noexcept {
 
 double hypotenuse(double x, double y, double z) noexcept {
   const double size = std::fmax(std::fmax(std::abs(x), std::abs(y)), std::abs(z));
+  // Where all but one are zero, or nothing beside it.
+  if ((std::abs(x) + std::abs(y)) + std::abs(z) == size) return size;
   if (size == infinity) return infinity;
   if (x != x || y != y || z != z) return not_a_number;
-  if (size == 0.0) return 0.0;
   const double unit = size > 0x1p400 ? 0x1p-600 : size < 0x1p-400 ? 0x1p600 : 1.0;
   DoubleDouble sum;
   for (const double part : {x, y, z}) sum += two_product(part * unit, part * unit);
