@@ -64,8 +64,9 @@ struct Equilibrium {
   std::string message;  ///< for a person: how it was found, or why not
   Stretch q{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
             std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-  /// What rounding left of (xi, zeta, rho), to 2^-86 of each; NaN where that is not known.
-  Vector3<double> tail = Vector3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
+  /// q as it was before it was rounded, to 2^-86 of each stretch, where the solve knows that: whose
+  /// heads are no longer q's is of no use.
+  std::optional<BasicStretch<DoubleDouble>> unrounded;
   Vector3<double> nu = Vector3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   /// Two-polar: S is diag(lambda, mu, rho) then, and nu what it is at theta = 0.
   std::optional<TwoPolarState> two_polar;

@@ -25,6 +25,14 @@ void adopt(const auto& answer, Equilibrium& out) {
   out.error_bound = answer.error_bound;
 }
 
+/// tail: what rounding left of q (refine.hpp).
+void keep_unrounded(const ReducedVector<3>& tail, Equilibrium& out) {
+  if (!tail.allFinite()) return;
+  const Stretch& q = out.q;
+  out.unrounded = {DoubleDouble(q.alpha), DoubleDouble(q.xi, tail[0]),
+                   DoubleDouble(q.zeta, tail[1]), DoubleDouble(q.rho, tail[2])};
+}
+
 /// A walk needs a state of rest to begin at, which an expression may not have.
 template <class Model>
 bool no_rest_state(const Model&, double rest_stretch, Equilibrium& out) {
@@ -62,7 +70,7 @@ void solve_model(const Separable<Plane, Thickness>& model, const Problem& proble
   adopt(answer, out);
   if (answer.status != SolveStatus::solved) return;
   out.q = {0.0, answer.x[0], answer.x[1], thickness.rho};
-  out.tail = {answer.tail[0], answer.tail[1], thickness.tail};
+  keep_unrounded({answer.tail[0], answer.tail[1], thickness.tail}, out);
   out.error_bound = std::max(out.error_bound, thickness.refined.error_bound);
 }
 
@@ -85,7 +93,7 @@ void solve_model(const Coupled& model, const Problem& problem, double nu,
   adopt(answer, out);
   if (answer.status != SolveStatus::solved) return;
   out.q = {0.0, answer.x[0], answer.x[1], answer.x[2]};
-  out.tail = answer.tail;
+  keep_unrounded(answer.tail, out);
 }
 
 /// Of all solutions in the search's box the one nearest to the rest state, and whether the search

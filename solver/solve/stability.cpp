@@ -1,7 +1,6 @@
 #include "solver/solve/stability.hpp"
 
 #include <array>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -11,16 +10,13 @@
 namespace stationary {
 namespace {
 
-/// (xi, zeta, rho) with what rounding left of them, where the solve has told it and they still are
-/// what it found.
-std::optional<std::array<DoubleDouble, 3>> extended(const Equilibrium& equilibrium) {
+/// (xi, zeta, rho) unrounded, where the solve has told it and q is still what it found.
+std::optional<std::array<DoubleDouble, 3>> unrounded(const Equilibrium& equilibrium) {
+  if (!equilibrium.unrounded) return std::nullopt;
   const Stretch& q = equilibrium.q;
-  const std::array<DoubleDouble, 3> out{DoubleDouble(q.xi, equilibrium.tail[0]),
-                                        DoubleDouble(q.zeta, equilibrium.tail[1]),
-                                        DoubleDouble(q.rho, equilibrium.tail[2])};
-  for (const DoubleDouble& x : out)
-    if (!(std::abs(x.lo) <= 0x1p-52 * x.hi)) return std::nullopt;
-  return out;
+  const auto& [alpha, xi, zeta, rho] = *equilibrium.unrounded;
+  if (xi.hi != q.xi || zeta.hi != q.zeta || rho.hi != q.rho) return std::nullopt;
+  return std::array{xi, zeta, rho};
 }
 
 }  // namespace
@@ -36,7 +32,7 @@ Spectrum stability(const Problem& problem, const Equilibrium& equilibrium) {
   const Branch branch = problem.branch();
   const double nu = equilibrium.nu[axis(branch)];
   return problem.potential().visit_parts([&](const auto& model) {
-    const auto q = extended(equilibrium);
+    const auto q = unrounded(equilibrium);
     return model_stability(problem.body(), branch, model,
                            q ? *q : extended_q(problem.body(), branch, model, equilibrium.q, nu),
                            nu, equilibrium.error_bound);
