@@ -1,6 +1,7 @@
 #include "solver/atlas/least_energy.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -108,8 +109,14 @@ std::optional<LeastEnergyEnd> solved_at(const EnergyArc& arc, double momentum) {
 
 class Envelope {
  public:
-  explicit Envelope(std::vector<EnergyArc> arcs) : arcs_(std::move(arcs)) {
+  /// stop: becomes true, no pieces.
+  Envelope(std::vector<EnergyArc> arcs, const std::atomic<bool>* stop)
+      : arcs_(std::move(arcs)), stop_(stop) {
     std::ranges::sort(arcs_, {}, [](const EnergyArc& each) { return each.a.momentum; });
+    for (const EnergyArc& each : arcs_) {
+      if (each.run >= runs_.size()) runs_.resize(each.run + 1);
+      runs_[each.run].push_back(&each);
+    }
   }
 
   std::vector<LeastEnergyPiece> pieces() {
@@ -121,7 +128,7 @@ class Envelope {
     std::ranges::sort(ends);
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     std::size_t next = 0;
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    for (std::size_t k = 0; k + 1 < ends.size() && !stopped(); ++k) {
       while (next < arcs_.size() && arcs_[next].a.momentum <= ends[k])
         active_.push_back(&arcs_[next++]);
       std::erase_if(active_, [&](const EnergyArc* each) { return each->b.momentum <= ends[k]; });
@@ -132,8 +139,9 @@ class Envelope {
       divide(ends[k], ends[k + 1], least_at(ends[k] + margin), least_at(ends[k + 1] - margin));
     }
     decide_unclear();
-    for (std::size_t k = 1; k < out_.size(); ++k) refine(out_[k - 1], out_[k]);
+    for (std::size_t k = 1; k < out_.size() && !stopped(); ++k) refine(out_[k - 1], out_[k]);
     std::vector<LeastEnergyPiece> all;
+    if (stopped()) return all;
     for (const Piece& each : out_) all.push_back({each.sheet, each.from, each.to});
     return all;
   }
@@ -146,20 +154,21 @@ class Envelope {
     LeastEnergyEnd to;
   };
 
+  bool stopped() const { return stop_ != nullptr && *stop_; }
+
+  /// Of two that have it, the one below.
   const EnergyArc* arc_of(std::size_t run, double momentum) const {
-    const auto is_it = [&](const EnergyArc& each) { return each.run == run && each.has(momentum); };
-    const auto found = std::ranges::find_if(arcs_, is_it);
-    return found == arcs_.end() ? nullptr : &*found;
+    const auto& arcs = runs_[run];
+    const auto begins_below = [&](const EnergyArc* each) { return each->a.momentum <= momentum; };
+    auto found = std::ranges::partition_point(arcs, begins_below);
+    const EnergyArc* out = nullptr;
+    while (found != arcs.begin() && (*--found)->has(momentum)) out = *found;
+    return out;
   }
 
   /// The |pi| that a run has.
   std::pair<double, double> momenta(std::size_t run) const {
-    std::pair out{std::numeric_limits<double>::infinity(), 0.0};
-    for (const EnergyArc& each : arcs_) {
-      if (each.run != run) continue;
-      out = {std::min(out.first, each.a.momentum), std::max(out.second, each.b.momentum)};
-    }
-    return out;
+    return {runs_[run].front()->a.momentum, runs_[run].back()->b.momentum};
   }
 
   /// A motion of a run, solved for, or between its rows.
@@ -177,25 +186,32 @@ class Envelope {
     constexpr double unclear = 1e-5;
     constexpr double rounding = 1e-14;
     std::vector<Piece> kept;
+    std::vector<const EnergyArc*> others;
     for (Piece each : out_) {
+      if (stopped()) return;
       const double middle = 0.5 * (each.from.momentum + each.to.momentum);
       const double coarse = arc_of(each.run, middle)->at(middle).energy;
       const auto own = motion(each.run, middle);
       const double size = std::abs(coarse) + own->momentum * own->spin;
       const bool adjoins = !kept.empty() && kept.back().to.momentum == each.from.momentum;
       double least = own->energy;
-      for (const EnergyArc& other : arcs_) {
-        if (other.run == each.run || !other.has(middle)) continue;
-        if (!(other.at(middle).energy - coarse <= unclear * size)) continue;
-        if (!arc_of(other.run, each.from.momentum) || !arc_of(other.run, each.to.momentum))
+      others.clear();
+      for (std::size_t run = 0; run < runs_.size(); ++run)
+        if (const EnergyArc* const arc = arc_of(run, middle)) others.push_back(arc);
+      std::ranges::sort(others);
+      for (const EnergyArc* const other : others) {
+        if (other->run == each.run) continue;
+        if (!(other->at(middle).energy - coarse <= unclear * size)) continue;
+        if (!arc_of(other->run, each.from.momentum) || !arc_of(other->run, each.to.momentum))
           continue;
-        const double energy = motion(other.run, middle)->energy;
-        const bool before = adjoins && other.run == kept.back().run;
+        if (stopped()) return;
+        const double energy = motion(other->run, middle)->energy;
+        const bool before = adjoins && other->run == kept.back().run;
         if (!(energy < least - rounding * size || (before && energy <= least + rounding * size)))
           continue;
         least = energy;
-        each.run = other.run;
-        each.sheet = other.sheet->number;
+        each.run = other->run;
+        each.sheet = other->sheet->number;
       }
       each.from = arc_of(each.run, each.from.momentum)->at(each.from.momentum);
       each.to = arc_of(each.run, each.to.momentum)->at(each.to.momentum);
@@ -278,6 +294,8 @@ class Envelope {
   }
 
   std::vector<EnergyArc> arcs_;
+  const std::atomic<bool>* stop_;
+  std::vector<std::vector<const EnergyArc*>> runs_;  ///< the arcs of each, ascending in |pi|
   std::vector<const EnergyArc*> active_;
   std::vector<Piece> out_;
 };
@@ -354,7 +372,7 @@ std::vector<LeastEnergyPiece> least_energy(const std::vector<AtlasSheet>& sheets
                                            const SearchOptions& box) {
   EnergyArcs arcs(box);
   for (const AtlasSheet& sheet : sheets) arcs.add(sheet);
-  return Envelope(arcs.taken()).pieces();
+  return Envelope(arcs.taken(), box.stop).pieces();
 }
 
 }  // namespace stationary

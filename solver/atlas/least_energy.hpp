@@ -32,7 +32,7 @@ struct LeastEnergyPiece {
 };
 
 /// Ascending in |pi|, of the motions whose stretches are in the box of an atlas; where no sheet listed
-/// has one there is no piece. Solves for motions with the sheets' arcs, which one thread may do at a time.
+/// has one there is no piece, nor any once box.stop is true. Solves for motions with the sheets' arcs, which one thread may do at a time.
 std::vector<LeastEnergyPiece> least_energy(const std::vector<AtlasSheet>& sheets,
                                            const SearchOptions& box);
 

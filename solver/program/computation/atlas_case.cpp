@@ -258,10 +258,11 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   Atlas found = atlas(input.body, make_potential(input.models, input.body), how);
   RowSink* const table = target != nullptr ? &target->open(columns) : nullptr;
   std::vector<SheetRecord> records;
-  const CurveProofs proofs =
-      write_sheets({input.body, input.potential, input.output.certificate, input.coordinates},
-                   found, table, records);
+  const CurveProofs proofs = write_sheets(
+      {input.body, input.potential, input.output.certificate, input.coordinates, how.stop}, found,
+      table, records);
   const std::vector<LeastEnergyPiece> least = least_energy(found.sheets, how.search);
+  found.interrupted = found.interrupted || (how.stop != nullptr && *how.stop);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (least_file) {

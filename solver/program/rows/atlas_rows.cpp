@@ -21,13 +21,15 @@ CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
                          std::vector<SheetRecord>& records) {
   CurveProofs out;
   for (AtlasSheet& sheet : found.sheets) {
-    CurveTable table(name(sheet.motion(0.0)), writer, sheet.number);
+    const bool stopped = of.stop != nullptr && *of.stop;
+    found.interrupted = found.interrupted || stopped;
+    CurveTable table(name(sheet.motion(0.0)), stopped ? nullptr : writer, sheet.number);
     const auto kind_at = [&](double nu) {
       return kind_of(of.body, of.potential, sheet.motion(nu));
     };
     table.in_coordinates(of.coordinates);
     table.tell_normal_forms(kind_at, {});
-    if (of.prove) table.prove(kind_at, {});
+    if (of.prove && !stopped) table.prove(kind_at, {});
     records.push_back(write_rows(sheet, table));
     out.rows += table.proofs().rows;
     out.proven += table.proofs().proven;

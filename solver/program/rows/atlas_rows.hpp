@@ -1,6 +1,7 @@
 // The sheets of an atlas as rows of a table.
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct AtlasBody {
   const Potential& potential;
   bool prove = false;
   MaterialCoordinates coordinates{};  ///< those of its rows
+  /// Becomes true: the sheets that are left are neither written nor proven, found.interrupted.
+  const std::atomic<bool>* stop = nullptr;
 };
 /// All sheets into the table, which may be null, and what is told of each; how many rows are proven.
 CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,

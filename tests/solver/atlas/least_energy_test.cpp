@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -223,6 +224,18 @@ TEST(LeastEnergy, IsNoNoiseOfInterpolation) {
   const double zeta = how.search.max_stretch;
   const double nu = std::sqrt(2.0 * 1.1 * 1.9 / 3.0 * 2.0 * std::log(zeta) / (zeta * zeta * 1.7));
   EXPECT_NEAR(pieces[1].to.spin, nu, 1e-10 * nu);
+}
+
+TEST(LeastEnergy, HasNoPiecesOnceStopped) {
+  const Case input = shipped("fold");
+  const AtlasOptions how = atlas_options(input, 4, false);
+  const Atlas found = atlas(input.body, input.potential, how);
+  std::atomic<bool> stop{true};
+  SearchOptions box = how.search;
+  box.stop = &stop;
+  EXPECT_TRUE(least_energy(found.sheets, box).empty());
+  stop = false;
+  EXPECT_FALSE(least_energy(found.sheets, box).empty());
 }
 
 }  // namespace
