@@ -4,7 +4,7 @@
     two_builds.py BEFORE AFTER [--filter REGEX] [--rounds N] [BENCH ...]
 
 BEFORE, AFTER: build directories, best made by one compiler with the same options. BENCH: programs of
-tests/bench by Google Benchmark; all that both have where none is named. In each round each program
+tests/bench by Google Benchmark; where none is named, of KNOWN those that both have. In each round each program
 runs once in either build, the order turned from round to round, so that a busy hour meets both. Of
 each benchmark the least processor time over the rounds counts: the line has both, and their ratio; at
 its end each program has the geometric mean of the ratios of each of its groups, which is what a name

@@ -265,7 +265,7 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   found.interrupted = found.interrupted || (how.stop != nullptr && *how.stop);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (least_file) {
+  if (least_file && !found.interrupted) {
     least_file->write(least_energy_csv(least, found.sheets));
     least_file->commit();
   }

@@ -20,8 +20,10 @@ SheetRecord write_rows(AtlasSheet& sheet, CurveTable& table) {
 CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
                          std::vector<SheetRecord>& records) {
   CurveProofs out;
+  // What an atlas interrupted before has found is written whole.
+  const bool to_stop = of.stop != nullptr && !found.interrupted;
   for (AtlasSheet& sheet : found.sheets) {
-    const bool stopped = of.stop != nullptr && *of.stop;
+    const bool stopped = to_stop && *of.stop;
     found.interrupted = found.interrupted || stopped;
     CurveTable table(name(sheet.motion(0.0)), stopped ? nullptr : writer, sheet.number);
     const auto kind_at = [&](double nu) {

@@ -20,7 +20,8 @@ struct AtlasBody {
   const Potential& potential;
   bool prove = false;
   MaterialCoordinates coordinates{};  ///< those of its rows
-  /// Becomes true: the sheets that are left are neither written nor proven, found.interrupted.
+  /// Becomes true while they are written: those left are neither written nor proven, and
+  /// found.interrupted is set.
   const std::atomic<bool>* stop = nullptr;
 };
 /// All sheets into the table, which may be null, and what is told of each; how many rows are proven.

@@ -52,6 +52,14 @@ TEST(AtlasRows, EndWithTheSheetThatIsInterrupted) {
   write_sheets({input.body, input.potential, false, {}, &stop}, found, &all, records);
   EXPECT_FALSE(found.interrupted);
   EXPECT_GT(all.rows(), first);
+
+  // Interrupted before: what it has found is written whole.
+  found.interrupted = true;
+  stop = true;
+  Interrupting found_so_far(stop, 1'000'000);
+  records.clear();
+  write_sheets({input.body, input.potential, false, {}, &stop}, found, &found_so_far, records);
+  EXPECT_EQ(found_so_far.rows(), all.rows());
 }
 
 }  // namespace
