@@ -230,7 +230,7 @@ DoubleDouble arctangent(double a, double b) {
 }
 
 /// The rounded arctangent() of a / b < 1/32 by its series, of which all but the first term is in
-/// double; NaN where that leaves the rounding open (one in some hundred), or a product may not be
+/// double; NaN where that leaves the rounding open, which is rare, or a product may not be
 /// exact.
 double quick_arctangent(double a, double b) {
   if (!(a > 0x1p-400) || !(b < 0x1p500)) return not_a_number;
