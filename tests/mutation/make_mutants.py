@@ -435,6 +435,7 @@ def write_file(source, tree, file, mutants):
         text = '#include "lib/mutation.hpp"\n#line 1\n' + text
     target = tree / file
     if not target.exists() or target.read_text() != text:
+        target.parent.mkdir(parents=True, exist_ok=True)  # of a room all of whose files have mutants
         new = target.with_suffix(".new")  # another source may be read just now
         new.write_text(text)
         new.rename(target)
