@@ -3,8 +3,9 @@
 // every product and difference stands by itself.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/LU>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace stationary {
@@ -18,11 +19,11 @@ class Elimination {
     for (int i = 0; i < n; ++i) row_[static_cast<std::size_t>(i)] = i;
     for (int k = 0; k < n; ++k) {
       int pivot = k;
-      lu_.col(k).tail(n - k).cwiseAbs().maxCoeff(&pivot);
-      pivot += k;
+      for (int i = k + 1; i < n; ++i)
+        if (std::abs(lu_(i, k)) > std::abs(lu_(pivot, k))) pivot = i;
       if (lu_(pivot, k) == 0.0) continue;  // singular: U has a zero on its diagonal
       if (pivot != k) {
-        lu_.row(k).swap(lu_.row(pivot));
+        for (int j = 0; j < n; ++j) std::swap(lu_(k, j), lu_(pivot, j));
         std::swap(row_[static_cast<std::size_t>(k)], row_[static_cast<std::size_t>(pivot)]);
         sign_ = -sign_;
       }
@@ -56,5 +57,15 @@ class Elimination {
   std::array<int, static_cast<std::size_t>(n)> row_;
   double sign_ = 1.0;
 };
+
+/// Of four and less by Eigen's products.
+template <int n>
+double determinant(const Eigen::Matrix<double, n, n>& A) {
+  if constexpr (n > 4) {
+    return Elimination<n>(A).determinant();
+  } else {
+    return A.determinant();
+  }
+}
 
 }  // namespace stationary

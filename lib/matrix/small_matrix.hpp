@@ -13,7 +13,7 @@ struct SmallMatrix {
 
   double operator()(int i, int j) const { return entries(i, j); }
   const Eigen::Matrix<double, N, N>& matrix() const { return entries; }
-  double determinant() const { return entries.determinant(); }
+  double determinant() const { return stationary::determinant<N>(entries); }
   /// Not finite where the matrix is singular.
   SmallMatrix inverse() const {
     if constexpr (N > 4) {

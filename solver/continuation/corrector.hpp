@@ -32,7 +32,7 @@ ArcVector<N> kernel_by_cofactors(const Eigen::Matrix<double, N, N + 1>& A) {
   for (int k = 0; k <= N; ++k) {
     for (int j = 0, column = 0; j <= N; ++j)
       if (j != k) minor.col(column++) = A.col(j);
-    out[k] = ((N - k) % 2 == 0 ? 1.0 : -1.0) * minor.determinant();
+    out[k] = ((N - k) % 2 == 0 ? 1.0 : -1.0) * determinant<N>(minor);
   }
   return out;
 }

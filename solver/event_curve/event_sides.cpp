@@ -1,6 +1,5 @@
 #include "solver/event_curve/event_sides.hpp"
 
-#include <Eigen/SVD>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -25,6 +24,20 @@ ArcVector<N> with_parameter(const ReducedVector<N>& x, double p) {
   return out;
 }
 
+/// Of a matrix that is singular but for rounding: by the cofactors of the row that has the largest.
+template <int N>
+ReducedVector<N> null_direction(const Eigen::Matrix<double, N, N>& A) {
+  ReducedVector<N> out = ReducedVector<N>::Zero();
+  for (int left_out = 0; left_out < N; ++left_out) {
+    Eigen::Matrix<double, N - 1, N> others;
+    for (int i = 0, row = 0; i < N; ++i)
+      if (i != left_out) others.row(row++) = A.row(i);
+    const ReducedVector<N> by_this = kernel_by_cofactors<N - 1>(others);
+    if (by_this.norm() > out.norm()) out = by_this;
+  }
+  return out.normalized();
+}
+
 template <int N>
 struct Side {
   Corrected<N> at;
@@ -41,15 +54,14 @@ std::optional<Side<N>> beside(const Family<N>& family, const EventPlace& place, 
   Side<N> out;
   if (fold) {
     constexpr double distance = 1e-3;
-    const Eigen::JacobiSVD<Eigen::Matrix<double, N, N>> svd(at.jacobian, Eigen::ComputeFullV);
-    const ReducedVector<N> w = svd.matrixV().col(N - 1);
+    const ReducedVector<N> w = null_direction<N>(at.jacobian);
     const double turned = side * distance;
     out.at = corrector.correct(moved<N>(x, ReducedVector<N>(turned * w)), place.first,
                                with_parameter<N>(w, 0.0), 1.0);
   } else {
     constexpr double distance = 1e-5;
     const double step = side * distance * std::abs(place.first);
-    const ReducedVector<N> slope = -at.jacobian.fullPivLu().solve(at.slope);
+    const ReducedVector<N> slope = -(Elimination<N>(at.jacobian).inverse() * at.slope);
     out.at = corrector.correct_at(moved<N>(x, ReducedVector<N>(step * slope)), place.first + step,
                                   with_parameter<N>(ReducedVector<N>::Zero(), 1.0));
   }
@@ -117,8 +129,8 @@ EventFunctions functions_at(const AnyFamily& family, const EventPlace& place,
                         .circle = place.circle,
                         .kind = own.events(),
                         .along_nu = own.turns_in_nu()},
-                       G.jacobian.determinant()};
-    out.values = test_values(member, out.context, out.turning, bordered.determinant() / I.own,
+                       determinant<N>(G.jacobian)};
+    out.values = test_values(member, out.context, out.turning, determinant<N + 1>(bordered) / I.own,
                              place.error_bound);
     return out;
   });

@@ -61,9 +61,9 @@ SearchResult search_stated(const Equations& equations, double p,
   everything.fill({options.min_stretch, options.max_stretch});
   const PruneOptions prune{
       .min_width = options.min_width, .max_boxes = options.max_boxes, .stop = options.stop};
-  const auto found = BranchAndPrune<StatedSystem<Equations>, StatedBoxes<Equations>>(
-                         system, boxes, Mirror::none, prune)
-                         .run(everything);
+  const auto found = branch_and_prune<N>(
+      SearchedPair<StatedSystem<Equations>, StatedBoxes<Equations>>(system, boxes), Mirror::none,
+      prune, everything);
   SearchResult out;
   out.boxes = found.boxes;
   for (const auto& each : found.solutions) {

@@ -13,7 +13,6 @@
 // event asks, whose own equations are regular where the balance alone is not.
 #pragma once
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,6 +20,7 @@
 #include <limits>
 #include <optional>
 
+#include "lib/matrix/scaled_rows.hpp"
 #include "lib/number/double_double_functions.hpp"
 #include "lib/number/first_order_bound_functions.hpp"
 
@@ -67,11 +67,11 @@ class ExtendedRootFinder {
     double before = std::numeric_limits<double>::infinity();
     for (int k = 0; k < most; ++k) {
       linearize(y);
-      const Vector step = lu_.solve(scaled(system_->values(y, {})));
-      const double size = step.cwiseAbs().maxCoeff();
+      const Numbers step = rows_.solve(leading(system_->values(y, {})));
+      const double size = largest(step);
       if (!std::isfinite(size) || size > 0.3) return std::nullopt;
       if (size < 0x1p-45 && size >= 0.25 * before) return bounded(y, size);  // at rounding
-      for (std::size_t i = 0; i < y.size(); ++i) y[i] = renormalized(y[i] - y[i] * step[place(i)]);
+      for (std::size_t i = 0; i < y.size(); ++i) y[i] = renormalized(y[i] - y[i] * step[i]);
       if (size < 0x1p-80) return bounded(y, size);
       before = size;
     }
@@ -79,43 +79,43 @@ class ExtendedRootFinder {
   }
 
  private:
-  using Vector = Eigen::Matrix<double, N, 1>;
-  using Matrix = Eigen::Matrix<double, N, N>;
-  static Eigen::Index place(std::size_t i) { return static_cast<Eigen::Index>(i); }
+  using Numbers = typename ScaledRows<N>::Numbers;
 
-  static Vector difference(const ExtendedVector<N>& a, const ExtendedVector<N>& b) {
-    Vector out;
-    for (std::size_t i = 0; i < a.size(); ++i) out[place(i)] = double(a[i] - b[i]) / (2.0 * h);
+  static Numbers leading(const ExtendedVector<N>& values) {
+    Numbers out;
+    for (std::size_t i = 0; i < values.size(); ++i) out[i] = double(values[i]);
     return out;
   }
-  Vector scaled(const ExtendedVector<N>& values) const {
-    Vector out;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      out[place(i)] = double(values[i]) * scale_[place(i)];
+  /// NaN where one is.
+  static double largest(const Numbers& step) {
+    double out = 0.0;
+    for (const double each : step) {
+      if (std::isnan(each)) return each;
+      out = std::max(out, std::abs(each));
+    }
+    return out;
+  }
+  static Numbers difference(const ExtendedVector<N>& a, const ExtendedVector<N>& b) {
+    Numbers out;
+    for (std::size_t i = 0; i < a.size(); ++i) out[i] = double(a[i] - b[i]) / (2.0 * h);
     return out;
   }
 
   void linearize(const ExtendedVector<N>& y) {
-    Matrix A;
+    std::array<Numbers, static_cast<std::size_t>(N)> columns;
     for (std::size_t k = 0; k < y.size(); ++k) {
       ExtendedVector<N> ahead = y;
       ExtendedVector<N> behind = y;
       ahead[k] = y[k] + h * y[k];
       behind[k] = y[k] - h * y[k];
-      A.col(place(k)) = difference(system_->values(ahead, {}), system_->values(behind, {}));
+      columns[k] = difference(system_->values(ahead, {}), system_->values(behind, {}));
     }
-    for (Eigen::Index i = 0; i < N; ++i) {
-      scale_[i] = 1.0 / A.row(i).cwiseAbs().maxCoeff();
-      A.row(i) *= scale_[i];
-    }
-    lu_.setThreshold(0.0);  // columns are of any size: an event may hang on the last digits of J
-    lu_.compute(A);
+    rows_.eliminate(columns);
   }
 
   std::optional<ExtendedRoot<N>> bounded(const ExtendedVector<N>& y, double last) {
     constexpr double rounding = 0x1p-80;
     constexpr double half_unit = 0x1p-53;
-    const Matrix inverse = lu_.inverse().cwiseAbs();
     std::array<Conditioned, static_cast<std::size_t>(N)> known;
     std::array<Conditioned, static_cast<std::size_t>(N)> rounded;
     for (std::size_t i = 0; i < y.size(); ++i) {
@@ -123,22 +123,24 @@ class ExtendedRootFinder {
       rounded[i] = Conditioned::input(double(y[i]));
     }
     const auto sizes = system_->conditioned(rounded, false);
-    Vector spread;
+    Numbers spread;
     for (std::size_t i = 0; i < y.size(); ++i)
-      spread[place(i)] = rounding * sizes[i].condition * scale_[place(i)];
+      spread[i] = rows_.scaled(i, rounding * sizes[i].condition);
     if (system_->has_decimals()) {
       const auto decimals = system_->conditioned(known, true);
       for (std::size_t i = 0; i < y.size(); ++i)
-        spread[place(i)] += half_unit * decimals[i].condition * scale_[place(i)];
+        spread[i] += rows_.scaled(i, half_unit * decimals[i].condition);
     }
-    Vector error = inverse * spread + Vector::Constant(2.0 * last);
+    Numbers error = rows_.largest(spread);
+    for (double& each : error) each += 2.0 * last;
     for (std::size_t k = 0; k < system_->inputs(); ++k) {
-      const Vector slope = difference(system_->values(y, {k, h}), system_->values(y, {k, -h}));
-      error += half_unit * lu_.solve(slope.cwiseProduct(scale_)).cwiseAbs();
+      const Numbers moved =
+          rows_.solve(difference(system_->values(y, {k, h}), system_->values(y, {k, -h})));
+      for (std::size_t i = 0; i < y.size(); ++i) error[i] += half_unit * std::abs(moved[i]);
     }
     ExtendedRoot<N> out{y, {}};
     for (std::size_t i = 0; i < y.size(); ++i) {
-      const double first = error[place(i)];
+      const double first = error[i];
       out.error[i] = first * (1.0 + 4.0 * first);  // what is beyond the first order
       if (!std::isfinite(first)) return std::nullopt;
     }
@@ -147,8 +149,7 @@ class ExtendedRootFinder {
 
   static constexpr double h = 0x1p-27;
   const System* system_;
-  Vector scale_;
-  Eigen::FullPivLU<Matrix> lu_;
+  ScaledRows<N> rows_;
 };
 
 template <class System>

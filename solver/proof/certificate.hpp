@@ -42,10 +42,9 @@ inline void require_assumptions(const Potential& potential, Inputs inputs, Certi
 }
 
 /// The proof at x, or why there is none.
-template <class BoxSystem>
-Proof<BoxSystem::dimension> prove_solution(const Krawczyk<BoxSystem>& test,
-                                           const ReducedVector<BoxSystem::dimension>& x,
-                                           const char* names, Certificate& out) {
+template <int N>
+Proof<N> prove_solution(const Krawczyk<N>& test, const ReducedVector<N>& x, const char* names,
+                        Certificate& out) {
   auto proof = test.prove();
   if (!proof.proven) {
     out.reason = std::string("no solution could be proven near these ") + names +
@@ -53,7 +52,7 @@ Proof<BoxSystem::dimension> prove_solution(const Krawczyk<BoxSystem>& test,
     return proof;
   }
   double least = 0.0;  // the error is at least this
-  for (int i = 0; i < BoxSystem::dimension; ++i)
+  for (int i = 0; i < N; ++i)
     least = std::max(least, log(proof.solution[static_cast<std::size_t>(i)] / x[i]).mignitude());
   if (least > allowed_error) {
     std::ostringstream text;

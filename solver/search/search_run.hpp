@@ -41,7 +41,8 @@ class SearchRun {
     const PruneOptions options{.min_width = options_.min_width,
                                .max_boxes = factor * options_.max_boxes,
                                .stop = options_.stop};
-    auto found = BranchAndPrune<System, BoxSystem>(system, boxes, mirror, options).run(everything);
+    auto found = branch_and_prune<BoxSystem::dimension>(
+        SearchedPair<System, BoxSystem>(system, boxes), mirror, options, everything);
     out_.boxes += found.boxes;
     if (found.interrupted) out_.status = SearchStatus::interrupted;
     return found;
