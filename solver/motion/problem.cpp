@@ -100,4 +100,12 @@ Problem::Problem(const Body& body, const Potential& potential, Branch branch)
       thickness_rule_(stationary::thickness_rule(potential, branch)),
       plan_(make_plan(body, potential, branch, thickness_rule_)) {}
 
+bool mirror_symmetric(const Problem& problem, double nu) {
+  if (!problem.potential().is_isotropic()) return false;
+  const BodyModel<>* body = problem.potential().body_model();
+  const bool sees_no_axes = body == nullptr || body->isotropic();
+  return (nu == 0.0 && sees_no_axes) ||
+         (problem.branch() == Branch::iii && problem.body().symmetric());
+}
+
 }  // namespace stationary

@@ -60,4 +60,7 @@ class Problem {
   std::vector<PlanItem> plan_;
 };
 
+/// Whether the balance is unchanged with xi and zeta exchanged: at rest, and for J1 = J2 in (iii).
+bool mirror_symmetric(const Problem& problem, double nu);
+
 }  // namespace stationary

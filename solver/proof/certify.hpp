@@ -46,9 +46,6 @@ struct Certificate {
   double error_bound = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Whether the balance is unchanged with xi and zeta exchanged: at rest, and for J1 = J2 in (iii).
-bool mirror_symmetric(const Problem& problem, double nu);
-
 /// At the equilibrium's q and nu; its status and error_bound are not read.
 Certificate certify(const Problem& problem, const Equilibrium& equilibrium,
                     Inputs inputs = Inputs::decimals);
