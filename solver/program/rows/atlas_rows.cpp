@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "solver/kind/kind.hpp"
 
 namespace stationary {
@@ -49,23 +47,6 @@ std::string least_energy_csv(const std::vector<LeastEnergyPiece>& pieces,
                        each.from.momentum, each.to.momentum, each.from.energy, each.to.energy,
                        each.from.spin, each.to.spin);
   return out;
-}
-
-double unproven_fraction(const std::vector<Completeness>& completeness) {
-  double open = 0.0;
-  double all = 0.0;
-  for (const Completeness& each : completeness) {
-    if (each.intervals.empty()) continue;  // interrupted
-    open += each.unproven_length();
-    all += each.intervals.back().to - each.intervals.front().from;
-  }
-  return all > 0.0 ? open / all : 1.0;
-}
-
-double complete_fraction(const Atlas& found) {
-  if (!found.completeness.empty()) return 1.0 - unproven_fraction(found.completeness);
-  const auto complete = std::ranges::count_if(found.checkpoints, &Checkpoint::complete);
-  return static_cast<double>(complete) / static_cast<double>(found.checkpoints.size());
 }
 
 }  // namespace stationary
