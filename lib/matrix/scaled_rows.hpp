@@ -1,5 +1,5 @@
 // A x = b of a small square matrix whose rows are divided by their largest entries first, each equation having a
-// size of its own; columns may be of any size. Eliminated with both pivots.
+// size of its own; columns may be of any size. Eliminated with complete pivoting.
 #pragma once
 
 #include <Eigen/LU>
@@ -18,9 +18,9 @@ class ScaledRows {
 
   /// x, in the same units as A's columns.
   Numbers solve(const Numbers& b) const;
-  /// |A^-1| b, b >= 0: what x may be off by where b is off by so much, row by row.
+  /// |A^-1| b, b >= 0: what x may be off by where b is off by so much; scaled(i, b) of each row is what it takes.
   Numbers largest(const Numbers& scaled_b) const;
-  /// b's, divided as row i is.
+  /// b, divided as row i is.
   double scaled(std::size_t i, double b) const { return b * scale_[static_cast<Eigen::Index>(i)]; }
 
  private:

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include "lib/matrix/elimination.hpp"
 #include "lib/number/elementary.hpp"
 #include "solver/continuation/bordered_newton.hpp"
 #include "solver/continuation/circle_part.hpp"

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "lib/matrix/elimination.hpp"
 #include "solver/continuation/corrector.hpp"
 
 namespace stationary {

@@ -48,8 +48,8 @@ struct BoxSlopes {
   Eigen::Matrix<double, N, N> inverse() const;
 };
 
-/// A system over boxes, of N equations as unknowns; the machinery of proofs stands once for each N. It refers to the
-/// system, which must outlive it.
+/// A system over boxes, of as many equations as unknowns; the machinery of proofs stands once for each N. It refers to
+/// the system, which must outlive it.
 template <int N>
 class BoxEquations {
  public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <utility>
 
 #include "lib/number/elementary.hpp"
@@ -79,7 +80,7 @@ class BranchAndPrune {
       for (const auto& known : out_.solutions)
         if (within(box, known.proof.unique)) return;
       if (pass == 0 && !system_.contract(box)) return;
-      over = system_.linearize(box);
+      over = system_.boxes().linearize(box);
       for (const Interval& g : over.g)
         if (!g.may_be(0.0)) return;
       const Square inverse = over.inverse();
@@ -121,7 +122,7 @@ class BranchAndPrune {
       at[index(i)] = center[i];
       d[index(i)] = log(box[index(i)] / center[i]);
     }
-    const Box<N> g = system_.linearize(at).g;
+    const Box<N> g = system_.boxes().linearize(at).g;
     regular = true;
     for (int i = 0; i < N; ++i) {
       Interval sum;
@@ -163,7 +164,7 @@ class BranchAndPrune {
       radius[i] = 1.001 * offset.magnitude() + 0x1p-40;
       if (!(radius[i] < 2.0 * log_width(everything_[index(i)]))) return false;
     }
-    const Krawczyk<N> test = system_.test_at(x);
+    const Krawczyk<N> test(system_.boxes(), x);
     // In stretches that cover the box, then as closely as it can be.
     const auto covering = test.unique(radius);
     if (!covering) return false;

@@ -19,7 +19,6 @@
 #pragma once
 
 #include <atomic>
-#include <deque>
 #include <vector>
 
 #include "solver/newton/newton.hpp"
@@ -57,21 +56,25 @@ struct PruneResult {
 template <int N>
 class SearchedSystem {
  public:
+  explicit SearchedSystem(const BoxEquations<N>& boxes) : boxes_(boxes) {}
   virtual ~SearchedSystem() = default;
+
+  const BoxEquations<N>& boxes() const { return boxes_; }
 
   /// By Newton's method in few steps, then in extended precision; x in place.
   virtual bool converges(ReducedVector<N>& x) const = 0;
   /// Likewise without that limit, and with its error bound.
   virtual Refined refined(ReducedVector<N>& x) const = 0;
 
-  virtual BoxSlopes<N> linearize(const Box<N>& box) const = 0;
-  virtual Krawczyk<N> test_at(const ReducedVector<N>& x) const = 0;
   /// Holds every solution.
   virtual Box<N> solution_box() const = 0;
   virtual bool excludes(const Box<N>& box) const = 0;
   /// Narrows the box; false where nothing is left of it.
   virtual bool contract(Box<N>& box) const = 0;
   virtual bool splits_by_slopes() const = 0;
+
+ private:
+  BoxEquations<N> boxes_;
 };
 
 /// System: the reduced balance in double and extended precision; BoxSystem: the same in intervals, with what it has
@@ -81,7 +84,8 @@ class SearchedPair final : public SearchedSystem<BoxSystem::dimension> {
  public:
   static constexpr int N = BoxSystem::dimension;
 
-  SearchedPair(const System& system, const BoxSystem& boxes) : system_(system), boxes_(boxes) {}
+  SearchedPair(const System& system, const BoxSystem& boxes)
+      : SearchedSystem<N>(BoxEquations<N>(boxes)), system_(system), boxes_(boxes) {}
 
   bool converges(ReducedVector<N>& x) const override {
     NewtonOptions few;
@@ -92,10 +96,6 @@ class SearchedPair final : public SearchedSystem<BoxSystem::dimension> {
     return newton(system_, x).converged ? refine(system_, x) : Refined{};
   }
 
-  BoxSlopes<N> linearize(const Box<N>& box) const override {
-    return BoxSlopes<N>(boxes_.linearize(box));
-  }
-  Krawczyk<N> test_at(const ReducedVector<N>& x) const override { return Krawczyk<N>(boxes_, x); }
   Box<N> solution_box() const override {
     if constexpr (requires { boxes_.solution_box(); }) return boxes_.solution_box();
     Box<N> out;
