@@ -64,7 +64,7 @@ def main():
     parser.add_argument("bench", nargs="*")
     parser.add_argument("--filter", default=".*")
     parser.add_argument("--rounds", type=int, default=3)
-    given = parser.parse_args()
+    given = parser.parse_intermixed_args()
     for bench in given.bench or KNOWN:
         programs = [build.resolve() / "tests/bench" / bench for build in (given.before, given.after)]
         missing = [str(each) for each in programs if not each.exists()]
