@@ -3,6 +3,11 @@
 // alone.
 #include <gtest/gtest.h>
 
+#include <map>
+#include <optional>
+
+#include "solver/search/two_polar_search.hpp"
+#include "solver/solve/two_polar_equilibrium.hpp"
 #include "tests/support/general_path.hpp"
 #include "tests/support/motions.hpp"
 
@@ -15,6 +20,22 @@ bool has_undecided_krein(const Spectrum& spectrum) {
   for (const Mode& m : modes(spectrum))
     if (m.lambda_re < 0.0 && m.lambda_im == 0.0 && m.krein == 0 && !m.forced_zero) return true;
   return false;
+}
+
+/// The negative directions that its modes tell of: one of a real Lambda > 0, two of negative energy.
+/// Nothing where a Lambda or a signature is not certain.
+std::optional<int> negative_by_modes(const Spectrum& spectrum) {
+  int out = 0;
+  for (const Mode& m : modes(spectrum)) {
+    if (m.forced_zero || std::abs(m.lambda_re) + m.lambda_im <= m.lambda_error) return std::nullopt;
+    if (m.lambda_im > 0.0) {
+      out += 1;  // a quadruple is two modes
+    } else {
+      out += m.lambda_re > 0.0 ? 1 : m.krein < 0 ? 2 : 0;
+    }
+  }
+  if (has_undecided_krein(spectrum)) return std::nullopt;
+  return out;
 }
 
 /// Two spectra of one motion: modes within their bounds, verdicts and signs equal.
@@ -71,21 +92,38 @@ TEST_P(StabilityLawsTest, NegativeDirectionsAreCounted) {
   int counted = 0;
   over_motions(402, 40, [&](const SolvedMotion& motion) {
     const Spectrum spectrum = motion.blocks();
-    int expected = 0;
-    bool zero = false;
-    for (const Mode& m : modes(spectrum)) {
-      zero = zero || m.forced_zero || std::abs(m.lambda_re) + m.lambda_im <= m.lambda_error;
-      if (m.lambda_im > 0.0) {
-        expected += 1;  // a quadruple is two modes
-      } else {
-        expected += m.lambda_re > 0.0 ? 1 : m.krein < 0 ? 2 : 0;
-      }
-    }
-    if (zero || has_undecided_krein(spectrum)) return;
+    const auto expected = negative_by_modes(spectrum);
+    if (!expected) return;
     ++counted;
-    EXPECT_EQ(spectrum.negative, expected) << motion.text << "\n" << spectrum;
+    EXPECT_EQ(spectrum.negative, *expected) << motion.text << "\n" << spectrum;
   });
   EXPECT_GT(counted, 100);
+}
+
+/// Ellipses with internal motion: some of them wobble away, some stretch away.
+TEST(TwoPolarStabilityLaws, NegativeDirectionsAreCounted) {
+  const Body body(1.0, 1.0, 0.6);
+  int counted = 0;
+  std::map<Block, int> unstable;
+  for (const std::string_view model : {"hencky", "biot-log"}) {
+    const Potential V = named_potential({model, "reciprocal-quadratic"}, {1.0, 10.0});
+    for (const double omega : {0.2, 0.4, 0.6, 1.1, 1.15}) {
+      for (const double theta_dot : {0.0, 0.1, 0.75, 0.8}) {
+        const TwoPolarRates<double> rates{omega, theta_dot};
+        for (const Equilibrium& at : search_two_polar(body, V, rates, {}).solutions) {
+          const Spectrum spectrum = two_polar_stability(body, V, at);
+          const auto expected = negative_by_modes(spectrum);
+          if (!expected || at.q.xi == at.q.zeta) continue;
+          ++counted;
+          for (const Mode& m : modes(spectrum)) unstable[m.block] += m.lambda_re > 0.0;
+          EXPECT_EQ(spectrum.negative, *expected) << model << " " << omega << "\n" << spectrum;
+        }
+      }
+    }
+  }
+  EXPECT_GE(counted, 10);
+  EXPECT_GE(unstable[Block::odd], 3);
+  EXPECT_GE(unstable[Block::even], 3);
 }
 
 TEST_P(StabilityLawsTest, TurningTheOtherWayChangesNothing) {
