@@ -2,7 +2,7 @@
 // double, y = sqrt(-p) z in z^3 - z = t for the isolated one and a quadratic for the others, and
 // corrected once each with the residual in pairs,
 //
-//   r <- r - p(r)/[(r - r_1)(r - r_2)],   which leaves the correction's square over the distance.
+//   r <- r - p(r)/[(r - r_1)(r - r_2)],   which leaves the correction times another's over their distance.
 //
 // Else nothing: that is for polynomial.hpp.
 #pragma once
@@ -63,17 +63,24 @@ SeparatedRoots separated_roots(const Polynomial<P, 3>& monic) {
 
   const std::array<double, 3> rough{single, small, large};
   const double between[3] = {rough[1] - rough[2], rough[2] - rough[0], rough[0] - rough[1]};
-  bool exact = true;
+  double step[3];
   for (std::size_t k = 0; k < 3; ++k) {
     const double one = between[(k + 1) % 3];
     const double other = between[(k + 2) % 3];
     const double r = rough[k];
     const P value = ((monic.c[2] + r) * r + monic.c[1]) * r + monic.c[0];
     out.slope[k] = -(one * other);
-    const double step = leading(value) / out.slope[k];
-    out.root[k] = r - step;
+    step[k] = leading(value) / out.slope[k];
+    out.root[k] = r - step[k];
     out.gap[k] = std::fmin(std::abs(one), std::abs(other));
-    exact = exact && 2.0 * step * step <= 0x1p-57 * std::abs(out.root[k]) * out.gap[k];
+  }
+  // Weierstrass' step leaves of its root's error the share that the others' errors are of their
+  // distances, and what the slope is rounded by.
+  bool exact = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double others = std::fmax(std::abs(step[(k + 1) % 3]), std::abs(step[(k + 2) % 3]));
+    const double left = std::abs(step[k]) * (2.0 * others + 0x1p-50 * out.gap[k]);
+    exact = exact && left <= 0x1p-57 * std::abs(out.root[k]) * out.gap[k];
   }
   out.found = exact;
   return out;

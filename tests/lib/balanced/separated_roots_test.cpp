@@ -74,5 +74,27 @@ TEST(SpinUnits, ArePowersOfTwo) {
   EXPECT_EQ(units.energy, 4.0);
 }
 
+/// A root far smaller than the distance of the others cannot be had to its own last place from theirs.
+TEST(SeparatedRoots, OneNextToZeroIsRoundedOnceOrRefused) {
+  support::Random random(6);
+  int found = 0;
+  int refused = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const double small = -std::pow(10.0, random.uniform(-24.0, -6.0));
+    const double one = -random.uniform(0.5, 2.0);
+    const double other = one - random.uniform(0.05, 0.3);
+    const SeparatedRoots roots = separated_roots(with_roots(small, one, other));
+    ++(roots.found ? found : refused);
+    if (!roots.found) continue;
+    for (const double exact : {small, one, other}) {
+      double off = std::numeric_limits<double>::infinity();
+      for (const double root : roots.root) off = std::min(off, std::abs(root - exact));
+      EXPECT_LE(off, 0x1p-53 * std::abs(exact)) << small << " " << one << " " << other;
+    }
+  }
+  EXPECT_GT(found, 200);
+  EXPECT_GT(refused, 200);
+}
+
 }  // namespace
 }  // namespace stationary

@@ -203,6 +203,22 @@ TEST(AnisotropicPotential, DomainIsHeld) {
   EXPECT_NO_THROW(plane(Orthotropic{1.0, 1.0, 0.5, 1.0}, {})());
 }
 
+/// A fibre in a plane whose thickness is the volume's alone.
+TEST(AnisotropicPotential, ARestrictedOneWithoutAThicknessIsWithout) {
+  BodyTerms<double> body;
+  body.volume = 1.2;
+  const AnisotropicPotential V =
+      AnisotropicPotential(Biot<>{1.0, 0.6}, std::optional<AnyThickness<>>(), {{0.4, 30.0}})
+          .with_body(body);
+  const Stretch q{0.1, 1.1, 0.9, 1.2 / (1.1 * 0.9 - 0.01)};
+  const AnisotropicPotential part = V.on_part_of(q);
+  EXPECT_EQ(Potential(part).value(q), Potential(V).value(q));
+  const auto* parts = std::get_if<AnisotropicModel<double>::Separate>(&part.model().base);
+  ASSERT_NE(parts, nullptr);
+  EXPECT_FALSE(parts->thickness);
+  EXPECT_TRUE(part.conditions_at(q).empty());
+}
+
 TEST(AnisotropicPotential, VisitIsForIsotropicOnes) {
   const Potential V(AnisotropicPotential(Biot<>{1.0, 1.0}, Harmonic<>{1.0, 1.0}, {{1.0, 30.0}}));
   EXPECT_FALSE(V.is_isotropic());

@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "tests/support/atlas_text.hpp"
@@ -54,6 +55,50 @@ TEST(Atlas, OfANeoHookeanBodyIsItsSheetsFromRestAndOneBeyond) {
   expect_joined(found.sheets[4], 1, 3);
   expect_joined(found.sheets[5], 2, 4);
   EXPECT_NEAR(found.sheets[5].joins->nu, 1.0033331936, 1e-9);
+}
+
+/// Of what is left open between proven classes the events there are named, and no others; what is excluded
+/// of numbers of motions is so of their classes.
+TEST(Atlas, OpenClassesNameTheEventsWithinThem) {
+  AtlasOptions options;
+  options.to = 1.1;
+  options.step.tolerance = 1e-6;
+  options.complete = true;
+  options.spectrum = true;
+  const Atlas found = atlas(plate, potential_of("neo-hookean", 1.0, 2.0), options);
+  ASSERT_FALSE(found.completeness.empty());
+  int open = 0;
+  int with_events = 0;
+  std::set<Beyond> met;
+  for (const Completeness& branch : found.completeness) {
+    for (const ClassInterval& each : branch.classes) {
+      bool all_excluded = true;
+      for (const CompleteInterval& other : branch.intervals)
+        if (other.from < each.to && each.from < other.to)
+          all_excluded = all_excluded && other.beyond == Beyond::excluded;
+      EXPECT_EQ(each.beyond == Beyond::excluded, all_excluded) << each.from;
+      met.insert(each.beyond);
+      if (each.proven) continue;
+      std::set<EventType> expected;
+      for (const AtlasSheet& sheet : found.sheets) {
+        if (sheet.plane || sheet.branch != branch.branch || sheet.oblique != branch.oblique)
+          continue;
+        for (const EventRecord& event : sheet.report.events) {
+          const double nu = std::abs(event.parameter);
+          if (nu >= each.from * (1.0 - 1e-9) && nu <= each.to * (1.0 + 1e-9))
+            expected.insert(event.type);
+        }
+      }
+      ++open;
+      with_events += !expected.empty();
+      EXPECT_EQ(std::set(each.events.begin(), each.events.end()), expected)
+          << name(branch.branch) << " " << each.from << " " << each.to;
+    }
+  }
+  EXPECT_GE(open, 6);
+  EXPECT_GE(with_events, 4);
+  EXPECT_TRUE(met.contains(Beyond::excluded));
+  EXPECT_GE(met.size(), 2U);
 }
 
 /// Then no sheet is followed that could say so.

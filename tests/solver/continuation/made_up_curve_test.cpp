@@ -185,6 +185,25 @@ TEST(MadeUpCurve, AnArcIsSeenToDipBelowABorder) {
   }
 }
 
+/// A point is inside where rounding cannot have brought it there.
+TEST(MadeUpCurve, APointOnABorderIsNotInside) {
+  Line line;
+  line.condition = [](double p) { return 0.5 - p; };
+  const LineFamily family(line);
+  const Curve<2> curve(family, 1.0, Circle::none);
+  DomainGuard<2> guard(curve);
+  ArcPoint<2> point;
+  point.x.setOnes();
+  point.p = 0.0;
+  guard.enter(point);
+  ASSERT_TRUE(guard.watches());
+  EXPECT_TRUE(guard.has(point));
+  point.p = 0.5 - 1e-9;
+  EXPECT_TRUE(guard.has(point));
+  point.p = 0.5 + 1e-9;
+  EXPECT_FALSE(guard.has(point));
+}
+
 /// Three unknowns, G of rows that are divided by sizes of their own.
 class ThreeRows final : public Family<3> {
  public:

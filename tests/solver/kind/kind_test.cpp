@@ -48,6 +48,14 @@ Potential held(const AnyPlane<>& plane, const AnyThickness<>& thickness,
   return Potential(model);
 }
 
+Potential held_fibre() {
+  BodyTerms<double> volume;
+  volume.volume = 1.0;
+  return Potential(
+      AnisotropicPotential(Biot<>{1.0, 0.6}, ReciprocalQuadratic<>{1.0, 3.0}, {{0.4, 30.0}})
+          .with_body(volume));
+}
+
 struct Posed {
   std::string text;
   Body body;
@@ -107,14 +115,9 @@ std::vector<Posed> all_kinds() {
       TiltedMotion{TiltPlane::two_three, 0.8});
   add("held", Body(1.0, 1.7, 0.9), held(AnyPlane<>{Biot<>{1.0, 8.0}}, thickness),
       SpatialRotation{2.6});
-  BodyTerms<double> volume;
-  volume.volume = 1.0;
-  const Potential held_fibre(
-      AnisotropicPotential(Biot<>{1.0, 0.6}, ReciprocalQuadratic<>{1.0, 3.0}, {{0.4, 30.0}})
-          .with_body(volume));
-  add("held fibre", plate, held_fibre, AxisRotation{Branch::iii, 0.25});
+  add("held fibre", plate, held_fibre(), AxisRotation{Branch::iii, 0.25});
   for (const Branch branch : {Branch::i, Branch::ii})
-    add("held fibre", plate, held_fibre, ObliqueRotation{0.4, branch});
+    add("held fibre", plate, held_fibre(), ObliqueRotation{0.4, branch});
   return out;
 }
 
@@ -122,6 +125,20 @@ double apart(const Stretch& a, const Stretch& b) {
   return std::max({std::abs(a.xi / b.xi - 1.0), std::abs(a.zeta / b.zeta - 1.0),
                    std::abs(a.rho / b.rho - 1.0),
                    std::abs(a.alpha - b.alpha) / std::sqrt(b.xi * b.zeta)});
+}
+
+/// The modes are where the enclosure has them, and its class and count are theirs.
+void expect_enclosed(const SpectrumEnclosure& enclosed, const Spectrum& spectrum) {
+  EXPECT_EQ(enclosed.verdict, spectrum.verdict);
+  EXPECT_EQ(enclosed.negative, spectrum.negative);
+  ASSERT_EQ(enclosed.modes, spectrum.modes);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(spectrum.modes); ++k) {
+    const Mode& mode = spectrum.mode[k];
+    const Interval error(-mode.lambda_error, mode.lambda_error);
+    EXPECT_FALSE((enclosed.lambda[k].re + error).apart_from(Interval(mode.lambda_re))) << k;
+    EXPECT_FALSE((enclosed.lambda[k].im + error).apart_from(Interval(mode.lambda_im))) << k;
+    EXPECT_LE(enclosed.lambda[k].re.width(), 1e-5 * (1.0 + std::abs(mode.lambda_re))) << k;
+  }
 }
 
 class EveryKind : public ::testing::TestWithParam<Posed> {
@@ -159,17 +176,7 @@ TEST_P(EveryKind, ProvesItsClass) {
   ASSERT_TRUE(spectrum);
   const Certificate proof = kind_->certify(found_);
   ASSERT_TRUE(proof.proven) << proof.reason;
-  const SpectrumEnclosure enclosed = kind_->enclose(found_, proof, *spectrum);
-  EXPECT_EQ(enclosed.verdict, spectrum->verdict);
-  EXPECT_EQ(enclosed.negative, spectrum->negative);
-  ASSERT_EQ(enclosed.modes, spectrum->modes);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(spectrum->modes); ++k) {
-    const Mode& mode = spectrum->mode[k];
-    const Interval error(-mode.lambda_error, mode.lambda_error);
-    EXPECT_FALSE((enclosed.lambda[k].re + error).apart_from(Interval(mode.lambda_re))) << k;
-    EXPECT_FALSE((enclosed.lambda[k].im + error).apart_from(Interval(mode.lambda_im))) << k;
-    EXPECT_LE(enclosed.lambda[k].re.width(), 1e-5 * (1.0 + std::abs(mode.lambda_re))) << k;
-  }
+  expect_enclosed(kind_->enclose(found_, proof, *spectrum), *spectrum);
   EXPECT_THROW((void)kind_->enclose(found_, Certificate(), *spectrum), std::invalid_argument);
 }
 
@@ -243,6 +250,36 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind, ::testing::ValuesIn(all_kinds()), [](
   std::erase_if(out, [](char c) { return std::isalnum(c) == 0; });
   return out;
 });
+
+/// A body at rest has no axis, whatever the branch: V alone tells whether its plane may turn.
+TEST(Kinds, AtRestAreProvenToo) {
+  const Body plate(1.0, 1.7, 0.6);
+  const AnyPlane<> plane{Hencky<>{1.1, 0.8}};
+  const AnyThickness<> thickness{ReciprocalQuadratic<>{1.0, 3.0}};
+  for (const Potential& V :
+       {made_of("neo-hookean"), coupled_model(), held(plane, thickness),
+        held(plane, thickness, 0.4, plate), fibred(NeoHookean<>{1.0, 2.0}, 0.4, 25.0)}) {
+    const auto kind = kind_of(plate, V, AxisRotation{Branch::iii, 0.0});
+    const Equilibrium at = kind->solve({});
+    ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
+    const Certificate proof = kind->certify(at);
+    ASSERT_TRUE(proof.proven) << proof.reason;
+    expect_enclosed(kind->enclose(at, proof, *kind->spectrum(at)), *kind->spectrum(at));
+  }
+}
+
+/// Of a held volume rho follows from the others, and is a stretch that is asked for all the same.
+TEST(Kinds, SearchOnlyWhereEveryStretchIsInTheBox) {
+  const auto kind = kind_of(Body(1.0, 1.7, 0.6), held_fibre(), ObliqueRotation{0.4, Branch::i});
+  SearchOptions box;
+  box.min_stretch = 0.7;
+  box.max_stretch = 1.3;
+  EXPECT_EQ(kind->search(box).solutions.size(), 2U);
+  box.min_stretch = 0.9;  // rho = 0.77, 0.78; the others are above 1
+  const SearchResult none = kind->search(box);
+  EXPECT_EQ(none.status, SearchStatus::complete);
+  EXPECT_TRUE(none.solutions.empty());
+}
 
 TEST(Alternatives, NameThePlanesAndTheAxes) {
   const Body plate(1.0, 1.7, 0.6);

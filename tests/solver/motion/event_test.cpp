@@ -299,5 +299,20 @@ TEST(TestValuesOf, AMember) {
   EXPECT_LT(in_i.value[TestValues::turn], 0.0) << "J1 < J2";
 }
 
+/// Of two functions that both are of a tilt one may not be known.
+TEST(Events, TheNearestFunctionIsOneThatIsKnown) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const TestContext context{.branch = Branch::iii, .material_symmetry = false};
+  TestValues at;
+  at.value.fill(none);
+  EXPECT_FALSE(nearest_function(EventType::tilt, context, at));
+  at.value[TestValues::inertia_23] = -0.2;
+  EXPECT_EQ(nearest_function(EventType::tilt, context, at), TestValues::inertia_23);
+  at.value[TestValues::inertia_13] = 0.1;
+  EXPECT_EQ(nearest_function(EventType::tilt, context, at), TestValues::inertia_13);
+  at.value[TestValues::inertia_13] = 0.3;
+  EXPECT_EQ(nearest_function(EventType::tilt, context, at), TestValues::inertia_23);
+}
+
 }  // namespace
 }  // namespace stationary

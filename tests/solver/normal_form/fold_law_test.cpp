@@ -238,6 +238,54 @@ TEST(FoldLaw, OfBodiesWhoseVolumeIsHeld) {
   EXPECT_GE(compared[0], 5);
 }
 
+/// J1 = J2, about axis 3: the sheet keeps xi = zeta, and with the volume one stretch is left.
+TEST(FoldLaw, OfCirclesWhoseVolumeIsHeld) {
+  int compared = 0;
+  for (const double lambda : {4.0, 8.0}) {
+    BodyModel<> held;
+    held.elastic.plane = AnyPlane<>{Hencky<>{1.1, lambda}};
+    held.elastic.thickness = AnyThickness<>{ReciprocalQuadratic<>{0.1, 0.3}};
+    held.volume = 1.0;
+    const Subject of = spinning(
+        Body(1.0, 1.0, 0.6), Potential(held),
+        [](double at) {
+          return AxisRotation{Branch::iii, at};
+        },
+        false);
+    const Equilibrium rest = of.at(0.0)->solve({});
+    ASSERT_EQ(rest.status, SolveStatus::solved);
+    const Followed sheet =
+        followed(of.at(0.0)->family({}, {.spectrum = false}, rest.q), rest.q, 0.0, range(0.0, 4.0));
+    for (const FollowedRow& row : sheet.rows) EXPECT_EQ(row.member.q.xi, row.member.q.zeta);
+    compared += compare_folds(of, sheet);
+  }
+  EXPECT_GE(compared, 2);
+}
+
+/// J2 = J3, about axis 1: Maclaurin's spheroids, a little elastic, turn back where nu is largest.
+TEST(FoldLaw, OfCirclesWithTheThickness) {
+  const Body body(1.0, 1.0, 1.0);
+  BodyModel<> held;
+  held.elastic.coupled = NeoHookean3d<>{0.01, 1.0};
+  held.volume = 1.0;
+  held.gravitates = true;
+  held.g = 1.0;
+  held.J = {body.J1, body.J2, body.J3};
+  for (const Branch branch : {Branch::i, Branch::ii}) {
+    const Subject of = spinning(
+        body, Potential(held),
+        [branch](double at) {
+          return AxisRotation{branch, at};
+        },
+        false);
+    const Equilibrium rest = of.at(0.0)->solve({});
+    ASSERT_EQ(rest.status, SolveStatus::solved);
+    const Followed sheet =
+        followed(of.at(0.0)->family({}, {.spectrum = false}, rest.q), rest.q, 0.0, range(0.0, 2.0));
+    EXPECT_GE(compare_folds(of, sheet), 1) << name(branch) << sheet.text();
+  }
+}
+
 TEST(FoldLaw, OfObliqueAxes) {
   support::Random random(5);
   int compared = 0;

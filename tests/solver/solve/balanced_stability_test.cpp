@@ -141,5 +141,30 @@ TEST(BalancedStability, SymmetryWhereTheStretchesAreOne) {
   EXPECT_EQ(odd, 1) << spectrum;
 }
 
+/// A bound is u times a condition number, to first order, and what the answer itself is rounded by.
+TEST(BalancedStability, BoundsHoldTheRoundingBesideTheInputs) {
+  support::Random random(79);
+  int compared = 0;
+  for (const PotentialName& name : potential_names()) {
+    if (name.thickness.empty()) continue;
+    for (const Branch branch : branches) {
+      const SolvedMotion motion = random_motion(random, name, branch, false);
+      const auto at_uncertainty = [&](double u) {
+        return stability(motion.problem, known(motion.problem, motion.at.q, motion.nu(), u));
+      };
+      const Spectrum once = at_uncertainty(0x1p-50);
+      const Spectrum twice = at_uncertainty(0x1p-49);
+      for (std::size_t k = 0; k < 5; ++k) {
+        const double half_a_unit = 0x1p-53 * std::abs(once.mode[k].lambda_re);
+        const double rounding = 2.0 * once.mode[k].lambda_error - twice.mode[k].lambda_error;
+        if (once.mode[k].lambda_im != 0.0 || once.mode[k].forced_zero) continue;
+        ++compared;
+        EXPECT_GE(rounding, 0.99 * half_a_unit) << motion.text << once;
+      }
+    }
+  }
+  EXPECT_GE(compared, 80);
+}
+
 }  // namespace
 }  // namespace stationary
