@@ -8,8 +8,8 @@ Builds the tests in BUILD/build, runs each of their cases once with no fault (al
 places that a case comes by and its time are kept in BUILD/reached.json until the tests are built
 anew), then with each of BUILD/mutants.csv in turn, or with a sample, the cases that come by it. One
 that fails, crashes, or takes ten times its time has caught the mutant. BUILD/outcomes.csv has a line
-for each: what is there already is not run again, unless its line in the list has changed or --again
-asks for it. The seed decides their order, and so the sample; `today` is another every day.
+for each: what is there already is not run again, unless its text has changed or --again asks for it.
+The seed decides their order, and so the sample; `today` is another every day.
 
 A survivor must have its line in survivors.csv, beside this script, that says why no test can fail or
 why none need: the same program, or a search that only takes longer. Those that have one come last.
@@ -43,7 +43,8 @@ TESTS = {
 # Of the program's own tests those that compute; others are of texts and files.
 CASES = {
     "cli_test": "*Expression*:*Sensitivity*:AnisotropicCase*:Certify*:Solve*:SolveAll*:TiltedCase*"
-                ":TwoPolarCase*:SpectrumOutput*:LeastEnergy*:Completeness*",
+                ":TwoPolarCase*:SpectrumOutput*:LeastEnergy*:Completeness*:CompleteAtlas*:Atlas*"
+                ":Continue*:*ContinueIn*:Curve*:FromRow*",
 }
 
 
@@ -123,6 +124,16 @@ def rows(path):
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
+def names(mutants):
+    """What stays of each where lines and numbers move: its file, kind, text, what it becomes, and
+    which of several alike it is."""
+    seen = {}
+    for m in mutants:
+        own = tuple(m[k] for k in ("file", "kind", "text", "becomes"))
+        seen[own] = seen.get(own, 0) + 1
+        yield own + (seen[own],)
+
+
 def main():
     options = argparse.ArgumentParser()
     options.add_argument("build", type=pathlib.Path)
@@ -146,15 +157,20 @@ def main():
     print(f"{len(cases)} cases, {sum(c['seconds'] for c in cases):.0f} s", flush=True)
 
     mutants = rows(build / "mutants.csv")
+    for mutant, name in zip(mutants, names(mutants)):
+        mutant["name"] = name
+    done = rows(build / "outcomes.csv")
+    outcomes = dict(zip(names(done), done))
+    outcomes = {m["name"]: {**outcomes[m["name"]], "mutant": m["mutant"], "line": m["line"]}
+                for m in mutants if m["name"] in outcomes}
     random.Random(arguments.seed).shuffle(mutants)
     if arguments.only:
         mutants = [m for m in mutants if int(m["mutant"]) in arguments.only]
     if arguments.sample:
         mutants = mutants[:arguments.sample]
-    outcomes = {tuple(m[k] for k in FIELDS): m for m in rows(build / "outcomes.csv")}
     if arguments.again:
         for m in mutants:
-            outcomes.pop(tuple(m[k] for k in FIELDS), None)
+            outcomes.pop(m["name"], None)
     lock = threading.Lock()
     reasons = {(r["file"], r["kind"], r["text"], r["becomes"]): r["why"]
                for r in rows(pathlib.Path(__file__).parent / "survivors.csv")}
@@ -162,12 +178,13 @@ def main():
     def reason(m):
         return reasons.get((m["file"], m["kind"], m["text"], m["becomes"]))
 
-    todo = [m for m in mutants if tuple(m[k] for k in FIELDS) not in outcomes]
+    todo = [m for m in mutants if m["name"] not in outcomes]
     todo.sort(key=lambda m: reason(m) is not None)
 
     def save():
         with open(build / "outcomes.new", "w", newline="") as file:
-            table = csv.DictWriter(file, FIELDS + ["outcome", "by", "case", "seconds"])
+            table = csv.DictWriter(file, FIELDS + ["outcome", "by", "case", "seconds"],
+                                   extrasaction="ignore")
             table.writeheader()
             table.writerows(sorted(outcomes.values(), key=lambda m: int(m["mutant"])))
         (build / "outcomes.new").rename(build / "outcomes.csv")
@@ -186,7 +203,7 @@ def main():
                 outcome = dict(outcome="caught", by=each["test"], case=each["case"] + " " * bool(how) + how)
                 break
         with lock:
-            outcomes[tuple(mutant[k] for k in FIELDS)] = {**mutant, **outcome, "seconds": f"{seconds:.1f}"}
+            outcomes[mutant["name"]] = {**mutant, **outcome, "seconds": f"{seconds:.1f}"}
             save()
             print(mutant["mutant"], outcome["outcome"], outcome["by"], outcome["case"], f"{seconds:.1f} s",
                   flush=True)
@@ -194,7 +211,7 @@ def main():
     with ThreadPoolExecutor(arguments.jobs) as pool:
         list(pool.map(judge, todo))
 
-    ran = [outcomes[k] for k in (tuple(m[f] for f in FIELDS) for m in mutants) if k in outcomes]
+    ran = [outcomes[m["name"]] for m in mutants if m["name"] in outcomes]
     survivors = [m for m in ran if m["outcome"] == "survived"]
     unexplained = 0
     for m in survivors:

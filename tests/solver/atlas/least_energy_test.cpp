@@ -226,6 +226,38 @@ TEST(LeastEnergy, IsNoNoiseOfInterpolation) {
   EXPECT_NEAR(pieces[1].to.spin, nu, 1e-10 * nu);
 }
 
+/// Another that lies below by less than that, and is known along a part of the way only, takes no piece
+/// whose ends it does not have.
+TEST(LeastEnergy, OfASheetThatCoversPartOfAPiece) {
+  const Case input = shipped("neo_hookean");
+  const AtlasOptions how = atlas_options(input, 8, false);
+  const Atlas found = atlas(input.body, input.potential, how);
+  const auto momentum = [](const AtlasRow& row) {
+    return (locked_inertia(row.member.body, row.member.q) * row.member.angular_velocity).norm();
+  };
+  AtlasSheet whole = found.sheets.front();
+  std::erase_if(whole.rows, [&](const AtlasRow& row) { return momentum(row) > 2.0; });
+  const auto alone = least_energy({whole}, how.search);
+  ASSERT_EQ(alone.size(), 1U);
+  const double middle = 0.5 * (alone[0].from.momentum + alone[0].to.momentum);
+  AtlasSheet part = whole;
+  part.number = 2;
+  std::erase_if(part.rows, [&](const AtlasRow& row) {
+    return momentum(row) < 0.5 * middle || momentum(row) > 1.5 * middle;
+  });
+  ASSERT_GE(part.rows.size(), 4U);
+  for (AtlasRow& row : part.rows) row.member.energy *= 1.0 + 1e-7;
+  part.arc = [&](const Member& from, const Member& to, double u) {
+    auto out = whole.arc(from, to, u);
+    if (out) out->energy *= 1.0 - 1e-7;
+    return out;
+  };
+  const auto pieces = least_energy({whole, part}, how.search);
+  ASSERT_EQ(pieces.size(), 1U);
+  EXPECT_EQ(pieces[0].sheet, whole.number);
+  EXPECT_EQ(pieces[0].to.momentum, alone[0].to.momentum);
+}
+
 TEST(LeastEnergy, HasNoPiecesOnceStopped) {
   const Case input = shipped("fold");
   const AtlasOptions how = atlas_options(input, 4, false);
