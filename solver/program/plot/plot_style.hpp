@@ -75,7 +75,7 @@ constexpr EventStyle event_styles[] = {
     {"krein-pass", "10"},    {"hamiltonian-hopf", "11"}, {"escape", "8"},
     {"real-collision", "9"}, {"collapse", "15"},         {"inertia-exchange", "2"},
     {"unexplained", "3"},    {"domain", "14"},           {"fold-parameter", "'<'"},
-    {"ellipse-23", "'#'"},   {"ellipse-13", "'%'"},   {"zero-momentum", "'0'"}};
+    {"ellipse-23", "'#'"},   {"ellipse-13", "'%'"},      {"zero-momentum", "'0'"}};
 
 constexpr std::string_view point_type(std::string_view event) {
   constexpr std::string_view other = "1";
