@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "tests/support/anisotropic_motions.hpp"
 #include "tests/support/followed.hpp"
 #include "tests/support/models.hpp"
@@ -33,19 +35,22 @@ Potential formula() {
       {1.0, 2.0}));
 }
 
-/// det S = 1, without gravity or with.
-Potential held(const AnyPlane<>& plane, const AnyThickness<>& thickness,
-               std::optional<double> g = {}, const Body& body = Body(1.0, 1.7, 0.6)) {
+/// An elastic body that gravitates, or whose volume is held, or both.
+Potential whole_body(const AnyPlane<>& plane, const AnyThickness<>& thickness,
+                     std::optional<double> volume, std::optional<double> g, const Body& body) {
   BodyModel<> model;
   model.elastic.plane = plane;
   model.elastic.thickness = thickness;
-  model.volume = 1.0;
+  model.volume = volume;
   if (g) {
     model.gravitates = true;
     model.g = *g;
     model.J = {body.J1, body.J2, body.J3};
   }
   return Potential(model);
+}
+Potential held(const AnyPlane<>& plane, const AnyThickness<>& thickness) {
+  return whole_body(plane, thickness, 1.0, {}, Body(1.0, 1.0, 1.0));
 }
 
 Potential held_fibre() {
@@ -100,18 +105,17 @@ std::vector<Posed> all_kinds() {
   add("fibre", plate, fibre, ObliqueRotation{0.25, Branch::ii});
 
   const AnyThickness<> thickness{ReciprocalQuadratic<>{1.0, 3.0}};
-  for (const auto& [text, g] :
-       {std::pair<const char*, std::optional<double>>{"held", {}}, {"held, gravitating", 0.4}}) {
-    const Potential V = held(AnyPlane<>{Hencky<>{1.1, 0.8}}, thickness, g, plate);
+  const AnyPlane<> hencky{Hencky<>{1.1, 0.8}};
+  const std::tuple<const char*, std::optional<double>, std::optional<double>> whole[] = {
+      {"held", 1.0, {}}, {"held, gravitating", 1.0, 0.4}, {"gravitating", {}, 0.4}};
+  for (const auto& [text, volume, g] : whole) {
     for (const Branch branch : {Branch::i, Branch::ii, Branch::iii})
-      add(text, plate, V, AxisRotation{branch, 0.3});
+      add(text, plate, whole_body(hencky, thickness, volume, g, plate), AxisRotation{branch, 0.3});
+    const Potential V = whole_body(hencky, thickness, volume, g, round);
+    add(text, round, V, AxisRotation{Branch::iii, 0.3});
+    add(text, round, V, TwoPolarRates<double>{1.2, -0.35});
   }
-  add("held", round, held(AnyPlane<>{Hencky<>{1.1, 0.8}}, thickness),
-      AxisRotation{Branch::iii, 0.3});
-  add("held", round, held(AnyPlane<>{Hencky<>{1.1, 0.8}}, thickness),
-      TwoPolarRates<double>{1.2, -0.35});
-  add("held", Body(1.0, 0.8, 1.1),
-      held(AnyPlane<>{Hencky<>{1.1, 0.8}}, AnyThickness<>{Harmonic<>{2.0, 1.0}}),
+  add("held", Body(1.0, 0.8, 1.1), held(hencky, AnyThickness<>{Harmonic<>{2.0, 1.0}}),
       TiltedMotion{TiltPlane::two_three, 0.8});
   add("held", Body(1.0, 1.7, 0.9), held(AnyPlane<>{Biot<>{1.0, 8.0}}, thickness),
       SpatialRotation{2.6});
@@ -258,7 +262,8 @@ TEST(Kinds, AtRestAreProvenToo) {
   const AnyThickness<> thickness{ReciprocalQuadratic<>{1.0, 3.0}};
   for (const Potential& V :
        {made_of("neo-hookean"), coupled_model(), held(plane, thickness),
-        held(plane, thickness, 0.4, plate), fibred(NeoHookean<>{1.0, 2.0}, 0.4, 25.0)}) {
+        whole_body(plane, thickness, 1.0, 0.4, plate), whole_body(plane, thickness, {}, 0.4, plate),
+        fibred(NeoHookean<>{1.0, 2.0}, 0.4, 25.0)}) {
     const auto kind = kind_of(plate, V, AxisRotation{Branch::iii, 0.0});
     const Equilibrium at = kind->solve({});
     ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
