@@ -37,7 +37,8 @@ TESTS = {
     "claims_tests": "solver", "event_bounds_tests": "solver", "continuation_tests": "solver",
     "tube_tests": "solver", "normal_form_tests": "solver", "event_curve_tests": "solver",
     "tilted_tests": "solver", "two_polar_tests": "solver", "anisotropic_tests": "solver",
-    "batch_tests": "solver", "kind_tests": "solver", "expression_tests": "solver",
+    "mode_shape_tests": "solver", "batch_tests": "solver", "kind_tests": "solver",
+    "expression_tests": "solver",
     "whole_body_test": "program", "cli_test": "program",
 }
 # Of the program's own tests those that compute; others are of texts and files.
