@@ -60,20 +60,6 @@ TEST(SeparatedRoots, NoneThatAreCloseOrComplex) {
   EXPECT_FALSE(separated_roots(turned).found);
 }
 
-TEST(SpinUnits, ArePowersOfTwo) {
-  for (const double x : {1.0, 1.5, 1.999, -3.7, 1e-200, 1e200, 0.1}) {
-    int exponent = 0;
-    EXPECT_EQ(std::frexp(reciprocal_power(x), &exponent), 0.5);
-    const double unit = std::abs(x) * reciprocal_power(x);
-    EXPECT_GE(unit, 1.0);
-    EXPECT_LT(unit, 2.0);
-  }
-  const SpinUnits units(6.0, 0.3);
-  EXPECT_EQ(units.inertia, 0.25);
-  EXPECT_EQ(units.rate, 4.0);
-  EXPECT_EQ(units.energy, 4.0);
-}
-
 /// A root far smaller than the distance of the others cannot be had to its own last place from theirs.
 TEST(SeparatedRoots, OneNextToZeroIsRoundedOnceOrRefused) {
   support::Random random(6);
@@ -94,6 +80,20 @@ TEST(SeparatedRoots, OneNextToZeroIsRoundedOnceOrRefused) {
   }
   EXPECT_GT(found, 200);
   EXPECT_GT(refused, 200);
+}
+
+TEST(SpinUnits, ArePowersOfTwo) {
+  for (const double x : {1.0, 1.5, 1.999, -3.7, 1e-200, 1e200, 0.1}) {
+    int exponent = 0;
+    EXPECT_EQ(std::frexp(reciprocal_power(x), &exponent), 0.5);
+    const double unit = std::abs(x) * reciprocal_power(x);
+    EXPECT_GE(unit, 1.0);
+    EXPECT_LT(unit, 2.0);
+  }
+  const SpinUnits units(6.0, 0.3);
+  EXPECT_EQ(units.inertia, 0.25);
+  EXPECT_EQ(units.rate, 4.0);
+  EXPECT_EQ(units.energy, 4.0);
 }
 
 }  // namespace

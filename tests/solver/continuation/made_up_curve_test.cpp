@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -161,6 +162,34 @@ TEST(MadeUpCurve, AClosedSheetIsGoneRoundOnce) {
   EXPECT_EQ(folds, 2);
 }
 
+/// The guard of a line on which condition(p) > 0 is asked for, entered at p = 0.
+class Guarded {
+ public:
+  explicit Guarded(const std::function<double(double)>& condition) : family_(line(condition)) {
+    start_.x.setOnes();
+    start_.p = 0.0;
+    guard_.enter(start_);
+  }
+  const DomainGuard<2>& guard() const { return guard_; }
+  ArcPoint<2> at(double p) const {
+    ArcPoint<2> out = start_;
+    out.p = p;
+    return out;
+  }
+
+ private:
+  static Line line(const std::function<double(double)>& condition) {
+    Line out;
+    out.condition = condition;
+    return out;
+  }
+
+  LineFamily family_;
+  Curve<2> curve_{family_, 1.0, Circle::none};
+  DomainGuard<2> guard_{curve_};
+  ArcPoint<2> start_;
+};
+
 /// A condition that fails in the middle of an arc and holds at every place it is looked at first.
 TEST(MadeUpCurve, AnArcIsSeenToDipBelowABorder) {
   const ArcVector<2> chord(1.0, 1.0, 1.0);
@@ -168,40 +197,20 @@ TEST(MadeUpCurve, AnArcIsSeenToDipBelowABorder) {
   const Arc<2> arc(chord, direction, direction);
   for (const double at : {0.15, 0.34, 0.4, 0.6, 0.62, 0.85}) {
     for (const double wide : {-1e-3, 1e-3, 1e-2}) {
-      Line line;
-      line.condition = [&](double p) {
-        return (p - at) * (p - at) - std::copysign(wide * wide, wide);
-      };
-      const LineFamily family(line);
-      const Curve<2> curve(family, 1.0, Circle::none);
-      DomainGuard<2> guard(curve);
-      ArcPoint<2> start;
-      start.x.setOnes();
-      start.p = 0.0;
-      guard.enter(start);
-      ASSERT_TRUE(guard.watches());
-      EXPECT_EQ(guard.broken_on(arc) != nullptr, wide > 0.0) << at << " " << wide;
+      const Guarded guarded(
+          [&](double p) { return (p - at) * (p - at) - std::copysign(wide * wide, wide); });
+      ASSERT_TRUE(guarded.guard().watches());
+      EXPECT_EQ(guarded.guard().broken_on(arc) != nullptr, wide > 0.0) << at << " " << wide;
     }
   }
 }
 
-/// A point is inside where rounding cannot have brought it there.
-TEST(MadeUpCurve, APointOnABorderIsNotInside) {
-  Line line;
-  line.condition = [](double p) { return 0.5 - p; };
-  const LineFamily family(line);
-  const Curve<2> curve(family, 1.0, Circle::none);
-  DomainGuard<2> guard(curve);
-  ArcPoint<2> point;
-  point.x.setOnes();
-  point.p = 0.0;
-  guard.enter(point);
-  ASSERT_TRUE(guard.watches());
-  EXPECT_TRUE(guard.has(point));
-  point.p = 0.5 - 1e-9;
-  EXPECT_TRUE(guard.has(point));
-  point.p = 0.5 + 1e-9;
-  EXPECT_FALSE(guard.has(point));
+TEST(MadeUpCurve, APointBeyondABorderIsNotInside) {
+  const Guarded guarded([](double p) { return 0.5 - p; });
+  ASSERT_TRUE(guarded.guard().watches());
+  EXPECT_TRUE(guarded.guard().has(guarded.at(0.0)));
+  EXPECT_TRUE(guarded.guard().has(guarded.at(0.5 - 1e-9)));
+  EXPECT_FALSE(guarded.guard().has(guarded.at(0.5 + 1e-9)));
 }
 
 /// Three unknowns, G of rows that are divided by sizes of their own.

@@ -238,31 +238,33 @@ TEST(FoldLaw, OfBodiesWhoseVolumeIsHeld) {
   EXPECT_GE(compared[0], 5);
 }
 
+/// The folds of a spin's sheet through rest, compared.
+int compare_folds_from_rest(const Body& body, const Potential& potential, Branch branch) {
+  const Subject of = spinning(
+      body, potential,
+      [branch](double at) {
+        return AxisRotation{branch, at};
+      },
+      false);
+  const Equilibrium rest = of.at(0.0)->solve({});
+  EXPECT_EQ(rest.status, SolveStatus::solved) << rest.message;
+  return compare_folds(of, followed(of.at(0.0)->family({}, {.spectrum = false}, rest.q), rest.q,
+                                    0.0, range(0.0, 4.0)));
+}
+
 /// J1 = J2, about axis 3: the sheet keeps xi = zeta, and with the volume one stretch is left.
 TEST(FoldLaw, OfCirclesWhoseVolumeIsHeld) {
-  int compared = 0;
   for (const double lambda : {4.0, 8.0}) {
     BodyModel<> held;
     held.elastic.plane = AnyPlane<>{Hencky<>{1.1, lambda}};
     held.elastic.thickness = AnyThickness<>{ReciprocalQuadratic<>{0.1, 0.3}};
     held.volume = 1.0;
-    const Subject of = spinning(
-        Body(1.0, 1.0, 0.6), Potential(held),
-        [](double at) {
-          return AxisRotation{Branch::iii, at};
-        },
-        false);
-    const Equilibrium rest = of.at(0.0)->solve({});
-    ASSERT_EQ(rest.status, SolveStatus::solved);
-    const Followed sheet =
-        followed(of.at(0.0)->family({}, {.spectrum = false}, rest.q), rest.q, 0.0, range(0.0, 4.0));
-    for (const FollowedRow& row : sheet.rows) EXPECT_EQ(row.member.q.xi, row.member.q.zeta);
-    compared += compare_folds(of, sheet);
+    EXPECT_GE(compare_folds_from_rest(Body(1.0, 1.0, 0.6), Potential(held), Branch::iii), 1);
   }
-  EXPECT_GE(compared, 2);
 }
 
-/// J2 = J3, about axis 1: Maclaurin's spheroids, a little elastic, turn back where nu is largest.
+/// Equal inertias, about an axis in the plane: Maclaurin's spheroids, a little elastic, turn back where
+/// nu is largest.
 TEST(FoldLaw, OfCirclesWithTheThickness) {
   const Body body(1.0, 1.0, 1.0);
   BodyModel<> held;
@@ -271,19 +273,8 @@ TEST(FoldLaw, OfCirclesWithTheThickness) {
   held.gravitates = true;
   held.g = 1.0;
   held.J = {body.J1, body.J2, body.J3};
-  for (const Branch branch : {Branch::i, Branch::ii}) {
-    const Subject of = spinning(
-        body, Potential(held),
-        [branch](double at) {
-          return AxisRotation{branch, at};
-        },
-        false);
-    const Equilibrium rest = of.at(0.0)->solve({});
-    ASSERT_EQ(rest.status, SolveStatus::solved);
-    const Followed sheet =
-        followed(of.at(0.0)->family({}, {.spectrum = false}, rest.q), rest.q, 0.0, range(0.0, 2.0));
-    EXPECT_GE(compare_folds(of, sheet), 1) << name(branch) << sheet.text();
-  }
+  for (const Branch branch : {Branch::i, Branch::ii})
+    EXPECT_GE(compare_folds_from_rest(body, Potential(held), branch), 1) << name(branch);
 }
 
 TEST(FoldLaw, OfObliqueAxes) {
