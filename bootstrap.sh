@@ -28,7 +28,7 @@ packages=(
   libcli11-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev tao-pegtl-dev
   libboost-dev gnuplot-nox scdoc
 )
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libcminpack-dev libclang-rt-14-dev)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libcminpack-dev libclang-rt-14-dev lld)
 # The Python module, what its results turn into, and what tests it.
 python_packages=(
   python3-dev pybind11-dev python3-numpy python3-pandas python3-xarray python3-matplotlib
@@ -138,7 +138,8 @@ else
   [[ $verb != all ]] || solver_of_pages=ON
   build release all -D STATIONARY_BUILD_TESTS=ON -D STATIONARY_PYTHON=ON -D STATIONARY_WASM="$solver_of_pages"
   run_tests release
-  build sanitize all
+  # What the sanitizers are to look at are the libraries and the programs; the tests' objects are those of the release.
+  build sanitize all -D STATIONARY_TEST_OBJECTS=build/release
   # The page in a browser and the installed library are not what the sanitizers look at.
   run_tests sanitize --exclude-regex '^(browser\.|consumer)'
 fi

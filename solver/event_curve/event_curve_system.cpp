@@ -115,6 +115,19 @@ class EquationsOfFamilies final : public HeldEventEquations<event_dimension<N>> 
   AtValue* here_ = nullptr;
 };
 
+/// The conditions of a family's potential at an event's unknowns and the second number.
+template <int N>
+auto conditions_by(EquationsOfFamilies<N>& equations) {
+  using Unknowns = ReducedVector<event_dimension<N>>;
+  constexpr int first = ExtendedEventEquations<event_dimension<N>>::parameter;
+  return [&equations](const Unknowns& y, double second) {
+    equations.hold(second);
+    return equations.family() == nullptr
+               ? std::vector<ConditionValue>{}
+               : equations.family()->conditions(EventPlace::of<N>(y), y[first]);
+  };
+}
+
 }  // namespace
 
 EventCurveSetting spin_setting(std::function<SpinningProblem(double first, double second)> spin,
@@ -182,15 +195,7 @@ std::optional<EventCurveSystem<event_dimension<N>>> family_event_system(
     const double there = double(start->y[event_place(static_cast<std::size_t>(k))]);
     if (!(std::abs(log(there / x[k])) < near)) return std::nullopt;  // another event
   }
-  EventCurveSystem<M> out{nullptr, start->y, own.branch(),
-                          [all = equations.get()](const ReducedVector<M>& y, double p2) {
-                            all->hold(p2);
-                            return all->family() == nullptr
-                                       ? std::vector<ConditionValue>{}
-                                       : all->family()->conditions(
-                                             EventPlace::of<N>(y),
-                                             y[ExtendedEventEquations<M>::parameter]);
-                          }};
+  EventCurveSystem<M> out{nullptr, start->y, own.branch(), conditions_by(*equations)};
   const EventPlace place = place_of(family, event, circle);
   const EventFunctions at = functions_at(family, place, member_at(family, place));
   out.own_function = nearest_function(setting.type, at.context, at.values);

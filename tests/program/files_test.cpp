@@ -202,13 +202,13 @@ TEST_F(Files, MessagesOfAClosedStreamDoNotGoIntoTheTable) {
   for (const char* const closed : {"2>&-", ">&-", "<&- >&- 2>&-"}) {
     const std::string script = std::string("exec \"$0\" \"$@\" ") + closed;
     const Outcome outcome =
-        run_program(arguments, {.program = {"sh", "-c", script, STATIONARY_PROGRAM}});
+        run_program(arguments, {.program = {"sh", "-c", script, program_path()}});
     EXPECT_EQ(outcome.code, 3) << closed;
     EXPECT_EQ(text_of(table), whole) << closed;
   }
   const std::vector<std::string> streamed{"solve", case_file_, "-o", "-"};
-  const Outcome lost = run_program(
-      streamed, {.program = {"sh", "-c", "exec \"$0\" \"$@\" >&-", STATIONARY_PROGRAM}});
+  const Outcome lost =
+      run_program(streamed, {.program = {"sh", "-c", "exec \"$0\" \"$@\" >&-", program_path()}});
   EXPECT_EQ(lost.code, 4);
   EXPECT_THAT(lost.err, HasSubstr("writing standard output"));
 }

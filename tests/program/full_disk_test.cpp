@@ -77,7 +77,7 @@ TEST_P(FullDisk, WhatWasFinishedIsGoneOnWith) {
   for (const int size : GetParam().sizes) {
     const TemporaryDirectory disk;
     const TemporaryDirectory to;
-    Words words{disk.path(), std::to_string(size) + "k", to.path(), name, STATIONARY_PROGRAM};
+    Words words{disk.path(), std::to_string(size) + "k", to.path(), name, program_path()};
     const Words run = arguments();
     words.insert(words.end(), run.begin(), run.end());
     words.insert(words.end(), {"--threads", "1"});

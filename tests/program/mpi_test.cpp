@@ -28,10 +28,12 @@ Words joined(std::initializer_list<Words> all) {
   return out;
 }
 
+const char* mpi_program() { return program_of("STATIONARY_MPI_PROGRAM", STATIONARY_MPI_PROGRAM); }
+
 RunOptions ranks(int count) {
   RunOptions out;
-  out.program = {"mpirun", "--allow-run-as-root", "--oversubscribe",     "--bind-to", "none",
-                 "-n",     std::to_string(count), STATIONARY_MPI_PROGRAM};
+  out.program = {"mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none",
+                 "-n",     std::to_string(count), mpi_program()};
   return out;
 }
 
@@ -43,7 +45,7 @@ std::vector<pid_t> processes(const std::string& word) {
     const std::string name = entry.path().filename().string();
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
     const std::string line = text_of(entry.path() / "cmdline");
-    if (line.find(word) != std::string::npos && line.starts_with(STATIONARY_MPI_PROGRAM))
+    if (line.find(word) != std::string::npos && line.starts_with(mpi_program()))
       out.push_back(std::stoi(name));
   }
   return out;

@@ -45,7 +45,7 @@ namespace fs = std::filesystem;
     ::raise(options.pending_signal);
   }
   for (const std::string& each : options.environment) ::putenv(const_cast<char*>(each.c_str()));
-  ::execvp(options.program.empty() ? STATIONARY_PROGRAM : arguments[0], arguments);
+  ::execvp(options.program.empty() ? program_path() : arguments[0], arguments);
   ::_exit(127);
 }
 
@@ -74,6 +74,11 @@ std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> out;
   for (std::string line; std::getline(in, line);) out.push_back(line);
   return out;
+}
+
+const char* program_of(const char* variable, const char* compiled) {
+  const char* const named = std::getenv(variable);
+  return named != nullptr ? named : compiled;
 }
 
 Outcome run_program(const std::vector<std::string>& arguments, const RunOptions& options) {

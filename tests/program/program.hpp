@@ -31,6 +31,11 @@ struct RunOptions {
   std::vector<std::string> environment = {};  ///< NAME=VALUE, beside what there is
 };
 
+/// A program under test: of the build that the variable of the environment names, else of the one that
+/// compiled the tests.
+const char* program_of(const char* variable, const char* compiled);
+inline const char* program_path() { return program_of("STATIONARY_PROGRAM", STATIONARY_PROGRAM); }
+
 Outcome run_program(const std::vector<std::string>& arguments, const RunOptions& options = {});
 
 /// A directory of its own, gone with the object.

@@ -40,7 +40,7 @@ std::vector<std::string> completed(const std::vector<std::string>& line) {
   std::string words;
   for (const std::string& word : line) words += " '" + word + "'";
   const std::string script = "source '" STATIONARY_SHELL "/stationary.bash'; COMP_WORDS=('" +
-                             std::string(STATIONARY_PROGRAM) + "'" + words +
+                             std::string(program_path()) + "'" + words +
                              "); COMP_CWORD=" + std::to_string(line.size()) +
                              "; _stationary; printf '%s\\n' \"${COMPREPLY[@]}\"";
   const std::string command = "bash -c \"$(cat <<'SCRIPT'\n" + script + "\nSCRIPT\n)\"";

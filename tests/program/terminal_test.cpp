@@ -46,7 +46,7 @@ std::string on_terminal(const std::vector<std::string>& arguments, const Environ
         ::unsetenv(name.c_str());
       }
     }
-    ::execv(STATIONARY_PROGRAM, pointers.data());
+    ::execv(program_path(), pointers.data());
     ::_exit(127);
   }
   EXPECT_GT(child, 0);

@@ -24,6 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const char* rank_tiles() { return program_of("STATIONARY_RANK_TILES", STATIONARY_RANK_TILES); }
+
 class RankFaults : public ::testing::Test {
  protected:
   /// Of one rank's death Open MPI tells the others gently and then waits for a second, 90 times here.
@@ -32,7 +34,7 @@ class RankFaults : public ::testing::Test {
     Words out{"mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none",
               "-n",     std::to_string(ranks)};
     out.insert(out.end(), more.begin(), more.end());
-    out.insert(out.end(), {STATIONARY_RANK_TILES, table_, work_.trace, std::to_string(work_.rows),
+    out.insert(out.end(), {rank_tiles(), table_, work_.trace, std::to_string(work_.rows),
                            std::to_string(work_.milliseconds)});
     return out;
   }
@@ -44,7 +46,7 @@ class RankFaults : public ::testing::Test {
       const std::string name = entry.path().filename().string();
       if (name.find_first_not_of("0123456789") != std::string::npos) continue;
       const std::string line = text_of(entry.path() / "cmdline");
-      if (line.starts_with(STATIONARY_RANK_TILES) && line.find(table_) != std::string::npos)
+      if (line.starts_with(rank_tiles()) && line.find(table_) != std::string::npos)
         out.push_back(std::stoi(name));
     }
     std::ranges::sort(out);
