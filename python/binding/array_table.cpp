@@ -52,31 +52,6 @@ struct Texts {
   }
 };
 
-void set_text(TableRow& row, Column c, std::string_view text) {
-  switch (c) {
-    case Column::branch:
-      row.branch = text;
-      break;
-    case Column::event:
-      row.event = text;
-      break;
-    case Column::status:
-      row.status = text;
-      break;
-    case Column::certified:
-      row.certified = text;
-      break;
-    case Column::class_certified:
-      row.class_certified = text;
-      break;
-    case Column::side:
-      row.side = text;
-      break;
-    default:
-      row.stability = text;
-  }
-}
-
 class TextSink final : public ByteSink {
  public:
   void write(std::string_view bytes) override { text += bytes; }

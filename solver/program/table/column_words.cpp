@@ -5,8 +5,8 @@
 
 #include "lib/body/motion.hpp"
 #include "lib/stability/spectrum.hpp"
-#include "solver/normal_form/normal_form.hpp"
 #include "solver/motion/event.hpp"
+#include "solver/normal_form/normal_form.hpp"
 #include "solver/program/table/column_file.hpp"
 
 namespace stationary {

@@ -83,29 +83,4 @@ void RowPack::read(const char* bytes, TableRow& row) const {
   if (parameters_ > 1) row.second_parameter = take<double>(bytes);
 }
 
-void set_text(TableRow& row, Column c, std::string_view text) {
-  switch (c) {
-    case Column::branch:
-      row.branch = text;
-      break;
-    case Column::event:
-      row.event = text;
-      break;
-    case Column::status:
-      row.status = text;
-      break;
-    case Column::certified:
-      row.certified = text;
-      break;
-    case Column::class_certified:
-      row.class_certified = text;
-      break;
-    case Column::side:
-      row.side = text;
-      break;
-    default:
-      row.stability = text;
-  }
-}
-
 }  // namespace stationary

@@ -37,7 +37,4 @@ class RowPack {
   std::size_t row_size_;
 };
 
-/// The row's text in a column of texts is this; it must outlive what is made of the row.
-void set_text(TableRow& row, Column c, std::string_view text);
-
 }  // namespace stationary

@@ -18,6 +18,26 @@ constexpr std::size_t longest_number = 32;  // shortest round trip takes 24
 // Nine texts (seven columns and, in the header, the parameters) and the rest numbers.
 constexpr std::size_t longest_row = 9 * longest_text + (column_count + 2) * longest_number;
 
+/// Where a row has the text of a column of texts.
+constexpr std::string_view TableRow::*text_place(Column c) {
+  switch (c) {
+    case Column::branch:
+      return &TableRow::branch;
+    case Column::event:
+      return &TableRow::event;
+    case Column::status:
+      return &TableRow::status;
+    case Column::certified:
+      return &TableRow::certified;
+    case Column::class_certified:
+      return &TableRow::class_certified;
+    case Column::side:
+      return &TableRow::side;
+    default:
+      return &TableRow::stability;
+  }
+}
+
 }  // namespace
 
 CellKind cell_kind(Column c) {
@@ -45,24 +65,9 @@ CellKind cell_kind(Column c) {
   }
 }
 
-std::string_view text_of(const TableRow& row, Column c) {
-  switch (c) {
-    case Column::branch:
-      return row.branch;
-    case Column::event:
-      return row.event;
-    case Column::status:
-      return row.status;
-    case Column::certified:
-      return row.certified;
-    case Column::class_certified:
-      return row.class_certified;
-    case Column::side:
-      return row.side;
-    default:
-      return row.stability;
-  }
-}
+std::string_view text_of(const TableRow& row, Column c) { return row.*text_place(c); }
+
+void set_text(TableRow& row, Column c, std::string_view text) { row.*text_place(c) = text; }
 
 std::optional<Column> find_column(std::string_view name) {
   const auto at = std::ranges::find(column_names, name);

@@ -167,6 +167,8 @@ enum class CellKind : std::uint8_t { text, count, number };
 CellKind cell_kind(Column c);
 /// The row's text in a column of texts.
 std::string_view text_of(const TableRow& row, Column c);
+/// Is this from now on; it must outlive what is made of the row.
+void set_text(TableRow& row, Column c, std::string_view text);
 
 /// The computed columns the user asked for, in the contract's order; all of them if none is named.
 std::vector<Column> select_columns(std::span<const Column> computed,
