@@ -18,6 +18,10 @@
 namespace stationary {
 namespace {
 
+bool stopped(const AtlasOptions& options) {
+  return options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
+}
+
 void remark(Atlas& out, Branch branch, bool oblique, std::optional<Entry> entry, double nu,
             std::string_view reason) {
   Remark& made = out.remarks.emplace_back();
@@ -92,6 +96,8 @@ void enter_tilted(const Body& body, const Potential& potential, const AtlasOptio
     for (std::size_t k = 0; k < out.sheets[s].rows.size(); ++k) {
       const AtlasRow row = out.sheets[s].rows[k];
       if (row.event != EventType::tilt || met(row.member)) continue;
+      // A family cut short does not tell what its other end is.
+      if (stopped(options)) return;
       AtlasSheet sheet;
       sheet.branch = out.sheets[s].branch;
       sheet.plane = plane_of(sheet.branch, row.member);
@@ -225,8 +231,7 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
   for (const AtlasSheet& sheet : out.sheets)
     out.interrupted = out.interrupted || sheet.report.interrupted;
   // A sheet or a cover that was not begun has nothing to say so.
-  out.interrupted =
-      out.interrupted || (options.stop != nullptr && options.stop->load(std::memory_order_relaxed));
+  out.interrupted = out.interrupted || stopped(options);
   find_junctions(out.sheets, axes_alike);
   return out;
 }

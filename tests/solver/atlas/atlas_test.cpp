@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <set>
 #include <string>
+#include <thread>
 
 #include "tests/support/atlas_text.hpp"
 #include "tests/support/plate.hpp"
@@ -116,6 +119,41 @@ TEST(Atlas, ToldToStopAfterItsSearchesWasInterrupted) {
     EXPECT_TRUE(atlas(plate, potential_of("neo-hookean", 1.0, 2.0), options).interrupted);
     EXPECT_EQ(left, 0);
   }
+}
+
+/// A tilted family that is cut short is not entered a second time, at its other end.
+TEST(Atlas, InterruptedHasNoSheetThatTheWholeHasNot) {
+  using Clock = std::chrono::steady_clock;
+  const Potential potential = potential_of("neo-hookean", 1.0, 2.0);
+  const auto begin = Clock::now();
+  const Atlas whole = atlas_to(1.1, plate, potential, 1);
+  const auto time = Clock::now() - begin;
+  const auto is_in_whole = [&](const AtlasSheet& sheet) {
+    return std::ranges::any_of(whole.sheets, [&](const AtlasSheet& each) {
+      return each.branch == sheet.branch && each.plane == sheet.plane &&
+             each.entry == sheet.entry && each.entry_nu == sheet.entry_nu;
+    });
+  };
+  int cut_short = 0;
+  constexpr int moments = 40;
+  for (int k = 0; k < moments; ++k) {
+    std::atomic<bool> stop{false};
+    const std::jthread later([&, at = Clock::now() + time * (moments + k) / (2 * moments)] {
+      std::this_thread::sleep_until(at);
+      stop = true;
+    });
+    AtlasOptions options;
+    options.to = 1.1;
+    options.step.tolerance = 1e-6;
+    options.threads = 1;
+    options.stop = options.search.stop = &stop;
+    const Atlas found = atlas(plate, potential, options);
+    for (const AtlasSheet& sheet : found.sheets) {
+      cut_short += sheet.report.interrupted;
+      EXPECT_TRUE(is_in_whole(sheet)) << k << ": " << sheet.entry_nu;
+    }
+  }
+  RecordProperty("cut_short", cut_short);
 }
 
 TEST(Atlas, ATiltedFamilyMayEscape) {
