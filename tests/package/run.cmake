@@ -40,7 +40,9 @@ foreach(file bin/stationary share/man/man1/stationary.1.gz share/bash-completion
 endforeach()
 refuse("${files}" "[^\n]*\\.(hpp|a|cmake)\n")
 step(control dpkg-deb --info ${program})
-require("${control}" "Depends: [^\n]*libhdf5")
+if(hdf5)
+  require("${control}" "Depends: [^\n]*libhdf5")
+endif()
 require("${control}" "Recommends: gnuplot-nox")
 
 step(files dpkg-deb --contents ${development})

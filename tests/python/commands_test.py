@@ -10,7 +10,7 @@ import sys
 import numpy as np
 import pytest
 import stationary
-from conftest import SOURCES, run_program
+from conftest import SOURCES, SUFFIXES, run_program
 
 FOLD = SOURCES / "cases" / "fold.toml"
 
@@ -71,10 +71,10 @@ def test_goes_to_other_processes(fold, disc, tmp_path):
         other = pickle.loads(pickle.dumps(result))
         assert other.table.tobytes() == result.table.tobytes() and repr(other) == repr(result)
         assert other.metadata == result.metadata
-        for suffix in ("csv", "h5"):
-            result.write(tmp_path / f"a.{suffix}")
-            other.write(tmp_path / f"b.{suffix}")
-            assert (tmp_path / f"a.{suffix}").read_bytes() == (tmp_path / f"b.{suffix}").read_bytes()
+        for suffix in SUFFIXES:
+            result.write(tmp_path / f"a{suffix}")
+            other.write(tmp_path / f"b{suffix}")
+            assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
     assert pickle.loads(pickle.dumps(fold)).case == fold.case
 
 

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -21,6 +22,11 @@ def run_program(*arguments, **options):
         **options,
     )
     return done.returncode, done.stdout, done.stderr
+
+
+HDF5 = not re.search(r"^HDF5 +built without", run_program("--version")[1], re.MULTILINE)
+# Ends of the names of tables that it can write.
+SUFFIXES = (".csv", ".h5") if HDF5 else (".csv",)
 
 
 def start_program(*arguments):

@@ -6,7 +6,7 @@ import warnings
 
 import pytest
 import stationary
-from conftest import CASES, SOURCES, lasting, run_program, start_program
+from conftest import CASES, HDF5, SOURCES, SUFFIXES, lasting, run_program, start_program
 
 
 @pytest.fixture(autouse=True)
@@ -70,8 +70,8 @@ def test_there_are_cases():
 
 @pytest.mark.parametrize("path", of(lambda path: True))
 def test_solve(path, tmp_path):
-    compare("solve", stationary.solve, path, tmp_path)
-    compare("solve", stationary.solve, path, tmp_path, suffix=".h5")
+    for suffix in SUFFIXES:
+        compare("solve", stationary.solve, path, tmp_path, suffix=suffix)
 
 
 @pytest.mark.parametrize("path", of(has("continuation")))
@@ -83,7 +83,7 @@ def test_follow(path, tmp_path):
 def test_map(path, tmp_path):
     compare("map", stationary.map, path, tmp_path)
     case, words = with_keys(path, map__x__count=7, map__y__count=5)
-    compare("map", stationary.map, path, tmp_path, words, case, ".h5")
+    compare("map", stationary.map, path, tmp_path, words, case, SUFFIXES[-1])
 
 
 # An atlas is of a range of nu.
@@ -114,10 +114,11 @@ def test_curve(tmp_path):
         for word in ("--set", f"{key}={json.dumps(value, separators=(',', ':'))}")
     ]
     case = stationary.Case.read(path).set(keys)
-    for suffix in (".csv", ".h5"):
+    for suffix in SUFFIXES:
         compare("curve", stationary.curve, path, tmp_path, words, case, suffix)
 
 
+@pytest.mark.skipif(not HDF5, reason="built without HDF5")
 def test_as_hdf5(tmp_path):
     for suffix in (".h5", ".hdf5"):
         compare("continue", stationary.follow, "cases/fold.toml", tmp_path, suffix=suffix)

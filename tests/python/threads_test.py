@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import stationary
-from conftest import SOURCES
+from conftest import SOURCES, SUFFIXES
 
 NAMES = ("disc", "fold", "neo_hookean", "coupled", "fibre", "tilted", "two_polar", "mooney_rivlin")
 
@@ -65,11 +65,11 @@ def test_everything_side_by_side(tmp_path):
 
 def test_files_of_several_threads(tmp_path):
     result = stationary.follow(case("fold"))
-    paths = [tmp_path / f"{k}.{suffix}" for k in range(8) for suffix in ("csv", "h5")]
+    paths = [tmp_path / f"{k}{suffix}" for k in range(8) for suffix in SUFFIXES]
     with ThreadPoolExecutor(8) as pool:
         list(pool.map(result.write, paths))
-    for suffix in ("csv", "h5"):
-        assert len({path.read_bytes() for path in paths if path.suffix == f".{suffix}"}) == 1
+    for suffix in SUFFIXES:
+        assert len({path.read_bytes() for path in paths if path.suffix == suffix}) == 1
 
 
 def test_errors_of_several_threads():
