@@ -7,6 +7,7 @@
 #include "lib/material/potential.hpp"
 #include "solver/newton/ceres_solve.hpp"
 #include "solver/newton/nlopt_seed.hpp"
+#include "tests/program/needs_gnuplot.hpp"
 #include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 
@@ -47,7 +48,7 @@ TEST(CommandLine, HelpAndVersion) {
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.out, StartsWith("stationary " STATIONARY_VERSION "\n"));
     for (const char* part : {"compiler", "Eigen", "oneTBB", "Boost", "CLI11", "fmt", "toml\\+\\+",
-                             "nlohmann-json", "PEGTL", "gnuplot"}) {
+                             "nlohmann-json", "PEGTL"}) {
       EXPECT_THAT(outcome.out,
                   ::testing::ContainsRegex(std::string("\n") + part + " +[^\n]*[0-9]+\\.[0-9]"));
     }
@@ -59,6 +60,7 @@ TEST(CommandLine, HelpAndVersion) {
     says("Ceres Solver", !version_of_ceres().empty());
     says("NLopt", !version_of_nlopt().empty());
     says("HDF5", has_hdf5);
+    if (has_gnuplot()) says("gnuplot", true);
   }
 }
 

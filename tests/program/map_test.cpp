@@ -13,6 +13,7 @@
 #include "solver/program/diagram/map_diagram.hpp"
 #include "solver/program/plot/map_plot.hpp"
 #include "solver/program/table/column_file.hpp"
+#include "tests/program/needs_gnuplot.hpp"
 #include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
@@ -439,6 +440,7 @@ TEST_F(MapFile, Hdf5IsPlain) {
 #endif
 
 TEST_F(MapFile, IsDrawnTheSameFromEither) {
+  NEEDS_GNUPLOT();
   EXPECT_EQ(plot(csv_, "a.svg", {"--title", "t"}).out,
             directory_ / "a.svg" + ": 13 by 9 cells, class\n");
   EXPECT_EQ(plot(h5_, "b.svg", {"--title", "t"}).code, 0);
@@ -452,6 +454,7 @@ TEST_F(MapFile, IsDrawnTheSameFromEither) {
 }
 
 TEST_F(MapFile, WhatCannotBeShownIsRefused) {
+  NEEDS_GNUPLOT();
   const Outcome unknown = plot(csv_, "a.svg", {"--show", "growht"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("--show growht: found no such column"));
@@ -463,6 +466,7 @@ TEST_F(MapFile, WhatCannotBeShownIsRefused) {
 }
 
 TEST_F(MapFile, OneParameterIsACurve) {
+  NEEDS_GNUPLOT();
   const std::string table = directory_ / "curve.h5";
   const Outcome made =
       run_program({"map", STATIONARY_CASES "/disc.toml", "--set",

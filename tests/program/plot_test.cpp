@@ -14,6 +14,7 @@
 #include "solver/program/diagram/diagram_lines.hpp"
 #include "solver/program/plot/diagram_picture.hpp"
 #include "solver/program/plot/gnuplot.hpp"
+#include "tests/program/needs_gnuplot.hpp"
 #include "tests/program/program.hpp"
 
 namespace stationary::testing {
@@ -240,6 +241,7 @@ class Plot : public ::testing::Test {
 };
 
 TEST_F(Plot, WritesEachFormat) {
+  NEEDS_GNUPLOT();
   const Outcome outcome = plot("x.svg");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.out, directory_ / "x.svg" + ": 5 rows, 1 sheet, 3 events\n");
@@ -254,6 +256,7 @@ TEST_F(Plot, WritesEachFormat) {
 }
 
 TEST_F(Plot, TitleOfTheCaseOrAsAsked) {
+  NEEDS_GNUPLOT();
   directory_.file("x.meta.json", R"({"case": {"title": "A <b> & {/*3 'c'} @x `y`"}})");
   EXPECT_EQ(plot("x.svg").code, 0);
   EXPECT_THAT(texts("x.svg"), Contains("A &lt;b> &amp; {/*3 'c'} @x `y`"));
@@ -265,6 +268,7 @@ TEST_F(Plot, TitleOfTheCaseOrAsAsked) {
 }
 
 TEST_F(Plot, HostileTextIsOnlyText) {
+  NEEDS_GNUPLOT();
   // Of titles, columns, branches, sheets, events and file names, none is run or read as a command.
   const std::string hostile = "`touch gone` @x $(touch gone) '; system 'touch gone' #";
   const std::string quoted = "\"" + hostile + "\"";
@@ -285,6 +289,7 @@ TEST_F(Plot, HostileTextIsOnlyText) {
 }
 
 TEST_F(Plot, ToStandardOutputWithItsScript) {
+  NEEDS_GNUPLOT();
   const Outcome outcome = run_program({"plot", table_, "-o", "-", "--script", directory_ / "x.gp"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.out, ::testing::EndsWith("</svg>\n\n"));
@@ -325,6 +330,7 @@ TEST_F(Plot, ChoicesThatAreNone) {
 }
 
 TEST_F(Plot, AColumnSheetBranchRangeAndSize) {
+  NEEDS_GNUPLOT();
   EXPECT_EQ(plot("x.svg", {"--show", "growth,mu", "--sheet", "1", "--branch", "i", "--range",
                            "x=0:0.5", "--range", "y=0:0.8", "--size", "640x480"})
                 .code,
@@ -334,11 +340,13 @@ TEST_F(Plot, AColumnSheetBranchRangeAndSize) {
 }
 
 TEST_F(Plot, NamesOfFilesAreNotRead) {
+  NEEDS_GNUPLOT();
   EXPECT_EQ(plot("| sh 'x' `y` $(z)\n.svg").code, 0);
   EXPECT_THAT(directory_.names(), ElementsAre("x.csv", "| sh 'x' `y` $(z)\n.svg"));
 }
 
 TEST_F(Plot, DrawsWhatSolveWrites) {
+  NEEDS_GNUPLOT();
   const std::string input = directory_.file("case.toml", good_case);
   ASSERT_EQ(run_program({"solve", input, "-o", table_}).code, 0);
   EXPECT_EQ(plot("x.svg").code, 0);
@@ -430,6 +438,7 @@ TEST_F(PlotWithoutGnuplot, OneThatFailsIsHeardAndLeavesTheOldImage) {
 
 /// gnuplot itself does not look whether the disk takes what it draws.
 TEST_F(Plot, WhatTheDiskDoesNotTakeLeavesTheOldImage) {
+  NEEDS_GNUPLOT();
   ASSERT_EQ(plot("x.svg").code, 0);
   const std::string whole = text_of(directory_ / "x.svg");
   directory_.file("x.svg", "old");

@@ -8,6 +8,7 @@
 #include <regex>
 #include <sstream>
 
+#include "tests/program/needs_gnuplot.hpp"
 #include "tests/program/program.hpp"
 
 namespace stationary::testing {
@@ -124,6 +125,7 @@ void expect_as_printed(const std::string& path, std::size_t least) {
 class Page : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Page, EveryCommandPrintsWhatItSays) {
+  NEEDS_GNUPLOT();
   expect_as_printed(STATIONARY_DOCS "/" + GetParam() + ".md", 2);
 }
 
