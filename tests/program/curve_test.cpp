@@ -8,6 +8,7 @@
 
 #include "solver/program/table/column_file.hpp"
 #include "tests/program/json_schema.hpp"
+#include "tests/program/needs_gnuplot.hpp"
 #include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
@@ -204,6 +205,7 @@ TEST_F(Curve, ColumnFileHasTheSameColumns) {
 
 /// Over a map in the same parameters, whichever of them is x; alone; in others not at all.
 TEST_F(Curve, DrawnOverAMap) {
+  NEEDS_GNUPLOT();
   ASSERT_EQ(run(fold_of_hencky).code, 0);
   const auto map_of = [&](const std::string& x, const std::string& y) {
     const std::string file = directory_.file(

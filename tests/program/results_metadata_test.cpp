@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/program/json_schema.hpp"
+#include "tests/program/needs_gnuplot.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -43,6 +44,7 @@ TEST_P(ShippedTable, HasItsMetadataWithoutTheRun) {
 }
 
 TEST_P(ShippedTable, IsDrawnAgainAsItIs) {
+  NEEDS_GNUPLOT();
   // A map's picture is of a table that is too large to ship.
   const std::string text = text_of(result(GetParam() + ".meta.json"));
   const std::string picture = result(GetParam() + ".svg");
