@@ -18,10 +18,6 @@
 namespace stationary {
 namespace {
 
-bool stopped(const AtlasOptions& options) {
-  return options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
-}
-
 void remark(Atlas& out, Branch branch, bool oblique, std::optional<Entry> entry, double nu,
             std::string_view reason) {
   Remark& made = out.remarks.emplace_back();
@@ -97,7 +93,7 @@ void enter_tilted(const Body& body, const Potential& potential, const AtlasOptio
       const AtlasRow row = out.sheets[s].rows[k];
       if (row.event != EventType::tilt || met(row.member)) continue;
       // A family cut short does not tell what its other end is.
-      if (stopped(options)) return;
+      if (options.stopped()) return;
       AtlasSheet sheet;
       sheet.branch = out.sheets[s].branch;
       sheet.plane = plane_of(sheet.branch, row.member);
@@ -231,7 +227,7 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
   for (const AtlasSheet& sheet : out.sheets)
     out.interrupted = out.interrupted || sheet.report.interrupted;
   // A sheet or a cover that was not begun has nothing to say so.
-  out.interrupted = out.interrupted || stopped(options);
+  out.interrupted = out.interrupted || options.stopped();
   find_junctions(out.sheets, axes_alike);
   return out;
 }

@@ -50,6 +50,7 @@ struct AtlasOptions {
   bool spectrum = true;
   int threads = 1;
   const std::atomic<bool>* stop = nullptr;  ///< becomes true: end with what is there
+  bool stopped() const { return stop != nullptr && stop->load(std::memory_order_relaxed); }
   /// Called after each search with the fraction done of them, by one thread at a time.
   std::function<void(double)> progress = {};
   /// For going on where an atlas was interrupted. Searches are numbered, the checkpoints of one kind

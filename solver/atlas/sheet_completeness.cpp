@@ -110,7 +110,7 @@ void SheetSet::add_classes(double from, double to, std::span<const Interval> cla
   };
   double begin = from;
   for (const Interval& gap : class_gaps) {
-    if (stopped()) return;
+    if (options_.stopped()) return;
     if (gap.hi <= from || gap.lo >= to) continue;
     constant(begin, gap.lo);
     ClassInterval& open = completeness_->classes.emplace_back();
@@ -162,7 +162,7 @@ void SheetSet::complete() {
   const std::vector<Interval> class_gaps = cover->class_gaps.value_or(std::vector<Interval>{});
   double begin = from;
   for (const NuGap& gap : cover->gaps) {
-    if (stopped()) return;
+    if (options_.stopped()) return;
     add_interval(begin, gap.nu.lo, class_gaps);
     const std::string_view reason = reason_of(gap);
     out.intervals.push_back({gap.nu.lo, gap.nu.hi, false, 0, reason});
@@ -246,7 +246,7 @@ std::vector<Interval> SheetSet::excluded_parts(const CompleteInterval& of,
   std::vector<Interval> out;
   if (of.to - of.from < worth * of.to) return out;
   std::vector<Interval> open{{of.from, of.to}};
-  for (int level = 1; level <= levels && !open.empty() && !stopped(); ++level) {
+  for (int level = 1; level <= levels && !open.empty() && !options_.stopped(); ++level) {
     std::vector<Interval> left;
     for (const Interval& each : open) {
       const double middle = 0.5 * (each.lo + each.hi);

@@ -91,7 +91,7 @@ std::vector<Checkpoint> SheetSet::checkpoints() const {
 
 void SheetSet::search_at(std::size_t checkpoint, std::size_t number) {
   Checkpoint& at = checkpoints_[checkpoint];
-  if (stopped()) {
+  if (options_.stopped()) {
     at.status = SearchStatus::interrupted;
     return;
   }
@@ -123,13 +123,13 @@ void SheetSet::follow_all(std::span<const AtlasSheet> others) {
   if (options_.from == 0.0) follow_rest();
   for (std::size_t k = 0; k < checkpoints_.size(); ++k) {
     for (const Place& at : solutions_[k]) {
-      if (stopped()) return;
+      if (options_.stopped()) return;
       if (!on_a_sheet(at, k)) enter(at, checkpoints_[k].nu, Entry::search, checkpoints_[k].nu);
     }
   }
   for (std::size_t k = 0; k < checkpoints_.size(); ++k) {
     for (const Place& at : unproven_[k]) {
-      if (stopped()) return;
+      if (options_.stopped()) return;
       if (!on_a_sheet(at, k)) enter(at, checkpoints_[k].nu, Entry::numerical, checkpoints_[k].nu);
     }
   }
@@ -138,7 +138,7 @@ void SheetSet::follow_all(std::span<const AtlasSheet> others) {
     add_partings(sheets_, partings);
     add_partings(others, partings);
     for (const Parting& each : partings) {
-      if (stopped()) return;
+      if (options_.stopped()) return;
       if (!has_child(each)) leave(each);
     }
   }
@@ -146,10 +146,6 @@ void SheetSet::follow_all(std::span<const AtlasSheet> others) {
   prove_partings();
   name_class_events();
   name_beyond();
-}
-
-bool SheetSet::stopped() const {
-  return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
 }
 
 void SheetSet::follow_rest() {

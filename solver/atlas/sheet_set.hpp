@@ -51,7 +51,6 @@ class SheetSet {
     Member at;
   };
 
-  bool stopped() const;
   void add_checkpoint(double nu);
   void keep_found(std::size_t checkpoint, const SearchResult& result);
   void add_interval(double from, double to, std::span<const Interval> class_gaps);

@@ -60,7 +60,9 @@ TEST(CommandLine, HelpAndVersion) {
     says("Ceres Solver", !version_of_ceres().empty());
     says("NLopt", !version_of_nlopt().empty());
     says("HDF5", has_hdf5);
-    if (has_gnuplot()) says("gnuplot", true);
+    EXPECT_THAT(outcome.out,
+                ::testing::ContainsRegex(has_gnuplot() ? "\ngnuplot +[0-9]+\\.[0-9]"
+                                                       : "\ngnuplot +not found; the command plot"));
   }
 }
 

@@ -110,6 +110,7 @@ void expect_as_printed(const std::string& path, std::size_t least) {
   const std::vector<Step> steps = steps_of(path);
   ASSERT_GE(steps.size(), least);
   for (const Step& step : steps) {
+    if (step.arguments.front() == "plot" && !has_gnuplot()) continue;
     std::string line;
     for (const std::string& word : step.arguments) line += " " + word;
     RunOptions there;
@@ -125,7 +126,6 @@ void expect_as_printed(const std::string& path, std::size_t least) {
 class Page : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Page, EveryCommandPrintsWhatItSays) {
-  NEEDS_GNUPLOT();
   expect_as_printed(STATIONARY_DOCS "/" + GetParam() + ".md", 2);
 }
 

@@ -127,7 +127,7 @@ TEST(Atlas, InterruptedHasNoSheetThatTheWholeHasNot) {
   const Potential potential = potential_of("neo-hookean", 1.0, 2.0);
   const auto begin = Clock::now();
   const Atlas whole = atlas_to(1.1, plate, potential, 1);
-  const auto time = Clock::now() - begin;
+  auto time = Clock::now() - begin;
   const auto is_in_whole = [&](const AtlasSheet& sheet) {
     return std::ranges::any_of(whole.sheets, [&](const AtlasSheet& each) {
       return each.branch == sheet.branch && each.plane == sheet.plane &&
@@ -138,7 +138,7 @@ TEST(Atlas, InterruptedHasNoSheetThatTheWholeHasNot) {
   constexpr int moments = 40;
   for (int k = 0; k < moments; ++k) {
     std::atomic<bool> stop{false};
-    const std::jthread later([&, at = Clock::now() + time * (moments + k) / (2 * moments)] {
+    const std::jthread later([&, at = Clock::now() + time * (10 + k % 10) / 20] {
       std::this_thread::sleep_until(at);
       stop = true;
     });
@@ -148,12 +148,17 @@ TEST(Atlas, InterruptedHasNoSheetThatTheWholeHasNot) {
     options.threads = 1;
     options.stop = options.search.stop = &stop;
     const Atlas found = atlas(plate, potential, options);
+    bool within_a_sheet = false;
     for (const AtlasSheet& sheet : found.sheets) {
-      cut_short += sheet.report.interrupted;
+      within_a_sheet = within_a_sheet || sheet.report.interrupted;
       EXPECT_TRUE(is_in_whole(sheet)) << k << ": " << sheet.entry_nu;
     }
+    cut_short += within_a_sheet;
+    // The machine is not always as fast.
+    if (!found.interrupted) time -= time / 10;
+    if (found.interrupted && !within_a_sheet) time += time / 20;
   }
-  RecordProperty("cut_short", cut_short);
+  EXPECT_GT(cut_short, 0);
 }
 
 TEST(Atlas, ATiltedFamilyMayEscape) {
