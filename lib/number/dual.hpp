@@ -35,27 +35,16 @@ struct Dual {
   /// The unknown x = e^y in direction k: dx/dy = x.
   static Dual logarithmic(const T& x, std::size_t k) { return along(x, x, k); }
 
-  friend Dual operator+(const Dual& x, const Dual& y) {
-    return of(x.value + y.value, [&](std::size_t k) { return x.slope[k] + y.slope[k]; });
-  }
+  friend Dual operator+(const Dual& x, const Dual& y) { return apply<&plus>(x, y); }
   friend Dual operator-(const Dual& x) {
     return of(-x.value, [&](std::size_t k) { return -x.slope[k]; });
   }
-  friend Dual operator-(const Dual& x, const Dual& y) {
-    return of(x.value - y.value, [&](std::size_t k) { return x.slope[k] - y.slope[k]; });
-  }
-  friend Dual operator*(const Dual& x, const Dual& y) {
-    return of(x.value * y.value,
-              [&](std::size_t k) { return x.slope[k] * y.value + x.value * y.slope[k]; });
-  }
+  friend Dual operator-(const Dual& x, const Dual& y) { return apply<&minus>(x, y); }
+  friend Dual operator*(const Dual& x, const Dual& y) { return apply<&times>(x, y); }
   friend Dual operator*(double a, const Dual& x) {
     return of(a * x.value, [&](std::size_t k) { return a * x.slope[k]; });
   }
-  friend Dual operator/(const Dual& x, const Dual& y) {
-    const T inverse = T(1.0) / y.value;
-    const T q = x.value * inverse;
-    return of(q, [&](std::size_t k) { return (x.slope[k] - q * y.slope[k]) * inverse; });
-  }
+  friend Dual operator/(const Dual& x, const Dual& y) { return apply<&over>(x, y); }
   friend Dual& operator+=(Dual& x, const Dual& y) { return x = x + y; }
   friend Dual& operator-=(Dual& x, const Dual& y) { return x = x - y; }
   friend Dual log(const Dual& x) {
@@ -97,6 +86,36 @@ struct Dual {
   }
 
  private:
+  static Dual plus(const Dual& x, const Dual& y) {
+    return of(x.value + y.value, [&](std::size_t k) { return x.slope[k] + y.slope[k]; });
+  }
+  static Dual minus(const Dual& x, const Dual& y) {
+    return of(x.value - y.value, [&](std::size_t k) { return x.slope[k] - y.slope[k]; });
+  }
+  static Dual times(const Dual& x, const Dual& y) {
+    return of(x.value * y.value,
+              [&](std::size_t k) { return x.slope[k] * y.value + x.value * y.slope[k]; });
+  }
+  static Dual over(const Dual& x, const Dual& y) {
+    const T inverse = T(1.0) / y.value;
+    const T q = x.value * inverse;
+    return of(q, [&](std::size_t k) { return (x.slope[k] - q * y.slope[k]) * inverse; });
+  }
+  /// Many slopes of intervals are called, not inlined: their code is long, and compilers take their
+  /// time over it.
+  static constexpr bool called = N > 2 && !std::is_same_v<T, double>;
+  template <auto operation>
+  [[gnu::noinline]] static Dual call(const Dual& x, const Dual& y) {
+    return operation(x, y);
+  }
+  template <auto operation>
+  static Dual apply(const Dual& x, const Dual& y) {
+    if constexpr (called) {
+      return call<operation>(x, y);
+    } else {
+      return operation(x, y);
+    }
+  }
   /// f(x) from f and f' at its value.
   static Dual chain(const Dual& x, const T& f, const T& slope) {
     return of(f, [&](std::size_t k) { return slope * x.slope[k]; });

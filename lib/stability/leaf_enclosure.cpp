@@ -1,12 +1,11 @@
 #include "lib/stability/leaf_enclosure.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 
-#include "lib/number/elementary.hpp"
 #include "lib/stability/enclosure_collector.hpp"
 #include "lib/stability/interval_form.hpp"
+#include "lib/stability/symplectic_leaf.hpp"
 
 namespace stationary {
 namespace {
@@ -111,45 +110,6 @@ Whole second_variation(const EnclosedMotion& at) {
   return out;
 }
 
-/// The part of some coordinates and their momenta, both diagonals alike in size: x_k -> c_k x_k,
-/// p_k -> p_k/c_k with powers of two.
-template <std::size_t n>
-IntervalForm<2 * n> part_of(const Whole& whole, const std::array<std::size_t, n>& coordinates) {
-  std::array<std::size_t, 2 * n> place;
-  std::array<double, 2 * n> scale;
-  for (std::size_t k = 0; k < n; ++k) {
-    place[k] = coordinates[k];
-    place[n + k] = pairs + coordinates[k];
-    const double q = whole[place[k]][place[k]].magnitude();
-    const double p = whole[place[n + k]][place[n + k]].magnitude();
-    const double power = std::round(0.25 * log(p / q) / double_double_log_two.hi);
-    const bool usable = std::abs(power) < 600.0;  // else one of them is zero, or not finite
-    scale[k] = usable ? std::ldexp(1.0, static_cast<int>(power)) : 1.0;
-    scale[n + k] = 1.0 / scale[k];
-  }
-  IntervalForm<2 * n> out;
-  for (std::size_t i = 0; i < 2 * n; ++i)
-    for (std::size_t j = 0; j < 2 * n; ++j)
-      out[i][j] = (scale[i] * scale[j]) * whole[place[i]][place[j]];
-  return out;
-}
-
-/// det(s - J E'') as a polynomial in s^2.
-template <std::size_t n>
-Polynomial<Interval, static_cast<int>(n)> in_squares(const IntervalForm<2 * n>& E) {
-  IntervalForm<2 * n> H;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < 2 * n; ++j) {
-      H[i][j] = E[n + i][j];
-      H[n + i][j] = -E[i][j];
-    }
-  }
-  const auto c = characteristic<2 * n>(H, /*even=*/true);
-  Polynomial<Interval, static_cast<int>(n)> out;
-  for (std::size_t k = 0; k <= n; ++k) out.c[k] = c[2 * k];
-  return out;
-}
-
 class Parts {
  public:
   explicit Parts(const Whole& whole) : whole_(whole) {}
@@ -157,7 +117,7 @@ class Parts {
   template <class... Places>
   void add(Places... coordinates) {
     constexpr std::size_t n = sizeof...(Places);
-    const auto E = part_of<n>(whole_, {static_cast<std::size_t>(coordinates)...});
+    const auto E = leaf_part<n>(whole_, pairs, {static_cast<std::size_t>(coordinates)...});
     const std::optional<int> negative = negative_directions(E);
     out_.negative.add(negative);
     if (negative.value_or(0) > 0) out_.set_indefinite();

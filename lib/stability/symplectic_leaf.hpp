@@ -20,23 +20,32 @@
 // its second derivatives, V_qq is V's along the volume, and the mass M + J3 b b^T leaves
 //   r^T M^-1 r - (b^T M^-1 r)^2/(1/J3 + b^T M^-1 b).
 //
+// Coordinates that the others do not see have with their momenta modes of their own,
+//   det(s - J E'') = P(s^2).
+//
 // A symmetry of the motion leaves exact zeros, which cost nothing. At pi = 0 there is no b: 8
 // dimensions. q must be a stationary motion (not checked).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "lib/body/body.hpp"
 #include "lib/body/inertia.hpp"
+#include "lib/matrix/characteristic.hpp"
+#include "lib/number/dual.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/number/first_order_bound.hpp"
+#include "lib/number/interval.hpp"
+#include "lib/number/polynomial.hpp"
 
 namespace stationary {
 
 /// 2 pairs x 2 pairs of these are used.
 template <class S>
-using LeafForm = std::array<std::array<S, 10>, 10>;
+using LeafForm = SquareForm<S, 10>;
 
 struct Leaf {
   std::size_t pairs;  ///< 5, or 4 at pi = 0, one less of a held volume; less of a part of it
@@ -49,6 +58,12 @@ struct Leaf {
 namespace leaf_detail {
 
 /// 0, whatever the inputs.
+inline bool vanishes(const Interval& x) { return x.lo == 0.0 && x.hi == 0.0; }
+template <class T, std::size_t N>
+bool vanishes(const Dual<T, N>& x) {
+  return vanishes(x.value) &&
+         std::ranges::all_of(x.slope, [](const T& slope) { return vanishes(slope); });
+}
 template <class S>
 bool vanishes(const S& x) {
   if constexpr (requires { x.condition; }) {
@@ -338,6 +353,52 @@ LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, con
   }
   for (std::size_t i = 0; i < 10; ++i)
     for (std::size_t j = 0; j < i; ++j) out[i][j] = out[j][i];
+  return out;
+}
+
+inline double largest_of(const Interval& x) { return x.magnitude(); }
+template <std::size_t N>
+double largest_of(const Dual<Interval, N>& x) {
+  return x.value.magnitude();
+}
+
+/// E'' of these coordinates and their momenta, both diagonals alike in size: x_k -> c_k x_k,
+/// p_k -> p_k/c_k with powers of two. pairs: of the whole.
+template <std::size_t n, class T>
+SquareForm<T, 2 * n> leaf_part(const LeafForm<T>& whole, std::size_t pairs,
+                               const std::array<std::size_t, n>& coordinates) {
+  std::array<std::size_t, 2 * n> place;
+  std::array<double, 2 * n> scale;
+  for (std::size_t k = 0; k < n; ++k) {
+    place[k] = coordinates[k];
+    place[n + k] = pairs + coordinates[k];
+    const double q = largest_of(whole[place[k]][place[k]]);
+    const double p = largest_of(whole[place[n + k]][place[n + k]]);
+    const double power = std::round(0.25 * log(p / q) / double_double_log_two.hi);
+    const bool usable = std::abs(power) < 600.0;  // else one of them is zero, or not finite
+    scale[k] = usable ? std::ldexp(1.0, static_cast<int>(power)) : 1.0;
+    scale[n + k] = 1.0 / scale[k];
+  }
+  SquareForm<T, 2 * n> out;
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    for (std::size_t j = 0; j < 2 * n; ++j)
+      out[i][j] = (scale[i] * scale[j]) * whole[place[i]][place[j]];
+  return out;
+}
+
+/// P of E'' in n coordinates and their momenta.
+template <std::size_t n, class T>
+Polynomial<T, static_cast<int>(n)> in_squares(const SquareForm<T, 2 * n>& E) {
+  SquareForm<T, 2 * n> H;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < 2 * n; ++j) {
+      H[i][j] = E[n + i][j];
+      H[n + i][j] = -E[i][j];
+    }
+  }
+  const auto c = characteristic(H, /*even=*/true);
+  Polynomial<T, static_cast<int>(n)> out;
+  for (std::size_t k = 0; k <= n; ++k) out.c[k] = c[2 * k];
   return out;
 }
 

@@ -26,12 +26,10 @@
 
 #include <array>
 
+#include "lib/matrix/characteristic.hpp"
 #include "lib/stability/held_linearization.hpp"
 
 namespace stationary {
-
-template <class S, std::size_t n>
-using SquareForm = std::array<std::array<S, n>, n>;
 
 /// n = 5; 4 of a held volume, without rho and p_rho.
 template <class S, std::size_t n>

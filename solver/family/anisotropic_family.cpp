@@ -175,10 +175,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   std::unique_ptr<EventEquations> event_equations(EventType type, Circle,
                                                   const Member& near) const override {
     if (meets_mirror(type)) return nullptr;
-    const TestContext context{
-        .branch = branch(), .material_symmetry = false, .kind = events(), .along_nu = along_nu()};
-    const TestValues at = test_values(near, context, 0.0, 0.0);
-    const auto function = nearest_function(type, context, at);
+    const auto function = vanishing_function<Layout>(type, branch(), along_nu(), near);
     if (!function) return nullptr;
     return equations_of<Layout>(branch_, *function);
   }

@@ -10,6 +10,7 @@
 
 #include "lib/body/inertia.hpp"
 #include "lib/number/elementary.hpp"
+#include "lib/number/interval_functions.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/event_equations.hpp"
 #include "solver/motion/event_functions.hpp"
@@ -54,9 +55,30 @@ struct VariedCoefficients {
   }
   Direction<T> direction(double degrees) const {
     const T angle = (*this)(degrees);
-    const double near = leading(angle);
+    if constexpr (requires { angle.value.lo; }) {
+      return over_box(angle);
+    } else {
+      return near_middle(angle);
+    }
+  }
+
+ private:
+  static Direction<T> over_box(const T& degrees) {
+    const double near = leading(degrees);
+    const Direction<Interval> at =
+        direction_interval(near, (degrees.value - Interval(near)).magnitude());
+    const Interval per_degree = interval_half_pi / Interval(90.0);
+    Direction<T> out{T(at.cosine), T(at.sine)};
+    for (std::size_t k = 0; k < degrees.slope.size(); ++k) {
+      out.cosine.slope[k] = -(at.sine * (per_degree * degrees.slope[k]));
+      out.sine.slope[k] = at.cosine * (per_degree * degrees.slope[k]);
+    }
+    return out;
+  }
+  static Direction<T> near_middle(const T& degrees) {
+    const double near = leading(degrees);
     const Direction<DoubleDouble> at = stationary::direction(near);
-    const T rest = (angle - near) * (std::numbers::pi / 180.0);
+    const T rest = (degrees - near) * (std::numbers::pi / 180.0);
     if constexpr (std::is_same_v<T, Conditioned>) {
       const double spread = rest.condition;
       const double cosine = double(at.cosine);
@@ -294,6 +316,18 @@ KindEvents oriented_events() {
   out.mirror_reason = Layout::axis ? "the axis has come to a material one, alpha to 0"
                                    : "alpha has come to 0; beyond are mirror images";
   return out;
+}
+
+/// What vanishes at an event of this type near a located member, of TestValues; nothing where there
+/// are no equations for it.
+template <class Layout>
+std::optional<std::size_t> vanishing_function(EventType type, Branch branch, bool along_nu,
+                                              const Member& near) {
+  const TestContext context{.branch = branch,
+                            .material_symmetry = false,
+                            .kind = oriented_events<Layout>(),
+                            .along_nu = along_nu};
+  return nearest_function(type, context, test_values(near, context, 0.0, 0.0));
 }
 
 }  // namespace stationary

@@ -3,19 +3,8 @@
 #include <cmath>
 
 #include "lib/body/inertia.hpp"
-#include "solver/proof/enclosed_event.hpp"
 
 namespace stationary {
-
-std::array<BoxDual<3>, 3> TiltedEventSystem::over_boxes(const std::array<BoxDual<3>, 3>& y,
-                                                        Inputs inputs) const {
-  const auto number = [&](double x) { return BoxDual<3>(as_input(x, inputs)); };
-  const Inertia3<BoxDual<3>> J{number(J_[0]), number(J_[1]), number(J_[2])};
-  return equations(
-      J, y,
-      varied_tilted(potential_, plane_, J, y[0], y[1], square(y[2]),
-                    [&](double value, FamilyParameter::Kind, int) { return number(value); }));
-}
 
 KindEvents tilted_events() {
   KindEvents out = axis_events();
@@ -53,19 +42,6 @@ std::optional<TiltedEventSystem::Kind> vanishing_at(EventType type, const Member
     default:
       return std::nullopt;
   }
-}
-
-std::optional<EventEnclosure> enclose_tilted_event(const Body& body, const Potential& potential,
-                                                   TiltPlane plane, EventType type,
-                                                   const Member& member, Inputs inputs) {
-  const auto what = vanishing_at(type, member);
-  if (!what) return std::nullopt;
-  const TiltedEventSystem equations(body, potential, plane, *what);
-  const Inertia3<Interval> J = inertia_intervals(body, inputs);
-  const ReducedVector<3> y(member.q.xi, member.q.zeta, member.parameter);
-  return enclosed_event(EventBoxes(equations, inputs), y, 2, member, [&](const Box<3>& found) {
-    return StretchBox{found[0], found[1], tilted_thickness(J, plane, found[0], found[1])};
-  });
 }
 
 }  // namespace stationary

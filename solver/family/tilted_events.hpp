@@ -12,7 +12,6 @@
 #include "solver/motion/event_equations.hpp"
 #include "solver/motion/event_functions.hpp"
 #include "solver/motion/varied_balance.hpp"
-#include "solver/proof/event_enclosure.hpp"
 
 namespace stationary {
 
@@ -22,11 +21,7 @@ class TiltedEventSystem {
   enum class Kind { fold, momentum, inertia, in_plane, normal, shear };
 
   TiltedEventSystem(const Body& body, const Potential& potential, TiltPlane plane, Kind kind)
-      : J_{body.J1, body.J2, body.J3},
-        potential_(potential),
-        plane_(plane),
-        kind_(kind),
-        elastic_(potential, {}) {}
+      : J_{body.J1, body.J2, body.J3}, plane_(plane), kind_(kind), elastic_(potential, {}) {}
 
   std::size_t inputs() const { return J_.size() + elastic_.inputs(); }
   bool has_decimals() const { return elastic_.has_decimals(); }
@@ -34,27 +29,26 @@ class TiltedEventSystem {
   ExtendedVector<3> values(const ExtendedVector<3>& y, const InputChange& change) const {
     const Inertia3<DoubleDouble> J{change(J_[0], 0), change(J_[1], 1), change(J_[2], 2)};
     const DoubleDouble square_nu = square(y[2]);
-    return equations(J, y, elastic_.tilted(plane_, J, y[0], y[1], square_nu, change.from(3)));
+    return equations(kind_, J, y,
+                     elastic_.tilted(plane_, J, y[0], y[1], square_nu, change.from(3)));
   }
-  /// In intervals: of a proof (enclosed_event.hpp).
-  std::array<BoxDual<3>, 3> over_boxes(const std::array<BoxDual<3>, 3>& y, Inputs inputs) const;
   std::array<Conditioned, 3> conditioned(const std::array<Conditioned, 3>& y, bool exact) const {
     const auto number = [&](double x) { return exact ? Conditioned(x) : Conditioned::input(x); };
     const Inertia3<Conditioned> J{number(J_[0]), number(J_[1]), number(J_[2])};
     const Conditioned square_nu = square(y[2]);
-    return equations(J, y, elastic_.tilted(plane_, J, y[0], y[1], square_nu, exact));
+    return equations(kind_, J, y, elastic_.tilted(plane_, J, y[0], y[1], square_nu, exact));
   }
 
- private:
+  /// parts: at y.
   template <class T>
-  std::array<T, 3> equations(const Inertia3<T>& J, const std::array<T, 3>& y,
-                             const TiltedParts<T>& parts) const {
+  static std::array<T, 3> equations(Kind kind, const Inertia3<T>& J, const std::array<T, 3>& y,
+                                    const TiltedParts<T>& parts) {
     const LogBalance<T>& at = parts.balance;
     const T m_xi = J.J1 * square(y[0]);
     const T m_zeta = J.J2 * square(y[1]);
     const SquareArray<T, 2> jacobian{{{at.uu, at.uv}, {at.uv, at.vv}}};
     const auto vanishing = [&]() -> T {
-      switch (kind_) {
+      switch (kind) {
         case Kind::fold:
           return determinant(jacobian);
         case Kind::inertia:
@@ -73,8 +67,8 @@ class TiltedEventSystem {
     return {at.g_xi, at.g_zeta, vanishing()};
   }
 
+ private:
   std::array<double, 3> J_;
-  Potential potential_;
   TiltPlane plane_;
   Kind kind_;
   VariedElastic elastic_;
@@ -86,11 +80,5 @@ KindEvents tilted_events();
 /// What vanishes at an event of this type near a located member; nothing where there are no
 /// equations for it.
 std::optional<TiltedEventSystem::Kind> vanishing_at(EventType type, const Member& near);
-
-/// The proof that the event is there; nothing where there are no equations for it.
-std::optional<EventEnclosure> enclose_tilted_event(const Body& body, const Potential& potential,
-                                                   TiltPlane plane, EventType type,
-                                                   const Member& member,
-                                                   Inputs inputs = Inputs::decimals);
 
 }  // namespace stationary

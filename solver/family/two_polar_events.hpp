@@ -30,6 +30,7 @@ class TwoPolarEventSystem {
  public:
   static constexpr std::size_t stretches = circle ? 2 : 3;
   static constexpr int dimension = circle ? 3 : 4;
+  using BoxNumber = BoxDual<dimension>;
   using Kind = FamilyParameter::Kind;
 
   TwoPolarEventSystem(const Body& body, const Potential& potential, const Motion<double>& motion,
@@ -53,10 +54,9 @@ class TwoPolarEventSystem {
         [&](const auto&... x) { return elastic_.at(x..., change.from(4)); });
   }
   /// In intervals: of a proof (enclosed_event.hpp).
-  std::array<BoxDual<dimension>, static_cast<std::size_t>(dimension)> over_boxes(
-      const std::array<BoxDual<dimension>, static_cast<std::size_t>(dimension)>& y,
-      Inputs inputs) const {
-    using T = BoxDual<dimension>;
+  std::array<BoxNumber, static_cast<std::size_t>(dimension)> over_boxes(
+      const std::array<BoxNumber, static_cast<std::size_t>(dimension)>& y, Inputs inputs) const {
+    using T = BoxNumber;
     return equations<T>(
         y, [&](double x, std::size_t) { return T(as_input(x, inputs)); },
         [&](const T& lambda, const T& mu, const T& rho, const T& p) {
@@ -175,12 +175,5 @@ KindEvents two_polar_events();
 /// What vanishes at an event of this type near a located member, of two candidates the one nearer to
 /// zero; nothing where there are no equations for it.
 std::optional<TwoPolarVanishing> vanishing_at(EventType type, bool circle, const Member& near);
-
-/// The proof that the event is there; nothing where there are no equations for it.
-std::optional<EventEnclosure> enclose_two_polar_event(const Body& body, const Potential& potential,
-                                                      const TwoPolarMotion& motion,
-                                                      const FamilyParameter& parameter,
-                                                      EventType type, const Member& member,
-                                                      Inputs inputs = Inputs::decimals);
 
 }  // namespace stationary

@@ -1,6 +1,7 @@
 #include "solver/kind/axis_kind.hpp"
 
 #include "solver/family/anisotropic_family.hpp"
+#include "solver/kind/oriented_event_enclosure.hpp"
 #include "solver/motion/body_circle.hpp"
 #include "solver/solve/nonexistence.hpp"
 #include "solver/solve/stability.hpp"
@@ -127,7 +128,9 @@ class AxisKind final : public Kind {
 
   std::optional<EventEnclosure> enclose_event(const FamilyParameter& parameter, EventType event,
                                               const Member& member) const override {
-    if (!potential().is_isotropic() || !has_enclosure(event)) return std::nullopt;
+    if (!potential().is_isotropic())
+      return enclose_oriented_event(problem_, parameter, event, member);
+    if (!has_enclosure(event)) return std::nullopt;
     return stationary::enclose_event(problem_, parameter, circle_with(event, parameter, member),
                                      event, member);
   }

@@ -1,6 +1,7 @@
 #include "solver/kind/oblique_kind.hpp"
 
 #include "solver/family/anisotropic_family.hpp"
+#include "solver/kind/oriented_event_enclosure.hpp"
 #include "solver/proof/anisotropic_enclosure.hpp"
 #include "solver/search/anisotropic_search.hpp"
 #include "solver/solve/anisotropic_equilibrium.hpp"
@@ -54,6 +55,10 @@ class ObliqueKind final : public Kind {
     return oblique_family(body(), potential().anisotropic(),
                           {.nu = motion_.nu, .parameter = parameter, .spectrum = outputs.spectrum},
                           motion_.near.value_or(Branch::i));
+  }
+  std::optional<EventEnclosure> enclose_event(const FamilyParameter& parameter, EventType event,
+                                              const Member& member) const override {
+    return enclose_oblique_event(body(), potential().anisotropic(), parameter, event, member);
   }
   std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
                                         const Member& member) const override {

@@ -6,6 +6,7 @@
 
 #include "lib/stability/leaf_enclosure.hpp"
 #include "solver/kind/spatial_boxes.hpp"
+#include "solver/kind/tilted_event_enclosure.hpp"
 #include "solver/proof/certificate.hpp"
 
 namespace stationary {
@@ -69,6 +70,15 @@ SpectrumEnclosure enclose_spatial_spectrum(const SpatialEquations& equations, do
                                 .rho_coupled = true,
                                 .volume_held = true},
                                spectrum);
+}
+
+std::optional<EventEnclosure> enclose_spatial_event(const SpatialEquations& equations,
+                                                    EventType type, const Member& member) {
+  if (type != EventType::shear) return std::nullopt;
+  const Vector3<double>& nu = member.angular_velocity;
+  const TiltPlane plane =
+      std::abs(nu[1]) < std::abs(nu[0]) ? TiltPlane::one_three : TiltPlane::two_three;
+  return enclose_tilted_event(equations.body, equations.potential, plane, type, member);
 }
 
 }  // namespace stationary

@@ -188,6 +188,10 @@ class SpatialKind final : public Kind {
     return spatial_family(body(), potential(), outputs.spectrum);
   }
   std::optional<std::string> no_family(const FamilyParameter&) const override { return none_; }
+  std::optional<EventEnclosure> enclose_event(const FamilyParameter&, EventType event,
+                                              const Member& member) const override {
+    return enclose_spatial_event(*equations_, event, member);
+  }
 
  private:
   SpatialRotation motion_;

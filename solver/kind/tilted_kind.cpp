@@ -1,7 +1,7 @@
 #include "solver/kind/tilted_kind.hpp"
 
-#include "solver/family/tilted_events.hpp"
 #include "solver/family/tilted_family.hpp"
+#include "solver/kind/tilted_event_enclosure.hpp"
 #include "solver/proof/tilted_enclosure.hpp"
 #include "solver/search/tilted_search.hpp"
 #include "solver/solve/tilted_equilibrium.hpp"

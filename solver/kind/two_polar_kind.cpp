@@ -1,7 +1,7 @@
 #include "solver/kind/two_polar_kind.hpp"
 
-#include "solver/family/two_polar_events.hpp"
 #include "solver/family/two_polar_family.hpp"
+#include "solver/kind/two_polar_event_enclosure.hpp"
 #include "solver/proof/two_polar_enclosure.hpp"
 #include "solver/search/two_polar_search.hpp"
 #include "solver/solve/two_polar_equilibrium.hpp"

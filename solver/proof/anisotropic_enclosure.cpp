@@ -49,14 +49,11 @@ void certify_at(const OrientedBoxSystem<Layout>& system, const Stretch& q,
   };
   for (int i = 0; i < 3; ++i) add(Interval(x[i]) / proof.solution[at(i)] - Interval(1.0));
   const StretchBox solution = stretch_box(system, proof.solution);
-  if constexpr (Layout::alpha)
-    add((Interval(q.alpha) - solution.alpha) / sqrt(solution.xi * solution.zeta));
+  if constexpr (Layout::alpha) add(shear_error(q.alpha, solution));
   if constexpr (Layout::axis) {
     const AxisAngle<Interval> axis = axis_angle(proof.solution[at(Layout::axis_place)]);
     out.axis = {axis.cosine, axis.sine};
-    const Interval size = sqrt(square(Interval(nu[0])) + square(Interval(nu[1])));
-    const Interval sine = (axis.cosine * nu[1] - axis.sine * nu[0]) / size;
-    add(1.0000001 * sine);  // the angle, where it is small
+    add(axis_error(nu, axis));
   }
   if (least > allowed_error) {
     out.reason = "proven not to be a solution: the nearest is farther off than rounding";

@@ -14,24 +14,24 @@
 
 namespace stationary {
 
-/// Equations (all unknowns in any number type, the numbers of the problem by number(value)) over a
-/// box of the unknowns, slopes in their logarithms.
+/// Equations (over_boxes(unknowns, inputs), in BoxNumber, duals with at least as many slopes as there
+/// are unknowns) over a box of the unknowns, slopes in their logarithms.
 template <class Equations>
 class EventBoxes {
  public:
   static constexpr int dimension = Equations::dimension;
-  using T = Dual<Interval, static_cast<std::size_t>(dimension)>;
+  using T = typename Equations::BoxNumber;
 
   EventBoxes(const Equations& equations, Inputs inputs) : equations_(&equations), inputs_(inputs) {}
 
   GeneralBoxLinearized<dimension> linearize(const Box<dimension>& box) const {
-    std::array<T, dimension> y;
+    std::array<T, static_cast<std::size_t>(dimension)> y;
     for (std::size_t i = 0; i < y.size(); ++i) y[i] = T::logarithmic(box[i], i);
     const auto values = equations_->over_boxes(y, inputs_);
     GeneralBoxLinearized<dimension> out;
     for (std::size_t i = 0; i < y.size(); ++i) {
       out.g[i] = values[i].value;
-      out.slope[i] = values[i].slope;
+      std::copy_n(values[i].slope.begin(), y.size(), out.slope[i].begin());
     }
     return out;
   }

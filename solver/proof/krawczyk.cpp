@@ -133,11 +133,13 @@ template struct BoxSlopes<3>;
 template struct BoxSlopes<4>;
 template struct BoxSlopes<5>;
 template struct BoxSlopes<6>;
+template struct BoxSlopes<7>;
 template class Krawczyk<1>;
 template class Krawczyk<2>;
 template class Krawczyk<3>;
 template class Krawczyk<4>;
 template class Krawczyk<5>;
 template class Krawczyk<6>;
+template class Krawczyk<7>;
 
 }  // namespace stationary

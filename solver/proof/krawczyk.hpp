@@ -66,7 +66,7 @@ class BoxEquations {
   BoxSlopes<N> (*linearize_)(const void*, const Box<N>&);
 };
 
-/// N = 1 ... 6.
+/// N = 1 ... 7.
 template <int N>
 class Krawczyk {
  public:

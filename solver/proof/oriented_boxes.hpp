@@ -6,6 +6,7 @@
 
 #include "solver/motion/oriented_system.hpp"
 #include "solver/proof/box_balance.hpp"
+#include "solver/proof/certify.hpp"
 
 namespace stationary {
 
@@ -103,5 +104,15 @@ struct OrientedBoxSystem {
     return potential_derivatives<1>(model, stretch(x)).gradient[0];
   }
 };
+
+/// How far alpha is from its proven one, over sqrt(xi zeta).
+inline Interval shear_error(double alpha, const StretchBox& proven) {
+  return (Interval(alpha) - proven.alpha) / sqrt(proven.xi * proven.zeta);
+}
+/// The angle between nu and its proven axis, where it is small.
+inline Interval axis_error(const Vector3<double>& nu, const AxisAngle<Interval>& axis) {
+  const Interval size = sqrt(square(Interval(nu[0])) + square(Interval(nu[1])));
+  return 1.0000001 * ((axis.cosine * nu[1] - axis.sine * nu[0]) / size);
+}
 
 }  // namespace stationary

@@ -2,7 +2,10 @@
 // (web/live/live.cpp). What an exhaustive search proves it proves here too.
 #include <stdexcept>
 
+#include "solver/kind/oriented_event_enclosure.hpp"
 #include "solver/kind/spatial_certificate.hpp"
+#include "solver/kind/tilted_event_enclosure.hpp"
+#include "solver/kind/two_polar_event_enclosure.hpp"
 #include "solver/proof/anisotropic_enclosure.hpp"
 #include "solver/proof/certify.hpp"
 #include "solver/proof/event_enclosure.hpp"
@@ -58,16 +61,27 @@ EventEnclosure enclose_event(const Problem&, const FamilyParameter&, Circle, Eve
                              const Member&, Inputs) {
   refuse();
 }
-template <int N>
-LogBalance<BoxDual<N>> elastic_over(const Potential&, const FamilyParameter&,
-                                    const std::array<BoxDual<N>, 3>&, const BoxDual<N>&, Inputs) {
+std::optional<EventEnclosure> enclose_oriented_event(const Problem&, const FamilyParameter&,
+                                                     EventType, const Member&, Inputs) {
   refuse();
 }
-template LogBalance<BoxDual<3>> elastic_over<3>(const Potential&, const FamilyParameter&,
-                                                const std::array<BoxDual<3>, 3>&, const BoxDual<3>&,
-                                                Inputs);
-template LogBalance<BoxDual<4>> elastic_over<4>(const Potential&, const FamilyParameter&,
-                                                const std::array<BoxDual<4>, 3>&, const BoxDual<4>&,
-                                                Inputs);
+std::optional<EventEnclosure> enclose_oblique_event(const Body&, const AnisotropicPotential&,
+                                                    const FamilyParameter&, EventType,
+                                                    const Member&, Inputs) {
+  refuse();
+}
+std::optional<EventEnclosure> enclose_tilted_event(const Body&, const Potential&, TiltPlane,
+                                                   EventType, const Member&, Inputs) {
+  refuse();
+}
+std::optional<EventEnclosure> enclose_two_polar_event(const Body&, const Potential&,
+                                                      const TwoPolarMotion&, const FamilyParameter&,
+                                                      EventType, const Member&, Inputs) {
+  refuse();
+}
+std::optional<EventEnclosure> enclose_spatial_event(const SpatialEquations&, EventType,
+                                                    const Member&) {
+  refuse();
+}
 
 }  // namespace stationary

@@ -236,7 +236,7 @@ TEST_P(EveryKind, FollowsWhatItProves) {
       ++events;
       EXPECT_TRUE(event->proven) << name(row.event) << " at " << row.member.parameter << ": "
                                  << event->reason;
-      EXPECT_LE(event->error_bound, 1e-12) << name(row.event);
+      EXPECT_LE(event->error_bound, 1e-11) << name(row.event);
       EXPECT_LE((event->parameter - Interval(row.member.parameter)).magnitude(),
                 1e-13 * std::abs(row.member.parameter));
     } else if (row.event == EventType::none || row.event == EventType::limit) {
