@@ -11,27 +11,27 @@ namespace stationary {
 namespace {
 
 using support::Real50;
-constexpr std::size_t n = 6;
+constexpr std::size_t size = 6;
 
-SquareForm<double, n> random_matrix(support::Random& random, double size) {
-  SquareForm<double, n> out;
+SquareForm<double, size> matrix_of(support::Random& random, double entries) {
+  SquareForm<double, size> out;
   for (auto& row : out)
-    for (double& entry : row) entry = random.uniform(-size, size);
+    for (double& entry : row) entry = random.uniform(-entries, entries);
   return out;
 }
 
 template <class T, class S>
-SquareForm<T, n> in(const SquareForm<S, n>& M) {
-  SquareForm<T, n> out;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) out[i][j] = T(M[i][j]);
+SquareForm<T, size> as(const SquareForm<S, size>& M) {
+  SquareForm<T, size> out;
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) out[i][j] = T(M[i][j]);
   return out;
 }
 
-SquareForm<Interval, n> widened(const SquareForm<double, n>& M, double relative) {
-  SquareForm<Interval, n> out;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
+SquareForm<Interval, size> around(const SquareForm<double, size>& M, double relative) {
+  SquareForm<Interval, size> out;
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) {
       const double radius = relative * std::abs(M[i][j]);
       out[i][j] = {M[i][j] - radius, M[i][j] + radius};
     }
@@ -41,15 +41,15 @@ SquareForm<Interval, n> widened(const SquareForm<double, n>& M, double relative)
 TEST(Characteristic, HoldsThatOfEveryMatrix) {
   support::Random random(20261128);
   for (int k = 0; k < 200; ++k) {
-    const SquareForm<double, n> M = random_matrix(random, 10.0);
+    const SquareForm<double, size> M = matrix_of(random, 10.0);
     const double relative = k % 2 == 0 ? 1e-13 : 1e-2;  // by the middle, and without it
-    const auto held = characteristic(widened(M, relative));
+    const auto held = characteristic(around(M, relative));
     for (int member = 0; member < 4; ++member) {
-      SquareForm<Real50, n> one = in<Real50>(M);
+      SquareForm<Real50, size> one = as<Real50>(M);
       for (auto& row : one)
         for (Real50& entry : row) entry *= 1 + relative * random.uniform(-1.0, 1.0);
-      const CharacteristicRecursion<Real50, n> exact(one, false);
-      for (std::size_t i = 0; i <= n; ++i) {
+      const CharacteristicRecursion<Real50, size> exact(one, false);
+      for (std::size_t i = 0; i <= size; ++i) {
         EXPECT_LE(Real50(held[i].lo), exact.c[i]) << k << " " << i;
         EXPECT_LE(exact.c[i], Real50(held[i].hi)) << k << " " << i;
       }
@@ -62,16 +62,16 @@ TEST(Characteristic, HoldsThatOfEveryMatrix) {
 TEST(Characteristic, IsAsNarrowAsTheMatrix) {
   support::Random random(20261129);
   for (int k = 0; k < 50; ++k) {
-    const SquareForm<double, n> M = random_matrix(random, 10.0);
-    const auto box = widened(M, 1e-15);
+    const SquareForm<double, size> M = matrix_of(random, 10.0);
+    const auto box = around(M, 1e-15);
     const auto held = characteristic(box);
-    const CharacteristicRecursion<Interval, n> alone(box, false);
-    const CharacteristicRecursion<double, n> near(M, false);
-    for (std::size_t order = 1; order <= n; ++order) {
+    const CharacteristicRecursion<Interval, size> alone(box, false);
+    const CharacteristicRecursion<double, size> near(M, false);
+    for (std::size_t order = 1; order <= size; ++order) {
       double terms = 0.0;
-      for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j) terms += std::abs(near.N[order - 1][j][i] * M[i][j]);
-      EXPECT_LE(held[n - order].width(), 3e-15 * terms) << k << " " << order;
+      for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t j = 0; j < size; ++j) terms += std::abs(near.N[order - 1][j][i] * M[i][j]);
+      EXPECT_LE(held[size - order].width(), 3e-15 * terms) << k << " " << order;
     }
     EXPECT_LT(held[0].width(), 1e-2 * alone.c[0].width());
   }
@@ -81,22 +81,22 @@ TEST(Characteristic, IsAsNarrowAsTheMatrix) {
 TEST(Characteristic, HasTheSlopesOfItsCoefficients) {
   support::Random random(20261130);
   for (int k = 0; k < 50; ++k) {
-    const SquareForm<double, n> M = random_matrix(random, 4.0);
-    const SquareForm<double, n> along = random_matrix(random, 1.0);
-    SquareForm<Dual<Interval, 1>, n> line;
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) line[i][j] = {M[i][j], {Interval(along[i][j])}};
+    const SquareForm<double, size> M = matrix_of(random, 4.0);
+    const SquareForm<double, size> along = matrix_of(random, 1.0);
+    SquareForm<Dual<Interval, 1>, size> line;
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j < size; ++j) line[i][j] = {M[i][j], {Interval(along[i][j])}};
     const auto held = characteristic(line);
     const auto at = [&](const Real50& t) {
-      SquareForm<Real50, n> moved = in<Real50>(M);
-      for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j) moved[i][j] += t * along[i][j];
-      return CharacteristicRecursion<Real50, n>(moved, false).c;
+      SquareForm<Real50, size> moved = as<Real50>(M);
+      for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t j = 0; j < size; ++j) moved[i][j] += t * along[i][j];
+      return CharacteristicRecursion<Real50, size>(moved, false).c;
     };
     const Real50 h("1e-16");
     const auto ahead = at(h);
     const auto behind = at(-h);
-    for (std::size_t i = 0; i <= n; ++i) {
+    for (std::size_t i = 0; i <= size; ++i) {
       const double slope = double((ahead[i] - behind[i]) / (2 * h));
       const Interval& found = held[i].slope[0];
       EXPECT_NEAR(found.mid(), slope, 1e-11 * (1.0 + std::abs(slope))) << k << " " << i;
@@ -108,20 +108,20 @@ TEST(Characteristic, HasTheSlopesOfItsCoefficients) {
 /// A Hamiltonian matrix: the odd coefficients are zero, exactly.
 TEST(Characteristic, OfAHamiltonianMatrixIsEven) {
   support::Random random(20261131);
-  SquareForm<Interval, n> H;
-  for (std::size_t i = 0; i < n; ++i) {
+  SquareForm<Interval, size> H;
+  for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       const Interval entry = Interval::decimal(random.uniform(-3.0, 3.0));
       const auto place = [&](std::size_t a, std::size_t b) -> Interval& {
-        return H[(a + n / 2) % n][b];
+        return H[(a + size / 2) % size][b];
       };
-      place(i, j) = i >= n / 2 ? entry : -entry;
-      place(j, i) = j >= n / 2 ? entry : -entry;
+      place(i, j) = i >= size / 2 ? entry : -entry;
+      place(j, i) = j >= size / 2 ? entry : -entry;
     }
   }
   const auto even = characteristic(H, true);
   const auto all = characteristic(H);
-  for (std::size_t i = 0; i <= n; ++i) {
+  for (std::size_t i = 0; i <= size; ++i) {
     if (i % 2 == 1) {
       EXPECT_EQ(even[i].lo, 0.0);
       EXPECT_EQ(even[i].hi, 0.0);

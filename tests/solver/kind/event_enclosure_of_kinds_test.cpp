@@ -176,7 +176,7 @@ TEST(EventEnclosureOfKinds, LocatedOfTiltedFamilies) {
     prove_events(sheet, {}, kind_at, text, counted["tilted"]);
   };
   for (int k = 0; k < 120; ++k) {
-    const Posed posed = random_problem(random, 1.0);
+    const testing::Posed posed = random_problem(random, 1.0);
     for (const TiltPlane plane : {TiltPlane::one_three, TiltPlane::two_three})
       take(posed.problem.body(), posed.problem.potential(), plane, std::abs(posed.nu), posed.text);
   }
