@@ -102,6 +102,7 @@ class Claims:
 
     def rows(self, tree, rows):
         rows = [row for row in rows if row.get("xi") and not row.get("event") and row.get("status", "solved") == "solved"]
+        rows = self.off_vertical_branches(rows)
         few = 2 if "gravity" in tree else 6
         for row in self.rng.sample(rows, min(few, len(rows))):
             case = self.case_of(tree, row)
@@ -121,6 +122,16 @@ class Claims:
             case = self.case_of(tree, row)
             if case is not None and row["branch"] in AXES and not anisotropic(case):
                 self.among_all(case, row)
+
+    def off_vertical_branches(self, rows):
+        """Ellipses of one ν only: at the double next to it there are none to compare with."""
+        if not self.varies_spin(self.command.tree):
+            return rows
+        spins = {}
+        for row in rows:
+            spins.setdefault((row["branch"], row.get("sheet")), []).append(tuple(row[f"nu{k}"] for k in (1, 2, 3)))
+        return [row for row in rows
+                if len(spins[row["branch"], row.get("sheet")]) < 3 or len(set(spins[row["branch"], row.get("sheet")])) > 1]
 
     def start(self, row):
         return {name: Decimal(float(row[name] or "0")) for name in ("alpha",) + STRETCHES}
