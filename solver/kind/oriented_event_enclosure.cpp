@@ -9,8 +9,8 @@
 #include "lib/number/elementary.hpp"
 #include "solver/family/anisotropic_family.hpp"
 #include "solver/family/oriented_events.hpp"
+#include "solver/kind/leaf_meeting.hpp"
 #include "solver/proof/enclosed_event.hpp"
-#include "solver/proof/leaf_meeting.hpp"
 #include "solver/proof/oriented_boxes.hpp"
 #include "solver/proof/sought_event.hpp"
 

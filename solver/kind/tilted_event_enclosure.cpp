@@ -3,8 +3,8 @@
 #include <array>
 
 #include "solver/family/tilted_events.hpp"
+#include "solver/kind/leaf_meeting.hpp"
 #include "solver/proof/enclosed_event.hpp"
-#include "solver/proof/leaf_meeting.hpp"
 #include "solver/proof/sought_event.hpp"
 
 namespace stationary {
