@@ -64,8 +64,8 @@ TEST(Characteristic, IsAsNarrowAsTheMatrix) {
   for (int k = 0; k < 50; ++k) {
     const SquareForm<double, size> M = matrix_of(random, 10.0);
     const auto box = around(M, 1e-15);
-    const auto held = characteristic(box);
     const CharacteristicRecursion<Interval, size> alone(box, false);
+    const auto held = about_middle(box, alone, false);
     const CharacteristicRecursion<double, size> near(M, false);
     for (std::size_t order = 1; order <= size; ++order) {
       double terms = 0.0;
@@ -75,6 +75,17 @@ TEST(Characteristic, IsAsNarrowAsTheMatrix) {
     }
     EXPECT_LT(held[0].width(), 1e-2 * alone.c[0].width());
   }
+}
+
+/// Where half the digits are lost the middle is asked.
+TEST(Characteristic, AsksTheMiddleWhereItMust) {
+  support::Random random(20261201);
+  SquareForm<double, size> M = matrix_of(random, 1.0);
+  for (double& entry : M[0]) entry *= 1e-12;  // and with it det M
+  const auto box = around(M, 1e-15);
+  const CharacteristicRecursion<Interval, size> alone(box, false);
+  ASSERT_GT(alone.c[0].width(), 0x1p-26 * alone.c[0].magnitude());
+  EXPECT_LT(characteristic(box)[0].width(), 1e-3 * alone.c[0].width());
 }
 
 /// Along a line of matrices.
