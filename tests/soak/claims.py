@@ -129,7 +129,7 @@ class Claims:
             return rows
         spins = {}
         for row in rows:
-            spins.setdefault((row["branch"], row.get("sheet")), []).append(tuple(row[f"nu{k}"] for k in (1, 2, 3)))
+            spins.setdefault((row["branch"], row.get("sheet")), []).append(tuple(row.get(f"nu{k}") for k in (1, 2, 3)))
         return [row for row in rows
                 if len(spins[row["branch"], row.get("sheet")]) < 3 or len(set(spins[row["branch"], row.get("sheet")])) > 1]
 
