@@ -115,8 +115,9 @@ std::array<Interval, n + 1> about_middle(const SquareForm<Interval, n>& M,
 template <std::size_t n>
 std::array<Interval, n + 1> characteristic(const SquareForm<Interval, n>& M, bool even = false) {
   const CharacteristicRecursion<Interval, n> over(M, even);
-  const bool known = std::ranges::all_of(
-      over.c, [](const Interval& c) { return c.width() <= 0x1p-26 * c.magnitude(); });
+  const bool known = std::ranges::all_of(over.c, [](const Interval& c) {
+    return c.lo == c.hi || c.width() <= 0x1p-26 * c.magnitude();
+  });
   return known || !is_narrow(M) ? over.c : about_middle(M, over, even);
 }
 /// With the slopes of M's entries along some unknowns.

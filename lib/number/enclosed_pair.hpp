@@ -25,7 +25,8 @@ class EnclosedPair {
 
   friend EnclosedPair operator-(const EnclosedPair& x) { return {-x.value_, x.error_}; }
   friend EnclosedPair operator+(const EnclosedPair& x, const EnclosedPair& y) {
-    return {x.value_ + y.value_, x.error_ + y.error_ + sum_rounding * (x.size() + y.size())};
+    return {x.value_ + y.value_,
+            x.error_ + y.error_ + sum_rounding * (x.size() + y.size()) + underflow};
   }
   friend EnclosedPair operator*(const EnclosedPair& x, const EnclosedPair& y) {
     const double product = x.size() * y.size();
@@ -42,7 +43,7 @@ class EnclosedPair {
  private:
   static constexpr double sum_rounding = 0x1p-103;
   static constexpr double product_rounding = 0x1p-100;
-  static constexpr double underflow = 0x1p-960;  ///< of a product whose error is no double
+  static constexpr double underflow = 0x1p-960;  ///< what is below the range of doubles
 
   EnclosedPair(const DoubleDouble& value, double error)
       : value_(renormalized(value)), error_((1.0 + 0x1p-48) * error) {}

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <type_traits>
 
 #include "lib/number/elementary.hpp"
 #include "solver/family/anisotropic_family.hpp"
