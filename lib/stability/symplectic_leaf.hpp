@@ -20,8 +20,7 @@
 // its second derivatives, V_qq is V's along the volume, and the mass M + J3 b b^T leaves
 //   r^T M^-1 r - (b^T M^-1 r)^2/(1/J3 + b^T M^-1 b).
 //
-// Coordinates that the others do not see have with their momenta modes of their own,
-//   det(s - J E'') = P(s^2).
+// Which coordinates the others do not see: leaf_parts.hpp.
 //
 // A symmetry of the motion leaves exact zeros, which cost nothing. At pi = 0 there is no b: 8
 // dimensions. q must be a stationary motion (not checked).
@@ -39,7 +38,6 @@
 #include "lib/number/elementary.hpp"
 #include "lib/number/first_order_bound.hpp"
 #include "lib/number/interval.hpp"
-#include "lib/number/polynomial.hpp"
 
 namespace stationary {
 
@@ -220,10 +218,18 @@ LeafFrame<S> leaf_frame(const std::array<S, 3>& pi) {
   return {size, e1, e2};
 }
 
+/// A frame, and kappa |pi|, which is |nu| of a stationary motion.
+template <class S>
+struct LeafSpin {
+  LeafFrame<S> frame;
+  S rate;
+};
+
 /// E'' in any number type; V_qq in the same. The rows and columns of what is not left are left out.
-template <class S, class Inertias>
+/// spin: from pi its LeafSpin.
+template <class S, class Inertias, class SpinOf>
 LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, const Vector3<S>& nu,
-                             const LeafShape& shape, const Matrix4<S>& V_qq) {
+                             const LeafShape& shape, const Matrix4<S>& V_qq, const SpinOf& spin) {
   using leaf_detail::add_product;
   using leaf_detail::combined;
   using leaf_detail::LinearForm;
@@ -272,15 +278,15 @@ LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, con
   r_alpha.c[p_alpha] = one;
   const std::array<S, 3> pi{I11 * nu[0] + I12 * nu[1], I12 * nu[0] + I22 * nu[1], I33 * nu[2]};
   if (shape.turns) {
-    const auto [size, e1, e2] = leaf_frame(pi);
+    const LeafSpin<S> turning = spin(pi);
+    const auto& [size, e1, e2] = turning.frame;
     const S root = sqrt(size);
     LinearForm<S>* const r[3] = {&r1, &r2, &r3};
     for (std::size_t k = 0; k < 3; ++k) {
       if (!vanishes(e1[k])) r[k]->c[b1] = root * e1[k];
       if (!vanishes(e2[k])) r[k]->c[b2] = root * e2[k];
     }
-    const S own = -((nu[0] * pi[0] + nu[1] * pi[1] + nu[2] * pi[2]) / size);  // -kappa |pi|
-    out[b1][b1] = out[b2][b2] = own;
+    out[b1][b1] = out[b2][b2] = -turning.rate;
   }
 
   // (pi1, pi2).
@@ -356,50 +362,14 @@ LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, con
   return out;
 }
 
-inline double largest_of(const Interval& x) { return x.magnitude(); }
-template <std::size_t N>
-double largest_of(const Dual<Interval, N>& x) {
-  return x.value.magnitude();
-}
-
-/// E'' of these coordinates and their momenta, both diagonals alike in size: x_k -> c_k x_k,
-/// p_k -> p_k/c_k with powers of two. pairs: of the whole.
-template <std::size_t n, class T>
-SquareForm<T, 2 * n> leaf_part(const LeafForm<T>& whole, std::size_t pairs,
-                               const std::array<std::size_t, n>& coordinates) {
-  std::array<std::size_t, 2 * n> place;
-  std::array<double, 2 * n> scale;
-  for (std::size_t k = 0; k < n; ++k) {
-    place[k] = coordinates[k];
-    place[n + k] = pairs + coordinates[k];
-    const double q = largest_of(whole[place[k]][place[k]]);
-    const double p = largest_of(whole[place[n + k]][place[n + k]]);
-    const double power = std::round(0.25 * log(p / q) / double_double_log_two.hi);
-    const bool usable = std::abs(power) < 600.0;  // else one of them is zero, or not finite
-    scale[k] = usable ? std::ldexp(1.0, static_cast<int>(power)) : 1.0;
-    scale[n + k] = 1.0 / scale[k];
-  }
-  SquareForm<T, 2 * n> out;
-  for (std::size_t i = 0; i < 2 * n; ++i)
-    for (std::size_t j = 0; j < 2 * n; ++j)
-      out[i][j] = (scale[i] * scale[j]) * whole[place[i]][place[j]];
-  return out;
-}
-
-/// P of E'' in n coordinates and their momenta.
-template <std::size_t n, class T>
-Polynomial<T, static_cast<int>(n)> in_squares(const SquareForm<T, 2 * n>& E) {
-  SquareForm<T, 2 * n> H;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < 2 * n; ++j) {
-      H[i][j] = E[n + i][j];
-      H[n + i][j] = -E[i][j];
-    }
-  }
-  const auto c = characteristic(H, /*even=*/true);
-  Polynomial<T, static_cast<int>(n)> out;
-  for (std::size_t k = 0; k <= n; ++k) out.c[k] = c[2 * k];
-  return out;
+/// With the frame and kappa that pi itself has.
+template <class S, class Inertias>
+LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, const Vector3<S>& nu,
+                             const LeafShape& shape, const Matrix4<S>& V_qq) {
+  return second_variation(body, q, nu, shape, V_qq, [&](const std::array<S, 3>& pi) {
+    const LeafFrame<S> frame = leaf_frame(pi);
+    return LeafSpin<S>{frame, (nu[0] * pi[0] + nu[1] * pi[1] + nu[2] * pi[2]) / frame.size};
+  });
 }
 
 }  // namespace stationary

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "lib/stability/enclosure_collector.hpp"
-#include "lib/stability/interval_form.hpp"
 
 namespace stationary {
 namespace {

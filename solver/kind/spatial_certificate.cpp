@@ -67,8 +67,7 @@ SpectrumEnclosure enclose_spatial_spectrum(const SpatialEquations& equations, do
                                 .speed = as_input(nu, Inputs::decimals),
                                 .axis = *axis,
                                 .V_qq = potential_derivatives<2>(model, q).hessian,
-                                .rho_coupled = true,
-                                .volume_held = true},
+                                .parts = {.volume_held = true}},
                                spectrum);
 }
 

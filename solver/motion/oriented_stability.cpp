@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "lib/stability/general_spectrum.hpp"
+#include "lib/stability/leaf_parts.hpp"
 
 namespace stationary {
 namespace {
 
 /// The part of a leaf with these coordinates and their momenta.
-Leaf part_of(const Leaf& whole, const std::vector<std::size_t>& coordinates) {
+Leaf part_of(const Leaf& whole, std::span<const std::size_t> coordinates) {
   const std::size_t n = coordinates.size();
   Leaf out;
   out.pairs = n;
@@ -62,29 +64,15 @@ Spectrum united(const std::vector<std::pair<Block, Spectrum>>& parts) {
 }
 
 /// (iii), at any alpha: the reflection in the plane of axes 1 and 2 leaves pi1, pi2 to themselves,
-/// and of a separable V rho; of a held volume rho is no coordinate.
-Spectrum about_third(const Leaf& whole, bool separable, bool volume_held, double uncertainty) {
-  const GeneralFacts facts{MaterialSymmetry::none, uncertainty};
-  const std::size_t shape = volume_held ? 3 : 4;  // coordinates of the stretch
-  const std::size_t first =
-      whole.pairs == shape ? 0 : 1;  // alpha; before it b1, where there is one
-  std::vector<std::pair<Block, Spectrum>> parts;
-  if (first == 1) parts.emplace_back(Block::odd, general_spectrum(facts, part_of(whole, {0})));
-  std::vector<std::size_t> plane{first, first + 1, first + 2};
-  if (separable) {
-    parts.emplace_back(Block::thickness, general_spectrum(facts, part_of(whole, {first + 3})));
-  } else if (!volume_held) {
-    plane.push_back(first + 3);
-  }
-  parts.emplace_back(Block::even, general_spectrum(facts, part_of(whole, plane)));
-  return united(parts);
-}
-
-/// (i), (ii) at alpha = 0 of a held volume, V even in alpha: (b1, alpha) and (xi, zeta).
-Spectrum straight_parts(const Leaf& whole, double uncertainty) {
-  const GeneralFacts facts{MaterialSymmetry::none, uncertainty};
-  return united({{Block::odd, general_spectrum(facts, part_of(whole, {0, 1}))},
-                 {Block::even, general_spectrum(facts, part_of(whole, {2, 3}))}});
+/// and of a separable V rho. (i), (ii) at alpha = 0, V even in alpha: likewise in their planes.
+Spectrum by_parts(const Leaf& whole, LeafParts parts, double uncertainty) {
+  parts.turns = whole.pairs == LeafShape{true, parts.volume_held}.pairs();
+  std::vector<std::pair<Block, Spectrum>> found;
+  for_each_leaf_part(parts, [&](Block block, const auto& coordinates) {
+    found.emplace_back(block, general_spectrum({MaterialSymmetry::none, uncertainty},
+                                               part_of(whole, coordinates)));
+  });
+  return united(found);
 }
 
 }  // namespace
@@ -110,11 +98,11 @@ Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& mode
                        BasicStretch<Conditioned>{0.0, input(q.xi), input(q.zeta), input(q.rho)},
                        input(omega)));
   }
+  LeafParts parts{.coupled = !V.is_separable(), .volume_held = volume_held};
   // At rest there is no axis.
-  if (spin.about_axis && (spin.branch == Branch::iii || double(omega) == 0.0))
-    return about_third(motion_leaf(body, Potential(V), q, nu), V.is_separable(), volume_held,
-                       uncertainty);
-  if (straight) return straight_parts(motion_leaf(body, Potential(V), q, nu), uncertainty);
+  parts.about_third = spin.about_axis && (spin.branch == Branch::iii || double(omega) == 0.0);
+  parts.straight = straight && !parts.about_third;
+  if (parts.divided()) return by_parts(motion_leaf(body, Potential(V), q, nu), parts, uncertainty);
   return general_spectrum(body, Potential(V), q, nu, uncertainty);
 }
 

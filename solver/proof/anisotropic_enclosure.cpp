@@ -80,15 +80,19 @@ void require_proven(const Certificate& certificate) {
   if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
 }
 
+/// parts: about_third and straight of it.
 SpectrumEnclosure whole(const Body& body, const AnisotropicPotential& V, const MotionBox& motion,
-                        const Vector3<Interval>& axis, const Spectrum& spectrum, Inputs inputs,
-                        bool straight = false) {
+                        const Vector3<Interval>& axis, LeafParts parts, const Spectrum& spectrum,
+                        Inputs inputs) {
   const StretchBox& at = motion.stretches;
   const BasicStretch<Interval> q{at.alpha, at.xi, at.zeta, at.rho};
-  return enclose_leaf_spectrum({inertia_intervals(body, inputs), q, motion.nu, axis,
-                                potential_derivatives<2>(V.model(AsIntervals{inputs}), q).hessian,
-                                !V.is_separable(), V.body().volume.has_value(), straight},
-                               spectrum);
+  parts.turns = motion.nu.lo > 0.0;
+  parts.coupled = !V.is_separable();
+  parts.volume_held = V.body().volume.has_value();
+  return enclose_leaf_spectrum(
+      {inertia_intervals(body, inputs), q, motion.nu, axis,
+       potential_derivatives<2>(V.model(AsIntervals{inputs}), q).hessian, parts},
+      spectrum);
 }
 
 }  // namespace
@@ -153,10 +157,11 @@ SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem, const Mot
   const StretchBox& at = motion.stretches;
   const bool at_rest = motion.nu.hi == 0.0;
   if (!V.shear_free() || at.alpha.lo != 0.0 || at.alpha.hi != 0.0 || at_rest)
-    return whole(problem.body(), V, motion, {0.0, 0.0, 1.0}, approximate, inputs);
+    return whole(problem.body(), V, motion, {0.0, 0.0, 1.0}, {.about_third = true}, approximate,
+                 inputs);
   if (V.body().volume)
     return whole(problem.body(), V, motion, angular_velocity(problem.branch(), Interval(1.0)),
-                 approximate, inputs, true);
+                 {.straight = true}, approximate, inputs);
   const BasicStretch<Interval> q{0.0, at.xi, at.zeta, at.rho};
   return enclose_spectrum({problem.branch(), false, false, false, !V.is_separable(), false},
                           straight_state(inertia_intervals(problem.body(), inputs),
@@ -180,7 +185,7 @@ SpectrumEnclosure enclose_oblique_spectrum(const Body& body, const Potential& po
 SpectrumEnclosure enclose_oblique_spectrum(const Body& body, const Potential& potential,
                                            const MotionBox& motion, const Spectrum& approximate,
                                            Inputs inputs) {
-  return whole(body, potential.anisotropic(), motion, {motion.axis[0], motion.axis[1], 0.0},
+  return whole(body, potential.anisotropic(), motion, {motion.axis[0], motion.axis[1], 0.0}, {},
                approximate, inputs);
 }
 

@@ -107,12 +107,13 @@ SpectrumEnclosure leaf_spectrum_of(const TableCase& posed, const About& about,
   const Body& body = posed.problem.body();
   const Stretch& q = posed.at.q;
   const int along = axis(posed.problem.branch());
-  EnclosedMotion motion{{about(body.J1), about(body.J2), about(body.J3)},
-                        {0.0, about(q.xi), about(q.zeta), about(q.rho)},
-                        about(std::abs(posed.at.nu[along])),
-                        Vector3<Interval>::Constant(Interval(0.0)),
-                        {},
-                        !posed.problem.potential().is_separable()};
+  EnclosedMotion motion{
+      {about(body.J1), about(body.J2), about(body.J3)},
+      {0.0, about(q.xi), about(q.zeta), about(q.rho)},
+      about(std::abs(posed.at.nu[along])),
+      Vector3<Interval>::Constant(Interval(0.0)),
+      {},
+      {.about_third = along == 2, .coupled = !posed.problem.potential().is_separable()}};
   motion.axis[along] = 1.0;
   motion.V_qq = posed.problem.potential().visit_parts([&](const auto& model) {
     return Matrix4<Interval>(
