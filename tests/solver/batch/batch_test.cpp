@@ -8,6 +8,7 @@
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/evenly.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/model_and_branch.hpp"
 #include "tests/support/plate.hpp"
 #include "tests/support/random_problem.hpp"
 
@@ -73,7 +74,7 @@ void expect_accurate(const BatchInput& input, const BatchResult& out, std::size_
   }
 }
 
-class BatchEveryModelTest : public ::testing::TestWithParam<std::tuple<std::string_view, Branch>> {
+class BatchEveryModelTest : public ::testing::TestWithParam<support::ModelAndBranch> {
  protected:
   static BatchInput bodies(std::size_t lanes, const std::vector<double>& nu) {
     const auto [model, branch] = GetParam();
@@ -134,12 +135,7 @@ TEST_P(BatchEveryModelTest, EachLaneAsIfAlone) {
 INSTANTIATE_TEST_SUITE_P(Models, BatchEveryModelTest,
                          ::testing::Combine(::testing::ValuesIn(all_models()),
                                             ::testing::Values(Branch::i, Branch::ii, Branch::iii)),
-                         [](const auto& info) {
-                           std::string text(std::get<0>(info.param));
-                           for (char& c : text)
-                             if (c == '-') c = '_';
-                           return text + "_" + std::string(name(std::get<1>(info.param)));
-                         });
+                         support::model_and_branch);
 
 /// Random bodies, coefficients over four orders of magnitude, nu from slow to too fast: what a cell
 /// says is what solve says, to the last place but for ties.

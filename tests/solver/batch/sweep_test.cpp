@@ -7,6 +7,7 @@
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/evenly.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/model_and_branch.hpp"
 #include "tests/support/plate.hpp"
 #include "tests/support/random_problem.hpp"
 
@@ -41,8 +42,7 @@ void expect_poison(const SweepPoint& point, double nu) {
       << nu;
 }
 
-class SweepEveryModelTest : public ::testing::TestWithParam<std::tuple<std::string_view, Branch>> {
-};
+class SweepEveryModelTest : public ::testing::TestWithParam<support::ModelAndBranch> {};
 
 TEST_P(SweepEveryModelTest, TenThousandPoints) {
   const auto [model, branch] = GetParam();
@@ -84,12 +84,7 @@ TEST_P(SweepEveryModelTest, TenThousandPoints) {
 INSTANTIATE_TEST_SUITE_P(Models, SweepEveryModelTest,
                          ::testing::Combine(::testing::ValuesIn(all_models()),
                                             ::testing::Values(Branch::i, Branch::ii, Branch::iii)),
-                         [](const auto& info) {
-                           std::string text(std::get<0>(info.param));
-                           for (char& c : text)
-                             if (c == '-') c = '_';
-                           return text + "_" + std::string(name(std::get<1>(info.param)));
-                         });
+                         support::model_and_branch);
 
 /// hencky (i) up to within 1e-12 of its fold.
 TEST(Sweep, BoundHoldsCloseBelowAFold) {

@@ -9,6 +9,7 @@
 
 #include "solver/solve/stability.hpp"
 #include "tests/support/evenly.hpp"
+#include "tests/support/model_and_branch.hpp"
 #include "tests/support/random_problem.hpp"
 
 namespace stationary {
@@ -96,7 +97,7 @@ Classes expect_as_alone(const BatchInput& input, const std::string& what,
   return out;
 }
 
-class BatchSpectrumTest : public ::testing::TestWithParam<std::tuple<std::string_view, Branch>> {
+class BatchSpectrumTest : public ::testing::TestWithParam<support::ModelAndBranch> {
  protected:
   static BatchInput bodies(std::vector<double> J1, std::vector<double> J2, std::vector<double> nu) {
     const auto [model, branch] = GetParam();
@@ -164,12 +165,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::Values("reciprocal-determinant", "saint-venant-kirchhoff", "biot",
                                          "biot-log", "neo-hookean", "hencky", "neo-hookean-3d"),
                        ::testing::Values(Branch::i, Branch::ii, Branch::iii)),
-    [](const auto& info) {
-      std::string text(std::get<0>(info.param));
-      for (char& c : text)
-        if (c == '-') c = '_';
-      return text + "_" + std::string(name(std::get<1>(info.param)));
-    });
+    support::model_and_branch);
 
 /// Random bodies, coefficients over four orders of magnitude, one in ten with J1 = J2.
 TEST(BatchSpectrum, AsAloneForRandomBodies) {

@@ -7,6 +7,7 @@
 #include "tests/support/curve_error.hpp"
 #include "tests/support/followed.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/model_and_branch.hpp"
 #include "tests/support/plate.hpp"
 #include "tests/support/random_problem.hpp"
 
@@ -50,7 +51,7 @@ struct Exchanged {
   Body operator()(const Body& b) const { return {b.J2, b.J1, b.J3}; }
 };
 
-class EveryModelTest : public ::testing::TestWithParam<std::tuple<std::string_view, Branch>> {
+class EveryModelTest : public ::testing::TestWithParam<support::ModelAndBranch> {
  protected:
   std::string_view model() const { return std::get<0>(GetParam()); }
   Branch branch() const { return std::get<1>(GetParam()); }
@@ -206,12 +207,7 @@ TEST_P(EveryModelTest, ThereAndBack) {
 INSTANTIATE_TEST_SUITE_P(Models, EveryModelTest,
                          ::testing::Combine(::testing::ValuesIn(all_models()),
                                             ::testing::Values(Branch::i, Branch::ii, Branch::iii)),
-                         [](const auto& info) {
-                           std::string text(std::get<0>(info.param));
-                           for (char& c : text)
-                             if (c == '-') c = '_';
-                           return text + "_" + std::string(name(std::get<1>(info.param)));
-                         });
+                         support::model_and_branch);
 
 /// Random bodies and coefficients: nothing stalls, every row satisfies the balance, and large steps
 /// find what small ones do.

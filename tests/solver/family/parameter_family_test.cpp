@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/followed.hpp"
+#include "tests/support/model_and_branch.hpp"
 #include "tests/support/random_problem.hpp"
 
 namespace stationary {
@@ -77,7 +78,7 @@ ReducedVector<N> logarithmic_slope(double y, const F& f) {
   return change / std::log1p((above - below) / below);
 }
 
-class ParameterFamily : public ::testing::TestWithParam<std::tuple<std::string_view, Branch>> {
+class ParameterFamily : public ::testing::TestWithParam<support::ModelAndBranch> {
  protected:
   Numbers numbers() const {
     Numbers out;
@@ -252,12 +253,7 @@ TEST(ParameterFamilies, APassAndATiltInOneStep) {
 INSTANTIATE_TEST_SUITE_P(Models, ParameterFamily,
                          ::testing::Combine(::testing::ValuesIn(all_models()),
                                             ::testing::Values(Branch::i, Branch::ii, Branch::iii)),
-                         [](const auto& info) {
-                           std::string text(std::get<0>(info.param));
-                           for (char& c : text)
-                             if (c == '-') c = '_';
-                           return text + "_" + std::string(name(std::get<1>(info.param)));
-                         });
+                         support::model_and_branch);
 
 /// A coefficient that plane and thickness share: both change, and each row has its own slope.
 TEST(SharedCoefficient, IsOneOfBothParts) {

@@ -68,6 +68,7 @@ struct Posed {
   Motion motion;
   bool has_events = false;  ///< on the part followed
 };
+void PrintTo(const Posed& posed, std::ostream* out) { *out << posed.text; }
 
 std::vector<Posed> all_kinds() {
   const Body plate(1.0, 1.7, 0.6);

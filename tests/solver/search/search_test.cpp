@@ -65,6 +65,7 @@ struct Sheet {
   double nu;
   std::vector<Pair> solutions;
 };
+void PrintTo(const Sheet& sheet, std::ostream* out) { *out << "nu = " << sheet.nu; }
 
 class BrokenPitchforkTest : public ::testing::TestWithParam<Sheet> {};
 
