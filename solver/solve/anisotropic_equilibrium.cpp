@@ -60,6 +60,8 @@ class AnisotropicSolve : FamilySolve {
     }
     if (wants_search() && out_.status == SolveStatus::not_found)
       nearest_of(search_oblique(body_, potential_, motion, short_search()));
+    // Of nu and -nu, which are the same motion, that of search_oblique().
+    if (out_.nu[0] + out_.nu[1] < 0.0) out_.nu = -out_.nu;
     return out_;
   }
 

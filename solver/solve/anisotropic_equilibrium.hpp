@@ -19,7 +19,8 @@ namespace stationary {
 /// As solve(), of a problem whose potential is not isotropic. options.method: automatic or newton.
 Equilibrium solve_anisotropic(const Problem& problem, double nu, const SolveOptions& options);
 
-/// near not given: the family near axis 1 first. Throws std::invalid_argument for an isotropic
+/// near not given: the family near axis 1 first. nu and -nu are one motion, given with nu1 + nu2 >=
+/// 0. Throws std::invalid_argument for an isotropic
 /// potential, a nu that is not finite and > 0, or a start that is not positive definite.
 Equilibrium solve_oblique(const Body& body, const Potential& potential,
                           const ObliqueRotation& motion, const SolveOptions& options = {});

@@ -6,10 +6,12 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "lib/balance/balance_in_momenta.hpp"
 #include "solver/motion/oriented_system.hpp"
+#include "solver/search/anisotropic_search.hpp"
 #include "tests/support/anisotropic_motions.hpp"
 
 namespace stationary {
@@ -192,6 +194,7 @@ TEST(AnisotropicEquilibrium, AnIsotropicPotentialInOrthotropicClothes) {
   }
 }
 
+/// With its nu the same way round, as the search has it too.
 TEST(AnisotropicEquilibrium, FromAStartTheSameMotion) {
   over_motions(406, 8, [](const OrientedBody& at, const auto& near, const Equilibrium& found) {
     Stretch start = found.q;
@@ -205,7 +208,18 @@ TEST(AnisotropicEquilibrium, FromAStartTheSameMotion) {
     // At slow spin the start says little of the axis: then the other one's family is near too.
     if (!near || std::abs(again.nu.normalized().dot(found.nu.normalized())) > 0.7) {
       EXPECT_LE(stretch_difference(again.q, found.q), 1e-15) << at.text;
+      EXPECT_LE((again.nu - found.nu).norm(), 1e-14 * at.nu) << at.text;
     }
+    if (!near) return;
+    EXPECT_GE(again.nu[0] + again.nu[1], 0.0) << at.text;
+    const SearchResult all = search_oblique(at.body, at.potential(), {at.nu, near}, {});
+    EXPECT_EQ(std::ranges::count_if(all.solutions,
+                                    [&](const Equilibrium& each) {
+                                      return stretch_difference(each.q, found.q) < 1e-14 &&
+                                             (each.nu - found.nu).norm() < 1e-13 * at.nu;
+                                    }),
+              1)
+        << at.text;
   });
 }
 
