@@ -58,8 +58,8 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       ReducedVector<N> out = x;
       for (const double turned : {0.0, 0.5 * std::numbers::pi}) {
         // Within the half turn that is searched, in whose middle both axes are.
-        constexpr double middle = 0.25 * std::numbers::pi;
-        const double angle = middle + line_angle(principal + turned - middle);
+        double angle = line_angle(principal + turned);
+        if (angle <= -0.25 * std::numbers::pi) angle += std::numbers::pi;
         x[Layout::axis_place] = axis_coordinate(angle);
         const double residual = largest_magnitude<N>(system(at).linearize(x).g);
         const double apart = std::abs(line_angle(angle - near));
