@@ -7,6 +7,7 @@
 #include "tests/support/lie_poisson.hpp"
 #include "tests/support/motions.hpp"
 #include "tests/support/placement.hpp"
+#include "tests/support/wide_eigenvalues.hpp"
 
 namespace stationary {
 namespace {
