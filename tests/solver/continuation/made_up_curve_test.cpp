@@ -190,6 +190,44 @@ class Guarded {
   ArcPoint<2> start_;
 };
 
+/// A point so near to a border that rounding could have it on either side is not inside: of what must
+/// be positive and of what must not be 0, in each coordinate, from both sides.
+TEST(DomainGuardTest, APointWithinSomeUnitsOfABorderIsNotInside) {
+  const expression::TapeCondition positive{"x > 0", true};
+  const expression::TapeCondition nonzero{"x != 0", false};
+  int asked = 0;
+  for (const auto* condition : {&positive, &nonzero}) {
+    for (const int k : {0, 1}) {
+      for (const double side : {1.0, -1.0}) {
+        for (const double value : {1.0, -1.0}) {
+          if (condition->positive && value < 0.0) continue;
+          DomainGuard<2> guard(
+              [&](const ReducedVector<2>& x, double) {
+                return std::vector<ConditionValue>{{condition, value * side * (x[k] - 1.0)}};
+              },
+              1.0);
+          ArcPoint<2> point;
+          point.p = 0.0;
+          const auto at = [&](double inside) {
+            point.x.setOnes();
+            point.x[k] += side * inside;
+            return point;
+          };
+          guard.enter(at(0.1));
+          EXPECT_TRUE(guard.has(at(0.2)));
+          EXPECT_TRUE(guard.has(at(0x1p-40)));
+          EXPECT_FALSE(guard.has(at(0x1p-50)));
+          EXPECT_FALSE(guard.has(at(0.0)));
+          EXPECT_FALSE(guard.has(at(-0x1p-40)));
+          EXPECT_FALSE(guard.has(at(-0.2)));
+          ++asked;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(asked, 12);
+}
+
 /// A condition that fails in the middle of an arc and holds at every place it is looked at first.
 TEST(MadeUpCurve, AnArcIsSeenToDipBelowABorder) {
   const ArcVector<2> chord(1.0, 1.0, 1.0);
