@@ -67,7 +67,7 @@ using BuiltInParts = Separable<BuiltInPlane<>, BuiltInThickness<>>;
 
 /// Code small before fast, as a page's solver has it: a separable potential is one type, whatever it
 /// is made of. The numbers are the same.
-#ifdef STATIONARY_FEW_TYPES
+#ifdef STATIONARY_SMALL_CODE
 constexpr bool few_types = true;
 #else
 constexpr bool few_types = false;

@@ -19,23 +19,21 @@ class EigenPair {
   explicit EigenPair(const DoubleDouble& x) : pair_(renormalized(x)) {}
   explicit operator double() const { return pair_.hi; }
 
-  [[gnu::always_inline]] friend EigenPair operator-(const EigenPair& x) {
-    return EigenPair(-x.pair_);
-  }
+  STATIONARY_INLINED friend EigenPair operator-(const EigenPair& x) { return EigenPair(-x.pair_); }
   /// The sums of the tails are added exactly too: a difference of neighbours keeps its digits.
-  [[gnu::always_inline]] friend EigenPair operator+(const EigenPair& x, const EigenPair& y) {
+  STATIONARY_INLINED friend EigenPair operator+(const EigenPair& x, const EigenPair& y) {
     const DoubleDouble heads = two_sum(x.pair_.hi, y.pair_.hi);
     const DoubleDouble tails = two_sum(x.pair_.lo, y.pair_.lo);
     const DoubleDouble sum = quick_two_sum(heads.hi, heads.lo + tails.hi);
     return EigenPair(DoubleDouble(sum.hi, sum.lo + tails.lo));
   }
-  [[gnu::always_inline]] friend EigenPair operator-(const EigenPair& x, const EigenPair& y) {
+  STATIONARY_INLINED friend EigenPair operator-(const EigenPair& x, const EigenPair& y) {
     return x + (-y);
   }
-  [[gnu::always_inline]] friend EigenPair operator*(const EigenPair& x, const EigenPair& y) {
+  STATIONARY_INLINED friend EigenPair operator*(const EigenPair& x, const EigenPair& y) {
     return EigenPair(x.pair_ * y.pair_);
   }
-  [[gnu::always_inline]] friend EigenPair operator/(const EigenPair& x, const EigenPair& y) {
+  STATIONARY_INLINED friend EigenPair operator/(const EigenPair& x, const EigenPair& y) {
     return EigenPair(x.pair_ / y.pair_);
   }
   EigenPair& operator+=(const EigenPair& y) { return *this = *this + y; }
@@ -54,9 +52,7 @@ class EigenPair {
   friend bool operator>=(const EigenPair& x, const EigenPair& y) { return y <= x; }
 
   friend EigenPair abs(const EigenPair& x) { return x < 0.0 ? -x : x; }
-  [[gnu::always_inline]] friend EigenPair sqrt(const EigenPair& x) {
-    return EigenPair(sqrt(x.pair_));
-  }
+  STATIONARY_INLINED friend EigenPair sqrt(const EigenPair& x) { return EigenPair(sqrt(x.pair_)); }
   friend bool isfinite(const EigenPair& x) { return std::isfinite(x.pair_.hi); }
   friend bool isnan(const EigenPair& x) { return std::isnan(x.pair_.hi); }
   friend bool isinf(const EigenPair& x) { return std::isinf(x.pair_.hi); }
@@ -68,7 +64,7 @@ class EigenPair {
 /// Eigen and std::complex find these before the standard library's, which are for its own numbers.
 using ComplexPair = std::complex<EigenPair>;
 
-[[gnu::always_inline]] inline ComplexPair operator*(const ComplexPair& z, const ComplexPair& w) {
+STATIONARY_INLINED inline ComplexPair operator*(const ComplexPair& z, const ComplexPair& w) {
   return {z.real() * w.real() - z.imag() * w.imag(), z.real() * w.imag() + z.imag() * w.real()};
 }
 inline ComplexPair operator/(const ComplexPair& z, const ComplexPair& w) {

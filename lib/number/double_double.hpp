@@ -26,6 +26,14 @@
 #include "lib/number/double_double_log_table.hpp"
 #include "lib/number/elementary.hpp"
 
+/// Part of its caller, however large that grows; where code is to be small before fast, as in a page,
+/// the compiler decides. The numbers are the same.
+#ifdef STATIONARY_SMALL_CODE
+#define STATIONARY_INLINED
+#else
+#define STATIONARY_INLINED [[gnu::always_inline]]
+#endif
+
 namespace stationary {
 
 template <class Real>
@@ -34,14 +42,14 @@ using DoubleDouble = Pair<double>;
 
 /// (fl(a + b), error), exact for all finite a, b without overflow.
 template <class Real>
-[[gnu::always_inline]] constexpr Pair<Real> two_sum(const Real& a, const Real& b);
+STATIONARY_INLINED constexpr Pair<Real> two_sum(const Real& a, const Real& b);
 
 /// As two_sum, for |a| >= |b| or a = 0.
 template <class Real>
-[[gnu::always_inline]] constexpr Pair<Real> quick_two_sum(const Real& a, const Real& b);
+STATIONARY_INLINED constexpr Pair<Real> quick_two_sum(const Real& a, const Real& b);
 
 /// (fl(a b), error), exact for |a|, |b| < 2^996 and |a b| >= 2^-968 or = 0, unless it overflows.
-[[gnu::always_inline]] constexpr DoubleDouble two_product(double a, double b);
+STATIONARY_INLINED constexpr DoubleDouble two_product(double a, double b);
 
 /// Whether Real is one number (double, Fused of fused.hpp) and no pack of them.
 template <class Real>
@@ -62,40 +70,36 @@ struct Pair {
   constexpr Pair(const Real& head, const Real& tail) : hi(head), lo(tail) {}
   constexpr explicit operator Real() const { return hi + lo; }
 
-  [[gnu::always_inline]] friend constexpr Pair operator-(const Pair& x) { return {-x.hi, -x.lo}; }
+  STATIONARY_INLINED friend constexpr Pair operator-(const Pair& x) { return {-x.hi, -x.lo}; }
 
-  [[gnu::always_inline]] friend constexpr Pair operator+(const Pair& x, const Pair& y) {
+  STATIONARY_INLINED friend constexpr Pair operator+(const Pair& x, const Pair& y) {
     const Pair s = two_sum(x.hi, y.hi);
     return {s.hi, s.lo + (x.lo + y.lo)};
   }
-  [[gnu::always_inline]] friend constexpr Pair operator+(const Pair& x, double y) {
+  STATIONARY_INLINED friend constexpr Pair operator+(const Pair& x, double y) {
     const Pair s = two_sum(x.hi, Real(y));
     return {s.hi, s.lo + x.lo};
   }
-  [[gnu::always_inline]] friend constexpr Pair operator+(double x, const Pair& y) { return y + x; }
-  [[gnu::always_inline]] friend constexpr Pair operator-(const Pair& x, const Pair& y) {
+  STATIONARY_INLINED friend constexpr Pair operator+(double x, const Pair& y) { return y + x; }
+  STATIONARY_INLINED friend constexpr Pair operator-(const Pair& x, const Pair& y) {
     return x + (-y);
   }
-  [[gnu::always_inline]] friend constexpr Pair operator-(const Pair& x, double y) {
-    return x + (-y);
-  }
-  [[gnu::always_inline]] friend constexpr Pair operator-(double x, const Pair& y) {
-    return (-y) + x;
-  }
+  STATIONARY_INLINED friend constexpr Pair operator-(const Pair& x, double y) { return x + (-y); }
+  STATIONARY_INLINED friend constexpr Pair operator-(double x, const Pair& y) { return (-y) + x; }
 
-  [[gnu::always_inline]] friend constexpr Pair operator*(const Pair& x, const Pair& y) {
+  STATIONARY_INLINED friend constexpr Pair operator*(const Pair& x, const Pair& y) {
     const Pair p = two_product(x.hi, y.hi);
     return {p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi)};
   }
-  [[gnu::always_inline]] friend constexpr Pair operator*(const Pair& x, double y) {
+  STATIONARY_INLINED friend constexpr Pair operator*(const Pair& x, double y) {
     const Pair p = two_product(x.hi, Real(y));
     return {p.hi, p.lo + x.lo * y};
   }
-  [[gnu::always_inline]] friend constexpr Pair operator*(double x, const Pair& y) { return y * x; }
+  STATIONARY_INLINED friend constexpr Pair operator*(double x, const Pair& y) { return y * x; }
 
   /// The quotient of the heads, and its exact remainder over the whole divisor. Of packs by one
   /// division, which they wait for: the head, off by an ulp then, leaves a larger remainder.
-  [[gnu::always_inline]] friend constexpr Pair operator/(const Pair& x, const Pair& y) {
+  STATIONARY_INLINED friend constexpr Pair operator/(const Pair& x, const Pair& y) {
     constexpr bool one_division = !is_scalar<Real>;
     const Real inverse = one_division ? 1.0 / y.hi : Real(0.0);
     const Real q = one_division ? x.hi * inverse : x.hi / y.hi;
@@ -103,30 +107,30 @@ struct Pair {
     const Real remainder = ((x.hi - p.hi) - p.lo) + x.lo - q * y.lo;
     return {q, one_division ? remainder * inverse : remainder / (y.hi + y.lo)};
   }
-  [[gnu::always_inline]] friend constexpr Pair operator/(const Pair& x, double y) {
+  STATIONARY_INLINED friend constexpr Pair operator/(const Pair& x, double y) {
     return x / Pair(y);
   }
-  [[gnu::always_inline]] friend constexpr Pair operator/(double x, const Pair& y) {
+  STATIONARY_INLINED friend constexpr Pair operator/(double x, const Pair& y) {
     return Pair(x) / y;
   }
 };
 
 template <class Real>
-[[gnu::always_inline]] constexpr Pair<Real> two_sum(const Real& a, const Real& b) {
+STATIONARY_INLINED constexpr Pair<Real> two_sum(const Real& a, const Real& b) {
   const Real s = a + b;
   const Real bb = s - a;
   return {s, (a - (s - bb)) + (b - bb)};
 }
 
 template <class Real>
-[[gnu::always_inline]] constexpr Pair<Real> quick_two_sum(const Real& a, const Real& b) {
+STATIONARY_INLINED constexpr Pair<Real> quick_two_sum(const Real& a, const Real& b) {
   const Real s = a + b;
   return {s, b - (s - a)};
 }
 
 /// two_product without a fused multiply-add: the same pair.
 template <class Real>
-[[gnu::always_inline]] constexpr Pair<Real> split_product(const Real& a, const Real& b) {
+STATIONARY_INLINED constexpr Pair<Real> split_product(const Real& a, const Real& b) {
   const Real p = a * b;
   constexpr double split = 134217729.0;  // 2^27 + 1 (Dekker, Veltkamp)
   const Real ca = split * a;
@@ -138,7 +142,7 @@ template <class Real>
   return {p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2};
 }
 
-[[gnu::always_inline]] constexpr DoubleDouble two_product(double a, double b) {
+STATIONARY_INLINED constexpr DoubleDouble two_product(double a, double b) {
 #ifdef __FMA__
   if (!std::is_constant_evaluated()) {
     const double p = a * b;
@@ -148,44 +152,42 @@ template <class Real>
   return split_product(a, b);
 }
 
-[[gnu::always_inline]] inline DoubleDouble& operator+=(DoubleDouble& x, const DoubleDouble& y) {
+STATIONARY_INLINED inline DoubleDouble& operator+=(DoubleDouble& x, const DoubleDouble& y) {
   return x = x + y;
 }
-[[gnu::always_inline]] inline DoubleDouble& operator-=(DoubleDouble& x, const DoubleDouble& y) {
+STATIONARY_INLINED inline DoubleDouble& operator-=(DoubleDouble& x, const DoubleDouble& y) {
   return x = x - y;
 }
-[[gnu::always_inline]] inline DoubleDouble& operator*=(DoubleDouble& x, const DoubleDouble& y) {
+STATIONARY_INLINED inline DoubleDouble& operator*=(DoubleDouble& x, const DoubleDouble& y) {
   return x = x * y;
 }
-[[gnu::always_inline]] inline DoubleDouble& operator/=(DoubleDouble& x, const DoubleDouble& y) {
+STATIONARY_INLINED inline DoubleDouble& operator/=(DoubleDouble& x, const DoubleDouble& y) {
   return x = x / y;
 }
 
-[[gnu::always_inline]] constexpr bool operator==(const DoubleDouble& x, const DoubleDouble& y) {
+STATIONARY_INLINED constexpr bool operator==(const DoubleDouble& x, const DoubleDouble& y) {
   return double(x - y) == 0.0;
 }
-[[gnu::always_inline]] constexpr bool operator<(const DoubleDouble& x, const DoubleDouble& y) {
+STATIONARY_INLINED constexpr bool operator<(const DoubleDouble& x, const DoubleDouble& y) {
   return double(x - y) < 0.0;
 }
-[[gnu::always_inline]] constexpr bool operator>(const DoubleDouble& x, const DoubleDouble& y) {
+STATIONARY_INLINED constexpr bool operator>(const DoubleDouble& x, const DoubleDouble& y) {
   return y < x;
 }
 
-[[gnu::always_inline]] inline DoubleDouble abs(const DoubleDouble& x) {
+STATIONARY_INLINED inline DoubleDouble abs(const DoubleDouble& x) {
   return double(x) < 0.0 ? -x : x;
 }
 
 /// The same number with |lo| <= ulp(hi)/2: needed where a sum may have cancelled its heads.
 template <class Real>
-requires is_scalar<Real>
-[[gnu::always_inline]] constexpr Pair<Real> renormalized(const Pair<Real>& x) {
+requires is_scalar<Real> STATIONARY_INLINED constexpr Pair<Real> renormalized(const Pair<Real>& x) {
   return two_sum(x.hi, x.lo);
 }
 
 /// Square root of x >= 0 (NaN below).
 template <class Real>
-requires is_scalar<Real>
-[[gnu::always_inline]] inline Pair<Real> sqrt(const Pair<Real>& y) {
+requires is_scalar<Real> STATIONARY_INLINED inline Pair<Real> sqrt(const Pair<Real>& y) {
   const Pair<Real> x = renormalized(y);
   if (double(x.hi) == 0.0) return {};
   const Real r = std::sqrt(double(x.hi));

@@ -24,10 +24,10 @@
 
 namespace stationary {
 
-[[gnu::always_inline]] inline double above(double x) {
+STATIONARY_INLINED inline double above(double x) {
   return x + (0x1.0000000000001p-53 * std::abs(x) + 0x1p-1022);
 }
-[[gnu::always_inline]] inline double below(double x) {
+STATIONARY_INLINED inline double below(double x) {
   return x - (0x1.0000000000001p-53 * std::abs(x) + 0x1p-1022);
 }
 
@@ -43,7 +43,7 @@ struct Interval {
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
   /// Bounds rounded to nearest, moved outward.
-  [[gnu::always_inline]] static Interval outward(double lower, double upper) {
+  STATIONARY_INLINED static Interval outward(double lower, double upper) {
     const Interval out(below(lower), above(upper));
     return out.bounded() ? out : entire();
   }
@@ -71,15 +71,15 @@ struct Interval {
   bool apart_from(const Interval& other) const { return hi < other.lo || other.hi < lo; }
 };
 
-[[gnu::always_inline]] inline Interval operator-(const Interval& x) { return {-x.hi, -x.lo}; }
-[[gnu::always_inline]] inline Interval operator+(const Interval& x, const Interval& y) {
+STATIONARY_INLINED inline Interval operator-(const Interval& x) { return {-x.hi, -x.lo}; }
+STATIONARY_INLINED inline Interval operator+(const Interval& x, const Interval& y) {
   return Interval::outward(x.lo + y.lo, x.hi + y.hi);
 }
-[[gnu::always_inline]] inline Interval operator-(const Interval& x, const Interval& y) {
+STATIONARY_INLINED inline Interval operator-(const Interval& x, const Interval& y) {
   return Interval::outward(x.lo - y.hi, x.hi - y.lo);
 }
 /// Of an entire operand every product is infinite or NaN, and so is its result's width: entire.
-[[gnu::always_inline]] inline Interval operator*(const Interval& x, const Interval& y) {
+STATIONARY_INLINED inline Interval operator*(const Interval& x, const Interval& y) {
   const double a = x.lo * y.lo;
   const double b = x.lo * y.hi;
   const double c = x.hi * y.lo;
@@ -87,12 +87,12 @@ struct Interval {
   return Interval::outward(std::min(std::min(a, b), std::min(c, d)),
                            std::max(std::max(a, b), std::max(c, d)));
 }
-[[gnu::always_inline]] inline Interval operator*(double a, const Interval& y) {
+STATIONARY_INLINED inline Interval operator*(double a, const Interval& y) {
   const double b = a * y.lo;
   const double c = a * y.hi;
   return Interval::outward(std::min(b, c), std::max(b, c));
 }
-[[gnu::always_inline]] inline Interval operator*(const Interval& x, double a) { return a * x; }
+STATIONARY_INLINED inline Interval operator*(const Interval& x, double a) { return a * x; }
 inline Interval operator/(const Interval& x, const Interval& y) {
   if (!y.positive() && !y.negative()) return Interval::entire();
   const double a = x.lo / y.lo;

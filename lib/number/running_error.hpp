@@ -23,52 +23,48 @@ struct RunningError {
 
   RunningError() = default;
   RunningError(double exact) : value(exact) {}  // NOLINT(google-explicit-constructor)
-  [[gnu::always_inline]] RunningError(const Real& x, const Real& error) : value(x), units(error) {}
+  STATIONARY_INLINED RunningError(const Real& x, const Real& error) : value(x), units(error) {}
 
   /// A number uncertain by u |x|.
-  [[gnu::always_inline]] static RunningError input(const Real& x) {
+  STATIONARY_INLINED static RunningError input(const Real& x) {
     using std::abs;
     return {x, abs(x)};
   }
 
-  [[gnu::always_inline]] friend RunningError operator-(const RunningError& x) {
+  STATIONARY_INLINED friend RunningError operator-(const RunningError& x) {
     return {-x.value, x.units};
   }
-  [[gnu::always_inline]] friend RunningError operator+(const RunningError& x,
-                                                       const RunningError& y) {
+  STATIONARY_INLINED friend RunningError operator+(const RunningError& x, const RunningError& y) {
     return rounded(x.value + y.value, x.units + y.units);
   }
-  [[gnu::always_inline]] friend RunningError operator-(const RunningError& x,
-                                                       const RunningError& y) {
+  STATIONARY_INLINED friend RunningError operator-(const RunningError& x, const RunningError& y) {
     return rounded(x.value - y.value, x.units + y.units);
   }
-  [[gnu::always_inline]] friend RunningError operator*(const RunningError& x,
-                                                       const RunningError& y) {
+  STATIONARY_INLINED friend RunningError operator*(const RunningError& x, const RunningError& y) {
     using std::abs;
     return rounded(x.value * y.value, abs(x.value) * y.units + abs(y.value) * x.units);
   }
-  [[gnu::always_inline]] friend RunningError operator/(const RunningError& x,
-                                                       const RunningError& y) {
+  STATIONARY_INLINED friend RunningError operator/(const RunningError& x, const RunningError& y) {
     using std::abs;
     const Real inverse = 1.0 / y.value;
     const Real quotient = x.value * inverse;  // rounded twice
     return rounded(quotient, (x.units + abs(quotient) * y.units) * abs(inverse) + abs(quotient));
   }
-  [[gnu::always_inline]] friend RunningError operator*(double c, const RunningError& x) {
+  STATIONARY_INLINED friend RunningError operator*(double c, const RunningError& x) {
     return rounded(c * x.value, (c < 0.0 ? -c : c) * x.units);
   }
-  [[gnu::always_inline]] friend RunningError operator*(const RunningError& x, double c) {
+  STATIONARY_INLINED friend RunningError operator*(const RunningError& x, double c) {
     return c * x;
   }
   /// The logarithm of a pack is good to some units in its last place (simd_pack.hpp).
-  [[gnu::always_inline]] friend RunningError log(const RunningError& x) {
+  STATIONARY_INLINED friend RunningError log(const RunningError& x) {
     using std::abs;
     const Real value = log(x.value);
     return rounded(value, x.units / abs(x.value) + 4.0 * (1.0 + abs(value)));
   }
 
  private:
-  [[gnu::always_inline]] static RunningError rounded(const Real& x, const Real& error) {
+  STATIONARY_INLINED static RunningError rounded(const Real& x, const Real& error) {
     using std::abs;
     return {x, error + abs(x)};
   }

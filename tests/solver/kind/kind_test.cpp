@@ -11,6 +11,7 @@
 #include "tests/support/anisotropic_motions.hpp"
 #include "tests/support/followed.hpp"
 #include "tests/support/models.hpp"
+#include "tests/support/whole_body.hpp"
 #include "tests/support/written_potential.hpp"
 
 namespace stationary {
@@ -33,24 +34,6 @@ Potential formula() {
   return Potential(support::written_coupled(
       "mu/2*(I1 + rho^2 - 3 - 2*log(d*rho)) + la/2*log(d*rho)^2 + mu/20*log(d)^2", {"mu", "la"},
       {1.0, 2.0}));
-}
-
-/// An elastic body that gravitates, or whose volume is held, or both.
-Potential whole_body(const AnyPlane<>& plane, const AnyThickness<>& thickness,
-                     std::optional<double> volume, std::optional<double> g, const Body& body) {
-  BodyModel<> model;
-  model.elastic.plane = plane;
-  model.elastic.thickness = thickness;
-  model.volume = volume;
-  if (g) {
-    model.gravitates = true;
-    model.g = *g;
-    model.J = {body.J1, body.J2, body.J3};
-  }
-  return Potential(model);
-}
-Potential held(const AnyPlane<>& plane, const AnyThickness<>& thickness) {
-  return whole_body(plane, thickness, 1.0, {}, Body(1.0, 1.0, 1.0));
 }
 
 Potential held_fibre() {
