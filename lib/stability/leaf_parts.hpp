@@ -28,7 +28,8 @@ struct LeafParts {
   bool divided() const { return !turns || about_third || straight; }
 };
 
-/// visit(block, coordinates) of each part, in the order of the leaf's rows: an array of their places.
+/// visit(block, coordinates) of each part, an array of their places in the leaf's rows; an undivided leaf is an
+/// even block, as its modes have it.
 template <class Visit>
 void for_each_leaf_part(const LeafParts& of, const Visit& visit) {
   const auto part = [&](Block block, auto... places) {

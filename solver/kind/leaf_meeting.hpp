@@ -18,7 +18,7 @@ CharacteristicValue<T> leaf_characteristic(const LeafForm<T>& whole, const LeafP
                                            Block block, const T& Lambda) {
   CharacteristicValue<T> out;
   for_each_leaf_part(of, [&](Block own, const auto& coordinates) {
-    if (own != block && of.divided()) return;
+    if (own != block) return;
     constexpr std::size_t n = std::tuple_size_v<std::decay_t<decltype(coordinates)>>;
     out = value_at(in_squares<n>(leaf_part(whole, of.shape().pairs(), coordinates)), Lambda);
   });

@@ -45,8 +45,10 @@ class ObliqueKind final : public Kind {
                  : "the balance"}};
   }
   PlanItem spectrum_plan() const override {
-    return {"spectrum", "5 modes from the whole problem, by a structure-preserving method",
-            "no reflection makes blocks of the dynamics about an oblique axis"};
+    constexpr const char* why = "no reflection makes blocks of the dynamics about an oblique axis";
+    if (potential().holds_volume())
+      return {"spectrum", "4 modes from the whole problem, by a structure-preserving method", why};
+    return {"spectrum", "5 modes from the whole problem, by a structure-preserving method", why};
   }
   std::string_view default_start() const override { return "the families connected to rest"; }
 

@@ -135,19 +135,17 @@ TermBounds<D>::TermBounds(std::shared_ptr<const expression::TermTable> table,
   set_rates(rates);
   const expression::Monomial one;
   for (const expression::Monomial& each : table_->terms) terms_.push_back(ratio(each, one));
-  std::vector<int> used;
-  for (const Entries& row : force_)
-    for (const Entry& each : row)
-      if (std::ranges::find(used, each.term) == used.end()) used.push_back(each.term);
   std::vector<expression::Monomial> scales;
-  for (const int k : used) {
-    expression::Monomial scale = table_->terms[static_cast<std::size_t>(k)];
-    scale.logarithms = {};
-    scale.factors.clear();
-    const auto same = [&](const expression::Monomial& each) {
-      return expression::NormalForms::same(each, scale);
-    };
-    if (std::ranges::none_of(scales, same)) scales.push_back(scale);
+  for (const Entries& row : force_) {
+    for (const Entry& entry : row) {
+      expression::Monomial scale = table_->terms[static_cast<std::size_t>(entry.term)];
+      scale.logarithms = {};
+      scale.factors.clear();
+      const auto same = [&](const expression::Monomial& each) {
+        return expression::NormalForms::same(each, scale);
+      };
+      if (std::ranges::none_of(scales, same)) scales.push_back(scale);
+    }
   }
   if (std::ranges::none_of(scales, &expression::Monomial::is_constant)) scales.push_back(one);
   for (const expression::Monomial& scale : scales) {

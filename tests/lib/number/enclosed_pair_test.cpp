@@ -36,6 +36,15 @@ TEST(EnclosedPair, HoldsSumsOfProductsAndQuotients) {
   }
 }
 
+/// What is left where the heads cancel is the tail, which an interval's own rounding does not hide.
+TEST(EnclosedPair, KeepsTheTailWhereHeadsCancel) {
+  for (const double tail : {0x1p-80, -0x1p-70, 0x1.8p-60}) {
+    const Interval left = (EnclosedPair(1.0) + EnclosedPair(tail) + EnclosedPair(-1.0)).interval();
+    EXPECT_TRUE(left.may_be(tail)) << tail;
+    EXPECT_LE(left.width(), 0x1p-99) << tail;
+  }
+}
+
 /// One more sum could only be wrong by what is below the last bit of a pair: the bound says so, and is
 /// not zero.
 TEST(EnclosedPair, SaysThatItRounds) {

@@ -14,6 +14,7 @@
 #include "tests/support/anisotropic_motions.hpp"
 #include "tests/support/followed.hpp"
 #include "tests/support/high_precision.hpp"
+#include "tests/support/plate.hpp"
 #include "tests/support/random_problem.hpp"
 #include "tests/support/wide_numbers.hpp"
 
@@ -218,6 +219,39 @@ struct AsReal50 {
     return {cos(angle), sin(angle)};
   }
 };
+
+/// Where an oblique family begins, about axis 1 and, axes 1 and 2 exchanged, about axis 2: its end is the event of
+/// the sheet it leaves, and both are proven.
+TEST(EventEnclosureOfKinds, WhereAnObliqueFamilyLeavesAnAxis) {
+  for (const Branch branch : {Branch::i, Branch::ii}) {
+    const bool first = branch == Branch::i;
+    const Body body(first ? plate.J1 : plate.J2, first ? plate.J2 : plate.J1, plate.J3);
+    const Potential V = fibred(NeoHookean<>{1.0, 2.0}, 0.4, first ? 0.0 : 90.0);
+    const auto straight = kind_of(body, V, AxisRotation{branch, 0.5});
+    const Equilibrium start = straight->solve(without_search());
+    ASSERT_EQ(start.status, SolveStatus::solved) << start.message;
+    const Followed sheet =
+        followed(straight->family({}, {}, start.q), start.q, 0.5, range(0.4, 0.76));
+    const auto leaves = sheet.events({EventType::oblique});
+    ASSERT_EQ(leaves.size(), 1U) << sheet.text();
+    const Member& event = leaves.front().member;
+    const auto on_axis = kind_of(body, V, AxisRotation{branch, event.nu})
+                             ->enclose_event({}, EventType::oblique, event);
+    ASSERT_TRUE(on_axis && on_axis->proven) << on_axis->reason;
+
+    const auto kind = kind_of(body, V, ObliqueRotation{0.76, branch});
+    const Equilibrium off = kind->solve(without_search());
+    ASSERT_EQ(off.status, SolveStatus::solved) << off.message;
+    const Followed family = followed(kind->family({}, {}, off.q), off.q, 0.76, range(0.7, 0.78));
+    const auto ends = family.events({EventType::oblique});
+    ASSERT_EQ(ends.size(), 1U) << family.text();
+    const auto end = kind_of(body, V, ObliqueRotation{event.nu, branch})
+                         ->enclose_event({}, EventType::oblique, ends.front().member);
+    ASSERT_TRUE(end && end->proven) << end->reason;
+    EXPECT_FALSE(end->parameter.apart_from(on_axis->parameter));
+    EXPECT_LE(end->parameter.width(), 1e-12);
+  }
+}
 
 /// About axis 3 with alpha != 0, in the numbers themselves: V_q = C q and I33 = the smaller of the
 /// plane's inertias, by Newton's method with differences for slopes.

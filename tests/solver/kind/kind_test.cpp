@@ -19,6 +19,7 @@ namespace {
 
 using namespace testing;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 Potential made_of(std::string_view plane, std::string_view thickness = "reciprocal-quadratic") {
   const double first[] = {1.0, 2.0};
@@ -159,6 +160,28 @@ TEST_P(EveryKind, SolvesWhatItProves) {
   }
 }
 
+TEST_P(EveryKind, SaysHowManyModesItHas) {
+  const auto spectrum = kind_->spectrum(found_);
+  ASSERT_TRUE(spectrum);
+  // Of a two-polar motion before it is known whether it is on the circle.
+  const std::string modes = std::to_string(spectrum->modes) + " modes";
+  const std::string how = kind_->spectrum_plan().how;
+  if (found_.circle && std::holds_alternative<TwoPolarMotion>(GetParam().motion)) {
+    EXPECT_THAT(how, HasSubstr("; on the circle lambda = mu the " + modes));
+  } else {
+    EXPECT_THAT(how, StartsWith(modes));
+  }
+  const auto* const spin = std::get_if<AxisRotation>(&GetParam().motion);
+  if (spin == nullptr) return;
+  const auto at_rest =
+      kind_of(GetParam().body, GetParam().potential, AxisRotation{spin->branch, 0.0});
+  const Equilibrium rest = at_rest->solve({});
+  ASSERT_EQ(rest.status, SolveStatus::solved) << rest.message;
+  const auto few = at_rest->spectrum(rest);
+  ASSERT_TRUE(few);
+  EXPECT_THAT(at_rest->spectrum_plan().how, StartsWith(std::to_string(few->modes) + " modes"));
+}
+
 TEST_P(EveryKind, ProvesItsClass) {
   const auto spectrum = kind_->spectrum(found_);
   ASSERT_TRUE(spectrum);
@@ -283,6 +306,9 @@ TEST(Alternatives, NameThePlanesAndTheAxes) {
   ASSERT_EQ(axes.each.size(), 2U);
   EXPECT_NE(axes.any, nullptr);
   EXPECT_EQ(alternatives(plate, fibre, ObliqueRotation{0.3}, true).each.size(), 1U);
+  // A search finds the motions of all families, so that it is left to the one that is of both.
+  EXPECT_TRUE(for_each_of(planes, {}).search);
+  EXPECT_FALSE(for_each_of(axes, {}).search);
   // What is said of all where none has a motion.
   const auto [found, kind] =
       first_found(alternatives(plate, made_of("neo-hookean"), TiltedMotion{{}, 1e-3}, false), {});
