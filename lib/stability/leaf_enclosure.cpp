@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstddef>
+#include <tuple>
+#include <type_traits>
 
 #include "lib/stability/enclosure_collector.hpp"
 
@@ -38,6 +40,21 @@ class Parts {
     }
   }
 
+  /// Of one coordinate and its momentum: a rate > 0, whose enclosure may hold 0, times E.
+  void add_times(const Interval& rate, const SquareForm<Interval, 2>& E) {
+    const std::optional<int> negative = negative_directions(E);
+    out_.negative.add(negative);
+    if (negative.value_or(0) > 0) out_.set_indefinite();
+    definite_ = definite_ && negative == 0;
+    const Interval lambda = square(E[0][1]) - E[0][0] * E[1][1];
+    const int sign = proven_sign(lambda);
+    if (sign == unknown) {
+      out_.add_real(square(rate) * lambda, unknown);
+    } else {
+      out_.add_of_sign(square(rate) * lambda, sign, proven_sign(E[0][0]));
+    }
+  }
+
   SpectrumEnclosure finish(const Spectrum& approximate) {
     if (definite_) out_.set_definite();
     return out_.finish(approximate);
@@ -52,9 +69,19 @@ class Parts {
 
 SpectrumEnclosure enclose_leaf_spectrum(const EnclosedMotion& motion, const Spectrum& approximate) {
   const LeafForm<Interval> whole = whole_of(motion);
+  const std::size_t pairs = motion.parts.shape().pairs();
   Parts parts;
-  for_each_leaf_part(motion.parts, [&](Block, const auto& coordinates) {
-    parts.add(leaf_part(whole, motion.parts.shape().pairs(), coordinates));
+  for_each_leaf_part(motion.parts, [&](Block block, const auto& coordinates) {
+    if constexpr (std::tuple_size_v<std::decay_t<decltype(coordinates)>> == 1) {
+      // E'' of b is |nu| times one of directions alone.
+      if (block == Block::odd && !motion.speed.positive()) {
+        EnclosedMotion of_one = motion;
+        of_one.speed = Interval(1.0);
+        parts.add_times(motion.speed, leaf_part(whole_of(of_one), pairs, coordinates));
+        return;
+      }
+    }
+    parts.add(leaf_part(whole, pairs, coordinates));
   });
   return parts.finish(approximate);
 }

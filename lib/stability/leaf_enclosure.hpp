@@ -16,10 +16,11 @@ namespace stationary {
 struct EnclosedMotion {
   Inertia3<Interval> J;
   BasicStretch<Interval> q;
-  Interval speed;          ///< |nu|: > 0, or exactly 0
+  /// |nu|: > 0, or exactly 0. About axis 3, of motions that turn, 0 may be its end.
+  Interval speed;
   Vector3<Interval> axis;  ///< nu/|nu|
   Matrix4<Interval> V_qq;  ///< along the volume where it is held
-  LeafParts parts;         ///< turns: speed > 0
+  LeafParts parts;
 };
 
 /// V without a material symmetry (not isotropic, or at rest about no axis of one). approximate is

@@ -1,5 +1,5 @@
-// The parts of a leaf (symplectic_leaf.hpp) that do not see each other. A part has with its momenta modes
-// of its own,
+// The parts of a leaf (symplectic_leaf.hpp) that do not see each other. A part has with its momenta
+// modes of its own,
 //
 //   det(s - J E'') = P(s^2).
 #pragma once
@@ -28,8 +28,8 @@ struct LeafParts {
   bool divided() const { return !turns || about_third || straight; }
 };
 
-/// visit(block, coordinates) of each part, an array of their places in the leaf's rows; an undivided leaf is an
-/// even block, as its modes have it.
+/// visit(block, coordinates) of each part, an array of their places in the leaf's rows; an undivided
+/// leaf is an even block, as its modes have it.
 template <class Visit>
 void for_each_leaf_part(const LeafParts& of, const Visit& visit) {
   const auto part = [&](Block block, auto... places) {

@@ -84,9 +84,11 @@ void require_proven(const Certificate& certificate) {
 SpectrumEnclosure whole(const Body& body, const AnisotropicPotential& V, const MotionBox& motion,
                         const Vector3<Interval>& axis, LeafParts parts, const Spectrum& spectrum,
                         Inputs inputs) {
+  parts.turns = motion.nu.hi > 0.0;
+  // Beside rest the leaf of what turns has two dimensions more, of which only about axis 3 something is known.
+  if (parts.turns && !parts.about_third && !motion.nu.positive()) return {};
   const StretchBox& at = motion.stretches;
   const BasicStretch<Interval> q{at.alpha, at.xi, at.zeta, at.rho};
-  parts.turns = motion.nu.lo > 0.0;
   parts.coupled = !V.is_separable();
   parts.volume_held = V.body().volume.has_value();
   return enclose_leaf_spectrum(

@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "lib/stability/leaf_enclosure.hpp"
+#include "solver/proof/motion_spectrum.hpp"
 #include "solver/solve/stability.hpp"
+#include "tests/support/anisotropic_motions.hpp"
 #include "tests/support/high_precision.hpp"
 #include "tests/support/motions.hpp"
 #include "tests/support/random_problem.hpp"
@@ -120,6 +124,38 @@ SpectrumEnclosure leaf_spectrum_of(const TableCase& posed, const About& about,
         potential_derivatives<2>(with_coefficients(model, about), motion.q).hessian);
   });
   return enclose_leaf_spectrum(motion, spectrum);
+}
+
+/// Of motions from rest on, rest is none: the class is that of those that turn, or it is not told.
+TEST(EnclosedSpectrum, FromRestOnIsThatOfWhatTurns) {
+  std::set<StabilityClass> classes;
+  for (const double J3 : {0.6, 2.5, 4.0}) {
+    const Body body(1.0, 1.7, J3);
+    const Potential V = fibred(NeoHookean<>{1.0, 2.0}, 0.4, 30.0);
+    const Problem problem(body, V, Branch::iii);
+    const Equilibrium rest = solve(problem, 0.0);
+    const Equilibrium slow = solve(problem, 1e-3);
+    ASSERT_EQ(slow.status, SolveStatus::solved) << slow.message;
+    const auto both = [](double a, double b) {
+      return hull(Interval(a), Interval(b)) * Interval(1.0 - 1e-12, 1.0 + 1e-12);
+    };
+    MotionBox box;
+    box.stretches = {both(rest.q.xi, slow.q.xi), both(rest.q.zeta, slow.q.zeta),
+                     both(rest.q.rho, slow.q.rho), both(rest.q.alpha, slow.q.alpha)};
+    box.nu = Interval(0.0, 1e-3);
+    const SpectrumEnclosure found = enclose_spectrum(problem, box, {}, Inputs::doubles);
+    const Spectrum exact = stability(problem, slow);
+    ASSERT_TRUE(found.verdict) << J3;
+    EXPECT_EQ(*found.verdict, exact.verdict) << J3;
+    EXPECT_EQ(found.negative, exact.negative) << J3;
+    classes.insert(exact.verdict);
+
+    box.axis = {Interval(1.0), Interval(0.0)};
+    const auto oblique = enclose_oblique_spectrum(body, V, box, {}, Inputs::doubles);
+    EXPECT_FALSE(oblique.verdict) << J3;
+    EXPECT_FALSE(oblique.negative) << J3;
+  }
+  EXPECT_EQ(classes.size(), 3U);
 }
 
 /// Also without the help of blocks.
