@@ -27,11 +27,7 @@ class Parts {
   template <std::size_t m>
   void add(const SquareForm<Interval, m>& E) {
     constexpr std::size_t n = m / 2;
-    const std::optional<int> negative = negative_directions(E);
-    out_.negative.add(negative);
-    if (negative.value_or(0) > 0) out_.set_indefinite();
-    const bool definite = negative == 0;
-    definite_ = definite_ && definite;
+    const bool definite = counted(E);
     if constexpr (n == 1) {
       out_.add_real(square(E[0][1]) - E[0][0] * E[1][1], proven_sign(E[0][0]));
     } else {  // imaginary all of them where E'' is definite
@@ -42,10 +38,7 @@ class Parts {
 
   /// Of one coordinate and its momentum: a rate > 0, whose enclosure may hold 0, times E.
   void add_times(const Interval& rate, const SquareForm<Interval, 2>& E) {
-    const std::optional<int> negative = negative_directions(E);
-    out_.negative.add(negative);
-    if (negative.value_or(0) > 0) out_.set_indefinite();
-    definite_ = definite_ && negative == 0;
+    counted(E);
     const Interval lambda = square(E[0][1]) - E[0][0] * E[1][1];
     const int sign = proven_sign(lambda);
     if (sign == unknown) {
@@ -61,6 +54,16 @@ class Parts {
   }
 
  private:
+  /// Counts its negative directions; whether it is definite.
+  template <std::size_t m>
+  bool counted(const SquareForm<Interval, m>& E) {
+    const std::optional<int> negative = negative_directions(E);
+    out_.negative.add(negative);
+    if (negative.value_or(0) > 0) out_.set_indefinite();
+    definite_ = definite_ && negative == 0;
+    return negative == 0;
+  }
+
   EnclosureCollector out_;
   bool definite_ = true;
 };

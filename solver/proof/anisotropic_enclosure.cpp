@@ -85,7 +85,8 @@ SpectrumEnclosure whole(const Body& body, const AnisotropicPotential& V, const M
                         const Vector3<Interval>& axis, LeafParts parts, const Spectrum& spectrum,
                         Inputs inputs) {
   parts.turns = motion.nu.hi > 0.0;
-  // Beside rest the leaf of what turns has two dimensions more, of which only about axis 3 something is known.
+  // Beside rest the leaf of what turns has two dimensions more, of which only about axis 3 something
+  // is known.
   if (parts.turns && !parts.about_third && !motion.nu.positive()) return {};
   const StretchBox& at = motion.stretches;
   const BasicStretch<Interval> q{at.alpha, at.xi, at.zeta, at.rho};
@@ -163,7 +164,9 @@ SpectrumEnclosure enclose_anisotropic_spectrum(const Problem& problem, const Mot
                  inputs);
   if (V.body().volume)
     return whole(problem.body(), V, motion, angular_velocity(problem.branch(), Interval(1.0)),
-                 {.straight = true}, approximate, inputs);
+                 {.about_third = problem.branch() == Branch::iii,
+                  .straight = problem.branch() != Branch::iii},
+                 approximate, inputs);
   const BasicStretch<Interval> q{0.0, at.xi, at.zeta, at.rho};
   return enclose_spectrum({problem.branch(), false, false, false, !V.is_separable(), false},
                           straight_state(inertia_intervals(problem.body(), inputs),

@@ -37,11 +37,11 @@ Potential formula() {
       {1.0, 2.0}));
 }
 
-Potential held_fibre() {
+Potential held_fibre(double degrees = 30.0) {
   BodyTerms<double> volume;
   volume.volume = 1.0;
   return Potential(
-      AnisotropicPotential(Biot<>{1.0, 0.6}, ReciprocalQuadratic<>{1.0, 3.0}, {{0.4, 30.0}})
+      AnisotropicPotential(Biot<>{1.0, 0.6}, ReciprocalQuadratic<>{1.0, 3.0}, {{0.4, degrees}})
           .with_body(volume));
 }
 
@@ -105,6 +105,8 @@ std::vector<Posed> all_kinds() {
   add("held", Body(1.0, 1.7, 0.9), held(AnyPlane<>{Biot<>{1.0, 8.0}}, thickness),
       SpatialRotation{2.6});
   add("held fibre", plate, held_fibre(), AxisRotation{Branch::iii, 0.25});
+  for (const Branch branch : {Branch::i, Branch::ii, Branch::iii})
+    add("held fibre along axis 1", plate, held_fibre(0.0), AxisRotation{branch, 0.25});
   for (const Branch branch : {Branch::i, Branch::ii})
     add("held fibre", plate, held_fibre(), ObliqueRotation{0.4, branch});
   return out;
