@@ -76,6 +76,9 @@ AnisotropicPotential AnisotropicPotential::with_body(BodyTerms<double> body) con
     throw std::invalid_argument("g > 0");
   if (body.volume && !(*body.volume > 0.0 && std::isfinite(*body.volume)))
     throw std::invalid_argument("volume > 0");
+  const auto* separate = std::get_if<Model::Separate>(&model_.base);
+  if (separate != nullptr && !separate->thickness && !body.volume)
+    throw std::invalid_argument("a thickness, or a held volume");
   AnisotropicPotential out = *this;
   out.model_.body = body;
   out.set_stiffness();
@@ -108,25 +111,29 @@ bool AnisotropicPotential::is_separable() const {
 }
 
 // The odd part of a fibre's V is 2 k c s alpha (xi + zeta) (c^2 xi^2 + s^2 zeta^2 + alpha^2 - 1).
-bool AnisotropicPotential::fibres_even() const {
+AnisotropicPotential::OddPart AnisotropicPotential::fibres_odd() const {
   double constant = 0.0;
   double of_cosine = 0.0;
+  double size = 0.0;
   for (std::size_t k = 0; k < model_.fibre_count; ++k) {
     const auto& [c, s] = model_.fibres[k].along;
     constant += model_.fibres[k].k * (c * s);
     of_cosine += model_.fibres[k].k * (c * s) * (c * c);
+    size += model_.fibres[k].k * std::abs(c * s);
   }
-  return constant == 0.0 && of_cosine == 0.0;
+  if (constant == 0.0 && of_cosine == 0.0) return OddPart::none;
+  const double largest = std::max(std::abs(constant), std::abs(of_cosine));
+  return largest > 0x1p-48 * size ? OddPart::some : OddPart::unknown;
 }
 
 bool AnisotropicPotential::even_in_alpha() const {
   const auto* expression = model_.expression();
-  return fibres_even() && (expression == nullptr || expression->even());
+  return fibres_odd() == OddPart::none && (expression == nullptr || expression->even());
 }
 
 bool AnisotropicPotential::shear_free() const {
   const auto* expression = model_.expression();
-  return fibres_even() && (expression == nullptr || expression->shear_free());
+  return fibres_odd() == OddPart::none && (expression == nullptr || expression->shear_free());
 }
 
 // A written-out part is shear-free at all values of its coefficients. Fibres that are for one k or
@@ -141,8 +148,8 @@ bool AnisotropicPotential::keeps_shear_free(int place) const {
 
 bool AnisotropicPotential::sheared() const {
   const auto* expression = model_.expression();
-  if (expression == nullptr || expression->shear_free()) return !fibres_even();
-  return expression->sheared() && fibres_even();
+  if (expression == nullptr || expression->shear_free()) return fibres_odd() == OddPart::some;
+  return expression->sheared() && fibres_odd() == OddPart::none;
 }
 
 std::vector<ConditionValue> AnisotropicPotential::conditions_at(Stretch q) const {
@@ -193,7 +200,8 @@ double AnisotropicPotential::rest_stretch() const {
 double AnisotropicPotential::rest_thickness() const {
   if (model_.body.any()) return std::numeric_limits<double>::quiet_NaN();
   if (const auto* separate = std::get_if<Model::Separate>(&model_.base))
-    return separate->thickness->balanced(0.0);
+    return separate->thickness ? separate->thickness->balanced(0.0)
+                               : std::numeric_limits<double>::quiet_NaN();
   return std::visit(
       [](const auto& model) {
         if constexpr (requires { model.shear_free(); }) {

@@ -176,7 +176,7 @@ class AnisotropicPotential {
                        std::vector<Fibre> fibres);
 
   /// With gravity (J that of the body) or a held volume. Throws std::invalid_argument unless g > 0
-  /// and volume > 0 where there are.
+  /// and volume > 0 where there are, and without a thickness a volume is held.
   AnisotropicPotential with_body(BodyTerms<double> body) const;
   const BodyTerms<double>& body() const { return model_.body; }
 
@@ -283,8 +283,9 @@ class AnisotropicPotential {
 
   void add_fibres();
   void set_stiffness();
-  /// Whether the odd parts of all fibres' V cancel.
-  bool fibres_even() const;
+  /// What is left of the odd parts, in alpha, of all fibres' V; unknown: no more than rounding.
+  enum class OddPart { none, unknown, some };
+  OddPart fibres_odd() const;
 
   std::vector<Fibre> fibres_;
   Model model_;

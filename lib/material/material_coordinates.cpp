@@ -38,7 +38,15 @@ bool is_fluid(const Potential& potential) {
 }
 
 Body round_body(const Body& body) {
-  const double s = cube_root(body.J1 * body.J2 * body.J3);
+  const double product = body.J1 * body.J2 * body.J3;
+  double s = cube_root(product);
+  if (!std::isnormal(product)) {  // beyond the range of doubles, which their mean is not
+    const int scale = -std::ilogb(std::max({body.J1, body.J2, body.J3}));
+    const auto scaled = [scale](double J) { return std::ldexp(J, scale); };
+    s = std::ldexp(
+        cube_root(scaled(body.J1)) * cube_root(scaled(body.J2)) * cube_root(scaled(body.J3)),
+        -scale);
+  }
   return Body(s, s, s);
 }
 

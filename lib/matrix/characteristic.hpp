@@ -95,8 +95,10 @@ std::array<Interval, n + 1> about_middle(const SquareForm<Interval, n>& M,
   SquareForm<Interval, n> aside;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
-      middle[i][j] = EnclosedPair(M[i][j].mid());
-      aside[i][j] = M[i][j] - Interval(M[i][j].mid());
+      // Rounded so that that of -x is minus that of x: the middle of an even M is even.
+      const double between = 0.5 * M[i][j].lo + 0.5 * M[i][j].hi;
+      middle[i][j] = EnclosedPair(between);
+      aside[i][j] = M[i][j] - Interval(between);
     }
   }
   const CharacteristicRecursion<EnclosedPair, n> there(middle, even);

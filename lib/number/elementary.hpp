@@ -4,7 +4,7 @@
 //
 // Heads are exact: exp, log, pow and tanh are within 0.53 units in the last place of the exact
 // value, atan within 0.7, sin, cos and tan within 0.8, log1p within 1.1, asin and acos within 2.
-// hypotenuse, cube_root and log10 are rounded from extended precision. Special values are those of
+// hypotenuse, cube_root and log10 (of a normal x) are rounded from extended precision. Special values are those of
 // <cmath>, but sin, cos and tan have none beyond 2^30 (NaN).
 //
 // Their attributes say that they depend on their arguments alone, as the compiler knows of the C

@@ -19,6 +19,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "lib/number/number.hpp"
 
@@ -133,7 +135,7 @@ inline Interval sqrt(const Interval& x) {
 /// ln 2.
 constexpr Interval interval_log_two{0x1.62e42fefa39efp-1, 0x1.62e42fefa39f0p-1};
 
-/// Its first 33 bits, so that a multiple by an exponent is exact, and the rest.
+/// Its first 32 bits, so that a multiple by an exponent is exact, and the rest.
 constexpr double log_two_head = 0x1.62e42feep-1;
 constexpr Interval log_two_tail{0x1.a39ef35793c76p-33, 0x1.a39ef35793c77p-33};
 
@@ -217,6 +219,24 @@ inline Interval exp(const Interval& x) {
 /// A place in the interval, for code that only starts an iteration from it. Never a reason to
 /// choose a formula: that must hold over all of the interval.
 inline double leading(const Interval& x) { return x.mid(); }
+
+/// Whether a number stands for all values in an interval: one itself, or what carries derivatives
+/// over one.
+template <class S>
+constexpr bool over_intervals = false;
+template <class S>
+requires requires(const S& x) { x.value; }
+constexpr bool over_intervals<S> =
+    over_intervals<std::remove_cvref_t<decltype(std::declval<S>().value)>>;
+template <>
+inline constexpr bool over_intervals<Interval> = true;
+
+/// The values that it stands for.
+inline const Interval& values_of(const Interval& x) { return x; }
+template <class S>
+const Interval& values_of(const S& x) {
+  return values_of(x.value);
+}
 
 }  // namespace stationary
 

@@ -116,7 +116,7 @@ inline Interval tanh(const Interval& x) {
   return {std::max(tanh_of_double(x.lo).lo, -1.0), std::min(tanh_of_double(x.hi).hi, 1.0)};
 }
 
-/// atan x = 4 atan z, z = h(h(x)), h(x) = x/(1 + sqrt(1 + x^2)), |z| < 0.415; its alternating
+/// atan x = 4 atan z, z = h(h(x)), h(x) = x/(1 + sqrt(1 + x^2)), |z| < 0.2; its alternating
 /// series, the rest of which is between 0 and its first term. |x| > 1: pi/2 - atan(1/x).
 inline Interval atan_of_double(double x) {
   if (x == 0.0) return 0.0;

@@ -120,7 +120,10 @@ Spectrum general_spectrum(const Body& body, const Potential& potential,
                           double uncertainty) {
   const bool at_rest = nu[0] == 0.0 && nu[1] == 0.0 && nu[2] == 0.0;
   const bool circle = q.alpha == 0.0 && q.xi == q.zeta;
-  const bool symmetric = potential.is_isotropic() && (body.symmetric() || at_rest);
+  // Gravity of J1 != J2 is bound to the material axes, at rest too.
+  const BodyModel<>* const whole = potential.body_model();
+  const bool isotropic = potential.is_isotropic() && (whole == nullptr || whole->isotropic());
+  const bool symmetric = isotropic && (body.symmetric() || at_rest);
   const MaterialSymmetry symmetry = !symmetric ? MaterialSymmetry::none
                                     : circle   ? MaterialSymmetry::circle
                                                : MaterialSymmetry::ellipse;

@@ -86,7 +86,8 @@ void reflect(Dense& W, Eigen::Index column, Eigen::Index offset, Eigen::Index fi
   }
 }
 
-/// The Lambdas of H = J E'': eigenvalues of A in the square-reduced form of H^2.
+/// The Lambdas of H = J E'': eigenvalues of A in the square-reduced form of H^2; empty where the
+/// iteration does not converge.
 std::vector<Complex> squared_eigenvalues(const Dense& H) {
   Dense W = H * H;
   const Eigen::Index n = W.rows() / 2;
@@ -112,6 +113,7 @@ std::vector<Complex> squared_eigenvalues(const Dense& H) {
     reflect(W, k, 0, k + 1);  // A to Hessenberg form
   }
   const Eigen::EigenSolver<Dense> solver(W.topLeftCorner(n, n), false);
+  if (solver.info() != Eigen::Success) return {};
   std::vector<Complex> out;
   for (Eigen::Index k = 0; k < n; ++k) out.push_back(solver.eigenvalues()[k]);
   return out;
@@ -125,6 +127,7 @@ std::vector<Complex> definite_eigenvalues(const Dense& E) {
   const Dense skew = L.transpose() * symplectic_times(L);
   const ComplexDense hermitian = Complex(0, 1) * skew.cast<Complex>();
   const Eigen::SelfAdjointEigenSolver<ComplexDense> solver(hermitian, Eigen::EigenvaluesOnly);
+  if (solver.info() != Eigen::Success) return {};
   std::vector<Complex> out;
   for (Eigen::Index k = E.rows() / 2; k < E.rows(); ++k) {
     const Real frequency = solver.eigenvalues()[k];
@@ -203,9 +206,20 @@ std::vector<IteratedMode> iterated_modes(const Leaf& leaf, const LeafFacts& fact
   if (definite) lambdas = definite_eigenvalues(E);
   if (lambdas.empty()) lambdas = squared_eigenvalues(H);
   std::vector<IteratedMode> out;
+  if (lambdas.empty()) {
+    out.assign(leaf.pairs, {.error = std::numeric_limits<double>::infinity()});
+    return out;
+  }
   if (facts.forced_zero) {
-    lambdas.erase(
-        std::ranges::min_element(lambdas, {}, [](const Complex& lambda) { return abs(lambda); }));
+    const auto zero =
+        std::ranges::min_element(lambdas, {}, [](const Complex& lambda) { return abs(lambda); });
+    const Complex erased = *zero;
+    lambdas.erase(zero);
+    // Zero has no conjugate: what rounding has made one is real, and their sum is its own.
+    if (erased.imag() != Real(0))
+      *std::ranges::min_element(lambdas, {}, [&](const Complex& lambda) {
+        return abs(lambda - std::conj(erased));
+      }) = Complex(Real(2) * erased.real());
     out.push_back({.forced = true});
   }
   for (const Complex& lambda : lambdas) {

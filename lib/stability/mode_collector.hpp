@@ -46,16 +46,22 @@ struct UncertainPolynomial {
     return with_curvature(spread(std::abs(root)) / slope, kappa) + 0x1p-53 * std::abs(root);
   }
   double pair_error(double re, double im) const {
-    // |p'| at a complex root.
-    double slope_re = 0.0;
-    double slope_im = 0.0;
-    for (std::size_t k = D; k > 0; --k) {
-      const double real = slope_re * re - slope_im * im + static_cast<double>(k) * value.c[k];
-      slope_im = slope_re * im + slope_im * re;
-      slope_re = real;
-    }
+    // |p'| and |p''| at a complex root.
+    const auto size_of = [&](std::size_t least, const auto& coefficient) {
+      double at_re = 0.0;
+      double at_im = 0.0;
+      for (std::size_t k = D; k >= least; --k) {
+        const double real =
+            at_re * re - at_im * im + coefficient(static_cast<double>(k)) * value.c[k];
+        at_im = at_re * im + at_im * re;
+        at_re = real;
+      }
+      return hypotenuse(at_re, at_im);
+    };
+    const double slope = size_of(1, [](double k) { return k; });
+    const double curvature = size_of(2, [](double k) { return k * (k - 1.0); });
     const double size = hypotenuse(re, im);
-    return spread(size) / hypotenuse(slope_re, slope_im) + 0x1p-53 * size;
+    return with_curvature(spread(size) / slope, 0.5 * curvature / slope) + 0x1p-53 * size;
   }
   /// Half the distance two roots around `mean` must keep to be told apart from a double root.
   double merging_distance(double mean) const {

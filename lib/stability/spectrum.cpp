@@ -226,10 +226,8 @@ int add_shears(const StraightState<Extended>& s, const StraightState<Conditioned
     const double spread_slow = spread_k / fast + std::abs(slow) / fast * spread_fast;
     out.add_real(-fast * fast, 2.0 * fast * spread_fast, 1, Axis::may_leave);
     // At slow = 0 the ellipse leaves the circle; the pair touches zero and does not cross.
-    const bool decided = std::abs(slow) > spread_slow;
-    out.add_real(-slow * slow,
-                 decided ? 2.0 * std::abs(slow) * spread_slow : spread_slow * spread_slow,
-                 sign(slow), Axis::may_leave);
+    out.add_real(-slow * slow, (2.0 * std::abs(slow) + spread_slow) * spread_slow, sign(slow),
+                 Axis::may_leave);
     // E'' + c (P - |pi|)'' > 0: -(Omega + omega)/2 < c < (Omega - omega)/2 and c < omega (I3/I1 -
     // 1).
     const Conditioned ratio = c.I3() / c.I1() - Conditioned(1.0);
@@ -239,9 +237,11 @@ int add_shears(const StraightState<Extended>& s, const StraightState<Conditioned
   } else if (leading(Omega2) < -spread_2) {
     const double rate = std::sqrt(-leading(Omega2));
     const double re = rate * rate - w * w;
-    const double error = spread_2 + 2.0 * u * w * w + u * w * rate;
+    const double error = spread_2 + 2.0 * u * w * w;
     if (w > 0.0) {
-      out.add_complex(re, 2.0 * w * rate, error);
+      const double spread_rate = spread_2 / (rate + std::sqrt(rate * rate - spread_2));
+      out.add_complex(re, 2.0 * w * rate,
+                      error + 2.0 * w * (spread_rate + u * rate) + 0x1p-53 * (w * w + rate * rate));
     } else {
       out.add_real(re, error, 0);
       out.add_real(re, error, 0);

@@ -45,7 +45,7 @@ struct Mode {
   bool krein_open = false;  ///< imaginary as it stands here, but its signature is not certain
   double lambda_re = 0.0;
   double lambda_im = 0.0;     ///< >= 0
-  double lambda_error = 0.0;  ///< bound of |change in Lambda| (see block_spectrum); 0 where forced
+  double lambda_error = 0.0;  ///< bound of |change in Lambda|; 0 where forced
   bool forced_zero = false;   ///< a symmetry's
   Block block = Block::even;
 };
@@ -53,9 +53,9 @@ struct Mode {
 struct Spectrum {
   StabilityClass verdict = StabilityClass::marginal;
   double growth = 0.0;  ///< largest real part; exactly 0 where the class claims none
-  /// Negative directions of E'' on the leaf (10 dimensions, 8 at nu = 0; two less of a held volume).
+  /// Negative directions of E'' on the leaf, which has two dimensions a mode.
   int negative = 0;
-  int modes = 0;  ///< 5, or 4 at nu = 0 and in the two-polar family; one less of a held volume
+  int modes = 0;  ///< 5; 4 at nu = 0; two-polar 4, 3 at s3 = 0; one less of a held volume
   std::array<Mode, 5> mode;  ///< ascending in im, then re
 
   /// Whether no Lambda but a symmetry's can be zero: then `negative` is certain.
@@ -75,7 +75,7 @@ struct BlockFacts {
 };
 
 /// From the same state in extended precision (values) and with its conditioning (bounds).
-/// alpha = 0, V isotropic. nu = 0 is taken from omega == 0.
+/// alpha = 0, V even in alpha. nu = 0 is taken from omega == 0.
 Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDouble>& state,
                         const StraightState<Conditioned>& conditioned);
 

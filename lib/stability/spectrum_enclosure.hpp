@@ -37,7 +37,7 @@ struct EnclosureFacts {
   bool volume_held = false;
 };
 
-/// state at alpha = 0, V isotropic. approximate is only used for the order of the modes.
+/// state at alpha = 0, V even in alpha. approximate is only used for the order of the modes.
 SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts,
                                    const StraightState<Interval>& state,
                                    const Spectrum& approximate);

@@ -95,7 +95,7 @@ void declare_potential(py::module_& module) {
   module.def("models", &models);
   module.def("model_list", &cli::model_list, py::arg("name"));
   module.def(
-      "body_of_case", [](const Case& input) { return input.body; }, py::arg("case"));
+      "body_of_case", [](const Case& input) { return input.own_body; }, py::arg("case"));
 }
 
 }  // namespace stationary::python

@@ -117,9 +117,10 @@ void write(const toml::node& node, std::ostream& out) {
     }
     out << ']';
   } else if (const auto* text = node.as_string()) {
-    // A basic string of TOML is JSON's.
+    // A basic string of TOML is JSON's, but for U+007F.
     const py::object json = py::module_::import("json").attr("dumps");
-    out << py::cast<std::string>(json(text->get()));
+    const py::object written = json(text->get(), py::arg("ensure_ascii") = false);
+    out << py::cast<std::string>(written.attr("replace")("\x7f", "\\u007f"));
   } else if (const auto* number = node.as_floating_point()) {
     out << std::string(py::repr(py::float_(number->get())));  // the shortest that reads the same
   } else {

@@ -32,7 +32,8 @@ def _unit(name: str) -> str | None:
     if name.startswith("body.J.") and "/" not in name:
         return "M L^2"
     if "/" in name:
-        return "1"
+        units = [_unit(part) for part in name.split("/")]
+        return "1" if units[0] is not None and units[0] == units[1] else None
     return _UNITS.get(name.rpartition(".")[2] if name.startswith("motion.") else name)
 
 
@@ -60,8 +61,9 @@ def dataset(result: Result) -> xarray.Dataset:
     for k, name in enumerate(names):
         first = tuple(slice(None) if k == other else 0 for other in range(len(shape)))
         coordinates[name] = (name, table[name][first], _described(name))
+    varied = {name.partition("/")[0] for name in names}
     for name, value in _numbers(case):
-        if name not in coordinates:
+        if name not in varied:
             coordinates[name] = ((), value, _described(name))
     data = {
         name: (names, table[name], _described(name))
@@ -74,6 +76,9 @@ def dataset(result: Result) -> xarray.Dataset:
 def _numbers(case: dict[str, Any]) -> list[tuple[str, float]]:
     """The case's own numbers by their dotted keys, as maps name them."""
     out = [(f"body.J.{k}", J) for k, J in enumerate(case["body"]["J"])]
+    for part, key in (("body", "volume"), ("gravity", "g")):
+        if key in case.get(part, {}):
+            out.append((f"{part}.{key}", case[part][key]))
     out += [
         ("nu" if key == "nu" else f"motion.{key}", value)
         for key, value in case["motion"].items()

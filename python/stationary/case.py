@@ -23,7 +23,7 @@ class Case:
         Case({"body": {"J": [1.0, 1.7, 0.6]}, "potential": {...}, "motion": {...}})
         Case(body={"J": [1.0, 1.7, 0.6]}, potential={...}, motion={"branch": "i", "nu": 0.5})
 
-    Values may be NumPy's; formulas may be SymPy expressions. Raises InputError at the first fault,
+    Values may be NumPy's; formulas may be SymPy expressions. Raises InputError with every fault,
     with the program's text.
     """
 

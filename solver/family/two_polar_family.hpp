@@ -3,7 +3,7 @@
 // rho among the unknowns where the potential couples it.
 //
 // At fixed rates a family may start on the circle lambda = mu, where only omega + theta' matters.
-// At fixed momenta it keeps off it, for s3 != p_theta.
+// At fixed momenta it keeps off it, for s3 != p_theta; where one of these is followed, it may end on it.
 #pragma once
 
 #include "solver/family/axis_family.hpp"

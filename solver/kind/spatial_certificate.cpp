@@ -30,7 +30,7 @@ Certificate certify_spatial(const SpatialEquations& equations, double nu,
   const Interval speed = as_input(nu, Inputs::decimals);
   for (int k = 0; k < 3; ++k) {
     const Interval off = Interval(equilibrium.nu[k]) / (speed * (*axis)[k]);
-    if (off.apart_from(Interval(1.0 - allowed_error, 1.0 + allowed_error))) {
+    if (!off.bounded() || off.apart_from(Interval(1.0 - allowed_error, 1.0 + allowed_error))) {
       out.reason = "proven not to be a solution: its nu has other components";
       return out;
     }

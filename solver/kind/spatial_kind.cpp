@@ -54,8 +54,7 @@ class SpatialSearch {
  private:
   /// alpha > 0: the others are mirror images.
   Box<3> everything() const {
-    const double most = std::sqrt(options_.max_stretch / options_.min_stretch);
-    return {options_.range(0), options_.range(1), Interval(1.0, most)};
+    return {options_.range(0), options_.range(1), Interval(1.0, options_.most_shear())};
   }
 
   void add(const ProvenSolution<3>& each) {
@@ -63,6 +62,8 @@ class SpatialSearch {
     tail.setConstant(std::numeric_limits<double>::quiet_NaN());
     const Member member = family_.member(each.x, tail, nu_, each.proof.error_bound);
     const bool proven = each.proof.proven;
+    // What decides a box need not be in it.
+    if (proven && boxes_.stretch(each.proof.solution).rho.apart_from(options_.range(2))) return;
     if (member.beyond_end() || (proven && !boxes_.axis(each.proof.solution))) {
       if (proven) search_.leave_undecided(boxes_.stretch(each.proof.solution));
       return;
@@ -134,13 +135,11 @@ class SpatialKind final : public Kind {
   }
 
   Motion motion() const override { return motion_; }
-  std::optional<std::string> nonexistence() const override { return none_; }
-
   Equilibrium solve(const SolveOptions& options) const override {
     if (motion_.nu == 0.0) return at_rest();
     if (none_) {
       Equilibrium out;
-      out.status = SolveStatus::none_exists;
+      out.status = SolveStatus::not_found;
       out.message = *none_;
       return out;
     }
@@ -149,7 +148,7 @@ class SpatialKind final : public Kind {
   SearchResult search(const SearchOptions& options) const override {
     if (!none_) return SpatialSearch(*equations_, motion_.nu, options).run();
     SearchResult out;
-    out.status = SearchStatus::complete;
+    out.status = SearchStatus::undecided;
     out.message = *none_;
     return out;
   }

@@ -60,7 +60,8 @@ class Problem {
   std::vector<PlanItem> plan_;
 };
 
-/// Whether the balance is unchanged with xi and zeta exchanged: at rest, and for J1 = J2 in (iii).
+/// Whether the balance is unchanged with xi and zeta exchanged: for J1 = J2 in (iii), and at rest
+/// where V is isotropic and no gravity sees J1 != J2.
 bool mirror_symmetric(const Problem& problem, double nu);
 
 }  // namespace stationary

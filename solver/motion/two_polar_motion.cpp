@@ -32,8 +32,8 @@ std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
 
 std::string RatesVerdict::line_message() const {
   return "at these rates, " + condition +
-         ", the ellipses lambda != mu of this potential form a line: prescribe s3 and p_theta "
-         "instead";
+         ", two of an ellipse's equations are one: ellipses lambda != mu of this potential form a "
+         "line, if there are any: prescribe s3 and p_theta instead";
 }
 
 void set_motion(const Body& body, const TwoPolarMotion& motion, Equilibrium& at) {

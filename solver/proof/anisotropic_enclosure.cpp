@@ -76,6 +76,15 @@ void certify_at(const OrientedBoxSystem<Layout>& system, const Stretch& q,
   conclude(unique, solution, bound, out);
 }
 
+/// Whether |nu| may be the one asked for, as far as rounding goes.
+bool turns_with(const Vector3<double>& nu, double speed, Inputs inputs) {
+  if (speed == 0.0) return nu[0] == 0.0 && nu[1] == 0.0;
+  const Interval squares = square(Interval(nu[0])) + square(Interval(nu[1]));
+  const Interval off = squares / square(as_input(speed, inputs));
+  const double allowed = 2.0 * allowed_error;
+  return off.bounded() && !off.apart_from(Interval(1.0 - allowed, 1.0 + allowed));
+}
+
 void require_proven(const Certificate& certificate) {
   if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
 }
@@ -116,9 +125,7 @@ Certificate certify_anisotropic(const Problem& problem, const Equilibrium& equil
                equilibrium.q, equilibrium.nu, out);
     // The mirror image solves the same equations; where `unique` holds both they are one.
     if (out.proven && V.even_in_alpha() && equilibrium.q.alpha == 0.0) out.solution.alpha = 0.0;
-    return out;
-  }
-  if (equilibrium.q.alpha != 0.0) {
+  } else if (equilibrium.q.alpha != 0.0) {
     out.reason = "alpha != 0: compatibility leaves alpha = 0 only";
   } else if (!V.shear_free()) {
     out.reason = "V_alpha is not proven to vanish there";
@@ -142,6 +149,8 @@ Certificate certify_oblique(const Body& body, const Potential& potential,
   if (!out.reason.empty()) return out;
   if (equilibrium.nu[2] != 0.0) {
     out.reason = "nu does not lie in the plane";
+  } else if (!turns_with(equilibrium.nu, motion.nu, inputs)) {
+    out.reason = "proven not to be a solution: its |nu| is another";
   } else if (motion.nu == 0.0) {  // at rest, about no axis
     certify_at(
         OrientedBoxSystem<ShearedLayout>(body, potential.anisotropic(), Branch::iii, 0.0, inputs),
@@ -151,6 +160,7 @@ Certificate certify_oblique(const Body& body, const Potential& potential,
                                                 inputs),
                equilibrium.q, equilibrium.nu, out);
   }
+  require_assumptions(potential, inputs, out);
   return out;
 }
 

@@ -59,7 +59,10 @@ Box<N> Krawczyk<N>::stretches(const Box<N>& d) const {
 
 template <int N>
 Box<N> Krawczyk<N>::operator()(const Box<N>& d) const {
-  const BoxSlopes<N> over = equations_.linearize(stretches(d));
+  // The mean value is taken between x, whose d is 0, and every d of D.
+  Box<N> about = d;
+  for (Interval& each : about) each = hull(each, Interval(0.0));
+  const BoxSlopes<N> over = equations_.linearize(stretches(about));
   Box<N> out = newton_;
   for (int i = 0; i < N; ++i) {
     for (int j = 0; j < N; ++j) {

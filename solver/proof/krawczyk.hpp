@@ -1,6 +1,7 @@
 // Krawczyk's operator in logarithmic coordinates about a double x: for solutions x e^d, d in D,
 //
-//   K(D) = -Y G(x) + (1 - Y J(x e^D)) D,   J = dG/d ln x,   Y about the inverse of J.
+//   K(D) = -Y G(x) + (1 - Y J(x e^H)) D,   J = dG/d ln x,   Y about the inverse of J,
+//                                          H the hull of D and 0.
 //
 // If K(D) lies in the interior of D, there is exactly one solution with d in D, and its d is in
 // K(D); for every value the inputs have in their intervals. Any solution with d in D has it in

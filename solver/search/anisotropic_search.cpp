@@ -159,6 +159,8 @@ class OrientedSearch {
 
   void add(const Found& each, const FoundThickness& rho) {
     const bool proven = each.proof.proven && rho.proven;
+    // Of a held volume rho is no unknown, and what decides a box need not be in it.
+    if (proven && rho.solution.apart_from(options_.range(2))) return;
     constexpr double factor = Layout::axis ? 2.0 : Layout::alpha ? 1.25 : 1.0;
     auto y = all_coordinates<Layout>(each.x, rho.rho);
     y[oriented::w] = rho.rho;

@@ -2,7 +2,6 @@
 // oriented_system.hpp: as wide in alpha as the stretches are, and half a turn of the axis.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 
@@ -20,7 +19,7 @@ Box<Layout::dimension> oriented_box(const SearchOptions& options) {
   out[1] = options.range(1);
   if constexpr (Layout::thickness) out[index(Layout::thickness_place)] = options.range(2);
   if constexpr (Layout::alpha) {
-    const double most = std::sqrt(options.max_stretch / options.min_stretch);
+    const double most = options.most_shear();
     out[index(Layout::alpha_place)] = {1.0 / most, most};
   }
   // Half a turn, whose ends are no material axis.

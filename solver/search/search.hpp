@@ -4,12 +4,14 @@
 // undecided.
 //
 // A double root (a fold, a bifurcation) and a continuum of solutions cannot be decided this way and
-// end as undecided boxes after a bounded amount of work. With J1 = J2 in (iii), and at rest, the
-// mirror image (xi, zeta) -> (zeta, xi) of a solution is one too; both are listed.
+// end as undecided boxes after a bounded amount of work. Where xi and zeta may be exchanged
+// (mirror_symmetric()), the mirror image of a solution is one too; both are listed.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -25,8 +27,7 @@ namespace stationary {
 struct SearchOptions {
   double min_stretch = 1e-3;  ///< of each of xi, zeta, rho
   double max_stretch = 1e3;
-  /// Of each its own range instead (two-polar: lambda, mu, rho); alpha stays as bounded as it is by
-  /// the two numbers above.
+  /// Of each its own range instead (two-polar: lambda, mu, rho).
   std::optional<std::array<Interval, 3>> box = {};
   Inputs inputs = Inputs::decimals;
   double min_width = 0x1p-26;               ///< of ln x, below which a box stays undecided
@@ -36,6 +37,12 @@ struct SearchOptions {
   /// Of stretch k of the three.
   Interval range(std::size_t k) const {
     return box ? (*box)[k] : Interval(min_stretch, max_stretch);
+  }
+  /// Where alpha = sqrt(xi zeta) tanh a, the greatest e^|a|: such that every S is sought whose
+  /// principal stretches are within these two numbers, or in the hull of the plane's ranges.
+  double most_shear() const {
+    const Interval plane = hull(range(0), range(1));
+    return std::sqrt(std::max(max_stretch / min_stretch, plane.hi / plane.lo));
   }
 };
 

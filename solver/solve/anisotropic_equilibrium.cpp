@@ -51,7 +51,7 @@ class AnisotropicSolve : FamilySolve {
       std::string failures;
       for (const Branch near : {Branch::i, Branch::ii}) {
         if (motion.near && *motion.near != near) continue;
-        out_ = Equilibrium();
+        out_ = Equilibrium{.counts = out_.counts};
         oblique_from(near, motion.nu);
         if (out_.status == SolveStatus::solved || out_.status == SolveStatus::interrupted) break;
         failures += (failures.empty() ? "" : "; ") + out_.message;

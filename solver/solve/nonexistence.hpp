@@ -5,7 +5,7 @@
 //   reciprocal-determinant: (k - c_i) x_i^2 = c/d      needs c_i < k for both
 //   neo-hookean(-3d): (mu - c_i) x_i^2 is one number   needs one sign for all mu - c_i
 //   biot: linear in (xi, zeta): its one solution must be positive
-//   hencky, (i), (ii): 2 x ln x of the pulled stretch <= 1/e bounds nu
+//   hencky, (i), (ii): 2 kappa ln x = c x^2 of the pulled stretch needs c <= kappa/e
 //
 // The first holds beside any planar potential, a written-out or an anisotropic one too, those of
 // planar models beside any thickness.

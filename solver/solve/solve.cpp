@@ -113,10 +113,17 @@ SearchStatus search_all(const Problem& problem, double nu, const SolveOptions& o
       out.message += " None was found beyond that box, which is no proof that none exists.";
     return all.status;
   }
-  const Stretch rest = problem.potential().visit_parts([](const auto& model) {
+  bool with_rho = problem.unknowns() == 3;
+  const Stretch rest = problem.potential().visit_parts([&](const auto& model) {
     if constexpr (requires { model.plane; }) {
       const double r = model.plane.rest_stretch();
-      return Stretch{0.0, r, r, 1.0};  // a separable potential's rho is the same for all
+      if constexpr (several_thicknesses<std::decay_t<decltype(model)>>) {
+        if (model.thickness.is_expression()) {
+          with_rho = true;
+          return Stretch{0.0, r, r, model.thickness.balanced(0.0)};
+        }
+      }
+      return Stretch{0.0, r, r, 1.0};  // rho is the same for all
     } else {
       return rest_stretch_of(model);
     }
@@ -126,7 +133,7 @@ SearchStatus search_all(const Problem& problem, double nu, const SolveOptions& o
   };
   const auto distance = [&](const Equilibrium& at) {
     return std::max({apart(at.q.xi, rest.xi), apart(at.q.zeta, rest.zeta),
-                     problem.unknowns() == 3 ? apart(at.q.rho, rest.rho) : 0.0});
+                     with_rho ? apart(at.q.rho, rest.rho) : 0.0});
   };
   const Equilibrium& nearest = *std::ranges::min_element(all.solutions, {}, distance);
   out.status = SolveStatus::solved;

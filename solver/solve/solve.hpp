@@ -3,10 +3,10 @@
 // Cold start, method automatic:
 //   1. a walk along the rest state's sheet (rest_walk) from nu = 0 to nu, so that the answer is the
 //      solution connected to rest; Ceres (trust region) solves at nu from where the walk arrived;
-//   2. where that sheet does not reach nu, or Ceres stops short, and unless search = false, branch
-//      and prune (search.hpp) finds all solutions in its box. The answer is the one nearest to the
-//      rest state, and says that its connection to rest is not known. NLopt searches what that
-//      leaves undecided.
+//   2. where that sheet does not reach nu, or its balance is singular there, and unless search =
+//      false, branch and prune (search.hpp) finds all solutions in its box. The answer is the one
+//      nearest to the rest state, and says that its connection to rest is not known. NLopt searches
+//      what that leaves undecided.
 // From a given start: Ceres, then Newton, then the same searches.
 // ceres, newton: that solver alone, from the rest state or the given start, with no walk.
 // nlopt: Newton from the points of NLopt's global search, nothing else.

@@ -36,7 +36,8 @@ class TiltedSolve : FamilySolve {
     std::string failures;
     for (const Branch branch : {in_plane_branch(motion_.plane), Branch::iii}) {
       const Problem problem(body_, potential_, branch);
-      const Equilibrium rest = solve(problem, 0.0);
+      const Equilibrium rest =
+          solve(problem, 0.0, {.search = options_.search, .stop = options_.stop});
       out_.counts += rest.counts;
       if (rest.status != SolveStatus::solved) continue;
       const AnyFamily straight =

@@ -239,10 +239,26 @@ void circle_instead(const Body& body, const Potential& potential,
       solve(Problem(body, potential, Branch::iii), rates.omega + rates.theta_dot, from_rest);
   out.counts += circle.counts;
   if (circle.status == SolveStatus::interrupted) out.status = SolveStatus::interrupted;
-  if (circle.status != SolveStatus::solved) return;
+  if (circle.status == SolveStatus::interrupted || circle.status == SolveStatus::none_exists)
+    return;
+  std::optional<Stretch> q;
+  if (circle.status == SolveStatus::solved) {
+    q = circle.q;
+  } else {
+    // Among ellipses of branch (iii) it may be one of many; the search looks at circles alone.
+    const SearchResult all = search_two_polar(body, potential, rates, {.stop = options.stop});
+    for (const Equilibrium& each : all.solutions)
+      if (each.circle) q = each.q;
+    if (all.status == SearchStatus::interrupted) out.status = SolveStatus::interrupted;
+    if (!q && out.status == SolveStatus::none_exists) {
+      out.status = SolveStatus::not_found;
+      out.message += "; a circle lambda = mu was not found, which is no proof that none exists";
+    }
+    if (!q) return;
+  }
   out.status = SolveStatus::solved;
   out.circle = true;
-  out.q = circle.q;
+  out.q = *q;
   if (!solver.correct_circle(rates)) {
     out.status = SolveStatus::failed;
     out.message += "; the circle lambda = mu did not converge";

@@ -6,7 +6,7 @@
 //              dG/dy that move G most over the box, cannot vanish; asked for, where some G_i - G_j,
 //              by the corners of the box that it is least and largest at, does not;
 //   covered    where it lies wholly in one tube (tube_set.hpp): its points are that curve's;
-//   narrowed   by that form in those N coordinates, or split where it is widest;
+//   narrowed   by that form in those N coordinates, or split where G moves most over it;
 //   undecided  where it is as narrow as min_width, or the boxes allowed are used up.
 //
 // Where a small box is neither, the nearest point of the curve is sought, and its curve followed by

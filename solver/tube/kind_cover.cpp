@@ -19,47 +19,58 @@ CoverOptions cover_options(const SearchOptions& options) {
   return out;
 }
 
+/// The places among their own stretches of those that stand for xi, zeta and rho.
+using Places = std::array<std::size_t, 3>;
+constexpr Places own_places{0, 1, 2};
+
 struct AxisSought {
   Problem problem;
   SearchOptions options;
-  std::size_t exchanged = 2;  ///< the axis whose stretch stands for rho
+  Places places = own_places;
 };
 
-/// The same motions turning about axis 3, by an exchange of it with theirs, where their figures may be
-/// circles: V is symmetric in all three stretches then, and circles and ellipses are taken apart
-/// (circle_curves.hpp).
+/// The same motions turning about axis 3, where their figures may be circles: V is symmetric in all
+/// three stretches then, and circles and ellipses are taken apart (circle_curves.hpp). The stretch
+/// that is the greater one of an ellipse listed stands for xi.
 AxisSought with_circles_about_third_axis(const Problem& problem, const SearchOptions& options) {
   AxisSought out{problem, options};
   const Circle circle = circle_of(problem);
   if (circle == Circle::none || circle == Circle::xi_zeta) return out;
-  const auto own = static_cast<std::size_t>(places(circle).other);
-  const auto exchange = [own](auto& inertia) {
-    std::swap(own == 0 ? inertia.J1 : inertia.J2, inertia.J3);
+  const CirclePlaces of = places(circle);
+  out.places = {static_cast<std::size_t>(of.first), static_cast<std::size_t>(of.second),
+                static_cast<std::size_t>(of.other)};
+  const auto placed = [&places = out.places](auto& inertia) {
+    const std::array own{inertia.J1, inertia.J2, inertia.J3};
+    inertia.J1 = own[places[0]];
+    inertia.J2 = own[places[1]];
+    inertia.J3 = own[places[2]];
   };
   Body body = problem.body();
-  exchange(body);
-  out.exchanged = own;
-  std::array box{options.range(0), options.range(1), options.range(2)};
-  std::swap(box[own], box[2]);
+  placed(body);
+  std::array<Interval, 3> box;
+  for (std::size_t k = 0; k < 3; ++k) box[k] = options.range(out.places[k]);
   out.options.box = box;
   const BodyModel<>* const model = problem.potential().body_model();
   if (model == nullptr) {
     out.problem = {body, problem.potential(), Branch::iii};
   } else {
-    BodyModel<> exchanged = *model;
-    exchange(exchanged.J);
-    out.problem = {body, Potential(exchanged), Branch::iii};
+    BodyModel<> moved = *model;
+    placed(moved.J);
+    out.problem = {body, Potential(moved), Branch::iii};
   }
   return out;
 }
 
-/// Their own stretches of motions whose axes are exchanged; those about axis 1 or 2 are no circles of
-/// axis 3.
-MotionArc exchanged_back(MotionArc motions, std::size_t own) {
-  if (own == 2) return motions;
+/// Their own stretches of motions whose axes stand in other places; those about axis 1 or 2 are no
+/// circles of axis 3.
+MotionArc in_own_places(MotionArc motions, const Places& places) {
+  if (places == own_places) return motions;
   for (StretchBox* const at :
-       {&motions.over.stretches, &motions.at.stretches, &motions.stretch_slope})
-    std::swap(own == 0 ? at->xi : at->zeta, at->rho);
+       {&motions.over.stretches, &motions.at.stretches, &motions.stretch_slope}) {
+    const std::array found{at->xi, at->zeta, at->rho};
+    Interval* const own[3] = {&at->xi, &at->zeta, &at->rho};
+    for (std::size_t k = 0; k < 3; ++k) *own[places[k]] = found[k];
+  }
   motions.over.circle = motions.at.circle = false;
   return motions;
 }
@@ -129,7 +140,7 @@ KindCover cover_axis(const Problem& problem, double from, double to, const Searc
                      bool classes) {
   const AxisSought sought = with_circles_about_third_axis(problem, options);
   const ClassOver class_over = [&](const MotionArc& motions) {
-    return enclose_spectrum(problem, exchanged_back(motions, sought.exchanged), {}, options.inputs)
+    return enclose_spectrum(problem, in_own_places(motions, sought.places), {}, options.inputs)
         .verdict;
   };
   CoverOptions how = cover_options(options);

@@ -138,7 +138,7 @@ to = [0.8, 2.4]
 test('an event that is not located stands in the list with its bracket', async () => {
   const path = write('unlocated.csv', 'branch,sheet,point,event,nu3,xi,zeta,rho\niii,1,0,limit,0.1,1,1,1\niii,1,1,,0.3,1.1,1,1\n');
   const event = { event: 'tilt', sheet: 1, point: null, parameter: 0.2, bracket: [0.15, 0.25], status: 'unresolved' };
-  const skipped = [{ what: 'spectrum', why: 'not asked for' }];
+  const skipped = [{ quantity: 'spectrum', how: 'not computed', why: 'not asked for' }];
   write('unlocated.meta.json', JSON.stringify({ case: { title: 'Unlocated', body: { J: [1, 2, 3] } }, events: [event], skipped }));
   const page = await open(makePage(path));
   const list = await page.$$eval('#events li', (items) => items.map((item) => item.textContent));

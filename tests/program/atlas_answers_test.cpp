@@ -15,6 +15,8 @@
 namespace stationary::testing {
 namespace {
 
+using ::testing::HasSubstr;
+
 struct Sided {
   std::string event;
   double nu;
@@ -96,6 +98,21 @@ TEST(AtlasSides, HaveTheErrorOfEachCoefficient) {
     }
   }
   EXPECT_GE(compared, 4);
+}
+
+TEST(LeastEnergy, HasAFileOfItsOwn) {
+  const TemporaryDirectory directory;
+  const auto refused = [&](const std::string& least, const std::string& words) {
+    const Outcome outcome = run_program(
+        {"atlas", shipped("apart.toml"), "-o", directory / "x.csv", "--least-energy", least});
+    EXPECT_EQ(outcome.code, 2) << least;
+    EXPECT_THAT(outcome.err, HasSubstr(words)) << least;
+    EXPECT_TRUE(directory.names().empty()) << least;
+  };
+  refused(directory / "x.csv", "is written by -o");
+  refused(directory / "x.meta.json", "found \".json\"");
+  refused(directory / "y.h5", "the table is CSV");
+  refused("-", "the table is CSV");
 }
 
 /// No row of any sheet has less energy than the motion named for its |pi|, and what is named is there.

@@ -17,6 +17,7 @@ namespace stationary::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string cases = STATIONARY_CASES;
 
@@ -185,6 +186,27 @@ TEST_F(FromRow, TheCaseMayNameTheRow) {
   const Outcome outcome = run_program({"continue", own, "-o", "-"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, from("fold.toml", path + ":9").out);
+}
+
+TEST_F(FromRow, AWrongRowOfTheCaseIsToldInTheCase) {
+  std::string text = text_of(cases + "/fold.toml");
+  text.insert(text.find("[continuation]") + 14, "\nstart_row = \"fold.csv:tlt\"");
+  const std::string own = directory_.file("own.toml", text);
+  const Outcome outcome = run_program({"continue", own, "-o", "-"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("own.toml:"));
+  EXPECT_THAT(outcome.err, HasSubstr("continuation.start_row: found \"tlt\""));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("--from")));
+}
+
+TEST_F(FromRow, DoesNotReplaceItsTable) {
+  const std::string path = table("continue", "fold.toml", "fold.csv");
+  const std::string before = text_of(path);
+  const Outcome outcome =
+      run_program({"continue", cases + "/fold.toml", "--from", path + ":3", "-o", path});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("is the table of the row to start from"));
+  EXPECT_EQ(text_of(path), before);
 }
 
 TEST_F(FromRow, WhatLeadsNowhereIsRefused) {

@@ -300,6 +300,10 @@ TEST_F(Plot, ToStandardOutputWithItsScript) {
               HasSubstr("set terminal pdfcairo"));
   EXPECT_EQ(run_program({"plot", table_, "-o", "-", "--script", "-"}).code, 2);
   EXPECT_EQ(run_program({"plot", table_, "--script", table_}).code, 2);
+  EXPECT_EQ(
+      run_program({"plot", table_, "-o", directory_ / "y.svg", "--script", directory_ / "y.svg"})
+          .code,
+      2);
   EXPECT_EQ(text_of(table_), tilting_table);
 }
 

@@ -129,6 +129,34 @@ TEST_F(Ratio, ARowGivesItsNumber) {
   EXPECT_EQ(told["case"]["body"]["J"][1].get<double>(), 2.0 * number(row.at(ratio)));
 }
 
+/// Of a cell whose x is divided by what y varies: that comes first, in whichever order the columns stand.
+TEST_F(Ratio, ACellOfChainedRatiosGivesItsNumbers) {
+  const auto axis = [](const char* parameter, const char* from, const char* to) {
+    return "={parameter=\"" + std::string(parameter) + "\",from=" + from + ",to=" + to +
+           ",count=2}";
+  };
+  for (const bool swapped : {false, true}) {
+    const std::string first = axis("body.J.0/body.J.1", "0.5", "0.75");
+    const std::string second = axis("body.J.1/body.J.2", "2", "3");
+    ASSERT_EQ(run_program(with({"map", shipped("disc.toml"), "-o", table_},
+                               {"body.J=[1.25, 1.7, 0.5]", "map.x" + (swapped ? second : first),
+                                "map.y" + (swapped ? first : second)}))
+                  .code,
+              0);
+    const auto rows = rows_of(text_of(table_));
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      ASSERT_EQ(run_program(with({"continue", shipped("disc.toml"), "--from",
+                                  table_ + ":" + std::to_string(k + 1), "-o", directory_ / "y.csv"},
+                                 {"body.J=[1.25, 1.7, 0.5]"}))
+                    .code,
+                0);
+      const json J = json::parse(text_of(directory_ / "y.meta.json"))["case"]["body"]["J"];
+      const double second_J = 0.5 * number(rows[k].at("body.J.1/body.J.2"));
+      EXPECT_EQ(J, json({number(rows[k].at("body.J.0/body.J.1")) * second_J, second_J, 0.5}));
+    }
+  }
+}
+
 TEST_F(Ratio, IsProven) {
   ASSERT_EQ(follow(by_ratio, {"--certify"}).code, 0);
   for (const Row& row : rows_of(text_of(table_))) EXPECT_EQ(row.at("certified"), "yes");
@@ -200,6 +228,11 @@ TEST(MapRatio, CellsAreSolvesOfTheirOwn) {
                         [](double x, double y) {
                           return std::vector<std::string>{"body.J.0=" + number_text(x),
                                                           "body.J.1=" + number_text(y * x)};
+                        }},
+                       {"body.J.0/body.J.1", "body.J.1/body.J.2",
+                        [](double x, double y) {
+                          return std::vector<std::string>{"body.J.1=" + number_text(y * 0.6),
+                                                          "body.J.0=" + number_text(x * (y * 0.6))};
                         }},
                        {"nu/body.J.0", "body.J.0",
                         [](double x, double y) {

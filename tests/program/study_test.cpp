@@ -2,11 +2,13 @@
 // journal, threads, formats.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <thread>
 
 #include "solver/program/table/column_file.hpp"
 #include "tests/program/json_schema.hpp"
@@ -125,6 +127,51 @@ TEST_F(Study, RefusesATableOfOtherThings) {
   refused("motion.nu\n1,2\n", "2 cells");
   EXPECT_EQ(run("motion.nu\n0.3\n", {"--do", "nothing"}).code, 2);
   EXPECT_EQ(run_program({"study", case_file_}).code, 2);
+}
+
+TEST_F(Study, ConditionsOfADomainNeedNoQuotes) {
+  case_file_ = directory_.file("case.toml", text_of(shipped("elastic_sphere.toml")));
+  ASSERT_EQ(run("potential.coupled.domain\nrho > 0.2\n0.2 < rho\n\"[\"\"0.2 < rho\"\", \"\"xi < "
+                "9\"\"]\"\n")
+                .code,
+            0);
+  for (const Row& row : rows()) EXPECT_EQ(row.at("status"), "solved") << row.at("message");
+}
+
+TEST_F(Study, OverVolumesHasTheirPressures) {
+  std::string text = text_of(shipped("isochoric.toml"));
+  const std::size_t at = text.find("volume");
+  text.erase(at, text.find('\n', at) - at);
+  case_file_ = directory_.file("case.toml", text);
+  ASSERT_EQ(run("body.volume\n1.0\n1.1\n").code, 0);
+  for (const Row& row : rows())
+    EXPECT_EQ(row.at("pressure"),
+              only_row(run_program({"solve", case_file_, "--set",
+                                    "body.volume=" + row.at("body.volume"), "-o", "-"})
+                           .out)
+                  .at("pressure"));
+}
+
+TEST_F(Study, ColumnsThatAreNoPathsAreNoHdf5) {
+  NEEDS_HDF5();
+  out_ = directory_ / "x.h5";
+  for (const char* names : {"_L,_L/D", "_L/D,_L", "_L//D,_M", "_L/,_M"}) {
+    const Outcome outcome = run(std::string(names) + ",motion.nu\n1,2,0.3\n");
+    EXPECT_EQ(outcome.code, 2) << names;
+    EXPECT_THAT(outcome.err, HasSubstr("write CSV")) << names;
+    EXPECT_THAT(directory_.names(), ElementsAre("case.toml", "t.csv")) << names;
+  }
+  EXPECT_EQ(run("_L/D,_L/E,motion.nu\n1,2,0.3\n").code, 0);
+}
+
+TEST_F(Study, ReadsAPipe) {
+  const std::string pipe = directory_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(pipe) << "motion.nu\n0.3\n"; });
+  const Outcome outcome = run_program({"study", case_file_, "--over", pipe, "-o", out_});
+  writer.join();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(rows().size(), 1U);
 }
 
 TEST_F(Study, TextsNeedNoQuotes) {

@@ -52,6 +52,26 @@ def test_dataset_of_one_parameter(disc):
     assert found["xi"].dims == ("nu",)
 
 
+def test_dataset_of_ratios(disc):
+    disc["map"] = {
+        "x": {"parameter": "nu/body.J.0", "from": 0.1, "to": 0.4, "count": 2},
+        "y": {"parameter": "body.J.1/body.J.0", "from": 1.5, "to": 1.8, "count": 2},
+    }
+    found = stationary.map(disc).to_xarray()
+    assert "nu" not in found.coords and "body.J.1" not in found.coords
+    assert float(found.coords["body.J.0"]) == 1.0
+    assert found["body.J.1/body.J.0"].attrs["units"] == "1"
+    assert "units" not in found["nu/body.J.0"].attrs
+
+
+def test_dataset_has_volume_and_gravity():
+    case = stationary.Case.read(SOURCES / "cases" / "elastic_sphere.toml")
+    axis = {"parameter": "nu", "from": 0.1, "to": 0.3, "count": 2}
+    found = stationary.map(case.set({"map.x": axis})).to_xarray()
+    assert float(found.coords["body.volume"]) == 1.0
+    assert found.coords["gravity.g"] > 0.0
+
+
 def test_only_maps_are_datasets():
     with pytest.raises(ValueError, match="map"):
         stationary.solve(SOURCES / "cases" / "disc.toml").to_xarray()

@@ -70,7 +70,7 @@ class MemoryTable final : public TableTarget {
 
 Json described(const Case& input) {
   Json out{{"code", 0}, {"title", input.title}, {"motion", name(input.motion)}};
-  const FamilyParameters family{input.body, input.models, input.motion};
+  const FamilyParameters family{input.own_body, input.models, input.motion};
   out["parameters"] = Json::array();
   for (const std::string& key : case_parameters(input.motion, input.models))
     out["parameters"].push_back({{"key", key}, {"value", parameter_value(family, key)}});

@@ -82,11 +82,6 @@ export class BodyView {
     return this.modeRuns;
   }
 
-  /** For the dark, and after other sizes. */
-  redraw(): void {
-    this.queue();
-  }
-
   private caption(body: Body): string {
     const [lambda, mu, rho] = body.stretches.map((each) => shown(Number(each.toPrecision(5))));
     const pace = this.shownPace();

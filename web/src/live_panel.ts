@@ -61,6 +61,7 @@ export class LivePanel {
 
   /** Reads a case, and computes it. task: what is done with it; else what the case is for. */
   async open(given: LiveCase, task: Task | null = null): Promise<void> {
+    this.again = false;
     this.solver.cancel();
     this.began = performance.now();
     this.opened = given;

@@ -129,7 +129,7 @@ class Page {
     this.heat = table.kind === 'map' ? new HeatMap(table) : null;
     byId('title').textContent = table.title;
     document.title = table.title;
-    const skipped = (table.metadata?.skipped ?? []).map((each) => [each.what, each.why].filter(Boolean).join(': '));
+    const skipped = (table.metadata?.skipped ?? []).map((each) => [each.quantity, each.why].filter(Boolean).join(': '));
     byId('skipped').replaceChildren(...skipped.map((text) => element('li', {}, text)));
     byId('skipped-part').hidden = skipped.length === 0;
     byId('presets').replaceChildren(

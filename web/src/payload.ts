@@ -57,7 +57,7 @@ export interface Metadata {
   case?: CaseData;
   events?: MetadataEvent[];
   classes?: ProvenInterval[];
-  skipped?: { what?: string; why?: string }[];
+  skipped?: { quantity?: string; why?: string }[];
 }
 
 export type CaseValue = string | number | boolean | CaseValue[] | { [key: string]: CaseValue };

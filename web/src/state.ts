@@ -45,7 +45,7 @@ export function mapQuantities(table: Table): string[] {
   return [...(table.has('class') ? ['class'] : []), ...(table.has('status') ? ['status'] : []), ...numbers];
 }
 
-/** As `plot` has it: logarithmic where stretches differ by more than a factor of 30. */
+/** Logarithmic where stretches differ by more than a factor of 30. */
 export function prefersLogarithm(table: Table, names: readonly string[]): boolean {
   if (table.kind !== 'curve' || !names.every((name) => ['lambda', 'mu', 'rho', 'xi', 'zeta'].includes(name))) return false;
   let [low, high] = [Infinity, 0];

@@ -1,6 +1,7 @@
 // A table of the program, by columns: exact texts beside their values, connected pieces, and what is derived of columns.
 
-import type { CaseData, Metadata, MetadataEvent, PayloadTable } from './payload';
+import type { Metadata, MetadataEvent, PayloadTable } from './payload';
+import { caseOfRow } from './toml';
 
 /** Rows of one branch and sheet, in a row: from first up to, and without, end. */
 export interface Piece {
@@ -93,7 +94,7 @@ export class Table {
 
   /** Inertia of a row: the case's, with the row's own parameters; null: the table does not say. */
   inertia(row: number): [number, number, number] | null {
-    const body = (this.metadata?.case as CaseData | undefined)?.['body'] as { J?: unknown } | undefined;
+    const body = caseOfRow(this, row).given['body'] as { J?: unknown } | undefined;
     const J = Array.isArray(body?.J) ? body.J.map(Number) : [NaN, NaN, NaN];
     for (let k = 0; k < 3; ++k) {
       const own = this.value(`body.J.${k}`, row);

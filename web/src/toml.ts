@@ -32,16 +32,46 @@ function inline(value: CaseValue): string {
   return `{ ${Object.entries(value).map(([key, each]) => `${isBare(key) ? key : quoted(key)} = ${inline(each)}`).join(', ')} }`;
 }
 
-/** Sets a dotted key, "body.J.0" or "potential.plane.mu", where the case has it. */
+/** What a dotted key names, "body.J.0" or "potential.plane.mu"; undefined where the case has it not. */
+function get(from: CaseData, key: string): CaseValue | undefined {
+  let at: CaseValue | undefined = from;
+  for (const part of key.split('.')) at = Array.isArray(at) ? at[Number(part)] : typeof at === 'object' && Object.hasOwn(at, part) ? at[part] : undefined;
+  return at;
+}
+
+/** Sets what a dotted key names, where the case has it. */
 function set(into: CaseData, key: string, value: number): boolean {
-  let at: CaseValue | undefined = into;
-  const parts = key.split('.');
-  const last = parts.pop() ?? '';
-  for (const part of parts) at = Array.isArray(at) ? at[Number(part)] : typeof at === 'object' && Object.hasOwn(at, part) ? at[part] : undefined;
-  if (Array.isArray(at) && at[Number(last)] !== undefined) at[Number(last)] = value;
-  else if (typeof at === 'object' && !Array.isArray(at) && Object.hasOwn(at, last)) at[last] = value;
-  else return false;
+  if (get(into, key) === undefined) return false;
+  const cut = key.lastIndexOf('.');
+  const within = cut < 0 ? into : get(into, key.slice(0, cut));
+  if (Array.isArray(within)) within[Number(key.slice(cut + 1))] = value;
+  else (within as CaseData)[key.slice(cut + 1)] = value;
   return true;
+}
+
+/** A case with a row's own numbers. */
+export interface RowsCase {
+  given: CaseData;
+  /** The parameters that name nothing of the case. */
+  left: string[];
+}
+
+/** The metadata's case with the row's numbers: of a ratio "body.J.1/body.J.0" the first number, the second being the row's. */
+export function caseOfRow(table: Table, row: number): RowsCase {
+  const given: CaseData = structuredClone(table.metadata?.case ?? {}) as CaseData;
+  const inMotion = (key: string): boolean => key === 'nu' || key.startsWith('motion.');
+  const plain = table.parameters.filter((key) => !key.includes('/') && !inMotion(key));
+  const left = plain.filter((key) => !set(given, key, table.value(key, row)));
+  // Where one number is divided by the other, that one comes first.
+  const ratios = table.parameters.filter((key) => key.includes('/')).map((key) => [key, ...key.split('/')]);
+  while (ratios.length > 0) {
+    const free = ratios.findIndex(([, , second]) => !ratios.some(([, first]) => first === second));
+    const [[key, first, second]] = ratios.splice(Math.max(free, 0), 1);
+    if (inMotion(first)) continue;
+    const unit = !inMotion(second) ? get(given, second) : table.has(second) ? table.value(second, row) : get(given, second === 'nu' ? 'motion.nu' : second);
+    if (typeof unit !== 'number' || !set(given, first, table.value(key, row) * unit)) left.push(key);
+  }
+  return { given, left };
 }
 
 /** As the program's reader takes it; the exact texts of the row. */
@@ -78,13 +108,9 @@ export function caseAsToml(given: CaseData): string {
 }
 
 export function rowAsToml(table: Table, row: number): string {
-  const given: CaseData = structuredClone(table.metadata?.case ?? {}) as CaseData;
+  const { given, left } = caseOfRow(table, row);
   const lines = [`# row ${row + 1} of ${table.file.replace(/[\u0000-\u001f\u007f]/g, '?')}`];
-  for (const key of table.parameters) {
-    const value = table.value(key, row);
-    if (key.startsWith('motion.') || key === 'nu' || set(given, key, value)) continue;
-    lines.push(`# with ${key} = ${table.text(key, row)}`);
-  }
+  for (const key of left) lines.push(`# with ${key} = ${table.text(key, row)}`);
   if (typeof given['title'] === 'string') lines.push(`title = ${quoted(given['title'])}`);
   for (const part of ['body', 'potential', 'gravity']) {
     const section = given[part];

@@ -14,7 +14,8 @@ namespace stationary {
 /// [1e-3, 1e3] of that sphere's.
 std::array<double, 3> rest_state(const BodyModel<>& model);
 
-/// k of the volume's equation for this model: the largest second derivative of V at that sphere.
+/// k of the volume's equation for this model: of the size of V's first and second derivatives in the
+/// logarithms at that sphere.
 double volume_stiffness(const BodyModel<>& model);
 
 }  // namespace stationary

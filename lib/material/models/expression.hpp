@@ -47,7 +47,7 @@ class PlanarExpression : public TapeModel<C> {
   }
 
   /// The circle xi = zeta nearest to 1 at which W has a minimum along the circles, within
-  /// [1e-3, 1e3]; NaN where there is none.
+  /// about [1e-3, 1e3]; NaN where there is none.
   double rest_stretch() const requires std::is_same_v<C, double> { return rest_stretch_of(*this); }
 
   template <int order, class S>
@@ -139,7 +139,8 @@ class ThicknessExpression : public TapeModel<C> {
     return this->outside(this->programs().balance, rho, Interval(0.0));
   }
 
-  /// The rho nearest to 1 at which V has a minimum, within [1e-3, 1e3]; NaN where there is none.
+  /// The rho nearest to 1 at which V has a minimum, within about [1e-3, 1e3]; NaN where there
+  /// is none.
   double rest_thickness() const requires std::is_same_v<C, double> {
     return rest_thickness_of(*this);
   }

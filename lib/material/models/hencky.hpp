@@ -6,6 +6,7 @@
 // dx/dt = 2 (1 - x)/t and dx/dl = -(1 - x), only B and B' occur in the derivatives to second order.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -34,14 +35,24 @@ template <int order, class S>
 AtanhRatio<S> atanh_ratio(const PlanarInvariants<S>& q, const S& x, const S& one_minus_x) {
   using std::sqrt;
   constexpr int bits = significand_bits<S>();
-  const double size = leading(x);
+  double size = leading(x);
+  if constexpr (over_intervals<S>) size = values_of(x).magnitude();
   const double series_below = (order >= 2 || bits <= 64) ? 0.25 : 0x1p-16;
   AtanhRatio<S> out;
   if (size < series_below) {
     const int bits_per_term = size > 0.0 ? -std::ilogb(size) - 1 : bits;
-    const int last = bits / (bits_per_term < 1 ? 1 : bits_per_term) + 1;
+    int last = bits / (bits_per_term < 1 ? 1 : bits_per_term) + 1;
+    if constexpr (over_intervals<S>) last = std::max(last, 8);
     S b = odd_reciprocal<S>(last);
     S b_x = S(0.0);
+    if constexpr (over_intervals<S>) {
+      // The terms from x^(last + 1) on, over x^last: x times a number below 1, and a slope below 1.
+      // For |x| < 1/4 and last >= 8 so wide a number leaves room for their derivatives too, up to
+      // the third.
+      const S rest(Interval(-1.0, 1.0));
+      b = b + x * rest;
+      b_x = rest;
+    }
     for (int k = last - 1; k >= 0; --k) {
       if constexpr (order >= 2) b_x = b_x * x + b;
       b = b * x + odd_reciprocal<S>(k);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -11,6 +12,7 @@
 #include "solver/program/commands/tile_options.hpp"
 #include "solver/program/computation/atlas_case.hpp"
 #include "solver/program/computation/atlas_grid.hpp"
+#include "solver/program/session/output_file.hpp"
 #include "solver/program/text/input_error.hpp"
 #include "solver/program/tiles/journal.hpp"
 
@@ -26,7 +28,15 @@ struct AtlasCommand : ComputeOptions {
   TileOptions tiles;
 };
 
+/// A second table of the command, which has no name yet that -o writes.
+void require_own_file(const AtlasCommand& options, std::string_view option,
+                      const std::string& path) {
+  if (!path.empty() && !options.output.empty() && options.output != "-")
+    refuse_to_share(option, path, {options.output, metadata_path(options.output)});
+}
+
 ExitCode run_grid(const AtlasCommand& options, const Session& session) {
+  require_own_file(options, "--tables", options.tables);
   const TiledRun tiled = options.tiles.run(options, session);
   return compute(options, session, [&](TableTarget* target, const Run& run) {
     const Case input = options.read();
@@ -42,6 +52,11 @@ ExitCode run_one(const AtlasCommand& options, const Session& session) {
     throw InputError(Origin::of_option("atlas"), "", "found no --grid",
                      "atlas --grid: one atlas is the work of one machine",
                      "`stationary atlas` uses all its processors");
+  if (const std::string suffix = std::filesystem::path(options.least_energy).extension().string();
+      options.least_energy == "-" || (!suffix.empty() && suffix != ".csv"))
+    refuse_output(options.least_energy, "found " + in_quotes(suffix.empty() ? "-" : suffix),
+                  "a name that ends in .csv, or in nothing: the table is CSV", "--least-energy");
+  require_own_file(options, "--least-energy", options.least_energy);
   AtlasRun asked{options.checkpoints, std::nullopt, options.tiles.resume, options.complete,
                  options.least_energy};
   if (asked.resume || has_journal(options.output)) asked.journal = options.output;

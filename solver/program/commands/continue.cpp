@@ -2,7 +2,9 @@
 #include <memory>
 
 #include "solver/program/computation/continue_case.hpp"
+#include "solver/program/computation/row_start.hpp"
 #include "solver/program/session/command.hpp"
+#include "solver/program/session/output_file.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -32,6 +34,9 @@ void add_continue(CLI::App& program, Session& session) {
     session.action = [options, &session] {
       ContinueFrom from{options->from, {}};
       if (options->resume) from.resumed = options->output;
+      if (!options->from.empty() && !options->output.empty())
+        refuse_to_replace(options->output, options->output, table_of_row(options->from),
+                          "the table of the row to start from");
       return compute(*options, session, [&](TableTarget* target, const Run& run) {
         return continue_case(options->read(), from, target, run);
       });

@@ -3,7 +3,9 @@
 #include <memory>
 
 #include "solver/program/computation/curve_case.hpp"
+#include "solver/program/computation/row_start.hpp"
 #include "solver/program/session/command.hpp"
+#include "solver/program/session/output_file.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -26,6 +28,9 @@ void add_curve(CLI::App& program, Session& session) {
       ->type_name("TABLE:ROW");
   command.callback([options, &session] {
     session.action = [options, &session] {
+      if (!options->from.empty() && !options->output.empty())
+        refuse_to_replace(options->output, options->output, table_of_row(options->from),
+                          "the table of the event");
       return compute(*options, session, [&](TableTarget* target, const Run& run) {
         return curve_case(options->read(), options->from, target, run);
       });

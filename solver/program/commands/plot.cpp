@@ -105,10 +105,7 @@ PageChoice page_choice(const PlotOptions& options) {
 
 /// Of the case, from the metadata beside the table or in it; else the table's name.
 std::string title_of(const std::string& table) {
-  std::ifstream file(metadata_path(table), std::ios::binary);
-  std::string metadata{std::istreambuf_iterator<char>(file), {}};
-  if (metadata.empty() && is_column_file(table)) metadata = column_file_metadata(table);
-  const std::string title = case_title(metadata);
+  const std::string title = case_title(table_metadata(table));
   return title.empty() ? fs::path(table).filename().string() : title;
 }
 
@@ -173,9 +170,7 @@ Figure figure(const PlotOptions& options, ImageFormat format) {
   std::vector<std::unique_ptr<TableReader>> tables;
   std::vector<TableReader*> readers;
   for (const std::string& path : options.tables) {
-    tables.push_back(is_column_file(path)
-                         ? std::make_unique<TableReader>(column_file_table(path, {}), path)
-                         : std::make_unique<TableReader>(path));
+    tables.emplace_back(new TableReader(open_table(path)));
     readers.push_back(tables.back().get());
   }
   const auto is_map = [](const TableReader* each) {
@@ -227,6 +222,8 @@ ExitCode plot_tables(const PlotOptions& options) {
   if (options.output == "-" && options.script == "-")
     throw InputError(Origin::of_option("--script -"), "", "found standard output in use by -o -",
                      "a file for one of them");
+  if (!options.script.empty() && options.script != "-" && !options.output.empty())
+    refuse_to_share("--script", options.script, {options.output});
   for (const std::string& table : options.tables) {
     refuse_to_replace(options.output, options.output, table, "the table");
     refuse_to_replace(options.script, options.script, table, "the table");

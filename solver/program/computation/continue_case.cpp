@@ -141,7 +141,13 @@ Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* 
   require_range(given);
   const std::string row = from.row.empty() ? given.continuation->start_row : from.row;
   std::optional<RowStart> at_row;
-  if (!row.empty()) at_row = start_from_row(given, row);
+  try {
+    if (!row.empty()) at_row = start_from_row(given, row);
+  } catch (const InputError& fault) {
+    if (!from.row.empty() || fault.origin().option.empty()) throw;
+    throw fault_at(given.source, "continuation.start_row", fault.found(), fault.allowed(),
+                   fault.remedy());  // no option has named it
+  }
   const Case& input = at_row ? at_row->input : given;
   const bool to_table = target != nullptr;
   const bool with_spectrum = wants_spectrum(input, to_table);

@@ -93,9 +93,7 @@ bool is_no_start(std::string_view event) {
 /// The row; to start from, one beside it on the same sheet where it is no place to.
 Cells row_of(const std::string& text, bool to_start_from) {
   const RowName wanted = parse(text);
-  const bool columnar = is_column_file(wanted.path);
-  TableReader table = columnar ? TableReader(column_file_table(wanted.path, {}), wanted.path)
-                               : TableReader(wanted.path);
+  TableReader table = open_table(wanted.path);
   const auto event = table.column("event");
   if (!wanted.event.empty() && !event)
     refuse(text, "found no column event", "a table of continue or atlas");
@@ -221,29 +219,41 @@ class FromRow {
     if (has_rates(given_.motion) && text("branch") != two_polar_name)
       refuse(text_, "found a row of branch " + in_quotes(text("branch")), "a row of \"two-polar\"",
              "rates and momenta are not in the row");
-    Case out = make_case(tree);
-    if (set_ratios(out, tree)) out = make_case(std::move(tree));
+    Case out = with_ratios(std::move(tree));
     out.output.certificate = given_.output.certificate;
     out.motion = decided(out.motion, nu()[1] != 0.0);
     return out;
   }
 
-  /// The number that a column of a ratio varies, as an override; whether there is such a column.
-  bool set_ratios(const Case& given, CaseTree& tree) const {
-    const std::vector<std::string> numbers = case_parameters(given.motion, given.models);
+  /// The case with the numbers that columns of ratios vary.
+  Case with_ratios(CaseTree tree) const {
+    Case out = make_case(tree);
+    const std::vector<std::string> numbers = case_parameters(out.motion, out.models);
     const auto known = [&](std::string_view key) {
       return std::ranges::find(numbers, key) != numbers.end();
     };
-    bool any = false;
+    std::vector<std::string> left;
     for (const auto& [column, cell] : row_) {
       const auto [first, second] = parts_of(column);
-      if (second.empty() || cell.empty() || !known(first) || !known(second)) continue;
-      const double unit = parameter_value({given.body, given.models, given.motion}, second);
-      tree.override_key(fmt::format("{}={}", first == "nu" ? "motion.nu" : first,
-                                    number_in(row_, column) * unit));
-      any = true;
+      if (!second.empty() && !cell.empty() && known(first) && known(second)) left.push_back(column);
     }
-    return any;
+    // Where one number is divided by the other, that one comes first.
+    const auto waits = [&](const std::string& column) {
+      return std::ranges::any_of(left, [&](const std::string& other) {
+        return parts_of(other).first == parts_of(column).second;
+      });
+    };
+    while (!left.empty()) {
+      auto next = std::ranges::find_if_not(left, waits);
+      if (next == left.end()) next = left.begin();
+      const auto [first, second] = parts_of(*next);
+      const double unit = parameter_value({out.own_body, out.models, out.motion}, second);
+      tree.override_key(
+          fmt::format("{}={}", first == "nu" ? "motion.nu" : first, number_in(row_, *next) * unit));
+      left.erase(next);
+      out = make_case(tree);
+    }
+    return out;
   }
 
   /// The row's own value of the parameter, which must be in the range followed.
@@ -343,5 +353,7 @@ RowStart start_from_row(const Case& given, const std::string& row) {
 EventRow event_of_row(const Case& given, const std::string& row, EventType type) {
   return FromRow(given, row, false).event(type);
 }
+
+std::string table_of_row(const std::string& row) { return parse(row).path; }
 
 }  // namespace stationary::cli

@@ -24,6 +24,9 @@ struct RowStart {
 /// not lead to the case's.
 RowStart start_from_row(const Case& given, const std::string& row);
 
+/// The table that a row is named of. Throws InputError where it names none.
+std::string table_of_row(const std::string& row);
+
 /// A row as an event of its own family.
 struct EventRow {
   Case input;  ///< with what the row overrides

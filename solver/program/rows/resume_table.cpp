@@ -82,7 +82,7 @@ bool ends_a_line(const std::string& path) {
 ResumedTable read_resumed(const std::string& path, const std::vector<Column>& columns,
                           const std::optional<std::string>& parameter, std::string_view branch) {
   const bool columnar = is_column_file(path);
-  TableReader table = columnar ? TableReader(column_file_table(path, {}), path) : TableReader(path);
+  TableReader table = open_table(path);
   std::vector<std::string> expected;
   for (const Column c : columns) expected.emplace_back(name(c));
   if (parameter) expected.push_back(*parameter);

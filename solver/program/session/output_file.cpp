@@ -23,6 +23,19 @@ void refuse_to_replace(const std::string& path, const std::filesystem::path& tar
                   "choose another name");
 }
 
+void refuse_to_share(std::string_view option, const std::string& path,
+                     const std::vector<std::filesystem::path>& others) {
+  // Neither need exist yet.
+  const auto place = [](const std::filesystem::path& file) {
+    std::error_code error;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
+  };
+  for (const std::filesystem::path& other : others)
+    if (place(path) == place(other))
+      refuse_output(path, fmt::format("{} is written by -o", printable(other.string())),
+                    "choose another name", option);
+}
+
 void require_hdf5_for(const std::string& path, std::string_view option) {
   if (hdf5_version().empty())
     refuse_output(path, std::string(no_hdf5), "write CSV: a name that ends in .csv", option);

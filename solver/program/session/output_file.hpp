@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "solver/program/table/atomic_file.hpp"
 
@@ -17,6 +18,10 @@ namespace stationary::cli {
 /// Refuses a target, of those "-o path" implies, that is the input; what says what that is.
 void refuse_to_replace(const std::string& path, const std::filesystem::path& target,
                        const std::string& input, std::string_view what);
+
+/// Refuses the file of an option that is one of those that -o writes.
+void refuse_to_share(std::string_view option, const std::string& path,
+                     const std::vector<std::filesystem::path>& others);
 
 /// Refuses a target of HDF5 where the program was built without.
 void require_hdf5_for(const std::string& path, std::string_view option = "-o");

@@ -1,5 +1,7 @@
 #include "solver/program/session/table_output.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -21,6 +23,25 @@ void require_suffix(const std::string& path) {
   if (is_column_file_extension(suffix)) return require_hdf5_for(path);
   throw InputError(Origin::of_option("-o " + path), "", "found the suffix " + in_quotes(suffix),
                    ".csv or none for CSV, .h5 or .hdf5 for HDF5");
+}
+
+/// In HDF5 a name is a path: "a/b" is the dataset b in the group a, which is then no dataset.
+void require_paths(const std::string& path, const std::vector<CellColumn>& columns) {
+  const auto refuse = [&](const std::string& found) {
+    throw InputError(Origin::of_option("-o " + path), "", found,
+                     "names that HDF5 takes as paths of datasets",
+                     "write CSV: a name that ends in .csv");
+  };
+  for (const CellColumn& each : columns) {
+    const std::string within = '/' + each.name + '/';
+    for (const char* part : {"//", "/./", "/../"})
+      if (within.find(part) != std::string::npos)
+        refuse("found the column " + in_quotes(each.name));
+    for (const CellColumn& other : columns)
+      if (other.name.starts_with(each.name + '/'))
+        refuse(fmt::format("found the columns {} and {}", in_quotes(each.name),
+                           in_quotes(other.name)));
+  }
 }
 
 }  // namespace
@@ -58,6 +79,7 @@ RowSink& TableOutput::open(const std::vector<Column>& columns,
 }
 
 CellTable& TableOutput::open(std::vector<CellColumn> columns) {
+  if (as_columns_) require_paths(path_, columns);
   ByteSink& sink = file_ ? static_cast<ByteSink&>(*file_) : standard_output_;
   return cells_.emplace(as_columns_ ? nullptr : &sink, std::move(columns));
 }

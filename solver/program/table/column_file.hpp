@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "solver/program/table/table.hpp"
+#include "solver/program/table/table_reader.hpp"
 
 namespace stationary {
 
@@ -82,13 +83,20 @@ class TablesFile {
   std::unique_ptr<Data> data_;
 };
 
-/// Whether a file begins with HDF5's signature; false where it cannot be read.
+/// Whether a file begins with HDF5's signature; false where it cannot be read, and of a pipe, whose
+/// beginning can be read only once.
 bool is_column_file(const std::string& path);
 
 /// Those of the wanted columns that the file has (all of its columns if none is named), as CSV for
 /// TableReader. Throws InputError where it is no file of ColumnFileWriter's.
 std::unique_ptr<std::istream> column_file_table(const std::string& path,
                                                 std::span<const std::string> wanted);
+
+/// A table of HDF5 or of CSV, whichever the file is. Throws InputError.
+TableReader open_table(const std::string& path);
+
+/// The metadata of a table: those of the file beside it, else its own; empty where there are none.
+std::string table_metadata(const std::string& path);
 
 /// Whether a file is one of TablesFile's.
 bool is_tables_file(const std::string& path);

@@ -1,12 +1,16 @@
 // What of column_file.hpp needs no HDF5.
 #include <array>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
+#include <system_error>
 
 #include "lib/body/motion.hpp"
 #include "lib/stability/spectrum.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/normal_form/normal_form.hpp"
+#include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/column_file.hpp"
 
 namespace stationary {
@@ -50,10 +54,23 @@ bool is_column_file_extension(std::string_view extension) {
 
 // Not by HDF5 itself: a table of CSV needs none of it, nor the memory that it takes.
 bool is_column_file(const std::string& path) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown)) return false;
   constexpr std::array<char, 8> signature{'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a', '\n'};
   std::ifstream file(path, std::ios::binary);
   std::array<char, 8> begin{};
   return file.read(begin.data(), begin.size()) && begin == signature;
+}
+
+TableReader open_table(const std::string& path) {
+  return is_column_file(path) ? TableReader(column_file_table(path, {}), path) : TableReader(path);
+}
+
+std::string table_metadata(const std::string& path) {
+  std::ifstream file(metadata_path(path), std::ios::binary);
+  std::string out{std::istreambuf_iterator<char>(file), {}};
+  if (out.empty() && is_column_file(path)) out = column_file_metadata(path);
+  return out;
 }
 
 }  // namespace stationary

@@ -77,8 +77,6 @@ constexpr std::string_view proof_word(bool proven, bool assuming = false) {
   return proof_words[!proven ? 0 : assuming ? 2 : 1];
 }
 
-/// Column "branch" of the two-polar family, beside name(Branch).
-
 enum class ModePart : std::uint8_t { re, im, krein };
 constexpr int mode_count = 5;
 /// Column of one part of mode 0 .. 4 (headed 1 .. 5).

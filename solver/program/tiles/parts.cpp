@@ -154,9 +154,7 @@ void read_rows(const std::vector<PartTable>& parts, const std::vector<Column>& c
                const std::vector<std::string>& parameters,
                const std::function<void(const TableRow&)>& take) {
   for (const PartTable& part : parts) {
-    TableReader table = is_column_file(part.path)
-                            ? TableReader(column_file_table(part.path, {}), part.path)
-                            : TableReader(part.path);
+    TableReader table = open_table(part.path);
     TableChecksum checksum;
     std::size_t rows = 0;
     read_table(table, columns, parameters, [&](const TableRow& row) {

@@ -71,7 +71,7 @@ std::vector<Column> Study::columns() const {
       {.two_polar = two_polar,
        .spectrum = value_or(tree_, "output.spectrum", true),
        .certificate = plan_.certify || value_or(tree_, "output.certificate", false),
-       .pressure = find(tree_, "body.volume") != nullptr});
+       .pressure = find(tree_, "body.volume") != nullptr || source_.has_column("body.volume")});
   std::vector<std::string> asked;
   if (const toml::node* names = find(tree_, "output.columns");
       names != nullptr && names->is_array())

@@ -13,17 +13,20 @@
 namespace stationary::cli {
 namespace {
 
-bool takes_text(std::string_view key) {
+bool takes_text(std::string_view key, std::string_view cell) {
   const CaseKey* known = find_case_key(key);
   if (known != nullptr) return known->type == KeyType::text;
-  return key.starts_with("potential.") && (key.ends_with(".model") || key.ends_with(".expression"));
+  if (!key.starts_with("potential.")) return false;
+  // Of a domain's conditions a cell may have one, or a list of them.
+  return key.ends_with(".model") || key.ends_with(".expression") ||
+         (key.ends_with(".domain") && !cell.starts_with('['));
 }
 
 /// A cell as a value of TOML.
 std::string toml_value(const std::string& key, const std::string& cell) {
   if (cell == "True") return "true";
   if (cell == "False") return "false";
-  if (!takes_text(key) || cell.front() == '"' || cell.front() == '\'') return cell;
+  if (!takes_text(key, cell) || cell.front() == '"' || cell.front() == '\'') return cell;
   std::string out = "\"";
   for (const char c : cell) {
     if (c == '"' || c == '\\') out += '\\';
@@ -61,10 +64,7 @@ bool is_number(std::string_view cell) {
   return error == std::errc() && end == cell.data() + cell.size();
 }
 
-StudySource::StudySource(const std::string& path)
-    : StudySource(
-          is_column_file(path) ? TableReader(column_file_table(path, {}), path) : TableReader(path),
-          path) {}
+StudySource::StudySource(const std::string& path) : StudySource(open_table(path), path) {}
 
 StudySource::StudySource(TableReader table, std::string path) : path_(std::move(path)) {
   names_ = table.columns();
@@ -82,6 +82,10 @@ StudySource::StudySource(TableReader table, std::string path) : path_(std::move(
     });
     columns_.push_back({names_[k], numbers ? CellKind::number : CellKind::text});
   }
+}
+
+bool StudySource::has_column(std::string_view key) const {
+  return std::ranges::find(names_, key) != names_.end();
 }
 
 bool StudySource::has(std::string_view key, std::string_view cell) const {

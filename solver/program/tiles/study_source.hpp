@@ -33,6 +33,7 @@ class StudySource {
   std::size_t rows() const { return rows_.size(); }
   /// Numbers where every cell is one or empty.
   const std::vector<CellColumn>& columns() const { return columns_; }
+  bool has_column(std::string_view key) const;
   /// Whether a cell of the key is this text.
   bool has(std::string_view key, std::string_view cell) const;
 

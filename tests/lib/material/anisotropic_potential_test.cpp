@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "lib/material/potential.hpp"
 #include "tests/support/law.hpp"
@@ -264,6 +268,32 @@ TEST(Direction, IntervalsHoldEveryAngleOfTheirs) {
     }
   }
   EXPECT_EQ(direction_interval(90.0, 0.0).cosine.hi, 0.0);
+}
+
+/// Fibres that cancel as decimals, and not quite in doubles, are not said to shear.
+TEST(AnisotropicPotential, ShearIsSaidBeyondRoundingOnly) {
+  const auto with = [](std::vector<Fibre> fibres) {
+    return AnisotropicPotential(NeoHookean<>{1.0, 2.0}, ReciprocalQuadratic<>{1.0, 3.0},
+                                std::move(fibres));
+  };
+  EXPECT_FALSE(with({{0.1, 30.0}, {0.2, 30.0}, {0.3, -30.0}}).sheared());
+  EXPECT_TRUE(with({{0.1, 30.0}, {0.2, 30.0}, {0.3000001, -30.0}}).sheared());
+  EXPECT_TRUE(with({{0.4, 25.0}}).sheared());
+  EXPECT_FALSE(with({{0.4, 25.0}, {0.4, -25.0}}).sheared());
+  EXPECT_TRUE(with({{0.4, 25.0}, {0.4, -25.0}}).even_in_alpha());
+}
+
+TEST(AnisotropicPotential, WithoutAThicknessItNeedsAVolume) {
+  const AnisotropicPotential plane(NeoHookean<>{1.0, 2.0}, std::optional<AnyThickness<>>(),
+                                   {{0.4, 25.0}});
+  EXPECT_TRUE(std::isnan(plane.rest_thickness()));
+  BodyTerms<double> gravity;
+  gravity.gravitates = true;
+  gravity.g = 0.4;
+  gravity.J = {1.0, 1.0, 0.6};
+  EXPECT_THROW((void)plane.with_body(gravity), std::invalid_argument);
+  gravity.volume = 1.0;
+  EXPECT_NO_THROW((void)plane.with_body(gravity));
 }
 
 }  // namespace

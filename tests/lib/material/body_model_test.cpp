@@ -162,6 +162,16 @@ TEST(BodyModel, AFluidIsABodyWithoutElasticEnergy) {
   EXPECT_FALSE(is_fluid(Potential(Hencky<>{1.0, 0.6}, ReciprocalQuadratic<>{0.8, 1.3})));
 }
 
+/// Also where J1 J2 J3 is beyond the range of doubles.
+TEST(RoundBody, HasTheMeanOfTheInertias) {
+  EXPECT_NEAR(round_body(Body(1.0, 2.0, 4.0)).J1, 2.0, 1e-15);
+  for (const double scale : {1e-150, 1e-110, 1e105, 1e150}) {
+    const Body round = round_body(Body(scale, 2.0 * scale, 4.0 * scale));
+    EXPECT_NEAR(round.J1 / scale, 2.0, 1e-14) << scale;
+    EXPECT_EQ(round.J1, round.J3);
+  }
+}
+
 /// Of stretches from 1e-3 to 1e3 alone; between, it is the minimum.
 TEST(BodyModel, RestIsWithinItsRange) {
   for (const double rest : {0.01, 0.5, 1.0, 30.0, 900.0, 2e3, 1e4, 1e8}) {

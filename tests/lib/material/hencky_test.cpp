@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "lib/number/dual.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/wide_numbers.hpp"
@@ -239,6 +241,46 @@ TEST(Hencky, SlopesInPairsOfDoublesKeepTheirDigits) {
     };
     EXPECT_LE(error(ratio.b, exact.b), 0x1p-94) << difference;
     EXPECT_LE(error(ratio.b_x, exact.b_x), 0x1p-94) << difference;
+  }
+}
+
+/// Where the stretches may be equal, too: derivatives over an interval hold those at every point of it.
+TEST(HenckyRatio, DerivativesOverIntervalsHoldThoseOfTheirPoints) {
+  using Over = Dual<Interval, 1>;
+  for (const auto& [lo, hi] :
+       {std::pair{-1e-5, 2.77e-3}, std::pair{-1e-300, 1e-300}, std::pair{0.0, 0.1},
+        std::pair{0.2, 0.2499}, std::pair{1e-3, 1e-3}, std::pair{0.24, 0.3}}) {
+    Over x(Interval(lo, hi));
+    x.slope[0] = Interval(1.0);
+    const Over rest = Over(1.0) - x;
+    PlanarInvariants<Over> q;  // t = 1
+    q.t = Over(1.0);
+    q.d = 0.25 * rest;
+    q.e = x;
+    const AtanhRatio<Over> found = atanh_ratio<2>(q, x, rest);
+    for (const double at : {std::max(lo, 0.0), 0.5 * (std::max(lo, 0.0) + hi), hi}) {
+      // B'' by the series in 50 digits.
+      Real50 b = 0;
+      Real50 b_x = 0;
+      Real50 b_xx = 0;
+      Real50 power = 1;
+      for (int k = 0; k < 200; ++k) {
+        b += power / (2 * k + 1);
+        b_x += power * (k + 1) / (2 * k + 3);
+        b_xx += power * (k + 1) * (k + 2) / (2 * k + 5);
+        power *= Real50(at);
+      }
+      const auto holds = [](const Interval& x, const Real50& y) {
+        return Real50(x.lo) <= y && y <= Real50(x.hi);
+      };
+      EXPECT_TRUE(holds(found.b.value, b)) << lo << " " << hi << " at " << at;
+      EXPECT_TRUE(holds(found.b.slope[0], b_x)) << lo << " " << hi << " at " << at;
+      EXPECT_TRUE(holds(found.b_x.value, b_x)) << lo << " " << hi << " at " << at;
+      EXPECT_TRUE(holds(found.b_x.slope[0], b_xx)) << lo << " " << hi << " at " << at;
+    }
+    if (hi < 0.25) {
+      EXPECT_LE(found.b_x.slope[0].width(), 8.0 * (hi - lo) + 1e-12) << lo;
+    }
   }
 }
 

@@ -289,10 +289,33 @@ TEST(Kinds, SearchOnlyWhereEveryStretchIsInTheBox) {
   box.min_stretch = 0.7;
   box.max_stretch = 1.3;
   EXPECT_EQ(kind->search(box).solutions.size(), 2U);
+  // A box that just leaves one of them out is decided by it all the same.
+  const std::vector<Equilibrium> both = kind->search(box).solutions;
+  ASSERT_EQ(both.size(), 2U);
+  const double least = std::min(both[0].q.rho, both[1].q.rho);
+  SearchOptions thick = box;
+  thick.box = {Interval(0.7, 1.3), Interval(0.7, 1.3), Interval(least * (1.0 + 1e-9), 1.3)};
+  const SearchResult thicker = kind->search(thick);
+  EXPECT_EQ(thicker.status, SearchStatus::complete) << thicker.message;
+  ASSERT_EQ(thicker.solutions.size(), 1U);
+  EXPECT_GT(thicker.solutions[0].q.rho, least);
   box.min_stretch = 0.9;  // rho = 0.77, 0.78; the others are above 1
   const SearchResult none = kind->search(box);
   EXPECT_EQ(none.status, SearchStatus::complete);
   EXPECT_TRUE(none.solutions.empty());
+}
+
+/// With J1 = J2 such an axis is said to be in a plane, which is no proof that there is none.
+TEST(Kinds, ThatAreCalledAnotherAreNotSaidNotToExist) {
+  const Body round(1.0, 1.0, 0.6);
+  const Potential V =
+      held(AnyPlane<>{Hencky<>{1.1, 0.8}}, AnyThickness<>{ReciprocalQuadratic<>{1.0, 3.0}});
+  const auto kind = kind_of(round, V, SpatialRotation{0.8});
+  const Equilibrium at = kind->solve({});
+  EXPECT_EQ(at.status, SolveStatus::not_found);
+  EXPECT_THAT(at.message, HasSubstr("plane \"13\""));
+  EXPECT_EQ(kind->search({}).status, SearchStatus::undecided);
+  EXPECT_FALSE(kind->nonexistence());
 }
 
 TEST(Alternatives, NameThePlanesAndTheAxes) {

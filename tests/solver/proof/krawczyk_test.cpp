@@ -36,6 +36,20 @@ TEST(Krawczyk, ProvesTheSolutionThatIsKnown) {
   EXPECT_FALSE(test.unique_within(0.19));  // (3, 2) is too near for a proof over so wide a box
 }
 
+/// From far off K(D) leaves 0 out, and what is told next must be true of the solution all the same.
+TEST(Krawczyk, HoldsTheSolutionFromFarOffToo) {
+  const SumAndProduct system{5.0};
+  for (const double off : {1e-6, 1e-4, 1e-3, 1e-2}) {
+    const Krawczyk test(system, ReducedVector<2>(2.0 + off, 3.0 - off));
+    const Proof<2> proof = test.prove();
+    ASSERT_TRUE(proof.proven) << off;
+    EXPECT_TRUE(Interval(2.0).within(proof.solution[0])) << off;
+    EXPECT_TRUE(Interval(3.0).within(proof.solution[1])) << off;
+    EXPECT_GE(proof.error_bound, off / 2.0 * (1.0 - 1e-15)) << off;
+    EXPECT_LE(proof.error_bound, off) << off;
+  }
+}
+
 TEST(Krawczyk, ProvesNothingWhereThereIsNoneOrTwoInOne) {
   const SumAndProduct none{4.0};
   EXPECT_FALSE(Krawczyk(none, ReducedVector<2>(2.0, 3.0)).prove().proven);

@@ -134,6 +134,9 @@ TEST(AnisotropicCertificate, ProvesMotionsAndRefusesOthers) {
       turned.nu[0] += 1e-9 * found.nu[1];
       turned.nu[1] -= 1e-9 * found.nu[0];
       EXPECT_FALSE(certify_oblique(at.body, V, {at.nu}, turned).proven) << at.text;
+      Equilibrium faster = found;
+      faster.nu *= 1.0 + 1e-9;
+      EXPECT_FALSE(certify_oblique(at.body, V, {at.nu}, faster).proven) << at.text;
     }
   }
 }

@@ -117,6 +117,18 @@ TEST(TwoPolar, ExchangingTheRatesKeepsTheStretches) {
   EXPECT_EQ(one.two_polar->momenta.s3, other.two_polar->momenta.p_theta);
 }
 
+/// At nu = omega + theta' = 1 branch (iii) has a line of ellipses, the circle among them, where J nu^2 = mu; of these
+/// rates there are none, and the circle is alone: x - 1/x + 4 ln x/x = x.
+TEST(TwoPolar, ACircleIsFoundWhereTheSpinHasALineOfEllipses) {
+  const Body body(1.0, 1.0, 0.6);
+  const auto found =
+      solve_two_polar(body, potential("neo-hookean", 1.0, 2.0), TwoPolarRates<double>{0.5, 0.5});
+  ASSERT_EQ(found.status, SolveStatus::solved) << found.message;
+  EXPECT_TRUE(found.circle);
+  EXPECT_NEAR(found.q.xi, std::exp(0.25), 1e-15);
+  EXPECT_EQ(found.q.xi, found.q.zeta);
+}
+
 TEST(TwoPolar, LinesOfSolutionsAreSaidNotSampled) {
   const Body body(1.0, 1.0, 0.6);
   // J (omega^2 + theta'^2) = 0.36 + 0.64 = 1 and J (omega - theta')^2 = 4 exactly.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -61,6 +62,29 @@ TEST(BodyCover, MaclaurinAndJacobi) {
     if (branch == Branch::iii) {
       EXPECT_EQ(numbers_of(problem, cover, from, to), (std::vector{3, 2, 0}));
     }
+  }
+}
+
+/// Of the ellipsoids of Jacobi those whose longest axis is at least 1.5: the same about every axis, the box being
+/// that of the stretches in their places. The greater stretch of an ellipse is the first of its two.
+TEST(BodyCover, OfABoxThatEllipsesLeave) {
+  const Potential V = potential_of(sphere, {1.0, 4.0});
+  const Interval greater(1.5, 10.0);
+  const Interval smaller(0.1, 1.15);
+  const Interval along(0.01, 10.0);
+  const auto cover = [&](Branch branch, const std::array<Interval, 3>& box) {
+    SearchOptions options;
+    options.box = box;
+    return cover_axis({sphere, V, branch}, 0.5, 0.6, options, /*classes=*/false);
+  };
+  const KindCover third = cover(Branch::iii, {greater, smaller, along});
+  ASSERT_EQ(third.gaps.size(), 1U);
+  EXPECT_TRUE(third.gaps[0].crosses);
+  for (const KindCover& other : {cover(Branch::i, {along, greater, smaller}),
+                                 cover(Branch::ii, {greater, along, smaller})}) {
+    ASSERT_EQ(other.gaps.size(), 1U);
+    EXPECT_TRUE(other.gaps[0].crosses);
+    EXPECT_NEAR(other.gaps[0].nu.mid(), third.gaps[0].nu.mid(), 1e-12);
   }
 }
 
