@@ -79,8 +79,12 @@ class ModeCollector {
 
   /// krein_if_imaginary: of the Lambda as it stands; 0 where even that is not known.
   void add_real(double lambda, double error, int krein_if_imaginary, Axis axis = Axis::stays) {
+    add_real(lambda, error, krein_if_imaginary, axis, std::abs(lambda) > error);
+  }
+  /// has_sign: whether it is known not to be zero, which its own error need not say.
+  void add_real(double lambda, double error, int krein_if_imaginary, Axis axis, bool has_sign) {
     const double rate = unit_ * std::sqrt(std::abs(lambda));
-    Mode& m = next(axis, std::abs(lambda) > error);
+    Mode& m = next(axis, has_sign);
     m.lambda_re = unit2_ * lambda;
     m.lambda_error = unit2_ * error;
     if (lambda < 0.0) {

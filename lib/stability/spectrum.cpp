@@ -227,7 +227,7 @@ int add_shears(const StraightState<Extended>& s, const StraightState<Conditioned
     out.add_real(-fast * fast, 2.0 * fast * spread_fast, 1, Axis::may_leave);
     // At slow = 0 the ellipse leaves the circle; the pair touches zero and does not cross.
     out.add_real(-slow * slow, (2.0 * std::abs(slow) + spread_slow) * spread_slow, sign(slow),
-                 Axis::may_leave);
+                 Axis::may_leave, std::abs(slow) > 2.0 * spread_slow);
     // E'' + c (P - |pi|)'' > 0: -(Omega + omega)/2 < c < (Omega - omega)/2 and c < omega (I3/I1 -
     // 1).
     const Conditioned ratio = c.I3() / c.I1() - Conditioned(1.0);

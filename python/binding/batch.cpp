@@ -58,30 +58,8 @@ std::vector<Varied> varied(const std::vector<ModelChoice>& models,
 BatchInput share(const Problem& problem, const std::vector<Varied>& parameters,
                  const std::vector<double>& nu, std::size_t begin, std::size_t count) {
   BatchInput out(problem, count, nu);
-  for (const Varied& each : parameters) {
-    std::vector<double> values(each.values + begin, each.values + begin + count);
-    const auto k = static_cast<std::size_t>(each.what.index);
-    switch (each.what.kind) {
-      case FamilyParameter::Kind::inertia:
-        out.inertia[k] = std::move(values);
-        break;
-      case FamilyParameter::Kind::plane:
-        out.plane[k] = std::move(values);
-        break;
-      case FamilyParameter::Kind::thickness:
-        out.thickness[k] = std::move(values);
-        break;
-      case FamilyParameter::Kind::shared:
-        out.plane[k] = values;
-        out.thickness[k] = std::move(values);
-        break;
-      case FamilyParameter::Kind::fibre:
-        out.fibres[k] = std::move(values);
-        break;
-      case FamilyParameter::Kind::nu:  // not among the keys
-        break;
-    }
-  }
+  for (const Varied& each : parameters)
+    out.vary(each.what, {each.values + begin, each.values + begin + count});
   return out;
 }
 

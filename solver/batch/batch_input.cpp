@@ -91,6 +91,30 @@ BatchInput::BatchInput(const Problem& problem, std::size_t lane_count,
   });
 }
 
+void BatchInput::vary(const FamilyParameter& what, std::vector<double> values) {
+  const auto k = static_cast<std::size_t>(what.index);
+  switch (what.kind) {
+    case FamilyParameter::Kind::inertia:
+      inertia[k] = std::move(values);
+      break;
+    case FamilyParameter::Kind::plane:
+      plane[k] = std::move(values);
+      break;
+    case FamilyParameter::Kind::thickness:
+      thickness[k] = std::move(values);
+      break;
+    case FamilyParameter::Kind::shared:
+      plane[k] = values;
+      thickness[k] = std::move(values);
+      break;
+    case FamilyParameter::Kind::fibre:
+      fibres[k] = std::move(values);
+      break;
+    case FamilyParameter::Kind::nu:
+      break;
+  }
+}
+
 Potential BatchInput::potential_at(std::size_t lane) const {
   if (!potential.is_isotropic()) return Potential(at_lane(potential.anisotropic(), *this, lane));
   return potential.visit([&](const auto& model) {

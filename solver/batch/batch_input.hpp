@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/motion/family_parameter.hpp"
 #include "solver/motion/problem.hpp"
 
 namespace stationary {
@@ -40,6 +41,9 @@ struct BatchInput {
   std::vector<LaneValues> fibres;     ///< k and degrees of each of an anisotropic potential's
   LaneValues speed = 1.0;             ///< nu = speed nu_k (rounded)
   std::vector<double> nu;             ///< in any order, of any sign: nu and -nu are one
+
+  /// The number that a family's parameter names, of its own in every lane; not nu.
+  void vary(const FamilyParameter& what, std::vector<double> values);
 
   Potential potential_at(std::size_t lane) const;
   Problem problem(std::size_t lane) const;

@@ -135,11 +135,14 @@ class SpatialKind final : public Kind {
   }
 
   Motion motion() const override { return motion_; }
+  std::optional<std::string> nonexistence() const override {
+    return by_convention() ? none_ : std::nullopt;
+  }
   Equilibrium solve(const SolveOptions& options) const override {
     if (motion_.nu == 0.0) return at_rest();
     if (none_) {
       Equilibrium out;
-      out.status = SolveStatus::not_found;
+      out.status = by_convention() ? SolveStatus::none_exists : SolveStatus::not_found;
       out.message = *none_;
       return out;
     }
@@ -148,7 +151,7 @@ class SpatialKind final : public Kind {
   SearchResult search(const SearchOptions& options) const override {
     if (!none_) return SpatialSearch(*equations_, motion_.nu, options).run();
     SearchResult out;
-    out.status = SearchStatus::undecided;
+    out.status = by_convention() ? SearchStatus::complete : SearchStatus::undecided;
     out.message = *none_;
     return out;
   }
@@ -193,6 +196,12 @@ class SpatialKind final : public Kind {
   }
 
  private:
+  /// Whether there are none because axes are chosen such that these motions are of another kind; else
+  /// they are only not sought.
+  bool by_convention() const {
+    return none_ && potential().is_isotropic() && potential().holds_volume();
+  }
+
   SpatialRotation motion_;
   std::optional<std::string> none_;
   std::optional<SpatialEquations> equations_;

@@ -135,7 +135,12 @@ Outcome study_case(const StudyRun& asked, TableTarget* target, const Run& run) {
   const TiledRun& tiled = asked.tiled;
   const Share share = tiled.part.share(study.source().rows());
   const bool serves = tiled.serves();
-  if (target != nullptr && !serves) target->prepare();
+  CellTable* table = nullptr;
+  if (target != nullptr && !serves) {
+    target->prepare();
+    // Before a journal is begun: the columns may be such as cannot be written.
+    table = &target->open(study.header());
+  }
   TileRunner runner({.hash = study.hash(),
                      .share = share,
                      .rows_a_tile = study.rows_a_tile(),
@@ -143,7 +148,6 @@ Outcome study_case(const StudyRun& asked, TableTarget* target, const Run& run) {
                      .compute = [&](const Share& rows) { return study.lines(rows, run.stop); }},
                     tiled, run);
   const std::string header = csv_header(study.header());
-  CellTable* const table = target != nullptr && !serves ? &target->open(study.header()) : nullptr;
   const auto begin = std::chrono::steady_clock::now();
   StudyCounts counts;
   runner.run([&](const Share&, const std::string& lines) {

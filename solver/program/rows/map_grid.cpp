@@ -93,27 +93,7 @@ BatchInput MapGrid::batch(std::size_t group) const {
                          : y_is_nu_ ? (y_.size() - 1) * x_.size() + first + lane
                                     : first + lane,
                          is_x);
-    const auto k = static_cast<std::size_t>(what.index);
-    switch (what.kind) {
-      case FamilyParameter::Kind::inertia:
-        out.inertia[k] = std::move(each);
-        break;
-      case FamilyParameter::Kind::plane:
-        out.plane[k] = std::move(each);
-        break;
-      case FamilyParameter::Kind::thickness:
-        out.thickness[k] = std::move(each);
-        break;
-      case FamilyParameter::Kind::shared:
-        out.plane[k] = each;
-        out.thickness[k] = std::move(each);
-        break;
-      case FamilyParameter::Kind::fibre:
-        out.fibres[k] = std::move(each);
-        break;
-      case FamilyParameter::Kind::nu:
-        break;
-    }
+    out.vary(what, std::move(each));
   };
   vary(input_.map->x, true);
   if (input_.map->y) vary(*input_.map->y, false);
