@@ -21,6 +21,7 @@
 #include "lib/number/interval_functions.hpp"
 #include "lib/number/number.hpp"
 #include "lib/number/odd_reciprocal.hpp"
+#include "lib/number/taylor.hpp"
 
 namespace stationary::expression {
 
@@ -204,10 +205,13 @@ R kernel_at_ends(const KernelFunction<R>& f, KernelPart part, const R& x, const 
   }
 }
 
-/// How many terms of a power series in x it takes for the precision of R; ratio is near |x|.
+/// How many terms of a power series in x it takes for the precision of R; ratio is near |x|. Where x
+/// is 0 its derivatives need not be.
 template <class R>
 int series_length(double ratio, int most) {
-  if (!(ratio > 0.0)) return 1;
+  constexpr bool plain = !requires(const R& x) { x.value; }
+  &&!requires(const R& x) { x.v; };
+  if (!(ratio > 0.0)) return plain ? 1 : std::min(most, 4);
   return std::min(
       most,
       static_cast<int>((significand_bits<R>() + 6) * double_double_log_two.hi / -log(ratio)) + 4);
@@ -307,6 +311,85 @@ inline Interval kernel_of(const KernelFunction<Interval>& f, KernelPart part, co
     const Interval smaller = norm / larger;
     narrowed(a.mid() > 0.0 ? kernel_at_ends(f, part, larger, smaller, root)
                            : kernel_at_ends(f, part, smaller, larger, root));
+  }
+  return out;
+}
+
+/// The k-th y-derivative of O: sum (j + 1) ... (j + k) c_(2 j + 2 k + 1) y^j, from k = 3 on by that
+/// sum and its rest as above, or by O^(k) = (O^(k - 2)[f'']/2 - (2 k - 1) O^(k - 1))/(2 y).
+inline Interval odd_derivative(const KernelFunction<Interval>& f, int k, const Interval& a,
+                               const Interval& y, const Interval& norm) {
+  constexpr KernelPart parts[] = {KernelPart::odd, KernelPart::odd_y, KernelPart::odd_yy};
+  if (k < 3) return kernel_of(f, parts[k], a, y, norm);
+  if (!a.bounded() || !y.bounded()) return Interval::entire();
+  const Interval positive(std::max(y.lo, 0.0), std::max(y.hi, 0.0));
+  const Interval root = sqrt(positive);
+  const Interval range = hull(a - root, a + root);
+  constexpr int terms = 14;
+  std::array<Interval, 2 * terms + 32> c;
+  const auto term = [&](int j) {
+    double weight = 1.0;
+    for (int i = 1; i <= k; ++i) weight *= j + i;
+    return weight * c[static_cast<std::size_t>(2 * (j + k) + 1)];
+  };
+  const auto count = [k](int j) { return 2 * (j + k) + 2; };
+  taylor_coefficients(f, range, count(0), c.data());
+  Interval out = term(0);
+  const auto narrowed = [&](const Interval& other) {
+    if (!other.bounded()) return;
+    out = out.bounded() ? common(out, other) : other;
+  };
+  const double radius = convergence_radius(f.function, a.mid());
+  if (positive.hi < 0.0625 * radius * radius) {
+    taylor_coefficients(f, range, count(terms), c.data());
+    Interval sum = term(terms);
+    taylor_coefficients(f, a, count(terms - 1), c.data());
+    for (int j = terms - 1; j >= 0; --j) sum = sum * positive + term(j);
+    narrowed(sum);
+  } else if (positive.lo > 0.0) {
+    narrowed((0.5 * odd_derivative(f.differentiated(2), k - 2, a, y, norm) -
+              (2.0 * k - 1.0) * odd_derivative(f, k - 1, a, y, norm)) /
+             (2.0 * positive));
+  }
+  return out;
+}
+
+/// Taylor numbers over intervals: by all partial derivatives in a and y up to their order.
+template <int order>
+Taylor<Interval, order> kernel_of(const KernelFunction<Taylor<Interval, order>>& f, KernelPart part,
+                                  const Taylor<Interval, order>& a,
+                                  const Taylor<Interval, order>& y,
+                                  const Taylor<Interval, order>& norm) {
+  using Along = Taylor<Interval, order>;
+  if (f.function == Function::power)  // one that moves too: the series, cut where a point's is
+    for (int k = 1; k <= order; ++k)
+      if (const Interval& moved = (*f.exponent)[k]; !(moved.lo == 0.0 && moved.hi == 0.0))
+        return kernel_of<Along>(f, part, a, y, norm);
+  const Interval p = f.function == Function::power ? f.exponent->value : Interval(1.0);
+  const KernelFunction<Interval> g{f.function, f.derivatives, &p};
+  // E_y = O[f']/2.
+  const auto slope = [&](int in_a, int in_y) {
+    const auto of = g.differentiated(in_a);
+    const auto odd = [&](const KernelFunction<Interval>& each, int k) {
+      return odd_derivative(each, k, a.value, y.value, norm.value);
+    };
+    if (part != KernelPart::even) return odd(of, static_cast<int>(part) - 1 + in_y);
+    return in_y == 0 ? kernel_of(of, part, a.value, y.value, norm.value)
+                     : 0.5 * odd(of.differentiated(), in_y - 1);
+  };
+  const auto whole = [](int k) { return Along(Interval(static_cast<double>(k))); };
+  Along change_a = a;
+  Along change_y = y;
+  change_a.value = change_y.value = Interval(0.0);
+  Along out(slope(0, 0));
+  Along powers_a(Interval(1.0));  // change_a^i/i!
+  for (int i = 0; i <= order; ++i) {
+    Along powers = powers_a;
+    for (int j = 0; i + j <= order; ++j) {
+      if (i + j > 0) out = out + Along(slope(i, j)) * powers;
+      powers = powers * change_y / whole(j + 1);
+    }
+    powers_a = powers_a * change_a / whole(i + 1);
   }
   return out;
 }

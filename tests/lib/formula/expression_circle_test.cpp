@@ -11,6 +11,7 @@
 
 #include "lib/material/models/model_coefficients.hpp"
 #include "lib/number/interval.hpp"
+#include "lib/number/taylor.hpp"
 #include "tests/support/law.hpp"
 #include "tests/support/wide_numbers.hpp"
 #include "tests/support/written_potential.hpp"
@@ -144,6 +145,43 @@ TEST(ExpressionCircle, OtherFunctions) {
   expect_sum(
       "tan(lambda/8) + tan(mu_/8)", [](const Wide& x) { return Wide(tan(Wide(x / 8))); },
       [](const Wide& x) { return Wide((1 + tan(Wide(x / 8)) * tan(Wide(x / 8))) / 8); });
+}
+
+/// Along a line of states that meets the circle, or passes it by: what intervals give of each order
+/// holds what more digits give.
+TEST(ExpressionCircle, EveryOrderAlongALineIsEnclosed) {
+  constexpr int order = 3;
+  const auto numbers = [&]<class T>(const auto& model, double lambda, double mu, const T&) {
+    using Along = Taylor<T, order>;
+    Along l{T(lambda)};
+    Along m{T(mu)};
+    l[1] = T(0.75);
+    l[2] = T(0.25);
+    m[1] = T(-0.5);
+    m[3] = T(1.5);
+    const auto of = with_coefficients(model, [](double c) { return Along(T(c)); });
+    return planar_numbers(of.template evaluate<2>(planar_invariants(l, m)));
+  };
+  for (const char* formula :
+       {"p*(log(lambda)^2 + log(mu_)^2) + q*log(lambda)*log(mu_)", "p*(exp(q*lambda) + exp(q*mu_))",
+        "p*(lambda^2.5 + mu_^2.5) + q*(lambda^(-1.5) + mu_^(-1.5))", "p*(tanh(lambda) + tanh(mu_))",
+        "q*(atan(lambda) + atan(mu_)) + p*cos(lambda)*cos(mu_)"}) {
+    const auto model = written_plane(formula, p_and_q, {1.25, 0.75});
+    for (const double gap : {0.0, 1e-12, 1e-5, 1e-2, 0.2, 0.9}) {
+      const auto expected = numbers(model, 0.875 + gap, 0.875, Wide());
+      const auto found = numbers(model, 0.875 + gap, 0.875, Interval());
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        for (int j = 0; j <= order; ++j) {
+          const Wide exact = expected[k][j];
+          const Interval& at = found[k][j];
+          EXPECT_TRUE(Wide(at.lo) <= exact && exact <= Wide(at.hi))
+              << formula << ", number " << k << ", order " << j << ", gap " << gap;
+          EXPECT_LE(at.width(), 1e-7 * (1.0 + nearest(abs(exact))))
+              << formula << ", number " << k << ", order " << j << ", gap " << gap;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
