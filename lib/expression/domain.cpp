@@ -63,7 +63,7 @@ class Signs {
       case Kind::function:
         return of_function(node);
       case Kind::power:
-        return Sign::positive;
+        return of_root(node.a, Sign::unknown);
       case Kind::variable:
         return is_positive_variable(static_cast<Variable>(node.index))       ? Sign::positive
                : static_cast<Variable>(node.index) == Variable::discriminant ? Sign::not_negative
@@ -90,8 +90,9 @@ class Signs {
   Sign of_function(const Node& node) const {
     switch (node.function) {
       case Function::exp:
-      case Function::sqrt:
         return Sign::positive;
+      case Function::sqrt:
+        return of_root(node.a, Sign::not_negative);
       case Function::tanh:
       case Function::atan:
         return known_[node.a];
@@ -100,6 +101,12 @@ class Signs {
       default:
         return Sign::unknown;
     }
+  }
+
+  /// Of what varies the domain asks for a positive base; a coefficient's power may be 0 or negative.
+  Sign of_root(NodeId base, Sign else_of_coefficients) const {
+    return known_[base] == Sign::positive || !graph_.is_coefficient(base) ? Sign::positive
+                                                                          : else_of_coefficients;
   }
 
   const Graph& graph_;

@@ -1,6 +1,7 @@
 // Where a formula is defined: what must be positive,
 //
-//   x > 0    of log(x), sqrt(x) and x^r, r no whole number;   what its user asks for besides
+//   x > 0    of log(x), and of sqrt(x) and x^r of what varies, r no whole number;   what its user
+//            asks for besides
 //   x != 0   of 1/x and of x to a negative whole power;       the domain falls into parts there
 //
 // What holds of every stretch tensor (d > 0, 1 + rho^2 > 0) is no condition, a factor that has a

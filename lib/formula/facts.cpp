@@ -131,10 +131,19 @@ Verdict shear_freedom(Expression& e, std::span<const double> values) {
 
 Verdict evenness(Expression& e, std::span<const double> values) {
   Graph& g = e.graph;
-  const NodeId v = in_stretch(e);
   const NodeId opposite = g.multiply({g.number(-1.0), g.variable(Variable::alpha)});
-  const NodeId mirrored = substitute(g, v, {{Variable::alpha, opposite}});
-  return vanishes(g, g.expanded(g.subtract({v, mirrored})), e.parameters.size(), values);
+  const auto is_even = [&](NodeId v) {
+    const NodeId mirrored = substitute(g, v, {{Variable::alpha, opposite}});
+    return vanishes(g, g.expanded(g.subtract({v, mirrored})), e.parameters.size(), values);
+  };
+  const Verdict out = is_even(in_stretch(e));
+  if (!Facts::holds(out)) return out;
+  // A condition that is another one in the mirror does not say that the domain is: undecided.
+  const bool all = std::ranges::all_of(e.conditions, [&](const Condition& each) {
+    return !occurs(g, each.node, {Variable::alpha}) ||
+           Facts::holds(is_even(condition_in_stretch(g, each.node)));
+  });
+  return all ? out : Verdict::undecided;
 }
 
 Facts facts(Expression e, Slot slot, std::span<const double> values) {

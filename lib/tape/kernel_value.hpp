@@ -361,10 +361,6 @@ Taylor<Interval, order> kernel_of(const KernelFunction<Taylor<Interval, order>>&
                                   const Taylor<Interval, order>& y,
                                   const Taylor<Interval, order>& norm) {
   using Along = Taylor<Interval, order>;
-  if (f.function == Function::power)  // one that moves too: the series, cut where a point's is
-    for (int k = 1; k <= order; ++k)
-      if (const Interval& moved = (*f.exponent)[k]; !(moved.lo == 0.0 && moved.hi == 0.0))
-        return kernel_of<Along>(f, part, a, y, norm);
   const Interval p = f.function == Function::power ? f.exponent->value : Interval(1.0);
   const KernelFunction<Interval> g{f.function, f.derivatives, &p};
   // E_y = O[f']/2.
@@ -390,6 +386,12 @@ Taylor<Interval, order> kernel_of(const KernelFunction<Taylor<Interval, order>>&
       powers = powers * change_y / whole(j + 1);
     }
     powers_a = powers_a * change_a / whole(i + 1);
+  }
+  if (f.function == Function::power) {
+    int moved = 1;  // the first order that a change of the exponent has a part in
+    while (moved <= order && (*f.exponent)[moved].lo == 0.0 && (*f.exponent)[moved].hi == 0.0)
+      ++moved;
+    for (; moved <= order; ++moved) out[moved] = Interval::entire();
   }
   return out;
 }

@@ -12,12 +12,13 @@
 namespace stationary {
 namespace {
 
+constexpr std::string_view interrupted = "interrupted";
 constexpr std::string_view parts = "ellipses part from circles";
 constexpr std::string_view parts_once = "ellipses part from circles: one event, proven";
 constexpr std::string_view folds = "two sheets meet at a fold";
 constexpr std::string_view leaves = "a sheet leaves the box";
 constexpr std::string_view part_leaves =
-    "one stretch leaves the box, where there is no motion for want of the others";
+    "one stretch leaves the box, with no motion on either side for want of the others";
 
 std::string_view reason_of(const NuGap& gap) {
   if (gap.undecided) return "boxes are left undecided";
@@ -110,7 +111,10 @@ void SheetSet::add_classes(double from, double to, std::span<const Interval> cla
   };
   double begin = from;
   for (const Interval& gap : class_gaps) {
-    if (options_.stopped()) return;
+    if (options_.stopped()) {
+      completeness_->classes.push_back({begin, to, false, {}, interrupted});
+      return;
+    }
     if (gap.hi <= from || gap.lo >= to) continue;
     constant(begin, gap.lo);
     ClassInterval& open = completeness_->classes.emplace_back();
@@ -151,7 +155,7 @@ void SheetSet::complete() {
   const auto cover = source_->cover(from, to, options_.search, options_.spectrum);
   if (!cover || cover->interrupted) {
     const std::string_view reason =
-        cover ? "interrupted" : "five unknowns: no curves are covered; its checkpoints are proven";
+        cover ? interrupted : "five unknowns: no curves are covered; its checkpoints are proven";
     out.intervals.push_back({from, to, false, 0, reason});
     if (options_.spectrum) out.classes.push_back({from, to, false, {}, reason});
     return;
@@ -162,14 +166,19 @@ void SheetSet::complete() {
   const std::vector<Interval> class_gaps = cover->class_gaps.value_or(std::vector<Interval>{});
   double begin = from;
   for (const NuGap& gap : cover->gaps) {
-    if (options_.stopped()) return;
+    if (options_.stopped()) break;
     add_interval(begin, gap.nu.lo, class_gaps);
     const std::string_view reason = reason_of(gap);
     out.intervals.push_back({gap.nu.lo, gap.nu.hi, false, 0, reason});
     if (options_.spectrum) out.classes.push_back({gap.nu.lo, gap.nu.hi, false, {}, reason});
     begin = gap.nu.hi;
   }
-  add_interval(begin, to, class_gaps);
+  if (options_.stopped() && begin < to) {
+    out.intervals.push_back({begin, to, false, 0, interrupted});
+    if (options_.spectrum) out.classes.push_back({begin, to, false, {}, interrupted});
+  } else {
+    add_interval(begin, to, class_gaps);
+  }
   tell_box_from_folds(out.intervals, cover->gaps);
   for (CompleteInterval& each : out.intervals) {
     if (each.reason != leaves) continue;

@@ -138,6 +138,8 @@ class BatchRun {
   }
 
   void run() {
+    out_.fallbacks_ = 0;
+    if (out_.slots_ == 0) return;  // no nu is asked for
     std::atomic<std::size_t> fallbacks = 0;
     const auto solve_parts = [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
@@ -249,7 +251,7 @@ class BatchRun {
           .x = {out_.xi_.data() + begin + i, out_.zeta_.data() + begin + i},
           .error_bound = bounds(out_.error_bound_, begin),
           .end = end + i};
-      if (out_.slots_ > 0) kernels.thickness[input_.potential.thickness().index()](axial);
+      kernels.thickness[input_.potential.thickness().index()](axial);
       kernels.plane[input_.potential.plane().index()](planar);
       for (std::size_t lane = 0; lane < static_cast<std::size_t>(kernels.lanes); ++lane) {
         if (constant_rho && axial_end[lane] == 1) axial_end[lane] = steps;

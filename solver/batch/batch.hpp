@@ -11,7 +11,8 @@
 // All correct with a residual in extended precision, so S is rounded correctly; results do not
 // depend on the instruction set, on the number of threads or on the other lanes. Every cell has a
 // status: solved; none_exists (proven, nonexistence.hpp, or by the search there); not_found (the
-// sheet ends before this nu, which is no statement about other sheets); failed (what was found is
+// sheet was not followed to this nu, nearly always because it ends before; no statement about other
+// sheets); failed (what was found is
 // no equilibrium); not_run (stopped).
 #pragma once
 

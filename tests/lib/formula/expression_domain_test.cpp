@@ -52,6 +52,15 @@ TEST(ExpressionDomain, TheOthersAreFoundInTheWordsOfTheFormula) {
   EXPECT_EQ(conditions("log(2 - d) + 1/(2 - d) + log(2 - d)^2").size(), 2U);
 }
 
+/// A power or a root of coefficients alone needs no condition, and has no sign for that reason: k may be negative, or 0.
+TEST(ExpressionDomain, PowersOfParametersHaveNoSign) {
+  EXPECT_EQ(conditions("1/(d + k^n)"), Texts{"(d + k^n) != 0"});
+  EXPECT_EQ(conditions("log(8*d + k^n)"), Texts{"8*d + k^n > 0"});
+  EXPECT_EQ(conditions("log(sqrt(k)*d)"), Texts{"sqrt(k)*d > 0"});
+  EXPECT_EQ(conditions("log(d + sqrt(k))"), Texts());
+  EXPECT_EQ(conditions("log(d + exp(k)^n + sqrt(2))"), Texts());
+}
+
 TEST(ExpressionDomain, OfPartsAndOfTheUser) {
   const Formula formula{
       {{"J", "d*rho"}, {"A", "1 - J/k"}}, {"I1 + rho^2 < 3*k", "J >= 0.1"}, "-n*log(A) + I1"};

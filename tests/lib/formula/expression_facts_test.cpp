@@ -187,5 +187,18 @@ TEST(ExpressionFacts, IsotropicExpressionsInTheStretchAndInItsInvariants) {
   }
 }
 
+/// A domain that is not that of the mirror image leaves open whether the potential is.
+TEST(ExpressionFacts, EvennessAsksForTheDomainToo) {
+  const auto even = [](std::vector<std::string> domain) {
+    const Formula formula{{}, std::move(domain), "I1 + rho^2 - 2*log(d*rho) + k*alpha^2"};
+    return facts(parse_formula(formula, k_and_n, ExpressionSlot::coupled).expression,
+                 ExpressionSlot::coupled, {})
+        .even;
+  };
+  EXPECT_TRUE(Facts::holds(even({})));
+  EXPECT_TRUE(Facts::holds(even({"alpha^2 < 0.01", "xi < 3"})));
+  EXPECT_EQ(even({"alpha > -0.05"}), Verdict::undecided);
+}
+
 }  // namespace
 }  // namespace stationary
