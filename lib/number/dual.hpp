@@ -54,7 +54,8 @@ struct Dual {
   friend Dual sqrt(const Dual& x) {
     using std::sqrt;
     const T root = sqrt(x.value);
-    return chain(x, root, T(0.5) / root);
+    const T slope = T(0.5) / root;
+    return of(root, [&](std::size_t k) { return moved(slope, x.slope[k]); });
   }
   friend Dual exp(const Dual& x) {
     const T value = exp(x.value);
@@ -73,19 +74,28 @@ struct Dual {
   friend Dual atan(const Dual& x) {
     return chain(x, atan(x.value), T(1.0) / (T(1.0) + square(x.value)));
   }
-  /// x^p for x > 0.
+  /// x^p for x > 0, and where x does not move for any x that has a value.
   friend Dual pow(const Dual& x, const Dual& p) {
     const T value = pow(x.value, p.value);
     const T of_base = p.value * value / x.value;
     const T of_exponent = value * log(x.value);
-    return of(value,
-              [&](std::size_t k) { return of_base * x.slope[k] + of_exponent * p.slope[k]; });
+    return of(value, [&](std::size_t k) {
+      return moved(of_base, x.slope[k]) + moved(of_exponent, p.slope[k]);
+    });
   }
   friend bool operator>(const Dual& x, double y) requires std::is_same_v<T, double> {
     return x.value > y;
   }
 
  private:
+  /// slope times x; 0 where x is, whatever the slope.
+  static T moved(const T& slope, const T& x) {
+    if constexpr (requires { x.lo; }) {
+      return x.lo == 0.0 && x.hi == 0.0 ? T(0.0) : slope * x;
+    } else {
+      return x == T(0.0) ? T(0.0) : slope * x;
+    }
+  }
   static Dual plus(const Dual& x, const Dual& y) {
     return of(x.value + y.value, [&](std::size_t k) { return x.slope[k] + y.slope[k]; });
   }

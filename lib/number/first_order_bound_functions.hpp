@@ -33,7 +33,9 @@ inline Conditioned atan(const Conditioned& x) {
 }
 inline Conditioned pow(const Conditioned& x, const Conditioned& p) {
   const double value = pow(x.value, p.value);
-  const double of_base = std::abs(p.value / x.value) * x.condition;
+  // 0^p, of which nothing moves.
+  if (value == 0.0 && x.condition == 0.0) return {value, 0.0};
+  const double of_base = x.condition == 0.0 ? 0.0 : std::abs(p.value / x.value) * x.condition;
   const double of_exponent = p.condition == 0.0 ? 0.0 : std::abs(log(x.value)) * p.condition;
   return {value, std::abs(value) * (of_base + of_exponent)};
 }

@@ -385,6 +385,10 @@ class Continuation {
     if (here_.arc.tangent.dot(start_.arc.tangent) < 0.9) return;
     // Not past the start yet: one more step.
     if (travelled_.dot(start_.arc.tangent) < 0.0) return;
+    // What the last step has met beyond the start the first one has met already.
+    std::erase_if(events_, [this](const Event& each) {
+      return (each.member.parameter - start_.member.parameter) * start_.arc.tangent[N] > 0.0;
+    });
     here_ = start_;
     finish(EventType::closed, "the sheet is closed: back at the start");
   }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lib/number/first_order_bound_functions.hpp"
 #include "solver/newton/reduced_system.hpp"
 #include "tests/support/high_precision.hpp"
 #include "tests/support/law.hpp"
@@ -144,6 +145,19 @@ TEST(CoupledSensitivity, IsTheDifferenceIn50Digits) {
     expect_sensitivity<3>(support::at(support::text_of(model), x), expected,
                           system.input_sensitivity(x));
   }
+}
+
+/// Roots and powers of what does not move have no slope, at 0 and below too.
+TEST(Dual2, WhatDoesNotMoveHasNoSlope) {
+  const Dual2 zero(0.0);
+  const Dual2 negative(-2.0);
+  EXPECT_EQ(sqrt(zero).slope[0], 0.0);
+  EXPECT_EQ(pow(zero, Dual2(1.5)).value, 0.0);
+  EXPECT_EQ(pow(zero, Dual2(1.5)).slope[1], 0.0);
+  EXPECT_EQ(pow(negative, Dual2(3.0)).value, -8.0);
+  EXPECT_EQ(pow(negative, Dual2(3.0)).slope[0], 0.0);
+  const Conditioned none(0.0);
+  EXPECT_EQ(pow(none, Conditioned(1.5)).condition, 0.0);
 }
 
 }  // namespace

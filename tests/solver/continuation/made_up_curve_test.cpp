@@ -137,29 +137,39 @@ class CircleFamily final : public Family<2> {
   }
 };
 
-/// A closed sheet is gone round once: between two turns, and its rows are all of it.
+/// A closed sheet is gone round once: its rows are all of it, and each of its two turns is met once, wherever it
+/// begins between them.
 TEST(MadeUpCurve, AClosedSheetIsGoneRoundOnce) {
   const CircleFamily family;
-  Kept kept;
-  const double x = std::exp(CircleFamily::radius);
-  const FollowReport report =
-      follow_family<2>(family, {0.0, x, 1.0, 1.0}, 0.5, range(0.0, 1.0), kept);
-  ASSERT_EQ(report.failure, "");
-  EXPECT_EQ(report.backward.event, EventType::closed);
-  EXPECT_EQ(report.forward.event, EventType::closed);
-  double turned = 0.0;
-  const auto place = [](const FollowedRow& row) {
-    return std::array{std::log(row.member.q.xi), row.member.parameter - 0.5};
-  };
-  for (std::size_t k = 1; k < kept.rows.size(); ++k) {
-    const auto [a, b] = place(kept.rows[k - 1]);
-    const auto [c, d] = place(kept.rows[k]);
-    turned += std::asin(
-        std::clamp((a * d - b * c) / (CircleFamily::radius * CircleFamily::radius), -1.0, 1.0));
+  for (const double angle :
+       {0.5, 0.003, 0.01, 0.03, 0.06, 0.1, 0.94, 0.97, 0.99, -0.003, -0.03, -0.97}) {
+    Kept kept;
+    const double phi = angle * std::numbers::pi;
+    const double x = std::exp(CircleFamily::radius * std::sin(phi));
+    const double p = 0.5 + CircleFamily::radius * std::cos(phi);
+    const FollowReport report =
+        follow_family<2>(family, {0.0, x, 1.0, 1.0}, p, range(0.0, 1.0), kept);
+    ASSERT_EQ(report.failure, "") << angle;
+    EXPECT_EQ(report.backward.event, EventType::closed) << angle;
+    EXPECT_EQ(report.forward.event, EventType::closed) << angle;
+    double turned = 0.0;
+    const auto place = [](const FollowedRow& row) {
+      return std::array{std::log(row.member.q.xi), row.member.parameter - 0.5};
+    };
+    bool on_and_on = true;
+    for (std::size_t k = 1; k < kept.rows.size(); ++k) {
+      const auto [a, b] = place(kept.rows[k - 1]);
+      const auto [c, d] = place(kept.rows[k]);
+      const double turn = std::asin(
+          std::clamp((a * d - b * c) / (CircleFamily::radius * CircleFamily::radius), -1.0, 1.0));
+      on_and_on = on_and_on && (turned == 0.0 || turn * turned > 0.0);
+      turned += turn;
+    }
+    EXPECT_TRUE(on_and_on) << angle;
+    EXPECT_NEAR(std::abs(turned), 2.0 * std::numbers::pi, 1e-6) << angle;
+    const auto folds = std::ranges::count(report.events, EventType::fold_nu, &EventRecord::type);
+    EXPECT_EQ(folds, 2) << angle;
   }
-  EXPECT_NEAR(std::abs(turned), 2.0 * std::numbers::pi, 1e-6);
-  const auto folds = std::ranges::count(report.events, EventType::fold_nu, &EventRecord::type);
-  EXPECT_EQ(folds, 2);
 }
 
 /// The guard of a line on which condition(p) > 0 is asked for, entered at p = 0.
