@@ -214,7 +214,8 @@ def spectrum(
 
     Returns records of their shape: ``class`` (a Stability), ``negative``, ``growth``, ``modes``, and
     ``re, im, krein`` of the five modes in reciprocal time: NaN where there is none, krein 0 there and
-    where the signature is not certain. What is not solved is Stability.NOT_COMPUTED. Raises InputError. C++: Kind::spectrum, solver/kind/kind.hpp.
+    where the signature is not certain. What is not solved is Stability.NOT_COMPUTED. Raises
+    InputError. C++: Kind::spectrum, solver/kind/kind.hpp.
     """
     return _core.spectrum(*_model(body, potential, branch), _points(points), thread_count(threads))
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -20,6 +21,19 @@ namespace {
 
 using namespace support;
 
+/// B(x) = sum x^k/(2 k + 1), B' and B'', from so many terms.
+std::array<Real50, 3> ratio_series(const Real50& x, int terms) {
+  std::array<Real50, 3> out{0, 0, 0};
+  Real50 power = 1;
+  for (int k = 0; k < terms; ++k) {
+    out[0] += power / (2 * k + 1);
+    out[1] += power * (k + 1) / (2 * k + 3);
+    out[2] += power * (k + 1) * (k + 2) / (2 * k + 5);
+    power *= x;
+  }
+  return out;
+}
+
 /// B(x) = atanh(sqrt x)/sqrt x and B' from stretches, by formulas of their own: 2 atanh(sqrt x) =
 /// log(a/b); near the circle from the series in 50 digits.
 AtanhRatio<Real50> reference_ratio(const Real50& a, const Real50& b) {
@@ -27,14 +41,7 @@ AtanhRatio<Real50> reference_ratio(const Real50& a, const Real50& b) {
   const Real50 root = abs(difference) / (a + b);
   const Real50 x = root * root;
   if (x < Real50("1e-6")) {
-    Real50 value = 0;
-    Real50 slope = 0;
-    Real50 power = 1;
-    for (int k = 0; k < 12; ++k) {
-      value += power / (2 * k + 1);
-      slope += power * (k + 1) / (2 * k + 3);
-      power *= x;
-    }
+    const auto [value, slope, curvature] = ratio_series(x, 12);
     return {value, slope};
   }
   const Real50 value = abs(log(a / b)) / (2 * root);
@@ -259,17 +266,7 @@ TEST(HenckyRatio, DerivativesOverIntervalsHoldThoseOfTheirPoints) {
     q.e = x;
     const AtanhRatio<Over> found = atanh_ratio<2>(q, x, rest);
     for (const double at : {std::max(lo, 0.0), 0.5 * (std::max(lo, 0.0) + hi), hi}) {
-      // B'' by the series in 50 digits.
-      Real50 b = 0;
-      Real50 b_x = 0;
-      Real50 b_xx = 0;
-      Real50 power = 1;
-      for (int k = 0; k < 200; ++k) {
-        b += power / (2 * k + 1);
-        b_x += power * (k + 1) / (2 * k + 3);
-        b_xx += power * (k + 1) * (k + 2) / (2 * k + 5);
-        power *= Real50(at);
-      }
+      const auto [b, b_x, b_xx] = ratio_series(Real50(at), 200);
       const auto holds = [](const Interval& x, const Real50& y) {
         return Real50(x.lo) <= y && y <= Real50(x.hi);
       };

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace stationary {
 namespace {
 
@@ -27,6 +30,22 @@ TEST(ModeCollector, IsCertainlyPositiveBeyondItsError) {
   EXPECT_TRUE(positive(Conditioned(1.0, 4.0), 0.2));
   EXPECT_FALSE(positive(Conditioned(1.0, 4.0), 0.25));
   EXPECT_FALSE(positive(Conditioned(-1.0, 0.0), 0.25));
+}
+
+/// Lambda^2 + 2 Lambda + 1 + h, h within u: sqrt(h + u) - sqrt(h) where the pair nearly meets, more than half u/sqrt(h).
+TEST(ModeCollector, ErrorsOfComplexPairsBoundTheirChange) {
+  for (const double u : {1e-14, 1e-12, 1e-8}) {
+    for (const double ratio : {1.02, 1.2, 2.0, 10.0, 1e4}) {
+      const double h = ratio * u;
+      Polynomial<Conditioned, 2> p;
+      p.c = {Conditioned(1.0 + h, 1.0), Conditioned(2.0), Conditioned(1.0)};
+      const double exact = (1.0 + h) - 1.0;  // as the double has it
+      const double error = UncertainPolynomial<2>(p, u).pair_error(-1.0, std::sqrt(exact));
+      EXPECT_GE(error, std::sqrt(exact) - std::sqrt(std::max(exact - u, 0.0))) << u << " " << ratio;
+      EXPECT_GE(error, std::sqrt(exact + u) - std::sqrt(exact)) << u << " " << ratio;
+      EXPECT_LE(error, 4.0 * std::sqrt(u)) << u << " " << ratio;
+    }
+  }
 }
 
 }  // namespace
