@@ -150,7 +150,10 @@ std::vector<std::unique_ptr<SheetSource>> axis_sources(const Body& body, const P
   for (const Branch branch : options.branches) {
     const Problem problem(body, potential, branch);
     if (potential.is_isotropic()) {
-      const bool mirror_image = branch == Branch::ii && has_i && body.symmetric();
+      const Interval xi = options.search.range(0);
+      const Interval zeta = options.search.range(1);
+      const bool mirror_image =
+          branch == Branch::ii && has_i && body.symmetric() && xi.lo == zeta.lo && xi.hi == zeta.hi;
       if (!mirror_image) all.push_back(axis_sheets(problem));
     } else if (branch != Branch::iii && !potential.anisotropic().shear_free()) {
       const char* known =

@@ -133,10 +133,9 @@ ClassInterval SheetSet::classes_between(double from, double to, const SearchResu
   out.to = to;
   out.proven = found.status == SearchStatus::complete;
   if (!out.proven) out.reason = "classes are constant, but the search between is undecided";
-  for (const Equilibrium& each : found.solutions) {
+  for (const Equilibrium* each : one_of_each_pair(found.solutions)) {
     if (!out.proven) break;
-    if (!is_canonical(each)) continue;
-    const auto verdict = source_->proven_class(each, options_.search.inputs);
+    const auto verdict = source_->proven_class(*each, options_.search.inputs);
     out.proven = verdict.has_value();
     if (verdict)
       ++out.sheets[static_cast<std::size_t>(*verdict)];

@@ -105,18 +105,33 @@ void SheetSet::keep_found(std::size_t checkpoint, const SearchResult& result) {
   Checkpoint& at = checkpoints_[checkpoint];
   at.status = result.status;
   const auto places = [this](const std::vector<Equilibrium>& found, std::vector<Place>& out) {
-    for (const Equilibrium& each : found)
-      if (is_canonical(each)) out.push_back(source_->canonical(source_->place(each.q, each.nu)));
+    for (const Equilibrium* each : one_of_each_pair(found)) out.push_back(canonical_place(*each));
     return static_cast<int>(out.size());
   };
   at.proven = places(result.solutions, solutions_[checkpoint]);
   at.unproven = places(result.unproven, unproven_[checkpoint]);
 }
 
-/// Of two mirror images one.
-bool SheetSet::is_canonical(const Equilibrium& at) const {
-  const Place place = source_->place(at.q, at.nu);
-  return distance(place, source_->canonical(place)) < same_place;
+Place SheetSet::canonical_place(const Equilibrium& at) const {
+  return source_->canonical(source_->place(at.q, at.nu));
+}
+
+/// Of a box that does not hold both mirror images, the one that it holds.
+std::vector<const Equilibrium*> SheetSet::one_of_each_pair(
+    const std::vector<Equilibrium>& found) const {
+  std::vector<const Equilibrium*> out;
+  for (const bool is_canonical : {true, false}) {
+    for (const Equilibrium& each : found) {
+      const Place place = canonical_place(each);
+      const bool canonical = distance(source_->place(each.q, each.nu), place) < same_place;
+      const auto same = [&](const Equilibrium* other) {
+        return distance(place, canonical_place(*other)) < same_place;
+      };
+      if (canonical == is_canonical && (canonical || std::ranges::none_of(out, same)))
+        out.push_back(&each);
+    }
+  }
+  return out;
 }
 
 void SheetSet::follow_all(std::span<const AtlasSheet> others) {

@@ -65,7 +65,8 @@ class SheetSet {
                                            std::span<const Interval> listed) const;
   std::vector<Interval> excluded_parts(const CompleteInterval& of,
                                        std::span<const Interval> listed) const;
-  bool is_canonical(const Equilibrium& at) const;
+  Place canonical_place(const Equilibrium& at) const;
+  std::vector<const Equilibrium*> one_of_each_pair(const std::vector<Equilibrium>& found) const;
   void follow_rest();
   void enter(const Place& from, double nu, Entry entry, double entry_nu);
   void remark(Entry entry, double nu, std::string reason);

@@ -16,7 +16,7 @@ struct CurvePoint {
 };
 
 /// An event by its own equations, and what its parameter lies between for every value the inputs
-/// may have, to first order in how far these may be off.
+/// may have (extended_root.hpp).
 struct KnownEvent {
   Member member;
   double before;

@@ -81,6 +81,9 @@ class EventSearch {
     }
     if (curve_->context().seeks(TestValues::crossings)) find_crossings(earlier, earlier_length);
     if (curve_->context().sought.has(EventType::unexplained)) explain_negative();
+    for (std::size_t k = 0; k < TestValues::count && to.tests.uncertain != 0; ++k)
+      if (to.tests.sign(k) == 0 && next_.sign[k] == known_.sign[k]) add_step(next_.since[k]);
+    if (next_.negative && !certain_negative(to.member)) add_step(next_.negative->since);
     std::ranges::sort(found_, {}, &Found::u);
     std::vector<Event> out;
     out.reserve(found_.size());
@@ -108,14 +111,25 @@ class EventSearch {
     double u;
     double value;
   };
+  /// What the parameter was between on a part of the curve.
+  struct ParameterRange {
+    double least = 0.0;
+    double most = 0.0;
+
+    static ParameterRange at(double p) { return {p, p}; }
+    void add(double p) {
+      least = std::min(least, p);
+      most = std::max(most, p);
+    }
+  };
   /// What is certain of the curve up to a point.
   struct Known {
     std::array<int, TestValues::count> sign{};  ///< the last that was; 0: none
-    std::array<double, TestValues::count> place{};
+    std::array<ParameterRange, TestValues::count> since{};
     struct Negative {
       int modes;
       int count;
-      double place;
+      ParameterRange since;
       int change = 0;  ///< most that events since can have changed it by
       bool exchange = false;
     };
@@ -124,14 +138,15 @@ class EventSearch {
 
   static std::optional<typename Known::Negative> certain_negative(const Member& at) {
     if (!at.spectrum || !at.spectrum->away_from_zero()) return std::nullopt;
-    return typename Known::Negative{at.spectrum->modes, at.spectrum->negative, at.parameter};
+    return typename Known::Negative{at.spectrum->modes, at.spectrum->negative,
+                                    ParameterRange::at(at.parameter)};
   }
 
   static Known known_at(const CurvePoint<N>& at) {
     Known out;
     for (std::size_t k = 0; k < TestValues::count; ++k) {
       out.sign[k] = at.tests.sign(k);
-      out.place[k] = at.member.parameter;
+      out.since[k] = ParameterRange::at(at.member.parameter);
     }
     out.negative = certain_negative(at.member);
     return out;
@@ -161,13 +176,13 @@ class EventSearch {
     const int before = known_.sign[k];
     if (last != 0 || std::isnan(b)) {
       next_.sign[k] = last;
-      next_.place[k] = to_->member.parameter;
+      next_.since[k] = ParameterRange::at(to_->member.parameter);
     }
     if (std::isnan(a) || std::isnan(b)) return false;
     if ((first == 0 || last == 0) && a * b < 0.0 && k < TestValues::collision &&
         locate_known(k, a, b)) {
       next_.sign[k] = b < 0.0 ? -1 : 1;
-      next_.place[k] = to_->member.parameter;
+      next_.since[k] = ParameterRange::at(to_->member.parameter);
       return false;
     }
     if (before == 0) return false;
@@ -187,23 +202,35 @@ class EventSearch {
       // Beyond the step it is the next one's.
       if (locate(k, *left, *right)) {
         next_.sign[k] = -before;
-        next_.place[k] = to_->member.parameter;
+        next_.since[k] = ParameterRange::at(to_->member.parameter);
       }
     } else if (last == -before) {
-      add_unresolved(event_type(k, curve_->context(), to_->tests), known_.place[k]);
+      add_unresolved(event_type(k, curve_->context(), to_->tests), known_.since[k]);
     }
     return false;
   }
 
-  void add_unresolved(EventType type, double since) {
+  void add_unresolved(EventType type, ParameterRange since) {
     if (type == EventType::none) return;
+    add_step(since);
     Event event;
     event.type = type;
-    event.before = since;
-    event.after = to_->member.parameter;
+    event.before = since.least;
+    event.after = since.most;
     event.member.parameter = 0.5 * (event.before + event.after);
     event.status = EventStatus::unresolved;
     unresolved_.push_back(std::move(event));
+  }
+
+  /// With what the parameter was in this step: between its ends, and where it turned.
+  void add_step(ParameterRange& since) const {
+    since.add(to_->member.parameter);
+    for (const Found& each : found_) {
+      if (each.event.type != EventType::fold_nu && each.event.type != EventType::fold_parameter)
+        continue;
+      since.add(each.event.before);
+      since.add(each.event.after);
+    }
   }
 
   std::optional<StabilityClass> class_between(const Found& a, const Found& b) {
@@ -257,7 +284,7 @@ class EventSearch {
         resolved / arc_->length) {
       add(k, low, high);
     } else {
-      add_unresolved(event_type(k, curve_->context(), to_->tests), known_.place[k]);
+      add_unresolved(event_type(k, curve_->context(), to_->tests), known_.since[k]);
     }
     return true;
   }
@@ -302,7 +329,9 @@ class EventSearch {
       if (!evaluate(u, point) || point.member.beyond_end()) continue;
       const EventType type = event_type(k, curve_->context(), point.tests);
       if (type == EventType::none) return;
-      const double along = 0.5 * (high - low) + noise(k, u, point) / std::abs(slope(k, u));
+      // The first order, widened until the sign of f is seen to be certain on either side.
+      double along = 0.5 * (high - low) + noise(k, u, point) / std::abs(slope(k, u));
+      while (along < 0.5 && !changes_between(k, u - along, u + along)) along *= 2.0;
       if (!(along < 0.5)) break;  // nowhere in the step is the sign of f certain
       const auto [before, after] = around(u - along, u + along);
       Found out{u, {type, point.member, before, after, EventStatus::located, {}}};
@@ -319,13 +348,31 @@ class EventSearch {
         {0.5 * (low + high), {type, from_->member, before, after, EventStatus::bracketed, {}}});
   }
 
-  /// What the parameter is between at the ends of a part of the arc.
+  /// Whether function k has certain and opposite signs at two places.
+  bool changes_between(std::size_t k, double low, double high) {
+    CurvePoint<N> first;
+    CurvePoint<N> last;
+    return evaluate(low, first) && evaluate(high, last) &&
+           first.tests.sign(k) * last.tests.sign(k) < 0;
+  }
+
+  /// What the parameter is between on a part of the arc. Where it turns there, no farther than the
+  /// tangents at both ends reach.
   std::pair<double, double> around(double low, double high) const {
-    const double a = parameter(low);
-    const double b = parameter(high);
+    const double scale = curve_->corrector().scale();
+    const double first = parameter(low);
+    const double last = parameter(high);
+    double least = std::min(first, last);
+    double most = std::max(first, last);
+    const double leaving = scale * arc_->direction(low)[N] * arc_->length;  // dp/du
+    const double arriving = scale * arc_->direction(high)[N] * arc_->length;
+    if ((leaving < 0.0) != (arriving < 0.0)) {
+      const double beyond = (high - low) * std::max(std::abs(leaving), std::abs(arriving));
+      (leaving < 0.0 ? least : most) += leaving < 0.0 ? -beyond : beyond;
+    }
     constexpr double rounding = 0x1p-50;
-    return {bracket_of(std::min(a, b), rounding * std::abs(a))[0],
-            bracket_of(std::max(a, b), rounding * std::abs(b))[1]};
+    return {bracket_of(least, rounding * std::abs(least))[0],
+            bracket_of(most, rounding * std::abs(most))[1]};
   }
 
   /// Of the curve itself; the arc's where the corrector fails.
@@ -450,7 +497,7 @@ class EventSearch {
       const bool opposite = is_opposite(from, k) || is_opposite(to, k);
       if (!plain || !opposite) {  // no event of its own, whether they meet or not
         next_.sign[k] = to.sign(k);
-        next_.place[k] = to_->member.parameter;
+        next_.since[k] = ParameterRange::at(to_->member.parameter);
       } else if (compare_ends(k) && earlier != nullptr &&
                  earlier->composition == from.composition && is_opposite(from, k)) {
         dip(k, earlier->value[k], earlier_length);
@@ -515,7 +562,7 @@ class EventSearch {
     if (change <= before->change && (before->change - change) % 2 == 0) return;
     if (before->exchange && curve_->context().material_symmetry) return;
     if (!certain_negative(from_->member)) {
-      add_unresolved(EventType::unexplained, before->place);
+      add_unresolved(EventType::unexplained, before->since);
       return;
     }
     double low = 0.0;

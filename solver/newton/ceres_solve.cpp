@@ -2,29 +2,35 @@
 
 #include <ceres/ceres.h>
 
+#include <algorithm>
+
 #include "lib/matrix/elementwise.hpp"
-#include "lib/number/elementary.hpp"
 
 namespace stationary {
 namespace {
 
+/// G/s and its Jacobian in ln x, as every other method has them.
 template <class System>
-struct Residual {
+class Residual final : public ceres::SizedCostFunction<System::dimension, System::dimension> {
+ public:
   static constexpr int N = System::dimension;
-  System system;
-  double inverse_scale;
 
-  template <class T>
-  bool operator()(const T* const log_x, T* out) const {
-    std::array<T, N> x;
-    for (std::size_t i = 0; i < N; ++i) x[i] = exp(log_x[i]);
-    const auto g = system.residual(x);
-    for (std::size_t i = 0; i < N; ++i) {
-      out[i] = g[i] * inverse_scale;
-      if (!std::isfinite(leading(out[i]))) return false;
-    }
-    return true;
+  Residual(const System& system, double scale) : system_(&system), inverse_scale_(1.0 / scale) {}
+
+  bool Evaluate(const double* const* log_x, double* g, double** jacobians) const override {
+    const ReducedVector<N> x = exponentials(Eigen::Map<const ReducedVector<N>>(log_x[0]).array());
+    const Linearized<N> at = system_->linearize(x);
+    const ReducedVector<N> scaled = inverse_scale_ * at.g;
+    std::copy_n(scaled.data(), N, g);
+    if (jacobians == nullptr || jacobians[0] == nullptr) return scaled.allFinite();
+    const Eigen::Matrix<double, N, N> jacobian = inverse_scale_ * at.jacobian.matrix();
+    std::copy_n(jacobian.data(), N * N, jacobians[0]);  // symmetric: its rows are its columns
+    return scaled.allFinite() && jacobian.allFinite();
   }
+
+ private:
+  const System* system_;
+  double inverse_scale_;
 };
 
 }  // namespace
@@ -36,9 +42,8 @@ CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>&
   constexpr int N = System::dimension;
   Eigen::Matrix<double, N, 1> log_x = logarithms(x.array());
   ceres::Problem problem;
-  problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Residual<System>, N, N>(
-                               new Residual<System>{system, 1.0 / system.linearize(x).magnitude}),
-                           nullptr, log_x.data());
+  problem.AddResidualBlock(new Residual<System>(system, system.linearize(x).magnitude), nullptr,
+                           log_x.data());
   ceres::Solver::Options options;
   options.minimizer_type = ceres::TRUST_REGION;
   options.trust_region_strategy_type = ceres::LEVENBERG_MARQUARDT;

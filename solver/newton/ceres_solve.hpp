@@ -1,5 +1,5 @@
-// A reduced system by Ceres: Levenberg-Marquardt over the residuals of lib, derivatives by Jets
-// through the same source, unknowns ln x (the domain cannot be left).
+// A reduced system by Ceres: Levenberg-Marquardt over the balance of lib and its Jacobian, unknowns
+// ln x (the domain cannot be left).
 //
 //   minimize |G(x)|^2 / (2 s^2),  s = magnitude of G's terms at the start
 //

@@ -10,7 +10,8 @@
 //         + |A^-1| 2^-80 (size of F's terms)             F's own rounding
 //
 // with each input's own sign in all equations: what is common to them cancels. This is what an
-// event asks, whose own equations are regular where the balance alone is not.
+// event asks, whose own equations are regular where the balance alone is not. Where |dy| is more
+// than 2^-36, A is looked at as far away as twice that, and by how much it differs widens the bound.
 #pragma once
 
 #include <algorithm>
@@ -101,8 +102,10 @@ class ExtendedRootFinder {
     return out;
   }
 
-  void linearize(const ExtendedVector<N>& y) {
-    std::array<Numbers, static_cast<std::size_t>(N)> columns;
+  using Columns = std::array<Numbers, static_cast<std::size_t>(N)>;
+
+  Columns columns_at(const ExtendedVector<N>& y) const {
+    Columns columns;
     for (std::size_t k = 0; k < y.size(); ++k) {
       ExtendedVector<N> ahead = y;
       ExtendedVector<N> behind = y;
@@ -110,7 +113,29 @@ class ExtendedRootFinder {
       behind[k] = y[k] - h * y[k];
       columns[k] = difference(system_->values(ahead, {}), system_->values(behind, {}));
     }
-    rows_.eliminate(columns);
+    return columns;
+  }
+  void linearize(const ExtendedVector<N>& y) { rows_.eliminate(columns_at(y)); }
+
+  /// The largest row of |A^-1 dA|, dA by how much A differs within the error of each unknown: what
+  /// a correction leaves of the error before it. The error is in the first order; NaN where one is.
+  double change_within(const ExtendedVector<N>& y, const Numbers& error) const {
+    const Columns here = columns_at(y);
+    Numbers sum{};
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      for (const double side : {-1.0, 1.0}) {
+        ExtendedVector<N> aside = y;
+        aside[k] = y[k] + side * 2.0 * error[k] * y[k];
+        const Columns there = columns_at(aside);
+        for (std::size_t j = 0; j < y.size(); ++j) {
+          Numbers change;
+          for (std::size_t i = 0; i < y.size(); ++i) change[i] = there[j][i] - here[j][i];
+          const Numbers solved = rows_.solve(change);
+          for (std::size_t i = 0; i < y.size(); ++i) sum[i] += std::abs(solved[i]);
+        }
+      }
+    }
+    return largest(sum);
   }
 
   std::optional<ExtendedRoot<N>> bounded(const ExtendedVector<N>& y, double last) {
@@ -138,12 +163,16 @@ class ExtendedRootFinder {
           rows_.solve(difference(system_->values(y, {k, h}), system_->values(y, {k, -h})));
       for (std::size_t i = 0; i < y.size(); ++i) error[i] += half_unit * std::abs(moved[i]);
     }
+    // Beyond the first order: A within twice the error is another by less than this, or nothing is
+    // told. Where the error is small that is no more than the error is of the distance to where A
+    // is singular, and what rounding leaves of differences is larger.
+    const double size = largest(error);
+    if (!(size < 0.1)) return std::nullopt;
+    double change = 4.0 * size;
+    if (size > 0x1p-36) change = std::max(change, change_within(y, error));
+    if (!(change < 0.5)) return std::nullopt;
     ExtendedRoot<N> out{y, {}};
-    for (std::size_t i = 0; i < y.size(); ++i) {
-      const double first = error[i];
-      out.error[i] = first * (1.0 + 4.0 * first);  // what is beyond the first order
-      if (!std::isfinite(first)) return std::nullopt;
-    }
+    for (std::size_t i = 0; i < y.size(); ++i) out.error[i] = error[i] * (1.0 + 2.0 * change);
     return out;
   }
 

@@ -382,13 +382,6 @@ struct PlanarSystem {
   Plane model;
   CentrifugalRates<DoubleDouble> rates;
 
-  template <class S>
-  std::array<S, 2> residual(const std::array<S, 2>& x) const {
-    const auto w = model.template evaluate<1>(planar_invariants(x[0], x[1]));
-    const CentrifugalRates<S> c{S(double(rates.xi)), S(double(rates.zeta)), S(0.0)};
-    const auto b = planar_log_balance<1>(w, x[0], x[1], c);
-    return {b.g_xi, b.g_zeta};
-  }
   Linearized<2> linearize(const ReducedVector<2>& x) const {
     if constexpr (requires { model.has_principal_stretches(); }) {
       if (model.has_principal_stretches()) {
@@ -438,27 +431,6 @@ struct CoupledSystem {
   Coupled model;
   CentrifugalRates<DoubleDouble> rates;
 
-  template <class S>
-  std::array<S, 3> residual(const std::array<S, 3>& x) const {
-    if constexpr (is_body_model<Coupled>) {
-      // Value and first derivatives, all that a Jet holds: none go through gravity's own series.
-      const ReducedVector<3> at(leading(x[0]), leading(x[1]), leading(x[2]));
-      const Linearized<3> own = linearize(at);
-      std::array<S, 3> out;
-      for (std::size_t i = 0; i < 3; ++i) {
-        out[i] = S(own.g[static_cast<int>(i)]);
-        for (std::size_t k = 0; k < 3; ++k)
-          out[i] += own.jacobian(static_cast<int>(i), static_cast<int>(k)) *
-                    (log(x[k]) - log(at[static_cast<int>(k)]));
-      }
-      return out;
-    } else {
-      const CentrifugalRates<S> c{S(double(rates.xi)), S(double(rates.zeta)), S(double(rates.rho))};
-      const auto w = model.template evaluate<1>(planar_invariants(x[0], x[1]), x[2]);
-      const auto b = coupled_log_balance<1>(w, x[0], x[1], x[2], c);
-      return {b.g_xi, b.g_zeta, b.g_rho};
-    }
-  }
   Linearized<3> linearize(const ReducedVector<3>& x) const {
     const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
     const auto [b, magnitude] = sized_balance(model, x[0], x[1], x[2], c);

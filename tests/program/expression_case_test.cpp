@@ -107,6 +107,23 @@ TEST(ExpressionCase, ConstantsThatAreZeroPass) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
+/// Where a parameter's own derivative is not finite, the stretches' are.
+TEST(ExpressionCase, AParameterThatIsZeroIsSolvedWithoutAWord) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "zero.toml", case_with("plane = { expression = \"(I1 - 2)/2 - log(d) + sqrt(k)*d + d^2/8\", "
+                             "k = 0.0 }\n" +
+                             harmonic_thickness));
+  for (const char* const method : {"auto", "ceres"}) {
+    const Outcome outcome =
+        run_program({"solve", path, "--set", std::string("solve.method=") + method});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_THAT(outcome.out, HasSubstr("Ceres"));
+    EXPECT_THAT(outcome.out, Not(HasSubstr("stopped short")));
+  }
+}
+
 /// A note is of names the potential would have; the facts call the stretch what it is called here.
 TEST(ExpressionCase, HiddenNamesInNotesAndFacts) {
   const TemporaryDirectory directory;

@@ -192,11 +192,14 @@ TEST_F(FromRow, AWrongRowOfTheCaseIsToldInTheCase) {
   std::string text = text_of(cases + "/fold.toml");
   text.insert(text.find("[continuation]") + 14, "\nstart_row = \"fold.csv:tlt\"");
   const std::string own = directory_.file("own.toml", text);
-  const Outcome outcome = run_program({"continue", own, "-o", "-"});
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("own.toml:"));
-  EXPECT_THAT(outcome.err, HasSubstr("continuation.start_row: found \"tlt\""));
-  EXPECT_THAT(outcome.err, Not(HasSubstr("--from")));
+  for (const char* const command : {"continue", "check"}) {
+    const Outcome outcome = run_program({command, own});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("own.toml:"));
+    EXPECT_THAT(outcome.err, HasSubstr("continuation.start_row: found \"tlt\""));
+    EXPECT_THAT(outcome.err, HasSubstr("did you mean \"tilt\"?"));
+    EXPECT_THAT(outcome.err, Not(HasSubstr("--from")));
+  }
 }
 
 TEST_F(FromRow, DoesNotReplaceItsTable) {

@@ -218,6 +218,24 @@ TEST_F(Merging, ReplacesNoPart) {
   EXPECT_TRUE(text_of(directory_ / "a.csv") == text);
 }
 
+/// The case of a whole is that of its parts, with what an option added to it.
+TEST_F(Merging, ProvenRowsOfAStudyAreNotAskedForAgain) {
+  const std::string over = directory_.file("t.csv", "motion.nu\n0.3\n0.4\n");
+  const Words study{"study", shipped("disc.toml")};
+  const Words parts{directory_ / "a.csv", directory_ / "b.csv"};
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::string share = std::to_string(k + 1) + "/2";
+    const Outcome one = run_program(
+        joined({study, {"--over", over, "--certify", "--part", share, "-o", parts[k]}}));
+    ASSERT_EQ(one.code, 0) << one.err;
+  }
+  const Outcome all =
+      run_program(joined({study, {"--merge"}, parts, {"-o", directory_ / "merged.csv"}}));
+  EXPECT_EQ(all.code, 0) << all.err;
+  for (const char* const name : {"a.meta.json", "merged.meta.json"})
+    EXPECT_EQ(json::parse(text_of(directory_ / name))["case"]["output"]["certificate"], true);
+}
+
 TEST_F(Merging, MorePartsThanCells) {
   count_ = {"--set", "map.x.count=2", "--set", "map.y.count=2"};
   Words names;

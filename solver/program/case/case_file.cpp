@@ -14,6 +14,7 @@
 #include "solver/program/case/case_solve.hpp"
 #include "solver/program/table/table.hpp"
 #include "solver/program/text/nearest_name.hpp"
+#include "solver/program/text/row_name.hpp"
 
 namespace stationary {
 namespace {
@@ -259,6 +260,12 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
       !row.empty()) {
     const std::filesystem::path folder = std::filesystem::path(tree.name()).parent_path();
     out.start_row = (folder / row).string();  // beside the case file
+    try {
+      (void)cli::row_name(out.start_row);
+    } catch (const InputError& fault) {
+      faults.add(
+          fault_at(tree, "continuation.start_row", fault.found(), fault.allowed(), fault.remedy()));
+    }
   }
   const bool named = family && faults.sound("continuation.parameter") &&
                      faults.collect([&] { out.parameter = read_parameter(tree, *family); });

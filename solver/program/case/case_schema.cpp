@@ -397,13 +397,4 @@ InputError fault_at(const CaseTree& tree, std::string_view key, std::string foun
                     std::move(remedy));
 }
 
-std::string listed(std::span<const std::string_view> names) {
-  std::string out;
-  for (const std::string_view each : names) {
-    if (!out.empty()) out += ", ";
-    out += in_quotes(each);
-  }
-  return out;
-}
-
 }  // namespace stationary

@@ -59,7 +59,4 @@ bool may_be_set(std::string_view path);
 InputError fault_at(const CaseTree& tree, std::string_view key, std::string found,
                     std::string allowed, std::string remedy = {});
 
-/// "a", "b", "c".
-std::string listed(std::span<const std::string_view> names);
-
 }  // namespace stationary

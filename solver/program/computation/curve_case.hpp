@@ -9,7 +9,7 @@
 
 namespace stationary::cli {
 
-/// row: TABLE:N, TABLE:EVENT or TABLE:EVENT:K (row_start.hpp), an event whose curve is followed; empty:
+/// row: TABLE:N, TABLE:EVENT or TABLE:EVENT:K (row_name.hpp), an event whose curve is followed; empty:
 /// every event of the case's family starts one. target: null for no table. Throws InputError before
 /// anything is computed.
 Outcome curve_case(const Case& given, const std::string& row, TableTarget* target, const Run& run);

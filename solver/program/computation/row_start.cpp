@@ -19,7 +19,7 @@
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/table/table_reader.hpp"
-#include "solver/program/text/nearest_name.hpp"
+#include "solver/program/text/row_name.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -27,51 +27,9 @@ namespace {
 /// A row as the text it was written in, by column.
 using Cells = std::map<std::string, std::string, std::less<>>;
 
-struct RowName {
-  std::string path;
-  std::string event;  ///< empty: by its number
-  long number = 1;    ///< of the row, or among those of the event
-};
-
-std::optional<long> whole_number(std::string_view text) {
-  long out = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return out;
-}
-
-bool is_event(std::string_view text) {
-  return !text.empty() && std::ranges::find(event_names, text) != std::end(event_names);
-}
-
 [[noreturn]] void refuse(const std::string& row, const std::string& found,
                          const std::string& expected, const std::string& remedy = {}) {
   throw InputError(Origin::of_option("--from " + printable(row)), "", found, expected, remedy);
-}
-
-RowName parse(const std::string& text) {
-  const std::size_t last = text.rfind(':');
-  if (last == std::string::npos || last == 0)
-    refuse(text, "found no row", "TABLE:N, TABLE:EVENT or TABLE:EVENT:K");
-  const std::string end = text.substr(last + 1);
-  RowName out{text.substr(0, last), {}, 1};
-  if (const auto number = whole_number(end)) {
-    out.number = *number;
-    const std::size_t before = out.path.rfind(':');
-    const std::string event = before == std::string::npos ? "" : out.path.substr(before + 1);
-    if (is_event(event)) {
-      out.event = event;
-      out.path.resize(before);
-    }
-  } else if (is_event(end)) {
-    out.event = end;
-  } else {
-    const std::span<const std::string_view> names = std::span(event_names).subspan(1);
-    refuse(text, "found " + in_quotes(end), "a row's number, or an event, one of " + listed(names),
-           did_you_mean(nearest_name(end, names)));
-  }
-  if (out.number < 1) refuse(text, fmt::format("found row {}", out.number), "rows from 1 on");
-  return out;
 }
 
 Cells cells_of(const TableReader& table) {
@@ -92,7 +50,7 @@ bool is_no_start(std::string_view event) {
 
 /// The row; to start from, one beside it on the same sheet where it is no place to.
 Cells row_of(const std::string& text, bool to_start_from) {
-  const RowName wanted = parse(text);
+  const RowName wanted = row_name(text);
   TableReader table = open_table(wanted.path);
   const auto event = table.column("event");
   if (!wanted.event.empty() && !event)
@@ -354,6 +312,6 @@ EventRow event_of_row(const Case& given, const std::string& row, EventType type)
   return FromRow(given, row, false).event(type);
 }
 
-std::string table_of_row(const std::string& row) { return parse(row).path; }
+std::string table_of_row(const std::string& row) { return row_name(row).path; }
 
 }  // namespace stationary::cli

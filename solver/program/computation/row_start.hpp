@@ -1,8 +1,4 @@
-// `continue --from TABLE:ROW`: going on from a motion that a table holds.
-//
-//   TABLE:N          data row N, the first is 1
-//   TABLE:EVENT      the first row of that event
-//   TABLE:EVENT:K    the K-th
+// `continue --from ROW` (row_name.hpp): going on from a motion that a table holds.
 //
 // The case gives body and potential; the row gives S, the motion's numbers and those in trailing
 // columns, which override the case. The family is the case's motion.branch; where it is another than

@@ -191,6 +191,8 @@ Outcome merged_study_case(const StudyRun& asked, std::optional<StudyTask> task,
   std::optional<Case> alone;
   try {
     alone = make_case(*asked.base, overrides);
+    alone->output.certificate =
+        alone->output.certificate || asked.plan.certify || parts.front().metadata.certificate;
   } catch (const InputError&) {
     // It is one only with a row's values.
   }

@@ -32,6 +32,8 @@ std::optional<PartMetadata> part_metadata(std::string_view metadata) {
       out.study =
           StudyRecord{study->at("over").get<std::string>(), study->at("do").get<std::string>(),
                       study->at("rows").get<std::size_t>()};
+    if (const Json& of = found.at("case"); of.is_object())
+      out.certificate = of.at("output").at("certificate").get<bool>();
     return out;
   } catch (const Json::exception&) {
     return std::nullopt;

@@ -21,6 +21,7 @@ struct PartMetadata {
   std::string instructions;
   std::vector<std::pair<std::string, long>> counts;
   std::optional<StudyRecord> study;
+  bool certificate = false;  ///< of the case: each row was to be proven
 };
 
 /// Nothing where a text is no metadata of a part.

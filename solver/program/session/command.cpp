@@ -89,7 +89,7 @@ ExitCode compute(const ComputeOptions& options, const Session& session,
     return std::make_shared<WaitingSign>(what, options.quiet);
   };
   std::optional<TableOutput> output;
-  if (!options.output.empty()) output.emplace(options.output, options.path);
+  if (!options.output.empty()) output.emplace(options.output, options.path, options.threads);
   const Outcome out = computation(output ? &*output : nullptr, run);
   progress.clear();
   if (!out.summary.empty()) print(out.summary);

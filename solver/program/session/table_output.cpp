@@ -75,6 +75,7 @@ RowSink& TableOutput::open(const std::vector<Column>& columns,
     return k < parameters.size() ? std::optional(parameters[k]) : std::nullopt;
   };
   ByteSink& sink = file_ ? static_cast<ByteSink&>(*file_) : standard_output_;
+  if (threads_ > 1) return parallel_text_.emplace(sink, columns, header(0), header(1), threads_);
   return text_.emplace(sink, columns, header(0), header(1));
 }
 
@@ -90,6 +91,7 @@ void TableOutput::commit(Metadata metadata) {
     metadata.checksum = table.checksum().text();
   };
   if (text_) describe(*text_);
+  if (parallel_text_) describe(*parallel_text_);
   if (binary_) describe(*binary_);
   if (cells_) describe(*cells_);
   commit(metadata_json(metadata),
@@ -99,6 +101,7 @@ void TableOutput::commit(Metadata metadata) {
 
 void TableOutput::commit(const std::string& beside, const std::string& within, bool to_disk) {
   if (text_) text_->flush();
+  if (parallel_text_) parallel_text_->flush();
   if (binary_) binary_->finish(within);
   if (cells_ && as_columns_) cells_->finish(file_->path().string(), within);
   if (metadata_file_) metadata_file_->write(beside);

@@ -13,14 +13,15 @@
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/cell_table.hpp"
 #include "solver/program/table/column_file.hpp"
+#include "solver/program/table/parallel_table.hpp"
 
 namespace stationary::cli {
 
 class TableOutput final : public TableTarget {
  public:
-  /// path as after -o; "-" is standard output.
-  TableOutput(std::string path, std::string case_path)
-      : path_(std::move(path)), case_path_(std::move(case_path)) {}
+  /// path as after -o; "-" is standard output. threads: that make rows into text.
+  TableOutput(std::string path, std::string case_path, int threads = 1)
+      : path_(std::move(path)), case_path_(std::move(case_path)), threads_(threads) {}
 
   /// Throws InputError for another suffix, if it cannot be written, or if it would replace the case
   /// file.
@@ -37,11 +38,13 @@ class TableOutput final : public TableTarget {
  private:
   std::string path_;
   std::string case_path_;
+  int threads_;
   StandardOutput standard_output_;
   std::optional<AtomicFile> file_;
   std::optional<AtomicFile> metadata_file_;
   bool as_columns_ = false;  ///< HDF5
   std::optional<TableWriter> text_;
+  std::optional<ParallelTableWriter> parallel_text_;
   std::optional<ColumnFileWriter> binary_;
   std::optional<CellTable> cells_;
 };

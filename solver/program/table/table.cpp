@@ -15,9 +15,6 @@ namespace {
 constexpr std::size_t block_size = 1U << 16U;
 constexpr std::size_t longest_text = 256;   // quoted
 constexpr std::size_t longest_number = 32;  // shortest round trip takes 24
-// Nine texts (seven columns and, in the header, the parameters) and the rest numbers.
-constexpr std::size_t longest_row = 9 * longest_text + (column_count + 2) * longest_number;
-
 /// Where a row has the text of a column of texts.
 constexpr std::string_view TableRow::*text_place(Column c) {
   switch (c) {
@@ -36,6 +33,34 @@ constexpr std::string_view TableRow::*text_place(Column c) {
     default:
       return &TableRow::stability;
   }
+}
+
+char* append(std::string_view text, char* at) {
+  // Quoted, a text may double in length; the names of this program are far shorter.
+  text = text.substr(0, (longest_text - 2) / 2);
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos)
+    return std::copy(text.begin(), text.end(), at);
+  *at++ = '"';
+  for (const char c : text) {
+    if (c == '"') *at++ = '"';
+    *at++ = c;
+  }
+  *at++ = '"';
+  return at;
+}
+
+char* append(double value, char* at) {
+  if (std::isnan(value)) return at;
+  if (value == 0.0) {  // a zero's sign says nothing
+    *at++ = '0';
+    return at;
+  }
+  return fmt::format_to(at, FMT_COMPILE("{}"), value);
+}
+
+char* append_count(double value, char* at) {
+  if (std::isnan(value)) return at;
+  return fmt::format_to(at, FMT_COMPILE("{}"), static_cast<long>(value));
 }
 
 }  // namespace
@@ -117,56 +142,64 @@ void TableChecksum::add(double value) {
 
 std::string TableChecksum::text() const { return fmt::format("{:016x}", state_); }
 
+// Nine texts (seven columns and, in the header, the parameters) and the rest numbers.
+const std::size_t RowFormat::longest_line = 9 * longest_text + (column_count + 2) * longest_number;
+
+RowFormat::RowFormat(const std::vector<Column>& columns,
+                     const std::optional<std::string>& parameter,
+                     const std::optional<std::string>& second)
+    : columns_(columns) {
+  for (const auto* trailing : {&parameter, &second})
+    if (*trailing) parameters_.push_back(**trailing);
+}
+
+char* RowFormat::header(char* at) const {
+  char* const begin = at;
+  const auto add = [&](std::string_view name) {
+    if (at != begin) *at++ = ',';
+    at = append(name, at);
+  };
+  for (const Column c : columns_) add(name(c));
+  for (const std::string& each : parameters_) add(each);
+  *at++ = '\n';
+  return at;
+}
+
+char* RowFormat::line(const TableRow& row, char* at) const {
+  bool first = true;
+  for (const Column c : columns_) {
+    if (!std::exchange(first, false)) *at++ = ',';
+    switch (cell_kind(c)) {
+      case CellKind::text:
+        at = append(text_of(row, c), at);
+        break;
+      case CellKind::count:
+        at = append_count(row[c], at);
+        break;
+      case CellKind::number:
+        at = append(row[c], at);
+    }
+  }
+  for (std::size_t k = 0; k < parameters_.size(); ++k) {
+    if (!std::exchange(first, false)) *at++ = ',';
+    at = append(k == 0 ? row.parameter : row.second_parameter, at);
+  }
+  *at++ = '\n';
+  return at;
+}
+
 TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
                          const std::optional<std::string>& parameter,
                          const std::optional<std::string>& second)
     : RowSink(std::move(columns),
               std::size_t{parameter.has_value()} + std::size_t{second.has_value()}),
       sink_(&sink),
-      has_parameter_(parameter.has_value()),
-      has_second_(second.has_value()),
-      buffer_(block_size + longest_row),
-      cursor_(buffer_.data()) {
-  bool first = true;
-  const auto separate = [&] {
-    if (!std::exchange(first, false)) *cursor_++ = ',';
-  };
-  for (const Column c : column_list()) {
-    separate();
-    append(name(c));
-  }
-  for (const auto* trailing : {&parameter, &second}) {
-    if (!*trailing) continue;
-    separate();
-    append(**trailing);
-  }
-  *cursor_++ = '\n';
-}
+      format_(column_list(), parameter, second),
+      buffer_(block_size + RowFormat::longest_line),
+      cursor_(format_.header(buffer_.data())) {}
 
 void TableWriter::put(const TableRow& row) {
-  bool first = true;
-  for (const Column c : column_list()) {
-    if (!std::exchange(first, false)) *cursor_++ = ',';
-    switch (cell_kind(c)) {
-      case CellKind::text:
-        append(text_of(row, c));
-        break;
-      case CellKind::count:
-        append_count(row[c]);
-        break;
-      case CellKind::number:
-        append(row[c]);
-    }
-  }
-  if (has_parameter_) {
-    if (!first) *cursor_++ = ',';
-    append(row.parameter);
-  }
-  if (has_second_) {
-    *cursor_++ = ',';
-    append(row.second_parameter);
-  }
-  *cursor_++ = '\n';
+  cursor_ = format_.line(row, cursor_);
   if (cursor_ >= buffer_.data() + block_size) flush();
 }
 
@@ -174,35 +207,6 @@ void TableWriter::flush() {
   const auto size = static_cast<std::size_t>(cursor_ - buffer_.data());
   cursor_ = buffer_.data();
   sink_->write({buffer_.data(), size});
-}
-
-void TableWriter::append(std::string_view text) {
-  // Quoted, a text may double in length; the names of this program are far shorter.
-  text = text.substr(0, (longest_text - 2) / 2);
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-    cursor_ = std::copy(text.begin(), text.end(), cursor_);
-    return;
-  }
-  *cursor_++ = '"';
-  for (const char c : text) {
-    if (c == '"') *cursor_++ = '"';
-    *cursor_++ = c;
-  }
-  *cursor_++ = '"';
-}
-
-void TableWriter::append(double value) {
-  if (std::isnan(value)) return;
-  if (value == 0.0) {  // a zero's sign says nothing
-    *cursor_++ = '0';
-    return;
-  }
-  cursor_ = fmt::format_to(cursor_, FMT_COMPILE("{}"), value);
-}
-
-void TableWriter::append_count(double value) {
-  if (std::isnan(value)) return;
-  cursor_ = fmt::format_to(cursor_, FMT_COMPILE("{}"), static_cast<long>(value));
 }
 
 }  // namespace stationary

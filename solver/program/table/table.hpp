@@ -203,9 +203,26 @@ class RowSink {
   std::size_t rows_ = 0;
 };
 
+/// A row as a line of CSV, and the line of the names.
+class RowFormat {
+ public:
+  /// parameter, second: headers of the trailing columns, if there are such.
+  RowFormat(const std::vector<Column>& columns, const std::optional<std::string>& parameter,
+            const std::optional<std::string>& second);
+
+  static const std::size_t longest_line;
+  /// From `at` on, where there must be room for the longest. The line's end.
+  char* header(char* at) const;
+  char* line(const TableRow& row, char* at) const;
+
+ private:
+  std::vector<Column> columns_;
+  std::vector<std::string> parameters_;
+};
+
 class TableWriter final : public RowSink {
  public:
-  /// parameter, second: headers of the trailing columns, if there are such. Writes the header.
+  /// As of RowFormat. Writes the header.
   TableWriter(ByteSink& sink, std::vector<Column> columns,
               const std::optional<std::string>& parameter = std::nullopt,
               const std::optional<std::string>& second = std::nullopt);
@@ -215,13 +232,9 @@ class TableWriter final : public RowSink {
 
  private:
   void put(const TableRow& row) override;
-  void append(std::string_view text);
-  void append(double value);
-  void append_count(double value);
 
   ByteSink* sink_;
-  bool has_parameter_;
-  bool has_second_;
+  RowFormat format_;
   std::vector<char> buffer_;
   char* cursor_;
 };

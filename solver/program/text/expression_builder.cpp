@@ -55,7 +55,7 @@ constexpr std::array<std::string_view, 2> body_invariants{"I2", "I3"};
 
 /// "a, b or c".
 template <class Names>
-std::string listed(const Names& names) {
+std::string either_of(const Names& names) {
   std::string out;
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (k > 0) out += k + 1 == names.size() ? " or " : ", ";
@@ -206,11 +206,11 @@ std::vector<std::string_view> ExpressionBuilder::variable_names() const {
 
 std::string ExpressionBuilder::allowed_names() const {
   std::vector<std::string> own(parameters_.begin(), parameters_.end());
-  std::string out = "a variable (" + listed(variable_names()) + ")";
-  if (!own.empty()) out += " or a parameter (" + listed(own) + ")";
+  std::string out = "a variable (" + either_of(variable_names()) + ")";
+  if (!own.empty()) out += " or a parameter (" + either_of(own) + ")";
   own.clear();
   for (const Definition& each : definitions_) own.push_back(each.name);
-  if (!own.empty()) out += " or a part defined before (" + listed(own) + ")";
+  if (!own.empty()) out += " or a part defined before (" + either_of(own) + ")";
   return out;
 }
 
@@ -236,7 +236,7 @@ void ExpressionBuilder::unknown_function(const Word& word) const {
       std::ranges::find(definitions_, word.text, &Definition::name) != definitions_.end() ||
       std::ranges::find(constants, word.text) != constants.end();
   fail(word.offset, in_quotes(std::string(word.text) + "("),
-       "a function (" + listed(functions) + ")",
+       "a function (" + either_of(functions) + ")",
        names_number ? "a product is written with \"*\""
                     : did_you_mean(nearest_name(word.text, functions)));
 }

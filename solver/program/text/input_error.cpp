@@ -97,4 +97,13 @@ std::string printable(std::string_view text) {
 
 std::string in_quotes(std::string_view text) { return '"' + printable(text) + '"'; }
 
+std::string listed(std::span<const std::string_view> names) {
+  std::string out;
+  for (const std::string_view each : names) {
+    if (!out.empty()) out += ", ";
+    out += in_quotes(each);
+  }
+  return out;
+}
+
 }  // namespace stationary

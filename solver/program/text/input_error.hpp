@@ -5,6 +5,7 @@
 //   --set motion.nu=fast: motion.nu: found the string "fast"; expected a finite number
 #pragma once
 
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -51,6 +52,9 @@ std::string printable(std::string_view text);
 
 /// printable() in double quotes.
 std::string in_quotes(std::string_view text);
+
+/// "a", "b", "c".
+std::string listed(std::span<const std::string_view> names);
 
 /// "did you mean "x"?" or nothing.
 template <class OptionalName>

@@ -22,7 +22,9 @@ Study::Study(const StudyRun& asked)
 
 std::optional<Case> Study::alone() const {
   try {
-    return make_case(base_, options_);
+    Case out = make_case(base_, options_);
+    out.output.certificate = out.output.certificate || plan_.certify;
+    return out;
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -10,6 +10,9 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <stdexcept>
+
+#include "solver/program/table/parallel_table.hpp"
 
 namespace stationary {
 namespace {
@@ -115,6 +118,80 @@ TEST(Table, TextsAreQuotedWhereTheyMustBe) {
   table.write(row);
   table.flush();
   EXPECT_EQ(sink.text, "event\n\"a,\"\"b\"\"\"\n");
+}
+
+/// Rows whose cells are of every length.
+std::vector<TableRow> random_rows(std::size_t count) {
+  std::mt19937_64 random(7);
+  std::vector<TableRow> out(count);
+  for (TableRow& row : out) {
+    row.branch = random() % 2 == 0 ? "i" : "iii";
+    for (double& number : row.numbers) {
+      number = std::bit_cast<double>(random());
+      if (random() % 4 == 0) number = std::numeric_limits<double>::quiet_NaN();
+    }
+    for (std::size_t k = 0; k < column_count; ++k)
+      if (cell_kind(static_cast<Column>(k)) == CellKind::count)
+        row.numbers[k] = static_cast<double>(random() % 1000);
+    row.parameter = static_cast<double>(random() % 100);
+  }
+  return out;
+}
+
+std::vector<Column> every_column() {
+  std::vector<Column> out;
+  for (std::size_t k = 0; k < column_count; ++k) out.push_back(static_cast<Column>(k));
+  return out;
+}
+
+TEST(ParallelTable, BytesAreThoseOfOneThread) {
+  for (const std::size_t count : {0U, 1U, 127U, 128U, 129U, 5000U}) {
+    const std::vector<TableRow> rows = random_rows(count);
+    Text alone;
+    TableWriter writer(alone, every_column(), "p");
+    for (const TableRow& row : rows) writer.write(row);
+    writer.flush();
+    for (const int threads : {1, 2, 5}) {
+      Text together;
+      ParallelTableWriter parallel(together, every_column(), "p", std::nullopt, threads);
+      for (const TableRow& row : rows) parallel.write(row);
+      EXPECT_TRUE(count < 5000 || !together.text.empty());  // what is done is written on the way
+      parallel.flush();
+      EXPECT_TRUE(together.text == alone.text) << count << " rows, " << threads << " threads";
+      EXPECT_EQ(parallel.rows(), count);
+      EXPECT_EQ(parallel.checksum().text(), writer.checksum().text());
+    }
+  }
+}
+
+/// A disk that becomes full.
+class Full : public ByteSink {
+ public:
+  void write(std::string_view bytes) override {
+    written += bytes.size();
+    if (written > 200'000) throw std::runtime_error("no space left");
+  }
+  std::size_t written = 0;
+};
+
+TEST(ParallelTable, WhatTheSinkThrowsIsThrown) {
+  Full sink;
+  ParallelTableWriter table(sink, every_column(), std::nullopt, std::nullopt, 2);
+  EXPECT_THROW(
+      {
+        for (const TableRow& row : random_rows(5000)) table.write(row);
+        table.flush();
+      },
+      std::runtime_error);
+}
+
+TEST(ParallelTable, OneThatIsNotWantedAnyMoreWritesNothing) {
+  Text sink;
+  {
+    ParallelTableWriter table(sink, every_column(), std::nullopt, std::nullopt, 2);
+    for (const TableRow& row : random_rows(400)) table.write(row);
+  }
+  EXPECT_EQ(sink.text, "");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <string>
 #include <thread>
@@ -102,6 +103,44 @@ TEST(Atlas, OpenClassesNameTheEventsWithinThem) {
   EXPECT_GE(with_events, 4);
   EXPECT_TRUE(met.contains(Beyond::excluded));
   EXPECT_GE(met.size(), 2U);
+}
+
+/// J1 = J2: S with xi and zeta exchanged is the same body. A box that holds one of the two has it, whichever.
+TEST(Atlas, ABoxThatHoldsOneOfTwoMirrorImagesHasItsSheet) {
+  const Body round(1.0, 1.0, 0.6);
+  const Potential potential = potential_of("biot-log", 1.0, 4.0);
+  const Interval small(0.5, 1.0);
+  const Interval large(1.5, 2.5);
+  for (const bool exchanged : {false, true}) {
+    AtlasOptions options;
+    options.from = 1.09;
+    options.to = 1.11;
+    options.checkpoints = 1;
+    options.complete = true;
+    options.search.box = {exchanged ? small : large, exchanged ? large : small, small};
+    const Atlas found = atlas(round, potential, options);
+    // (ii) is not (i) over again: its box is another.
+    ASSERT_EQ(found.checkpoints.size(), 3U);
+    for (const Checkpoint& at : found.checkpoints) {
+      EXPECT_EQ(at.status, SearchStatus::complete);
+      if (at.branch == Branch::iii) EXPECT_EQ(at.proven, 1) << exchanged;
+    }
+    ASSERT_EQ(std::ranges::count(found.sheets, Branch::iii, &AtlasSheet::branch), 1);
+    int complete = 0;
+    for (const Completeness& each : found.completeness) {
+      if (each.branch != Branch::iii) continue;
+      for (const CompleteInterval& interval : each.intervals) {
+        EXPECT_TRUE(interval.proven) << interval.reason;
+        EXPECT_EQ(interval.sheets, 1);
+      }
+      for (const ClassInterval& interval : each.classes) {
+        EXPECT_TRUE(interval.proven) << interval.reason;
+        EXPECT_EQ(std::accumulate(interval.sheets.begin(), interval.sheets.end(), 0), 1);
+        ++complete;
+      }
+    }
+    EXPECT_GT(complete, 0);
+  }
 }
 
 /// Then no sheet is followed that could say so.

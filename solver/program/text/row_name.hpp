@@ -1,0 +1,21 @@
+// A row of a table by its number or its event:
+//
+//   TABLE:N          data row N, the first is 1
+//   TABLE:EVENT      the first row with this event (TABLE:tilt)
+//   TABLE:EVENT:K    the Kth of these
+#pragma once
+
+#include <string>
+
+namespace stationary::cli {
+
+struct RowName {
+  std::string path;
+  std::string event;  ///< empty: by its number
+  long number = 1;    ///< of the row, or among those of the event
+};
+
+/// Throws InputError, of the option --from, where text names no row. Whether there is such a table it does not ask.
+RowName row_name(const std::string& text);
+
+}  // namespace stationary::cli
