@@ -93,7 +93,7 @@ ExitCode explore(const ExploreOptions& options) {
     }
     title = tables.front().title;
   }
-  const std::string text = page(
+  const std::string text = filled_page(
       page_template(),
       {.title = title, .data = page_data(tables, title, STATIONARY_VERSION, opened), .live = live});
   (void)stop_on_signals();  // before a file is begun, which would be left behind

@@ -8,7 +8,7 @@
 
 namespace stationary {
 
-std::string page(std::span<const std::string_view> pieces, const PageContent& content) {
+std::string filled_page(std::span<const std::string_view> pieces, const PageContent& content) {
   std::string form;
   for (const std::string_view piece : pieces) form += piece;
   std::string live;

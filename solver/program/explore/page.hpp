@@ -16,6 +16,6 @@ struct PageContent {
 };
 
 /// Each place of the template is filled, and what fills it is not searched for places again.
-std::string page(std::span<const std::string_view> pieces, const PageContent& content);
+std::string filled_page(std::span<const std::string_view> pieces, const PageContent& content);
 
 }  // namespace stationary

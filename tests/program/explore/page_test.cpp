@@ -80,21 +80,22 @@ TEST(Page, FillsEveryPlaceOnce) {
   // A place may lie across two pieces.
   constexpr std::string_view pieces[] = {"<title>@TITLE@</title><h1>@TI", "TLE@</h1><p>", "@DATA@",
                                          "</p>"};
-  EXPECT_EQ(page(pieces, {.title = "x < y", .data = ""}),
+  EXPECT_EQ(filled_page(pieces, {.title = "x < y", .data = ""}),
             "<title>x &lt; y</title><h1>x &lt; y</h1><p>" + packed("") + "</p>");
 }
 
 TEST(Page, ATitleIsNotSearchedForPlaces) {
   constexpr std::string_view pieces[] = {"@TITLE@|@DATA@"};
-  EXPECT_EQ(page(pieces, {.title = "@DATA@", .data = "@TITLE@"}), "@DATA@|" + packed("@TITLE@"));
+  EXPECT_EQ(filled_page(pieces, {.title = "@DATA@", .data = "@TITLE@"}),
+            "@DATA@|" + packed("@TITLE@"));
 }
 
 TEST(Page, IsAllowedToComputeOnlyWithTheSolver) {
   constexpr std::string_view pieces[] = {"script-src 'x'@LIVE_POLICY@|@LIVE@|"};
   constexpr std::string_view solver[] = {"YW", "Jj"};
-  EXPECT_EQ(page(pieces, {.title = "", .data = "", .live = solver}),
+  EXPECT_EQ(filled_page(pieces, {.title = "", .data = "", .live = solver}),
             "script-src 'x' 'wasm-unsafe-eval'; worker-src blob:|YWJj|");
-  EXPECT_EQ(page(pieces, {.title = "", .data = ""}), "script-src 'x'||");
+  EXPECT_EQ(filled_page(pieces, {.title = "", .data = ""}), "script-src 'x'||");
 }
 
 PageTable small_table(const std::string& metadata) {

@@ -120,7 +120,8 @@ TEST(Atlas, ABoxThatHoldsOneOfTwoMirrorImagesHasItsSheet) {
     options.search.box = {exchanged ? small : large, exchanged ? large : small, small};
     const Atlas found = atlas(round, potential, options);
     // (ii) is not (i) over again: its box is another.
-    ASSERT_EQ(found.checkpoints.size(), 3U);
+    EXPECT_GT(std::ranges::count(found.checkpoints, Branch::ii, &Checkpoint::branch), 0);
+    EXPECT_GT(std::ranges::count(found.checkpoints, Branch::iii, &Checkpoint::branch), 0);
     for (const Checkpoint& at : found.checkpoints) {
       EXPECT_EQ(at.status, SearchStatus::complete);
       if (at.branch == Branch::iii) EXPECT_EQ(at.proven, 1) << exchanged;
