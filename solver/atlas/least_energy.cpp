@@ -43,6 +43,11 @@ struct EnergyArc {
       if (const auto out = by_spin(momentum)) return *out;
     return by_momentum(momentum);
   }
+  /// How far the energy there may be off: by how much the two cubics differ.
+  double doubt(double momentum) const {
+    const auto other = by_spin(momentum);
+    return other ? std::abs(other->energy - by_momentum(momentum).energy) : 0.0;
+  }
 
  private:
   LeastEnergyEnd by_momentum(double momentum) const {
@@ -86,6 +91,7 @@ std::optional<LeastEnergyEnd> solved_at(const EnergyArc& arc, double momentum) {
   double high = 1.0;
   double slope = 1.0 / (arc.b.momentum - arc.a.momentum);  // du/d|pi|
   double u = (momentum - arc.a.momentum) * slope;
+  const double bend = std::abs(arc.b.spin - arc.a.spin) * slope;  // d|nu|/d|pi|
   std::optional<std::pair<double, double>> last;
   constexpr int most = 60;
   for (int k = 0; k < most; ++k) {
@@ -94,8 +100,10 @@ std::optional<LeastEnergyEnd> solved_at(const EnergyArc& arc, double momentum) {
     const LeastEnergyEnd at = place_of(*member);
     if (!is_finite(at)) return std::nullopt;
     const double left = momentum - at.momentum;
-    // dE = |nu| d|pi|, to the square of what is left.
-    if (std::abs(left) <= 1e-12 * momentum)
+    // dE = |nu| d|pi|, to the square of what is left: more than rounding only where |nu| bends. Near an
+    // escape a double's worth of nu is many of |pi|.
+    const double size = std::abs(at.energy) + momentum * at.spin;
+    if (std::abs(left) <= 1e-12 * momentum || left * left * bend <= 1e-16 * size)
       return LeastEnergyEnd{momentum, at.energy + at.spin * left, at.spin};
     (left > 0.0 ? low : high) = u;
     if (last && last->second != at.momentum)
@@ -184,13 +192,15 @@ class Envelope {
   /// before.
   void decide_unclear() {
     constexpr double unclear = 1e-5;
+    constexpr double doubts = 4.0;
     constexpr double rounding = 1e-14;
     std::vector<Piece> kept;
     std::vector<const EnergyArc*> others;
     for (Piece each : out_) {
       if (stopped()) return;
       const double middle = 0.5 * (each.from.momentum + each.to.momentum);
-      const double coarse = arc_of(each.run, middle)->at(middle).energy;
+      const EnergyArc* const here = arc_of(each.run, middle);
+      const double coarse = here->at(middle).energy;
       const auto own = motion(each.run, middle);
       const double size = std::abs(coarse) + own->momentum * own->spin;
       const bool adjoins = !kept.empty() && kept.back().to.momentum == each.from.momentum;
@@ -201,7 +211,8 @@ class Envelope {
       std::ranges::sort(others);
       for (const EnergyArc* const other : others) {
         if (other->run == each.run) continue;
-        if (!(other->at(middle).energy - coarse <= unclear * size)) continue;
+        const double doubt = doubts * (here->doubt(middle) + other->doubt(middle));
+        if (!(other->at(middle).energy - coarse <= std::max(unclear * size, doubt))) continue;
         if (!arc_of(other->run, each.from.momentum) || !arc_of(other->run, each.to.momentum))
           continue;
         if (stopped()) return;
@@ -225,20 +236,30 @@ class Envelope {
   }
 
   /// The |pi| at which two motions have one energy, by Newton's method with motions solved for, between the
-  /// middles of their pieces as far as both are there. Where one of them begins or ends there is none.
+  /// middles of their pieces as far as both are there: or where one sheet leaves the other.
   void refine(Piece& last, Piece& next) const {
     if (last.to.momentum != next.from.momentum) return;
     double low = std::max(0.5 * (last.from.momentum + last.to.momentum), momenta(next.run).first);
     double high = std::min(0.5 * (next.from.momentum + next.to.momentum), momenta(last.run).second);
-    const auto lead = [&](double momentum) -> std::optional<double> {
-      const auto a = motion(last.run, momentum);
-      const auto b = motion(next.run, momentum);
-      if (!a || !b) return std::nullopt;
-      return b->energy - a->energy;
+    if (!(low <= high)) return;
+    const auto hand_over = [&](const LeastEnergyEnd& a, const LeastEnergyEnd& b) {
+      last.to = a;
+      next.from = b;
     };
-    const auto at_low = lead(low);
-    const auto at_high = lead(high);
-    if (!at_low || !at_high || !(*at_low > 0.0) || !(*at_high < 0.0)) return;
+    const auto a_low = motion(last.run, low);
+    const auto b_low = motion(next.run, low);
+    const auto a_high = motion(last.run, high);
+    const auto b_high = motion(next.run, high);
+    if (!a_low || !b_low || !a_high || !b_high) return;
+    const double at_low = b_low->energy - a_low->energy;
+    const double at_high = b_high->energy - a_high->energy;
+    constexpr double meet = 1e-12;
+    const double size = meet * (std::abs(a_low->energy) + a_low->momentum * a_low->spin);
+    if (low == momenta(next.run).first && std::abs(at_low) <= size && at_high < 0.0)
+      return hand_over(*a_low, *b_low);
+    if (high == momenta(last.run).second && std::abs(at_high) <= size && at_low > 0.0)
+      return hand_over(*a_high, *b_high);
+    if (!(at_low > 0.0) || !(at_high < 0.0)) return;
     double momentum = next.from.momentum;
     constexpr int most = 100;
     for (int k = 0; k < most; ++k) {
@@ -250,9 +271,7 @@ class Envelope {
       const double step = ahead / (a->spin - b->spin);
       if (std::abs(step) <= 0x1p-48 * momentum || high - low <= 0x1p-48 * momentum ||
           k + 1 == most) {
-        last.to = *a;
-        next.from = *b;
-        return;
+        return hand_over(*a, *b);
       }
       const double newton = momentum + step;
       momentum = low < newton && newton < high ? newton : 0.5 * (low + high);

@@ -538,6 +538,12 @@ class EventSearch {
     }
   }
 
+  /// Whether it is about the order of the locked inertias: where a spin's axis may turn.
+  static bool is_of_axis(EventType type) {
+    return type == EventType::tilt || type == EventType::oblique ||
+           type == EventType::inertia_exchange;
+  }
+
   /// Whether the located events account for the change of `negative`; else brackets the change.
   void explain_negative() {
     // A circle's count is that of (iii), which its ellipses at other rates do not change.
@@ -545,6 +551,8 @@ class EventSearch {
       return;
     if (next_.negative) {
       for (const Found& each : found_) {
+        // At rest no axis is turned about.
+        if (to_->member.nu == 0.0 && is_of_axis(each.event.type)) continue;
         next_.negative->change += negative_change(each.event.type, curve_->context());
         // J1 = J2: the direction conjugate to the symmetry may change its sign there.
         next_.negative->exchange =

@@ -85,6 +85,14 @@ TEST(AtlasCommand, WhatIsRefused) {
   }
 }
 
+TEST(AtlasCommand, NoSheetIsNoStationaryEllipsoid) {
+  const Outcome outcome = run_program({"atlas", shipped("fold.toml"), "--checkpoints", "2", "--set",
+                                       "continuation.from=5", "--set", "continuation.to=6"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("no stationary ellipsoid was found with nu from 5 to 6: at "
+                                     "each checkpoint none exists in the box"));
+}
+
 TEST(AtlasCommand, AnInterruptEndsItWithItsOwnCode) {
   const TemporaryDirectory directory;
   const Outcome outcome = run_program({"atlas", shipped("apart.toml"), "-o", directory / "x.csv"},

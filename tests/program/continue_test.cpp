@@ -74,6 +74,24 @@ std::size_t index_of(const std::vector<Row>& rows, const std::string& event) {
   return k;
 }
 
+/// At rest no axis is turned about: where two locked inertias change their order nothing changes its count.
+TEST(ContinueAtRest, NothingIsUnexplained) {
+  for (const char* const branch : {"i", "ii", "iii"}) {
+    for (const char* const parameter :
+         {"body.J.0", "body.J.1", "body.J.2", "potential.thickness.a"}) {
+      const Outcome outcome = run_program(
+          {"continue", shipped("disc.toml"), "-o", "-", "--set", "motion.nu=0", "--set",
+           std::string("motion.branch=") + branch, "--set",
+           std::string("continuation={parameter=\"") + parameter + "\",from=0.5,to=3.0}"});
+      ASSERT_EQ(outcome.code, 0) << outcome.err;
+      for (const Row& row : rows_of(outcome.out)) {
+        EXPECT_NE(row.at("event"), "unexplained") << branch << " " << parameter;
+        EXPECT_EQ(row.at("negative"), "0");
+      }
+    }
+  }
+}
+
 TEST(Continue, ColumnsInTheirOrder) {
   const Outcome outcome = continued(shipped("disc.toml"));
   EXPECT_EQ(outcome.code, 0);

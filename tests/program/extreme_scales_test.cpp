@@ -132,5 +132,24 @@ TEST(ExtremeScales, AnyRangeIsFollowed) {
   EXPECT_EQ(near.back().at("nu1"), "0.5000000000000001");
 }
 
+/// Modes of the size of nu^2 would not keep their digits.
+TEST(ExtremeScales, SpinsThatAreNearlyRestAreRefused) {
+  for (const char* const nu : {"1e-99", "-1e-99", "0"})
+    EXPECT_EQ(
+        run_program({"solve", shipped("disc.toml"), "--set", std::string("motion.nu=") + nu}).code,
+        0);
+  for (const char* const nu : {"1e-101", "-1e-160"}) {
+    const Outcome outcome =
+        run_program({"solve", shipped("disc.toml"), "--set", std::string("motion.nu=") + nu});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("expected 0 or numbers from 1e-100 to 1e+45"), std::string::npos)
+        << outcome.err;
+  }
+  EXPECT_EQ(run_program({"map", shipped("disc.toml"), "--set",
+                         "map={x={parameter=\"nu\",from=1e-300,to=1.0,count=3}}"})
+                .code,
+            2);
+}
+
 }  // namespace
 }  // namespace stationary::testing

@@ -223,6 +223,25 @@ TEST_F(Files, InterruptedRunsWriteNothingAndSaySo) {
   }
 }
 
+/// As `timeout` and batch systems send it: to the process, and to the group that it is in.
+TEST_F(Files, ASignalThatComesTwiceIsOne) {
+  const Outcome outcome = run_program({"solve", case_file_, "-o", directory_ / "x.csv"},
+                                      {.pending_signal = SIGINT, .other_pending_signal = SIGTERM});
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
+  EXPECT_THAT(directory_.names(), ElementsAre("case.toml"));
+}
+
+/// /dev/stdout is a link, to what is called pipe:[...] and is no path.
+TEST_F(Files, StandardOutputByNameMayBeAPipe) {
+  const std::string whole = run_program({"solve", case_file_, "-o", "-"}).out;
+  const Outcome piped =
+      run_program({"solve", case_file_, "--quiet", "-o", "/dev/stdout"},
+                  {.program = {"sh", "-c", "\"$0\" \"$@\" | cat", program_path()}});
+  EXPECT_EQ(piped.err, "");
+  EXPECT_EQ(piped.out, whole);
+}
+
 TEST_F(Files, KilledAtAnyTimeLeavesAWholeTableOrTheOldOne) {
   const std::string target = directory_.file("x.csv", "old\n");
   const std::string whole = run_program({"solve", case_file_, "-o", "-"}).out;

@@ -69,6 +69,58 @@ TEST_F(FromRow, AnyRowLeadsToTheSameSheet) {
   EXPECT_THAT(from("fold.toml", path + ":2", {"summary"}).out, HasSubstr("fold.csv:2"));
 }
 
+/// Circles and ellipses of one branch, families in and out of a plane: S at the event is of both.
+TEST_F(FromRow, WhereTwoSheetsMeetItGoesOnAlongTheRowsOwn) {
+  const std::vector<std::pair<std::string, std::string>> cases_and_events{
+      {"jacobi", "ellipse"}, {"two_polar", "ellipse"}, {"no_plane", "shear"}};
+  for (const auto& [name, event] : cases_and_events) {
+    const std::string file = name + ".toml";
+    const std::string path = table("continue", file, name + ".csv");
+    const std::vector<Row> own = rows_of(text_of(path));
+    const Outcome outcome = from(file, path + ":" + event);
+    ASSERT_EQ(outcome.code, 0) << name << ": " << outcome.err;
+    const std::vector<Row> found = rows_of(outcome.out);
+    const auto count = [](const std::vector<Row>& rows, const auto& is_one) {
+      return std::ranges::count_if(rows, is_one);
+    };
+    const auto is_event = [](const Row& row) { return !row.at("event").empty(); };
+    EXPECT_EQ(count(found, is_event), count(own, is_event)) << name;
+    const auto is_round = [](const Row& row) { return row.at("xi") == row.at("zeta"); };
+    EXPECT_EQ(count(found, is_round), count(own, is_round)) << name;
+    EXPECT_NEAR(double(found.size()), double(own.size()), 0.02 * double(own.size()) + 2.0) << name;
+  }
+}
+
+/// The end of a curve of events is at the rectangle's side, but for rounding.
+TEST_F(FromRow, AnEndOfACurveIsInTheRange) {
+  const std::vector<std::string> sides{
+      "--set", "curve.event=tilt",     "--set", "curve.parameters=[\"nu\",\"body.J.2\"]",
+      "--set", "curve.from=[0.1,0.3]", "--set", "curve.to=[1.5,2.0]"};
+  const std::string path = table("curve", "fold.toml", "curve.csv", sides);
+  const std::size_t rows = rows_of(text_of(path)).size();
+  for (const std::size_t row : {std::size_t{1}, rows}) {
+    const Outcome outcome =
+        from("fold.toml", path + ":" + std::to_string(row),
+             {"--set", "continuation.from=0.1", "--set", "continuation.to=1.5"});
+    EXPECT_EQ(outcome.code, 0) << row << ": " << outcome.err;
+  }
+}
+
+/// The case of the metadata starts where the table did.
+TEST_F(FromRow, MetadataHaveTheStart) {
+  const std::string path = table("continue", "fold.toml", "fold.csv");
+  const Row row = rows_of(text_of(path)).at(6);
+  ASSERT_EQ(from("fold.toml", path + ":7", {"summary", "--quiet", "-o", directory_ / "x.csv"}).code,
+            0);
+  const auto told = nlohmann::json::parse(text_of(directory_ / "x.meta.json"));
+  const auto& start = told["case"]["solve"]["start"];
+  ASSERT_EQ(start.size(), 4U);
+  EXPECT_EQ(start[1], number(row.at("xi")));
+  EXPECT_EQ(start[2], number(row.at("zeta")));
+  EXPECT_EQ(told["case"]["motion"]["nu"], number(row.at("nu1")));
+  EXPECT_EQ(told["overrides"]["motion.nu"], "--from " + path + ":7");
+}
+
 TEST_F(FromRow, HdfFiveToo) {
   NEEDS_HDF5();
   const std::string csv = table("continue", "fold.toml", "fold.csv");

@@ -262,6 +262,13 @@ TEST_F(Plot, TitleOfTheCaseOrAsAsked) {
   EXPECT_THAT(texts("x.svg"), Contains("A &lt;b> &amp; {/*3 'c'} @x `y`"));
   EXPECT_EQ(plot("x.svg", {"--title", "Mine"}).code, 0);
   EXPECT_THAT(texts("x.svg"), AllOf(Contains("Mine"), Not(Contains(HasSubstr("A &lt;")))));
+  // Of another table, written beside it since: x.h5's, say.
+  directory_.file("x.meta.json", R"({"case": {"title": "Another"}, "rows": 6})");
+  EXPECT_EQ(plot("x.svg").code, 0);
+  EXPECT_THAT(texts("x.svg"), AllOf(Contains("x.csv"), Not(Contains("Another"))));
+  directory_.file("x.meta.json", R"({"case": {"title": "Its own"}, "rows": 5})");
+  EXPECT_EQ(plot("x.svg").code, 0);
+  EXPECT_THAT(texts("x.svg"), Contains("Its own"));
   directory_.file("x.meta.json", "no JSON");
   EXPECT_EQ(plot("x.svg").code, 0);
   EXPECT_THAT(texts("x.svg"), Contains("x.csv"));
@@ -372,6 +379,8 @@ TEST_F(Plot, TablesThatLackWhatIsNeeded) {
        "x.csv: found no column \"nu2\", the parameter of branch \"ii\""},
       {"branch,nu1,rho\ntwo-polar,0,1\n", "found no column \"omega\""},
       {"nu1,nu2,rho\n0,0,1\n", "found no column \"nu3\", the parameter of its rows"},
+      {"study_row,motion.nu,status,message,branch,nu1,rho\n1,0,solved,,i,0,1\n",
+       "x.csv: found a table of study; expected tables of solve,"},
       {"branch,nu1,rho\ni,0,\n", "x.csv: found no row with both ν₁ and a stretch"},
       {"branch,nu1,rho\ni,0\n", "x.csv:2:1: found 2 cells; expected 3"},
       {"branch,nu1,rho\ni,0,much\n", "x.csv:2:5: rho: found \"much\""},
@@ -384,6 +393,22 @@ TEST_F(Plot, TablesThatLackWhatIsNeeded) {
     EXPECT_THAT(outcome.err, HasSubstr(table.fragment));
     EXPECT_THAT(directory_.names(), ElementsAre("x.csv"));
   }
+}
+
+TEST_F(Plot, CurvesBesideAFamilyAndRangesOfNothing) {
+  const std::string curve = directory_.file(
+      "c.csv", "curve,special,point,event,nu1,rho,nu,body.J.1\n1,,1,tilt,1,1,1,2\n");
+  for (const bool first : {true, false}) {
+    const Outcome outcome = run_program(
+        {"plot", first ? table_ : curve, first ? curve : table_, "-o", directory_ / "x.svg"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("expected"));
+  }
+  EXPECT_THAT(run_program({"plot", table_, curve, "-o", directory_ / "x.svg"}).err,
+              HasSubstr("c.csv: found curves of events beside a family"));
+  const Outcome outcome = plot("x.svg", {"--range", "value=0:1"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("found a range of value; expected a map"));
 }
 
 TEST_F(Plot, OutputsThatAreNone) {

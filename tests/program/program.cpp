@@ -37,12 +37,13 @@ namespace fs = std::filesystem;
     const ::rlimit limit{bytes, bytes};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
-  if (options.pending_signal != 0) {
+  for (const int signal : {options.pending_signal, options.other_pending_signal}) {
+    if (signal == 0) continue;
     sigset_t blocked;
     sigemptyset(&blocked);
-    sigaddset(&blocked, options.pending_signal);
+    sigaddset(&blocked, signal);
     sigprocmask(SIG_BLOCK, &blocked, nullptr);
-    ::raise(options.pending_signal);
+    ::raise(signal);
   }
   for (const std::string& each : options.environment) ::putenv(const_cast<char*>(each.c_str()));
   ::execvp(options.program.empty() ? program_path() : arguments[0], arguments);

@@ -21,6 +21,7 @@ struct Outcome {
 /// How the child is to differ from a plain run.
 struct RunOptions {
   int pending_signal = 0;                   ///< blocked and pending when the program starts
+  int other_pending_signal = 0;             ///< likewise
   int kill_after_ms = -1;                   ///< SIGKILL after so long
   std::string interrupt_once_written = {};  ///< SIGINT when its temporary file holds something
   std::string standard_output = {};         ///< a file instead of a captured stream

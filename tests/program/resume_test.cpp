@@ -130,6 +130,23 @@ TEST_F(Resume, FromAnyNumberOfPoints) {
   }
 }
 
+/// A family of ellipses ends at a circle, whose class is that of another sheet: its cell is empty.
+TEST(ResumeATwoPolarFamily, ThatHasComeToACircle) {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "x.csv";
+  const std::vector<std::string> whole{
+      "continue", std::string(STATIONARY_CASES) + "/two_polar.toml", "--quiet", "-o", path};
+  std::vector<std::string> cut = whole;
+  cut.insert(cut.end(), {"--set", "continuation.max_points=488"});
+  ASSERT_EQ(run_program(cut).code, 0);
+  const std::size_t before = rows_of(text_of(path)).size();
+  std::vector<std::string> resumed = whole;
+  resumed.push_back("--resume");
+  const Outcome outcome = run_program(resumed);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_GE(rows_of(text_of(path)).size(), before);
+}
+
 TEST_F(Resume, OverAndOver) {
   const auto whole = uninterrupted();
   stop_after(2);

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -123,10 +124,34 @@ TEST_F(Study, RefusesATableOfOtherThings) {
   refused("nu\n0.3\n", "names no key of a case");
   refused("output.columns\n1\n", "--set");
   refused("motion.nu,motion.nu\n1,2\n", "twice");
+  refused("body.J.1,body.J\n1.1,\"[1,1.7,0.6]\"\n", "replaces what \"body.J.1\" sets");
   refused("motion.nu\n", "no rows");
   refused("motion.nu\n1,2\n", "2 cells");
   EXPECT_EQ(run("motion.nu\n0.3\n", {"--do", "nothing"}).code, 2);
   EXPECT_EQ(run_program({"study", case_file_}).code, 2);
+}
+
+/// What no row puts right is refused before anything is computed.
+TEST_F(Study, WhatIsWrongWithTheCaseIsNoRowsFault) {
+  for (const char* const wrong : {"foo=1", "body.J.0=-1", "output.columns=[\"nothing\"]"}) {
+    const Outcome outcome = run("motion.nu\n0.3\n0.4\n", {"--set", wrong});
+    EXPECT_EQ(outcome.code, 2) << wrong;
+    EXPECT_THAT(outcome.err, HasSubstr(wrong)) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(out_));
+  }
+  EXPECT_EQ(run("body.J.0\n1.0\n\n", {"--set", "body.J.0=-1"}).code, 0);
+  EXPECT_EQ(run("body.J.0\n-2\n1.0\n", {"--set", "body.J.0=-1"}).code, 0);
+}
+
+TEST_F(Study, RefusesOptionsOfAnotherTask) {
+  const std::string table = "motion.nu\n0.3\n";
+  for (const char* const task : {"solve", "continue"})
+    EXPECT_EQ(run(table, {"--do", task, "--checkpoints", "3"}).code, 2);
+  for (const char* const task : {"continue", "atlas"}) {
+    const Outcome outcome = run(table, {"--do", task, "--certify"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("expected --do solve"));
+  }
 }
 
 TEST_F(Study, ConditionsOfADomainNeedNoQuotes) {

@@ -56,8 +56,9 @@ std::vector<std::string> motion_and_body_keys(Motion motion) {
   return out;
 }
 
-constexpr double most = 1e90;     // of J, a coefficient, and V/J
-constexpr double fastest = 1e45;  // its square is one of V/J
+constexpr double most = 1e90;       // of J, a coefficient, and V/J
+constexpr double fastest = 1e45;    // its square is one of V/J
+constexpr double slowest = 1e-100;  // modes of the size of its square keep their digits
 
 bool within(double x, double limit) {
   return x == 0.0 || (std::abs(x) <= limit && std::abs(x) >= 1.0 / limit);
@@ -76,10 +77,11 @@ std::optional<OutOfScale> out_of_scale(const FamilyParameters& family) {
   Motion motion = family.motion;
   for (const auto& [parameter, value, momentum] : motion_numbers(motion)) {
     const double limit = momentum ? most : fastest;
-    if (!(std::abs(*value) <= limit))
+    const double size = std::abs(*value);
+    if (!(size == 0.0 || (size >= slowest && size <= limit)))
       return OutOfScale{parameter == "nu" ? "motion.nu" : std::string(parameter),
                         fmt::format("found {}", *value),
-                        fmt::format("numbers of at most {:g}", limit)};
+                        fmt::format("0 or numbers from {:g} to {:g}", slowest, limit)};
   }
   double largest = 0.0;
   for (const ModelChoice& model : family.models) {

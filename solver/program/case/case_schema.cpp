@@ -67,7 +67,7 @@ constexpr CaseKey keys[] = {
     {"solve.all", boolean, false, a_boolean},
     {"solve.box", ranges, false,
      "two numbers, box = [min, max], or three such pairs, of xi, zeta and rho", 3},
-    {"continuation", table, false, "a table with parameter, from and to"},
+    {"continuation", table, false, "a table with from and to"},
     {"continuation.parameter", text, false, "\"nu\" or the dotted key of a number of the case"},
     {"continuation.from", number, true, a_number},
     {"continuation.to", number, true, a_number},

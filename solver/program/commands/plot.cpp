@@ -105,7 +105,11 @@ PageChoice page_choice(const PlotOptions& options) {
 
 /// Of the case, from the metadata beside the table or in it; else the table's name.
 std::string title_of(const std::string& table) {
-  const std::string title = case_title(table_metadata(table));
+  TableReader rows = open_table(table);
+  std::size_t count = 0;
+  while (rows.next()) ++count;
+  const std::string metadata = table_metadata(table);
+  const std::string title = is_of_table(metadata, count) ? case_title(metadata) : std::string();
   return title.empty() ? fs::path(table).filename().string() : title;
 }
 
@@ -140,11 +144,20 @@ void require_plane(const PlotOptions& options, const TableReader& table, std::st
                    "one column to show and no sheet or branch");
 }
 
+/// Refuses a range of what this figure does not have.
+void refuse_range(const PlotOptions& options, std::string_view axis, std::string_view figure) {
+  for (const std::string& asked : options.ranges)
+    if (asked.starts_with(axis) && asked.substr(axis.size()).starts_with('='))
+      throw InputError(Origin::of_option("--range " + asked), "",
+                       fmt::format("found a range of {}", axis), fmt::format("{}", figure));
+}
+
 /// A map, and curves of events in its parameters.
 Figure map_figure(const PlotOptions& options, TableReader& table,
                   const std::vector<TableReader*>& curves, ImageFormat format,
                   const PageChoice& page) {
   require_plane(options, table, "a map over two parameters");
+  refuse_range(options, "rate", "a diagram of families");
   const DiagramChoice& choice = options.choice;
   const auto column = choice.columns.empty() ? std::nullopt : std::optional(choice.columns.front());
   MapDiagram map = read_map_diagram(table, column);
@@ -160,6 +173,8 @@ Figure map_figure(const PlotOptions& options, TableReader& table,
 Figure curve_figure(const PlotOptions& options, const std::vector<TableReader*>& curves,
                     ImageFormat format, const PageChoice& page) {
   require_plane(options, *curves.front(), "curves of events");
+  refuse_range(options, "rate", "a diagram of families");
+  refuse_range(options, "value", "a map");
   const MapDiagram diagram = read_curve_diagram(curves);
   return {gnuplot_script(diagram, format, title_of(options), page),
           counted(diagram.lines.size(), "curve")};
@@ -183,6 +198,12 @@ Figure figure(const PlotOptions& options, ImageFormat format) {
   }
   if (!curve_parameters(readers.front()->columns()).empty())
     return curve_figure(options, readers, format, page);
+  for (const TableReader* const each : readers) {
+    if (curve_parameters(each->columns()).empty()) continue;
+    throw InputError(Origin::in_file(each->name()), "", "found curves of events beside a family",
+                     "families alone; curves by themselves, or on a map of their parameters");
+  }
+  refuse_range(options, "value", "a map");
   const Diagram diagram = read_diagram(readers, options.choice);
   return {gnuplot_script(diagram, format, title_of(options), page),
           fmt::format("{}, {}, {}", counted(diagram.points.size(), "row"),

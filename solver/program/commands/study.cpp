@@ -1,5 +1,7 @@
 // stationary study CASE --over TABLE --do solve|continue|atlas: the case with the values of each row of a
 // table, as study_case.hpp does them.
+#include <fmt/format.h>
+
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -29,6 +31,14 @@ ExitCode run(const StudyOptions& options, const Session& session) {
   if (options.over.empty() && options.checkpoints)
     throw InputError(Origin::of_option("--checkpoints"), "", "found it with --merge alone",
                      "what the parts were made with: --over, --do and --checkpoints, or none");
+  const auto require_task = [&](bool given, const std::string& option, StudyTask only) {
+    if (given && !merges && task.value_or(StudyTask::solve) != only)
+      throw InputError(Origin::of_option(option), "",
+                       fmt::format("found it with --do {}", name(task.value_or(StudyTask::solve))),
+                       fmt::format("--do {}", name(only)));
+  };
+  require_task(options.checkpoints.has_value(), "--checkpoints", StudyTask::atlas);
+  require_task(options.certify, "--certify", StudyTask::solve);
   std::optional<StudySource> source;
   if (!options.over.empty()) source.emplace(options.over);
   const CaseTree base = CaseTree::read(options.path);

@@ -288,6 +288,12 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
     run.complain(journal ? "interrupted: the atlas is not complete; --resume goes on with it"
                          : "interrupted: the atlas is not complete");
     out.code = ExitCode::interrupted;
+  } else if (found.sheets.empty()) {
+    run.complain(fmt::format(
+        "no stationary ellipsoid was found with nu from {} to {}{}", input.continuation->from,
+        input.continuation->to,
+        complete_fraction(found) == 1.0 ? ": at each checkpoint none exists in the box" : ""));
+    out.code = ExitCode::no_equilibrium;
   }
   return out;
 }

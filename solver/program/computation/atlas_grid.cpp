@@ -208,6 +208,10 @@ ExitCode conclusion(const GridCounts& counts, std::size_t cells, const TiledRun&
     return ExitCode::interrupted;
   }
   const long failed = counts.of(StudyStatus::failed);
+  if (failed == 0 && counts.of(StudyStatus::solved) == 0 && counts.cells > 0) {
+    run.complain(fmt::format("no stationary ellipsoid in any of {} atlases", counts.cells));
+    return tiled.part.asked ? ExitCode::done : ExitCode::no_equilibrium;
+  }
   if (failed == 0) return ExitCode::done;
   run.complain(fmt::format("{} of {} atlases failed, the first of them {}", failed, counts.cells,
                            counts.first_failed));

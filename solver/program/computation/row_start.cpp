@@ -39,17 +39,22 @@ Cells cells_of(const TableReader& table) {
   return out;
 }
 
-/// Whether a row of this event is no place to start from: a fold, where the parameter names no point
-/// of its own, or an end at unbounded or vanishing stretches. The row beside it is.
-bool is_no_start(std::string_view event) {
+/// Whether a row of this event is no place to start from along its own sheet: a fold, where the parameter
+/// names no point of its own, an end at unbounded or vanishing stretches, or where sheets of one branch
+/// meet, which S does not tell apart there. The row beside it is.
+bool is_no_start(std::string_view event, std::string_view branch) {
   for (const EventType each :
-       {EventType::fold_nu, EventType::fold_parameter, EventType::escape, EventType::collapse})
+       {EventType::fold_nu, EventType::fold_parameter, EventType::escape, EventType::collapse,
+        EventType::ellipse, EventType::ellipse_23, EventType::ellipse_13, EventType::shear})
     if (event == name(each)) return true;
-  return false;
+  // The end of a family whose axis has come to a material one.
+  const bool ends = event == name(EventType::tilt) || event == name(EventType::oblique);
+  return ends && !branch_from_name(branch);
 }
 
-/// The row; to start from, one beside it on the same sheet where it is no place to.
-Cells row_of(const std::string& text, bool to_start_from) {
+/// The row; to go on along the sheets of a branch, one beside it on the same sheet where it is no place to
+/// start from.
+Cells row_of(const std::string& text, const std::optional<std::string>& along) {
   const RowName wanted = row_name(text);
   TableReader table = open_table(wanted.path);
   const auto event = table.column("event");
@@ -65,7 +70,8 @@ Cells row_of(const std::string& text, bool to_start_from) {
     if (fold && here["sheet"] == (*fold)["sheet"]) return here;  // nothing was before it
     const bool counts = wanted.event.empty() || table.text(*event) == wanted.event;
     if (counts && ++number == wanted.number) {
-      if (!to_start_from || !event || !is_no_start(table.text(*event))) return here;
+      if (!along || !event || here["branch"] != *along || !is_no_start(table.text(*event), *along))
+        return here;
       if (!before.empty() && before["sheet"] == here["sheet"]) return before;
       fold = std::move(here);
       continue;
@@ -98,7 +104,10 @@ std::optional<TiltPlane> tilt_plane(const Body& body, const Stretch& q) {
 class FromRow {
  public:
   FromRow(const Case& given, const std::string& text, bool to_start_from)
-      : given_(given), text_(text), row_(row_of(text, to_start_from)) {}
+      : given_(given),
+        text_(text),
+        row_(row_of(text, to_start_from ? std::optional<std::string>(given.branch_name())
+                                        : std::nullopt)) {}
 
   RowStart run() {
     Case input = with_numbers_of_the_row();
@@ -128,6 +137,7 @@ class FromRow {
   }
 
  private:
+  Origin place() const { return Origin::of_option("--from " + printable(text_)); }
   Stretch stretch() const {
     const Stretch q{value_or("alpha", 0.0), value("xi"), value("zeta"), value("rho")};
     if (const char* inequality = violated_inequality(q))
@@ -157,7 +167,7 @@ class FromRow {
   Case with_numbers_of_the_row() const {
     CaseTree tree = given_.source;
     const auto set = [&](const std::string& key, const std::string& cell) {
-      tree.override_key(key + "=" + cell);
+      tree.override_key(key + "=" + cell, place());
     };
     Motion motion = given_.motion;
     for (const MotionNumber& each : motion_numbers(motion)) {
@@ -207,21 +217,24 @@ class FromRow {
       const auto [first, second] = parts_of(*next);
       const double unit = parameter_value({out.own_body, out.models, out.motion}, second);
       tree.override_key(
-          fmt::format("{}={}", first == "nu" ? "motion.nu" : first, number_in(row_, *next) * unit));
+          fmt::format("{}={}", first == "nu" ? "motion.nu" : first, number_in(row_, *next) * unit),
+          place());
       left.erase(next);
       out = make_case(tree);
     }
     return out;
   }
 
-  /// The row's own value of the parameter, which must be in the range followed.
+  /// The row's own value of the parameter, which must be in the range followed; an end of a curve of events
+  /// is there but for rounding.
   double require_between(const Case& input, const std::string& parameter, double from,
                          double to) const {
     const double p = parameter_value({input.body, input.models, input.motion}, parameter);
-    if (!(p >= from && p <= to))
+    const double rounding = 0x1p-50 * std::max(std::abs(from), std::abs(to));
+    if (!(p >= from - rounding && p <= to + rounding))
       refuse(text_, fmt::format("found a row at {} = {}", parameter, p),
              fmt::format("a row in the range followed, [{}, {}]", from, to));
-    return p;
+    return std::clamp(p, from, to);
   }
 
   RowStart finished(Case input, const Stretch& q) const {
@@ -233,6 +246,7 @@ class FromRow {
     start.found.connection = Connection::given_start;
     start.found.q = q;
     start.is_event = is_event_proper();
+    input.solve.start = q;
     return {std::move(input), std::move(start)};
   }
 

@@ -268,7 +268,10 @@ bool Diagram::of_stretches() const {
 
 Diagram read_diagram(const std::vector<TableReader*>& tables, const DiagramChoice& choice) {
   DiagramReader reader(choice, tables.size() > 1);
-  for (TableReader* table : tables) reader.add(*table);
+  for (TableReader* table : tables) {
+    require_drawable(*table);
+    reader.add(*table);
+  }
   return reader.take();
 }
 

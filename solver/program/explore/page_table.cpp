@@ -58,6 +58,7 @@ std::string joined(const std::vector<std::string>& cells) {
 }  // namespace
 
 PageTable read_page_table(TableReader& table) {
+  require_drawable(table);
   PageTable out;
   out.file = std::filesystem::path(table.name()).filename().string();
   out.title = out.file;

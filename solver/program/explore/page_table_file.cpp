@@ -11,6 +11,7 @@ PageTable read_page_table(const std::string& path, const std::optional<std::stri
   TableReader table = open_table(path);
   PageTable out = read_page_table(table);
   out.metadata = table_metadata(path);
+  if (!is_of_table(out.metadata, out.rows)) out.metadata.clear();
   if (const std::string of_case = case_title(out.metadata); !of_case.empty()) out.title = of_case;
   if (title) out.title = *title;
   return out;

@@ -434,6 +434,11 @@ std::optional<CurveRecord> curve_record(std::string_view metadata) {
   }
 }
 
+bool is_of_table(std::string_view metadata, std::size_t rows) {
+  const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  return found.is_object() && (!found.contains("rows") || found["rows"] == Json(rows));
+}
+
 std::string case_title(std::string_view metadata) {
   const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
   const Json::json_pointer place("/case/title");

@@ -106,6 +106,9 @@ std::optional<CurveRecord> curve_record(std::string_view metadata);
 /// the key `run`, without which it is the same for every run of a case.
 std::string metadata_json(const Metadata& metadata, bool of_the_run = true);
 
+/// Whether such a text is of a table of so many rows, and not of another that was written beside it since.
+bool is_of_table(std::string_view metadata, std::size_t rows);
+
 /// The title of the case in such a text; empty where it has none, or is no such text.
 std::string case_title(std::string_view metadata);
 

@@ -16,16 +16,17 @@ namespace {
 constexpr std::string_view remedy =
     "--resume goes on with what `continue` wrote of the same case and columns";
 
-/// The name as it stands in a list of names, which outlives the row.
+/// The name as it stands in a list of names, which outlives the row; an empty cell says nothing.
 template <std::size_t size>
 std::string_view kept(const TableReader& table, std::size_t column,
                       const std::string_view (&names)[size]) {
+  if (table.text(column).empty()) return {};
   const auto at = std::ranges::find(names, table.text(column));
   if (at == std::end(names)) throw table.fault(column, "a name `continue` writes");
   return *at;
 }
 
-constexpr std::string_view side_words[] = {"", name(EventSide::before), name(EventSide::after)};
+constexpr std::string_view side_words[] = {name(EventSide::before), name(EventSide::after)};
 
 TableRow read_row(const TableReader& table, const std::vector<Column>& columns, bool trailing,
                   std::string_view branch) {

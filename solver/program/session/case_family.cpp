@@ -77,7 +77,7 @@ Equilibrium only_one(const Case& input, const Alternatives& kinds, const SolveOp
 void require_range(const Case& input) {
   if (input.continuation) return;
   throw fault_at(input.source, "continuation", "found no such key",
-                 "a table with parameter, from and to", "add [continuation]");
+                 "a table with from and to", "add [continuation]");
 }
 
 FollowOptions follow_options(const Case& input, double unit, const Run& run) {

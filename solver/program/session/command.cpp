@@ -44,7 +44,7 @@ void ComputeOptions::add_to(CLI::App& command) {
   command
       .add_option("-o,--output", output,
                   "Write the table there, and FILE's .meta.json beside it: HDF5 with the suffix "
-                  ".h5 or .hdf5, else CSV; - is standard output")
+                  ".h5 or .hdf5, CSV with .csv or none; - is standard output")
       ->type_name("FILE")
       ->check(not_empty);
   command.add_flag("--certify", certify,

@@ -1,4 +1,5 @@
-// Ctrl-C and SIGTERM: the first asks the computation to end cleanly, the second ends the program.
+// Ctrl-C and SIGTERM: the first asks the computation to end cleanly, another one, unless it comes within
+// half a second, ends the program.
 #pragma once
 
 #include <atomic>

@@ -69,18 +69,19 @@ constexpr mode_t all_may = 0666;  // less the umask
 
 AtomicFile::AtomicFile(const fs::path& target) : target_(target) {
   if (target.empty()) throw UnwritableFile("the name is empty");
-  std::error_code error;
-  if (fs::is_symlink(target, error)) {
+  struct ::stat status {};
+  const bool exists = ::stat(target.c_str(), &status) == 0;
+  const bool regular = !exists || S_ISREG(status.st_mode);
+  // What a link to a pipe is called (/dev/stdout) is no path.
+  if (std::error_code error; regular && fs::is_symlink(target, error)) {
     const fs::path followed = fs::canonical(target, error);
     if (error) throw UnwritableFile("a link that leads nowhere");
     target_ = followed;
   }
-  struct ::stat status {};
-  const bool exists = ::stat(target_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) throw UnwritableFile("it is a directory");
   // A rename would replace a file protected against writing.
   if (exists && ::access(target_.c_str(), W_OK) != 0) refuse(errno);
-  if (exists && !S_ISREG(status.st_mode)) {
+  if (!regular) {
     descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) refuse(errno);
     return;

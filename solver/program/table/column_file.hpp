@@ -95,7 +95,7 @@ std::unique_ptr<std::istream> column_file_table(const std::string& path,
 /// A table of HDF5 or of CSV, whichever the file is. Throws InputError.
 TableReader open_table(const std::string& path);
 
-/// The metadata of a table: those of the file beside it, else its own; empty where there are none.
+/// The metadata of a table: its own, or those of the file beside it; empty where there are none.
 std::string table_metadata(const std::string& path);
 
 /// Whether a file is one of TablesFile's.

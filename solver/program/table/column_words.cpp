@@ -67,10 +67,11 @@ TableReader open_table(const std::string& path) {
 }
 
 std::string table_metadata(const std::string& path) {
+  // One file may stand beside both x.csv and x.h5.
+  if (is_column_file(path))
+    if (std::string own = column_file_metadata(path); !own.empty()) return own;
   std::ifstream file(metadata_path(path), std::ios::binary);
-  std::string out{std::istreambuf_iterator<char>(file), {}};
-  if (out.empty() && is_column_file(path)) out = column_file_metadata(path);
-  return out;
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace stationary

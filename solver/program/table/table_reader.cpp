@@ -18,7 +18,7 @@ namespace {
 std::unique_ptr<std::istream> opened(const std::string& path) {
   const auto refuse = [&](std::string_view reason) {
     throw InputError(Origin::in_file(path), "", fmt::format("cannot read it: {}", reason),
-                     "a table (CSV)");
+                     "a table (CSV or HDF5)");
   };
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) refuse("it is a directory");
@@ -140,6 +140,17 @@ void TableReader::refuse(std::size_t at, std::string found, std::string allowed)
 /// The record's first line, and how far from its start: exact where no cell spans lines.
 Origin TableReader::place(std::size_t at) const {
   return Origin::in_file(name_, line_, static_cast<int>(at) + 1);
+}
+
+void require_drawable(const TableReader& table) {
+  const auto has = [&](std::string_view name) { return table.column(name).has_value(); };
+  const std::string_view command = has("study_row")                      ? "study"
+                                   : has("complete_fraction")            ? "atlas --grid"
+                                   : has("uncertainty") && has("number") ? "sensitivity"
+                                                                         : "";
+  if (command.empty()) return;
+  throw InputError(Origin::in_file(table.name()), "", "found a table of " + std::string(command),
+                   "tables of solve, continue, atlas, map or curve");
 }
 
 }  // namespace stationary

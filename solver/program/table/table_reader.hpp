@@ -65,4 +65,8 @@ class TableReader {
   int lines_read_ = 0;  ///< a quoted cell may hold more than one
 };
 
+/// Throws InputError of a table whose rows are no motions and no events: of study, sensitivity,
+/// atlas --grid.
+void require_drawable(const TableReader& table);
+
 }  // namespace stationary

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
+#include <string_view>
 
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_schema.hpp"
@@ -17,7 +19,29 @@ Study::Study(const StudyRun& asked)
     tree_.override_key(each);
     options_.push_back({each});
   }
+  require_some_case();
   plan_.columns = columns();
+}
+
+/// What is wrong with the case or the options, and no row puts right, is not a row's fault.
+void Study::require_some_case() const {
+  const auto fault_of = [this](std::span<const Override> overrides) -> std::optional<InputError> {
+    try {
+      (void)make_case(base_, overrides);
+      return std::nullopt;
+    } catch (const InputError& fault) {
+      return fault;
+    }
+  };
+  const std::optional<InputError> own = fault_of(options_);
+  if (!own) return;
+  for (std::size_t row = 0; row < source_.rows(); ++row) {
+    std::vector<Override> overrides = options_;
+    std::ranges::move(source_.overrides(row), std::back_inserter(overrides));
+    const std::optional<InputError> there = fault_of(overrides);
+    if (!there || std::string_view(there->what()) != own->what()) return;
+  }
+  throw *own;
 }
 
 std::optional<Case> Study::alone() const {

@@ -27,7 +27,7 @@ struct StudyRun {
 
 class Study {
  public:
-  /// Throws InputError.
+  /// Throws InputError, also of a case that none of the rows makes one.
   explicit Study(const StudyRun& asked);
 
   const StudySource& source() const { return source_; }
@@ -44,6 +44,7 @@ class Study {
   std::string hash() const;
 
  private:
+  void require_some_case() const;
   /// Of solve's rows: those the case asks for, of any kind of motion that a row may have.
   std::vector<Column> columns() const;
 

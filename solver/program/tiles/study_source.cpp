@@ -56,6 +56,16 @@ void require_name(const std::string& path, const std::string& name) {
          did_you_mean(nearest_name(name == "nu" ? "motion.nu" : std::string_view(name), known)));
 }
 
+/// A column's key would replace what an earlier one has set: body.J after body.J.1.
+void require_apart(const std::string& path, const std::vector<std::string>& names) {
+  for (std::size_t k = 0; k < names.size(); ++k)
+    for (std::size_t before = 0; before < k; ++before)
+      if (names[before].starts_with(names[k] + '.'))
+        throw InputError(Origin::in_file(path, 1, 1), printable(names[k]),
+                         "found a column that replaces what " + in_quotes(names[before]) + " sets",
+                         "each number in one column");
+}
+
 }  // namespace
 
 bool is_number(std::string_view cell) {
@@ -69,6 +79,7 @@ StudySource::StudySource(const std::string& path) : StudySource(open_table(path)
 StudySource::StudySource(TableReader table, std::string path) : path_(std::move(path)) {
   names_ = table.columns();
   for (const std::string& name : names_) require_name(path_, name);
+  require_apart(path_, names_);
   while (table.next()) {
     std::vector<Cell>& row = rows_.emplace_back();
     for (std::size_t k = 0; k < names_.size(); ++k)

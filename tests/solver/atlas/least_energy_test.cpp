@@ -226,6 +226,40 @@ TEST(LeastEnergy, IsNoNoiseOfInterpolation) {
   EXPECT_NEAR(pieces[1].to.spin, nu, 1e-10 * nu);
 }
 
+/// Who has the least, and from where, is no matter of how coarse the sheets' rows are: where two that are
+/// near each other are solved for, where one leaves another at an event, and on the way to an escape, where
+/// a double's worth of nu is many of |pi|.
+TEST(LeastEnergy, IsTheSameOfCoarseRows) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> bodies{
+      {"fold",
+       {"body.J=[1.0,0.5,0.6]", "potential.plane={model=\"hencky\",mu=0.5,lambda=0.8}",
+        "continuation.to=1.0"}},
+      {"third_axis", {}},
+      {"circle", {}},
+      {"no_plane", {}}};
+  for (const auto& [name, more] : bodies) {
+    std::vector<std::vector<LeastEnergyPiece>> of;
+    for (const char* const tolerance : {"1e-10", "1e-6", "1e-4"}) {
+      std::vector<Override> overrides{{std::string("continuation.tolerance=") + tolerance}};
+      for (const std::string& each : more) overrides.push_back({each});
+      const Case input =
+          make_case(CaseTree::read(STATIONARY_CASES "/" + name + ".toml"), overrides);
+      const AtlasOptions how = atlas_options(input, 8, false);
+      of.push_back(least_energy(atlas(input.body, input.potential, how).sheets, how.search));
+    }
+    ASSERT_GE(of[0].size(), 3U);
+    for (const auto& each : of) {
+      ASSERT_EQ(each.size(), of[0].size()) << name;
+      for (std::size_t k = 0; k < each.size(); ++k) {
+        EXPECT_EQ(each[k].sheet, of[0][k].sheet) << name << " " << k;
+        if (k > 0)
+          EXPECT_NEAR(each[k].from.momentum / of[0][k].from.momentum, 1.0, 1e-9)
+              << name << " " << k;
+      }
+    }
+  }
+}
+
 /// Another that lies below by less than that, and is known along a part of the way only, takes no piece
 /// whose ends it does not have.
 TEST(LeastEnergy, OfASheetThatCoversPartOfAPiece) {

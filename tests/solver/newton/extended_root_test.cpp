@@ -9,21 +9,21 @@
 namespace stationary {
 namespace {
 
-/// (y - 1)^2 = s: two roots, 1 - sqrt(s) and 1 + sqrt(s). The input is s.
+/// (y - 1)^2 = s: two roots, 1 - sqrt(s) and 1 + sqrt(s). The input is s. Beside it z = 1.
 struct TwoRoots {
-  static constexpr int dimension = 1;
+  static constexpr int dimension = 2;
   double s;
 
   std::size_t inputs() const { return 1; }
   bool has_decimals() const { return false; }
-  ExtendedVector<1> values(const ExtendedVector<1>& y, InputChange change) const {
+  ExtendedVector<2> values(const ExtendedVector<2>& y, InputChange change) const {
     const DoubleDouble off = y[0] - 1.0;
     // Of the sum s + 1, as of a body whose numbers are of order one.
-    return {off * off - (change(s + 1.0, 0) - 1.0)};
+    return {off * off - (change(s + 1.0, 0) - 1.0), y[1] - 1.0};
   }
-  std::array<Conditioned, 1> conditioned(const std::array<Conditioned, 1>& y, bool) const {
+  std::array<Conditioned, 2> conditioned(const std::array<Conditioned, 2>& y, bool) const {
     const Conditioned off = y[0] - Conditioned(1.0);
-    return {off * off - Conditioned(s)};
+    return {off * off - Conditioned(s), y[1] - Conditioned(1.0)};
   }
 };
 
@@ -32,7 +32,7 @@ TEST(ExtendedRoot, TheBoundHoldsNearADoubleRoot) {
   for (int k = 4; k < 52; ++k) {
     const double s = std::ldexp(1.0, -k);
     const double root = std::sqrt(s);
-    const auto found = extended_root(TwoRoots{s}, {DoubleDouble(1.0 + root)});
+    const auto found = extended_root(TwoRoots{s}, {DoubleDouble(1.0 + root), 1.0});
     if (!found) continue;
     ++told;
     EXPECT_NEAR(double(found->y[0] - 1.0), root, 1e-14 * root);
@@ -44,7 +44,7 @@ TEST(ExtendedRoot, TheBoundHoldsNearADoubleRoot) {
     EXPECT_LE(found->error[0], 2.5 * 0x1p-53 * (1.0 + s) / (2.0 * root) + 1e-15);
   }
   EXPECT_GE(told, 40);
-  EXPECT_FALSE(extended_root(TwoRoots{0x1p-53}, {DoubleDouble(1.0 + 0x1p-26)}));
+  EXPECT_FALSE(extended_root(TwoRoots{0x1p-53}, {DoubleDouble(1.0 + 0x1p-26), 1.0}));
 }
 
 }  // namespace
