@@ -11,8 +11,8 @@ namespace stationary {
 
 AtlasOptions atlas_options(const Case& input, std::optional<int> checkpoints, bool with_spectrum) {
   if (!input.continuation) {
-    throw fault_at(input.source, "continuation", "found no such key",
-                   "a table with from and to", "add [continuation]");
+    throw fault_at(input.source, "continuation", "found no such key", "a table with from and to",
+                   "add [continuation]");
   }
   const Case::Continuation& asked = *input.continuation;
   if (asked.parameter != "nu") {

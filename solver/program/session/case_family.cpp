@@ -76,8 +76,8 @@ Equilibrium only_one(const Case& input, const Alternatives& kinds, const SolveOp
 
 void require_range(const Case& input) {
   if (input.continuation) return;
-  throw fault_at(input.source, "continuation", "found no such key",
-                 "a table with from and to", "add [continuation]");
+  throw fault_at(input.source, "continuation", "found no such key", "a table with from and to",
+                 "add [continuation]");
 }
 
 FollowOptions follow_options(const Case& input, double unit, const Run& run) {
