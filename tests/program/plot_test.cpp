@@ -396,8 +396,9 @@ TEST_F(Plot, TablesThatLackWhatIsNeeded) {
 }
 
 TEST_F(Plot, CurvesBesideAFamilyAndRangesOfNothing) {
-  const std::string curve = directory_.file(
-      "c.csv", "curve,special,point,event,nu1,rho,nu,body.J.1\n1,,1,tilt,1,1,1,2\n");
+  const std::string curve = directory_.file("c.csv",
+                                            "event,curve,point,special,branch,nu,body.J.1,nu1,rho\n"
+                                            "tilt,1,0,,i,1,2,1,1\ntilt,1,1,,i,1.1,2.1,1.1,1\n");
   for (const bool first : {true, false}) {
     const Outcome outcome = run_program(
         {"plot", first ? table_ : curve, first ? curve : table_, "-o", directory_ / "x.svg"});
