@@ -117,8 +117,8 @@ class ExtendedRootFinder {
   }
   void linearize(const ExtendedVector<N>& y) { rows_.eliminate(columns_at(y)); }
 
-  /// The largest row of |A^-1 dA|, dA by how much A differs within twice the error, to the first
-  /// order, of each unknown; NaN where one is.
+  /// c: by how much of itself A differs within twice the error, to the first order; each unknown in
+  /// units of its own error, |A^-1 dA| e <= c e. NaN where one is.
   double change_within(const ExtendedVector<N>& y, const Numbers& error) const {
     const Columns here = columns_at(y);
     Numbers sum{};
@@ -133,7 +133,8 @@ class ExtendedRootFinder {
           Numbers change;
           for (std::size_t i = 0; i < y.size(); ++i) change[i] = there[j][i] - here[j][i];
           const Numbers solved = rows_.solve(change);
-          for (std::size_t i = 0; i < y.size(); ++i) rows[i] += std::abs(solved[i]);
+          for (std::size_t i = 0; i < y.size(); ++i)
+            rows[i] += std::abs(solved[i]) * (error[j] / error[i]);
         }
         for (std::size_t i = 0; i < y.size(); ++i)
           if (!(rows[i] <= most[i])) most[i] = rows[i];
@@ -162,7 +163,7 @@ class ExtendedRootFinder {
         spread[i] += rows_.scaled(i, half_unit * decimals[i].condition);
     }
     Numbers error = rows_.largest(spread);
-    for (double& each : error) each += 2.0 * last;
+    for (double& each : error) each += 2.0 * last + 0x1p-100;
     for (std::size_t k = 0; k < system_->inputs(); ++k) {
       const Numbers moved =
           rows_.solve(difference(system_->values(y, {k, h}), system_->values(y, {k, -h})));
