@@ -107,6 +107,10 @@ class Potential {
   /// Isotropic with gravity or a held volume: nothing otherwise. Counts as isotropic: alpha = 0 is known of it
   /// as of these.
   const BodyModel<>* body_model() const { return std::get_if<BodyModel<>>(&models_); }
+  /// Gravity of J1 != J2 beside an isotropic elastic energy: where that is stationary in t = xi + zeta,
+  /// motions with alpha != 0 may exist about axis 3, oblique ones and ones in no plane. What is said to
+  /// be all of them is so of alpha = 0.
+  bool may_shear() const { return body_model() != nullptr && !body_model()->isotropic(); }
   /// det S, where it is held.
   std::optional<double> volume() const {
     if (!is_isotropic()) return anisotropic().body().volume;

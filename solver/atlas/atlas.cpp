@@ -154,6 +154,10 @@ std::vector<std::unique_ptr<SheetSource>> axis_sources(const Body& body, const P
       const Interval zeta = options.search.range(1);
       const bool mirror_image =
           branch == Branch::ii && has_i && body.symmetric() && xi.lo == zeta.lo && xi.hi == zeta.hi;
+      if (branch == Branch::iii && potential.may_shear())
+        remark(out, branch, false, std::nullopt, options.from,
+               "alpha = 0 alone: with gravity and J1 != J2 there may be sheared motions, and "
+               "oblique ones, which are not looked for");
       if (!mirror_image) all.push_back(axis_sheets(problem));
     } else if (branch != Branch::iii && !potential.anisotropic().shear_free()) {
       const char* known =

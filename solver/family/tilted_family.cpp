@@ -89,7 +89,9 @@ class TiltedFamily final : public Family<2> {
     out.parameter = out.nu = p;
     out.body = body_;
     out.q = {0.0, x[0], x[1], double(q.rho)};
-    out.error_bound = error_bound;
+    // rho follows from the others by a ratio of two of J, and is rounded.
+    const double of_rho = holds_volume(model_) ? 0.0 : 0x1p-52;
+    out.error_bound = error_bound + of_rho;
     out.tilt_in_plane = share(squares.in_plane, p, error_bound);
     out.tilt_normal = share(squares.normal, p, error_bound);
     if (out.beyond_end()) return out;

@@ -104,7 +104,11 @@ class AxisSearch {
 SearchResult search(const Problem& problem, double nu, const SearchOptions& options) {
   if (!std::isfinite(nu)) throw std::invalid_argument("nu finite");
   if (!problem.potential().is_isotropic()) return search_anisotropic(problem, nu, options);
-  return AxisSearch(problem, nu, options).run();
+  SearchResult out = AxisSearch(problem, nu, options).run();
+  if (problem.branch() == Branch::iii && problem.potential().may_shear())
+    out.message +=
+        ", of alpha = 0: with gravity and J1 != J2 there may be others, which are not looked for";
+  return out;
 }
 
 }  // namespace stationary

@@ -17,6 +17,7 @@ namespace stationary::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Rows of a table whose comments begin with '#'; cells may be quoted.
 std::vector<Row> reference(const std::string& name) {
@@ -577,6 +578,29 @@ TEST(WholeBody, WrongInputIsRefusedByName) {
     EXPECT_EQ(outcome.code, 2) << text;
     EXPECT_THAT(outcome.err, HasSubstr(said)) << text;
   }
+}
+
+/// S = (alpha 0.2598, xi 1.05, zeta 0.75, rho 1.0) is a motion of this body too: W_t = 0 there.
+TEST(WholeBody, OfGravityAndUnequalInertiasAllIsSaidOfNoShear) {
+  const TemporaryDirectory directory;
+  const std::string path =
+      directory.file("case.toml",
+                     "[body]\nJ = [1.0, 1.7, 0.6]\nvolume = 0.72\n[gravity]\ng = 2.0\n[potential]\n"
+                     "plane = { model = \"biot\", mu = 0.5, lambda = 4.0 }\n"
+                     "thickness = { model = \"harmonic\", k = 1.0, rest = 1.9103134285 }\n"
+                     "[motion]\nbranch = \"iii\"\nnu = 0.536491\n"
+                     "[continuation]\nfrom = 0.53\nto = 0.54\n");
+  const std::vector<std::string> small{"--set", "solve.box=[0.5,2]"};
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.begin() + 1, path);
+    words.insert(words.end(), small.begin(), small.end());
+    return run_program(words).out;
+  };
+  EXPECT_THAT(run({"solve", "--set", "solve.all=true"}), HasSubstr("alpha = 0"));
+  EXPECT_THAT(run({"atlas", "--checkpoints", "1"}), HasSubstr("there may be sheared motions"));
+  EXPECT_THAT(run({"check"}), HasSubstr("isotropic but for gravity"));
+  // With J1 = J2 the angle of S is a matter of choice.
+  EXPECT_THAT(run({"check", "--set", "body.J=[1.0,1.0,0.6]"}), Not(HasSubstr("but for gravity")));
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 //   V = V_elastic - g F(T, D, z)   (gravity_derivatives.hpp; g = 0 without gravity),
 //
 // or, where det S = C is held, what is left of it when rho is eliminated (held_volume.hpp). Where
-// J1 != J2 gravity is not isotropic, but even in alpha and bound to the material axes: what holds of
-// isotropic bodies at alpha = 0 holds of these.
+// J1 != J2 gravity is not isotropic, but even in alpha: what holds of isotropic bodies at alpha = 0
+// holds of these, and not that alpha is 0 (Potential::may_shear()).
 //
 // The interface of a coupled model that takes the principal stretches apart: log_balance() is its
 // balance in every number type.
@@ -41,7 +41,7 @@ struct BodyModel {
   static constexpr std::size_t inertia_place = g_place + 2;
   static constexpr std::size_t places = g_place + 5;
 
-  /// Else it is bound to the material axes, and no circle at rest.
+  /// Else there is no circle at rest.
   bool isotropic() const requires std::is_same_v<C, double> { return !gravitates || J.J1 == J.J2; }
 
   std::array<C, places> coefficients() const {

@@ -62,8 +62,9 @@ void require_symmetry(const CaseTree& tree, std::string_view branch, bool asks_i
                              asks_isotropic ? "anisotropic" : "isotropic"),
                  asks_isotropic ? "one of \"i\", \"ii\", \"iii\", \"oblique\""
                                 : "one of \"i\", \"ii\", \"iii\", \"tilted\", \"two-polar\"",
-                 asks_isotropic ? "its equations are an isotropic potential's"
-                                : "an oblique axis needs a potential with directions of its own");
+                 asks_isotropic
+                     ? "its equations are an isotropic potential's"
+                     : "oblique motions are had of potentials with directions of their own");
 }
 
 AxisRotation read_axis_rotation(const CaseTree& tree, Branch branch) {

@@ -73,7 +73,7 @@ std::optional<Stretch> read_start(const CaseTree& tree, bool two_polar, bool str
   };
   if (straight && start[0] != 0.0)
     refuse(0, "alpha = 0",
-           "the potential is isotropic, and then alpha = 0 but for an axis in no plane");
+           "of an isotropic potential motions with alpha = 0 are had, but for an axis in no plane");
   if (two_polar && start[1] == start[2])
     refuse(2, "lambda != mu", "on the circle the two-polar balance is singular");
   for (std::size_t k = 1; k < 4; ++k)
