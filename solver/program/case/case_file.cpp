@@ -64,7 +64,7 @@ void require_symmetry(const CaseTree& tree, std::string_view branch, bool asks_i
                                 : "one of \"i\", \"ii\", \"iii\", \"tilted\", \"two-polar\"",
                  asks_isotropic
                      ? "its equations are an isotropic potential's"
-                     : "oblique motions are had of potentials with directions of their own");
+                     : "oblique motions are had of a potential with directions of its own");
 }
 
 AxisRotation read_axis_rotation(const CaseTree& tree, Branch branch) {

@@ -114,7 +114,8 @@ TEST(TiltedFamily, EveryRowBalances) {
 /// rho is sqrt(J1/J3) xi, or so, rounded, and J are known to half a unit each.
 TEST(TiltedFamily, TheBoundIsOfRhoToo) {
   for (const Given& of : given())
-    for (const Row& row : whole(of).rows) EXPECT_GE(row.member.error_bound, 0x1p-52) << of.name;
+    for (const FollowedRow& row : whole(of).rows)
+      EXPECT_GE(row.member.error_bound, 0x1p-52) << of.name;
 }
 
 TEST(TiltedFamily, ExchangingAxes1And2ExchangesThePlanes) {
