@@ -111,8 +111,8 @@ LogBalance<S> coupled_log_balance(const CoupledDerivatives<S>& w, const Q& xi, c
 /// The verdict on a candidate (q, nu), evaluated from the returned numbers alone: what a solver's
 /// own word is replaced by.
 struct BalanceCheck {
-  /// max |F_i| relative to the largest term |V_i|, |V_ij q_j| or |(C q)_i| in F. A q correct to the
-  /// last place leaves a few 1e-16.
+  /// max |F_i| relative to the largest term |V_i|, |V_ij q_j| or |(C q)_i| in F, or |P d_k rho|, what pushes
+  /// rho along a held volume. A q correct to the last place leaves a few 1e-16.
   double residual = poison<double>();
   /// max |K_i| relative to the largest product in it; 0 where every product vanishes.
   double compatibility = poison<double>();
@@ -122,9 +122,11 @@ BalanceCheck check_balance(const Body& body, const Potential& potential, const S
                            const Vector3<double>& nu);
 
 /// The same from the potential's derivatives (order 2) at q. volume_held: they are those along a
-/// held volume (Potential::derivatives()), which leaves of the centrifugal force what is along it.
+/// held volume (Potential::derivatives()), which leaves of the centrifugal force what is along it;
+/// cancels: the size of other terms that are in v, and cancel.
 BalanceCheck check_balance(const Body& body, const PotentialDerivatives<double>& v,
-                           const Stretch& q, const Vector3<double>& nu, bool volume_held = false);
+                           const Stretch& q, const Vector3<double>& nu, bool volume_held = false,
+                           double cancels = 0.0);
 
 /// The multiplier P of a held volume, grad V - P grad(d rho) = C(nu) q, at alpha = 0 and the spin
 /// nu: positive where it pushes outward. Not a pressure of the material: V + f(d rho) shifts it by

@@ -209,9 +209,12 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     out.angular_velocity = {double(nu[0]), double(nu[1]), double(nu[2])};
     out.error_bound = error_bound;
     if (options_.errors || options_.energy || !Layout::alpha) add_elastic(at, out);
-    if (at.models->potential.body().volume)
+    if (at.models->potential.body().volume) {
       out.pressure = at.models->potential.pressure(
           out.q, centrifugal_matrix(at.body, out.angular_velocity)(3, 3));
+      // Along a held volume V_alpha,alpha has terms in 1/d, which cancel where S is thin.
+      if constexpr (!Layout::alpha) out.turn = extended_turn(at, q);
+    }
     if (options_.spectrum) {
       ++this->evaluations_.spectra;
       out.spectrum =
@@ -431,6 +434,14 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     const double stiffness = shear_stiffness(V_aa, at.models->plain.body.volume.has_value(), branch,
                                              at.body.J3, at.nu * at.nu, q);
     return turn_of(at.body, branch, stiffness, q, at.nu);
+  }
+
+  double extended_turn(const Setting& at, const BasicStretch<DoubleDouble>& q) const {
+    const DoubleDouble V_aa = potential_derivatives<2>(at.models->extended, q).hessian(0, 0);
+    const DoubleDouble stiffness = shear_stiffness(V_aa, true, branch_, DoubleDouble(at.body.J3),
+                                                   two_product(at.nu, at.nu), q);
+    return turn_of(at.body, branch_, double(stiffness),
+                   {0.0, double(q.xi), double(q.zeta), double(q.rho)}, at.nu);
   }
 
   Body body_;

@@ -580,6 +580,47 @@ TEST(WholeBody, WrongInputIsRefusedByName) {
   }
 }
 
+/// lambda ln C pushes every stretch and cancels along the volume: the same motion whatever lambda is.
+TEST(WholeBody, ABulkModulusSaysNothingOfAHeldVolume) {
+  const TemporaryDirectory directory;
+  const std::string path =
+      directory.file("case.toml",
+                     "[body]\nJ = [1.0, 1.0, 1.0]\nvolume = 0.01\n[potential]\n"
+                     "coupled = { model = \"neo-hookean-3d\", mu = 1.0, lambda = 1.0 }\n"
+                     "[motion]\nbranch = \"iii\"\nnu = 0.5\n");
+  std::vector<double> xi;
+  for (const char* const lambda : {"1", "1000", "1e6"}) {
+    const Outcome outcome = run_program(
+        {"solve", path, "-o", "-", "--set", std::string("potential.coupled.lambda=") + lambda});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    xi.push_back(number(rows_of(outcome.out).at(0).at("xi")));
+  }
+  EXPECT_NEAR(xi[1], xi[0], 1e-14);
+  EXPECT_NEAR(xi[2], xi[0], 1e-14);
+}
+
+/// On its way to an escape d is 1e-5, and the shear's stiffness a difference of terms in 1/d.
+TEST(WholeBody, AThinFibredBodyHasOneOblique) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "case.toml",
+      "[body]\nJ = [0.34092, 0.382212, 1.76309]\nvolume = 1.18321\n[potential]\n"
+      "plane = { model = \"biot-log\", mu = 1.73217, lambda = 1.72307 }\n"
+      "fibre = { k = 0.534645, degrees = 90.0 }\n"
+      "thickness = { model = \"harmonic\", k = 2.17859, rest = 0.484033 }\n"
+      "[motion]\nbranch = \"i\"\nnu = 0.712881\n[continuation]\nfrom = 0.0\nto = 1.53\n");
+  for (const char* const tolerance : {"1e-6", "1e-8"}) {
+    const Outcome outcome = run_program(
+        {"continue", path, "-o", "-", "--set", std::string("continuation.tolerance=") + tolerance});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::vector<double> found;
+    for (const Row& row : rows_of(outcome.out))
+      if (row.at("event") == "oblique") found.push_back(number(row.at("nu1")));
+    ASSERT_EQ(found.size(), 1U) << tolerance;
+    EXPECT_NEAR(found[0], 1.09515592920738341602, 1e-14);
+  }
+}
+
 /// S = (alpha 0.2598, xi 1.05, zeta 0.75, rho 1.0) is a motion of this body too: W_t = 0 there.
 TEST(WholeBody, OfGravityAndUnequalInertiasAllIsSaidOfNoShear) {
   const TemporaryDirectory directory;
