@@ -113,9 +113,11 @@ TEST(TiltedFamily, EveryRowBalances) {
 
 /// rho is sqrt(J1/J3) xi, or so, rounded, and J are known to half a unit each.
 TEST(TiltedFamily, TheBoundIsOfRhoToo) {
-  for (const Given& of : given())
+  for (const Given& of : given()) {
+    if (of.nu == 0.0) continue;
     for (const FollowedRow& row : whole(of).rows)
       EXPECT_GE(row.member.error_bound, 0x1p-52) << of.name;
+  }
 }
 
 TEST(TiltedFamily, ExchangingAxes1And2ExchangesThePlanes) {
