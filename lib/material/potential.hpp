@@ -104,8 +104,8 @@ class Potential {
     return std::holds_alternative<SeparableModels>(models_) ||
            std::holds_alternative<CoupledPotential>(models_);
   }
-  /// Isotropic with gravity or a held volume: nothing otherwise. Counts as isotropic: alpha = 0 is known of it
-  /// as of these.
+  /// Isotropic with gravity or a held volume: nothing otherwise. Counts as isotropic: its motions with alpha = 0
+  /// are looked for, which may_shear() says are not all.
   const BodyModel<>* body_model() const { return std::get_if<BodyModel<>>(&models_); }
   /// Gravity of J1 != J2 beside an isotropic elastic energy: where that is stationary in t = xi + zeta,
   /// motions with alpha != 0 may exist about axis 3, oblique ones and ones in no plane. What is said to

@@ -395,6 +395,16 @@ TEST_F(Plot, TablesThatLackWhatIsNeeded) {
   }
 }
 
+/// It can be read once: no metadata stand beside it.
+TEST_F(Plot, ReadsAPipe) {
+  NEEDS_GNUPLOT();
+  const Outcome outcome = run_program(
+      {"plot", "/dev/stdin", "-o", directory_ / "x.svg"},
+      {.program = {"sh", "-c", "cat '" + table_ + "' | \"$0\" \"$@\"", program_path()}});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("5 rows, 1 sheet, 3 events"));
+}
+
 TEST_F(Plot, CurvesBesideAFamilyAndRangesOfNothing) {
   const std::string curve = directory_.file("c.csv",
                                             "event,curve,point,special,branch,nu,body.J.1,nu1,rho\n"

@@ -105,11 +105,14 @@ PageChoice page_choice(const PlotOptions& options) {
 
 /// Of the case, from the metadata beside the table or in it; else the table's name.
 std::string title_of(const std::string& table) {
-  TableReader rows = open_table(table);
-  std::size_t count = 0;
-  while (rows.next()) ++count;
   const std::string metadata = table_metadata(table);
-  const std::string title = is_of_table(metadata, count) ? case_title(metadata) : std::string();
+  std::string title = case_title(metadata);
+  if (!title.empty()) {  // a pipe, which is read once, has none
+    TableReader rows = open_table(table);
+    std::size_t count = 0;
+    while (rows.next()) ++count;
+    if (!is_of_table(metadata, count)) title.clear();
+  }
   return title.empty() ? fs::path(table).filename().string() : title;
 }
 

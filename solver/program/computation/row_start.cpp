@@ -27,11 +27,6 @@ namespace {
 /// A row as the text it was written in, by column.
 using Cells = std::map<std::string, std::string, std::less<>>;
 
-[[noreturn]] void refuse(const std::string& row, const std::string& found,
-                         const std::string& expected, const std::string& remedy = {}) {
-  throw InputError(Origin::of_option("--from " + printable(row)), "", found, expected, remedy);
-}
-
 Cells cells_of(const TableReader& table) {
   Cells out;
   for (std::size_t k = 0; k < table.columns().size(); ++k)
@@ -59,7 +54,7 @@ Cells row_of(const std::string& text, const std::optional<std::string>& along) {
   TableReader table = open_table(wanted.path);
   const auto event = table.column("event");
   if (!wanted.event.empty() && !event)
-    refuse(text, "found no column event", "a table of continue or atlas");
+    refuse_row(text, "found no column event", "a table of continue or atlas");
   long number = 0;
   long rows = 0;
   Cells before;
@@ -78,10 +73,10 @@ Cells row_of(const std::string& text, const std::optional<std::string>& along) {
     }
     before = std::move(here);
   }
-  refuse(text,
-         wanted.event.empty() ? fmt::format("found {} rows", rows)
-                              : fmt::format("found {} rows of {}", number, wanted.event),
-         fmt::format("a row {}", wanted.number));
+  refuse_row(text,
+             wanted.event.empty() ? fmt::format("found {} rows", rows)
+                                  : fmt::format("found {} rows of {}", number, wanted.event),
+             fmt::format("a row {}", wanted.number));
 }
 
 double number_in(const Cells& row, std::string_view column) {
@@ -112,7 +107,7 @@ class FromRow {
   RowStart run() {
     Case input = with_numbers_of_the_row();
     if (!input.continuation)
-      refuse(text_, "found no [continuation] in the case", "a case to be continued");
+      refuse_row(text_, "found no [continuation] in the case", "a case to be continued");
     const Stretch q = stretch();
     const std::string own = text("branch");
     const std::string wanted(input.branch_name());
@@ -125,10 +120,11 @@ class FromRow {
     const bool folds = is_fold(type) && row_.contains("event") &&
                        (is_one(EventType::fold_nu) || is_one(EventType::fold_parameter));
     if (row_.contains("event") && !is_one(type) && !folds)
-      refuse(text_, "found " + in_quotes(row_.at("event")), "a row of " + in_quotes(name(type)));
+      refuse_row(text_, "found " + in_quotes(row_.at("event")),
+                 "a row of " + in_quotes(name(type)));
     if (text("branch") != given_.branch_name())
-      refuse(text_, "found a row of branch " + in_quotes(text("branch")),
-             "a row of branch " + in_quotes(given_.branch_name()));
+      refuse_row(text_, "found a row of branch " + in_quotes(text("branch")),
+                 "a row of branch " + in_quotes(given_.branch_name()));
     EventRow out{with_numbers_of_the_row(), stretch()};
     const Case& input = out.input;
     for (std::size_t k = 0; k < input.curve->parameters.size(); ++k)
@@ -137,18 +133,17 @@ class FromRow {
   }
 
  private:
-  Origin place() const { return Origin::of_option("--from " + printable(text_)); }
   Stretch stretch() const {
     const Stretch q{value_or("alpha", 0.0), value("xi"), value("zeta"), value("rho")};
     if (const char* inequality = violated_inequality(q))
-      refuse(text_, "found no positive definite S in the row", inequality);
+      refuse_row(text_, "found no positive definite S in the row", inequality);
     return given_.coordinates.computed(q);
   }
   std::string text(std::string_view column) const {
     const auto at = row_.find(column);
     if (at == row_.end() || at->second.empty())
-      refuse(text_, fmt::format("found no {} in the row", column),
-             "a row of solve, continue, atlas or map");
+      refuse_row(text_, fmt::format("found no {} in the row", column),
+                 "a row of solve, continue, atlas or map");
     return at->second;
   }
   double value(std::string_view column) const {
@@ -167,7 +162,7 @@ class FromRow {
   Case with_numbers_of_the_row() const {
     CaseTree tree = given_.source;
     const auto set = [&](const std::string& key, const std::string& cell) {
-      tree.override_key(key + "=" + cell, place());
+      tree.override_key(key + "=" + cell, place_of_row(text_));
     };
     Motion motion = given_.motion;
     for (const MotionNumber& each : motion_numbers(motion)) {
@@ -185,8 +180,8 @@ class FromRow {
         if (const auto at = row_.find(key); at != row_.end() && !at->second.empty())
           set(key, at->second);
     if (has_rates(given_.motion) && text("branch") != two_polar_name)
-      refuse(text_, "found a row of branch " + in_quotes(text("branch")), "a row of \"two-polar\"",
-             "rates and momenta are not in the row");
+      refuse_row(text_, "found a row of branch " + in_quotes(text("branch")),
+                 "a row of \"two-polar\"", "rates and momenta are not in the row");
     Case out = with_ratios(std::move(tree));
     out.output.certificate = given_.output.certificate;
     out.motion = decided(out.motion, nu()[1] != 0.0);
@@ -218,7 +213,7 @@ class FromRow {
       const double unit = parameter_value({out.own_body, out.models, out.motion}, second);
       tree.override_key(
           fmt::format("{}={}", first == "nu" ? "motion.nu" : first, number_in(row_, *next) * unit),
-          place());
+          place_of_row(text_));
       left.erase(next);
       out = make_case(tree);
     }
@@ -232,8 +227,8 @@ class FromRow {
     const double p = parameter_value({input.body, input.models, input.motion}, parameter);
     const double rounding = 0x1p-50 * std::max(std::abs(from), std::abs(to));
     if (!(p >= from - rounding && p <= to + rounding))
-      refuse(text_, fmt::format("found a row at {} = {}", parameter, p),
-             fmt::format("a row in the range followed, [{}, {}]", from, to));
+      refuse_row(text_, fmt::format("found a row at {} = {}", parameter, p),
+                 fmt::format("a row in the range followed, [{}, {}]", from, to));
     return std::clamp(p, from, to);
   }
 
@@ -304,7 +299,7 @@ class FromRow {
       across[axis(*to)] = 0.0;
       if (across.norm() <= 1e-6 * spin.norm()) return finished(std::move(input), q);
     }
-    refuse(
+    refuse_row(
         text_,
         fmt::format("found a row of branch {}{}", in_quotes(own),
                     event.empty() ? "" : " at the event " + event),

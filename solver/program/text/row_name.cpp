@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "solver/motion/event.hpp"
-#include "solver/program/text/input_error.hpp"
 #include "solver/program/text/nearest_name.hpp"
 
 namespace stationary::cli {
@@ -26,17 +25,21 @@ bool is_event(std::string_view text) {
   return !text.empty() && std::ranges::find(event_names, text) != std::end(event_names);
 }
 
-[[noreturn]] void refuse(const std::string& row, const std::string& found,
-                         const std::string& expected, const std::string& remedy = {}) {
-  throw InputError(Origin::of_option("--from " + printable(row)), "", found, expected, remedy);
+}  // namespace
+
+Origin place_of_row(const std::string& text) {
+  return Origin::of_option("--from " + printable(text));
 }
 
-}  // namespace
+void refuse_row(const std::string& text, const std::string& found, const std::string& expected,
+                const std::string& remedy) {
+  throw InputError(place_of_row(text), "", found, expected, remedy);
+}
 
 RowName row_name(const std::string& text) {
   const std::size_t last = text.rfind(':');
   if (last == std::string::npos || last == 0)
-    refuse(text, "found no row", "TABLE:N, TABLE:EVENT or TABLE:EVENT:K");
+    refuse_row(text, "found no row", "TABLE:N, TABLE:EVENT or TABLE:EVENT:K");
   const std::string end = text.substr(last + 1);
   RowName out{text.substr(0, last), {}, 1};
   if (const auto number = whole_number(end)) {
@@ -51,10 +54,11 @@ RowName row_name(const std::string& text) {
     out.event = end;
   } else {
     const std::span<const std::string_view> names = std::span(event_names).subspan(1);
-    refuse(text, "found " + in_quotes(end), "a row's number, or an event, one of " + listed(names),
-           did_you_mean(nearest_name(end, names)));
+    refuse_row(text, "found " + in_quotes(end),
+               "a row's number, or an event, one of " + listed(names),
+               did_you_mean(nearest_name(end, names)));
   }
-  if (out.number < 1) refuse(text, fmt::format("found row {}", out.number), "rows from 1 on");
+  if (out.number < 1) refuse_row(text, fmt::format("found row {}", out.number), "rows from 1 on");
   return out;
 }
 
