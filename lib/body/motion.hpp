@@ -2,8 +2,8 @@
 //
 //   about a material axis   nu = (nu1, 0, 0), (0, nu2, 0) or (0, 0, nu3): the paper's branches (i),
 //                           (ii), (iii)
-//   tilted                  nu = (nu1, 0, nu3) or (0, nu2, nu3), by its length; of a held volume
-//                           about an axis in no material plane too (spatial_balance.hpp)
+//   tilted                  nu = (nu1, 0, nu3) or (0, nu2, nu3), by its length; about an axis in no
+//                           material plane too (sheared_balance.hpp)
 //   oblique                 nu = (nu1, nu2, 0), by its length
 //   two-polar               R diag(lambda, mu, rho) U^-1, R and U turning steadily about axis 3
 //                           (J1 = J2; two_polar.hpp), by the two rates or by the two momenta
@@ -87,7 +87,7 @@ struct TiltedMotion {
   }
 };
 
-/// Tilted out of both planes, where det S is held: nu1 nu2 nu3 != 0.
+/// Tilted out of both planes: nu1 nu2 nu3 != 0.
 struct SpatialRotation {
   double nu;  ///< |nu| > 0
 };

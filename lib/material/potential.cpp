@@ -125,6 +125,25 @@ Potential::Potential(const BodyModel<>& body) : models_(body) {
   std::get<BodyModel<>>(models_).stiffness = volume_stiffness(body);
 }
 
+BodyModel<> Potential::as_body() const {
+  if (const auto* body = body_model()) return *body;
+  BodyModel<> out;
+  if (const auto* parts = std::get_if<SeparableModels>(&models_)) {
+    out.elastic.plane = AnyPlane<>{{parts->plane}};
+    out.elastic.thickness = AnyThickness<>{{parts->thickness}};
+  } else if (const auto* formulas = std::get_if<SeparableExpression>(&models_)) {
+    out.elastic.plane = formulas->plane;
+    out.elastic.thickness = formulas->thickness;
+  } else if (const auto* formula = std::get_if<CoupledExpression<>>(&models_)) {
+    out.elastic.coupled = *formula;
+  } else if (const auto* coupled = std::get_if<CoupledPotential>(&models_)) {
+    std::visit([&](const auto& model) { out.elastic.coupled = model; }, *coupled);
+  } else {
+    throw std::invalid_argument("an isotropic potential");
+  }
+  return out;
+}
+
 PlanarPotential Potential::planar(std::string_view name, std::span<const double> coefficients) {
   return by_name<PlanarPotential>(name, coefficients);
 }

@@ -104,13 +104,18 @@ class Potential {
     return std::holds_alternative<SeparableModels>(models_) ||
            std::holds_alternative<CoupledPotential>(models_);
   }
-  /// Isotropic with gravity or a held volume: nothing otherwise. Counts as isotropic: its motions with alpha = 0
-  /// are looked for, which may_shear() says are not all.
+  /// Isotropic with gravity or a held volume: nothing otherwise. Counts as isotropic, though about axis 3
+  /// not all of its motions need have alpha = 0 (may_shear()).
   const BodyModel<>* body_model() const { return std::get_if<BodyModel<>>(&models_); }
   /// Gravity of J1 != J2 beside an isotropic elastic energy: where that is stationary in t = xi + zeta,
-  /// motions with alpha != 0 may exist about axis 3, oblique ones and ones in no plane. What is said to
-  /// be all of them is so of alpha = 0.
-  bool may_shear() const { return body_model() != nullptr && !body_model()->isotropic(); }
+  /// motions with alpha != 0 may exist about axis 3, and oblique ones (sheared_balance.hpp).
+  bool may_shear() const {
+    return body_model() != nullptr && !body_model()->isotropic() &&
+           !body_model()->elastic.rises_with_trace();
+  }
+  /// The same as one model of a body, with gravity and a held volume where it has them. Throws
+  /// std::invalid_argument where not isotropic.
+  BodyModel<> as_body() const;
   /// det S, where it is held.
   std::optional<double> volume() const {
     if (!is_isotropic()) return anisotropic().body().volume;

@@ -6,30 +6,13 @@
 #include "lib/number/elementary.hpp"
 #include "solver/atlas/sheet_source.hpp"
 #include "solver/family/anisotropic_family.hpp"
-#include "solver/family/branch_switch.hpp"
 #include "solver/proof/anisotropic_enclosure.hpp"
 #include "solver/search/anisotropic_search.hpp"
 
 namespace stationary {
 namespace {
 
-constexpr const char* not_found = "none was found beside it";
 constexpr double right_angle = 0.5 * std::numbers::pi;
-
-/// Of S and its mirror image, alpha and the axis' angle reversed, that with alpha > 0; alpha = 0 to
-/// rounding: exactly.
-Place mirrored_upwards(const Place& at) {
-  const double a = log(shear_coordinate(at.q));
-  Place out = at;
-  if (std::abs(a) < same_place) {
-    out.q.alpha = 0.0;
-    out.axis = std::abs(at.axis);
-  } else if (a < 0.0) {
-    out.q.alpha = -at.q.alpha;
-    out.axis = -at.axis;
-  }
-  return out;
-}
 
 class AnisotropicSheets final : public SheetSource {
  public:
@@ -75,10 +58,7 @@ class AnisotropicSheets final : public SheetSource {
   EventType leaves_by() const override { return bends() ? EventType::shear : EventType::none; }
   bool leaves_at(const Member& at) const override { return at.q.alpha == 0.0; }
   DepartureResult departure(Branch, const Member& at, double) const override {
-    const auto family = this->family(1, false);
-    const auto found = leave_straight(*std::get<std::unique_ptr<Family<4>>>(family), at, branch());
-    if (!found) return not_found;
-    return Departure{{found->q}, found->parameter};
+    return leave_mirror(family(1, false), at, branch());
   }
 
  private:
@@ -137,10 +117,8 @@ class ObliqueSheets final : public SheetSource {
   }
   bool leaves_at(const Member& at) const override { return at.q.alpha == 0.0; }
   DepartureResult departure(Branch parent, const Member& at, double) const override {
-    const auto family = oblique_family(body_, V_, {.parameter = {}, .spectrum = false}, parent);
-    const auto found = leave_straight(*family, at, parent);
-    if (!found) return not_found;
-    return Departure{place(found->q, found->angular_velocity), found->parameter};
+    return leave_mirror(oblique_family(body_, V_, {.parameter = {}, .spectrum = false}, parent), at,
+                        parent);
   }
 
  private:

@@ -154,10 +154,6 @@ std::vector<std::unique_ptr<SheetSource>> axis_sources(const Body& body, const P
       const Interval zeta = options.search.range(1);
       const bool mirror_image =
           branch == Branch::ii && has_i && body.symmetric() && xi.lo == zeta.lo && xi.hi == zeta.hi;
-      if (branch == Branch::iii && potential.may_shear())
-        remark(out, branch, false, std::nullopt, options.from,
-               "alpha = 0 alone: with gravity and J1 != J2 there may be sheared motions, and "
-               "oblique ones, which are not looked for");
       if (!mirror_image) all.push_back(axis_sheets(problem));
     } else if (branch != Branch::iii && !potential.anisotropic().shear_free()) {
       const char* known =
@@ -196,8 +192,10 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
   for (std::unique_ptr<SheetSource>& each : axis_sources(body, potential, options, out))
     parts.emplace_back(std::move(each), options);
   const std::size_t about_axes = parts.size();
-  if (!potential.is_isotropic() && options.oblique)
+  if (options.oblique && !potential.is_isotropic())
     parts.emplace_back(oblique_sheets(body, potential), options);
+  if (options.oblique && potential.may_shear())
+    parts.emplace_back(sheared_sheets(body, potential), options);
   const auto each = static_cast<std::size_t>(options.checkpoints);
   const int threads = std::max(1, options.threads);
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,

@@ -154,7 +154,7 @@ void SheetSet::complete() {
   const auto cover = source_->cover(from, to, options_.search, options_.spectrum);
   if (!cover || cover->interrupted) {
     const std::string_view reason =
-        cover ? interrupted : "five unknowns: no curves are covered; its checkpoints are proven";
+        cover ? interrupted : "no curves of this kind are covered; its checkpoints are proven";
     out.intervals.push_back({from, to, false, 0, reason});
     if (options_.spectrum) out.classes.push_back({from, to, false, {}, reason});
     return;

@@ -7,6 +7,8 @@
 #include "lib/balance/anisotropic_balance.hpp"
 #include "lib/number/elementary.hpp"
 #include "solver/continuation/curve.hpp"
+#include "solver/family/branch_switch.hpp"
+#include "solver/kind/kind.hpp"
 #include "solver/motion/body_circle.hpp"
 #include "solver/proof/event_enclosure.hpp"
 
@@ -22,17 +24,25 @@ class AxisSheets final : public SheetSource {
   Branch branch() const override { return problem_.branch(); }
 
   SearchResult search(double nu, const SearchOptions& options) const override {
+    if (bends()) return at(nu)->search(options);
     return stationary::search(problem_, nu, options);
   }
 
   std::optional<KindCover> cover(double from, double to, const SearchOptions& options,
                                  bool classes) const override {
+    if (bends()) return std::nullopt;
     return cover_axis(problem_, from, to, options, classes);
   }
   bool none_outside(double from, double to, const SearchOptions& options) const override {
     return stationary::none_outside(problem_, from, to, options);
   }
   std::optional<StabilityClass> proven_class(const Equilibrium& at, Inputs inputs) const override {
+    if (at.q.alpha != 0.0) {
+      const auto kind = this->at(at.nu[2]);
+      const Certificate proof = kind->certify(at);
+      if (!proof.proven) return std::nullopt;
+      return kind->enclose(at, proof, {}).verdict;
+    }
     const Certificate proof = certify(problem_, at, inputs);
     if (!proof.proven) return std::nullopt;
     return enclose_spectrum(problem_, at, proof, {}, inputs).verdict;
@@ -44,13 +54,21 @@ class AxisSheets final : public SheetSource {
     return {Place{rest.q}};
   }
 
-  AnyFamily family(int, bool spectrum) const override {
+  /// In (iii), where some may have alpha != 0, these are the second.
+  int families() const override { return bends() ? 2 : 1; }
+  int family_of(const Place& at) const override { return bends() && at.q.alpha != 0.0 ? 1 : 0; }
+  AnyFamily family(int which, bool spectrum) const override {
+    if (which == 1) {
+      constexpr Stretch any{0.1, 1.0, 1.0, 1.0};
+      return at(1.0)->family({}, {.spectrum = spectrum}, any);
+    }
     return axis_family(problem_, {.nu = 0.0, .parameter = {}, .spectrum = spectrum});
   }
 
   /// Of an ellipse and the same turned by a right angle that which is drawn out along the first of
   /// its two axes.
   Place canonical(const Place& at) const override {
+    if (bends()) return mirrored_upwards(at);
     if (circle_ == Circle::none) return at;
     Place out = at;
     double* const x[3] = {&out.q.xi, &out.q.zeta, &out.q.rho};
@@ -64,9 +82,12 @@ class AxisSheets final : public SheetSource {
   }
 
   EventType leaves_by() const override {
+    if (bends()) return EventType::shear;
     return circle_ == Circle::none ? EventType::none : ellipse_event(circle_);
   }
-  bool leaves_at(const Member& at) const override { return is_circle(at.q); }
+  bool leaves_at(const Member& at) const override {
+    return bends() ? at.q.alpha == 0.0 : is_circle(at.q);
+  }
   std::optional<Interval> proven_parting(const Member& at, Inputs inputs) const override {
     const EventEnclosure event = enclose_event(problem_, {}, circle_, leaves_by(), at, inputs);
     if (!event.proven) return std::nullopt;
@@ -74,17 +95,23 @@ class AxisSheets final : public SheetSource {
   }
 
   DepartureResult departure(Branch, const Member& at, double range) const override {
+    if (bends()) return leave_mirror(this->family(1, false), at, branch());
     const AnyFamily family = this->family(0, false);
     return std::visit([&](const auto& f) { return leave_circle(*f, at, range); }, family);
   }
 
  private:
+  /// Whether some may have alpha != 0.
+  bool bends() const { return branch() == Branch::iii && problem_.potential().may_shear(); }
+  std::unique_ptr<Kind> at(double nu) const {
+    return kind_of(problem_.body(), problem_.potential(), AxisRotation{branch(), nu});
+  }
   bool is_circle(const Stretch& q) const { return is_on(circle_, q, same_place); }
 
   template <int N>
   DepartureResult leave_circle(const Family<N>& family, const Member& at, double range) const {
     if constexpr (N > 3) {
-      return "no family of an isotropic potential";
+      return "no family with circles";
     } else {
       const Curve<N> curve(family, range, Circle::none);
       const auto [a, b, other] = places(circle_);
@@ -108,11 +135,33 @@ class AxisSheets final : public SheetSource {
 
 }  // namespace
 
+Place mirrored_upwards(const Place& at) {
+  const double a = log(shear_coordinate(at.q));
+  Place out = at;
+  if (std::abs(a) < same_place) {
+    out.q.alpha = 0.0;
+    out.axis = std::abs(at.axis);
+  } else if (a < 0.0) {
+    out.q.alpha = -at.q.alpha;
+    out.axis = -at.axis;
+  }
+  return out;
+}
+
 double distance(const Place& a, const Place& b) {
   return std::max({std::abs(log(a.q.xi / b.q.xi)), std::abs(log(a.q.zeta / b.q.zeta)),
                    std::abs(log(a.q.rho / b.q.rho)),
                    std::abs(log(shear_coordinate(a.q) / shear_coordinate(b.q))),
                    std::abs(std::remainder(a.axis - b.axis, pi))});
+}
+
+DepartureResult leave_mirror(const AnyFamily& family, const Member& at, Branch parent) {
+  const auto found = leave_straight(family, at, parent);
+  if (!found) return "none was found beside it";
+  const Vector3<double>& nu = found->angular_velocity;
+  const bool oblique = nu[2] == 0.0;
+  return Departure{{found->q, oblique ? std::remainder(atan2(nu[1], nu[0]), pi) : 0.0},
+                   found->parameter};
 }
 
 Place SheetSource::place(const Stretch& q, const Vector3<double>& nu) const {

@@ -28,6 +28,10 @@ struct Place {
 /// Nearer than this two places are the same: sheets of one kind meet only at branch points.
 constexpr double same_place = 1e-6;
 
+/// Of S and its mirror image, alpha and the axis' angle reversed, that with alpha > 0; alpha = 0 to
+/// rounding: exactly.
+Place mirrored_upwards(const Place& at);
+
 /// The largest difference of the ln of xi, zeta, rho and of the angles: atanh of
 /// alpha/sqrt(xi zeta), and the axis'.
 double distance(const Place& a, const Place& b);
@@ -38,6 +42,10 @@ struct Departure {
   double nu;
 };
 using DepartureResult = std::variant<Departure, std::string>;
+
+/// By the family with alpha != 0 that begins at an event of a sheet with alpha = 0. parent: the branch of
+/// the sheet.
+DepartureResult leave_mirror(const AnyFamily& family, const Member& at, Branch parent);
 
 class SheetSource {
  public:
@@ -51,8 +59,8 @@ class SheetSource {
 
   /// Every motion at nu > 0, mirror images among them. May be called by several threads.
   virtual SearchResult search(double nu, const SearchOptions& options) const = 0;
-  /// For every nu in a range, with their classes if they are wanted; nothing of kinds of five
-  /// unknowns.
+  /// For every nu in a range, with their classes if they are wanted; nothing of kinds whose curves are
+  /// not covered.
   virtual std::optional<KindCover> cover(double /*from*/, double /*to*/, const SearchOptions&,
                                          bool /*classes*/) const {
     return std::nullopt;
@@ -86,12 +94,15 @@ class SheetSource {
   virtual DepartureResult departure(Branch parent, const Member& at, double range) const = 0;
 };
 
-/// Of an isotropic V about a material axis.
+/// Of an isotropic V about a material axis; about axis 3 those with alpha != 0 among them.
 std::unique_ptr<SheetSource> axis_sheets(const Problem& problem);
 
 /// Of another V; about axis 1 or 2 of a shear-free one (else there are no sheets: throws
 /// std::invalid_argument).
 std::unique_ptr<SheetSource> anisotropic_sheets(const Problem& problem);
 std::unique_ptr<SheetSource> oblique_sheets(const Body& body, const Potential& potential);
+
+/// Oblique ones of an isotropic V with gravity (Potential::may_shear()).
+std::unique_ptr<SheetSource> sheared_sheets(const Body& body, const Potential& potential);
 
 }  // namespace stationary

@@ -11,13 +11,14 @@ namespace stationary {
 template <int N>
 std::optional<Member> leave_straight(const Family<N>& family, const Member& event, Branch branch) {
   const Corrector<N> corrector(family, event.nu, Circle::none);
-  ReducedVector<N> x = ReducedVector<N>::Ones();
-  x.template head<3>() << event.q.xi, event.q.zeta, event.q.rho;
-  if constexpr (N == 5) x[4] = axis_coordinate(branch == Branch::i ? 0.0 : 0.5 * std::numbers::pi);
+  ReducedVector<N> x;
   ArcVector<N> away = ArcVector<N>::Zero();
-  if constexpr (N == 4) {
-    away[3] = 1.0;
+  if constexpr (N < 5) {
+    x = family.coordinates(event.q, event.parameter);
+    away[family.mirrored().value()] = 1.0;
   } else {
+    x << event.q.xi, event.q.zeta, event.q.rho, 1.0,
+        axis_coordinate(branch == Branch::i ? 0.0 : 0.5 * std::numbers::pi);
     const Eigen::Matrix2d block =
         family.linearize(x, event.parameter).jacobian.template bottomRightCorner<2, 2>();
     const Eigen::JacobiSVD<Eigen::Matrix2d> svd(block, Eigen::ComputeFullV);
@@ -32,7 +33,20 @@ std::optional<Member> leave_straight(const Family<N>& family, const Member& even
   return std::nullopt;
 }
 
+template std::optional<Member> leave_straight<3>(const Family<3>&, const Member&, Branch);
 template std::optional<Member> leave_straight<4>(const Family<4>&, const Member&, Branch);
 template std::optional<Member> leave_straight<5>(const Family<5>&, const Member&, Branch);
+
+std::optional<Member> leave_straight(const AnyFamily& family, const Member& event, Branch branch) {
+  return std::visit(
+      [&](const auto& own) -> std::optional<Member> {
+        if constexpr (std::decay_t<decltype(*own)>::dimension == 2) {
+          return std::nullopt;
+        } else {
+          return leave_straight(*own, event, branch);
+        }
+      },
+      family);
+}
 
 }  // namespace stationary

@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "lib/balance/sheared_balance.hpp"
+#include "lib/body/inertia.hpp"
 #include "lib/material/elastic_energy.hpp"
 #include "solver/family/axis_family.hpp"
 #include "solver/family/coefficient_slope.hpp"
@@ -233,8 +235,17 @@ class ModelFamily final : public Family<N> {
     }
     if (branch_ != Branch::iii && is_on(circle_, out.q))
       out.round_stiffness = across_circle(at, out);
+    const bool varied = options_.parameter.kind == Kind::inertia;
+    if constexpr (is_body_model<Model>) {
+      // As J1 passes J2 in (iii) the stiffness below, which has no factor J1 - J2 on a circle.
+      const bool closed = at.model.gravitates && !at.body.symmetric();
+      if (closed && !(varied && branch_ == Branch::iii)) {
+        ++this->evaluations_.potentials;
+        out.turn = turning(at, out.q);
+      }
+    }
     // What turns an ellipse or makes one; elsewhere it keeps its sign.
-    const bool may_turn = at.body.symmetric() || options_.parameter.kind == Kind::inertia;
+    const bool may_turn = at.body.symmetric() || varied;
     if (branch_ != Branch::iii || !may_turn) return;
     ++this->evaluations_.potentials;
     if constexpr (is_body_model<Model>) {
@@ -245,6 +256,17 @@ class ModelFamily final : public Family<N> {
       const auto w = at.model.template evaluate<1>(x, out.q.rho);
       out.shear_stiffness = -2.0 * w.plane.w_l / x.d - centrifugal_matrix(at.body, nu)(0, 0);
     }
+  }
+
+  /// Member::turn of a body with gravity.
+  double turning(const Setting& at, const Stretch& q) const {
+    const Inertia3<double> J{at.body.J1, at.body.J2, at.body.J3};
+    const double V_T =
+        gravity_derivatives<1>(at.model.g, J, planar_moment(J, q), q.xi * q.zeta, q.rho).plane.w_t;
+    const TurningForces<double> turns =
+        turning_forces(branch_, J, q.xi, q.zeta, at.nu * at.nu, V_T);
+    return relative_difference(J.J1, J.J2) * (turns.spin - turns.gravity) /
+           (std::abs(turns.spin) + std::abs(turns.gravity));
   }
 
   /// F_ss of the reduced energy F along s = ln(zeta/rho)/2, xi held; (ii): of xi and rho.

@@ -5,7 +5,7 @@
 //   momentum           det of that bordered by dG/d ln |nu| and d ln I
 //   inertia            J1 xi^2 - J2 zeta^2
 //   in_plane, normal   one of the squares of nu's components: an end of the family
-//   shear              W_t of a held volume: motions with alpha != 0 begin, their axis in no plane
+//   shear              W_t: motions with alpha != 0 begin, their axis in no plane
 #pragma once
 
 #include "solver/motion/event.hpp"

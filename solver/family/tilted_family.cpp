@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "lib/material/elastic_energy.hpp"
+#include "lib/material/material_coordinates.hpp"
 #include "lib/stability/general_spectrum.hpp"
 #include "solver/continuation/curve_start.hpp"
 #include "solver/family/tilted_events.hpp"
 #include "solver/motion/tilted_system.hpp"
+#include "solver/motion/varied_balance.hpp"
 
 namespace stationary {
 namespace {
@@ -17,7 +19,12 @@ class TiltedFamily final : public Family<2> {
  public:
   TiltedFamily(const Body& body, const Potential& potential, const Model& model, TiltPlane plane,
                bool spectrum)
-      : body_(body), potential_(potential), model_(model), plane_(plane), spectrum_(spectrum) {}
+      : body_(body),
+        potential_(potential),
+        model_(model),
+        plane_(plane),
+        spectrum_(spectrum),
+        may_leave_plane_(!body.symmetric() && !is_fluid(potential)) {}
 
   Branch branch() const override { return Branch::iii; }
   KindEvents events() const override { return tilted_events(); }
@@ -95,13 +102,10 @@ class TiltedFamily final : public Family<2> {
     out.tilt_in_plane = share(squares.in_plane, p, error_bound);
     out.tilt_normal = share(squares.normal, p, error_bound);
     if (out.beyond_end()) return out;
-    if constexpr (is_body_model<Model>) {
-      if (model_.volume) {
-        const auto at =
-            spatial_state<double>({body_.J1, body_.J2, body_.J3}, model_, x[0], x[1], 1.0);
-        const double size = std::abs(at.trace_force) + std::abs(at.plane_force);
-        if (size > 0.0) out.turn = at.trace_force / size;
-      }
+    if (may_leave_plane_) {
+      const PlaneForces<double> at = plane_forces<double>(model_, x[0], x[1], out.q.rho);
+      const double size = std::abs(at.trace) + std::abs(at.area);
+      if (size > 0.0) out.turn = at.trace / size;
     }
     const DoubleDouble along[2] = {root(squares.in_plane, out.tilt_in_plane),
                                    root(squares.normal, out.tilt_normal)};
@@ -156,6 +160,7 @@ class TiltedFamily final : public Family<2> {
   Model model_;
   TiltPlane plane_;
   bool spectrum_;
+  bool may_leave_plane_;
 };
 
 template <class Model>

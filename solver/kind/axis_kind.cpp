@@ -1,8 +1,13 @@
 #include "solver/kind/axis_kind.hpp"
 
+#include <iterator>
+#include <utility>
+
 #include "solver/family/anisotropic_family.hpp"
 #include "solver/kind/oriented_event_enclosure.hpp"
+#include "solver/kind/sheared_kind.hpp"
 #include "solver/motion/body_circle.hpp"
+#include "solver/search/search_message.hpp"
 #include "solver/solve/nonexistence.hpp"
 #include "solver/solve/stability.hpp"
 
@@ -45,32 +50,53 @@ PlanItem held_volume_plan(const AxisRotation& motion) {
 class AxisKind final : public Kind {
  public:
   AxisKind(const Body& body, const Potential& potential, const AxisRotation& motion)
-      : Kind(body, potential), motion_(motion), problem_(body, potential, motion.branch) {}
+      : Kind(body, potential), motion_(motion), problem_(body, potential, motion.branch) {
+    if (motion.branch == Branch::iii && potential.may_shear())
+      sheared_ = sheared_kind(body, potential, ShearedAxis::third, motion, motion.nu);
+  }
 
   Motion motion() const override { return motion_; }
 
   Equilibrium solve(const SolveOptions& options) const override {
-    return stationary::solve(problem_, motion_.nu, options);
+    if (options.start && is_sheared(*options.start)) return sheared_->solve(options);
+    Equilibrium out = stationary::solve(problem_, motion_.nu, options);
+    const bool look = options.search && !options.start && options.method == Method::automatic;
+    if (sheared_ && motion_.nu != 0.0 && look && out.status == SolveStatus::not_found)
+      return or_sheared(std::move(out), options);
+    return out;
   }
   SearchResult search(const SearchOptions& options) const override {
-    return stationary::search(problem_, motion_.nu, options);
+    SearchResult out = stationary::search(problem_, motion_.nu, options);
+    if (sheared_ && motion_.nu != 0.0 && out.status != SearchStatus::interrupted)
+      join(sheared_->search(options), options, out);
+    return out;
   }
   std::optional<std::string> nonexistence() const override {
+    if (sheared_) return std::nullopt;
     return nonexistence_reason(problem_, motion_.nu);
   }
 
   std::optional<Spectrum> spectrum(const Equilibrium& solved) const override {
+    if (is_sheared(solved.q)) return sheared_->spectrum(solved);
     return stability(problem_, solved);
   }
   Certificate certify(const Equilibrium& equilibrium) const override {
+    if (is_sheared(equilibrium.q)) return sheared_->certify(equilibrium);
     return stationary::certify(problem_, equilibrium);
   }
   SpectrumEnclosure enclose(const Equilibrium& equilibrium, const Certificate& certificate,
                             const Spectrum& spectrum) const override {
+    if (is_sheared(equilibrium.q)) return sheared_->enclose(equilibrium, certificate, spectrum);
     return enclose_spectrum(problem_, equilibrium, certificate, spectrum);
   }
 
-  std::vector<PlanItem> unknowns() const override { return problem_.plan(); }
+  std::vector<PlanItem> unknowns() const override {
+    std::vector<PlanItem> out = problem_.plan();
+    if (sheared_)
+      out.front() = {"alpha", "0 from rest; an unknown from a start with another",
+                     "isotropic but for gravity, J1 != J2: alpha != 0 asks for W_t = 0"};
+    return out;
+  }
   /// The blocks that alpha = 0 and an isotropic potential split the linearization into.
   PlanItem spectrum_plan() const override {
     const auto [branch, nu] = motion_;
@@ -99,6 +125,7 @@ class AxisKind final : public Kind {
 
   AnyFamily family(const FamilyParameter& parameter, const FamilyOutputs& outputs,
                    const Stretch& start) const override {
+    if (is_sheared(start)) return sheared_->family(parameter, outputs, start);
     return axis_family(problem_,
                        {.nu = motion_.nu,
                         .parameter = parameter,
@@ -113,7 +140,9 @@ class AxisKind final : public Kind {
            potential().anisotropic().shear_free();
   }
 
-  std::optional<std::string> no_family(const FamilyParameter& parameter) const override {
+  std::optional<std::string> no_family(const FamilyParameter& parameter,
+                                       const Stretch& start) const override {
+    if (is_sheared(start)) return sheared_->no_family(parameter, start);
     const bool straight = motion_.branch != Branch::iii && !potential().is_isotropic();
     if (!straight || keeps_shear_free(potential().anisotropic(), parameter)) return std::nullopt;
     if (from_rest())
@@ -128,6 +157,7 @@ class AxisKind final : public Kind {
 
   std::optional<EventEnclosure> enclose_event(const FamilyParameter& parameter, EventType event,
                                               const Member& member) const override {
+    if (is_sheared(member.q)) return sheared_->enclose_event(parameter, event, member);
     if (!potential().is_isotropic())
       return enclose_oriented_event(problem_, parameter, event, member);
     if (!has_enclosure(event)) return std::nullopt;
@@ -136,11 +166,37 @@ class AxisKind final : public Kind {
   }
   std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
                                         const Member& member) const override {
+    if (is_sheared(member.q)) return std::nullopt;
     return stationary::normal_form(problem_, parameter, circle_with(event, parameter, member),
                                    event, member);
   }
 
  private:
+  /// Of an isotropic body with gravity about axis 3.
+  bool is_sheared(const Stretch& q) const { return sheared_ && q.alpha != 0.0; }
+
+  /// What a search of the motions with alpha != 0 adds to one of the others.
+  void join(SearchResult more, const SearchOptions& options, SearchResult& out) const {
+    const auto append = [](auto& to, auto& from) {
+      to.insert(to.end(), std::make_move_iterator(from.begin()),
+                std::make_move_iterator(from.end()));
+    };
+    append(out.solutions, more.solutions);
+    append(out.unproven, more.unproven);
+    append(out.undecided, more.undecided);
+    out.boxes += more.boxes;
+    if (more.status != SearchStatus::complete) out.status = more.status;
+    out.message = search_message(options, out.status, out.solutions.size(), out.undecided) +
+                  unproven_text(out.unproven.size());
+  }
+  /// Where none with alpha = 0 was found: one with another.
+  Equilibrium or_sheared(Equilibrium none, const SolveOptions& options) const {
+    Equilibrium found = sheared_->solve(options);
+    if (found.status != SolveStatus::not_found) return found;
+    none.message += " With alpha != 0: " + found.message + ".";
+    return none;
+  }
+
   /// The circle that the member's sheet keeps; at its end, the one that it breaks there.
   Circle circle_with(EventType event, const FamilyParameter& parameter,
                      const Member& member) const {
@@ -153,6 +209,7 @@ class AxisKind final : public Kind {
 
   AxisRotation motion_;
   Problem problem_;
+  std::unique_ptr<Kind> sheared_;  ///< its motions with alpha != 0, where there may be any
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "solver/kind/axis_kind.hpp"
 #include "solver/kind/oblique_kind.hpp"
-#include "solver/kind/spatial_kind.hpp"
+#include "solver/kind/sheared_kind.hpp"
 #include "solver/kind/tilted_kind.hpp"
 #include "solver/kind/two_polar_kind.hpp"
 
@@ -48,9 +48,12 @@ struct Of {
     return out;
   }
   Alternatives operator()(const SpatialRotation& motion) const {
-    return only(spatial_kind(body, potential, motion));
+    return only(sheared_kind(body, potential, ShearedAxis::in_no_plane, motion, motion.nu));
   }
   Alternatives operator()(const ObliqueRotation& motion) const {
+    if (potential.is_isotropic())
+      return only(sheared_kind(body, potential, ShearedAxis::oblique, ObliqueRotation{motion.nu},
+                               motion.nu));
     if (anywhere || motion.near) return only(oblique_kind(body, potential, motion));
     Alternatives out;
     for (const Branch near : {Branch::i, Branch::ii})

@@ -66,7 +66,8 @@ class Kind {
   /// Whether the family in nu is followed from rest.
   virtual bool from_rest() const { return false; }
   /// Why there is no family in this number though there may be a motion; nothing where there is one.
-  virtual std::optional<std::string> no_family(const FamilyParameter&) const {
+  /// start: a motion of it.
+  virtual std::optional<std::string> no_family(const FamilyParameter&, const Stretch&) const {
     return std::nullopt;
   }
   /// Whether a start on a continuum of motions is followed along it.

@@ -63,7 +63,8 @@ struct Member {
   double round_stiffness = std::numeric_limits<double>::quiet_NaN();
   /// Anisotropic V, alpha = 0 held: what vanishes where the ellipse or the axis turns away from the
   /// material axes, of order one: K_alpha,alpha in (iii), K_alpha,alpha (I1 - I2) - h^2 omega^2 in
-  /// (i), (ii). Tilted, of a held volume: W_t, where motions leave the plane of the axis.
+  /// (i), (ii). Of an isotropic V with gravity and J1 != J2 likewise (turning_forces()); tilted, W_t, where
+  /// motions leave the plane of the axis.
   double turn = std::numeric_limits<double>::quiet_NaN();
   /// Tilted: the shares of nu^2 along the plane's own axis and along axis 3. Negative beyond an end
   /// of the family, where nothing else but q is computed.

@@ -6,9 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "lib/stability/general_spectrum.hpp"
-#include "lib/stability/leaf_parts.hpp"
-
 namespace stationary {
 namespace {
 
@@ -63,9 +60,9 @@ Spectrum united(const std::vector<std::pair<Block, Spectrum>>& parts) {
   return out;
 }
 
-/// (iii), at any alpha: the reflection in the plane of axes 1 and 2 leaves pi1, pi2 to themselves,
-/// and of a separable V rho. (i), (ii) at alpha = 0, V even in alpha: likewise in their planes.
-Spectrum by_parts(const Leaf& whole, LeafParts parts, double uncertainty) {
+}  // namespace
+
+Spectrum spectrum_by_parts(const Leaf& whole, LeafParts parts, double uncertainty) {
   parts.turns = whole.pairs == LeafShape{true, parts.volume_held}.pairs();
   std::vector<std::pair<Block, Spectrum>> found;
   for_each_leaf_part(parts, [&](Block block, const auto& coordinates) {
@@ -74,8 +71,6 @@ Spectrum by_parts(const Leaf& whole, LeafParts parts, double uncertainty) {
   });
   return united(found);
 }
-
-}  // namespace
 
 Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& models,
                             const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu,
@@ -102,7 +97,8 @@ Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& mode
   // At rest there is no axis.
   parts.about_third = spin.about_axis && (spin.branch == Branch::iii || double(omega) == 0.0);
   parts.straight = straight && !parts.about_third;
-  if (parts.divided()) return by_parts(motion_leaf(body, Potential(V), q, nu), parts, uncertainty);
+  if (parts.divided())
+    return spectrum_by_parts(motion_leaf(body, Potential(V), q, nu), parts, uncertainty);
   return general_spectrum(body, Potential(V), q, nu, uncertainty);
 }
 

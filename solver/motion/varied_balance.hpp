@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "lib/balance/spatial_balance.hpp"
 #include "lib/balance/tilted_balance.hpp"
 #include "lib/body/inertia.hpp"
 #include "lib/material/models/model_coefficients.hpp"
@@ -68,12 +67,23 @@ LogBalance<T> varied_balance(const Potential& potential, const T& xi, const T& z
   });
 }
 
-/// SpatialState::trace_force at alpha = 0; 1 where no volume is held.
+/// t W_t and d W_d of the elastic energy at alpha = 0; of a held volume at rho = volume/d.
+template <class T>
+struct PlaneForces {
+  T trace;
+  T area;
+};
 template <class T, class Model>
-T trace_force_of(const Model& model, const Inertia3<T>& J, const T& xi, const T& zeta) {
-  if constexpr (may_hold_volume<Model>)
-    if (model.volume) return spatial_state<T>(J, model, xi, zeta, T(1.0)).trace_force;
-  return T(1.0);
+PlaneForces<T> plane_forces(const Model& model, const T& xi, const T& zeta, const T& rho) {
+  const auto forces = [&](const auto& of, const T& thickness) -> PlaneForces<T> {
+    const auto W = of.template evaluate<1>(planar_invariants(xi, zeta), thickness);
+    return {(xi + zeta) * W.plane.w_t, W.plane.w_l};
+  };
+  if constexpr (is_body_model<Model>) {
+    return forces(model.elastic, model.thickness(xi, zeta, rho));
+  } else {
+    return forces(model, rho);
+  }
 }
 
 /// The balance of a tilted axis at (xi, zeta) and |nu|^2, and what its events are told by.
@@ -82,7 +92,7 @@ struct TiltedParts {
   LogBalance<T> balance;  ///< tilted_balance()
   std::array<T, 2> pull;  ///< of the spin on its two rows
   TiltSquares<T> squares;
-  /// t W_t of the elastic energy of a held volume: where it is zero an axis in no plane is possible.
+  /// t W_t of the elastic energy: where it is zero an axis in no plane is possible.
   T trace_force;
 };
 template <class T, class Number>
@@ -94,7 +104,7 @@ TiltedParts<T> varied_tilted(const Potential& potential, TiltPlane plane, const 
     return {tilted_balance(model, plane, xi, zeta, rho, rates),
             tilted_pull(model, plane, xi, zeta, rho, rates),
             tilt_squares_of(model, J, plane, xi, zeta, rho, square_nu),
-            trace_force_of<T>(model, J, xi, zeta)};
+            plane_forces<T>(model, xi, zeta, rho).trace};
   });
 }
 

@@ -14,6 +14,7 @@
 #include <optional>
 #include <vector>
 
+#include "lib/balance/sheared_balance.hpp"
 #include "lib/body/circle.hpp"
 #include "lib/number/dual.hpp"
 #include "solver/motion/event_functions.hpp"
@@ -27,11 +28,12 @@ namespace stationary {
 /// What vanishes at the event beside the balance.
 struct EventFunction {
   enum class Kind {
-    fold,       ///< det dG/d ln x
-    momentum,   ///< det of that bordered by dG/d ln nu and d ln (I_a nu)
-    inertia,    ///< J_a x_a^2 - J_b x_b^2
-    ellipse,    ///< the circle's dG along the difference of its two stretches
-    turn,       ///< J1 - J2: of isotropic V, what K_aa (I1 - I2) = h^2 omega^2 and K_aa = 0 come to
+    fold,      ///< det dG/d ln x
+    momentum,  ///< det of that bordered by dG/d ln nu and d ln (I_a nu)
+    inertia,   ///< J_a x_a^2 - J_b x_b^2
+    ellipse,   ///< the circle's dG along the difference of its two stretches
+    turn,      ///< of isotropic V, what K_aa (I1 - I2) = h^2 omega^2 and K_aa = 0 come to: J1 - J2,
+               ///< with gravity times the difference of turning_forces()
     collision,  ///< P and P' of `first`
     crossing    ///< P of `first` and of `second`
   };
@@ -160,12 +162,27 @@ class EventEquations {
       case EventFunction::Kind::ellipse:
         return across_circle(s.balance);
       case EventFunction::Kind::turn:
-        return s.J.J1 - s.J.J2;
+        return turning(s);
       case EventFunction::Kind::momentum:
         return turning_momentum(s);
       default:
         return determinant(stiffness(s));
     }
+  }
+
+  T turning(const State& s) const {
+    const T difference = s.J.J1 - s.J.J2;
+    if (body_ == nullptr || !body_->gravitates) return difference;
+    const TurningForces<T> turns = turning_forces<T>(setting_->branch, s.J, s.xi, s.zeta,
+                                                     s.nu * s.nu, -(s.g * gravity_slope(s)));
+    return difference * (turns.spin - turns.gravity);
+  }
+  /// F_T (self_energy.hpp).
+  static T gravity_slope(const State& s) {
+    const T y1 = s.J.J1 * (s.xi * s.xi);
+    const T y2 = s.J.J2 * (s.zeta * s.zeta);
+    return ellipsoid_integral<1>(T(y1 + y2), T(y1 * y2), T(s.J.J3 * (s.rho * s.rho)))
+        .derivative({1, 0, 0});
   }
 
   T across_circle(const LogBalance<T>& b) const {
@@ -254,12 +271,8 @@ class EventEquations {
   StraightState<T> with_rotated_gravity(const State& s, StraightState<T> out) const {
     if constexpr (!circle) {
       if (body_ == nullptr || !body_->gravitates) return out;
-      const T y1 = s.J.J1 * (s.xi * s.xi);
-      const T y2 = s.J.J2 * (s.zeta * s.zeta);
-      const T F_T = ellipsoid_integral<1>(T(y1 + y2), T(y1 * y2), T(s.J.J3 * (s.rho * s.rho)))
-                        .derivative({1, 0, 0});
-      out.V_aa =
-          out.V_aa + 2.0 * (s.g * F_T) * ((s.J.J1 - s.J.J2) * (s.xi + s.zeta) / (s.xi - s.zeta));
+      const T of_turn = (s.J.J1 - s.J.J2) * (s.xi + s.zeta) / (s.xi - s.zeta);
+      out.V_aa = out.V_aa + 2.0 * (s.g * gravity_slope(s)) * of_turn;
     }
     return out;
   }

@@ -106,8 +106,7 @@ SearchResult search(const Problem& problem, double nu, const SearchOptions& opti
   if (!problem.potential().is_isotropic()) return search_anisotropic(problem, nu, options);
   SearchResult out = AxisSearch(problem, nu, options).run();
   if (problem.branch() == Branch::iii && problem.potential().may_shear())
-    out.message +=
-        ", of alpha = 0: with gravity and J1 != J2 there may be others, which are not looked for";
+    out.message += ", of alpha = 0";
   return out;
 }
 

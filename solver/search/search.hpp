@@ -70,6 +70,9 @@ struct SearchResult {
   bool on_line = false;  ///< nothing was searched: two-polar rates on a line of solutions
 };
 
+/// Of an isotropic potential those with alpha = 0; where it may_shear() there may be others about axis 3,
+/// which that branch's kind looks for (solver/kind/kind.hpp).
+///
 /// Throws std::invalid_argument for a nu that is not finite, or a range of a stretch that is not
 /// 1e-100 <= min < max <= 1e100.
 SearchResult search(const Problem& problem, double nu, const SearchOptions& options = {});

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "solver/kind/oriented_event_enclosure.hpp"
-#include "solver/kind/spatial_certificate.hpp"
+#include "solver/kind/sheared_certificate.hpp"
 #include "solver/kind/tilted_event_enclosure.hpp"
 #include "solver/kind/two_polar_event_enclosure.hpp"
 #include "solver/proof/anisotropic_enclosure.hpp"
@@ -32,12 +32,21 @@ Certificate certify_oblique(const Body&, const Potential&, const ObliqueRotation
                             const Equilibrium&, Inputs) {
   refuse();
 }
-Certificate certify_spatial(const SpatialEquations&, double, const Equilibrium&) { refuse(); }
-
-SpectrumEnclosure enclose_spatial_spectrum(const SpatialEquations&, double, const Certificate&,
+template <int N>
+Certificate certify_sheared(const ShearedEquations<N>&, double, const Equilibrium&) {
+  refuse();
+}
+template Certificate certify_sheared(const ShearedEquations<3>&, double, const Equilibrium&);
+template Certificate certify_sheared(const ShearedEquations<4>&, double, const Equilibrium&);
+template <int N>
+SpectrumEnclosure enclose_sheared_spectrum(const ShearedEquations<N>&, double, const Certificate&,
                                            const Spectrum&) {
   refuse();
 }
+template SpectrumEnclosure enclose_sheared_spectrum(const ShearedEquations<3>&, double,
+                                                    const Certificate&, const Spectrum&);
+template SpectrumEnclosure enclose_sheared_spectrum(const ShearedEquations<4>&, double,
+                                                    const Certificate&, const Spectrum&);
 SpectrumEnclosure enclose_spectrum(const Problem&, const Equilibrium&, const Certificate&,
                                    const Spectrum&, Inputs) {
   refuse();
@@ -79,8 +88,8 @@ std::optional<EventEnclosure> enclose_two_polar_event(const Body&, const Potenti
                                                       EventType, const Member&, Inputs) {
   refuse();
 }
-std::optional<EventEnclosure> enclose_spatial_event(const SpatialEquations&, EventType,
-                                                    const Member&) {
+std::optional<EventEnclosure> enclose_sheared_event(const Body&, const Potential&, ShearedAxis,
+                                                    EventType, const Member&) {
   refuse();
 }
 

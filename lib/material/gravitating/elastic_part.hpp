@@ -32,6 +32,14 @@ struct ElasticPart {
   static constexpr std::size_t thickness_place = expression::largest_parameter_count;
   static constexpr std::size_t places = 2 * expression::largest_parameter_count;
 
+  /// Whether it is known that W_t > 0 everywhere, t = xi + zeta at fixed d.
+  bool rises_with_trace() const {
+    bool out = false;
+    for_models([&](const auto& model, std::size_t) {
+      out = out || requires { model.rises_with_trace; };
+    });
+    return out;
+  }
   bool is_fluid() const { return !plane && std::holds_alternative<std::monostate>(coupled); }
 
   /// Derivatives in (t, l, r); zero where there is nothing.

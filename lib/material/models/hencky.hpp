@@ -116,6 +116,8 @@ struct Hencky {
   C mu;
   C lambda;
 
+  /// W_t > 0 everywhere.
+  static constexpr bool rises_with_trace = true;
   static constexpr std::string_view name = "hencky";
   static constexpr std::string_view formula = "mu tr (ln S)^2 + (lambda/2) ln^2 d";
   static constexpr std::array<std::string_view, 2> parameters{"mu", "lambda"};

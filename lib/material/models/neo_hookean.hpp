@@ -17,6 +17,8 @@ struct NeoHookean {
   C mu;
   C lambda;
 
+  /// W_t > 0 everywhere.
+  static constexpr bool rises_with_trace = true;
   static constexpr std::string_view name = "neo-hookean";
   static constexpr std::string_view formula = "(mu/2) (tr S^2 - 2 - 2 ln d) + (lambda/2) ln^2 d";
   static constexpr std::array<std::string_view, 2> parameters{"mu", "lambda"};

@@ -17,6 +17,8 @@ struct NeoHookean3d {
   C mu;
   C lambda;
 
+  /// W_t > 0 everywhere.
+  static constexpr bool rises_with_trace = true;
   static constexpr std::string_view name = "neo-hookean-3d";
   static constexpr std::string_view formula =
       "(mu/2) (tr S^2 + rho^2 - 3 - 2 ln(d rho)) + (lambda/2) ln^2 (d rho)";

@@ -16,6 +16,8 @@ struct ReciprocalDeterminant {
   C c;
   C k;
 
+  /// W_t > 0 everywhere.
+  static constexpr bool rises_with_trace = true;
   static constexpr std::string_view name = "reciprocal-determinant";
   static constexpr std::string_view formula = "c/d + (k/2)(t^2 - 2d)";
   static constexpr std::array<std::string_view, 2> parameters{"c", "k"};

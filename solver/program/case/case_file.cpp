@@ -56,7 +56,8 @@ double read_nu(const CaseTree& tree, std::string_view branch, std::string_view m
 /// Branches whose mechanics ask for an isotropic potential, or for another.
 void require_symmetry(const CaseTree& tree, std::string_view branch, bool asks_isotropic,
                       const std::vector<ModelChoice>& models) {
-  if (asks_isotropic != anisotropic(models)) return;
+  const bool gravitates = find(tree, "gravity") != nullptr;
+  if (asks_isotropic != anisotropic(models) || (!asks_isotropic && gravitates)) return;
   throw fault_at(tree, "motion.branch",
                  fmt::format("found the string {} with an {} potential", in_quotes(branch),
                              asks_isotropic ? "anisotropic" : "isotropic"),
@@ -64,7 +65,8 @@ void require_symmetry(const CaseTree& tree, std::string_view branch, bool asks_i
                                 : "one of \"i\", \"ii\", \"iii\", \"tilted\", \"two-polar\"",
                  asks_isotropic
                      ? "its equations are an isotropic potential's"
-                     : "oblique motions are had of a potential with directions of its own");
+                     : "oblique motions are had of a potential with directions of its own, or with "
+                       "gravity");
 }
 
 AxisRotation read_axis_rotation(const CaseTree& tree, Branch branch) {
@@ -82,9 +84,13 @@ double read_length(const CaseTree& tree, std::string_view branch, std::string_vi
                  "it is the length |nu| of a vector");
 }
 
-ObliqueRotation read_oblique(const CaseTree& tree) {
+/// isotropic: its family is connected with neither axis at rest.
+ObliqueRotation read_oblique(const CaseTree& tree, bool isotropic) {
   constexpr std::string_view meaning = "nu (its length |nu|), and axis";
   refuse_key(tree, "plane", oblique_name, meaning);
+  if (isotropic)
+    refuse_key(tree, "axis", oblique_name,
+               "nu (its length |nu|), and of a potential with directions of its own axis");
   ObliqueRotation out{read_length(tree, oblique_name, meaning)};
   const std::string axis = value_or<std::string>(tree, "motion.axis", "");
   if (!axis.empty()) out.near = axis == "1" ? Branch::i : Branch::ii;
@@ -97,10 +103,6 @@ Motion read_tilted(const CaseTree& tree) {
   TiltedMotion out{{}, read_length(tree, tilted_name, meaning)};
   const std::string plane = value_or<std::string>(tree, "motion.plane", "");
   if (plane == spatial_plane_name) {
-    if (find(tree, "body.volume") == nullptr)
-      throw fault_at(tree, "motion.plane", "found the string \"123\" with no body.volume",
-                     "\"13\" or \"23\"",
-                     "axes in no material plane are those of a body whose det S is held");
     return SpatialRotation{out.nu};
   }
   for (const TiltPlane each : {TiltPlane::one_three, TiltPlane::two_three})
@@ -159,7 +161,7 @@ Motion read_motion(const CaseTree& tree, const std::optional<Body>& body,
   const std::string named = value_or<std::string>(tree, "motion.branch", "");
   if (const auto branch = branch_from_name(named)) return read_axis_rotation(tree, *branch);
   if (models) require_symmetry(tree, named, named != oblique_name, *models);
-  if (named == oblique_name) return read_oblique(tree);
+  if (named == oblique_name) return read_oblique(tree, models && !anisotropic(*models));
   if (named == tilted_name) return read_tilted(tree);
   return read_two_polar(tree, body);
 }

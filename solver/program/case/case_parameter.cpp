@@ -116,7 +116,8 @@ std::vector<std::string> case_parameters(const Motion& motion,
 
 std::vector<std::string> followed_parameters(const Motion& motion,
                                              const std::vector<ModelChoice>& models) {
-  if (is_followed_in_nu_alone(motion)) return {"nu"};
+  const bool sheared = name(motion) == oblique_name && !anisotropic(models);
+  if (sheared || is_followed_in_nu_alone(motion)) return {"nu"};
   return case_parameters(motion, models);
 }
 

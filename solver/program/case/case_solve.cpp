@@ -72,8 +72,10 @@ std::optional<Stretch> read_start(const CaseTree& tree, bool two_polar, bool str
                    std::string(remedy));
   };
   if (straight && start[0] != 0.0)
-    refuse(0, "alpha = 0",
-           "of an isotropic potential motions with alpha = 0 are had, but for an axis in no plane");
+    refuse(
+        0, "alpha = 0",
+        "of an isotropic potential alpha = 0, but for an axis in no plane and, with gravity, one "
+        "oblique or along axis 3");
   if (two_polar && start[1] == start[2])
     refuse(2, "lambda != mu", "on the circle the two-polar balance is singular");
   for (std::size_t k = 1; k < 4; ++k)
@@ -88,8 +90,12 @@ std::optional<Stretch> read_start(const CaseTree& tree, bool two_polar, bool str
 Case::Solve read_solve(const CaseTree& tree, const std::optional<Motion>& motion,
                        const std::optional<std::vector<ModelChoice>>& models, Faults& faults) {
   const bool two_polar = motion && std::holds_alternative<TwoPolarMotion>(*motion);
-  const bool spatial = motion && std::holds_alternative<SpatialRotation>(*motion);
   const bool isotropic = models && !anisotropic(*models);
+  // Which of these a gravitating body has its potential and J decide.
+  const bool gravitates = find(tree, "gravity") != nullptr;
+  const bool may_shear =
+      !isotropic || !motion || std::holds_alternative<SpatialRotation>(*motion) ||
+      (gravitates && (name(*motion) == oblique_name || name(*motion) == name(Branch::iii)));
   Case::Solve out;
   if (faults.sound("solve.method")) {
     const std::string method = value_or<std::string>(tree, "solve.method", "auto");
@@ -101,7 +107,7 @@ Case::Solve read_solve(const CaseTree& tree, const std::optional<Motion>& motion
   out.all = value_or(tree, "solve.all", false);
   if (faults.sound("solve.box")) faults.collect([&] { out.box = read_box(tree); });
   if (faults.sound("solve.start"))
-    faults.collect([&] { out.start = read_start(tree, two_polar, isotropic && !spatial); });
+    faults.collect([&] { out.start = read_start(tree, two_polar, !may_shear); });
   return out;
 }
 

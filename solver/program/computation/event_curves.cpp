@@ -141,6 +141,11 @@ EventCurve curve_of(const Case& input, const Member& event, bool spectrum, const
         "alpha = 0 there and at other values of the numbers is not; start at another value";
     return out;
   }
+  if (input.potential.is_isotropic() && event.q.alpha != 0.0) {
+    EventCurve out;
+    out.failure = "events of motions with alpha != 0 of an isotropic body are not followed";
+    return out;
+  }
   const EventCurveSetting setting = setting_of(input, event.q);
   const double second = own_number(input, 1);
   const Circle circle = circle_at(input, setting.family(event.parameter, second, false), event.q);

@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "lib/body/inertia.hpp"
-#include "solver/family/anisotropic_family.hpp"
 #include "solver/family/branch_switch.hpp"
 #include "solver/family/tilted_family.hpp"
+#include "solver/kind/kind.hpp"
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/table/column_file.hpp"
@@ -277,17 +277,18 @@ class FromRow {
         }
       }
     }
-    if (wanted == oblique_name && from && event == name(EventType::oblique) &&
-        !input.potential.is_isotropic()) {
-      const auto family = oblique_family(input.body, input.potential.anisotropic(),
-                                         {.parameter = {}, .spectrum = false}, *from);
+    if (wanted == oblique_name && from && event == name(EventType::oblique)) {
       Member member;
       member.body = input.body;
       member.q = q;
       member.nu = member.parameter = nu().norm();
       member.angular_velocity = nu();
-      if (const auto start = leave_straight(*family, member, *from)) {
-        input.motion = ObliqueRotation{start->parameter, *from};
+      const bool isotropic = input.potential.is_isotropic();
+      const ObliqueRotation motion{member.nu,
+                                   isotropic ? std::nullopt : std::optional<Branch>(*from)};
+      const AnyFamily family = kind_of(input.body, input.potential, motion)->family({}, {}, q);
+      if (const auto start = leave_straight(family, member, *from)) {
+        input.motion = ObliqueRotation{start->parameter, motion.near};
         return beside(finished(std::move(input), start->q));
       }
     }

@@ -115,7 +115,7 @@ Start solved_start(const Case& input, const Run& run) {
   out.found = only_one(input, kinds, how, out.at.motion);
   const Kind& kind = *kinds.each.front().kind;
   if (out.found.status == SolveStatus::solved) {
-    if (const auto reason = kind.no_family(family_parameter_of(input))) {
+    if (const auto reason = kind.no_family(family_parameter_of(input), out.found.q)) {
       require_followable(input, kind, *reason);
       out.found.status = SolveStatus::none_exists;
       out.found.message = *reason;

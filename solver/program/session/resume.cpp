@@ -68,7 +68,9 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
   std::optional<CurveRecord> record = curve_record(text);
   if (!record) refuse(printable(metadata) + " does not say what rows and events the table has");
   const bool has_alpha = std::ranges::find(columns, Column::alpha) != columns.end();
-  if (!input.potential.is_isotropic() && !has_alpha) refuse("found no column alpha");
+  const bool sheared = !input.potential.is_isotropic() || input.potential.may_shear() ||
+                       std::holds_alternative<SpatialRotation>(input.motion);
+  if (sheared && !has_alpha) refuse("found no column alpha");
   ResumedTable out = read_resumed(path, columns, parameter, input.branch_name());
   if (out.rows.size() != record->rows) {
     refuse(fmt::format("{} has {} rows, {} by its metadata", printable(path), out.rows.size(),

@@ -1,5 +1,5 @@
 // The axis of a motion about none in a material plane, from its stretches in intervals.
-#include "solver/kind/spatial_boxes.hpp"
+#include "solver/family/sheared_boxes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@ using namespace testing;
 
 /// Each where its squares have their signs: (1 - sigma/tau) w and 2 V_T + (sigma/tau) w. The stretches need not
 /// solve the balance.
-TEST(SpatialBoxesTest, AnAxisIsGivenWhereBothSquaresArePositive) {
+TEST(ShearedBoxesTest, AnAxisIsGivenWhereBothSquaresArePositive) {
   const Body body(1.0, 1.7, 0.9);
-  const AnyPlane<> plane{Hencky<>{1.1, 0.8}};
+  const AnyPlane<> plane{Biot<>{1.1, 0.8}};
   const AnyThickness<> thickness{ReciprocalQuadratic<>{1.0, 3.0}};
   struct Posed {
     std::optional<double> g;
@@ -30,8 +30,9 @@ TEST(SpatialBoxesTest, AnAxisIsGivenWhereBothSquaresArePositive) {
   for (const Posed& at : {Posed{{}, 1.3, 0.5, true, true}, Posed{{}, 1.3, 2.0, false, true},
                           Posed{0.4, 2.0, 0.5, true, true}, Posed{0.4, 2.0, 2.0, false, true},
                           Posed{0.4, 1e-3, 2.0, true, false}, Posed{0.4, 1e-3, 0.5, false, true}}) {
-    const SpatialEquations equations(body, whole_body(plane, thickness, 1.0, at.g, body), false);
-    const SpatialBoxes boxes(equations, at.nu, Inputs::doubles);
+    const ShearedEquations<3> equations(body, whole_body(plane, thickness, 1.0, at.g, body),
+                                        ShearedAxis::in_no_plane, false);
+    const ShearedBoxes<3> boxes(equations, at.nu, Inputs::doubles);
     const double root = std::sqrt(at.d);
     const Box<3> x{Interval(1.2 * root), Interval(root / 1.1), Interval(1.2)};
     const auto squares = boxes.squares(x);
