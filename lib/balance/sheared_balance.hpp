@@ -150,8 +150,13 @@ ShearedSquares<S> sheared_squares(ShearedAxis axis, const ShearedState<S>& at, c
   return {(1.0 - share) * w, 2.0 * at.gravity_slope + share * w};
 }
 
-/// At alpha = 0, about axis 1, 2 or 3, of a body with gravity: what is equal where these motions begin,
-/// which by the balance is where W_t = 0. square_nu: of nu; V_T > 0.
+/// At alpha = 0, about axis 1, 2 or 3, of a body with gravity: by the balance
+///
+///   K = (spin - gravity)(J1 - J2)(xi + zeta)/(xi - zeta),
+///
+/// K being K_aa in (iii) and K_aa (I1 - I2) - h^2 omega^2 in (i), that exchanged in (ii): where it is
+/// zero these motions begin. Both are equal where xi = zeta too, and K is finite there. square_nu: of nu;
+/// V_T > 0.
 template <class S>
 struct TurningForces {
   S spin;

@@ -258,15 +258,17 @@ class ModelFamily final : public Family<N> {
     }
   }
 
-  /// Member::turn of a body with gravity.
+  /// Member::turn of a body with gravity: K, of order one.
   double turning(const Setting& at, const Stretch& q) const {
     const Inertia3<double> J{at.body.J1, at.body.J2, at.body.J3};
     const double V_T =
         gravity_derivatives<1>(at.model.g, J, planar_moment(J, q), q.xi * q.zeta, q.rho).plane.w_t;
     const TurningForces<double> turns =
         turning_forces(branch_, J, q.xi, q.zeta, at.nu * at.nu, V_T);
-    return relative_difference(J.J1, J.J2) * (turns.spin - turns.gravity) /
-           (std::abs(turns.spin) + std::abs(turns.gravity));
+    const double K = relative_difference(J.J1, J.J2) / relative_difference(q.xi, q.zeta) *
+                     (turns.spin - turns.gravity) /
+                     (std::abs(turns.spin) + std::abs(turns.gravity));
+    return std::isinf(K) ? std::copysign(1.0, K) : K / (1.0 + std::abs(K));
   }
 
   /// F_ss of the reduced energy F along s = ln(zeta/rho)/2, xi held; (ii): of xi and rho.

@@ -33,7 +33,7 @@ struct EventFunction {
     inertia,   ///< J_a x_a^2 - J_b x_b^2
     ellipse,   ///< the circle's dG along the difference of its two stretches
     turn,      ///< of isotropic V, what K_aa (I1 - I2) = h^2 omega^2 and K_aa = 0 come to: J1 - J2,
-               ///< with gravity times the difference of turning_forces()
+               ///< with gravity times the difference of turning_forces() over that of xi and zeta
     collision,  ///< P and P' of `first`
     crossing    ///< P of `first` and of `second`
   };
@@ -175,7 +175,7 @@ class EventEquations {
     if (body_ == nullptr || !body_->gravitates) return difference;
     const TurningForces<T> turns = turning_forces<T>(setting_->branch, s.J, s.xi, s.zeta,
                                                      s.nu * s.nu, -(s.g * gravity_slope(s)));
-    return difference * (turns.spin - turns.gravity);
+    return difference * (turns.spin - turns.gravity) / (s.xi - s.zeta);
   }
   /// F_T (self_energy.hpp).
   static T gravity_slope(const State& s) {
