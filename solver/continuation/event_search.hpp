@@ -394,8 +394,8 @@ class EventSearch {
     constexpr double errors = 32.0;
     constexpr double apart = 1e-3;
     const double own = errors * curve_->corrector().curve_error(point.arc);
-    if (k < TestValues::collision) return own;
-    if (k > TestValues::collision) return std::max(own, mode_noise(point.member));
+    if (k >= TestValues::crossings) return std::max(own, mode_noise(point.member));
+    if (k != TestValues::collision) return own;
     CurvePoint<N> beside;
     if (!evaluate(u + apart, beside) && !evaluate(u - apart, beside)) return own;
     const double root = std::sqrt(std::abs(beside.tests.value[k]));

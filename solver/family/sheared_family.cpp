@@ -8,6 +8,7 @@
 #include "lib/material/material_coordinates.hpp"
 #include "lib/stability/general_spectrum.hpp"
 #include "solver/family/oriented_events.hpp"
+#include "solver/family/tilted_family.hpp"
 #include "solver/motion/oriented_stability.hpp"
 #include "solver/newton/newton.hpp"
 
@@ -77,6 +78,11 @@ KindEvents ShearedEquations<N>::events() const {
   out.may_collide = [](Block, const TestContext&) { return true; };
   out.mirror = EventType::shear;
   out.mirror_reason = "alpha has come to 0, the axis to a plane; beyond are mirror images";
+  out.end = EventType::tilt;
+  out.end_reason = [](const Member& at) -> std::string_view {
+    return at.tilt_in_plane < at.tilt_normal ? "the axis has come to axis 3, alpha != 0"
+                                             : "the axis has come to the plane of axes 1 and 2";
+  };
   return out;
 }
 
@@ -116,16 +122,18 @@ Member ShearedEquations<N>::member(const X& x, const X& tail, double p, double e
   const bool sheared = std::abs(alpha) > 0x1p-80 * std::sqrt(x[0] * x[1]);
   out.q = {sheared ? alpha : 0.0, x[0], x[1], double(q.rho)};
   if (axis == ShearedAxis::in_no_plane) {
-    out.tilt_in_plane = double(squares.in_plane) / (p * p);
-    out.tilt_normal = double(squares.normal) / (p * p);
+    out.tilt_in_plane = tilt_share(double(squares.in_plane), p, error_bound);
+    out.tilt_normal = tilt_share(double(squares.normal), p, error_bound);
   }
   if (out.beyond_end()) return out;
   Vector3<T> nu{T(0.0), T(0.0), T(p)};
-  if (axis != ShearedAxis::third) {
+  // A share that is none is exactly none.
+  if (axis != ShearedAxis::third && out.tilt_in_plane != 0.0) {
     const auto n = sheared_direction<T>({T(body.J1), T(body.J2), T(body.J3)}, at);
     const T along = sqrt(squares.in_plane / (square(n[0]) + square(n[1])));
-    nu = {along * n[0], along * n[1],
-          axis == ShearedAxis::oblique ? T(0.0) : T(sqrt(squares.normal))};
+    nu = {
+        along * n[0], along * n[1],
+        axis == ShearedAxis::oblique || out.tilt_normal == 0.0 ? T(0.0) : T(sqrt(squares.normal))};
   }
   out.angular_velocity = {double(nu[0]), double(nu[1]), double(nu[2])};
   const BalanceCheck check = check_balance(body, potential, out.q, out.angular_velocity);

@@ -99,8 +99,8 @@ class TiltedFamily final : public Family<2> {
     // rho follows from the others by a ratio of two of J, and is rounded.
     const double of_rho = holds_volume(model_) ? 0.0 : 0x1p-52;
     out.error_bound = error_bound + of_rho;
-    out.tilt_in_plane = share(squares.in_plane, p, error_bound);
-    out.tilt_normal = share(squares.normal, p, error_bound);
+    out.tilt_in_plane = tilt_share(double(squares.in_plane), p, error_bound);
+    out.tilt_normal = tilt_share(double(squares.normal), p, error_bound);
     if (out.beyond_end()) return out;
     if (may_leave_plane_) {
       const PlaneForces<double> at = plane_forces<double>(model_, x[0], x[1], out.q.rho);
@@ -144,13 +144,6 @@ class TiltedFamily final : public Family<2> {
     return {model_, body_, plane_, axis_rates(body_, Branch::iii, two_product(p, p))};
   }
 
-  /// Of nu^2 = p^2; zero where the rounding of p, which moves q by the bound, leaves no more.
-  static double share(const DoubleDouble& square, double p, double error_bound) {
-    constexpr double most = 1e-11;  // at a turn of p the bound is not that of the curve
-    const double rounding = std::min(16.0 * error_bound, most);
-    const double out = double(square) / (p * p);
-    return std::abs(out) <= rounding ? 0.0 : out;
-  }
   static DoubleDouble root(const DoubleDouble& square, double share) {
     return share > 0.0 ? sqrt(square) : DoubleDouble(0.0);
   }
@@ -175,6 +168,13 @@ std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& pote
                                          TiltPlane plane, bool spectrum) {
   return potential.visit_parts(
       [&](const auto& model) { return family_of(body, potential, model, plane, spectrum); });
+}
+
+double tilt_share(double square, double p, double error_bound) {
+  constexpr double most = 1e-11;  // at a turn of p the bound is not that of the curve
+  const double rounding = std::min(16.0 * error_bound, most);
+  const double out = square / (p * p);
+  return std::abs(out) <= rounding ? 0.0 : out;
 }
 
 std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, double nu,

@@ -24,4 +24,8 @@ std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& pote
 std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, double nu,
                                   const Interval& within = Interval::entire());
 
+/// The share that the square of a component has in p^2 = |nu|^2; zero where the rounding of p, which moves
+/// q by the bound, leaves no more.
+double tilt_share(double square, double p, double error_bound);
+
 }  // namespace stationary
