@@ -209,6 +209,16 @@ Elastic biot(double mu, double lambda, const std::function<double(double)>& slop
   };
 }
 
+/// (k/2)(t - t0)^2 + (b/2)(d - d0)^2 beside a thickness.
+Elastic of_trace_and_area(double k, double t0, double b, double d0,
+                          const std::function<double(double)>& slope) {
+  return [=](double I1, double d, double rho) {
+    const double t = std::sqrt(I1 + 2.0 * d);
+    const double of_t = k * (t - t0);
+    return Slopes{0.5 * of_t / t, of_t / t + b * (d - d0), slope(rho)};
+  };
+}
+
 struct Moving {
   const char* name;
   const char* verdict;
@@ -279,6 +289,22 @@ std::vector<Moving> sheared_motions() {
       "[potential]\nplane = { model = \"biot\", mu = 1, lambda = 0.6 }\n"
       "thickness = { model = \"harmonic\", k = 2, rest = 1 }\n"
       "fibre = { k = 0.4, degrees = 30 }\n";
+  // W_t = 0 at xi + zeta = 1.8.
+  const auto heavy_biot = [](double mu, double rest, bool held) {
+    return BodyInSpace{
+        {1.0, 1.7, 0.6}, 2.0, held, biot(mu, 8.0 * mu, [=](double rho) { return rho - rest; })};
+  };
+  const auto heavy_text = [](const char* mu, const char* lambda, const char* rest) {
+    return std::string("[potential]\nplane = { model = \"biot\", mu = ") + mu +
+           ", lambda = " + lambda +
+           " }\nthickness = { model = \"harmonic\", k = 1, rest = " + rest + " }\n";
+  };
+  const auto heavy_motion = [](const char* branch, const char* nu, const char* start) {
+    return std::string("[motion]\nbranch = \"") + branch + "\"\nnu = " + nu +
+           "\n[solve]\nstart = [" + start + "]\n";
+  };
+  const std::string soft = heavy_text("0.3755", "3.004", "1.5321");
+  const std::string stiffer = heavy_text("0.4081", "3.2648", "1.5096");
   const std::string oblique =
       "[motion]\nbranch = \"oblique\"\naxis = \"1\"\nnu = 0.4\n"
       "[solve]\nstart = [0.009, 0.935, 1.087, 0.984]\n";
@@ -291,7 +317,26 @@ std::vector<Moving> sheared_motions() {
       {"held body with a fibre about an oblique axis", "unstable", fibred, fibred_text + oblique},
       {"heavy held body with a fibre about axis 3", "stable", heavy_fibred,
        fibred_text + spin("iii", "0.6")},
-      {"heavy body with a fibre about axis 3", "stable", free, fibred_text + spin("iii", "0.6")}};
+      {"heavy body with a fibre about axis 3", "stable", free, fibred_text + spin("iii", "0.6")},
+      {"heavy held body about axis 3, sheared", "unstable", heavy_biot(0.5, 1.91, true),
+       heavy_text("0.5", "4", "1.91") + heavy_motion("iii", "0.5365", "0.26, 1.05, 0.75, 1")},
+      {"heavy body about axis 3, sheared", "unstable", heavy_biot(0.3755, 1.5321, false),
+       soft + heavy_motion("iii", "0.5605", "0.4, 0.97, 0.83, 0.73")},
+      {"heavy held body about an oblique axis", "stable", heavy_biot(0.5, 1.91, true),
+       heavy_text("0.5", "4", "1.91") + heavy_motion("oblique", "0.48", "0.26, 1.05, 0.75, 1")},
+      {"heavy body about an oblique axis", "unstable", heavy_biot(0.4081, 1.5096, false),
+       stiffer + heavy_motion("oblique", "0.450879", "0.26, 1.05, 0.75, 1")},
+      {"heavy body about an axis in no plane", "oscillatory", heavy_biot(0.3755, 1.5321, false),
+       soft + out_of_plane("0.5026", "0.26, 1.05, 0.75, 0.92")},
+      {"body about an axis in no plane", "stable",
+       BodyInSpace{
+           {1.0, 1.7, 0.6},
+           0.0,
+           false,
+           of_trace_and_area(4.0, 2.2, 3.0, 0.9107786, [](double rho) { return rho - 1.2261429; })},
+       "[potential]\nplane = { expression = \"2*(t - 2.2)^2 + 1.5*(d - 0.9107786)^2\" }\n"
+       "thickness = { model = \"harmonic\", k = 1, rest = 1.2261429 }\n" +
+           out_of_plane("1.0", "0.25, 1.0, 1.2, 2.177")}};
 }
 
 std::vector<Moving> motions() {

@@ -140,9 +140,8 @@ TEST(EventEnclosureOfKinds, LocatedInOtherNumbersOfAnisotropicFamilies) {
             body, place < 0 ? at.potential() : Potential(at.V.with_coefficient(place, p)), motion);
       };
       const auto kind = kind_at(value);
-      if (kind->no_family(parameter)) return;
       const Equilibrium start = kind->solve(without_search());
-      if (start.status != SolveStatus::solved) return;
+      if (start.status != SolveStatus::solved || kind->no_family(parameter, start.q)) return;
       const Followed sheet =
           followed(kind->family(parameter, {}, start.q), start.q, value, loosely(from, to));
       prove_events(sheet, parameter, kind_at, at.text + ", " + of, counted[of]);

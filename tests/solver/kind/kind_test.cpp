@@ -104,6 +104,17 @@ std::vector<Posed> all_kinds() {
       TiltedMotion{TiltPlane::two_three, 0.8});
   add("held", Body(1.0, 1.7, 0.9), held(AnyPlane<>{Biot<>{1.0, 8.0}}, thickness),
       SpatialRotation{2.6});
+  const AnyPlane<> soft{Biot<>{0.4081, 3.2648}};
+  const AnyThickness<> thick{Harmonic<>{1.0, 1.5096}};
+  add("gravitating", plate, whole_body(soft, thick, {}, 2.0, plate), ObliqueRotation{0.450879});
+  add("gravitating", plate,
+      whole_body(AnyPlane<>{Biot<>{0.3755, 3.004}}, AnyThickness<>{Harmonic<>{1.0, 1.5321}}, {},
+                 2.0, plate),
+      SpatialRotation{0.5026});
+  add("held, gravitating", plate,
+      whole_body(AnyPlane<>{Biot<>{0.5, 4.0}}, AnyThickness<>{Harmonic<>{1.0, 1.91}}, 0.72, 2.0,
+                 plate),
+      ObliqueRotation{0.48});
   add("held fibre", plate, held_fibre(), AxisRotation{Branch::iii, 0.25});
   for (const Branch branch : {Branch::i, Branch::ii, Branch::iii})
     add("held fibre along axis 1", plate, held_fibre(0.0), AxisRotation{branch, 0.25});
@@ -305,8 +316,8 @@ TEST(Kinds, SearchOnlyWhereEveryStretchIsInTheBox) {
   EXPECT_TRUE(none.solutions.empty());
 }
 
-/// With J1 = J2 such an axis is in a plane, by the choice of material axes; where motions are only not sought nothing
-/// is said of whether they exist.
+/// With J1 = J2 such an axis is in a plane, by the choice of material axes; with W_t > 0 everywhere alpha = 0. Where
+/// motions are only not sought nothing is said of whether they exist.
 TEST(Kinds, ThatAreNotSoughtAreNotSaidNotToExist) {
   const auto kind = [](const Body& body, const Potential& V) {
     return kind_of(body, V, SpatialRotation{0.8});
@@ -317,10 +328,13 @@ TEST(Kinds, ThatAreNotSoughtAreNotSaidNotToExist) {
   EXPECT_EQ(round->solve({}).status, SolveStatus::none_exists);
   EXPECT_EQ(round->search({}).status, SearchStatus::complete);
   EXPECT_THAT(round->nonexistence().value_or(""), HasSubstr("plane \"13\""));
-  const auto compressible = kind(Body(1.0, 1.7, 0.6), made_of("hencky"));
-  EXPECT_EQ(compressible->solve({}).status, SolveStatus::not_found);
-  EXPECT_EQ(compressible->search({}).status, SearchStatus::undecided);
-  EXPECT_FALSE(compressible->nonexistence());
+  const auto rising = kind(Body(1.0, 1.7, 0.6), made_of("hencky"));
+  EXPECT_EQ(rising->solve({}).status, SolveStatus::none_exists);
+  EXPECT_THAT(rising->nonexistence().value_or(""), HasSubstr("W_t = 0"));
+  const auto fibre = kind(Body(1.0, 1.7, 0.6), fibred(NeoHookean<>{1.0, 2.0}, 0.4, 25.0));
+  EXPECT_EQ(fibre->solve({}).status, SolveStatus::not_found);
+  EXPECT_EQ(fibre->search({}).status, SearchStatus::undecided);
+  EXPECT_FALSE(fibre->nonexistence());
 }
 
 TEST(Alternatives, NameThePlanesAndTheAxes) {
