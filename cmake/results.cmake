@@ -75,7 +75,7 @@ foreach(case IN LISTS cases)
   message(STATUS "${name}")
 endforeach()
 
-foreach(name neo_hookean apart near_degenerate circle double_well two_wells fibre) # every sheet of these bodies
+foreach(name neo_hookean apart near_degenerate circle double_well two_wells fibre heavy_plate) # every sheet of these bodies
   run_program(atlas cases/${name}.toml -o ${INTO}/${name}_atlas.csv --quiet)
   keep_metadata(${name}_atlas)
   plot_table(${INTO}/${name}_atlas.csv ${name}_atlas)

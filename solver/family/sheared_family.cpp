@@ -135,6 +135,7 @@ Member ShearedEquations<N>::member(const X& x, const X& tail, double p, double e
         along * n[0], along * n[1],
         axis == ShearedAxis::oblique || out.tilt_normal == 0.0 ? T(0.0) : T(sqrt(squares.normal))};
   }
+  if (double(nu[0]) == 0.0 && double(nu[1]) < 0.0) nu[1] = -nu[1];
   out.angular_velocity = {double(nu[0]), double(nu[1]), double(nu[2])};
   const BalanceCheck check = check_balance(body, potential, out.q, out.angular_velocity);
   out.residual = check.residual;

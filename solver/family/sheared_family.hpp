@@ -73,7 +73,7 @@ struct ShearedEquations {
   /// Where alpha is 0, near x and p.
   std::optional<Member> mirror_point(const X& x, double p) const;
   bool has_spectrum() const { return spectrum; }
-  /// nu1 >= 0 and nu3 >= 0; about axis 3 nu3 = p.
+  /// nu1 >= 0 and nu3 >= 0, nu2 >= 0 where nu1 = 0; about axis 3 nu3 = p.
   Member member(const X& x, const X& tail, double p, double error_bound) const;
 };
 
