@@ -19,6 +19,7 @@
 // the proofs. Families that are evaluated millions of times state these by hand instead.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -30,6 +31,12 @@
 #include "solver/proof/box_balance.hpp"
 
 namespace stationary {
+
+/// Slopes that the equations of a family are taken in: of four where they would do with fewer, so that
+/// a model's code stands once for all.
+constexpr std::size_t stated_slopes(int dimension) {
+  return dimension < 4 ? 4 : static_cast<std::size_t>(dimension);
+}
 
 /// At one p, as newton() and refine() take it; rows divided by the size of their own slopes.
 template <class Equations>
@@ -54,7 +61,7 @@ struct StatedSystem {
   }
 
   At linearize(const ReducedVector<dimension>& x) const {
-    using T = Dual<double, N + 1>;
+    using T = Dual<double, stated_slopes(dimension) + 1>;
     std::array<T, N> y;
     for (std::size_t i = 0; i < N; ++i) y[i] = T::logarithmic(x[static_cast<Eigen::Index>(i)], i);
     const auto G = equations.balance(y, T::along(p, 1.0, N), [](double c) { return T(c); });
@@ -98,7 +105,7 @@ struct StatedBoxes {
   Inputs inputs = Inputs::decimals;
 
   GeneralBoxLinearized<dimension> linearize(const Box<dimension>& box) const {
-    using T = Dual<Interval, N>;
+    using T = Dual<Interval, stated_slopes(dimension)>;
     std::array<T, N> y;
     for (std::size_t i = 0; i < N; ++i) y[i] = T::logarithmic(box[i], i);
     const auto number = [this](double c) { return T(as_input(c, inputs)); };
@@ -106,7 +113,7 @@ struct StatedBoxes {
     GeneralBoxLinearized<dimension> out;
     for (std::size_t i = 0; i < N; ++i) {
       out.g[i] = G[i].value;
-      out.slope[i] = G[i].slope;
+      std::copy_n(G[i].slope.begin(), N, out.slope[i].begin());
     }
     return out;
   }
@@ -156,7 +163,7 @@ class StatedFamily final : public Family<Equations::dimension> {
 
   X coordinates(const Stretch& q, double) const override { return equations_.unknowns(q); }
   SpinInertia<N> spin_inertia(const Member& member) const override {
-    using T = Dual<double, static_cast<std::size_t>(N)>;
+    using T = Dual<double, stated_slopes(N) + 1>;
     const X x = equations_.unknowns(member.q);
     std::array<T, static_cast<std::size_t>(N)> y;
     for (std::size_t i = 0; i < y.size(); ++i)
