@@ -42,7 +42,7 @@ struct AtlasOptions {
   /// microseconds to milliseconds; of an anisotropic body tenths of a second to seconds.
   int checkpoints = 256;
   std::vector<Branch> branches{Branch::i, Branch::ii, Branch::iii};
-  bool oblique = true;    ///< of an anisotropic body its oblique motions too
+  bool oblique = true;    ///< its oblique motions too, where it may have any
   bool complete = false;  ///< for every nu, not at checkpoints alone
   StepOptions step;
   long max_points = 1'000'000;  ///< of each sheet

@@ -8,6 +8,7 @@
 #include "lib/number/elementary.hpp"
 #include "solver/continuation/curve.hpp"
 #include "solver/family/branch_switch.hpp"
+#include "solver/family/sheared_family.hpp"
 #include "solver/kind/kind.hpp"
 #include "solver/motion/body_circle.hpp"
 #include "solver/proof/event_enclosure.hpp"
@@ -19,25 +20,29 @@ constexpr double pi = std::numbers::pi;
 
 class AxisSheets final : public SheetSource {
  public:
-  explicit AxisSheets(const Problem& problem) : problem_(problem), circle_(circle_of(problem)) {}
+  explicit AxisSheets(const Problem& problem)
+      : problem_(problem),
+        circle_(circle_of(problem)),
+        bends_(branch() == Branch::iii && problem_.potential().may_shear() &&
+               !no_sheared_motion(problem_.body(), problem_.potential(), ShearedAxis::third)) {}
 
   Branch branch() const override { return problem_.branch(); }
 
   SearchResult search(double nu, const SearchOptions& options) const override {
-    if (bends()) return at(nu)->search(options);
+    if (bends_) return at(nu)->search(options);
     return stationary::search(problem_, nu, options);
   }
 
   std::optional<KindCover> cover(double from, double to, const SearchOptions& options,
                                  bool classes) const override {
-    if (bends()) return std::nullopt;
+    if (bends_) return std::nullopt;
     return cover_axis(problem_, from, to, options, classes);
   }
   bool none_outside(double from, double to, const SearchOptions& options) const override {
     return stationary::none_outside(problem_, from, to, options);
   }
   std::optional<StabilityClass> proven_class(const Equilibrium& at, Inputs inputs) const override {
-    if (at.q.alpha != 0.0) {
+    if (at.q.alpha != 0.0) {  // by the decimals, which hold the doubles
       const auto kind = this->at(at.nu[2]);
       const Certificate proof = kind->certify(at);
       if (!proof.proven) return std::nullopt;
@@ -55,8 +60,8 @@ class AxisSheets final : public SheetSource {
   }
 
   /// In (iii), where some may have alpha != 0, these are the second.
-  int families() const override { return bends() ? 2 : 1; }
-  int family_of(const Place& at) const override { return bends() && at.q.alpha != 0.0 ? 1 : 0; }
+  int families() const override { return bends_ ? 2 : 1; }
+  int family_of(const Place& at) const override { return bends_ && at.q.alpha != 0.0 ? 1 : 0; }
   AnyFamily family(int which, bool spectrum) const override {
     if (which == 1) {
       constexpr Stretch any{0.1, 1.0, 1.0, 1.0};
@@ -68,7 +73,7 @@ class AxisSheets final : public SheetSource {
   /// Of an ellipse and the same turned by a right angle that which is drawn out along the first of
   /// its two axes.
   Place canonical(const Place& at) const override {
-    if (bends()) return mirrored_upwards(at);
+    if (bends_) return mirrored_upwards(at);
     if (circle_ == Circle::none) return at;
     Place out = at;
     double* const x[3] = {&out.q.xi, &out.q.zeta, &out.q.rho};
@@ -82,11 +87,11 @@ class AxisSheets final : public SheetSource {
   }
 
   EventType leaves_by() const override {
-    if (bends()) return EventType::shear;
+    if (bends_) return EventType::shear;
     return circle_ == Circle::none ? EventType::none : ellipse_event(circle_);
   }
   bool leaves_at(const Member& at) const override {
-    return bends() ? at.q.alpha == 0.0 : is_circle(at.q);
+    return bends_ ? at.q.alpha == 0.0 : is_circle(at.q);
   }
   std::optional<Interval> proven_parting(const Member& at, Inputs inputs) const override {
     const EventEnclosure event = enclose_event(problem_, {}, circle_, leaves_by(), at, inputs);
@@ -95,14 +100,12 @@ class AxisSheets final : public SheetSource {
   }
 
   DepartureResult departure(Branch, const Member& at, double range) const override {
-    if (bends()) return leave_mirror(this->family(1, false), at, branch());
+    if (bends_) return leave_mirror(this->family(1, false), at, branch());
     const AnyFamily family = this->family(0, false);
     return std::visit([&](const auto& f) { return leave_circle(*f, at, range); }, family);
   }
 
  private:
-  /// Whether some may have alpha != 0.
-  bool bends() const { return branch() == Branch::iii && problem_.potential().may_shear(); }
   std::unique_ptr<Kind> at(double nu) const {
     return kind_of(problem_.body(), problem_.potential(), AxisRotation{branch(), nu});
   }
@@ -131,6 +134,7 @@ class AxisSheets final : public SheetSource {
 
   Problem problem_;
   Circle circle_;
+  bool bends_;  ///< some may have alpha != 0
 };
 
 }  // namespace

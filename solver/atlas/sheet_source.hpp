@@ -102,7 +102,8 @@ std::unique_ptr<SheetSource> axis_sheets(const Problem& problem);
 std::unique_ptr<SheetSource> anisotropic_sheets(const Problem& problem);
 std::unique_ptr<SheetSource> oblique_sheets(const Body& body, const Potential& potential);
 
-/// Oblique ones of an isotropic V with gravity (Potential::may_shear()).
+/// Oblique ones of an isotropic V with gravity, unless no_sheared_motion() (sheared_family.hpp) says why
+/// not.
 std::unique_ptr<SheetSource> sheared_sheets(const Body& body, const Potential& potential);
 
 }  // namespace stationary

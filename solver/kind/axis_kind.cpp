@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "solver/family/anisotropic_family.hpp"
+#include "solver/family/sheared_family.hpp"
 #include "solver/kind/oriented_event_enclosure.hpp"
 #include "solver/kind/sheared_kind.hpp"
 #include "solver/motion/body_circle.hpp"
@@ -51,7 +52,8 @@ class AxisKind final : public Kind {
  public:
   AxisKind(const Body& body, const Potential& potential, const AxisRotation& motion)
       : Kind(body, potential), motion_(motion), problem_(body, potential, motion.branch) {
-    if (motion.branch == Branch::iii && potential.may_shear())
+    if (motion.branch == Branch::iii && potential.may_shear() &&
+        !no_sheared_motion(body, potential, ShearedAxis::third))
       sheared_ = sheared_kind(body, potential, ShearedAxis::third, motion, motion.nu);
   }
 

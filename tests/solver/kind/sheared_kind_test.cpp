@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/atlas/atlas.hpp"
 #include "solver/kind/kind.hpp"
 #include "tests/support/followed.hpp"
 #include "tests/support/whole_body.hpp"
@@ -180,6 +181,31 @@ TEST(ShearedMotionsAboutAxisThree, AreNotOfEveryBody) {
     EXPECT_GT((ReciprocalDeterminant<>{1.0, 1.0}.evaluate<1>(x).w_t), 0.0);
     EXPECT_GT((NeoHookean3d<>{1.0, 1.0}.evaluate<1>(x, 1.3).plane.w_t), 0.0);
   }
+}
+
+/// Of a fluid J is a choice of coordinates: alpha = 0 is one, whatever J is.
+TEST(ShearedMotionsAboutAxisThree, AreNotOfAFluid) {
+  const Body plate(1.0, 1.7, 0.6);
+  BodyModel<> model;
+  model.volume = 1.0;
+  model.gravitates = true;
+  model.g = 4.0;
+  model.J = {plate.J1, plate.J2, plate.J3};
+  const Potential fluid(model);
+  SearchOptions box;
+  box.min_stretch = 0.3;
+  box.max_stretch = 3.0;
+  EXPECT_NE(kind_of(plate, fluid, AxisRotation{Branch::iii, 0.3})->search(box).status,
+            SearchStatus::interrupted);
+  const auto oblique = kind_of(plate, fluid, ObliqueRotation{0.3});
+  EXPECT_EQ(oblique->solve({}).status, SolveStatus::none_exists);
+  AtlasOptions options;
+  options.from = 0.1;
+  options.to = 0.2;
+  options.checkpoints = 1;
+  options.search = box;
+  const Atlas all = atlas(plate, fluid, options);
+  EXPECT_FALSE(std::ranges::any_of(all.sheets, &AtlasSheet::oblique));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShearedMotions, ::testing::ValuesIn(sheared_cases()),
