@@ -62,6 +62,22 @@ AnisotropicPotential::AnisotropicPotential(const Coupled& coupled, std::vector<F
   add_fibres();
 }
 
+AnisotropicPotential AnisotropicPotential::of_heavy(const ElasticPart<>& elastic,
+                                                    const BodyTerms<double>& body) {
+  if (!body.gravitates || elastic.is_fluid())
+    throw std::invalid_argument("an elastic body with gravity");
+  AnisotropicPotential out;
+  if (elastic.plane) {
+    const Plane plane = elastic.plane->visit([](const auto& model) -> Plane { return model; });
+    out.model_.base = Model::Separate{plane, elastic.thickness};
+  } else if (const auto* formula = std::get_if<CoupledExpression<>>(&elastic.coupled)) {
+    out.model_.base = Coupled(*formula);
+  } else {
+    out.model_.base = Coupled(std::get<NeoHookean3d<>>(elastic.coupled));
+  }
+  return out.with_body(body);
+}
+
 void AnisotropicPotential::add_fibres() {
   if (fibres_.size() > Model::max_fibres) throw std::invalid_argument("at most 4 fibres");
   for (const Fibre& fibre : fibres_) {

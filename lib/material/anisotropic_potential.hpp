@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "lib/material/gravitating/body_terms.hpp"
+#include "lib/material/gravitating/elastic_part.hpp"
 #include "lib/material/models/anisotropic_expression.hpp"
 #include "lib/material/models/any_model.hpp"
 #include "lib/material/models/coefficients.hpp"
@@ -175,6 +176,10 @@ class AnisotropicPotential {
   AnisotropicPotential(const Plane& plane, const std::optional<AnyThickness<>>& thickness,
                        std::vector<Fibre> fibres);
 
+  /// Of an isotropic body with gravity: what its J1 != J2 makes of it. Throws std::invalid_argument unless
+  /// it gravitates and is no fluid.
+  static AnisotropicPotential of_heavy(const ElasticPart<>& elastic, const BodyTerms<double>& body);
+
   /// With gravity (J that of the body) or a held volume. Throws std::invalid_argument unless g > 0
   /// and volume > 0 where there are, and without a thickness a volume is held.
   AnisotropicPotential with_body(BodyTerms<double> body) const;
@@ -281,6 +286,7 @@ class AnisotropicPotential {
     return out;
   }
 
+  AnisotropicPotential() = default;
   void add_fibres();
   void set_stiffness();
   /// What is left of the odd parts, in alpha, of all fibres' V; unknown: no more than rounding.

@@ -105,7 +105,9 @@ void enter_tilted(const Body& body, const Potential& potential, const AtlasOptio
         remark(out, sheet.branch, false, Entry::tilt, row.member.nu, reason);
       };
       if (!sheet.plane) {
-        not_entered("tilted motions not entered: no plane has two equal locked inertias");
+        not_entered(row.member.q.alpha != 0.0
+                        ? "motions about an axis in no plane begin, which an atlas does not follow"
+                        : "tilted motions not entered: no plane has two equal locked inertias");
         continue;
       }
       const auto plain =

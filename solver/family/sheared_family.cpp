@@ -152,6 +152,15 @@ Member ShearedEquations<N>::member(const X& x, const X& tail, double p, double e
 template struct ShearedEquations<3>;
 template struct ShearedEquations<4>;
 
+std::optional<Branch> left_at(ShearedAxis axis, EventType event, const Member& member) {
+  const bool oblique = axis == ShearedAxis::oblique;
+  if (axis == ShearedAxis::in_no_plane || member.q.alpha != 0.0 ||
+      event != (oblique ? EventType::oblique : EventType::shear))
+    return std::nullopt;
+  const Vector3<double>& nu = member.angular_velocity;
+  return !oblique ? Branch::iii : std::abs(nu[1]) > std::abs(nu[0]) ? Branch::ii : Branch::i;
+}
+
 std::optional<std::string> no_sheared_motion(const Body& body, const Potential& potential,
                                              ShearedAxis axis) {
   if (!potential.is_isotropic()) return "its equations are an isotropic potential's";

@@ -80,6 +80,10 @@ struct ShearedEquations {
 extern template struct ShearedEquations<3>;
 extern template struct ShearedEquations<4>;
 
+/// The branch that a family about axis 3 or an oblique axis leaves at this event, its end; nothing of other
+/// events.
+std::optional<Branch> left_at(ShearedAxis axis, EventType event, const Member& member);
+
 /// Why a body has no such motions, whatever nu; nothing where it may.
 std::optional<std::string> no_sheared_motion(const Body& body, const Potential& potential,
                                              ShearedAxis axis);

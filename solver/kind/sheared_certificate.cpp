@@ -95,17 +95,13 @@ template SpectrumEnclosure enclose_sheared_spectrum<4>(const ShearedEquations<4>
 std::optional<EventEnclosure> enclose_sheared_event(const Body& body, const Potential& potential,
                                                     ShearedAxis axis, EventType type,
                                                     const Member& member) {
-  const EventType end = axis == ShearedAxis::oblique ? EventType::oblique : EventType::shear;
-  if (type != end) return std::nullopt;
+  if (const auto left = left_at(axis, type, member))
+    return enclose_event({body, potential, *left}, {}, Circle::none, type, member);
+  if (axis != ShearedAxis::in_no_plane || type != EventType::shear) return std::nullopt;
   const Vector3<double>& nu = member.angular_velocity;
-  const bool about_second = std::abs(nu[1]) > std::abs(nu[0]);
-  if (axis == ShearedAxis::in_no_plane)
-    return enclose_tilted_event(
-        body, potential, about_second ? TiltPlane::two_three : TiltPlane::one_three, type, member);
-  const Branch left = axis == ShearedAxis::third ? Branch::iii
-                      : about_second             ? Branch::ii
-                                                 : Branch::i;
-  return enclose_event({body, potential, left}, {}, Circle::none, type, member);
+  const bool in_second = std::abs(nu[1]) > std::abs(nu[0]);
+  return enclose_tilted_event(
+      body, potential, in_second ? TiltPlane::two_three : TiltPlane::one_three, type, member);
 }
 
 }  // namespace stationary

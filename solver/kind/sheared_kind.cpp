@@ -145,6 +145,13 @@ class ShearedKind final : public Kind {
     if (none_ || parameter.kind == FamilyParameter::Kind::nu) return none_;
     return "motions with alpha != 0 of an isotropic body are followed in nu alone";
   }
+  std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
+                                        const Member& member) const override {
+    const auto left = left_at(axis_, event, member);
+    if (!left) return std::nullopt;
+    return stationary::normal_form({body(), potential(), *left}, parameter, Circle::none, event,
+                                   member);
+  }
   std::optional<EventEnclosure> enclose_event(const FamilyParameter&, EventType event,
                                               const Member& member) const override {
     return enclose_sheared_event(body(), potential(), axis_, event, member);

@@ -85,14 +85,30 @@ std::optional<NormalForm> isotropic_normal_form(const Problem& problem,
   }
 }
 
+/// Where motions with alpha != 0 leave those of an isotropic body with gravity, followed in nu.
+std::optional<NormalForm> heavy_normal_form(const Problem& problem,
+                                            const FamilyParameter& parameter, EventType type,
+                                            const Member& member) {
+  const BodyModel<>* const body = problem.potential().body_model();
+  const bool heavy = body != nullptr && body->gravitates && !body->elastic.is_fluid();
+  if (!heavy || problem.body().symmetric() || parameter.kind != FamilyParameter::Kind::nu)
+    return std::nullopt;
+  const Potential oriented(AnisotropicPotential::of_heavy(
+      body->elastic, {true, body->g, body->J, body->volume, body->stiffness}));
+  return oriented_normal_form(Problem(problem.body(), oriented, problem.branch()), parameter, type,
+                              member);
+}
+
 }  // namespace
 
 std::optional<NormalForm> normal_form(const Problem& problem, const FamilyParameter& parameter,
                                       Circle circle, EventType type, const Member& member) {
   if (!is_known(member)) return std::nullopt;
-  return problem.potential().is_isotropic()
-             ? isotropic_normal_form(problem, parameter, circle, type, member)
-             : oriented_normal_form(problem, parameter, type, member);
+  if (!problem.potential().is_isotropic())
+    return oriented_normal_form(problem, parameter, type, member);
+  if (type == EventType::shear || type == EventType::oblique)
+    return heavy_normal_form(problem, parameter, type, member);
+  return isotropic_normal_form(problem, parameter, circle, type, member);
 }
 
 std::optional<NormalForm> tilted_normal_form(const Body& body, const Potential& potential,

@@ -692,6 +692,10 @@ TEST_F(ShearedByGravity, JoinsTwoSheetsOfTheThirdBranch) {
       events(run("branch = \"iii\"\nnu = 0.0\n", {"continue", "-o", "-"}), "shear", "nu3");
   ASSERT_EQ(straight.size(), 1U);
   EXPECT_NEAR(straight[0], ends[1], 1e-14);
+  // And it begins on the side that it is on.
+  EXPECT_EQ(rows.front().at("side"), "after");
+  EXPECT_EQ(rows.back().at("side"), "before");
+  EXPECT_NE(number(rows.front().at("criticality")), 0.0);
   const std::vector<double> other =
       events(run(third_, {"continue", "-o", "-", "--set", "solve.start=[0,0.936,0.8598,0.8947]"}),
              "shear", "nu3");
@@ -706,6 +710,8 @@ TEST_F(ShearedByGravity, JoinsTheBranchesOfTheOtherAxesObliquely) {
   ASSERT_EQ(ends.size(), 2U);
   EXPECT_EQ(ends[1], 0.0);
   ends[1] = events(bent, "oblique", "nu2")[1];
+  EXPECT_EQ(rows_of(bent.out).front().at("side"), "after");
+  EXPECT_EQ(rows_of(bent.out).back().at("side"), "before");
   for (const auto& [branch, column, at] :
        {std::tuple{"i", "nu1", ends[0]}, std::tuple{"ii", "nu2", std::abs(ends[1])}}) {
     const std::string from = directory_ / (std::string(branch) + ".csv");
