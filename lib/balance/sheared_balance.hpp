@@ -14,7 +14,7 @@
 // of a held volume f - c alone, its pressure taking the rest. By the axis:
 //
 //   axis 3         n = 0          w = 0 (B is no multiple of 1)
-//   oblique        nu3 = 0        D e^2 = 2 T^2 V_T (2 V_T - |nu|^2),  sigma = 2 V_T T/e, the larger of the
+//   oblique        nu3 = 0        D e^2 = -2 T^2 V_T w, so that w < 0,  sigma = 2 V_T T/e, the larger of the
 //                                 eigenvalues,  e = 4 V_T - |nu|^2
 //   in no plane    B n = tau n    T = tau + sigma, sigma = D/tau;  |n|^2 = (1 - sigma/tau) w,
 //                                 nu3^2 = 2 V_T + (sigma/tau) w
@@ -54,8 +54,8 @@ struct ShearedState {
   S gravity_slope;  ///< V_T, zero without gravity
 
   S w(const S& square_nu) const { return square_nu - 2.0 * gravity_slope; }
-  /// 2 V_T - |nu|^2, oblique positive.
-  S excess(const S& square_nu) const { return 2.0 * gravity_slope - square_nu; }
+  /// e.
+  S excess(const S& square_nu) const { return 4.0 * gravity_slope - square_nu; }
 };
 
 template <class S>
@@ -80,7 +80,7 @@ ShearedState<S> sheared_state(ShearedAxis axis, const Inertia3<S>& J, const Body
   out.sigma = S(0.0);
   if (axis == ShearedAxis::in_no_plane) out.sigma = out.area / out.tau;
   if (axis == ShearedAxis::oblique)
-    out.sigma = 2.0 * (out.gravity_slope * moment) / (4.0 * out.gravity_slope - square_nu);
+    out.sigma = 2.0 * (out.gravity_slope * moment) / out.excess(square_nu);
   return out;
 }
 
@@ -115,8 +115,8 @@ std::array<S, static_cast<std::size_t>(N)> sheared_balance(ShearedAxis axis,
       of_axis = at.moment * w;
       break;
     case ShearedAxis::oblique:
-      of_axis = at.area * square(4.0 * at.gravity_slope - square_nu) -
-                2.0 * square(at.moment) * at.gravity_slope * at.excess(square_nu);
+      of_axis =
+          at.area * square(at.excess(square_nu)) + 2.0 * square(at.moment) * at.gravity_slope * w;
       plane = w * at.sigma;
       thick = square_nu * at.tau;
       held = thick - plane;

@@ -6,6 +6,7 @@
 
 #include "lib/material/elastic_energy.hpp"
 #include "lib/material/gravitating/rest_state.hpp"
+#include "lib/material/material_coordinates.hpp"
 #include "lib/material/model_domain.hpp"
 
 namespace stationary {
@@ -123,6 +124,10 @@ Potential::Potential(const BodyModel<>& body) : models_(body) {
   if (body.elastic.is_fluid() && !body.volume)
     throw std::invalid_argument("a potential: a fluid without one needs its volume held");
   std::get<BodyModel<>>(models_).stiffness = volume_stiffness(body);
+}
+
+bool Potential::may_shear() const {
+  return has_turned_gravity() && !body_model()->elastic.rises_with_trace() && !is_fluid(*this);
 }
 
 BodyModel<> Potential::as_body() const {

@@ -107,12 +107,11 @@ class Potential {
   /// Isotropic with gravity or a held volume: nothing otherwise. Counts as isotropic, though about axis 3
   /// not all of its motions need have alpha = 0 (may_shear()).
   const BodyModel<>* body_model() const { return std::get_if<BodyModel<>>(&models_); }
-  /// Gravity of J1 != J2 beside an isotropic elastic energy: where that is stationary in t = xi + zeta,
-  /// motions with alpha != 0 may exist about axis 3, and oblique ones (sheared_balance.hpp).
-  bool may_shear() const {
-    return body_model() != nullptr && !body_model()->isotropic() &&
-           !body_model()->elastic.rises_with_trace();
-  }
+  /// Isotropic but for gravity of J1 != J2.
+  bool has_turned_gravity() const { return body_model() != nullptr && !body_model()->isotropic(); }
+  /// Such a one, no fluid, whose elastic energy may be stationary in t = xi + zeta: motions with alpha != 0
+  /// may exist about axis 3, and oblique ones (sheared_balance.hpp).
+  bool may_shear() const;
   /// The same as one model of a body, with gravity and a held volume where it has them. Throws
   /// std::invalid_argument where not isotropic.
   BodyModel<> as_body() const;

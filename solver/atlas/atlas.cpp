@@ -14,7 +14,6 @@
 #include "lib/body/inertia.hpp"
 #include "solver/atlas/sheet_arc.hpp"
 #include "solver/atlas/sheet_set.hpp"
-#include "solver/family/sheared_family.hpp"
 
 namespace stationary {
 namespace {
@@ -197,7 +196,7 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
   const std::size_t about_axes = parts.size();
   if (options.oblique && !potential.is_isotropic())
     parts.emplace_back(oblique_sheets(body, potential), options);
-  if (options.oblique && !no_sheared_motion(body, potential, ShearedAxis::oblique))
+  if (options.oblique && potential.may_shear())
     parts.emplace_back(sheared_sheets(body, potential), options);
   const auto each = static_cast<std::size_t>(options.checkpoints);
   const int threads = std::max(1, options.threads);

@@ -1,6 +1,5 @@
 #include "lib/number/elementary.hpp"
 #include "solver/atlas/sheet_source.hpp"
-#include "solver/kind/kind.hpp"
 
 namespace stationary {
 namespace {
@@ -17,10 +16,7 @@ class ShearedSheets final : public SheetSource {
     return at(nu)->search(options);
   }
   std::optional<StabilityClass> proven_class(const Equilibrium& motion, Inputs) const override {
-    const auto kind = at(hypotenuse(motion.nu[0], motion.nu[1]));
-    const Certificate proof = kind->certify(motion);
-    if (!proof.proven) return std::nullopt;
-    return kind->enclose(motion, proof, {}).verdict;
+    return proven_class_of(*at(hypotenuse(motion.nu[0], motion.nu[1])), motion);
   }
 
   /// They begin on (i) and (ii) alone.

@@ -8,8 +8,6 @@
 #include "lib/number/elementary.hpp"
 #include "solver/continuation/curve.hpp"
 #include "solver/family/branch_switch.hpp"
-#include "solver/family/sheared_family.hpp"
-#include "solver/kind/kind.hpp"
 #include "solver/motion/body_circle.hpp"
 #include "solver/proof/event_enclosure.hpp"
 
@@ -23,8 +21,7 @@ class AxisSheets final : public SheetSource {
   explicit AxisSheets(const Problem& problem)
       : problem_(problem),
         circle_(circle_of(problem)),
-        bends_(branch() == Branch::iii && problem_.potential().may_shear() &&
-               !no_sheared_motion(problem_.body(), problem_.potential(), ShearedAxis::third)) {}
+        bends_(branch() == Branch::iii && problem_.potential().may_shear()) {}
 
   Branch branch() const override { return problem_.branch(); }
 
@@ -42,12 +39,7 @@ class AxisSheets final : public SheetSource {
     return stationary::none_outside(problem_, from, to, options);
   }
   std::optional<StabilityClass> proven_class(const Equilibrium& at, Inputs inputs) const override {
-    if (at.q.alpha != 0.0) {  // by the decimals, which hold the doubles
-      const auto kind = this->at(at.nu[2]);
-      const Certificate proof = kind->certify(at);
-      if (!proof.proven) return std::nullopt;
-      return kind->enclose(at, proof, {}).verdict;
-    }
+    if (at.q.alpha != 0.0) return proven_class_of(*this->at(at.nu[2]), at);
     const Certificate proof = certify(problem_, at, inputs);
     if (!proof.proven) return std::nullopt;
     return enclose_spectrum(problem_, at, proof, {}, inputs).verdict;
@@ -159,13 +151,17 @@ double distance(const Place& a, const Place& b) {
                    std::abs(std::remainder(a.axis - b.axis, pi))});
 }
 
-DepartureResult leave_mirror(const AnyFamily& family, const Member& at, Branch parent) {
+std::optional<StabilityClass> proven_class_of(const Kind& kind, const Equilibrium& at) {
+  const Certificate proof = kind.certify(at);
+  if (!proof.proven) return std::nullopt;
+  return kind.enclose(at, proof, {}).verdict;
+}
+
+DepartureResult SheetSource::leave_mirror(const AnyFamily& family, const Member& at,
+                                          Branch parent) const {
   const auto found = leave_straight(family, at, parent);
   if (!found) return "none was found beside it";
-  const Vector3<double>& nu = found->angular_velocity;
-  const bool oblique = nu[2] == 0.0;
-  return Departure{{found->q, oblique ? std::remainder(atan2(nu[1], nu[0]), pi) : 0.0},
-                   found->parameter};
+  return Departure{place(found->q, found->angular_velocity), found->parameter};
 }
 
 Place SheetSource::place(const Stretch& q, const Vector3<double>& nu) const {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "solver/family/axis_family.hpp"
+#include "solver/kind/kind.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/search/search.hpp"
 #include "solver/solve/solve.hpp"
@@ -43,9 +44,8 @@ struct Departure {
 };
 using DepartureResult = std::variant<Departure, std::string>;
 
-/// By the family with alpha != 0 that begins at an event of a sheet with alpha = 0. parent: the branch of
-/// the sheet.
-DepartureResult leave_mirror(const AnyFamily& family, const Member& at, Branch parent);
+/// By the decimals of the case, which hold its doubles.
+std::optional<StabilityClass> proven_class_of(const Kind& kind, const Equilibrium& at);
 
 class SheetSource {
  public:
@@ -92,6 +92,10 @@ class SheetSource {
   }
   /// parent: the branch of the sheet left. range: of nu, for the scale.
   virtual DepartureResult departure(Branch parent, const Member& at, double range) const = 0;
+
+ protected:
+  /// By the family with alpha != 0 that begins at an event of a sheet with alpha = 0.
+  DepartureResult leave_mirror(const AnyFamily& family, const Member& at, Branch parent) const;
 };
 
 /// Of an isotropic V about a material axis; about axis 3 those with alpha != 0 among them.
@@ -102,8 +106,7 @@ std::unique_ptr<SheetSource> axis_sheets(const Problem& problem);
 std::unique_ptr<SheetSource> anisotropic_sheets(const Problem& problem);
 std::unique_ptr<SheetSource> oblique_sheets(const Body& body, const Potential& potential);
 
-/// Oblique ones of an isotropic V with gravity, unless no_sheared_motion() (sheared_family.hpp) says why
-/// not.
+/// Oblique ones of an isotropic V with gravity (Potential::may_shear()).
 std::unique_ptr<SheetSource> sheared_sheets(const Body& body, const Potential& potential);
 
 }  // namespace stationary

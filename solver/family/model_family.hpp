@@ -31,6 +31,8 @@ class ModelFamily final : public Family<N> {
         base_{body, model, options.nu},
         problem_(std::move(problem)),
         circle_(problem_ ? circle_of(*problem_, options.parameter) : Circle::none) {
+    if constexpr (is_body_model<Model>)
+      may_leave_ = model.gravitates && !model.elastic.rises_with_trace();
     if constexpr (constant_thickness) {
       const ThicknessBalance thickness = balanced_thickness(model.thickness, DoubleDouble(0.0));
       rho_ = thickness.rho;
@@ -238,8 +240,7 @@ class ModelFamily final : public Family<N> {
     const bool varied = options_.parameter.kind == Kind::inertia;
     if constexpr (is_body_model<Model>) {
       // As J1 passes J2 in (iii) the stiffness below, which has no factor J1 - J2 on a circle.
-      const bool closed = at.model.gravitates && !at.body.symmetric();
-      if (closed && !(varied && branch_ == Branch::iii)) {
+      if (may_leave_ && !at.body.symmetric() && !(varied && branch_ == Branch::iii)) {
         ++this->evaluations_.potentials;
         out.turn = turning(at, out.q);
       }
@@ -386,7 +387,8 @@ class ModelFamily final : public Family<N> {
   AxisFamilyOptions options_;
   Setting base_;
   std::optional<Problem> problem_;
-  Circle circle_;  ///< about axis 1 or 2
+  Circle circle_;           ///< about axis 1 or 2
+  bool may_leave_ = false;  ///< alpha = 0, where J1 != J2
   double rho_ = std::numeric_limits<double>::quiet_NaN();
   DoubleDouble extended_rho_;
   double rho_bound_ = std::numeric_limits<double>::quiet_NaN();

@@ -32,7 +32,7 @@ class ShearedBoxes {
     if (!length.positive()) return std::nullopt;
     if (equations_.axis == ShearedAxis::oblique)
       return Vector3<Interval>{n[0] / length, n[1] / length, none};
-    const auto square_of = sheared_squares<Interval>(equations_.axis, at, square_nu());
+    const auto square_of = squares(x);
     if (!square_of.in_plane.positive() || !square_of.normal.positive()) return std::nullopt;
     const Interval speed = sqrt(square_of.in_plane + square_of.normal);
     const Interval in_plane = sqrt(square_of.in_plane) / speed;

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "lib/material/elastic_energy.hpp"
-#include "lib/material/material_coordinates.hpp"
 #include "lib/stability/general_spectrum.hpp"
 #include "solver/continuation/curve_start.hpp"
+#include "solver/family/sheared_family.hpp"
 #include "solver/family/tilted_events.hpp"
 #include "solver/motion/tilted_system.hpp"
 #include "solver/motion/varied_balance.hpp"
@@ -24,7 +24,7 @@ class TiltedFamily final : public Family<2> {
         model_(model),
         plane_(plane),
         spectrum_(spectrum),
-        may_leave_plane_(!body.symmetric() && !is_fluid(potential)) {}
+        may_leave_plane_(!no_sheared_motion(body, potential, ShearedAxis::in_no_plane)) {}
 
   Branch branch() const override { return Branch::iii; }
   KindEvents events() const override { return tilted_events(); }

@@ -1,10 +1,11 @@
 #include "solver/kind/axis_kind.hpp"
 
+#include <algorithm>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 #include "solver/family/anisotropic_family.hpp"
-#include "solver/family/sheared_family.hpp"
 #include "solver/kind/oriented_event_enclosure.hpp"
 #include "solver/kind/sheared_kind.hpp"
 #include "solver/motion/body_circle.hpp"
@@ -52,8 +53,7 @@ class AxisKind final : public Kind {
  public:
   AxisKind(const Body& body, const Potential& potential, const AxisRotation& motion)
       : Kind(body, potential), motion_(motion), problem_(body, potential, motion.branch) {
-    if (motion.branch == Branch::iii && potential.may_shear() &&
-        !no_sheared_motion(body, potential, ShearedAxis::third))
+    if (motion.branch == Branch::iii && potential.may_shear())
       sheared_ = sheared_kind(body, potential, ShearedAxis::third, motion, motion.nu);
   }
 
@@ -186,6 +186,10 @@ class AxisKind final : public Kind {
     append(out.solutions, more.solutions);
     append(out.unproven, more.unproven);
     append(out.undecided, more.undecided);
+    for (auto* list : {&out.solutions, &out.unproven})
+      std::ranges::sort(*list, {}, [](const Equilibrium& at) {
+        return std::tuple(at.q.xi, at.q.zeta, at.q.rho, at.q.alpha);
+      });
     out.boxes += more.boxes;
     if (more.status != SearchStatus::complete) out.status = more.status;
     out.message = search_message(options, out.status, out.solutions.size(), out.undecided) +

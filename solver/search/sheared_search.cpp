@@ -108,7 +108,7 @@ struct InvariantBoxes : StatedBoxes<ShearedInvariants<N>> {
     const ShearedState<Interval> state =
         this->equations.state(x, number(this->p), [this](double c) { return number(c); });
     const Interval square_nu = square(number(this->p));
-    if (family().axis == ShearedAxis::oblique) return state.excess(square_nu).hi <= 0.0;
+    if (family().axis == ShearedAxis::oblique) return state.w(square_nu).lo >= 0.0;
     const auto squares = sheared_squares(family().axis, state, square_nu);
     return squares.in_plane.hi <= 0.0 || squares.normal.hi <= 0.0;
   }
@@ -145,11 +145,8 @@ class ShearedSearch {
   void add(const ProvenSolution<N>& each) {
     const bool proven = each.proof.proven;
     const StretchBox box = boxes_.stretch(each.proof.solution);
-    if (proven) {
-      if (boxes_.plane(each.proof.solution).square_alpha.hi < 0.0) return;
-      // What decides a box need not be in it.
-      if (boxes_.excludes(each.proof.solution)) return;
-    }
+    // What decides a box need not be in it.
+    if (proven && boxes_.excludes(each.proof.solution)) return;
     const std::optional<X> x = unknowns(each.x);
     if (!x) {
       if (proven) search_.leave_undecided(box);

@@ -669,6 +669,8 @@ TEST_F(ShearedByGravity, IsAmongAllAboutAxisThree) {
   // With J1 = J2 the angle of S is a matter of choice.
   const Outcome check = run(third_, {"check"});
   EXPECT_THAT(check.out, HasSubstr("isotropic but for gravity"));
+  EXPECT_THAT(run(third_, {"check", "--set", "potential.plane.model=neo-hookean"}).out,
+              HasSubstr("isotropic but for gravity"));
   EXPECT_THAT(run(third_, {"check", "--set", "body.J=[1.0,1.0,0.6]"}).out,
               Not(HasSubstr("but for gravity")));
 }
@@ -745,12 +747,39 @@ TEST_F(ShearedByGravity, IsRefusedWhereItCannotBe) {
   const Outcome rising = run(oblique, {"solve", "--set", "potential.plane.model=neo-hookean"});
   EXPECT_EQ(rising.code, 3);
   EXPECT_THAT(rising.err, HasSubstr("W_t = 0"));
+  // Where alpha = 0 is known.
+  for (const char* const other : {"body.J=[1.0,1.0,0.6]", "potential.plane.model=neo-hookean"}) {
+    const Outcome straight = run(third_, {"solve", "--set", start, "--set", other});
+    EXPECT_EQ(straight.code, 2) << other;
+    EXPECT_THAT(straight.err, HasSubstr("solve.start")) << other;
+    EXPECT_THAT(straight.err, HasSubstr("alpha = 0")) << other;
+  }
   for (const std::string& motion : {third_, oblique}) {
     const Outcome method =
         run(motion, {"solve", "--set", start, "--set", "solve.method=\"ceres\""});
     EXPECT_EQ(method.code, 2);
     EXPECT_THAT(method.err, HasSubstr("where alpha is an unknown"));
   }
+}
+
+TEST_F(ShearedByGravity, IsGoneOnWithByItsAlpha) {
+  const auto interrupted = [&](const std::string& motion, const std::string& name) {
+    const std::string table = directory_ / name;
+    const std::vector<std::string> how{
+        "--set", "output.columns=[\"nu1\",\"nu2\",\"nu3\",\"xi\",\"zeta\",\"rho\"]", "-o", table};
+    std::vector<std::string> few{"continue", "--set", "continuation.max_points=30"};
+    few.insert(few.end(), how.begin(), how.end());
+    EXPECT_EQ(run(motion, few).code, 0);
+    std::vector<std::string> more{"continue", "--resume"};
+    more.insert(more.end(), how.begin(), how.end());
+    return run(motion, more);
+  };
+  const Outcome sheared = interrupted("branch = \"oblique\"\nnu = 0.48\n", "oblique.csv");
+  EXPECT_EQ(sheared.code, 2);
+  EXPECT_THAT(sheared.err, HasSubstr("found no column alpha"));
+  // About axis 1 it is 0.
+  const Outcome straight = interrupted("branch = \"i\"\nnu = 0.3\n", "straight.csv");
+  EXPECT_EQ(straight.code, 0) << straight.err;
 }
 
 TEST_F(ShearedByGravity, IsInAnAtlas) {

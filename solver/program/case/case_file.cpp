@@ -436,6 +436,7 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
     faults.collect([&] {
       potential = make_potential(*models, *body);
       require_scale(tree, *models, *potential);
+      require_alpha(tree, solve.start, *motion, *potential);
       if (!is_told_in_others(tree, *body, *potential, follows_inertia(continuation, map, curve)))
         return;
       coordinates = coordinates_of(*body);

@@ -106,6 +106,13 @@ bool nu_is_length(const Motion& motion) {
 }
 bool keeps_round(const Motion& motion) { return std::holds_alternative<TwoPolarMotion>(motion); }
 bool is_followed_in_nu_alone(const Motion& motion) { return name(motion) == tilted_name; }
+bool may_have_alpha(const Motion& motion, const Potential& potential) {
+  if (!potential.is_isotropic() || std::holds_alternative<SpatialRotation>(motion) ||
+      std::holds_alternative<ObliqueRotation>(motion))
+    return true;
+  const auto spin = spin_of(motion);
+  return spin && spin->branch == Branch::iii && potential.may_shear();
+}
 bool has_rates(const Motion& motion) { return std::holds_alternative<TwoPolarMotion>(motion); }
 std::optional<AxisRotation> spin_of(const Motion& motion) {
   const auto* const spin = std::get_if<AxisRotation>(&motion);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lib/body/motion.hpp"
+#include "lib/material/potential.hpp"
 
 namespace stationary {
 
@@ -38,6 +39,8 @@ bool is_followed_in_nu_alone(const Motion& motion);
 bool has_rates(const Motion& motion);
 /// The spin about a material axis that it is; nothing of another kind.
 std::optional<AxisRotation> spin_of(const Motion& motion);
+/// Whether alpha may be no zero.
+bool may_have_alpha(const Motion& motion, const Potential& potential);
 /// Whether maps solve it along lanes in nu, and not cell by cell.
 bool has_lanes(const Motion& motion);
 

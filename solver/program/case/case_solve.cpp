@@ -62,7 +62,7 @@ void require_method(const CaseTree& tree, Method method, const Motion& motion, b
   }
 }
 
-std::optional<Stretch> read_start(const CaseTree& tree, bool two_polar, bool straight) {
+std::optional<Stretch> read_start(const CaseTree& tree, bool two_polar) {
   const std::vector<double> start = numbers(tree, "solve.start");
   if (start.empty()) return std::nullopt;
   const Stretch out{start[0], start[1], start[2], start[3]};
@@ -73,11 +73,6 @@ std::optional<Stretch> read_start(const CaseTree& tree, bool two_polar, bool str
                    fmt::format("found {} = {}", parts[k], start[k]), std::string(allowed),
                    std::string(remedy));
   };
-  if (straight && start[0] != 0.0)
-    refuse(
-        0, "alpha = 0",
-        "of an isotropic potential alpha = 0, but for an axis in no plane and, with gravity, one "
-        "oblique or along axis 3");
   if (two_polar && start[1] == start[2])
     refuse(2, "lambda != mu", "on the circle the two-polar balance is singular");
   for (std::size_t k = 1; k < 4; ++k)
@@ -89,15 +84,19 @@ std::optional<Stretch> read_start(const CaseTree& tree, bool two_polar, bool str
 
 }  // namespace
 
+void require_alpha(const CaseTree& tree, const std::optional<Stretch>& start, const Motion& motion,
+                   const Potential& potential) {
+  if (!start || start->alpha == 0.0 || may_have_alpha(motion, potential)) return;
+  throw fault_at(tree, "solve.start.0", fmt::format("found alpha = {}", start->alpha), "alpha = 0",
+                 "of an isotropic potential alpha = 0, but for an axis in no plane and, where "
+                 "gravity lets it, "
+                 "one oblique or along axis 3");
+}
+
 Case::Solve read_solve(const CaseTree& tree, const std::optional<Motion>& motion,
                        const std::optional<std::vector<ModelChoice>>& models, Faults& faults) {
   const bool two_polar = motion && std::holds_alternative<TwoPolarMotion>(*motion);
   const bool isotropic = models && !anisotropic(*models);
-  // Which of these a gravitating body has its potential and J decide.
-  const bool gravitates = find(tree, "gravity") != nullptr;
-  const bool may_shear =
-      !isotropic || !motion || std::holds_alternative<SpatialRotation>(*motion) ||
-      (gravitates && (name(*motion) == oblique_name || name(*motion) == name(Branch::iii)));
   Case::Solve out;
   if (faults.sound("solve.method")) {
     const std::string method = value_or<std::string>(tree, "solve.method", "auto");
@@ -106,8 +105,7 @@ Case::Solve read_solve(const CaseTree& tree, const std::optional<Motion>& motion
   }
   out.all = value_or(tree, "solve.all", false);
   if (faults.sound("solve.box")) faults.collect([&] { out.box = read_box(tree); });
-  if (faults.sound("solve.start"))
-    faults.collect([&] { out.start = read_start(tree, two_polar, !may_shear); });
+  if (faults.sound("solve.start")) faults.collect([&] { out.start = read_start(tree, two_polar); });
   if (faults.sound("solve.method") && motion && models) {
     const bool straight =
         isotropic && name(*motion) != oblique_name && !(out.start && out.start->alpha != 0.0);

@@ -30,7 +30,7 @@ std::string start_text(const Case& input) {
 }
 
 const char* symmetry_text(const Potential& potential) {
-  if (potential.may_shear()) return "isotropic but for gravity (J1 != J2)";
+  if (potential.has_turned_gravity()) return "isotropic but for gravity (J1 != J2)";
   if (potential.is_isotropic()) return "isotropic";
   const AnisotropicPotential& V = potential.anisotropic();
   if (V.even_in_alpha()) return "anisotropic, even in alpha: V_alpha = 0 at alpha = 0";

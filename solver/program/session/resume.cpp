@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "solver/program/case/case_motion.hpp"
 #include "solver/program/rows/metadata.hpp"
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/column_file.hpp"
@@ -68,9 +69,7 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
   std::optional<CurveRecord> record = curve_record(text);
   if (!record) refuse(printable(metadata) + " does not say what rows and events the table has");
   const bool has_alpha = std::ranges::find(columns, Column::alpha) != columns.end();
-  const bool sheared = !input.potential.is_isotropic() || input.potential.may_shear() ||
-                       std::holds_alternative<SpatialRotation>(input.motion);
-  if (sheared && !has_alpha) refuse("found no column alpha");
+  if (may_have_alpha(input.motion, input.potential) && !has_alpha) refuse("found no column alpha");
   ResumedTable out = read_resumed(path, columns, parameter, input.branch_name());
   if (out.rows.size() != record->rows) {
     refuse(fmt::format("{} has {} rows, {} by its metadata", printable(path), out.rows.size(),
