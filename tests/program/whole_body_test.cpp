@@ -766,7 +766,8 @@ TEST_F(ShearedByGravity, IsGoneOnWithByItsAlpha) {
   const auto interrupted = [&](const std::string& motion, const std::string& name) {
     const std::string table = directory_ / name;
     const std::vector<std::string> how{
-        "--set", "output.columns=[\"nu1\",\"nu2\",\"nu3\",\"xi\",\"zeta\",\"rho\"]", "-o", table};
+        "--set", "output.columns=[\"event\",\"nu1\",\"nu2\",\"nu3\",\"xi\",\"zeta\",\"rho\"]", "-o",
+        table};
     std::vector<std::string> few{"continue", "--set", "continuation.max_points=30"};
     few.insert(few.end(), how.begin(), how.end());
     EXPECT_EQ(run(motion, few).code, 0);
