@@ -17,6 +17,7 @@
 #include <limits>
 #include <utility>
 
+#include "lib/number/elementary.hpp"
 #include "lib/number/number.hpp"
 #include "lib/number/polynomial.hpp"
 
@@ -159,8 +160,8 @@ NullVectors<T, n> null_vectors(const Square<double, n>& h, const T& lambda) {
     if (one_norm(u[k][k]) < least) u[k][k] = least;
     pivot[k] = inverse(u[k][k]);
     if (k + 1 < n) {
-      m[k] = u[k + 1][k] * pivot[k];
-      for (std::size_t j = k + 1; j < n; ++j) u[k + 1][j] -= m[k] * u[k][j];
+      m[k] = product(u[k + 1][k], pivot[k]);
+      for (std::size_t j = k + 1; j < n; ++j) u[k + 1][j] -= product(m[k], u[k][j]);
     }
   }
   NullVectors<T, n> out;
@@ -172,8 +173,8 @@ NullVectors<T, n> null_vectors(const Square<double, n>& h, const T& lambda) {
   };
   const auto solve_upper = [&](std::array<T, n>& x) {
     for (std::size_t k = n; k-- > 0;) {
-      for (std::size_t j = k + 1; j < n; ++j) x[k] -= u[k][j] * x[j];
-      x[k] *= pivot[k];
+      for (std::size_t j = k + 1; j < n; ++j) x[k] -= product(u[k][j], x[j]);
+      x[k] = product(x[k], pivot[k]);
     }
   };
   out.right.fill(T(1.0));
@@ -183,7 +184,7 @@ NullVectors<T, n> null_vectors(const Square<double, n>& h, const T& lambda) {
   const auto solve_lower = [&](std::array<T, n>& x) {
     for (std::size_t k = 0; k + 1 < n; ++k) {
       if (swapped[k]) std::swap(x[k], x[k + 1]);
-      x[k + 1] -= m[k] * x[k];
+      x[k + 1] -= product(m[k], x[k]);
     }
   };
   solve_lower(out.right);
@@ -193,11 +194,11 @@ NullVectors<T, n> null_vectors(const Square<double, n>& h, const T& lambda) {
   out.left.fill(T(1.0));
   for (int pass = 0; pass < 2; ++pass) {
     for (std::size_t k = 0; k < n; ++k) {
-      for (std::size_t j = 0; j < k; ++j) out.left[k] -= u[j][k] * out.left[j];
-      out.left[k] *= pivot[k];
+      for (std::size_t j = 0; j < k; ++j) out.left[k] -= product(u[j][k], out.left[j]);
+      out.left[k] = product(out.left[k], pivot[k]);
     }
     for (std::size_t k = n - 1; k-- > 0;) {
-      out.left[k] -= m[k] * out.left[k + 1];
+      out.left[k] -= product(m[k], out.left[k + 1]);
       if (swapped[k]) std::swap(out.left[k], out.left[k + 1]);
     }
     normalize(out.left);

@@ -41,5 +41,10 @@ inline double modulus(double x) { return x < 0.0 ? -x : x; }
 [[gnu::pure]] std::complex<double> quotient(const std::complex<double>& z,
                                             const std::complex<double>& w) noexcept;
 [[gnu::pure]] std::complex<double> square_root(const std::complex<double>& z) noexcept;
+/// Of finite numbers, the bits of operator*, which asks of each product whether it is NaN.
+inline std::complex<double> product(const std::complex<double>& z, const std::complex<double>& w) {
+  return {z.real() * w.real() - z.imag() * w.imag(), z.real() * w.imag() + z.imag() * w.real()};
+}
+inline double product(double x, double y) { return x * y; }
 
 }  // namespace stationary

@@ -74,13 +74,13 @@ inline std::complex<double> laguerre_root(const double* c, std::size_t degree) {
     std::complex<double> slope = 0.0;
     std::complex<double> half_curvature = 0.0;
     for (std::size_t k = degree; k-- > 0;) {
-      half_curvature = half_curvature * z + slope;
-      slope = slope * z + p;
-      p = p * z + c[k];
+      half_curvature = product(half_curvature, z) + slope;
+      slope = product(slope, z) + p;
+      p = product(p, z) + c[k];
     }
     if (p == 0.0) return z;
-    const std::complex<double> root =
-        square_root((n - 1.0) * ((n - 1.0) * slope * slope - 2.0 * n * p * half_curvature));
+    const std::complex<double> root = square_root(
+        (n - 1.0) * ((n - 1.0) * product(slope, slope) - 2.0 * n * product(p, half_curvature)));
     const std::complex<double> plus = slope + root;
     const std::complex<double> minus = slope - root;
     const std::complex<double> below = std::norm(plus) < std::norm(minus) ? minus : plus;

@@ -118,8 +118,8 @@ Square<double, n> form_of(const Square<double, n>& F, const Vectors<n, double>& 
 
 template <std::size_t n, class T>
 T dot(const std::array<T, n>& x, const std::array<T, n>& y) {
-  T sum = x[0] * y[0];
-  for (std::size_t k = 1; k < n; ++k) sum += x[k] * y[k];
+  T sum = product(x[0], y[0]);
+  for (std::size_t k = 1; k < n; ++k) sum += product(x[k], y[k]);
   return sum;
 }
 
@@ -130,7 +130,7 @@ T form(const Square<double, n>& F, const std::array<T, n>& x) {
   for (std::size_t i = 0; i < n; ++i) {
     T row(0.0);
     for (std::size_t j = 0; j < n; ++j) row += F[i][j] * x[j];
-    sum += x[i] * row;
+    sum += product(x[i], row);
   }
   return sum;
 }
@@ -254,7 +254,7 @@ class ReversibleProblem {
     for (std::size_t i = 0; i < n; ++i) {
       const T per_c = inverse(dot(u[i], v[i]));
       rounding[i] *= one_norm(per_c);
-      for (T& each : u[i]) each = each * per_c;
+      for (T& each : u[i]) each = product(each, per_c);
       a[i] = form(A_, u[i]);
       b[i] = form(B_, v[i]);
     }
@@ -271,7 +271,7 @@ class ReversibleProblem {
         if (i == roots.forced || j == roots.forced) d[i][j] = 0.0;
       }
       // They are vectors of -B A with this Lambda.
-      const T off = a[i] * b[i] + lambda[i] * unit_;
+      const T off = product(a[i], b[i]) + lambda[i] * unit_;
       const double terms = one_norm(a[i]) * in_B[i][i] + one_norm(b[i]) * in_A[i][i];
       if (!(one_norm(off) <= 1e-6 * terms)) return false;
       rounding[i] = unit_ * (0x1p-94 * h_size * rounding[i] + roots.error[i]);

@@ -86,11 +86,11 @@ class WholeLeafProblem {
   /// w^T J^-1 z.
   static Complex paired(const Vector<Complex>& w, const Vector<Complex>& z) {
     Complex sum = 0.0;
-    for (std::size_t k = 0; k < n; ++k) sum += w[n + k] * z[k] - w[k] * z[n + k];
+    for (std::size_t k = 0; k < n; ++k) sum += product(w[n + k], z[k]) - product(w[k], z[n + k]);
     return sum;
   }
 
-  static double product(const Vector<double>& x, const Vector<double>& y) {
+  static double inner(const Vector<double>& x, const Vector<double>& y) {
     double sum = 0.0;
     for (std::size_t k = 0; k < N; ++k) sum += x[k] * y[k];
     return sum;
@@ -154,7 +154,7 @@ class WholeLeafProblem {
             row += leading(E_[k][l]) * z[i][l];
             sizes += magnitude_[k][l] * z_size[i][l];
           }
-          energy[i] += (std::conj(z[i][k]) * row).real();
+          energy[i] += z[i][k].real() * row.real() + z[i][k].imag() * row.imag();
           terms += z_size[i][k] * sizes;
         }
         energy[i] /= terms;
@@ -169,8 +169,8 @@ class WholeLeafProblem {
         continue;
       }
       for (std::size_t k = 0; k < N; ++k) {
-        of_z[k] = product(magnitude_[k], z_size[j]);
-        of_w[k] = product(magnitude_[k], w_size[j]);
+        of_z[k] = inner(magnitude_[k], z_size[j]);
+        of_w[k] = inner(magnitude_[k], w_size[j]);
       }
       for (std::size_t i = 0; i < n; ++i) {
         if (i == roots.forced) {
@@ -179,15 +179,16 @@ class WholeLeafProblem {
         }
         if (i == j) {
           d[i][i] =
-              facts_.uncertainty * 2.0 * modulus(s[i]) * product(w_size[i], of_z) / modulus(c[i]);
+              facts_.uncertainty * 2.0 * modulus(s[i]) * inner(w_size[i], of_z) / modulus(c[i]);
           continue;
         }
         // Rows of z_i and of w_i; z and w of j.
         const double sum = modulus(s[i] + s[j]);
         const double difference = modulus(s[i] - s[j]);
-        const double by_w = sum * product(w_size[i], of_z) + difference * product(w_size[i], of_w);
-        const double by_z = difference * product(z_size[i], of_z) + sum * product(z_size[i], of_w);
-        d[i][j] = facts_.uncertainty * std::fmax(by_w, by_z) / std::sqrt(modulus(c[i] * c[j]));
+        const double by_w = sum * inner(w_size[i], of_z) + difference * inner(w_size[i], of_w);
+        const double by_z = difference * inner(z_size[i], of_z) + sum * inner(z_size[i], of_w);
+        d[i][j] =
+            facts_.uncertainty * std::fmax(by_w, by_z) / std::sqrt(modulus(product(c[i], c[j])));
       }
     }
     for (std::size_t i = 0; i < n; ++i) {

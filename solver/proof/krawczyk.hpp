@@ -56,15 +56,24 @@ class BoxEquations {
  public:
   template <class System>
   explicit BoxEquations(const System& system)
-      : system_(&system), linearize_([](const void* own, const Box<N>& x) {
+      : system_(&system),
+        linearize_([](const void* own, const Box<N>& x) {
           return BoxSlopes<N>(static_cast<const System*>(own)->linearize(x));
+        }),
+        residual_([](const void* own, const Box<N>& x) {
+          const auto& of = *static_cast<const System*>(own);
+          if constexpr (requires { of.residual(x); }) return Box<N>(of.residual(x));
+          return Box<N>(of.linearize(x).g);
         }) {}
 
   BoxSlopes<N> linearize(const Box<N>& x) const { return linearize_(system_, x); }
+  /// G alone.
+  Box<N> residual(const Box<N>& x) const { return residual_(system_, x); }
 
  private:
   const void* system_;
   BoxSlopes<N> (*linearize_)(const void*, const Box<N>&);
+  Box<N> (*residual_)(const void*, const Box<N>&);
 };
 
 /// N = 1 ... 7.

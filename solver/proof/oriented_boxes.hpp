@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "lib/balance/principal_forces.hpp"
 #include "solver/motion/oriented_system.hpp"
 #include "solver/proof/box_balance.hpp"
 #include "solver/proof/certify.hpp"
@@ -54,15 +55,22 @@ struct OrientedBoxSystem {
     return out;
   }
 
+  Box<N> residual(const Box<N>& x) const {
+    const auto b =
+        balance_at<Layout, 1>(J, model, branch, nu_squared, all_coordinates<Layout>(x, rho));
+    Box<N> out;
+    for (std::size_t i = 0; i < Layout::places.size(); ++i) out[i] = b.g[Layout::places[i]];
+    return out;
+  }
+
   OrientedStretch<Interval> at(const Box<N>& x) const {
     const auto y = all_coordinates<Layout>(x, rho);
     const OrientedStretch<Interval> out = oriented_stretch(y[0], y[1], y[2], y[3]);
     return !Layout::thickness && model.body.volume ? at_volume(*model.body.volume, out) : out;
   }
 
-  /// Where the potential is not defined or the volume another, and by the sum of the rows of u and v, in which a fibre is
-  /// 2 k n (n + 1) >= -k/2, however stiff, and whatever the directions: of long stretches across it
-  /// no row says as much.
+  /// Where the potential is not defined or the volume another, and by the forces along the principal
+  /// axes of S, of which no row says as much where S is long and thin.
   bool excludes(const Box<N>& x) const { return excludes(x, nu_squared); }
   bool excludes(const Box<N>& x, const Interval& spin_squared) const {
     const auto y = all_coordinates<Layout>(x, rho);
@@ -73,10 +81,32 @@ struct OrientedBoxSystem {
       at = whole;
     }
     if (model.outside_box(at.q)) return true;
+    const AxisAngle<Interval> axis = axis_angle(y[4]);
+    const PrincipalFrame<Interval> frame = principal_frame(at);
+    const auto forces =
+        principal_forces(J, model, at, frame, spin_squared, Layout::axis ? &axis : nullptr, branch);
+    if (!forces) return pull_excludes(at, spin_squared, axis);
+    const auto zero = [](const Interval& force) { return force.may_be(0.0); };
+    if (!zero(forces->along) || !zero(forces->across) || !zero(forces->sum)) return true;
+    if (forces->compatibility && !zero(*forces->compatibility)) return true;
+    const bool turns = Layout::axis || frame.large.lo > frame.small.hi;
+    return turns && forces->turning && !zero(*forces->turning);
+  }
+
+  BasicStretch<Interval> stretch(const Box<N>& x) const { return at(x).q; }
+  /// alpha's own force at alpha = 0: zero where a spin about axis 1 or 2 is possible.
+  Interval shear_force(const Box<N>& x) const {
+    return potential_derivatives<1>(model, stretch(x)).gradient[0];
+  }
+
+ private:
+  /// By the sum of the rows of u and v, in which a fibre is 2 k n (n + 1) >= -k/2, however stiff, and
+  /// whatever the directions.
+  bool pull_excludes(const OrientedStretch<Interval>& at, const Interval& spin_squared,
+                     const AxisAngle<Interval>& axis) const {
     AnisotropicModel<Interval> without = model;
     without.fibre_count = 0;
-    const AxisAngle<Interval> axis = axis_angle(y[4]);
-    AnisotropicDerivatives<Interval> V = without.evaluate<1>(at.invariants(), at.q);
+    AnisotropicDerivatives<Interval> V = without.template evaluate<1>(at.invariants(), at.q);
     // What a written-out model pulls is narrower as one expression.
     std::optional<Interval> written;
     if (const auto* expression = model.expression(); expression != nullptr && !model.body.any())
@@ -96,12 +126,6 @@ struct OrientedBoxSystem {
       sum += 2.0 * (model.fibres[k].k * (square(n + Interval(0.5)) - Interval(0.25)));
     }
     return !sum.may_be(0.0);
-  }
-
-  BasicStretch<Interval> stretch(const Box<N>& x) const { return at(x).q; }
-  /// alpha's own force at alpha = 0: zero where a spin about axis 1 or 2 is possible.
-  Interval shear_force(const Box<N>& x) const {
-    return potential_derivatives<1>(model, stretch(x)).gradient[0];
   }
 };
 

@@ -122,7 +122,7 @@ class BranchAndPrune {
       at[index(i)] = center[i];
       d[index(i)] = log(box[index(i)] / center[i]);
     }
-    const Box<N> g = system_.boxes().linearize(at).g;
+    const Box<N> g = system_.boxes().residual(at);
     regular = true;
     for (int i = 0; i < N; ++i) {
       Interval sum;

@@ -85,6 +85,21 @@ TEST(AnisotropicSearch, TheMotionsFromRestAreAmongThem) {
   }
 }
 
+/// Where a long thin S across the fibre is in balance but for a few hundredths of its forces: what the
+/// principal forces exclude, no row does, and a hundred times the boxes would be needed.
+TEST(AnisotropicSearch, ValleysAcrossAFibreTakeFewBoxes) {
+  const Body disc(1.0, 1.7, 0.6);
+  const Potential V = fibred(NeoHookean<>{1.0, 2.0}, 0.4, 30.0);
+  const SearchResult about_three = search(Problem(disc, V, Branch::iii), 0.78);
+  ASSERT_EQ(about_three.status, SearchStatus::complete) << about_three.message;
+  EXPECT_EQ(about_three.solutions.size(), 1U);
+  EXPECT_LE(about_three.boxes, 10000);
+  const SearchResult oblique = search_oblique(disc, V, {0.78}, {});
+  ASSERT_EQ(oblique.status, SearchStatus::complete) << oblique.message;
+  EXPECT_EQ(oblique.solutions.size(), 2U);
+  EXPECT_LE(oblique.boxes, 40000);
+}
+
 /// The motions about material axes are no oblique ones, though they solve the same equations.
 TEST(AnisotropicSearch, MaterialAxesOfAnEvenPotentialAreLeftOut) {
   const Body disc(1.0, 1.7, 0.6);
