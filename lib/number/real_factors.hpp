@@ -80,7 +80,7 @@ inline std::complex<double> laguerre_root(const double* c, std::size_t degree) {
     }
     if (p == 0.0) return z;
     const std::complex<double> root = square_root(
-        (n - 1.0) * ((n - 1.0) * product(slope, slope) - 2.0 * n * product(p, half_curvature)));
+        (n - 1.0) * (product((n - 1.0) * slope, slope) - product(2.0 * n * p, half_curvature)));
     const std::complex<double> plus = slope + root;
     const std::complex<double> minus = slope - root;
     const std::complex<double> below = std::norm(plus) < std::norm(minus) ? minus : plus;
