@@ -56,6 +56,39 @@ Spectrum spectrum_of(const GeneralFacts& facts, const Leaf& leaf) {
   return out.finish();
 }
 
+/// As inputs.
+BasicStretch<Conditioned> conditioned(const BasicStretch<DoubleDouble>& q) {
+  const auto input = [](const DoubleDouble& x) { return Conditioned::input(leading(x)); };
+  const double size = std::sqrt(leading(q.xi) * leading(q.zeta));
+  return {leading(q.alpha) == 0.0 ? Conditioned(0.0) : Conditioned(leading(q.alpha), size),
+          input(q.xi), input(q.zeta), input(q.rho)};
+}
+
+Leaf leaf_of(const Body& body, bool volume_held, const BasicStretch<DoubleDouble>& q,
+             const Vector3<DoubleDouble>& nu, const Matrix4<DoubleDouble>& V_qq,
+             const Matrix4<Conditioned>& V_qq_conditioned) {
+  const auto input = [](const auto& x) { return Conditioned::input(leading(x)); };
+  const Vector3<Conditioned> nu_c{input(nu[0]), input(nu[1]), input(nu[2])};
+  // Below this the squares of momenta underflow.
+  constexpr double least = 1e-130;
+  const bool turns = std::abs(nu_c[0].value) > least || std::abs(nu_c[1].value) > least ||
+                     std::abs(nu_c[2].value) > least;
+  const LeafShape shape{turns, volume_held};
+  const LeafForm<DoubleDouble> exact = second_variation(body, q, nu, shape, V_qq);
+  const LeafForm<Conditioned> with_conditions =
+      second_variation(Inertia3<Conditioned>{input(body.J1), input(body.J2), input(body.J3)},
+                       conditioned(q), nu_c, shape, V_qq_conditioned);
+  Leaf out;
+  out.pairs = shape.pairs();
+  for (std::size_t i = 0; i < 2 * out.pairs; ++i) {
+    for (std::size_t j = 0; j < 2 * out.pairs; ++j) {
+      out.second_variation[i][j] = renormalized(exact[i][j]);
+      out.magnitude[i][j] = with_conditions[i][j].condition;
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 Spectrum general_spectrum(const GeneralFacts& facts, const Leaf& leaf) {
@@ -77,42 +110,23 @@ Spectrum general_spectrum(const GeneralFacts& facts, const Leaf& leaf) {
 
 Leaf motion_leaf(const Body& body, const Potential& potential, const BasicStretch<DoubleDouble>& q,
                  const Vector3<DoubleDouble>& nu) {
-  const auto input = [](const auto& x) { return Conditioned::input(leading(x)); };
-  Matrix4<DoubleDouble> V_qq;
-  Matrix4<Conditioned> V_qq_conditioned;
-  const double size = std::sqrt(leading(q.xi) * leading(q.zeta));
-  const BasicStretch<Conditioned> q_c{
-      leading(q.alpha) == 0.0 ? Conditioned(0.0) : Conditioned(leading(q.alpha), size), input(q.xi),
-      input(q.zeta), input(q.rho)};
-  if (potential.is_isotropic()) {
-    potential.visit_parts([&](const auto& model) {
-      V_qq = potential_derivatives<2>(model, q).hessian;
-      V_qq_conditioned = potential_derivatives<2>(conditioned_model(model), q_c).hessian;
-    });
-  } else {
+  if (!potential.is_isotropic()) {
     const AnisotropicPotential& V = potential.anisotropic();
-    V_qq = potential_derivatives<2>(V.model(AsExtended()), q).hessian;
-    V_qq_conditioned = potential_derivatives<2>(V.model(AsConditioned()), q_c).hessian;
+    return motion_leaf(body, V.model(AsExtended()), V.model(AsConditioned()), q, nu);
   }
-  const Vector3<Conditioned> nu_c{input(nu[0]), input(nu[1]), input(nu[2])};
-  // Below this the squares of momenta underflow.
-  constexpr double least = 1e-130;
-  const bool turns = std::abs(nu_c[0].value) > least || std::abs(nu_c[1].value) > least ||
-                     std::abs(nu_c[2].value) > least;
-  const LeafShape shape{turns, potential.holds_volume()};
-  const LeafForm<DoubleDouble> exact = second_variation(body, q, nu, shape, V_qq);
-  const LeafForm<Conditioned> conditioned =
-      second_variation(Inertia3<Conditioned>{input(body.J1), input(body.J2), input(body.J3)}, q_c,
-                       nu_c, shape, V_qq_conditioned);
   Leaf out;
-  out.pairs = shape.pairs();
-  for (std::size_t i = 0; i < 2 * out.pairs; ++i) {
-    for (std::size_t j = 0; j < 2 * out.pairs; ++j) {
-      out.second_variation[i][j] = renormalized(exact[i][j]);
-      out.magnitude[i][j] = conditioned[i][j].condition;
-    }
-  }
+  potential.visit_parts([&](const auto& model) {
+    out = leaf_of(body, potential.holds_volume(), q, nu, potential_derivatives<2>(model, q).hessian,
+                  potential_derivatives<2>(conditioned_model(model), conditioned(q)).hessian);
+  });
   return out;
+}
+
+Leaf motion_leaf(const Body& body, const AnisotropicModel<DoubleDouble>& V,
+                 const AnisotropicModel<Conditioned>& conditioned_V,
+                 const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu) {
+  return leaf_of(body, V.body.volume.has_value(), q, nu, potential_derivatives<2>(V, q).hessian,
+                 potential_derivatives<2>(conditioned_V, conditioned(q)).hessian);
 }
 
 Spectrum general_spectrum(const Body& body, const Potential& potential,

@@ -32,6 +32,10 @@ Spectrum general_spectrum(const GeneralFacts& facts, const Leaf& leaf);
 /// relative uncertainty; alpha counts as known to that of sqrt(xi zeta).
 Leaf motion_leaf(const Body& body, const Potential& potential, const BasicStretch<DoubleDouble>& q,
                  const Vector3<DoubleDouble>& nu);
+/// By the models of a potential that is not isotropic, which may serve many motions.
+Leaf motion_leaf(const Body& body, const AnisotropicModel<DoubleDouble>& V,
+                 const AnisotropicModel<Conditioned>& conditioned_V,
+                 const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu);
 
 /// From a stationary motion (q, nu), whole.
 Spectrum general_spectrum(const Body& body, const Potential& potential,

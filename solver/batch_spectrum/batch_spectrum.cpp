@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "solver/batch_spectrum/spectrum_tile.hpp"
+#include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/solve/stability.hpp"
 
 namespace stationary {
@@ -53,15 +54,21 @@ class SpectrumRun {
 
   CellSpectrum alone(const CellPlace& place) {
     ++scalar_;
-    if (!problem_ || problem_lane_ != place.lane)
+    if (!problem_ || problem_lane_ != place.lane) {
+      anisotropic_.reset();
       problem_.emplace(input_.problem(problem_lane_ = place.lane));
+      if (!problem_->potential().is_isotropic()) anisotropic_.emplace(*problem_);
+    }
     const BatchCell cell = solved_.cell(place.lane, place.k);
     Equilibrium equilibrium;
-    equilibrium.status = cell.status;  // stability() takes none that is not solved
+    equilibrium.status = cell.status;
     equilibrium.q = {cell.alpha, cell.xi, cell.zeta, cell.rho};
     equilibrium.nu = angular_velocity(input_.branch, input_.speed[place.lane] * input_.nu[place.k]);
     equilibrium.error_bound = cell.error_bound;
-    const Spectrum all = stability(*problem_, equilibrium);
+    if (cell.status != SolveStatus::solved)
+      throw std::invalid_argument("a spectrum needs a solved cell");
+    const Spectrum all =
+        anisotropic_ ? anisotropic_->at(equilibrium) : stability(*problem_, equilibrium);
     CellSpectrum out;
     out.verdict = all.verdict;
     out.negative = all.negative;
@@ -134,6 +141,7 @@ class SpectrumRun {
   double plane_[2];
   double thickness_[2];
   std::optional<Problem> problem_;  ///< of the lane the scalar path was last in
+  std::optional<AnisotropicSpectra> anisotropic_;
   std::size_t problem_lane_ = 0;
   std::size_t scalar_ = 0;
 };

@@ -365,9 +365,13 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       default:
         break;
     }
-    if (const int place = coefficient_place(); place >= 0)
-      out.models =
-          std::make_shared<const OrientedModels>(models_->potential.with_coefficient(place, p));
+    if (const int place = coefficient_place(); place >= 0) {
+      if (!varied_ || varied_at_ != p)
+        varied_ =
+            std::make_shared<const OrientedModels>(models_->potential.with_coefficient(place, p));
+      varied_at_ = p;
+      out.models = varied_;
+    }
     return out;
   }
   /// Of the parameter, as far as it is one of the potential: of J that of gravity.
@@ -449,6 +453,9 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   AxisFamilyOptions options_;
   bool even_;  ///< V in alpha, all along the family
   std::shared_ptr<const OrientedModels> models_;
+  /// Where a coefficient is followed, those of its last value.
+  mutable std::shared_ptr<const OrientedModels> varied_;
+  mutable double varied_at_ = 0.0;
 };
 
 }  // namespace

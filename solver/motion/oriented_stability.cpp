@@ -89,7 +89,7 @@ Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& mode
         straight_state(Inertia3<DoubleDouble>{body.J1, body.J2, body.J3}, models.extended, q,
                        omega),
         straight_state(Inertia3<Conditioned>{input(body.J1), input(body.J2), input(body.J3)},
-                       V.model(AsConditioned()),
+                       models.conditioned,
                        BasicStretch<Conditioned>{0.0, input(q.xi), input(q.zeta), input(q.rho)},
                        input(omega)));
   }
@@ -97,9 +97,9 @@ Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& mode
   // At rest there is no axis.
   parts.about_third = spin.about_axis && (spin.branch == Branch::iii || double(omega) == 0.0);
   parts.straight = straight && !parts.about_third;
-  if (parts.divided())
-    return spectrum_by_parts(motion_leaf(body, Potential(V), q, nu), parts, uncertainty);
-  return general_spectrum(body, Potential(V), q, nu, uncertainty);
+  const Leaf leaf = motion_leaf(body, models.extended, models.conditioned, q, nu);
+  return parts.divided() ? spectrum_by_parts(leaf, parts, uncertainty)
+                         : general_spectrum({MaterialSymmetry::none, uncertainty}, leaf);
 }
 
 double turn_of(const Body& body, Branch branch, double V_aa, const Stretch& q, double nu) {

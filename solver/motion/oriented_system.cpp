@@ -40,6 +40,22 @@ std::array<Dual2, 4> coefficient_slopes(const AnisotropicPotential& potential,
   return balance_of(potential.model(duals), J, at, n);
 }
 
+std::array<Dual2, 4> coefficient_slopes(const AnisotropicModel<Dual2>& model,
+                                        const Inertia3<double>& J,
+                                        const OrientedStretch<double>& at,
+                                        const SpinProducts<double>& n) {
+  return balance_of(model, J, at, n);
+}
+
+OrientedModels::OrientedModels(const AnisotropicPotential& from)
+    : potential(from),
+      plain(from.model()),
+      extended(from.model(AsExtended())),
+      conditioned(from.model(AsConditioned())) {
+  for (int first = 0; first < from.coefficient_count(); first += 2)
+    relative.push_back(from.model(CoefficientDuals{first, true}));
+}
+
 std::array<double, 4> decimal_conditions(const AnisotropicPotential& potential,
                                          const OrientedStretch<double>& at) {
   std::array<double, 4> out;

@@ -13,6 +13,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "lib/balance/anisotropic_balance.hpp"
 #include "lib/matrix/small_matrix.hpp"
@@ -82,16 +83,6 @@ OrientedBalance<S> balance_at(const Inertia3<S>& J, const AnisotropicModel<S>& m
   }
 }
 
-/// Made once of a potential.
-struct OrientedModels {
-  AnisotropicPotential potential;
-  AnisotropicModel<double> plain;
-  AnisotropicModel<DoubleDouble> extended;
-
-  explicit OrientedModels(const AnisotropicPotential& from)
-      : potential(from), plain(from.model()), extended(from.model(AsExtended())) {}
-};
-
 /// |p dG/dp| or dG/dp of coefficients in y, two at a time; G of (u, v, w, a).
 struct CoefficientDuals {
   int first;      ///< place of the one in direction 0
@@ -113,6 +104,23 @@ struct CoefficientDuals {
 /// Of the balance of a spin.
 std::array<Dual2, 4> coefficient_slopes(const AnisotropicPotential& potential,
                                         const CoefficientDuals& duals, const Inertia3<double>& J,
+                                        const OrientedStretch<double>& at,
+                                        const SpinProducts<double>& n);
+
+/// Made once of a potential.
+struct OrientedModels {
+  AnisotropicPotential potential;
+  AnisotropicModel<double> plain;
+  AnisotropicModel<DoubleDouble> extended;
+  AnisotropicModel<Conditioned> conditioned;      ///< coefficients as inputs
+  std::vector<AnisotropicModel<Dual2>> relative;  ///< CoefficientDuals{2 k, true}
+
+  explicit OrientedModels(const AnisotropicPotential& from);
+};
+
+/// By a model that such duals made.
+std::array<Dual2, 4> coefficient_slopes(const AnisotropicModel<Dual2>& model,
+                                        const Inertia3<double>& J,
                                         const OrientedStretch<double>& at,
                                         const SpinProducts<double>& n);
 
@@ -223,10 +231,9 @@ struct OrientedSystem {
     const auto y = coordinates(x);
     const ReducedVector<N> scale = linearize(x).scale;
     std::array<double, 5> sum{};
-    for (int first = 0; first < models->potential.coefficient_count(); first += 2) {
+    for (const AnisotropicModel<Dual2>& model : models->relative) {
       const auto slopes =
-          coefficient_slopes(models->potential, CoefficientDuals{first, true},
-                             {body.J1, body.J2, body.J3}, stretch(y), spin(y, nu * nu));
+          coefficient_slopes(model, {body.J1, body.J2, body.J3}, stretch(y), spin(y, nu * nu));
       for (std::size_t i = 0; i < slopes.size(); ++i) sum[i] += sensitivity(slopes[i]);
     }
     if (models->plain.has_decimals()) {

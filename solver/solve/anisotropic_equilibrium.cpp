@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -199,15 +200,44 @@ Equilibrium solve_oblique(const Body& body, const Potential& potential,
   return AnisotropicSolve(body, potential, options).oblique(motion);
 }
 
+const AnyFamily& AnisotropicSpectra::family_of(const Equilibrium& equilibrium) {
+  const AnisotropicPotential& V = problem_.potential().anisotropic();
+  const bool at_rest = equilibrium.nu[axis(problem_.branch())] == 0.0;
+  const Branch branch = at_rest && !V.shear_free() ? Branch::iii : problem_.branch();
+  const bool sheared = equilibrium.q.alpha != 0.0;
+  if (!family_ || branch != branch_ || sheared != sheared_) {
+    family_ = anisotropic_family(problem_.body(), V, branch_ = branch, sheared_ = sheared,
+                                 {.parameter = {}, .errors = false, .energy = false});
+  }
+  return *family_;
+}
+
+Spectrum AnisotropicSpectra::at(const Equilibrium& rounded) {
+  // One correction more finds the digits that rounding took, but where that is ill-conditioned.
+  constexpr double well_conditioned = 0x1p-42;
+  if (!(rounded.error_bound <= well_conditioned)) {
+    if (const auto out = corrected(rounded)) return *out;
+  }
+  const double nu = rounded.nu[axis(problem_.branch())];
+  return std::visit(
+      [&](const auto& family) {
+        const auto x = family->coordinates(rounded.q, nu);
+        auto unknown = x;
+        unknown.setConstant(std::numeric_limits<double>::quiet_NaN());
+        return *family->member(x, unknown, nu, rounded.error_bound).spectrum;
+      },
+      family_of(rounded));
+}
+
+std::optional<Spectrum> AnisotropicSpectra::corrected(const Equilibrium& equilibrium) {
+  const double nu = equilibrium.nu[axis(problem_.branch())];
+  return std::visit([&](const auto& family) { return family_spectrum(*family, equilibrium, nu); },
+                    family_of(equilibrium));
+}
+
 std::optional<Spectrum> anisotropic_stability(const Problem& problem,
                                               const Equilibrium& equilibrium) {
-  const double nu = equilibrium.nu[axis(problem.branch())];
-  const AnisotropicPotential& V = problem.potential().anisotropic();
-  const Branch branch = nu == 0.0 && !V.shear_free() ? Branch::iii : problem.branch();
-  const AnyFamily family =
-      anisotropic_family(problem.body(), V, branch, equilibrium.q.alpha != 0.0, {.parameter = {}});
-  return std::visit([&](const auto& each) { return family_spectrum(*each, equilibrium, nu); },
-                    family);
+  return AnisotropicSpectra(problem).corrected(equilibrium);
 }
 
 std::optional<Spectrum> oblique_stability(const Body& body, const Potential& potential,

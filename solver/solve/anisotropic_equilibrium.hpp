@@ -11,6 +11,8 @@
 // answer says so, and how far from one the nearest solution of the balance is.
 #pragma once
 
+#include <optional>
+
 #include "solver/family/anisotropic_family.hpp"
 #include "solver/solve/solve.hpp"
 
@@ -24,6 +26,26 @@ Equilibrium solve_anisotropic(const Problem& problem, double nu, const SolveOpti
 /// potential, a nu that is not finite and > 0, or a start that is not positive definite.
 Equilibrium solve_oblique(const Body& body, const Potential& potential,
                           const ObliqueRotation& motion, const SolveOptions& options = {});
+
+/// Spectra of many motions of one problem, whose models are made once. The problem must outlive it.
+class AnisotropicSpectra {
+ public:
+  explicit AnisotropicSpectra(const Problem& problem) : problem_(problem) {}
+
+  /// Of a motion as correctly rounded as solve() leaves it.
+  Spectrum at(const Equilibrium& rounded);
+  /// Of one that may be corrected first; nothing where that does not converge.
+  std::optional<Spectrum> corrected(const Equilibrium& equilibrium);
+
+ private:
+  /// alpha an unknown where the motion has one.
+  const AnyFamily& family_of(const Equilibrium& equilibrium);
+
+  const Problem& problem_;
+  std::optional<AnyFamily> family_;
+  Branch branch_ = Branch::iii;
+  bool sheared_ = false;
+};
 
 /// Of a solved one.
 std::optional<Spectrum> anisotropic_stability(const Problem& problem,
