@@ -8,7 +8,7 @@
 //              sweep and stability(); the batch corrected and bounded, then the class and negative
 //              directions of every cell (batch_spectrum.hpp), or its modes too
 // in one run, repetitions interleaved at random; output in the batch's tiles. Then the error of
-// each against 50 digits and the rates as ratios to the sweep's.
+// each against 50 digits (followed: the largest error bound) and the rates as ratios to the sweep's.
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -35,8 +35,7 @@ struct Case {
   BatchInput input;
 };
 
-Case make_case(std::string_view model, Branch branch) {
-  const Problem problem = problem_of(model, branch);
+Case make_case(const Problem& problem, const std::string& label) {
   std::vector<double> nu(points);
   for (std::size_t k = 0; k < nu.size(); ++k) nu[k] = last_nu * static_cast<double>(k + 1) / points;
   BatchInput input(problem, lanes, nu);
@@ -44,7 +43,16 @@ Case make_case(std::string_view model, Branch branch) {
   for (std::size_t lane = 0; lane < lanes; ++lane)
     J2[lane] = 1.5 + 0.005 * static_cast<double>(lane);
   input.inertia[1] = J2;
-  return {label_of(model, branch), problem, input};
+  return {label, problem, input};
+}
+
+Case make_fibred_case(Branch branch, double degrees) {
+  const Problem problem(
+      Body(1.0, 1.7, 0.6),
+      Potential(AnisotropicPotential(NeoHookean<>{1.0, 2.0}, ReciprocalQuadratic<>{1.0, 3.0},
+                                     {{0.4, degrees}})),
+      branch);
+  return make_case(problem, "fibred/" + std::string(name(branch)));
 }
 
 double relative_error_of(const Problem& problem, double nu, const Stretch& q) {
@@ -113,6 +121,18 @@ void run_batch(benchmark::State& state, const Case& c, const BatchOptions& optio
   finish(state, worst);
 }
 
+void run_followed(benchmark::State& state, const Case& c) {
+  BatchResult out;
+  for (auto _ : state) {
+    solve_batch(c.input, {}, out);
+    benchmark::DoNotOptimize(&out);
+  }
+  double worst = 0.0;
+  for (std::size_t k = 0; k < out.count(); k += 97)
+    worst = std::max(worst, out.cell(lanes - 1, k).error_bound);
+  finish(state, worst);
+}
+
 /// In blocks, as a map's rows are made.
 void run_spectra(benchmark::State& state, const Case& c, const BatchOptions& options,
                  const SpectrumOptions& what) {
@@ -130,7 +150,8 @@ void run_spectra(benchmark::State& state, const Case& c, const BatchOptions& opt
       scalar += cell_spectra(c.input, solved, {places.data() + i, block}, what, spectra);
     benchmark::DoNotOptimize(spectra.data());
   }
-  if (scalar > places.size() / 100) state.SkipWithError("lanes left much to the scalar path");
+  if (c.problem.potential().is_isotropic() && scalar > places.size() / 100)
+    state.SkipWithError("lanes left much to the scalar path");
   finish(state, 0.0);
 }
 
@@ -154,7 +175,7 @@ class RatioReporter : public benchmark::ConsoleReporter {
     for (const auto& [label, methods] : table_) {
       const auto base = methods.find("sweep");
       for (const auto& [method, m] : methods) {
-        std::printf("%-28s %-28s %12.1f %10.1f %10.2g\n", label.c_str(), method.c_str(),
+        std::printf("%-28s %-28s %12.2f %10.2f %10.2g\n", label.c_str(), method.c_str(),
                     1e-6 * m.rate, base == methods.end() ? 0.0 : m.rate / base->second.rate,
                     m.error);
       }
@@ -178,6 +199,15 @@ void register_case(const Case& c) {
         ->ReportAggregatesOnly(true)
         ->MinTime(0.02);
   };
+  if (!c.problem.potential().is_isotropic()) {
+    add("followed", [](benchmark::State& state, const Case& of) { run_followed(state, of); });
+    for (const bool modes : {false, true})
+      add(modes ? "followed-spectrum" : "followed-class",
+          [modes](benchmark::State& state, const Case& of) {
+            run_spectra(state, of, {}, {.modes = modes});
+          });
+    return;
+  }
   add("sweep", [](benchmark::State& state, const Case& of) { run_sweep(state, of, false); });
   add("sweep-spectrum",
       [](benchmark::State& state, const Case& of) { run_sweep(state, of, true); });
@@ -214,8 +244,11 @@ int main(int argc, char** argv) {
   static std::vector<stationary::bench::Case> cases;
   for (const std::string_view model : stationary::bench::planar_models) {
     for (const Branch branch : {Branch::i, Branch::iii})
-      cases.push_back(stationary::bench::make_case(model, branch));
+      cases.push_back(stationary::bench::make_case(stationary::bench::problem_of(model, branch),
+                                                   stationary::bench::label_of(model, branch)));
   }
+  cases.push_back(stationary::bench::make_fibred_case(Branch::iii, 30.0));
+  cases.push_back(stationary::bench::make_fibred_case(Branch::i, 90.0));
   for (const auto& c : cases) stationary::bench::register_case(c);
   stationary::bench::RatioReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
