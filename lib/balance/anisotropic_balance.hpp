@@ -135,17 +135,17 @@ constexpr std::size_t a = 3;
 constexpr std::size_t phi = 4;
 }  // namespace oriented
 
-/// The five equations and their slopes in (u, v, w, a, ln x_phi), rows first.
-template <class S>
+/// The five equations and, of order 2, their slopes in (u, v, w, a, ln x_phi), rows first.
+template <class S, int order = 2>
 struct OrientedBalance {
   std::array<S, 5> g{};
-  std::array<std::array<S, 5>, 5> slope{};
+  std::array<std::array<S, 5>, order >= 2 ? 5 : 0> slope{};
 };
 
 /// Adds the derivatives in (u, v, w, a) of a function of q from those in q.
 template <int order, class S>
 void add_in_logarithms(const OrientedStretch<S>& at, const Vector4<S>& gradient,
-                       const Matrix4<S>& hessian, OrientedBalance<S>& out) {
+                       const Matrix4<S>& hessian, OrientedBalance<S, order>& out) {
   using namespace oriented;
   const auto& q = at.q;
   const S half = 0.5 * q.alpha;  // alpha_u = alpha_v
@@ -182,7 +182,7 @@ void add_in_logarithms(const OrientedStretch<S>& at, const Vector4<S>& gradient,
 /// Those of an isotropic W.
 template <int order, class S>
 void add_in_logarithms(const OrientedStretch<S>& at, const CoupledDerivatives<S>& W,
-                       OrientedBalance<S>& out) {
+                       OrientedBalance<S, order>& out) {
   using namespace oriented;
   const auto& [alpha, xi, zeta, rho] = at.q;
   const auto& p = W.plane;
@@ -214,7 +214,7 @@ void add_in_logarithms(const OrientedStretch<S>& at, const CoupledDerivatives<S>
 /// sum is -V.
 template <int order, class S>
 void add_gravity_in_logarithms(const OrientedStretch<S>& at, const CoupledDerivatives<S>& V,
-                               const GravitatingInertia<S>& J, OrientedBalance<S>& out) {
+                               const GravitatingInertia<S>& J, OrientedBalance<S, order>& out) {
   using namespace oriented;
   const auto& p = V.plane;
   const S J_sum = J.J1 + J.J2;
@@ -259,9 +259,9 @@ void add_gravity_in_logarithms(const OrientedStretch<S>& at, const CoupledDeriva
 
 /// The balance, in (u, v, w, a), of V's derivatives there; of phi nothing.
 template <int order, class S>
-OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicDerivatives<S>& V,
-                                    const OrientedStretch<S>& at, const SpinProducts<S>& n) {
-  OrientedBalance<S> out;
+OrientedBalance<S, order> oriented_balance(const Inertia3<S>& J, const AnisotropicDerivatives<S>& V,
+                                           const OrientedStretch<S>& at, const SpinProducts<S>& n) {
+  OrientedBalance<S, order> out;
   add_in_logarithms<order>(at, V.isotropic, out);
   if (V.gravity) add_gravity_in_logarithms<order>(at, V.gravity->V, V.gravity->J, out);
   const Matrix4<S> C = centrifugal_matrix(J, n);
@@ -270,8 +270,11 @@ OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicDeriv
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
       if (i == j || (i + j <= 2 && i * j == 0)) gradient[i] -= C(i, j) * q[j];
-  const Matrix4<S> hessian = order >= 2 ? Matrix4<S>(V.directed.hessian - C) : V.directed.hessian;
-  add_in_logarithms<order>(at, gradient, hessian, out);
+  if constexpr (order >= 2) {
+    add_in_logarithms<order>(at, gradient, Matrix4<S>(V.directed.hessian - C), out);
+  } else {
+    add_in_logarithms<order>(at, gradient, V.directed.hessian, out);
+  }
   return out;
 }
 
@@ -284,9 +287,9 @@ OrientedStretch<S> at_volume(const S& volume, OrientedStretch<S> at) {
 
 /// From the balance at at_volume() that of the held volume without an equation of w.
 template <int order, class S>
-OrientedBalance<S> held(const OrientedBalance<S>& b, const OrientedStretch<S>& at) {
+OrientedBalance<S, order> held(const OrientedBalance<S, order>& b, const OrientedStretch<S>& at) {
   using namespace oriented;
-  OrientedBalance<S> out;
+  OrientedBalance<S, order> out;
   const S w_a = 2.0 * at.tanh;  // w_u = w_v = -1
   out.g[u] = b.g[u] - b.g[w];
   out.g[v] = b.g[v] - b.g[w];
@@ -306,7 +309,8 @@ OrientedBalance<S> held(const OrientedBalance<S>& b, const OrientedStretch<S>& a
 
 /// Adds the equation of a volume held, k > 0.
 template <int order, class S>
-void add_volume(const OrientedStretch<S>& at, const S& volume, double k, OrientedBalance<S>& out) {
+void add_volume(const OrientedStretch<S>& at, const S& volume, double k,
+                OrientedBalance<S, order>& out) {
   using namespace oriented;
   const S excess = log(S(at.q.xi * at.q.zeta * square(at.sech) * at.q.rho / volume));
   const S pull = k * excess;
@@ -325,19 +329,21 @@ void add_volume(const OrientedStretch<S>& at, const S& volume, double k, Oriente
 
 /// By the model; of a held volume without w's equation, whatever rho is.
 template <int order, class S>
-OrientedBalance<S> eliminated_balance(const Inertia3<S>& J, const AnisotropicModel<S>& model,
-                                      const OrientedStretch<S>& at, const SpinProducts<S>& n) {
+OrientedBalance<S, order> eliminated_balance(const Inertia3<S>& J, const AnisotropicModel<S>& model,
+                                             const OrientedStretch<S>& at,
+                                             const SpinProducts<S>& n) {
   const auto& volume = model.body.volume;
   const OrientedStretch<S> whole = volume ? at_volume<S>(*volume, at) : at;
-  const auto b = oriented_balance<order>(
+  OrientedBalance<S, order> out = oriented_balance<order>(
       J, model.template evaluate<order>(whole.invariants(), whole.q), whole, n);
-  return volume ? held<order>(b, whole) : b;
+  if (volume) out = held<order>(out, whole);
+  return out;
 }
 
 /// All four equations.
 template <int order, class S>
-OrientedBalance<S> oriented_balance(const Inertia3<S>& J, const AnisotropicModel<S>& model,
-                                    const OrientedStretch<S>& at, const SpinProducts<S>& n) {
+OrientedBalance<S, order> oriented_balance(const Inertia3<S>& J, const AnisotropicModel<S>& model,
+                                           const OrientedStretch<S>& at, const SpinProducts<S>& n) {
   auto out = eliminated_balance<order>(J, model, at, n);
   if (model.body.volume) add_volume<order>(at, *model.body.volume, model.body.stiffness, out);
   return out;
@@ -362,7 +368,7 @@ InPlaneInertia<S> in_plane_inertia(const Inertia3<S>& J, const BasicStretch<S>& 
 /// Adds phi: its own equation, and what it does to the others'.
 template <int order, class S>
 void add_axis(const Inertia3<S>& J, const OrientedStretch<S>& at, const S& nu_squared,
-              const AxisAngle<S>& axis, OrientedBalance<S>& out) {
+              const AxisAngle<S>& axis, OrientedBalance<S, order>& out) {
   using namespace oriented;
   const auto& q = at.q;
   const S sine = 2.0 * (axis.sine * axis.cosine);  // of 2 phi
@@ -376,7 +382,7 @@ void add_axis(const Inertia3<S>& J, const OrientedStretch<S>& at, const S& nu_sq
     Vector4<S> gradient{cosine * h - sine * ((J.J2 - J.J1) * q.alpha),
                         J.J1 * (cosine * q.alpha - sine * q.xi),
                         J.J2 * (cosine * q.alpha + sine * q.zeta), S(0.0)};
-    OrientedBalance<S> in_q;
+    OrientedBalance<S, 1> in_q;
     const Matrix4<S> none = Matrix4<S>::Zero();
     add_in_logarithms<1>(at, gradient, none, in_q);
     for (const std::size_t i : {u, v, w, a}) {

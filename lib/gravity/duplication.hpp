@@ -29,9 +29,6 @@ namespace stationary {
 
 namespace duplication {
 
-/// Z^4 + P^2 <= near^4 leaves |E2| <= e^2, |E3| <= e^3 with e = 1.19 near.
-constexpr double near = 0.0089;
-
 /// Of many numbers side by side, and whose comparison is of all of them.
 template <class S>
 concept SideBySide = requires(const S& x) {
@@ -102,7 +99,7 @@ PowerSeries<S, order> integral_by_duplication(const S& T0, const S& D0, const S&
   const Series E3 = P * Z;
   constexpr int last = duplication::last_term<S, order>();
   if constexpr (std::is_same_v<S, Interval>) {
-    return duplication::enclosed_sum(E2, E3, last) * sqrt(inverse);
+    return duplication::enclosed_sum<order, last>(E2, E3) * sqrt(inverse);
   } else {
     const Series sum = duplication::carlson_sum<S>(
         one, Series(-0.5 * E2), last, [&](const Series& T_n) { return E2 * T_n; },

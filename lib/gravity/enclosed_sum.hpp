@@ -1,9 +1,10 @@
 // The series of duplication.hpp over intervals, sum_n T_n/(2 n + 1) with what is left out after its
-// term N. As T_n is a polynomial in E2 and E3 alone, it is expanded in these two,
+// term N. T_n is a polynomial in E2 and E3 alone, of the monomials E2^i E3^j with 2 i + 3 j = n, so that
+// the sum is one of some twenty constants. By Horner's form it is expanded in these two,
 //
 //   sum c_ab (E2 - E2_0)^a (E3 - E3_0)^b,   a + b <= order,
 //
-// and E2 and E3 as series put into it: a third of the products. The tail as a function of E2 and E3,
+// and E2 and E3 as series are put into it: a tenth of the products of the recurrence. The tail as a function of E2 and E3,
 // |E2| <= e^2, |E3| <= e^3, has
 //
 //   |d^(a+b) tail/dE2^a dE3^b| <= sum_(n > N) (n/2)^a (n/3)^b kappa^n e^(n - 2 a - 3 b)/(2 n + 1),
@@ -17,12 +18,14 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/gravity/carlson_sum.hpp"
 #include "lib/gravity/power_series.hpp"
 #include "lib/number/elementary.hpp"
 #include "lib/number/interval.hpp"
 
 namespace stationary::duplication {
+
+/// Z^4 + P^2 <= near^4 leaves |E2| <= e^2, |E3| <= e^3 with e = 1.19 near.
+constexpr double near = 0.0089;
 
 /// The bound of one derivative; infinite where the terms do not fall fast enough.
 inline double remainder_bound(int a, int b, double e, int last) {
@@ -41,75 +44,99 @@ inline double remainder_bound(int a, int b, double e, int last) {
   return (term / (Interval(1.0) - growth)).hi;
 }
 
-/// A polynomial in E2 - E2_0 and E3 - E3_0, cut after a total order: c[a][b] of their powers a, b.
-template <int order>
-struct TwoVariables {
-  static constexpr auto size = std::size_t(order) + 1;
-  std::array<std::array<Interval, size>, size> c{};
-
-  /// f(a, b) of every coefficient.
-  template <class F>
-  static void each(const F& f) {
+/// What is left out after term `last`, where E2 and E3 are as small as duplication makes them.
+template <int order, int last>
+class TailBounds {
+ public:
+  TailBounds() {
     for (std::size_t a = 0; a < size; ++a)
-      for (std::size_t b = 0; a + b < size; ++b) f(a, b);
+      for (std::size_t b = 0; a + b < size; ++b) bound_[a][b] = at(a, b, smallness);
   }
-  friend TwoVariables operator+(TwoVariables x, const TwoVariables& y) {
-    each([&](std::size_t a, std::size_t b) { x.c[a][b] += y.c[a][b]; });
-    return x;
+  /// Of the coefficient of the powers a, b, where |E2| <= e^2 and |E3| <= e^3.
+  double operator()(std::size_t a, std::size_t b, double e) const {
+    return e <= smallness ? bound_[a][b] : at(a, b, e);
   }
-  friend TwoVariables operator-(TwoVariables x, const TwoVariables& y) {
-    each([&](std::size_t a, std::size_t b) { x.c[a][b] -= y.c[a][b]; });
-    return x;
-  }
-  friend TwoVariables operator*(const Interval& factor, TwoVariables x) {
-    each([&](std::size_t a, std::size_t b) { x.c[a][b] = factor * x.c[a][b]; });
-    return x;
-  }
-  /// Times E2 = value + the first variable, and likewise E3.
-  TwoVariables times_first(const Interval& value) const {
-    TwoVariables out = value * *this;
-    each([&](std::size_t a, std::size_t b) {
-      if (a > 0) out.c[a][b] += c[a - 1][b];
-    });
-    return out;
-  }
-  TwoVariables times_second(const Interval& value) const {
-    TwoVariables out = value * *this;
-    each([&](std::size_t a, std::size_t b) {
-      if (b > 0) out.c[a][b] += c[a][b - 1];
-    });
-    return out;
-  }
-};
 
-/// The sum with the bounds of its tail.
-template <int order>
-TwoVariables<order> sum_in_two(const Interval& E2, const Interval& E3, int last) {
-  using Two = TwoVariables<order>;
-  Two one;
-  one.c[0][0] = 1.0;
-  Two sum = carlson_sum<Interval>(
-      one, Interval(-0.5) * one.times_first(E2), last,
-      [&](const Two& T_n) { return T_n.times_first(E2); },
-      [&](const Two& T_n) { return T_n.times_second(E3); });
-  const double e = above(std::max(above(std::sqrt(E2.magnitude())),
-                                  above(above(cube_root(E3.magnitude())) * 0x1.000001p0)));
-  Two::each([&](std::size_t a, std::size_t b) {
+ private:
+  static constexpr auto size = std::size_t(order) + 1;
+  static constexpr double smallness = 1.19 * near;
+
+  static double at(std::size_t a, std::size_t b, double e) {
     double factorials = 1.0;
     for (const std::size_t of : {a, b})
       for (std::size_t m = 2; m <= of; ++m) factorials *= static_cast<double>(m);
-    const double bound =
-        above(remainder_bound(static_cast<int>(a), static_cast<int>(b), e, last) / factorials);
-    sum.c[a][b] += Interval(-bound, bound);
-  });
-  return sum;
+    return above(remainder_bound(static_cast<int>(a), static_cast<int>(b), e, last) / factorials);
+  }
+
+  std::array<std::array<double, size>, size> bound_{};
+};
+
+/// The constants of the sum up to term `last`: [j][i] of E2^i E3^j, 2 i + 3 j <= last.
+template <int last>
+class SumConstants {
+ public:
+  static constexpr auto of_second = std::size_t(last) / 3 + 1;
+  static constexpr auto of_first = std::size_t(last) / 2 + 1;
+  std::array<std::array<Interval, of_first>, of_second> c{};
+
+  SumConstants() {
+    // n T_n = -(n - 1) E2 T_(n-2) + (n - 3/2) E3 T_(n-3), term by term.
+    auto t = c;
+    for (std::size_t j = 0; j < of_second; ++j) {
+      for (std::size_t i = 0; i < count(j); ++i) {
+        const auto n = static_cast<double>(2 * i + 3 * j);
+        if (n == 0.0) t[j][i] = 1.0;
+        if (i > 0) t[j][i] -= Interval(n - 1.0) / Interval(n) * t[j][i - 1];
+        if (j > 0) t[j][i] += Interval(n - 1.5) / Interval(n) * t[j - 1][i];
+        c[j][i] = t[j][i] / Interval(2.0 * n + 1.0);
+      }
+    }
+  }
+  /// How many i there are for j.
+  static constexpr std::size_t count(std::size_t j) { return (std::size_t(last) - 3 * j) / 2 + 1; }
+};
+
+/// c_ab of the sum, with the bounds of its tail.
+template <int order, int last>
+auto sum_in_two(const Interval& E2, const Interval& E3) {
+  constexpr auto size = std::size_t(order) + 1;
+  static const SumConstants<last> constants;
+  static const TailBounds<order, last> tail;
+  std::array<std::array<Interval, size>, size> out{};
+  for (std::size_t j = constants.of_second; j-- > 0;) {
+    // The constants of E3^j, expanded in E2.
+    std::array<Interval, size> inner{};
+    for (std::size_t i = constants.count(j); i-- > 0;) {
+      for (std::size_t a = size; a-- > 0;) {
+        inner[a] = inner[a] * E2;
+        if (a > 0) inner[a] += inner[a - 1];
+      }
+      inner[0] += constants.c[j][i];
+    }
+    for (std::size_t a = 0; a < size; ++a) {
+      for (std::size_t b = size - a; b-- > 0;) {
+        out[a][b] = out[a][b] * E3;
+        if (b > 0) out[a][b] += out[a][b - 1];
+      }
+      out[a][0] += inner[a];
+    }
+  }
+  const double e = above(std::max(above(std::sqrt(E2.magnitude())),
+                                  above(above(cube_root(E3.magnitude())) * 0x1.000001p0)));
+  for (std::size_t a = 0; a < size; ++a) {
+    for (std::size_t b = 0; a + b < size; ++b) {
+      const double bound = tail(a, b, e);
+      out[a][b] += Interval(-bound, bound);
+    }
+  }
+  return out;
 }
 
-template <int order>
+template <int order, int last>
 PowerSeries<Interval, order> enclosed_sum(const PowerSeries<Interval, order>& E2,
-                                          const PowerSeries<Interval, order>& E3, int last) {
+                                          const PowerSeries<Interval, order>& E3) {
   using Series = PowerSeries<Interval, order>;
-  const auto c = sum_in_two<order>(E2.value(), E3.value(), last).c;
+  const auto c = sum_in_two<order, last>(E2.value(), E3.value());
   const Series d2 = E2.nilpotent();
   const Series d3 = E3.nilpotent();
   // Horner's form in d2, and in d3 of each of its coefficients.

@@ -40,11 +40,13 @@ struct Monomials {
   }();
   /// Lower orders stand at the same places in every longer list.
   static constexpr std::size_t place(const Powers& p) {
-    std::size_t n = 0;
-    while (!(powers[n] == p)) ++n;
-    return n;
+    const auto total = static_cast<std::size_t>(p.total());
+    const auto beside = static_cast<std::size_t>(p.j + p.k);  // total - i
+    return total * (total + 1) * (total + 2) / 6 + beside * (beside + 1) / 2 +
+           static_cast<std::size_t>(p.k);
   }
-  /// Pairs of places whose product is of the order or below: product += x[a] y[b].
+  /// Pairs of places whose product is of the order or below: product += x[a] y[b]; those of one product
+  /// together, from first_pair[product] on.
   struct Pair {
     std::size_t a;
     std::size_t b;
@@ -57,15 +59,27 @@ struct Monomials {
         if (a.total() + b.total() <= order) ++n;
     return n;
   }();
+  static constexpr std::size_t product_of(const Powers& a, const Powers& b) {
+    return place({a.i + b.i, a.j + b.j, a.k + b.k});
+  }
+  static constexpr std::array<std::size_t, count + 1> first_pair = [] {
+    std::array<std::size_t, count + 1> out{};
+    for (const Powers& a : powers)
+      for (const Powers& b : powers)
+        if (a.total() + b.total() <= order) ++out[product_of(a, b) + 1];
+    for (std::size_t n = 0; n < count; ++n) out[n + 1] += out[n];
+    return out;
+  }();
   static constexpr std::array<Pair, pair_count> pairs = [] {
     std::array<Pair, pair_count> out{};
-    std::size_t n = 0;
-    for (std::size_t a = 0; a < count; ++a)
-      for (std::size_t b = 0; b < count; ++b)
-        if (powers[a].total() + powers[b].total() <= order)
-          out[n++] = {a, b,
-                      place({powers[a].i + powers[b].i, powers[a].j + powers[b].j,
-                             powers[a].k + powers[b].k})};
+    std::array<std::size_t, count + 1> next = first_pair;
+    for (std::size_t a = 0; a < count; ++a) {
+      for (std::size_t b = 0; b < count; ++b) {
+        if (powers[a].total() + powers[b].total() > order) continue;
+        const std::size_t product = product_of(powers[a], powers[b]);
+        out[next[product]++] = {a, b, product};
+      }
+    }
     return out;
   }();
 };
@@ -118,11 +132,14 @@ struct PowerSeries {
   }
   friend PowerSeries operator*(const PowerSeries& x, const PowerSeries& y) {
     PowerSeries out;
-    std::array<bool, List::count> begun{};
-    for (const auto& [a, b, product] : List::pairs) {
-      const S term = x.c[a] * y.c[b];
-      out.c[product] = begun[product] ? out.c[product] + term : term;
-      begun[product] = true;
+    for (std::size_t n = 0; n < List::count; ++n) {
+      S sum(0.0);
+      for (std::size_t k = List::first_pair[n]; k < List::first_pair[n + 1]; ++k) {
+        const auto& [a, b, product] = List::pairs[k];
+        const S term = x.c[a] * y.c[b];
+        sum = k == List::first_pair[n] ? term : sum + term;
+      }
+      out.c[n] = sum;
     }
     return out;
   }
@@ -131,8 +148,8 @@ struct PowerSeries {
     PowerSeries out(S(1.0) / x.c[0]);
     for (std::size_t n = 1; n < List::count; ++n) {
       S sum(0.0);
-      for (const auto& [a, b, product] : List::pairs)
-        if (product == n && a != 0) sum = sum + x.c[a] * out.c[b];
+      for (std::size_t k = List::first_pair[n]; k < List::first_pair[n + 1]; ++k)
+        if (const auto& [a, b, product] = List::pairs[k]; a != 0) sum = sum + x.c[a] * out.c[b];
       out.c[n] = -(out.c[0] * sum);
     }
     return out;
@@ -144,8 +161,10 @@ struct PowerSeries {
     const S half = S(0.5) / out.c[0];
     for (std::size_t n = 1; n < List::count; ++n) {
       S sum = x.c[n];
-      for (const auto& [a, b, product] : List::pairs)
-        if (product == n && a != 0 && b != 0) sum = sum - out.c[a] * out.c[b];
+      for (std::size_t k = List::first_pair[n]; k < List::first_pair[n + 1]; ++k) {
+        const auto& [a, b, product] = List::pairs[k];
+        if (a != 0 && b != 0) sum = sum - out.c[a] * out.c[b];
+      }
       out.c[n] = half * sum;
     }
     return out;

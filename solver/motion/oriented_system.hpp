@@ -63,8 +63,9 @@ std::array<S, 5> all_coordinates(const X& x, const S& rho) {
 
 /// Of the coordinates, the balance of the motion they are. nu_squared: of |nu|.
 template <class Layout, int order, class S>
-OrientedBalance<S> balance_at(const Inertia3<S>& J, const AnisotropicModel<S>& model, Branch branch,
-                              const S& nu_squared, const std::array<S, 5>& y) {
+OrientedBalance<S, order> balance_at(const Inertia3<S>& J, const AnisotropicModel<S>& model,
+                                     Branch branch, const S& nu_squared,
+                                     const std::array<S, 5>& y) {
   const OrientedStretch<S> at = oriented_stretch(y[0], y[1], y[2], y[3]);
   const auto balance = [&](const SpinProducts<S>& n) {
     if constexpr (Layout::thickness) {
@@ -135,7 +136,7 @@ std::array<S, 5> inertial_part(const Inertia3<S>& J, const std::optional<S>& vol
                                const OrientedStretch<S>& at, const SpinProducts<S>& n,
                                const AxisAngle<S>* axis) {
   const OrientedStretch<S> whole = volume ? at_volume(*volume, at) : at;
-  OrientedBalance<S> out;
+  OrientedBalance<S, 1> out;
   const Vector4<S> force = -(centrifugal_matrix(J, n) * whole.q.vector());
   const Matrix4<S> none = Matrix4<S>::Zero();
   add_in_logarithms<1>(whole, force, none, out);

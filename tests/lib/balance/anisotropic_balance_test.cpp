@@ -24,7 +24,7 @@ struct Setting {
     return oriented_stretch(x[0], x[1], x[2], x[3]);
   }
   template <int order>
-  OrientedBalance<DoubleDouble> balance(const Point& x) const {
+  OrientedBalance<DoubleDouble, order> balance(const Point& x) const {
     const auto axis = axis_angle(x[4]);
     auto out = oriented_balance<order>(
         J, model, stretch(x), in_plane_products(two_product(nu, nu), axis.cosine, axis.sine));

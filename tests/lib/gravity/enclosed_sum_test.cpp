@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "tests/support/wide_numbers.hpp"
 
@@ -53,9 +54,12 @@ TEST(EnclosedSum, HoldsAllTerms) {
           const double e3 = (signs & 2 ? -1.0 : 1.0) * e * e * e * (second ? 1.0 : share);
           const auto meant =
               whole_sum<order>(bent<Real50, order>(e2, 0, 1), bent<Real50, order>(e3, 2, 0));
-          for (const int last : {9, 10, 11, 14}) {
-            const auto held = enclosed_sum<order>(bent<Interval, order>(e2, 0, 1),
-                                                  bent<Interval, order>(e3, 2, 0), last);
+          const auto E2 = bent<Interval, order>(e2, 0, 1);
+          const auto E3 = bent<Interval, order>(e3, 2, 0);
+          for (const auto& [last, held] : {std::pair(9, enclosed_sum<order, 9>(E2, E3)),
+                                           {10, enclosed_sum<order, 10>(E2, E3)},
+                                           {11, enclosed_sum<order, 11>(E2, E3)},
+                                           {14, enclosed_sum<order, 14>(E2, E3)}}) {
             for (std::size_t n = 0; n < held.c.size(); ++n) {
               ASSERT_TRUE(Real50(held.c[n].lo) <= meant.c[n] && meant.c[n] <= Real50(held.c[n].hi))
                   << "E2 " << e2 << " E3 " << e3 << " after " << last << " coefficient " << n;
