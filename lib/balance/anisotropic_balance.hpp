@@ -210,8 +210,17 @@ void add_in_logarithms(const OrientedStretch<S>& at, const CoupledDerivatives<S>
   }
 }
 
-/// Those of gravity, from its derivatives in (T, l, r): the rows of u, v and w are positive, and their
-/// sum is -V.
+/// A row of gravity in the logarithm of a stretch: positive, and the sum of all three is -V.
+template <class S>
+S gravity_row(const S& row, const CoupledDerivatives<S>& V) {
+  if constexpr (std::is_same_v<S, Interval>) {
+    return common(row, Interval(0.0, (-V.plane.w).hi));
+  } else {
+    return row;
+  }
+}
+
+/// Those of gravity, from its derivatives in (T, l, r).
 template <int order, class S>
 void add_gravity_in_logarithms(const OrientedStretch<S>& at, const CoupledDerivatives<S>& V,
                                const GravitatingInertia<S>& J, OrientedBalance<S, order>& out) {
@@ -227,16 +236,9 @@ void add_gravity_in_logarithms(const OrientedStretch<S>& at, const CoupledDeriva
                            2.0 * (J_sum * root_squared * at.tanh * narrow)};
   const std::array<S, 3> l{S(1.0), S(1.0), -2.0 * at.tanh};
   constexpr std::array places{u, v, a};
-  const auto whole = [&](const S& row) {
-    if constexpr (std::is_same_v<S, Interval>) {
-      return common(row, Interval(0.0, (-p.w).hi));
-    } else {
-      return row;
-    }
-  };
-  out.g[u] += whole(T[0] * p.w_t + p.w_l);
-  out.g[v] += whole(T[1] * p.w_t + p.w_l);
-  out.g[w] += whole(V.w_r);
+  out.g[u] += gravity_row<S>(T[0] * p.w_t + p.w_l, V);
+  out.g[v] += gravity_row<S>(T[1] * p.w_t + p.w_l, V);
+  out.g[w] += gravity_row(V.w_r, V);
   out.g[a] += T[2] * p.w_t + l[2] * p.w_l;
   if constexpr (order >= 2) {
     const S T_aa = 2.0 * (J_sum * root_squared * narrow * (narrow - 2.0 * square(at.tanh)));

@@ -204,10 +204,11 @@ std::optional<PrincipalForces<S>> principal_forces(
     const auto& own = model.body.J;
     const auto V = gravity_derivatives<1>(model.body.g, own, planar_moment(own, at.q),
                                           at.invariants().d, at.q.rho);
-    out.along += 2.0 * (square(large) * first * V.plane.w_t) + V.plane.w_l;
-    out.across += 2.0 * (square(small) * second * V.plane.w_t) + V.plane.w_l;
-    rho_row += V.w_r;
-    if (out.turning) *out.turning -= 2.0 * (shape * b * V.plane.w_t);
+    const S& V_T = V.plane.w_t;
+    out.along += gravity_row<S>(2.0 * (square(large) * first * V_T) + V.plane.w_l, V);
+    out.across += gravity_row<S>(2.0 * (square(small) * second * V_T) + V.plane.w_l, V);
+    rho_row += gravity_row(V.w_r, V);
+    if (out.turning) *out.turning -= 2.0 * (shape * b * V_T);
   }
   if (model.body.volume) {
     out.along -= rho_row;

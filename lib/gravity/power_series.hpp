@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "lib/number/interval.hpp"
 #include "lib/number/number.hpp"
 
 namespace stationary {
@@ -133,13 +134,18 @@ struct PowerSeries {
   friend PowerSeries operator*(const PowerSeries& x, const PowerSeries& y) {
     PowerSeries out;
     for (std::size_t n = 0; n < List::count; ++n) {
-      S sum(0.0);
-      for (std::size_t k = List::first_pair[n]; k < List::first_pair[n + 1]; ++k) {
-        const auto& [a, b, product] = List::pairs[k];
-        const S term = x.c[a] * y.c[b];
-        sum = k == List::first_pair[n] ? term : sum + term;
+      if constexpr (std::is_same_v<S, Interval>) {
+        IntervalSum sum;
+        for_pairs(n, [&](std::size_t a, std::size_t b) { sum.add_product(x.c[a], y.c[b]); });
+        out.c[n] = sum.value();
+      } else {
+        bool begun = false;
+        for_pairs(n, [&](std::size_t a, std::size_t b) {
+          const S term = x.c[a] * y.c[b];
+          out.c[n] = begun ? out.c[n] + term : term;
+          begun = true;
+        });
       }
-      out.c[n] = sum;
     }
     return out;
   }
@@ -147,10 +153,19 @@ struct PowerSeries {
   friend PowerSeries reciprocal(const PowerSeries& x) {
     PowerSeries out(S(1.0) / x.c[0]);
     for (std::size_t n = 1; n < List::count; ++n) {
-      S sum(0.0);
-      for (std::size_t k = List::first_pair[n]; k < List::first_pair[n + 1]; ++k)
-        if (const auto& [a, b, product] = List::pairs[k]; a != 0) sum = sum + x.c[a] * out.c[b];
-      out.c[n] = -(out.c[0] * sum);
+      if constexpr (std::is_same_v<S, Interval>) {
+        IntervalSum sum;
+        for_pairs(n, [&](std::size_t a, std::size_t b) {
+          if (a != 0) sum.add_product(x.c[a], out.c[b]);
+        });
+        out.c[n] = -(out.c[0] * sum.value());
+      } else {
+        S sum(0.0);
+        for_pairs(n, [&](std::size_t a, std::size_t b) {
+          if (a != 0) sum = sum + x.c[a] * out.c[b];
+        });
+        out.c[n] = -(out.c[0] * sum);
+      }
     }
     return out;
   }
@@ -160,14 +175,31 @@ struct PowerSeries {
     PowerSeries out(sqrt(x.c[0]));
     const S half = S(0.5) / out.c[0];
     for (std::size_t n = 1; n < List::count; ++n) {
-      S sum = x.c[n];
-      for (std::size_t k = List::first_pair[n]; k < List::first_pair[n + 1]; ++k) {
-        const auto& [a, b, product] = List::pairs[k];
-        if (a != 0 && b != 0) sum = sum - out.c[a] * out.c[b];
+      if constexpr (std::is_same_v<S, Interval>) {
+        IntervalSum sum(x.c[n]);
+        for_pairs(n, [&](std::size_t a, std::size_t b) {  // each product once
+          if (a == 0 || b < a) return;
+          const double times = a == b ? -1.0 : -2.0;  // exact
+          sum.add_product({times * out.c[a].hi, times * out.c[a].lo}, out.c[b]);
+        });
+        out.c[n] = half * sum.value();
+      } else {
+        S sum = x.c[n];
+        for_pairs(n, [&](std::size_t a, std::size_t b) {
+          if (a != 0 && b != 0) sum = sum - out.c[a] * out.c[b];
+        });
+        out.c[n] = half * sum;
       }
-      out.c[n] = half * sum;
     }
     return out;
+  }
+
+ private:
+  /// f(a, b) of the pairs whose product is coefficient n.
+  template <class F>
+  static void for_pairs(std::size_t n, const F& f) {
+    for (std::size_t k = List::first_pair[n]; k < List::first_pair[n + 1]; ++k)
+      f(List::pairs[k].a, List::pairs[k].b);
   }
 };
 

@@ -125,6 +125,38 @@ inline Interval square(const Interval& x) {
   return out.bounded() ? Interval(std::max(out.lo, 0.0), out.hi) : out;
 }
 
+/// A sum of products, rounded outward once.
+class IntervalSum {
+ public:
+  explicit IntervalSum(const Interval& first = Interval())
+      : lo_(first.lo), hi_(first.hi), size_(first.magnitude()) {}
+
+  STATIONARY_INLINED void add_product(const Interval& x, const Interval& y) {
+    const double a = x.lo * y.lo;
+    const double b = x.lo * y.hi;
+    const double c = x.hi * y.lo;
+    const double d = x.hi * y.hi;
+    const double lower = std::min(std::min(a, b), std::min(c, d));
+    const double upper = std::max(std::max(a, b), std::max(c, d));
+    lo_ += lower;
+    hi_ += upper;
+    size_ += std::max(std::abs(lower), std::abs(upper));
+    roundings_ += 2.0;
+  }
+  /// Each product and each sum, this one's too, rounds by 2^-53 of no more than all magnitudes' sum.
+  Interval value() const {
+    const double rounding = 0x1.0001p-53 * roundings_ * size_ + 0x1p-1022 * roundings_;
+    const Interval out(lo_ - rounding, hi_ + rounding);
+    return out.bounded() ? out : Interval::entire();
+  }
+
+ private:
+  double lo_;
+  double hi_;
+  double size_;
+  double roundings_ = 2.0;
+};
+
 /// The square root of IEEE 754 is rounded to nearest.
 inline Interval sqrt(const Interval& x) {
   if (!(x.lo >= 0.0) || !x.bounded()) return Interval::entire();

@@ -55,9 +55,10 @@ struct OrientedBoxSystem {
     return out;
   }
 
-  Box<N> residual(const Box<N>& x) const {
+  Box<N> residual(const Box<N>& x) const { return residual(x, nu_squared); }
+  Box<N> residual(const Box<N>& x, const Interval& spin_squared) const {
     const auto b =
-        balance_at<Layout, 1>(J, model, branch, nu_squared, all_coordinates<Layout>(x, rho));
+        balance_at<Layout, 1>(J, model, branch, spin_squared, all_coordinates<Layout>(x, rho));
     Box<N> out;
     for (std::size_t i = 0; i < Layout::places.size(); ++i) out[i] = b.g[Layout::places[i]];
     return out;

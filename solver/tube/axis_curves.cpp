@@ -67,6 +67,16 @@ class CoupledCurves final : public CurveEquations<3> {
     out.slope[2] = {b.uw, b.vw, b.ww, -(rates_.rho * square(rho))};
     return out;
   }
+  CurveForces<3> forces(const CurveBox<3>& y) const override {
+    const Interval xi = exp(y[0]);
+    const Interval zeta = exp(y[1]);
+    const Interval rho = exp(y[2]);
+    const auto b = balance_alone(model_, xi, zeta, rho, y[3] * rates_.xi, y[3] * rates_.zeta,
+                                 y[3] * rates_.rho);
+    return {
+        {b.g_xi, b.g_zeta, b.g_rho},
+        {-(rates_.xi * square(xi)), -(rates_.zeta * square(zeta)), -(rates_.rho * square(rho))}};
+  }
   bool excludes(const CurveBox<3>& y) const override {
     return defined_nowhere(model_, exp(y[0]), exp(y[1]), exp(y[2]));
   }

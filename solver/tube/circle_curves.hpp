@@ -87,6 +87,17 @@ class CircleCurves final : public CurveEquations<N> {
     }
     return out;
   }
+  CurveForces<N> forces(const CurveBox<N>& y) const override {
+    const Interval r = exp(y[0]);
+    const Interval c = y[N] * rate_;
+    const Interval pull = rate_ * square(r);
+    if constexpr (coupled) {
+      const auto b = balance_alone(model_, r, r, exp(y[1]), c, c, Interval(0.0));
+      return {{b.g_xi, b.g_rho}, {-pull, Interval(0.0)}};
+    } else {
+      return {{balance_alone(model_, r, r, c, c).g_xi}, {-pull}};
+    }
+  }
   std::vector<Interval> conditions(const CurveBox<N>& y) const override {
     std::vector<Interval> out;
     thickness_.add_conditions(2.0 * y[0], out);
@@ -175,6 +186,23 @@ class EllipseCurves final : public CurveEquations<N> {
     }
     return out;
   }
+  CurveForces<N> forces(const CurveBox<N>& y) const override {
+    const Stretches at = stretches(y);
+    const Interval c = y[N] * rate_;
+    const Interval t = 2.0 * (at.r * at.h.cosine);
+    const PlanarInvariants<Interval> plane{t, square(at.r), square(2.0 * (at.r * at.h.sine))};
+    const auto b = balance_of(at, c);
+    CurveForces<N> out;
+    if constexpr (coupled) {
+      out.g = {model_.template evaluate<1>(plane, at.rho).plane.w_t - c * t, b.g_zeta, b.g_rho};
+      out.by_q[2] = Interval(0.0);
+    } else {
+      out.g = {model_.template evaluate<1>(plane).w_t - c * t, b.g_zeta};
+    }
+    out.by_q[0] = -(rate_ * t);
+    out.by_q[1] = -(rate_ * square(at.zeta));
+    return out;
+  }
   std::vector<Interval> conditions(const CurveBox<N>& y) const override {
     const EllipseAxes at = axes(y);
     std::vector<Interval> out{at.log_xi - xi_.lower, xi_.upper - at.log_xi,
@@ -191,7 +219,7 @@ class EllipseCurves final : public CurveEquations<N> {
     } else {
       outside = defined_nowhere(model_, at.xi, at.zeta);
     }
-    return outside || !balance(at, y[N] * rate_).g_xi.may_be(0.0);
+    return outside || !balance_of(at, y[N] * rate_).g_xi.may_be(0.0);
   }
   bool contract(CurveBox<N>& y) const override {
     const Interval c = y[N] * rate_;
@@ -227,6 +255,14 @@ class EllipseCurves final : public CurveEquations<N> {
       return model_.log_balance(at.xi, at.zeta, at.rho, c, c, Interval(0.0));
     } else {
       return model_.log_balance(at.xi, at.zeta, c, c);
+    }
+  }
+  /// Without slopes where the model can leave them out.
+  auto balance_of(const Stretches& at, const Interval& c) const {
+    if constexpr (coupled) {
+      return balance_alone(model_, at.xi, at.zeta, at.rho, c, c, Interval(0.0));
+    } else {
+      return balance_alone(model_, at.xi, at.zeta, c, c);
     }
   }
   static EllipseAxes axes(const CurveBox<N>& y) { return {y[0] + y[1], y[0] - y[1]}; }

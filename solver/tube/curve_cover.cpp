@@ -52,6 +52,7 @@ class Cover {
   void examine(CurveBox<N> box) {
     ++out_.boxes;
     constexpr int passes = 8;
+    CurveLinearized<N> over;
     for (int pass = 0; pass < passes; ++pass) {
       for (const Interval& each : equations_.conditions(box))
         if (each.negative()) return;
@@ -59,7 +60,7 @@ class Cover {
       if (pass == 0 && !equations_.contract(box)) return;
       if (tubes_.holds(box)) return;
       if (!solve_for_q(box)) return;
-      const auto over = equations_.linearize(box);
+      over = equations_.linearize(box);
       for (const Interval& g : over.g)
         if (!g.may_be(0.0)) return;
       if (options_.differences && rows_differ(over, box)) return;
@@ -74,7 +75,7 @@ class Cover {
     }
     constexpr double small = 0.25;
     if (options_.follow && width(box) < small && begins_curve(box) && tubes_.holds(box)) return;
-    split(box);
+    split(box, over);
   }
 
   /// Whether some G_i - G_j has one sign: where a slope of it has one, at the end of that side that
@@ -99,7 +100,7 @@ class Cover {
         }
         if (!along.bounded()) continue;
         const auto difference = [&](const CurveBox<N>& corner) {
-          const auto g = equations_.linearize(corner).g;
+          const auto g = equations_.forces(corner).g;
           return g[i] - g[j] + along;
         };
         if (difference(least).positive() || difference(most).negative()) return true;
@@ -111,10 +112,10 @@ class Cover {
   bool solve_for_q(CurveBox<N>& box) const {
     CurveBox<N> at_rest = box;
     at_rest[at(N)] = 0.0;
-    const auto elastic = equations_.linearize(at_rest);
+    const CurveForces<N> elastic = equations_.forces(at_rest);
     Interval& q = box[at(N)];
     for (int i = 0; i < N; ++i) {
-      const Interval solved = -elastic.g[at(i)] / elastic.slope[at(i)][at(N)];
+      const Interval solved = -elastic.g[at(i)] / elastic.by_q[at(i)];
       if (!solved.bounded()) continue;
       if (solved.apart_from(q)) return false;
       q = common(q, solved);
@@ -142,7 +143,7 @@ class Cover {
     const Square Y = chosen.inverse();
     if (!std::isfinite(Y.sum())) return true;
     const TubePoint<N> center = middle_of<N>(box);
-    const auto g = equations_.linearize(point_box<N>(center)).g;
+    const auto g = equations_.forces(point_box<N>(center)).g;
     CurveBox<N> offset;
     for (int j = 0; j <= N; ++j) offset[at(j)] = box[at(j)] - Interval(center[j]);
     for (int i = 0; i < N; ++i) {
@@ -195,8 +196,7 @@ class Cover {
   }
 
   /// Across the coordinate that moves some G_i most over the box, as a part of all that moves it.
-  std::size_t coordinate_to_split(const CurveBox<N>& box) const {
-    const auto over = equations_.linearize(box);
+  std::size_t coordinate_to_split(const CurveBox<N>& box, const CurveLinearized<N>& over) const {
     std::array<double, at(N + 1)> moved{};
     for (const CurveBox<N>& row : over.slope) {
       std::array<double, at(N + 1)> by;
@@ -218,8 +218,8 @@ class Cover {
     return splits ? most : widest;
   }
 
-  void split(const CurveBox<N>& box) {
-    const std::size_t chosen = coordinate_to_split(box);
+  void split(const CurveBox<N>& box, const CurveLinearized<N>& over) {
+    const std::size_t chosen = coordinate_to_split(box, over);
     const Interval side = box[chosen];
     const double cut = side.mid();
     if (!(side.hi - side.lo > options_.min_width) || !(side.lo < cut && cut < side.hi)) {

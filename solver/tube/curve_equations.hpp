@@ -32,6 +32,23 @@ struct CurveLinearized {
   std::array<CurveBox<N>, static_cast<std::size_t>(N)> slope;  ///< rows
 };
 
+/// Likewise G(y) and dG/dq alone.
+template <int N>
+struct CurveForces {
+  Box<N> g;
+  Box<N> by_q;
+};
+
+/// A model's balance, without slopes where it can leave them out.
+template <class Model, class... Arguments>
+auto balance_alone(const Model& model, const Arguments&... arguments) {
+  if constexpr (requires { model.template log_balance<1>(arguments...); }) {
+    return model.template log_balance<1>(arguments...);
+  } else {
+    return model.log_balance(arguments...);
+  }
+}
+
 /// A number along a piece of a curve: its range and that of its slope.
 using AlongCurve = Dual<Interval, 1>;
 
@@ -81,6 +98,13 @@ class CurveEquations {
   virtual ~CurveEquations() = default;
 
   virtual CurveLinearized<N> linearize(const CurveBox<N>& y) const = 0;
+  virtual CurveForces<N> forces(const CurveBox<N>& y) const {
+    const CurveLinearized<N> all = linearize(y);
+    CurveForces<N> out{all.g, {}};
+    for (std::size_t i = 0; i < out.g.size(); ++i)
+      out.by_q[i] = all.slope[i][static_cast<std::size_t>(N)];
+    return out;
+  }
 
   /// Functions of y that are positive at the solutions sought, beside the sides of a region: over a
   /// place, where they need to hold at solutions only.

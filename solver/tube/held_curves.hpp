@@ -45,6 +45,15 @@ class HeldCurves final : public CurveEquations<2> {
     out.slope[1] = {b.uv, b.vv, pull_of_rho - rates_.zeta * square(zeta)};
     return out;
   }
+  CurveForces<2> forces(const CurveBox<2>& y) const override {
+    const Interval xi = exp(y[0]);
+    const Interval zeta = exp(y[1]);
+    const auto b =
+        balance_alone(model_, xi, zeta, y[2] * rates_.xi, y[2] * rates_.zeta, y[2] * rates_.rho);
+    const Interval pull_of_rho = rates_.rho * square(model_.thickness(xi, zeta));
+    return {{b.g_xi, b.g_zeta},
+            {pull_of_rho - rates_.xi * square(xi), pull_of_rho - rates_.zeta * square(zeta)}};
+  }
   std::vector<Interval> conditions(const CurveBox<2>& y) const override {
     std::vector<Interval> out;
     thickness_.add_conditions(y[0] + y[1], out);

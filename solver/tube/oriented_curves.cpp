@@ -22,22 +22,18 @@ class OrientedCurves final : public CurveEquations<Layout::dimension> {
   CurveLinearized<N> linearize(const CurveBox<N>& y) const override {
     const Box<N> x = coordinates(y);
     const auto b = boxes_.linearize(x, y[last] * boxes_.nu_squared);
-    const auto all = all_coordinates<Layout>(x, boxes_.rho);
-    const auto at = oriented_stretch(all[0], all[1], all[2], all[3]);
-    const AxisAngle<Interval> axis = axis_angle(all[4]);
-    const auto pull =
-        inertial_part(boxes_.J, Layout::thickness ? std::nullopt : boxes_.model.body.volume, at,
-                      Layout::axis ? in_plane_products(boxes_.nu_squared, axis.cosine, axis.sine)
-                                   : axis_products(boxes_.branch, boxes_.nu_squared),
-                      static_cast<const AxisAngle<Interval>*>(nullptr));
+    const Box<N> pull = by_q(x);
     CurveLinearized<N> out;
     for (std::size_t i = 0; i < std::size_t(N); ++i) {
       out.g[i] = b.g[i];
       for (std::size_t j = 0; j < std::size_t(N); ++j) out.slope[i][j] = b.slope[i][j];
-      // phi's own equation has no nu in it, nor has pull a row for it.
-      out.slope[i][last] = pull[Layout::places[i]];
+      out.slope[i][last] = pull[i];
     }
     return out;
+  }
+  CurveForces<N> forces(const CurveBox<N>& y) const override {
+    const Box<N> x = coordinates(y);
+    return {boxes_.residual(x, y[last] * boxes_.nu_squared), by_q(x)};
   }
   std::vector<Interval> conditions(const CurveBox<N>& y) const override {
     if (Layout::thickness || !boxes_.model.body.volume) return {};
@@ -65,6 +61,20 @@ class OrientedCurves final : public CurveEquations<Layout::dimension> {
  private:
   static constexpr auto last = static_cast<std::size_t>(N);
 
+  /// phi's own equation has no nu in it.
+  Box<N> by_q(const Box<N>& x) const {
+    const auto all = all_coordinates<Layout>(x, boxes_.rho);
+    const auto at = oriented_stretch(all[0], all[1], all[2], all[3]);
+    const AxisAngle<Interval> axis = axis_angle(all[4]);
+    const auto pull =
+        inertial_part(boxes_.J, Layout::thickness ? std::nullopt : boxes_.model.body.volume, at,
+                      Layout::axis ? in_plane_products(boxes_.nu_squared, axis.cosine, axis.sine)
+                                   : axis_products(boxes_.branch, boxes_.nu_squared),
+                      static_cast<const AxisAngle<Interval>*>(nullptr));
+    Box<N> out;
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = pull[Layout::places[i]];
+    return out;
+  }
   static Box<N> coordinates(const CurveBox<N>& y) {
     Box<N> out;
     for (std::size_t i = 0; i < last; ++i) out[i] = exp(y[i]);

@@ -137,7 +137,7 @@ CurveBox<N> Tube<N>::place(const Interval& s, const Box<N>& d) const {
 template <int N>
 auto Tube<N>::image(const Equations& equations, const Square& Y, double s0, const Box<N>& d0,
                     const Interval& s, const Box<N>& d) const -> Image {
-  const auto g = equations.linearize(place(Interval(s0), d0)).g;
+  const auto g = equations.forces(place(Interval(s0), d0)).g;
   const auto over = equations.linearize(place(s, d));
   std::array<Box<N>, at(N)> across;
   Box<N> along;

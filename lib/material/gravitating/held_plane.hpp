@@ -11,10 +11,11 @@ struct HeldPlane {
   BodyModel<C> body;  ///< of a held volume
 
   /// G_xi and G_zeta, Gamma_1 - Gamma_3 and Gamma_2 - Gamma_3, and their slopes in ln xi, ln zeta.
-  template <class R>
+  template <int order = 2, class R>
   LogBalance<R> log_balance(const R& xi, const R& zeta, const R& c_xi, const R& c_zeta,
                             const R& c_rho = R(0.0)) const {
-    return held<2>(body.template whole<2>(xi, zeta, thickness(xi, zeta), c_xi, c_zeta, c_rho));
+    return held<order>(
+        body.template whole<order>(xi, zeta, thickness(xi, zeta), c_xi, c_zeta, c_rho));
   }
   template <class R>
   R thickness(const R& xi, const R& zeta) const {

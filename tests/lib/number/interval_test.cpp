@@ -47,6 +47,35 @@ double inside(const Interval& x, Random& random) {
   return random.integer(0, 3) == 0 ? x.lo : std::min(std::max(at, x.lo), x.hi);
 }
 
+TEST(Interval, SumsOfProductsHoldTheExactResult) {
+  Random random(915);
+  for (int trial = 0; trial < 5000; ++trial) {
+    const bool points = trial % 2 == 0;
+    const Interval first = points ? Interval(any(random)) : any_interval(random);
+    const double at = inside(first, random);
+    IntervalSum sum(first);
+    Real50 exact(at);
+    Real50 size = abs(Real50(at));
+    for (int k = random.integer(0, 8); k > 0; --k) {
+      const Interval x = points ? Interval(any(random)) : any_interval(random);
+      const Interval y = points ? Interval(any(random)) : any_interval(random);
+      const Real50 product = Real50(inside(x, random)) * Real50(inside(y, random));
+      sum.add_product(x, y);
+      exact += product;
+      size += abs(product);
+    }
+    const Interval value = sum.value();
+    ASSERT_TRUE(holds(value, exact)) << text(value);
+    if (points) EXPECT_LE(Real50(value.hi) - Real50(value.lo), size * Real50(0x1p-47) + 1e-300);
+  }
+  IntervalSum open;
+  open.add_product(Interval::entire(), Interval(0.0));
+  EXPECT_FALSE(open.value().bounded());
+  IntervalSum wide(Interval(1.0));
+  wide.add_product(Interval(1e200), Interval(1e200));
+  EXPECT_FALSE(wide.value().bounded());
+}
+
 TEST(Interval, OperationsHoldTheExactResult) {
   Random random(901);
   for (int trial = 0; trial < 20000; ++trial) {
