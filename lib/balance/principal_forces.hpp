@@ -174,7 +174,11 @@ std::optional<PrincipalForces<S>> principal_forces(
 
   S rho_row(0.0);
   const auto take = [&](const auto& m) {
-    if constexpr (requires { m.log_balance(large, small, rates.xi, rates.zeta); }) {
+    if constexpr (requires(PotentialDerivatives<S> & directed) {
+                    m.template add<1>(at.q, directed);
+                  }) {
+      return false;
+    } else if constexpr (requires { m.log_balance(large, small, rates.xi, rates.zeta); }) {
       const auto rows = m.log_balance(large, small, rates.xi, rates.zeta);
       out.along = rows.g_xi;
       out.across = rows.g_zeta;
