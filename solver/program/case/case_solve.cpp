@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_schema.hpp"
 
 namespace stationary {
