@@ -26,11 +26,11 @@
 //
 //   sin(2 theta - 2 phi) (r^2 a' - a) - 2 r b cos(2 theta - 2 phi) = 0.
 //
-// Gravity adds 2 L^2 a V_T + V_l, 2 s^2 a' V_T + V_l and, in theta, -2 b V_T (oblique: times 1 - r^2); a held
-// volume takes the derivative in ln rho from the first two.
+// Gravity adds 2 L^2 a V_T + V_l, 2 s^2 a' V_T + V_l and, in theta, -2 b V_T (oblique: times
+// 1 - r^2); a held volume takes the derivative in ln rho from the first two.
 //
-// In (u, v, a) of anisotropic_balance.hpp each of these is a sum of terms that cancel where S is long and
-// thin across a fibre: over boxes these are narrower by far.
+// In (u, v, a) of anisotropic_balance.hpp each of these is a sum of terms that cancel where S is
+// long and thin across a fibre: over boxes these are narrower by far.
 #pragma once
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 // The series of duplication.hpp over intervals, sum_n T_n/(2 n + 1) with what is left out after its
-// term N. T_n is a polynomial in E2 and E3 alone, of the monomials E2^i E3^j with 2 i + 3 j = n, so that
-// the sum is one of some twenty constants. By Horner's form it is expanded in these two,
+// term N. T_n is a polynomial in E2 and E3 alone, of the monomials E2^i E3^j with 2 i + 3 j = n, so
+// that the sum is one of some twenty constants. By Horner's form it is expanded in these two,
 //
 //   sum c_ab (E2 - E2_0)^a (E3 - E3_0)^b,   a + b <= order,
 //
-// and E2 and E3 as series are put into it: a tenth of the products of the recurrence. The tail as a function of E2 and E3,
-// |E2| <= e^2, |E3| <= e^3, has
+// and E2 and E3 as series are put into it: a third of the recurrence's products. The tail as a
+// function of E2 and E3, |E2| <= e^2, |E3| <= e^3, has
 //
 //   |d^(a+b) tail/dE2^a dE3^b| <= sum_(n > N) (n/2)^a (n/3)^b kappa^n e^(n - 2 a - 3 b)/(2 n + 1),
 //

@@ -46,8 +46,8 @@ struct Monomials {
     return total * (total + 1) * (total + 2) / 6 + beside * (beside + 1) / 2 +
            static_cast<std::size_t>(p.k);
   }
-  /// Pairs of places whose product is of the order or below: product += x[a] y[b]; those of one product
-  /// together, from first_pair[product] on.
+  /// Pairs of places whose product is of the order or below: product += x[a] y[b]; those of one
+  /// product together, from first_pair[product] on.
   struct Pair {
     std::size_t a;
     std::size_t b;

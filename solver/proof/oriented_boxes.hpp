@@ -70,8 +70,8 @@ struct OrientedBoxSystem {
     return !Layout::thickness && model.body.volume ? at_volume(*model.body.volume, out) : out;
   }
 
-  /// Where the potential is not defined or the volume another, and by the forces along the principal
-  /// axes of S, of which no row says as much where S is long and thin.
+  /// Where the potential is not defined or the volume another, and by the forces along the
+  /// principal axes of S, of which no row says as much where S is long and thin.
   bool excludes(const Box<N>& x) const { return excludes(x, nu_squared); }
   bool excludes(const Box<N>& x, const Interval& spin_squared) const {
     const auto y = all_coordinates<Layout>(x, rho);
@@ -101,8 +101,8 @@ struct OrientedBoxSystem {
   }
 
  private:
-  /// By the sum of the rows of u and v, in which a fibre is 2 k n (n + 1) >= -k/2, however stiff, and
-  /// whatever the directions.
+  /// By the sum of the rows of u and v, in which a fibre is 2 k n (n + 1) >= -k/2, however stiff,
+  /// and whatever the directions.
   bool pull_excludes(const OrientedStretch<Interval>& at, const Interval& spin_squared,
                      const AxisAngle<Interval>& axis) const {
     AnisotropicModel<Interval> without = model;
