@@ -133,40 +133,17 @@ struct PowerSeries {
   }
   friend PowerSeries operator*(const PowerSeries& x, const PowerSeries& y) {
     PowerSeries out;
-    for (std::size_t n = 0; n < List::count; ++n) {
-      if constexpr (std::is_same_v<S, Interval>) {
-        IntervalSum sum;
-        for_pairs(n, [&](std::size_t a, std::size_t b) { sum.add_product(x.c[a], y.c[b]); });
-        out.c[n] = sum.value();
-      } else {
-        bool begun = false;
-        for_pairs(n, [&](std::size_t a, std::size_t b) {
-          const S term = x.c[a] * y.c[b];
-          out.c[n] = begun ? out.c[n] + term : term;
-          begun = true;
-        });
-      }
-    }
+    for (std::size_t n = 0; n < List::count; ++n)
+      out.c[n] = sum_of_products(x, y, List::first_pair[n], List::first_pair[n + 1]);
     return out;
   }
   /// 1/x, x != 0.
   friend PowerSeries reciprocal(const PowerSeries& x) {
     PowerSeries out(S(1.0) / x.c[0]);
-    for (std::size_t n = 1; n < List::count; ++n) {
-      if constexpr (std::is_same_v<S, Interval>) {
-        IntervalSum sum;
-        for_pairs(n, [&](std::size_t a, std::size_t b) {
-          if (a != 0) sum.add_product(x.c[a], out.c[b]);
-        });
-        out.c[n] = -(out.c[0] * sum.value());
-      } else {
-        S sum(0.0);
-        for_pairs(n, [&](std::size_t a, std::size_t b) {
-          if (a != 0) sum = sum + x.c[a] * out.c[b];
-        });
-        out.c[n] = -(out.c[0] * sum);
-      }
-    }
+    // Of each product the first pair has place 0 of x: what is solved for.
+    for (std::size_t n = 1; n < List::count; ++n)
+      out.c[n] =
+          -(out.c[0] * sum_of_products(x, out, List::first_pair[n] + 1, List::first_pair[n + 1]));
     return out;
   }
   /// Of a positive x.
@@ -195,6 +172,23 @@ struct PowerSeries {
   }
 
  private:
+  /// Of these pairs, one at least.
+  static S sum_of_products(const PowerSeries& x, const PowerSeries& y, std::size_t first,
+                           std::size_t end) {
+    if constexpr (std::is_same_v<S, Interval>) {
+      IntervalSum sum;
+      for (std::size_t k = first; k < end; ++k)
+        sum.add_product(x.c[List::pairs[k].a], y.c[List::pairs[k].b]);
+      return sum.value();
+    } else {
+      const auto product = [&](std::size_t k) {
+        return S(x.c[List::pairs[k].a] * y.c[List::pairs[k].b]);
+      };
+      S sum = product(first);
+      for (std::size_t k = first + 1; k < end; ++k) sum = sum + product(k);
+      return sum;
+    }
+  }
   /// f(a, b) of the pairs whose product is coefficient n.
   template <class F>
   static void for_pairs(std::size_t n, const F& f) {

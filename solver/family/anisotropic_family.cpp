@@ -406,8 +406,9 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     const int place = coefficient_place();
     if (place < 0) return rows(out, scale);
     const Inertia3<double> J{at.body.J1, at.body.J2, at.body.J3};
-    const auto slopes = coefficient_slopes(at.models->potential, CoefficientDuals{place, false}, J,
-                                           system.stretch(y), system.spin(y, at.nu * at.nu));
+    const auto slopes =
+        coefficient_slopes(at.models->potential.model(CoefficientDuals{place, false}), J,
+                           system.stretch(y), system.spin(y, at.nu * at.nu));
     for (std::size_t i = 0; i < 4; ++i) out[i] += slopes[i].slope[0];
     return rows(out, scale);
   }

@@ -33,13 +33,6 @@ std::array<S, 4> balance_of(const AnisotropicModel<S>& model, const Inertia3<dou
 
 }  // namespace
 
-std::array<Dual2, 4> coefficient_slopes(const AnisotropicPotential& potential,
-                                        const CoefficientDuals& duals, const Inertia3<double>& J,
-                                        const OrientedStretch<double>& at,
-                                        const SpinProducts<double>& n) {
-  return balance_of(potential.model(duals), J, at, n);
-}
-
 std::array<Dual2, 4> coefficient_slopes(const AnisotropicModel<Dual2>& model,
                                         const Inertia3<double>& J,
                                         const OrientedStretch<double>& at,

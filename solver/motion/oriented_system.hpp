@@ -102,12 +102,6 @@ struct CoefficientDuals {
   }
 };
 
-/// Of the balance of a spin.
-std::array<Dual2, 4> coefficient_slopes(const AnisotropicPotential& potential,
-                                        const CoefficientDuals& duals, const Inertia3<double>& J,
-                                        const OrientedStretch<double>& at,
-                                        const SpinProducts<double>& n);
-
 /// Made once of a potential.
 struct OrientedModels {
   AnisotropicPotential potential;
@@ -119,7 +113,7 @@ struct OrientedModels {
   explicit OrientedModels(const AnisotropicPotential& from);
 };
 
-/// By a model that such duals made.
+/// Of the balance of a spin, by a model that such duals made.
 std::array<Dual2, 4> coefficient_slopes(const AnisotropicModel<Dual2>& model,
                                         const Inertia3<double>& J,
                                         const OrientedStretch<double>& at,

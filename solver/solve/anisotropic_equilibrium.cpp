@@ -213,10 +213,16 @@ const AnyFamily& AnisotropicSpectra::family_of(const Equilibrium& equilibrium) {
 }
 
 Spectrum AnisotropicSpectra::at(const Equilibrium& rounded) {
+  const auto solved = [](bool is) {
+    if (!is) throw std::invalid_argument("a spectrum needs a solved equilibrium");
+  };
+  solved(rounded.status == SolveStatus::solved);
   // One correction more finds the digits that rounding took, but where that is ill-conditioned.
   constexpr double well_conditioned = 0x1p-42;
   if (!(rounded.error_bound <= well_conditioned)) {
-    if (const auto out = corrected(rounded)) return *out;
+    const auto out = corrected(rounded);
+    solved(out.has_value());
+    return *out;
   }
   const double nu = rounded.nu[axis(problem_.branch())];
   return std::visit(

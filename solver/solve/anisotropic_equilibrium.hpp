@@ -32,7 +32,8 @@ class AnisotropicSpectra {
  public:
   explicit AnisotropicSpectra(const Problem& problem) : problem_(problem) {}
 
-  /// Of a motion as correctly rounded as solve() leaves it.
+  /// Of a motion as correctly rounded as solve() leaves it. Throws std::invalid_argument of one that
+  /// is not solved.
   Spectrum at(const Equilibrium& rounded);
   /// Of one that may be corrected first; nothing where that does not converge.
   std::optional<Spectrum> corrected(const Equilibrium& equilibrium);

@@ -55,27 +55,14 @@ class CoupledCurves final : public CurveEquations<3> {
         terms_(model_terms<3>(model, inputs)) {}
 
   CurveLinearized<3> linearize(const CurveBox<3>& y) const override {
-    const Interval xi = exp(y[0]);
-    const Interval zeta = exp(y[1]);
-    const Interval rho = exp(y[2]);
-    const auto b =
-        model_.log_balance(xi, zeta, rho, y[3] * rates_.xi, y[3] * rates_.zeta, y[3] * rates_.rho);
-    CurveLinearized<3> out;
-    out.g = {b.g_xi, b.g_zeta, b.g_rho};
-    out.slope[0] = {b.uu, b.uv, b.uw, -(rates_.xi * square(xi))};
-    out.slope[1] = {b.uv, b.vv, b.vw, -(rates_.zeta * square(zeta))};
-    out.slope[2] = {b.uw, b.vw, b.ww, -(rates_.rho * square(rho))};
-    return out;
-  }
-  CurveForces<3> forces(const CurveBox<3>& y) const override {
-    const Interval xi = exp(y[0]);
-    const Interval zeta = exp(y[1]);
-    const Interval rho = exp(y[2]);
-    const auto b = balance_alone(model_, xi, zeta, rho, y[3] * rates_.xi, y[3] * rates_.zeta,
-                                 y[3] * rates_.rho);
+    const auto [b, by_q] = at<2>(y);
     return {
         {b.g_xi, b.g_zeta, b.g_rho},
-        {-(rates_.xi * square(xi)), -(rates_.zeta * square(zeta)), -(rates_.rho * square(rho))}};
+        {{{b.uu, b.uv, b.uw, by_q[0]}, {b.uv, b.vv, b.vw, by_q[1]}, {b.uw, b.vw, b.ww, by_q[2]}}}};
+  }
+  CurveForces<3> forces(const CurveBox<3>& y) const override {
+    const auto [b, by_q] = at<1>(y);
+    return {{b.g_xi, b.g_zeta, b.g_rho}, by_q};
   }
   bool excludes(const CurveBox<3>& y) const override {
     return defined_nowhere(model_, exp(y[0]), exp(y[1]), exp(y[2]));
@@ -93,6 +80,21 @@ class CoupledCurves final : public CurveEquations<3> {
   }
 
  private:
+  struct Balance {
+    LogBalance<Interval> rows;
+    Box<3> by_q;
+  };
+  template <int order>
+  Balance at(const CurveBox<3>& y) const {
+    const Interval xi = exp(y[0]);
+    const Interval zeta = exp(y[1]);
+    const Interval rho = exp(y[2]);
+    return {
+        balance_of<order>(model_, xi, zeta, rho, y[3] * rates_.xi, y[3] * rates_.zeta,
+                          y[3] * rates_.rho),
+        {-(rates_.xi * square(xi)), -(rates_.zeta * square(zeta)), -(rates_.rho * square(rho))}};
+  }
+
   decltype(interval_model(std::declval<Coupled>(), Inputs())) model_;
   CentrifugalRates<Interval> rates_;
   CurveTerms<3> terms_;

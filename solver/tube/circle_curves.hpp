@@ -71,31 +71,24 @@ class CircleCurves final : public CurveEquations<N> {
         terms_(model_terms<N + 1>(model, inputs)) {}
 
   CurveLinearized<N> linearize(const CurveBox<N>& y) const override {
-    const Interval r = exp(y[0]);
-    const Interval c = y[N] * rate_;
-    const Interval pull = rate_ * square(r);
+    const auto [b, pull] = at<2>(y);
     CurveLinearized<N> out;
     if constexpr (coupled) {
-      const auto b = model_.log_balance(r, r, exp(y[1]), c, c, Interval(0.0));
       out.g = {b.g_xi, b.g_rho};
       out.slope[0] = {b.uu + b.uv, b.uw, -pull};
       out.slope[1] = {2.0 * b.uw, b.ww, Interval(0.0)};
     } else {
-      const auto b = model_.log_balance(r, r, c, c);
       out.g = {b.g_xi};
       out.slope[0] = {b.uu + b.uv, -pull};
     }
     return out;
   }
   CurveForces<N> forces(const CurveBox<N>& y) const override {
-    const Interval r = exp(y[0]);
-    const Interval c = y[N] * rate_;
-    const Interval pull = rate_ * square(r);
+    const auto [b, pull] = at<1>(y);
     if constexpr (coupled) {
-      const auto b = balance_alone(model_, r, r, exp(y[1]), c, c, Interval(0.0));
       return {{b.g_xi, b.g_rho}, {-pull, Interval(0.0)}};
     } else {
-      return {{balance_alone(model_, r, r, c, c).g_xi}, {-pull}};
+      return {{b.g_xi}, {-pull}};
     }
   }
   std::vector<Interval> conditions(const CurveBox<N>& y) const override {
@@ -131,6 +124,22 @@ class CircleCurves final : public CurveEquations<N> {
   }
 
  private:
+  struct Balance {
+    LogBalance<Interval> rows;
+    Interval pull;  ///< of the spin, over q
+  };
+  template <int order>
+  Balance at(const CurveBox<N>& y) const {
+    const Interval r = exp(y[0]);
+    const Interval c = y[N] * rate_;
+    const Interval pull = rate_ * square(r);
+    if constexpr (coupled) {
+      return {balance_of<order>(model_, r, r, exp(y[1]), c, c, Interval(0.0)), pull};
+    } else {
+      return {balance_of<order>(model_, r, r, c, c), pull};
+    }
+  }
+
   decltype(interval_model(std::declval<Model>(), Inputs())) model_;
   Interval rate_;
   HeldThickness thickness_;
@@ -156,52 +165,45 @@ class EllipseCurves final : public CurveEquations<N> {
   CurveLinearized<N> linearize(const CurveBox<N>& y) const override {
     const Stretches at = stretches(y);
     const Interval c = y[N] * rate_;
-    const Interval d = square(at.r);
-    const Interval t = 2.0 * (at.r * at.h.cosine);
-    const Interval difference = 2.0 * (at.r * at.h.sine);
-    const PlanarInvariants<Interval> plane{t, d, square(difference)};
-    const auto b = balance(at, c);
+    const auto plane = invariants(at);
+    const auto b = balance<2>(at, c);
     CurveLinearized<N> out;
     const auto divided = [&](const PlanarDerivatives<Interval>& w) {
       // dt = t d(ln r) + (xi - zeta) ds,  dl = 2 d(ln r).
       const Interval stiffness = w.w_tt - c;
-      out.g[0] = w.w_t - c * t;
-      out.slope[0][0] = t * stiffness + 2.0 * w.w_tl;
-      out.slope[0][1] = difference * stiffness;
-      out.slope[0][N] = -(rate_ * t);
+      out.g[0] = w.w_t - c * plane.t;
+      out.slope[0][0] = plane.t * stiffness + 2.0 * w.w_tl;
+      out.slope[0][1] = difference(at) * stiffness;
     };
     out.g[1] = b.g_zeta;
     out.slope[1][0] = b.uv + b.vv;
     out.slope[1][1] = b.uv - b.vv;
-    out.slope[1][N] = -(rate_ * square(at.zeta));
     if constexpr (coupled) {
       const auto w = model_.template evaluate<2>(plane, at.rho);
       divided(w.plane);
       out.slope[0][2] = w.w_tr;
       out.slope[1][2] = b.vw;
       out.g[2] = b.g_rho;
-      out.slope[2] = {b.uw + b.vw, b.uw - b.vw, b.ww, Interval(0.0)};
+      out.slope[2] = {b.uw + b.vw, b.uw - b.vw, b.ww};
     } else {
       divided(model_.template evaluate<2>(plane));
     }
+    const Box<N> pull = by_q(at, plane.t);
+    for (std::size_t i = 0; i < pull.size(); ++i) out.slope[i][N] = pull[i];
     return out;
   }
   CurveForces<N> forces(const CurveBox<N>& y) const override {
     const Stretches at = stretches(y);
     const Interval c = y[N] * rate_;
-    const Interval t = 2.0 * (at.r * at.h.cosine);
-    const PlanarInvariants<Interval> plane{t, square(at.r), square(2.0 * (at.r * at.h.sine))};
-    const auto b = balance_of(at, c);
-    CurveForces<N> out;
+    const auto plane = invariants(at);
+    const auto b = balance<1>(at, c);
+    const Box<N> pull = by_q(at, plane.t);
     if constexpr (coupled) {
-      out.g = {model_.template evaluate<1>(plane, at.rho).plane.w_t - c * t, b.g_zeta, b.g_rho};
-      out.by_q[2] = Interval(0.0);
+      const auto w = model_.template evaluate<1>(plane, at.rho).plane;
+      return {{w.w_t - c * plane.t, b.g_zeta, b.g_rho}, pull};
     } else {
-      out.g = {model_.template evaluate<1>(plane).w_t - c * t, b.g_zeta};
+      return {{model_.template evaluate<1>(plane).w_t - c * plane.t, b.g_zeta}, pull};
     }
-    out.by_q[0] = -(rate_ * t);
-    out.by_q[1] = -(rate_ * square(at.zeta));
-    return out;
   }
   std::vector<Interval> conditions(const CurveBox<N>& y) const override {
     const EllipseAxes at = axes(y);
@@ -219,7 +221,7 @@ class EllipseCurves final : public CurveEquations<N> {
     } else {
       outside = defined_nowhere(model_, at.xi, at.zeta);
     }
-    return outside || !balance_of(at, y[N] * rate_).g_xi.may_be(0.0);
+    return outside || !balance<1>(at, y[N] * rate_).g_xi.may_be(0.0);
   }
   bool contract(CurveBox<N>& y) const override {
     const Interval c = y[N] * rate_;
@@ -250,20 +252,23 @@ class EllipseCurves final : public CurveEquations<N> {
     return {exp(y[0]), hyperbolic_range(y[1]), exp(at.log_xi), exp(at.log_zeta),
             coupled ? exp(y[N - 1]) : Interval(1.0)};
   }
+  /// xi - zeta.
+  static Interval difference(const Stretches& at) { return 2.0 * (at.r * at.h.sine); }
+  static PlanarInvariants<Interval> invariants(const Stretches& at) {
+    return {2.0 * (at.r * at.h.cosine), square(at.r), square(difference(at))};
+  }
+  template <int order>
   auto balance(const Stretches& at, const Interval& c) const {
     if constexpr (coupled) {
-      return model_.log_balance(at.xi, at.zeta, at.rho, c, c, Interval(0.0));
+      return balance_of<order>(model_, at.xi, at.zeta, at.rho, c, c, Interval(0.0));
     } else {
-      return model_.log_balance(at.xi, at.zeta, c, c);
+      return balance_of<order>(model_, at.xi, at.zeta, c, c);
     }
   }
-  /// Without slopes where the model can leave them out.
-  auto balance_of(const Stretches& at, const Interval& c) const {
-    if constexpr (coupled) {
-      return balance_alone(model_, at.xi, at.zeta, at.rho, c, c, Interval(0.0));
-    } else {
-      return balance_alone(model_, at.xi, at.zeta, c, c);
-    }
+  Box<N> by_q(const Stretches& at, const Interval& t) const {
+    Box<N> out{-(rate_ * t), -(rate_ * square(at.zeta))};
+    if constexpr (coupled) out[2] = Interval(0.0);
+    return out;
   }
   static EllipseAxes axes(const CurveBox<N>& y) { return {y[0] + y[1], y[0] - y[1]}; }
 

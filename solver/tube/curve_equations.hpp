@@ -39,11 +39,11 @@ struct CurveForces {
   Box<N> by_q;
 };
 
-/// A model's balance, without slopes where it can leave them out.
-template <class Model, class... Arguments>
-auto balance_alone(const Model& model, const Arguments&... arguments) {
-  if constexpr (requires { model.template log_balance<1>(arguments...); }) {
-    return model.template log_balance<1>(arguments...);
+/// A model's balance; of order 1 without slopes, where it can leave them out.
+template <int order, class Model, class... Arguments>
+auto balance_of(const Model& model, const Arguments&... arguments) {
+  if constexpr (requires { model.template log_balance<order>(arguments...); }) {
+    return model.template log_balance<order>(arguments...);
   } else {
     return model.log_balance(arguments...);
   }

@@ -34,25 +34,12 @@ class HeldCurves final : public CurveEquations<2> {
       : model_(interval_model(model, inputs)), rates_(rates), thickness_(thickness) {}
 
   CurveLinearized<2> linearize(const CurveBox<2>& y) const override {
-    const Interval xi = exp(y[0]);
-    const Interval zeta = exp(y[1]);
-    const auto b =
-        model_.log_balance(xi, zeta, y[2] * rates_.xi, y[2] * rates_.zeta, y[2] * rates_.rho);
-    const Interval pull_of_rho = rates_.rho * square(model_.thickness(xi, zeta));
-    CurveLinearized<2> out;
-    out.g = {b.g_xi, b.g_zeta};
-    out.slope[0] = {b.uu, b.uv, pull_of_rho - rates_.xi * square(xi)};
-    out.slope[1] = {b.uv, b.vv, pull_of_rho - rates_.zeta * square(zeta)};
-    return out;
+    const auto [b, by_q] = at<2>(y);
+    return {{b.g_xi, b.g_zeta}, {{{b.uu, b.uv, by_q[0]}, {b.uv, b.vv, by_q[1]}}}};
   }
   CurveForces<2> forces(const CurveBox<2>& y) const override {
-    const Interval xi = exp(y[0]);
-    const Interval zeta = exp(y[1]);
-    const auto b =
-        balance_alone(model_, xi, zeta, y[2] * rates_.xi, y[2] * rates_.zeta, y[2] * rates_.rho);
-    const Interval pull_of_rho = rates_.rho * square(model_.thickness(xi, zeta));
-    return {{b.g_xi, b.g_zeta},
-            {pull_of_rho - rates_.xi * square(xi), pull_of_rho - rates_.zeta * square(zeta)}};
+    const auto [b, by_q] = at<1>(y);
+    return {{b.g_xi, b.g_zeta}, by_q};
   }
   std::vector<Interval> conditions(const CurveBox<2>& y) const override {
     std::vector<Interval> out;
@@ -69,6 +56,20 @@ class HeldCurves final : public CurveEquations<2> {
   }
 
  private:
+  struct Balance {
+    LogBalance<Interval> rows;
+    Box<2> by_q;
+  };
+  template <int order>
+  Balance at(const CurveBox<2>& y) const {
+    const Interval xi = exp(y[0]);
+    const Interval zeta = exp(y[1]);
+    const Interval pull_of_rho = rates_.rho * square(model_.thickness(xi, zeta));
+    return {balance_of<order>(model_, xi, zeta, y[2] * rates_.xi, y[2] * rates_.zeta,
+                              y[2] * rates_.rho),
+            {pull_of_rho - rates_.xi * square(xi), pull_of_rho - rates_.zeta * square(zeta)}};
+  }
+
   HeldPlane<Interval> model_;
   CentrifugalRates<Interval> rates_;
   HeldThickness thickness_;

@@ -233,6 +233,11 @@ TEST(AnisotropicBatch, ProvenNoneWhereTheThicknessHasNoBalance) {
   EXPECT_EQ(out.cell(0, 0).status, SolveStatus::solved);
   EXPECT_EQ(out.cell(0, 1).status, SolveStatus::none_exists);
   EXPECT_EQ(out.cell(0, 2).status, SolveStatus::none_exists);
+  const CellPlace none{0, 1};
+  CellSpectrum spectrum;
+  EXPECT_THROW((void)cell_spectra(BatchInput(problem, 1, {0.9, 1.0, 1.1}), out, {&none, 1}, {},
+                                  {&spectrum, 1}),
+               std::invalid_argument);
   EXPECT_EQ(solve(problem, 1.1).status, SolveStatus::none_exists);
 }
 

@@ -208,7 +208,8 @@ TEST(InputSensitivity, SlopesByCoefficientsAreSlopes) {
                          random.uniform(0.8, 1.3), random.uniform(1.1, 1.3));
     const int count = made.V.coefficient_count();
     for (int first = 0; first < count; first += 2) {
-      const auto slopes = coefficient_slopes(made.V, CoefficientDuals{first, false}, J, at, n);
+      const auto slopes =
+          coefficient_slopes(made.V.model(CoefficientDuals{first, false}), J, at, n);
       for (int k = 0; k < 2 && first + k < count; ++k) {
         const auto ahead = oriented_balance<1>(J, made.V.model(Shifted{first + k, h}), at, n).g;
         const auto behind = oriented_balance<1>(J, made.V.model(Shifted{first + k, -h}), at, n).g;

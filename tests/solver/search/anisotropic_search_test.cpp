@@ -85,8 +85,8 @@ TEST(AnisotropicSearch, TheMotionsFromRestAreAmongThem) {
   }
 }
 
-/// Where a long thin S across the fibre is in balance but for a few hundredths of its forces: what the
-/// principal forces exclude, no row does, and a hundred times the boxes would be needed.
+/// Where a long thin S across the fibre is in balance but for a few hundredths of its forces: what
+/// the principal forces exclude no row does, and some forty times the boxes would be needed.
 TEST(AnisotropicSearch, ValleysAcrossAFibreTakeFewBoxes) {
   const Body disc(1.0, 1.7, 0.6);
   const Potential V = fibred(NeoHookean<>{1.0, 2.0}, 0.4, 30.0);
