@@ -127,83 +127,88 @@ struct HessenbergPolynomial {
   }
 };
 
+/// H - lambda in factors, lambda an eigenvalue to working precision, and its null vectors; the
+/// largest component of each is of order one.
 template <class T, std::size_t n>
-struct NullVectors {
-  std::array<T, n> right;
-  std::array<T, n> left;
-};
+class NullSpace {
+ public:
+  NullSpace(const Square<double, n>& h, const T& lambda) {
+    double size = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = i > 0 ? i - 1 : 0; j < n; ++j) {
+        u_[i][j] = h[i][j];
+        size = std::fmax(size, std::abs(h[i][j]));
+      }
+      u_[i][i] -= lambda;
+    }
+    const double least =
+        std::fmax(0x1p-53 * std::fmax(size, one_norm(lambda)), std::numeric_limits<double>::min());
+    for (std::size_t k = 0; k < n; ++k) {
+      if (k + 1 < n) {
+        swapped_[k] = one_norm(u_[k + 1][k]) > one_norm(u_[k][k]);
+        if (swapped_[k])
+          for (std::size_t j = k; j < n; ++j) std::swap(u_[k][j], u_[k + 1][j]);
+      }
+      if (one_norm(u_[k][k]) < least) u_[k][k] = least;
+      pivot_[k] = inverse(u_[k][k]);
+      if (k + 1 < n) {
+        m_[k] = product(u_[k + 1][k], pivot_[k]);
+        for (std::size_t j = k + 1; j < n; ++j) u_[k + 1][j] -= product(m_[k], u_[k][j]);
+      }
+    }
+  }
 
-/// Of H - lambda, lambda an eigenvalue to working precision; the largest component of each is of
-/// order one.
-template <class T, std::size_t n>
-NullVectors<T, n> null_vectors(const Square<double, n>& h, const T& lambda) {
-  Square<T, n> u;
-  double size = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i > 0 ? i - 1 : 0; j < n; ++j) {
-      u[i][j] = h[i][j];
-      size = std::fmax(size, std::abs(h[i][j]));
+  std::array<T, n> right() const {
+    std::array<T, n> x;
+    x.fill(T(1.0));
+    solve_upper(x);
+    normalize(x);
+    // Once more, from where it is.
+    for (std::size_t k = 0; k + 1 < n; ++k) {
+      if (swapped_[k]) std::swap(x[k], x[k + 1]);
+      x[k + 1] -= product(m_[k], x[k]);
     }
-    u[i][i] -= lambda;
+    solve_upper(x);
+    normalize(x);
+    return x;
   }
-  const double least =
-      std::fmax(0x1p-53 * std::fmax(size, one_norm(lambda)), std::numeric_limits<double>::min());
-  std::array<T, n> m;
-  std::array<bool, n> swapped;
-  std::array<T, n> pivot;  // inverses
-  for (std::size_t k = 0; k < n; ++k) {
-    if (k + 1 < n) {
-      swapped[k] = one_norm(u[k + 1][k]) > one_norm(u[k][k]);
-      if (swapped[k])
-        for (std::size_t j = k; j < n; ++j) std::swap(u[k][j], u[k + 1][j]);
+
+  std::array<T, n> left() const {
+    std::array<T, n> x;
+    x.fill(T(1.0));
+    for (int pass = 0; pass < 2; ++pass) {
+      for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t j = 0; j < k; ++j) x[k] -= product(u_[j][k], x[j]);
+        x[k] = product(x[k], pivot_[k]);
+      }
+      for (std::size_t k = n - 1; k-- > 0;) {
+        x[k] -= product(m_[k], x[k + 1]);
+        if (swapped_[k]) std::swap(x[k], x[k + 1]);
+      }
+      normalize(x);
     }
-    if (one_norm(u[k][k]) < least) u[k][k] = least;
-    pivot[k] = inverse(u[k][k]);
-    if (k + 1 < n) {
-      m[k] = product(u[k + 1][k], pivot[k]);
-      for (std::size_t j = k + 1; j < n; ++j) u[k + 1][j] -= product(m[k], u[k][j]);
-    }
+    return x;
   }
-  NullVectors<T, n> out;
-  const auto normalize = [](std::array<T, n>& x) {
+
+ private:
+  static void normalize(std::array<T, n>& x) {
     double largest = 0.0;
     for (const T& each : x) largest = std::fmax(largest, one_norm(each));
     const double scale = 1.0 / largest;
     for (T& each : x) each *= scale;
-  };
-  const auto solve_upper = [&](std::array<T, n>& x) {
-    for (std::size_t k = n; k-- > 0;) {
-      for (std::size_t j = k + 1; j < n; ++j) x[k] -= product(u[k][j], x[j]);
-      x[k] = product(x[k], pivot[k]);
-    }
-  };
-  out.right.fill(T(1.0));
-  solve_upper(out.right);
-  normalize(out.right);
-  // Once more, from where it is.
-  const auto solve_lower = [&](std::array<T, n>& x) {
-    for (std::size_t k = 0; k + 1 < n; ++k) {
-      if (swapped[k]) std::swap(x[k], x[k + 1]);
-      x[k + 1] -= product(m[k], x[k]);
-    }
-  };
-  solve_lower(out.right);
-  solve_upper(out.right);
-  normalize(out.right);
-
-  out.left.fill(T(1.0));
-  for (int pass = 0; pass < 2; ++pass) {
-    for (std::size_t k = 0; k < n; ++k) {
-      for (std::size_t j = 0; j < k; ++j) out.left[k] -= product(u[j][k], out.left[j]);
-      out.left[k] = product(out.left[k], pivot[k]);
-    }
-    for (std::size_t k = n - 1; k-- > 0;) {
-      out.left[k] -= product(m[k], out.left[k + 1]);
-      if (swapped[k]) std::swap(out.left[k], out.left[k + 1]);
-    }
-    normalize(out.left);
   }
-  return out;
-}
+
+  void solve_upper(std::array<T, n>& x) const {
+    for (std::size_t k = n; k-- > 0;) {
+      for (std::size_t j = k + 1; j < n; ++j) x[k] -= product(u_[k][j], x[j]);
+      x[k] = product(x[k], pivot_[k]);
+    }
+  }
+
+  Square<T, n> u_;
+  std::array<T, n> m_;
+  std::array<bool, n> swapped_;
+  std::array<T, n> pivot_;  ///< inverses
+};
 
 }  // namespace stationary

@@ -365,12 +365,6 @@ double cube_root(double x) noexcept {
   return std::copysign(small ? 0x1p-200 * root : root, x);
 }
 
-double modulus(const std::complex<double>& z) noexcept {
-  const double square = z.real() * z.real() + z.imag() * z.imag();
-  if (0x1p-900 < square && square < 0x1p1000) return std::sqrt(square);
-  return hypotenuse(z.real(), z.imag());
-}
-
 /// By the larger part of w (R. L. Smith, Comm. ACM 5 (1962) 435).
 std::complex<double> quotient(const std::complex<double>& z,
                               const std::complex<double>& w) noexcept {

@@ -13,6 +13,7 @@
 // Of templates too: log(x) without std:: is this one for a double, and the number's own otherwise.
 #pragma once
 
+#include <cmath>
 #include <complex>
 
 namespace stationary {
@@ -36,7 +37,11 @@ namespace stationary {
 
 /// |z| within an ulp, z / w, and the square root with a real part that is not negative: those of
 /// the standard library come from the C library and the compiler's run-time.
-[[gnu::pure]] double modulus(const std::complex<double>& z) noexcept;
+inline double modulus(const std::complex<double>& z) noexcept {
+  const double square = z.real() * z.real() + z.imag() * z.imag();
+  if (0x1p-900 < square && square < 0x1p1000) return std::sqrt(square);
+  return hypotenuse(z.real(), z.imag());
+}
 inline double modulus(double x) { return x < 0.0 ? -x : x; }
 [[gnu::pure]] std::complex<double> quotient(const std::complex<double>& z,
                                             const std::complex<double>& w) noexcept;

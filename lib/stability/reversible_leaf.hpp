@@ -198,6 +198,12 @@ class ReversibleProblem {
   void count_signs(LeafModes<n>& out) const {
     const auto scale_A = unit_scales(leaf_.A_magnitude);
     const auto scale_B = unit_scales(leaf_.B_magnitude);
+    const double u = facts_.uncertainty;
+    out.negative = 0;
+    out.definite = !facts_.forced_zero &&
+                   positive_definite(leaf_.A, leaf_.A_magnitude, scale_A, u) &&
+                   positive_definite(leaf_.B, leaf_.B_magnitude, scale_B, u);
+    if (out.definite) return;
     const PivotSigns A = pivot_signs(leaf_.A, scale_A, facts_.forced_zero);
     const PivotSigns B = pivot_signs(leaf_.B, scale_B, facts_.forced_zero);
     out.negative = A.negative + B.negative;
@@ -205,10 +211,6 @@ class ReversibleProblem {
       const PivotSigns& zero = A.weakest < B.weakest ? A : B;
       out.negative -= zero.last_negative;
     }
-    const double u = facts_.uncertainty;
-    out.definite = out.negative == 0 && !facts_.forced_zero &&
-                   positive_definite(leaf_.A, leaf_.A_magnitude, scale_A, u) &&
-                   positive_definite(leaf_.B, leaf_.B_magnitude, scale_B, u);
   }
 
   /// Vectors, energies and bounds.
@@ -235,16 +237,18 @@ class ReversibleProblem {
       } else {
         lambda[i] = roots.lambda[i];
       }
-      NullVectors<T, n> x = null_vectors<T, n>(h, lambda[i]);
-      hessenberg.carry_right(x.right);
-      hessenberg.carry_left(x.left);
+      const NullSpace<T, n> space(h, lambda[i]);
+      u[i] = space.right();
+      v[i] = space.left();
+      hessenberg.carry_right(u[i]);
+      hessenberg.carry_left(v[i]);
       double right = 0.0;
       double left = 0.0;
       for (std::size_t k = 0; k < n; ++k) {
-        right += one_norm(x.right[k]);
-        left += one_norm(x.left[k]);
-        u[i][k] = x.right[k] * (1.0 / scale_[k]);
-        v[i][k] = x.left[k] * scale_[k];
+        right += one_norm(u[i][k]);
+        left += one_norm(v[i][k]);
+        u[i][k] *= 1.0 / scale_[k];
+        v[i][k] *= scale_[k];
       }
       rounding[i] = right * left;
     }

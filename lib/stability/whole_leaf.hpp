@@ -1,9 +1,9 @@
-// Leaves that no reversing symmetry divides, as a whole: H = J E'' to Hessenberg form, its
-// characteristic polynomial, even but for rounding, as one in Lambda = s^2.
+// Leaves that no reversing symmetry divides, as a whole: H = J E'', its square to Hessenberg form
+// (skew_hamiltonian.hpp), whose characteristic polynomial is that of Lambda = s^2.
 //
-// With z, w the vectors of s and -s (w conjugate to z where s is imaginary) the left vector of s is
-// J w up to sign, and a change dE moves the matrix of H^2 in the basis of all z, w by
-// (s_i + s_j) w_i^T dE z_j/(w_i^T J^-1 z_i), but for squares of dE.
+// Of H^2 X = Lambda X the vectors of s and -s are z = (H + s) X and w = (H - s) X (w conjugate to z
+// where s is imaginary). The left vector of s is J w up to sign, and a change dE moves the matrix of
+// H^2 in the basis of all z, w by (s_i + s_j) w_i^T dE z_j/(w_i^T J^-1 z_i), but for squares of dE.
 #pragma once
 
 #include <array>
@@ -13,6 +13,7 @@
 
 #include "lib/matrix/eigenvalue_discs.hpp"
 #include "lib/matrix/form_signs.hpp"
+#include "lib/matrix/skew_hamiltonian.hpp"
 #include "lib/number/elementary.hpp"
 #include "lib/stability/leaf_modes.hpp"
 #include "lib/stability/leaf_roots.hpp"
@@ -42,10 +43,13 @@ class WholeLeafProblem {
   /// close: false then.
   bool find(LeafModes<n>& out) {
     const auto own = unit_scales(magnitude_);
-    const PivotSigns signs = pivot_signs(E_, own, facts_.forced_zero);
-    out.negative = signs.negative - (facts_.forced_zero && signs.last_negative);
-    out.definite = out.negative == 0 && !facts_.forced_zero &&
-                   positive_definite(E_, magnitude_, own, facts_.uncertainty);
+    out.negative = 0;
+    out.definite =
+        !facts_.forced_zero && positive_definite(E_, magnitude_, own, facts_.uncertainty);
+    if (!out.definite) {
+      const PivotSigns signs = pivot_signs(E_, own, facts_.forced_zero);
+      out.negative = signs.negative - (facts_.forced_zero && signs.last_negative);
+    }
     // H of scaled coordinates, x_k -> x_k/c_k, p_k -> c_k p_k, and of s of order one.
     Square<DoubleDouble, N> H;
     double largest = 0.0;
@@ -64,17 +68,14 @@ class WholeLeafProblem {
         entry.lo /= unit_;
       }
     }
-    const Hessenberg<DoubleDouble, N> hessenberg(H);
-    const HessenbergPolynomial<DoubleDouble, N> p(hessenberg.h);
-    std::array<DoubleDouble, n + 1> even;
-    std::array<double, n + 1> magnitude;
-    for (std::size_t k = 0; k <= n; ++k) {
-      even[k] = p.c[2 * k];
-      magnitude[k] = p.magnitude[2 * k];
-    }
-    const LeafRoots<n> roots =
-        facts_.forced_zero ? leaf_roots<n, 1>(even, magnitude) : leaf_roots<n, 0>(even, magnitude);
-    return roots.sure && follow(hessenberg, roots, out);
+    const SkewHamiltonian<DoubleDouble, n> squares(H);
+    const HessenbergPolynomial<DoubleDouble, n> p(squares.hessenberg());
+    const LeafRoots<n> roots = facts_.forced_zero ? leaf_roots<n, 1>(p.c, p.magnitude)
+                                                  : leaf_roots<n, 0>(p.c, p.magnitude);
+    if (!roots.sure) return false;
+    for (std::size_t i = 0; i < N; ++i)
+      for (std::size_t j = 0; j < N; ++j) H_[i][j] = leading(H[i][j]);
+    return follow(squares, roots, out);
   }
 
  private:
@@ -83,11 +84,79 @@ class WholeLeafProblem {
   template <class T>
   using Vector = std::array<T, N>;
 
-  /// w^T J^-1 z.
-  static Complex paired(const Vector<Complex>& w, const Vector<Complex>& z) {
-    Complex sum = 0.0;
-    for (std::size_t k = 0; k < n; ++k) sum += product(w[n + k], z[k]) - product(w[k], z[n + k]);
-    return sum;
+  struct Mode {
+    bool imaginary = false;  ///< w is conjugate to z
+    Vector<Complex> z;
+    Vector<Complex> w;
+    Vector<double> z_size;
+    Vector<double> w_size;
+    double paired = 0.0;   ///< |w^T J^-1 z|
+    double overlap = 0.0;  ///< |left| |right|/|left . right| of the scaled vectors
+    double energy = 0.0;   ///< of an imaginary one: z^* E'' z, against its terms
+  };
+
+  /// (H + s) X and (H - s) X, of X that H^2 takes to s^2 X; false where one of them is mostly
+  /// rounding.
+  template <class T>
+  bool set_vectors(const Vector<T>& X, const Complex& s, Mode& m) const {
+    double z = 0.0;
+    double w = 0.0;
+    double terms = 0.0;
+    for (std::size_t i = 0; i < N; ++i) {
+      T row(0.0);
+      for (std::size_t j = 0; j < N; ++j) row += H_[i][j] * X[j];
+      const Complex turned = product(s, Complex(X[i]));
+      m.z[i] = row + turned;
+      m.w[i] = row - turned;
+      z += one_norm(m.z[i]);
+      w += one_norm(m.w[i]);
+      terms += one_norm(row) + one_norm(turned);
+    }
+    return std::fmin(z, w) > 0x1p-20 * terms;
+  }
+
+  /// From z and w in scaled coordinates.
+  void complete(Mode& m) const {
+    double right = 0.0;
+    double left = 0.0;
+    for (std::size_t k = 0; k < N; ++k) {
+      right += one_norm(m.z[k]);
+      m.z[k] /= scale_[k];
+      m.z_size[k] = modulus(m.z[k]);
+    }
+    if (m.imaginary) {
+      // (x - iy)^T J^-1 (x + iy), and z^* E'' z.
+      left = right;
+      m.w_size = m.z_size;
+      for (std::size_t k = 0; k < n; ++k)
+        m.paired += m.z[n + k].real() * m.z[k].imag() - m.z[n + k].imag() * m.z[k].real();
+      m.paired = 2.0 * std::abs(m.paired);
+      double terms = 0.0;
+      for (std::size_t k = 0; k < N; ++k) {
+        double re = 0.0;
+        double im = 0.0;
+        double sizes = 0.0;
+        for (std::size_t l = 0; l < N; ++l) {
+          re += leading(E_[k][l]) * m.z[l].real();
+          im += leading(E_[k][l]) * m.z[l].imag();
+          sizes += magnitude_[k][l] * m.z_size[l];
+        }
+        m.energy += m.z[k].real() * re + m.z[k].imag() * im;
+        terms += m.z_size[k] * sizes;
+      }
+      m.energy /= terms;
+    } else {
+      Complex sum = 0.0;
+      for (std::size_t k = 0; k < N; ++k) {
+        left += one_norm(m.w[k]);
+        m.w[k] /= scale_[k];
+        m.w_size[k] = modulus(m.w[k]);
+      }
+      for (std::size_t k = 0; k < n; ++k)
+        sum += product(m.w[n + k], m.z[k]) - product(m.w[k], m.z[n + k]);
+      m.paired = modulus(sum);
+    }
+    m.overlap = right * left / m.paired;
   }
 
   static double inner(const Vector<double>& x, const Vector<double>& y) {
@@ -97,108 +166,76 @@ class WholeLeafProblem {
   }
 
   /// Vectors, energies and bounds.
-  bool follow(const Hessenberg<DoubleDouble, N>& hessenberg, const LeafRoots<n>& roots,
+  bool follow(const SkewHamiltonian<DoubleDouble, n>& squares, const LeafRoots<n>& roots,
               LeafModes<n>& out) const {
     out.forced = roots.forced;
-    Square<double, N> h;
-    double h_size = 0.0;
-    for (std::size_t i = 0; i < N; ++i) {
-      for (std::size_t j = 0; j < N; ++j) {
-        h[i][j] = leading(hessenberg.h[i][j]);
-        h_size = std::fmax(h_size, std::abs(h[i][j]));
+    Square<double, n> a;
+    double size = 1.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        a[i][j] = leading(squares.hessenberg()[i][j]);
+        size = std::fmax(size, std::abs(a[i][j]));
       }
     }
-    std::array<Vector<Complex>, n> z;
-    std::array<Vector<Complex>, n> w;
     std::array<Complex, n> s;
-    std::array<double, n> rounding{};
-    std::array<Complex, n> c;
-    std::array<double, n> energy{};
-    std::array<Vector<double>, n> z_size;
-    std::array<Vector<double>, n> w_size;
+    std::array<Mode, n> modes;
     for (std::size_t i = 0; i < n; ++i) {
-      if (i == roots.forced) {
-        s[i] = 0.0;
-        continue;
+      s[i] = 0.0;
+      if (i == roots.forced) continue;
+      const Complex& lambda = roots.lambda[i];
+      s[i] = square_root(lambda);
+      Mode& m = modes[i];
+      if (lambda.imag() == 0.0) {
+        m.imaginary = lambda.real() < 0.0;
+        if (m.imaginary) s[i] = Complex(0.0, std::abs(s[i].imag()));
+        const auto x = NullSpace<double, n>(a, lambda.real()).right();
+        if (!set_vectors(squares.carry(x), s[i], m)) return false;
+      } else {
+        const auto x = NullSpace<Complex, n>(a, lambda).right();
+        if (!set_vectors(squares.carry(x), s[i], m)) return false;
       }
-      s[i] = square_root(roots.lambda[i]);
-      if (roots.lambda[i].imag() == 0.0 && roots.lambda[i].real() < 0.0)
-        s[i] = Complex(0.0, std::abs(s[i].imag()));
-      NullVectors<Complex, N> x = null_vectors<Complex, N>(h, s[i]);
-      hessenberg.carry_right(x.right);
-      hessenberg.carry_left(x.left);
-      double right = 0.0;
-      double left = 0.0;
-      for (std::size_t k = 0; k < N; ++k) {
-        right += one_norm(x.right[k]);
-        left += one_norm(x.left[k]);
-        z[i][k] = x.right[k] / scale_[k];
-      }
-      for (std::size_t k = 0; k < n; ++k) {
-        w[i][k] = -x.left[n + k] * scale_[n + k];
-        w[i][n + k] = x.left[k] * scale_[k];
-      }
-      c[i] = paired(w[i], z[i]);
-      rounding[i] = right * left / modulus(c[i]);
-      for (std::size_t k = 0; k < N; ++k) {
-        z_size[i][k] = modulus(z[i][k]);
-        w_size[i][k] = modulus(w[i][k]);
-      }
-      if (roots.lambda[i].imag() == 0.0 && roots.lambda[i].real() < 0.0) {
-        // z^* E z, against its terms.
-        double terms = 0.0;
-        for (std::size_t k = 0; k < N; ++k) {
-          Complex row = 0.0;
-          double sizes = 0.0;
-          for (std::size_t l = 0; l < N; ++l) {
-            row += leading(E_[k][l]) * z[i][l];
-            sizes += magnitude_[k][l] * z_size[i][l];
-          }
-          energy[i] += z[i][k].real() * row.real() + z[i][k].imag() * row.imag();
-          terms += z_size[i][k] * sizes;
-        }
-        energy[i] /= terms;
-      }
+      complete(m);
     }
     Square<double, n> d;
     for (std::size_t j = 0; j < n; ++j) {
+      const Mode& other = modes[j];
+      for (std::size_t i = 0; i < n; ++i) d[i][j] = 0.0;
+      if (j == roots.forced) continue;
       Vector<double> of_z;
       Vector<double> of_w;
-      if (j == roots.forced) {
-        for (std::size_t i = 0; i < n; ++i) d[i][j] = 0.0;
-        continue;
-      }
-      for (std::size_t k = 0; k < N; ++k) {
-        of_z[k] = inner(magnitude_[k], z_size[j]);
-        of_w[k] = inner(magnitude_[k], w_size[j]);
+      for (std::size_t k = 0; k < N; ++k) of_z[k] = inner(magnitude_[k], other.z_size);
+      if (other.imaginary) {
+        of_w = of_z;
+      } else {
+        for (std::size_t k = 0; k < N; ++k) of_w[k] = inner(magnitude_[k], other.w_size);
       }
       for (std::size_t i = 0; i < n; ++i) {
-        if (i == roots.forced) {
-          d[i][j] = 0.0;
-          continue;
-        }
+        if (i == roots.forced) continue;
+        const Mode& m = modes[i];
         if (i == j) {
-          d[i][i] =
-              facts_.uncertainty * 2.0 * modulus(s[i]) * inner(w_size[i], of_z) / modulus(c[i]);
+          d[i][i] = facts_.uncertainty * 2.0 * modulus(s[i]) * inner(m.w_size, of_z) / m.paired;
           continue;
         }
         // Rows of z_i and of w_i; z and w of j.
         const double sum = modulus(s[i] + s[j]);
         const double difference = modulus(s[i] - s[j]);
-        const double by_w = sum * inner(w_size[i], of_z) + difference * inner(w_size[i], of_w);
-        const double by_z = difference * inner(z_size[i], of_z) + sum * inner(z_size[i], of_w);
-        d[i][j] =
-            facts_.uncertainty * std::fmax(by_w, by_z) / std::sqrt(modulus(product(c[i], c[j])));
+        double by = 0.0;
+        if (m.imaginary && other.imaginary) {
+          by = (sum + difference) * inner(m.z_size, of_z);
+        } else {
+          const double by_w = sum * inner(m.w_size, of_z) + difference * inner(m.w_size, of_w);
+          const double by_z = difference * inner(m.z_size, of_z) + sum * inner(m.z_size, of_w);
+          by = std::fmax(by_w, by_z);
+        }
+        d[i][j] = facts_.uncertainty * by / std::sqrt(m.paired * other.paired);
       }
     }
+    std::array<double, n> rounding{};
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) d[i][j] *= unit_;
       out.lambda[i] = roots.lambda[i] * (unit_ * unit_);
-      rounding[i] =
-          i == roots.forced
-              ? 0.0
-              : unit_ * unit_ *
-                    (2.0 * modulus(s[i]) * 0x1p-94 * h_size * rounding[i] + roots.error[i]);
+      if (i == roots.forced) continue;
+      rounding[i] = unit_ * unit_ * (2.0 * 0x1p-94 * size * modes[i].overlap + roots.error[i]);
     }
     // s and -s have to stand apart too.
     for (std::size_t i = 0; i < n; ++i)
@@ -209,7 +246,8 @@ class WholeLeafProblem {
     for (std::size_t i = 0; i < n; ++i) {
       if (i != roots.forced && !(rounding[i] <= 0x1p-8 * out.error[i])) return false;
       out.error[i] += rounding[i] + 0x1p-53 * one_norm(out.lambda[i]);
-      out.energy[i] = energy[i] > energy_doubt ? 1 : energy[i] < -energy_doubt ? -1 : 0;
+      const double energy = modes[i].energy;
+      out.energy[i] = energy > energy_doubt ? 1 : energy < -energy_doubt ? -1 : 0;
     }
     return true;
   }
@@ -217,6 +255,7 @@ class WholeLeafProblem {
   LeafFacts facts_;
   Square<DoubleDouble, N> E_;
   Square<double, N> magnitude_;
+  Square<double, N> H_;  ///< of scaled coordinates, largest entry of order one
   std::array<double, N> scale_;
   double unit_ = 1.0;
 };

@@ -1,16 +1,20 @@
 // What the general spectrum costs (with energies, class and bounds) beside Eigen's QR algorithm on
 // the 11x11 matrix of the Lie-Poisson equations (eigenvalues alone, its matrix given), in turns, by
-// the processor's time: of tilted, oblique and fibred motions, V_qq included. Prints microseconds,
-// medians of 25, and their ratio.
+// the processor's time: of tilted and oblique motions, of a fibred body about axis 3, whose leaf has
+// parts, V_qq included; and of a heavy body about an axis in no plane, whose leaf no symmetry
+// divides and is given. Prints microseconds, medians of 25, and their ratio.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <ctime>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "lib/stability/general_spectrum.hpp"
+#include "solver/kind/kind.hpp"
+#include "solver/motion/oriented_stability.hpp"
 #include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/solve/solve.hpp"
 #include "solver/solve/tilted_equilibrium.hpp"
@@ -25,6 +29,8 @@ struct Sample {
   Vector3<DoubleDouble> nu;
 };
 
+using SpectrumOf = std::function<Spectrum(const Sample&)>;
+
 using Matrix11 = Eigen::Matrix<double, 11, 11>;
 
 /// d(z')/dz of z = (pi, q, p) before the leaf.
@@ -37,7 +43,9 @@ Matrix11 linearized(const Sample& at) {
   B.middleCols<4>(3) = -steady_momenta_jacobian(at.body, q, nu);
   Matrix11 H = B.transpose() * mass_matrix(at.body, q).ldlt().solve(B);
   Matrix4<double> V_qq;
-  if (at.potential.is_isotropic()) {
+  if (const auto* whole = at.potential.body_model()) {
+    V_qq = whole->derivatives<2>(q).hessian;
+  } else if (at.potential.is_isotropic()) {
     at.potential.visit_parts(
         [&](const auto& model) { V_qq = potential_derivatives<2>(model, q).hessian; });
   } else {
@@ -71,7 +79,8 @@ double seconds(const Pass& pass) {
   return now() - start;
 }
 
-void print(const std::string& what, const std::vector<Sample>& motions) {
+void print(const std::string& what, const std::vector<Sample>& motions,
+           const SpectrumOf& spectrum) {
   constexpr int repeats = 25;
   constexpr int passes = 20;
   std::vector<Matrix11> matrices;
@@ -81,8 +90,7 @@ void print(const std::string& what, const std::vector<Sample>& motions) {
   for (int repeat = 0; repeat < repeats; ++repeat) {
     each[0].push_back(seconds([&] {
       for (int pass = 0; pass < passes; ++pass)
-        for (const Sample& at : motions)
-          used += general_spectrum(at.body, at.potential, at.q, at.nu, 0x1p-53).growth;
+        for (const Sample& at : motions) used += spectrum(at).growth;
     }));
     each[1].push_back(seconds([&] {
       for (int pass = 0; pass < passes; ++pass)
@@ -135,8 +143,37 @@ int main() {
     if (along.status == SolveStatus::solved)
       third.push_back({body, fibred, widened(along.q), widened(along.nu)});
   }
+  const OrientedModels models(fibred.anisotropic());
+  BodyModel<> heavy = Potential(Potential::planar("biot", std::array{0.3755, 3.004}),
+                                Potential::thickness("harmonic", std::array{1.0, 1.5321}))
+                          .as_body();
+  heavy.gravitates = true;
+  heavy.g = 2.0;
+  heavy.J = {body.J1, body.J2, body.J3};
+  near.start = Stretch{0.26, 1.05, 0.75, 0.92};
+  std::vector<Sample> whole;
+  for (int k = 0; k < 16; ++k) {
+    const Potential V(heavy);
+    const Equilibrium found = kind_of(body, V, SpatialRotation{0.5026 + 1e-5 * k})->solve(near);
+    if (found.status == SolveStatus::solved)
+      whole.push_back({body, V, widened(found.q), widened(found.nu)});
+  }
+  const SpectrumOf undivided = [](const Sample& at) {
+    return general_spectrum(at.body, at.potential, at.q, at.nu, 0x1p-53);
+  };
+  const auto oriented = [&](Branch branch, bool about_axis) {
+    return [&models, spin = OrientedSpin{body, branch, about_axis}](const Sample& at) {
+      return oriented_stability(spin, models, at.q, at.nu, 0x1p-53);
+    };
+  };
   std::printf("%-28s %9s %9s %8s\n", "microseconds", "general", "QR 11x11", "ratio");
-  print("tilted (reversible)", tilted);
-  print("oblique (reversible)", oblique);
-  print("(iii), fibred (whole)", third);
+  print("tilted (reversible)", tilted, undivided);
+  print("oblique (reversible)", oblique, oriented(Branch::i, false));
+  print("(iii), fibred (by parts)", third, oriented(Branch::iii, true));
+  std::vector<Leaf> leaves;
+  for (const Sample& at : whole) leaves.push_back(motion_leaf(body, at.potential, at.q, at.nu));
+  print("in no plane (whole)", whole, [&](const Sample& at) {
+    return general_spectrum({MaterialSymmetry::none, 0x1p-53},
+                            leaves[static_cast<std::size_t>(&at - whole.data())]);
+  });
 }

@@ -64,24 +64,26 @@ TEST(Hessenberg, NullVectorsAreThoseOfTheMatrixGiven) {
     ASSERT_TRUE(values);
     for (const auto& value : *values) {
       const std::complex<double> lambda(leading(value.re), leading(value.im));
-      auto x = null_vectors<std::complex<double>, n>(h, lambda);
-      similar.carry_right(x.right);
-      similar.carry_left(x.left);
+      const NullSpace<std::complex<double>, n> space(h, lambda);
+      auto x = space.right();
+      auto y = space.left();
+      similar.carry_right(x);
+      similar.carry_left(y);
       double right = 0.0;
       double left = 0.0;
       double largest_right = 0.0;
       double largest_left = 0.0;
       for (std::size_t i = 0; i < n; ++i) {
-        std::complex<double> row = -lambda * x.right[i];
-        std::complex<double> column = -lambda * x.left[i];
+        std::complex<double> row = -lambda * x[i];
+        std::complex<double> column = -lambda * y[i];
         for (std::size_t j = 0; j < n; ++j) {
-          row += A.plain[i][j] * x.right[j];
-          column += A.plain[j][i] * x.left[j];
+          row += A.plain[i][j] * x[j];
+          column += A.plain[j][i] * y[j];
         }
         right = std::max(right, std::abs(row));
         left = std::max(left, std::abs(column));
-        largest_right = std::max(largest_right, std::abs(x.right[i]));
-        largest_left = std::max(largest_left, std::abs(x.left[i]));
+        largest_right = std::max(largest_right, std::abs(x[i]));
+        largest_left = std::max(largest_left, std::abs(y[i]));
       }
       EXPECT_LE(right, 1e-12 * largest_right) << k;
       EXPECT_LE(left, 1e-12 * largest_left) << k;
