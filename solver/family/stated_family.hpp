@@ -79,17 +79,25 @@ struct StatedSystem {
     return out;
   }
   ReducedVector<dimension> extended_residual(const ReducedVector<dimension>& x) const {
+    return extended_residual(x, linearize(x).scale);
+  }
+  ReducedVector<dimension> extended_residual(const ReducedVector<dimension>& x,
+                                             const ReducedVector<dimension>& scale) const {
     using T = DoubleDouble;
     const auto G = equations.balance(in<T>(x), T(p), [](double c) { return T(c); });
-    ReducedVector<dimension> out = linearize(x).scale;
+    ReducedVector<dimension> out = scale;
     for (int i = 0; i < dimension; ++i) out[i] *= double(G[static_cast<std::size_t>(i)]);
     return out;
   }
   /// Sum over the numbers of the problem, p among them, of |c dG/dc|.
   ReducedVector<dimension> input_sensitivity(const ReducedVector<dimension>& x) const {
+    return input_sensitivity(x, linearize(x).scale);
+  }
+  ReducedVector<dimension> input_sensitivity(const ReducedVector<dimension>& x,
+                                             const ReducedVector<dimension>& scale) const {
     using T = Conditioned;
     const auto G = equations.balance(in<T>(x), T::input(p), [](double c) { return T::input(c); });
-    ReducedVector<dimension> out = linearize(x).scale;
+    ReducedVector<dimension> out = scale;
     for (int i = 0; i < dimension; ++i) out[i] *= G[static_cast<std::size_t>(i)].condition;
     return out;
   }

@@ -223,8 +223,11 @@ struct OrientedSystem {
   }
   /// Sum over the inputs p of |p dG/dp|: a coefficient once, J once, nu twice (as nu^2).
   ReducedVector<N> input_sensitivity(const ReducedVector<N>& x) const {
+    return input_sensitivity(x, linearize(x).scale);
+  }
+  ReducedVector<N> input_sensitivity(const ReducedVector<N>& x,
+                                     const ReducedVector<N>& scale) const {
     const auto y = coordinates(x);
-    const ReducedVector<N> scale = linearize(x).scale;
     std::array<double, 5> sum{};
     for (const AnisotropicModel<Dual2>& model : models->relative) {
       const auto slopes =

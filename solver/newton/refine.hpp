@@ -83,6 +83,25 @@ bool may_be_steep(const System& system) {
   }
 }
 
+/// Of x in extended precision, and what inputs do to it, where at = linearize(x) is known: systems
+/// that divide their rows have the divisors from there.
+template <class System, class X, class At>
+auto extended_residual(const System& system, const X& x, const At& at) {
+  if constexpr (requires { system.extended_residual(x, at.scale); }) {
+    return system.extended_residual(x, at.scale);
+  } else {
+    return system.extended_residual(x);
+  }
+}
+template <class System, class X, class At>
+auto input_sensitivity(const System& system, const X& x, const At& at) {
+  if constexpr (requires { system.input_sensitivity(x, at.scale); }) {
+    return system.input_sensitivity(x, at.scale);
+  } else {
+    return system.input_sensitivity(x);
+  }
+}
+
 /// Corrects x in place. bound = false leaves error_bound NaN and evaluates nothing for it.
 /// tail: what rounding x left of the solution, to about 2^-86; NaN where that is not known.
 /// Not converged: x is the last iterate, or unchanged where the Jacobian is singular, also only to
@@ -96,8 +115,8 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
   const bool steep = may_be_steep(system);
   double before = 0.0;  // size of the step before
   while (out.steps < max_steps) {
-    const ReducedVector<N> g = system.extended_residual(x);
     const auto at = system.linearize(x);
+    const ReducedVector<N> g = extended_residual(system, x, at);
     const auto inverse = at.jacobian.inverse();
     const auto absolute = inverse.absolute();
     const ReducedVector<N> step = inverse * g;  // minus delta
@@ -116,7 +135,7 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
           steep && before > fine ? std::max(kappa, size / (before * before)) : kappa;
       out.converged = true;
       if constexpr (bound) {
-        ReducedVector<N> perturbation = system.input_sensitivity(x);
+        ReducedVector<N> perturbation = input_sensitivity(system, x, at);
         for (int i = 0; i < N; ++i)
           perturbation[i] = 0x1p-53 * perturbation[i] + 0x1p-80 * at.magnitude;
         const double linear = largest_magnitude<N>(absolute * perturbation) +
@@ -144,8 +163,8 @@ template <class System>
 std::array<DoubleDouble, System::dimension> extended_solution(
     const System& system, const ReducedVector<System::dimension>& x) {
   constexpr int N = System::dimension;
-  const ReducedVector<N> step =
-      system.linearize(x).jacobian.inverse() * system.extended_residual(x);
+  const auto at = system.linearize(x);
+  const ReducedVector<N> step = at.jacobian.inverse() * extended_residual(system, x, at);
   std::array<DoubleDouble, N> out;
   for (int i = 0; i < N; ++i) {
     const double correction = -x[i] * step[i];
