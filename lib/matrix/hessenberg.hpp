@@ -36,14 +36,38 @@ inline std::complex<double> inverse(const std::complex<double>& z) {
   return std::conj(z) / std::norm(z);
 }
 
-/// A row and column at a time; S is DoubleDouble, or any real number.
-template <class S, std::size_t n>
-struct Hessenberg {
-  Square<S, n> h;
+/// T.
+template <std::size_t n>
+struct Similarity {
   std::array<std::size_t, n> swapped;  ///< row k + 1 with this one
   Square<double, n> multiplier;        ///< [i][k]: of row k + 1 in row i
 
+  /// T x, of a right eigenvector of H.
+  template <class T>
+  void carry_right(std::array<T, n>& x) const {
+    for (std::size_t k = n - 2; n > 2 && k-- > 0;) {
+      for (std::size_t i = k + 2; i < n; ++i) x[i] += multiplier[i][k] * x[k + 1];
+      std::swap(x[k + 1], x[swapped[k]]);
+    }
+  }
+  /// T^-T y, of a left one.
+  template <class T>
+  void carry_left(std::array<T, n>& y) const {
+    for (std::size_t k = n - 2; n > 2 && k-- > 0;) {
+      for (std::size_t i = k + 2; i < n; ++i) y[k + 1] -= multiplier[i][k] * y[i];
+      std::swap(y[k + 1], y[swapped[k]]);
+    }
+  }
+};
+
+/// A row and column at a time; S is a pair of doubles, or any real number.
+template <class S, std::size_t n>
+struct Hessenberg {
+  Square<S, n> h;
+  Similarity<n> similarity;
+
   explicit Hessenberg(const Square<S, n>& A) : h(A) {
+    auto& [swapped, multiplier] = similarity;
     for (std::size_t k = 0; k + 2 < n; ++k) {
       const std::size_t top = k + 1;
       std::size_t pivot = top;
@@ -65,23 +89,6 @@ struct Hessenberg {
         for (std::size_t j = top; j < n; ++j) h[i][j] = renormalized(S(h[i][j] - m * h[top][j]));
         for (std::size_t j = 0; j < n; ++j) h[j][top] = renormalized(S(h[j][top] + m * h[j][i]));
       }
-    }
-  }
-
-  /// T x, of a right eigenvector of H.
-  template <class T>
-  void carry_right(std::array<T, n>& x) const {
-    for (std::size_t k = n - 2; n > 2 && k-- > 0;) {
-      for (std::size_t i = k + 2; i < n; ++i) x[i] += multiplier[i][k] * x[k + 1];
-      std::swap(x[k + 1], x[swapped[k]]);
-    }
-  }
-  /// T^-T y, of a left one.
-  template <class T>
-  void carry_left(std::array<T, n>& y) const {
-    for (std::size_t k = n - 2; n > 2 && k-- > 0;) {
-      for (std::size_t i = k + 2; i < n; ++i) y[k + 1] -= multiplier[i][k] * y[i];
-      std::swap(y[k + 1], y[swapped[k]]);
     }
   }
 };

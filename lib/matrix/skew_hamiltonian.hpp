@@ -16,7 +16,57 @@
 
 namespace stationary {
 
-/// S is DoubleDouble, or any real number.
+/// T.
+template <std::size_t n>
+struct SymplecticSimilarity {
+  /// What made a column zero, plane k + 1 the pivot: p_i -= p[i] p_pivot; the plane turned or not,
+  /// then p -= turn q; q_i -= q[i] q_pivot.
+  struct Column {
+    std::size_t p_pivot;
+    std::size_t q_pivot;
+    bool turned = false;
+    double turn = 0.0;
+    std::array<double, n> p{};
+    std::array<double, n> q{};
+  };
+  std::array<Column, n> column;
+
+  /// T (x, 0).
+  template <class T>
+  std::array<T, 2 * n> carry(const std::array<T, n>& x) const {
+    std::array<T, 2 * n> out;
+    for (std::size_t i = 0; i < n; ++i) {
+      out[i] = x[i];
+      out[n + i] = T(0.0);
+    }
+    const auto swap_planes = [&](std::size_t i, std::size_t j) {
+      std::swap(out[i], out[j]);
+      std::swap(out[n + i], out[n + j]);
+    };
+    for (std::size_t k = n - 1; k-- > 0;) {
+      const Column& of = column[k];
+      const std::size_t top = k + 1;
+      for (std::size_t i = top + 1; i < n; ++i) {
+        out[i] += of.q[i] * out[top];
+        out[n + top] -= of.q[i] * out[n + i];
+      }
+      swap_planes(top, of.q_pivot);
+      out[n + top] += of.turn * out[top];
+      if (of.turned) {
+        std::swap(out[top], out[n + top]);
+        out[top] = -out[top];
+      }
+      for (std::size_t i = top + 1; i < n; ++i) {
+        out[top] -= of.p[i] * out[i];
+        out[n + i] += of.p[i] * out[n + top];
+      }
+      swap_planes(top, of.p_pivot);
+    }
+    return out;
+  }
+};
+
+/// S is a pair of doubles, or any real number.
 template <class S, std::size_t n>
 class SkewHamiltonian {
  public:
@@ -28,54 +78,9 @@ class SkewHamiltonian {
 
   /// A'.
   const Square<S, n>& hessenberg() const { return a_; }
-
-  /// T (x, 0).
-  template <class T>
-  std::array<T, 2 * n> carry(const std::array<T, n>& x) const {
-    std::array<T, 2 * n> out;
-    for (std::size_t i = 0; i < n; ++i) {
-      out[i] = x[i];
-      out[n + i] = T(0.0);
-    }
-    for (std::size_t k = n - 1; k-- > 0;) {
-      const Column& of = column_[k];
-      const std::size_t top = k + 1;
-      for (std::size_t i = top + 1; i < n; ++i) {
-        out[i] += of.q[i] * out[top];
-        out[n + top] -= of.q[i] * out[n + i];
-      }
-      swap_planes(out, top, of.q_pivot);
-      out[n + top] += of.turn * out[top];
-      if (of.turned) {
-        std::swap(out[top], out[n + top]);
-        out[top] = -out[top];
-      }
-      for (std::size_t i = top + 1; i < n; ++i) {
-        out[top] -= of.p[i] * out[i];
-        out[n + i] += of.p[i] * out[n + top];
-      }
-      swap_planes(out, top, of.p_pivot);
-    }
-    return out;
-  }
+  const SymplecticSimilarity<n>& similarity() const { return similarity_; }
 
  private:
-  /// What made a column zero, plane k + 1 the pivot: p_i -= p[i] p_pivot; the plane turned or not,
-  /// then p -= turn q; q_i -= q[i] q_pivot.
-  struct Column {
-    std::size_t p_pivot;
-    std::size_t q_pivot;
-    bool turned = false;
-    double turn = 0.0;
-    std::array<double, n> p{};
-    std::array<double, n> q{};
-  };
-
-  template <class T>
-  static void swap_planes(std::array<T, 2 * n>& x, std::size_t i, std::size_t j) {
-    std::swap(x[i], x[j]);
-    std::swap(x[n + i], x[n + j]);
-  }
   static double size(const S& x) { return std::abs(leading(x)); }
 
   void set_squares(const Square<S, 2 * n>& H) {
@@ -134,7 +139,7 @@ class SkewHamiltonian {
   }
 
   void eliminate(std::size_t k) {
-    Column& of = column_[k];
+    auto& of = similarity_.column[k];
     const std::size_t top = k + 1;
     const auto pivot = [&](const Square<S, n>& block) {
       std::size_t out = top;
@@ -191,7 +196,7 @@ class SkewHamiltonian {
   Square<S, n> a_;
   Square<S, n> f_;
   Square<S, n> g_;
-  std::array<Column, n> column_;
+  SymplecticSimilarity<n> similarity_;
 };
 
 }  // namespace stationary

@@ -4,12 +4,12 @@
 #include <complex>
 #include <stdexcept>
 
+#include "lib/leaf/circle_momentum.hpp"
+#include "lib/leaf/iterated_modes.hpp"
+#include "lib/leaf/reversible_leaf.hpp"
+#include "lib/leaf/whole_leaf.hpp"
 #include "lib/material/models/first_order_bound_model.hpp"
-#include "lib/stability/circle_momentum.hpp"
-#include "lib/stability/iterated_modes.hpp"
 #include "lib/stability/mode_collector.hpp"
-#include "lib/stability/reversible_leaf.hpp"
-#include "lib/stability/whole_leaf.hpp"
 
 namespace stationary {
 namespace {
@@ -52,21 +52,24 @@ LeafModes<1> one_pair_modes(const Leaf& leaf, const LeafFacts& facts) {
 
 template <std::size_t n>
 LeafModes<n> leaf_modes(const Leaf& leaf, const LeafFacts& facts) {
-  if constexpr (n == 1) return one_pair_modes(leaf, facts);
-  LeafModes<n> out;
-  const auto parts = reversible<n>(leaf);
-  if (parts ? ReversibleProblem<n>(*parts, facts).find(out)
-            : WholeLeafProblem<n>(leaf, facts).find(out))
+  if constexpr (n == 1) {
+    return one_pair_modes(leaf, facts);
+  } else {
+    LeafModes<n> out;
+    const auto parts = reversible<n>(leaf);
+    if (parts ? ReversibleProblem<n>(*parts, facts).find(out)
+              : WholeLeafProblem<n>(leaf, facts).find(out))
+      return out;
+    out.forced = n;
+    const std::vector<IteratedMode> modes = iterated_modes(leaf, facts, out.definite);
+    for (std::size_t k = 0; k < n; ++k) {
+      out.lambda[k] = modes[k].lambda;
+      out.error[k] = modes[k].error;
+      out.energy[k] = modes[k].energy;
+      if (modes[k].forced) out.forced = k;
+    }
     return out;
-  out.forced = n;
-  const std::vector<IteratedMode> modes = iterated_modes(leaf, facts, out.definite);
-  for (std::size_t k = 0; k < n; ++k) {
-    out.lambda[k] = modes[k].lambda;
-    out.error[k] = modes[k].error;
-    out.energy[k] = modes[k].energy;
-    if (modes[k].forced) out.forced = k;
   }
-  return out;
 }
 
 template <std::size_t n>

@@ -7,9 +7,9 @@
 // The blocks (spectrum.hpp) are faster and sharper wherever they apply; the two agree there.
 #pragma once
 
+#include "lib/leaf/symplectic_leaf.hpp"
 #include "lib/material/potential.hpp"
 #include "lib/stability/spectrum.hpp"
-#include "lib/stability/symplectic_leaf.hpp"
 
 namespace stationary {
 

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "lib/leaf/symplectic_leaf.hpp"
 #include "lib/matrix/characteristic.hpp"
 #include "lib/number/elementary.hpp"
 #include "lib/number/polynomial.hpp"
 #include "lib/stability/spectrum.hpp"
-#include "lib/stability/symplectic_leaf.hpp"
 
 namespace stationary {
 

@@ -6,10 +6,10 @@
 
 #include "lib/balance/two_polar.hpp"
 #include "lib/body/inertia.hpp"
+#include "lib/leaf/iterated_modes.hpp"
 #include "lib/number/elementary.hpp"
 #include "lib/stability/general_spectrum.hpp"
 #include "lib/stability/held_linearization.hpp"
-#include "lib/stability/iterated_modes.hpp"
 
 namespace stationary {
 namespace {

@@ -42,7 +42,7 @@ Lambdas by_general_path(const Problem& problem, const Equilibrium& at) {
 using Matrix11 = Eigen::Matrix<double, 11, 11>;
 
 /// d(z')/dz of pi' = nu x pi, q' = dH/dp, p' = -dH/dq, with nu = dH/dpi. The second variation of H
-/// at a steady rotation is that of lib/stability/symplectic_leaf.hpp before the leaf:
+/// at a steady rotation is that of lib/leaf/symplectic_leaf.hpp before the leaf:
 /// (dm - N dq)^T M^-1 (dm - N dq) + dq^T (V_qq - C) dq, m = (pi, p).
 Matrix11 linearized(const Problem& problem, const Equilibrium& at) {
   const Body& body = problem.body();

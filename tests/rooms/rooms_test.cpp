@@ -33,6 +33,7 @@ constexpr std::string_view rooms[] = {
     "lib/material/gravitating",
     "lib/material",
     "lib/balance",
+    "lib/leaf",
     "lib/stability",
     "lib/balanced",
     "solver/newton",

@@ -1,6 +1,6 @@
 // Spectra in 50 digits: Lambda from the templates of lib/stability/linearization.hpp at the
 // 50-digit solution, the class from them and from the inertia of E''
-// (lib/stability/symplectic_leaf.hpp), reduced by the material symmetry where there is one. The
+// (lib/leaf/symplectic_leaf.hpp), reduced by the material symmetry where there is one. The
 // inputs are the doubles of the problem, or these shaken by a relative amount.
 #pragma once
 
@@ -8,9 +8,9 @@
 #include <array>
 #include <vector>
 
+#include "lib/leaf/symplectic_leaf.hpp"
 #include "lib/material/models/coefficients.hpp"
 #include "lib/stability/linearization.hpp"
-#include "lib/stability/symplectic_leaf.hpp"
 #include "tests/support/high_precision.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/motions.hpp"

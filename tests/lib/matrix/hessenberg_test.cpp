@@ -67,8 +67,8 @@ TEST(Hessenberg, NullVectorsAreThoseOfTheMatrixGiven) {
       const NullSpace<std::complex<double>, n> space(h, lambda);
       auto x = space.right();
       auto y = space.left();
-      similar.carry_right(x);
-      similar.carry_left(y);
+      similar.similarity.carry_right(x);
+      similar.similarity.carry_left(y);
       double right = 0.0;
       double left = 0.0;
       double largest_right = 0.0;

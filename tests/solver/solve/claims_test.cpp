@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/stability/circle_momentum.hpp"
+#include "lib/leaf/circle_momentum.hpp"
+#include "lib/leaf/reversible_leaf.hpp"
 #include "lib/stability/enclosure_collector.hpp"
 #include "lib/stability/general_spectrum.hpp"
 #include "lib/stability/mode_collector.hpp"
-#include "lib/stability/reversible_leaf.hpp"
 #include "lib/stability/spectrum_enclosure.hpp"
 #include "solver/solve/solve.hpp"
 

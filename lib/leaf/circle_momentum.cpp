@@ -1,4 +1,4 @@
-#include "lib/stability/circle_momentum.hpp"
+#include "lib/leaf/circle_momentum.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "lib/stability/iterated_modes.hpp"
+#include "lib/leaf/iterated_modes.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/leaf/leaf_modes.hpp"
 #include "lib/matrix/eigen_pair.hpp"
 #include "lib/number/elementary.hpp"
-#include "lib/stability/leaf_modes.hpp"
 
 namespace stationary {
 namespace {

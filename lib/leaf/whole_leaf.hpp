@@ -11,13 +11,13 @@
 #include <complex>
 #include <cstddef>
 
+#include "lib/leaf/leaf_modes.hpp"
+#include "lib/leaf/leaf_roots.hpp"
+#include "lib/leaf/reductions.hpp"
+#include "lib/leaf/symplectic_leaf.hpp"
 #include "lib/matrix/eigenvalue_discs.hpp"
 #include "lib/matrix/form_signs.hpp"
-#include "lib/matrix/skew_hamiltonian.hpp"
 #include "lib/number/elementary.hpp"
-#include "lib/stability/leaf_modes.hpp"
-#include "lib/stability/leaf_roots.hpp"
-#include "lib/stability/symplectic_leaf.hpp"
 
 namespace stationary {
 
@@ -50,32 +50,12 @@ class WholeLeafProblem {
       const PivotSigns signs = pivot_signs(E_, own, facts_.forced_zero);
       out.negative = signs.negative - (facts_.forced_zero && signs.last_negative);
     }
-    // H of scaled coordinates, x_k -> x_k/c_k, p_k -> c_k p_k, and of s of order one.
-    Square<DoubleDouble, N> H;
-    double largest = 0.0;
-    for (std::size_t i = 0; i < N; ++i) {
-      for (std::size_t j = 0; j < N; ++j) {
-        const DoubleDouble& entry = E_[i < n ? n + i : i - n][j];
-        const double by = scale_[i] / scale_[j] * (i < n ? 1.0 : -1.0);
-        H[i][j] = {entry.hi * by, entry.lo * by};
-        largest = std::fmax(largest, std::abs(H[i][j].hi));
-      }
-    }
-    unit_ = largest > 0.0 && largest < HUGE_VAL ? std::scalbn(1.0, std::ilogb(largest)) : 1.0;
-    for (auto& row : H) {
-      for (DoubleDouble& entry : row) {
-        entry.hi /= unit_;
-        entry.lo /= unit_;
-      }
-    }
-    const SkewHamiltonian<DoubleDouble, n> squares(H);
-    const HessenbergPolynomial<DoubleDouble, n> p(squares.hessenberg());
-    const LeafRoots<n> roots = facts_.forced_zero ? leaf_roots<n, 1>(p.c, p.magnitude)
-                                                  : leaf_roots<n, 0>(p.c, p.magnitude);
-    if (!roots.sure) return false;
-    for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t j = 0; j < N; ++j) H_[i][j] = leading(H[i][j]);
-    return follow(squares, roots, out);
+    // Of scaled coordinates, x_k -> x_k/c_k, p_k -> c_k p_k, and of s of order one.
+    ReducedSquare<n> reduced;
+    leaf_reductions().pairs<n>().square(E_, scale_, H_, reduced);
+    const LeafRoots<n> roots = facts_.forced_zero ? leaf_roots<n, 1>(reduced.c, reduced.magnitude)
+                                                  : leaf_roots<n, 0>(reduced.c, reduced.magnitude);
+    return roots.sure && follow(reduced, roots, out);
   }
 
  private:
@@ -166,17 +146,8 @@ class WholeLeafProblem {
   }
 
   /// Vectors, energies and bounds.
-  bool follow(const SkewHamiltonian<DoubleDouble, n>& squares, const LeafRoots<n>& roots,
-              LeafModes<n>& out) const {
+  bool follow(const ReducedSquare<n>& reduced, const LeafRoots<n>& roots, LeafModes<n>& out) const {
     out.forced = roots.forced;
-    Square<double, n> a;
-    double size = 1.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
-        a[i][j] = leading(squares.hessenberg()[i][j]);
-        size = std::fmax(size, std::abs(a[i][j]));
-      }
-    }
     std::array<Complex, n> s;
     std::array<Mode, n> modes;
     for (std::size_t i = 0; i < n; ++i) {
@@ -188,11 +159,11 @@ class WholeLeafProblem {
       if (lambda.imag() == 0.0) {
         m.imaginary = lambda.real() < 0.0;
         if (m.imaginary) s[i] = Complex(0.0, std::abs(s[i].imag()));
-        const auto x = NullSpace<double, n>(a, lambda.real()).right();
-        if (!set_vectors(squares.carry(x), s[i], m)) return false;
+        const auto x = NullSpace<double, n>(reduced.h, lambda.real()).right();
+        if (!set_vectors(reduced.similarity.carry(x), s[i], m)) return false;
       } else {
-        const auto x = NullSpace<Complex, n>(a, lambda).right();
-        if (!set_vectors(squares.carry(x), s[i], m)) return false;
+        const auto x = NullSpace<Complex, n>(reduced.h, lambda).right();
+        if (!set_vectors(reduced.similarity.carry(x), s[i], m)) return false;
       }
       complete(m);
     }
@@ -232,10 +203,12 @@ class WholeLeafProblem {
     }
     std::array<double, n> rounding{};
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) d[i][j] *= unit_;
-      out.lambda[i] = roots.lambda[i] * (unit_ * unit_);
+      for (std::size_t j = 0; j < n; ++j) d[i][j] *= reduced.unit;
+      out.lambda[i] = roots.lambda[i] * (reduced.unit * reduced.unit);
       if (i == roots.forced) continue;
-      rounding[i] = unit_ * unit_ * (2.0 * 0x1p-94 * size * modes[i].overlap + roots.error[i]);
+      rounding[i] =
+          reduced.unit * reduced.unit *
+          (2.0 * 0x1p-94 * std::fmax(1.0, reduced.h_size) * modes[i].overlap + roots.error[i]);
     }
     // s and -s have to stand apart too.
     for (std::size_t i = 0; i < n; ++i)
@@ -257,7 +230,6 @@ class WholeLeafProblem {
   Square<double, N> magnitude_;
   Square<double, N> H_;  ///< of scaled coordinates, largest entry of order one
   std::array<double, N> scale_;
-  double unit_ = 1.0;
 };
 
 }  // namespace stationary

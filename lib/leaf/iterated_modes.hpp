@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "lib/stability/leaf_modes.hpp"
-#include "lib/stability/symplectic_leaf.hpp"
+#include "lib/leaf/leaf_modes.hpp"
+#include "lib/leaf/symplectic_leaf.hpp"
 
 namespace stationary {
 

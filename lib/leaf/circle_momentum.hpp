@@ -3,7 +3,7 @@
 // material rotations; pi3 - |pi| = -(pi1^2 + pi2^2)/(2 |pi|).
 #pragma once
 
-#include "lib/stability/symplectic_leaf.hpp"
+#include "lib/leaf/symplectic_leaf.hpp"
 
 namespace stationary {
 

@@ -19,12 +19,13 @@
 #include <optional>
 #include <type_traits>
 
+#include "lib/leaf/leaf_modes.hpp"
+#include "lib/leaf/leaf_roots.hpp"
+#include "lib/leaf/reductions.hpp"
+#include "lib/leaf/symplectic_leaf.hpp"
 #include "lib/matrix/eigenvalue_discs.hpp"
 #include "lib/matrix/form_signs.hpp"
 #include "lib/number/elementary.hpp"
-#include "lib/stability/leaf_modes.hpp"
-#include "lib/stability/leaf_roots.hpp"
-#include "lib/stability/symplectic_leaf.hpp"
 
 namespace stationary {
 
@@ -157,39 +158,15 @@ class ReversibleProblem {
   /// Signs in any case; Lambda, energies and bounds unless two of them are too close: false then.
   bool find(LeafModes<n>& out) {
     count_signs(out);
-    // -B A of scaled coordinates, and of Lambda of order one.
-    Square<DoubleDouble, n> M;
-    double largest = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      M[i].fill(DoubleDouble(0.0));
-      for (std::size_t k = 0; k < n; ++k) {
-        if (leaf_.B_magnitude[i][k] == 0.0) continue;
-        const DoubleDouble b = -leaf_.B[i][k];
-        for (std::size_t j = 0; j < n; ++j) M[i][j] = M[i][j] + b * leaf_.A[k][j];
-      }
-      for (std::size_t j = 0; j < n; ++j) {
-        const double by = scale_[i] / scale_[j];
-        M[i][j] = renormalized(M[i][j]);
-        M[i][j].hi *= by;
-        M[i][j].lo *= by;
-        largest = std::fmax(largest, std::abs(M[i][j].hi));
-      }
-    }
-    unit_ = largest > 0.0 && largest < HUGE_VAL ? std::scalbn(1.0, std::ilogb(largest)) : 1.0;
-    for (auto& row : M) {
-      for (DoubleDouble& entry : row) {
-        entry.hi /= unit_;
-        entry.lo /= unit_;
-      }
-    }
-    const Hessenberg<DoubleDouble, n> hessenberg(M);
-    const HessenbergPolynomial<DoubleDouble, n> p(hessenberg.h);
-    const LeafRoots<n> roots = facts_.forced_zero ? leaf_roots<n, 1>(p.c, p.magnitude)
-                                                  : leaf_roots<n, 0>(p.c, p.magnitude);
+    // Of scaled coordinates, and of Lambda of order one.
+    ReducedProduct<n> reduced;
+    leaf_reductions().pairs<n>().product(leaf_.A, leaf_.B, scale_, reduced);
+    const LeafRoots<n> roots = facts_.forced_zero ? leaf_roots<n, 1>(reduced.c, reduced.magnitude)
+                                                  : leaf_roots<n, 0>(reduced.c, reduced.magnitude);
     if (!roots.sure) return false;
     for (const Complex& lambda : roots.lambda)
-      if (lambda.imag() != 0.0) return follow<Complex>(hessenberg, roots, out);
-    return follow<double>(hessenberg, roots, out);
+      if (lambda.imag() != 0.0) return follow<Complex>(reduced, roots, out);
+    return follow<double>(reduced, roots, out);
   }
 
  private:
@@ -215,18 +192,10 @@ class ReversibleProblem {
 
   /// Vectors, energies and bounds.
   template <class T>
-  bool follow(const Hessenberg<DoubleDouble, n>& hessenberg, const LeafRoots<n>& roots,
+  bool follow(const ReducedProduct<n>& reduced, const LeafRoots<n>& roots,
               LeafModes<n>& out) const {
     using namespace reversible_detail;
     out.forced = roots.forced;
-    Square<double, n> h;
-    double h_size = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
-        h[i][j] = leading(hessenberg.h[i][j]);
-        h_size = std::fmax(h_size, std::abs(h[i][j]));
-      }
-    }
     Vectors<n, T> u;
     Vectors<n, T> v;
     std::array<T, n> lambda;
@@ -237,11 +206,11 @@ class ReversibleProblem {
       } else {
         lambda[i] = roots.lambda[i];
       }
-      const NullSpace<T, n> space(h, lambda[i]);
+      const NullSpace<T, n> space(reduced.h, lambda[i]);
       u[i] = space.right();
       v[i] = space.left();
-      hessenberg.carry_right(u[i]);
-      hessenberg.carry_left(v[i]);
+      reduced.similarity.carry_right(u[i]);
+      reduced.similarity.carry_left(v[i]);
       double right = 0.0;
       double left = 0.0;
       for (std::size_t k = 0; k < n; ++k) {
@@ -275,11 +244,11 @@ class ReversibleProblem {
         if (i == roots.forced || j == roots.forced) d[i][j] = 0.0;
       }
       // They are vectors of -B A with this Lambda.
-      const T off = product(a[i], b[i]) + lambda[i] * unit_;
+      const T off = product(a[i], b[i]) + lambda[i] * reduced.unit;
       const double terms = one_norm(a[i]) * in_B[i][i] + one_norm(b[i]) * in_A[i][i];
       if (!(one_norm(off) <= 1e-6 * terms)) return false;
-      rounding[i] = unit_ * (0x1p-94 * h_size * rounding[i] + roots.error[i]);
-      out.lambda[i] = lambda[i] * unit_;
+      rounding[i] = reduced.unit * (0x1p-94 * reduced.h_size * rounding[i] + roots.error[i]);
+      out.lambda[i] = lambda[i] * reduced.unit;
     }
     const auto discs = eigenvalue_discs(out.lambda, d);
     if (!discs) return false;
@@ -302,7 +271,6 @@ class ReversibleProblem {
   std::array<double, n> scale_;
   Square<double, n> A_;
   Square<double, n> B_;
-  double unit_ = 1.0;
 };
 
 }  // namespace stationary
