@@ -116,6 +116,8 @@ struct Pack {
     return {x.a / y.a, x.b / y.b};
   }
   [[gnu::always_inline]] friend Pack operator-(const Pack& x) { return {-x.a, -x.b}; }
+  [[gnu::always_inline]] friend Pack& operator+=(Pack& x, const Pack& y) { return x = x + y; }
+  [[gnu::always_inline]] friend Pack& operator-=(Pack& x, const Pack& y) { return x = x - y; }
 
   [[gnu::always_inline]] friend Mask operator<(const Pack& x, const Pack& y) {
     return {x.a < y.a, x.b < y.b};
@@ -185,6 +187,16 @@ template <int bytes>
 }
 
 /// Of pairs, as of doubles (double_double.hpp).
+template <int bytes>
+[[gnu::always_inline]] inline Pair<Pack<bytes>>& operator+=(Pair<Pack<bytes>>& x,
+                                                            const Pair<Pack<bytes>>& y) {
+  return x = x + y;
+}
+template <int bytes>
+[[gnu::always_inline]] inline Pair<Pack<bytes>>& operator-=(Pair<Pack<bytes>>& x,
+                                                            const Pair<Pack<bytes>>& y) {
+  return x = x - y;
+}
 template <int bytes>
 [[gnu::always_inline]] inline Pack<bytes> leading(const Pair<Pack<bytes>>& x) {
   return x.hi + x.lo;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
 
+#include "lib/balance/balance.hpp"
 #include "lib/matrix/elementwise.hpp"
 #include "solver/continuation/corrector.hpp"
 #include "solver/family/anisotropic_family.hpp"
@@ -49,14 +51,42 @@ class CoordinateRows final : public CurveSink {
   std::vector<Row> rows_;
 };
 
+/// What corrects a lane's points many at a time, if it can.
+struct LaneProblem {
+  const Body& body;
+  Branch branch;
+  OrientedModels models;
+  std::optional<OrientedLane> lane;
+  const OrientedKernels& kernels;
+
+  LaneProblem(const Problem& problem, Branch about, const OrientedKernels& by)
+      : body(problem.body()),
+        branch(about),
+        models(problem.potential().anisotropic()),
+        lane(oriented_lane(body, branch, models)),
+        kernels(by) {}
+
+  /// Null where there is none.
+  template <int N>
+  OrientedKernels::Kernel kernel() const {
+    if (!lane || N > 4) return nullptr;
+    return (N == 4 ? kernels.sheared : kernels.straight)[lane->plane_model];
+  }
+  double residual(const Stretch& q, double nu) const {
+    return check_balance(body, potential_derivatives<2>(models.plain, q), q,
+                         angular_velocity(branch, nu))
+        .residual;
+  }
+};
+
 /// A family through a rest state, at many nu.
 template <int N>
 class FollowedLane {
  public:
   /// bare: the same family, its members without errors and energy.
-  FollowedLane(const Family<N>& family, const Family<N>& bare, const Stretch& rest,
-               const std::atomic<bool>* stop)
-      : family_(family), bare_(bare), rest_(rest), stop_(stop) {}
+  FollowedLane(const Family<N>& family, const Family<N>& bare, const LaneProblem& problem,
+               const Stretch& rest, const std::atomic<bool>* stop)
+      : family_(family), bare_(bare), problem_(problem), rest_(rest), stop_(stop) {}
 
   /// What is not met stays as it is.
   void solve(std::span<const double> nu, std::span<LanePoint> out) {
@@ -67,21 +97,36 @@ class FollowedLane {
     }
     if (k == nu.size()) return;
     range_ = beyond * nu.back();
-    const std::vector<Row> rows = followed(rest_, 0.0, range_);
-    if (rows.empty()) return;
-    positive_ = family_.linearize(rows.front().x, rows.front().p).jacobian.determinant() > 0.0;
-    for (std::size_t b = 1; b < rows.size(); ++b) {
+    rows_ = followed(rest_, 0.0, range_);
+    if (rows_.empty()) return;
+    positive_ = family_.linearize(rows_.front().x, rows_.front().p).jacobian.determinant() > 0.0;
+    std::vector<Near> pending;
+    for (std::size_t b = 1; b < rows_.size(); ++b) {
       std::optional<Arc<N>> arc;
-      for (; k < nu.size() && nu[k] <= rows[b].p; ++k) {
+      for (; k < nu.size() && nu[k] <= rows_[b].p; ++k) {
+        if (!arc) arc = arc_between(rows_[b - 1], rows_[b]);
+        pending.push_back(on_arc(b, *arc, nu[k]));
+        pending.back().point = k;
+        if (pending.size() < OrientedPoints::size) continue;
         if (is_set(stop_)) return;
-        if (!arc) arc = arc_between(rows[b - 1], rows[b]);
-        if (!answer(rows[b - 1], rows[b], *arc, nu[k], out[k])) go_on(rows[b - 1], nu[k], out[k]);
+        answer(pending, out);
+        pending.clear();
       }
     }
+    answer(pending, out);
   }
 
  private:
   using Row = typename CoordinateRows<N>::Row;
+
+  /// A nu, and where on the arc that ends at this row it is met.
+  struct Near {
+    std::size_t row;
+    std::size_t point = 0;
+    double nu;
+    ReducedVector<N> x;
+    double steepness;
+  };
 
   /// Empty where the start is no point of a curve.
   std::vector<Row> followed(const Stretch& q, double from, double to) const {
@@ -109,9 +154,9 @@ class FollowedLane {
     return Arc<N>(chord, ahead(a), ahead(b));
   }
 
-  /// At nu on the arc from a to b. False where what it is corrected to is not known to be its place
-  /// on the curve.
-  bool answer(const Row& a, const Row& b, const Arc<N>& arc, double nu, LanePoint& out) const {
+  Near on_arc(std::size_t row, const Arc<N>& arc, double nu) const {
+    const Row& a = rows_[row - 1];
+    const Row& b = rows_[row];
     const auto ahead = [&](double u) { return (a.p - nu) + range_ * arc.at(u)[N]; };
     double u = 1.0;
     if (nu < b.p && ahead(0.0) < 0.0 && ahead(1.0) > 0.0) {
@@ -120,16 +165,56 @@ class FollowedLane {
           ahead, 0.0, 1.0, boost::math::tools::eps_tolerance<double>(52), evaluations);
       u = 0.5 * (low + high);
     }
-    const ReducedVector<N> near =
-        u < 1.0 ? moved<N>(a.x, ReducedVector<N>(arc.at(u).template head<N>())) : b.x;
+    return {.row = row,
+            .nu = nu,
+            .x = u < 1.0 ? moved<N>(a.x, ReducedVector<N>(arc.at(u).template head<N>())) : b.x,
+            .steepness = 1.0 / std::max(arc.direction(u)[N], 1e-3)};
+  }
+
+  void answer(const std::vector<Near>& pending, std::span<LanePoint> out) const {
+    OrientedPoints points;
+    const auto kernel = problem_.kernel<N>();
+    if (kernel != nullptr && !pending.empty()) {
+      for (std::size_t i = 0; i < OrientedPoints::size; ++i) {
+        const Near& near = pending[std::min(i, pending.size() - 1)];
+        points.nu[i] = i < pending.size() ? near.nu : std::numeric_limits<double>::quiet_NaN();
+        points.x[3][i] = 1.0;
+        for (int k = 0; k < N; ++k) points.x[static_cast<std::size_t>(k)][i] = near.x[k];
+      }
+      kernel(*problem_.lane, points);
+    }
+    for (std::size_t i = 0; i < pending.size(); ++i) {
+      if (is_set(stop_)) return;
+      const Near& near = pending[i];
+      LanePoint& point = out[near.point];
+      if (kernel != nullptr && take(points, i, near, point)) continue;
+      if (!answer(near, point)) go_on(rows_[near.row - 1], near.nu, point);
+    }
+  }
+
+  /// Whether what was corrected is at its place on the curve.
+  bool stays(const Near& near, const ReducedVector<N>& x, bool positive) const {
     // At this nu, and not across the curve: the steeper the curve the farther.
     constexpr double few = 8.0;
-    const double steepness = 1.0 / std::max(arc.direction(u)[N], 1e-3);
-    ReducedVector<N> x = near;
-    const Refined refined = correct(x, nu, out);
-    const double moved_by = logarithms(x.array() / near.array()).abs().maxCoeff();
-    return refined.converged && refined.positive == positive_ &&
-           moved_by <= few * curve_tolerance * steepness;
+    const double moved_by = ((x - near.x).array() / near.x.array()).abs().maxCoeff();
+    return positive == positive_ && moved_by <= few * curve_tolerance * near.steepness;
+  }
+
+  /// What a kernel has found, with its residual in doubles.
+  bool take(const OrientedPoints& points, std::size_t i, const Near& near, LanePoint& out) const {
+    ReducedVector<N> x;
+    for (int k = 0; k < N; ++k) x[k] = points.x[static_cast<std::size_t>(k)][i];
+    if (points.accepted[i] == 0.0 || !stays(near, x, points.positive[i] != 0.0)) return false;
+    const Stretch q{points.alpha[i], x[0], x[1], x[2]};
+    if (!(problem_.residual(q, near.nu) <= acceptable_residual)) return false;
+    out = {SolveStatus::solved, q, oriented_bound_factor<N> * points.error_bound[i]};
+    return true;
+  }
+
+  bool answer(const Near& near, LanePoint& out) const {
+    ReducedVector<N> x = near.x;
+    const Refined refined = correct(x, near.nu, out);
+    return refined.converged && stays(near, x, refined.positive);
   }
 
   /// Along the curve from a row to nu.
@@ -155,8 +240,10 @@ class FollowedLane {
 
   const Family<N>& family_;
   const Family<N>& bare_;
+  const LaneProblem& problem_;
   const Stretch& rest_;
   const std::atomic<bool>* stop_;
+  std::vector<Row> rows_;
   double range_ = 0.0;
   bool positive_ = true;  ///< det dG/d ln x where the sheet begins
 };
@@ -177,7 +264,8 @@ void solve_off_axis(const Problem& problem, std::span<const double> nu,
 }  // namespace
 
 void solve_anisotropic_lane(const Problem& problem, std::span<const double> nu,
-                            const std::atomic<bool>* stop, std::span<LanePoint> out) {
+                            const OrientedKernels& kernels, const std::atomic<bool>* stop,
+                            std::span<LanePoint> out) {
   std::ranges::fill(out, LanePoint());
   const AnisotropicPotential& V = problem.potential().anisotropic();
   const bool off_axis = problem.branch() != Branch::iii && !V.shear_free();
@@ -192,15 +280,17 @@ void solve_anisotropic_lane(const Problem& problem, std::span<const double> nu,
   Counts counts;
   const AnisotropicRest rest = anisotropic_rest(problem.body(), problem.potential(), how, counts);
   if (rest.q) {
+    const Branch branch = off_axis ? Branch::iii : problem.branch();
+    const LaneProblem lane(problem, branch, kernels);
     const auto family = [&](bool errors) {
       return anisotropic_family(
-          problem.body(), V, off_axis ? Branch::iii : problem.branch(), false,
+          problem.body(), V, branch, false,
           {.parameter = {}, .spectrum = false, .errors = errors, .energy = false});
     };
     std::visit(
         [&](const auto& each, const auto& bare) {
           if constexpr (std::is_same_v<decltype(each), decltype(bare)>)
-            FollowedLane(*each, *bare, *rest.q, stop)
+            FollowedLane(*each, *bare, lane, *rest.q, stop)
                 .solve(nu.first(followed), out.first(followed));
         },
         family(true), family(false));

@@ -1,10 +1,11 @@
-// One lane of a batch (batch.hpp) of a potential that is not isotropic, without SIMD: the family
+// One lane of a batch (batch.hpp) of a potential that is not isotropic: the family
 // through the lane's rest state (anisotropic_family.hpp) is followed once,
 //
 //   G(x(s); nu(s)) = 0,   s from rest, until |nu| has passed the largest asked for,
 //
 // and each |nu| is answered where it is met first along the curve: on the arc (hermite_arc.hpp)
-// between the two rows around it, then corrected at that nu. Turns of nu are rows, so that between
+// between the two rows around it, then corrected at that nu, many at a time in packs where the potential
+// is made of built-in models and fibres (oriented_lanes.hpp). Turns of nu are rows, so that between
 // two rows nu passes each value once; what the correction comes to must be as near to the arc as
 // the arc is to the curve, and have the rest state's sign of det dG/d ln x, which every first
 // meeting has: else the curve is followed once more, from the row before to that nu.
@@ -16,6 +17,7 @@
 #include <limits>
 #include <span>
 
+#include "solver/batch/oriented_lanes.hpp"
 #include "solver/motion/problem.hpp"
 #include "solver/solve/solve.hpp"
 
@@ -35,6 +37,7 @@ struct LanePoint {
 /// for the motions that compatibility leaves to chance and proves that there is none.
 /// Throws std::bad_variant_access for an isotropic potential.
 void solve_anisotropic_lane(const Problem& problem, std::span<const double> nu,
-                            const std::atomic<bool>* stop, std::span<LanePoint> out);
+                            const OrientedKernels& kernels, const std::atomic<bool>* stop,
+                            std::span<LanePoint> out);
 
 }  // namespace stationary

@@ -31,6 +31,15 @@ const MarchKernels& march_kernels(InstructionSet set) {
   return march_kernels_baseline();
 }
 
+const OrientedKernels& oriented_kernels(InstructionSet set) {
+#ifdef STATIONARY_X86
+  if (set == InstructionSet::avx512) return oriented_kernels_avx512();
+  if (set == InstructionSet::avx2) return oriented_kernels_avx2();
+#endif
+  (void)set;
+  return oriented_kernels_baseline();
+}
+
 void require_valid(const BatchInput& input, const BatchOptions& options) {
   require_valid(input);
   if (!has_instruction_set(options.instructions))
@@ -307,7 +316,8 @@ class BatchRun {
     std::vector<double> nu;
     for (const double s : plan_.s) nu.push_back(std::abs(input_.speed[lane] * s));
     std::vector<LanePoint> points(nu.size());
-    solve_anisotropic_lane(input_.problem(lane), nu, options_.stop, points);
+    solve_anisotropic_lane(input_.problem(lane), nu, oriented_kernels(options_.instructions),
+                           options_.stop, points);
     for (std::size_t slot = 0; slot < points.size(); ++slot) {
       const LanePoint& point = points[slot];
       const std::size_t i = out_.index(lane, slot);

@@ -5,8 +5,8 @@
 //             lanes (march_kernel.hpp), on the best instruction set of the processor
 //   fallback  a lane that cannot be marched on with goes on by the scalar path, Sweep and, where
 //             that ends, solve; coupled potentials and expressions take it from the start
-//   follow    lanes of an anisotropic potential, alpha an unknown in (iii): each by itself
-//             (anisotropic_batch.hpp)
+//   follow    lanes of an anisotropic potential, alpha an unknown in (iii): each by itself, its nu
+//             side by side (anisotropic_batch.hpp)
 //
 // All correct with a residual in extended precision, so S is rounded correctly; results do not
 // depend on the instruction set, on the number of threads or on the other lanes. Every cell has a

@@ -289,8 +289,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     return x;
   }
   using Kind = FamilyParameter::Kind;
-  /// Of alpha over sqrt(xi zeta), tanh a, and of the axis' angle, against the bound of ln x.
-  static constexpr double bound_factor = Layout::axis ? 2.0 : Layout::alpha ? 1.25 : 1.0;
+  static constexpr double bound_factor = oriented_bound_factor<N>;
 
   struct Setting {
     Body body;

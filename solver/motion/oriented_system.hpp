@@ -43,6 +43,13 @@ struct OrientedLayout {
   static constexpr int axis_place = alpha_place + 1;
 };
 
+/// Of alpha over sqrt(xi zeta), tanh a, and of the axis' angle, against the bound of ln x; N: as of a
+/// layout with rho.
+template <int N>
+constexpr double oriented_bound_factor = N > 4   ? 2.0
+                                         : N > 3 ? 1.25
+                                                 : 1.0;
+
 using StraightLayout = OrientedLayout<true, false, false>;
 using ShearedLayout = OrientedLayout<true, true, false>;
 using ObliqueLayout = OrientedLayout<true, true, true>;

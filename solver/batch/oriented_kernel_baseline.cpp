@@ -1,0 +1,8 @@
+// The corrections for any processor.
+#include "solver/batch/oriented_kernel.hpp"
+
+namespace stationary {
+
+const OrientedKernels& oriented_kernels_baseline() { return oriented_kernels<Pack<16>>(); }
+
+}  // namespace stationary
