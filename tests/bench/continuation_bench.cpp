@@ -8,7 +8,8 @@
 //   all-events    those of the spectrum too
 //   proven        each row certified, and its class
 //   table         all but the proofs, written as a CSV table in a temporary file, start included
-// of the rest sheet of one body, followed until it escapes or nu = 3; then, for tolerances
+// of the rest sheet of one body, followed until it escapes or nu = 3; with everything on, in memory,
+// of tilted and oblique families and of a body with fibres about axis 3; then, for tolerances
 // 1e-3 ... 1e-13, the number of rows and the true curve error: how far a cubic through four
 // successive rows is from the curve.
 #include <benchmark/benchmark.h>
@@ -75,6 +76,37 @@ void in_memory(benchmark::State& state, const Case& c, const AnyFamily& family, 
   state.SetItemsProcessed(sink.rows);
 }
 
+/// A family of another kind through a motion, over a range of |nu|.
+struct OtherCase {
+  std::string label;
+  std::unique_ptr<Kind> kind;
+  double nu, from, to;
+};
+
+void other_in_memory(benchmark::State& state, const OtherCase& c) {
+  const Equilibrium start = c.kind->solve({});
+  if (start.status != SolveStatus::solved) throw std::runtime_error(c.label + ": no motion");
+  const AnyFamily family = c.kind->family({}, {}, start.q);
+  Counted sink;
+  for (auto _ : state) follow(family, start.q, c.nu, range(c.from, c.to, 1e-10), sink);
+  state.SetItemsProcessed(sink.rows);
+}
+
+std::vector<OtherCase> other_cases() {
+  const Body body(1.0, 1.7, 0.6);
+  const ReciprocalQuadratic<> thickness{1.0, 3.0};
+  const Potential isotropic{ReciprocalDeterminant<>{1.0, 2.0}, thickness};
+  const Potential fibred(AnisotropicPotential(NeoHookean<>{1.0, 2.0}, thickness, {{0.4, 30.0}}));
+  std::vector<OtherCase> out;
+  out.push_back({"tilted", kind_of(body, isotropic, TiltedMotion{TiltPlane::one_three, 1.07}), 1.07,
+                 1.0, 1.1});
+  out.push_back(
+      {"oblique", kind_of(body, fibred, ObliqueRotation{0.5, Branch::i}), 0.5, 0.0, 0.785});
+  out.push_back(
+      {"fibred/iii", kind_of(body, fibred, AxisRotation{Branch::iii, 0.5}), 0.5, 0.0, 0.79});
+  return out;
+}
+
 void proven(benchmark::State& state, const Case& c) {
   const AnyFamily family = c.family(true);
   const FollowOptions options = range(0.0, last_nu, 1e-10);
@@ -138,13 +170,18 @@ void print_curve_errors(const std::vector<Case>& cases) {
   }
 }
 
+template <class Body>
+void register_one(const std::string& label, const Body& body) {
+  benchmark::RegisterBenchmark(label.c_str(), body)
+      ->Unit(benchmark::kMicrosecond)
+      ->Repetitions(7)
+      ->ReportAggregatesOnly(true)
+      ->MinTime(0.05);
+}
+
 void register_case(const Case& c) {
-  const auto add = [&](const char* what, auto body) {
-    benchmark::RegisterBenchmark((c.label + "|" + what).c_str(), body)
-        ->Unit(benchmark::kMicrosecond)
-        ->Repetitions(7)
-        ->ReportAggregatesOnly(true)
-        ->MinTime(0.05);
+  const auto add = [&](const char* what, const auto& body) {
+    register_one(c.label + "|" + what, body);
   };
   const auto add_in_memory = [&](const char* what, bool spectrum, bool errors, bool energy,
                                  EventSet events) {
@@ -175,6 +212,11 @@ int main(int argc, char** argv) {
       cases.push_back(stationary::bench::make_case(model, branch));
   }
   for (const auto& c : cases) stationary::bench::register_case(c);
+  static const std::vector<stationary::bench::OtherCase> others = stationary::bench::other_cases();
+  for (const auto& c : others)
+    stationary::bench::register_one(c.label + "|all-events", [&c](benchmark::State& state) {
+      stationary::bench::other_in_memory(state, c);
+    });
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   stationary::bench::print_curve_errors(cases);
