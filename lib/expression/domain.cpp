@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace stationary::expression {
 namespace {
@@ -120,11 +121,44 @@ void add(Condition condition, std::vector<Condition>& out) {
   if (std::ranges::none_of(out, same)) out.push_back(std::move(condition));
 }
 
+/// x with a multiple of xi zeta - alpha^2 as one of what it is, d, by itself or as a factor.
+NodeId with_determinant(Graph& g, NodeId x) {
+  if (g.is_coefficient(x)) return x;
+  const NodeId product = g.multiply({g.variable(Variable::xi), g.variable(Variable::zeta)});
+  const NodeId square = g.power(g.variable(Variable::alpha), 2);
+  // Over d, where that is a coefficient.
+  const auto over_determinant = [&](NodeId of) -> std::optional<NodeId> {
+    const Node node = g[of];
+    if (node.kind != Kind::sum || node.terms.size() != 2 || !g.is_zero(node.a)) return std::nullopt;
+    const std::size_t first = node.terms[0].node == product ? 0 : 1;
+    const Term& plus = node.terms[first];
+    const Term& minus = node.terms[1 - first];
+    if (plus.node != product || minus.node != square) return std::nullopt;
+    if (!g.is_zero(g.add({plus.coefficient, minus.coefficient}))) return std::nullopt;
+    return plus.coefficient;
+  };
+  const Term term = g.scaled(x);
+  const Node node = g[term.node];
+  const std::vector<Term> factors =
+      node.kind == Kind::product ? node.terms : std::vector<Term>{{term.node, 0, 1}};
+  NodeId out = term.coefficient;
+  bool found = false;
+  for (const Term& factor : factors) {
+    const auto multiple = over_determinant(factor.node);
+    const NodeId base = multiple ? g.multiply({*multiple, g.variable(Variable::d)}) : factor.node;
+    out = g.multiply({out, g.power(base, factor.exponent)});
+    found = found || multiple;
+  }
+  return found ? out : x;
+}
+
 }  // namespace
 
 Sign sign(const Graph& graph, NodeId x) { return Signs(graph)(x); }
 
-void require_nonzero(Graph& graph, NodeId x, std::string_view text, std::vector<Condition>& out) {
+void require_nonzero(Graph& graph, NodeId given, std::string_view text,
+                     std::vector<Condition>& out) {
+  const NodeId x = with_determinant(graph, given);
   if (sign(graph, x) == Sign::positive) return;
   if (graph.is_exact_literal(x) && !graph.is_zero(x)) return;
   const Term term = graph.scaled(x);
@@ -143,7 +177,9 @@ void require_nonzero(Graph& graph, NodeId x, std::string_view text, std::vector<
   add({x, false, std::string(text)}, out);
 }
 
-void require_positive(Graph& graph, NodeId x, std::string_view text, std::vector<Condition>& out) {
+void require_positive(Graph& graph, NodeId given, std::string_view text,
+                      std::vector<Condition>& out) {
+  const NodeId x = with_determinant(graph, given);
   if (sign(graph, x) == Sign::positive) return;
   const Term term = graph.scaled(x);
   NodeId odd = term.coefficient;

@@ -29,7 +29,9 @@ TEST(ExpressionDomain, ConditionsThatAlwaysHoldAreNone) {
   for (const char* text :
        {"k*log(d) + n*log(rho)", "1/d + 1/rho^2", "sqrt(t)*I1^n", "log(d*rho)^2", "1/(1 + d)",
         "log(1 + rho^2 + exp(k))", "lambda^n + mu_^n", "log(I2) + 1/I3", "(t + 2*d)^-3",
-        "1/tanh(rho)", "sqrt(exp(alpha))", "1/(alpha^2 + xi^2)", "(d^2)^0.5", "xi^2 - zeta^3"})
+        "1/tanh(rho)", "sqrt(exp(alpha))", "1/(alpha^2 + xi^2)", "(d^2)^0.5", "xi^2 - zeta^3",
+        "log(xi*zeta - alpha^2)", "log(rho*(xi*zeta - alpha^2)^3)", "2/(alpha^2 - zeta*xi)",
+        "(3*xi*zeta - 3*alpha^2)^n"})
     EXPECT_EQ(conditions(text), Texts()) << text;
 }
 
@@ -46,6 +48,8 @@ TEST(ExpressionDomain, TheOthersAreFoundInTheWordsOfTheFormula) {
   EXPECT_EQ(conditions("1/(xi - zeta)*(xi - zeta)"), Texts{"(xi - zeta) != 0"});
   EXPECT_EQ(conditions("exp(log(1 - d))"), Texts{"1 - d > 0"});
   EXPECT_EQ(conditions("log(-d)"), Texts{"-d > 0"});
+  EXPECT_EQ(conditions("log(alpha^2 - xi*zeta)"), Texts{"alpha^2 - xi*zeta > 0"});
+  EXPECT_EQ(conditions("log(xi*zeta - 2*alpha^2)"), Texts{"xi*zeta - 2*alpha^2 > 0"});
   // A parameter may be varied.
   EXPECT_EQ(conditions("log(k*d) + d/n"), (Texts{"k*d > 0", "n != 0"}));
   // One and the same.
