@@ -39,8 +39,8 @@ inline std::complex<double> inverse(const std::complex<double>& z) {
 /// T.
 template <std::size_t n>
 struct Similarity {
-  std::array<std::size_t, n> swapped;  ///< row k + 1 with this one
-  Square<double, n> multiplier;        ///< [i][k]: of row k + 1 in row i
+  std::array<std::size_t, n> swapped{};  ///< row k + 1 with this one
+  Square<double, n> multiplier{};        ///< [i][k]: of row k + 1 in row i
 
   /// T x, of a right eigenvector of H.
   template <class T>

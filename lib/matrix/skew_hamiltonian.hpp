@@ -22,8 +22,8 @@ struct SymplecticSimilarity {
   /// What made a column zero, plane k + 1 the pivot: p_i -= p[i] p_pivot; the plane turned or not,
   /// then p -= turn q; q_i -= q[i] q_pivot.
   struct Column {
-    std::size_t p_pivot;
-    std::size_t q_pivot;
+    std::size_t p_pivot = 0;
+    std::size_t q_pivot = 0;
     bool turned = false;
     double turn = 0.0;
     std::array<double, n> p{};

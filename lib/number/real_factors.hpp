@@ -161,7 +161,7 @@ RealFactors<double, degree> rough_factors(const std::array<double, degree + 1>& 
       pair(first, first + 1);
     }
   } else {
-    const bool nested = count == 4 && std::fmin(apart(0), apart(2)) > apart(1);
+    const bool nested = degree >= 4 && count == 4 && std::fmin(apart(0), apart(2)) > apart(1);
     if (nested) pair(0, 3);
     for (std::size_t j = nested ? 1 : 0; j + 1 < count - nested; j += 2) pair(j, j + 1);
   }

@@ -69,8 +69,9 @@ struct LaneProblem {
   /// Null where there is none.
   template <int N>
   OrientedKernels::Kernel kernel() const {
-    if (!lane || N > 4) return nullptr;
-    return (N == 4 ? kernels.sheared : kernels.straight)[lane->plane_model];
+    static_assert(N == StraightLayout::dimension || N == ShearedLayout::dimension);
+    if (!lane) return nullptr;
+    return (N == ShearedLayout::dimension ? kernels.sheared : kernels.straight)[lane->plane_model];
   }
   double residual(const Stretch& q, double nu) const {
     return check_balance(body, potential_derivatives<2>(models.plain, q), q,
@@ -288,8 +289,10 @@ void solve_anisotropic_lane(const Problem& problem, std::span<const double> nu,
           {.parameter = {}, .spectrum = false, .errors = errors, .energy = false});
     };
     std::visit(
-        [&](const auto& each, const auto& bare) {
-          if constexpr (std::is_same_v<decltype(each), decltype(bare)>)
+        [&]<class Own, class Bare>(const Own& each, const Bare& bare) {
+          if constexpr (std::is_same_v<Own, Bare> &&
+                        (std::is_same_v<Own, std::unique_ptr<Family<StraightLayout::dimension>>> ||
+                         std::is_same_v<Own, std::unique_ptr<Family<ShearedLayout::dimension>>>))
             FollowedLane(*each, *bare, lane, *rest.q, stop)
                 .solve(nu.first(followed), out.first(followed));
         },

@@ -25,11 +25,11 @@ struct OrientedLane {
   };
   std::array<double, 3> inertia;
   Branch branch;
-  std::size_t plane_model;  ///< of PlanarPotential
-  std::array<double, 2> plane;
-  bool harmonic;
-  std::array<double, 2> thickness;
-  std::array<LaneFibre, AnisotropicModel<double>::max_fibres> fibre;
+  std::size_t plane_model = 0;  ///< of PlanarPotential
+  std::array<double, 2> plane{};
+  bool harmonic = false;
+  std::array<double, 2> thickness{};
+  std::array<LaneFibre, AnisotropicModel<double>::max_fibres> fibre{};
   std::size_t fibres = 0;
 };
 
