@@ -23,7 +23,6 @@
 #include "lib/leaf/leaf_roots.hpp"
 #include "lib/leaf/reductions.hpp"
 #include "lib/leaf/symplectic_leaf.hpp"
-#include "lib/matrix/eigenvalue_discs.hpp"
 #include "lib/matrix/form_signs.hpp"
 #include "lib/number/elementary.hpp"
 
@@ -250,18 +249,11 @@ class ReversibleProblem {
       rounding[i] = reduced.unit * (0x1p-94 * reduced.h_size * rounding[i] + roots.error[i]);
       out.lambda[i] = lambda[i] * reduced.unit;
     }
-    const auto discs = eigenvalue_discs(out.lambda, d);
-    if (!discs) return false;
-    out.error = *discs;
+    if (!out.set_errors(d, rounding)) return false;
     for (std::size_t i = 0; i < n; ++i) {
-      if (i != roots.forced && !(rounding[i] <= 0x1p-8 * out.error[i])) return false;
-      out.error[i] += rounding[i] + 0x1p-53 * one_norm(out.lambda[i]);
-      out.energy[i] = 0;
-      if (out.lambda[i].imag() != 0.0 || out.lambda[i].real() >= 0.0) continue;
-      const double by_A = std::real(a[i]) / in_A[i][i];
-      const double by_B = std::real(b[i]) / in_B[i][i];
-      const double surer = std::abs(by_A) > std::abs(by_B) ? by_A : by_B;
-      out.energy[i] = surer > energy_doubt ? 1 : surer < -energy_doubt ? -1 : 0;
+      const bool imaginary = out.lambda[i].imag() == 0.0 && out.lambda[i].real() < 0.0;
+      out.energy[i] =
+          imaginary ? energy_sign(std::real(a[i]) / in_A[i][i], std::real(b[i]) / in_B[i][i]) : 0;
     }
     return true;
   }

@@ -15,7 +15,6 @@
 #include "lib/leaf/leaf_roots.hpp"
 #include "lib/leaf/reductions.hpp"
 #include "lib/leaf/symplectic_leaf.hpp"
-#include "lib/matrix/eigenvalue_discs.hpp"
 #include "lib/matrix/form_signs.hpp"
 #include "lib/number/elementary.hpp"
 
@@ -213,15 +212,8 @@ class WholeLeafProblem {
     // s and -s have to stand apart too.
     for (std::size_t i = 0; i < n; ++i)
       if (i != roots.forced && !(d[i][i] <= discs_apart * modulus(out.lambda[i]))) return false;
-    const auto discs = eigenvalue_discs(out.lambda, d);
-    if (!discs) return false;
-    out.error = *discs;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i != roots.forced && !(rounding[i] <= 0x1p-8 * out.error[i])) return false;
-      out.error[i] += rounding[i] + 0x1p-53 * one_norm(out.lambda[i]);
-      const double energy = modes[i].energy;
-      out.energy[i] = energy > energy_doubt ? 1 : energy < -energy_doubt ? -1 : 0;
-    }
+    if (!out.set_errors(d, rounding)) return false;
+    for (std::size_t i = 0; i < n; ++i) out.energy[i] = energy_sign(modes[i].energy);
     return true;
   }
 

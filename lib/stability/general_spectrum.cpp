@@ -25,13 +25,12 @@ LeafModes<1> one_pair_modes(const Leaf& leaf, const LeafFacts& facts) {
   const double of_a = leaf.magnitude[0][0];
   const double of_b = leaf.magnitude[1][1];
   const double of_c = leaf.magnitude[0][1];
-  const double trace = leading(a) + leading(b);
   LeafModes<1> out;
   if (facts.forced_zero) {
     out.lambda[0] = 0.0;
     out.error[0] = 0.0;
     out.forced = 0;
-    out.negative = trace < 0.0;
+    out.negative = negatives_2(leading(a), leading(b), 0.0);
     out.definite = false;
     return out;
   }
@@ -41,12 +40,9 @@ LeafModes<1> one_pair_modes(const Leaf& leaf, const LeafFacts& facts) {
       u * (size_a * of_b + size_b * of_a + 2.0 * size_c * of_c + u * (of_a * of_b + of_c * of_c));
   out.lambda[0] = -det;
   out.error[0] = spread + 0x1p-53 * std::abs(det);
-  out.negative = det < 0.0 ? 1 : trace < 0.0 ? (det == 0.0 ? 1 : 2) : 0;
+  out.negative = negatives_2(leading(a), leading(b), det);
   out.definite = leading(a) > u * of_a && leading(b) > u * of_b && det > spread;
-  const double by_a = leading(a) / of_a;
-  const double by_b = leading(b) / of_b;
-  const double surer = std::abs(by_a) > std::abs(by_b) ? by_a : by_b;
-  if (det > 0.0) out.energy[0] = surer > energy_doubt ? 1 : surer < -energy_doubt ? -1 : 0;
+  if (det > 0.0) out.energy[0] = energy_sign(leading(a) / of_a, leading(b) / of_b);
   return out;
 }
 

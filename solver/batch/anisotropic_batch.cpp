@@ -54,36 +54,29 @@ class CoordinateRows final : public CurveSink {
 /// What corrects a lane's points many at a time, if it can.
 struct LaneProblem {
   const Body& body;
+  const AnisotropicPotential& V;
   Branch branch;
-  OrientedModels models;
   std::optional<OrientedLane> lane;
   const OrientedKernels& kernels;
 
-  LaneProblem(const Problem& problem, Branch about, const OrientedKernels& by)
-      : body(problem.body()),
-        branch(about),
-        models(problem.potential().anisotropic()),
-        lane(oriented_lane(body, branch, models)),
-        kernels(by) {}
-
   /// Null where there is none.
-  template <int N>
+  template <class Layout>
   OrientedKernels::Kernel kernel() const {
-    static_assert(N == StraightLayout::dimension || N == ShearedLayout::dimension);
     if (!lane) return nullptr;
-    return (N == ShearedLayout::dimension ? kernels.sheared : kernels.straight)[lane->plane_model];
+    return (Layout::alpha ? kernels.sheared : kernels.straight)[lane->plane_model];
   }
   double residual(const Stretch& q, double nu) const {
-    return check_balance(body, potential_derivatives<2>(models.plain, q), q,
+    return check_balance(body, potential_derivatives<2>(V.model(), q), q,
                          angular_velocity(branch, nu))
         .residual;
   }
 };
 
 /// A family through a rest state, at many nu.
-template <int N>
+template <class Layout>
 class FollowedLane {
  public:
+  static constexpr int N = Layout::dimension;
   /// bare: the same family, its members without errors and energy.
   FollowedLane(const Family<N>& family, const Family<N>& bare, const LaneProblem& problem,
                const Stretch& rest, const std::atomic<bool>* stop)
@@ -174,7 +167,7 @@ class FollowedLane {
 
   void answer(const std::vector<Near>& pending, std::span<LanePoint> out) const {
     OrientedPoints points;
-    const auto kernel = problem_.kernel<N>();
+    const auto kernel = problem_.kernel<Layout>();
     if (kernel != nullptr && !pending.empty()) {
       for (std::size_t i = 0; i < OrientedPoints::size; ++i) {
         const Near& near = pending[std::min(i, pending.size() - 1)];
@@ -208,7 +201,7 @@ class FollowedLane {
     if (points.accepted[i] == 0.0 || !stays(near, x, points.positive[i] != 0.0)) return false;
     const Stretch q{points.alpha[i], x[0], x[1], x[2]};
     if (!(problem_.residual(q, near.nu) <= acceptable_residual)) return false;
-    out = {SolveStatus::solved, q, oriented_bound_factor<N> * points.error_bound[i]};
+    out = {SolveStatus::solved, q, Layout::bound_factor * points.error_bound[i]};
     return true;
   }
 
@@ -282,21 +275,23 @@ void solve_anisotropic_lane(const Problem& problem, std::span<const double> nu,
   const AnisotropicRest rest = anisotropic_rest(problem.body(), problem.potential(), how, counts);
   if (rest.q) {
     const Branch branch = off_axis ? Branch::iii : problem.branch();
-    const LaneProblem lane(problem, branch, kernels);
+    const LaneProblem lane{problem.body(), V, branch, oriented_lane(problem.body(), branch, V),
+                           kernels};
     const auto family = [&](bool errors) {
       return anisotropic_family(
           problem.body(), V, branch, false,
           {.parameter = {}, .spectrum = false, .errors = errors, .energy = false});
     };
-    std::visit(
-        [&]<class Own, class Bare>(const Own& each, const Bare& bare) {
-          if constexpr (std::is_same_v<Own, Bare> &&
-                        (std::is_same_v<Own, std::unique_ptr<Family<StraightLayout::dimension>>> ||
-                         std::is_same_v<Own, std::unique_ptr<Family<ShearedLayout::dimension>>>))
-            FollowedLane(*each, *bare, lane, *rest.q, stop)
-                .solve(nu.first(followed), out.first(followed));
-        },
-        family(true), family(false));
+    const AnyFamily own = family(true);
+    const AnyFamily bare = family(false);
+    const auto follow = [&]<class Layout>(Layout) {
+      using Own = std::unique_ptr<Family<Layout::dimension>>;
+      if (!std::holds_alternative<Own>(own)) return;
+      FollowedLane<Layout>(*std::get<Own>(own), *std::get<Own>(bare), lane, *rest.q, stop)
+          .solve(nu.first(followed), out.first(followed));
+    };
+    follow(StraightLayout());
+    follow(ShearedLayout());
   }
   if (is_set(stop)) return;  // what was not met may only not have been come to
   for (std::size_t k = 0; k < followed; ++k) {

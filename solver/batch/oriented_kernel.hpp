@@ -12,6 +12,7 @@
 #include "lib/number/dual.hpp"
 #include "lib/number/simd_pack.hpp"
 #include "solver/batch/oriented_lanes.hpp"
+#include "solver/newton/refine.hpp"
 
 namespace stationary {
 
@@ -104,7 +105,8 @@ class OrientedCorrection {
       accepted = active & (kappa * size * (size + 0x1p-50) <= V(0x1p-86)) &
                  (kappa * extended <= V(0x1p-60));
       if (!any(active & ~accepted)) break;
-      for (std::size_t k = 0; k < 4; ++k) x[k] = select(accepted, x[k], moved(x[k], step_[k]));
+      for (std::size_t k = 0; k < 4; ++k)
+        x[k] = select(accepted, x[k], moved_little(x[k], -step_[k]));
     }
     const V linear = rows(perturbation(x, nu_squared)) + kappa * size * (size + 0x1p-50) + 0x1p-53;
     const V rest = 1.0 - 4.0 * kappa * linear;
@@ -117,7 +119,7 @@ class OrientedCorrection {
     std::array<Pair<V>, 4> wide;
     for (std::size_t k = 0; k < 4; ++k) {
       wide[k] = two_sum(x[k], -(x[k] * step_[k]));
-      moved(x[k], step_[k]).store(points.x[k].data() + i);
+      moved_little(x[k], -step_[k]).store(points.x[k].data() + i);
     }
     V alpha(0.0);
     if constexpr (sheared) {
@@ -132,12 +134,6 @@ class OrientedCorrection {
   static constexpr int most = 4;
   /// Error of a residual in pairs, of its terms.
   static constexpr double extended = 0x1p-68;
-
-  /// x exp(-step), step small.
-  [[gnu::always_inline]] static V moved(const V& x, const V& step) {
-    const V d = -step;
-    return x + x * (d + d * d * (0.5 + d / 6.0));
-  }
 
   template <class S, class X>
   [[gnu::always_inline]] static OrientedStretch<S> stretch(const std::array<X, 4>& x) {
@@ -257,17 +253,7 @@ class OrientedCorrection {
       add(out);
     }
     const SpinProducts<V> spin = axis_products(lane_.branch, nu_squared);
-    const auto inertial = [&](const Inertia3<V>& J) {
-      return inertial_part<V>(J, std::nullopt, plain, spin, nullptr);
-    };
-    const auto all = inertial(plain_.J);
-    for (std::size_t j = 0; j < 3; ++j) {
-      Inertia3<V> one{V(0.0), V(0.0), V(0.0)};
-      (j == 0 ? one.J1 : j == 1 ? one.J2 : one.J3) = V(lane_.inertia[j]);
-      const auto part = inertial(one);
-      for (std::size_t k = 0; k < 4; ++k) sum.g[k] += abs(part[k]);
-    }
-    for (std::size_t k = 0; k < 4; ++k) sum.g[k] += 2.0 * abs(all[k]);
+    add_inertial_sensitivity<V>(plain_.J, std::nullopt, plain, spin, nullptr, sum.g);
     std::array<V, 4> out;
     for (std::size_t k = 0; k < n; ++k) out[k] = 0x1p-53 * (sum.g[place[k]] * scale_[k]) + extended;
     if constexpr (!sheared) out[2] = V(0.0);

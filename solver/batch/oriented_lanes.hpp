@@ -61,6 +61,6 @@ const OrientedKernels& oriented_kernels_avx512();
 
 /// Nothing where the potential has other parts, gravity or a held volume.
 std::optional<OrientedLane> oriented_lane(const Body& body, Branch branch,
-                                          const OrientedModels& models);
+                                          const AnisotropicPotential& V);
 
 }  // namespace stationary

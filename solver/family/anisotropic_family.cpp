@@ -289,7 +289,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     return x;
   }
   using Kind = FamilyParameter::Kind;
-  static constexpr double bound_factor = oriented_bound_factor<N>;
+  static constexpr double bound_factor = Layout::bound_factor;
 
   struct Setting {
     Body body;

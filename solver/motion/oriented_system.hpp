@@ -41,14 +41,9 @@ struct OrientedLayout {
   static constexpr int thickness_place = 2;
   static constexpr int alpha_place = 2 + int(thickness);
   static constexpr int axis_place = alpha_place + 1;
+  /// Of alpha over sqrt(xi zeta), tanh a, and of the axis' angle, against the bound of ln x.
+  static constexpr double bound_factor = axis ? 2.0 : alpha ? 1.25 : 1.0;
 };
-
-/// Of alpha over sqrt(xi zeta), tanh a, and of the axis' angle, against the bound of ln x; N: as of a
-/// layout with rho.
-template <int N>
-constexpr double oriented_bound_factor = N > 4   ? 2.0
-                                         : N > 3 ? 1.25
-                                                 : 1.0;
 
 using StraightLayout = OrientedLayout<true, false, false>;
 using ShearedLayout = OrientedLayout<true, true, false>;
@@ -144,6 +139,22 @@ std::array<S, 5> inertial_part(const Inertia3<S>& J, const std::optional<S>& vol
   if (volume) out = held<1>(out, whole);
   if (axis != nullptr) add_axis<1>(J, at, S(0.0), *axis, out);
   return out.g;
+}
+
+/// Adds the sum over J1, J2, J3 and, twice, nu of |p dG/dp|, G the inertial part.
+template <class S>
+void add_inertial_sensitivity(const Inertia3<S>& J, const std::optional<S>& volume,
+                              const OrientedStretch<S>& at, const SpinProducts<S>& n,
+                              const AxisAngle<S>* axis, std::array<S, 5>& sum) {
+  using std::abs;
+  const S none(0.0);
+  for (const Inertia3<S>& one : {Inertia3<S>{J.J1, none, none}, Inertia3<S>{none, J.J2, none},
+                                 Inertia3<S>{none, none, J.J3}}) {
+    const auto part = inertial_part(one, volume, at, n, axis);
+    for (std::size_t i = 0; i < 5; ++i) sum[i] += abs(part[i]);
+  }
+  const auto all = inertial_part(J, volume, at, n, axis);
+  for (std::size_t i = 0; i < 4; ++i) sum[i] += 2.0 * abs(all[i]);
 }
 
 /// Of the shear's equation at alpha = 0 the coefficient that turns it, without J1 or J2 times nu^2
@@ -245,15 +256,9 @@ struct OrientedSystem {
       const std::array<double, 4> decimals = decimal_conditions(models->potential, stretch(y));
       for (std::size_t i = 0; i < decimals.size(); ++i) sum[i] += decimals[i];
     }
-    const double J[3] = {body.J1, body.J2, body.J3};
-    const auto all = inertial({J[0], J[1], J[2]}, y, nu * nu);
-    for (std::size_t k = 0; k < 3; ++k) {
-      Inertia3<double> one{0.0, 0.0, 0.0};
-      (k == 0 ? one.J1 : k == 1 ? one.J2 : one.J3) = J[k];
-      const auto part = inertial(one, y, nu * nu);
-      for (std::size_t i = 0; i < 5; ++i) sum[i] += std::abs(part[i]);
-    }
-    for (std::size_t i = 0; i < 4; ++i) sum[i] += 2.0 * std::abs(all[i]);
+    const AxisAngle<double> axis = axis_angle(y[4]);
+    add_inertial_sensitivity({body.J1, body.J2, body.J3}, models->plain.body.volume, stretch(y),
+                             spin(y, nu * nu), Layout::axis ? &axis : nullptr, sum);
     ReducedVector<N> out;
     for (int i = 0; i < N; ++i) out[i] = sum[place(i)] * scale[i];
     return out;

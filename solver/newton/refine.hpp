@@ -37,6 +37,12 @@ struct Refined {
   double error_bound = std::numeric_limits<double>::quiet_NaN();       ///< relative, max over x
 };
 
+/// x exp(d) of a small d, as a series.
+template <class Number>
+[[gnu::always_inline]] inline Number moved_little(const Number& x, const Number& d) {
+  return x + x * (d + d * d * (0.5 + d / 6.0));
+}
+
 /// x exp(scale delta), the exponential by its series where its argument is small.
 template <int N>
 ReducedVector<N> moved(const ReducedVector<N>& x, const ReducedVector<N>& delta,
@@ -44,7 +50,7 @@ ReducedVector<N> moved(const ReducedVector<N>& x, const ReducedVector<N>& delta,
   ReducedVector<N> out;
   for (int i = 0; i < N; ++i) {
     const double d = scale * delta[i];
-    out[i] = std::abs(d) < 0x1p-13 ? x[i] + x[i] * (d + d * d * (0.5 + d / 6.0)) : x[i] * exp(d);
+    out[i] = std::abs(d) < 0x1p-13 ? moved_little(x[i], d) : x[i] * exp(d);
   }
   return out;
 }

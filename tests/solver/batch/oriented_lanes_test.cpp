@@ -65,7 +65,7 @@ void expect_corrected(const Potential& V, Branch branch, support::Random& random
                       const std::string& what, LaneCounts& counts) {
   constexpr int N = Layout::dimension;
   const OrientedModels models(V.anisotropic());
-  const auto lane = oriented_lane(plate, branch, models);
+  const auto lane = oriented_lane(plate, branch, V.anisotropic());
   ASSERT_TRUE(lane) << what;
   OrientedPoints given{};
   std::vector<ReducedVector<N>> near;
@@ -153,7 +153,7 @@ TEST(OrientedLanes, AreCorrectedAsAloneByEveryInstructionSet) {
 
 TEST(OrientedLanes, TakeWhatIsMadeOfBuiltInModels) {
   const auto lane_of = [](const AnisotropicPotential& V) {
-    return oriented_lane(plate, Branch::iii, OrientedModels(V)).has_value();
+    return oriented_lane(plate, Branch::iii, V).has_value();
   };
   const AnisotropicPotential V(NeoHookean<>{1.0, 2.0}, plate_thickness, {{0.4, 20.0}});
   EXPECT_TRUE(lane_of(V));
@@ -167,8 +167,7 @@ TEST(OrientedLanes, TakeWhatIsMadeOfBuiltInModels) {
   EXPECT_FALSE(lane_of(V.with_body(held))) << "a held volume";
   EXPECT_FALSE(lane_of(AnisotropicPotential(NeoHookean3d<>{1.0, 2.0}, {{0.4, 20.0}}))) << "coupled";
   const auto hencky = oriented_lane(
-      plate, Branch::iii,
-      OrientedModels(AnisotropicPotential(Hencky<>{1.0, 0.6}, plate_thickness, {{0.4, 20.0}})));
+      plate, Branch::iii, AnisotropicPotential(Hencky<>{1.0, 0.6}, plate_thickness, {{0.4, 20.0}}));
   ASSERT_TRUE(hencky);
   EXPECT_EQ(oriented_kernels_baseline().sheared[hencky->plane_model], nullptr);
 }
