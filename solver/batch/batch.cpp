@@ -15,30 +15,13 @@
 #include <variant>
 
 #include "solver/batch/anisotropic_batch.hpp"
+#include "solver/batch/instruction_sets.hpp"
 #include "solver/batch/march_plan.hpp"
 #include "solver/batch/sweep.hpp"
 #include "solver/solve/nonexistence.hpp"
 
 namespace stationary {
 namespace {
-
-const MarchKernels& march_kernels(InstructionSet set) {
-#ifdef STATIONARY_X86
-  if (set == InstructionSet::avx512) return march_kernels_avx512();
-  if (set == InstructionSet::avx2) return march_kernels_avx2();
-#endif
-  (void)set;
-  return march_kernels_baseline();
-}
-
-const OrientedKernels& oriented_kernels(InstructionSet set) {
-#ifdef STATIONARY_X86
-  if (set == InstructionSet::avx512) return oriented_kernels_avx512();
-  if (set == InstructionSet::avx2) return oriented_kernels_avx2();
-#endif
-  (void)set;
-  return oriented_kernels_baseline();
-}
 
 void require_valid(const BatchInput& input, const BatchOptions& options) {
   require_valid(input);
@@ -223,7 +206,7 @@ class BatchRun {
     const TileNumbers numbers(input_, first);
     const std::size_t begin = (first / tile) * out_.slots_ * tile;
     const std::size_t cells = out_.slots_ * tile;
-    const MarchKernels& kernels = march_kernels(options_.instructions);
+    const MarchKernels& kernels = kernels_for<MarchKernels>(options_.instructions);
     std::vector<double> axial_bound(options_.error_bound ? cells : 0);
     const bool constant_rho = input_.branch == Branch::iii;
     std::fill_n(out_.status_.begin() + static_cast<std::ptrdiff_t>(begin), cells,
@@ -316,8 +299,9 @@ class BatchRun {
     std::vector<double> nu;
     for (const double s : plan_.s) nu.push_back(std::abs(input_.speed[lane] * s));
     std::vector<LanePoint> points(nu.size());
-    solve_anisotropic_lane(input_.problem(lane), nu, oriented_kernels(options_.instructions),
-                           options_.stop, points);
+    solve_anisotropic_lane(input_.problem(lane), nu,
+                           kernels_for<OrientedKernels>(options_.instructions), options_.stop,
+                           points);
     for (std::size_t slot = 0; slot < points.size(); ++slot) {
       const LanePoint& point = points[slot];
       const std::size_t i = out_.index(lane, slot);

@@ -50,12 +50,11 @@ struct MarchKernels {
   int lanes;
   std::array<Kernel, std::variant_size_v<PlanarPotential>> plane;
   std::array<Kernel, std::variant_size_v<ThicknessPotential>> thickness;
-};
 
-const MarchKernels& march_kernels_baseline();
-#ifdef STATIONARY_X86
-const MarchKernels& march_kernels_avx2();
-const MarchKernels& march_kernels_avx512();
-#endif
+  static const MarchKernels& baseline();
+  /// On x86-64 alone.
+  static const MarchKernels& avx2();
+  static const MarchKernels& avx512();
+};
 
 }  // namespace stationary

@@ -3,6 +3,6 @@
 
 namespace stationary {
 
-const MarchKernels& march_kernels_avx2() { return march_kernels<Pack<32>>(); }
+const MarchKernels& MarchKernels::avx2() { return march_kernels<Pack<32>>(); }
 
 }  // namespace stationary

@@ -3,6 +3,6 @@
 
 namespace stationary {
 
-const MarchKernels& march_kernels_avx512() { return march_kernels<Pack<64>>(); }
+const MarchKernels& MarchKernels::avx512() { return march_kernels<Pack<64>>(); }
 
 }  // namespace stationary

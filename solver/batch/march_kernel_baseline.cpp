@@ -3,6 +3,6 @@
 
 namespace stationary {
 
-const MarchKernels& march_kernels_baseline() { return march_kernels<Pack<16>>(); }
+const MarchKernels& MarchKernels::baseline() { return march_kernels<Pack<16>>(); }
 
 }  // namespace stationary

@@ -3,6 +3,6 @@
 
 namespace stationary {
 
-const OrientedKernels& oriented_kernels_avx2() { return oriented_kernels<Pack<32>>(); }
+const OrientedKernels& OrientedKernels::avx2() { return oriented_kernels<Pack<32>>(); }
 
 }  // namespace stationary

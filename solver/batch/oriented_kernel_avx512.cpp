@@ -3,6 +3,6 @@
 
 namespace stationary {
 
-const OrientedKernels& oriented_kernels_avx512() { return oriented_kernels<Pack<64>>(); }
+const OrientedKernels& OrientedKernels::avx512() { return oriented_kernels<Pack<64>>(); }
 
 }  // namespace stationary

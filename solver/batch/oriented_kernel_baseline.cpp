@@ -3,6 +3,6 @@
 
 namespace stationary {
 
-const OrientedKernels& oriented_kernels_baseline() { return oriented_kernels<Pack<16>>(); }
+const OrientedKernels& OrientedKernels::baseline() { return oriented_kernels<Pack<16>>(); }
 
 }  // namespace stationary

@@ -51,13 +51,12 @@ struct OrientedKernels {
   using Kernel = void (*)(const OrientedLane&, OrientedPoints&);
   std::array<Kernel, std::variant_size_v<PlanarPotential>> sheared;
   std::array<Kernel, std::variant_size_v<PlanarPotential>> straight;
-};
 
-const OrientedKernels& oriented_kernels_baseline();
-#ifdef STATIONARY_X86
-const OrientedKernels& oriented_kernels_avx2();
-const OrientedKernels& oriented_kernels_avx512();
-#endif
+  static const OrientedKernels& baseline();
+  /// On x86-64 alone.
+  static const OrientedKernels& avx2();
+  static const OrientedKernels& avx512();
+};
 
 /// Nothing where the potential has other parts, gravity or a held volume.
 std::optional<OrientedLane> oriented_lane(const Body& body, Branch branch,

@@ -5,21 +5,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "solver/batch/instruction_sets.hpp"
 #include "solver/batch_spectrum/spectrum_tile.hpp"
 #include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/solve/stability.hpp"
 
 namespace stationary {
 namespace {
-
-const SpectrumKernels& spectrum_kernels(InstructionSet set) {
-#ifdef STATIONARY_X86
-  if (set == InstructionSet::avx512) return spectrum_kernels_avx512();
-  if (set == InstructionSet::avx2) return spectrum_kernels_avx2();
-#endif
-  (void)set;
-  return spectrum_kernels_baseline();
-}
 
 double uncertainty_of(const BatchCell& cell) {
   return std::isnan(cell.error_bound) ? 1e-15 : std::max(cell.error_bound, 0x1p-53);
@@ -32,7 +24,7 @@ class SpectrumRun {
       : input_(input),
         solved_(solved),
         options_(options),
-        kernels_(spectrum_kernels(options.instructions)),
+        kernels_(kernels_for<SpectrumKernels>(options.instructions)),
         first_(input.branch == Branch::ii ? 1 : 0),
         still_(input.branch == Branch::iii ? 2 : 0) {}
 

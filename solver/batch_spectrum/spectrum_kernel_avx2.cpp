@@ -3,6 +3,6 @@
 
 namespace stationary {
 
-const SpectrumKernels& spectrum_kernels_avx2() { return spectrum_kernels<Pack<32>>(); }
+const SpectrumKernels& SpectrumKernels::avx2() { return spectrum_kernels<Pack<32>>(); }
 
 }  // namespace stationary

@@ -3,6 +3,6 @@
 
 namespace stationary {
 
-const SpectrumKernels& spectrum_kernels_avx512() { return spectrum_kernels<Pack<64>>(); }
+const SpectrumKernels& SpectrumKernels::avx512() { return spectrum_kernels<Pack<64>>(); }
 
 }  // namespace stationary

@@ -3,6 +3,6 @@
 
 namespace stationary {
 
-const SpectrumKernels& spectrum_kernels_baseline() { return spectrum_kernels<Pack<16>>(); }
+const SpectrumKernels& SpectrumKernels::baseline() { return spectrum_kernels<Pack<16>>(); }
 
 }  // namespace stationary

@@ -58,12 +58,11 @@ struct SpectrumKernels {
   std::array<Kernel, std::variant_size_v<ThicknessPotential>> thickness;
   Kernel in_plane;  ///< (i)
   Kernel normal;    ///< (iii)
-};
 
-const SpectrumKernels& spectrum_kernels_baseline();
-#ifdef STATIONARY_X86
-const SpectrumKernels& spectrum_kernels_avx2();
-const SpectrumKernels& spectrum_kernels_avx512();
-#endif
+  static const SpectrumKernels& baseline();
+  /// On x86-64 alone.
+  static const SpectrumKernels& avx2();
+  static const SpectrumKernels& avx512();
+};
 
 }  // namespace stationary
