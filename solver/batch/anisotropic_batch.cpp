@@ -1,7 +1,6 @@
 #include "solver/batch/anisotropic_batch.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -10,46 +9,21 @@
 #include <vector>
 
 #include "lib/balance/balance.hpp"
-#include "lib/matrix/elementwise.hpp"
-#include "solver/continuation/corrector.hpp"
 #include "solver/family/anisotropic_family.hpp"
-#include "solver/family/follow_sheet.hpp"
 #include "solver/solve/anisotropic_rest.hpp"
+#include "solver/solve/curve_points.hpp"
 #include "solver/solve/family_solve.hpp"
 #include "solver/solve/nonexistence.hpp"
 
 namespace stationary {
 namespace {
 
-/// Of the curve between two rows, in (ln x, p over the range).
-constexpr double curve_tolerance = 1e-7;
 /// The range followed over the largest nu: near a turn of nu the end of a range is not met exactly.
 constexpr double beyond = 1.0 + 0x1p-10;
 
 bool is_set(const std::atomic<bool>* stop) {
   return stop != nullptr && stop->load(std::memory_order_relaxed);
 }
-
-/// The rows of a sheet in its family's coordinates.
-template <int N>
-class CoordinateRows final : public CurveSink {
- public:
-  struct Row {
-    ReducedVector<N> x;
-    double p;
-  };
-
-  explicit CoordinateRows(const Family<N>& family) : family_(family) {}
-
-  void row(const Member& member, EventType) override {
-    rows_.push_back({family_.coordinates(member.q, member.parameter), member.parameter});
-  }
-  const std::vector<Row>& rows() const { return rows_; }
-
- private:
-  const Family<N>& family_;
-  std::vector<Row> rows_;
-};
 
 /// What corrects a lane's points many at a time, if it can.
 struct LaneProblem {
@@ -90,88 +64,47 @@ class FollowedLane {
       correct(x, 0.0, out[k]);
     }
     if (k == nu.size()) return;
-    range_ = beyond * nu.back();
-    rows_ = followed(rest_, 0.0, range_);
-    if (rows_.empty()) return;
-    positive_ = family_.linearize(rows_.front().x, rows_.front().p).jacobian.determinant() > 0.0;
-    std::vector<Near> pending;
-    for (std::size_t b = 1; b < rows_.size(); ++b) {
-      std::optional<Arc<N>> arc;
-      for (; k < nu.size() && nu[k] <= rows_[b].p; ++k) {
-        if (!arc) arc = arc_between(rows_[b - 1], rows_[b]);
-        pending.push_back(on_arc(b, *arc, nu[k]));
-        pending.back().point = k;
+    const double range = beyond * nu.back();
+    CurvePoints<N> curve(family_, followed(rest_, 0.0, range), range);
+    std::vector<At> pending;
+    for (std::size_t b = 1; b < curve.rows().size(); ++b) {
+      for (; k < nu.size() && nu[k] <= curve.rows()[b].p; ++k) {
+        pending.push_back({curve.near(b, nu[k]), k});
         if (pending.size() < OrientedPoints::size) continue;
         if (is_set(stop_)) return;
-        answer(pending, out);
+        answer(curve, pending, out);
         pending.clear();
       }
     }
-    answer(pending, out);
+    answer(curve, pending, out);
   }
 
  private:
-  using Row = typename CoordinateRows<N>::Row;
+  using Near = typename CurvePoints<N>::Near;
 
-  /// A nu, and where on the arc that ends at this row it is met.
-  struct Near {
-    std::size_t row;
-    std::size_t point = 0;
-    double nu;
-    ReducedVector<N> x;
-    double steepness;
+  /// Where one of the lane's nu is met.
+  struct At {
+    Near near;
+    std::size_t point;
   };
 
   /// Empty where the start is no point of a curve.
-  std::vector<Row> followed(const Stretch& q, double from, double to) const {
-    FollowOptions how;
-    how.continuation.from = from;
-    how.continuation.to = to;
-    how.continuation.step.tolerance = curve_tolerance;
-    how.events = EventSet::none().add(EventType::fold_nu).add(EventType::fold_parameter);
+  std::vector<CurveRow<N>> followed(const Stretch& q, double from, double to) const {
+    FollowOptions how = curve_options(from, to, stop_);
     how.max_points = longest_walk;
-    how.stop = stop_;
     CoordinateRows<N> sink(family_);
     follow_family(bare_, q, from, how, sink);
     return sink.rows();
   }
 
-  Arc<N> arc_between(const Row& a, const Row& b) const {
-    const Corrector<N> corrector(family_, range_, Circle::none);
-    ArcVector<N> chord;
-    chord.template head<N>() = logarithms(b.x.array() / a.x.array()).matrix();
-    chord[N] = (b.p - a.p) / range_;
-    const auto ahead = [&](const Row& at) {
-      const ArcVector<N> along = corrector.direction_near(at.x, at.p);
-      return along.dot(chord) < 0.0 ? ArcVector<N>(-along) : along;
-    };
-    return Arc<N>(chord, ahead(a), ahead(b));
-  }
-
-  Near on_arc(std::size_t row, const Arc<N>& arc, double nu) const {
-    const Row& a = rows_[row - 1];
-    const Row& b = rows_[row];
-    const auto ahead = [&](double u) { return (a.p - nu) + range_ * arc.at(u)[N]; };
-    double u = 1.0;
-    if (nu < b.p && ahead(0.0) < 0.0 && ahead(1.0) > 0.0) {
-      std::uintmax_t evaluations = 60;
-      const auto [low, high] = boost::math::tools::toms748_solve(
-          ahead, 0.0, 1.0, boost::math::tools::eps_tolerance<double>(52), evaluations);
-      u = 0.5 * (low + high);
-    }
-    return {.row = row,
-            .nu = nu,
-            .x = u < 1.0 ? moved<N>(a.x, ReducedVector<N>(arc.at(u).template head<N>())) : b.x,
-            .steepness = 1.0 / std::max(arc.direction(u)[N], 1e-3)};
-  }
-
-  void answer(const std::vector<Near>& pending, std::span<LanePoint> out) const {
+  void answer(const CurvePoints<N>& curve, const std::vector<At>& pending,
+              std::span<LanePoint> out) const {
     OrientedPoints points;
     const auto kernel = problem_.kernel<Layout>();
     if (kernel != nullptr && !pending.empty()) {
       for (std::size_t i = 0; i < OrientedPoints::size; ++i) {
-        const Near& near = pending[std::min(i, pending.size() - 1)];
-        points.nu[i] = i < pending.size() ? near.nu : std::numeric_limits<double>::quiet_NaN();
+        const Near& near = pending[std::min(i, pending.size() - 1)].near;
+        points.nu[i] = i < pending.size() ? near.p : std::numeric_limits<double>::quiet_NaN();
         points.x[3][i] = 1.0;
         for (int k = 0; k < N; ++k) points.x[static_cast<std::size_t>(k)][i] = near.x[k];
       }
@@ -179,43 +112,36 @@ class FollowedLane {
     }
     for (std::size_t i = 0; i < pending.size(); ++i) {
       if (is_set(stop_)) return;
-      const Near& near = pending[i];
-      LanePoint& point = out[near.point];
+      const Near& near = pending[i].near;
+      LanePoint& point = out[pending[i].point];
       if (kernel != nullptr && take(points, i, near, point)) continue;
-      if (!answer(near, point)) go_on(rows_[near.row - 1], near.nu, point);
+      if (!answer(near, point)) go_on(curve.rows()[near.row - 1], near.p, point);
     }
-  }
-
-  /// Whether what was corrected is at its place on the curve.
-  bool stays(const Near& near, const ReducedVector<N>& x, bool positive) const {
-    // At this nu, and not across the curve: the steeper the curve the farther.
-    constexpr double few = 8.0;
-    const double moved_by = ((x - near.x).array() / near.x.array()).abs().maxCoeff();
-    return positive == positive_ && moved_by <= few * curve_tolerance * near.steepness;
   }
 
   /// What a kernel has found, with its residual in doubles.
   bool take(const OrientedPoints& points, std::size_t i, const Near& near, LanePoint& out) const {
     ReducedVector<N> x;
     for (int k = 0; k < N; ++k) x[k] = points.x[static_cast<std::size_t>(k)][i];
-    if (points.accepted[i] == 0.0 || !stays(near, x, points.positive[i] != 0.0)) return false;
+    if (points.accepted[i] == 0.0 || !CurvePoints<N>::stays(near, x, points.positive[i] != 0.0))
+      return false;
     const Stretch q{points.alpha[i], x[0], x[1], x[2]};
-    if (!(problem_.residual(q, near.nu) <= acceptable_residual)) return false;
+    if (!(problem_.residual(q, near.p) <= acceptable_residual)) return false;
     out = {SolveStatus::solved, q, Layout::bound_factor * points.error_bound[i]};
     return true;
   }
 
   bool answer(const Near& near, LanePoint& out) const {
     ReducedVector<N> x = near.x;
-    const Refined refined = correct(x, near.nu, out);
-    return refined.converged && stays(near, x, refined.positive);
+    const Refined refined = correct(x, near.p, out);
+    return refined.converged && CurvePoints<N>::stays(near, x, refined.positive);
   }
 
   /// Along the curve from a row to nu.
-  void go_on(const Row& from, double nu, LanePoint& out) const {
+  void go_on(const CurveRow<N>& from, double nu, LanePoint& out) const {
     out = LanePoint();
     const Member start = family_.member(from.x, ReducedVector<N>::Zero(), from.p, 0.0);
-    const std::vector<Row> rows = followed(start.q, from.p, nu);
+    const std::vector<CurveRow<N>> rows = followed(start.q, from.p, nu);
     if (rows.empty() || rows.back().p != nu) return;
     ReducedVector<N> x = rows.back().x;
     correct(x, nu, out);
@@ -237,9 +163,6 @@ class FollowedLane {
   const LaneProblem& problem_;
   const Stretch& rest_;
   const std::atomic<bool>* stop_;
-  std::vector<Row> rows_;
-  double range_ = 0.0;
-  bool positive_ = true;  ///< det dG/d ln x where the sheet begins
 };
 
 /// About an axis that V_alpha leaves no motion but by chance.

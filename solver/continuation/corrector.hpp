@@ -70,8 +70,10 @@ class Corrector {
 
   /// The direction of the curve near x, p: the kernel of [dG/d ln x  scale dG/dp].
   ArcVector<N> direction_near(const ReducedVector<N>& x, double p) const {
+    return direction_of(linearize(x, p));
+  }
+  ArcVector<N> direction_of(const FamilyLinearization<N>& at) const {
     Eigen::Matrix<double, N, N + 1> A;
-    const FamilyLinearization<N> at = linearize(x, p);
     A.template leftCols<N>() = at.jacobian;
     A.col(N) = scale_ * at.slope;
     return kernel_by_cofactors<N>(A).normalized();

@@ -135,6 +135,18 @@ Found first_found(const Alternatives& kinds, const SolveOptions& options) {
   return found(kinds, options, false).first;
 }
 
+bool first_found_each(const Alternatives& kinds, bool spectra, const SolveOptions& options,
+                      const RateRange& all, std::span<AtRate> rates,
+                      std::span<std::size_t> places) {
+  const SolveOptions how = for_each_of(kinds, options);
+  for (std::size_t k = 0; k < kinds.each.size(); ++k) {
+    if (!kinds.each[k].kind->solve_each(spectra, how, all, rates)) return false;
+    for (std::size_t i = 0; i < rates.size(); ++i)
+      if (!rates[i].solved()) places[i] = k + 1;
+  }
+  return true;
+}
+
 OnlyFound only_found(const Alternatives& kinds, const SolveOptions& options) {
   return found(kinds, options, true);
 }

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "solver/normal_form/normal_form.hpp"
 #include "solver/proof/event_enclosure.hpp"
 #include "solver/search/search.hpp"
+#include "solver/solve/at_rates.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {
@@ -42,6 +44,13 @@ class Kind {
 
   /// One ellipsoid, or why there is none.
   virtual Equilibrium solve(const SolveOptions& options) const = 0;
+  /// At each of these |nu| of a range that has no motion yet what solve() would find there without a start, with
+  /// spectra if asked for. False where the kind does not follow its motions from rest, and each is to
+  /// be solved by itself; of no |nu| that is all it says.
+  virtual bool solve_each(bool /*spectra*/, const SolveOptions&, const RateRange&,
+                          std::span<AtRate>) const {
+    return false;
+  }
   /// All of them, with proof.
   virtual SearchResult search(const SearchOptions& options) const = 0;
   /// Why there is none, also beyond the search's box; nothing where that is not known.
@@ -129,7 +138,12 @@ struct Found {
 /// Of the first alternative that has one.
 Found first_found(const Alternatives& kinds, const SolveOptions& options);
 
-/// Likewise, and whether another alternative has one too.
+/// The same at many |nu|, with spectra if asked for; places: in kinds.each, of what has the motion.
+/// What none has is left to kinds.any, if there is one. False, and of no |nu|: as Kind::solve_each().
+bool first_found_each(const Alternatives& kinds, bool spectra, const SolveOptions& options,
+                      const RateRange& all, std::span<AtRate> rates, std::span<std::size_t> places);
+
+/// As first_found(), and whether another alternative has one too.
 struct OnlyFound {
   Found first;
   bool several = false;

@@ -1,11 +1,15 @@
 #include "solver/solve/anisotropic_equilibrium.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <span>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "lib/number/elementary.hpp"
@@ -61,9 +65,32 @@ class AnisotropicSolve : FamilySolve {
     }
     if (wants_search() && out_.status == SolveStatus::not_found)
       nearest_of(search_oblique(body_, potential_, motion, short_search()));
-    // Of nu and -nu, which are the same motion, that of search_oblique().
-    if (out_.nu[0] + out_.nu[1] < 0.0) out_.nu = -out_.nu;
+    upwards(out_);
     return out_;
+  }
+
+  /// near: the axis that the family is near at its beginning, if it is given.
+  void oblique_each(std::optional<Branch> near, const RateRange& all, std::span<AtRate> rates) {
+    for (const Branch each : {Branch::i, Branch::ii}) {
+      if (near && *near != each) continue;
+      const auto rest = rest_state();
+      if (!rest) return;
+      const auto family = oblique_family(each);
+      for_each_beginning(*family, each, *rest, all.most, [&](const Beginning& at) {
+        const auto range_to = [&](double nu) { return limits(at.nu, nu); };
+        along_each(*family, at.q, at.nu, range_to, all, rates);
+        return std::ranges::all_of(rates, &AtRate::solved);
+      });
+    }
+    for (AtRate& each : rates) {
+      if (!each.solved() && wants_search() && !stopped()) {
+        out_ = Equilibrium{.counts = out_.counts};
+        fail("not on a family followed from rest");
+        nearest_of(search_oblique(body_, potential_, {each.nu, near}, short_search()));
+        each.equilibrium = out_;
+      }
+      upwards(each.equilibrium);
+    }
   }
 
  private:
@@ -107,34 +134,67 @@ class AnisotropicSolve : FamilySolve {
   template <int N>
   void to_nu(const Family<N>& family, const Stretch& q, double p, double nu,
              const std::string& what) {
-    along(family, q, p, nu, range(std::min(p, nu), std::max(p, nu), EventSet::none()), what);
+    const auto [from, to] = limits(p, nu);
+    along(family, q, p, nu, range(from, to, EventSet::none()), what);
+  }
+  /// Of the range from a motion at p to nu.
+  static std::pair<double, double> limits(double p, double nu) {
+    return {std::min(p, nu), std::max(p, nu)};
+  }
+  /// Of nu and -nu, which are the same oblique motion, that of search_oblique().
+  static void upwards(Equilibrium& at) {
+    if (at.nu[0] + at.nu[1] < 0.0) at.nu = -at.nu;
+  }
+
+  /// A motion that an oblique family begins at, or just inside it.
+  struct Beginning {
+    Stretch q;
+    double nu;
+    std::string what;
+  };
+
+  static std::string axis_name(Branch near) { return near == Branch::i ? "axis 1" : "axis 2"; }
+
+  /// The oblique families from the rest state's own axis, or from where the sheet of (i) or (ii)
+  /// through it lets the axis go, far beyond `most` too, until take() has what it wants. Whether there
+  /// was one.
+  template <class Take>
+  bool for_each_beginning(const Family<5>& family, Branch near, const Stretch& rest, double most,
+                          const Take& take) {
+    if (!V_.shear_free()) {
+      take(Beginning{rest, 0.0, "the family that starts about " + axis_name(near) + " at rest"});
+      return true;
+    }
+    const AnyFamily straight =
+        anisotropic_family(body_, V_, near, false, {.parameter = {}, .spectrum = false});
+    bool any = false;
+    for (const Member& event : events_from_rest(straight, rest, most, EventType::oblique)) {
+      if (stopped()) break;
+      const auto start = leave_straight(family, event, near);
+      if (!start) continue;
+      any = true;
+      if (take(Beginning{
+              start->q, start->parameter,
+              "the family that leaves " + axis_name(near) + " at |nu| = " + text(event.nu)}))
+        break;
+    }
+    return any;
   }
 
   void oblique_from(Branch near, double nu) {
     const auto rest = rest_state();
     if (!rest) return;
-    const std::string axis = near == Branch::i ? "axis 1" : "axis 2";
     const auto family = oblique_family(near);
-    if (!V_.shear_free()) {
-      to_nu(*family, *rest, 0.0, nu, "the family that starts about " + axis + " at rest");
-      return;
-    }
-    // Where the sheet of (i) or (ii) through the rest state lets the axis go.
-    const AnyFamily straight =
-        anisotropic_family(body_, V_, near, false, {.parameter = {}, .spectrum = false});
-    const std::vector<Member> events = events_from_rest(straight, *rest, nu, EventType::oblique);
     std::string failures;
-    for (const Member& event : events) {
-      if (stopped()) break;
-      const auto start = leave_straight(*family, event, near);
-      if (!start) continue;
-      to_nu(*family, start->q, start->parameter, nu,
-            "the family that leaves " + axis + " at |nu| = " + text(event.nu));
-      if (out_.status == SolveStatus::solved) return;
+    const bool any = for_each_beginning(*family, near, *rest, nu, [&](const Beginning& at) {
+      to_nu(*family, at.q, at.nu, nu, at.what);
+      if (out_.status == SolveStatus::solved) return true;
       failures += (failures.empty() ? "" : "; ") + out_.message;
-    }
-    fail(events.empty() ? "no axis leaves " + axis + " on the sheet through the rest state"
-                        : failures);
+      return false;
+    });
+    if (out_.status == SolveStatus::solved) return;
+    fail(any ? failures
+             : "no axis leaves " + axis_name(near) + " on the sheet through the rest state");
   }
 
   void off_axis(const Problem& problem, double nu) {
@@ -176,6 +236,11 @@ class AnisotropicSolve : FamilySolve {
   const AnisotropicPotential& V_;
 };
 
+/// Of an oblique one.
+Branch nearer_axis(const Vector3<double>& nu) {
+  return std::abs(nu[0]) >= std::abs(nu[1]) ? Branch::i : Branch::ii;
+}
+
 void require_start(const SolveOptions& options) {
   if (options.start) require_positive_definite(*options.start);
   if (options.method != Method::automatic && options.method != Method::newton)
@@ -198,6 +263,23 @@ Equilibrium solve_oblique(const Body& body, const Potential& potential,
     throw std::invalid_argument("|nu| finite and > 0");
   require_start(options);
   return AnisotropicSolve(body, potential, options).oblique(motion);
+}
+
+void solve_oblique_each(const Body& body, const Potential& potential, std::optional<Branch> near,
+                        bool spectra, const SolveOptions& options, const RateRange& all,
+                        std::span<AtRate> rates) {
+  if (rates.empty()) return;
+  require_rates(rates);
+  AnisotropicSolve(body, potential, options).oblique_each(near, all, rates);
+  if (!spectra) return;
+  std::array<std::unique_ptr<Family<5>>, 2> families;
+  for (AtRate& each : rates) {
+    if (!each.solved() || each.spectrum) continue;
+    const Branch axis = nearer_axis(each.equilibrium.nu);
+    auto& family = families[axis == Branch::i ? 0 : 1];
+    if (!family) family = oblique_family(body, potential.anisotropic(), {.parameter = {}}, axis);
+    each.spectrum = family_spectrum(*family, each.equilibrium, each.equilibrium.nu.norm());
+  }
 }
 
 const AnyFamily& AnisotropicSpectra::family_of(const Equilibrium& equilibrium) {
@@ -248,9 +330,8 @@ std::optional<Spectrum> anisotropic_stability(const Problem& problem,
 
 std::optional<Spectrum> oblique_stability(const Body& body, const Potential& potential,
                                           const Equilibrium& equilibrium) {
-  const bool first = std::abs(equilibrium.nu[0]) >= std::abs(equilibrium.nu[1]);
-  const auto family = oblique_family(body, potential.anisotropic(), {.parameter = {}},
-                                     first ? Branch::i : Branch::ii);
+  const auto family =
+      oblique_family(body, potential.anisotropic(), {.parameter = {}}, nearer_axis(equilibrium.nu));
   return family_spectrum(*family, equilibrium, equilibrium.nu.norm());
 }
 

@@ -12,8 +12,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "solver/family/anisotropic_family.hpp"
+#include "solver/solve/at_rates.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {
@@ -26,6 +28,13 @@ Equilibrium solve_anisotropic(const Problem& problem, double nu, const SolveOpti
 /// potential, a nu that is not finite and > 0, or a start that is not positive definite.
 Equilibrium solve_oblique(const Body& body, const Potential& potential,
                           const ObliqueRotation& motion, const SolveOptions& options = {});
+
+/// At each |nu| that has no motion yet what solve_oblique() finds without a start, families connected
+/// to rest followed once for all. near: as ObliqueRotation has it. spectra: theirs too. all: where they lie. options:
+/// search and stop. Throws as solve_oblique().
+void solve_oblique_each(const Body& body, const Potential& potential, std::optional<Branch> near,
+                        bool spectra, const SolveOptions& options, const RateRange& all,
+                        std::span<AtRate> rates);
 
 /// Spectra of many motions of one problem, whose models are made once. The problem must outlive it.
 class AnisotropicSpectra {

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -15,7 +17,9 @@
 #include "lib/matrix/small_matrix.hpp"
 #include "solver/family/follow_sheet.hpp"
 #include "solver/newton/newton.hpp"
+#include "solver/solve/at_rates.hpp"
 #include "solver/solve/counted_steps.hpp"
+#include "solver/solve/curve_points.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {
@@ -145,6 +149,39 @@ class FamilySolve {
     }
   }
 
+  /// As along() to each of these |nu| of a range that has no motion yet, on the sheet followed once.
+  /// limits(nu): the range that along() is given, nu one of its ends.
+  template <int N, class Limits>
+  void along_each(const Family<N>& family, const Stretch& q, double p, const Limits& limits,
+                  const RateRange& all, std::span<AtRate> rates) {
+    double least = p;
+    double most = p;
+    for (const double nu : {all.least, std::clamp(p, all.least, all.most), all.most}) {
+      const auto [from, to] = limits(nu);
+      least = std::min(least, from);
+      most = std::max(most, to);
+    }
+    if (least == most) return;
+    FollowOptions how = curve_options(least, most, options_.stop);
+    how.max_points = longest_walk;
+    CoordinateRows<N> sink(family);
+    count(follow_family(family, q, p, how, sink));
+    if (sink.rows().empty() || stopped()) return;
+    CurvePoints<N> curve(family, sink.rows(), most);
+    const std::size_t start = nearest<N>(curve.rows(), family.coordinates(q, p), p);
+    for (AtRate& each : rates) {
+      if (stopped()) return;
+      if (each.solved()) continue;
+      const auto [from, to] = limits(each.nu);
+      const auto row = met<N>(curve.rows(), start, from, to, each.nu);
+      if (!row) continue;
+      out_ = Equilibrium{.counts = out_.counts};
+      if (!at_place(family, curve.near(*row, each.nu)))
+        along(family, q, p, each.nu, range(from, to, EventSet::none()), {});
+      each.equilibrium = out_;
+    }
+  }
+
   void adopt(const Member& member, Connection connection, const std::string& how) {
     if (member.beyond_end()) {
       const bool normal = member.tilt_normal < 0.0;
@@ -187,6 +224,46 @@ class FamilySolve {
   const Potential& potential_;
   const SolveOptions& options_;
   Equilibrium out_;
+
+ private:
+  template <int N>
+  static std::size_t nearest(const std::vector<CurveRow<N>>& rows, const ReducedVector<N>& x,
+                             double p) {
+    const auto far = [&](const CurveRow<N>& row) {
+      return std::abs(row.p - p) + ((row.x - x).array() / x.array()).abs().maxCoeff();
+    };
+    return static_cast<std::size_t>(std::ranges::min_element(rows, {}, far) - rows.begin());
+  }
+
+  /// The later of the two rows between which a walk from `start` comes to p, one end of the range
+  /// that it stays in; against the parameter first, as along() prefers.
+  template <int N>
+  static std::optional<std::size_t> met(const std::vector<CurveRow<N>>& rows, std::size_t start,
+                                        double from, double to, double p) {
+    for (const bool back : {true, false}) {
+      for (std::size_t k = start; back ? k > 0 : k + 1 < rows.size(); back ? --k : ++k) {
+        const double next = rows[back ? k - 1 : k + 1].p;
+        if (next > from && next < to) continue;
+        if ((p == to && next >= to) || (p == from && next <= from)) return back ? k : k + 1;
+        break;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The motion at a place of a curve; false where the correction leads elsewhere.
+  template <int N>
+  bool at_place(const Family<N>& family, const typename CurvePoints<N>::Near& near) {
+    ReducedVector<N> x = near.x;
+    ReducedVector<N> tail;
+    const Refined refined = family.refine_at(x, tail, near.p);
+    out_.counts.extended_residuals += refined.steps;
+    if (!refined.converged) return false;
+    const bool positive = family.linearize(x, near.p).jacobian.determinant() > 0.0;
+    if (!CurvePoints<N>::stays(near, x, positive)) return false;
+    adopt(family.member(x, tail, near.p, refined.error_bound), Connection::rest, {});
+    return out_.status == SolveStatus::solved;
+  }
 };
 
 /// At a solution, corrected once more in extended precision.

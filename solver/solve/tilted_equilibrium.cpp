@@ -1,9 +1,12 @@
 #include "solver/solve/tilted_equilibrium.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "solver/solve/family_solve.hpp"
 
@@ -28,12 +31,54 @@ class TiltedSolve : FamilySolve {
     return out_;
   }
 
+  void run_each(const RateRange& all, std::span<AtRate> rates) {
+    for_each_beginning(all.most, [&](const Beginning& at) {
+      const auto range_to = [&](double nu) { return limits(at, nu); };
+      along_each(*family_, at.q, at.nu, range_to, all, rates);
+      return std::ranges::all_of(rates, &AtRate::solved);
+    });
+  }
+
  private:
-  /// To each tilt into the plane on the sheets through the rest state, and on along the family that
-  /// begins there.
+  /// A motion just inside the family that begins at a tilt.
+  struct Beginning {
+    Stretch q;
+    double nu;
+    double tilt;  ///< |nu| there
+    std::string where;
+  };
+
+  /// Of the range in which the family is followed to nu.
+  static std::pair<double, double> limits(const Beginning& at, double nu) {
+    if (at.nu < nu) return {0.0, nu};
+    return {nu, 2.0 * at.tilt + nu};
+  }
+
+  static std::string family_at(const std::string& where) {
+    return "the tilted family that begins at " + where;
+  }
+
   void from_rest() {
+    const bool any = for_each_beginning(motion_.nu, [&](const Beginning& at) {
+      const auto [from, to] = limits(at, motion_.nu);
+      along(*family_, at.q, at.nu, motion_.nu, range(from, to, {}), family_at(at.where));
+      const bool solved = out_.status == SolveStatus::solved;
+      if (!solved) failed(out_.message);
+      if (solved) out_.message = "from rest to " + at.where + ", then along the tilted family";
+      return solved;
+    });
+    if (out_.status == SolveStatus::solved) return;
+    fail((any ? failures_
+              : "no sheet through the rest state tilts in the plane " +
+                    std::string(name(motion_.plane))) +
+         "; solve.start may lead to another");
+  }
+
+  /// The families that begin at a tilt into the plane on the sheets through the rest state, tilts far
+  /// beyond `most` too, until take() has what it wants. Whether there was one.
+  template <class Take>
+  bool for_each_beginning(double most, const Take& take) {
     bool any = false;
-    std::string failures;
     for (const Branch branch : {in_plane_branch(motion_.plane), Branch::iii}) {
       const Problem problem(body_, potential_, branch);
       const Equilibrium rest =
@@ -42,20 +87,24 @@ class TiltedSolve : FamilySolve {
       if (rest.status != SolveStatus::solved) continue;
       const AnyFamily straight =
           axis_family(problem, {.nu = 0.0, .parameter = {}, .spectrum = false});
-      for (const Member& tilt : events_from_rest(straight, rest.q, motion_.nu, EventType::tilt)) {
-        if (stopped()) break;
+      for (const Member& tilt : events_from_rest(straight, rest.q, most, EventType::tilt)) {
+        if (stopped()) return any;
         if (!into_the_plane(tilt)) continue;
         any = true;
-        from_tilt(branch, tilt);
-        if (out_.status == SolveStatus::solved) return;
-        failures += (failures.empty() ? "" : "; ") + out_.message;
+        const std::string where =
+            "the tilt of branch (" + std::string(name(branch)) + ") at nu = " + text(tilt.nu);
+        const std::optional<Member> start = just_inside(*family_, tilt.q, tilt.nu);
+        if (!start) {
+          failed(family_at(where) + " was not found");
+        } else if (take(Beginning{start->q, start->nu, tilt.nu, where})) {
+          return true;
+        }
       }
     }
-    fail((any ? failures
-              : "no sheet through the rest state tilts in the plane " +
-                    std::string(name(motion_.plane))) +
-         "; solve.start may lead to another");
+    return any;
   }
+
+  void failed(const std::string& why) { failures_ += (failures_.empty() ? "" : "; ") + why; }
 
   /// (iii) tilts into either plane: into the one whose inertias are equal.
   bool into_the_plane(const Member& tilt) const {
@@ -64,21 +113,9 @@ class TiltedSolve : FamilySolve {
     return std::abs(I(own, own) - I(2, 2)) <= 1e-9 * I(2, 2);
   }
 
-  void from_tilt(Branch branch, const Member& tilt) {
-    const std::string origin =
-        "the tilt of branch (" + std::string(name(branch)) + ") at nu = " + text(tilt.nu);
-    const std::string what = "the tilted family that begins at " + origin;
-    const std::optional<Member> start = just_inside(*family_, tilt.q, tilt.nu);
-    if (!start) return fail(what + " was not found");
-    const double to = motion_.nu;
-    along(*family_, start->q, start->nu, to,
-          start->nu < to ? range(0.0, to, {}) : range(to, 2.0 * tilt.nu + to, {}), what);
-    if (out_.status == SolveStatus::solved)
-      out_.message = "from rest to " + origin + ", then along the tilted family";
-  }
-
   TiltedRotation motion_;
   std::unique_ptr<Family<2>> family_;
+  std::string failures_;
 };
 
 }  // namespace
@@ -93,6 +130,18 @@ Equilibrium solve_tilted(const Body& body, const Potential& potential, const Til
       throw std::invalid_argument("alpha = 0 in the start: the potential is isotropic");
   }
   return TiltedSolve(body, potential, motion, options).run();
+}
+
+void solve_tilted_each(const Body& body, const Potential& potential, TiltPlane plane, bool spectra,
+                       const SolveOptions& options, const RateRange& all, std::span<AtRate> rates) {
+  if (rates.empty()) return;
+  require_rates(rates);
+  TiltedSolve(body, potential, {plane, rates.front().nu}, options).run_each(all, rates);
+  if (!spectra) return;
+  const auto family = tilted_family(body, potential, plane, true);
+  for (AtRate& each : rates)
+    if (each.solved() && !each.spectrum)
+      each.spectrum = family_spectrum(*family, each.equilibrium, each.nu);
 }
 
 std::optional<Spectrum> tilted_stability(const Body& body, const Potential& potential,

@@ -8,8 +8,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "solver/family/tilted_family.hpp"
+#include "solver/solve/at_rates.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {
@@ -18,6 +20,11 @@ namespace stationary {
 /// for a nu that is not finite and > 0 or a start that is not positive definite with alpha = 0.
 Equilibrium solve_tilted(const Body& body, const Potential& potential, const TiltedRotation& motion,
                          const SolveOptions& options = {});
+
+/// At each |nu| that has no motion yet what solve_tilted() finds without a start, sheets followed once
+/// for all. spectra: theirs too. all: where they lie. options: search and stop. Throws as solve_tilted().
+void solve_tilted_each(const Body& body, const Potential& potential, TiltPlane plane, bool spectra,
+                       const SolveOptions& options, const RateRange& all, std::span<AtRate> rates);
 
 /// Of a solved one.
 std::optional<Spectrum> tilted_stability(const Body& body, const Potential& potential,

@@ -1,5 +1,6 @@
 #include "solver/program/rows/map_cells.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -10,62 +11,145 @@
 namespace stationary {
 namespace {
 
-/// Each cell by itself, of any kind of motion.
-class SingleCells final : public MapCells {
+/// Whether the cells of a row of the grid differ in nu alone.
+bool are_rows_in_nu(const CaseMap& map) {
+  const ParameterParts x = parts_of(map.x.parameter);
+  if (x.first != "nu" || !x.second.empty()) return false;
+  return !map.y || parts_of(map.y->parameter).second != "nu";
+}
+
+/// Cells of any kind of motion: where |nu| is x, and the kind follows its motions, those of a row of
+/// the grid together; else each by itself.
+class KindCells final : public MapCells {
  public:
-  explicit SingleCells(const Case& input)
+  explicit KindCells(const Case& input)
       : input_(input),
         x_(input.map.value().x.values()),
         y_(input.map->y ? input.map->y->values()
-                        : std::vector<double>{std::numeric_limits<double>::quiet_NaN()}) {}
+                        : std::vector<double>{std::numeric_limits<double>::quiet_NaN()}),
+        x_is_nu_(are_rows_in_nu(*input.map)) {}
 
   std::size_t size() const override { return x_.size() * y_.size(); }
-  std::size_t tile() const override { return 8; }
+  std::size_t tile() const override { return x_is_nu_ ? std::min(x_.size(), most_together) : 8; }
   bool marches() const override { return false; }
 
   RowCounts rows(std::size_t first, std::size_t last, const RowParts& parts,
                  const ColumnSet& wanted, const std::atomic<bool>* stop,
                  std::vector<TableRow>& out) const override {
     out.clear();
-    RowCounts counts{.scalar_lanes = static_cast<long>(last - first)};
-    for (std::size_t k = first; k < last; ++k) {
-      const FamilyParameters at = at_cell(k);
-      const Alternatives kinds =
-          alternatives(at.body, make_potential(at.models, at.body), at.motion, /*anywhere=*/false);
-      SolveOptions how;
-      how.stop = stop;
-      const auto [found, kind] = first_found(kinds, how);
-      if (found.status == SolveStatus::interrupted) continue;
-      TableRow& row = out.emplace_back();
-      row.branch = name(at.motion);
-      row[Column::point] = static_cast<double>(k);
-      row.parameter = x_[k % x_.size()];
-      row.second_parameter = y_[k / x_.size()];
-      const CellStatus status = cell_status(found.status);
-      row.status = name(status);
-      if (status != CellStatus::solved) continue;
-      fill_row(name(at.motion), at.body, kind->potential(), found, wanted, row);
-      counts.potentials += wanted.has(Column::energy);
-      std::optional<Spectrum> spectrum;
-      if (parts.spectrum) spectrum = kind->spectrum(found);
-      if (spectrum) fill_spectrum(*spectrum, row);
-      counts.spectra += parts.spectrum;
-      counts.scalar_spectra += parts.spectrum;
-      if (parts.certificate) (void)prove_row(*kind, found, spectrum, row);
-      tell_in(input_.coordinates, wanted, row);
+    RowCounts counts;
+    const Asked asked{parts, wanted, stop};
+    while (first < last) {
+      const std::size_t row_end = (first / x_.size() + 1) * x_.size();
+      const std::size_t end = x_is_nu_ ? std::min(last, row_end) : first + 1;
+      if (x_is_nu_ && together(first, end, asked, out, counts)) {
+        counts.scalar_lanes += first % x_.size() == 0;
+      } else {
+        counts.scalar_lanes += static_cast<long>(end - first);
+        for (std::size_t k = first; k < end; ++k) alone(k, asked, out, counts);
+      }
+      first = end;
     }
     return counts;
   }
 
  private:
+  static constexpr std::size_t most_together = 512;
+
+  struct Asked {
+    const RowParts& parts;
+    const ColumnSet& wanted;
+    const std::atomic<bool>* stop;
+  };
+
   FamilyParameters at_cell(std::size_t k) const {
     return input_.map->cell({input_.body, input_.models, input_.motion}, x_[k % x_.size()],
                             y_[k / x_.size()]);
   }
 
+  /// The cells of one row of the grid. False where their kind does not follow its motions.
+  bool together(std::size_t first, std::size_t last, const Asked& asked, std::vector<TableRow>& out,
+                RowCounts& counts) const {
+    const FamilyParameters at = at_cell(first);
+    const Potential potential = make_potential(at.models, at.body);
+    const Alternatives kinds = alternatives(at.body, potential, at.motion, /*anywhere=*/false);
+    SolveOptions how;
+    how.stop = asked.stop;
+    // At rest no axis is one of a spin.
+    const std::size_t spins = first + (x_[first % x_.size()] == 0.0 ? 1 : 0);
+    std::vector<AtRate> rates;
+    for (std::size_t k = spins; k < last; ++k) rates.push_back({.nu = x_[k % x_.size()]});
+    std::vector<std::size_t> places(rates.size());
+    if (!first_found_each(kinds, asked.parts.spectrum, how, {x_.front(), x_.back()}, rates, places))
+      return false;
+    for (std::size_t k = first; k < last; ++k) {
+      if (asked.stop != nullptr && asked.stop->load(std::memory_order_relaxed)) break;
+      const bool found = k >= spins && rates[k - spins].solved();
+      if (found) {
+        const AtRate& rate = rates[k - spins];
+        TableRow& row = begun(k, at.motion, CellStatus::solved, out);
+        fill_row(row.branch, at.body, potential, rate.equilibrium, asked.wanted, row);
+        if (asked.parts.certificate) {
+          const FamilyParameters here = at_cell(k);
+          const Alternatives own = alternatives(here.body, potential, here.motion, false);
+          const Kind& kind = *own.each[places[k - spins]].kind;
+          finish(kind, rate.equilibrium, rate.spectrum, asked, row, counts);
+        } else {
+          finish(*kinds.each.front().kind, rate.equilibrium, rate.spectrum, asked, row, counts);
+        }
+      } else if (k < spins || kinds.any) {
+        alone(k, asked, out, counts);
+      } else {
+        (void)begun(k, at.motion, CellStatus::not_found, out);
+      }
+    }
+    return true;
+  }
+
+  void alone(std::size_t k, const Asked& asked, std::vector<TableRow>& out,
+             RowCounts& counts) const {
+    const FamilyParameters at = at_cell(k);
+    const Alternatives kinds =
+        alternatives(at.body, make_potential(at.models, at.body), at.motion, /*anywhere=*/false);
+    SolveOptions how;
+    how.stop = asked.stop;
+    const auto [found, kind] = first_found(kinds, how);
+    if (found.status == SolveStatus::interrupted) return;
+    const CellStatus status = cell_status(found.status);
+    TableRow& row = begun(k, at.motion, status, out);
+    if (status != CellStatus::solved) return;
+    fill_row(row.branch, at.body, kind->potential(), found, asked.wanted, row);
+    std::optional<Spectrum> spectrum;
+    if (asked.parts.spectrum) spectrum = kind->spectrum(found);
+    finish(*kind, found, spectrum, asked, row, counts);
+  }
+
+  TableRow& begun(std::size_t k, const Motion& motion, CellStatus status,
+                  std::vector<TableRow>& out) const {
+    TableRow& row = out.emplace_back();
+    row.branch = name(motion);
+    row[Column::point] = static_cast<double>(k);
+    row.parameter = x_[k % x_.size()];
+    row.second_parameter = y_[k / x_.size()];
+    row.status = name(status);
+    return row;
+  }
+
+  /// What a solved cell has beside its motion.
+  void finish(const Kind& kind, const Equilibrium& found, const std::optional<Spectrum>& spectrum,
+              const Asked& asked, TableRow& row, RowCounts& counts) const {
+    counts.potentials += asked.wanted.has(Column::energy);
+    if (spectrum) fill_spectrum(*spectrum, row);
+    counts.spectra += asked.parts.spectrum;
+    counts.scalar_spectra += asked.parts.spectrum;
+    if (asked.parts.certificate) (void)prove_row(kind, found, spectrum, row);
+    tell_in(input_.coordinates, asked.wanted, row);
+  }
+
   const Case& input_;
   std::vector<double> x_;
   std::vector<double> y_;  ///< one number where the grid has no y
+  bool x_is_nu_;
 };
 
 }  // namespace
@@ -83,10 +167,16 @@ CellStatus cell_status(SolveStatus status) {
   }
 }
 
+bool follows_rows(const Case& input) {
+  const Alternatives kinds =
+      alternatives(input.body, input.potential, input.motion, /*anywhere=*/false);
+  return are_rows_in_nu(input.map.value()) && first_found_each(kinds, false, {}, {}, {}, {});
+}
+
 std::unique_ptr<MapCells> map_cells(const Case& input) {
   if (has_lanes(input.motion) && MapGrid::takes(*input.map))
     return std::make_unique<MapGrid>(input);
-  return std::make_unique<SingleCells>(input);
+  return std::make_unique<KindCells>(input);
 }
 
 }  // namespace stationary

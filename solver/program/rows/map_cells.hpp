@@ -2,8 +2,9 @@
 // written: x runs fastest. What is found of a cell depends on no other row that is asked for.
 //
 // About a material axis cells of one body are solved together (map_grid.hpp). Of other kinds of
-// motion each is solved by itself, as `solve` does, on the sheet that is connected to rest where
-// there is one.
+// motion each is what `solve` finds, on the sheet that is connected to rest where there is one: by
+// itself, or, where x is |nu| and the kind follows its motions from rest, for a row of the grid at
+// once.
 #pragma once
 
 #include <atomic>
@@ -55,6 +56,10 @@ class MapCells {
 };
 
 CellStatus cell_status(SolveStatus status);
+
+/// Whether the cells of a row are had from sheets followed once for all of them; not asked about a
+/// material axis. input: with a map (std::bad_optional_access otherwise).
+bool follows_rows(const Case& input);
 
 /// input: with a map (std::bad_optional_access otherwise). It must outlive the cells.
 std::unique_ptr<MapCells> map_cells(const Case& input);

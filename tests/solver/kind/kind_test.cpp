@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <limits>
 #include <tuple>
 
 #include "tests/support/anisotropic_motions.hpp"
@@ -175,6 +177,16 @@ TEST_P(EveryKind, SolvesWhatItProves) {
   }
 }
 
+/// The motion at another |nu|.
+Motion at_rate(Motion motion, double nu) {
+  std::visit(
+      [&](auto& each) {
+        if constexpr (requires { each.nu = nu; }) each.nu = nu;
+      },
+      motion);
+  return motion;
+}
+
 TEST_P(EveryKind, SaysHowManyModesItHas) {
   const auto spectrum = kind_->spectrum(found_);
   ASSERT_TRUE(spectrum);
@@ -338,6 +350,107 @@ TEST(Kinds, ThatAreNotSoughtAreNotSaidNotToExist) {
   EXPECT_EQ(fibre->solve({}).status, SolveStatus::not_found);
   EXPECT_EQ(fibre->search({}).status, SearchStatus::undecided);
   EXPECT_FALSE(fibre->nonexistence());
+}
+
+/// Sheets followed once lead to what each |nu| has by itself, modes to the bit.
+TEST(ManyRates, HaveWhatEachHasByItself) {
+  int compared = 0;
+  for (const Posed& posed : all_kinds()) {
+    const Alternatives kinds = alternatives(posed.body, posed.potential, posed.motion, false);
+    if (!first_found_each(kinds, true, {}, {}, {}, {})) continue;
+    ++compared;
+    const double nu = first_found(kinds, {}).equilibrium.nu.norm();
+    std::vector<AtRate> rates;
+    for (const double factor : {0.2, 0.7, 0.97, 0.999, 1.0, 1.0 + 1e-15, 1.02, 1.4})
+      rates.push_back({.nu = factor * nu});
+    const RateRange all{rates.front().nu, rates.back().nu};
+    std::vector<std::size_t> places(rates.size());
+    ASSERT_TRUE(first_found_each(kinds, true, {}, all, rates, places));
+    // Whatever others are asked for.
+    std::vector<AtRate> alone_of_range{{.nu = rates[4].nu}};
+    std::vector<std::size_t> place(1);
+    ASSERT_TRUE(first_found_each(kinds, true, {}, all, alone_of_range, place));
+    EXPECT_EQ(alone_of_range[0].equilibrium.error_bound, rates[4].equilibrium.error_bound);
+    int solved = 0;
+    for (std::size_t k = 0; k < rates.size(); ++k) {
+      const AtRate& rate = rates[k];
+      const Alternatives own =
+          alternatives(posed.body, posed.potential, at_rate(posed.motion, rate.nu), false);
+      const auto [alone, kind] = first_found(own, {});
+      const std::string where = posed.text + " at " + std::to_string(rate.nu);
+      ASSERT_EQ(rate.solved(), alone.status == SolveStatus::solved) << where << alone.message;
+      if (!rate.solved()) continue;
+      ++solved;
+      EXPECT_EQ(own.each[places[k]].kind.get(), kind) << where;
+      EXPECT_LE(apart(rate.equilibrium.q, alone.q), 0x1p-52) << where;
+      EXPECT_LE((rate.equilibrium.nu - alone.nu).norm(), 0x1p-51 * rate.nu) << where;
+      EXPECT_NEAR(rate.equilibrium.error_bound, alone.error_bound, 0.5 * alone.error_bound);
+      EXPECT_LE(rate.equilibrium.residual, acceptable_residual) << where;
+      const auto spectrum = kind->spectrum(rate.equilibrium);
+      ASSERT_TRUE(rate.spectrum && spectrum) << where;
+      EXPECT_EQ(rate.spectrum->verdict, spectrum->verdict) << where;
+      ASSERT_EQ(rate.spectrum->modes, spectrum->modes) << where;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(spectrum->modes); ++i) {
+        EXPECT_EQ(rate.spectrum->mode[i].lambda_re, spectrum->mode[i].lambda_re) << where;
+        EXPECT_EQ(rate.spectrum->mode[i].lambda_im, spectrum->mode[i].lambda_im) << where;
+      }
+    }
+    EXPECT_GE(solved, 3) << posed.text;
+  }
+  EXPECT_EQ(compared, 7);
+}
+
+TEST(ManyRates, OfFamiliesThatLeaveAnAxisOrBeginAboutIt) {
+  const Body plate(1.0, 1.7, 0.6);
+  // Of an even V the axis leaves 1 or 2 at an event; else it is about one at rest.
+  for (const double degrees : {0.0, 25.0}) {
+    const Potential V = fibred(NeoHookean<>{1.0, 2.0}, 0.4, degrees);
+    std::vector<AtRate> rates;
+    for (int k = 1; k <= 20; ++k) rates.push_back({.nu = 0.05 * k});
+    std::vector<AtRate> searched = rates;
+    std::vector<std::size_t> places(rates.size());
+    const Alternatives both = alternatives(plate, V, ObliqueRotation{0.25}, false);
+    ASSERT_TRUE(first_found_each(both, false, {}, {0.0, 1.0}, rates, places));
+    const auto kind = kind_of(plate, V, ObliqueRotation{0.25, Branch::i});
+    ASSERT_TRUE(kind->solve_each(false, {}, {0.0, 1.0}, searched));
+    for (std::size_t k = 0; k < rates.size(); ++k) {
+      for (const std::size_t place : {std::size_t{0}, std::size_t{1}}) {
+        const auto own =
+            kind_of(plate, V, ObliqueRotation{rates[k].nu, place == 0 ? Branch::i : Branch::ii});
+        const Equilibrium alone = own->solve({.search = false});
+        if (alone.status != SolveStatus::solved) continue;
+        ASSERT_TRUE(rates[k].solved()) << degrees << " " << rates[k].nu;
+        EXPECT_EQ(places[k], place);
+        EXPECT_LE(apart(rates[k].equilibrium.q, alone.q), 0x1p-52);
+        break;
+      }
+      // One family alone, and where it has none a search.
+      const Equilibrium alone =
+          kind_of(plate, V, ObliqueRotation{rates[k].nu, Branch::i})->solve({});
+      EXPECT_EQ(searched[k].equilibrium.status, alone.status) << degrees << " " << rates[k].nu;
+      if (alone.status == SolveStatus::solved)
+        EXPECT_LE(apart(searched[k].equilibrium.q, alone.q), 0x1p-52);
+    }
+  }
+}
+
+TEST(ManyRates, AreRefusedAndStoppedAsOneIs) {
+  const auto tilted =
+      kind_of(Body(1.0, 1.7, 0.6), made_of("neo-hookean"), TiltedMotion{TiltPlane::one_three, 1.0});
+  for (const double nu : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+    std::vector<AtRate> rates{{.nu = 1.0}, {.nu = nu}};
+    EXPECT_THROW((void)tilted->solve_each(true, {}, {0.0, 1.0}, rates), std::invalid_argument)
+        << nu;
+  }
+  const std::atomic<bool> stop = true;
+  std::vector<AtRate> rates{{.nu = 0.9}, {.nu = 1.0}};
+  EXPECT_TRUE(tilted->solve_each(true, {.stop = &stop}, {0.0, 1.0}, rates));
+  for (const AtRate& each : rates) EXPECT_FALSE(each.solved());
+  // One that has its motion keeps it.
+  rates[0].equilibrium.status = SolveStatus::solved;
+  rates[0].equilibrium.q = {0.0, 2.0, 3.0, 4.0};
+  EXPECT_TRUE(tilted->solve_each(false, {}, {0.0, 1.0}, rates));
+  EXPECT_EQ(rates[0].equilibrium.q.xi, 2.0);
 }
 
 TEST(Alternatives, NameThePlanesAndTheAxes) {
