@@ -404,14 +404,28 @@ class Continuation {
       return;
     }
     // Near an asymptote in p a double no longer tells its points apart.
-    constexpr double far = 1e3;
     constexpr double coarse = 1e-5;  // of a bound that still holds
     const Arc<N>& arc = step_.arc();
     const double resolved = std::abs(arc.chord[N]) * curve_->corrector().scale() / arc.length;
     if (curve_->corrector().vertical() || options_.from == options_.to) return;
     if (((most > far || least < 1.0 / far) && resolved < 1e-9 * std::abs(here_.arc.p)) ||
         here_.arc.error_bound > coarse)
+      finish_unresolved(arc);
+  }
+
+  /// Where the stretches run off, at an asymptote; elsewhere branches meet that no event stands for.
+  void finish_unresolved(const Arc<N>& arc) {
+    const Stretch& q = here_.member.q;
+    const double most = std::max({q.xi, q.zeta, q.rho});
+    const double least = std::min({q.xi, q.zeta, q.rho});
+    constexpr double moderate = 8.0;
+    if (most < moderate && least > 1.0 / moderate) {
+      finish(EventType::stalled,
+             "beyond this the stretches are not resolved though they are moderate: the sheet may "
+             "meet another here");
+    } else {
       finish(escapes(arc) ? EventType::escape : EventType::collapse, unresolved_reason);
+    }
   }
 
   /// In the logarithms of the stretches: one that only grows along while another vanishes does not
@@ -427,7 +441,7 @@ class Continuation {
   /// Ends the sheet at the last point: the next is none of a known p.
   void end_unresolved(const Arc<N>& arc) {
     ended_before_step_ = true;
-    finish(escapes(arc) ? EventType::escape : EventType::collapse, unresolved_reason);
+    finish_unresolved(arc);
   }
 
   /// A sheet of ellipses that reaches the circle its family may be (xi = zeta, say) meets it there
@@ -482,6 +496,7 @@ class Continuation {
            "the ellipses meet the circle here and go on as mirror images");
   }
 
+  static constexpr double far = 1e3;  ///< of a stretch, or its inverse
   static constexpr const char* unresolved_reason =
       "beyond this a double of the parameter does not resolve the stretches";
 

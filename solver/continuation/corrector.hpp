@@ -92,7 +92,7 @@ class Corrector {
 
   FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const {
     FamilyLinearization<N> at = family_->linearize(x, p);
-    keep_to_circle<N>(circle_, at);
+    keep_to_circle<N>(circle_, at, family_->volume_row());
     return at;
   }
 
@@ -190,7 +190,7 @@ class Corrector {
     for (int k = 0; k < 2; ++k) {
       const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
       ReducedVector<N> g = family_->extended_residual(out.point.x, out.point.p);
-      make_equal(circle_, g);
+      make_rows_equal(circle_, family_->volume_row(), g);
       const ArcVector<N> delta = inverse(at, border).correction(g);
       if (!(delta.norm() < 1e-3)) {
         out.status = CorrectorStatus::left_curve;

@@ -80,10 +80,14 @@ class EventSearch {
       }
     }
     if (curve_->context().seeks(TestValues::crossings)) find_crossings(earlier, earlier_length);
-    if (curve_->context().sought.has(EventType::unexplained)) explain_negative();
+    if (curve_->context().sought.has(EventType::unexplained)) {
+      explain_negative();
+      explain_growing();
+    }
     for (std::size_t k = 0; k < TestValues::count && to.tests.uncertain != 0; ++k)
       if (to.tests.sign(k) == 0 && next_.sign[k] == known_.sign[k]) add_step(next_.since[k]);
     if (next_.negative && !certain_negative(to.member)) add_step(next_.negative->since);
+    if (next_.growing && !certain_growing(to.member)) add_step(next_.growing->since);
     std::ranges::sort(found_, {}, &Found::u);
     std::vector<Event> out;
     out.reserve(found_.size());
@@ -134,12 +138,32 @@ class EventSearch {
       bool exchange = false;
     };
     std::optional<Negative> negative;
+    struct Growing {
+      int modes;
+      int count;  ///< of real Lambda > 0
+      ParameterRange since;
+      bool explained = false;  ///< an event since, or what may be one
+    };
+    std::optional<Growing> growing;
   };
 
   static std::optional<typename Known::Negative> certain_negative(const Member& at) {
     if (!at.spectrum || !at.spectrum->away_from_zero()) return std::nullopt;
     return typename Known::Negative{at.spectrum->modes, at.spectrum->negative,
                                     ParameterRange::at(at.parameter)};
+  }
+
+  /// Of real Lambda > 0.
+  static int growing_modes(const Spectrum& spectrum) {
+    return static_cast<int>(std::count_if(
+        spectrum.mode.begin(), spectrum.mode.begin() + spectrum.modes, [](const Mode& mode) {
+          return !mode.forced_zero && mode.lambda_im == 0.0 && mode.lambda_re > 0.0;
+        }));
+  }
+  static std::optional<typename Known::Growing> certain_growing(const Member& at) {
+    if (!at.spectrum || !at.spectrum->away_from_zero()) return std::nullopt;
+    return typename Known::Growing{at.spectrum->modes, growing_modes(*at.spectrum),
+                                   ParameterRange::at(at.parameter)};
   }
 
   static Known known_at(const CurvePoint<N>& at) {
@@ -149,6 +173,7 @@ class EventSearch {
       out.since[k] = ParameterRange::at(at.member.parameter);
     }
     out.negative = certain_negative(at.member);
+    out.growing = certain_growing(at.member);
     return out;
   }
 
@@ -573,13 +598,49 @@ class EventSearch {
       add_unresolved(EventType::unexplained, before->since);
       return;
     }
+    bracket_unexplained([&](const Member& at) { return at.spectrum->negative == before->count; });
+  }
+
+  /// Whether the sign of some function that an event is a zero of is not certain.
+  static bool is_open(const TestValues& tests) {
+    for (std::size_t k = 0; k < TestValues::crossings; ++k)
+      if (!std::isnan(tests.value[k]) && tests.sign(k) == 0) return true;
+    return false;
+  }
+
+  /// Whether located events account for a change in the number of real Lambda > 0, which a second
+  /// momentum that is kept lets pass zero with no other sign of it; else brackets the change.
+  void explain_growing() {
+    const bool may_be =
+        !found_.empty() || !unresolved_.empty() || is_open(from_->tests) || is_open(to_->tests);
+    if (next_.growing && may_be) next_.growing->explained = true;
+    const auto now = certain_growing(to_->member);
+    if (!now) {
+      if (!to_->member.spectrum) next_.growing.reset();
+      return;
+    }
+    const auto before = std::exchange(next_.growing, now);
+    if (!before || before->modes != now->modes || before->count == now->count || before->explained)
+      return;
+    const auto earlier = certain_growing(from_->member);
+    if (!earlier || earlier->count != before->count) {
+      add_unresolved(EventType::unexplained, before->since);
+      return;
+    }
+    bracket_unexplained(
+        [&](const Member& at) { return growing_modes(*at.spectrum) == before->count; });
+  }
+
+  /// Between the ends of the step, of what is_before() tells.
+  template <class IsBefore>
+  void bracket_unexplained(const IsBefore& is_before) {
     double low = 0.0;
     double high = 1.0;
     CurvePoint<N> middle = *to_;
     for (int k = 0; k < 50; ++k) {
       const double u = 0.5 * (low + high);
       if (!evaluate(u, middle)) break;
-      (middle.member.spectrum->negative == before->count ? low : high) = u;
+      (is_before(middle.member) ? low : high) = u;
     }
     const auto [first, last] = around(low, high);
     found_.push_back(

@@ -213,7 +213,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       out.pressure = at.models->potential.pressure(
           out.q, centrifugal_matrix(at.body, out.angular_velocity)(3, 3));
       // Along a held volume V_alpha,alpha has terms in 1/d, which cancel where S is thin.
-      if constexpr (!Layout::alpha) out.turn = extended_turn(at, q);
+      if constexpr (!Layout::alpha) set_turn(extended_turn(at, q), out);
     }
     if (options_.spectrum) {
       ++this->evaluations_.spectra;
@@ -318,7 +318,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       out.energy =
           energy(at.body, elastic_energy(at.models->extended, out.q), out.q, out.angular_velocity);
     }
-    if constexpr (!Layout::alpha) out.turn = turn_at(at, branch_, V.hessian(0, 0), out.q);
+    if constexpr (!Layout::alpha) set_turn(turn_at(at, branch_, V.hessian(0, 0), out.q), out);
   }
 
   static bool meets_mirror(EventType type) {
@@ -432,15 +432,19 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     if (!refined.converged) return std::nullopt;
     const Stretch q{0.0, x[0], x[1], x[2]};
     const double V_aa = potential_derivatives<2>(at.models->plain, q).hessian(0, 0);
-    return StraightPoint{x, turn_at(at, branch, V_aa, q), refined.error_bound};
+    return StraightPoint{x, turn_at(at, branch, V_aa, q).value, refined.error_bound};
   }
-  static double turn_at(const Setting& at, Branch branch, double V_aa, const Stretch& q) {
+  static void set_turn(const Turn& turn, Member& out) {
+    out.turn = turn.value;
+    out.turn_condition = turn.condition;
+  }
+  static Turn turn_at(const Setting& at, Branch branch, double V_aa, const Stretch& q) {
     const double stiffness = shear_stiffness(V_aa, at.models->plain.body.volume.has_value(), branch,
                                              at.body.J3, at.nu * at.nu, q);
     return turn_of(at.body, branch, stiffness, q, at.nu);
   }
 
-  double extended_turn(const Setting& at, const BasicStretch<DoubleDouble>& q) const {
+  Turn extended_turn(const Setting& at, const BasicStretch<DoubleDouble>& q) const {
     const DoubleDouble V_aa = potential_derivatives<2>(at.models->extended, q).hessian(0, 0);
     const DoubleDouble stiffness = shear_stiffness(V_aa, true, branch_, DoubleDouble(at.body.J3),
                                                    two_product(at.nu, at.nu), q);

@@ -52,6 +52,11 @@ class ModelFamily final : public Family<N> {
   }
   Circle circle() const override { return branch_ == Branch::iii ? Family<N>::circle() : circle_; }
 
+  bool volume_row() const override {
+    if constexpr (is_body_model<Model>) return base_.model.volume.has_value();
+    return false;
+  }
+
   std::vector<ConditionValue> conditions(const ReducedVector<N>& x, double p) const override {
     return model_conditions(setting(p).model, {0.0, x[0], x[1], rho_of(x)});
   }
@@ -272,19 +277,21 @@ class ModelFamily final : public Family<N> {
     return std::isinf(K) ? std::copysign(1.0, K) : K / (1.0 + std::abs(K));
   }
 
-  /// F_ss of the reduced energy F along s = ln(zeta/rho)/2, xi held; (ii): of xi and rho.
+  /// F_ss of the reduced energy F along s = ln(zeta/rho)/2, xi held; (ii): of xi and rho. In extended
+  /// precision: of a body stretched far V's derivatives cancel.
   double across_circle(const Setting& at, const Member& here) const {
     ++this->evaluations_.second_derivatives;
-    const auto v = potential_derivatives<2>(at.model, here.q);
-    const CentrifugalRates<double> c = axis_rates(at.body, branch_, at.nu * at.nu);
+    const BasicStretch<DoubleDouble> q{here.q.alpha, here.q.xi, here.q.zeta, here.q.rho};
+    const auto v = potential_derivatives<2>(at.model, q);
+    const CentrifugalRates<DoubleDouble> c = extended_rates(at);
     const int k = branch_ == Branch::i ? 2 : 1;
-    const double x = branch_ == Branch::i ? here.q.zeta : here.q.xi;
-    const double rho = here.q.rho;
-    const double pull = (branch_ == Branch::i ? c.zeta : c.xi) * x * x + c.rho * rho * rho;
-    const double stiffness = x * (x * v.hessian(k, k) + v.gradient[k]) +
-                             rho * (rho * v.hessian(3, 3) + v.gradient[3]) -
-                             2.0 * x * rho * v.hessian(k, 3) - 2.0 * pull;
-    return stiffness / (std::abs(stiffness) + 2.0 * pull);
+    const DoubleDouble& x = branch_ == Branch::i ? q.zeta : q.xi;
+    const DoubleDouble pull =
+        (branch_ == Branch::i ? c.zeta : c.xi) * x * x + c.rho * (q.rho * q.rho);
+    const auto stiffness = double(x * (x * v.hessian(k, k) + v.gradient[k]) +
+                                  q.rho * (q.rho * v.hessian(3, 3) + v.gradient[3]) -
+                                  2.0 * (x * q.rho * v.hessian(k, 3)) - 2.0 * pull);
+    return stiffness / (std::abs(stiffness) + 2.0 * double(pull));
   }
 
   CentrifugalRates<DoubleDouble> extended_rates(const Setting& at) const {

@@ -66,6 +66,8 @@ struct Member {
   /// (i), (ii). Of an isotropic V with gravity and J1 != J2 likewise (turning_forces()); tilted, W_t, where
   /// motions leave the plane of the axis.
   double turn = std::numeric_limits<double>::quiet_NaN();
+  double turn_condition =
+      4.0;  ///< |change of turn| for a relative one of what it is made of, at most
   /// Tilted: the shares of nu^2 along the plane's own axis and along axis 3. Negative beyond an end
   /// of the family, where nothing else but q is computed.
   double tilt_in_plane = std::numeric_limits<double>::quiet_NaN();
@@ -180,6 +182,8 @@ class Family {
   virtual Branch branch() const = 0;
   /// What there is to say of its events (event.hpp).
   virtual KindEvents events() const { return axis_events(); }
+  /// Whether the third row of G is that of a held volume, and no mirror image of another.
+  virtual bool volume_row() const { return false; }
   /// The unknown (its place in x) that a reflection of an even V inverts: x and its image are one
   /// motion and its mirror image, and where it is 1 a family with alpha = 0 is met.
   virtual std::optional<int> mirrored() const { return std::nullopt; }

@@ -102,12 +102,12 @@ Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& mode
                          : general_spectrum({MaterialSymmetry::none, uncertainty}, leaf);
 }
 
-double turn_of(const Body& body, Branch branch, double V_aa, const Stretch& q, double nu) {
+Turn turn_of(const Body& body, Branch branch, double V_aa, const Stretch& q, double nu) {
   const double omega2 = nu * nu;
   if (branch == Branch::iii) {
     const double pull = (body.J1 + body.J2) * omega2;
     const double stiffness = V_aa - pull;
-    return stiffness / (std::abs(stiffness) + 2.0 * pull);
+    return {stiffness / (std::abs(stiffness) + 2.0 * pull), 4.0};
   }
   const double own = branch == Branch::i ? body.J1 : body.J2;
   const Vector3<double> m = second_moments(body, q);
@@ -116,7 +116,10 @@ double turn_of(const Body& body, Branch branch, double V_aa, const Stretch& q, d
   const double h = body.J1 * q.xi + body.J2 * q.zeta;
   const double stiff = (V_aa - own * omega2) * inertias;
   const double pull = h * h * omega2;
-  return (stiff - pull) / (std::abs(stiff) + pull);
+  const double size = std::abs(stiff) + pull;
+  // The moments may cancel: of a slow motion of a round body they nearly do.
+  const double cancelled = std::abs(V_aa - own * omega2) * (m[0] + m[1]);
+  return {(stiff - pull) / size, 4.0 * (1.0 + cancelled / size)};
 }
 
 }  // namespace stationary

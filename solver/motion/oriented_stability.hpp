@@ -24,7 +24,11 @@ Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& mode
 /// alpha: likewise in their planes.
 Spectrum spectrum_by_parts(const Leaf& whole, LeafParts parts, double uncertainty);
 
-/// Member::turn of a motion with alpha = 0.
-double turn_of(const Body& body, Branch branch, double V_aa, const Stretch& q, double nu);
+/// Member::turn of a motion with alpha = 0, and its turn_condition.
+struct Turn {
+  double value;
+  double condition;
+};
+Turn turn_of(const Body& body, Branch branch, double V_aa, const Stretch& q, double nu);
 
 }  // namespace stationary

@@ -241,7 +241,7 @@ TEST(OrientedNormalForm, TheSideIsThatOfTheStiffnessInEveryParameter) {
         if (found.status != SolveStatus::solved || found.q.alpha != 0.0)
           return std::numeric_limits<double>::quiet_NaN();
         const double V_aa = near.potential().derivatives(found.q).hessian(0, 0);
-        return turn_of(near.body(), Branch::iii, V_aa, found.q, nu);
+        return turn_of(near.body(), Branch::iii, V_aa, found.q, nu).value;
       };
       constexpr double h = 1e-4;
       const double by_nu =
