@@ -1,0 +1,182 @@
+// Events of bodies with more symmetry than their equations show, from outside: sheets of circles, a
+// momentum more that is kept, a potential that is isotropic in other words.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tests/program/program.hpp"
+#include "tests/program/table_reading.hpp"
+
+namespace stationary::testing {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// `continue` of a case as text, the table's rows.
+std::vector<Row> followed(const std::string& text, const std::vector<std::string>& more = {},
+                          int code = 0) {
+  const TemporaryDirectory directory;
+  std::vector<std::string> command{"continue", directory.file("case.toml", text), "-o", "-"};
+  command.insert(command.end(), more.begin(), more.end());
+  const Outcome outcome = run_program(command);
+  EXPECT_EQ(outcome.code, code) << outcome.err;
+  return rows_of(outcome.out);
+}
+
+/// The events between the ends.
+std::vector<Row> between_ends(const std::vector<Row>& rows) {
+  std::vector<Row> out = events_of(rows);
+  EXPECT_GE(out.size(), 2U);
+  if (out.size() < 2) return {};
+  return {out.begin() + 1, out.end() - 1};
+}
+
+std::vector<std::string> names(const std::vector<Row>& events) {
+  std::vector<std::string> out;
+  for (const Row& each : events) out.push_back(each.at("event"));
+  return out;
+}
+
+std::string class_beside(const std::vector<Row>& rows, std::string_view event, int step) {
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (rows[k].at("event") == event)
+      return rows[static_cast<std::size_t>(static_cast<int>(k) + step)].at("class");
+  return "none";
+}
+
+/// V = m (ln^2 lambda + ln^2 mu + ln^2 rho) with J1 = J2 = J3 and det S = 1: on the circle zeta = rho,
+/// v = ln zeta, nu^2 = 6 v e^(-2 v), which turns at v = 1/2. A term in det S alone changes nothing.
+TEST(SymmetricBodies, ACircleOfAHeldVolumeTurnsWhereItsClosedFormDoes) {
+  for (const char* l : {"-2.0", "0.0", "1.0", "3.0"}) {
+    for (const char* branch : {"i", "ii"}) {
+      const std::vector<Row> rows = followed(
+          "[body]\nJ = [1.0, 1.0, 1.0]\nvolume = 1.0\n[potential]\n"
+          "coupled = { expression = \"m*(log(lambda_)^2+log(mu_)^2+log(rho)^2)+l/2*log(d*rho)^2\", "
+          "m = 1.0, l = " +
+          std::string(l) +
+          " }\n"
+          "[motion]\nbranch = \"" +
+          branch +
+          "\"\nnu = 0.3\n"
+          "[continuation]\nfrom = 0.3\nto = 1.6\ntolerance = 1e-5\n");
+      std::vector<Row> turns;
+      for (const Row& each : between_ends(rows))
+        if (each.at("event") == "fold-nu") turns.push_back(each);
+      ASSERT_EQ(turns.size(), 1U) << branch << " " << l;
+      const std::string nu = *branch == 'i' && branch[1] == '\0' ? "nu1" : "nu2";
+      EXPECT_NEAR(number(turns[0].at(nu)), std::sqrt(3.0 / std::numbers::e), 1e-14);
+      EXPECT_NEAR(number(turns[0].at("rho")), std::exp(0.5), 1e-13);
+      EXPECT_EQ(rows.back().at("event"), "limit");
+    }
+  }
+}
+
+/// The axis leaves a body that is round about it towards both others; in its plane alpha moves with
+/// it, so that one direction changes its sign and not two.
+TEST(SymmetricBodies, TheAxisOfARoundBodyTiltsOnce) {
+  for (const double J3 : {0.8, 0.7}) {
+    const std::vector<Row> rows = followed(
+        "[body]\nJ = [1.0, " + std::to_string(J3) + ", " + std::to_string(J3) +
+        "]\n[potential]\ncoupled = { model = \"neo-hookean-3d\", mu = 1.0, lambda = 2.0 }\n"
+        "[motion]\nbranch = \"i\"\nnu = 0.3\n"
+        "[continuation]\nfrom = 0.1\nto = 1.0\ntolerance = 1e-6\n");
+    EXPECT_THAT(names(between_ends(rows)), ElementsAre("tilt"));
+    EXPECT_EQ(class_beside(rows, "tilt", -1), "elliptic");
+    EXPECT_EQ(class_beside(rows, "tilt", +1), "unstable");
+  }
+}
+
+/// Stretched to thousands the derivatives of V in double are rounding: J2 nu^2 zeta^2 = m at the one
+/// place where the circle breaks.
+TEST(SymmetricBodies, ACircleBreaksOnce) {
+  const std::vector<Row> rows = followed(
+      "[body]\nJ = [1.0, 1.0, 1.0]\n[potential]\n"
+      "coupled = { expression = \"m*(log(lambda_)^2+log(mu_)^2+log(rho)^2)+l/2*log(d*rho)^2\", "
+      "m = 1.0, l = 10.0 }\n[motion]\nbranch = \"i\"\nnu = 0.3\n"
+      "[continuation]\nfrom = 0.0\nto = 1.6\ntolerance = 1e-10\n");
+  const std::vector<Row> events = between_ends(rows);
+  ASSERT_THAT(names(events), ElementsAre("ellipse-23", "fold-nu"));
+  EXPECT_NEAR(number(events[0].at("nu1")) * number(events[0].at("zeta")), 1.0, 1e-14);
+}
+
+/// c11 = c22, c66 = (c11 - c12)/2: isotropic. With J1 = J2 the function of `oblique` is 0 all along.
+TEST(SymmetricBodies, WhatVanishesAllAlongIsNoEvent) {
+  for (const char* branch : {"i", "ii"}) {
+    const std::vector<Row> rows = followed(
+        "[body]\nJ = [1.0, 1.0, 0.5]\n[potential]\n"
+        "plane = { model = \"orthotropic-saint-venant-kirchhoff\", c11 = 3.0, c22 = 3.0, c12 = "
+        "1.0, "
+        "c66 = 1.0 }\nthickness = { model = \"reciprocal-quadratic\", a = 1.0, b = 3.0 }\n"
+        "[motion]\nbranch = \"" +
+        std::string(branch) +
+        "\"\nnu = 0.3\n"
+        "[continuation]\nfrom = 0.0\nto = 1.2\ntolerance = 1e-6\n");
+    EXPECT_THAT(names(between_ends(rows)), ElementsAre()) << branch;
+  }
+}
+
+/// J1 = J2: a momentum about the material axis is kept too, and Lambda passes 0 with no turn of |pi|
+/// and no change of `negative`. Where: by another linearization, in 50 digits, between these two.
+TEST(SymmetricBodies, GrowthThatNoOtherSignTellsIsToldAsUnexplained) {
+  const TemporaryDirectory directory;
+  const std::string file =
+      directory.file("case.toml",
+                     "[body]\nJ = [1.705, 1.705, 1.705]\n[potential]\n"
+                     "plane = { model = \"reciprocal-determinant\", c = 1.408, k = 1.949 }\n"
+                     "thickness = { model = \"harmonic\", k = 0.791, rest = 1.454 }\n"
+                     "[motion]\nbranch = \"iii\"\nnu = 0.055\n"
+                     "[continuation]\nfrom = 0.0\nto = 1.5\ntolerance = 1e-6\n");
+  const std::string straight = directory.file("a.csv", "");
+  ASSERT_EQ(run_program({"continue", file, "-o", straight}).code, 0);
+  const Outcome tilted = run_program(
+      {"continue", file, "--from", straight + ":tilt", "--set", "motion.branch=tilted", "-o", "-"});
+  ASSERT_EQ(tilted.code, 0) << tilted.err;
+  const std::vector<Row> rows = rows_of(tilted.out);
+  std::vector<Row> found;
+  for (const Row& each : between_ends(rows))
+    if (each.at("event") == "unexplained") found.push_back(each);
+  ASSERT_EQ(found.size(), 1U);
+  const double nu = std::hypot(number(found[0].at("nu1")), number(found[0].at("nu3")));
+  EXPECT_GT(nu, 1.04046);
+  EXPECT_LT(nu, 1.04412);
+  EXPECT_EQ(class_beside(rows, "unexplained", -1), "stable");
+  EXPECT_EQ(class_beside(rows, "unexplained", +1), "unstable");
+}
+
+/// A two-polar family on its circle is (iii) at nu = omega + theta', whose momentum turns there.
+TEST(SymmetricBodies, ACircleOfATwoPolarFamilyTellsWhereItLosesItsStability) {
+  const std::string body =
+      "[body]\nJ = [0.837, 0.837, 0.837]\n[gravity]\npi_G_rho = 1.44\n[potential]\n"
+      "coupled = { model = \"neo-hookean-3d\", mu = 1.482, lambda = 0.956 }\n";
+  const std::string range =
+      "[continuation]\nparameter = \"potential.coupled.lambda\"\nfrom = 0.85\nto = 0.96\n"
+      "tolerance = 1e-6\n";
+  const std::vector<Row> rows = followed(
+      body + "[motion]\nbranch = \"two-polar\"\nomega = 0.824\ntheta_dot = 0.673\n" + range);
+  const std::vector<Row> events = between_ends(rows);
+  ASSERT_THAT(names(events), ElementsAre("unexplained"));
+  EXPECT_NEAR(number(events[0].at("potential.coupled.lambda")), 0.899644090833, 1e-9);
+  EXPECT_EQ(class_beside(rows, "unexplained", -1), "stable");
+  EXPECT_EQ(class_beside(rows, "unexplained", +1), "unstable");
+}
+
+/// A pitchfork whose mirror axes are not the material ones is not passed; nothing escapes there.
+TEST(SymmetricBodies, AnEndAtModerateStretchesIsNoEscape) {
+  const std::vector<Row> rows = followed(
+      "[body]\nJ = [1.5, 1.5, 0.4]\n[potential]\n"
+      "plane = { model = \"biot-log\", mu = 1.0, lambda = 2.0 }\n"
+      "thickness = { model = \"harmonic\", k = 2.0, rest = 1.0 }\n"
+      "fibre = { k = 0.5, degrees = 45.0 }\n[motion]\nbranch = \"iii\"\nnu = 0.3\n"
+      "[continuation]\nfrom = 0.0\nto = 2.5\ntolerance = 1e-6\n",
+      {}, 4);
+  ASSERT_FALSE(rows.empty());
+  EXPECT_EQ(rows.back().at("event"), "stalled");
+  EXPECT_NEAR(number(rows.back().at("nu3")), 0.937404977, 1e-6);
+}
+
+}  // namespace
+}  // namespace stationary::testing
