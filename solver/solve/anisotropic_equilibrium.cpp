@@ -56,7 +56,7 @@ class AnisotropicSolve : FamilySolve {
       std::string failures;
       for (const Branch near : {Branch::i, Branch::ii}) {
         if (motion.near && *motion.near != near) continue;
-        out_ = Equilibrium{.counts = out_.counts};
+        begin_anew();
         oblique_from(near, motion.nu);
         if (out_.status == SolveStatus::solved || out_.status == SolveStatus::interrupted) break;
         failures += (failures.empty() ? "" : "; ") + out_.message;
@@ -84,7 +84,7 @@ class AnisotropicSolve : FamilySolve {
     }
     for (AtRate& each : rates) {
       if (!each.solved() && wants_search() && !stopped()) {
-        out_ = Equilibrium{.counts = out_.counts};
+        begin_anew();
         fail("not on a family followed from rest");
         nearest_of(search_oblique(body_, potential_, {each.nu, near}, short_search()));
         each.equilibrium = out_;

@@ -175,7 +175,7 @@ class FamilySolve {
       const auto [from, to] = limits(each.nu);
       const auto row = met<N>(curve.rows(), start, from, to, each.nu);
       if (!row) continue;
-      out_ = Equilibrium{.counts = out_.counts};
+      begin_anew();
       if (!at_place(family, curve.near(*row, each.nu)))
         along(family, q, p, each.nu, range(from, to, EventSet::none()), {});
       each.equilibrium = out_;
@@ -204,6 +204,13 @@ class FamilySolve {
                         mismatch <= acceptable_residual * pi.norm() * out_.nu.norm();
     out_.status = solved ? SolveStatus::solved : SolveStatus::failed;
     if (!solved) out_.message += "; but the recomputed residual is no equilibrium's";
+  }
+
+  /// What was counted stays.
+  void begin_anew() {
+    const Counts counts = out_.counts;
+    out_ = Equilibrium();
+    out_.counts = counts;
   }
 
   void fail(const std::string& message) {

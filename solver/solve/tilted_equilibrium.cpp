@@ -81,8 +81,10 @@ class TiltedSolve : FamilySolve {
     bool any = false;
     for (const Branch branch : {in_plane_branch(motion_.plane), Branch::iii}) {
       const Problem problem(body_, potential_, branch);
-      const Equilibrium rest =
-          solve(problem, 0.0, {.search = options_.search, .stop = options_.stop});
+      SolveOptions how;
+      how.search = options_.search;
+      how.stop = options_.stop;
+      const Equilibrium rest = solve(problem, 0.0, how);
       out_.counts += rest.counts;
       if (rest.status != SolveStatus::solved) continue;
       const AnyFamily straight =
