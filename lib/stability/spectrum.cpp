@@ -1,6 +1,7 @@
 #include "lib/stability/spectrum.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lib/number/elementary.hpp"
 #include "lib/stability/held_linearization.hpp"
@@ -329,7 +330,8 @@ int add_held_iii(const StraightState<Extended>& s, const StraightState<Condition
 
 bool Spectrum::away_from_zero() const {
   return std::all_of(mode.begin(), mode.begin() + modes, [](const Mode& m) {
-    return m.forced_zero || hypotenuse(m.lambda_re, m.lambda_im) > m.lambda_error;
+    return m.forced_zero || std::abs(m.lambda_re) > m.lambda_error ||
+           hypotenuse(m.lambda_re, m.lambda_im) > m.lambda_error;
   });
 }
 

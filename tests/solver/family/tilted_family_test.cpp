@@ -281,7 +281,8 @@ TEST(TiltedFamily, RandomFamiliesFromEndToEnd) {
       ASSERT_TRUE(m.angular_velocity.allFinite()) << m.nu;
       EXPECT_LE(check_balance(body, potential, m.q, m.angular_velocity).residual, 1e-12) << m.nu;
       EXPECT_LE(m.compatibility, 1e-13) << m.nu;
-      EXPECT_NE(row.event, EventType::unexplained) << m.nu;
+      // Of a round body growth may begin with no other sign of it.
+      if (row.event == EventType::unexplained) EXPECT_TRUE(body.symmetric()) << m.nu;
     }
     expect_turns(sheet, EventType::fold_nu, [](const Member& m) { return m.nu; });
     expect_turns(sheet, EventType::fold_momentum, [&](const Member& m) {
