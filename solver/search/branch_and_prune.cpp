@@ -111,13 +111,6 @@ class BranchAndPrune {
     return out;
   }
 
-  /// |ln (x/at)| of a side, at most; from its middle both ends are as far.
-  static double farthest(const Interval& side, double at) {
-    const double up = (side.hi / Interval(at)).hi;
-    const double down = (at / Interval(side.lo)).hi;
-    return log(Interval(std::max(up, down))).hi;
-  }
-
   /// Narrows the box; false if nothing is left. kept: the smallest fraction left of a side.
   /// regular: every M_ii excludes 0.
   bool gauss_seidel(const BoxSlopes<N>& over, const Square& Y, Box<N>& box, double& kept,
@@ -127,8 +120,7 @@ class BranchAndPrune {
     Box<N> d;
     for (int i = 0; i < N; ++i) {
       at[index(i)] = center[i];
-      const double far = farthest(box[index(i)], center[i]);
-      d[index(i)] = {-far, far};
+      d[index(i)] = log(box[index(i)] / center[i]);
     }
     const Box<N> g = system_.boxes().residual(at);
     regular = true;
@@ -168,7 +160,8 @@ class BranchAndPrune {
     if (!system_.converges(x)) return false;
     ReducedVector<N> radius;
     for (int i = 0; i < N; ++i) {
-      radius[i] = 1.001 * farthest(box[index(i)], x[i]) + 0x1p-40;
+      const Interval offset = log(box[index(i)] / x[i]);
+      radius[i] = 1.001 * offset.magnitude() + 0x1p-40;
       if (!(radius[i] < 2.0 * log_width(everything_[index(i)]))) return false;
     }
     const Krawczyk<N> test(system_.boxes(), x);
