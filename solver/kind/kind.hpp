@@ -44,9 +44,9 @@ class Kind {
 
   /// One ellipsoid, or why there is none.
   virtual Equilibrium solve(const SolveOptions& options) const = 0;
-  /// At each of these |nu| of a range that has no motion yet what solve() would find there without a start, with
-  /// spectra if asked for. False where the kind does not follow its motions from rest, and each is to
-  /// be solved by itself; of no |nu| that is all it says.
+  /// At each of these |nu| of a range that has no motion yet what solve() would find there without a
+  /// start, with spectra if asked for. False where the kind does not follow its motions from rest, and
+  /// each is to be solved by itself; of no |nu| that is all it says.
   virtual bool solve_each(bool /*spectra*/, const SolveOptions&, const RateRange&,
                           std::span<AtRate>) const {
     return false;

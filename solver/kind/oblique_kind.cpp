@@ -20,11 +20,13 @@ class ObliqueKind final : public Kind {
     if (motion_.nu == 0.0) return at_rest();
     return solve_oblique(body(), potential(), motion_, options);
   }
+#ifndef STATIONARY_SMALL_CODE  // pages have no maps
   bool solve_each(bool spectra, const SolveOptions& options, const RateRange& all,
                   std::span<AtRate> rates) const override {
     solve_oblique_each(body(), potential(), motion_.near, spectra, options, all, rates);
     return true;
   }
+#endif
   SearchResult search(const SearchOptions& options) const override {
     return search_oblique(body(), potential(), motion_, options);
   }

@@ -20,11 +20,13 @@ class TiltedKind final : public Kind {
     if (motion_.nu == 0.0) return at_rest();
     return solve_tilted(body(), potential(), motion_, options);
   }
+#ifndef STATIONARY_SMALL_CODE  // pages have no maps
   bool solve_each(bool spectra, const SolveOptions& options, const RateRange& all,
                   std::span<AtRate> rates) const override {
     solve_tilted_each(body(), potential(), motion_.plane, spectra, options, all, rates);
     return true;
   }
+#endif
   SearchResult search(const SearchOptions& options) const override {
     return search_tilted(body(), potential(), motion_, options);
   }

@@ -21,7 +21,8 @@ struct AtRate {
   bool solved() const { return equilibrium.status == SolveStatus::solved; }
 };
 
-/// Where they may lie: what is found at one |nu| depends on this, and not on what others are asked for.
+/// Where they may lie: what is found at one |nu| depends on this, and not on which others are asked
+/// for.
 struct RateRange {
   double least;
   double most;
