@@ -90,10 +90,8 @@ class FollowedLane {
 
   /// Empty where the start is no point of a curve.
   std::vector<CurveRow<N>> followed(const Stretch& q, double from, double to) const {
-    FollowOptions how = curve_options(from, to, stop_);
-    how.max_points = longest_walk;
     CoordinateRows<N> sink(family_);
-    follow_family(bare_, q, from, how, sink);
+    follow_family(bare_, q, from, curve_options(from, to, stop_), sink);
     return sink.rows();
   }
 

@@ -71,10 +71,9 @@ class AnisotropicSolve : FamilySolve {
 
   /// near: the axis that the family is near at its beginning, if it is given.
   void oblique_each(std::optional<Branch> near, const RateRange& all, std::span<AtRate> rates) {
+    const auto rest = rest_state();
     for (const Branch each : {Branch::i, Branch::ii}) {
-      if (near && *near != each) continue;
-      const auto rest = rest_state();
-      if (!rest) return;
+      if (!rest || (near && *near != each)) continue;
       const auto family = oblique_family(each);
       for_each_beginning(*family, each, *rest, all.most, [&](const Beginning& at) {
         const auto range_to = [&](double nu) { return limits(at.nu, nu); };
@@ -83,7 +82,9 @@ class AnisotropicSolve : FamilySolve {
       });
     }
     for (AtRate& each : rates) {
-      if (!each.solved() && wants_search() && !stopped()) {
+      const SolveStatus known = each.equilibrium.status;
+      const bool open = known == SolveStatus::not_run || known == SolveStatus::not_found;
+      if (open && wants_search() && !stopped()) {
         begin_anew();
         fail("not on a family followed from rest");
         nearest_of(search_oblique(body_, potential_, {each.nu, near}, short_search()));

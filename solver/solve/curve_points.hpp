@@ -42,6 +42,10 @@ class CoordinateRows final : public CurveSink {
   std::vector<CurveRow<N>> rows_;
 };
 
+/// Points of a walk to a motion. A longer one creeps along an end of its sheet; the search finds
+/// what is beyond it.
+constexpr long longest_walk = 10'000;
+
 /// What a sheet is followed with whose rows are to be gone between; turns of p are rows too.
 inline FollowOptions curve_options(double from, double to, const std::atomic<bool>* stop) {
   FollowOptions out;
@@ -49,6 +53,7 @@ inline FollowOptions curve_options(double from, double to, const std::atomic<boo
   out.continuation.to = to;
   out.continuation.step.tolerance = curve_tolerance;
   out.events = EventSet::none().add(EventType::fold_nu).add(EventType::fold_parameter);
+  out.max_points = longest_walk;
   out.stop = stop;
   return out;
 }

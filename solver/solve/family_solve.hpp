@@ -24,10 +24,6 @@
 
 namespace stationary {
 
-/// Points of a walk to a motion. A longer one creeps along an end of its sheet; the search finds
-/// what is beyond it.
-constexpr long longest_walk = 10'000;
-
 /// A family's equations at one p, as Newton's method takes them.
 template <int N>
 struct AtParameter {
@@ -94,13 +90,8 @@ class FamilySolve {
   }
 
   FollowOptions range(double from, double to, const EventSet& events) const {
-    FollowOptions out;
-    out.continuation.from = from;
-    out.continuation.to = to;
-    out.continuation.step.tolerance = 1e-7;
+    FollowOptions out = curve_options(from, to, options_.stop);
     out.events = events;
-    out.max_points = longest_walk;
-    out.stop = options_.stop;
     return out;
   }
 
@@ -162,10 +153,8 @@ class FamilySolve {
       most = std::max(most, to);
     }
     if (least == most) return;
-    FollowOptions how = curve_options(least, most, options_.stop);
-    how.max_points = longest_walk;
     CoordinateRows<N> sink(family);
-    count(follow_family(family, q, p, how, sink));
+    count(follow_family(family, q, p, curve_options(least, most, options_.stop), sink));
     if (sink.rows().empty() || stopped()) return;
     CurvePoints<N> curve(family, sink.rows(), most);
     const std::size_t start = nearest<N>(curve.rows(), family.coordinates(q, p), p);

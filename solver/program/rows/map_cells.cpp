@@ -27,10 +27,10 @@ class KindCells final : public MapCells {
         x_(input.map.value().x.values()),
         y_(input.map->y ? input.map->y->values()
                         : std::vector<double>{std::numeric_limits<double>::quiet_NaN()}),
-        x_is_nu_(are_rows_in_nu(*input.map)) {}
+        follows_(follows_rows(input)) {}
 
   std::size_t size() const override { return x_.size() * y_.size(); }
-  std::size_t tile() const override { return x_is_nu_ ? std::min(x_.size(), most_together) : 8; }
+  std::size_t tile() const override { return follows_ ? std::min(x_.size(), most_together) : 8; }
   bool marches() const override { return false; }
 
   RowCounts rows(std::size_t first, std::size_t last, const RowParts& parts,
@@ -41,8 +41,8 @@ class KindCells final : public MapCells {
     const Asked asked{parts, wanted, stop};
     while (first < last) {
       const std::size_t row_end = (first / x_.size() + 1) * x_.size();
-      const std::size_t end = x_is_nu_ ? std::min(last, row_end) : first + 1;
-      if (x_is_nu_ && together(first, end, asked, out, counts)) {
+      const std::size_t end = follows_ ? std::min(last, row_end) : first + 1;
+      if (follows_ && together(first, end, asked, out, counts)) {
         counts.scalar_lanes += first % x_.size() == 0;
       } else {
         counts.scalar_lanes += static_cast<long>(end - first);
@@ -54,7 +54,7 @@ class KindCells final : public MapCells {
   }
 
  private:
-  static constexpr std::size_t most_together = 512;
+  static constexpr std::size_t most_together = 128;
 
   struct Asked {
     const RowParts& parts;
@@ -149,7 +149,7 @@ class KindCells final : public MapCells {
   const Case& input_;
   std::vector<double> x_;
   std::vector<double> y_;  ///< one number where the grid has no y
-  bool x_is_nu_;
+  bool follows_;
 };
 
 }  // namespace
