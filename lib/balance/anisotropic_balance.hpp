@@ -394,4 +394,16 @@ void add_axis(const Inertia3<S>& J, const OrientedStretch<S>& at, const S& nu_sq
   }
 }
 
+// Compiled once, in balance.cpp.
+#define STATIONARY_ORIENTED_BALANCE(keyword, order, S)                                 \
+  keyword OrientedBalance<S, order> oriented_balance<order>(                           \
+      const Inertia3<S>&, const AnisotropicDerivatives<S>&, const OrientedStretch<S>&, \
+      const SpinProducts<S>&);
+#define STATIONARY_ORIENTED_BALANCES(keyword)           \
+  STATIONARY_ORIENTED_BALANCE(keyword, 1, DoubleDouble) \
+  STATIONARY_ORIENTED_BALANCE(keyword, 2, DoubleDouble) \
+  STATIONARY_ORIENTED_BALANCE(keyword, 1, Interval)     \
+  STATIONARY_ORIENTED_BALANCE(keyword, 2, Interval)
+STATIONARY_ORIENTED_BALANCES(extern template)
+
 }  // namespace stationary

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/balance/anisotropic_balance.hpp"
+
 namespace stationary {
+
+STATIONARY_ORIENTED_BALANCES(template)
 
 BalanceCheck check_balance(const Body& body, const Potential& potential, const Stretch& q,
                            const Vector3<double>& nu) {

@@ -57,4 +57,16 @@ GravityBalance<S> gravity_balance(const S& g, const S& y1, const S& y2, const S&
   return out;
 }
 
+// Compiled once, in duplication.cpp.
+#define STATIONARY_GRAVITY_BALANCES(keyword)                                               \
+  keyword GravityBalance<DoubleDouble> gravity_balance<1>(                                 \
+      const DoubleDouble&, const DoubleDouble&, const DoubleDouble&, const DoubleDouble&); \
+  keyword GravityBalance<DoubleDouble> gravity_balance<2>(                                 \
+      const DoubleDouble&, const DoubleDouble&, const DoubleDouble&, const DoubleDouble&); \
+  keyword GravityBalance<Interval> gravity_balance<1>(const Interval&, const Interval&,    \
+                                                      const Interval&, const Interval&);   \
+  keyword GravityBalance<Interval> gravity_balance<2>(const Interval&, const Interval&,    \
+                                                      const Interval&, const Interval&);
+STATIONARY_GRAVITY_BALANCES(extern template)
+
 }  // namespace stationary

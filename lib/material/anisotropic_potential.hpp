@@ -107,42 +107,60 @@ struct AnisotropicModel {
   /// Gravity included, as if no volume were held. x: the invariants of q, which a caller may know
   /// better than by its entries.
   template <int order>
-  AnisotropicDerivatives<C> evaluate(const PlanarInvariants<C>& x, const BasicStretch<C>& q) const {
-    const C none(0.0);
-    AnisotropicDerivatives<C> out;
-    out.isotropic = {{none, none, none, none, none, none}, none, none, none, none};
-    out.directed = {none, Vector4<C>::Constant(none), Matrix4<C>::Constant(none)};
-    const auto take = [&](const auto& model) {
-      if constexpr (requires { model.template isotropic<order>(x, q.rho); })
-        out.isotropic = model.template isotropic<order>(x, q.rho);
-      if constexpr (requires { model.template add<order>(q, out.directed); }) {
-        model.template add<order>(q, out.directed);
-      } else if constexpr (requires { model.template evaluate<order>(x, q.rho); }) {
-        out.isotropic = model.template evaluate<order>(x, q.rho);
-      } else {
-        out.isotropic.plane = model.template evaluate<order>(x);
-      }
-    };
-    if (const auto* separate = std::get_if<Separate>(&base)) {
-      std::visit(take, separate->plane);
-      out.isotropic.w_r = out.isotropic.w_rr = none;
-      if (separate->thickness) {
-        const auto axial = separate->thickness->template evaluate<order>(q.rho);
-        out.isotropic.plane.w = out.isotropic.plane.w + axial.v;
-        out.isotropic.w_r = axial.v_r;
-        out.isotropic.w_rr = axial.v_rr;
-      }
-      out.isotropic.w_tr = out.isotropic.w_lr = none;
-    } else {
-      std::visit(take, std::get<OrientedCoupledModels<C>>(base));
-    }
-    for (std::size_t k = 0; k < fibre_count; ++k) fibres[k].template add<order>(q, out.directed);
-    if (body.gravitates)
-      out.gravity = {
-          gravity_derivatives<order>(body.g, body.J, planar_moment(body.J, q), x.d, q.rho), body.J};
-    return out;
-  }
+  AnisotropicDerivatives<C> evaluate(const PlanarInvariants<C>& x, const BasicStretch<C>& q) const;
 };
+
+template <class C>
+template <int order>
+AnisotropicDerivatives<C> AnisotropicModel<C>::evaluate(const PlanarInvariants<C>& x,
+                                                        const BasicStretch<C>& q) const {
+  const C none(0.0);
+  AnisotropicDerivatives<C> out;
+  out.isotropic = {{none, none, none, none, none, none}, none, none, none, none};
+  out.directed = {none, Vector4<C>::Constant(none), Matrix4<C>::Constant(none)};
+  const auto take = [&](const auto& model) {
+    if constexpr (requires { model.template isotropic<order>(x, q.rho); })
+      out.isotropic = model.template isotropic<order>(x, q.rho);
+    if constexpr (requires { model.template add<order>(q, out.directed); }) {
+      model.template add<order>(q, out.directed);
+    } else if constexpr (requires { model.template evaluate<order>(x, q.rho); }) {
+      out.isotropic = model.template evaluate<order>(x, q.rho);
+    } else {
+      out.isotropic.plane = model.template evaluate<order>(x);
+    }
+  };
+  if (const auto* separate = std::get_if<Separate>(&base)) {
+    std::visit(take, separate->plane);
+    out.isotropic.w_r = out.isotropic.w_rr = none;
+    if (separate->thickness) {
+      const auto axial = separate->thickness->template evaluate<order>(q.rho);
+      out.isotropic.plane.w = out.isotropic.plane.w + axial.v;
+      out.isotropic.w_r = axial.v_r;
+      out.isotropic.w_rr = axial.v_rr;
+    }
+    out.isotropic.w_tr = out.isotropic.w_lr = none;
+  } else {
+    std::visit(take, std::get<OrientedCoupledModels<C>>(base));
+  }
+  for (std::size_t k = 0; k < fibre_count; ++k) fibres[k].template add<order>(q, out.directed);
+  if (body.gravitates)
+    out.gravity = {gravity_derivatives<order>(body.g, body.J, planar_moment(body.J, q), x.d, q.rho),
+                   body.J};
+  return out;
+}
+
+// Compiled once, as those of its models (built_in_model.hpp).
+#define STATIONARY_COMPILED_MODEL(keyword, C)                         \
+  keyword AnisotropicDerivatives<C> AnisotropicModel<C>::evaluate<1>( \
+      const PlanarInvariants<C>&, const BasicStretch<C>&) const;      \
+  keyword AnisotropicDerivatives<C> AnisotropicModel<C>::evaluate<2>( \
+      const PlanarInvariants<C>&, const BasicStretch<C>&) const;
+#define STATIONARY_COMPILED_MODELS(keyword)        \
+  STATIONARY_COMPILED_MODEL(keyword, double)       \
+  STATIONARY_COMPILED_MODEL(keyword, DoubleDouble) \
+  STATIONARY_COMPILED_MODEL(keyword, Interval)     \
+  STATIONARY_COMPILED_MODEL(keyword, Conditioned)
+STATIONARY_COMPILED_MODELS(extern template)
 
 /// Of the whole V, along a held volume; order as in evaluate().
 template <int order, class C>

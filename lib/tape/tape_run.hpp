@@ -286,11 +286,19 @@ extern template void compute_constants(const Coefficients&, const double*, doubl
 extern template void compute_constants(const Coefficients&, const DoubleDouble*, DoubleDouble*);
 extern template void compute_constants(const Coefficients&, const Interval*, Interval*);
 extern template void compute_constants(const Coefficients&, const Conditioned*, Conditioned*);
+extern template void compute_constants(const Coefficients&, const PerParameter*, PerParameter*);
+extern template void compute_constants(const Coefficients&, const Dual<double, 5>*,
+                                       Dual<double, 5>*);
+extern template void compute_constants(const Coefficients&, const Dual<Interval, 4>*,
+                                       Dual<Interval, 4>*);
 extern template void run(const Program&, const double*, const double*, double*);
 extern template void run(const Program&, const double*, const DoubleDouble*, DoubleDouble*);
 extern template void run(const Program&, const double*, const Interval*, Interval*);
 extern template void run(const Program&, const double*, const Conditioned*, Conditioned*);
 extern template void run(const Program&, const double*, const PerParameter*, PerParameter*);
+extern template void run(const Program&, const double*, const Dual<double, 5>*, Dual<double, 5>*);
+extern template void run(const Program&, const double*, const Dual<Interval, 4>*,
+                         Dual<Interval, 4>*);
 extern template void run(const Program&, const double*, const Dual<Interval, 3>*,
                          Dual<Interval, 3>*);
 

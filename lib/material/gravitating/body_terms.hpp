@@ -93,4 +93,20 @@ PotentialDerivatives<R> along_volume(const PotentialDerivatives<R>& V, const Bas
   return out;
 }
 
+// Compiled once, in material/compiled_models.cpp: they are long, and every solver comes by them.
+#define STATIONARY_COMPILED_TERM(keyword, S)                                                   \
+  keyword PotentialDerivatives<S> in_stretch<2>(const CoupledDerivatives<S>&,                  \
+                                                const BasicStretch<S>&);                       \
+  keyword CoupledDerivatives<S> gravity_derivatives<2>(const S&, const GravitatingInertia<S>&, \
+                                                       const S&, const S&, const S&);          \
+  keyword void add_gravity<2>(const CoupledDerivatives<S>&, const GravitatingInertia<S>&,      \
+                              const BasicStretch<S>&, PotentialDerivatives<S>&);               \
+  keyword PotentialDerivatives<S> along_volume<2>(const PotentialDerivatives<S>&,              \
+                                                  const BasicStretch<S>&);
+#define STATIONARY_COMPILED_TERMS(keyword)        \
+  STATIONARY_COMPILED_TERM(keyword, DoubleDouble) \
+  STATIONARY_COMPILED_TERM(keyword, Interval)     \
+  STATIONARY_COMPILED_TERM(keyword, Conditioned)
+STATIONARY_COMPILED_TERMS(extern template)
+
 }  // namespace stationary

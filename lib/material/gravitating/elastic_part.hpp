@@ -44,42 +44,12 @@ struct ElasticPart {
 
   /// Derivatives in (t, l, r); zero where there is nothing.
   template <int order, class S>
-  CoupledDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x, const S& rho) const {
-    using R = Product<C, S>;
-    CoupledDerivatives<R> out;
-    if (const auto* model = std::get_if<NeoHookean3d<C>>(&coupled))
-      return model->template evaluate<order>(x, rho);
-    if (const auto* model = std::get_if<CoupledExpression<C>>(&coupled))
-      return model->template evaluate<order>(x, rho);
-    const R none(0.0);
-    out = {{none, none, none, none, none, none}, none, none, none, none};
-    if (plane) out.plane = plane->template evaluate<order>(x);
-    if (thickness) {
-      const auto axial = thickness->template evaluate<order>(rho);
-      out.plane.w += axial.v;
-      out.w_r = axial.v_r;
-      out.w_rr = axial.v_rr;
-    }
-    return out;
-  }
+  CoupledDerivatives<Product<C, S>> evaluate(const PlanarInvariants<S>& x, const S& rho) const;
 
   /// The balance with the centrifugal terms.
   template <class R>
   LogBalance<R> log_balance(const R& xi, const R& zeta, const R& rho, const R& c_xi,
-                            const R& c_zeta, const R& c_rho) const {
-    if (const auto* model = std::get_if<NeoHookean3d<C>>(&coupled))
-      return model->log_balance(xi, zeta, rho, c_xi, c_zeta, c_rho);
-    if (const auto* model = std::get_if<CoupledExpression<C>>(&coupled))
-      return model->log_balance(xi, zeta, rho, c_xi, c_zeta, c_rho);
-    LogBalance<R> out = plane ? LogBalance<R>(plane->log_balance(xi, zeta, c_xi, c_zeta))
-                              : of_pull(c_xi * square(xi), c_zeta * square(zeta), R(0.0));
-    const LogBalance<R> axial = thickness ? LogBalance<R>(thickness->log_balance(rho, c_rho))
-                                          : of_pull(R(0.0), R(0.0), c_rho * square(rho));
-    out.g_rho = axial.g_rho;
-    out.ww = axial.ww;
-    out.uw = out.vw = R(0.0);
-    return out;
-  }
+                            const R& c_zeta, const R& c_rho) const;
 
  private:
   /// Of nothing but the centrifugal terms c_k s_k^2.
@@ -96,6 +66,46 @@ struct ElasticPart {
             .ww = -2.0 * rho};
   }
 };
+
+template <class C>
+template <int order, class S>
+CoupledDerivatives<Product<C, S>> ElasticPart<C>::evaluate(const PlanarInvariants<S>& x,
+                                                           const S& rho) const {
+  using R = Product<C, S>;
+  CoupledDerivatives<R> out;
+  if (const auto* model = std::get_if<NeoHookean3d<C>>(&coupled))
+    return model->template evaluate<order>(x, rho);
+  if (const auto* model = std::get_if<CoupledExpression<C>>(&coupled))
+    return model->template evaluate<order>(x, rho);
+  const R none(0.0);
+  out = {{none, none, none, none, none, none}, none, none, none, none};
+  if (plane) out.plane = plane->template evaluate<order>(x);
+  if (thickness) {
+    const auto axial = thickness->template evaluate<order>(rho);
+    out.plane.w += axial.v;
+    out.w_r = axial.v_r;
+    out.w_rr = axial.v_rr;
+  }
+  return out;
+}
+
+template <class C>
+template <class R>
+LogBalance<R> ElasticPart<C>::log_balance(const R& xi, const R& zeta, const R& rho, const R& c_xi,
+                                          const R& c_zeta, const R& c_rho) const {
+  if (const auto* model = std::get_if<NeoHookean3d<C>>(&coupled))
+    return model->log_balance(xi, zeta, rho, c_xi, c_zeta, c_rho);
+  if (const auto* model = std::get_if<CoupledExpression<C>>(&coupled))
+    return model->log_balance(xi, zeta, rho, c_xi, c_zeta, c_rho);
+  LogBalance<R> out = plane ? LogBalance<R>(plane->log_balance(xi, zeta, c_xi, c_zeta))
+                            : of_pull(c_xi * square(xi), c_zeta * square(zeta), R(0.0));
+  const LogBalance<R> axial = thickness ? LogBalance<R>(thickness->log_balance(rho, c_rho))
+                                        : of_pull(R(0.0), R(0.0), c_rho * square(rho));
+  out.g_rho = axial.g_rho;
+  out.ww = axial.ww;
+  out.uw = out.vw = R(0.0);
+  return out;
+}
 
 /// The same with convert(c, k) for its coefficient c at place k.
 template <class Convert>
@@ -118,5 +128,20 @@ auto with_indexed_coefficients(const ElasticPart<double>& part, const Convert& c
       part.coupled);
   return out;
 }
+
+// Compiled once, as those of its models (built_in_model.hpp), with coefficients C and a state in S.
+#define STATIONARY_COMPILED_PART(keyword, C, S)                                                   \
+  keyword CoupledDerivatives<S> ElasticPart<C>::evaluate<1>(const PlanarInvariants<S>&, const S&) \
+      const;                                                                                      \
+  keyword CoupledDerivatives<S> ElasticPart<C>::evaluate<2>(const PlanarInvariants<S>&, const S&) \
+      const;                                                                                      \
+  keyword LogBalance<S> ElasticPart<C>::log_balance(const S&, const S&, const S&, const S&,       \
+                                                    const S&, const S&) const;
+#define STATIONARY_COMPILED_PARTS(keyword)                      \
+  STATIONARY_COMPILED_PART(keyword, double, DoubleDouble)       \
+  STATIONARY_COMPILED_PART(keyword, DoubleDouble, DoubleDouble) \
+  STATIONARY_COMPILED_PART(keyword, Interval, Interval)         \
+  STATIONARY_COMPILED_PART(keyword, Conditioned, Conditioned)
+STATIONARY_COMPILED_PARTS(extern template)
 
 }  // namespace stationary

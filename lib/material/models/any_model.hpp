@@ -20,7 +20,9 @@ namespace stationary {
 /// What AnyPlane and AnyThickness have in common: f(the model) of whichever it is.
 template <class BuiltIn, class Expression>
 struct AnyModel {
+  using Kinds = AnyModel;
   static constexpr bool of_any_kind = true;
+  using Coefficient = typename CoefficientOf<BuiltIn>::type;
   std::variant<BuiltIn, Expression> model;
 
   template <class F>
@@ -69,11 +71,11 @@ struct AnyModel {
 
   template <class... S>
   auto log_balance(const S&... arguments) const {
-    return visit([&](const auto& m) { return m.log_balance(arguments...); });
+    return balance_of_kind<Coefficient>(*this, arguments...);
   }
   template <int order, class State>
   auto evaluate(const State& state) const {
-    return visit([&](const auto& m) { return m.template evaluate<order>(state); });
+    return evaluate_kind<order, Coefficient>(*this, state);
   }
 };
 
@@ -104,5 +106,29 @@ struct AnyThickness : AnyModel<ThicknessModels<C>, ThicknessExpression<C>> {
     return this->visit([&](const auto& each) { return each.balanced(m); });
   }
 };
+
+// Compiled once (built_in_model.hpp), with coefficients C and a state in S.
+#define STATIONARY_COMPILED_KIND(keyword, Plane, Thickness, C, S)                                  \
+  keyword DerivativesAt<C, PlanarInvariants<S>> evaluate_kind<1, C>(const Plane&,                  \
+                                                                    const PlanarInvariants<S>&);   \
+  keyword DerivativesAt<C, PlanarInvariants<S>> evaluate_kind<2, C>(const Plane&,                  \
+                                                                    const PlanarInvariants<S>&);   \
+  keyword DerivativesAt<C, S> evaluate_kind<1, C>(const Thickness&, const S&);                     \
+  keyword DerivativesAt<C, S> evaluate_kind<2, C>(const Thickness&, const S&);                     \
+  keyword LogBalance<Product<C, S>> balance_of_kind<C>(const Plane&, const S&, const S&, const S&, \
+                                                       const S&);                                  \
+  keyword LogBalance<Product<C, S>> balance_of_kind<C>(const Thickness&, const S&, const S&);
+#define STATIONARY_COMPILED_KINDS(keyword)                                                    \
+  STATIONARY_COMPILED_KIND(keyword, BuiltInPlane<>::Kinds, BuiltInThickness<>::Kinds, double, \
+                           DoubleDouble)                                                      \
+  STATIONARY_COMPILED_KIND(keyword, AnyPlane<>::Kinds, AnyThickness<>::Kinds, double,         \
+                           DoubleDouble)                                                      \
+  STATIONARY_COMPILED_KIND(keyword, AnyPlane<DoubleDouble>::Kinds,                            \
+                           AnyThickness<DoubleDouble>::Kinds, DoubleDouble, DoubleDouble)     \
+  STATIONARY_COMPILED_KIND(keyword, AnyPlane<Interval>::Kinds, AnyThickness<Interval>::Kinds, \
+                           Interval, Interval)                                                \
+  STATIONARY_COMPILED_KIND(keyword, AnyPlane<Conditioned>::Kinds,                             \
+                           AnyThickness<Conditioned>::Kinds, Conditioned, Conditioned)
+STATIONARY_COMPILED_KINDS(extern template)
 
 }  // namespace stationary

@@ -9,10 +9,52 @@
 #include <utility>
 #include <variant>
 
+#include "lib/body/stretch.hpp"
 #include "lib/material/models/coefficients.hpp"
 #include "lib/material/models/isotropic_models.hpp"
+#include "lib/material/models/log_balance.hpp"
+#include "lib/material/models/model_derivatives.hpp"
+#include "lib/number/number.hpp"
 
 namespace stationary {
+
+/// What evaluate() of a planar model gives at its invariants, of a thickness model at rho; C: the
+/// coefficients' type.
+template <class C, class S>
+PlanarDerivatives<Product<C, S>> derivatives_at(const PlanarInvariants<S>& state);
+template <class C, class S>
+ThicknessDerivatives<Product<C, S>> derivatives_at(const S& rho);
+template <class C, class State>
+using DerivativesAt = decltype(derivatives_at<C>(std::declval<const State&>()));
+
+/// evaluate() and log_balance() of a model whose kind is asked. They are long, every solver comes by
+/// them, and those of the numbers below are compiled once, in material/compiled_models.cpp: members
+/// would be inline, and compiled wherever they are called.
+template <int order, class C, class Model, class State>
+DerivativesAt<C, State> evaluate_kind(const Model& model, const State& state) {
+  return model.visit(
+      [&](const auto& m) -> DerivativesAt<C, State> { return m.template evaluate<order>(state); });
+}
+template <class C, class Model, class S>
+LogBalance<Product<C, S>> balance_of_kind(const Model& model, const S& xi, const S& zeta,
+                                          const S& c_xi, const S& c_zeta) {
+  return model.visit([&](const auto& m) -> LogBalance<Product<C, S>> {
+    return m.log_balance(xi, zeta, c_xi, c_zeta);
+  });
+}
+template <class C, class Model, class S>
+LogBalance<Product<C, S>> balance_of_kind(const Model& model, const S& rho, const S& c_rho) {
+  return model.visit(
+      [&](const auto& m) -> LogBalance<Product<C, S>> { return m.log_balance(rho, c_rho); });
+}
+
+/// C of the models in a variant of them.
+template <class Models>
+struct CoefficientOf;
+template <template <class> class First, class... Rest, class C>
+struct CoefficientOf<std::variant<First<C>, Rest...>> {
+  using type = C;
+};
 
 template <class Models>
 struct BuiltInModel;
@@ -22,6 +64,8 @@ template <class... Model>
 struct BuiltInModel<std::variant<Model...>> {
   /// with_indexed_coefficients() keeps the kind.
   static constexpr bool of_any_kind = true;
+  using Kinds = BuiltInModel;
+  using Coefficient = typename CoefficientOf<std::variant<Model...>>::type;
   std::variant<Model...> model;
 
   template <class F>
@@ -41,11 +85,11 @@ struct BuiltInModel<std::variant<Model...>> {
   }
   template <class... S>
   auto log_balance(const S&... arguments) const {
-    return visit([&](const auto& m) { return m.log_balance(arguments...); });
+    return balance_of_kind<Coefficient>(*this, arguments...);
   }
   template <int order, class State>
   auto evaluate(const State& state) const {
-    return visit([&](const auto& m) { return m.template evaluate<order>(state); });
+    return evaluate_kind<order, Coefficient>(*this, state);
   }
 };
 
