@@ -19,6 +19,8 @@ constexpr std::string_view folds = "two sheets meet at a fold";
 constexpr std::string_view leaves = "a sheet leaves the box";
 constexpr std::string_view part_leaves =
     "one stretch leaves the box, with no motion on either side for want of the others";
+constexpr std::string_view part_folds =
+    "one stretch folds, with no motion on either side for want of the others";
 
 std::string_view reason_of(const NuGap& gap) {
   if (gap.undecided) return "boxes are left undecided";
@@ -32,8 +34,10 @@ std::string_view reason_of(const NuGap& gap) {
 void tell_box_from_folds(std::vector<CompleteInterval>& all, const std::vector<NuGap>& gaps) {
   for (std::size_t k = 1; k + 1 < all.size(); ++k) {
     if (!all[k - 1].proven || !all[k + 1].proven) continue;
-    if (all[k].reason == leaves && all[k - 1].sheets == 0 && all[k + 1].sheets == 0)
-      all[k].reason = part_leaves;
+    if (all[k - 1].sheets == 0 && all[k + 1].sheets == 0) {
+      if (all[k].reason == leaves) all[k].reason = part_leaves;
+      if (all[k].reason == folds) all[k].reason = part_folds;
+    }
     if (all[k].reason != folds) continue;
     const auto is_it = [&](const NuGap& gap) { return gap.nu.lo == all[k].from; };
     const auto gap = std::ranges::find_if(gaps, is_it);

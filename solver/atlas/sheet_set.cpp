@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lib/matrix/elementwise.hpp"
+#include "lib/number/elementary.hpp"
 #include "solver/atlas/sheet_arc.hpp"
 
 namespace stationary {
@@ -183,12 +184,13 @@ void SheetSet::enter(const Place& from, double nu, Entry entry, double entry_nu)
     remark(entry, entry_nu, sheet.report.failure);
     return;
   }
-  const auto is_it = [&](const AtlasSheet& other) { return same_ends(sheet, other); };
-  if (std::ranges::any_of(sheets_, is_it)) return;
+  for (std::size_t k = 0; k < sheets_.size(); ++k)
+    if (is_part_of(sheet, from, nu, sheets_[k], families_of_sheets_[k])) return;
   for (std::size_t k = 0; k < checkpoints_.size(); ++k)
     add_crossings(sheet, family, checkpoints_[k].nu, on_sheets_[k]);
   sheet.arc = sheet_arc(plain_[static_cast<std::size_t>(family)]);
   sheets_.push_back(std::move(sheet));
+  families_of_sheets_.push_back(family);
 }
 
 void SheetSet::remark(Entry entry, double nu, std::string reason) {
@@ -197,6 +199,52 @@ void SheetSet::remark(Entry entry, double nu, std::string reason) {
 
 Place SheetSet::place(const Member& member) const {
   return source_->canonical(source_->place(member.q, member.angular_velocity));
+}
+
+/// Whether a motion is one of a sheet's.
+bool SheetSet::lies_on(const AtlasSheet& sheet, int family, const Place& at, double nu) const {
+  if (sheet.report.vertical) return lies_on_vertical(sheet, at, nu);
+  std::vector<Place> there;
+  add_crossings(sheet, family, nu, there);
+  return std::ranges::any_of(there, [&](const Place& p) { return distance(p, at) < same_place; });
+}
+
+/// All rows of a vertical sheet are at one nu, and its eccentricity, ln (xi/zeta), orders them. Between
+/// two rows it is a chord but for a small part of their distance.
+bool SheetSet::lies_on_vertical(const AtlasSheet& sheet, const Place& at, double nu) const {
+  constexpr double bulge = 0.02;
+  if (std::abs(sheet.rows.front().member.nu - nu) > 1e-9 * nu) return false;
+  const auto eccentricity = [](const Stretch& q) { return log(q.xi / q.zeta); };
+  const double e = eccentricity(at.q);
+  for (std::size_t k = 1; k < sheet.rows.size(); ++k) {
+    const Stretch a = place(sheet.rows[k - 1].member).q;
+    const Stretch b = place(sheet.rows[k].member).q;
+    const double from = eccentricity(a);
+    const double to = eccentricity(b);
+    if (from == to || (e < from) == (e < to)) continue;
+    const double u = (e - from) / (to - from);
+    const Place chord{{0.0, a.xi * exp(u * log(b.xi / a.xi)),
+                       a.zeta * exp(u * log(b.zeta / a.zeta)),
+                       a.rho * exp(u * log(b.rho / a.rho))}};
+    if (distance(chord, at) < bulge * distance({a}, {b})) return true;
+  }
+  return false;
+}
+
+/// Whether a sheet followed from a place is all on another: some of its motions are, and its ends are
+/// the other's. Ends alone do not tell: where V is a plane's and a thickness', one curve in the plane
+/// goes with every rho that is balanced.
+bool SheetSet::is_part_of(const AtlasSheet& sheet, const Place& from, double nu,
+                          const AtlasSheet& other, int family) const {
+  int on = lies_on(other, family, from, nu) ? 1 : 0;
+  int asked = 1;
+  for (const std::size_t quarter : {1U, 2U, 3U}) {
+    const AtlasRow& row = sheet.rows[quarter * (sheet.rows.size() - 1) / 4];
+    if (row.event != EventType::none) continue;
+    ++asked;
+    if (lies_on(other, family, place(row.member), row.member.nu)) ++on;
+  }
+  return on == asked || (on > 0 && same_ends(sheet, other));
 }
 
 bool SheetSet::same_ends(const AtlasSheet& a, const AtlasSheet& b) const {

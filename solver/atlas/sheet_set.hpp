@@ -70,6 +70,10 @@ class SheetSet {
   void follow_rest();
   void enter(const Place& from, double nu, Entry entry, double entry_nu);
   void remark(Entry entry, double nu, std::string reason);
+  bool lies_on(const AtlasSheet& sheet, int family, const Place& at, double nu) const;
+  bool lies_on_vertical(const AtlasSheet& sheet, const Place& at, double nu) const;
+  bool is_part_of(const AtlasSheet& sheet, const Place& from, double nu, const AtlasSheet& other,
+                  int family) const;
   bool same_ends(const AtlasSheet& a, const AtlasSheet& b) const;
   Place place(const Member& member) const;
   void add_crossings(const AtlasSheet& sheet, int family, double nu, std::vector<Place>& out) const;
@@ -89,6 +93,7 @@ class SheetSet {
   std::vector<std::vector<Place>> unproven_;   ///< likewise, where a search is undecided
   std::vector<std::vector<Place>> on_sheets_;  ///< points there of the sheets so far
   std::vector<AtlasSheet> sheets_;
+  std::vector<int> families_of_sheets_;  ///< which of families_ each is of
   std::vector<Remark> remarks_;
   std::optional<Completeness> completeness_;
 };

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -85,6 +88,47 @@ class Follower {
     return out;
   }
 
+  /// Whether a function has the same sign at points around, as far away as the point's numbers are
+  /// uncertain: far out, or where sheets merge, a determinant is rounding.
+  bool keeps_sign(const ArcPoint<N>& arc, std::size_t k, double value) const {
+    const EventPlace place = place_at(arc);
+    const double move = 4.0 * std::max(place.error_bound, 0x1p-51);
+    // Each number up or down: the unknowns, p1, p2. No pattern is another's opposite.
+    for (const unsigned pattern : {0x00U, 0x15U, 0x4cU, 0xa6U, 0x79U, 0x87U, 0xdeU, 0x6bU}) {
+      for (const double side : {move, -move}) {
+        const auto moved = [&, bits = pattern](double number, Eigen::Index bit) {
+          return number * (1.0 + (((bits >> static_cast<unsigned>(bit)) & 1U) != 0 ? side : -side));
+        };
+        EventPlace there = place;
+        const Eigen::Index size = there.x.size();
+        for (Eigen::Index i = 0; i < size; ++i) there.x[i] = moved(there.x[i], i);
+        if (circle_ != Circle::none) {
+          const auto [a, b, other] = places(circle_);
+          there.x[b] = there.x[a];
+        }
+        there.first = moved(there.first, size);
+        const AnyFamily family = setting_.family(there.first, moved(arc.p, size + 1), false);
+        const double value_there =
+            functions_at(family, there, member_at(family, there)).values.value[k];
+        if (!(value_there * value > 0.0)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Of the functions whose errors are in no bound: one that is not certain to have changed its sign keeps
+  /// that of the point before, and none has one before it is certain.
+  void keep_uncertain(const EventFunctions* before, EventFunctions& at,
+                      const ArcPoint<N>& arc) const {
+    for (const std::size_t k : {TestValues::fold, TestValues::momentum, TestValues::ellipse}) {
+      double& value = at.values.value[k];
+      const double last =
+          before != nullptr ? before->values.value[k] : std::numeric_limits<double>::quiet_NaN();
+      if (last * value > 0.0 || std::isnan(value)) continue;
+      if (!keeps_sign(arc, k, value)) value = last;
+    }
+  }
+
   EventCurvePoint completed(const ArcPoint<N>& arc, const Signs& signs,
                             SpecialPoint special) const {
     const EventPlace place = place_at(arc);
@@ -125,28 +169,46 @@ class Follower {
     return 0.5 * (a + b);
   }
 
+  static bool changes(double a, double b) { return a * b < 0.0; }
+  static double first_speed(const ArcPoint<N>& at) {
+    return at.tangent[EventCurveFamily<N>::first];
+  }
+  static double second_speed(const ArcPoint<N>& at) { return at.tangent[N]; }
+
+  /// Where both speeds vanish. One of them, that across the cusp's tangent, may do so without a change of
+  /// its sign: as s^3 is p across, and as s^2 along.
+  std::optional<double> cusp_of(const ArcPoint<N>& from, const Signs& here, const Signs& next,
+                                const Arc<N>& arc) const {
+    constexpr double together = 1e-4;
+    const auto both_vanish = [&](const auto& speed, double at_from, const auto& other,
+                                 double other_size) -> std::optional<double> {
+      const auto u = zero_of(speed, from, arc, at_from);
+      if (!u) return std::nullopt;
+      const Corrected<N> there = curve_.at(from, arc, *u);
+      if (there.status != CorrectorStatus::converged) return std::nullopt;
+      return std::abs(other(there.point)) < together * other_size ? u : std::nullopt;
+    };
+    if (changes(here.second_speed, next.second_speed))
+      return both_vanish(second_speed, here.second_speed, first_speed,
+                         std::max(std::abs(here.first_speed), std::abs(next.first_speed)));
+    if (changes(here.first_speed, next.first_speed))
+      return both_vanish(first_speed, here.first_speed, second_speed,
+                         std::max(std::abs(here.second_speed), std::abs(next.second_speed)));
+    return std::nullopt;
+  }
+
   /// Of one step, in order.
   std::vector<Special> specials(const ArcPoint<N>& from, const Signs& here, const Signs& next,
                                 const Arc<N>& arc) const {
     std::vector<Special> out;
-    const auto changes = [](double a, double b) { return (a < 0.0) != (b < 0.0); };
     const auto add = [&](const std::optional<double>& u, SpecialPoint type,
                          EventType other = EventType::none) {
       if (u) out.push_back({*u, type, other});
     };
-    if (changes(here.second_speed, next.second_speed)) {
-      const auto second = zero_of([](const ArcPoint<N>& at) { return at.tangent[N]; }, from, arc,
-                                  here.second_speed);
-      if (what().turns && changes(here.first_speed, next.first_speed)) {
-        const auto first =
-            zero_of([](const ArcPoint<N>& at) { return at.tangent[EventCurveFamily<N>::first]; },
-                    from, arc, here.first_speed);
-        constexpr double together = 1e-4;
-        if (first && second && std::abs(*first - *second) < together)
-          add(second, SpecialPoint::cusp);
-      } else if (what().spectral) {
-        add(second, SpecialPoint::turn);
-      }
+    if (what().turns) {
+      if (const auto u = cusp_of(from, here, next, arc)) add(u, SpecialPoint::cusp);
+    } else if (what().spectral && changes(here.second_speed, next.second_speed)) {
+      add(zero_of(second_speed, from, arc, here.second_speed), SpecialPoint::turn);
     }
     if (changes(here.pitchfork, next.pitchfork)) {
       add(zero_of([this](const ArcPoint<N>& at) { return signs_at(at).pitchfork; }, from, arc,
@@ -177,8 +239,14 @@ class Follower {
     return out;
   }
 
+  /// p1 is followed by its logarithm, which has no end at 0: a range from there ends a little before.
+  static constexpr double beside_zero = 1e-4;
+  bool at_zero(double first) const {
+    return options_.first_from == 0.0 &&
+           first < beside_zero * std::min(options_.first_to, first_of(start_.arc));
+  }
   bool outside(double first) const {
-    return first < options_.first_from || first > options_.first_to;
+    return first < options_.first_from || first > options_.first_to || at_zero(first);
   }
 
   /// The point where p1 comes to the end of its range on the arc.
@@ -213,6 +281,7 @@ class Follower {
     ArcPoint<N> here = start_.arc;
     if (direction < 0) here.tangent = -here.tangent;
     Signs signs = signs_at(here);
+    keep_uncertain(nullptr, signs.functions, here);
     while (walk.end() == EventType::none) {
       if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
         out_.interrupted = true;
@@ -226,23 +295,26 @@ class Follower {
       chord.template head<N>() = logarithms(next.x.array() / here.x.array()).matrix();
       chord[N] = (next.p - here.p) / curve_.corrector().scale();
       Arc<N> arc(chord, here.tangent, next.tangent);
-      bool at_limit = false;
+      std::string_view limit_reason;
       if (outside(first_of(next))) {
+        limit_reason = at_zero(first_of(next))
+                           ? "the range asked for, but for a ten-thousandth of it at 0"
+                           : "the range asked for";
         const auto limit = at_first_limit(here, arc);
         if (!limit) return {EventType::stalled, "the end of the range was not reached"};
         next = *limit;
         chord.template head<N>() = logarithms(next.x.array() / here.x.array()).matrix();
         chord[N] = (next.p - here.p) / curve_.corrector().scale();
         arc = Arc<N>(chord, here.tangent, next.tangent);
-        at_limit = true;
       }
-      const Signs there = signs_at(next);
+      Signs there = signs_at(next);
+      keep_uncertain(&signs.functions, there.functions, next);
       for (const Special& special : specials(here, signs, there, arc))
         out_.points.push_back(special_point(here, arc, special));
       note_crossing(here, next, arc);
       if (walk.end() != EventType::closed)
         out_.points.push_back(completed(next, there, SpecialPoint::none));
-      if (at_limit) return {EventType::limit, "the range asked for"};
+      if (!limit_reason.empty()) return {EventType::limit, std::string(limit_reason)};
       here = next;
       signs = there;
     }

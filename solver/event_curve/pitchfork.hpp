@@ -14,7 +14,7 @@
 namespace stationary {
 
 /// a divided by the size of its terms, of an isotropic potential; q on the circle. Exact to some
-/// 1e-14 of that size.
+/// 1e-14 of that size; 0 where it is zero to rounding, as all along a vertical branch.
 double pitchfork_coefficient(const Problem& problem, double nu, const Stretch& q,
                              Circle circle = Circle::xi_zeta);
 
