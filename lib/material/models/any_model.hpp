@@ -118,17 +118,16 @@ struct AnyThickness : AnyModel<ThicknessModels<C>, ThicknessExpression<C>> {
   keyword LogBalance<Product<C, S>> balance_of_kind<C>(const Plane&, const S&, const S&, const S&, \
                                                        const S&);                                  \
   keyword LogBalance<Product<C, S>> balance_of_kind<C>(const Thickness&, const S&, const S&);
-#define STATIONARY_COMPILED_KINDS(keyword)                                                    \
-  STATIONARY_COMPILED_KIND(keyword, BuiltInPlane<>::Kinds, BuiltInThickness<>::Kinds, double, \
-                           DoubleDouble)                                                      \
-  STATIONARY_COMPILED_KIND(keyword, AnyPlane<>::Kinds, AnyThickness<>::Kinds, double,         \
-                           DoubleDouble)                                                      \
-  STATIONARY_COMPILED_KIND(keyword, AnyPlane<DoubleDouble>::Kinds,                            \
-                           AnyThickness<DoubleDouble>::Kinds, DoubleDouble, DoubleDouble)     \
-  STATIONARY_COMPILED_KIND(keyword, AnyPlane<Interval>::Kinds, AnyThickness<Interval>::Kinds, \
-                           Interval, Interval)                                                \
-  STATIONARY_COMPILED_KIND(keyword, AnyPlane<Conditioned>::Kinds,                             \
-                           AnyThickness<Conditioned>::Kinds, Conditioned, Conditioned)
+#define STATIONARY_COMPILED_NUMBERS(keyword, Plane, Thickness, C) \
+  STATIONARY_COMPILED_KIND(keyword, Plane<C>::Kinds, Thickness<C>::Kinds, C, C)
+#define STATIONARY_COMPILED_MODEL_OF(keyword, Plane, Thickness)                               \
+  STATIONARY_COMPILED_KIND(keyword, Plane<>::Kinds, Thickness<>::Kinds, double, DoubleDouble) \
+  STATIONARY_COMPILED_NUMBERS(keyword, Plane, Thickness, DoubleDouble)                        \
+  STATIONARY_COMPILED_NUMBERS(keyword, Plane, Thickness, Interval)                            \
+  STATIONARY_COMPILED_NUMBERS(keyword, Plane, Thickness, Conditioned)
+#define STATIONARY_COMPILED_KINDS(keyword)                              \
+  STATIONARY_COMPILED_MODEL_OF(keyword, BuiltInPlane, BuiltInThickness) \
+  STATIONARY_COMPILED_MODEL_OF(keyword, AnyPlane, AnyThickness)
 STATIONARY_COMPILED_KINDS(extern template)
 
 }  // namespace stationary
