@@ -81,12 +81,13 @@ std::optional<TiltPlane> plane_of(Branch branch, const Member& at) {
 void enter_tilted(const Body& body, const Potential& potential, const AtlasOptions& options,
                   bool axes_alike, Atlas& out) {
   const std::size_t known = out.sheets.size();
+  const auto at_end = [&](const AtlasSheet& tilted, const Member& at) {
+    return at_same_place(tilted.rows.front().member, at, axes_alike) ||
+           at_same_place(tilted.rows.back().member, at, axes_alike);
+  };
   const auto met = [&](const Member& at) {
     return std::any_of(out.sheets.begin() + static_cast<std::ptrdiff_t>(known), out.sheets.end(),
-                       [&](const AtlasSheet& tilted) {
-                         return at_same_place(tilted.rows.front().member, at, axes_alike) ||
-                                at_same_place(tilted.rows.back().member, at, axes_alike);
-                       });
+                       [&](const AtlasSheet& tilted) { return at_end(tilted, at); });
   };
   for (std::size_t s = 0; s < known; ++s) {
     for (std::size_t k = 0; k < out.sheets[s].rows.size(); ++k) {
@@ -123,10 +124,14 @@ void enter_tilted(const Body& body, const Potential& potential, const AtlasOptio
       sheet.arc = sheet_arc(plain);
       sheet.report = follow_rows(tilted_family(body, potential, *sheet.plane, options.spectrum),
                                  start->q, start->nu, options, sheet.rows);
-      if (sheet.report.failure.empty()) {
-        out.sheets.push_back(std::move(sheet));
-      } else {
+      if (!sheet.report.failure.empty()) {
         not_entered(sheet.report.failure);
+      } else if (met(sheet.rows.front().member) && met(sheet.rows.back().member) &&
+                 !at_end(sheet, row.member)) {
+        // Where tilts of two sheets are next to each other.
+        not_entered("tilted motions not entered: those found beside it are of another tilt");
+      } else {
+        out.sheets.push_back(std::move(sheet));
       }
     }
   }

@@ -49,6 +49,20 @@ std::optional<Member> between(const Family<N>& family, Member a, Member b, doubl
   return family.member(x, tail, nu, refined.error_bound);
 }
 
+/// ln (xi/zeta), which orders the motions of a vertical sheet.
+double eccentricity(const Stretch& q) { return log(q.xi / q.zeta); }
+
+/// Between two of its motions at an eccentricity, along a straight line of logarithms; nothing where
+/// they are not on either side of it.
+std::optional<Place> on_chord(const Stretch& a, const Stretch& b, double at) {
+  const double from = eccentricity(a);
+  const double to = eccentricity(b);
+  if (from == to || (at < from) == (at < to)) return std::nullopt;
+  const double u = (at - from) / (to - from);
+  const auto between = [u](double x, double y) { return x * exp(u * log(y / x)); };
+  return Place{{0.0, between(a.xi, b.xi), between(a.zeta, b.zeta), between(a.rho, b.rho)}};
+}
+
 FollowOptions follow_options(const AtlasOptions& options) {
   FollowOptions out;
   out.continuation.from = options.from;
@@ -155,7 +169,7 @@ void SheetSet::follow_all(std::span<const AtlasSheet> others) {
     add_partings(others, partings);
     for (const Parting& each : partings) {
       if (options_.stopped()) return;
-      if (!has_child(each)) leave(each);
+      if (!has_child(each, partings)) leave(each);
     }
   }
   for (std::size_t k = 0; k < checkpoints_.size(); ++k) count(k);
@@ -201,34 +215,30 @@ Place SheetSet::place(const Member& member) const {
   return source_->canonical(source_->place(member.q, member.angular_velocity));
 }
 
+/// Whether a motion is one of a vertical sheet's, all of which are at one nu: as near to a chord of two
+/// rows as a row is to that of its neighbours, which is four times as far as between rows.
+bool SheetSet::lies_on_vertical(const AtlasSheet& sheet, const Place& at, double nu) const {
+  const std::vector<AtlasRow>& rows = sheet.rows;
+  if (std::abs(rows.front().member.nu - nu) > 1e-9 * nu) return false;
+  const auto stretch = [&](std::size_t k) { return place(rows[k].member).q; };
+  const auto bulge = [&](std::size_t k) {
+    if (k == 0 || k + 1 == rows.size()) return 0.0;
+    const auto chord = on_chord(stretch(k - 1), stretch(k + 1), eccentricity(stretch(k)));
+    return chord ? distance(*chord, {stretch(k)}) : 0.0;
+  };
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const auto chord = on_chord(stretch(k - 1), stretch(k), eccentricity(at.q));
+    if (chord && distance(*chord, at) < same_place + std::max(bulge(k - 1), bulge(k))) return true;
+  }
+  return false;
+}
+
 /// Whether a motion is one of a sheet's.
 bool SheetSet::lies_on(const AtlasSheet& sheet, int family, const Place& at, double nu) const {
   if (sheet.report.vertical) return lies_on_vertical(sheet, at, nu);
   std::vector<Place> there;
   add_crossings(sheet, family, nu, there);
   return std::ranges::any_of(there, [&](const Place& p) { return distance(p, at) < same_place; });
-}
-
-/// All rows of a vertical sheet are at one nu, and its eccentricity, ln (xi/zeta), orders them. Between
-/// two rows it is a chord but for a small part of their distance.
-bool SheetSet::lies_on_vertical(const AtlasSheet& sheet, const Place& at, double nu) const {
-  constexpr double bulge = 0.02;
-  if (std::abs(sheet.rows.front().member.nu - nu) > 1e-9 * nu) return false;
-  const auto eccentricity = [](const Stretch& q) { return log(q.xi / q.zeta); };
-  const double e = eccentricity(at.q);
-  for (std::size_t k = 1; k < sheet.rows.size(); ++k) {
-    const Stretch a = place(sheet.rows[k - 1].member).q;
-    const Stretch b = place(sheet.rows[k].member).q;
-    const double from = eccentricity(a);
-    const double to = eccentricity(b);
-    if (from == to || (e < from) == (e < to)) continue;
-    const double u = (e - from) / (to - from);
-    const Place chord{{0.0, a.xi * exp(u * log(b.xi / a.xi)),
-                       a.zeta * exp(u * log(b.zeta / a.zeta)),
-                       a.rho * exp(u * log(b.rho / a.rho))}};
-    if (distance(chord, at) < bulge * distance({a}, {b})) return true;
-  }
-  return false;
 }
 
 /// Whether a sheet followed from a place is all on another: some of its motions are, and its ends are
@@ -306,13 +316,23 @@ void SheetSet::add_partings(std::span<const AtlasSheet> sheets, std::vector<Part
   }
 }
 
-bool SheetSet::has_child(const Parting& parting) const {
-  const Place from = source_->canonical(
+Place SheetSet::place(const Parting& parting) const {
+  return source_->canonical(
       source_->place(parting.at.q, angular_velocity(parting.branch, parting.at.nu)));
+}
+
+/// Whether a sheet ends at a parting, and no other parting is nearer to where it does.
+bool SheetSet::has_child(const Parting& parting, std::span<const Parting> all) const {
+  constexpr double near = 1e-3;
+  const auto apart = [this](const AtlasRow& row, const Parting& from) {
+    const bool same_nu = std::abs(row.member.nu - from.at.nu) <= 1e-9 * from.at.nu;
+    return same_nu ? distance(place(row.member), place(from)) : near;
+  };
   const auto ends_here = [&](const AtlasRow& row) {
-    return row.event == source_->leaves_by() &&
-           std::abs(row.member.nu - parting.at.nu) <= 1e-9 * parting.at.nu &&
-           distance(place(row.member), from) < 1e-3;
+    if (row.event != source_->leaves_by()) return false;
+    const double own = apart(row, parting);
+    return own < near &&
+           std::ranges::none_of(all, [&](const Parting& other) { return apart(row, other) < own; });
   };
   return std::ranges::any_of(sheets_, [&](const AtlasSheet& sheet) {
     return ends_here(sheet.rows.front()) || ends_here(sheet.rows.back());

