@@ -1,5 +1,6 @@
 #include "lib/body/stretch.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "lib/number/elementary.hpp"
@@ -29,6 +30,12 @@ PrincipalStretches principal_stretches(const Stretch& q) {
   const DoubleDouble d = two_product(q.xi, q.zeta) - two_product(q.alpha, q.alpha);
   const double lambda = 0.5 * (t + hypotenuse(q.xi - q.zeta, 2.0 * q.alpha));
   return {lambda, double(d) / lambda, 0.5 * atan2(2.0 * q.alpha, q.xi - q.zeta)};
+}
+
+StretchRange stretch_range(const Stretch& q) {
+  if (q.alpha == 0.0) return {std::min({q.xi, q.zeta, q.rho}), std::max({q.xi, q.zeta, q.rho})};
+  const auto [lambda, mu, theta] = principal_stretches(q);
+  return {std::min(mu, q.rho), std::max(lambda, q.rho)};
 }
 
 Stretch stretch_from_principal(const PrincipalStretches& planar, double rho) {

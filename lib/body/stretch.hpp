@@ -92,6 +92,13 @@ struct PrincipalStretches {
 /// Each of lambda, mu to a few units in its last place (mu as d / lambda, not as a difference).
 PrincipalStretches principal_stretches(const Stretch& q);
 
+/// The least and the largest of lambda, mu, rho.
+struct StretchRange {
+  double least;
+  double most;
+};
+StretchRange stretch_range(const Stretch& q);
+
 /// The inverse: eq. (17), for lambda, mu, rho > 0; the angle counts 0 where it has no meaning.
 Stretch stretch_from_principal(const PrincipalStretches& planar, double rho);
 

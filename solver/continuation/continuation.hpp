@@ -394,9 +394,7 @@ class Continuation {
   }
 
   void end_if_out_of_bounds() {
-    const Stretch& q = here_.member.q;
-    const double least = std::min({q.xi, q.zeta, q.rho});
-    const double most = std::max({q.xi, q.zeta, q.rho});
+    const auto [least, most] = stretch_range(here_.member.q);
     if (most > options_.max_stretch || least < options_.min_stretch) {
       finish(most > options_.max_stretch || escapes(step_.arc()) ? EventType::escape
                                                                  : EventType::collapse,
@@ -415,9 +413,7 @@ class Continuation {
 
   /// Where the stretches run off, at an asymptote; elsewhere branches meet that no event stands for.
   void finish_unresolved(const Arc<N>& arc) {
-    const Stretch& q = here_.member.q;
-    const double most = std::max({q.xi, q.zeta, q.rho});
-    const double least = std::min({q.xi, q.zeta, q.rho});
+    const auto [least, most] = stretch_range(here_.member.q);
     constexpr double moderate = 8.0;
     if (most < moderate && least > 1.0 / moderate) {
       finish(EventType::stalled,
@@ -429,10 +425,15 @@ class Continuation {
   }
 
   /// In the logarithms of the stretches: one that only grows along while another vanishes does not
-  /// escape.
-  static bool escapes(const Arc<N>& arc) {
+  /// escape. With alpha != 0 the unknowns are no principal stretches, and these tell by how far they are from 1.
+  bool escapes(const Arc<N>& arc) const {
+    constexpr double along = 0.1;
+    if (here_.member.q.alpha != 0.0) {
+      const auto [least, most] = stretch_range(here_.member.q);
+      return log(most) > -along * log(least);
+    }
     const ReducedVector<N> change = arc.chord.template head<N>();
-    return change.maxCoeff() > -0.1 * change.minCoeff();
+    return change.maxCoeff() > -along * change.minCoeff();
   }
 
   /// Whether a bound of x at the point's p was found.

@@ -147,7 +147,12 @@ class ModelFamily final : public Family<N> {
   std::optional<ExtendedEvent<N>> event_at(EventType type, Circle circle,
                                            const Member& near) const override {
     if (!problem_) return std::nullopt;
-    const auto found = extended_event(*problem_, options_.parameter, circle, type, near);
+    // The body and nu are this family's, whichever member is near.
+    const Setting at = setting(near.parameter);
+    Member beside = near;
+    beside.body = at.body;
+    beside.nu = at.nu;
+    const auto found = extended_event(*problem_, options_.parameter, circle, type, beside);
     if (!found) return std::nullopt;
     ExtendedEvent<N> out{{}, found->parameter, found->error_bound, found->parameter_bound};
     for (std::size_t i = 0; i < out.x.size(); ++i) out.x[i] = found->x[i];

@@ -20,9 +20,9 @@ namespace {
 
 template <class Model, template <class> class Motion>
 class TwoPolarFamily final
-    : public Family<decltype(elastic_system(std::declval<Model>()))::dimension> {
+    : public Family<decltype(followed_elastic_system(std::declval<Model>()))::dimension> {
  public:
-  using Elastic = decltype(elastic_system(std::declval<Model>()));
+  using Elastic = decltype(followed_elastic_system(std::declval<Model>()));
   static constexpr int N = Elastic::dimension;
 
   TwoPolarFamily(const Body& body, const Potential& potential, const Model& model,
@@ -91,7 +91,7 @@ class TwoPolarFamily final
       ReducedVector<N> x = near;
       x[0] = x[1] = std::sqrt(near[0] * near[1]);
       const TwoPolarSystem<Elastic, TwoPolarEqualMomenta> system{
-          elastic_system(base_.model), base_.body.J1, {equal}};
+          followed_elastic_system(base_.model), base_.body.J1, {equal}};
       if (!newton(system, x).converged) return std::nullopt;
       ReducedVector<N> tail;
       const Refined refined = refine(system, x, 8, &tail);
@@ -187,7 +187,7 @@ class TwoPolarFamily final
   }
 
   static TwoPolarSystem<Elastic, Motion> system(const Setting& at) {
-    return {elastic_system(at.model), at.body.J1, at.motion};
+    return {followed_elastic_system(at.model), at.body.J1, at.motion};
   }
 
   /// dG/dp; J3 is in no equation of these.

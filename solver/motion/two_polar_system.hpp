@@ -7,6 +7,7 @@
 
 #include "lib/balance/two_polar.hpp"
 #include "solver/newton/reduced_system.hpp"
+#include "solver/newton/thickness_balance.hpp"
 
 namespace stationary {
 
@@ -31,6 +32,16 @@ auto elastic_system(const Model& model) {
     return PlanarSystem<std::decay_t<decltype(model.plane)>>{model.plane, {}};
   } else {
     return CoupledSystem<Model>{model, {}};
+  }
+}
+
+/// The same for following a motion: where rho may be one of several it is among the unknowns, N = 3.
+template <class Model>
+auto followed_elastic_system(const Model& model) {
+  if constexpr (several_thicknesses<Model>) {
+    return CoupledSystem<Model>{model, {}};
+  } else {
+    return elastic_system(model);
   }
 }
 

@@ -6,6 +6,9 @@
 // of several h, each an eighth of the one before. What a quotient is off by is seen from that of
 // four points, which errs by O(h^4), from the rounding of the values, and from the next h, whose
 // rounding is eight times as large: of each function the h is taken that has the least of them.
+//
+// The slopes of both sides, (f_1 - f_0)/h and (f_0 - f_-1)/h, differ by h f'': by an eighth at each next
+// h. Where they do not (|x|, or a root as of a growth that begins there) there is no slope.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +21,7 @@
 
 namespace stationary {
 
-/// NaN of a function that was not known at all points of any h.
+/// NaN of a function that was not known at all points of any h, or has none.
 struct Slopes {
   std::vector<double> slope;
   std::vector<double> error;  ///< of each, estimated
@@ -38,6 +41,9 @@ Slopes difference_quotients(const At& at, double x, double size, std::size_t cou
   if (!middle) return {best.slope, best.slope};
   std::vector<double> before;
   std::vector<double> before_error;
+  std::vector<double> bend(count,
+                           0.0);  // by how much the two sides' slopes differ, at the h before
+  std::vector<bool> broken(count, false);
   double h = std::ldexp(size, -7);
   for (int step = 0; step < most_steps; ++step, h *= 0.125) {
     std::array<std::optional<std::vector<double>>, 6> f;  // at -3, -2, -1, 1, 2, 3
@@ -60,6 +66,18 @@ Slopes difference_quotients(const At& at, double x, double size, std::size_t cou
       // Values of some units in the last place: no less than that over h.
       error[i] =
           std::abs(slope[i] - (8.0 * d1 - d2) / (12.0 * h)) + 0x1p-50 * std::abs((*middle)[i]) / h;
+      const double right = (*f[3])[i] - (*middle)[i];
+      const double left = (*middle)[i] - (*f[2])[i];
+      const double largest =
+          std::max({std::abs((*f[2])[i]), std::abs((*middle)[i]), std::abs((*f[3])[i])});
+      const double differ = std::abs(right - left);
+      constexpr double rounding = 0x1p-44;
+      constexpr double seen_bend = 1e-6;
+      if (differ > rounding * largest &&
+          differ > seen_bend * std::max(std::abs(right), std::abs(left))) {
+        broken[i] = bend[i] > 0.0 && differ / h > 0.5 * bend[i];
+        bend[i] = differ / h;
+      }
       if (!before.empty()) {
         // The coarser one, now that its rounding is seen.
         const double seen = std::max(before_error[i], std::abs(before[i] - slope[i]));
@@ -75,8 +93,10 @@ Slopes difference_quotients(const At& at, double x, double size, std::size_t cou
     before_error = std::move(error);
     if (all_settled) break;
   }
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
+    if (broken[i]) best.slope[i] = nan;
     if (!(best.slope[i] == best.slope[i])) best.error[i] = nan;
+  }
   return best;
 }
 

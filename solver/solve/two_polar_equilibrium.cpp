@@ -1,6 +1,7 @@
 #include "solver/solve/two_polar_equilibrium.hpp"
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <type_traits>
@@ -55,7 +56,7 @@ class Solver {
     out_.counts.extended_residuals += refined.steps;
     if (!refined.converged || x[0] != x[1]) return false;
     out_.error_bound = refined.error_bound;
-    set_stretches(model, x);
+    set_stretches(model, x, out_.q.rho);
     return true;
   }
 
@@ -81,17 +82,25 @@ class Solver {
     out_.message +=
         "; this is the circle lambda = mu, where only omega + theta_dot matters: "
         "theta_dot = 0 is written";
-    set_stretches(model, x);
+    set_stretches(model, x, start_thickness());
   }
 
-  /// (lambda, mu, rho), rho by its own balance where it is not an unknown.
+  /// The rho asked for, if any.
+  std::optional<double> start_thickness() const {
+    return options_.start ? std::optional(options_.start->rho) : std::nullopt;
+  }
+
+  /// (lambda, mu, rho), rho by its own balance where it is not an unknown: where that has several
+  /// solutions, the one near the given.
   template <class Model, int N>
-  void set_stretches(const Model& model, const Eigen::Matrix<double, N, 1>& x) {
+  void set_stretches(const Model& model, const Eigen::Matrix<double, N, 1>& x,
+                     const std::optional<double>& near) {
     out_.q = {0.0, x[0], x[1], 0.0};
     if constexpr (N == 3) {
       out_.q.rho = x[2];
     } else {
-      const ThicknessBalance thickness = balanced_thickness(model.thickness, DoubleDouble(0.0));
+      const ThicknessBalance thickness =
+          balanced_thickness(model.thickness, DoubleDouble(0.0), near);
       out_.q.rho = thickness.rho;
       out_.error_bound = std::max(out_.error_bound, thickness.refined.error_bound);
       if (!thickness.refined.converged) {
@@ -126,7 +135,7 @@ class Solver {
           system, x, [&](const ReducedVector<N>& at) { return system.linearize(at); },
           [&](ReducedVector<N>& at) { return newton_counted<N>(system, at); });
     }
-    if (found) set_stretches(model, x);
+    if (found) set_stretches(model, x, start_thickness());
   }
 
   template <int N>

@@ -152,10 +152,8 @@ std::vector<NumberSlopes> event_slopes(const FamilyParameters& at, const std::st
         } catch (const std::invalid_argument&) {
           return std::nullopt;
         }
-        Member near = event;
-        near.body = kind->body();
         const std::optional<Member> found = std::visit(
-            [&](const auto& family) { return event_beside(*family, circle, type, near); },
+            [&](const auto& family) { return event_beside(*family, circle, type, event); },
             beside_it);
         if (!found) return std::nullopt;
         TableRow row;
