@@ -68,15 +68,11 @@ Slopes difference_quotients(const At& at, double x, double size, std::size_t cou
           std::abs(slope[i] - (8.0 * d1 - d2) / (12.0 * h)) + 0x1p-50 * std::abs((*middle)[i]) / h;
       const double right = (*f[3])[i] - (*middle)[i];
       const double left = (*middle)[i] - (*f[2])[i];
-      const double largest =
-          std::max({std::abs((*f[2])[i]), std::abs((*middle)[i]), std::abs((*f[3])[i])});
-      const double differ = std::abs(right - left);
-      constexpr double rounding = 0x1p-44;
-      constexpr double seen_bend = 1e-6;
-      if (differ > rounding * largest &&
-          differ > seen_bend * std::max(std::abs(right), std::abs(left))) {
-        broken[i] = bend[i] > 0.0 && differ / h > 0.5 * bend[i];
-        bend[i] = differ / h;
+      const double differ = std::abs(right - left) / h;
+      constexpr double beyond_noise = 10.0;  // which is in the error
+      if (differ > beyond_noise * error[i]) {
+        broken[i] = bend[i] > 0.0 && differ > 0.5 * bend[i];
+        bend[i] = differ;
       }
       if (!before.empty()) {
         // The coarser one, now that its rounding is seen.

@@ -170,6 +170,61 @@ TEST(Continue, EveryCaseIsFollowedFromEndToEnd) {
   }
 }
 
+/// alpha != 0: xi and zeta stay of order one where mu vanishes, and grow to less than the bound where lambda has
+/// passed it.
+TEST(Continue, EndsAreToldByThePrincipalStretches) {
+  const TemporaryDirectory directory;
+  const auto last_row = [&](const std::string& text) {
+    const std::string table = directory / "x.csv";
+    const Outcome outcome =
+        run_program({"continue", directory.file("case.toml", text), "-o", table});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const std::vector<Row> rows = rows_of(text_of(table));
+    return rows.empty() ? Row() : rows.back();
+  };
+  const Row collapsed = last_row(R"(
+[body]
+J = [1.6887554198187398, 1.6887554198187398, 0.39551336257487735]
+[potential]
+plane = { model = "biot", mu = 1.066861928836281, lambda = 0.5376592289982426 }
+thickness = { model = "harmonic", k = 2.783228126971786, rest = 0.6501720171305491 }
+fibre = { k = 1.062417554432834, degrees = 34.09338152955395 }
+[motion]
+branch = "oblique"
+axis = "1"
+nu = 0.5902645172156106
+[solve]
+start = [-0.07102295145736529, 0.9547302116760132, 1.2832505192372745, 0.6840398258406629]
+[continuation]
+parameter = "body.J.1"
+from = 1.0
+to = 8.4437770990937
+tolerance = 1e-6
+)");
+  EXPECT_EQ(collapsed.at("event"), "collapse");
+  EXPECT_LT(number(collapsed.at("mu")), 1e-6);
+  EXPECT_GT(number(collapsed.at("xi")), 0.1);
+  EXPECT_GT(number(collapsed.at("zeta")), 0.1);
+  const Row escaped = last_row(R"(
+[body]
+J = [0.3507057627197812, 2.019078390966385, 0.9846620337937597]
+[potential]
+coupled = { model = "neo-hookean-3d", mu = 1.6066784829389542, lambda = 1.5476772072114435 }
+fibre = { k = 0.1964545671450376, degrees = 40.779368341947915 }
+[motion]
+branch = "iii"
+nu = 0.5845913578161445
+[solve]
+start = [-0.013602526147513063, 0.9685723799891488, 1.2306873763127555, 0.9423958175979597]
+[continuation]
+from = 0.0
+to = 1.7537740734484335
+tolerance = 1e-6
+)");
+  EXPECT_EQ(escaped.at("event"), "escape");
+  EXPECT_GT(number(escaped.at("lambda")), 1e6);
+}
+
 TEST(Continue, EndsAtTheLimitsAsked) {
   const auto rows = rows_of(continued(shipped("disc.toml"), along_nu("-0.625", "0.75")).out);
   EXPECT_EQ(rows.front().at("event"), "limit");

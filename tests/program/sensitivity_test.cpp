@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -249,6 +250,84 @@ TEST(Sensitivity, OfEventsByTheAngleOfAFibreAlongAnAxis) {
   EXPECT_THAT(of_angle("i", "oblique"), ::testing::ElementsAre(""));
   EXPECT_THAT(of_angle("iii", "shear"), ::testing::ElementsAre(""));
   EXPECT_THAT(of_angle("iii", "tilt"), ::testing::ElementsAre("0"));
+}
+
+/// nu is a number like the others where another one is followed.
+TEST(Sensitivity, OfEventsInNuWhereAnotherNumberIsFollowed) {
+  const std::vector<std::string> along{"--set", "continuation.parameter=\"body.J.2\"",
+                                       "--set", "continuation.from=0.3",
+                                       "--set", "continuation.to=3"};
+  constexpr double step = 1e-3;
+  const auto events_at = [&](double nu) {
+    std::vector<std::string> command{
+        "continue", shipped("disc.toml"), "-o", "-", "--set", "motion.nu=" + std::to_string(nu)};
+    command.insert(command.end(), along.begin(), along.end());
+    std::map<std::string, Row> out;
+    for (const Row& row : rows_of(run_program(command).out))
+      if (!row.at("event").empty()) out[row.at("event")] = row;
+    return out;
+  };
+  const auto below = events_at(0.5 - step);
+  const auto above = events_at(0.5 + step);
+  std::vector<std::string> command = along;
+  command.insert(command.begin(), "--events");
+  int seen = 0;
+  for (const Row& row : slopes(shipped("disc.toml"), command)) {
+    if (row.at("number") != "nu") continue;
+    const auto quotient = [&](const std::string& column) {
+      return (number(above.at(row.at("of")).at(column)) -
+              number(below.at(row.at("of")).at(column))) /
+             (2.0 * step);
+    };
+    EXPECT_NEAR(number(row.at("d_event")), quotient("body.J.2"), 1e-5) << row.at("of");
+    EXPECT_NEAR(number(row.at("d_zeta")), quotient("zeta"), 1e-5) << row.at("of");
+    EXPECT_NEAR(number(row.at("d_pi1")), quotient("pi1"), 1e-5) << row.at("of");
+    EXPECT_GT(std::abs(number(row.at("d_event"))), 0.1);
+    ++seen;
+  }
+  EXPECT_EQ(seen, 2);
+}
+
+/// (i), J1 = J2, unstable on one side alone: growth goes like a root of what J1 differs by.
+TEST(Sensitivity, AGrowthThatBeginsHasNoSlope) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("case.toml", R"(
+[body]
+J = [0.7816019908021316, 0.7816019908021316, 0.806796095503721]
+[potential.plane]
+expression = "mu/2*(I1 - 2*d) + k*(d - d1)^2*(d - d2)^2"
+mu = 2.307978002860823
+k = 0.6271797835009291
+d1 = 0.9886209590617102
+d2 = 1.4909901154836118
+[potential.thickness]
+expression = "k*((rho - r1)*(rho - r2))^2"
+k = 2.78706405290476
+r1 = 0.8
+r2 = 1.1189223306885725
+[motion]
+branch = "ii"
+nu = 1.237997033965165
+[solve]
+start = [0.0, 1.6671619383278435, 1.1562090972527976, 1.5281974928045003]
+)");
+  const auto growth = [&](const std::string& J) {
+    return number(only_row(run_program({"solve", path, "-o", "-", "--set", "body.J.0=" + J}).out)
+                      .at("growth"));
+  };
+  EXPECT_NEAR(growth("0.7815") / growth("0.78159"), std::sqrt(0.000101990802 / 0.000011990802),
+              0.01);
+  EXPECT_EQ(growth("0.7817"), 0.0);
+  int seen = 0;
+  for (const Row& row : slopes(path)) {
+    const bool breaks = row.at("number") == "body.J.0" || row.at("number") == "body.J.1";
+    if (breaks) EXPECT_EQ(row.at("d_growth"), "") << row.at("number");
+    // The others are smooth, and so are the stretches.
+    EXPECT_NE(row.at("d_xi"), "") << row.at("number");
+    EXPECT_LE(number(row.at("error")), 1e-3) << row.at("number");
+    if (breaks) ++seen;
+  }
+  EXPECT_EQ(seen, 2);
 }
 
 TEST(Sensitivity, WrongInputIsRefused) {

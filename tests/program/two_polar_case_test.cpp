@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "solver/program/case/case_file.hpp"
 #include "solver/program/case/case_parameter.hpp"
@@ -178,6 +179,59 @@ TEST(TwoPolarCase, AStartOfOnesOwn) {
   EXPECT_NEAR(number(row["lambda"]), 1.372402225529043649, 1e-14);
   EXPECT_THAT(run_program({"solve", rates_case, "--set", "solve.start=[0, 1.4, 0.5, 0.9]"}).out,
               HasSubstr("given start"));
+}
+
+/// A thickness with two wells: with each rho that is balanced the same lambda and mu are a motion.
+TEST(TwoPolarCase, KeepsTheThicknessItStartsWith) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("case.toml", R"(
+[body]
+J = [0.8581276102158601, 0.8581276102158601, 2.052600637307819]
+[potential.plane]
+expression = "mu/2*(I1 - 2*d) + k*(d - d1)^2*(d - d2)^2"
+mu = 1.3904479798461304
+k = 2.18118781362386
+d1 = 0.6256638669970457
+d2 = 1.5317501426594524
+[potential.thickness]
+expression = "k*((rho - r1)*(rho - r2))^2"
+k = 0.46812288517026757
+r1 = 0.8
+r2 = 1.133831476883512
+[motion]
+branch = "two-polar"
+s3 = -2.538793300095023
+p_theta = -3.146491359378073
+[continuation]
+parameter = "motion.p_theta"
+from = -6.553971687053119
+to = 6.553971687053119
+tolerance = 1e-6
+)");
+  const std::string all = directory / "all.csv";
+  const Outcome found = run_program({"solve", path, "--set", "solve.all=true", "-o", all});
+  ASSERT_EQ(found.code, 0) << found.err;
+  const std::vector<Row> motions = rows_of(text_of(all));
+  ASSERT_EQ(motions.size(), 3U);
+  std::set<double> thicknesses;
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    const Row& at = motions[k];
+    const double rho = number(at.at("rho"));
+    thicknesses.insert(rho);
+    const std::string start = "solve.start=[" + at.at("alpha") + "," + at.at("xi") + "," +
+                              at.at("zeta") + "," + at.at("rho") + "]";
+    const auto solved = two_polar_row({path, "--set", start});
+    EXPECT_NEAR(number(solved.at("rho")), rho, 1e-14);
+    EXPECT_EQ(solved.at("class"), at.at("class"));
+    const std::string table = directory / "family.csv";
+    const Outcome followed =
+        run_program({"continue", path, "--from", all + ":" + std::to_string(k + 1), "-o", table});
+    ASSERT_EQ(followed.code, 0) << followed.err;
+    const std::vector<Row> rows = rows_of(text_of(table));
+    EXPECT_GE(rows.size(), 20U);
+    for (const Row& row : rows) EXPECT_NEAR(number(row.at("rho")), rho, 1e-12);
+  }
+  EXPECT_EQ(thicknesses.size(), 3U);
 }
 
 TEST(TwoPolarCase, CheckSaysWhatIsComputed) {

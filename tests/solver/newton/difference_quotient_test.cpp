@@ -50,6 +50,25 @@ TEST(DifferenceQuotients, TakeSmallerStepsBesideAPole) {
   EXPECT_LE(found.error[0], 1e-8 * exact);
 }
 
+/// A corner, and roots that begin at x on one side or on both: no h says what they do there.
+TEST(DifferenceQuotients, NoSlopeWhereTheSidesDiffer) {
+  const Slopes found = difference_quotients(
+      [](double t) -> Values {
+        const double y = t - 1.0;
+        return std::vector{std::abs(y) + t * t, y < 0.0 ? 3.0 * std::sqrt(-y) : 0.0,
+                           std::sqrt(std::abs(y)) + t, y * std::abs(y),
+                           std::exp(y) + std::sin(40 * y)};
+      },
+      1.0, 1.0, 5);
+  for (const std::size_t k : {0U, 1U, 2U}) {
+    EXPECT_TRUE(std::isnan(found.slope[k])) << k << ' ' << found.slope[k];
+    EXPECT_TRUE(std::isnan(found.error[k])) << k;
+  }
+  // One that has a slope there, though no second one, and one that is smooth.
+  EXPECT_NEAR(found.slope[3], 0.0, 1e-5);
+  EXPECT_NEAR(found.slope[4], 41.0, 1e-6);
+}
+
 TEST(DifferenceQuotients, NothingIsKnownWhereTheFunctionIsNot) {
   const Slopes nowhere =
       difference_quotients([](double) -> Values { return std::nullopt; }, 1.0, 1.0, 2);
