@@ -425,15 +425,15 @@ class Continuation {
   }
 
   /// In the logarithms of the stretches: one that only grows along while another vanishes does not
-  /// escape. With alpha != 0 the unknowns are no principal stretches, and these tell by how far they are from 1.
+  /// escape. With alpha != 0 the unknowns are no principal stretches, and these tell by how far each has
+  /// come from 1.
   bool escapes(const Arc<N>& arc) const {
-    constexpr double along = 0.1;
     if (here_.member.q.alpha != 0.0) {
       const auto [least, most] = stretch_range(here_.member.q);
-      return log(most) > -along * log(least);
+      return log(most) > -0.5 * log(least);
     }
     const ReducedVector<N> change = arc.chord.template head<N>();
-    return change.maxCoeff() > -along * change.minCoeff();
+    return change.maxCoeff() > -0.1 * change.minCoeff();
   }
 
   /// Whether a bound of x at the point's p was found.
