@@ -21,20 +21,31 @@ void require_positive_definite(const Stretch& q) {
   if (const char* inequality = violated_inequality(q)) throw std::invalid_argument(inequality);
 }
 
-PrincipalStretches principal_stretches(const Stretch& q) {
-  if (q.alpha == 0.0) {
-    if (q.xi == q.zeta) return {q.xi, q.zeta, std::nullopt};
-    return {std::fmax(q.xi, q.zeta), std::fmin(q.xi, q.zeta), 0.5 * atan2(0.0, q.xi - q.zeta)};
-  }
+namespace {
+
+/// lambda >= mu.
+struct LambdaMu {
+  double lambda;
+  double mu;
+};
+LambdaMu lambda_mu(const Stretch& q) {
+  if (q.alpha == 0.0) return {std::fmax(q.xi, q.zeta), std::fmin(q.xi, q.zeta)};
   const double t = q.xi + q.zeta;
   const DoubleDouble d = two_product(q.xi, q.zeta) - two_product(q.alpha, q.alpha);
   const double lambda = 0.5 * (t + hypotenuse(q.xi - q.zeta, 2.0 * q.alpha));
-  return {lambda, double(d) / lambda, 0.5 * atan2(2.0 * q.alpha, q.xi - q.zeta)};
+  return {lambda, double(d) / lambda};
+}
+
+}  // namespace
+
+PrincipalStretches principal_stretches(const Stretch& q) {
+  const auto [lambda, mu] = lambda_mu(q);
+  if (q.alpha == 0.0 && q.xi == q.zeta) return {lambda, mu, std::nullopt};
+  return {lambda, mu, 0.5 * atan2(2.0 * q.alpha, q.xi - q.zeta)};
 }
 
 StretchRange stretch_range(const Stretch& q) {
-  if (q.alpha == 0.0) return {std::min({q.xi, q.zeta, q.rho}), std::max({q.xi, q.zeta, q.rho})};
-  const auto [lambda, mu, theta] = principal_stretches(q);
+  const auto [lambda, mu] = lambda_mu(q);
   return {std::min(mu, q.rho), std::max(lambda, q.rho)};
 }
 

@@ -1,3 +1,4 @@
+// Kernels over intervals and of conditioned numbers, which every solver comes by.
 #include "lib/tape/kernel_value.hpp"
 
 namespace stationary::expression {

@@ -241,8 +241,8 @@ bool SheetSet::lies_on(const AtlasSheet& sheet, int family, const Place& at, dou
   return std::ranges::any_of(there, [&](const Place& p) { return distance(p, at) < same_place; });
 }
 
-/// Whether a sheet followed from a place is all on another: some of its motions are, and its ends are
-/// the other's. Ends alone do not tell: where V is a plane's and a thickness', one curve in the plane
+/// Whether a sheet followed from a place is all on another: each of its motions asked for is, or some
+/// are and its ends are the other's. Ends alone do not tell: where V is a plane's and a thickness', one curve in the plane
 /// goes with every rho that is balanced.
 bool SheetSet::is_part_of(const AtlasSheet& sheet, const Place& from, double nu,
                           const AtlasSheet& other, int family) const {

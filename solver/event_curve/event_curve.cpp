@@ -116,14 +116,14 @@ class Follower {
     return true;
   }
 
-  /// Of the functions whose errors are in no bound: one that is not certain to have changed its sign keeps
-  /// that of the point before, and none has one before it is certain.
-  void keep_uncertain(const EventFunctions* before, EventFunctions& at,
-                      const ArcPoint<N>& arc) const {
+  /// What is not certain to have changed its sign keeps that of the point before, and has none before it
+  /// is certain: the functions whose errors are in no bound, and the pitchfork's, 0 where it is rounding.
+  void keep_uncertain(const Signs* before, Signs& at, const ArcPoint<N>& arc) const {
+    if (before != nullptr && at.pitchfork == 0.0) at.pitchfork = before->pitchfork;
     for (const std::size_t k : {TestValues::fold, TestValues::momentum, TestValues::ellipse}) {
-      double& value = at.values.value[k];
-      const double last =
-          before != nullptr ? before->values.value[k] : std::numeric_limits<double>::quiet_NaN();
+      double& value = at.functions.values.value[k];
+      const double last = before != nullptr ? before->functions.values.value[k]
+                                            : std::numeric_limits<double>::quiet_NaN();
       if (last * value > 0.0 || std::isnan(value)) continue;
       if (!keeps_sign(arc, k, value)) value = last;
     }
@@ -281,7 +281,7 @@ class Follower {
     ArcPoint<N> here = start_.arc;
     if (direction < 0) here.tangent = -here.tangent;
     Signs signs = signs_at(here);
-    keep_uncertain(nullptr, signs.functions, here);
+    keep_uncertain(nullptr, signs, here);
     while (walk.end() == EventType::none) {
       if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
         out_.interrupted = true;
@@ -308,7 +308,7 @@ class Follower {
         arc = Arc<N>(chord, here.tangent, next.tangent);
       }
       Signs there = signs_at(next);
-      keep_uncertain(&signs.functions, there.functions, next);
+      keep_uncertain(&signs, there, next);
       for (const Special& special : specials(here, signs, there, arc))
         out_.points.push_back(special_point(here, arc, special));
       note_crossing(here, next, arc);

@@ -28,7 +28,7 @@ template <class C, class State>
 using DerivativesAt = decltype(derivatives_at<C>(std::declval<const State&>()));
 
 /// evaluate() and log_balance() of a model whose kind is asked. They are long, every solver comes by
-/// them, and those of the numbers below are compiled once, in material/compiled_models.cpp: members
+/// them, and those that any_model.hpp lists are compiled once, in material/compiled_models.cpp: members
 /// would be inline, and compiled wherever they are called.
 template <int order, class C, class Model, class State>
 DerivativesAt<C, State> evaluate_kind(const Model& model, const State& state) {

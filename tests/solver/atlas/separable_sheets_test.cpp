@@ -78,8 +78,13 @@ TEST(SeparableSheets, AVerticalBranchFromEveryCircle) {
   for (const AtlasSheet& sheet : found.sheets)
     if (sheet.report.vertical) EXPECT_TRUE(sheet.parent) << sheet.number;
   // Tilted sheets that end on one of them are joined to it.
-  for (const AtlasSheet& sheet : found.sheets)
-    if (sheet.plane && sheet.rows.back().event == EventType::tilt) EXPECT_TRUE(sheet.joins);
+  int tilted = 0;
+  for (const AtlasSheet& sheet : found.sheets) {
+    if (!sheet.plane || sheet.rows.back().event != EventType::tilt) continue;
+    EXPECT_TRUE(sheet.joins) << sheet.number;
+    ++tilted;
+  }
+  EXPECT_EQ(tilted, 2);
 }
 
 /// Circles closer to each other than an end is to its event have one each too.
