@@ -21,6 +21,7 @@
 #include "solver/continuation/ellipse_end.hpp"
 #include "solver/continuation/event_search.hpp"
 #include "solver/continuation/path_step.hpp"
+#include "solver/continuation/sheet_end.hpp"
 
 namespace stationary {
 
@@ -72,7 +73,8 @@ class Continuation {
   bool step() {
     events_.clear();
     unlocated_.clear();
-    if (end_ != EventType::none) return false;
+    if (end_.event != EventType::none) return false;
+    keep_axis_in_range();
     for (;;) {
       if (step_.too_short()) {
         finish(EventType::stalled, "the step became too small: " + step_.refusal());
@@ -90,17 +92,20 @@ class Continuation {
       ++counts_.rejected;
       constexpr double near_border = 1e-6;
       if (step_.length() < near_border && end_at_border(4.0 * step_.length())) return true;
-      if (end_ != EventType::none) return false;
+      if (end_.event != EventType::none) return false;
     }
   }
 
   const CurvePoint<N>& point() const { return here_; }
+  /// Whether its axis, and that of the events, is written as the opposite of what has turned
+  /// continuously from the start.
+  bool has_opposite_axis() const { return opposite_axis_; }
   /// Those between the last point and this one, in order.
   std::span<const Event> events() const { return events_; }
   /// Those known from this point to lie somewhere before it (EventStatus::unresolved).
   std::span<const Event> unlocated() const { return unlocated_; }
-  EventType end() const { return end_; }
-  const std::string& reason() const { return reason_; }
+  EventType end() const { return end_.event; }
+  const std::string& reason() const { return end_.reason; }
   ContinuationCounts counts() const {
     ContinuationCounts out = counts_;
     out.members += events_in_.evaluations();
@@ -111,8 +116,7 @@ class Continuation {
   struct Attempt {
     Corrected<N> corrected;
     Arc<N> arc;
-    double D = 0.0;  ///< fourth derivative shown
-    double angle = 0.0;
+    double D = 0.0;        ///< fourth derivative shown
     bool mirrors = false;  ///< a sheet of ellipses passes through its circle
   };
 
@@ -138,8 +142,7 @@ class Continuation {
       return step_.refuse(std::string(name(out.corrected.status)));
     const ArcPoint<N>& next = out.corrected.point;
     out.arc = Arc<N>(ahead + out.corrected.correction, here_.arc.tangent, next.tangent);
-    out.angle = Arc<N>::angle(here_.arc.tangent, next.tangent);
-    if (!step_.straight(out.angle)) return step_.refuse("the tangent turned too far");
+    if (!step_.straight(out.arc.turned)) return step_.refuse("the tangent turned too far");
     if (const auto* broken = guard_.broken_on(out.arc))
       return step_.refuse("beyond the domain of the potential: " + broken->text);
     out.mirrors = crosses_mirror(next);
@@ -189,9 +192,23 @@ class Continuation {
     if (ends_family(next, attempt)) return;
     const double h = step_.length();
     settle(next, attempt);
-    step_.lengthen(attempt.D, attempt.angle);
+    step_.lengthen(attempt.D, attempt.arc.turned);
     end_if_closed(h);
-    if (end_ == EventType::none) end_if_out_of_bounds();
+    if (end_.event == EventType::none) end_if_out_of_bounds();
+  }
+
+  /// An axis that turns on leaves the range of its angle: before that it is written as its opposite.
+  void keep_axis_in_range() {
+    const auto x = curve_->family().with_opposite_axis(here_.arc.x);
+    if (!x) return;
+    const Corrected<N> same = curve_->corrector().correct_at(*x, here_.arc.p, here_.arc.tangent);
+    if (same.status != CorrectorStatus::converged) return;
+    travelled_.template head<N>() +=
+        logarithms(same.point.x.array() / here_.arc.x.array()).matrix();
+    here_ = completed(same.point);
+    guard_.enter(here_.arc);
+    step_.forget_arc();
+    opposite_axis_ = !opposite_axis_;
   }
 
   CurvePoint<N> completed(const ArcPoint<N>& arc) {
@@ -234,10 +251,8 @@ class Continuation {
 
   // Ends.
 
-  void finish(EventType end, std::string reason) {
-    end_ = end;
-    reason_ = std::move(reason);
-  }
+  void finish(EventType end, std::string reason) { end_ = {end, std::move(reason)}; }
+  void finish(SheetEnd end) { end_ = std::move(end); }
 
   bool leaves_range(const CurvePoint<N>& at) const {
     const double ahead = at.arc.tangent[N];
@@ -255,13 +270,7 @@ class Continuation {
     for (const Event& event : events_) {
       if (!is_fold(event.type)) continue;
       if (const auto limit = beyond(event.member.parameter)) {
-        const double half = arc.chord[N];  // p(u) is a cubic: its turn, from the tangents
-        const double a = arc.from[N] * arc.length;
-        const double b = arc.to[N] * arc.length;
-        const double A = 3.0 * (a + b - 2.0 * half);
-        const double B = 2.0 * (3.0 * half - 2.0 * a - b);
-        const double root = std::sqrt(std::max(0.0, B * B - 4.0 * A * a));
-        reach_ = std::clamp(-2.0 * a / (B + (B > 0.0 ? root : -root)), 0.0, 1.0);
+        reach_ = arc.turn_of_parameter();
         return limit;
       }
     }
@@ -394,46 +403,16 @@ class Continuation {
   }
 
   void end_if_out_of_bounds() {
-    const auto [least, most] = stretch_range(here_.member.q);
-    if (most > options_.max_stretch || least < options_.min_stretch) {
-      finish(most > options_.max_stretch || escapes(step_.arc()) ? EventType::escape
-                                                                 : EventType::collapse,
-             "a stretch left the bounds followed");
+    const Arc<N>& arc = step_.arc();
+    if (auto end =
+            end_out_of_bounds(here_.member.q, arc, options_.min_stretch, options_.max_stretch)) {
+      finish(std::move(*end));
       return;
     }
-    // Near an asymptote in p a double no longer tells its points apart.
-    constexpr double coarse = 1e-5;  // of a bound that still holds
-    const Arc<N>& arc = step_.arc();
-    const double resolved = std::abs(arc.chord[N]) * curve_->corrector().scale() / arc.length;
-    if (curve_->corrector().vertical() || options_.from == options_.to) return;
-    if (((most > far || least < 1.0 / far) && resolved < 1e-9 * std::abs(here_.arc.p)) ||
-        here_.arc.error_bound > coarse)
-      finish_unresolved(arc);
-  }
-
-  /// Where the stretches run off, at an asymptote; elsewhere branches meet that no event stands for.
-  void finish_unresolved(const Arc<N>& arc) {
-    const auto [least, most] = stretch_range(here_.member.q);
-    constexpr double moderate = 8.0;
-    if (most < moderate && least > 1.0 / moderate) {
-      finish(EventType::stalled,
-             "beyond this the stretches are not resolved though they are moderate: the sheet may "
-             "meet another here");
-    } else {
-      finish(escapes(arc) ? EventType::escape : EventType::collapse, unresolved_reason);
-    }
-  }
-
-  /// In the logarithms of the stretches: one that only grows along while another vanishes does not
-  /// escape. With alpha != 0 the unknowns are no principal stretches, and these tell by how far each has
-  /// come from 1.
-  bool escapes(const Arc<N>& arc) const {
-    if (here_.member.q.alpha != 0.0) {
-      const auto [least, most] = stretch_range(here_.member.q);
-      return log(most) > -0.5 * log(least);
-    }
-    const ReducedVector<N> change = arc.chord.template head<N>();
-    return change.maxCoeff() > -0.1 * change.minCoeff();
+    const Corrector<N>& corrector = curve_->corrector();
+    if (corrector.vertical() || options_.from == options_.to) return;
+    if (is_unresolved(here_.member.q, arc, corrector.scale(), here_.arc.p, here_.arc.error_bound))
+      finish(unresolved_end(here_.member.q, arc));
   }
 
   /// Whether a bound of x at the point's p was found.
@@ -442,7 +421,7 @@ class Continuation {
   /// Ends the sheet at the last point: the next is none of a known p.
   void end_unresolved(const Arc<N>& arc) {
     ended_before_step_ = true;
-    finish_unresolved(arc);
+    finish(unresolved_end(here_.member.q, arc));
   }
 
   /// A sheet of ellipses that reaches the circle its family may be (xi = zeta, say) meets it there
@@ -497,10 +476,6 @@ class Continuation {
            "the ellipses meet the circle here and go on as mirror images");
   }
 
-  static constexpr double far = 1e3;  ///< of a stretch, or its inverse
-  static constexpr const char* unresolved_reason =
-      "beyond this a double of the parameter does not resolve the stretches";
-
   const Curve<N>* curve_;
   ContinuationOptions options_;
   PathStep<N> step_;
@@ -515,9 +490,9 @@ class Continuation {
   double farthest_ = 0.0;
   std::vector<Event> events_;
   std::vector<Event> unlocated_;
-  EventType end_ = EventType::none;
+  SheetEnd end_;
   bool ended_before_step_ = false;
-  std::string reason_;
+  bool opposite_axis_ = false;
   ContinuationCounts counts_;
 };
 

@@ -36,12 +36,13 @@ struct Arc {
   ArcVector<N> from;   ///< tangents
   ArcVector<N> to;
   double length = 0.0;
+  double turned = 0.0;  ///< angle between the tangents
 
   Arc() = default;
   /// length: that of the circle with this chord and this angle between the tangents.
   Arc(const ArcVector<N>& between, const ArcVector<N>& t0, const ArcVector<N>& t1)
-      : chord(between), from(t0), to(t1) {
-    const double half = 0.5 * angle(t0, t1);
+      : chord(between), from(t0), to(t1), turned(angle(t0, t1)) {
+    const double half = 0.5 * turned;
     length = chord.norm() * (half > 1e-4 ? half / sin(half) : 1.0 + half * half / 6.0);
   }
 
@@ -55,6 +56,17 @@ struct Arc {
     return (((3.0 * u - 4.0) * u + 1.0) * length * from + (6.0 * u * (1.0 - u)) * chord +
             (u * (3.0 * u - 2.0) * length) * to)
         .normalized();
+  }
+
+  /// u where the cubic's parameter turns first, from its tangents, or the end nearest to it.
+  double turn_of_parameter() const {
+    const double gain = chord[N];
+    const double a = from[N] * length;
+    const double b = to[N] * length;
+    const double A = 3.0 * (a + b - 2.0 * gain);
+    const double B = 2.0 * (3.0 * gain - 2.0 * a - b);
+    const double root = std::sqrt(std::max(0.0, B * B - 4.0 * A * a));
+    return std::clamp(-2.0 * a / (B + (B > 0.0 ? root : -root)), 0.0, 1.0);
   }
 
   static double angle(const ArcVector<N>& a, const ArcVector<N>& b) {

@@ -77,6 +77,8 @@ class PathStep {
     arc_ = arc;
     has_arc_ = true;
   }
+  /// The next is predicted along the tangent, as the first one is: the coordinates are others now.
+  void forget_arc() { has_arc_ = false; }
   /// The length of the next, after one that showed this fourth derivative and turned by this angle.
   void lengthen(double D, double angle) {
     length_ = control_.next(D, D_, length_, angle);

@@ -127,7 +127,6 @@ class RestWalk {
     double length = 0.0;  ///< of what was predicted
     double first_correction = 0.0;
     double D = 0.0;  ///< fourth derivative shown
-    double angle = 0.0;
     CorrectorStatus status = CorrectorStatus::not_finite;
   };
   struct Linearization {
@@ -191,13 +190,12 @@ class RestWalk {
     if (course.status != CorrectorStatus::converged) return out;
     orient(next, course.last);
     out.arc = Arc<N>(chord, here_.tangent, next.tangent);
-    out.angle = Arc<N>::angle(here_.tangent, next.tangent);
     return out;
   }
 
   /// Whether nothing observed says that it led elsewhere.
   bool accepts(const Attempt& attempt) const {
-    return attempt.status == CorrectorStatus::converged && step_.straight(attempt.angle) &&
+    return attempt.status == CorrectorStatus::converged && step_.straight(attempt.arc.turned) &&
            same_sheet(here_.positive, attempt.point.positive) &&
            guard_.broken_on(attempt.arc) == nullptr;
   }
@@ -227,7 +225,7 @@ class RestWalk {
     here_ = attempt.point;
     guard_.enter(here_.x, here_.tau);
     step_.take(attempt.arc);
-    step_.lengthen(attempt.D, attempt.angle);
+    step_.lengthen(attempt.D, attempt.arc.turned);
     out_.x = here_.x;
     out_.largest_tau = std::max(out_.largest_tau, here_.tau);
   }

@@ -46,6 +46,19 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     return Layout::alpha_place;
   }
 
+  std::optional<ReducedVector<N>> with_opposite_axis(const ReducedVector<N>& x) const override {
+    if constexpr (Layout::axis) {
+      constexpr double far = 5.0 / 6.0 * std::numbers::pi;
+      const double angle = 2.0 * asin(hyperbolic(x[Layout::axis_place]).tanh);
+      if (std::abs(angle) > far) {
+        ReducedVector<N> out = x;
+        out[Layout::axis_place] = axis_coordinate(angle - std::copysign(std::numbers::pi, angle));
+        return out;
+      }
+    }
+    return std::nullopt;
+  }
+
   ReducedVector<N> coordinates(const Stretch& q, double p) const override {
     ReducedVector<N> x = stretch_coordinates(q);
     if constexpr (Layout::axis) {
@@ -194,17 +207,22 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     const auto y = all_coordinates<Layout>(wide, DoubleDouble(1.0));
     const BasicStretch<DoubleDouble> q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
     Vector3<DoubleDouble> nu = angular_velocity(branch_, DoubleDouble(at.nu));
+    // What is below the rounding of extended precision is none: a material axis is one, and an alpha
+    // of that size has no angle.
+    constexpr double none = 0x1p-80;
     if constexpr (Layout::axis) {
       const AxisAngle<DoubleDouble> axis = axis_angle(y[4]);
-      nu = {at.nu * axis.cosine, at.nu * axis.sine, DoubleDouble(0.0)};
+      const auto along = [&](const DoubleDouble& part) {
+        return std::abs(leading(part)) > none ? DoubleDouble(at.nu * part) : DoubleDouble(0.0);
+      };
+      nu = {along(axis.cosine), along(axis.sine), DoubleDouble(0.0)};
     }
     Member out;
     out.parameter = p;
     out.body = at.body;
     out.nu = at.nu;
-    // An alpha below the rounding of extended precision is none, and has no angle.
     const double alpha = double(q.alpha);
-    const bool sheared = std::abs(alpha) > 0x1p-80 * std::sqrt(x[0] * x[1]);
+    const bool sheared = std::abs(alpha) > none * std::sqrt(x[0] * x[1]);
     out.q = {sheared ? alpha : 0.0, x[0], x[1], x[2]};
     out.angular_velocity = {double(nu[0]), double(nu[1]), double(nu[2])};
     out.error_bound = error_bound;

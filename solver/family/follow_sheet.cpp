@@ -57,13 +57,13 @@ class Follower {
       report_.failure = "the end of the table is no point of the curve: another solves there";
       return report_;
     }
+    written_opposite_ = is_opposite(end.at.angular_velocity);
     int direction = end.direction;
     if (end.neighbour) {
       ArcVector<N> ahead;
-      ahead.template head<N>() =
-          logarithms(family_.coordinates(end.at.q, end.at.p).array() /
-                     family_.coordinates(end.neighbour->q, end.neighbour->p).array())
-              .matrix();
+      ahead.template head<N>() = logarithms(family_.coordinates(end.at.q, end.at.p).array() /
+                                            beside_start(*end.neighbour).array())
+                                     .matrix();
       ahead[N] = (end.at.p - end.neighbour->p) / curve_.corrector().scale();
       StepOptions& step = options_.continuation.step;
       step.first = std::clamp(ahead.norm(), 1e-6, step.max);
@@ -87,6 +87,21 @@ class Follower {
       start_ = curve_.complete(beside.point);
       return;
     }
+  }
+
+  /// Whether a place's axis is written as the opposite of the start's.
+  bool is_opposite(const Vector3<double>& angular_velocity) const {
+    return angular_velocity.dot(start_.member.angular_velocity) < 0.0;
+  }
+  /// x of a place beside the start, its axis on the start's side.
+  ReducedVector<N> beside_start(const CurvePlace& place) const {
+    if (!place.angular_velocity.allFinite()) return family_.coordinates(place.q, place.p);
+    Member out = start_.member;
+    out.q = place.q;
+    out.parameter = place.p;
+    out.angular_velocity =
+        (is_opposite(place.angular_velocity) ? -1.0 : 1.0) * place.angular_velocity;
+    return family_.coordinates_of(out);
   }
 
   /// Whether the start is this x; near a fold the rounding of p moves it by some 1e-8.
@@ -160,8 +175,15 @@ class Follower {
     return bracket_of(p, bound * std::abs(p));
   }
 
-  void emit(CurveSink& sink, const Member& member, EventType event) {
-    sink.row(member, event);
+  /// A member of a walk, its axis as it has turned from the first row of the table.
+  void emit(CurveSink& sink, const Continuation<N>& walk, const Member& member, EventType event) {
+    if (walk.has_opposite_axis() != written_opposite_) {
+      Member turned = member;
+      turned.angular_velocity *= -1.0;
+      sink.row(turned, event);
+    } else {
+      sink.row(member, event);
+    }
     ++report_.points;
   }
 
@@ -198,17 +220,17 @@ class Follower {
         }
         if (before != nullptr && before->between) sink.between(*before->between);
         before = &event;
-        emit(sink, event.member, event.type);
+        emit(sink, walk, event.member, event.type);
         record(event);
       }
-      emit(sink, walk.point().member, walk.end());
+      emit(sink, walk, walk.point().member, walk.end());
       if (options_.progress && report_.points % 256 == 0)
         options_.progress(walk.point().arc.p, report_.points);
     }
     if (walk.end() != EventType::none) {
       out = {walk.end(), walk.reason()};
       // A failure is found beyond the last point: the row says so, once more.
-      if (last_is_end_) emit(sink, walk.point().member, walk.end());
+      if (last_is_end_) emit(sink, walk, walk.point().member, walk.end());
     }
     last_is_end_ = false;
     if (out.event != EventType::none && !is_end(out.event)) {  // an event proper ends the sheet
@@ -227,6 +249,7 @@ class Follower {
   CurvePoint<N> start_;
   FollowReport report_;
   bool last_is_end_ = false;
+  bool written_opposite_ = false;  ///< in the table gone on with, the start's axis
 };
 
 }  // namespace

@@ -40,12 +40,6 @@ struct FollowOptions {
   std::function<void(double, long)> progress;
 };
 
-/// Where one direction ended.
-struct SheetEnd {
-  EventType event = EventType::none;  ///< none: interrupted, or max_points
-  std::string reason;
-};
-
 struct EventRecord {
   EventType type;
   double parameter;  ///< unresolved: the bracket's middle
@@ -72,6 +66,9 @@ struct FollowReport {
 struct CurvePlace {
   Stretch q;
   double p;
+  /// As it is written, where it is known: S says the axis but for its sign.
+  Vector3<double> angular_velocity =
+      Vector3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
 };
 
 /// An end of a sheet still to be followed.

@@ -1,6 +1,5 @@
 #include "solver/motion/event.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,8 +13,9 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// The Lambdas of one block, ascending, and how many complex pairs it has.
 struct BlockModes {
-  std::array<const Mode*, 5> real{};
+  std::array<const Mode*, 5> real;
   std::size_t count = 0;
+  std::size_t negative = 0;   ///< of the real ones
   double most_complex = 0.0;  ///< largest imaginary part of a Lambda
   double complex_size = 0.0;
   double complex_re = 0.0;
@@ -37,11 +37,11 @@ std::array<BlockModes, 4> by_block(const Spectrum& spectrum) {
       }
       continue;
     }
-    block.real[block.count++] = &mode;
-  }
-  for (BlockModes& block : out) {
-    std::sort(block.real.begin(), block.real.begin() + static_cast<std::ptrdiff_t>(block.count),
-              [](const Mode* a, const Mode* b) { return a->lambda_re < b->lambda_re; });
+    block.negative += mode.lambda_re < 0.0;
+    std::size_t place = block.count++;
+    for (; place > 0 && mode.lambda_re < block.real[place - 1]->lambda_re; --place)
+      block.real[place] = block.real[place - 1];
+    block.real[place] = &mode;
   }
   return out;
 }
@@ -78,12 +78,8 @@ void set_collision(const BlockModes& block, TestValues& out) {
 void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
   std::size_t k = TestValues::crossings;
   for (std::size_t a = 0; a < blocks.size(); ++a) {
-    const auto is_negative = [](const Mode* mode) {
-      return mode != nullptr && mode->lambda_re < 0.0;
-    };
-    const auto negative = std::ranges::count_if(blocks[a].real, is_negative);
     out.composition[a] = {static_cast<std::uint8_t>(blocks[a].count),
-                          static_cast<std::uint8_t>(negative)};
+                          static_cast<std::uint8_t>(blocks[a].negative)};
     for (std::size_t b = a + 1; b < blocks.size(); ++b) {
       for (std::size_t i = 0; i < blocks[a].count; ++i) {
         for (std::size_t j = 0; j < blocks[b].count && k < TestValues::count; ++j, ++k) {

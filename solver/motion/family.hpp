@@ -187,6 +187,11 @@ class Family {
   /// The unknown (its place in x) that a reflection of an even V inverts: x and its image are one
   /// motion and its mirror image, and where it is 1 a family with alpha = 0 is met.
   virtual std::optional<int> mirrored() const { return std::nullopt; }
+  /// Where the axis has turned far from the middle of its angle's range, the same motion with the
+  /// opposite axis: a half turn of the body about axis 3 makes the two one. Nothing elsewhere.
+  virtual std::optional<ReducedVector<N>> with_opposite_axis(const ReducedVector<N>&) const {
+    return std::nullopt;
+  }
   /// The point of the family with alpha = 0, near x and p, that a family with alpha != 0 branches
   /// off; nothing where it is not found.
   virtual std::optional<Member> mirror_point(const ReducedVector<N>&, double) const {

@@ -200,6 +200,44 @@ TEST_F(Resume, AlongAnotherParameter) {
   }
 }
 
+/// An axis that has turned by more than a half turn is written on from where it was.
+TEST_F(Resume, AnAxisGoesOnTurning) {
+  const char* const turning_fibre = R"([body]
+J = [1.0, 1.0, 0.6]
+[potential]
+plane     = { model = "neo-hookean", mu = 1.0, lambda = 2.0 }
+thickness = { model = "reciprocal-quadratic", a = 1.0, b = 3.0 }
+fibre     = { k = 0.4, degrees = 10.0 }
+[motion]
+branch = "oblique"
+axis = "2"
+nu = 0.5
+[continuation]
+parameter = "potential.fibre.degrees"
+from = 10.0
+to = 300.0
+tolerance = 1e-7
+)";
+  case_file_ = directory_.file("turning.toml", turning_fibre);
+  const std::size_t length = uninterrupted().size();
+  for (const std::size_t points : {length / 3, length / 2, length - 3}) {
+    stop_after(static_cast<int>(points));
+    ASSERT_EQ(resume().code, 0);
+    const auto found = rows();
+    EXPECT_EQ(found.back().at("event"), "limit");
+    EXPECT_EQ(number(found.back().at("potential.fibre.degrees")), 300.0);
+    double before = 0.0;
+    for (const Row& row : found) {
+      const double fibre = number(row.at("potential.fibre.degrees")) * std::acos(-1.0) / 180.0;
+      const double sense =
+          -number(row.at("nu1")) * std::sin(fibre) + number(row.at("nu2")) * std::cos(fibre);
+      EXPECT_NEAR(std::abs(sense), 0.5, 1e-12);
+      EXPECT_GE(sense * before, 0.0) << row.at("potential.fibre.degrees");
+      before = sense;
+    }
+  }
+}
+
 TEST_F(Resume, ACompleteTableStays) {
   ASSERT_EQ(run().code, 0);
   const std::string table = text_of(table_);

@@ -65,7 +65,8 @@ TableRow read_row(const TableReader& table, const std::vector<Column>& columns, 
 CurvePlace place(const TableRow& row, bool trailing, std::string_view branch) {
   const double alpha = std::isnan(row[Column::alpha]) ? 0.0 : row[Column::alpha];
   return {{alpha, row[Column::xi], row[Column::zeta], row[Column::rho]},
-          trailing ? row.parameter : spin(branch, row)};
+          trailing ? row.parameter : spin(branch, row),
+          {row[Column::nu1], row[Column::nu2], row[Column::nu3]}};
 }
 
 bool is_place(const CurvePlace& at) {

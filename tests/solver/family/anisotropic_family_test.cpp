@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "solver/family/branch_switch.hpp"
@@ -44,6 +45,7 @@ AxisFamilyOptions in(ParameterKind kind, int index = 0, double nu = 0.0) {
   out.parameter = {kind, index};
   return out;
 }
+double degrees(double angle) { return angle * std::numbers::pi / 180.0; }
 double spin_momentum(const Member& at) {
   return (locked_inertia(at.body, at.q) * at.angular_velocity).norm();
 }
@@ -154,6 +156,41 @@ TEST(AnisotropicFamily, TiltOfAnObliqueAxis) {
     least =
         std::min(least, std::abs(tilts[0].spectrum->mode[static_cast<std::size_t>(k)].lambda_re));
   EXPECT_LE(least, 1e-10);
+}
+
+/// A round body's axis goes with its fibre: however far that is turned, they stay at a right angle,
+/// and what is seen from the fibre stays the same.
+TEST(AnisotropicFamily, AnAxisTurnsWithTheFibreMoreThanOnceRound) {
+  const Body body(1.0, 1.0, 0.6);
+  const double nu = 0.5;
+  const Potential V = fibred(NeoHookean<>{1.0, 2.0}, 0.4, 10.0);
+  const auto family =
+      oblique_family(body, V.anisotropic(), in(ParameterKind::fibre, 1, nu), Branch::ii);
+  const Equilibrium start = solve_oblique(body, V, {nu, Branch::ii});
+  ASSERT_EQ(start.status, SolveStatus::solved) << start.message;
+  Rows out;
+  const FollowReport report = follow_family<5>(*family, start.q, 10.0, range(-400.0, 500.0), out);
+  EXPECT_EQ(report.backward.event, EventType::limit) << report.backward.reason;
+  EXPECT_EQ(report.forward.event, EventType::limit) << report.forward.reason;
+  EXPECT_EQ(out.rows.front().member.parameter, -400.0);
+  EXPECT_EQ(out.rows.back().member.parameter, 500.0);
+  EXPECT_TRUE(report.events.empty());
+  const double quarter = 0.5 * std::numbers::pi;
+  const Vector3<double> before = out.rows.front().member.angular_velocity;
+  double turned = std::atan2(before[1], before[0]) - quarter - degrees(-400.0);
+  turned -= std::remainder(turned, 2.0 * quarter);
+  for (const Row& each : out.rows) {
+    const Member& at = each.member;
+    const double fibre = degrees(at.parameter);
+    const Vector3<double> expected{nu * std::cos(fibre + quarter + turned),
+                                   nu * std::sin(fibre + quarter + turned), 0.0};
+    EXPECT_LE((at.angular_velocity - expected).norm(), 1e-13) << at.parameter;
+    const double difference = 0.5 * (at.q.xi - at.q.zeta);
+    const double size = std::hypot(difference, at.q.alpha);
+    EXPECT_NEAR(size, std::hypot(0.5 * (start.q.xi - start.q.zeta), start.q.alpha), 1e-13);
+    EXPECT_NEAR(difference, size * std::cos(2.0 * fibre), 1e-13) << at.parameter;
+    EXPECT_LE(at.residual, 1e-14);
+  }
 }
 
 /// Where alpha is 0 only at rest the inertias are the same functions there as beside it.

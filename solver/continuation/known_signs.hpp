@@ -1,0 +1,156 @@
+// What is certain of a curve up to a point: the sign that each test function had last, the counts
+// of negative directions and of growing modes, and what the parameter was between since.
+//
+// Signs are kept as bits, function k at bit k: on most steps none changes, and that is one
+// comparison.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+
+#include "solver/motion/event.hpp"
+
+namespace stationary {
+
+/// Of functions, one at each bit.
+using FunctionBits = std::uint32_t;
+static_assert(TestValues::count < 32);
+
+constexpr FunctionBits bit_of(std::size_t function) {
+  return FunctionBits{1} << static_cast<unsigned>(function);
+}
+/// f(function) of each, in ascending order.
+template <class F>
+void for_each_function(FunctionBits functions, const F& f) {
+  for (; functions != 0; functions &= functions - 1)
+    f(static_cast<std::size_t>(std::countr_zero(functions)));
+}
+/// Those that compare two blocks' Lambdas, of which TestValues::opposite has the signatures.
+constexpr FunctionBits crossing_bits(std::uint32_t opposite) {
+  return opposite << static_cast<unsigned>(TestValues::crossings);
+}
+constexpr FunctionBits all_functions = bit_of(TestValues::count) - 1;
+/// Those of one curve by itself, and those that compare two blocks.
+constexpr FunctionBits own_functions = bit_of(TestValues::crossings) - 1;
+constexpr FunctionBits all_crossings = all_functions & ~own_functions;
+
+/// The signs of the functions at a point.
+struct SignBits {
+  FunctionBits positive = 0;  ///< certain
+  FunctionBits negative = 0;
+  FunctionBits absent = 0;  ///< NaN: it has no meaning
+
+  static SignBits of(const TestValues& at) {
+    SignBits out;
+    for (std::size_t k = 0; k < TestValues::count; ++k) {
+      out.positive |= at.value[k] > 0.0 ? bit_of(k) : 0;
+      out.negative |= at.value[k] < 0.0 ? bit_of(k) : 0;
+      out.absent |= std::isnan(at.value[k]) ? bit_of(k) : 0;
+    }
+    out.positive &= ~at.uncertain;
+    out.negative &= ~at.uncertain;
+    return out;
+  }
+  /// Functions whose signs are certain and alike here and there.
+  FunctionBits shared_with(const SignBits& other) const {
+    return (positive & other.positive) | (negative & other.negative);
+  }
+  /// Those that have a value, and not its sign for certain.
+  FunctionBits open() const { return ~(positive | negative | absent); }
+  /// +1, -1; else 0.
+  int of(std::size_t k) const {
+    return static_cast<int>((positive >> static_cast<unsigned>(k)) & 1U) -
+           static_cast<int>((negative >> static_cast<unsigned>(k)) & 1U);
+  }
+};
+
+/// What the parameter was between on a part of the curve.
+struct ParameterRange {
+  double least = 0.0;
+  double most = 0.0;
+
+  static ParameterRange at(double p) { return {p, p}; }
+  void add(double p) {
+    least = std::min(least, p);
+    most = std::max(most, p);
+  }
+};
+
+/// Negative directions.
+struct KnownNegative {
+  int modes;
+  int count;
+  ParameterRange since;
+  int change = 0;  ///< most that events since can have changed it by
+  bool exchange = false;
+};
+/// Real Lambda > 0.
+struct KnownGrowing {
+  int modes;
+  int count;
+  ParameterRange since;
+  bool explained = false;  ///< an event since, or what may be one
+};
+inline int growing_modes(const Spectrum& spectrum) {
+  return static_cast<int>(std::count_if(
+      spectrum.mode.begin(), spectrum.mode.begin() + spectrum.modes, [](const Mode& mode) {
+        return !mode.forced_zero && mode.lambda_im == 0.0 && mode.lambda_re > 0.0;
+      }));
+}
+
+/// Both, where no Lambda may be zero; else nothing.
+struct KnownCounts {
+  std::optional<KnownNegative> negative;
+  std::optional<KnownGrowing> growing;
+
+  static KnownCounts at(const Member& member) {
+    if (!member.spectrum || !member.spectrum->away_from_zero()) return {};
+    const Spectrum& spectrum = *member.spectrum;
+    const ParameterRange since = ParameterRange::at(member.parameter);
+    return {KnownNegative{spectrum.modes, spectrum.negative, since},
+            KnownGrowing{spectrum.modes, growing_modes(spectrum), since}};
+  }
+};
+
+struct KnownSigns {
+  FunctionBits positive = 0;  ///< the last sign that was certain
+  FunctionBits negative = 0;
+  std::array<ParameterRange, TestValues::count> since{};
+  KnownCounts counts;
+
+  int sign(std::size_t k) const { return SignBits{positive, negative}.of(k); }
+  /// Those functions have the signs they have at a point.
+  void set(FunctionBits functions, const SignBits& at, double parameter) {
+    positive = (positive & ~functions) | (at.positive & functions);
+    negative = (negative & ~functions) | (at.negative & functions);
+    for_each_function(functions, [&](std::size_t k) { since[k] = ParameterRange::at(parameter); });
+  }
+  /// Function k has this sign at a point.
+  void set(std::size_t k, int sign, double parameter) {
+    set(bit_of(k), {sign > 0 ? ~FunctionBits{0} : 0, sign < 0 ? ~FunctionBits{0} : 0}, parameter);
+  }
+};
+
+/// Whether two Lambdas of a block that are negative at one end of a step are positive at the other.
+/// One passes zero only where an event says so; two together went round it, as a complex pair.
+inline bool pairs_changed_sides(const TestValues& from, const TestValues& to) {
+  for (std::size_t block = 0; block < from.composition.size(); ++block) {
+    const auto& a = from.composition[block];
+    const auto& b = to.composition[block];
+    if (a[0] == b[0] && std::abs(a[1] - b[1]) >= 2) return true;
+  }
+  return false;
+}
+
+/// Whether it is about the order of the locked inertias: where a spin's axis may turn.
+constexpr bool is_of_axis(EventType type) {
+  return type == EventType::tilt || type == EventType::oblique ||
+         type == EventType::inertia_exchange;
+}
+
+}  // namespace stationary

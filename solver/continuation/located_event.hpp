@@ -1,0 +1,29 @@
+// An event of a curve as it is told: where, and how well that is known.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "solver/motion/event.hpp"
+
+namespace stationary {
+
+enum class EventStatus {
+  located,
+  bracketed,  ///< the member is the bracket's middle
+  unresolved  ///< the function's sign is certain at the bracket's ends only; no member
+};
+constexpr std::string_view event_status_names[] = {"located", "bracketed", "unresolved"};
+constexpr std::string_view name(EventStatus s) { return event_status_names[static_cast<int>(s)]; }
+
+struct Event {
+  EventType type = EventType::none;
+  Member member;      ///< error_bound: of the event's q
+  double before = 0;  ///< bracket of the parameter, ascending
+  double after = 0;
+  EventStatus status = EventStatus::bracketed;
+  /// The class on the curve between this event and the next in the same step, if there is one.
+  std::optional<StabilityClass> between = std::nullopt;
+};
+
+}  // namespace stationary
