@@ -100,9 +100,15 @@ BasicStretch<Conditioned> conditioned(const BasicStretch<DoubleDouble>& q) {
           input(q.xi), input(q.zeta), input(q.rho)};
 }
 
-Leaf leaf_of(const Body& body, bool volume_held, const BasicStretch<DoubleDouble>& q,
-             const Vector3<DoubleDouble>& nu, const Matrix4<DoubleDouble>& V_qq,
+Leaf leaf_of(const Body& body, bool volume_held, const BasicStretch<DoubleDouble>& at,
+             const Vector3<DoubleDouble>& spin, const Matrix4<DoubleDouble>& V_qq,
              const Matrix4<Conditioned>& V_qq_conditioned) {
+  // A difference that cancels has a leading part that is all rounding, and the leaf's coordinates are
+  // chosen by leading parts.
+  const BasicStretch<DoubleDouble> q{renormalized(at.alpha), renormalized(at.xi),
+                                     renormalized(at.zeta), renormalized(at.rho)};
+  const Vector3<DoubleDouble> nu{renormalized(spin[0]), renormalized(spin[1]),
+                                 renormalized(spin[2])};
   const auto input = [](const auto& x) { return Conditioned::input(leading(x)); };
   const Vector3<Conditioned> nu_c{input(nu[0]), input(nu[1]), input(nu[2])};
   // Below this the squares of momenta underflow.

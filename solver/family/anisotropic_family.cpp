@@ -213,7 +213,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     if constexpr (Layout::axis) {
       const AxisAngle<DoubleDouble> axis = axis_angle(y[4]);
       const auto along = [&](const DoubleDouble& part) {
-        return std::abs(leading(part)) > none ? DoubleDouble(at.nu * part) : DoubleDouble(0.0);
+        return std::abs(double(part)) > none ? DoubleDouble(at.nu * part) : DoubleDouble(0.0);
       };
       nu = {along(axis.cosine), along(axis.sine), DoubleDouble(0.0)};
     }

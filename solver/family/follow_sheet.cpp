@@ -137,10 +137,12 @@ class Follower {
     return is_on(circle, q, within) ? circle : Circle::none;
   }
 
-  /// Ellipses of a body with J1 = J2: some potentials have them at one nu only, all of them there.
+  /// Some potentials have all ellipses of a body with J1 = J2 at one nu, or all those that have
+  /// turned away from the axes of an even V.
   static bool may_be_vertical(const Family<N>& family, const Stretch& q) {
-    return family.branch() == Branch::iii && family.material_symmetry() && family.along_nu() &&
-           circle_at(family, q) == Circle::none;
+    if (family.branch() != Branch::iii || !family.along_nu()) return false;
+    if (family.mirrored()) return q.alpha != 0.0;
+    return family.material_symmetry() && circle_at(family, q) == Circle::none;
   }
 
   /// The start's own event: it may be an end of the sheet, in either direction.

@@ -138,8 +138,19 @@ class OrientedSearch {
       if (!image[index(i)].within(each.proof.unique[index(i)])) return false;
     return true;
   }
+  /// Of an even V: about a material axis with alpha = 0, and none of an oblique axis. One that is not
+  /// proven is told by its numbers.
   bool on_material_axis(const Found& each) const {
-    return Layout::axis && (own_mirror(each, false) || own_mirror(each, true));
+    if constexpr (!Layout::axis) {
+      return false;
+    } else {
+      if (own_mirror(each, false) || own_mirror(each, true)) return true;
+      if (each.proof.proven || !models_.potential.even_in_alpha()) return false;
+      constexpr double same = 1e-9;
+      const AxisAngle<double> axis = axis_angle(each.x[Layout::axis_place]);
+      return std::abs(hyperbolic(each.x[Layout::alpha_place]).tanh) < same &&
+             std::min(std::abs(axis.cosine), std::abs(axis.sine)) < same;
+    }
   }
 
   bool again(const Found& each, const std::vector<Found>& kept) const {

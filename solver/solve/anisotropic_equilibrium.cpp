@@ -52,6 +52,8 @@ class AnisotropicSolve : FamilySolve {
     if (options_.start || options_.method == Method::newton) {
       const auto family = oblique_family(motion.near.value_or(Branch::i));
       one(*family, motion.nu);
+      if (out_.status == SolveStatus::solved && V_.even_in_alpha() && is_about_material_axis(out_))
+        fail(out_.message + " came to a motion about axis " + (out_.nu[0] != 0.0 ? "1" : "2"));
     } else {
       std::string failures;
       for (const Branch near : {Branch::i, Branch::ii}) {
@@ -141,6 +143,10 @@ class AnisotropicSolve : FamilySolve {
   /// Of the range from a motion at p to nu.
   static std::pair<double, double> limits(double p, double nu) {
     return {std::min(p, nu), std::max(p, nu)};
+  }
+  /// With alpha = 0: none of an oblique axis.
+  static bool is_about_material_axis(const Equilibrium& at) {
+    return at.q.alpha == 0.0 && (at.nu[0] == 0.0 || at.nu[1] == 0.0);
   }
   /// Of nu and -nu, which are the same oblique motion, that of search_oblique().
   static void upwards(Equilibrium& at) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lib/number/elementary.hpp"
@@ -34,12 +35,18 @@ class RestSearch {
 
   /// rho: of the thickness at rest, or near it; all lengths in units of `unit`.
   std::optional<Stretch> nearest_minimum(double rho, double unit) {
-    std::optional<Stretch> out;
     const auto from_rest = [&](const Stretch& q) {
       return from_unit({q.alpha / unit, q.xi / unit, q.zeta / unit, q.rho / unit}, rho);
     };
+    std::array<std::optional<Stretch>, 3> nearest;  // by rank, the best first
     const auto consider = [&](const Stretch& q) {
-      if (is_minimum(q) && (!out || from_rest(q) < from_rest(*out))) out = q;
+      if (const auto rank = rank_of(q))
+        if (auto& best = nearest[*rank]; !best || from_rest(q) < from_rest(*best)) best = q;
+    };
+    const auto found = [&]() -> std::optional<Stretch> {
+      for (const auto& each : nearest)
+        if (each) return each;
+      return std::nullopt;
     };
     for (const double xi : {1.0, 0.7, 1.5}) {
       for (const double zeta : {1.0, 0.7, 1.5}) {
@@ -50,13 +57,13 @@ class RestSearch {
         }
       }
     }
-    if (out || !options_.search) return out;
+    if (found() || !options_.search) return found();
     const Problem problem(body_, potential_, Branch::iii);
     // A tenth of the boxes, a second: the rest of them solve.all goes through.
     const SearchOptions few{.max_boxes = 1000, .stop = options_.stop};
     const SearchResult all = search_anisotropic(problem, 0.0, few);
     for (const Equilibrium& each : all.solutions) consider(each.q);
-    return out;
+    return found();
   }
 
  private:
@@ -81,10 +88,19 @@ class RestSearch {
     return true;
   }
 
-  bool is_minimum(const Stretch& q) const {
-    // Along a held volume rho follows.
-    const int free = V_.body().volume ? 3 : 4;
-    const Eigen::MatrixXd H = potential_.derivatives(q).hessian.topLeftCorner(free, free);
+  /// Of an even V the families from rest keep alpha = 0: minima of V there come first, those that
+  /// shear makes less next, and last minima with alpha != 0. Nothing: no minimum.
+  std::optional<std::size_t> rank_of(const Stretch& q) const {
+    if (is_minimum(q, true)) return V_.shear_free() && q.alpha != 0.0 ? 2U : 0U;
+    if (V_.shear_free() && q.alpha == 0.0 && is_minimum(q, false)) return 1U;
+    return std::nullopt;
+  }
+
+  bool is_minimum(const Stretch& q, bool of_alpha_too) const {
+    // alpha comes first. Along a held volume rho follows.
+    const int first = of_alpha_too ? 0 : 1;
+    const int free = (V_.body().volume ? 3 : 4) - first;
+    const Eigen::MatrixXd H = potential_.derivatives(q).hessian.block(first, first, free, free);
     return Eigen::LLT<Eigen::MatrixXd>(H).info() == Eigen::Success;
   }
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -352,6 +353,105 @@ TEST(AnisotropicCase, OrthotropicPlaneInEveryBranch) {
     EXPECT_EQ(row["certified"], "yes");
     EXPECT_EQ(row["class_certified"], "yes");
   }
+}
+
+/// V is even in alpha, and less with alpha != 0 than at its least without.
+const char* const leaning_case = R"([body]
+J = [0.5498, 1.351, 0.827]
+volume = 0.5
+[potential]
+plane     = { model = "orthotropic-saint-venant-kirchhoff", c11 = 0.9378, c22 = 2.134, c12 = 0.1849, c66 = 0.3036 }
+thickness = { model = "reciprocal-quadratic", a = 2.183, b = 0.6789 }
+[motion]
+branch = "iii"
+nu = 0.1
+[continuation]
+from = 0.0
+to = 0.6
+[map]
+x = { parameter = "nu", from = 0.0, to = 1.4, count = 15 }
+)";
+
+TEST(AnisotropicCase, OfAnEvenPotentialTheSheetFromRestHasNoShearEvenWhereThatMakesLessOfIt) {
+  const TemporaryDirectory directory;
+  const std::string leaning = directory.file("leaning.toml", leaning_case);
+  const Outcome solved = run_with_sets({"solve", leaning, "-o", "-"});
+  ASSERT_EQ(solved.code, 0) << solved.err;
+  auto row = only_row(solved.out);
+  EXPECT_EQ(row["alpha"], "0");
+  EXPECT_NEAR(number(row["xi"]), 0.3344528349874476, 1e-15);
+  EXPECT_NEAR(number(row["zeta"]), 1.02364148544089, 1e-14);
+  EXPECT_EQ(row["class"], "unstable");
+  const Outcome map = run_with_sets({"map", leaning, "-o", "-"});
+  ASSERT_EQ(map.code, 0) << map.err;
+  const auto cells = rows_of(map.out);
+  ASSERT_EQ(cells.size(), 15U);
+  for (const Row& cell : cells) EXPECT_EQ(cell.at("status"), "solved") << cell.at("nu");
+  EXPECT_EQ(cells[1].at("alpha"), "0");
+  EXPECT_NEAR(number(cells[1].at("xi")), 0.3344528349874476, 1e-15);
+}
+
+TEST(AnisotropicCase, NoMotionAboutAMaterialAxisIsOblique) {
+  const TemporaryDirectory directory;
+  const std::string leaning = directory.file("leaning.toml", leaning_case);
+  // A motion about axis 2.
+  const Outcome solved = run_with_sets(
+      {"solve", leaning, "-o", "-"}, {"motion.branch=oblique", "motion.axis=\"2\"",
+                                      "motion.nu=0.55", "solve.start=[0.0, 1.206, 0.2448, 1.694]"});
+  if (solved.code == 0) {
+    EXPECT_NE(number(only_row(solved.out)["alpha"]), 0.0);
+  } else {
+    EXPECT_THAT(solved.err, HasSubstr("came to a motion about axis 2"));
+  }
+  const Outcome atlas =
+      run_with_sets({"atlas", leaning, "-o", "-"}, {"atlas.checkpoints=4", "motion.nu=0.4667"});
+  ASSERT_EQ(atlas.code, 0) << atlas.err;
+  int about_two = 0;
+  for (const Row& row : rows_of(atlas.out)) {
+    about_two += row.at("branch") == "ii";
+    EXPECT_NE(row.at("event"), "unexplained");
+    if (row.at("branch") != "oblique" || row.at("event") == "oblique") continue;
+    EXPECT_GT(std::abs(number(row.at("alpha"))), 1e-9) << row.at("nu1") << " " << row.at("nu2");
+  }
+  EXPECT_GT(about_two, 100);
+}
+
+/// mu = J1 nu^2 leaves zeta^2 + alpha^2 = 1.5 free, with xi zeta = e + alpha^2: a sheet at nu = 1.
+TEST(AnisotropicCase, ShearedMotionsAtOneRate) {
+  const TemporaryDirectory directory;
+  const std::string upright = directory.file("upright.toml", R"([body]
+J = [1.0, 2.0, 0.8]
+[potential]
+plane     = { model = "neo-hookean", mu = 1.0, lambda = 1.0 }
+thickness = { model = "harmonic", k = 1.4, rest = 0.8 }
+fibre     = { k = 1.0, degrees = 90.0 }
+[motion]
+branch = "iii"
+nu = 0.5
+[continuation]
+from = 0.0
+to = 1.6
+[atlas]
+checkpoints = 6
+)");
+  const Outcome atlas = run_with_sets({"atlas", upright, "-o", "-"});
+  ASSERT_EQ(atlas.code, 0) << atlas.err;
+  int at_one = 0;
+  double most = 0.0;
+  for (const Row& row : rows_of(atlas.out)) {
+    if (row.at("branch") != "iii" || number(row.at("alpha")) == 0.0) continue;
+    ++at_one;
+    const double alpha = number(row.at("alpha"));
+    const double zeta = number(row.at("zeta"));
+    EXPECT_NE(row.at("event"), "fold-nu");
+    EXPECT_NE(row.at("event"), "stalled");
+    EXPECT_NEAR(number(row.at("nu3")), 1.0, 1e-11);
+    EXPECT_NEAR(zeta * zeta + alpha * alpha, 1.5, 1e-10);
+    EXPECT_NEAR(number(row.at("xi")) * zeta, std::exp(1.0) + alpha * alpha, 1e-9);
+    most = std::max(most, std::abs(alpha));
+  }
+  EXPECT_GT(at_one, 20);
+  EXPECT_GT(most, 1.0);
 }
 
 }  // namespace

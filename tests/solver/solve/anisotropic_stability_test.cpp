@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 
+#include "solver/motion/oriented_stability.hpp"
 #include "solver/search/anisotropic_search.hpp"
 #include "solver/solve/stability.hpp"
 #include "tests/support/anisotropic_motions.hpp"
@@ -231,6 +232,36 @@ TEST(AnisotropicStability, AllObliqueMotionsOfASearchAgree) {
     const auto spectrum = oblique_stability(at.body, V, each);
     ASSERT_TRUE(spectrum);
     expect_verified(at, each, *spectrum, described("oblique", at.body, each.q, each.nu));
+  }
+}
+
+/// A component of nu that cancels leaves a pair whose first part is rounding: it is as good as none.
+TEST(AnisotropicStability, OfAComponentThatCancels) {
+  BodyTerms<double> held;
+  held.volume = 0.5;
+  const AnisotropicPotential V =
+      AnisotropicPotential(OrthotropicSaintVenantKirchhoff<>{0.9378, 2.134, 0.1849, 0.3036},
+                           ReciprocalQuadratic<>{2.183, 0.6789}, {})
+          .with_body(held);
+  const Body body(0.5498, 1.351, 0.827);
+  const OrientedModels models(V);
+  const OrientedSpin about_none{body, Branch::i, false};
+  SolveOptions start;
+  start.start = Stretch{0.0, 1.206, 0.2448, 1.694};
+  for (int k = 0; k < 20; ++k) {
+    const double nu = 0.5 + 0.005 * k;
+    const Equilibrium at = solve(Problem(body, Potential(V), Branch::ii), nu, start);
+    ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
+    const BasicStretch<DoubleDouble> q{0.0, at.q.xi, at.q.zeta, at.q.rho};
+    const auto spectrum = [&](const DoubleDouble& first) {
+      return oriented_stability(about_none, models, q, {first, nu, 0.0}, 1e-15);
+    };
+    const Spectrum exact = spectrum(0.0);
+    const Spectrum cancelled = spectrum(DoubleDouble(0x1p-53, -0x1p-53));
+    ASSERT_EQ(cancelled.modes, exact.modes);
+    EXPECT_EQ(cancelled.negative, exact.negative);
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_EQ(cancelled.mode[i].lambda_re, exact.mode[i].lambda_re) << nu;
   }
 }
 
