@@ -100,15 +100,15 @@ BasicStretch<Conditioned> conditioned(const BasicStretch<DoubleDouble>& q) {
           input(q.xi), input(q.zeta), input(q.rho)};
 }
 
-Leaf leaf_of(const Body& body, bool volume_held, const BasicStretch<DoubleDouble>& at,
+Leaf leaf_of(const Body& body, bool volume_held, const BasicStretch<DoubleDouble>& q,
              const Vector3<DoubleDouble>& spin, const Matrix4<DoubleDouble>& V_qq,
              const Matrix4<Conditioned>& V_qq_conditioned) {
-  // A difference that cancels has a leading part that is all rounding, and the leaf's coordinates are
-  // chosen by leading parts.
-  const BasicStretch<DoubleDouble> q{renormalized(at.alpha), renormalized(at.xi),
-                                     renormalized(at.zeta), renormalized(at.rho)};
-  const Vector3<DoubleDouble> nu{renormalized(spin[0]), renormalized(spin[1]),
-                                 renormalized(spin[2])};
+  // Of a component that cancels, first parts of the momentum's products do not, as they do in doubles:
+  // the leaf's coordinates would be chosen otherwise there.
+  const auto uncancelled = [](const DoubleDouble& x) {
+    return std::abs(double(x)) < 0.5 * std::abs(x.hi) ? renormalized(x) : x;
+  };
+  const Vector3<DoubleDouble> nu{uncancelled(spin[0]), uncancelled(spin[1]), uncancelled(spin[2])};
   const auto input = [](const auto& x) { return Conditioned::input(leading(x)); };
   const Vector3<Conditioned> nu_c{input(nu[0]), input(nu[1]), input(nu[2])};
   // Below this the squares of momenta underflow.
