@@ -103,8 +103,8 @@ BasicStretch<Conditioned> conditioned(const BasicStretch<DoubleDouble>& q) {
 Leaf leaf_of(const Body& body, bool volume_held, const BasicStretch<DoubleDouble>& q,
              const Vector3<DoubleDouble>& spin, const Matrix4<DoubleDouble>& V_qq,
              const Matrix4<Conditioned>& V_qq_conditioned) {
-  // Of a component that cancels, first parts of the momentum's products do not, as they do in doubles:
-  // the leaf's coordinates would be chosen otherwise there.
+  // The two parts of a component that cancels have products that need not cancel. The momentum would
+  // have a component here that it has not in doubles below, and the two leaves other coordinates.
   const auto uncancelled = [](const DoubleDouble& x) {
     return std::abs(double(x)) < 0.5 * std::abs(x.hi) ? renormalized(x) : x;
   };

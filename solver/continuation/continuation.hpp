@@ -74,13 +74,13 @@ class Continuation {
     events_.clear();
     unlocated_.clear();
     if (end_.event != EventType::none) return false;
-    keep_axis_in_range();
     for (;;) {
       if (step_.too_short()) {
         finish(EventType::stalled, "the step became too small: " + step_.refusal());
         return false;
       }
       try {
+        keep_axis_in_range();
         Attempt attempt;
         if (try_step(attempt)) {
           accept(attempt);

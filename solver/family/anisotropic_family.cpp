@@ -48,9 +48,10 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
 
   std::optional<ReducedVector<N>> with_opposite_axis(const ReducedVector<N>& x) const override {
     if constexpr (Layout::axis) {
-      constexpr double far = 5.0 / 6.0 * std::numbers::pi;
-      const double angle = 2.0 * asin(hyperbolic(x[Layout::axis_place]).tanh);
-      if (std::abs(angle) > far) {
+      constexpr double far = 0.966;  // of the sine of half the angle: beyond 150 degrees
+      const double half_sine = hyperbolic(x[Layout::axis_place]).tanh;
+      if (std::abs(half_sine) > far) {
+        const double angle = 2.0 * asin(half_sine);
         ReducedVector<N> out = x;
         out[Layout::axis_place] = axis_coordinate(angle - std::copysign(std::numbers::pi, angle));
         return out;
@@ -207,8 +208,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     const auto y = all_coordinates<Layout>(wide, DoubleDouble(1.0));
     const BasicStretch<DoubleDouble> q = oriented_stretch(y[0], y[1], y[2], y[3]).q;
     Vector3<DoubleDouble> nu = angular_velocity(branch_, DoubleDouble(at.nu));
-    // What is below the rounding of extended precision is none: a material axis is one, and an alpha
-    // of that size has no angle.
+    // Below the rounding of extended precision a component of nu, or alpha, is zero.
     constexpr double none = 0x1p-80;
     if constexpr (Layout::axis) {
       const AxisAngle<DoubleDouble> axis = axis_angle(y[4]);
