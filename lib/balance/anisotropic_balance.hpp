@@ -28,8 +28,11 @@
 // passes a material one.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
+#include <variant>
 
 #include "lib/body/inertia.hpp"
 #include "lib/body/motion.hpp"
@@ -51,15 +54,19 @@ Hyperbolic<S> hyperbolic(const S& x) {
   return {(x - 1.0) * (x + 1.0) / sum, 2.0 * x / sum};
 }
 
-/// Over an interval its ends decide, and 1 where x = 1 is in it.
+/// Over an interval its ends decide, and 1 where x = 1 is in it. At an end in doubles: six roundings
+/// of tanh, four of sech, and one of the bounds.
 inline Hyperbolic<Interval> hyperbolic(const Interval& x) {
-  if (!x.positive()) return {Interval::entire(), Interval::entire()};
-  const auto at = [](double end) { return hyperbolic<Interval>(Interval(end)); };
-  const Hyperbolic<Interval> low = at(x.lo);
-  const Hyperbolic<Interval> high = at(x.hi);
-  Interval sech = hull(low.sech, high.sech);
+  const Hyperbolic<double> low = hyperbolic(x.lo);
+  const Hyperbolic<double> high = hyperbolic(x.hi);
+  if (!x.positive() || !std::isfinite(high.tanh)) return {Interval::entire(), Interval::entire()};
+  constexpr double rounding = 0x1p-50;
+  Interval tanh(low.tanh - rounding * std::abs(low.tanh),
+                high.tanh + rounding * std::abs(high.tanh));
+  Interval sech((1.0 - rounding) * std::min(low.sech, high.sech),
+                (1.0 + rounding) * std::max(low.sech, high.sech));
   if (x.may_be(1.0)) sech.hi = 1.0;
-  return {hull(low.tanh, high.tanh), sech};
+  return {tanh, sech};
 }
 
 /// x with tanh(ln x) = t, |t| < 1.
@@ -329,6 +336,25 @@ void add_volume(const OrientedStretch<S>& at, const S& volume, double k,
   }
 }
 
+/// Over a box the pull on rho is gathered with the force of a thickness (its log_balance()): where the
+/// two nearly cancel, each alone is as wide as the box. J is what is left for the balance of V.
+template <class S>
+Inertia3<S> gather_thickness(const Inertia3<S>& J, const AnisotropicModel<S>& model, const S& rho,
+                             const SpinProducts<S>& n, AnisotropicDerivatives<S>& V) {
+  if constexpr (std::is_same_v<S, Interval>) {
+    using Separate = typename AnisotropicModel<S>::Separate;
+    const auto* separate = std::get_if<Separate>(&model.base);
+    if (separate != nullptr && separate->thickness) {
+      const auto rate = centrifugal_rates<S>(J, n.square_1, n.square_2, n.square_3).rho;
+      const auto axial = separate->thickness->log_balance(rho, rate);
+      V.isotropic.w_r = axial.g_rho;
+      V.isotropic.w_rr = axial.ww;
+      return {J.J1, J.J2, S(0.0)};
+    }
+  }
+  return J;
+}
+
 /// By the model; of a held volume without w's equation, whatever rho is.
 template <int order, class S>
 OrientedBalance<S, order> eliminated_balance(const Inertia3<S>& J, const AnisotropicModel<S>& model,
@@ -336,8 +362,9 @@ OrientedBalance<S, order> eliminated_balance(const Inertia3<S>& J, const Anisotr
                                              const SpinProducts<S>& n) {
   const auto& volume = model.body.volume;
   const OrientedStretch<S> whole = volume ? at_volume<S>(*volume, at) : at;
-  OrientedBalance<S, order> out = oriented_balance<order>(
-      J, model.template evaluate<order>(whole.invariants(), whole.q), whole, n);
+  AnisotropicDerivatives<S> V = model.template evaluate<order>(whole.invariants(), whole.q);
+  const Inertia3<S> pulling = gather_thickness(J, model, whole.q.rho, n, V);
+  OrientedBalance<S, order> out = oriented_balance<order>(pulling, V, whole, n);
   if (volume) out = held<order>(out, whole);
   return out;
 }

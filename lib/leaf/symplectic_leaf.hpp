@@ -180,6 +180,15 @@ struct LeafShape {
   std::size_t pairs() const { return 3 + std::size_t{turns} + std::size_t{!held}; }
 };
 
+/// Of which axis pi has the least.
+template <class S>
+std::size_t least_component(const std::array<S, 3>& pi) {
+  std::size_t least = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (std::abs(leading(pi[k])) < std::abs(leading(pi[least]))) least = k;
+  return least;
+}
+
 /// |pi|, and e1, e2 that make (e1, e2, pi/|pi|) right-handed. pi is not 0.
 template <class S>
 struct LeafFrame {
@@ -188,17 +197,15 @@ struct LeafFrame {
   std::array<S, 3> e2;
 };
 
+/// e1 is across axis `aside`, which pi is not along. Leaves that are to be compared have the same.
 template <class S>
-LeafFrame<S> leaf_frame(const std::array<S, 3>& pi) {
+LeafFrame<S> leaf_frame(const std::array<S, 3>& pi, std::size_t aside) {
   using leaf_detail::vanishes;
   using std::sqrt;
   const S one(1.0);
   const S none(0.0);
   const S size = sqrt(S(pi[0] * pi[0] + pi[1] * pi[1] + pi[2] * pi[2]));
   const std::array<S, 3> axis{pi[0] / size, pi[1] / size, pi[2] / size};
-  std::size_t aside = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (std::abs(leading(pi[k])) < std::abs(leading(pi[aside]))) aside = k;
   // e1 = e_aside x axis, of length one; e2 = axis x e1.
   const std::size_t next = (aside + 1) % 3;
   const std::size_t last = (aside + 2) % 3;
@@ -216,6 +223,11 @@ LeafFrame<S> leaf_frame(const std::array<S, 3>& pi) {
     e2[last] = -(axis[aside] * axis[last] / length);
   }
   return {size, e1, e2};
+}
+
+template <class S>
+LeafFrame<S> leaf_frame(const std::array<S, 3>& pi) {
+  return leaf_frame(pi, least_component(pi));
 }
 
 /// A frame, and kappa |pi|, which is |nu| of a stationary motion.
@@ -362,13 +374,18 @@ LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, con
   return out;
 }
 
-/// With the frame and kappa that pi itself has.
+/// A frame's, with the kappa that nu and pi themselves have.
+template <class S>
+LeafSpin<S> leaf_spin(const LeafFrame<S>& frame, const Vector3<S>& nu, const std::array<S, 3>& pi) {
+  return {frame, (nu[0] * pi[0] + nu[1] * pi[1] + nu[2] * pi[2]) / frame.size};
+}
+
+/// With the frame that pi itself asks for.
 template <class S, class Inertias>
 LeafForm<S> second_variation(const Inertias& body, const BasicStretch<S>& q, const Vector3<S>& nu,
                              const LeafShape& shape, const Matrix4<S>& V_qq) {
   return second_variation(body, q, nu, shape, V_qq, [&](const std::array<S, 3>& pi) {
-    const LeafFrame<S> frame = leaf_frame(pi);
-    return LeafSpin<S>{frame, (nu[0] * pi[0] + nu[1] * pi[1] + nu[2] * pi[2]) / frame.size};
+    return leaf_spin(leaf_frame(pi), nu, pi);
   });
 }
 

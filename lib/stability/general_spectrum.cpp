@@ -116,10 +116,17 @@ Leaf leaf_of(const Body& body, bool volume_held, const BasicStretch<DoubleDouble
   const bool turns = std::abs(nu_c[0].value) > least || std::abs(nu_c[1].value) > least ||
                      std::abs(nu_c[2].value) > least;
   const LeafShape shape{turns, volume_held};
-  const LeafForm<DoubleDouble> exact = second_variation(body, q, nu, shape, V_qq);
-  const LeafForm<Conditioned> with_conditions =
-      second_variation(Inertia3<Conditioned>{input(body.J1), input(body.J2), input(body.J3)},
-                       conditioned(q), nu_c, shape, V_qq_conditioned);
+  std::size_t aside = 0;
+  const LeafForm<DoubleDouble> exact =
+      second_variation(body, q, nu, shape, V_qq, [&](const std::array<DoubleDouble, 3>& pi) {
+        aside = least_component(pi);
+        return leaf_spin(leaf_frame(pi, aside), nu, pi);
+      });
+  const LeafForm<Conditioned> with_conditions = second_variation(
+      Inertia3<Conditioned>{input(body.J1), input(body.J2), input(body.J3)}, conditioned(q), nu_c,
+      shape, V_qq_conditioned, [&](const std::array<Conditioned, 3>& pi) {
+        return leaf_spin(leaf_frame(pi, aside), nu_c, pi);
+      });
   Leaf out;
   out.pairs = shape.pairs();
   for (std::size_t i = 0; i < 2 * out.pairs; ++i) {

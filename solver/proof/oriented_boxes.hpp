@@ -113,10 +113,11 @@ struct OrientedBoxSystem {
     if (const auto* expression = model.expression(); expression != nullptr && !model.body.any())
       written = expression->plane_pull(at.q);
     if (written) V.directed.gradient.setConstant(Interval(0.0));
-    auto b =
-        oriented_balance<1>(J, V, at,
-                            Layout::axis ? in_plane_products(spin_squared, axis.cosine, axis.sine)
-                                         : axis_products(branch, spin_squared));
+    const SpinProducts<Interval> spin =
+        Layout::axis ? in_plane_products(spin_squared, axis.cosine, axis.sine)
+                     : axis_products(branch, spin_squared);
+    const Inertia3<Interval> pulling = gather_thickness(J, without, at.q.rho, spin, V);
+    auto b = oriented_balance<1>(pulling, V, at, spin);
     if (model.body.volume) b = held<1>(b, at);
     Interval sum = b.g[oriented::u] + b.g[oriented::v];
     if (written) sum += *written;

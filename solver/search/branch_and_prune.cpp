@@ -123,20 +123,25 @@ class BranchAndPrune {
       d[index(i)] = log(box[index(i)] / center[i]);
     }
     const Box<N> g = system_.boxes().residual(at);
+    // Row by row first: where the box is large Y says little.
+    for (int i = 0; i < N; ++i) {
+      IntervalSum row(g[index(i)]);
+      for (int j = 0; j < N; ++j) row.add_product(over(i, j), d[index(j)]);
+      if (!row.value().may_be(0.0)) return false;
+    }
     regular = true;
     for (int i = 0; i < N; ++i) {
-      Interval sum;
-      Interval diagonal;
-      for (int k = 0; k < N; ++k) {
-        sum += Y(i, k) * g[index(k)];
-        diagonal += Y(i, k) * over(k, i);
-      }
-      for (int j = 0; j < N; ++j) {
-        if (j == i) continue;
-        Interval entry;
-        for (int k = 0; k < N; ++k) entry += Y(i, k) * over(k, j);
-        sum += entry * d[index(j)];
-      }
+      const auto entry = [&](int j) {
+        IntervalSum out;
+        for (int k = 0; k < N; ++k) out.add_product(Y(i, k), over(k, j));
+        return out.value();
+      };
+      IntervalSum others;
+      for (int k = 0; k < N; ++k) others.add_product(Y(i, k), g[index(k)]);
+      for (int j = 0; j < N; ++j)
+        if (j != i) others.add_product(entry(j), d[index(j)]);
+      const Interval sum = others.value();
+      const Interval diagonal = entry(i);
       if (diagonal.may_be(0.0) || !diagonal.bounded()) {
         regular = false;
         continue;

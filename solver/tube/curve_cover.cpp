@@ -126,6 +126,16 @@ class Cover {
   /// False where nothing is left of the box. kept: the smallest fraction left of a side.
   bool narrow(const CurveLinearized<N>& over, CurveBox<N>& box, double& kept) const {
     using Square = Eigen::Matrix<double, N, N>;
+    const TubePoint<N> center = middle_of<N>(box);
+    const auto g = equations_.forces(point_box<N>(center)).g;
+    CurveBox<N> offset;
+    for (int j = 0; j <= N; ++j) offset[at(j)] = box[at(j)] - Interval(center[j]);
+    // Row by row first: where the box is large Y says little.
+    for (int i = 0; i < N; ++i) {
+      IntervalSum row(g[at(i)]);
+      for (int j = 0; j <= N; ++j) row.add_product(over.slope[at(i)][at(j)], offset[at(j)]);
+      if (!row.value().may_be(0.0)) return false;
+    }
     Eigen::Matrix<double, N, N + 1> slopes;
     for (int i = 0; i < N; ++i)
       for (int j = 0; j <= N; ++j) {
@@ -142,24 +152,19 @@ class Cover {
       for (int j = 0; j < N; ++j) chosen(i, j) = over.slope[at(i)][at(pivot[at(j)])].mid();
     const Square Y = chosen.inverse();
     if (!std::isfinite(Y.sum())) return true;
-    const TubePoint<N> center = middle_of<N>(box);
-    const auto g = equations_.forces(point_box<N>(center)).g;
-    CurveBox<N> offset;
-    for (int j = 0; j <= N; ++j) offset[at(j)] = box[at(j)] - Interval(center[j]);
     for (int i = 0; i < N; ++i) {
       const int own = pivot[at(i)];
-      Interval others;
-      Interval slope;
-      for (int k = 0; k < N; ++k) {
-        others += Y(i, k) * g[at(k)];
-        slope += Y(i, k) * over.slope[at(k)][at(own)];
-      }
-      for (int j = 0; j <= N; ++j) {
-        if (j == own) continue;
-        Interval entry;
-        for (int k = 0; k < N; ++k) entry += Y(i, k) * over.slope[at(k)][at(j)];
-        others += entry * offset[at(j)];
-      }
+      const auto entry = [&](int j) {
+        IntervalSum out;
+        for (int k = 0; k < N; ++k) out.add_product(Y(i, k), over.slope[at(k)][at(j)]);
+        return out.value();
+      };
+      const Interval slope = entry(own);
+      IntervalSum all_others;
+      for (int k = 0; k < N; ++k) all_others.add_product(Y(i, k), g[at(k)]);
+      for (int j = 0; j <= N; ++j)
+        if (j != own) all_others.add_product(entry(j), offset[at(j)]);
+      const Interval others = all_others.value();
       const Interval sum = others + slope * offset[at(own)];
       if (sum.positive() || sum.negative()) return false;
       if (slope.may_be(0.0) || !slope.bounded()) continue;

@@ -1,10 +1,10 @@
 // All curves of a region, by branch and prune over (x, q): a box of it is
 //
 //   empty      where a condition is negative, where some G_i = E_i - q P_i excludes 0 over it, or
-//              no q of it is among the E_i/P_i, or where the mean
-//              value form G(c) + dG/dy (y - c), preconditioned with the inverse of the N columns of
-//              dG/dy that move G most over the box, cannot vanish; asked for, where some G_i - G_j,
-//              by the corners of the box that it is least and largest at, does not;
+//              no q of it is among the E_i/P_i, or where the mean value form G(c) + dG/dy (y - c)
+//              cannot vanish, row by row or preconditioned with the inverse of the N columns of
+//              dG/dy that move G most over the box; asked for, where some G_i - G_j, by the corners
+//              of the box that it is least and largest at, does not;
 //   covered    where it lies wholly in one tube (tube_set.hpp): its points are that curve's;
 //   narrowed   by that form in those N coordinates, or split where G moves most over it;
 //   undecided  where it is as narrow as min_width, or the boxes allowed are used up.

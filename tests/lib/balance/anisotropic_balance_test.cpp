@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "lib/balance/balance.hpp"
 #include "tests/support/random_anisotropic.hpp"
+#include "tests/support/wide_numbers.hpp"
 
 namespace stationary {
 namespace {
@@ -114,12 +117,14 @@ TEST(AnisotropicBalance, HoldsWhereTheBalanceInTheStretchesAndCompatibilityDo) {
   });
 }
 
+/// Coefficients as intervals of no width.
+struct AsBox {
+  Interval operator()(double c) const { return c; }
+  Direction<Interval> direction(double degrees) const { return direction_interval(degrees, 0.0); }
+};
+
 TEST(AnisotropicBalance, IntervalsHoldThePointValues) {
   support::Random random(313);
-  struct AsBox {
-    Interval operator()(double c) const { return c; }
-    Direction<Interval> direction(double degrees) const { return direction_interval(degrees, 0.0); }
-  };
   for (int k = 0; k < 32; ++k) {
     const auto of = support::random_anisotropic(random, k);
     const auto model = of.V.model(AsBox());
@@ -149,6 +154,86 @@ TEST(AnisotropicBalance, IntervalsHoldThePointValues) {
       }
     }
   }
+}
+
+/// The pull on rho with the force of the thickness: over boxes they hold the same, and say more.
+TEST(AnisotropicBalance, AThicknessIsGatheredOverBoxes) {
+  support::Random random(317);
+  int narrower = 0;
+  int compared = 0;
+  for (int k = 0; k < 32; ++k) {
+    const auto of = support::random_anisotropic(random, k);
+    if (!of.V.is_separable()) continue;
+    BodyTerms<double> terms;
+    terms.volume = random.log_uniform(0.5, 2.0);
+    const AnisotropicPotential V = of.V.with_body(terms);
+    const auto model = V.model(AsBox());
+    const Inertia3<Interval> J{1.3, 0.7, 0.5};
+    const double nu = 0.8;
+    const auto spin = [&](const auto& nu_squared) { return axis_products(Branch::i, nu_squared); };
+    const Point x = random_point(random);
+    const double width = random.log_uniform(1e-6, 0.3);
+    std::array<Interval, 4> box;
+    for (std::size_t i = 0; i < 4; ++i)
+      box[i] = {double(x[i]) * (1.0 - width), double(x[i]) * (1.0 + width)};
+    const auto stretch =
+        at_volume(Interval(*model.body.volume), oriented_stretch(box[0], box[1], box[2], box[3]));
+    const SpinProducts<Interval> n = spin(square(Interval(nu)));
+    const auto over = eliminated_balance<2>(J, model, stretch, n);
+    const auto apart = held<2>(
+        oriented_balance<2>(J, model.evaluate<2>(stretch.invariants(), stretch.q), stretch, n),
+        stretch);
+    for (int trial = 0; trial < 4; ++trial) {
+      Point inside = x;
+      for (auto& each : inside) each = each * (1.0 + width * random.uniform(-0.999, 0.999));
+      const auto point = eliminated_balance<2>(
+          Inertia3<DoubleDouble>{1.3, 0.7, 0.5}, V.model(AsExtended()),
+          oriented_stretch(inside[0], inside[1], inside[2], inside[3]), spin(two_product(nu, nu)));
+      for (const std::size_t i : {oriented::u, oriented::v, oriented::a}) {
+        EXPECT_TRUE(over.g[i].may_be(double(point.g[i]))) << of.text << ", row " << i;
+        for (const std::size_t j : {oriented::u, oriented::v, oriented::a})
+          EXPECT_TRUE(over.slope[i][j].may_be(double(point.slope[i][j])))
+              << of.text << ", entry " << i << " " << j;
+      }
+    }
+    ++compared;
+    narrower += over.g[oriented::u].width() < 0.999 * apart.g[oriented::u].width();
+    EXPECT_LE(over.g[oriented::u].width(), 1.001 * apart.g[oriented::u].width()) << of.text;
+  }
+  EXPECT_GT(compared, 15);
+  EXPECT_GT(narrower, compared / 2);
+}
+
+TEST(AnisotropicBalance, HyperbolicFunctionsOverIntervals) {
+  support::Random random(318);
+  const auto at = [](double x) {
+    const support::Real50 wide(x);
+    const support::Real50 sum = wide * wide + 1;
+    return std::pair(support::Real50((wide - 1) * (wide + 1) / sum),
+                     support::Real50(2 * wide / sum));
+  };
+  const auto holds = [](const Interval& x, const support::Real50& exact) {
+    return support::Real50(x.lo) <= exact && exact <= support::Real50(x.hi);
+  };
+  for (int k = 0; k < 4000; ++k) {
+    const double first = k % 4 == 0   ? 1.0 + random.sign() * random.log_uniform(1e-16, 1e-2)
+                         : k % 4 == 1 ? random.log_uniform(1e-140, 1e140)
+                                      : random.log_uniform(0.01, 100.0);
+    const double last = k % 3 == 0 ? first : first * (1.0 + random.log_uniform(1e-16, 10.0));
+    const Hyperbolic<Interval> over = hyperbolic(Interval(first, last));
+    for (const double x : {first, std::sqrt(first) * std::sqrt(last), last}) {
+      const double inside = std::clamp(x, first, last);
+      const auto [tanh, sech] = at(inside);
+      EXPECT_TRUE(holds(over.tanh, tanh)) << first << " " << last;
+      EXPECT_TRUE(holds(over.sech, sech)) << first << " " << last;
+    }
+    if (first == last) {
+      EXPECT_LE(over.tanh.hi - over.tanh.lo, 0x1p-48 * std::abs(over.tanh.mid())) << first;
+      EXPECT_LE(over.sech.hi - over.sech.lo, 0x1p-48 * over.sech.mid()) << first;
+    }
+  }
+  EXPECT_FALSE(hyperbolic(Interval(0.0, 1.0)).tanh.bounded());
+  EXPECT_FALSE(hyperbolic(Interval(1.0, 1e300)).sech.bounded());
 }
 
 TEST(AnisotropicBalance, CoordinatesComeBack) {

@@ -63,6 +63,11 @@ TEST(Interval, SumsOfProductsHoldTheExactResult) {
       sum.add_product(x, y);
       exact += product;
       size += abs(product);
+      const double factor = any(random);
+      sum.add_product(factor, y);
+      const Real50 multiple = Real50(factor) * Real50(y.lo);
+      exact += multiple;
+      size += abs(multiple);
     }
     const Interval value = sum.value();
     ASSERT_TRUE(holds(value, exact)) << text(value);
@@ -97,6 +102,26 @@ TEST(Interval, OperationsHoldTheExactResult) {
     ASSERT_TRUE(holds(hull(x, y), p) && holds(hull(x, y), q)) << where;
     if (x.lo >= 0.0) {
       ASSERT_TRUE(holds(sqrt(x), sqrt(p))) << where;
+    }
+  }
+}
+
+/// Subnormal numbers take a processor a hundred times as long, and a balance has many zeros.
+TEST(Interval, WhatIsMadeOfZeroIsNoSubnormal) {
+  Random random(921);
+  const Interval zero(0.0);
+  const auto ordinary = [](double x) { return std::fpclassify(x) != FP_SUBNORMAL; };
+  for (int trial = 0; trial < 200; ++trial) {
+    const Interval x(random.log_uniform(1e-6, 1e6));
+    Interval product = zero * x;
+    Interval sum = zero + zero;
+    for (int k = 0; k < 6; ++k) {
+      for (const Interval& each : {product, sum, Interval(product * sum), square(product)}) {
+        EXPECT_TRUE(ordinary(each.lo) && ordinary(each.hi)) << k << " " << text(each);
+        EXPECT_TRUE(each.may_be(0.0) && each.magnitude() < 1e-240) << k << " " << text(each);
+      }
+      product *= x;
+      sum = 0.5 * (sum * x + zero);
     }
   }
 }

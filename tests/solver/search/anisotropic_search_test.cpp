@@ -100,6 +100,26 @@ TEST(AnisotropicSearch, ValleysAcrossAFibreTakeFewBoxes) {
   EXPECT_LE(oblique.boxes, 40000);
 }
 
+/// A held volume pulls rho as its thickness pushes it: each alone is as wide as the box, and two
+/// million boxes told nothing.
+TEST(AnisotropicSearch, ThicknessesOfHeldVolumesTakeFewBoxes) {
+  const Body plate(0.5498, 1.351, 0.827);
+  BodyTerms<double> terms;
+  terms.volume = 0.5;
+  const Potential V(
+      AnisotropicPotential(OrthotropicSaintVenantKirchhoff<>{0.9378, 2.134, 0.1849, 0.3036},
+                           ReciprocalQuadratic<>{2.183, 0.6789}, {})
+          .with_body(terms));
+  const SearchResult oblique = search_oblique(plate, V, {0.525}, {});
+  ASSERT_EQ(oblique.status, SearchStatus::complete) << oblique.message;
+  EXPECT_EQ(oblique.solutions.size(), 4U);
+  EXPECT_LE(oblique.boxes, 400000);
+  const SearchResult about_three = search(Problem(plate, V, Branch::iii), 0.525);
+  ASSERT_EQ(about_three.status, SearchStatus::complete) << about_three.message;
+  EXPECT_EQ(about_three.solutions.size(), 5U);
+  EXPECT_LE(about_three.boxes, 60000);
+}
+
 /// The motions about material axes are no oblique ones, though they solve the same equations.
 TEST(AnisotropicSearch, MaterialAxesOfAnEvenPotentialAreLeftOut) {
   const Body disc(1.0, 1.7, 0.6);
