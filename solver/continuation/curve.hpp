@@ -42,7 +42,7 @@ class Curve {
                  .circle = circle,
                  .kind = family.events(),
                  .sought = TestContext::sought_for(asked),
-                 .along_nu = family.turns_in_nu()} {}
+                 .along_nu = family.along_nu()} {}
 
   const Family<N>& family() const { return *family_; }
   const Corrector<N>& corrector() const { return corrector_; }

@@ -33,7 +33,7 @@ std::optional<double> pinned_parameter(const Curve<N>& curve, const ReducedVecto
 }
 
 /// The completed point of a curve at a solved x, p; its tangent towards larger p, of a vertical
-/// curve towards larger xi.
+/// curve towards larger xi. At a turn of p, where no other point has its p, along the curve.
 template <int N>
 Corrected<N> start_of(const Curve<N>& curve, const ReducedVector<N>& x, double p) {
   ArcVector<N> up = ArcVector<N>::Zero();
@@ -42,7 +42,10 @@ Corrected<N> start_of(const Curve<N>& curve, const ReducedVector<N>& x, double p
     up = curve.corrector().direction_near(x, p);
     if (up[0] < 0.0) up = -up;
   }
-  return curve.corrector().correct_at(x, p, up);
+  const Corrected<N> out = curve.corrector().correct_at(x, p, up);
+  if (out.status == CorrectorStatus::converged) return out;
+  const ArcVector<N> along = curve.corrector().direction_near(x, p);
+  return along.allFinite() ? curve.corrector().correct_at(x, p, along) : out;
 }
 
 }  // namespace stationary

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -23,6 +22,7 @@ struct Signs {
   double second_speed = 0.0;  ///< dp2/ds
   double pitchfork = 0.0;     ///< of a circle that breaks; else 0
   EventFunctions functions;
+  bool beyond_end = false;  ///< of the family in p1: no motion is there
 };
 
 template <int N>
@@ -45,10 +45,16 @@ class Follower {
       return std::move(out_);
     }
     start_ = curve_.complete(start.point);
+    const Signs first = signs_at(start_.arc);
+    if (first.beyond_end) {
+      out_.failure =
+          "the event's equations hold here beyond an end of the family, where no motion is";
+      return std::move(out_);
+    }
     out_.last = one(-1);
     std::ranges::reverse(out_.points);
     out_.first = std::exchange(out_.last, {});
-    out_.points.push_back(completed(start_.arc, signs_at(start_.arc), SpecialPoint::none));
+    out_.points.push_back(completed(start_.arc, first, SpecialPoint::none));
     if (out_.first.event == EventType::closed) {
       out_.last = out_.first;
     } else if (!out_.interrupted) {
@@ -82,7 +88,9 @@ class Follower {
     if (what().pitchfork) out.pitchfork = what().pitchfork(place, arc.p);
     const AnyFamily family =
         setting_.family(place.first, arc.p, !what().spectral && options_.spectrum);
-    out.functions = functions_at(family, place, member_at(family, place));
+    const Member member = member_at(family, place);
+    out.functions = functions_at(family, place, member);
+    out.beyond_end = member.beyond_end() && out.functions.context.kind.end != setting_.type;
     if (const auto own = what().own_function)
       out.functions.values.value[*own] = std::numeric_limits<double>::quiet_NaN();
     return out;
@@ -131,10 +139,14 @@ class Follower {
 
   EventCurvePoint completed(const ArcPoint<N>& arc, const Signs& signs,
                             SpecialPoint special) const {
-    const EventPlace place = place_at(arc);
+    EventPlace place = place_at(arc);
+    // What is 0 at an end of the family is so within the bound of the row's own numbers.
+    if (signs.functions.context.kind.end == setting_.type)
+      place.error_bound = std::max(place.error_bound, arc.error_bound);
     const AnyFamily family = setting_.family(place.first, arc.p, options_.spectrum);
     EventCurvePoint out;
     out.member = member_at(family, place);
+    out.member.error_bound = std::max(out.member.error_bound, arc.error_bound);
     out.second = arc.p;
     out.special = special;
     if (options_.spectrum && special == SpecialPoint::none) {
@@ -239,11 +251,59 @@ class Follower {
     return out;
   }
 
-  /// p1 is followed by its logarithm, which has no end at 0: a range from there ends a little before.
+  /// Ends the curve on this arc where the family in p1 ends: beyond are no motions, though the equations
+  /// hold on. Nothing where that point is not found.
+  std::optional<EventCurveEnd> end_of_family(const ArcPoint<N>& from, const Signs& here,
+                                             const Signs& next, const Arc<N>& arc) {
+    const auto beyond = [this](const ArcPoint<N>& at) {
+      return signs_at(at).beyond_end ? 1.0 : -1.0;
+    };
+    const auto u = zero_of(beyond, from, arc, -1.0);
+    if (!u) return std::nullopt;
+    for (double inside = *u; inside > 0.0; inside -= 4.0 * (*u - inside) + 0x1p-44) {
+      const Corrected<N> at = curve_.at(from, arc, inside);
+      if (at.status != CorrectorStatus::converged) return std::nullopt;
+      const Signs signs = signs_at(at.point);
+      if (signs.beyond_end) continue;
+      const KindEvents& kind = next.functions.context.kind;
+      for (const Special& special : specials(from, here, next, arc))
+        if (special.u < inside && special.other != kind.end)
+          out_.points.push_back(special_point(from, arc, special));
+      EventCurvePoint last = completed(at.point, signs, SpecialPoint::double_event);
+      last.other = kind.end;
+      const EventCurveEnd end{kind.end, std::string(kind.end_reason(last.member))};
+      out_.points.push_back(std::move(last));
+      return end;
+    }
+    return std::nullopt;
+  }
+
+  /// p1 is followed by its logarithm, which has no end at 0: a range with 0 in it ends a little before.
   static constexpr double beside_zero = 1e-4;
   bool at_zero(double first) const {
-    return options_.first_from == 0.0 &&
-           first < beside_zero * std::min(options_.first_to, first_of(start_.arc));
+    const double from = options_.first_from;
+    const double to = options_.first_to;
+    const double size = std::min(std::max(-from, to), std::abs(first_of(start_.arc)));
+    return from <= 0.0 && to >= 0.0 && std::abs(first) < beside_zero * size;
+  }
+  EventCurveEnd end_at_zero() const {
+    if (options_.first_from < 0.0 && options_.first_to > 0.0)
+      return {EventType::stalled,
+              "the first number comes to 0, which its logarithm does not pass: start beyond it"};
+    return {EventType::limit, "the range asked for, but for a ten-thousandth of it at 0"};
+  }
+
+  /// Of a walk that has ended.
+  EventCurveEnd end_of(const Continuation<N>& walk, const ArcPoint<N>& last) const {
+    EventCurveEnd out{walk.end(), walk.reason()};
+    constexpr double small = 1e-4;
+    if (circle_ == Circle::none && out.event == EventType::stalled &&
+        std::abs(log(last.x[0] / last.x[1])) < small)
+      out.reason += "; xi and zeta nearly are one, where ellipses come to their circle";
+    constexpr int Lambda = EventCurveFamily<N>::first + 1;
+    if (what().spectral && std::abs(last.x[Lambda] / start_.arc.x[Lambda]) < small)
+      out = {EventType::stalled, "the frequencies that meet come to 0"};
+    return out;
   }
   bool outside(double first) const {
     return first < options_.first_from || first > options_.first_to || at_zero(first);
@@ -295,11 +355,10 @@ class Follower {
       chord.template head<N>() = logarithms(next.x.array() / here.x.array()).matrix();
       chord[N] = (next.p - here.p) / curve_.corrector().scale();
       Arc<N> arc(chord, here.tangent, next.tangent);
-      std::string_view limit_reason;
+      std::optional<EventCurveEnd> at_limit;
       if (outside(first_of(next))) {
-        limit_reason = at_zero(first_of(next))
-                           ? "the range asked for, but for a ten-thousandth of it at 0"
-                           : "the range asked for";
+        at_limit = at_zero(first_of(next)) ? end_at_zero()
+                                           : EventCurveEnd{EventType::limit, "the range asked for"};
         const auto limit = at_first_limit(here, arc);
         if (!limit) return {EventType::stalled, "the end of the range was not reached"};
         next = *limit;
@@ -309,16 +368,21 @@ class Follower {
       }
       Signs there = signs_at(next);
       keep_uncertain(&signs, there, next);
+      if (there.beyond_end) {
+        const auto end = end_of_family(here, signs, there, arc);
+        return end ? *end
+                   : EventCurveEnd{EventType::stalled, "the end of the family was not reached"};
+      }
       for (const Special& special : specials(here, signs, there, arc))
         out_.points.push_back(special_point(here, arc, special));
       note_crossing(here, next, arc);
       if (walk.end() != EventType::closed)
         out_.points.push_back(completed(next, there, SpecialPoint::none));
-      if (!limit_reason.empty()) return {EventType::limit, std::string(limit_reason)};
+      if (at_limit) return *at_limit;
       here = next;
       signs = there;
     }
-    return {walk.end(), walk.reason()};
+    return end_of(walk, here);
   }
 
   const EventCurveSetting& setting_;

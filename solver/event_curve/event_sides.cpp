@@ -129,7 +129,7 @@ EventFunctions functions_at(const AnyFamily& family, const EventPlace& place,
                         .material_symmetry = own.material_symmetry(),
                         .circle = place.circle,
                         .kind = own.events(),
-                        .along_nu = own.turns_in_nu()},
+                        .along_nu = own.along_nu()},
                        determinant<N>(G.jacobian)};
     out.values = test_values(member, out.context, out.turning, determinant<N + 1>(bordered) / I.own,
                              place.error_bound);

@@ -35,7 +35,6 @@ class TwoPolarFamily final
   Branch branch() const override { return Branch::iii; }
   KindEvents events() const override { return two_polar_events(); }
   bool along_nu() const override { return false; }
-  bool turns_in_nu() const override { return parameter_.kind == FamilyParameter::Kind::nu; }
   bool material_symmetry() const override { return true; }
 
   std::vector<ConditionValue> conditions(const ReducedVector<N>& x, double p) const override {

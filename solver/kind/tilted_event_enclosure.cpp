@@ -103,16 +103,27 @@ std::optional<EventEnclosure> enclose_tilted_event(const Body& body, const Poten
   const auto stretches = [&](const auto& found) {
     return StretchBox{found[0], found[1], tilted_thickness(J, plane, found[0], found[1])};
   };
+  /// An event is one of motions where the squares of nu's components are not negative.
+  const auto of_motions = [&](EventEnclosure out) {
+    if (!out.proven || type == EventType::tilt) return out;
+    const auto squares =
+        at.parts(TiltedBoxed(out.q.xi), TiltedBoxed(out.q.zeta), TiltedBoxed(out.parameter))
+            .squares;
+    if (squares.in_plane.value.positive() && squares.normal.value.positive()) return out;
+    out.proven = false;
+    out.reason = "a component of nu there is not proven to be real";
+    return out;
+  };
   if (const auto what = vanishing_at(type, member)) {
     const TiltedVanishing equations(at, *what);
     const ReducedVector<3> y(member.q.xi, member.q.zeta, member.parameter);
-    return enclosed_event(EventBoxes(equations, inputs), y, 2, member, stretches);
+    return of_motions(enclosed_event(EventBoxes(equations, inputs), y, 2, member, stretches));
   }
   for (const SoughtEvent& what : sought_events(type, Branch::iii, member)) {
     if (!what.function.spectral()) continue;
     const TiltedMeeting equations(at, potential, what.function.meeting());
     const ReducedVector<4> y(member.q.xi, member.q.zeta, member.parameter, what.lambda);
-    return enclosed_event(EventBoxes(equations, inputs), y, 2, member, stretches);
+    return of_motions(enclosed_event(EventBoxes(equations, inputs), y, 2, member, stretches));
   }
   return std::nullopt;
 }

@@ -24,8 +24,8 @@
 //                      infinity; where the potential ceases to be defined; the range asked for;
 //                      back at the start; given up, the metadata say why
 //
-// Of a two-polar family: fold-nu where a rate turns, fold-parameter where another number does at
-// given rates; fold-momentum where its parameter turns at given momenta, or where, at given rates,
+// Of a two-polar family: fold-parameter where a rate or another number turns at given rates;
+// fold-momentum where its parameter turns at given momenta, or where, at given rates,
 // the stiffness at fixed momenta is singular; tilt where omega = s3/I_1 or s3/I_2; ellipse where it leaves the circle.
 //
 // At a parameter other than nu the same functions are followed: where it turns nu would turn too.

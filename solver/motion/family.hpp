@@ -227,8 +227,6 @@ class Family {
   }
   /// Whether p is nu itself (else nu is held).
   virtual bool along_nu() const = 0;
-  /// Whether p is a rate or a momentum, so that its turn is fold-nu or fold-momentum.
-  virtual bool turns_in_nu() const { return along_nu(); }
   /// J1 = J2 and isotropic V at every p of the family: circles and mirror images.
   virtual bool material_symmetry() const = 0;
 

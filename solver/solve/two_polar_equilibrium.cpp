@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <type_traits>
+#include <vector>
 
 #include "lib/matrix/elementwise.hpp"
 #include "solver/motion/two_polar_stability.hpp"
@@ -276,8 +277,8 @@ void circle_instead(const Body& body, const Potential& potential,
   out.message += "; this is the circle lambda = mu, which depends on omega + theta_dot only";
 }
 
-/// Of all ellipses in the search's box the one nearest to the unit stretches. False where the search
-/// does not decide whether there is one.
+/// Of all ellipses in the search's box the one nearest to the unit stretches; where none is proven, of
+/// those found in boxes left undecided. False where the search does not decide whether there is one.
 bool nearest_of_all(const Body& body, const Potential& potential, const TwoPolarMotion& motion,
                     const SolveOptions& options, Equilibrium& out) {
   const SearchResult all = search_two_polar(body, potential, motion, {.stop = options.stop});
@@ -290,11 +291,16 @@ bool nearest_of_all(const Body& body, const Potential& potential, const TwoPolar
   const auto distance = [](const Equilibrium& at) {
     return logarithms(diagonal(at.q).array()).abs().maxCoeff();
   };
-  for (const Equilibrium& each : all.solutions) {
-    if (each.circle) continue;
-    ++ellipses;
-    if (nearest == nullptr || distance(each) < distance(*nearest)) nearest = &each;
-  }
+  const auto look_among = [&](const std::vector<Equilibrium>& found) {
+    for (const Equilibrium& each : found) {
+      if (each.circle) continue;
+      ++ellipses;
+      if (nearest == nullptr || distance(each) < distance(*nearest)) nearest = &each;
+    }
+  };
+  look_among(all.solutions);
+  const bool proven = nearest != nullptr;
+  if (!proven) look_among(all.unproven);
   if (nearest != nullptr) {
     const Counts counts = out.counts;
     out = *nearest;
@@ -302,6 +308,7 @@ bool nearest_of_all(const Body& body, const Potential& potential, const TwoPolar
     out.message = ellipses == 1 ? "exhaustive search: the only ellipse found"
                                 : "exhaustive search: of " + std::to_string(ellipses) +
                                       " ellipses the one nearest to the unit stretches";
+    if (!proven) out.message += ", in boxes left undecided";
     return true;
   }
   if (all.status != SearchStatus::complete) return false;

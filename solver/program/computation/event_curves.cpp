@@ -234,7 +234,13 @@ EventCurves event_curves(const Case& input, bool spectrum, const Run& run) {
                               .tolerance = asked.tolerance,
                               .events = {std::string(name(sought_event(input)))}};
   EventCurves out;
-  const Start start = solved_start(family_case, run);
+  Start start = solved_start(family_case, run);
+  // As `continue` does: the family through rest may turn before the case's own nu.
+  if (start.found.status != SolveStatus::solved && asked.parameters[0] == "nu" &&
+      !input.solve.start && asked.to[0] > 0.0 && kind_at(own_numbers(input))->from_rest()) {
+    family_case.continuation->from = std::min(asked.from[0], 0.0);
+    start = solved_start(family_case, run);
+  }
   out.status = start.found.status;
   out.message = start.found.message;
   out.interrupted = out.status == SolveStatus::interrupted;
@@ -252,6 +258,7 @@ EventCurves event_curves(const Case& input, bool spectrum, const Run& run) {
   out.interrupted = report.interrupted;
   for (const Member& event : kept.events) {
     if (out.interrupted) break;
+    if (event.parameter < asked.from[0] * unit) continue;
     const bool again = std::ranges::any_of(
         out.curves, [&](const EventCurve& each) { return passes(each, event); });
     if (!again) add_curve(out, input, event, spectrum, run);

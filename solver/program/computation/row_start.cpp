@@ -48,11 +48,12 @@ bool is_no_start(std::string_view event, std::string_view branch) {
 }
 
 /// The row; to go on along the sheets of a branch, one beside it on the same sheet where it is no place to
-/// start from.
+/// start from. Beside a row of a curve of events is another body's.
 Cells row_of(const std::string& text, const std::optional<std::string>& along) {
   const RowName wanted = row_name(text);
   TableReader table = open_table(wanted.path);
   const auto event = table.column("event");
+  const bool of_sheets = event && table.column("sheet");
   if (!wanted.event.empty() && !event)
     refuse_row(text, "found no column event", "a table of continue or atlas");
   long number = 0;
@@ -65,7 +66,8 @@ Cells row_of(const std::string& text, const std::optional<std::string>& along) {
     if (fold && here["sheet"] == (*fold)["sheet"]) return here;  // nothing was before it
     const bool counts = wanted.event.empty() || table.text(*event) == wanted.event;
     if (counts && ++number == wanted.number) {
-      if (!along || !event || here["branch"] != *along || !is_no_start(table.text(*event), *along))
+      if (!along || !of_sheets || here["branch"] != *along ||
+          !is_no_start(table.text(*event), *along))
         return here;
       if (!before.empty() && before["sheet"] == here["sheet"]) return before;
       fold = std::move(here);
