@@ -146,7 +146,9 @@ class Follower {
     const AnyFamily family = setting_.family(place.first, arc.p, options_.spectrum);
     EventCurvePoint out;
     out.member = member_at(family, place);
-    out.member.error_bound = std::max(out.member.error_bound, arc.error_bound);
+    // A turn itself is known as the curve is.
+    if (special != SpecialPoint::turn && special != SpecialPoint::cusp)
+      out.member.error_bound = std::max(out.member.error_bound, arc.error_bound);
     out.second = arc.p;
     out.special = special;
     if (options_.spectrum && special == SpecialPoint::none) {
