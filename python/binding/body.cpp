@@ -1,5 +1,6 @@
 #include "lib/body/body.hpp"
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -7,18 +8,35 @@
 #include "solver/program/text/input_error.hpp"
 
 namespace stationary::python {
+namespace {
+
+/// Throws InputError unless each is a real number of Python, NumPy or SymPy that is no truth value.
+std::shared_ptr<Body> body(const std::array<py::object, 3>& J) {
+  const py::object real = py::module_::import("numbers").attr("Real");
+  std::array<double, 3> out{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool number = py::isinstance(J[k], real) && !py::isinstance<py::bool_>(J[k]);
+    if (number) out[k] = PyFloat_AsDouble(J[k].ptr());
+    if (!number || PyErr_Occurred() != nullptr) {
+      PyErr_Clear();  // of a whole number that no double is
+      throw InputError({}, "body.J",
+                       "found " + std::string(py::repr(py::make_tuple(J[0], J[1], J[2]))),
+                       "three numbers");
+    }
+  }
+  return std::make_shared<Body>(out[0], out[1], out[2]);
+}
+
+}  // namespace
 
 void declare_body(py::module_& module) {
   py::class_<Body, std::shared_ptr<Body>>(
       module, "Body",
       "The body: its inertia J = diag(J1, J2, J3) in the material frame, the second moments "
       "of mass along each axis. Raises InputError unless all are finite and > 0.")
-      .def(py::init<double, double, double>(), py::arg("J1"), py::arg("J2"), py::arg("J3"))
-      .def(py::init([](const py::object& J1, const py::object& J2,
-                       const py::object& J3) -> std::shared_ptr<Body> {
-             throw InputError({}, "body.J",
-                              "found " + std::string(py::repr(py::make_tuple(J1, J2, J3))),
-                              "three numbers");
+      // Of objects: pybind11's own conversion to double would take truth values too.
+      .def(py::init([](const py::object& J1, const py::object& J2, const py::object& J3) {
+             return body({J1, J2, J3});
            }),
            py::arg("J1"), py::arg("J2"), py::arg("J3"))
       .def_readonly("J1", &Body::J1)

@@ -1,6 +1,7 @@
 """Bodies, potentials and many motions at once, against the commands and against each other."""
 
 import pickle
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -21,6 +22,36 @@ def test_bodies():
     assert body == stationary.Body(1.0, 1.7, 0.6) != stationary.Body(1.0, 1.7, 0.7)
     assert hash(body) == hash(pickle.loads(pickle.dumps(body)))
     assert eval(repr(body), {"Body": stationary.Body}) == body
+
+
+@pytest.mark.parametrize(
+    "J",
+    [
+        (1, 2, 3),
+        (1, 2.0, 3.0),
+        (np.float32(1), np.int64(2), Fraction(3)),
+        (np.longdouble(1), np.float16(2), 3),
+    ],
+)
+def test_bodies_of_every_kind_of_number(J):
+    assert stationary.Body(*J) == stationary.Body(1.0, 2.0, 3.0)
+
+
+@pytest.mark.parametrize(
+    "J1", [True, np.True_, "1", np.str_("1"), None, 1j, 10**400, np.ones(2)], ids=repr
+)
+def test_bodies_of_no_numbers(J1):
+    with pytest.raises(stationary.InputError, match="body.J: found .*; expected three numbers"):
+        stationary.Body(J1, 2.0, 3.0)
+
+
+def test_bodies_without_inertia():
+    texts = set()
+    for J in ((0, 1, 1), (0.0, 1.0, 1.0)):
+        with pytest.raises(stationary.InputError) as error:
+            stationary.Body(*J)
+        texts.add(str(error.value))
+    assert texts == {"J1 > 0 and finite"}
 
 
 def test_potentials(material):
