@@ -117,7 +117,7 @@ def _curves(panel: dict[str, Any], series: list[tuple[str, str]], ax: Any) -> No
         for number, y in values:
             colour = series[number][1]
             ax.plot(x, y, marker, color=colour, mfc=colour if filled else "white")
-    _name_events(panel["events"], ax)
+    _name_events(panel["events"], panel["x"], ax)
     keys = [Line2D([], [], color=colour, lw=2, label=name) for name, colour in series]
     keys += [
         Line2D([], [], color="#404040", lw=width, ls=dashes, label=verdict)
@@ -130,10 +130,18 @@ def _curves(panel: dict[str, Any], series: list[tuple[str, str]], ax: Any) -> No
     _set_axis(ax, "y", panel["y"])
 
 
-def _name_events(events: list[tuple[str, float, list[tuple[int, float]]]], ax: Any) -> None:
+def _name_events(
+    events: list[tuple[str, float, list[tuple[int, float]]]],
+    axis: tuple[float, float, bool],
+    ax: Any,
+) -> None:
     """Along the top edge, each name once at a place."""
+    low, high, _ = axis
     places: dict[float, list[str]] = {}
     for name, x, _ in events:
+        # A name beyond the edge would be drawn all the same, and the axes shrunk to nothing for it.
+        if not low <= x <= high:
+            continue
         names = places.setdefault(x, [])
         if name not in names:
             names.append(name)

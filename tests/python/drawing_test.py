@@ -1,9 +1,11 @@
 """plot(): the program's diagrams in matplotlib."""
 
+import warnings
+
 import numpy as np
 import pytest
 import stationary
-from conftest import SOURCES
+from conftest import CASES, SOURCES
 
 plt = pytest.importorskip("matplotlib.pyplot")
 
@@ -90,6 +92,29 @@ def test_what_is_shown():
     for each in wrong:
         with pytest.raises(stationary.InputError):
             result.plot(**each)
+
+
+FOLLOWED = [path for path in CASES if "[continuation]" in path.read_text()]
+
+
+@pytest.mark.parametrize("path", FOLLOWED, ids=lambda path: path.stem)
+def test_every_legend_is_in_its_figure(path):
+    """A name far beyond the edge, such as of an escape, once left the axes no place."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)
+        result = stationary.follow(stationary.Case.read(path).set("continuation.tolerance", 1e-5))
+    for diagram in ("energy-momentum", "parameter"):
+        axes = result.plot(diagram=diagram)
+        figure = axes[0].figure
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            figure.draw_without_rendering()
+        for each in axes:
+            low, high = each.get_xlim()
+            assert all(low <= text.xy[0] <= high for text in each.texts)
+            legend = each.get_legend().get_window_extent()
+            assert 0.0 <= legend.x0 < legend.x1 <= figure.bbox.x1
+            assert 0.0 <= legend.y0 < legend.y1 <= figure.bbox.y1
 
 
 def test_curves_of_events_over_a_map():
