@@ -37,16 +37,21 @@ Shared with(const Case& input, const py::dict& values) {
   return std::make_shared<Case>(make_case(input.source, overrides));
 }
 
-py::tuple state(const Case& input) {
-  return py::make_tuple(to_python(input.source.root()), input.source.name(),
-                        std::map<std::string, std::string>(input.source.overrides().begin(),
-                                                           input.source.overrides().end()));
+py::tuple state(const CaseTree& tree) {
+  return py::make_tuple(
+      to_python(tree.root()), tree.name(),
+      std::map<std::string, std::string>(tree.overrides().begin(), tree.overrides().end()));
+}
+
+CaseTree restored_tree(const py::dict& keys, const std::string& name,
+                       const std::map<std::string, std::string>& overrides) {
+  return CaseTree::of(table_from_python(keys, name), name,
+                      Overrides(overrides.begin(), overrides.end()));
 }
 
 Shared restored(const py::dict& keys, const std::string& name,
                 const std::map<std::string, std::string>& overrides) {
-  return make(CaseTree::of(table_from_python(keys, name), name,
-                           Overrides(overrides.begin(), overrides.end())));
+  return make(restored_tree(keys, name, overrides));
 }
 
 /// The keys of a case, which need not be all that one has.
@@ -66,19 +71,16 @@ void declare_keys(py::module_& module) {
       .def_static(
           "of_case", [](const Case& input) { return std::make_shared<CaseTree>(input.source); },
           py::arg("case"))
-      .def(py::pickle(
-          [](const CaseTree& self) {
-            return py::make_tuple(to_python(self.root()), self.name(),
-                                  std::map<std::string, std::string>(self.overrides().begin(),
-                                                                     self.overrides().end()));
-          },
-          [](const py::tuple& state) {
-            const auto name = state[1].cast<std::string>();
-            const auto overrides = state[2].cast<std::map<std::string, std::string>>();
-            return std::make_shared<CaseTree>(
-                CaseTree::of(table_from_python(state[0].cast<py::dict>(), name), name,
-                             Overrides(overrides.begin(), overrides.end())));
-          }))
+      // For every protocol of pickle: with py::pickle the protocols 0 and 1 end the interpreter.
+      .def(py::init([](const py::dict& keys, const std::string& name,
+                       const std::map<std::string, std::string>& overrides) {
+             return std::make_shared<CaseTree>(restored_tree(keys, name, overrides));
+           }),
+           py::arg("keys"), py::arg("name"), py::arg("overrides"))
+      .def("__reduce__",
+           [](const py::object& self) {
+             return py::make_tuple(self.attr("__class__"), state(self.cast<const CaseTree&>()));
+           })
       .def("case", [](const CaseTree& self) { return make(self); });
   module.def("assigned_text", &assigned_text, py::arg("value"), py::arg("key"));
 }
@@ -98,7 +100,7 @@ void declare_case(py::module_& module) {
       .def_static("restored", &restored, py::arg("keys"), py::arg("name"), py::arg("overrides"))
       .def("with_values", &with, py::arg("values"))
       .def("keys", [](const Case& input) { return to_python(input.source.root()); })
-      .def("state", &state)
+      .def("state", [](const Case& input) { return state(input.source); })
       .def(
           "check", [](const Case& input) { return cli::check_case(input); },
           py::call_guard<py::gil_scoped_release>())

@@ -211,7 +211,13 @@ std::shared_ptr<Computed> restored(const py::tuple& state) {
 
 void declare_computed(py::module_& module) {
   py::class_<Computed, std::shared_ptr<Computed>>(module, "Computed")
-      .def(py::pickle(&state, &restored))
+      // For every protocol of pickle: with py::pickle the protocols 0 and 1 end the interpreter.
+      .def(py::init(&restored), py::arg("state"))
+      .def("__reduce__",
+           [](const py::object& self) {
+             return py::make_tuple(self.attr("__class__"),
+                                   py::make_tuple(state(self.cast<const Computed&>())));
+           })
       .def_property_readonly("code", [](const Computed& self) { return int(self.outcome.code); })
       .def_property_readonly("summary", [](const Computed& self) { return self.outcome.summary; })
       .def_property_readonly("lines", [](const Computed& self) { return self.lines; })

@@ -78,6 +78,25 @@ def test_goes_to_other_processes(fold, disc, tmp_path):
     assert pickle.loads(pickle.dumps(fold)).case == fold.case
 
 
+@pytest.mark.parametrize("protocol", range(pickle.HIGHEST_PROTOCOL + 1))
+def test_is_pickled_by_every_protocol(protocol, disc):
+    """In another process: by the protocols 0 and 1 this has ended the interpreter."""
+    code = (
+        "import pickle, stationary\n"
+        f"disc = {disc!r}\n"
+        "solved = stationary.solve(disc)\n"
+        "del disc['motion']['nu']\n"
+        "study = stationary.study(disc, {'motion.nu': [0.1]})\n"
+        "for each in (solved, study, solved.case, solved.case.body, solved.case.potential):\n"
+        f"    other = pickle.loads(pickle.dumps(each, {protocol}))\n"
+        "    assert repr(other) == repr(each), each\n"
+        "    if isinstance(each, stationary.Result):\n"
+        "        assert other.table.tobytes() == each.table.tobytes()\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
 def test_no_such_column(fold):
     with pytest.raises(KeyError, match="no column 'xii'; there are branch, sheet"):
         fold["xii"]
