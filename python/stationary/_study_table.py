@@ -47,7 +47,12 @@ def _columns(table: Any) -> dict[str, list[Any]]:
             f"{_NAME}: found {type_name(table)}; expected a path, a DataFrame, a structured array or a "
             "dict of columns"
         )
-    return {str(name): _values(table[name], str(name)) for name in names}
+    keys = [str(name) for name in names]
+    for k, key in enumerate(keys):
+        # A frame's columns of one name, or names that are one as text.
+        if key in keys[:k]:
+            raise InputError(f'{_NAME}: found the column "{key}" twice; expected each once')
+    return {key: _values(table[name], key) for key, name in zip(keys, names)}
 
 
 def _values(column: Any, key: str) -> list[Any]:

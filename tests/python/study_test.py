@@ -45,6 +45,28 @@ def test_kinds_of_tables(disc):
     assert stationary.study(disc, pandas.DataFrame(columns)).table.tobytes() == asked.tobytes()
 
 
+def test_a_column_twice_is_refused_as_the_program_does(disc, tmp_path):
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame([["a", "b", 0.1], ["c", "d", 0.2]], columns=["_n", "_n", "motion.nu"])
+    frame.to_csv(tmp_path / "t.csv", index=False)
+    over, out = tmp_path / "t.csv", tmp_path / "a.csv"
+    code, _, text = run_program("study", CASE, "--over", over, "-o", out)
+    assert code == 2
+    for table in (frame, {1: [0.1], "1": [0.2]}):
+        with pytest.raises(stationary.InputError, match="twice") as error:
+            stationary.study(disc, table)
+        _, _, words = str(error.value).partition("found the column ")
+        assert text.rstrip("\n").endswith(words.replace('"1"', '"_n"'))
+
+
+def test_whole_numbers_of_a_study(disc):
+    with pytest.warns(RuntimeWarning, match="1 of 2 rows failed"):
+        table = stationary.study(disc, {"motion.nu": [0.1, "fast"]}).table
+    kinds = {name: table.dtype[name] for name in ("study_row", "sheet", "point")}
+    assert kinds == {"study_row": np.int64, "sheet": np.float64, "point": np.float64}
+    assert np.isnan(table["sheet"][-1]) and np.isnan(table["point"][-1])
+
+
 def test_cells_of_every_kind(disc):
     found = stationary.study(
         disc,
