@@ -59,6 +59,18 @@ std::string text(py::handle value, const Place& at) {
 
 Value converted(py::handle value, const Place& at);
 
+/// sympy_text raises ValueError for what no formula has, and says what it is.
+Value of_sympy(py::handle value, const Place& at) {
+  py::object plain;
+  try {
+    plain = py::module_::import("stationary.sympy_text").attr("plain")(value);
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_ValueError)) throw;
+    at.refuse("found " + std::string(py::str(error.value())), "real, finite numbers");
+  }
+  return converted(plain, at);
+}
+
 toml::table table(const py::dict& keys, const Place& at) {
   toml::table out;
   for (const auto& [key, value] : keys) {
@@ -91,8 +103,7 @@ Value converted(py::handle value, const Place& at) {
   if (py::isinstance<py::dict>(value)) return table(py::cast<py::dict>(value), at);
   if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value))
     return array(py::cast<py::sequence>(value), at);
-  if (py::hasattr(value, "free_symbols"))  // of SymPy
-    return converted(py::module_::import("stationary.sympy_text").attr("plain")(value), inside);
+  if (py::hasattr(value, "free_symbols")) return of_sympy(value, inside);
   at.refuse("found a value of type " + type_name(value),
             "a number, a text, true or false, a list of them, or a dict");
 }
