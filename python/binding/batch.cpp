@@ -35,7 +35,7 @@ struct Varied {
   const double* values;
 };
 
-/// Throws InputError for a key that is no parameter, or another number of values.
+/// Throws InputError for a key that is no parameter, or values that are not one a lane.
 std::vector<Varied> varied(const std::vector<ModelChoice>& models,
                            const std::map<std::string, Numbers>& parameters, std::size_t lanes) {
   std::vector<std::string> keys = case_parameters(AxisRotation{Branch::i, 0.0}, models);
@@ -46,7 +46,13 @@ std::vector<Varied> varied(const std::vector<ModelChoice>& models,
     if (std::ranges::find(keys, key) == keys.end())
       throw InputError({}, "parameters", "found " + in_quotes(key), "one of " + listed(names),
                        did_you_mean(nearest_name(key, names)));
-    if (values.ndim() != 1 || static_cast<std::size_t>(values.size()) != lanes)
+    if (values.ndim() != 1)
+      throw InputError({}, key,
+                       values.ndim() == 0 ? "found one number"
+                                          : "found an array of shape " +
+                                                std::string(py::str(values.attr("shape"))),
+                       "an array of shape (lanes,), a number for each lane");
+    if (static_cast<std::size_t>(values.size()) != lanes)
       throw InputError(
           {}, key, "found " + std::to_string(values.size()) + " values",
           std::to_string(lanes) + ", an array of as many as the other parameters have");

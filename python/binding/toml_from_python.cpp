@@ -59,6 +59,15 @@ std::string text(py::handle value, const Place& at) {
 
 Value converted(py::handle value, const Place& at);
 
+Value of_numpy(py::handle value, const Place& at) {
+  const py::object held = value.attr("tolist")();
+  if (!py::type::handle_of(held).is(py::type::handle_of(value))) return converted(held, at);
+  // Python has none of NumPy's widest numbers, which stay what they are; a real one has a double.
+  if (py::isinstance(held, py::module_::import("numpy").attr("floating")))
+    return py::cast<double>(py::float_(held));
+  at.refuse("found a value of type " + type_name(value), "a number of at most 64 bits");
+}
+
 /// sympy_text raises ValueError for what no formula has, and says what it is.
 Value of_sympy(py::handle value, const Place& at) {
   py::object plain;
@@ -95,7 +104,7 @@ Value converted(py::handle value, const Place& at) {
     at.refuse("found a value that nests more deeply than a case does",
               "at most " + std::to_string(largest_toml_depth) + " in one another");
   const Place inside{at.origin, at.key, at.depth + 1};
-  if (is_numpy(value)) return converted(value.attr("tolist")(), inside);
+  if (is_numpy(value)) return of_numpy(value, inside);
   if (py::isinstance<py::bool_>(value)) return py::cast<bool>(value);
   if (py::isinstance<py::str>(value)) return text(value, at);
   if (PyIndex_Check(value.ptr()) != 0) return integer(value, at);

@@ -131,6 +131,17 @@ def test_batch_does_not_depend_on_threads_or_shares(material):
     assert stationary.solve_batch(*material, "i", nu).shape == (1, 64)
 
 
+@pytest.mark.parametrize(
+    ("values", "found"),
+    [(1.5, "one number"), ([[1.5, 1.6]], r"an array of shape \(1, 2\)")],
+    ids=["number", "table"],
+)
+def test_batch_of_no_list_of_values(material, values, found):
+    words = rf"body.J.1: found {found}; expected an array of shape \(lanes,\)"
+    with pytest.raises(stationary.InputError, match=words):
+        stationary.solve_batch(*material, "i", [0.1], {"body.J.1": values})
+
+
 def test_spectra_of_batches_and_points(material):
     nu = np.linspace(0.0, 1.0, 11)
     cells, spectra = stationary.solve_batch(*material, "i", nu, spectrum="modes")

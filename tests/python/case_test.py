@@ -40,6 +40,19 @@ def test_numpy_values(disc):
     assert stationary.solve(case).table["certified"].tolist() == ["yes"]
 
 
+def test_the_widest_numbers_of_numpy_are_their_doubles(disc):
+    third = np.longdouble(1) / 3
+    case = Case(disc)
+    assert case.set("motion.nu", third)["motion.nu"] == 1 / 3
+    assert case.set("motion.nu", np.array(third))["motion.nu"] == 1 / 3
+    disc["body"]["J"] = np.array([1, third, 3], np.longdouble)
+    disc["potential"]["plane"]["c"] = third
+    case = Case(disc)
+    assert case["body.J"] == [1.0, 1 / 3, 3.0] and case["potential.plane.c"] == 1 / 3
+    with pytest.raises(stationary.InputError, match="found a value of type c"):
+        case.set("motion.nu", np.clongdouble(1))
+
+
 def test_set_returns_a_new_case(disc):
     case = Case(disc)
     other = case.set("motion.nu", 0.3)

@@ -75,6 +75,7 @@ def test_cells_of_every_kind(disc):
             "solve.all": [False, True, np.nan],
             "potential.plane": [None, None, {"model": "hencky", "mu": 1.1, "lambda": 0.8}],
             "_x": [1, 2.5, True],
+            "motion.nu": np.array([0.5, 0.3, 0.1], np.longdouble),
         },
     )
     assert found["status"].tolist() == ["solved"] * 3
