@@ -60,9 +60,9 @@ class Case:
         return self._inner.keys()
 
     def __getitem__(self, key: str) -> Any:
-        """The value at a dotted key, as written: ``case["motion.nu"]``."""
+        """The value at a dotted key, as written: ``case["motion.nu"]``; else KeyError."""
         found: Any = self.to_dict()
-        for part in key.split("."):
+        for part in text(key, "Case").split("."):
             try:
                 found = found[int(part)] if isinstance(found, list) else found[part]
             except (KeyError, IndexError, TypeError, ValueError):
@@ -70,6 +70,19 @@ class Case:
         return found
 
     @property
+    def __contains__(self, key: object) -> bool:
+        """Whether there is a value at a dotted key: ``"motion.nu" in case``."""
+        if not isinstance(key, str):
+            return False
+        try:
+            self[key]
+        except KeyError:
+            return False
+        return True
+
+    # Of tables or of values? to_dict() has both.
+    __iter__ = None
+
     def title(self) -> str:
         """Empty where the case has none."""
         return self._inner.title
@@ -102,7 +115,7 @@ class Case:
         return isinstance(other, Case) and self._inner.state() == other._inner.state()
 
     def __hash__(self) -> int:
-        return hash(repr(self._inner.state()))
+        return hash(_hashable(self._inner.state()))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, self._inner.state()
@@ -115,4 +128,11 @@ class Case:
 
 
 def _restored(keys: dict[str, Any], name: str, overrides: dict[str, str]) -> Case:
+def _hashable(state: Any) -> Any:
+    """Equal for states that are equal: 1 and 1.0, 0.0 and -0.0, whatever the order of keys."""
+    if isinstance(state, dict):
+        return frozenset((key, _hashable(each)) for key, each in state.items())
+    return tuple(map(_hashable, state)) if isinstance(state, (list, tuple)) else state
+
+
     return Case._holding(_core.Case.restored(keys, name, overrides))

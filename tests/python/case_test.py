@@ -95,11 +95,31 @@ def test_equality_hash_and_copies(disc):
         }
 
 
+def test_equal_cases_hash_alike(disc):
+    disc["solve"] = {"start": [0.0, 1.0, 1.0, 1.0]}
+    disc["body"]["J"] = [1.0, 2.0, 3.0]
+    other = copy.deepcopy(disc)
+    other["body"]["J"] = [1, 2, 3]
+    other["solve"]["start"][0] = -0.0
+    other = dict(reversed(other.items()))
+    assert Case(disc) == Case(other) and len({Case(disc), Case(other)}) == 1
+
+
 def test_reading_with_overrides():
     case = Case.read(DISC, ["motion.nu=0.25"])
     assert case["motion.nu"] == 0.25
     with pytest.raises(KeyError):
         case["motion.axis"]
+
+
+def test_what_is_in_a_case(disc):
+    case = Case(disc)
+    for key in ("motion", "motion.nu", "body.J.1"):
+        assert key in case
+    for key in ("motion.axis", "body.J.3", "motion.nu.0", "", 1, None):
+        assert key not in case
+    with pytest.raises(TypeError, match="not iterable"):
+        list(case)
 
 
 def test_shows_what_check_prints():
