@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -38,6 +38,20 @@ def mapping(value: Any, name: str) -> dict[Any, Any]:
     if not isinstance(value, Mapping):
         raise InputError(f"{name}: found {type_name(value)}; expected a dict")
     return dict(value)
+
+
+def listed(values: Any, name: str) -> list[Any]:
+    """Not of a text's characters."""
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise InputError(f"{name}: found {values!r}; expected a list")
+    return list(values)
+
+
+def flag(value: Any, name: str) -> bool:
+    """True or False, or what NumPy and C have for it; a text such as "no" would be true."""
+    if not isinstance(value, (int, np.bool_)):
+        raise InputError(f"{name}: found {value!r}; expected True or False")
+    return bool(value)
 
 
 def whole_number(value: Any, name: str, most: int) -> int | None:

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._core import Body as Body
-from ._input import mapping, numbers, text, thread_count, type_name
+from ._input import flag, mapping, numbers, text, thread_count, type_name
 from .errors import InputError, NotFound, NumericalError
 
 _NOT_EQUILIBRIUM = 3  # the program's exit code
@@ -158,7 +158,7 @@ def sweep(
         *_model(body, potential, branch),
         numbers(nu, "nu"),
         None if start is None else numbers(start, "start", 4),
-        error_bound,
+        flag(error_bound, "error_bound"),
     )
     if code:
         raise (NotFound if code == _NOT_EQUILIBRIUM else NumericalError)(text)
@@ -193,7 +193,7 @@ def solve_batch(
         numbers(nu, "nu").ravel(),
         {str(key): numbers(each, str(key)) for key, each in varied.items()},
         None if spectrum is None else text(spectrum, "spectrum"),
-        error_bound,
+        flag(error_bound, "error_bound"),
         thread_count(threads),
     )
     return cells if spectrum is None else (cells, spectra)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from . import _core
-from ._input import mapping, text
+from ._input import listed, mapping, text
 from ._input import path as file_path
 from ._text import block, plain
 from .arrays import Body, Potential
@@ -34,9 +34,10 @@ class Case:
         object.__setattr__(self, "_inner", _core.Case.of({**mapping(keys or {}, "Case"), **tables}))
 
     @classmethod
-    def read(cls, path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> Case:
-        """The case of a TOML file; overrides: as after ``--set``, "motion.nu=0.3"."""
-        words = [text(each, "overrides") for each in overrides]
+    def read(cls, path: str | os.PathLike[str], overrides: Iterable[str] | None = None) -> Case:
+        """The case of a TOML file; overrides: as after ``--set``, ["motion.nu=0.3"]; None: none."""
+        given = [] if overrides is None else listed(overrides, "overrides")
+        words = [text(each, "overrides") for each in given]
         return cls._holding(_core.Case.read(file_path(path, "Case"), words))
 
     @classmethod
@@ -69,7 +70,6 @@ class Case:
                 raise KeyError(key) from None
         return found
 
-    @property
     def __contains__(self, key: object) -> bool:
         """Whether there is a value at a dotted key: ``"motion.nu" in case``."""
         if not isinstance(key, str):
@@ -83,6 +83,7 @@ class Case:
     # Of tables or of values? to_dict() has both.
     __iter__ = None
 
+    @property
     def title(self) -> str:
         """Empty where the case has none."""
         return self._inner.title
@@ -127,7 +128,6 @@ class Case:
         return block(repr(self))
 
 
-def _restored(keys: dict[str, Any], name: str, overrides: dict[str, str]) -> Case:
 def _hashable(state: Any) -> Any:
     """Equal for states that are equal: 1 and 1.0, 0.0 and -0.0, whatever the order of keys."""
     if isinstance(state, dict):
@@ -135,4 +135,5 @@ def _hashable(state: Any) -> Any:
     return tuple(map(_hashable, state)) if isinstance(state, (list, tuple)) else state
 
 
+def _restored(keys: dict[str, Any], name: str, overrides: dict[str, str]) -> Case:
     return Case._holding(_core.Case.restored(keys, name, overrides))

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any, Union
 
 from . import _core
-from ._input import path, text, thread_count, whole_number
+from ._input import flag, path, text, thread_count, whole_number
 from ._study_table import csv_of
 from .case import Case
 from .errors import NotFound, NumericalError
@@ -80,7 +80,8 @@ def sensitivity(case: CaseLike, *, events: bool = False, threads: int | None = 1
     Raises InputError, NotFound where there is no motion, NumericalError.
     """
     case = _case(case)
-    return _finished(_core.sensitivity(case._inner, bool(events), thread_count(threads)), case)
+    asked = flag(events, "events")
+    return _finished(_core.sensitivity(case._inner, asked, thread_count(threads)), case)
 
 
 def follow(case: CaseLike, *, row: str | None = None, threads: int | None = 1) -> Result:
@@ -112,9 +113,9 @@ def atlas(
     Raises InputError, NumericalError.
     """
     case = _case(case)
+    asked = flag(complete, "complete")
     return _finished(
-        _core.atlas(case._inner, _checkpoints(checkpoints), bool(complete), thread_count(threads)),
-        case,
+        _core.atlas(case._inner, _checkpoints(checkpoints), asked, thread_count(threads)), case
     )
 
 

@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._input import listed, text
 from ._input import path as file_path
 from ._input import text
 from ._text import block, plain
@@ -127,9 +128,9 @@ class Result:
 
         if show is None or isinstance(show, str):
             show = [] if show is None else [show]
-        columns = [text(each, "show") for each in _each(show, "show")]
-        numbers = [str(each) for each in _each(sheets, "sheets")]
-        names = [text(each, "branches") for each in _each(branches, "branches")]
+        columns = [text(each, "show") for each in listed(show, "show")]
+        numbers = [str(each) for each in listed(sheets, "sheets")]
+        names = [text(each, "branches") for each in listed(branches, "branches")]
         return draw(self, ax, columns, diagram, numbers, names)
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:

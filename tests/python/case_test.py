@@ -110,6 +110,7 @@ def test_reading_with_overrides():
     assert case["motion.nu"] == 0.25
     with pytest.raises(KeyError):
         case["motion.axis"]
+    assert Case.read(DISC, None) == Case.read(DISC)
 
 
 def test_what_is_in_a_case(disc):

@@ -196,6 +196,20 @@ NONSENSE = {
     "row: found": lambda case: stationary.follow(case, row=3),
     "Case: found": lambda case: Case.read(3),
     "overrides: found": lambda case: Case.read(SOURCES / "cases" / "disc.toml", [3]),
+    "overrides: found 'motion.nu=0.3'; expected a list": lambda case: Case.read(
+        SOURCES / "cases" / "disc.toml", "motion.nu=0.3"
+    ),
+    "Case: found a value of type int; expected text": lambda case: case[1],
+    "complete: found 'no'; expected True or False": lambda case: stationary.atlas(
+        case, complete="no"
+    ),
+    "events: found 'no'": lambda case: stationary.sensitivity(case, events="no"),
+    "error_bound: found 'no'; expected True or False": lambda case: stationary.sweep(
+        case.body, case.potential, "i", [0.1], error_bound="no"
+    ),
+    "error_bound: found None": lambda case: stationary.solve_batch(
+        case.body, case.potential, "i", [0.1], error_bound=None
+    ),
     "write: found": lambda case: stationary.solve(case).write(3),
     "Case.set: found": lambda case: case.set(3, 4),
     "Case.set: found a value of type int": lambda case: case.set({1: 2}),
