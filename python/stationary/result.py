@@ -14,7 +14,6 @@ import numpy.typing as npt
 from . import _core
 from ._input import listed, text
 from ._input import path as file_path
-from ._input import text
 from ._text import block, plain
 from .case import Case
 from .errors import InputError
@@ -44,8 +43,9 @@ class Result:
     def table(self) -> npt.NDArray[np.void]:
         """The rows: a structured array, read-only, shape (rows,), columns as in the CSV.
 
-        Numbers are float64, NaN where nothing was computed; ``sheet`` and ``point`` int64; words
-        are strings, empty where nothing was computed.
+        Numbers are float64, NaN where nothing was computed; words are strings, empty there.
+        ``sheet`` and ``point`` are int64, but float64 of a study and of a sensitivity, whose rows
+        may lack them.
         """
         return self._computed.table
 
@@ -79,7 +79,11 @@ class Result:
         self._computed.write(file_path(path, "write"))
 
     def to_pandas(self) -> pandas.DataFrame:
-        """The table as ``pandas.read_csv`` reads the file: missing words are NaN too."""
+        """The table's values as a frame: missing words are NaN too.
+
+        They are those that ``pandas.read_csv(path, float_precision="round_trip")`` reads of the
+        CSV, in the types of ``table``; read_csv guesses types from the texts.
+        """
         import pandas
 
         columns = {}
@@ -155,9 +159,3 @@ class Result:
 
     def _repr_html_(self) -> str:
         return block(repr(self))
-
-
-def _each(values: Any, name: str) -> list[Any]:
-    if isinstance(values, str) or not isinstance(values, Iterable):
-        raise InputError(f"{name}: found {values!r}; expected a list")
-    return list(values)

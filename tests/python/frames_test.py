@@ -15,7 +15,13 @@ def test_frame_is_as_pandas_reads_the_file(name, tmp_path):
     path = tmp_path / "table.csv"
     result.write(path)
     read = pandas.read_csv(path, float_precision="round_trip")
-    pandas.testing.assert_frame_equal(result.to_pandas(), read, check_dtype=False, check_exact=True)
+    frame = result.to_pandas()
+    pandas.testing.assert_frame_equal(frame, read, check_dtype=False, check_exact=True)
+    for name in frame:
+        guessed, own = read[name].dtype, frame[name].dtype
+        assert own == (object if result.table.dtype[name].kind == "U" else result.table.dtype[name])
+        if guessed != own:  # as docs/python.md says
+            assert (own, guessed) == (np.float64, np.int64) or read[name].isna().all(), name
 
 
 @pytest.fixture(scope="module")
