@@ -13,10 +13,11 @@ import { Modes } from './modes';
 import { showProvenClasses } from './proven_classes';
 import { meaning, shown } from './quantities';
 import { listenToCopying, rowName, showRow } from './row_panel';
+import { rowStart } from './row_start';
 import { showSpectrum } from './spectrum';
 import { available, colourings, firstState, fromFragment, mapQuantities, prefersLogarithm, presets, toFragment, type ColourBy, type State } from './state';
 import { Table } from './table';
-import { caseAsToml, rowAsToml } from './toml';
+import { caseAsToml } from './toml';
 
 /** Unpacks it when it is first asked for. */
 type SolverSource = () => Promise<LiveSolver>;
@@ -77,12 +78,12 @@ class Page {
     this.diagram.draw();
   }
 
-  /** The case of the shown table, and of the chosen row. */
+  /** The case of the shown table, or the one that goes on from the chosen row. */
   liveCase(ofRow: boolean): LiveCase | null {
     const { table, state } = this;
     const given = table.metadata?.case;
     if (!given) return null;
-    return { name: 'case.toml', text: ofRow && state.row !== null ? rowAsToml(table, state.row) : caseAsToml(given) };
+    return { name: 'case.toml', text: (ofRow && state.row !== null ? rowStart(table, state.row).toml : null) ?? caseAsToml(given) };
   }
 
   private nearest(value: number, sheet: string): void {

@@ -6,9 +6,9 @@ import type { ModeAnswer } from './live_protocol';
 import type { LiveSolver } from './live_solver';
 import type { Matrix } from './matrix';
 import { shown } from './quantities';
+import { rowAsToml } from './row_start';
 import { markMode } from './spectrum';
 import type { Table } from './table';
-import { rowAsToml } from './toml';
 
 /** Phi = L (S + e Re[D exp((re + i im) t)]), Re D S^-1 of Frobenius norm 1. */
 export interface MovingMode {

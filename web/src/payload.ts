@@ -52,6 +52,8 @@ export interface ProvenInterval {
 }
 
 export interface Metadata {
+  /** What made the table: continue, solve, ... */
+  command?: string;
   /** Of solve: what was found, and what is proven of it. */
   message?: string;
   case?: CaseData;

@@ -2,8 +2,8 @@
 
 import { byId, element } from './dom';
 import { meaning } from './quantities';
+import { rowStart } from './row_start';
 import type { Table } from './table';
-import { rowAsToml } from './toml';
 
 async function copy(text: string): Promise<boolean> {
   try {
@@ -44,8 +44,18 @@ export function showRow(table: Table, row: number | null): void {
         );
       }),
   );
-  byId('toml').textContent = rowAsToml(table, row);
-  byId('command').textContent = `stationary continue case.toml --from ${shellWord(table.file)}:${row + 1} -o next.csv`;
+  showStart(table, row);
+}
+
+function showStart(table: Table, row: number): void {
+  const start = rowStart(table, row);
+  byId('start-note').textContent = start.note;
+  byId('start-note').hidden = start.note === '';
+  byId('start-part').hidden = start.toml === null;
+  byId('start-name').textContent = !start.hasStart ? 'A case with the numbers of this row' : start.row === row ? 'A case that starts at this row' : `A case that starts at row ${start.row + 1}`;
+  byId('toml').textContent = start.toml ?? '';
+  byId('command-part').hidden = !start.hasStart;
+  byId('command').textContent = start.hasStart ? `stationary continue case.toml --from ${shellWord(table.file)}:${start.row + 1} -o next.csv` : '';
 }
 
 function shellWord(text: string): string {

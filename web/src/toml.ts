@@ -1,5 +1,4 @@
-// A row as a case file that goes on from there: what the metadata say of the case, with the row's own parameters, its
-// motion, and its S as the start.
+// Cases as TOML: what the metadata say of one, with a row's own numbers in it.
 
 import type { CaseData, CaseValue } from './payload';
 import type { Table } from './table';
@@ -18,7 +17,7 @@ export function quoted(text: string): string {
 
 const isBare = (key: string): boolean => /^[A-Za-z0-9_-]+$/.test(key);
 
-function number(value: number): string {
+export function number(value: number): string {
   const text = String(value);
   // TOML asks for a point or an exponent in a number that is no whole one, and JSON has written 1.0 as 1.
   return /[.en]/.test(text) ? text : text + '.0';
@@ -29,13 +28,16 @@ function inline(value: CaseValue): string {
   if (typeof value === 'number') return number(value);
   if (typeof value === 'boolean') return String(value);
   if (Array.isArray(value)) return `[${value.map(inline).join(', ')}]`;
-  return `{ ${Object.entries(value).map(([key, each]) => `${isBare(key) ? key : quoted(key)} = ${inline(each)}`).join(', ')} }`;
+  return `{ ${Object.entries(value).map(([key, each]) => entry(key, each)).join(', ')} }`;
 }
 
+/** An entry of a table. */
+export const entry = (key: string, value: CaseValue): string => `${isBare(key) ? key : quoted(key)} = ${inline(value)}`;
+
 /** What a dotted key names, "body.J.0" or "potential.plane.mu"; undefined where the case has it not. */
-function get(from: CaseData, key: string): CaseValue | undefined {
+export function get(from: CaseData, key: string): CaseValue | undefined {
   let at: CaseValue | undefined = from;
-  for (const part of key.split('.')) at = Array.isArray(at) ? at[Number(part)] : typeof at === 'object' && Object.hasOwn(at, part) ? at[part] : undefined;
+  for (const part of key.split('.')) at = Array.isArray(at) ? at[Number(part)] : typeof at === 'object' && Object.hasOwn(at ?? {}, part) ? at[part] : undefined;
   return at;
 }
 
@@ -74,26 +76,6 @@ export function caseOfRow(table: Table, row: number): RowsCase {
   return { given, left };
 }
 
-/** As the program's reader takes it; the exact texts of the row. */
-function motion(table: Table, row: number, own: CaseValue | undefined): [string, string][] {
-  const branch = table.text('branch', row);
-  const out: [string, string][] = branch === '' ? [] : [['branch', quoted(branch)]];
-  if (branch === 'two-polar') {
-    const byMomenta = typeof own === 'object' && !Array.isArray(own) && Object.hasOwn(own, 's3');
-    for (const name of byMomenta ? ['s3', 'p_theta'] : ['omega', 'theta_dot']) out.push([name, table.text(name, row)]);
-    return out;
-  }
-  const axis = ['i', 'ii', 'iii'].indexOf(branch);
-  if (axis >= 0) return [...out, ['nu', table.text(`nu${axis + 1}`, row)]];
-  if (branch === 'tilted') {
-    const first = table.value('nu1', row) !== 0;
-    const second = table.value('nu2', row) !== 0;
-    out.push(['plane', first && second ? '"123"' : first ? '"13"' : '"23"']);
-  }
-  if (table.has('|nu|')) out.push(['nu', number(table.value('|nu|', row))]);
-  return out;
-}
-
 /** The case as the metadata have it; what is of other commands, or of files beside it, is left out. */
 export function caseAsToml(given: CaseData): string {
   const lines = [];
@@ -102,29 +84,7 @@ export function caseAsToml(given: CaseData): string {
     const section = given[part];
     if (typeof section !== 'object' || Array.isArray(section)) continue;
     const own = Object.entries(section).filter(([key]) => key !== 'start_row');
-    if (own.length > 0) lines.push('', `[${part}]`, ...own.map(([key, value]) => `${isBare(key) ? key : quoted(key)} = ${inline(value)}`));
-  }
-  return lines.join('\n') + '\n';
-}
-
-export function rowAsToml(table: Table, row: number): string {
-  const { given, left } = caseOfRow(table, row);
-  const lines = [`# row ${row + 1} of ${table.file.replace(/[\u0000-\u001f\u007f]/g, '?')}`];
-  for (const key of left) lines.push(`# with ${key} = ${table.text(key, row)}`);
-  if (typeof given['title'] === 'string') lines.push(`title = ${quoted(given['title'])}`);
-  for (const part of ['body', 'potential', 'gravity']) {
-    const section = given[part];
-    if (typeof section !== 'object' || Array.isArray(section)) continue;
-    lines.push('', `[${part}]`);
-    for (const [key, value] of Object.entries(section)) lines.push(`${isBare(key) ? key : quoted(key)} = ${inline(value)}`);
-  }
-  lines.push('', '[motion]', ...motion(table, row, given['motion']).map(([key, value]) => `${key} = ${value === '' ? '0.0' : value}`));
-  const start = ['alpha', 'xi', 'zeta', 'rho'].map((name) => table.text(name, row));
-  if (start.every((each) => each !== '')) lines.push('', '[solve]', `start = [${start.join(', ')}]`);
-  const range = given['continuation'];
-  if (typeof range === 'object' && !Array.isArray(range)) {
-    lines.push('', '[continuation]');
-    for (const key of ['parameter', 'from', 'to']) if (Object.hasOwn(range, key)) lines.push(`${key} = ${inline(range[key])}`);
+    if (own.length > 0) lines.push('', `[${part}]`, ...own.map(([key, value]) => entry(key, value)));
   }
   return lines.join('\n') + '\n';
 }
