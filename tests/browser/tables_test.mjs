@@ -103,6 +103,25 @@ test('a map is a heat map: a click and the arrow keys open its cells', async () 
   await page.close();
 });
 
+test('the scale of a map says where cells lie beyond its ends', async () => {
+  const map = (name, value) => {
+    const cells = Array.from({ length: 400 }, (_, k) => `i,1,${value(k)},solved,${k % 20},${Math.floor(k / 20)}\n`);
+    return write(name, `branch,xi,energy,status,nu,body.J.1\n${cells.join('')}`);
+  };
+  const ends = async (path) => {
+    const page = await open(makePage(path), { fragment: '#y=energy' });
+    const text = await page.locator('#legend .key').first().textContent();
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+    return text;
+  };
+  // The least and the largest 1 in 200 are left out of the scale.
+  assert.match(await ends(map('wide.csv', (k) => k)), /: ≤ 1≥ 397$/);
+  assert.match(await ends(map('even.csv', (k) => k % 2)), /: 01$/);
+  assert.match(await ends(map('above.csv', (k) => (k === 7 ? 1e6 : k % 2))), /: 0≥ 1$/);
+  assert.match(await ends(map('below.csv', (k) => (k === 7 ? -1e6 : k % 2))), /: ≤ 01$/);
+});
+
 test('curves of events lie on a map over the same parameters', async () => {
   const tilting = write('tilting.toml', `[body]
 J = [1.0, 1.7, 0.6]

@@ -91,12 +91,13 @@ export class HeatMap {
     return found >= 0 ? found : row;
   }
 
-  /** Of a number what its colours stand for. */
-  static range(table: Table, quantity: string): { low: number; high: number } {
+  /** Of a number what its colours stand for, and whether cells lie beyond. */
+  static range(table: Table, quantity: string): { low: number; high: number; below: boolean; above: boolean } {
     const finite = table.column(quantity).filter((each) => Number.isFinite(each)).sort();
     // A few cells beside an asymptote shall not take all of the scale.
     const at = (share: number): number => finite[Math.floor(share * (finite.length - 1))] ?? 0;
-    return { low: at(0.005), high: at(0.995) };
+    const [low, high] = [at(0.005), at(0.995)];
+    return { low, high, below: at(0) < low, above: at(1) > high };
   }
 
   draw(context: CanvasRenderingContext2D, state: State, x: Scale, y: Scale): void {

@@ -69,14 +69,15 @@ function showScale(host: HTMLElement, table: Table, state: State): void {
     for (const style of classStyles.filter((each) => used.has(each.name) && each.name !== ''))
       host.append(element('span', { class: 'key' }, fieldSample(style.name), style.text));
   } else if (quantity !== 'status') {
-    const { low, high } = HeatMap.range(table, quantity);
+    const { low, high, below, above } = HeatMap.range(table, quantity);
+    const end = (beyond: boolean, sign: string, value: number): string => (beyond ? `${sign} ` : '') + shown(Number(value.toPrecision(4)));
     const bar = sampleCanvas(220, 14, (context) => {
       for (let k = 0; k < 220; ++k) {
         context.fillStyle = rampColour(k / 219);
         context.fillRect(k, 0, 1.5, 14);
       }
     });
-    host.append(element('span', { class: 'key' }, `${withUnit(quantity)}: ${shown(Number(low.toPrecision(4)))}`, bar, shown(Number(high.toPrecision(4)))));
+    host.append(element('span', { class: 'key' }, `${withUnit(quantity)}: ${end(below, '≤', low)}`, bar, end(above, '≥', high)));
   }
   const none = sampleCanvas(30, 16, (context) => {
     context.fillStyle = styleValue('--none');
