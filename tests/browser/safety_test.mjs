@@ -8,6 +8,8 @@ after(stop);
 
 const hostile = `</script><img src=x onerror="window.caught=1"><svg onload="window.caught=2">&lt;'"`;
 
+const mapped = () => write('map.csv', 'branch,xi,energy,status,nu,body.J.1\n' + [1, 2, 3].flatMap((x) => [1, 2].map((y) => `i,1,${x * y},solved,${x},${y}\n`)).join(''));
+
 const untouched = async (page) => {
   assert.equal(await page.evaluate(() => window.caught), undefined);
   assert.equal(await page.locator('img').count(), 0);
@@ -59,7 +61,7 @@ test('two thousand fragments of anything leave the page as it is made', async ()
     const any = (list) => list[below(list.length)];
     const keys = ['x', 'y', 'row', 'table', 'zoom', 'hidden', 'classes', 'colour', 'log', 'case', '__proto__', 'constructor', ''];
     const values = ['', '0', '1', '-1', '1e9', '1e308', 'NaN', 'nu', 'xi', 'lambda,mu', '__proto__', 'toString', 'stable', 'class',
-      '0,1,2', '0,0,0,0', '1,0,1,0', '0.5,1.2,0.01,100', '-Infinity,Infinity,0,1', '%', '%E0%A4%A', '%00', '\u{1F600}', hostile, 'a'.repeat(3000)];
+      '0,1,2', '0,0,0,0', '1,0,1,0', '0.5,1.2,0.01,100', '-Infinity,Infinity,0,1', '0,1,0,1e-320', '-1e308,1e308,0,1', '%', '%E0%A4%A', '%00', '\u{1F600}', hostile, 'a'.repeat(3000)];
     for (let k = 0; k < 2000; ++k) {
       const parts = [];
       for (let n = below(5); n >= 0; --n) parts.push(below(4) ? `${any(keys)}=${any(values)}` : any(values));
@@ -73,6 +75,26 @@ test('two thousand fragments of anything leave the page as it is made', async ()
   }, hostile);
   assert.ok(shown > 0);
   await untouched(page);
+  await page.close();
+});
+
+test('a zoom that cannot be drawn is none, and one that can is', async () => {
+  const page = await open(makePage([result('fold.csv'), mapped()]));
+  const shown = async (zoom, table) => {
+    await page.evaluate((to) => (location.hash = to), `#table=${table}&zoom=${zoom}`);
+    await page.waitForFunction((to) => document.getElementById('tables').value === to, String(table - 1));
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await page.hover('#plot', { position: { x: 300, y: 200 } });
+    await untouched(page);
+    return [await page.textContent('#axis-x'), await page.textContent('#axis-y')];
+  };
+  for (const table of [1, 2]) {
+    const all = await shown('', table);
+    for (const zoom of ['0,1,0,1e-320', '-1e308,1e308,0,1', '0,1e-310,0,1', '0,1,-1e308,1e308', '1,1.0000000000000002,0,1', '0,1,1e300,1.0000000000000002e300', '0,Infinity,0,1'])
+      assert.deepEqual(await shown(zoom, table), all, zoom);
+    for (const zoom of ['0,1,0,1e-200', '-1e200,1e200,0,1', '0,1,1,1.00000000001', '1e-240,1e240,1e-240,1e240', '1e-249,2e-249,-9e249,9e249'])
+      assert.notDeepEqual(await shown(zoom, table), all, zoom);
+  }
   await page.close();
 });
 

@@ -188,6 +188,28 @@ test('a link opens what was seen; one that means nothing opens the page', async 
   }
 });
 
+test('a link of a narrow zoom opens the same view', async () => {
+  const path = makePage(followed());
+  const first = await open(path, { fragment: '#zoom=0.5,0.6,-1.3,-1.2' }); // where no line is to be drawn
+  const axes = async (page) => [await page.textContent('#axis-x'), await page.textContent('#axis-y')];
+  for (const [key, times] of [['+', 40], ['-', 25], ['+', 60]]) {
+    for (let k = 0; k < times; ++k) await first.locator('#plot').press(key);
+    const second = await open(path, { fragment: new URL(first.url()).hash });
+    assert.deepEqual(await axes(second), await axes(first));
+    // What is drawn narrows on from there, and the address with it, until digits end.
+    for (let k = 0; k < 40; ++k) await second.locator('#plot').press('+');
+    const [x0, x1, y0, y1] = new URLSearchParams(new URL(second.url()).hash.slice(1)).get('zoom').split(',').map(Number);
+    assert.ok(x0 < x1 && y0 < y1);
+    const third = await open(path, { fragment: new URL(second.url()).hash });
+    assert.deepEqual(await axes(third), await axes(second));
+    for (const page of [second, third]) {
+      assert.deepEqual(page.complaints, []);
+      await page.close();
+    }
+  }
+  await first.close();
+});
+
 test('a row as TOML is a case whose solution is the row', async () => {
   for (const [name, ...words] of [['fold.csv', 'continue', shippedCase('fold.toml')], ['tilted.csv', 'continue', shippedCase('tilted.toml')], ['inertia.csv', 'continue', shippedCase('inertia.toml')]]) {
     const { rows } = csv(table(name, ...words));

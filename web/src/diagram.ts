@@ -9,7 +9,7 @@ import { classLines, isShown, rangeOf, type Line } from './diagram_data';
 import { byId, fitCanvas, styleValue } from './dom';
 import { HeatMap } from './heat_map';
 import { meaning, withUnit } from './quantities';
-import type { State } from './state';
+import { isZoom, narrowest, type State } from './state';
 import type { Table } from './table';
 
 type Scale = ScaleContinuousNumeric<number, number>;
@@ -31,7 +31,7 @@ export class Diagram {
   private readonly canvas = byId<HTMLCanvasElement>('curves');
   private readonly xAxis = select<SVGGElement, unknown>('#axis-x');
   private readonly yAxis = select<SVGGElement, unknown>('#axis-y');
-  private readonly behaviour = zoom<HTMLElement, unknown>().scaleExtent([0.2, 1e7]);
+  private readonly behaviour = zoom<HTMLElement, unknown>();
   private readonly target;
   private table: Table | null = null;
   private state: State | null = null;
@@ -93,6 +93,8 @@ export class Diagram {
     };
     this.x = this.base.x;
     this.y = this.base.y;
+    const most = (low: number, high: number): number => (high - low) / (narrowest * Math.max(Math.abs(low), Math.abs(high)));
+    this.behaviour.scaleExtent([0.2, Math.max(1, Math.min(1e7, most(x0, x1), most(y0, y1)))]);
     // Without an event of a person behind it this one draws and reports nothing.
     this.behaviour.transform(this.target, zoomIdentity);
     this.draw();
@@ -100,10 +102,13 @@ export class Diagram {
 
   private onZoom(event: D3ZoomEvent<HTMLElement, unknown>): void {
     if (!this.state || (event.transform.k === 1 && event.transform.x === 0 && event.transform.y === 0 && !event.sourceEvent)) return;
-    this.x = event.transform.rescaleX(this.base.x as never) as Scale;
-    this.y = event.transform.rescaleY(this.base.y as never) as Scale;
-    const [x0, x1] = this.x.domain();
-    const [y0, y1] = this.y.domain();
+    const x = event.transform.rescaleX(this.base.x as never) as Scale;
+    const y = event.transform.rescaleY(this.base.y as never) as Scale;
+    const [x0, x1] = x.domain();
+    const [y0, y1] = y.domain();
+    if (!isZoom([x0, x1, y0, y1])) return;
+    this.x = x;
+    this.y = y;
     this.state.zoom = [x0, x1, y0, y1];
     this.events.zoomed();
     this.draw();

@@ -102,6 +102,25 @@ function firstRow(table: Table): number | null {
   return Math.floor((first + end) / 2);
 }
 
+/** Least width of what a zoom shows, of the size of its numbers, beyond which their last digits would show. */
+export const narrowest = 1e-12;
+
+/** Whether a zoom can be drawn: its numbers and the differences that axes take of them can be represented. */
+export function isZoom(zoom: readonly number[]): boolean {
+  if (zoom.length !== 4) return false;
+  return [[zoom[0], zoom[1]], [zoom[2], zoom[3]]].every(([low, high]) => {
+    const size = Math.max(Math.abs(low), Math.abs(high));
+    const width = high - low;
+    return size < 1e250 && width > 1e-250 && width >= narrowest * size;
+  });
+}
+
+/** To a millionth of what an axis shows, or to the last digit. */
+function zoomText([low, high]: readonly [number, number]): string {
+  const digits = Math.ceil(Math.log10(Math.max(Math.abs(low), Math.abs(high)) / (high - low))) + 7;
+  return [low, high].map((each) => Number(each.toPrecision(Math.min(Math.max(digits, 7), 17)))).join();
+}
+
 export function toFragment(state: State, tables: readonly Table[]): string {
   const start = firstState(tables, state.table);
   const out = new URLSearchParams();
@@ -113,7 +132,7 @@ export function toFragment(state: State, tables: readonly Table[]): string {
   if (state.hiddenClasses.size > 0) out.set('without', [...state.hiddenClasses].join());
   if (state.colour !== 'class') out.set('colour', state.colour);
   if (state.logarithmic !== prefersLogarithm(tables[state.table], state.y)) out.set('log', state.logarithmic ? '1' : '0');
-  if (state.zoom) out.set('zoom', state.zoom.map((each) => Number(each.toPrecision(7))).join());
+  if (state.zoom) out.set('zoom', `${zoomText([state.zoom[0], state.zoom[1]])},${zoomText([state.zoom[2], state.zoom[3]])}`);
   return out.toString();
 }
 
@@ -138,7 +157,6 @@ export function fromFragment(fragment: string, tables: readonly Table[]): State 
   state.colour = colourings.find((each) => each === given.get('colour')) ?? 'class';
   state.logarithmic = given.has('log') ? given.get('log') === '1' : prefersLogarithm(table, state.y);
   const zoom = list('zoom').map(Number);
-  if (zoom.length === 4 && zoom.every(Number.isFinite) && zoom[0] < zoom[1] && zoom[2] < zoom[3])
-    state.zoom = [zoom[0], zoom[1], zoom[2], zoom[3]];
+  if (isZoom(zoom)) state.zoom = [zoom[0], zoom[1], zoom[2], zoom[3]];
   return state;
 }
