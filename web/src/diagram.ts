@@ -5,7 +5,7 @@ import { scaleLinear, scaleLog, type NumberValue, type ScaleContinuousNumeric } 
 import { select } from 'd3-selection';
 import { zoom, zoomIdentity, type D3ZoomEvent } from 'd3-zoom';
 import { classStyle, drawEvent, isEnd } from './classes';
-import { classLines, isShown, rangeOf, type Line } from './diagram_data';
+import { classLines, isShown, rangeOf, within, type Line, type Point } from './diagram_data';
 import { byId, fitCanvas, styleValue } from './dom';
 import { HeatMap } from './heat_map';
 import { meaning, withUnit } from './quantities';
@@ -149,6 +149,9 @@ export class Diagram {
 
   private drawCurves(context: CanvasRenderingContext2D, table: Table, state: State): void {
     const xs = table.column(state.x);
+    // Dashes of what a zoom leaves out take seconds: lines are cut a little beyond the diagram's edge.
+    const { width, height } = fitCanvas(this.canvas);
+    const [low, high]: Point[] = [[-50, -50], [width + 50, height + 50]];
     state.y.forEach((name, q) => {
       const ys = table.column(name);
       for (const line of this.lines) {
@@ -159,15 +162,20 @@ export class Diagram {
         context.setLineDash([...style.dash]);
         context.lineJoin = 'round';
         context.beginPath();
-        let open = false;
+        let before: Point | null = null;
+        let pen: Point | null = null;
         for (let row = line.first; row <= line.last; ++row) {
-          const [px, py] = [this.x(xs[row]), this.y(ys[row])];
-          if (Number.isFinite(px) && Number.isFinite(py)) {
-            if (open) context.lineTo(px, py);
-            else context.moveTo(px, py);
-            open = true;
+          const at: Point = [this.x(xs[row]), this.y(ys[row])];
+          if (at.every(Number.isFinite)) {
+            const part: [Point, Point] | null = before && within(low, high, before, at);
+            if (part) {
+              if (part[0] !== pen) context.moveTo(...part[0]);
+              context.lineTo(...part[1]);
+              pen = part[1];
+            }
+            before = at;
           } else if (table.mark(row) === '') {
-            open = false; // an event's row without the value is passed over
+            before = null; // an event's row without the value is passed over
           }
         }
         context.stroke();

@@ -65,3 +65,21 @@ export function rangeOf(table: Table, state: State, names: readonly string[], lo
   const margin = high > low ? 0.05 * (high - low) : Math.max(0.5 * Math.abs(high), 1e-3);
   return { low: low - margin, high: high + margin };
 }
+
+export type Point = readonly [number, number];
+
+/** The part of a segment that lies in a box from low to high; null: none does. */
+export function within(low: Point, high: Point, from: Point, to: Point): [Point, Point] | null {
+  let [first, last] = [0, 1];
+  for (const k of [0, 1] as const) {
+    const step = to[k] - from[k];
+    if (step === 0 && !(from[k] >= low[k] && from[k] <= high[k])) return null;
+    if (step === 0) continue;
+    const [enter, leave] = [low[k], high[k]].map((edge) => (edge - from[k]) / step).sort((a, b) => a - b);
+    first = Math.max(first, enter);
+    last = Math.min(last, leave);
+  }
+  if (first > last) return null;
+  const at = (share: number): Point => [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])];
+  return [first === 0 ? from : at(first), last === 1 ? to : at(last)];
+}
