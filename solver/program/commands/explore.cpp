@@ -90,6 +90,7 @@ ExitCode explore(const ExploreOptions& options) {
     for (const std::string& each : options.files) {
       tables.push_back(read_page_table(each, options.title));
       rows += tables.back().rows;
+      if (!tables.back().warning.empty()) complain(tables.back().warning);
     }
     title = tables.front().title;
   }

@@ -44,6 +44,24 @@ TEST(Explore, TheSameTablesGiveTheSameBytes) {
   EXPECT_EQ(text_of(folder / "a.html"), text_of(folder / "b.html"));
 }
 
+TEST(Explore, TellsOfMetadataThatItLeavesOut) {
+  if (!has_page) GTEST_SKIP() << "the program is built without the page";
+  const TemporaryDirectory folder;
+  const std::string table = folder.file("x.csv", text_of(shipped_table));
+  folder.file("x.meta.json", text_of(STATIONARY_RESULTS "/disc.meta.json"));
+  const auto told = [&] {
+    const Outcome done = run_program({"explore", table, "-o", folder / "x.html", "--quiet"});
+    EXPECT_EQ(done.code, 0);
+    EXPECT_EQ(done.out, "");
+    return done.err;
+  };
+  EXPECT_THAT(told(), HasSubstr("x.meta.json is not of this table"));
+  folder.file("x.meta.json", "{");
+  EXPECT_THAT(told(), HasSubstr("x.meta.json cannot be read: "));
+  folder.file("x.meta.json", text_of(STATIONARY_RESULTS "/fold.meta.json"));
+  EXPECT_EQ(told(), "");
+}
+
 TEST(Explore, SaysWhatIsMissingWhereItWasBuiltWithoutThePage) {
   if (has_page) GTEST_SKIP() << "the program is built with the page";
   const TemporaryDirectory folder;

@@ -4,17 +4,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <memory>
+#include <regex>
 #include <sstream>
 
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 
 namespace stationary::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 PageTable table_of(const std::string& csv) {
   TableReader reader(std::make_unique<std::istringstream>(csv), "folder/x.csv");
@@ -79,7 +84,71 @@ TEST(PageTable, TakesTitleAndMetadataFromBesideTheFile) {
   const PageTable table = read_page_table(path, std::nullopt);
   EXPECT_EQ(table.title, "A disc");
   EXPECT_EQ(table.metadata, metadata);
+  EXPECT_EQ(table.warning, "");
   EXPECT_EQ(read_page_table(path, "Mine").title, "Mine");
+}
+
+TEST(PageTable, LeavesOutMetadataThatCannotBeRead) {
+  const TemporaryDirectory folder;
+  const std::string path = folder.file("x.csv", "branch,xi\ni,1\n");
+  const auto warning = [&] {
+    const PageTable table = read_page_table(path, std::nullopt);
+    EXPECT_EQ(table.metadata, "");
+    EXPECT_EQ(table.title, "x.csv");
+    return table.warning;
+  };
+  EXPECT_EQ(warning(), "");
+  for (const char* const broken : {"", "{\"case\": {\"title\": \"A disc\"}", "[]", "\xff"}) {
+    folder.file("x.meta.json", broken);
+    EXPECT_THAT(warning(),
+                AllOf(HasSubstr("x.meta.json cannot be read: "), Not(HasSubstr("json."))));
+  }
+  std::filesystem::remove(folder / "x.meta.json");
+  std::filesystem::create_directory(folder / "x.meta.json");
+  EXPECT_THAT(warning(), HasSubstr("x.meta.json cannot be read: it is no file"));
+}
+
+TEST(PageTable, LeavesOutMetadataOfAnotherTable) {
+  const TemporaryDirectory folder;
+  const std::string text = text_of(STATIONARY_RESULTS "/fold.csv");
+  const std::string own = text_of(STATIONARY_RESULTS "/fold.meta.json");
+  const std::string path = folder.file("x.csv", text);
+  folder.file("x.meta.json", own);
+  const auto page = [&] { return read_page_table(path, std::nullopt); };
+  EXPECT_EQ(page().warning, "");
+  EXPECT_EQ(page().metadata, own);
+  // As a spreadsheet saves it: the rows are the same.
+  folder.file("x.csv", std::regex_replace(text, std::regex("\n"), "\r\n"));
+  EXPECT_EQ(page().warning, "");
+  const std::size_t digit = text.find_last_of("0123456789");
+  std::string changed = text;
+  changed[digit] = changed[digit] == '1' ? '2' : '1';
+  folder.file("x.csv", changed);
+  EXPECT_THAT(page().warning, HasSubstr("x.meta.json is not of this table: its checksum"));
+  EXPECT_EQ(page().metadata, "");
+  folder.file("x.csv", text.substr(0, text.rfind('\n', text.size() - 2) + 1));
+  EXPECT_THAT(page().warning, HasSubstr("x.meta.json is not of this table: it is of "));
+  EXPECT_EQ(page().metadata, "");
+}
+
+TEST(PageTable, KnowsTheMetadataOfEveryCommandsTable) {
+  const TemporaryDirectory folder;
+  const auto warning = [&](const std::string& name) {
+    const PageTable table = read_page_table(name, std::nullopt);
+    EXPECT_NE(table.metadata, "") << name;
+    return table.warning;
+  };
+  EXPECT_EQ(warning(STATIONARY_RESULTS "/two_polar.csv"), "");
+  EXPECT_EQ(warning(STATIONARY_RESULTS "/every_sheet.csv"), "");
+  EXPECT_EQ(warning(STATIONARY_RESULTS "/neo_hookean_atlas.csv"), "");
+  EXPECT_EQ(warning(STATIONARY_RESULTS "/fibre_map.csv"), "");
+  EXPECT_EQ(warning(STATIONARY_RESULTS "/elastic_sphere_fold_nu.csv"), "");
+  if (!has_hdf5) return;
+  const std::string columns = folder / "x.h5";
+  EXPECT_EQ(run_program({"solve", shipped("fold.toml"), "-o", columns, "-q"}).err, "");
+  EXPECT_EQ(warning(columns), "");
+  std::filesystem::remove(folder / "x.meta.json");
+  EXPECT_EQ(warning(columns), "");
 }
 
 }  // namespace
