@@ -53,12 +53,17 @@ class Curve {
     CurvePoint<N> out;
     out.arc = arc;
     out.member = family_->member(arc.x, arc.tail, arc.p, arc.error_bound);
-    const auto [fold, momentum] = turns(arc, out.member);
+    const auto [fold, momentum, per_parameter] = turns(arc, out.member);
     // A vertical curve turns nowhere: p is one and the same.
     const double turn = corrector_.vertical() ? std::numeric_limits<double>::quiet_NaN() : fold;
     // At a turn of p the bound is of x at the row's p; on the curve x is far better known.
     const double error = arc.at_turn || std::isnan(arc.error_bound) ? 0.0 : arc.error_bound;
     out.tests = test_values(out.member, context_, turn, momentum, error);
+    // Where p has an asymptote the tangent's share of it is rounding: no sign is certain by that.
+    constexpr double small = 1e-4;
+    if (out.tests.value[TestValues::momentum] == momentum && std::abs(momentum) < small &&
+        !(std::abs(momentum) > per_parameter * corrector_.correction_rounding(arc)))
+      out.tests.uncertain |= 1U << static_cast<unsigned>(TestValues::momentum);
     return out;
   }
 
@@ -66,7 +71,9 @@ class Curve {
   /// equations do not lead there.
   std::optional<KnownEvent> event_at(EventType type, const Member& near, double distance) const {
     const auto found = family_->event_at(type, context_.circle, near);
-    if (!found) return std::nullopt;
+    // Of a bound this coarse it is known no better than by its function's sign.
+    constexpr double coarse = 1e-3;
+    if (!found || !(found->error_bound < coarse)) return std::nullopt;
     const double p = double(found->parameter);
     const ReducedVector<N> from = family_->coordinates_of(near);
     ReducedVector<N> x;
@@ -98,6 +105,7 @@ class Curve {
   struct Turns {
     double fold;
     double momentum;
+    double per_parameter;  ///< what a change of the tangent's last component in y does to both
   };
 
   /// Kernel of [dG/d ln x  dG/dnu].
@@ -117,10 +125,11 @@ class Curve {
     } else {
       c = kernel(arc.at);
     }
+    const double per_parameter = (family_->along_nu() ? corrector_.scale() : 0.0) / c.norm();
     c.normalize();
     const SpinInertia<N> I = family_->spin_inertia(member);
     const double change = I.half_slope.dot(c.template head<N>());
-    return {c[N], c[N] + 2.0 * member.nu * change / I.own};
+    return {c[N], c[N] + 2.0 * member.nu * change / I.own, per_parameter};
   }
 
   const Family<N>* family_;

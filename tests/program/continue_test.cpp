@@ -532,6 +532,35 @@ TEST(Continue, NoneAtTheStartIsThreeAndLeavesTheOldTable) {
   EXPECT_THAT(directory.names(), ElementsAre("x.csv"));
 }
 
+/// As nu -> 0 the disc flattens without end: |pi| = 0.5657 + 1.2 nu along it, which turns nowhere, and
+/// the share of nu in the tangent is rounding.
+TEST(Continue, NoFoldOfTheMomentumByAnAsymptote) {
+  const TemporaryDirectory directory;
+  for (
+      const char* plane :
+      {R"({ model = "saint-venant-kirchhoff", mu = 1.0, lambda = 0.5 })",
+       R"({ model = "saint-venant-kirchhoff", mu = 1.0, lambda = 3.0 })",
+       R"({ model = "orthotropic-saint-venant-kirchhoff", c11 = 0.79, c22 = 2.55, c12 = 1.16, c66 = 0.3 })"}) {
+    const std::string flat =
+        directory.file("flat.toml", std::string("[body]\nJ = [1.0, 1.0, 0.5]\nvolume = 0.8\n"
+                                                "[potential]\nplane = ") +
+                                        plane +
+                                        "\n[motion]\nbranch = \"i\"\nnu = 0.3\n[continuation]\n"
+                                        "from = 0.0\nto = 3.0\n");
+    for (const char* tolerance : {"1e-4", "1e-5", "1e-7"}) {
+      const Outcome outcome = continued(flat, {std::string("continuation.tolerance=") + tolerance});
+      ASSERT_EQ(outcome.code, 0) << outcome.err;
+      int beside = 0;
+      for (const Row& row : rows_of(outcome.out)) {
+        if (std::abs(number(row.at("nu1"))) > 1e-5) continue;
+        ++beside;
+        EXPECT_NE(row.at("event"), "fold-momentum") << plane << row.at("nu1");
+      }
+      EXPECT_GT(beside, 10) << plane;
+    }
+  }
+}
+
 TEST(Continue, AnOldTableIsReplacedOnlyByAWholeOne) {
   const TemporaryDirectory directory;
   const std::string target = directory.file("x.csv", "old\n");

@@ -185,7 +185,8 @@ void add_least_energy(Report& out, const std::vector<LeastEnergyPiece>& pieces,
                          each.to.momentum));
   if (!pieces.empty())
     out.line({},
-             "of the motions listed: two-polar ones, and others beyond the range, are left out");
+             "of the motions listed: two-polar ones, others beyond the range, and what of a sheet "
+             "lies beyond its escape, are left out");
 }
 
 std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& found,
