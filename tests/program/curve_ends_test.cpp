@@ -117,17 +117,7 @@ parameters = ["nu", "potential.plane.lambda"]
 from = [0.1, 1.0]
 to = [1.5, 8.0]
 )";
-  const std::string fold = R"([body]
-J = [1.0, 1.7, 0.6]
-[potential]
-plane     = { model = "hencky", mu = 1.1, lambda = 0.8 }
-thickness = { model = "reciprocal-quadratic", a = 1.0, b = 3.0 }
-[motion]
-branch = "i"
-nu = 0.3
-[continuation]
-from = 0.0
-to = 1.5
+  const std::string fold = text_of(STATIONARY_CASES "/fold.toml") + R"(
 [curve]
 event = "fold-nu"
 parameters = ["nu", "body.J.1"]
@@ -140,7 +130,8 @@ to = [1.2, 3.0]
     const std::vector<Row> curve = rows("curve");
     ASSERT_GT(curve.size(), 12U);
     for (const std::size_t k : {std::size_t{3}, curve.size() / 2}) {
-      const Outcome outcome = run("continue", text, {"--from", row_name("curve", k)});
+      const Outcome outcome =
+          run("continue", text, {"--from", row_name("curve", k), "--set", "continuation.to=1.5"});
       ASSERT_EQ(outcome.code, 0) << outcome.err;
       double nearest = 1.0;
       for (const Row& row : rows("continue"))
