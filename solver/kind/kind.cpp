@@ -116,6 +116,12 @@ Equilibrium equilibrium_of(const Member& member) {
   return out;
 }
 
+PlanItem followed_together() {
+  return {"cells",
+          "on the sheets that `solve` follows from rest, followed once for all nu of one body",
+          "x is nu, and the motion is found by following others"};
+}
+
 Alternatives alternatives(const Body& body, const Potential& potential, const Motion& motion,
                           bool anywhere) {
   return std::visit(Of{body, potential, anywhere}, motion);
@@ -135,16 +141,22 @@ Found first_found(const Alternatives& kinds, const SolveOptions& options) {
   return found(kinds, options, false).first;
 }
 
-bool first_found_each(const Alternatives& kinds, bool spectra, const SolveOptions& options,
-                      const RateRange& all, std::span<AtRate> rates,
+std::optional<PlanItem> together(const Alternatives& kinds) {
+  std::optional<PlanItem> out;
+  for (const Alternatives::Each& each : kinds.each)
+    if (out = each.kind->together(); !out) break;
+  return out;
+}
+
+void first_found_each(const Alternatives& kinds, bool spectra, const SolveOptions& options,
+                      const NumberRange& all, std::span<AtValue> at,
                       std::span<std::size_t> places) {
   const SolveOptions how = for_each_of(kinds, options);
   for (std::size_t k = 0; k < kinds.each.size(); ++k) {
-    if (!kinds.each[k].kind->solve_each(spectra, how, all, rates)) return false;
-    for (std::size_t i = 0; i < rates.size(); ++i)
-      if (!rates[i].solved()) places[i] = k + 1;
+    kinds.each[k].kind->solve_each(spectra, how, all, at);
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (!at[i].solved()) places[i] = k + 1;
   }
-  return true;
 }
 
 OnlyFound only_found(const Alternatives& kinds, const SolveOptions& options) {

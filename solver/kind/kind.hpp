@@ -14,10 +14,10 @@
 #include "lib/body/motion.hpp"
 #include "lib/material/potential.hpp"
 #include "solver/family/follow_sheet.hpp"
+#include "solver/motion/at_values.hpp"
 #include "solver/normal_form/normal_form.hpp"
 #include "solver/proof/event_enclosure.hpp"
 #include "solver/search/search.hpp"
-#include "solver/solve/at_rates.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {
@@ -44,13 +44,13 @@ class Kind {
 
   /// One ellipsoid, or why there is none.
   virtual Equilibrium solve(const SolveOptions& options) const = 0;
-  /// At each of these |nu| of a range that has no motion yet what solve() would find there without a
-  /// start, with spectra if asked for. False where the kind does not follow its motions from rest, and
-  /// each is to be solved by itself; of no |nu| that is all it says.
-  virtual bool solve_each(bool /*spectra*/, const SolveOptions&, const RateRange&,
-                          std::span<AtRate>) const {
-    return false;
-  }
+  /// For a person, how motions at many values of one of its numbers are had together; nothing where each
+  /// is solved by itself.
+  virtual std::optional<PlanItem> together() const { return std::nullopt; }
+  /// Of a kind that has that: at each of these values without a motion what solve() would find there
+  /// without a start, with spectra if asked for.
+  virtual void solve_each(bool /*spectra*/, const SolveOptions&, const NumberRange&,
+                          std::span<AtValue>) const {}
   /// All of them, with proof.
   virtual SearchResult search(const SearchOptions& options) const = 0;
   /// Why there is none, also beyond the search's box; nothing where that is not known.
@@ -101,6 +101,9 @@ class Kind {
 /// What a kind whose axis is no material one answers at |nu| = 0.
 Equilibrium at_rest();
 
+/// What a kind says whose motions at many |nu| are followed from rest.
+PlanItem followed_together();
+
 /// A member of a followed family as an equilibrium.
 Equilibrium equilibrium_of(const Member& member);
 
@@ -138,10 +141,13 @@ struct Found {
 /// Of the first alternative that has one.
 Found first_found(const Alternatives& kinds, const SolveOptions& options);
 
-/// The same at many |nu|, with spectra if asked for; places: in kinds.each, of what has the motion.
-/// What none has is left to kinds.any, if there is one. False, and of no |nu|: as Kind::solve_each().
-bool first_found_each(const Alternatives& kinds, bool spectra, const SolveOptions& options,
-                      const RateRange& all, std::span<AtRate> rates, std::span<std::size_t> places);
+/// How all alternatives have motions at many values together; nothing where one does not.
+std::optional<PlanItem> together(const Alternatives& kinds);
+
+/// As first_found() at many values of alternatives that have that, with spectra if asked for; places: in
+/// kinds.each, of what has the motion. What none has is left to kinds.any, if there is one.
+void first_found_each(const Alternatives& kinds, bool spectra, const SolveOptions& options,
+                      const NumberRange& all, std::span<AtValue> at, std::span<std::size_t> places);
 
 /// As first_found(), and whether another alternative has one too.
 struct OnlyFound {

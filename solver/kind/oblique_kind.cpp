@@ -21,10 +21,10 @@ class ObliqueKind final : public Kind {
     return solve_oblique(body(), potential(), motion_, options);
   }
 #ifndef STATIONARY_SMALL_CODE  // pages have no maps
-  bool solve_each(bool spectra, const SolveOptions& options, const RateRange& all,
-                  std::span<AtRate> rates) const override {
-    solve_oblique_each(body(), potential(), motion_.near, spectra, options, all, rates);
-    return true;
+  std::optional<PlanItem> together() const override { return followed_together(); }
+  void solve_each(bool spectra, const SolveOptions& options, const NumberRange& all,
+                  std::span<AtValue> at) const override {
+    solve_oblique_each(body(), potential(), motion_.near, spectra, options, all, at);
   }
 #endif
   SearchResult search(const SearchOptions& options) const override {

@@ -19,6 +19,17 @@ class TwoPolarKind final : public Kind {
   Equilibrium solve(const SolveOptions& options) const override {
     return solve_two_polar(body(), potential(), motion_, options);
   }
+#ifndef STATIONARY_SMALL_CODE  // pages have no maps
+  std::optional<PlanItem> together() const override {
+    return PlanItem{
+        "cells", "by searches that serve all cells of a block",
+        "x is a number of the motion; a cell that no block decides is searched by itself"};
+  }
+  void solve_each(bool spectra, const SolveOptions& options, const NumberRange& all,
+                  std::span<AtValue> at) const override {
+    solve_two_polar_each(body(), potential(), motion_, spectra, options, all, at);
+  }
+#endif
   SearchResult search(const SearchOptions& options) const override {
     return search_two_polar(body(), potential(), motion_, options);
   }

@@ -12,17 +12,17 @@
 namespace stationary {
 
 /// A motion's numbers as those of another type.
-template <class Convert>
-auto with_numbers(const TwoPolarRates<double>& m, const Convert& convert) {
-  return TwoPolarRates<decltype(convert(0.0))>{convert(m.omega), convert(m.theta_dot)};
+template <class S, class Convert>
+auto with_numbers(const TwoPolarRates<S>& m, const Convert& convert) {
+  return TwoPolarRates<decltype(convert(m.omega))>{convert(m.omega), convert(m.theta_dot)};
 }
-template <class Convert>
-auto with_numbers(const TwoPolarMomenta<double>& m, const Convert& convert) {
-  return TwoPolarMomenta<decltype(convert(0.0))>{convert(m.s3), convert(m.p_theta)};
+template <class S, class Convert>
+auto with_numbers(const TwoPolarMomenta<S>& m, const Convert& convert) {
+  return TwoPolarMomenta<decltype(convert(m.s3))>{convert(m.s3), convert(m.p_theta)};
 }
-template <class Convert>
-auto with_numbers(const TwoPolarEqualMomenta<double>& m, const Convert& convert) {
-  return TwoPolarEqualMomenta<decltype(convert(0.0))>{convert(m.s3)};
+template <class S, class Convert>
+auto with_numbers(const TwoPolarEqualMomenta<S>& m, const Convert& convert) {
+  return TwoPolarEqualMomenta<decltype(convert(m.s3))>{convert(m.s3)};
 }
 
 /// The elastic part of a model's two-polar balance, N = 2 or 3.

@@ -49,6 +49,15 @@ struct BoxSlopes {
   Eigen::Matrix<double, N, N> inverse() const;
 };
 
+/// Of a system one of whose numbers p is an interval: G = at + slope (p - p_0), at of p = p_0, for every p.
+/// Times a matrix these know, as rows that are intervals do not, that all rows have the same p.
+template <int N>
+struct VariedResidual {
+  Box<N> at;
+  Box<N> slope;
+  Interval offset;  ///< p - p_0
+};
+
 /// A system over boxes, of as many equations as unknowns; the machinery of proofs stands once for each N. It refers to
 /// the system, which must outlive it.
 template <int N>
@@ -64,16 +73,27 @@ class BoxEquations {
           const auto& of = *static_cast<const System*>(own);
           if constexpr (requires { of.residual(x); }) return Box<N>(of.residual(x));
           return Box<N>(of.linearize(x).g);
-        }) {}
+        }) {
+    if constexpr (requires(const Box<N>& x) { system.varied(x); }) {
+      if (system.varies())
+        varied_ = [](const void* own, const Box<N>& x) {
+          return static_cast<const System*>(own)->varied(x);
+        };
+    }
+  }
 
   BoxSlopes<N> linearize(const Box<N>& x) const { return linearize_(system_, x); }
   /// G alone.
   Box<N> residual(const Box<N>& x) const { return residual_(system_, x); }
+  /// Whether a number of it varies, and G then.
+  bool varies() const { return varied_ != nullptr; }
+  VariedResidual<N> varied(const Box<N>& x) const { return varied_(system_, x); }
 
  private:
   const void* system_;
   BoxSlopes<N> (*linearize_)(const void*, const Box<N>&);
   Box<N> (*residual_)(const void*, const Box<N>&);
+  VariedResidual<N> (*varied_)(const void*, const Box<N>&) = nullptr;
 };
 
 /// N = 1 ... 7.

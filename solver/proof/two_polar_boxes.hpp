@@ -10,13 +10,27 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 
+#include "lib/number/dual.hpp"
 #include "solver/motion/two_polar_motion.hpp"
 #include "solver/motion/two_polar_system.hpp"
 #include "solver/proof/box_balance.hpp"
+#include "solver/proof/krawczyk.hpp"
 
 namespace stationary {
+
+/// The first or the second number of a motion.
+template <template <class> class Motion, class S>
+S& number_of(Motion<S>& motion, int number) {
+  if constexpr (std::is_same_v<Motion<S>, TwoPolarEqualMomenta<S>>) {
+    return motion.s3;
+  } else {
+    auto& [first, second] = motion;
+    return number == 0 ? first : second;
+  }
+}
 
 /// x = (lambda, mu[, rho]); Elastic: a planar model in intervals, or a coupled one. Motion: as
 /// TwoPolarSystem's.
@@ -28,29 +42,25 @@ struct TwoPolarBoxSystem {
   Elastic model;
   Interval J;
   Motion<Interval> motion;
+  /// That is an interval for many motions (VariedResidual), if one is.
+  std::optional<int> varied_number = {};
 
-  BoxLinearized<N> linearize(const Box<N>& x) const {
-    LogBalance<Interval> b;
-    TwoPolarPull<Interval> pull;
-    if constexpr (by_rates) {
-      const TwoPolarPullRates<Interval> rates = two_polar_pull_rates(J, motion);
-      b = elastic(x, rates.own);
-      const Interval mixed = rates.product * (x[0] * x[1]);
-      pull = {mixed, mixed, mixed, mixed, mixed};
-    } else {
-      b = elastic(x, 0.0);
-      pull = two_polar_pull(J, x[0], x[1], motion);
-    }
-    b.g_xi -= pull.lambda;
-    b.g_zeta -= pull.mu;
-    b.uu -= pull.ll;
-    b.uv -= pull.lm;
-    b.vv -= pull.mm;
-    if constexpr (N == 2) {
-      return {{b.g_xi, b.g_zeta}, {b.uu, b.uv, b.vv}};
-    } else {
-      return {{b.g_xi, b.g_zeta, b.g_rho}, {b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}};
-    }
+  BoxLinearized<N> linearize(const Box<N>& x) const { return linearize_at(motion, x); }
+
+  bool varies() const { return varied_number.has_value(); }
+  VariedResidual<N> varied(const Box<N>& x) const {
+    using T = Dual<Interval, 1>;
+    Motion<Interval> middle = motion;
+    Interval& number = number_of(middle, *varied_number);
+    const Interval whole = number;
+    number = Interval(whole.mid());
+    VariedResidual<N> out{linearize_at(middle, x).g, {}, whole - number};
+    auto moved = with_numbers(motion, [](const Interval& each) { return T(each); });
+    number_of(moved, *varied_number).slope[0] = 1.0;
+    const TwoPolarPull<T> pull = two_polar_pull(J, T(x[0]), T(x[1]), moved);
+    out.slope[0] = -pull.lambda.slope[0];
+    out.slope[1] = -pull.mu.slope[0];
+    return out;
   }
 
   /// No solution with lambda >= mu in x, by the sum of the balance, in which nothing cancels, and
@@ -75,6 +85,29 @@ struct TwoPolarBoxSystem {
   }
 
  private:
+  BoxLinearized<N> linearize_at(const Motion<Interval>& at, const Box<N>& x) const {
+    LogBalance<Interval> b;
+    TwoPolarPull<Interval> pull;
+    if constexpr (by_rates) {
+      const TwoPolarPullRates<Interval> rates = two_polar_pull_rates(J, at);
+      b = elastic(x, rates.own);
+      const Interval mixed = rates.product * (x[0] * x[1]);
+      pull = {mixed, mixed, mixed, mixed, mixed};
+    } else {
+      b = elastic(x, 0.0);
+      pull = two_polar_pull(J, x[0], x[1], at);
+    }
+    b.g_xi -= pull.lambda;
+    b.g_zeta -= pull.mu;
+    b.uu -= pull.ll;
+    b.uv -= pull.lm;
+    b.vv -= pull.mm;
+    if constexpr (N == 2) {
+      return {{b.g_xi, b.g_zeta}, {b.uu, b.uv, b.vv}};
+    } else {
+      return {{b.g_xi, b.g_zeta, b.g_rho}, {b.uu, b.uv, b.uw, b.vv, b.vw, b.ww}};
+    }
+  }
   LogBalance<Interval> elastic(const Box<N>& x, const Interval& rate) const {
     if constexpr (N == 2) {
       return model.log_balance(x[0], x[1], rate, rate);

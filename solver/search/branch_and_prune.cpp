@@ -11,6 +11,26 @@
 namespace stationary {
 namespace {
 
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+template <int N>
+bool within(const Box<N>& inner, const Box<N>& outer) {
+  for (int i = 0; i < N; ++i)
+    if (!inner[index(i)].within(outer[index(i)])) return false;
+  return true;
+}
+
+/// In the box, for the mean value theorem.
+template <int N>
+ReducedVector<N> middle(const Box<N>& box) {
+  ReducedVector<N> out;
+  for (int i = 0; i < N; ++i) {
+    const Interval& side = box[index(i)];
+    out[i] = std::clamp(std::sqrt(side.lo) * std::sqrt(side.hi), side.lo, side.hi);
+  }
+  return out;
+}
+
 template <int N>
 class BranchAndPrune {
  public:
@@ -27,6 +47,21 @@ class BranchAndPrune {
     }
     for (int i = 0; i < N; ++i) start[index(i)] = common(start[index(i)], holding[index(i)]);
     queue_.push_back(start);
+    return examine_all();
+  }
+
+  PruneResult<N> go_on(const Box<N>& everything, const PruneResult<N>& before) {
+    everything_ = everything;
+    out_.solutions = before.solutions;
+    queue_.assign(before.undecided.begin(), before.undecided.end());
+    return examine_all();
+  }
+
+ private:
+  using Square = Eigen::Matrix<double, N, N>;
+  static double log_width(const Interval& x) { return log(x.hi / x.lo); }
+
+  PruneResult<N> examine_all() {
     while (!queue_.empty()) {
       if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
         out_.interrupted = true;
@@ -40,6 +75,7 @@ class BranchAndPrune {
       queue_.pop_front();
       examine(box);
     }
+    if (options_.to_go_on) return std::move(out_);
     if constexpr (N >= 2) {
       if (mirror_ == Mirror::both) add_mirrored();
       if (mirror_ == Mirror::one) keep_one_of_each_pair();
@@ -48,16 +84,6 @@ class BranchAndPrune {
     return std::move(out_);
   }
 
- private:
-  using Square = Eigen::Matrix<double, N, N>;
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  static double log_width(const Interval& x) { return log(x.hi / x.lo); }
-
-  static bool within(const Box<N>& inner, const Box<N>& outer) {
-    for (int i = 0; i < N; ++i)
-      if (!inner[index(i)].within(outer[index(i)])) return false;
-    return true;
-  }
   static bool apart(const Box<N>& a, const Box<N>& b) {
     for (int i = 0; i < N; ++i)
       if (a[index(i)].apart_from(b[index(i)])) return true;
@@ -76,9 +102,9 @@ class BranchAndPrune {
       if constexpr (N >= 2) {
         if (symmetric_ && box[0].hi < box[1].lo) return;
       }
-      if (system_.excludes(box)) return;
       for (const auto& known : out_.solutions)
-        if (within(box, known.proof.unique)) return;
+        if (within<N>(box, known.proof.unique)) return;
+      if (system_.excludes(box)) return;
       if (pass == 0 && !system_.contract(box)) return;
       over = system_.boxes().linearize(box);
       for (const Interval& g : over.g)
@@ -101,31 +127,28 @@ class BranchAndPrune {
     return std::isfinite(sum);
   }
 
-  /// In the box, for the mean value theorem.
-  static ReducedVector<N> middle(const Box<N>& box) {
-    ReducedVector<N> out;
-    for (int i = 0; i < N; ++i) {
-      const Interval& side = box[index(i)];
-      out[i] = std::clamp(std::sqrt(side.lo) * std::sqrt(side.hi), side.lo, side.hi);
-    }
-    return out;
-  }
-
   /// Narrows the box; false if nothing is left. kept: the smallest fraction left of a side.
   /// regular: every M_ii excludes 0.
   bool gauss_seidel(const BoxSlopes<N>& over, const Square& Y, Box<N>& box, double& kept,
                     bool& regular) const {
-    const ReducedVector<N> center = middle(box);
+    const ReducedVector<N> center = middle<N>(box);
     Box<N> at;
     Box<N> d;
     for (int i = 0; i < N; ++i) {
       at[index(i)] = center[i];
       d[index(i)] = log(box[index(i)] / center[i]);
     }
-    const Box<N> g = system_.boxes().residual(at);
+    VariedResidual<N> g;
+    const bool varies = system_.boxes().varies();
+    if (varies) {
+      g = system_.boxes().varied(at);
+    } else {
+      g.at = system_.boxes().residual(at);
+    }
     // Row by row first: where the box is large Y says little.
     for (int i = 0; i < N; ++i) {
-      IntervalSum row(g[index(i)]);
+      IntervalSum row(g.at[index(i)]);
+      if (varies) row.add_product(g.slope[index(i)], g.offset);
       for (int j = 0; j < N; ++j) row.add_product(over(i, j), d[index(j)]);
       if (!row.value().may_be(0.0)) return false;
     }
@@ -137,7 +160,12 @@ class BranchAndPrune {
         return out.value();
       };
       IntervalSum others;
-      for (int k = 0; k < N; ++k) others.add_product(Y(i, k), g[index(k)]);
+      for (int k = 0; k < N; ++k) others.add_product(Y(i, k), g.at[index(k)]);
+      if (varies) {
+        IntervalSum slope;
+        for (int k = 0; k < N; ++k) slope.add_product(Y(i, k), g.slope[index(k)]);
+        others.add_product(slope.value(), g.offset);
+      }
       for (int j = 0; j < N; ++j)
         if (j != i) others.add_product(entry(j), d[index(j)]);
       const Interval sum = others.value();
@@ -161,7 +189,7 @@ class BranchAndPrune {
 
   /// Proves that the box holds one solution, or none because the one nearby lies outside.
   bool settle(const Box<N>& box) {
-    ReducedVector<N> x = middle(box);
+    ReducedVector<N> x = middle<N>(box);
     if (!system_.converges(x)) return false;
     ReducedVector<N> radius;
     for (int i = 0; i < N; ++i) {
@@ -174,11 +202,12 @@ class BranchAndPrune {
     const auto covering = test.unique(radius);
     if (!covering) return false;
     Proof<N> proof = test.prove();
-    if (!proof.proven || !within(proof.solution, *covering)) return false;
+    if (!proof.proven || !within<N>(proof.solution, *covering)) return false;
     proof.unique = *covering;
     if (apart(proof.solution, everything_)) return true;
     for (const auto& known : out_.solutions) {
-      if (within(proof.solution, known.proof.unique) || within(known.proof.solution, proof.unique))
+      if (within<N>(proof.solution, known.proof.unique) ||
+          within<N>(known.proof.solution, proof.unique))
         return true;
       // One solution twice, or two: not decided here.
       if (!apart(proof.solution, known.proof.solution)) return false;
@@ -230,6 +259,10 @@ class BranchAndPrune {
   }
 
   void leave_undecided(Box<N> box) {
+    if (options_.to_go_on) {
+      out_.undecided.push_back(box);
+      return;
+    }
     for (std::size_t k = 0; k < out_.undecided.size();) {
       if (apart(box, out_.undecided[k])) {
         ++k;
@@ -248,7 +281,7 @@ class BranchAndPrune {
     for (const auto& each : found) {
       const Box<N> image = mirrored(each.proof.solution);
       bool known = false;
-      for (const auto& other : found) known = known || within(image, other.proof.unique);
+      for (const auto& other : found) known = known || within<N>(image, other.proof.unique);
       if (known) continue;
       ProvenSolution<N> twin = each;
       std::swap(twin.x[0], twin.x[1]);
@@ -273,8 +306,8 @@ class BranchAndPrune {
       bool known = false;
       bool unclear = false;
       for (const auto& other : out_.solutions) {
-        if (within(each.proof.solution, other.proof.unique) ||
-            within(other.proof.solution, each.proof.unique)) {
+        if (within<N>(each.proof.solution, other.proof.unique) ||
+            within<N>(other.proof.solution, each.proof.unique)) {
           known = true;
         } else if (!apart(each.proof.solution, other.proof.solution)) {
           unclear = true;
@@ -297,7 +330,7 @@ class BranchAndPrune {
     for (const Box<N>& box : out_.undecided) {
       if (++examined > most_boxes) return;
       for (int corner = 0; corner <= (1 << N); ++corner) {
-        ReducedVector<N> x = middle(box);
+        ReducedVector<N> x = middle<N>(box);
         for (int i = 0; corner > 0 && i < N; ++i) {
           const Interval& side = box[index(i)];
           x[i] = std::sqrt(x[i] * ((((corner - 1) >> i) & 1) != 0 ? side.hi : side.lo));
@@ -344,6 +377,28 @@ PruneResult<N> branch_and_prune(const SearchedSystem<N>& system, Mirror mirror,
   return BranchAndPrune<N>(system, mirror, options).run(everything);
 }
 
+template <int N>
+PruneResult<N> branch_and_prune(const SearchedSystem<N>& system, Mirror mirror,
+                                const PruneOptions& options, const Box<N>& everything,
+                                const PruneResult<N>& before) {
+  return BranchAndPrune<N>(system, mirror, options).go_on(everything, before);
+}
+
+template <int N>
+std::optional<std::vector<ProvenSolution<N>>> solutions_within(
+    const SearchedSystem<N>& system, std::span<const ProvenSolution<N>> of_more) {
+  std::vector<ProvenSolution<N>> out;
+  for (const ProvenSolution<N>& each : of_more) {
+    ReducedVector<N> x = each.x;
+    if (!system.converges(x)) return std::nullopt;
+    Proof<N> proof = Krawczyk<N>(system.boxes(), x).prove();
+    if (!proof.proven || !within<N>(proof.solution, each.proof.unique)) return std::nullopt;
+    proof.unique = each.proof.unique;
+    out.push_back({x, proof});
+  }
+  return out;
+}
+
 template PruneResult<1> branch_and_prune<1>(const SearchedSystem<1>&, Mirror, const PruneOptions&,
                                             const Box<1>&);
 template PruneResult<2> branch_and_prune<2>(const SearchedSystem<2>&, Mirror, const PruneOptions&,
@@ -354,5 +409,14 @@ template PruneResult<4> branch_and_prune<4>(const SearchedSystem<4>&, Mirror, co
                                             const Box<4>&);
 template PruneResult<5> branch_and_prune<5>(const SearchedSystem<5>&, Mirror, const PruneOptions&,
                                             const Box<5>&);
+
+template PruneResult<2> branch_and_prune<2>(const SearchedSystem<2>&, Mirror, const PruneOptions&,
+                                            const Box<2>&, const PruneResult<2>&);
+template PruneResult<3> branch_and_prune<3>(const SearchedSystem<3>&, Mirror, const PruneOptions&,
+                                            const Box<3>&, const PruneResult<3>&);
+template std::optional<std::vector<ProvenSolution<2>>> solutions_within<2>(
+    const SearchedSystem<2>&, std::span<const ProvenSolution<2>>);
+template std::optional<std::vector<ProvenSolution<3>>> solutions_within<3>(
+    const SearchedSystem<3>&, std::span<const ProvenSolution<3>>);
 
 }  // namespace stationary

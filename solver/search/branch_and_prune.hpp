@@ -20,6 +20,8 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "solver/newton/newton.hpp"
@@ -30,6 +32,8 @@ namespace stationary {
 struct PruneOptions {
   double min_width = 0x1p-26;  ///< of a box, in ln x
   long max_boxes = 10000;
+  /// Another search goes on with this one's result: solutions and undecided boxes stay as they are.
+  bool to_go_on = false;
   const std::atomic<bool>* stop = nullptr;
 };
 
@@ -124,5 +128,17 @@ class SearchedPair final : public SearchedSystem<BoxSystem::dimension> {
 template <int N>
 PruneResult<N> branch_and_prune(const SearchedSystem<N>& system, Mirror mirror,
                                 const PruneOptions& options, const Box<N>& everything);
+/// The same after a search to_go_on of a system that this one is a case of, from its solutions, made this
+/// system's, and its undecided boxes; N = 2, 3.
+template <int N>
+PruneResult<N> branch_and_prune(const SearchedSystem<N>& system, Mirror mirror,
+                                const PruneOptions& options, const Box<N>& everything,
+                                const PruneResult<N>& before);
+
+/// Of a case of the system that has each of these alone in its box `unique`, its own solutions there: by
+/// Newton's method from the middle, proven as those of a search are. Nothing where that fails of one.
+template <int N>
+std::optional<std::vector<ProvenSolution<N>>> solutions_within(
+    const SearchedSystem<N>& system, std::span<const ProvenSolution<N>> of_more);
 
 }  // namespace stationary

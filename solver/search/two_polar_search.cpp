@@ -1,6 +1,11 @@
 #include "solver/search/two_polar_search.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -20,6 +25,32 @@ class TwoPolarSearch {
     potential_.visit_parts([this](const auto& model) {
       visit_motion(motion_, [&](const auto& motion) { run_model(model, motion); });
     });
+    return finish();
+  }
+
+  /// Of a separable potential the solutions of its thickness.
+  template <class Model>
+  PruneResult<1> thicknesses(const Model& model) {
+    const auto thickness = interval_model(model.thickness, options_.inputs);
+    return search_.prune(
+        ThicknessSystem<std::decay_t<decltype(model.thickness)>>{model.thickness,
+                                                                 DoubleDouble(0.0)},
+        ThicknessBoxSystem<std::remove_cv_t<decltype(thickness)>>{thickness, 0.0}, Mirror::none, 2);
+  }
+
+  /// Of the plane's solutions with those of the thickness.
+  SearchResult of(const PruneResult<2>& plane, const PruneResult<1>& axial) {
+    take(plane, axial);
+    return finish();
+  }
+  /// Of the solutions of all unknowns.
+  SearchResult of(const PruneResult<3>& all, const PruneResult<1>&) {
+    take(all);
+    return finish();
+  }
+
+ private:
+  SearchResult finish() {
     return search_.finish(
         [](const Equilibrium& each) {
           return std::tuple(-each.q.xi / each.q.zeta, each.q.xi, each.q.rho);
@@ -28,39 +59,39 @@ class TwoPolarSearch {
         {"lambda", "mu", "rho"});
   }
 
- private:
   template <class Model, template <class> class Motion>
   void run_model(const Model& model, const Motion<double>& motion) {
     const TwoPolarSystem<decltype(elastic_system(model)), Motion> system{elastic_system(model),
                                                                          body_.J1, motion};
     const auto boxes = two_polar_box_system(body_.J1, model, motion, options_.inputs);
     if constexpr (requires { model.plane; }) {
-      const auto thickness = interval_model(model.thickness, options_.inputs);
-      const auto axial =
-          search_.prune(ThicknessSystem<std::decay_t<decltype(model.thickness)>>{model.thickness,
-                                                                                 DoubleDouble(0.0)},
-                        ThicknessBoxSystem<std::remove_cv_t<decltype(thickness)>>{thickness, 0.0},
-                        Mirror::none, 2);
-      if (search_.ends_with(axial)) return;
-      search_.combine(
-          search_.prune(system, boxes, Mirror::one), axial,
-          [](const Box<2>& x) {
-            return StretchBox{x[0], x[1], {}};
-          },
-          [this](const ProvenSolution<2>& each, const FoundThickness& rho) {
-            add(each, rho.rho, rho.solution, std::max(each.proof.error_bound, rho.error_bound),
-                each.proof.proven && rho.proven);
-          });
+      const auto axial = thicknesses(model);
+      if (!search_.ends_with(axial)) take(search_.prune(system, boxes, Mirror::one), axial);
     } else {
-      search_.each_of(
-          search_.prune(system, boxes, Mirror::one),
-          [](const Box<3>& x) {
-            return StretchBox{x[0], x[1], x[2]};
-          },
-          [this](const ProvenSolution<3>& each) {
-            add(each, each.x[2], each.proof.solution[2], each.proof.error_bound, each.proof.proven);
-          });
+      take(search_.prune(system, boxes, Mirror::one));
     }
+  }
+
+  void take(const PruneResult<2>& plane, const PruneResult<1>& axial) {
+    search_.combine(
+        plane, axial,
+        [](const Box<2>& x) {
+          return StretchBox{x[0], x[1], {}};
+        },
+        [this](const ProvenSolution<2>& each, const FoundThickness& rho) {
+          add(each, rho.rho, rho.solution, std::max(each.proof.error_bound, rho.error_bound),
+              each.proof.proven && rho.proven);
+        });
+  }
+  void take(const PruneResult<3>& all) {
+    search_.each_of(
+        all,
+        [](const Box<3>& x) {
+          return StretchBox{x[0], x[1], x[2]};
+        },
+        [this](const ProvenSolution<3>& each) {
+          add(each, each.x[2], each.proof.solution[2], each.proof.error_bound, each.proof.proven);
+        });
   }
 
   template <int N>
@@ -70,8 +101,10 @@ class TwoPolarSearch {
     const Interval& mu = each.proof.solution[1];
     // Its mirror image is a solution too; within `unique` it is the solution itself.
     const bool circle = lambda.within(each.proof.unique[1]) && mu.within(each.proof.unique[0]);
-    // The mirror image of one of the box may lie outside.
-    if (lambda.apart_from(options_.range(0)) || mu.apart_from(options_.range(1))) return;
+    // The mirror image of one of the box may lie outside, and one that others of its block have inside.
+    if (lambda.apart_from(options_.range(0)) || mu.apart_from(options_.range(1)) ||
+        rho_box.apart_from(options_.range(2)))
+      return;
     if (!circle && !(lambda.lo > mu.hi)) {
       if (proven) search_.leave_undecided({lambda, mu, rho_box});
       return;
@@ -94,6 +127,182 @@ class TwoPolarSearch {
 };
 
 }  // namespace
+
+class TwoPolarSearches::Blocks {
+ public:
+  virtual ~Blocks() = default;
+  /// Nothing where the motion is to be searched by itself.
+  /// boxes: added to.
+  virtual std::optional<SearchResult> at(const TwoPolarMotion& motion, std::size_t place,
+                                         long& boxes) = 0;
+};
+
+namespace {
+
+template <class Model, template <class> class Motion>
+class BlocksOf final : public TwoPolarSearches::Blocks {
+ public:
+  using Elastic = decltype(elastic_system(std::declval<const Model&>()));
+  static constexpr int N = Elastic::dimension;
+
+  BlocksOf(const Body& body, const Potential& potential, const Model& model,
+           const TwoPolarMotion& motion, const NumberRange& range, const SearchOptions& options)
+      : body_(body),
+        potential_(potential),
+        model_(model),
+        range_(range),
+        options_(options),
+        boxes_(two_polar_box_system(body.J1, model_, std::get<Motion<double>>(motion),
+                                    options.inputs)) {
+    for (std::size_t k = 0; k < everything_.size(); ++k) everything_[k] = options.range(k);
+    if constexpr (N == 2) {
+      axial_ = TwoPolarSearch(body, potential, motion, options).thicknesses(model_);
+      possible_ = axial_.undecided.empty() && !axial_.interrupted;
+    }
+  }
+
+  std::optional<SearchResult> at(const TwoPolarMotion& motion, std::size_t place,
+                                 long& boxes) override {
+    if (!possible_) return std::nullopt;
+    const auto& numbers = std::get<Motion<double>>(motion);
+    const PruneResult<N>* before = around(numbers, place, boxes);
+    if (before == nullptr) return std::nullopt;
+    const System system{elastic_system(model_), body_.J1, numbers};
+    boxes_.motion = as_inputs(numbers);
+    boxes_.varied_number.reset();
+    const SearchedPair searched(system, boxes_);
+    auto known = solutions_within<N>(searched, before->solutions);
+    if (!known) return std::nullopt;
+    const PruneResult<N> found = branch_and_prune<N>(
+        searched, Mirror::one, prune_options(options_.min_width, options_.max_boxes), everything_,
+        {.solutions = std::move(*known), .undecided = before->undecided});
+    boxes += found.boxes;
+    if (found.interrupted || !found.undecided.empty()) return std::nullopt;
+    SearchResult out = TwoPolarSearch(body_, potential_, motion, options_).of(found, axial_);
+    out.boxes = found.boxes;
+    return out.status == SearchStatus::complete ? std::optional(std::move(out)) : std::nullopt;
+  }
+
+ private:
+  using System = TwoPolarSystem<Elastic, Motion>;
+
+  /// Values of a block, and the width in ln x to which its search goes.
+  struct Level {
+    std::size_t size;
+    double min_width;
+  };
+  static constexpr std::array<Level, 2> levels{{{64, 0x1p-3}, {16, 0x1p-5}}};
+  static constexpr long most_boxes = 1000;
+
+  struct Block {
+    std::size_t place = std::numeric_limits<std::size_t>::max();
+    PruneResult<N> left;
+  };
+
+  PruneOptions prune_options(double min_width, long max_boxes) const {
+    return {.min_width = min_width, .max_boxes = max_boxes, .stop = options_.stop};
+  }
+  Motion<Interval> as_inputs(const Motion<double>& numbers) const {
+    return with_numbers(numbers, [this](double c) { return as_input(c, options_.inputs); });
+  }
+
+  /// What the search of the smallest block of the value has left; null where it was stopped.
+  const PruneResult<N>* around(const Motion<double>& motion, std::size_t place, long& boxes) {
+    const PruneResult<N>* out = nullptr;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      Block& block = blocks_[k];
+      const std::size_t own = place / levels[k].size;
+      if (block.place != own) {
+        block = {own, left_of(motion, own * levels[k].size, levels[k], out)};
+        boxes += block.left.boxes;
+        // A block within another begins anew.
+        for (std::size_t j = k + 1; j < levels.size(); ++j) blocks_[j] = Block();
+      }
+      if (block.left.interrupted) return nullptr;
+      out = &block.left;
+    }
+    return out;
+  }
+
+  PruneResult<N> left_of(Motion<double> motion, std::size_t first, const Level& level,
+                         const PruneResult<N>* before) {
+    const auto values = range_.values.subspan(first);
+    const double from = values.front();
+    const double to = values[std::min(level.size, values.size()) - 1];
+    boxes_.motion = as_inputs(motion);
+    boxes_.varied_number = range_.number;
+    number_of(boxes_.motion, range_.number) =
+        hull(as_input(from, options_.inputs), as_input(to, options_.inputs));
+    number_of(motion, range_.number) = std::midpoint(from, to);
+    const System system{elastic_system(model_), body_.J1, motion};
+    const SearchedPair searched(system, boxes_);
+    PruneOptions how = prune_options(level.min_width, most_boxes);
+    how.to_go_on = true;
+    return before == nullptr
+               ? branch_and_prune<N>(searched, Mirror::one, how, everything_)
+               : branch_and_prune<N>(searched, Mirror::one, how, everything_, *before);
+  }
+
+  const Body& body_;
+  const Potential& potential_;
+  Model model_;
+  NumberRange range_;
+  const SearchOptions& options_;
+  decltype(two_polar_box_system(0.0, std::declval<const Model&>(),
+                                std::declval<const Motion<double>&>(), Inputs::decimals)) boxes_;
+  Box<N> everything_;
+  PruneResult<1> axial_;
+  bool possible_ = true;
+  std::array<Block, levels.size()> blocks_;
+};
+
+}  // namespace
+
+TwoPolarSearches::TwoPolarSearches(const Body& body, const Potential& potential,
+                                   const TwoPolarMotion& motion, const NumberRange& range,
+                                   const SearchOptions& options)
+    : body_(body), potential_(potential), motion_(motion), range_(range), options_(options) {
+  require_two_polar(body, motion);
+  require_box(options);
+  potential.visit_parts([&]<class Model>(const Model& model) {
+    std::visit(
+        [&]<template <class> class Motion>(const Motion<double>&) {
+          blocks_ = std::make_unique<BlocksOf<Model, Motion>>(body, potential, model, motion, range,
+                                                              options);
+        },
+        motion);
+  });
+}
+
+TwoPolarSearches::~TwoPolarSearches() = default;
+
+TwoPolarMotion TwoPolarSearches::motion_at(double value) const {
+  TwoPolarMotion out = motion_;
+  std::visit([&](auto& motion) { number_of(motion, range_.number) = value; }, out);
+  return out;
+}
+
+SearchResult TwoPolarSearches::at(double value) {
+  const TwoPolarMotion motion = motion_at(value);
+  require_two_polar(body_, motion);
+  const auto* rates = std::get_if<TwoPolarRates<double>>(&motion);
+  const auto* momenta = std::get_if<TwoPolarMomenta<double>>(&motion);
+  const auto place = std::ranges::lower_bound(range_.values, value);
+  // Lines of solutions, and equal momenta, have equations of their own.
+  const bool of_block = place != range_.values.end() && *place == value &&
+                        !(rates && rates_verdict(body_.J1, potential_, *rates)) &&
+                        !(momenta && momenta->s3 == momenta->p_theta);
+  if (of_block) {
+    auto out = blocks_->at(motion, static_cast<std::size_t>(place - range_.values.begin()), boxes_);
+    if (out) {
+      ++shared_;
+      return std::move(*out);
+    }
+  }
+  SearchResult out = search_two_polar(body_, potential_, motion, options_);
+  boxes_ += out.boxes;
+  return out;
+}
 
 SearchResult search_two_polar(const Body& body, const Potential& potential,
                               const TwoPolarMotion& motion, const SearchOptions& options) {

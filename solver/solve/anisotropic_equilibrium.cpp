@@ -72,24 +72,24 @@ class AnisotropicSolve : FamilySolve {
   }
 
   /// near: the axis that the family is near at its beginning, if it is given.
-  void oblique_each(std::optional<Branch> near, const RateRange& all, std::span<AtRate> rates) {
+  void oblique_each(std::optional<Branch> near, const NumberRange& all, std::span<AtValue> values) {
     const auto rest = rest_state();
     for (const Branch each : {Branch::i, Branch::ii}) {
       if (!rest || (near && *near != each)) continue;
       const auto family = oblique_family(each);
-      for_each_beginning(*family, each, *rest, all.most, [&](const Beginning& at) {
+      for_each_beginning(*family, each, *rest, all.most(), [&](const Beginning& at) {
         const auto range_to = [&](double nu) { return limits(at.nu, nu); };
-        along_each(*family, at.q, at.nu, range_to, all, rates);
-        return std::ranges::all_of(rates, &AtRate::solved);
+        along_each(*family, at.q, at.nu, range_to, all, values);
+        return std::ranges::all_of(values, &AtValue::solved);
       });
     }
-    for (AtRate& each : rates) {
+    for (AtValue& each : values) {
       const SolveStatus known = each.equilibrium.status;
       const bool open = known == SolveStatus::not_run || known == SolveStatus::not_found;
       if (open && wants_search() && !stopped()) {
         begin_anew();
         fail("not on a family followed from rest");
-        nearest_of(search_oblique(body_, potential_, {each.nu, near}, short_search()));
+        nearest_of(search_oblique(body_, potential_, {each.value, near}, short_search()));
         each.equilibrium = out_;
       }
       upwards(each.equilibrium);
@@ -273,14 +273,14 @@ Equilibrium solve_oblique(const Body& body, const Potential& potential,
 }
 
 void solve_oblique_each(const Body& body, const Potential& potential, std::optional<Branch> near,
-                        bool spectra, const SolveOptions& options, const RateRange& all,
-                        std::span<AtRate> rates) {
-  if (rates.empty()) return;
-  require_rates(rates);
-  AnisotropicSolve(body, potential, options).oblique_each(near, all, rates);
+                        bool spectra, const SolveOptions& options, const NumberRange& all,
+                        std::span<AtValue> at) {
+  if (at.empty()) return;
+  require_rates(at);
+  AnisotropicSolve(body, potential, options).oblique_each(near, all, at);
   if (!spectra) return;
   std::array<std::unique_ptr<Family<5>>, 2> families;
-  for (AtRate& each : rates) {
+  for (AtValue& each : at) {
     if (!each.solved() || each.spectrum) continue;
     const Branch axis = nearer_axis(each.equilibrium.nu);
     auto& family = families[axis == Branch::i ? 0 : 1];

@@ -15,7 +15,7 @@
 #include <span>
 
 #include "solver/family/anisotropic_family.hpp"
-#include "solver/solve/at_rates.hpp"
+#include "solver/motion/at_values.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {
@@ -33,8 +33,8 @@ Equilibrium solve_oblique(const Body& body, const Potential& potential,
 /// to rest followed once for all. near: as ObliqueRotation has it. spectra: theirs too. all: where they lie. options:
 /// search and stop. Throws as solve_oblique().
 void solve_oblique_each(const Body& body, const Potential& potential, std::optional<Branch> near,
-                        bool spectra, const SolveOptions& options, const RateRange& all,
-                        std::span<AtRate> rates);
+                        bool spectra, const SolveOptions& options, const NumberRange& all,
+                        std::span<AtValue> at);
 
 /// Spectra of many motions of one problem, whose models are made once. The problem must outlive it.
 class AnisotropicSpectra {

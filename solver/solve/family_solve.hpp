@@ -16,8 +16,8 @@
 #include "lib/body/inertia.hpp"
 #include "lib/matrix/small_matrix.hpp"
 #include "solver/family/follow_sheet.hpp"
+#include "solver/motion/at_values.hpp"
 #include "solver/newton/newton.hpp"
-#include "solver/solve/at_rates.hpp"
 #include "solver/solve/counted_steps.hpp"
 #include "solver/solve/curve_points.hpp"
 #include "solver/solve/solve.hpp"
@@ -144,10 +144,10 @@ class FamilySolve {
   /// limits(nu): the range that along() is given, nu one of its ends.
   template <int N, class Limits>
   void along_each(const Family<N>& family, const Stretch& q, double p, const Limits& limits,
-                  const RateRange& all, std::span<AtRate> rates) {
+                  const NumberRange& all, std::span<AtValue> at) {
     double least = p;
     double most = p;
-    for (const double nu : {all.least, std::clamp(p, all.least, all.most), all.most}) {
+    for (const double nu : {all.least(), std::clamp(p, all.least(), all.most()), all.most()}) {
       const auto [from, to] = limits(nu);
       least = std::min(least, from);
       most = std::max(most, to);
@@ -158,15 +158,15 @@ class FamilySolve {
     if (sink.rows().empty() || stopped()) return;
     CurvePoints<N> curve(family, sink.rows(), most);
     const std::size_t start = nearest<N>(curve.rows(), family.coordinates(q, p), p);
-    for (AtRate& each : rates) {
+    for (AtValue& each : at) {
       if (stopped()) return;
       if (each.solved()) continue;
-      const auto [from, to] = limits(each.nu);
-      const auto row = met<N>(curve.rows(), start, from, to, each.nu);
+      const auto [from, to] = limits(each.value);
+      const auto row = met<N>(curve.rows(), start, from, to, each.value);
       if (!row) continue;
       begin_anew();
-      if (!at_place(family, curve.near(*row, each.nu)))
-        along(family, q, p, each.nu, range(from, to, EventSet::none()), {});
+      if (!at_place(family, curve.near(*row, each.value)))
+        along(family, q, p, each.value, range(from, to, EventSet::none()), {});
       each.equilibrium = out_;
     }
   }

@@ -31,11 +31,11 @@ class TiltedSolve : FamilySolve {
     return out_;
   }
 
-  void run_each(const RateRange& all, std::span<AtRate> rates) {
-    for_each_beginning(all.most, [&](const Beginning& at) {
+  void run_each(const NumberRange& all, std::span<AtValue> values) {
+    for_each_beginning(all.most(), [&](const Beginning& at) {
       const auto range_to = [&](double nu) { return limits(at, nu); };
-      along_each(*family_, at.q, at.nu, range_to, all, rates);
-      return std::ranges::all_of(rates, &AtRate::solved);
+      along_each(*family_, at.q, at.nu, range_to, all, values);
+      return std::ranges::all_of(values, &AtValue::solved);
     });
   }
 
@@ -135,15 +135,15 @@ Equilibrium solve_tilted(const Body& body, const Potential& potential, const Til
 }
 
 void solve_tilted_each(const Body& body, const Potential& potential, TiltPlane plane, bool spectra,
-                       const SolveOptions& options, const RateRange& all, std::span<AtRate> rates) {
-  if (rates.empty()) return;
-  require_rates(rates);
-  TiltedSolve(body, potential, {plane, rates.front().nu}, options).run_each(all, rates);
+                       const SolveOptions& options, const NumberRange& all, std::span<AtValue> at) {
+  if (at.empty()) return;
+  require_rates(at);
+  TiltedSolve(body, potential, {plane, at.front().value}, options).run_each(all, at);
   if (!spectra) return;
   const auto family = tilted_family(body, potential, plane, true);
-  for (AtRate& each : rates)
+  for (AtValue& each : at)
     if (each.solved() && !each.spectrum)
-      each.spectrum = family_spectrum(*family, each.equilibrium, each.nu);
+      each.spectrum = family_spectrum(*family, each.equilibrium, each.value);
 }
 
 std::optional<Spectrum> tilted_stability(const Body& body, const Potential& potential,

@@ -11,7 +11,7 @@
 #include <span>
 
 #include "solver/family/tilted_family.hpp"
-#include "solver/solve/at_rates.hpp"
+#include "solver/motion/at_values.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {
@@ -24,7 +24,7 @@ Equilibrium solve_tilted(const Body& body, const Potential& potential, const Til
 /// At each |nu| that has no motion yet what solve_tilted() finds without a start, sheets followed once
 /// for all. spectra: theirs too. all: where they lie. options: search and stop. Throws as solve_tilted().
 void solve_tilted_each(const Body& body, const Potential& potential, TiltPlane plane, bool spectra,
-                       const SolveOptions& options, const RateRange& all, std::span<AtRate> rates);
+                       const SolveOptions& options, const NumberRange& all, std::span<AtValue> at);
 
 /// Of a solved one.
 std::optional<Spectrum> tilted_stability(const Body& body, const Potential& potential,

@@ -279,9 +279,7 @@ void circle_instead(const Body& body, const Potential& potential,
 
 /// Of all ellipses in the search's box the one nearest to the unit stretches; where none is proven, of
 /// those found in boxes left undecided. False where the search does not decide whether there is one.
-bool nearest_of_all(const Body& body, const Potential& potential, const TwoPolarMotion& motion,
-                    const SolveOptions& options, Equilibrium& out) {
-  const SearchResult all = search_two_polar(body, potential, motion, {.stop = options.stop});
+bool nearest_of_all(const SearchResult& all, Equilibrium& out) {
   if (all.status == SearchStatus::interrupted) {
     out.status = SolveStatus::interrupted;
     return true;
@@ -317,13 +315,10 @@ bool nearest_of_all(const Body& body, const Potential& potential, const TwoPolar
   return true;
 }
 
-}  // namespace
-
-Equilibrium solve_two_polar(const Body& body, const Potential& potential,
-                            const TwoPolarMotion& motion, const SolveOptions& options) {
-  require_two_polar(body, motion);
-  if (options.start) require_positive_definite(*options.start);
-
+/// all(): every two-polar motion that a search finds.
+template <class All>
+Equilibrium solved(const Body& body, const Potential& potential, const TwoPolarMotion& motion,
+                   const SolveOptions& options, const All& all) {
   Equilibrium out;
   Solver solver(body, potential, options, out);
   const bool by_nlopt = options.start || !options.search || options.method == Method::nlopt;
@@ -337,7 +332,7 @@ Equilibrium solve_two_polar(const Body& body, const Potential& potential,
     if (verdict) {
       out.status = SolveStatus::none_exists;
       out.message = "lambda != mu exists only where " + verdict->condition;
-    } else if (by_nlopt || !nearest_of_all(body, potential, motion, options, out)) {
+    } else if (by_nlopt || !nearest_of_all(all(), out)) {
       solver.run(*rates);
     }
     if (out.status == SolveStatus::none_exists || out.status == SolveStatus::not_found)
@@ -345,7 +340,7 @@ Equilibrium solve_two_polar(const Body& body, const Potential& potential,
   } else {
     const auto& momenta = std::get<TwoPolarMomenta<double>>(motion);
     const bool equal = momenta.s3 == momenta.p_theta;
-    if (by_nlopt || !nearest_of_all(body, potential, motion, options, out)) {
+    if (by_nlopt || !nearest_of_all(all(), out)) {
       if (equal) {
         solver.run(TwoPolarEqualMomenta<double>{momenta.s3});
       } else {
@@ -363,6 +358,33 @@ Equilibrium solve_two_polar(const Body& body, const Potential& potential,
     out.message += "; but the recomputed balance residual is no equilibrium's";
   }
   return out;
+}
+
+}  // namespace
+
+Equilibrium solve_two_polar(const Body& body, const Potential& potential,
+                            const TwoPolarMotion& motion, const SolveOptions& options) {
+  require_two_polar(body, motion);
+  if (options.start) require_positive_definite(*options.start);
+  return solved(body, potential, motion, options,
+                [&] { return search_two_polar(body, potential, motion, {.stop = options.stop}); });
+}
+
+void solve_two_polar_each(const Body& body, const Potential& potential,
+                          const TwoPolarMotion& motion, bool spectra, const SolveOptions& options,
+                          const NumberRange& range, std::span<AtValue> at) {
+  SolveOptions how = options;
+  how.start.reset();
+  const SearchOptions search{.stop = options.stop};
+  TwoPolarSearches searches(body, potential, motion, range, search);
+  for (AtValue& each : at) {
+    if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed)) return;
+    if (each.solved()) continue;
+    each.equilibrium = solved(body, potential, searches.motion_at(each.value), how,
+                              [&] { return searches.at(each.value); });
+    if (spectra && each.solved())
+      each.spectrum = two_polar_stability(body, potential, each.equilibrium);
+  }
 }
 
 Spectrum two_polar_stability(const Body& body, const Potential& potential,

@@ -6,7 +6,10 @@
 // which depends on omega + theta' only and has s3 = p_theta, is returned and named.
 #pragma once
 
+#include <span>
+
 #include "lib/stability/spectrum.hpp"
+#include "solver/motion/at_values.hpp"
 #include "solver/motion/two_polar_motion.hpp"
 #include "solver/solve/solve.hpp"
 
@@ -18,6 +21,13 @@ namespace stationary {
 /// require_two_polar().
 Equilibrium solve_two_polar(const Body& body, const Potential& potential,
                             const TwoPolarMotion& motion, const SolveOptions& options = {});
+
+/// At each value of a number of the motion that has none yet what solve_two_polar() finds without a
+/// start, by searches that serve many of them (TwoPolarSearches). spectra: theirs too. options: method,
+/// search and stop. Throws as solve_two_polar().
+void solve_two_polar_each(const Body& body, const Potential& potential,
+                          const TwoPolarMotion& motion, bool spectra, const SolveOptions& options,
+                          const NumberRange& range, std::span<AtValue> at);
 
 /// Its spectrum on the leaf |s|, p_theta fixed (lambda != mu), or that of (iii) with nu3 = omega +
 /// theta' on the circle.

@@ -154,15 +154,10 @@ std::string axis_text(const MapAxis& axis) {
 /// The case's, and what of it holds at its own numbers only.
 ComputationPlan map_plan(const Case& input, bool to_table) {
   ComputationPlan out = computation_plan(input, to_table);
-  if (!has_lanes(input.motion) && follows_rows(input)) {
-    out.computed.push_back(
-        {"cells",
-         "on the sheets that `solve` follows from rest, followed once for all nu "
-         "of one body",
-         "x is nu, and the motion is found by following others"});
-  } else if (!has_lanes(input.motion)) {
-    out.computed.push_back({"cells", "each solved by itself, as `solve` does",
-                            "a kind of motion that is not marched in nu"});
+  if (!has_lanes(input.motion)) {
+    const PlanItem alone{"cells", "each solved by itself, as `solve` does",
+                         "a kind of motion that is not marched in nu"};
+    out.computed.push_back(rows_together(input).value_or(alone));
   } else if (!input.potential.is_isotropic()) {
     out.computed.push_back(
         {"cells", "on the curve from the rest state, followed once for all nu of one body",

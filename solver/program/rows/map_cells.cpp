@@ -11,15 +11,19 @@
 namespace stationary {
 namespace {
 
-/// Whether the cells of a row of the grid differ in nu alone.
-bool are_rows_in_nu(const CaseMap& map) {
+/// Which of the motion's own numbers it is that alone the cells of a row of the grid differ in.
+std::optional<int> number_of_rows(const CaseMap& map, Motion motion) {
   const ParameterParts x = parts_of(map.x.parameter);
-  if (x.first != "nu" || !x.second.empty()) return false;
-  return !map.y || parts_of(map.y->parameter).second != "nu";
+  if (!x.second.empty()) return std::nullopt;
+  if (map.y && parts_of(map.y->parameter).second == x.first) return std::nullopt;
+  const std::vector<MotionNumber> numbers = motion_numbers(motion);
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    if (numbers[k].parameter == x.first) return static_cast<int>(k);
+  return std::nullopt;
 }
 
-/// Cells of any kind of motion: where |nu| is x, and the kind follows its motions, those of a row of
-/// the grid together; else each by itself.
+/// Cells of any kind of motion: where a number of the motion is x, and the kind solves for many of its
+/// values together, those of a row of the grid; else each by itself.
 class KindCells final : public MapCells {
  public:
   explicit KindCells(const Case& input)
@@ -27,10 +31,11 @@ class KindCells final : public MapCells {
         x_(input.map.value().x.values()),
         y_(input.map->y ? input.map->y->values()
                         : std::vector<double>{std::numeric_limits<double>::quiet_NaN()}),
-        follows_(follows_rows(input)) {}
+        number_(number_of_rows(*input.map, input.motion)),
+        together_(rows_together(input)) {}
 
   std::size_t size() const override { return x_.size() * y_.size(); }
-  std::size_t tile() const override { return follows_ ? std::min(x_.size(), most_together) : 8; }
+  std::size_t tile() const override { return together_ ? std::min(x_.size(), most_together) : 8; }
   bool marches() const override { return false; }
 
   RowCounts rows(std::size_t first, std::size_t last, const RowParts& parts,
@@ -41,8 +46,9 @@ class KindCells final : public MapCells {
     const Asked asked{parts, wanted, stop};
     while (first < last) {
       const std::size_t row_end = (first / x_.size() + 1) * x_.size();
-      const std::size_t end = follows_ ? std::min(last, row_end) : first + 1;
-      if (follows_ && together(first, end, asked, out, counts)) {
+      const std::size_t end = together_ ? std::min(last, row_end) : first + 1;
+      if (together_) {
+        together(first, end, asked, out, counts);
         counts.scalar_lanes += first % x_.size() == 0;
       } else {
         counts.scalar_lanes += static_cast<long>(end - first);
@@ -67,8 +73,8 @@ class KindCells final : public MapCells {
                             y_[k / x_.size()]);
   }
 
-  /// The cells of one row of the grid. False where their kind does not follow its motions.
-  bool together(std::size_t first, std::size_t last, const Asked& asked, std::vector<TableRow>& out,
+  /// Cells of one row of the grid, of a kind that solves for them together.
+  void together(std::size_t first, std::size_t last, const Asked& asked, std::vector<TableRow>& out,
                 RowCounts& counts) const {
     const FamilyParameters at = at_cell(first);
     const Potential potential = make_potential(at.models, at.body);
@@ -77,33 +83,35 @@ class KindCells final : public MapCells {
     how.stop = asked.stop;
     // At rest no axis is one of a spin.
     const std::size_t spins = first + (x_[first % x_.size()] == 0.0 ? 1 : 0);
-    std::vector<AtRate> rates;
-    for (std::size_t k = spins; k < last; ++k) rates.push_back({.nu = x_[k % x_.size()]});
-    std::vector<std::size_t> places(rates.size());
-    if (!first_found_each(kinds, asked.parts.spectrum, how, {x_.front(), x_.back()}, rates, places))
-      return false;
+    std::vector<AtValue> values;
+    for (std::size_t k = spins; k < last; ++k) values.push_back({.value = x_[k % x_.size()]});
+    std::vector<std::size_t> places(values.size());
+    first_found_each(kinds, asked.parts.spectrum, how, {.values = x_, .number = *number_}, values,
+                     places);
     for (std::size_t k = first; k < last; ++k) {
       if (asked.stop != nullptr && asked.stop->load(std::memory_order_relaxed)) break;
-      const bool found = k >= spins && rates[k - spins].solved();
+      const bool found = k >= spins && values[k - spins].solved();
       if (found) {
-        const AtRate& rate = rates[k - spins];
+        const AtValue& at_value = values[k - spins];
         TableRow& row = begun(k, at.motion, CellStatus::solved, out);
-        fill_row(row.branch, at.body, potential, rate.equilibrium, asked.wanted, row);
+        fill_row(row.branch, at.body, potential, at_value.equilibrium, asked.wanted, row);
         if (asked.parts.certificate) {
           const FamilyParameters here = at_cell(k);
           const Alternatives own = alternatives(here.body, potential, here.motion, false);
           const Kind& kind = *own.each[places[k - spins]].kind;
-          finish(kind, rate.equilibrium, rate.spectrum, asked, row, counts);
+          finish(kind, at_value.equilibrium, at_value.spectrum, asked, row, counts);
         } else {
-          finish(*kinds.each.front().kind, rate.equilibrium, rate.spectrum, asked, row, counts);
+          finish(*kinds.each.front().kind, at_value.equilibrium, at_value.spectrum, asked, row,
+                 counts);
         }
       } else if (k < spins || kinds.any) {
         alone(k, asked, out, counts);
       } else {
-        (void)begun(k, at.motion, CellStatus::not_found, out);
+        const SolveStatus status = values[k - spins].equilibrium.status;
+        const bool open = status == SolveStatus::not_run;
+        (void)begun(k, at.motion, open ? CellStatus::not_found : cell_status(status), out);
       }
     }
-    return true;
   }
 
   void alone(std::size_t k, const Asked& asked, std::vector<TableRow>& out,
@@ -149,7 +157,8 @@ class KindCells final : public MapCells {
   const Case& input_;
   std::vector<double> x_;
   std::vector<double> y_;  ///< one number where the grid has no y
-  bool follows_;
+  std::optional<int> number_;
+  bool together_;
 };
 
 }  // namespace
@@ -167,10 +176,9 @@ CellStatus cell_status(SolveStatus status) {
   }
 }
 
-bool follows_rows(const Case& input) {
-  const Alternatives kinds =
-      alternatives(input.body, input.potential, input.motion, /*anywhere=*/false);
-  return are_rows_in_nu(input.map.value()) && first_found_each(kinds, false, {}, {}, {}, {});
+std::optional<PlanItem> rows_together(const Case& input) {
+  if (!number_of_rows(input.map.value(), input.motion)) return std::nullopt;
+  return together(alternatives(input.body, input.potential, input.motion, /*anywhere=*/false));
 }
 
 std::unique_ptr<MapCells> map_cells(const Case& input) {

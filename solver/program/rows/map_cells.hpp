@@ -3,13 +3,14 @@
 //
 // About a material axis cells of one body are solved together (map_grid.hpp). Of other kinds of
 // motion each is what `solve` finds, on the sheet that is connected to rest where there is one: by
-// itself, or, where x is |nu| and the kind follows its motions from rest, for a row of the grid at
-// once.
+// itself, or, where x is a number of the motion and the kind has motions at many values together, for a
+// row of the grid at once.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "solver/program/case/case_file.hpp"
@@ -57,9 +58,9 @@ class MapCells {
 
 CellStatus cell_status(SolveStatus status);
 
-/// Whether the cells of a row are had from sheets followed once for all of them; not asked about a
-/// material axis. input: with a map (std::bad_optional_access otherwise).
-bool follows_rows(const Case& input);
+/// For a person, how the cells of a row are had together; nothing where each is solved by itself. Not asked
+/// about a material axis. input: with a map (std::bad_optional_access otherwise).
+std::optional<PlanItem> rows_together(const Case& input);
 
 /// input: with a map (std::bad_optional_access otherwise). It must outlive the cells.
 std::unique_ptr<MapCells> map_cells(const Case& input);

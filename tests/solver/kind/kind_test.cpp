@@ -177,13 +177,24 @@ TEST_P(EveryKind, SolvesWhatItProves) {
   }
 }
 
-/// The motion at another |nu|.
-Motion at_rate(Motion motion, double nu) {
-  std::visit(
-      [&](auto& each) {
-        if constexpr (requires { each.nu = nu; }) each.nu = nu;
+/// The number of a motion with this index among its own.
+double& number_in(Motion& motion, int number) {
+  return std::visit(
+      [&](auto& each) -> double& {
+        if constexpr (requires { each.nu; }) {
+          return each.nu;
+        } else if (auto* rates = std::get_if<TwoPolarRates<double>>(&each)) {
+          return number == 0 ? rates->omega : rates->theta_dot;
+        } else {
+          auto& momenta = std::get<TwoPolarMomenta<double>>(each);
+          return number == 0 ? momenta.s3 : momenta.p_theta;
+        }
       },
       motion);
+}
+/// The motion at another value of it.
+Motion at_number(Motion motion, int number, double value) {
+  number_in(motion, number) = value;
   return motion;
 }
 
@@ -235,16 +246,8 @@ TEST_P(EveryKind, FindsItAmongAllOfThem) {
 TEST_P(EveryKind, FollowsWhatItProves) {
   const Posed& posed = GetParam();
   const AnyFamily family = kind_->family({}, {}, found_.q);
-  const auto numbers = [](const Motion& motion) {
-    if (const auto* axis = std::get_if<AxisRotation>(&motion)) return axis->nu;
-    if (const auto* tilted = std::get_if<TiltedMotion>(&motion)) return tilted->nu;
-    if (const auto* oblique = std::get_if<ObliqueRotation>(&motion)) return oblique->nu;
-    if (const auto* spatial = std::get_if<SpatialRotation>(&motion)) return spatial->nu;
-    const auto& two = std::get<TwoPolarMotion>(motion);
-    if (const auto* rates = std::get_if<TwoPolarRates<double>>(&two)) return rates->omega;
-    return std::get<TwoPolarMomenta<double>>(two).s3;
-  };
-  const double p = numbers(posed.motion);
+  Motion motion = posed.motion;
+  const double p = number_in(motion, 0);
   const Followed sheet =
       followed(family, found_.q, p, range(0.8 * p, posed.has_events ? 1.3 * p : 1.1 * p));
   ASSERT_TRUE(sheet.report.failure.empty()) << sheet.report.failure;
@@ -252,19 +255,7 @@ TEST_P(EveryKind, FollowsWhatItProves) {
   int events = 0;
   for (const FollowedRow& row : sheet.rows) {
     const Equilibrium at = equilibrium_of(row.member);
-    const Motion there = [&]() -> Motion {
-      Motion out = kind_->motion();
-      const double value = row.member.parameter;
-      if (auto* axis = std::get_if<AxisRotation>(&out)) axis->nu = value;
-      if (auto* tilted = std::get_if<TiltedMotion>(&out)) tilted->nu = value;
-      if (auto* oblique = std::get_if<ObliqueRotation>(&out)) oblique->nu = value;
-      if (auto* spatial = std::get_if<SpatialRotation>(&out)) spatial->nu = value;
-      if (auto* two = std::get_if<TwoPolarMotion>(&out)) {
-        if (auto* rates = std::get_if<TwoPolarRates<double>>(two)) rates->omega = value;
-        if (auto* momenta = std::get_if<TwoPolarMomenta<double>>(two)) momenta->s3 = value;
-      }
-      return out;
-    }();
+    const Motion there = at_number(kind_->motion(), 0, row.member.parameter);
     const auto kind = kind_of(posed.body, posed.potential, there);
     if (const auto event = kind->enclose_event({}, row.event, row.member)) {
       ++events;
@@ -352,55 +343,63 @@ TEST(Kinds, ThatAreNotSoughtAreNotSaidNotToExist) {
   EXPECT_FALSE(fibre->nonexistence());
 }
 
-/// Sheets followed once lead to what each |nu| has by itself, modes to the bit.
-TEST(ManyRates, HaveWhatEachHasByItself) {
+/// Sheets followed once, and searches of blocks, lead to what each value has by itself, modes to the bit.
+TEST(ManyValues, HaveWhatEachHasByItself) {
   int compared = 0;
   for (const Posed& posed : all_kinds()) {
     const Alternatives kinds = alternatives(posed.body, posed.potential, posed.motion, false);
-    if (!first_found_each(kinds, true, {}, {}, {}, {})) continue;
-    ++compared;
-    const double nu = first_found(kinds, {}).equilibrium.nu.norm();
-    std::vector<AtRate> rates;
-    for (const double factor : {0.2, 0.7, 0.97, 0.999, 1.0, 1.0 + 1e-15, 1.02, 1.4})
-      rates.push_back({.nu = factor * nu});
-    const RateRange all{rates.front().nu, rates.back().nu};
-    std::vector<std::size_t> places(rates.size());
-    ASSERT_TRUE(first_found_each(kinds, true, {}, all, rates, places));
-    // Whatever others are asked for.
-    std::vector<AtRate> alone_of_range{{.nu = rates[4].nu}};
-    std::vector<std::size_t> place(1);
-    ASSERT_TRUE(first_found_each(kinds, true, {}, all, alone_of_range, place));
-    EXPECT_EQ(alone_of_range[0].equilibrium.error_bound, rates[4].equilibrium.error_bound);
-    int solved = 0;
-    for (std::size_t k = 0; k < rates.size(); ++k) {
-      const AtRate& rate = rates[k];
-      const Alternatives own =
-          alternatives(posed.body, posed.potential, at_rate(posed.motion, rate.nu), false);
-      const auto [alone, kind] = first_found(own, {});
-      const std::string where = posed.text + " at " + std::to_string(rate.nu);
-      ASSERT_EQ(rate.solved(), alone.status == SolveStatus::solved) << where << alone.message;
-      if (!rate.solved()) continue;
-      ++solved;
-      EXPECT_EQ(own.each[places[k]].kind.get(), kind) << where;
-      EXPECT_LE(apart(rate.equilibrium.q, alone.q), 0x1p-52) << where;
-      EXPECT_LE((rate.equilibrium.nu - alone.nu).norm(), 0x1p-51 * rate.nu) << where;
-      EXPECT_NEAR(rate.equilibrium.error_bound, alone.error_bound, 0.5 * alone.error_bound);
-      EXPECT_LE(rate.equilibrium.residual, acceptable_residual) << where;
-      const auto spectrum = kind->spectrum(rate.equilibrium);
-      ASSERT_TRUE(rate.spectrum && spectrum) << where;
-      EXPECT_EQ(rate.spectrum->verdict, spectrum->verdict) << where;
-      ASSERT_EQ(rate.spectrum->modes, spectrum->modes) << where;
-      for (std::size_t i = 0; i < static_cast<std::size_t>(spectrum->modes); ++i) {
-        EXPECT_EQ(rate.spectrum->mode[i].lambda_re, spectrum->mode[i].lambda_re) << where;
-        EXPECT_EQ(rate.spectrum->mode[i].lambda_im, spectrum->mode[i].lambda_im) << where;
+    if (!together(kinds)) continue;
+    const bool two_polar = std::holds_alternative<TwoPolarMotion>(posed.motion);
+    for (int number = 0; number < (two_polar ? 2 : 1); ++number) {
+      ++compared;
+      Motion motion = posed.motion;
+      const double own = number_in(motion, number);
+      std::vector<double> all;
+      std::vector<AtValue> values;
+      for (const double factor : {0.2, 0.7, 0.97, 0.999, 1.0, 1.0 + 1e-15, 1.02, 1.4})
+        all.push_back(factor * own);
+      std::ranges::sort(all);
+      for (const double value : all) values.push_back({.value = value});
+      const NumberRange range{.values = all, .number = number};
+      std::vector<std::size_t> places(values.size());
+      first_found_each(kinds, true, {}, range, values, places);
+      // Whatever others are asked for.
+      std::vector<AtValue> alone_of_range{{.value = values[4].value}};
+      std::vector<std::size_t> place(1);
+      first_found_each(kinds, true, {}, range, alone_of_range, place);
+      EXPECT_EQ(alone_of_range[0].equilibrium.error_bound, values[4].equilibrium.error_bound);
+      int solved = 0;
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const AtValue& at = values[k];
+        const Alternatives there = alternatives(posed.body, posed.potential,
+                                                at_number(posed.motion, number, at.value), false);
+        const auto [alone, kind] = first_found(there, {});
+        const std::string where = posed.text + " at " + std::to_string(at.value);
+        ASSERT_EQ(at.solved(), alone.status == SolveStatus::solved) << where << alone.message;
+        if (!at.solved()) continue;
+        ++solved;
+        EXPECT_EQ(there.each[places[k]].kind.get(), kind) << where;
+        EXPECT_LE(apart(at.equilibrium.q, alone.q), two_polar ? 0.0 : 0x1p-52) << where;
+        EXPECT_LE((at.equilibrium.nu - alone.nu).norm(), 0x1p-51 * alone.nu.norm()) << where;
+        EXPECT_EQ(at.equilibrium.circle, alone.circle) << where;
+        EXPECT_NEAR(at.equilibrium.error_bound, alone.error_bound, 0.5 * alone.error_bound);
+        EXPECT_LE(at.equilibrium.residual, acceptable_residual) << where;
+        const auto spectrum = kind->spectrum(at.equilibrium);
+        ASSERT_TRUE(at.spectrum && spectrum) << where;
+        EXPECT_EQ(at.spectrum->verdict, spectrum->verdict) << where;
+        ASSERT_EQ(at.spectrum->modes, spectrum->modes) << where;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(spectrum->modes); ++i) {
+          EXPECT_EQ(at.spectrum->mode[i].lambda_re, spectrum->mode[i].lambda_re) << where;
+          EXPECT_EQ(at.spectrum->mode[i].lambda_im, spectrum->mode[i].lambda_im) << where;
+        }
       }
+      EXPECT_GE(solved, 3) << posed.text;
     }
-    EXPECT_GE(solved, 3) << posed.text;
   }
-  EXPECT_EQ(compared, 7);
+  EXPECT_EQ(compared, 21);
 }
 
-TEST(ManyRates, OfFamiliesThatLeaveAnAxisOrBeginAboutIt) {
+TEST(ManyValues, OfFamiliesThatLeaveAnAxisOrBeginAboutIt) {
   const Body plate(1.0, 1.7, 0.6);
   // Of an even V the axis leaves 1 at an event, nu = 0.7405, to 0.7670; else it is about one at rest.
   struct Lane {
@@ -408,32 +407,34 @@ TEST(ManyRates, OfFamiliesThatLeaveAnAxisOrBeginAboutIt) {
   };
   for (const auto& [degrees, first, step] : {Lane{0.0, 0.73, 0.002}, Lane{25.0, 0.05, 0.05}}) {
     const Potential V = fibred(NeoHookean<>{1.0, 2.0}, 0.4, degrees);
-    std::vector<AtRate> rates;
-    for (int k = 0; k < 20; ++k) rates.push_back({.nu = first + step * k});
-    std::vector<AtRate> searched = rates;
-    std::vector<std::size_t> places(rates.size());
+    std::vector<AtValue> values;
+    const double all[] = {0.0, 1.0};
+    for (int k = 0; k < 20; ++k) values.push_back({.value = first + step * k});
+    std::vector<AtValue> searched = values;
+    std::vector<std::size_t> places(values.size());
     const Alternatives both = alternatives(plate, V, ObliqueRotation{0.25}, false);
-    ASSERT_TRUE(first_found_each(both, false, {}, {0.0, 1.0}, rates, places));
+    ASSERT_TRUE(together(both));
+    first_found_each(both, false, {}, {.values = all}, values, places);
     const auto kind = kind_of(plate, V, ObliqueRotation{0.25, Branch::i});
-    ASSERT_TRUE(kind->solve_each(false, {}, {0.0, 1.0}, searched));
+    kind->solve_each(false, {}, {.values = all}, searched);
     int followed = 0;
     int alone_found = 0;
-    for (std::size_t k = 0; k < rates.size(); ++k) {
+    for (std::size_t k = 0; k < values.size(); ++k) {
       for (const std::size_t place : {std::size_t{0}, std::size_t{1}}) {
-        const auto own =
-            kind_of(plate, V, ObliqueRotation{rates[k].nu, place == 0 ? Branch::i : Branch::ii});
+        const auto own = kind_of(
+            plate, V, ObliqueRotation{values[k].value, place == 0 ? Branch::i : Branch::ii});
         const Equilibrium alone = own->solve({.search = false});
         if (alone.status != SolveStatus::solved) continue;
-        ASSERT_TRUE(rates[k].solved()) << degrees << " " << rates[k].nu;
+        ASSERT_TRUE(values[k].solved()) << degrees << " " << values[k].value;
         EXPECT_EQ(places[k], place);
-        EXPECT_LE(apart(rates[k].equilibrium.q, alone.q), 0x1p-52);
+        EXPECT_LE(apart(values[k].equilibrium.q, alone.q), 0x1p-52);
         ++followed;
         break;
       }
       // One family alone, and where it has none a search.
       const Equilibrium alone =
-          kind_of(plate, V, ObliqueRotation{rates[k].nu, Branch::i})->solve({});
-      EXPECT_EQ(searched[k].equilibrium.status, alone.status) << degrees << " " << rates[k].nu;
+          kind_of(plate, V, ObliqueRotation{values[k].value, Branch::i})->solve({});
+      EXPECT_EQ(searched[k].equilibrium.status, alone.status) << degrees << " " << values[k].value;
       if (alone.status != SolveStatus::solved) continue;
       ++alone_found;
       EXPECT_LE(apart(searched[k].equilibrium.q, alone.q), 0x1p-52);
@@ -443,23 +444,24 @@ TEST(ManyRates, OfFamiliesThatLeaveAnAxisOrBeginAboutIt) {
   }
 }
 
-TEST(ManyRates, AreRefusedAndStoppedAsOneIs) {
+TEST(ManyValues, AreRefusedAndStoppedAsOneIs) {
+  const double all[] = {0.0, 1.0};
   const auto tilted =
       kind_of(Body(1.0, 1.7, 0.6), made_of("neo-hookean"), TiltedMotion{TiltPlane::one_three, 1.0});
   for (const double nu : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
-    std::vector<AtRate> rates{{.nu = 1.0}, {.nu = nu}};
-    EXPECT_THROW((void)tilted->solve_each(true, {}, {0.0, 1.0}, rates), std::invalid_argument)
+    std::vector<AtValue> values{{.value = 1.0}, {.value = nu}};
+    EXPECT_THROW(tilted->solve_each(true, {}, {.values = all}, values), std::invalid_argument)
         << nu;
   }
   const std::atomic<bool> stop = true;
-  std::vector<AtRate> rates{{.nu = 0.9}, {.nu = 1.0}};
-  EXPECT_TRUE(tilted->solve_each(true, {.stop = &stop}, {0.0, 1.0}, rates));
-  for (const AtRate& each : rates) EXPECT_FALSE(each.solved());
+  std::vector<AtValue> values{{.value = 0.9}, {.value = 1.0}};
+  tilted->solve_each(true, {.stop = &stop}, {.values = all}, values);
+  for (const AtValue& each : values) EXPECT_FALSE(each.solved());
   // One that has its motion keeps it.
-  rates[0].equilibrium.status = SolveStatus::solved;
-  rates[0].equilibrium.q = {0.0, 2.0, 3.0, 4.0};
-  EXPECT_TRUE(tilted->solve_each(false, {}, {0.0, 1.0}, rates));
-  EXPECT_EQ(rates[0].equilibrium.q.xi, 2.0);
+  values[0].equilibrium.status = SolveStatus::solved;
+  values[0].equilibrium.q = {0.0, 2.0, 3.0, 4.0};
+  tilted->solve_each(false, {}, {.values = all}, values);
+  EXPECT_EQ(values[0].equilibrium.q.xi, 2.0);
 }
 
 TEST(Alternatives, NameThePlanesAndTheAxes) {

@@ -272,6 +272,86 @@ TEST(TwoPolarCertificate, FakesAreRefused) {
   }
 }
 
+/// Blocks of values serve their motions, and each has what its own search finds: across circles that turn
+/// into ellipses, equal momenta and lines of solutions too.
+TEST(TwoPolarSearches, HaveWhatEachSearchHas) {
+  const Body body = round_body(0.8, 2.3);
+  const double whole[] = {1.0, 2.0};
+  const std::pair<const char*, Potential> potentials[] = {
+      {"saint-venant-kirchhoff", make_potential("saint-venant-kirchhoff", {0.9, 2.1})},
+      {"hencky", make_potential("hencky", {0.9, 2.1})},
+      {"biot", make_potential("biot", {1.0, 0.5})},
+      {"neo-hookean-3d", Potential(Potential::coupled("neo-hookean-3d", whole))}};
+  struct Row {
+    TwoPolarMotion motion;
+    int number;
+    double from, to;
+  };
+  const Row rows[] = {{TwoPolarRates<double>{1.2, 0.0}, 1, -0.7, -0.05},
+                      {TwoPolarRates<double>{0.0, -0.5}, 0, 0.7, 1.5},
+                      {TwoPolarMomenta<double>{0.5, 0.0}, 1, -1.0, 1.0},
+                      {TwoPolarMomenta<double>{0.0, -0.7}, 0, 0.2, 2.2}};
+  long alone_boxes = 0;
+  long together_boxes = 0;
+  long shared = 0;
+  long compared = 0;
+  for (const auto& [label, V] : potentials)
+    for (const Row& row : rows) {
+      std::vector<double> values;
+      for (int k = 0; k <= 80; ++k) values.push_back(row.from + (row.to - row.from) * k / 80.0);
+      const NumberRange range{.values = values, .number = row.number};
+      const SearchOptions options;
+      TwoPolarSearches searches(body, V, row.motion, range, options);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const TwoPolarMotion motion = searches.motion_at(values[k]);
+        const SearchResult own = search_two_polar(body, V, motion);
+        const SearchResult of_block = searches.at(values[k]);
+        const std::string where = std::string(label) + " at " + std::to_string(values[k]);
+        ASSERT_EQ(of_block.status, own.status) << where << text(own) << text(of_block);
+        ASSERT_EQ(of_block.solutions.size(), own.solutions.size()) << where << text(own);
+        for (std::size_t i = 0; i < own.solutions.size(); ++i) {
+          EXPECT_EQ(of_block.solutions[i].q.xi, own.solutions[i].q.xi) << where;
+          EXPECT_EQ(of_block.solutions[i].q.zeta, own.solutions[i].q.zeta) << where;
+          EXPECT_EQ(of_block.solutions[i].q.rho, own.solutions[i].q.rho) << where;
+          EXPECT_EQ(of_block.solutions[i].circle, own.solutions[i].circle) << where;
+          EXPECT_EQ(of_block.solutions[i].error_bound, own.solutions[i].error_bound) << where;
+          ++compared;
+        }
+        alone_boxes += own.boxes;
+      }
+      shared += searches.shared();
+      together_boxes += searches.boxes();
+      // Whatever was asked for before.
+      TwoPolarSearches anew(body, V, row.motion, range, options);
+      const SearchResult last = anew.at(values[77]);
+      const SearchResult again = searches.at(values[77]);
+      ASSERT_EQ(last.solutions.size(), again.solutions.size());
+      EXPECT_EQ(last.boxes, again.boxes);
+    }
+  EXPECT_GE(compared, 1200);
+  EXPECT_GE(shared, 900);
+  EXPECT_LE(together_boxes, 0.7 * alone_boxes);
+}
+
+TEST(TwoPolarSearches, MisuseAndInterruption) {
+  const Potential V = make_potential("biot-log", {1.0, 1.0});
+  const double values[] = {1.0, 1.1, 1.2};
+  const TwoPolarRates<double> rates{1.1, -0.3};
+  const SearchOptions plain;
+  EXPECT_THROW(TwoPolarSearches(Body(1.0, 1.1, 1.0), V, rates, {.values = values}, plain),
+               std::invalid_argument);
+  const std::atomic<bool> stop = true;
+  const SearchOptions stopped{.stop = &stop};
+  const Body body = round_body(1.0, 1.0);
+  TwoPolarSearches searches(body, V, rates, {.values = values}, stopped);
+  EXPECT_EQ(searches.at(1.1).status, SearchStatus::interrupted);
+  // A value that is none of the range has a search of its own.
+  TwoPolarSearches others(body, V, rates, {.values = values}, plain);
+  EXPECT_EQ(others.at(1.05).status, SearchStatus::complete);
+  EXPECT_THROW((void)others.at(std::nan("")), std::invalid_argument);
+  EXPECT_EQ(others.shared(), 0);
+}
+
 TEST(TwoPolarSearch, MisuseAndInterruption) {
   const Potential V = make_potential("biot-log", {1.0, 1.0});
   const TwoPolarRates<double> rates{1.1, -0.3};
