@@ -186,6 +186,7 @@ class ModeCollector {
       m = modes_[order[k]];
       if (m.forced_zero) continue;
       if (m.re > growth) growth = m.re;
+      if (grows_for_certain(m) && m.re > out.growth) out.growth = m.re;
       if (!decided_[order[k]] || may_meet_another(order[k])) {
         undecided = true;
         m.krein_open = m.im > 0.0 && m.re == 0.0;
@@ -211,7 +212,7 @@ class ModeCollector {
     } else {
       out.verdict = some_negative ? StabilityClass::elliptic : StabilityClass::marginal;
     }
-    if (real || out.verdict == StabilityClass::oscillatory) out.growth = growth;
+    if (out.verdict != StabilityClass::marginal) out.growth = growth;
     return out;
   }
 
@@ -239,6 +240,11 @@ class ModeCollector {
       out[j] = k;
     }
     return out;
+  }
+
+  /// Lambda is off the negative axis, further than it may be wrong.
+  static bool grows_for_certain(const Mode& m) {
+    return m.lambda_re > m.lambda_error || m.lambda_im > 2.0 * m.lambda_error;
   }
 
   bool may_meet_another(std::size_t k) const {

@@ -52,7 +52,7 @@ struct Mode {
 
 struct Spectrum {
   StabilityClass verdict = StabilityClass::marginal;
-  double growth = 0.0;  ///< largest real part; exactly 0 where the class claims none
+  double growth = 0.0;  ///< largest real part, of a marginal one of what grows for certain
   /// Negative directions of E'' on the leaf, which has two dimensions a mode.
   int negative = 0;
   int modes = 0;  ///< 5; 4 at nu = 0; two-polar 4, 3 at s3 = 0; one less of a held volume

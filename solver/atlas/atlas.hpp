@@ -63,7 +63,7 @@ struct AtlasOptions {
 struct AtlasRow {
   Member member;
   EventType event;
-  /// The class on the curve between this row and the last, where both are of events.
+  /// The class on the curve between this row and the last, where neither has_class_of_curve().
   std::optional<StabilityClass> before = std::nullopt;
 };
 

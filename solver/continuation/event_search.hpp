@@ -65,10 +65,7 @@ class EventSearch {
     std::ranges::sort(found_, {}, &Found::u);
     std::vector<Event> out;
     out.reserve(found_.size());
-    for (std::size_t k = 0; k < found_.size(); ++k) {
-      if (k + 1 < found_.size()) found_[k].event.between = class_between(found_[k], found_[k + 1]);
-      out.push_back(std::move(found_[k].event));
-    }
+    for (Found& each : found_) out.push_back(std::move(each.event));
     return out;
   }
 
@@ -181,14 +178,6 @@ class EventSearch {
     }
   }
 
-  std::optional<StabilityClass> class_between(const Found& a, const Found& b) {
-    CurvePoint<N> point;
-    if (!a.event.member.spectrum || !points_.evaluate(0.5 * (a.u + b.u), point))
-      return std::nullopt;
-    if (!point.member.spectrum) return std::nullopt;
-    return point.member.spectrum->verdict;
-  }
-
   /// Where a sign is not certain, the event's own equations may still lead to it.
   bool locate_known(std::size_t k, double a, double b) {
     std::uintmax_t evaluations = 20;
@@ -232,13 +221,8 @@ class EventSearch {
       auto known = curve().event_at(type, point.member, reach * arc().length + 1e-9);
       if (!known || known->member.beyond_end()) return false;
       points_.count();
-      found_.push_back({u,
-                        {type,
-                         std::move(known->member),
-                         known->before,
-                         known->after,
-                         EventStatus::located,
-                         {}}});
+      found_.push_back(
+          {u, {type, std::move(known->member), known->before, known->after, EventStatus::located}});
       return true;
     }
     return false;
@@ -256,7 +240,7 @@ class EventSearch {
       while (along < 0.5 && !points_.changes_between(k, u - along, u + along)) along *= 2.0;
       if (!(along < 0.5)) break;  // nowhere in the step is the sign of f certain
       const auto [before, after] = points_.around(u - along, u + along);
-      Found out{u, {type, point.member, before, after, EventStatus::located, {}}};
+      Found out{u, {type, point.member, before, after, EventStatus::located}};
       const double own = curve().corrector().curve_error(point.arc);
       out.event.member.error_bound = 2.0 * (along * arc().length + own);
       found_.push_back(std::move(out));
@@ -267,7 +251,7 @@ class EventSearch {
     if (type == EventType::none) return;
     const auto [before, after] = points_.around(0.0, 1.0);
     found_.push_back(
-        {0.5 * (low + high), {type, from().member, before, after, EventStatus::bracketed, {}}});
+        {0.5 * (low + high), {type, from().member, before, after, EventStatus::bracketed}});
   }
 
   /// Two zeros of function k inside the step? f at the earlier point, and its distance.

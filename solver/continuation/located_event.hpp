@@ -1,7 +1,6 @@
 // An event of a curve as it is told: where, and how well that is known.
 #pragma once
 
-#include <optional>
 #include <string_view>
 
 #include "solver/motion/event.hpp"
@@ -22,8 +21,6 @@ struct Event {
   double before = 0;  ///< bracket of the parameter, ascending
   double after = 0;
   EventStatus status = EventStatus::bracketed;
-  /// The class on the curve between this event and the next in the same step, if there is one.
-  std::optional<StabilityClass> between = std::nullopt;
 };
 
 }  // namespace stationary

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "lib/matrix/elementwise.hpp"
@@ -177,8 +178,40 @@ class Follower {
     return bracket_of(p, bound * std::abs(p));
   }
 
+  /// The class half way between two members that no other row lies between.
+  std::optional<StabilityClass> class_between(const Member& a, const Member& b) {
+    const ReducedVector<N> x = family_.coordinates_of(a);
+    const double scale = curve_.corrector().scale();
+    ArcVector<N> chord;
+    chord.template head<N>() = logarithms(family_.coordinates_of(b).array() / x.array()).matrix();
+    chord[N] = (b.parameter - a.parameter) / scale;
+    const double length = chord.norm();
+    if (!(length > 0.0)) return std::nullopt;
+    ++report_.counts.members;
+    const Corrected<N> middle = curve_.corrector().correct(
+        moved<N>(x, ReducedVector<N>(0.5 * chord.template head<N>())),
+        a.parameter + 0.5 * scale * chord[N], chord / length, 0.5 * length);
+    report_.counts.linearizations += middle.linearizations;
+    if (middle.status != CorrectorStatus::converged) return std::nullopt;
+    ArcVector<N> way;
+    way.template head<N>() = logarithms(middle.point.x.array() / x.array()).matrix();
+    way[N] = (middle.point.p - a.parameter) / scale;
+    const double along = way.dot(chord) / (length * length);
+    if (!(along > 0.0 && along < 1.0)) return std::nullopt;
+    const CurvePoint<N> point = curve_.complete(middle.point);
+    if (point.member.beyond_end() || !point.member.spectrum) return std::nullopt;
+    return point.member.spectrum->verdict;
+  }
+
   /// A member of a walk, its axis as it has turned from the first row of the table.
   void emit(CurveSink& sink, const Continuation<N>& walk, const Member& member, EventType event) {
+    if (has_class_of_curve(event, member)) {
+      open_.reset();
+    } else {
+      if (const auto verdict = open_ ? class_between(*open_, member) : std::nullopt)
+        sink.between(*verdict);
+      open_ = member;
+    }
     if (walk.has_opposite_axis() != written_opposite_) {
       Member turned = member;
       turned.angular_velocity *= -1.0;
@@ -197,6 +230,7 @@ class Follower {
 
   SheetEnd one(int direction, CurveSink& sink) {
     Continuation<N> walk(curve_, start_, direction, options_.continuation);
+    open_ = start_.member;
     SheetEnd out;
     while (walk.end() == EventType::none) {
       if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
@@ -214,14 +248,11 @@ class Follower {
         break;
       }
       for (const Event& event : walk.unlocated()) record(event);
-      const Event* before = nullptr;
       for (const Event& event : walk.events()) {
         if (!options_.events.has(event.type)) {  // looked for to know where a sheet ends
-          before = nullptr;
+          open_.reset();
           continue;
         }
-        if (before != nullptr && before->between) sink.between(*before->between);
-        before = &event;
         emit(sink, walk, event.member, event.type);
         record(event);
       }
@@ -250,6 +281,7 @@ class Follower {
   Curve<N> curve_;
   CurvePoint<N> start_;
   FollowReport report_;
+  std::optional<Member> open_;  ///< the last row, where what it begins has no class yet
   bool last_is_end_ = false;
   bool written_opposite_ = false;  ///< in the table gone on with, the start's axis
 };
@@ -261,6 +293,7 @@ void HeldBack::give(CurveSink& sink) const {
     if (each != rows_.rbegin() && each->between) sink.between(*each->between);
     sink.row(each->member, each->event);
   }
+  if (before_) sink.between(*before_);
 }
 
 template <int N>

@@ -18,6 +18,15 @@
 
 namespace stationary {
 
+/// Whether the class of a row is that of the curve beside it: at events and ends, and at rest, where the
+/// leaf is another, it may not be.
+inline bool has_class_of_curve(EventType event, bool at_rest) {
+  return event == EventType::none && !at_rest;
+}
+inline bool has_class_of_curve(EventType event, const Member& member) {
+  return has_class_of_curve(event, member.nu == 0.0 && !member.two_polar);
+}
+
 /// Takes the rows of a sheet in order.
 class CurveSink {
  public:
@@ -26,7 +35,7 @@ class CurveSink {
   CurveSink& operator=(const CurveSink&) = delete;
   virtual ~CurveSink() = default;
   virtual void row(const Member& member, EventType event) = 0;
-  /// The class on the curve between two rows of events with no other between them.
+  /// The class on the curve between the last row and the next, where neither has_class_of_curve().
   virtual void between(StabilityClass) {}
 };
 
@@ -82,7 +91,9 @@ struct OpenEnd {
 class HeldBack final : public CurveSink {
  public:
   void row(const Member& member, EventType event) override { rows_.push_back({member, event, {}}); }
-  void between(StabilityClass verdict) override { rows_.back().between = verdict; }
+  void between(StabilityClass verdict) override {
+    (rows_.empty() ? before_ : rows_.back().between) = verdict;
+  }
   void give(CurveSink& sink) const;
   bool empty() const { return rows_.empty(); }
 
@@ -93,6 +104,7 @@ class HeldBack final : public CurveSink {
     std::optional<StabilityClass> between;  ///< this row and the one computed after it
   };
   std::vector<Row> rows_;
+  std::optional<StabilityClass> before_;  ///< what these go on from and the first
 };
 
 /// From a solved q at p.

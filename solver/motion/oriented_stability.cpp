@@ -43,11 +43,9 @@ Spectrum united(const std::vector<std::pair<Block, Spectrum>>& parts) {
     out.verdict = each;
     break;
   }
-  const bool grows =
-      out.verdict == StabilityClass::unstable || out.verdict == StabilityClass::oscillatory;
   for (const auto& [block, part] : parts) {
     out.negative += part.negative;
-    if (grows) out.growth = std::max(out.growth, part.growth);
+    out.growth = std::max(out.growth, part.growth);
     for (int k = 0; k < part.modes; ++k) {
       Mode& mode = out.mode[static_cast<std::size_t>(out.modes++)];
       mode = part.mode[static_cast<std::size_t>(k)];

@@ -7,12 +7,11 @@
 
 namespace stationary {
 
-void CurveTable::place(EventType event, double parameter, bool at_rest,
+void CurveTable::place(EventType event, double parameter, bool voting,
                        std::optional<StabilityClass> verdict) {
   if (point_ == 0) first_parameter_ = parameter;
   last_parameter_ = parameter;
-  last_event_ = event;
-  const bool voting = event == EventType::none && !at_rest;
+  last_votes_ = voting;
   row_[Column::segment] = segments_.row(point_, {event, parameter}, verdict, voting);
   row_[Column::point] = static_cast<double>(point_);
   if (event != EventType::none)
@@ -31,7 +30,7 @@ void CurveTable::convert(FollowReport& report) const {
 }
 
 void CurveTable::row(const Member& member, EventType event) {
-  place(event, member.parameter / unit_, member.nu == 0.0 && !member.two_polar,
+  place(event, member.parameter / unit_, has_class_of_curve(event, member),
         member.spectrum ? std::optional(member.spectrum->verdict) : std::nullopt);
   if (writer_ != nullptr) fill_row(branch_, member, writer_->columns(), row_);
   if (proves()) {
@@ -104,9 +103,9 @@ void CurveTable::again(TableRow row, std::optional<StabilityClass> verdict) {
   const auto type = static_cast<EventType>(event - std::begin(event_names));
   const bool at_rest = row[Column::nu1] == 0.0 && row[Column::nu2] == 0.0 &&
                        row[Column::nu3] == 0.0 && std::isnan(row[Column::omega]);
-  if (verdict && type != EventType::none && last_event_ != EventType::none && point_ > 0)
-    segments_.between(*verdict);
-  place(type, parameter_of(row), at_rest,
+  const bool voting = has_class_of_curve(type, at_rest);
+  if (verdict && !voting && !last_votes_ && point_ > 0) segments_.between(*verdict);
+  place(type, parameter_of(row), voting,
         own == std::end(stability_names)
             ? std::nullopt
             : std::optional(static_cast<StabilityClass>(own - std::begin(stability_names))));

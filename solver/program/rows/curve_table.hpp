@@ -94,7 +94,7 @@ class CurveTable final : public CurveSink {
   void count_proof(bool proven, double parameter, const std::string& reason);
   double parameter_of(const TableRow& row) const;
   /// A row's place among the segments and the events; verdict: its own class.
-  void place(EventType event, double parameter, bool at_rest,
+  void place(EventType event, double parameter, bool voting,
              std::optional<StabilityClass> verdict);
 
   std::string_view branch_;
@@ -106,7 +106,7 @@ class CurveTable final : public CurveSink {
   SegmentBuilder segments_;
   double first_parameter_ = std::numeric_limits<double>::quiet_NaN();
   double last_parameter_ = std::numeric_limits<double>::quiet_NaN();
-  EventType last_event_ = EventType::none;
+  bool last_votes_ = false;
   KindAt kind_at_;        ///< empty: nothing is proven
   KindAt kind_of_event_;  ///< empty: nothing is told
   FamilyParameter parameter_;

@@ -4,7 +4,7 @@
 //   segment   1 1 1 1 1 1 1 2 2 2 2 2 2 2      an event's row belongs to the segment that it ends
 //
 // The rows of events, ends and rest, where the leaf is another, have no say in what class a segment
-// is of. Where the class changes between two rows and no event is known between them, one segment
+// is of; between two of them the class half way is asked for. Where the class changes between two rows and no event is known between them, one segment
 // goes to the one row and the next begins at the other.
 #pragma once
 
@@ -38,7 +38,7 @@ class SegmentBuilder {
  public:
   /// The number of the row's segment. voting: the row's class is that of the curve beside it.
   int row(long point, const SegmentBound& at, std::optional<StabilityClass> verdict, bool voting);
-  /// The class between the last row and the next, both of events.
+  /// The class between the last row and the next, neither of which votes.
   void between(StabilityClass verdict);
   /// Empty where no row had a class.
   std::vector<Segment> segments() const;

@@ -26,6 +26,24 @@ TEST(ModeCollector, CountsNegativeEigenvaluesOfTwoRows) {
 }
 
 /// Certain only beyond what its inputs allow.
+/// What grows beside a mode that is open is told of in a marginal row too.
+TEST(ModeCollector, AGrowthBesideAnOpenModeIsNoZero) {
+  ModeCollector out;
+  out.add_complex(0.5, 2.0, 1e-12);
+  out.add_real(-1e-13, 1e-12, 1);
+  const Spectrum spectrum = out.finish();
+  EXPECT_EQ(spectrum.verdict, StabilityClass::marginal);
+  EXPECT_EQ(spectrum.growth, spectrum.mode[1].re);
+  EXPECT_GT(spectrum.growth, 0.3);
+  // What may be none is none there.
+  ModeCollector open;
+  open.add_real(1e-13, 1e-12, 1);
+  open.add_complex(-4.0, 1e-13, 1e-12);
+  EXPECT_EQ(open.finish().verdict, StabilityClass::marginal);
+  EXPECT_GT(open.finish().mode[0].re, 0.0);
+  EXPECT_EQ(open.finish().growth, 0.0);
+}
+
 TEST(ModeCollector, IsCertainlyPositiveBeyondItsError) {
   EXPECT_TRUE(positive(Conditioned(1.0, 4.0), 0.2));
   EXPECT_FALSE(positive(Conditioned(1.0, 4.0), 0.25));

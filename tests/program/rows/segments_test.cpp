@@ -220,6 +220,86 @@ TEST(Segments, OfACurveThatTurns) {
   EXPECT_THAT(person.out, HasSubstr("0.949312"));
 }
 
+/// Between an event and an end of the sheet, or rest and an event, no row may lie: the class is that of the
+/// curve there, as a solve half way has it.
+TEST(Segments, BesideEndsAndRestAreThoseOfTheCurve) {
+  struct Asked {
+    std::string text;
+    std::vector<std::string> classes;
+  };
+  const Asked all[] = {{R"([body]
+J = [1.716, 1.037, 0.4305]
+[potential]
+plane     = { model = "saint-venant-kirchhoff", mu = 0.5467, lambda = 2.316 }
+thickness = { model = "reciprocal-quadratic", a = 0.8089, b = 1.079 }
+[motion]
+branch = "tilted"
+plane = "13"
+nu = 1.0
+[continuation]
+from = 0.05
+to = 3.0
+tolerance = 1e-4
+)",
+                        {"elliptic", "oscillatory", "elliptic", "oscillatory"}},
+                       {R"([body]
+J = [0.5442, 1.361, 0.544]
+volume = 1.134
+[gravity]
+g = 1.309
+[potential]
+coupled = { model = "neo-hookean-3d", mu = 0.6712, lambda = 1.081 }
+[motion]
+branch = "i"
+nu = 0.3
+[continuation]
+from = 0.0
+to = 0.5
+tolerance = 1e-6
+)",
+                        {"unstable", "stable"}},
+                       {R"([body]
+J = [0.8712, 0.8132, 1.722]
+volume = 1.017
+[gravity]
+g = 0.9843
+[potential]
+plane     = { model = "biot", mu = 0.9281, lambda = 1.763 }
+thickness = { model = "reciprocal-quadratic", a = 0.9015, b = 1.759 }
+[motion]
+branch = "tilted"
+plane = "13"
+nu = 1.0
+[continuation]
+from = 0.05
+to = 3.0
+)",
+                        {"elliptic", "oscillatory", "unstable"}}};
+  const TemporaryDirectory directory;
+  for (const Asked& each : all) {
+    const std::string path = directory.file("case.toml", each.text);
+    const Outcome outcome = run_program({"continue", path, "-o", directory / "x.csv"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json metadata = Json::parse(text_of(directory / "x.meta.json"));
+    expect_consistent(text_of(directory / "x.csv"), metadata);
+    std::vector<std::string> classes;
+    for (const Json& segment : metadata["segments"]) {
+      classes.push_back(segment["class"]);
+      const auto& range = segment["ranges"].at(0);
+      const double middle = 0.5 * (range.at(0).get<double>() + range.at(1).get<double>());
+      const Outcome there = run_program({"solve", path, "--quiet", "-o", "-", "--set",
+                                         "motion.nu=" + std::to_string(middle), "--set",
+                                         "output.columns=[\"class\"]"});
+      EXPECT_EQ(rows_of(there.out).at(0).at("class"), classes.back()) << middle << there.err;
+    }
+    EXPECT_EQ(classes, each.classes);
+    // What has come of one run is what is gone on with.
+    const Outcome again = run_program({"continue", path, "-o", directory / "x.csv", "--resume"});
+    ASSERT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(Json::parse(text_of(directory / "x.meta.json"))["segments"], metadata["segments"]);
+  }
+}
+
 TEST(Segments, OfAnAtlas) {
   const TemporaryDirectory directory;
   const Outcome outcome = run_program(

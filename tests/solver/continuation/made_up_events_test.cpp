@@ -94,6 +94,22 @@ TEST(MadeUpEvents, BetweenTwoEventsTheClassIsToldWhereItIsKnown) {
   EXPECT_TRUE(follow_line(line).between.empty());
 }
 
+/// So it is of what lies between rest and an event of the first step, and between one of the last step and
+/// the end.
+TEST(MadeUpEvents, BesideRestAndTheEndTheClassIsTold) {
+  Line line;
+  line.turn = [](double p) { return (p - 1e-5) * (p - 0.99); };
+  line.spectrum = [](double p) {
+    Spectrum out = elliptic(p > 1e-5 && p < 0.99 ? 1 : 2);
+    if (p > 0.99) out.verdict = StabilityClass::unstable;
+    if (p < 1e-5) out.verdict = StabilityClass::oscillatory;
+    return std::optional(out);
+  };
+  const Found found = follow_line(line);
+  ASSERT_EQ(found.sheet.events({EventType::shear}).size(), 2U) << found.sheet.text();
+  EXPECT_EQ(found.between, (std::vector{StabilityClass::oscillatory, StabilityClass::unstable}));
+}
+
 /// The order of two inertias is open around the event, whose own equations have its place: it is
 /// one event, in whatever step.
 TEST(MadeUpEvents, AnEventAmidOpenSignsIsFoundOnce) {
