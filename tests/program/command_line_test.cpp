@@ -73,6 +73,16 @@ TEST(CommandLine, HelpOfACommandIsThatCommandsOwn) {
   const Outcome unknown = run_program({"help", "mop"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("unknown command \"mop\"; did you mean \"map\"?"));
+  // It runs none.
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"models", "biot"}, {"solve", "plot"}, {"solve", "x.toml", "-q"}}) {
+    std::vector<std::string> arguments{"help"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("help takes one command; found \"" + more[1] + "\""));
+    EXPECT_EQ(outcome.out, "");
+  }
 }
 
 TEST(CommandLine, HelpThatCannotBeWrittenIsAFailure) {
@@ -95,6 +105,10 @@ TEST(CommandLine, MisspeltCommandsAndOptions) {
       {{"continu", "x.toml"}, "did you mean \"continue\"?"},
       {{"continue", "x.toml", "--resme"}, "did you mean \"--resume\"?"},
       {{"modles"}, "did you mean \"models\"?"},
+      {{"--set", "motion.nu=0.3", "solve", "x.toml"},
+       "\"--set\" stands before the command; the options of solve stand after it"},
+      {{"-q", "solve", "x.toml"},
+       "\"-q\" stands before the command; the options of solve stand after it"},
       {{"solve", "x.toml", "--quite"}, "unknown option \"--quite\"; did you mean \"--quiet\"?"},
       {{"solve", "x.toml", "--outptu=y"}, "did you mean \"--output\"?"},
       {{"solve", "--thread"}, "did you mean \"--threads\"?"},

@@ -193,6 +193,46 @@ TEST(Sensitivity, OfStretchesInClosedForm) {
   }
 }
 
+/// A pressure is small beside its terms, whose rounding is no corner; and an axis is the same half a turn
+/// further.
+TEST(Sensitivity, OfSmallPressuresAndOfAnAngleThatWraps) {
+  const TemporaryDirectory directory;
+  const auto slope = [&](const std::string& text, const std::string& column,
+                         const std::string& of_number) {
+    const Outcome outcome =
+        run_program({"sensitivity", directory.file("x.toml", text), "--quiet", "-o", "-", "--set",
+                     "output.columns=[\"" + column + "\"]"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    for (const Row& row : rows_of(outcome.out))
+      if (row.at("number") == of_number) return row.at("d_" + column);
+    return std::string("none");
+  };
+  // By 50 digits.
+  EXPECT_NEAR(number(slope(R"([body]
+J = [0.4096, 1.792, 2.128]
+volume = 0.7638
+[potential]
+plane     = { model = "saint-venant-kirchhoff", mu = 1.809, lambda = 0.939 }
+thickness = { model = "harmonic", k = 1.894, rest = 1.107 }
+[motion]
+branch = "i"
+nu = 0.7557
+)",
+                           "pressure", "body.volume")),
+              -0.124809081230361, 1e-9);
+  const std::string along = R"([body]
+J = [1.0, 1.2, 0.6]
+[potential]
+plane     = { model = "neo-hookean", mu = 1.0, lambda = 2.0 }
+thickness = { model = "harmonic", k = 1.0, rest = 1.0 }
+fibre     = { k = 0.4, degrees = )";
+  const std::string rest = " }\n[motion]\nbranch = \"iii\"\nnu = 0.5\n";
+  const double beside = number(slope(along + "0.001" + rest, "angle", "potential.fibre.degrees"));
+  EXPECT_NEAR(number(slope(along + "0.0" + rest, "angle", "potential.fibre.degrees")), beside,
+              1e-6);
+  EXPECT_GT(beside, 0.006);
+}
+
 TEST(Sensitivity, UncertaintiesAreCombined) {
   const TemporaryDirectory directory;
   const std::string told = "[output]\nuncertainty = { \"body.J.0\" = 0.01, \"nu\" = 0.002 }\n";

@@ -70,6 +70,9 @@ TEST(Completion, OffersCommandsAndTheirOptions) {
 TEST(Completion, OffersFilesElsewhere) {
   EXPECT_THAT(completed({"solve", STATIONARY_CASES "/fol"}),
               ElementsAre(STATIONARY_CASES "/fold.toml"));
+  const TemporaryDirectory directory;
+  const std::string spaced = directory.file("my own case.toml", "");
+  EXPECT_THAT(completed({"solve", directory / "my"}), ElementsAre(spaced));
 }
 
 TEST(Manual, KnowsEveryCommandAndOption) {

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -10,7 +11,9 @@
 #include <memory>
 #include <new>
 #include <sstream>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "solver/program/text/input_error.hpp"
 
@@ -40,10 +43,17 @@ ExitCode run(const Program& of, int argc, char** argv) {
   Session session{{argv, argv + argc}, of.crew, {}};
   of.add_commands(program, session);
   add_help(program);
-  constexpr int most = 3;
-  if (argc > 1 && argc <= most && std::string_view(argv[1]) == "help" &&
-      (argc < most || !std::string_view(argv[2]).starts_with('-')))
-    return help(program, argc < most ? "" : argv[2]);
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  // Its own options are left to the parser.
+  if (!words.empty() && words[0] == "help" && (words.size() == 1 || !words[1].starts_with('-'))) {
+    constexpr std::size_t most = 2;
+    if (words.size() > most) {
+      complain("help takes one command; found " + in_quotes(words[most]) + " after " +
+               in_quotes(words[1]));
+      return ExitCode::wrong_input;
+    }
+    return help(program, words.size() < most ? "" : words[1]);
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -30,9 +31,16 @@ std::optional<FamilyParameters> moved_number(const FamilyParameters& at, const s
   }
 }
 
-std::vector<double> picked(const TableRow& row, std::span<const Column> columns) {
+/// near: values beside which these are; the angle of an axis, half a turn of which is none, is brought there.
+std::vector<double> picked(const TableRow& row, std::span<const Column> columns,
+                           const TableRow& near) {
   std::vector<double> out;
-  for (const Column c : columns) out.push_back(row[c]);
+  for (const Column c : columns) {
+    double value = row[c];
+    if (c == Column::angle && std::isfinite(near[c]))
+      value -= std::numbers::pi * std::round((value - near[c]) / std::numbers::pi);
+    out.push_back(value);
+  }
   return out;
 }
 
@@ -119,7 +127,7 @@ std::vector<NumberSlopes> motion_slopes(const FamilyParameters& at, const TableR
                        if (!modes) return std::nullopt;
                        fill_spectrum(*modes, out);
                      }
-                     return picked(out, columns);
+                     return picked(out, columns, row);
                    });
 }
 
@@ -140,6 +148,8 @@ std::vector<NumberSlopes> event_slopes(const FamilyParameters& at, const std::st
   const Circle circle =
       std::visit([&](const auto& family) { return circle_of_figure(*family, event.q); },
                  family_of(*family_at(at)));
+  TableRow near;
+  fill_row(name(family_at(at)->motion()), event, wanted, near);
   return slopes_by(
       at, numbers, 1 + columns.size(),
       [&](const FamilyParameters& beside) -> std::optional<std::vector<double>> {
@@ -159,7 +169,7 @@ std::vector<NumberSlopes> event_slopes(const FamilyParameters& at, const std::st
         TableRow row;
         fill_row(name(kind->motion()), *found, wanted, row);
         std::vector<double> out{found->parameter / parameter_unit(beside, parameter)};
-        const std::vector<double> rest = picked(row, columns);
+        const std::vector<double> rest = picked(row, columns, near);
         out.insert(out.end(), rest.begin(), rest.end());
         return out;
       });

@@ -125,6 +125,11 @@ std::string refusal(const CLI::App& program, const CLI::ParseError& error) {
   } else if (chosen.empty()) {
     for (const CLI::App* each : program.get_subcommands({})) names.push_back(each->get_name());
   }
+  // Met before the command, where it may be one of the command's own.
+  const std::vector<std::string> before = program.remaining();
+  if (is_option && !chosen.empty() && std::ranges::find(before, word) != before.end())
+    return fmt::format("{} stands before the command; the options of {} stand after it{}",
+                       in_quotes(word), command.get_name(), help);
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   std::string remedy =
       did_you_mean(nearest_name(std::string_view(word).substr(0, word.find('=')), candidates));

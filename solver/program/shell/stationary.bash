@@ -13,7 +13,7 @@ _stationary() {
     COMPREPLY=($(compgen -W "$("$program" help "$command" 2>/dev/null |
       grep -oE '^  (-[a-z],)?--[a-z-]+' | grep -oE -- '--[a-z-]+')" -- "$word"))
   else
-    COMPREPLY=($(compgen -f -- "$word"))
+    mapfile -t COMPREPLY < <(compgen -f -- "$word")  # a name may have spaces
   fi
 }
 complete -o filenames -F _stationary stationary stationary-mpi

@@ -41,6 +41,26 @@ TEST(DifferenceQuotients, TellOfNoise) {
   EXPECT_LE(found.error[0], 1e-4);
 }
 
+/// Values that are small beside their terms have the terms' rounding: that is no corner, and the error
+/// holds, but where few samples happen to show none of it.
+TEST(DifferenceQuotients, HoldWhereTermsCancel) {
+  int beyond = 0;
+  constexpr int all = 1000;
+  for (int k = 0; k < all; ++k) {
+    const double x = 0.5 + 0.00171 * k;
+    const Slopes found = difference_quotients(
+        [](double t) -> Values {
+          const double large = 1e5 * std::cosh(t);
+          return std::vector{(large + 0.1 * std::sin(t)) - large};
+        },
+        x, x, 1);
+    ASSERT_FALSE(std::isnan(found.slope[0])) << x;
+    beyond += std::abs(found.slope[0] - 0.1 * std::cos(x)) > found.error[0];
+    EXPECT_LE(found.error[0], 1e-6) << x;
+  }
+  EXPECT_LE(beyond, all / 40);
+}
+
 /// One that bends within the first steps is seen at smaller ones.
 TEST(DifferenceQuotients, TakeSmallerStepsBesideAPole) {
   const Slopes found = difference_quotients(
