@@ -99,13 +99,11 @@ STATIONARY_INLINED inline Interval operator*(double a, const Interval& y) {
 }
 STATIONARY_INLINED inline Interval operator*(const Interval& x, double a) { return a * x; }
 inline Interval operator/(const Interval& x, const Interval& y) {
-  if (!y.positive() && !y.negative()) return Interval::entire();
-  const double a = x.lo / y.lo;
-  const double b = x.lo / y.hi;
-  const double c = x.hi / y.lo;
-  const double d = x.hi / y.hi;
-  return Interval::outward(std::min(std::min(a, b), std::min(c, d)),
-                           std::max(std::max(a, b), std::max(c, d)));
+  if (y.positive())
+    return Interval::outward(x.lo / (x.lo < 0.0 ? y.lo : y.hi), x.hi / (x.hi < 0.0 ? y.hi : y.lo));
+  if (y.negative())
+    return Interval::outward(x.hi / (x.hi < 0.0 ? y.lo : y.hi), x.lo / (x.lo < 0.0 ? y.hi : y.lo));
+  return Interval::entire();
 }
 inline Interval& operator+=(Interval& x, const Interval& y) { return x = x + y; }
 inline Interval& operator-=(Interval& x, const Interval& y) { return x = x - y; }
@@ -174,19 +172,16 @@ inline Interval sqrt(const Interval& x) {
   return {std::max(out.lo, 0.0), out.hi};
 }
 
-/// ln 2.
-constexpr Interval interval_log_two{0x1.62e42fefa39efp-1, 0x1.62e42fefa39f0p-1};
-
-/// Its first 32 bits, so that a multiple by an exponent is exact, and the rest.
+/// The first 32 bits of ln 2, so that a multiple by an exponent is exact, and the rest, less than 2^-84 away.
 constexpr double log_two_head = 0x1.62e42feep-1;
-constexpr Interval log_two_tail{0x1.a39ef35793c76p-33, 0x1.a39ef35793c77p-33};
+constexpr double log_two_tail = 0x1.a39ef35793c76p-33;
 
 /// Logarithm of one double x > 0, normal: x = 2^k m, 0.7 < m < 1.42, s = (m - 1)/(m + 1),
 ///   log m = 2 atanh s = 2 s (1 + P),  P = sum_{j >= 1} t^j/(2 j + 1),  t = s^2 < 0.0305.
-/// s is its rounded value and an interval of the rest. P is cut after j = 12 (the rest is below
-/// t^13/27/(1 - t) < 2^-64 t) and summed in double: its terms are positive, and the one of order j,
-/// which is below t^(j - 1) P, carries 2 j + 2 roundings of Horner's rule, one of its coefficient
-/// and 5 j of t, so P errs by less than 16 * 2^-53 of itself.
+/// s is a rounded value and the double nearest to the rest. P is cut after j = 12 (the rest is below
+/// t^13/27/(1 - t) < 2^-64 t) and summed in double, even and odd j apart: its terms are positive, and the
+/// one of order j, which is below t^(j - 1) P, carries at most 5 j + 2 roundings, so P errs by less than
+/// 16 * 2^-53 of itself. What is added to the largest terms has six roundings more.
 inline Interval log_of_double(double x) {
   constexpr std::uint64_t first_mantissa = 0x3fe6a09e667f3bcd;  // sqrt(1/2)
   const auto bits = std::bit_cast<std::uint64_t>(x);
@@ -196,21 +191,29 @@ inline Interval log_of_double(double x) {
   if (m == 1.0 && exponent == 0.0) return 0.0;
   // m - 1 is exact, and so is its difference from the product below, one or two units of it.
   const DoubleDouble denominator = two_sum(m, 1.0);
-  const double s = (m - 1.0) / denominator.hi;
+  const double inverse = 1.0 / denominator.hi;
+  const double s = (m - 1.0) * inverse;
   const DoubleDouble product = two_product(s, denominator.hi);
-  const Interval rest =
-      (Interval((m - 1.0) - product.hi) - product.lo - s * Interval(denominator.lo)) /
-      (Interval(denominator.hi) + denominator.lo);
+  const double rest = ((((m - 1.0) - product.hi) - product.lo) - s * denominator.lo) * inverse;
   const double t = s * s;
-  double sum = 1.0 / 25.0;
-  for (const double odd : {23.0, 21.0, 19.0, 17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0})
-    sum = sum * t + 1.0 / odd;
-  sum *= t;
-  const Interval P = Interval::outward(sum * (1.0 - 0x1p-49), sum * (1.0 + 0x1p-49) + t * 0x1p-64);
+  const double t2 = t * t;
+  double even = 1.0 / 25.0;
+  double odd = 1.0 / 23.0;
+  for (const double next : {21.0, 17.0, 13.0, 9.0, 5.0}) {
+    even = even * t2 + 1.0 / next;
+    odd = odd * t2 + 1.0 / (next - 2.0);
+  }
+  const double P = t * (odd + t * even);
   // The largest terms first and exactly, so that the end is the only rounding of their size.
   const DoubleDouble main = two_sum(exponent * log_two_head, 2.0 * s);
-  const Interval small = 2.0 * (s * P + rest * (Interval(1.0) + P)) + main.lo;
-  return Interval(main.hi) + (exponent == 0.0 ? small : exponent * log_two_tail + small);
+  const double of_P = 2.0 * s * P;
+  const double of_rest = 2.0 * rest * (1.0 + P);
+  const double tail = exponent * log_two_tail;
+  const double small = ((of_P + of_rest) + main.lo) + tail;
+  const double error = 0x1.8p-49 * std::abs(of_P) +
+                       0x1p-49 * (std::abs(of_rest) + std::abs(main.lo) + std::abs(tail)) +
+                       0x1p-84 * std::abs(exponent) + 0x1p-98 * std::abs(s);
+  return Interval::outward(main.hi + (small - error), main.hi + (small + error));
 }
 
 inline Interval log(const Interval& x) {
@@ -220,15 +223,14 @@ inline Interval log(const Interval& x) {
 
 /// Exponential of one double |x| < 700: x = k log 2 + r, |r| < 0.35,
 ///   e^r = 1 + r + r^2 Q,  Q = sum_{j >= 0} r^j/(j + 2)!.
-/// Q is cut after j = 11 (the rest is below 0.35^12/14!/(1 - 0.35) < 2^-53) and summed in double at
-/// the middle of r, even and odd j apart, which with |Q'| < 0.25 errs by less than a quarter of r's
-/// width; term j carries at most 2 j + 4 roundings, together below 3 * 2^-53.
+/// r is a double and the rest of it. Q is cut after j = 11 (what follows is below
+/// 0.35^12/14!/(1 - 0.35) < 2^-53) and summed in double, even and odd j apart; term j carries at most
+/// 2 j + 4 roundings, together below 3 * 2^-53. What is added to 1 + r has five roundings more.
 inline Interval exp_of_double(double x) {
   if (x == 0.0) return 1.0;
   constexpr double to_integer = 0x1.8p52;  // added and taken away it rounds to an integer
   const double k = (x * 0x1.71547652b82fep+0 + to_integer) - to_integer;
-  const Interval r = Interval(x) - k * interval_log_two;
-  const double middle = 0.5 * (r.lo + r.hi);
+  const DoubleDouble r = two_sum(x - k * log_two_head, -(k * log_two_tail));
   static constexpr auto reciprocal = [] {  // 1/(j + 2)!; the factorials are exact
     std::array<double, 12> out{};
     double factorial = 1.0;
@@ -238,19 +240,24 @@ inline Interval exp_of_double(double x) {
     }
     return out;
   }();
-  const double middle2 = middle * middle;
+  const double r2 = r.hi * r.hi;
   double even = reciprocal[10];
   double odd = reciprocal[11];
   for (std::size_t j = 10; j > 0; j -= 2) {
-    even = even * middle2 + reciprocal[j - 2];
-    odd = odd * middle2 + reciprocal[j - 1];
+    even = even * r2 + reciprocal[j - 2];
+    odd = odd * r2 + reciprocal[j - 1];
   }
-  const double sum = even + middle * odd;
-  const double error = 0x1p-50 + 0.25 * r.width();
-  const Interval Q = Interval::outward(sum - error, sum + error);
-  const Interval power = Interval(1.0) + r + square(r) * Q;
-  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + static_cast<int>(k)) << 52) *
-         power;
+  const double Q = even + r.hi * odd;
+  const DoubleDouble main = two_sum(1.0, r.hi);
+  const double of_rest = r.lo * (1.0 + r.hi);
+  const double small = (r2 * Q + of_rest) + main.lo;
+  const double error =
+      0x1.8p-50 * r2 + 0x1p-50 * (std::abs(of_rest) + std::abs(main.lo)) + 0x1p-83 * std::abs(k);
+  const Interval power = Interval::outward(main.hi + (small - error), main.hi + (small + error));
+  // A power of two, and no subnormal number.
+  const double scale =
+      std::bit_cast<double>(static_cast<std::uint64_t>(1023 + static_cast<int>(k)) << 52);
+  return {scale * power.lo, scale * power.hi};
 }
 
 inline Interval exp(const Interval& x) {

@@ -192,7 +192,7 @@ void require_parts(const CaseTree& tree, const std::string& path, const toml::ta
     if (!is_name(name.str()))
       throw InputError(tree.key_origin(own), printable(own),
                        "found " + in_quotes(name.str()) + ", which an expression cannot name",
-                       "a letter, then letters, digits and _");
+                       "a letter or _, then letters, digits and _");
     if (is_word_of_formulas(name.str(), slot) || table.contains(name.str()))
       throw InputError(tree.key_origin(own), own,
                        "found a part called like a " +
@@ -263,7 +263,7 @@ void require_written_out(const CaseTree& tree, const std::string& path, const to
     } else if (!is_name(name.str())) {
       throw InputError(tree.key_origin(key), printable(key),
                        "found " + in_quotes(name.str()) + ", which an expression cannot name",
-                       "a letter, then letters, digits and _");
+                       "a letter or _, then letters, digits and _");
     } else if (is_reserved(name.str(), slot)) {
       throw InputError(tree.key_origin(key), key, "found a parameter " + std::string(name.str()),
                        "another name",

@@ -236,7 +236,7 @@ void ExpressionBuilder::unknown_function(const Word& word) const {
       std::ranges::find(definitions_, word.text, &Definition::name) != definitions_.end() ||
       std::ranges::find(constants, word.text) != constants.end();
   fail(word.offset, in_quotes(std::string(word.text) + "("),
-       "a function (" + either_of(functions) + ")",
+       "a function (" + either_of(functions) + "; ln is log)",
        names_number ? "a product is written with \"*\""
                     : did_you_mean(nearest_name(word.text, functions)));
 }

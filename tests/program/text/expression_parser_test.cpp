@@ -106,7 +106,7 @@ constexpr const char* a_name =
     "a variable (alpha, xi, zeta, rho, t, d, I1, lambda, mu_, I2, I3, pi or e) or a parameter (k "
     "or n)";
 constexpr const char* a_function =
-    "a function (sqrt, exp, log, sin, cos, tan, tanh, atan, abs, pow, min or max)";
+    "a function (sqrt, exp, log, sin, cos, tan, tanh, atan, abs, pow, min or max; ln is log)";
 constexpr const char* more = "an operator or the end";
 constexpr const char* a_number = "a number that a double can hold";
 
