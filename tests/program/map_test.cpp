@@ -540,7 +540,8 @@ TEST(MapDiagram, WhatIsNoGridIsRefused) {
   refused("xi,status,nu,body.J.0\n1,solved,0,1\n1,solved,0.1,1\n1,solved,0.5,1\n", "no grid's");
   refused("xi,status,nu,body.J.0\n1,well,0,1\n", "expected solved, none-exists");
   refused("class,status,nu,body.J.0\nbad,solved,0,1\n", "expected stable, elliptic");
-  refused("xi,status,nu,body.J.0\n1,solved,,1\n", "expected a finite number");
+  refused("xi,status,nu,body.J.0\n1,solved,,1\n", "expected a number between");
+  refused("xi,status,nu,body.J.0\n1,solved,-1e308,1\n1,solved,1e308,1\n", "between -4e307 and");
 }
 
 }  // namespace

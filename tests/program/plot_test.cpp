@@ -323,6 +323,7 @@ TEST_F(Plot, ChoicesThatAreNone) {
       {{"--range", "z=0:1"}, "found the axis \"z\"; expected x=, y=, rate= or value="},
       {{"--range", "x=1:0"}, "expected LOW:HIGH"},
       {{"--range", "x=0:inf"}, "expected LOW:HIGH"},
+      {{"--range", "x=-1e308:1e308"}, "between -4e307 and 4e307"},
       {{"--size", "800"}, "expected WIDTHxHEIGHT"},
       {{"--size", "8x6"}, "each from 300 to 4000"},
       {{"--sheet", "7"}, "--sheet 7: found no such sheet; expected one of \"1\""},

@@ -87,9 +87,10 @@ PageChoice page_choice(const PlotOptions& options) {
       throw InputError(origin, "", "found the axis " + in_quotes(axis),
                        "x=, y=, rate= or value=, and LOW:HIGH");
     const auto range = pair(std::string_view(asked).substr(equals + 1), ':');
-    if (!range || !(range->low < range->high))
+    if (!range || !(range->low < range->high) || range->low < -largest_drawn ||
+        range->high > largest_drawn)
       throw InputError(origin, "", "found " + in_quotes(asked.substr(equals + 1)),
-                       "LOW:HIGH, two numbers, the lower one first");
+                       "LOW:HIGH, two numbers between -4e307 and 4e307, the lower one first");
     *where = range;
   }
   if (options.size.empty()) return out;

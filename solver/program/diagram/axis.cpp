@@ -13,6 +13,7 @@ namespace stationary {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double least_normal = std::numeric_limits<double>::min();
 
 /// Of the finite values; low > high where there are none.
 struct Extent : AxisRange {
@@ -73,7 +74,7 @@ AxisRange widened(const AxisRange& range, double fraction) {
   const double size = std::max(std::abs(range.low), std::abs(range.high));
   constexpr double least = 1e-12;  // relative: ticks closer than this are written alike
   if (width > least * size) return {range.low - fraction * width, range.high + fraction * width};
-  const double half = size > 0.0 ? 0.05 * size : 1.0;
+  const double half = size > 0.0 ? std::max(0.05 * size, least_normal) : 1.0;
   return {range.low - half, range.high + half};
 }
 
@@ -84,14 +85,21 @@ constexpr double linear_ratio = 12.0;  ///< of a core
 
 }  // namespace
 
+AxisRange drawable(const AxisRange& range, bool logarithmic) {
+  const double least = logarithmic ? least_normal : -largest_drawn;
+  const double next = logarithmic ? 2.0 * least : 0.5 * least;
+  return {std::clamp(range.low, least, 0.5 * largest_drawn),
+          std::clamp(range.high, next, largest_drawn)};
+}
+
 double Axis::place(double value) const {
   if (!logarithmic) return (value - range.low) / (range.high - range.low);
-  return log(value / range.low) / log(range.high / range.low);
+  return (log(value) - log(range.low)) / (log(range.high) - log(range.low));
 }
 
 double Axis::value(double place) const {
   if (!logarithmic) return range.low + place * (range.high - range.low);
-  return range.low * pow(range.high / range.low, place);
+  return pow(range.low, 1.0 - place) * pow(range.high, place);
 }
 
 Axis fitted_axis(const std::vector<WeightedCurve>& curves) {
@@ -123,7 +131,7 @@ Axis fitted_axis(const std::vector<WeightedCurve>& curves) {
   // A stretch is positive: the picture ends there.
   if (!out.logarithmic && all.low > 0.0 && shown.low < 0.0) shown.low = 0.0;
   const auto back = [&](double value) { return out.logarithmic ? exp(value) : value; };
-  out.range = {back(shown.low), back(shown.high)};
+  out.range = drawable({back(shown.low), back(shown.high)}, out.logarithmic);
   return out;
 }
 
@@ -138,7 +146,8 @@ Axis fitted_rate_axis(const std::vector<WeightedCurve>& curves) {
       cores.push_back(core);
   }
   const Extent all = extent_of(curves);
-  if (cores.empty()) return {{0.0, all.high > 0.0 ? (1.0 + room) * all.high : 1.0}, false};
+  const auto from_zero = [](double high) { return Axis{drawable({0.0, high}, false), false}; };
+  if (cores.empty()) return from_zero(all.high > 0.0 ? (1.0 + room) * all.high : 1.0);
   std::ranges::sort(cores, {}, &AxisRange::high);
   constexpr double hidden = 15.0;
   constexpr double outgrown = 5.0;
@@ -156,25 +165,27 @@ Axis fitted_rate_axis(const std::vector<WeightedCurve>& curves) {
   }
   if (!flat) {
     const bool cut = all.high > most_of_core * highest;
-    return {{0.0, cut ? (1.0 + beyond_core) * highest : (1.0 + room) * all.high}, false};
+    return from_zero(cut ? (1.0 + beyond_core) * highest : (1.0 + room) * all.high);
   }
   // Frequencies fall to zero: only so much of that is shown.
   constexpr double decades = 8.0;
   const double high = all.high < 30.0 * highest ? all.high : 3.0 * highest;
   const double least = std::max(0.1 * cores.front().high, high * pow(10.0, -decades));
-  return {{least, high * pow(high / least, room)}, true};
+  return {drawable({least, high * pow(high / least, room)}, true), true};
 }
 
 Axis whole_axis(const std::vector<WeightedCurve>& curves) {
   const Extent all = extent_of(curves);
-  return all.empty() ? Axis{} : Axis{widened(all, 0.02), false};
+  return all.empty() ? Axis{} : Axis{drawable(widened(all, 0.02), false), false};
 }
 
 Axis asked_axis(const AxisRange& range, bool logarithmic) {
-  return {range, logarithmic && range.low > 0.0};
+  return {range, logarithmic && range.low >= least_normal};
 }
 
-std::string logarithmic_ticks(const AxisRange& range, bool decades) {
+std::string logarithmic_ticks(const AxisRange& asked, bool decades) {
+  if (!(asked.low > 0.0) || !(asked.high > asked.low)) return {};
+  const AxisRange range = drawable(asked, true);
   const double first = log10(range.low);
   const double last = log10(range.high);
   const int stride = std::max(1, static_cast<int>(std::ceil((last - first) / 7.0)));

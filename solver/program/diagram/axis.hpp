@@ -3,6 +3,7 @@
 // far outside of where the curves spend their way is cut off.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,13 @@ struct AxisRange {
   double low;
   double high;
 };
+
+/// Numbers beyond this size are not drawn: the length of an axis, and twice that, is a double.
+constexpr double largest_drawn = 0.25 * std::numeric_limits<double>::max();
+
+/// Cut off at largest_drawn; of a logarithmic axis, at the least normal number too. What lies wholly
+/// beyond leaves the last factor of two.
+AxisRange drawable(const AxisRange& range, bool logarithmic);
 
 struct Axis {
   AxisRange range{0.0, 1.0};
@@ -41,11 +49,12 @@ Axis fitted_rate_axis(const std::vector<WeightedCurve>& curves);
 /// The same, of everything that is there.
 Axis whole_axis(const std::vector<WeightedCurve>& curves);
 
-/// What is to be shown as asked; a range that includes no positive number is linear.
+/// What is to be shown as asked; linear where the lower end is not a positive normal number.
 Axis asked_axis(const AxisRange& range, bool logarithmic);
 
 /// Of a logarithmic axis, for `set tics`: powers of ten and, where there is room, 2 and 5 between
-/// them. decades: the axis is of the logarithms, not itself logarithmic.
+/// them; none where the range is not one of positive numbers. decades: the axis is of the logarithms,
+/// not itself logarithmic.
 std::string logarithmic_ticks(const AxisRange& range, bool decades = false);
 
 }  // namespace stationary

@@ -10,6 +10,7 @@
 #include "lib/number/elementary.hpp"
 #include "lib/stability/spectrum.hpp"
 #include "solver/program/case/case_schema.hpp"
+#include "solver/program/diagram/axis.hpp"
 #include "solver/program/text/nearest_name.hpp"
 
 namespace stationary {
@@ -135,7 +136,8 @@ MapDiagram read_map_diagram(TableReader& table, const std::optional<std::string>
     x.push_back(table.number(at_x));
     y.push_back(table.number(at_y));
     for (const std::size_t column : {at_x, at_y})
-      if (!std::isfinite(table.number(column))) throw table.fault(column, "a finite number");
+      if (!(std::abs(table.number(column)) <= largest_drawn))
+        throw table.fault(column, "a number between -4e307 and 4e307");
   }
   if (cells.empty()) refuse_map(table, "found no rows", "a table with at least one");
   out.x = axis(table, parameters[0], x);
@@ -168,7 +170,8 @@ MapDiagram read_curve_diagram(const std::vector<TableReader*>& tables) {
     if (all[k].empty()) refuse_map(*tables.front(), "found no rows", "a curve");
     const auto [low, high] = std::ranges::minmax(all[k]);
     const double room = high > low ? 0.04 * (high - low) : std::max(0.04 * std::abs(high), 1e-6);
-    (k == 0 ? out.x : out.y).values = {low - room, high + room};
+    const AxisRange shown = drawable({low - room, high + room}, false);
+    (k == 0 ? out.x : out.y).values = {shown.low, shown.high};
   }
   return out;
 }

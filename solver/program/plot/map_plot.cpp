@@ -95,7 +95,7 @@ void MapScript::data() {
         code = static_cast<int>(value);
         classes_.insert(code);
       } else if (shown) {
-        shown_.push_back(value);
+        shown_.push_back(std::clamp(value, -largest_drawn, largest_drawn));
       } else {
         const CellStatus what = status.value_or(CellStatus::solved);
         statuses_.insert(what);
@@ -103,7 +103,8 @@ void MapScript::data() {
       }
       fmt::format_to(std::back_inserter(codes), "{} ", code);
       if (shown) {
-        fmt::format_to(std::back_inserter(numbers), "{:.6g} ", value);
+        fmt::format_to(std::back_inserter(numbers), "{:.6g} ",
+                       std::clamp(value, -largest_drawn, largest_drawn));
       } else {
         numbers += "NaN ";
       }
@@ -136,6 +137,7 @@ void MapScript::set_axis(const MapDiagramAxis& axis, char letter) {
   const std::optional<AxisRange>& asked = letter == 'x' ? choice_.x : choice_.y;
   if (asked && (!is_log || asked->low > 0.0))
     shown = {place(axis, asked->low), place(axis, asked->high)};
+  shown = drawable(shown, false);
   line("set {}range [{}:{}]", letter, shown.low, shown.high);
   if (!is_log) return;
   // The axis is linear in the logarithm.
@@ -172,7 +174,8 @@ void MapScript::set_colours() {
   const double room = high > low ? 0.0 : std::max(0.05 * std::abs(high), 1e-12);
   if (choice_.value) low = choice_.value->low, high = choice_.value->high;
   if (choice_.value) line("unset logscale cb");
-  line("set cbrange [{}:{}]", low - room, high + room);
+  const AxisRange colours_of = drawable({low - room, high + room}, false);
+  line("set cbrange [{}:{}]", colours_of.low, colours_of.high);
   const double bar_height = 0.6 * area_.height();
   line("set colorbox user origin {} size {}", on_page(size_, area_.right + 16.0, area_.bottom),
        on_page(size_, 16.0, bar_height));

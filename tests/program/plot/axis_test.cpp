@@ -97,6 +97,35 @@ TEST(Axis, TicksOfALogarithmicOneAreAllNamed) {
             "'20' 1.30102999566, '50' 1.69897000434, '100' 2");
 }
 
+TEST(Axis, IsFiniteNearTheEndsOfTheDoubles) {
+  for (const double size : {5e-324, 1e-320, 1e-307, 1e200, 1e300, 1.7e308}) {
+    const auto wide = curve([&](double x) { return x > 0.5 ? size : 1.0 + x; });
+    const auto signs = curve([&](double x) { return x > 0.5 ? size : -size; });
+    const auto level = curve([&](double) { return size; });
+    for (const auto& each : {wide, signs, level}) {
+      for (const Axis& axis : {fitted_axis({each}), fitted_rate_axis({each}), whole_axis({each})}) {
+        EXPECT_LT(axis.range.low, axis.range.high) << size;
+        EXPECT_TRUE(std::isfinite(axis.range.high - axis.range.low)) << size;
+        EXPECT_EQ(axis.place(axis.range.low), 0.0) << size;
+        EXPECT_EQ(axis.place(axis.range.high), 1.0) << size;
+        if (axis.logarithmic) {
+          EXPECT_NE(logarithmic_ticks(axis.range), "") << size;
+        }
+      }
+    }
+  }
+  EXPECT_FALSE(asked_axis({1e-320, 1.0}, true).logarithmic);
+}
+
+TEST(Axis, NoTicksWhereThereIsNoLogarithm) {
+  for (const AxisRange& range : {AxisRange{0.0, 1.0}, AxisRange{-1.0, 1.0}, AxisRange{1.0, 1.0},
+                                 AxisRange{std::nan(""), 1.0}})
+    EXPECT_EQ(logarithmic_ticks(range), "");
+  EXPECT_EQ(logarithmic_ticks({1e300, INFINITY}),
+            "'1e+300' 1e+300, '1e+302' 1e+302, "
+            "'1e+304' 1e+304, '1e+306' 1e+306");
+}
+
 TEST(AxisName, IsThePapersNotTheKey) {
   EXPECT_EQ(axis_name("body.J.1"), "J₂");
   EXPECT_EQ(axis_name("body.J.1/body.J.0"), "J₂/J₁");
