@@ -228,7 +228,6 @@ class DiagramReader {
     const std::string_view event = source.event();
     point.event = !event.empty();
     if (point.event) out_.events.push_back({std::string(event), out_.points.size()});
-    out_.has_classes |= point.verdict.has_value();
     out_.has_spectrum |= point.has_spectrum();
     out_.points.push_back(point);
     out_.pieces.back().end = out_.points.size();

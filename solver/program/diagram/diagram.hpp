@@ -67,7 +67,6 @@ struct Diagram {
   std::vector<DiagramEvent> events;
   std::vector<std::string> tables;  ///< their names
   bool of_energy_and_momentum = false;
-  bool has_classes = false;
   bool has_spectrum = false;
   bool has_krein = false;
 

@@ -9,12 +9,17 @@
 namespace stationary {
 namespace {
 
-/// The class of the line between two neighbours.
-std::optional<StabilityClass> class_between(const DiagramPoint& a, const DiagramPoint& b) {
-  if (a.verdict == b.verdict || !b.verdict) return a.verdict;
-  if (!a.verdict) return b.verdict;
-  if (a.event != b.event) return a.event ? b.verdict : a.verdict;
-  return a.verdict == StabilityClass::marginal ? b.verdict : a.verdict;
+/// Whether the class of an event's row says nothing of the rows beside it.
+bool is_border(const DiagramPoint& p) {
+  return p.event && (!p.verdict || p.verdict == StabilityClass::marginal);
+}
+
+/// The row of two neighbours whose class the line between them has; none: it changes half-way.
+const DiagramPoint* decisive(const DiagramPoint& a, const DiagramPoint& b) {
+  if (a.verdict == b.verdict) return &a;
+  if (a.event != b.event) return a.event ? &b : &a;
+  if (is_border(a)) return &b;
+  return is_border(b) ? &a : nullptr;
 }
 
 /// Keeps, of each stretch of points within one image column, the first, the last and those where a
@@ -61,9 +66,15 @@ std::vector<DiagramLine> class_lines(const Diagram& diagram, const DiagramPiece&
   const std::vector<DiagramPoint>& points = diagram.points;
   std::vector<DiagramLine> lines{{points[piece.begin].verdict, {piece.begin}}};
   for (std::size_t k = piece.begin + 1; k < piece.end; ++k) {
-    const auto verdict = class_between(points[k - 1], points[k]);
-    if (lines.back().points.size() == 1) lines.back().verdict = verdict;
-    if (lines.back().verdict != verdict) lines.push_back({verdict, {k - 1}});
+    const DiagramPoint* const one = decisive(points[k - 1], points[k]);
+    if (one == nullptr) {
+      lines.back().after = k;
+      lines.push_back({points[k].verdict, {k}, k - 1});
+      continue;
+    }
+    if (lines.back().points.size() == 1 && !lines.back().before)
+      lines.back().verdict = one->verdict;
+    if (lines.back().verdict != one->verdict) lines.push_back({one->verdict, {k - 1}});
     lines.back().points.push_back(k);
   }
   for (DiagramLine& line : lines) {

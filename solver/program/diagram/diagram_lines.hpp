@@ -11,17 +11,21 @@
 
 namespace stationary {
 
-/// Points of Diagram::points joined by one line; a single one is a dot.
+/// Points of Diagram::points joined by one line.
 struct DiagramLine {
   std::optional<StabilityClass> verdict;
   std::vector<std::size_t> points;
+  /// The rows of other classes beside it: it begins half-way from the one, and ends half-way to the
+  /// other.
+  std::optional<std::size_t> before = std::nullopt;
+  std::optional<std::size_t> after = std::nullopt;
 };
 
 /// Columns of the image: within each, first, last and extreme values are kept.
 constexpr double image_columns = 1600.0;
 
-/// Of a piece, cut where the class changes. A located event belongs to both its sides, whatever its
-/// own class: on the border that is marginal.
+/// Of a piece, cut where the class changes: between two rows in the middle. A located event belongs to
+/// both its sides, whatever its own class: on the border that is marginal.
 std::vector<DiagramLine> class_lines(const Diagram& diagram, const DiagramPiece& piece,
                                      const AxisRange& abscissa);
 

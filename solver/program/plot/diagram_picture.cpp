@@ -37,6 +37,16 @@ WeightedCurve weighted(const Diagram& diagram, const DiagramPiece& piece, const 
   return out;
 }
 
+/// A point of a line, and how many curves lie on it there.
+struct LinePoint {
+  PagePoint at;
+  int lower;
+};
+
+bool within(const PagePoint& p, const PanelSize& panel) {
+  return p.x >= 0.0 && p.x <= panel.width && p.y >= 0.0 && p.y <= panel.height;
+}
+
 /// Draws one panel's pieces.
 class PanelDrawing {
  public:
@@ -76,6 +86,7 @@ class PanelDrawing {
   PictureCurve& curve(std::size_t series, std::optional<StabilityClass> verdict, int lower);
   PictureRates& rates(RateKind kind);
   void draw_curves(const DiagramPiece& piece);
+  std::vector<LinePoint> line_points(const DiagramLine& line, std::size_t ordinate) const;
   void draw_line(const DiagramPiece& piece, const DiagramLine& line, std::size_t ordinate);
   void draw_rates(const DiagramPiece& piece);
   void mark_events();
@@ -163,29 +174,40 @@ void PanelDrawing::draw_curves(const DiagramPiece& piece) {
     path.points.push_back({std::numeric_limits<double>::quiet_NaN(), 0.0});
   }
   paths_.push_back(std::move(path));
-  for (const DiagramLine& line : class_lines(diagram_, piece, panel_.abscissa.range)) {
-    for (std::size_t k = 0; k < diagram_.columns.size(); ++k) {
-      if (line.points.size() == 1) {
-        const PagePoint at = place(line.points.front(), k);
-        if (std::isfinite(at.x) && std::isfinite(at.y)) {
-          panel_.dots.push_back({series(piece, k), at});
-          curve(series(piece, k), line.verdict, 0);
-        }
-      } else {
-        draw_line(piece, line, k);
-      }
-    }
-  }
+  for (const DiagramLine& line : class_lines(diagram_, piece, panel_.abscissa.range))
+    for (std::size_t k = 0; k < diagram_.columns.size(); ++k) draw_line(piece, line, k);
 }
 
-/// In runs over which as many curves lie on it; where they only cross, none does.
+std::vector<LinePoint> PanelDrawing::line_points(const DiagramLine& line,
+                                                 std::size_t ordinate) const {
+  std::vector<LinePoint> out;
+  const auto add_middle = [&](std::size_t own, std::size_t other) {
+    const PagePoint a = place(own, ordinate);
+    const PagePoint b = place(other, ordinate);
+    out.push_back({{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, curves_above(own, ordinate)});
+  };
+  if (line.before) add_middle(line.points.front(), *line.before);
+  for (const std::size_t row : line.points)
+    out.push_back({place(row, ordinate), curves_above(row, ordinate)});
+  if (line.after) add_middle(line.points.back(), *line.after);
+  return out;
+}
+
+/// In runs over which as many curves lie on it; where they only cross, none does. A row by itself is a
+/// dot.
 void PanelDrawing::draw_line(const DiagramPiece& piece, const DiagramLine& line,
                              std::size_t ordinate) {
   constexpr double crossing = 25.0;
-  const std::size_t count = line.points.size();
+  const std::vector<LinePoint> points = line_points(line, ordinate);
+  const std::size_t count = points.size();
+  if (count == 1) {
+    const PagePoint& at = points.front().at;
+    if (within(at, size_of(panel_.area)))
+      panel_.dots.push_back({series(piece, ordinate), line.verdict, at});
+    return;
+  }
   const auto lower = [&](std::size_t at) {
-    return std::min(curves_above(line.points[at], ordinate),
-                    curves_above(line.points[at + 1], ordinate));
+    return std::min(points[at].lower, points[at + 1].lower);
   };
   const auto end_of_run = [&](std::size_t begin) {
     std::size_t end = begin + 1;
@@ -193,8 +215,8 @@ void PanelDrawing::draw_line(const DiagramPiece& piece, const DiagramLine& line,
     return end;
   };
   const auto length = [&](std::size_t begin, std::size_t end) {
-    const PagePoint a = place(line.points[begin], ordinate);
-    const PagePoint b = place(line.points[end], ordinate);
+    const PagePoint& a = points[begin].at;
+    const PagePoint& b = points[end].at;
     return hypotenuse(b.x - a.x, b.y - a.y);
   };
   for (std::size_t begin = 0; begin + 1 < count;) {
@@ -207,7 +229,7 @@ void PanelDrawing::draw_line(const DiagramPiece& piece, const DiagramLine& line,
       end = next;
     }
     std::vector<PagePoint> path;
-    for (std::size_t at = begin; at <= end; ++at) path.push_back(place(line.points[at], ordinate));
+    for (std::size_t at = begin; at <= end; ++at) path.push_back(points[at].at);
     DrawnCurve out = drawn(path, size_of(panel_.area), style(line.verdict).dashes);
     if (!out.strokes.empty()) {
       PictureCurve& into = curve(series(piece, ordinate), line.verdict, now);

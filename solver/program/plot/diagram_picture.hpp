@@ -36,6 +36,7 @@ struct PictureRates {
 
 struct PictureDot {
   std::size_t series;
+  std::optional<StabilityClass> verdict;
   PagePoint at;
 };
 

@@ -190,6 +190,10 @@ std::vector<std::string> Script::legend() const {
       classes.insert(each.verdict);
       series.insert(each.series);
     }
+    for (const PictureDot& each : panel.dots) {
+      classes.insert(each.verdict);
+      series.insert(each.series);
+    }
     for (const PictureRates& each : panel.rates) kinds.insert(each.kind);
     for (const PictureMark& each : panel.marks) events.insert(each.event);
   }
@@ -197,13 +201,15 @@ std::vector<std::string> Script::legend() const {
     out.push_back(fmt::format("keyentry with lines lc rgb '{}' lw 2.8 title {}", colour_of(each),
                               in_gnuplot_quotes(picture_.series[each])));
   }
-  if (diagram_.has_classes) space();
-  for (const auto& verdict : classes) {
-    if (!verdict) continue;
+  if (!classes.empty()) space();
+  const auto add_class = [&](std::optional<StabilityClass> verdict) {
     const ClassStyle& look = style(verdict);
     out.push_back(fmt::format("keyentry with lines lc rgb '{}' lw {} {} title '{}'",
-                              class_key_colour, look.width, key_dashes(look), look.name));
-  }
+                              class_key_colour, look.width, key_dashes(look), look.title));
+  };
+  for (const auto& verdict : classes)
+    if (verdict) add_class(verdict);
+  if (classes.contains(std::nullopt)) add_class(std::nullopt);
   if (!kinds.empty()) space();
   for (const RateKind kind : kinds) {
     const bool unsigned_one = kind == RateKind::undetermined && diagram_.has_krein;

@@ -23,6 +23,7 @@ constexpr std::array<std::string_view, 6> series_colours{"#14213d", "#c2410c", "
 /// The dash says the class, in whatever colour.
 struct ClassStyle {
   std::string_view name;
+  std::string_view title;  ///< in the legend
   double width;
   std::span<const Dash> dashes;
 };
@@ -30,12 +31,12 @@ constexpr Dash unstable_dashes[] = {{0.0, dash_gap_begins}};
 constexpr Dash oscillatory_dashes[] = {{0.0, 7.5}, {10.5, dash_gap_begins}};
 constexpr Dash marginal_dashes[] = {{0.0, 2.0}, {5.5, 7.5}, {11.0, dash_gap_begins}};
 constexpr std::array<ClassStyle, std::size(stability_names)> class_styles{
-    {{"stable", 2.8, {}},
-     {"elliptic", 1.2, {}},
-     {"unstable", 1.7, unstable_dashes},
-     {"oscillatory", 1.7, oscillatory_dashes},
-     {"marginal", 1.7, marginal_dashes}}};
-constexpr ClassStyle no_class_style{"no_class", 1.8, {}};
+    {{"stable", "stable", 2.8, {}},
+     {"elliptic", "elliptic", 1.2, {}},
+     {"unstable", "unstable", 1.7, unstable_dashes},
+     {"oscillatory", "oscillatory", 1.7, oscillatory_dashes},
+     {"marginal", "marginal", 1.7, marginal_dashes}}};
+constexpr ClassStyle no_class_style{"no_class", "no class", 1.8, {}};
 constexpr std::string_view class_key_colour = "#404040";
 
 constexpr const ClassStyle& style(std::optional<StabilityClass> verdict) {

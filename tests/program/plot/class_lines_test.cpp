@@ -1,0 +1,81 @@
+// Where a line changes its class: at the rows of events, and half-way between two other rows.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <sstream>
+
+#include "solver/program/diagram/diagram_lines.hpp"
+#include "solver/program/plot/plot.hpp"
+
+namespace stationary {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A row a class, at the parameters 0, 1, ..., λ being the parameter.
+Diagram diagram_of(const std::vector<std::string>& classes) {
+  std::string csv = "branch,nu1,lambda,class\n";
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    const std::string at = std::to_string(k);
+    csv += "i," + at + "," + at + "," + classes[k] + "\n";
+  }
+  TableReader table(std::make_unique<std::istringstream>(csv), "x.csv");
+  return read_diagram({&table});
+}
+
+std::vector<DiagramLine> lines_of(const Diagram& diagram) {
+  return class_lines(diagram, diagram.pieces.front(), {0.0, 10.0});
+}
+
+/// From where to where a class is drawn, stroke by stroke, of the parameter.
+using Reaches = std::vector<std::pair<double, double>>;
+Reaches reaches(const Diagram& diagram, std::optional<StabilityClass> verdict) {
+  Reaches out;
+  const DiagramPicture picture = diagram_picture(diagram);
+  const DiagramPanel& panel = picture.panels.front();
+  const auto at = [&](const PagePoint& p) {
+    const double parameter = panel.abscissa.value(p.x / panel.area.width());
+    return std::round(1e6 * parameter) / 1e6;
+  };
+  for (const PictureCurve& curve : panel.curves)
+    if (curve.verdict == verdict)
+      for (const Stroke& stroke : curve.strokes)
+        out.emplace_back(at(stroke.front()), at(stroke.back()));
+  return out;
+}
+
+TEST(ClassLines, ChangeHalfwayBetweenTwoRows) {
+  const Diagram diagram = diagram_of({"elliptic", "stable", "stable", "stable", "elliptic"});
+  const auto lines = lines_of(diagram);
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_THAT(lines[1].points, ElementsAre(1, 2, 3));
+  EXPECT_EQ(lines[1].before, 0U);
+  EXPECT_EQ(lines[1].after, 4U);
+  EXPECT_EQ(reaches(diagram, StabilityClass::stable), (Reaches{{0.5, 3.5}}));
+  EXPECT_EQ(reaches(diagram, StabilityClass::elliptic), (Reaches{{0.0, 0.5}, {3.5, 4.0}}));
+}
+
+TEST(ClassLines, OneRowHasItsHalves) {
+  const Diagram diagram = diagram_of({"elliptic", "elliptic", "stable", "", "elliptic"});
+  EXPECT_EQ(reaches(diagram, StabilityClass::stable), (Reaches{{1.5, 2.5}}));
+  EXPECT_EQ(reaches(diagram, std::nullopt), (Reaches{{2.5, 3.5}}));
+  EXPECT_TRUE(diagram_picture(diagram).panels.front().dots.empty());
+}
+
+TEST(ClassLines, ARowWithoutAClassIsNamedInTheLegend) {
+  const auto script = [](const Diagram& diagram) {
+    return gnuplot_script(diagram, ImageFormat::svg, "");
+  };
+  EXPECT_THAT(script(diagram_of({"", "", ""})), HasSubstr("title 'no class'"));
+  EXPECT_THAT(script(diagram_of({"stable", "stable"})), Not(HasSubstr("title 'no class'")));
+  EXPECT_THAT(script(diagram_of({"stable", "stable", "", "unstable"})),
+              AllOf(HasSubstr("title 'stable'"), HasSubstr("title 'no class'"),
+                    HasSubstr("title 'unstable'")));
+}
+
+}  // namespace
+}  // namespace stationary
