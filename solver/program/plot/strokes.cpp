@@ -46,6 +46,72 @@ std::optional<Inside> inside(const PagePoint& a, const PagePoint& b, const Panel
   return out;
 }
 
+double distance(const PagePoint& a, const PagePoint& b) { return hypotenuse(b.x - a.x, b.y - a.y); }
+
+double length(const Stroke& stroke) {
+  double out = 0.0;
+  for (std::size_t k = 1; k < stroke.size(); ++k) out += distance(stroke[k - 1], stroke[k]);
+  return out;
+}
+
+/// Whether b, nearer to a than `least`, may be left out between a and c: they are nearly on a line.
+bool is_needless(const PagePoint& a, const PagePoint& b, const PagePoint& c, double least,
+                 double off) {
+  const double across = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  return distance(a, b) < least && std::abs(across) < off * distance(a, c);
+}
+
+/// Strokes without points that are nearly the same, ended where they turn back: there a mitre would
+/// reach beyond. Beside others what is shorter than a pixel is left out.
+class Tidying {
+ public:
+  explicit Tidying(const std::vector<Stroke>& strokes) {
+    for (const Stroke& each : strokes) add(each);
+    constexpr double seen = 1.0;
+    const auto is_short = [](const Stroke& each) { return length(each) < seen; };
+    if (!std::ranges::all_of(out_, is_short)) std::erase_if(out_, is_short);
+  }
+  std::vector<Stroke> take() { return std::move(out_); }
+
+ private:
+  void add(const Stroke& stroke) {
+    constexpr double apart = 2.0;
+    constexpr double least_turn = 0.5;  // what turns on less is rounding
+    part_ = {stroke.front()};
+    for (std::size_t k = 1; k + 1 < stroke.size(); ++k) {
+      const PagePoint& last = part_.back();
+      const PagePoint& here = stroke[k];
+      const PagePoint& next = stroke[k + 1];
+      const double way = distance(last, here);
+      const bool turns_back =
+          (here.x - last.x) * (next.x - here.x) + (here.y - last.y) * (next.y - here.y) < 0.0;
+      if (turns_back && way >= least_turn) {
+        finish(here);
+        part_ = {here};
+      } else if (way >= least_turn && !is_needless(last, here, next, apart, 0.1)) {
+        part_.push_back(here);
+      }
+    }
+    finish(stroke.back());
+  }
+
+  /// The flat end of a line lies across its last segment, and of a short one gnuplot rounds the
+  /// direction.
+  void finish(const PagePoint& end) {
+    constexpr double least = 4.0;
+    constexpr double off = 0.5;
+    part_.push_back(end);
+    while (part_.size() > 2 && is_needless(part_[0], part_[1], part_[2], least, off))
+      part_.erase(part_.begin() + 1);
+    while (part_.size() > 2 && is_needless(end, part_.end()[-2], part_.end()[-3], least, off))
+      part_.erase(part_.end() - 2);
+    out_.push_back(std::move(part_));
+  }
+
+  Stroke part_;
+  std::vector<Stroke> out_;
+};
+
 class Pen {
  public:
   Pen(const PanelSize& panel, std::span<const Dash> dashes) : panel_(panel), dashes_(dashes) {}
@@ -68,7 +134,10 @@ class Pen {
   }
 
   void lift() { down_ = false; }
-  DrawnCurve take() { return std::move(out_); }
+  DrawnCurve take() {
+    out_.strokes = Tidying(out_.strokes).take();
+    return std::move(out_);
+  }
 
  private:
   void leaves(PanelSide side, const PagePoint& at) {
@@ -78,8 +147,7 @@ class Pen {
 
   void draw(const PagePoint& from, const PagePoint& to) {
     constexpr double touching = 1e-6;
-    const bool goes_on = down_ && hypotenuse(out_.strokes.back().back().x - from.x,
-                                             out_.strokes.back().back().y - from.y) < touching;
+    const bool goes_on = down_ && distance(out_.strokes.back().back(), from) < touching;
     if (!goes_on) out_.strokes.push_back({from});
     out_.strokes.back().push_back(to);
     down_ = true;

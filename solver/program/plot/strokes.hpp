@@ -42,7 +42,8 @@ struct DrawnCurve {
   std::vector<CurveExit> exits;
 };
 
-/// dashes: none for a solid line. The path is broken at points that are not finite.
+/// dashes: none for a solid line. The path is broken at points that are not finite. Of points that are
+/// nearly the same one is kept; a stroke ends where the path turns back.
 DrawnCurve drawn(std::span<const PagePoint> path, const PanelSize& panel,
                  std::span<const Dash> dashes);
 

@@ -90,6 +90,36 @@ TEST(Strokes, DashedCurvesOnOneAnotherLeaveTheSameGaps) {
   EXPECT_LT(gaps, 0.4 * 380);
 }
 
+/// gnuplot rounds places to half a pixel: the end of a line lies across its last segment.
+TEST(Strokes, NoEndLiesAcrossAShortSegment) {
+  for (const auto dashes : {std::span<const Dash>(), std::span<const Dash>(unstable_dashes)}) {
+    std::vector<PagePoint> path{{10.0, 150.0}};
+    for (int k = 0; k < 500; ++k) path.push_back({10.7 + k, 150.01 + 0.01 * (k % 2)});
+    path.push_back({509.9, 150.0});
+    const DrawnCurve curve = drawn(path, panel, dashes);
+    ASSERT_FALSE(curve.strokes.empty());
+    EXPECT_EQ(curve.strokes.front().front().x, 10.0);
+    for (const Stroke& stroke : curve.strokes) {
+      const double whole = std::abs(stroke.back().x - stroke.front().x);
+      EXPECT_GT(whole, 0.9);
+      EXPECT_GE(std::abs(stroke[1].x - stroke[0].x), std::min(whole, 4.0));
+      EXPECT_GE(std::abs(stroke.end()[-1].x - stroke.end()[-2].x), std::min(whole, 4.0));
+      for (std::size_t k = 1; k < stroke.size(); ++k)
+        EXPECT_GE(std::abs(stroke[k].x - stroke[k - 1].x), std::min(whole, 2.0));
+    }
+  }
+}
+
+/// A line that turned back within a stroke would have a mitre beyond the fold.
+TEST(Strokes, EndWhereThePathTurnsBack) {
+  std::vector<PagePoint> path;
+  for (int k = -100; k <= 100; ++k) path.push_back({300.0 - 1.5 * std::abs(k), 100.0 + 0.2 * k});
+  const DrawnCurve curve = drawn(path, panel, {});
+  ASSERT_EQ(curve.strokes.size(), 2U);
+  EXPECT_EQ(curve.strokes[0].back().x, 300.0);
+  EXPECT_EQ(curve.strokes[1].front().x, 300.0);
+}
+
 TEST(Strokes, SteepOnesAreDashedToo) {
   const std::vector<PagePoint> path{{100.0, 0.0}, {101.0, 300.0}};
   const DrawnCurve curve = drawn(path, panel, unstable_dashes);
