@@ -16,6 +16,7 @@
 
 #include "solver/program/plot/gnuplot.hpp"
 #include "solver/program/plot/map_plot.hpp"
+#include "solver/program/plot/page_layout.hpp"
 #include "solver/program/rows/metadata.hpp"
 #include "solver/program/session/command.hpp"
 #include "solver/program/session/interrupt.hpp"
@@ -95,7 +96,7 @@ PageChoice page_choice(const PlotOptions& options) {
   }
   if (options.size.empty()) return out;
   const auto size = pair(options.size, 'x');
-  constexpr double least = 300.0;
+  constexpr double least = page::least_side;
   constexpr double most = 4000.0;
   if (!size || size->low < least || size->low > most || size->high < least || size->high > most)
     throw InputError(Origin::of_option("--size " + options.size), "", "found another size",
@@ -156,6 +157,15 @@ void refuse_range(const PlotOptions& options, std::string_view axis, std::string
                        fmt::format("found a range of {}", axis), fmt::format("{}", figure));
 }
 
+/// Refuses an asked size on which the figure could not be read.
+void require_room(const PlotOptions& options, const PageChoice& page, const PageSize& least) {
+  if (!page.size || (page.size->width >= least.width && page.size->height >= least.height)) return;
+  throw InputError(Origin::of_option("--size " + options.size), "",
+                   "found too small a page for the panels and the legend of this figure",
+                   fmt::format("at least {}x{}", std::max(least.width, page::least_side),
+                               std::max(least.height, page::least_side)));
+}
+
 /// A map, and curves of events in its parameters.
 Figure map_figure(const PlotOptions& options, TableReader& table,
                   const std::vector<TableReader*>& curves, ImageFormat format,
@@ -168,6 +178,7 @@ Figure map_figure(const PlotOptions& options, TableReader& table,
   for (TableReader* const each : curves)
     std::ranges::move(read_event_lines(*each, map.x.parameter, map.y.parameter),
                       std::back_inserter(map.lines));
+  require_room(options, page, least_page(map));
   std::string contents =
       fmt::format("{} by {} cells, {}", map.x.values.size(), map.y.values.size(), map.quantity);
   if (!map.lines.empty()) contents += ", " + counted(map.lines.size(), "curve");
@@ -180,6 +191,7 @@ Figure curve_figure(const PlotOptions& options, const std::vector<TableReader*>&
   refuse_range(options, "rate", "a diagram of families");
   refuse_range(options, "value", "a map");
   const MapDiagram diagram = read_curve_diagram(curves);
+  require_room(options, page, least_page(diagram));
   return {gnuplot_script(diagram, format, title_of(options), page),
           counted(diagram.lines.size(), "curve")};
 }
@@ -209,6 +221,7 @@ Figure figure(const PlotOptions& options, ImageFormat format) {
   }
   refuse_range(options, "value", "a map");
   const Diagram diagram = read_diagram(readers, options.choice);
+  require_room(options, page, least_page(diagram));
   return {gnuplot_script(diagram, format, title_of(options), page),
           fmt::format("{}, {}, {}", counted(diagram.points.size(), "row"),
                       counted(diagram.pieces.size(), "sheet"),
@@ -337,7 +350,7 @@ void add_plot(CLI::App& program, Session& session) {
       .add_option(
           "--size", options->size,
           "Size of the image, in pixels of an SVG (a PNG has twice as many); 100 are an inch "
-          "of a PDF")
+          "of a PDF; refused where panels and legend need more")
       ->type_name("WIDTHxHEIGHT");
   command.add_flag("-q,--quiet", options->quiet, "Print nothing");
   command.callback([options, &session] {

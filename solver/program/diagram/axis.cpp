@@ -1,10 +1,7 @@
 #include "solver/program/diagram/axis.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "lib/number/elementary.hpp"
@@ -181,29 +178,6 @@ Axis whole_axis(const std::vector<WeightedCurve>& curves) {
 
 Axis asked_axis(const AxisRange& range, bool logarithmic) {
   return {range, logarithmic && range.low >= least_normal};
-}
-
-std::string logarithmic_ticks(const AxisRange& asked, bool decades) {
-  if (!(asked.low > 0.0) || !(asked.high > asked.low)) return {};
-  const AxisRange range = drawable(asked, true);
-  const double first = log10(range.low);
-  const double last = log10(range.high);
-  const int stride = std::max(1, static_cast<int>(std::ceil((last - first) / 7.0)));
-  const bool few = last - first < 2.5;
-  std::string out;
-  constexpr double rounding = 1e-9;
-  for (int power = static_cast<int>(std::floor(first)); power <= std::ceil(last); ++power) {
-    if (power % stride != 0) continue;
-    for (int digit = 1; digit < 10; ++digit) {
-      const bool named = digit == 1 || digit == 2 || digit == 5 ||
-                         (last - first < 1.3 && digit % 2 == 1 && digit < 9) || last - first < 0.7;
-      const double at = power + log10(digit);
-      if ((digit > 1 && !few) || !named || at < first - rounding || at > last + rounding) continue;
-      fmt::format_to(std::back_inserter(out), "{}'{:g}' {:.12g}", out.empty() ? "" : ", ",
-                     digit * pow(10.0, power), decades ? at : digit * pow(10.0, power));
-    }
-  }
-  return out;
 }
 
 }  // namespace stationary

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace stationary {
@@ -51,10 +50,5 @@ Axis whole_axis(const std::vector<WeightedCurve>& curves);
 
 /// What is to be shown as asked; linear where the lower end is not a positive normal number.
 Axis asked_axis(const AxisRange& range, bool logarithmic);
-
-/// Of a logarithmic axis, for `set tics`: powers of ten and, where there is room, 2 and 5 between
-/// them; none where the range is not one of positive numbers. decades: the axis is of the logarithms,
-/// not itself logarithmic.
-std::string logarithmic_ticks(const AxisRange& range, bool decades = false);
 
 }  // namespace stationary

@@ -169,7 +169,7 @@ class DiagramReader {
   void add(TableReader& table) {
     const DiagramTable source(table, choice_);
     RowParameter parameter(table);
-    const char letter = static_cast<char>('a' + static_cast<int>(out_.tables.size() % 26));
+    const std::string letters = table_letters(out_.tables.size());
     const std::size_t first_piece = out_.pieces.size();
     out_.tables.push_back(table.name());
     bool rows = false;
@@ -209,7 +209,7 @@ class DiagramReader {
     if (!several_) return;
     const bool one = out_.pieces.size() == first_piece + 1;
     for (std::size_t k = first_piece; k < out_.pieces.size(); ++k)
-      out_.pieces[k].label = letter + (one ? std::string() : out_.pieces[k].label);
+      out_.pieces[k].label = one ? letters : letters + out_.pieces[k].label;
   }
 
   Diagram take() {
@@ -263,6 +263,12 @@ bool DiagramPoint::has_spectrum() const {
 bool Diagram::of_stretches() const {
   return columns.size() == stretch_columns.size() && columns.front() == name(Column::lambda) &&
          columns[1] == name(Column::mu) && columns[2] == name(Column::rho);
+}
+
+std::string table_letters(std::size_t table) {
+  constexpr std::size_t alphabet = 26;
+  const std::string last(1, static_cast<char>('a' + static_cast<int>(table % alphabet)));
+  return table < alphabet ? last : table_letters(table / alphabet - 1) + last;
 }
 
 Diagram read_diagram(const std::vector<TableReader*>& tables, const DiagramChoice& choice) {

@@ -73,6 +73,9 @@ struct Diagram {
   bool of_stretches() const;
 };
 
+/// By which the sheets of several tables are told apart: a to z, then aa, ab, ...
+std::string table_letters(std::size_t table);
+
 /// What is to be drawn, of all there is.
 struct DiagramChoice {
   std::vector<std::string> columns;   ///< empty: the stretches

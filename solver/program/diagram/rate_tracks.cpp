@@ -23,10 +23,7 @@ std::vector<RowMode> modes_of(const DiagramPoint& point) {
   out.reserve(point.frequency.size());
   for (std::size_t k = 0; k < point.frequency.size(); ++k) {
     if (!std::isfinite(point.frequency[k])) continue;
-    const RateKind kind = point.krein[k] > 0   ? RateKind::positive
-                          : point.krein[k] < 0 ? RateKind::negative
-                                               : RateKind::undetermined;
-    out.push_back({point.frequency[k], kind, no_track});
+    out.push_back({point.frequency[k], rate_kind(point.krein[k]), no_track});
   }
   std::ranges::stable_sort(out, {}, &RowMode::frequency);
   return out;

@@ -19,6 +19,11 @@ enum class RateKind : std::uint8_t { negative, undetermined, positive, growth };
 constexpr std::array<RateKind, 4> rate_kinds{RateKind::negative, RateKind::undetermined,
                                              RateKind::positive, RateKind::growth};
 
+/// Of a frequency with this Krein signature.
+constexpr RateKind rate_kind(int krein) {
+  return krein > 0 ? RateKind::positive : krein < 0 ? RateKind::negative : RateKind::undetermined;
+}
+
 struct RatePoint {
   std::size_t row;  ///< of Diagram::points
   double rate;

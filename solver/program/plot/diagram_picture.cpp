@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "lib/number/elementary.hpp"
-#include "solver/program/diagram/axis_name.hpp"
 #include "solver/program/diagram/diagram_lines.hpp"
+#include "solver/program/plot/diagram_names.hpp"
+#include "solver/program/plot/page_layout.hpp"
 #include "solver/program/plot/plot_style.hpp"
 #include "solver/program/plot/sheet_labels.hpp"
 
@@ -314,52 +315,6 @@ std::vector<PagePoint> PanelDrawing::obstacles() const {
   return out;
 }
 
-std::string panel_title(const std::string& branch) {
-  constexpr std::pair<std::string_view, std::string_view> titles[] = {
-      {"i", "about axis 1 (i)"}, {"ii", "about axis 2 (ii)"}, {"iii", "about axis 3 (iii)"},
-      {"tilted", "tilted axis"}, {"oblique", "oblique axis"}, {"two-polar", "two-polar"}};
-  for (const auto& [name, title] : titles)
-    if (name == branch) return std::string(title);
-  return branch;
-}
-
-/// Places the panels on the page and sizes it.
-void lay_out(const Diagram& diagram, const PageChoice& choice, double legend_width,
-             DiagramPicture& picture) {
-  const std::size_t rows = picture.panels.size();
-  constexpr double gap = 16.0;
-  constexpr double row_gap = 58.0;
-  constexpr double column_gap = 66.0;
-  constexpr double row_height = 170.0;
-  if (rows > 1) {
-    const auto n = static_cast<double>(rows);
-    picture.size = {1000.0, page::margin + page::title_height + page::bottom + n * row_height +
-                                (n - 1.0) * row_gap + 16.0};
-  }
-  if (choice.size) picture.size = *choice.size;
-  const double top =
-      picture.size.height - page::margin - page::title_height - (rows > 1 ? 16.0 : 4.0);
-  picture.legend_left = picture.size.width - legend_width;
-  const double right = picture.legend_left - 10.0;
-  if (rows == 1) {
-    DiagramPanel& panel = picture.panels.front();
-    panel.area = {page::left, right, page::bottom, top};
-    panel.rate_area = panel.area;
-    if (!has_rates(diagram)) return;
-    panel.rate_area.top = page::bottom + 0.40 * (top - page::bottom);
-    panel.area.bottom = panel.rate_area.top + gap;
-    return;
-  }
-  const auto n = static_cast<double>(rows);
-  const double height = (top - page::bottom - (n - 1.0) * row_gap) / n;
-  const double middle = has_rates(diagram) ? 0.5 * (page::left + right) : right + 0.5 * column_gap;
-  for (std::size_t k = 0; k < rows; ++k) {
-    const double upper = top - static_cast<double>(k) * (height + row_gap);
-    picture.panels[k].area = {page::left, middle - 0.5 * column_gap, upper - height, upper};
-    picture.panels[k].rate_area = {middle + 0.5 * column_gap, right, upper - height, upper};
-  }
-}
-
 }  // namespace
 
 bool has_rates(const Diagram& diagram) {
@@ -369,11 +324,7 @@ bool has_rates(const Diagram& diagram) {
 DiagramPicture diagram_picture(const Diagram& diagram, const PageChoice& choice) {
   DiagramPicture out;
   const bool together = diagram.of_energy_and_momentum;
-  std::size_t longest = together ? 12 : 18;  // "frequency, Krein +"
-  for (std::size_t k = 0; k < (together ? diagram.branches.size() : diagram.columns.size()); ++k)
-    out.series.push_back(together ? panel_title(diagram.branches[k].name)
-                                  : axis_name(diagram.columns[k]));
-  for (const std::string& each : out.series) longest = std::max(longest, each.size());
+  out.series = series_names(diagram);
   std::vector<std::vector<std::size_t>> pieces(together ? 1 : diagram.branches.size());
   for (std::size_t k = 0; k < diagram.pieces.size(); ++k)
     pieces[together ? 0 : diagram.pieces[k].branch].push_back(k);
@@ -384,9 +335,7 @@ DiagramPicture diagram_picture(const Diagram& diagram, const PageChoice& choice)
         together ? "size of the angular momentum |π|" : diagram.branches[k].parameter;
   }
   if (!together && pieces.size() == 1) out.panels.front().title.clear();
-  const double legend_width =
-      46.0 + page::character_width * static_cast<double>(std::min<std::size_t>(longest, 24));
-  lay_out(diagram, choice, legend_width, out);
+  lay_out(diagram, choice, out);
   for (std::size_t k = 0; k < pieces.size(); ++k)
     PanelDrawing(diagram, pieces[k], choice, out.panels[k]).draw();
   return out;

@@ -13,14 +13,18 @@
 #include "lib/number/elementary.hpp"
 #include "lib/stability/spectrum.hpp"
 #include "solver/program/diagram/axis_name.hpp"
+#include "solver/program/diagram/ticks.hpp"
 #include "solver/program/plot/gnuplot.hpp"
 #include "solver/program/plot/plot_page.hpp"
 
 namespace stationary {
 namespace {
 
-constexpr double legend_width = 134.0;
-constexpr double wide_legend = 184.0;      ///< with the names of special points
+constexpr double map_legend = 134.0;       ///< its width
+constexpr double wide_map_legend = 184.0;  ///< with the names of special points
+constexpr double map_legend_line = 18.14;
+constexpr double least_bar = 100.0;        ///< of the colours of numbers
+constexpr double above_bar = 42.0;         ///< what is written there
 constexpr std::size_t most_pixels = 1000;  ///< along an axis: beyond, cells are passed over
 
 /// By status, of cells without a solution; none: hatched.
@@ -37,14 +41,49 @@ constexpr std::string_view palette =
 constexpr std::string_view growth_palette =
     "0 '#f3efe6', 0.001 '#f7d9a8', 2 '#f0a35e', 4 '#dc6b33', 6 '#b03a1e', 8 '#6b1713'";
 
+double width_of_legend(const MapDiagram& diagram) {
+  return diagram.lines.empty() ? map_legend : wide_map_legend;
+}
+
+/// Without the numbers' colours.
+std::size_t map_legend_lines(const MapDiagram& diagram) {
+  std::set<double> classes;
+  std::set<CellStatus> statuses;
+  for (std::size_t k = 0; k < diagram.values.size(); ++k) {
+    if (!std::isfinite(diagram.values[k])) {
+      statuses.insert(diagram.statuses[k].value_or(CellStatus::solved));
+    } else if (diagram.of_class()) {
+      classes.insert(diagram.values[k]);
+    }
+  }
+  std::set<std::string> events;
+  std::set<SpecialPoint> special;
+  for (const EventLine& each : diagram.lines) {
+    events.insert(each.event);
+    for (const EventLine::Special& point : each.special) special.insert(point.type);
+  }
+  return classes.size() + statuses.size() + events.size() + special.size();
+}
+
+double map_legend_height(const MapDiagram& diagram) {
+  return map_legend_line * static_cast<double>(map_legend_lines(diagram)) + 10.0;
+}
+
+PageSize page_of(const MapDiagram& diagram, const PageChoice& choice) {
+  const PageSize least = least_page(diagram);
+  const PageSize usual{};
+  return choice.size.value_or(
+      PageSize{std::max(usual.width, least.width), std::max(usual.height, least.height)});
+}
+
 class MapScript {
  public:
   MapScript(const MapDiagram& diagram, const PageChoice& choice)
       : diagram_(diagram),
         choice_(choice),
-        size_(choice.size.value_or(PageSize{})),
-        area_{page::left, size_.width - (diagram.lines.empty() ? legend_width : wide_legend),
-              page::bottom, size_.height - page::margin - page::title_height} {}
+        size_(page_of(diagram, choice)),
+        area_{page::left, size_.width - width_of_legend(diagram), page::bottom,
+              size_.height - page::margin - page::title_height} {}
   std::string write(ImageFormat format, std::string_view title);
 
  private:
@@ -139,9 +178,15 @@ void MapScript::set_axis(const MapDiagramAxis& axis, char letter) {
     shown = {place(axis, asked->low), place(axis, asked->high)};
   shown = drawable(shown, false);
   line("set {}range [{}:{}]", letter, shown.low, shown.high);
-  if (!is_log) return;
+  const AxisWay way = letter == 'x' ? AxisWay::level : AxisWay::upright;
+  const double length = letter == 'x' ? area_.width() : area_.height();
+  if (!is_log) {
+    line("set {}tics {}", letter, linear_ticks(shown, length, way));
+    return;
+  }
   // The axis is linear in the logarithm.
-  const std::string ticks = logarithmic_ticks({pow(10.0, shown.low), pow(10.0, shown.high)}, true);
+  const std::string ticks = logarithmic_ticks({pow(10.0, shown.low), pow(10.0, shown.high)},
+                                              most_ticks(length, way), true);
   line("set {}tics ({})", letter, ticks);
 }
 
@@ -176,7 +221,8 @@ void MapScript::set_colours() {
   if (choice_.value) line("unset logscale cb");
   const AxisRange colours_of = drawable({low - room, high + room}, false);
   line("set cbrange [{}:{}]", colours_of.low, colours_of.high);
-  const double bar_height = 0.6 * area_.height();
+  const double bar_height =
+      std::min(0.6 * area_.height(), area_.height() - above_bar - map_legend_height(diagram_));
   line("set colorbox user origin {} size {}", on_page(size_, area_.right + 16.0, area_.bottom),
        on_page(size_, 16.0, bar_height));
   line("set cbtics font ',11' offset -0.5,0");
@@ -275,7 +321,10 @@ std::string MapScript::write(ImageFormat format, std::string_view title) {
   line("set format x '%g'");
   line("set format y '%g'");
   text_ += panel_margins(size_, area_);
-  line("set key at graph 1.02, graph 1.0 left top Left reverse samplen 1.2 spacing 1.3 font ',12'");
+  line(
+      "set key at graph 1.02, graph 1.0 left top Left reverse samplen 1.2 spacing {:.3g} font "
+      "',12'",
+      key_spacing(format, map_legend_line));
   line("set xlabel {} offset 0,0.4", in_gnuplot_quotes(axis_name(diagram_.x.parameter)));
   line("set label {} at {} center rotate by 90", in_gnuplot_quotes(axis_name(diagram_.y.parameter)),
        on_page(size_, page::margin, 0.5 * (area_.bottom + area_.top)));
@@ -303,6 +352,15 @@ std::string MapScript::write(ImageFormat format, std::string_view title) {
 }
 
 }  // namespace
+
+PageSize least_page(const MapDiagram& diagram) {
+  constexpr double least_area = 200.0;
+  const bool has_bar = diagram.has_cells() && !diagram.of_class();
+  const double height =
+      std::max(least_area, map_legend_height(diagram) + (has_bar ? least_bar + above_bar : 0.0));
+  return {std::ceil(page::left + least_area + width_of_legend(diagram)),
+          std::ceil(page::margin + page::title_height + page::bottom + height)};
+}
 
 std::string gnuplot_script(const MapDiagram& diagram, ImageFormat format, std::string_view title,
                            const PageChoice& choice) {

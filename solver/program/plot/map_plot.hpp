@@ -19,6 +19,9 @@ namespace stationary {
 constexpr std::array<std::string_view, std::size(stability_names)> class_colours{
     "#12355b", "#9fcbe6", "#c2410c", "#e0862a", "#f6efdc"};
 
+/// The least page on which a map can be read, all of its legend included.
+PageSize least_page(const MapDiagram& diagram);
+
 /// title: shown as it is; empty for none.
 std::string gnuplot_script(const MapDiagram& diagram, ImageFormat format, std::string_view title,
                            const PageChoice& choice = {});

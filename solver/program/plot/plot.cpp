@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include "solver/program/diagram/axis_name.hpp"
+#include "solver/program/diagram/ticks.hpp"
+#include "solver/program/plot/diagram_names.hpp"
 #include "solver/program/plot/gnuplot.hpp"
 #include "solver/program/plot/plot_style.hpp"
 
@@ -50,14 +50,13 @@ class Script {
   void points(const std::string& name, const std::vector<PagePoint>& all, const DiagramPanel& panel,
               bool of_rates);
   void begin_panel(const DiagramPanel& panel, bool of_rates, bool names_abscissa);
-  void set_ticks(const Axis& axis, char letter);
+  void set_ticks(const Axis& axis, char letter, const PageArea& area);
   void arrows(const DiagramPanel& panel, bool of_rates);
   void curve_panel(const DiagramPanel& panel, bool names_abscissa);
   void rate_panel(const DiagramPanel& panel);
   void plot(const std::vector<std::string>& items);
   std::vector<std::string> legend() const;
-  void draw_legend();
-  std::string ordinate_name(const DiagramPanel& panel) const;
+  void draw_legend(ImageFormat format);
 
   const Diagram& diagram_;
   DiagramPicture picture_;
@@ -89,13 +88,16 @@ void Script::points(const std::string& name, const std::vector<PagePoint>& all,
   line("END_OF_DATA");
 }
 
-void Script::set_ticks(const Axis& axis, char letter) {
+void Script::set_ticks(const Axis& axis, char letter, const PageArea& area) {
+  const AxisWay way = letter == 'x' ? AxisWay::level : AxisWay::upright;
+  const double length = letter == 'x' ? area.width() : area.height();
   line("unset logscale {}", letter);
-  line("set {}tics autofreq", letter);
+  line("set {}tics {}", letter,
+       axis.logarithmic ? "autofreq" : linear_ticks(axis.range, length, way));
   line("set {}range [{}:{}]", letter, axis.range.low, axis.range.high);
   if (!axis.logarithmic) return;
   line("set logscale {}", letter);
-  const std::string ticks = logarithmic_ticks(axis.range);
+  const std::string ticks = logarithmic_ticks(axis.range, most_ticks(length, way));
   if (ticks.find(',') != std::string::npos) line("set {}tics ({})", letter, ticks);
 }
 
@@ -130,17 +132,6 @@ void Script::arrows(const DiagramPanel& panel, bool of_rates) {
   }
 }
 
-std::string Script::ordinate_name(const DiagramPanel& panel) const {
-  std::string out;
-  if (diagram_.of_stretches()) {
-    out = "principal stretch";
-  } else {
-    for (const std::string& each : diagram_.columns)
-      out += (out.empty() ? "" : ", ") + axis_name(each);
-  }
-  return panel.base == 0.0 ? out : out + fmt::format(" less {}", panel.base);
-}
-
 /// Its edges, the guides of the events, and the names of its axes: labels instead of gnuplot's own,
 /// whose distance from the axis depends on the numbers there.
 void Script::begin_panel(const DiagramPanel& panel, bool of_rates, bool names_abscissa) {
@@ -148,8 +139,8 @@ void Script::begin_panel(const DiagramPanel& panel, bool of_rates, bool names_ab
   if (!fresh_) line("unset label\nunset arrow");
   fresh_ = false;
   text_ += panel_margins(picture_.size, area);
-  set_ticks(panel.abscissa, 'x');
-  set_ticks(of_rates ? panel.rate : panel.ordinate, 'y');
+  set_ticks(panel.abscissa, 'x', area);
+  set_ticks(of_rates ? panel.rate : panel.ordinate, 'y', area);
   line("set format x '{}'", names_abscissa ? "%g" : "");
   if (names_abscissa) {
     line("set label {} at {} center", in_gnuplot_quotes(panel.abscissa_name),
@@ -158,8 +149,9 @@ void Script::begin_panel(const DiagramPanel& panel, bool of_rates, bool names_ab
   for (const double at : panel.guides)
     line("set arrow from graph {0:.6g}, graph 0 to graph {0:.6g}, graph 1 nohead back {1}", at,
          guide_style);
-  line("set label {} at {} center rotate by 90",
-       in_gnuplot_quotes(of_rates ? "rate" : ordinate_name(panel)),
+  std::string ordinate = of_rates ? "rate" : ordinate_name(diagram_);
+  if (!of_rates && panel.base != 0.0) ordinate += fmt::format(" less {}", panel.base);
+  line("set label {} at {} center rotate by 90", in_gnuplot_quotes(ordinate),
        on_page(picture_.size, std::max(page::margin, area.left - 58.0),
                0.5 * (area.bottom + area.top)));
   if (!of_rates && !panel.title.empty()) {
@@ -225,10 +217,8 @@ std::vector<std::string> Script::legend() const {
   if (diagram_.tables.size() > 1) {
     space();
     for (std::size_t k = 0; k < diagram_.tables.size(); ++k) {
-      const std::string name = std::filesystem::path(diagram_.tables[k]).stem().string();
-      const char letter = static_cast<char>('a' + static_cast<int>(k % 26));
       out.push_back(fmt::format("keyentry with lines lt nodraw title {}",
-                                in_gnuplot_quotes(std::string(1, letter) + "  " + name)));
+                                in_gnuplot_quotes(table_name(diagram_, k))));
     }
   }
   return out;
@@ -297,12 +287,13 @@ void Script::rate_panel(const DiagramPanel& panel) {
 }
 
 /// A plot of its own, over the whole page: gnuplot leaves out entries beyond the height of a plot.
-void Script::draw_legend() {
+void Script::draw_legend(ImageFormat format) {
   line("unset label\nunset arrow\nunset border\nunset tics\nunset logscale");
   text_ += panel_margins(picture_.size, {0.0, picture_.size.width, 0.0, picture_.size.height});
   line("set xrange [0:1]\nset yrange [0:1]");
-  line("set key at {} left top Left reverse samplen 2.6 spacing 1.15 font ',12'",
-       on_page(picture_.size, picture_.legend_left, picture_.panels.front().area.top + 6.0));
+  line("set key at {} left top Left reverse samplen 2.6 spacing {:.3g} font ',12'",
+       on_page(picture_.size, picture_.legend_left, picture_.panels.front().area.top + 6.0),
+       key_spacing(format, page::legend_line));
   plot(legend());
 }
 
@@ -318,7 +309,7 @@ std::string Script::write(ImageFormat format, std::string_view title) {
     curve_panel(panel, !stacked);
     if (has_rates(diagram_)) rate_panel(panel);
   }
-  draw_legend();
+  draw_legend(format);
   line("unset multiplot");
   return std::move(text_);
 }
@@ -329,6 +320,12 @@ std::optional<ImageFormat> image_format(std::string_view extension) {
   const auto at = std::ranges::find(image_extensions, extension);
   if (at == image_extensions.end()) return std::nullopt;
   return static_cast<ImageFormat>(at - image_extensions.begin());
+}
+
+double key_spacing(ImageFormat format, double line) {
+  constexpr double line_of_svg = 18.0;
+  constexpr double line_of_others = 13.95;
+  return line / (format == ImageFormat::svg ? line_of_svg : line_of_others);
 }
 
 std::string page_head(ImageFormat format, std::string_view title, const PageSize& size) {

@@ -27,6 +27,9 @@ constexpr std::array<std::string_view, 3> image_extensions{".svg", ".png", ".pdf
 /// By the extension, with its dot.
 std::optional<ImageFormat> image_format(std::string_view extension);
 
+/// gnuplot's spacing of a legend whose lines are so high; a line of its own is another in each format.
+double key_spacing(ImageFormat format, double line);
+
 /// Terminal, encoding and title: what a script begins with.
 std::string page_head(ImageFormat format, std::string_view title, const PageSize& size = {});
 

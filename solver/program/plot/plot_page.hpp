@@ -26,11 +26,13 @@ struct PageChoice {
 };
 
 namespace page {
+constexpr double least_side = 300.0;  ///< of any figure
 constexpr double margin = 14.0;
 constexpr double title_height = 26.0;
 constexpr double left = 74.0;
 constexpr double bottom = 58.0;
 constexpr double character_width = 6.7;  ///< of the legend, about
+constexpr double legend_line = 16.05;    ///< its height
 }  // namespace page
 
 /// A rectangle of the page.

@@ -7,11 +7,13 @@
 #include <cmath>
 
 #include "solver/program/diagram/axis_name.hpp"
+#include "solver/program/diagram/ticks.hpp"
 
 namespace stationary {
 namespace {
 
 constexpr int rows = 200;
+constexpr double many = 100.0;  ///< ticks
 
 template <class Function>
 WeightedCurve curve(const Function& value) {
@@ -90,9 +92,10 @@ TEST(Axis, AModeThatOutgrowsTheOthersIsCutAboveThem) {
 }
 
 TEST(Axis, TicksOfALogarithmicOneAreAllNamed) {
-  EXPECT_EQ(logarithmic_ticks({0.05, 30.0}), "'0.1' 0.1, '1' 1, '10' 10");
-  EXPECT_EQ(logarithmic_ticks({0.3, 3.0}), "'0.3' 0.3, '0.5' 0.5, '0.7' 0.7, '1' 1, '2' 2, '3' 3");
-  EXPECT_EQ(logarithmic_ticks({1.0, 100.0}, true),
+  EXPECT_EQ(logarithmic_ticks({0.05, 30.0}, many), "'0.1' 0.1, '1' 1, '10' 10");
+  EXPECT_EQ(logarithmic_ticks({0.3, 3.0}, many),
+            "'0.3' 0.3, '0.5' 0.5, '0.7' 0.7, '1' 1, '2' 2, '3' 3");
+  EXPECT_EQ(logarithmic_ticks({1.0, 100.0}, many, true),
             "'1' 0, '2' 0.301029995664, '5' 0.698970004336, '10' 1, "
             "'20' 1.30102999566, '50' 1.69897000434, '100' 2");
 }
@@ -109,7 +112,7 @@ TEST(Axis, IsFiniteNearTheEndsOfTheDoubles) {
         EXPECT_EQ(axis.place(axis.range.low), 0.0) << size;
         EXPECT_EQ(axis.place(axis.range.high), 1.0) << size;
         if (axis.logarithmic) {
-          EXPECT_NE(logarithmic_ticks(axis.range), "") << size;
+          EXPECT_NE(logarithmic_ticks(axis.range, many), "") << size;
         }
       }
     }
@@ -120,10 +123,21 @@ TEST(Axis, IsFiniteNearTheEndsOfTheDoubles) {
 TEST(Axis, NoTicksWhereThereIsNoLogarithm) {
   for (const AxisRange& range : {AxisRange{0.0, 1.0}, AxisRange{-1.0, 1.0}, AxisRange{1.0, 1.0},
                                  AxisRange{std::nan(""), 1.0}})
-    EXPECT_EQ(logarithmic_ticks(range), "");
-  EXPECT_EQ(logarithmic_ticks({1e300, INFINITY}),
+    EXPECT_EQ(logarithmic_ticks(range, many), "");
+  EXPECT_EQ(logarithmic_ticks({1e300, INFINITY}, many),
             "'1e+300' 1e+300, '1e+302' 1e+302, "
             "'1e+304' 1e+304, '1e+306' 1e+306");
+}
+
+TEST(Axis, HasAsManyTicksAsThereIsRoomFor) {
+  EXPECT_EQ(linear_ticks({0.0, 1.0}, 400.0, AxisWay::upright), "autofreq");
+  EXPECT_EQ(linear_ticks({0.8, 1.55}, 90.0, AxisWay::upright), "0.2");
+  EXPECT_EQ(linear_ticks({0.0, 1.0}, 150.0, AxisWay::level), "autofreq");
+  EXPECT_EQ(linear_ticks({0.0, 1.0}, 100.0, AxisWay::level), "0.5");
+  EXPECT_EQ(linear_ticks({10000.0, 18000.0}, 150.0, AxisWay::level), "5000");
+  EXPECT_EQ(linear_ticks({-4e307, 4e307}, 20.0, AxisWay::upright), "5e+307");
+  EXPECT_EQ(logarithmic_ticks({0.3, 3.0}, 4.0), "'0.5' 0.5, '1' 1, '2' 2");
+  EXPECT_EQ(logarithmic_ticks({1e-6, 1e6}, 3.0), "'0.0001' 0.0001, '1' 1, '10000' 10000");
 }
 
 TEST(AxisName, IsThePapersNotTheKey) {

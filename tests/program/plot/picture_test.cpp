@@ -8,6 +8,7 @@
 
 #include "solver/program/plot/diagram_picture.hpp"
 #include "solver/program/plot/map_plot.hpp"
+#include "solver/program/plot/page_layout.hpp"
 #include "solver/program/plot/plot_style.hpp"
 
 namespace stationary {
@@ -181,6 +182,26 @@ TEST(Picture, AskedRangesAndSizeHold) {
   EXPECT_EQ(picture.size.width, 640.0);
   EXPECT_EQ(picture.panels.front().ordinate.range.high, 2.0);
   EXPECT_EQ(picture.panels.front().abscissa.range.high, 0.5);
+}
+
+TEST_P(ShippedPicture, IsLargerThanItsLeastPage) {
+  const Diagram diagram = diagram_at(GetParam());
+  const PageSize least = least_page(diagram);
+  PageChoice choice;
+  choice.size = least;
+  const DiagramPicture smallest = diagram_picture(diagram, choice);
+  for (const DiagramPanel& panel : smallest.panels) {
+    EXPECT_GE(panel.area.width(), 150.0);
+    EXPECT_GE(panel.area.height(), 95.0);
+    if (has_rates(diagram)) {
+      EXPECT_GE(panel.rate_area.height(), 70.0);
+    }
+  }
+  const double legend = page::legend_line * static_cast<double>(most_legend_lines(diagram));
+  EXPECT_GE(smallest.panels.front().area.top + 6.0, legend);
+  const PageSize usual = diagram_picture(diagram).size;
+  EXPECT_GE(usual.width, least.width);
+  EXPECT_GE(usual.height, least.height);
 }
 
 TEST(Picture, CurvesOnOneAnotherAreToldApartByWidth) {

@@ -1,4 +1,4 @@
-// Whole figures by the program: of tables at the ends of the double range.
+// Whole figures by the program: of tables at the ends of the double range, of many tables, on small pages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,6 @@ namespace stationary::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class WholeFigure : public ::testing::Test {
  protected:
@@ -38,6 +37,51 @@ TEST_F(WholeFigure, OfValuesAtTheEndsOfTheDoubles) {
                              "1.7e308,solved,0.5,4e307\n1,solved,0,1\n1,solved,0.5,1\n");
     EXPECT_EQ(map.code, 0) << value << map.err;
   }
+}
+
+/// Three branches, each with a spectrum.
+const char* const three_branches =
+    "branch,sheet,nu1,nu2,nu3,rho,lambda,mu,class,growth,im1\n"
+    "i,1,0,0,0,1,1.1,0.9,stable,0,1\ni,1,1,0,0,1,1.2,0.9,stable,0,1\n"
+    "ii,2,0,0,0,1,1.1,0.9,stable,0,1\nii,2,0,1,0,1,1.2,0.9,stable,0,1\n"
+    "iii,3,0,0,0,1,1.1,0.9,stable,0,1\niii,3,0,0,1,1,1.2,0.9,stable,0,1\n";
+
+TEST_F(WholeFigure, ASizeTooSmallToReadIsRefusedWithTheLeast) {
+  NEEDS_GNUPLOT();
+  const Outcome small = plot(three_branches, {"--size", "640x480"});
+  EXPECT_EQ(small.code, 2);
+  EXPECT_THAT(small.err, HasSubstr("--size 640x480: found too small a page"));
+  const std::string expected = "expected at least ";
+  const std::size_t at = small.err.find(expected);
+  ASSERT_NE(at, std::string::npos);
+  const std::string least =
+      small.err.substr(at + expected.size(), small.err.find('\n', at) - at - expected.size());
+  const Outcome enough = plot(three_branches, {"--size", least});
+  EXPECT_EQ(enough.code, 0) << least << enough.err;
+  const std::string map =
+      "class,status,nu,body.J.0\nstable,solved,0,1\n,not-found,0.5,1\n"
+      "stable,solved,0,2\nunstable,solved,0.5,2\n";
+  EXPECT_THAT(plot(map, {"--size", "300x300"}).err, HasSubstr("expected at least 408x300"));
+  EXPECT_EQ(plot(map, {"--size", "408x300"}).code, 0);
+}
+
+TEST_F(WholeFigure, TheLegendNamesEveryTable) {
+  NEEDS_GNUPLOT();
+  std::vector<std::string> arguments{"plot"};
+  constexpr int count = 60;
+  for (int k = 0; k < count; ++k) {
+    const std::string name = "t" + std::to_string(k) + ".csv";
+    arguments.push_back(
+        directory_.file(name, "branch,nu1,rho,class\ni,0,1,stable\ni,1,2,stable\n"));
+  }
+  arguments.insert(arguments.end(), {"-o", directory_ / "x.svg"});
+  const Outcome outcome = run_program(arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::string image = text_of(directory_ / "x.svg");
+  for (const char* const entry : {">a  t0<", ">z  t25<", ">aa  t26<", ">az  t51<", ">bh  t59<"})
+    EXPECT_THAT(image, HasSubstr(entry));
+  arguments.insert(arguments.end(), {"--size", "800x600"});
+  EXPECT_THAT(run_program(arguments).err, HasSubstr("expected at least"));
 }
 
 }  // namespace
