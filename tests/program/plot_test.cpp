@@ -348,7 +348,8 @@ TEST_F(Plot, AColumnSheetBranchRangeAndSize) {
                 .code,
             0);
   EXPECT_THAT(texts("x.svg"), IsSupersetOf({"growth rate, μ", "growth rate"}));
-  EXPECT_THAT(text_of(directory_ / "x.svg"), HasSubstr("viewBox=\"0 0 640 480\""));
+  EXPECT_THAT(text_of(directory_ / "x.svg"), AllOf(HasSubstr("width=\"640\" height=\"480\""),
+                                                   HasSubstr("viewBox=\"0 0 640 480\"")));
 }
 
 TEST_F(Plot, NamesOfFilesAreNotRead) {

@@ -254,13 +254,14 @@ void PanelDrawing::draw_rates(const DiagramPiece& piece) {
           {panel_.abscissa.place(diagram_.points[each.row].abscissa) * panel_.rate_area.width(),
            up * panel_.rate_area.height()});
     }
-    PictureRates& into = rates(track.kind);
     if (path.size() == 1) {
-      into.dots.push_back(path.front());
+      if (within(path.front(), size_of(panel_.rate_area)))
+        rates(track.kind).dots.push_back(path.front());
       continue;
     }
     DrawnCurve out = drawn(path, size_of(panel_.rate_area), {});
-    std::ranges::move(out.strokes, std::back_inserter(into.strokes));
+    if (!out.strokes.empty())
+      std::ranges::move(out.strokes, std::back_inserter(rates(track.kind).strokes));
     for (const CurveExit& exit : out.exits) {
       // At the lower end of a linear axis is zero, where rates end.
       if (exit.side == PanelSide::bottom && panel_.rate.range.low == 0.0) continue;

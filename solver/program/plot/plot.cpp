@@ -333,7 +333,7 @@ std::string page_head(ImageFormat format, std::string_view title, const PageSize
   switch (format) {
     case ImageFormat::svg:
       terminal = fmt::format(
-          "svg noenhanced size {:.0f},{:.0f} dynamic font 'sans-serif,13' background '#ffffff'",
+          "svg noenhanced size {:.0f},{:.0f} fixed font 'sans-serif,13' background '#ffffff'",
           size.width, size.height);
       break;
     case ImageFormat::png:

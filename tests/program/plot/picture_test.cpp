@@ -204,6 +204,17 @@ TEST_P(ShippedPicture, IsLargerThanItsLeastPage) {
   EXPECT_GE(usual.height, least.height);
 }
 
+/// What the legend names is taken from the panels.
+TEST(Picture, HoldsNoKindOfCurveThatIsOutOfView) {
+  const Diagram diagram = diagram_at(STATIONARY_RESULTS "/fold.csv");
+  PageChoice choice;
+  choice.rate = AxisRange{3.0, 4.0};
+  const DiagramPicture picture = diagram_picture(diagram, choice);
+  const std::vector<PictureRates>& rates = picture.panels.front().rates;
+  ASSERT_EQ(rates.size(), 1U);
+  EXPECT_EQ(rates.front().kind, RateKind::positive);
+}
+
 TEST(Picture, CurvesOnOneAnotherAreToldApartByWidth) {
   // On a circle lambda is mu.
   const DiagramPicture picture = diagram_picture(diagram_at(STATIONARY_RESULTS "/circle.csv"));
