@@ -175,6 +175,7 @@ Figure map_figure(const PlotOptions& options, TableReader& table,
   const DiagramChoice& choice = options.choice;
   const auto column = choice.columns.empty() ? std::nullopt : std::optional(choice.columns.front());
   MapDiagram map = read_map_diagram(table, column);
+  if (map.of_class()) refuse_range(options, "value", "a map of numbers");
   for (TableReader* const each : curves)
     std::ranges::move(read_event_lines(*each, map.x.parameter, map.y.parameter),
                       std::back_inserter(map.lines));
@@ -220,7 +221,13 @@ Figure figure(const PlotOptions& options, ImageFormat format) {
                      "families alone; curves by themselves, or on a map of their parameters");
   }
   refuse_range(options, "value", "a map");
+  if (options.choice.energy_momentum && !options.choice.columns.empty())
+    throw InputError(
+        Origin::of_option(fmt::format("--show {}", fmt::join(options.choice.columns, ","))), "",
+        "found columns beside --diagram energy-momentum", "one of these options");
   const Diagram diagram = read_diagram(readers, options.choice);
+  if (!has_rates(diagram))
+    refuse_range(options, "rate", "a diagram with frequencies or growth rates");
   require_room(options, page, least_page(diagram));
   return {gnuplot_script(diagram, format, title_of(options), page),
           fmt::format("{}, {}, {}", counted(diagram.points.size(), "row"),

@@ -65,6 +65,25 @@ TEST_F(WholeFigure, ASizeTooSmallToReadIsRefusedWithTheLeast) {
   EXPECT_EQ(plot(map, {"--size", "408x300"}).code, 0);
 }
 
+TEST_F(WholeFigure, OptionsWithoutAnEffectAreRefused) {
+  const std::string family = "branch,nu1,rho,energy,pi1,pi2,pi3\ni,0,1,1,0,0,0\ni,1,1,2,1,0,0\n";
+  const Outcome shown = plot(family, {"--diagram", "energy-momentum", "--show", "rho,nu1"});
+  EXPECT_EQ(shown.code, 2);
+  EXPECT_THAT(shown.err, HasSubstr("--show rho,nu1: found columns beside --diagram"));
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+           {"--range", "rate=0:1"}, {"--range", "rate=0:1", "--diagram", "energy-momentum"}}) {
+    const Outcome rates = plot(family, more);
+    EXPECT_EQ(rates.code, 2);
+    EXPECT_THAT(rates.err, HasSubstr("found a range of rate; expected a diagram with frequencies"));
+  }
+  const Outcome map = plot(
+      "class,status,nu,body.J.0\nstable,solved,0,1\nstable,solved,0.5,1\n"
+      "stable,solved,0,2\nunstable,solved,0.5,2\n",
+      {"--range", "value=0:1"});
+  EXPECT_EQ(map.code, 2);
+  EXPECT_THAT(map.err, HasSubstr("found a range of value; expected a map of numbers"));
+}
+
 TEST_F(WholeFigure, TheLegendNamesEveryTable) {
   NEEDS_GNUPLOT();
   std::vector<std::string> arguments{"plot"};
