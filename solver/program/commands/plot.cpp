@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 
+#include "solver/program/diagram/same_body.hpp"
 #include "solver/program/plot/gnuplot.hpp"
 #include "solver/program/plot/map_plot.hpp"
 #include "solver/program/plot/page_layout.hpp"
@@ -176,9 +177,13 @@ Figure map_figure(const PlotOptions& options, TableReader& table,
   const auto column = choice.columns.empty() ? std::nullopt : std::optional(choice.columns.front());
   MapDiagram map = read_map_diagram(table, column);
   if (map.of_class()) refuse_range(options, "value", "a map of numbers");
-  for (TableReader* const each : curves)
+  for (TableReader* const each : curves) {
     std::ranges::move(read_event_lines(*each, map.x.parameter, map.y.parameter),
                       std::back_inserter(map.lines));
+    if (!of_one_body(table_metadata(table.name()), table_metadata(each->name()),
+                     {map.x.parameter, map.y.parameter}))
+      complain(printable(each->name()) + ": its curves are of another body than the map's");
+  }
   require_room(options, page, least_page(map));
   std::string contents =
       fmt::format("{} by {} cells, {}", map.x.values.size(), map.y.values.size(), map.quantity);

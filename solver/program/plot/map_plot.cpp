@@ -173,6 +173,8 @@ void MapScript::set_axis(const MapDiagramAxis& axis, char letter) {
   const double half = diagram_.has_cells() ? 0.5 * cell : 0.0;
   AxisRange shown{first - half, last + half};
   const bool is_log = axis.scale == AxisScale::log;
+  // Of positive numbers, such as J, none are shown that are not.
+  if (!is_log && first > 0.0) shown.low = std::max(shown.low, 0.0);
   const std::optional<AxisRange>& asked = letter == 'x' ? choice_.x : choice_.y;
   if (asked && (!is_log || asked->low > 0.0))
     shown = {place(axis, asked->low), place(axis, asked->high)};

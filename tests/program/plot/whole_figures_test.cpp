@@ -84,6 +84,33 @@ TEST_F(WholeFigure, OptionsWithoutAnEffectAreRefused) {
   EXPECT_THAT(map.err, HasSubstr("found a range of value; expected a map of numbers"));
 }
 
+TEST_F(WholeFigure, CurvesOfAnotherBodyThanTheMapsAreToldOf) {
+  NEEDS_GNUPLOT();
+  const auto metadata = [](const std::string& j, const std::string& mu) {
+    return R"({"case": {"body": {"J": [1, )" + j + R"(, 0.6]}, "potential": {"plane": {"mu": )" +
+           mu + "}}}}";
+  };
+  const std::string curve = directory_.file("c.csv",
+                                            "event,curve,point,special,branch,nu,body.J.1,nu1,rho\n"
+                                            "tilt,1,0,,i,0,1,0,1\ntilt,1,1,,i,0.5,2,0.5,1\n");
+  const std::string map =
+      "class,status,nu,body.J.1\nstable,solved,0,1\nstable,solved,0.5,1\n"
+      "stable,solved,0,3\nunstable,solved,0.5,3\n";
+  const auto drawn = [&] {
+    const Outcome outcome = plot(map, {curve, "--script", directory_ / "x.gp"});
+    EXPECT_EQ(outcome.code, 0);
+    return outcome.err;
+  };
+  EXPECT_EQ(drawn(), "");
+  EXPECT_THAT(text_of(directory_ / "x.gp"), HasSubstr("set yrange [0:4]"));
+  directory_.file("x.meta.json", metadata("2", "1"));
+  EXPECT_EQ(drawn(), "") << "of the curve nothing is known";
+  directory_.file("c.meta.json", metadata("1.5", "1"));
+  EXPECT_EQ(drawn(), "") << "the body's J.1 is an axis";
+  directory_.file("c.meta.json", metadata("2", "1.5"));
+  EXPECT_THAT(drawn(), HasSubstr("c.csv: its curves are of another body than the map's"));
+}
+
 TEST_F(WholeFigure, TheLegendNamesEveryTable) {
   NEEDS_GNUPLOT();
   std::vector<std::string> arguments{"plot"};
