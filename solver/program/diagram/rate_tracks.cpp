@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -104,6 +105,64 @@ class Tracks {
   std::vector<RateTrack> tracks_;
 };
 
+/// Whether two curves of one kind that were joined in order cross between the second and the third of
+/// four rows: there they would have to bend, and do not where they are joined the other way.
+bool cross(const std::array<double, 4>& parameter, std::span<const RatePoint> a,
+           std::span<const RatePoint> b) {
+  std::array<double, 3> step;
+  for (std::size_t k = 0; k < step.size(); ++k) step[k] = parameter[k + 1] - parameter[k];
+  constexpr double uneven = 5.0;  // near a fold slopes say little
+  for (const double each : step)
+    if (!(each * step[1] > 0.0) || std::abs(each) > uneven * std::abs(step[1])) return false;
+  const auto slope = [&](std::span<const RatePoint> from, std::span<const RatePoint> to,
+                         std::size_t k) { return (to[k + 1].rate - from[k].rate) / step[k]; };
+  const auto bend = [&](std::span<const RatePoint> from, std::span<const RatePoint> to) {
+    const double between = slope(from, to, 1);
+    return std::abs(between - slope(from, from, 0)) + std::abs(between - slope(to, to, 2));
+  };
+  const double before = a[1].rate - b[1].rate;
+  const double after = a[2].rate - b[2].rate;
+  const double foreseen = before + (slope(a, a, 0) - slope(b, b, 0)) * step[1];
+  const double recalled = after - (slope(a, a, 2) - slope(b, b, 2)) * step[1];
+  if (!(before * after > 0.0) || foreseen * before >= 0.0 || recalled * after >= 0.0) return false;
+  constexpr double clear = 0.35;
+  return bend(a, b) + bend(b, a) < clear * (bend(a, a) + bend(b, b));
+}
+
+/// Exchanges what follows where two curves of one kind cross.
+void cross_over(const Diagram& diagram, std::vector<RateTrack>& tracks) {
+  constexpr std::size_t width = 4;
+  for (std::size_t one = 0; one < tracks.size(); ++one) {
+    for (std::size_t two = 0; two < one; ++two) {
+      std::vector<RatePoint>& a = tracks[one].points;
+      std::vector<RatePoint>& b = tracks[two].points;
+      if (tracks[one].kind != tracks[two].kind) continue;
+      std::size_t from_a = 0;
+      std::size_t from_b = 0;
+      while (from_a + width <= a.size() && from_b + width <= b.size()) {
+        if (a[from_a].row != b[from_b].row) {
+          ++(a[from_a].row < b[from_b].row ? from_a : from_b);
+          continue;
+        }
+        std::array<double, width> parameter;
+        for (std::size_t k = 0; k < width; ++k)
+          parameter[k] = diagram.points[a[from_a + k].row].abscissa;
+        if (cross(parameter, std::span(a).subspan(from_a, width),
+                  std::span(b).subspan(from_b, width))) {
+          const std::vector<RatePoint> rest(a.begin() + static_cast<std::ptrdiff_t>(from_a) + 2,
+                                            a.end());
+          a.erase(a.begin() + static_cast<std::ptrdiff_t>(from_a) + 2, a.end());
+          a.insert(a.end(), b.begin() + static_cast<std::ptrdiff_t>(from_b) + 2, b.end());
+          b.erase(b.begin() + static_cast<std::ptrdiff_t>(from_b) + 2, b.end());
+          b.insert(b.end(), rest.begin(), rest.end());
+        }
+        ++from_a;
+        ++from_b;
+      }
+    }
+  }
+}
+
 /// Where it is positive, and one row beside.
 void add_growth(const Diagram& diagram, std::span<const std::size_t> rows,
                 std::vector<RateTrack>& out) {
@@ -137,6 +196,7 @@ std::vector<RateTrack> rate_tracks(const Diagram& diagram, std::span<const std::
     before = std::move(now);
   }
   std::vector<RateTrack> out = tracks.take();
+  cross_over(diagram, out);
   out.insert(out.end(), lone.begin(), lone.end());
   add_growth(diagram, rows, out);
   return out;

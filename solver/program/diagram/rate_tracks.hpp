@@ -1,6 +1,7 @@
 // Frequencies and growth rates along a piece as curves. The table orders the modes of a row by
 // their size; along a curve a mode keeps its Krein signature instead, so that two of opposite
-// signature cross where they pass, and meet only where they collide.
+// signature cross where they pass, and meet only where they collide. Those of one signature are joined
+// in order, but where both would have to bend between two rows and go straight on if they cross.
 #pragma once
 
 #include <array>

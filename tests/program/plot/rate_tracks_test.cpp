@@ -54,6 +54,33 @@ TEST(RateTracks, OppositeSignaturesCross) {
   }
 }
 
+/// The table has them in ascending order.
+std::vector<RowModes> two_modes(double (*one)(double), double (*two)(double)) {
+  std::vector<RowModes> out;
+  for (const double x : {-3.5, -2.5, -1.5, -0.5, 0.5, 1.5, 2.5, 3.5})
+    out.push_back({{std::min(one(x), two(x)), std::max(one(x), two(x))}, {1, 1}});
+  return out;
+}
+
+TEST(RateTracks, OneSignatureCrossesWhereItGoesStraightOn) {
+  const auto found =
+      tracks(two_modes([](double x) { return 10.0 + x; }, [](double x) { return 10.0 - 0.1 * x; }));
+  ASSERT_EQ(found.size(), 2U);
+  for (const RateTrack& track : found) {
+    ASSERT_EQ(track.points.size(), 8U);
+    const double first = track.points.front().rate;
+    EXPECT_NEAR(track.points.back().rate, first < 7.0 ? 13.5 : 9.65, 1e-12);
+  }
+}
+
+TEST(RateTracks, OneSignatureTurnsAwayWhereItBends) {
+  const auto found = tracks(two_modes([](double x) { return 10.0 + std::sqrt(1.0 + x * x); },
+                                      [](double x) { return 10.0 - std::sqrt(1.0 + x * x); }));
+  ASSERT_EQ(found.size(), 2U);
+  for (const RateTrack& track : found)
+    EXPECT_NEAR(track.points.back().rate, track.points.front().rate, 1e-12);
+}
+
 TEST(RateTracks, AfterACollisionTheQuadrupleGoesOn) {
   const auto found = tracks(
       {{{1.0, 2.0, 5.0}, {1, -1, 1}}, {{1.5, 1.5, 5.0}, {0, 0, 1}}, {{1.5, 1.5, 5.0}, {0, 0, 1}}});
