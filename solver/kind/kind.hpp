@@ -14,10 +14,10 @@
 #include "lib/body/motion.hpp"
 #include "lib/material/potential.hpp"
 #include "solver/family/follow_sheet.hpp"
-#include "solver/motion/at_values.hpp"
 #include "solver/normal_form/normal_form.hpp"
 #include "solver/proof/event_enclosure.hpp"
 #include "solver/search/search.hpp"
+#include "solver/solve/at_values.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {

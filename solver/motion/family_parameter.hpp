@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <variant>
 
 #include "solver/motion/family.hpp"
@@ -20,6 +21,16 @@ struct FamilyParameter {
   };
   Kind kind = Kind::nu;
   int index = 0;
+};
+
+/// A number of the motion's own that varies, and all its values: what is found at one depends on
+/// these, and not on which of them are asked for.
+struct NumberRange {
+  std::span<const double> values;  ///< ascending
+  int number = 0;                  ///< of the motion's own; its first is 0
+
+  double least() const { return values.front(); }
+  double most() const { return values.back(); }
 };
 
 struct AxisFamilyOptions {

@@ -9,7 +9,7 @@
 
 #include <memory>
 
-#include "solver/motion/at_values.hpp"
+#include "solver/motion/family_parameter.hpp"
 #include "solver/motion/two_polar_motion.hpp"
 #include "solver/search/search.hpp"
 

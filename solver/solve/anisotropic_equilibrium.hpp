@@ -15,7 +15,7 @@
 #include <span>
 
 #include "solver/family/anisotropic_family.hpp"
-#include "solver/motion/at_values.hpp"
+#include "solver/solve/at_values.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {

@@ -11,7 +11,7 @@
 #include <span>
 
 #include "solver/family/tilted_family.hpp"
-#include "solver/motion/at_values.hpp"
+#include "solver/solve/at_values.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {

@@ -9,8 +9,8 @@
 #include <span>
 
 #include "lib/stability/spectrum.hpp"
-#include "solver/motion/at_values.hpp"
 #include "solver/motion/two_polar_motion.hpp"
+#include "solver/solve/at_values.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary {

@@ -10,6 +10,7 @@
 
 #include "lib/stability/spectrum.hpp"
 #include "solver/motion/equilibrium.hpp"
+#include "solver/motion/family_parameter.hpp"
 
 namespace stationary {
 
@@ -20,16 +21,6 @@ struct AtValue {
   std::optional<Spectrum> spectrum{};  ///< where asked for, of a solved one
 
   bool solved() const { return equilibrium.status == SolveStatus::solved; }
-};
-
-/// The number that varies, and all its values: what is found at one depends on these, and not on which
-/// of them are asked for.
-struct NumberRange {
-  std::span<const double> values;  ///< ascending
-  int number = 0;                  ///< of the motion's own; its first is 0
-
-  double least() const { return values.front(); }
-  double most() const { return values.back(); }
 };
 
 /// Throws std::invalid_argument where a |nu| is not finite and > 0.
