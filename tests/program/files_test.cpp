@@ -13,6 +13,7 @@
 
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/column_file.hpp"
+#include "solver/program/table/file_lock.hpp"
 #include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 
@@ -133,12 +134,16 @@ TEST_F(Files, AFullDiskUnderHdf5IsAFailure) {
   EXPECT_THAT(directory_.names(), ElementsAre("case.toml"));
 }
 
-/// What killed runs left of the same file goes with the next; what others left stays.
+/// What killed runs left of the same file goes with the next; what others left stays. A file of a run that
+/// goes on is locked, whatever processes there are here: that run may be in a container, or elsewhere.
 TEST_F(Files, LeftoversOfDeadProcessesAreCleared) {
   const std::string living = std::to_string(::getpid());
-  const std::vector<std::string> stay{".x.csv." + living + "-0.tmp", ".x.csv.1234567x-0.tmp",
+  const std::vector<std::string> stay{".x.csv.1234567x-0.tmp", ".x.csv.999999997-0.tmp",
                                       ".y.csv.999999999-0.tmp", "x.csv.999999999-0.tmp"};
   for (const std::string& name : stay) directory_.file(name, "");
+  const int written = ::open((directory_ / stay[1]).c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_FALSE(lock_file(written));
+  directory_.file(".x.csv." + living + "-0.tmp", "half");
   for (const char* name :
        {".x.csv.999999999-0.tmp", ".x.csv.999999998-12.tmp", ".x.meta.json.999999999-0.tmp"})
     directory_.file(name, "half");
@@ -147,6 +152,24 @@ TEST_F(Files, LeftoversOfDeadProcessesAreCleared) {
   expected.insert(expected.end(), {"case.toml", "x.csv", "x.meta.json"});
   std::ranges::sort(expected);
   EXPECT_EQ(directory_.names(), expected);
+  ::close(written);
+}
+
+/// Two that write the same file: the last one's is there in the end, and neither fails.
+TEST_F(Files, ASecondWriterLeavesTheFirstOnesFile) {
+  AtomicFile first(directory_ / "x.csv");
+  first.write("first");
+  const fs::path temporary = first.path();
+  const int again = ::open(temporary.c_str(), O_RDWR | O_CLOEXEC);
+  EXPECT_TRUE(lock_file(again));
+  ::close(again);
+  AtomicFile second(directory_ / "x.csv");
+  second.write("second");
+  EXPECT_TRUE(fs::exists(temporary));
+  second.commit();
+  first.commit();
+  EXPECT_EQ(text_of(directory_ / "x.csv"), "first");
+  EXPECT_THAT(directory_.names(), ElementsAre("case.toml", "x.csv"));
 }
 
 TEST_F(Files, TheCaseItselfIsNoTarget) {

@@ -125,6 +125,10 @@ TEST_F(InterruptedMap, TwoRunsOnOneJournalAreRefused) {
     EXPECT_THAT(outcome.err, HasSubstr("x.csv.journal: another run is writing it"));
   }
   EXPECT_TRUE(text_of(journal_) == kept);
+  // Nor does a run that is refused take away what another one writes.
+  const std::string written = directory_.file(".x.csv.999999999-0.tmp", "half");
+  EXPECT_EQ(map(out_).code, 2);
+  EXPECT_EQ(text_of(written), "half");
   ::close(file);
   EXPECT_EQ(map(out_, {}, true).code, 0);
 }

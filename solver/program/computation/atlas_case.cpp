@@ -242,17 +242,18 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
                                           .certificate = input.output.certificate,
                                           .pressure = input.potential.holds_volume()}),
                      "atlas", false);
+  // First of all, so that a run refused for another one touches nothing of that.
+  std::optional<SearchJournal> journal;
+  if (asked.journal) journal.emplace(*asked.journal, input, how, asked.resume);
   if (target != nullptr) target->prepare();
   std::optional<AtomicFile> least_file;
   if (!asked.least_energy.empty()) {
     refuse_to_replace(asked.least_energy, asked.least_energy, input.source.name(), "the case file");
     open_output(least_file, asked.least_energy, "--least-energy");
   }
-  std::optional<SearchJournal> journal;
-  if (asked.journal) journal.emplace(*asked.journal, input, how, asked.resume);
   if (journal) {
-    for (const std::string& line : journal->remarks()) run.complain(line);
     journal->keep(how);
+    for (const std::string& line : journal->remarks()) run.complain(line);
   }
 
   const auto begin = std::chrono::steady_clock::now();

@@ -244,8 +244,6 @@ Outcome atlas_grid(const Case& input, const AtlasGridAsked& asked, const TiledRu
   const Grid grid(input, asked.checkpoints, !asked.tables.empty());
   const Share share = tiled.part.share(grid.cells());
   const bool serves = tiled.serves();
-  if (target != nullptr && !serves) target->prepare();
-  AtlasTables tables(serves ? "" : asked.tables, input.source.name(), grid.columns());
   TileRunner runner({.hash = grid.hash(),
                      .kept = asked.tables.empty() ? "" : "tables",
                      .share = share,
@@ -253,6 +251,8 @@ Outcome atlas_grid(const Case& input, const AtlasGridAsked& asked, const TiledRu
                      .unit = "atlases",
                      .compute = [&](const Share& rows) { return grid.cell(rows.first, run.stop); }},
                     tiled, run);
+  if (target != nullptr && !serves) target->prepare();
+  AtlasTables tables(serves ? "" : asked.tables, input.source.name(), grid.columns());
   const std::string header = csv_header(grid.header());
   CellTable* const table = target != nullptr && !serves ? &target->open(grid.header()) : nullptr;
   const auto begin = std::chrono::steady_clock::now();

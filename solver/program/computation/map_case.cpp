@@ -262,7 +262,6 @@ Outcome tiled_map_case(const Case& input, const TiledRun& tiled, TableTarget* ta
   const RowPack pack(work.kept, to_table ? work.parameters.size() : 0);
   const Share share = tiled.part.share(cells->size());
   const bool serves = tiled.serves();
-  if (to_table && !serves) target->prepare();
   TileRunner runner(
       {.hash = work_hash("map", input.source,
                          {fmt::format("{} {}", input.output.certificate, cells->tile())}),
@@ -272,6 +271,7 @@ Outcome tiled_map_case(const Case& input, const TiledRun& tiled, TableTarget* ta
        .unit = "cells",
        .compute = [&](const Share& rows) { return tile_text(*cells, work, pack, rows, run.stop); }},
       tiled, run);
+  if (to_table && !serves) target->prepare();
   RowSink* const table =
       to_table && !serves ? &target->open(work.columns, work.parameters, share.size()) : nullptr;
 

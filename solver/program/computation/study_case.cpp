@@ -135,18 +135,17 @@ Outcome study_case(const StudyRun& asked, TableTarget* target, const Run& run) {
   const TiledRun& tiled = asked.tiled;
   const Share share = tiled.part.share(study.source().rows());
   const bool serves = tiled.serves();
-  CellTable* table = nullptr;
-  if (target != nullptr && !serves) {
-    target->prepare();
-    // Before a journal is begun: the columns may be such as cannot be written.
-    table = &target->open(study.header());
-  }
   TileRunner runner({.hash = study.hash(),
                      .share = share,
                      .rows_a_tile = study.rows_a_tile(),
                      .unit = "rows",
                      .compute = [&](const Share& rows) { return study.lines(rows, run.stop); }},
                     tiled, run);
+  CellTable* table = nullptr;
+  if (target != nullptr && !serves) {
+    target->prepare();
+    table = &target->open(study.header());
+  }
   const std::string header = csv_header(study.header());
   const auto begin = std::chrono::steady_clock::now();
   StudyCounts counts;

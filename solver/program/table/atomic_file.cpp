@@ -7,12 +7,12 @@
 
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstddef>
 #include <cstring>
-#include <optional>
 #include <string>
 #include <system_error>
+
+#include "solver/program/table/file_lock.hpp"
 
 namespace stationary {
 namespace {
@@ -34,33 +34,41 @@ int write_all(int descriptor, std::string_view bytes) {
 
 [[noreturn]] void refuse(int reason) { throw UnwritableFile(std::strerror(reason)); }
 
-/// The process that made a temporary file of this name for `target`; none of any other name.
-std::optional<::pid_t> maker(const std::string& name, const std::string& target) {
+/// Whether it is the name of a temporary file for `target`: ".TARGET.PROCESS-ATTEMPT.tmp".
+bool is_temporary(const std::string& name, const std::string& target) {
   const std::string before = "." + target + ".";
   constexpr std::string_view after = ".tmp";
-  if (!name.starts_with(before) || !name.ends_with(after)) return std::nullopt;
+  if (!name.starts_with(before) || !name.ends_with(after)) return false;
   const char* const end = name.data() + name.size() - after.size();
   ::pid_t process = 0;
   int attempt = 0;
   const auto first = std::from_chars(name.data() + before.size(), end, process);
-  if (first.ec != std::errc() || first.ptr == end || *first.ptr != '-') return std::nullopt;
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != '-') return false;
   const auto second = std::from_chars(first.ptr + 1, end, attempt);
-  if (second.ec != std::errc() || second.ptr != end || process <= 0) return std::nullopt;
-  return process;
+  return second.ec == std::errc() && second.ptr == end;
 }
 
-/// Removes what killed processes left of the same target.
+/// Removes what killed processes left of the same target. The process in the name tells nothing of a
+/// file: it may be one of another machine or container. The lock does.
 void clear_leftovers(const fs::path& target) {
   std::error_code error;
   const fs::path directory = target.has_parent_path() ? target.parent_path() : fs::path(".");
   fs::directory_iterator entries(directory, error);
   for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
-    const auto process = maker(entries->path().filename().string(), target.filename().string());
-    if (process && ::kill(*process, 0) != 0 && errno == ESRCH) {
-      std::error_code ignored;
-      fs::remove(entries->path(), ignored);
-    }
+    const fs::path& path = entries->path();
+    if (!is_temporary(path.filename().string(), target.filename().string())) continue;
+    const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (file < 0) continue;
+    if (!lock_file(file) && is_at(file, path)) ::unlink(path.c_str());
+    ::close(file);
   }
+}
+
+/// Locks a new temporary file; false where another run has taken it for a leftover before. On a file
+/// system without locks nobody can.
+bool is_kept(int descriptor, const fs::path& path) {
+  (void)lock_file(descriptor);
+  return is_at(descriptor, path);
 }
 
 constexpr mode_t all_may = 0666;  // less the umask
@@ -87,13 +95,17 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(target) {
     return;
   }
   clear_leftovers(target_);
-  // The process id alone may repeat one of a killed run, so names are tried until one is new.
+  // A name may be one of a killed run, or of a process of another machine with the same number.
   constexpr int attempts = 100;
   for (int k = 0; k < attempts && descriptor_ < 0; ++k) {
     temporary_ = target_.parent_path() /
                  fmt::format(".{}.{}-{}.tmp", target_.filename().string(), ::getpid(), k);
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, all_may);
+    descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, all_may);
     if (descriptor_ < 0 && errno != EEXIST) refuse(errno);
+    if (descriptor_ >= 0 && !is_kept(descriptor_, temporary_)) {
+      ::close(descriptor_);
+      descriptor_ = -1;
+    }
   }
   if (descriptor_ < 0) refuse(EEXIST);
   if (exists) (void)::fchmod(descriptor_, status.st_mode & 07777U);  // no loss where it fails
@@ -115,12 +127,14 @@ void AtomicFile::write(std::string_view bytes) {
 
 void AtomicFile::commit(bool to_disk) {
   if (to_disk && is_regular() && ::fsync(descriptor_) != 0) fail("flushing", errno);
-  const int descriptor = descriptor_;
-  descriptor_ = -1;
-  if (::close(descriptor) != 0) fail("closing", errno);
-  if (temporary_.empty()) return;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("renaming to", errno);
+  // What a network's file system fails at when a file is closed. The lock stays until it has its name.
+  const int copy = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+  if (copy < 0 || ::close(copy) != 0) fail("closing", errno);
+  if (is_regular() && ::rename(temporary_.c_str(), target_.c_str()) != 0)
+    fail("renaming to", errno);
   temporary_.clear();
+  ::close(descriptor_);
+  descriptor_ = -1;
 }
 
 void StandardOutput::write(std::string_view bytes) {

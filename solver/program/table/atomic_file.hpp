@@ -1,6 +1,6 @@
 // A file that is either there in full or not at all: written under a temporary name in the same
-// directory, renamed at commit(), removed if that is never reached. What a killed process left of
-// the same file is removed by the next.
+// directory, renamed at commit(), removed if that is never reached. Until then it is locked
+// (file_lock.hpp): what a killed process left of the same file is not, and the next one removes it.
 //
 // What exists and is no regular file (a device, a pipe) is written directly; a link is followed.
 #pragma once

@@ -30,6 +30,10 @@ Handle create_hdf5(const std::string& path) {
   // The format of 1.8: metadata may be longer than the 64 KiB of an attribute before.
   const Handle access = require_hdf5(Handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), path);
   require_hdf5(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_LATEST), path);
+#if H5_VERSION_GE(1, 12, 1) || (H5_VERS_MINOR == 10 && H5_VERS_RELEASE >= 7)
+  // Who opened the file before has its lock (atomic_file.hpp), and on NFS HDF5's would be refused for it.
+  require_hdf5(H5Pset_file_locking(access.id(), false, true), path);
+#endif
   return require_hdf5(
       Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose), path);
 }

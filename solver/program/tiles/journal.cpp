@@ -14,9 +14,9 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "solver/program/table/file_lock.hpp"
 #include "solver/program/table/table.hpp"
 #include "solver/program/text/input_error.hpp"
-#include "solver/program/tiles/journal_lock.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -98,6 +98,8 @@ std::optional<Record> record_at(std::string_view text, std::size_t at, std::stri
   return Record{found->tile, end + 1, found->bytes};
 }
 
+std::string first_line(std::string_view hash) { return fmt::format("{}{}\n", title, hash); }
+
 }  // namespace
 
 bool has_journal(const std::string& table) {
@@ -118,13 +120,7 @@ Journal::Journal(const std::string& table, const std::string& hash, bool resume)
   if (resume && (table.empty() || table == "-")) refuse("found no file", "name the table after -o");
   try {
     open(table, resume);
-    if (resume) {
-      take_in();
-      return;
-    }
-    if (::ftruncate(file_, 0) != 0)
-      throw std::runtime_error(fmt::format("emptying {}: {}", path_, std::strerror(errno)));
-    append(std::string(title) + hash_ + '\n');
+    if (resume) take_in();
   } catch (...) {
     if (file_ >= 0) ::close(file_);
     throw;
@@ -132,7 +128,22 @@ Journal::Journal(const std::string& table, const std::string& hash, bool resume)
 }
 
 Journal::~Journal() {
-  if (file_ >= 0) ::close(file_);
+  if (file_ < 0) return;
+  if (!begun_ && end_ == 0) ::unlink(path_.c_str());  // before the lock goes
+  ::close(file_);
+}
+
+void Journal::begin() {
+  if (begun_) return;
+  empty();
+}
+
+void Journal::empty() {
+  if (::ftruncate(file_, 0) != 0)
+    throw std::runtime_error(fmt::format("emptying {}: {}", path_, std::strerror(errno)));
+  end_ = 0;
+  append(first_line(hash_));
+  begun_ = true;
 }
 
 void Journal::open(const std::string& table, bool resume) {
@@ -146,15 +157,13 @@ void Journal::open(const std::string& table, bool resume) {
           Origin::of_option("-o " + table), "",
           fmt::format("cannot write {} beside it: {}", printable(path_), std::strerror(errno)),
           "a place for its journal");
-    if (const auto reason = lock_journal(file_))
+    if (const auto reason = lock_file(file_))
       throw InputError(Origin::of_option("-o " + table), "",
                        fmt::format("cannot have {}: {}", printable(path_), *reason),
                        "a journal that this run alone writes");
     // The run that had it may have removed it between the two.
     struct ::stat mine {};
-    struct ::stat there {};
-    if (::fstat(file_, &mine) == 0 && ::stat(path_.c_str(), &there) == 0 &&
-        mine.st_ino == there.st_ino && mine.st_dev == there.st_dev) {
+    if (is_at(file_, path_) && ::fstat(file_, &mine) == 0) {
       end_ = static_cast<std::size_t>(mine.st_size);
       return;
     }
@@ -166,14 +175,8 @@ void Journal::open(const std::string& table, bool resume) {
 void Journal::take_in() {
   const Mapped mapped(file_, end_);
   const std::string_view text = mapped.text();
-  const std::string first = std::string(title) + hash_ + '\n';
-  if (first.starts_with(text)) {  // nothing was finished
-    if (::ftruncate(file_, 0) != 0)
-      throw std::runtime_error(fmt::format("emptying {}: {}", path_, std::strerror(errno)));
-    end_ = 0;
-    append(first);
-    return;
-  }
+  const std::string first = first_line(hash_);
+  if (first.starts_with(text)) return empty();  // nothing was finished
   const bool titled = text.starts_with(first);
   std::size_t at = titled ? first.size() : 0;
   std::size_t whole = titled ? at : 0;  // up to here every byte is accounted for
@@ -192,6 +195,7 @@ void Journal::take_in() {
   if (!titled && known_.empty())
     refuse(printable(path_) + " is of another case, table, version or other options",
            "run it without --resume");
+  begun_ = true;
   if (whole == text.size()) return;
   remarks_.push_back(
       fmt::format("{}: its last {} bytes are no whole record; that tile is computed again",

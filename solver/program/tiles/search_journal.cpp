@@ -58,6 +58,7 @@ SearchJournal::SearchJournal(const std::string& table, const Case& input, const 
                resume) {}
 
 void SearchJournal::keep(AtlasOptions& options) {
+  journal_.begin();
   options.known_search = [this](std::size_t number) -> std::optional<SearchResult> {
     const auto text = journal_.read(number);
     return text ? search_of(*text) : std::nullopt;

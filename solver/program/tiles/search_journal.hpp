@@ -17,7 +17,7 @@ class SearchJournal {
   SearchJournal(const std::string& table, const Case& input, const AtlasOptions& asked,
                 bool resume);
 
-  /// Makes an atlas ask it, and tell it what is found. It must live as long as the options.
+  /// Begins it (Journal::begin). Makes an atlas ask it, and tell it what is found. It must live as long as the options.
   void keep(AtlasOptions& options);
   const std::vector<std::string>& remarks() const { return journal_.remarks(); }
   void finish() { journal_.finish(); }

@@ -13,7 +13,6 @@ TileRunner::TileRunner(TiledWork work, const TiledRun& how, const Run& run)
     : work_(std::move(work)), how_(how), run_(run), tiles_(work_.share, work_.rows_a_tile) {
   if (how.serves() || !how.journal) return;
   journal_.emplace(*how.journal, hash_of({work_.hash, work_.kept, how.part.text()}), how.resume);
-  for (const std::string& line : journal_->remarks()) run.complain(line);
 }
 
 bool TileRunner::run(const std::function<void(const Share& rows, const std::string& tile)>& take) {
@@ -27,6 +26,8 @@ bool TileRunner::run(const std::function<void(const Share& rows, const std::stri
     return whole_ = true;
   }
   if (journal_) {
+    journal_->begin();
+    for (const std::string& line : journal_->remarks()) run_.complain(line);
     loop.has = [this](std::size_t tile) { return journal_->has(tile); };
     loop.known = [this](std::size_t tile) { return journal_->read(tile).value(); };
     for (std::size_t k = 0; k < tiles_.count(); ++k) kept_ += journal_->has(k) ? 1 : 0;

@@ -43,7 +43,8 @@ struct TiledWork {
 /// While the work is done.
 class TileRunner {
  public:
-  /// Opens the journal, and tells of it what there is to tell.
+  /// Opens the journal and locks it: before the table is, so that a run refused for another one touches
+  /// nothing of that.
   TileRunner(TiledWork work, const TiledRun& how, const Run& run);
 
   /// Whether it was whole; take: as TileLoop's. Of a process that serves: computes for the others.

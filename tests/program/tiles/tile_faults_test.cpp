@@ -59,6 +59,7 @@ class TileFaults : public ::testing::Test {
   /// A journal of about so many tiles.
   std::string interrupted(std::size_t tiles) const {
     Journal journal(table_, hash_of({"0123456789abcdef", "", "1/1"}), false);
+    journal.begin();
     const TiledWork all = work_.work();
     for (std::size_t k = 0; k < tiles; ++k)
       journal.add(k, all.compute({k * work_.rows_a_tile, (k + 1) * work_.rows_a_tile}).value());
@@ -176,6 +177,11 @@ TEST_F(TileFaults, OneRunAtATimeHasIt) {
     }
   }
   EXPECT_EQ(text_of(table_ + ".journal"), text);
+}
+
+TEST_F(TileFaults, AJournalThatWasNotBegunIsNotLeft) {
+  { const Journal journal(table_, hash_of({"any"}), false); }
+  EXPECT_FALSE(std::filesystem::exists(table_ + ".journal"));
 }
 
 /// Nothing was in it when the run was killed.

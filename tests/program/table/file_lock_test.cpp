@@ -1,10 +1,10 @@
 // Which mounts have locks that only one machine sees.
-#include "solver/program/tiles/journal_lock.hpp"
+#include "solver/program/table/file_lock.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace stationary::cli {
+namespace stationary {
 namespace {
 
 using ::testing::HasSubstr;
@@ -17,7 +17,7 @@ constexpr std::string_view mounts =
     "92 27 0:47 / /scratch rw master:3 shared:46 - lustre mds@tcp:/scratch rw,localflock\n"
     "93 27 0:48 / /cut rw\n";
 
-TEST(JournalLock, MountsWithLocksOfOneMachineAreNamed) {
+TEST(FileLock, MountsWithLocksOfOneMachineAreNamed) {
   EXPECT_EQ(only_local_locks(mounts, "8:1"), std::nullopt);
   EXPECT_EQ(only_local_locks(mounts, "0:45"), std::nullopt);
   EXPECT_EQ(only_local_locks(mounts, "0:99"), std::nullopt);
@@ -28,4 +28,4 @@ TEST(JournalLock, MountsWithLocksOfOneMachineAreNamed) {
 }
 
 }  // namespace
-}  // namespace stationary::cli
+}  // namespace stationary

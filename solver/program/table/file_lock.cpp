@@ -1,4 +1,4 @@
-#include "solver/program/tiles/journal_lock.hpp"
+#include "solver/program/table/file_lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <sstream>
 #include <vector>
 
-namespace stationary::cli {
+namespace stationary {
 namespace {
 
 /// Options of mounts whose locks other machines do not see: NFS', Lustre's, CIFS' and GlusterFS'.
@@ -46,7 +46,7 @@ std::optional<std::string> only_local_locks(std::string_view mounts, std::string
   return std::nullopt;
 }
 
-std::optional<std::string> lock_journal(int descriptor) {
+std::optional<std::string> lock_file(int descriptor) {
   struct ::flock whole {};
   whole.l_type = F_WRLCK;
   whole.l_whence = SEEK_SET;
@@ -61,4 +61,11 @@ std::optional<std::string> lock_journal(int descriptor) {
   return only_local_locks(mounts, fmt::format("{}:{}", major(status.st_dev), minor(status.st_dev)));
 }
 
-}  // namespace stationary::cli
+bool is_at(int descriptor, const std::string& path) {
+  struct ::stat open {};
+  struct ::stat there {};
+  return ::fstat(descriptor, &open) == 0 && ::stat(path.c_str(), &there) == 0 &&
+         open.st_ino == there.st_ino && open.st_dev == there.st_dev;
+}
+
+}  // namespace stationary
