@@ -100,6 +100,16 @@ std::optional<Record> record_at(std::string_view text, std::size_t at, std::stri
 
 std::string first_line(std::string_view hash) { return fmt::format("{}{}\n", title, hash); }
 
+/// How many a journal of this work has before the first that is not whole.
+std::size_t records(std::string_view text, std::string_view hash) {
+  const std::string first = first_line(hash);
+  if (!text.starts_with(first)) return 0;
+  std::size_t out = 0;
+  for (std::size_t at = first.size(); const auto found = record_at(text, at, hash); ++out)
+    at = found->begin + found->bytes + 1;
+  return out;
+}
+
 }  // namespace
 
 bool has_journal(const std::string& table) {
@@ -135,6 +145,11 @@ Journal::~Journal() {
 
 void Journal::begin() {
   if (begun_) return;
+  if (const std::size_t lost = records(Mapped(file_, end_).text(), hash_); lost > 0)
+    remarks_.push_back(
+        fmt::format("{}: {} finished tiles of this work are discarded; --resume would have gone on "
+                    "with them",
+                    printable(path_), lost));
   empty();
 }
 

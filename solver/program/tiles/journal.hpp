@@ -32,7 +32,8 @@ class Journal {
   /// Before the first tile is added, and after all else that may be refused: where nothing is resumed
   /// the journal begins anew.
   void begin();
-  /// What a person is to know of what was read, a line each: records that were not whole.
+  /// What a person is to know of what was read, a line each: records that were not whole, or that
+  /// begin() has discarded.
   const std::vector<std::string>& remarks() const { return remarks_; }
   std::size_t known() const { return known_.size(); }
   bool has(std::size_t tile) const { return known_.contains(tile); }

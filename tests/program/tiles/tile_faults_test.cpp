@@ -179,6 +179,23 @@ TEST_F(TileFaults, OneRunAtATimeHasIt) {
   EXPECT_EQ(text_of(table_ + ".journal"), text);
 }
 
+/// Only begin() empties it, so what is refused in between loses nothing. What is lost then is told.
+TEST_F(TileFaults, AFinishedTileIsNotDiscardedWithoutAWord) {
+  const std::string text = interrupted(5);
+  for (const char* const work : {"0123456789abcdef", "another"}) {
+    write_journal(text);
+    Journal journal(table_, hash_of({work, "", "1/1"}), false);
+    EXPECT_EQ(text_of(table_ + ".journal"), text);
+    journal.begin();
+    EXPECT_LT(text_of(table_ + ".journal").size(), text.size());
+    if (std::string_view(work) == "another")
+      EXPECT_THAT(journal.remarks(), IsEmpty());
+    else
+      EXPECT_THAT(journal.remarks(),
+                  ElementsAre(HasSubstr("x.csv.journal: 5 finished tiles of this work")));
+  }
+}
+
 TEST_F(TileFaults, AJournalThatWasNotBegunIsNotLeft) {
   { const Journal journal(table_, hash_of({"any"}), false); }
   EXPECT_FALSE(std::filesystem::exists(table_ + ".journal"));
