@@ -100,6 +100,36 @@ TEST_F(Mpi, GridsOfAtlasesHaveTheSameBytes) {
                      "map.y={parameter=\"body.J.0\",from=0.9,to=1.1,count=2}"});
 }
 
+/// Of all ranks one merges, and the others write nothing.
+TEST_F(Mpi, OneRankMerges) {
+  const Words study{"study", shipped("disc.toml")};
+  const Words over{"--over", study_table(20)};
+  const Words grid{"atlas",
+                   shipped("apart.toml"),
+                   "--grid",
+                   "--checkpoints",
+                   "2",
+                   "--set",
+                   "map.x={parameter=\"body.J.1\",from=1.2,to=1.8,count=2}"};
+  const std::pair<Words, Words> commands[] = {{map_, {}}, {study, over}, {grid, {}}};
+  // Any other rank is killed where it is about to change a file.
+  RunOptions how = ranks(3);
+  how.program.insert(
+      how.program.end() - 1,
+      {"sh", "-c", "[ $OMPI_COMM_WORLD_RANK = 0 ] || export LD_PRELOAD=$FAULT_SHIM; exec \"$@\"",
+       "sh"});
+  how.environment = {std::string("FAULT_SHIM=") + STATIONARY_FAULT_SHIM, "FAULT_AT=1",
+                     "FAULT_WHEN=before", "FAULT_UNDER=" + directory_.path()};
+  for (const auto& [words, more] : commands) {
+    const std::string part = directory_ / "part.csv";
+    const std::string whole = directory_ / "whole.csv";
+    ASSERT_EQ(run_program(joined({words, more, {"--part", "1/1", "-o", part}})).code, 0);
+    const Outcome outcome = run_program(joined({words, {"--merge", part, "-o", whole}}), how);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(text_of(whole) == text_of(part));
+  }
+}
+
 TEST_F(Mpi, HelpAndWrongInputEndAtOnceAndAreSaidOnce) {
   const Outcome help = run_program({"--help"}, ranks(3));
   EXPECT_EQ(help.code, 0) << help.err;

@@ -41,9 +41,9 @@ ExitCode run_grid(const AtlasCommand& options, const Session& session) {
   return compute(options, session, [&](TableTarget* target, const Run& run) {
     const Case input = options.read();
     const AtlasGridAsked asked{options.checkpoints, options.tables};
-    return options.tiles.merges()
-               ? merged_atlas_grid(input, asked, options.tiles.merge, *target, run)
-               : atlas_grid(input, asked, tiled, target, run);
+    if (!options.tiles.merges()) return atlas_grid(input, asked, tiled, target, run);
+    return tiled.serves() ? Outcome()
+                          : merged_atlas_grid(input, asked, options.tiles.merge, *target, run);
   });
 }
 

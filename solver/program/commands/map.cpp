@@ -25,8 +25,9 @@ void add_map(CLI::App& program, Session& session) {
       const TiledRun tiled = options->tiles.run(*options, session);
       return compute(*options, session, [&](TableTarget* target, const Run& run) {
         const Case input = options->read();
-        return options->tiles.merges() ? merged_map_case(input, options->tiles.merge, *target, run)
-                                       : tiled_map_case(input, tiled, target, run);
+        if (!options->tiles.merges()) return tiled_map_case(input, tiled, target, run);
+        return tiled.serves() ? Outcome()
+                              : merged_map_case(input, options->tiles.merge, *target, run);
       });
     };
   });

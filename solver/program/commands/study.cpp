@@ -50,8 +50,9 @@ ExitCode run(const StudyOptions& options, const Session& session) {
   if (!options.output.empty() && source)
     refuse_to_replace(options.output, options.output, options.over, "the table of --over");
   return compute(options, session, [&](TableTarget* target, const Run& how) {
-    return merges ? merged_study_case(asked, task, options.tiles.merge, *target, how)
-                  : study_case(asked, target, how);
+    if (!merges) return study_case(asked, target, how);
+    return asked.tiled.serves() ? Outcome()
+                                : merged_study_case(asked, task, options.tiles.merge, *target, how);
   });
 }
 
