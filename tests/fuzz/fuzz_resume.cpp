@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "solver/program/case/case_file.hpp"
-#include "solver/program/rows/metadata.hpp"
+#include "solver/program/rows/metadata_reading.hpp"
 #include "solver/program/rows/resume_table.hpp"
 #include "solver/program/table/table_reader.hpp"
 

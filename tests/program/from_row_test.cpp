@@ -264,6 +264,18 @@ TEST_F(FromRow, DoesNotReplaceItsTable) {
   EXPECT_EQ(text_of(path), before);
 }
 
+TEST_F(FromRow, DoesNotReplaceTheMetadataOfItsTable) {
+  const std::string path = table("continue", "fold.toml", "fold.csv");
+  const std::string before = text_of(directory_ / "fold.meta.json");
+  for (const char* const name : {"fold", "fold.h5"}) {
+    const Outcome outcome = run_program(
+        {"continue", cases + "/fold.toml", "--from", path + ":3", "-o", directory_ / name});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("fold.csv, the table of the row to start from"));
+  }
+  EXPECT_EQ(text_of(directory_ / "fold.meta.json"), before);
+}
+
 TEST_F(FromRow, WhatLeadsNowhereIsRefused) {
   const std::string path = table("continue", "fold.toml", "fold.csv");
   const auto refused = [&](const std::string& row, const std::vector<std::string>& more,

@@ -218,6 +218,20 @@ TEST_F(Merging, ReplacesNoPart) {
   EXPECT_TRUE(text_of(directory_ / "a.csv") == text);
 }
 
+/// x.csv, x.h5 and x have one x.meta.json.
+TEST_F(Merging, ReplacesNoPartsMetadata) {
+  ASSERT_EQ(part("a.csv", "1/1").code, 0);
+  const std::string told = text_of(directory_ / "a.meta.json");
+  for (const char* const name : {"a", "a.h5"}) {
+    const Outcome outcome = run_program(
+        joined({map_words, count_, {"--merge", directory_ / "a.csv", "-o", directory_ / name}}));
+    EXPECT_EQ(outcome.code, 2) << name;
+    EXPECT_THAT(outcome.err, HasSubstr("a.meta.json is the metadata of "));
+    EXPECT_THAT(outcome.err, HasSubstr("a.csv, a part"));
+  }
+  EXPECT_TRUE(text_of(directory_ / "a.meta.json") == told);
+}
+
 /// The case of a whole is that of its parts, with what an option added to it.
 TEST_F(Merging, ProvenRowsOfAStudyAreNotAskedForAgain) {
   const std::string over = directory_.file("t.csv", "motion.nu\n0.3\n0.4\n");

@@ -389,6 +389,21 @@ TEST_F(Resume, TablesCutShortOrChanged) {
   }
 }
 
+/// Its own metadata are needed to go on: x, x.csv and x.h5 have one x.meta.json.
+TEST_F(Resume, AnotherTableLeavesTheMetadata) {
+  stop_after(50);
+  const std::string beside = text_of(metadata_);
+  for (const char* const name : {"x", "x.h5"}) {
+    const Outcome outcome = run_program({"continue", case_file_, "-o", directory_ / name});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("x.csv, which is not whole yet"));
+    EXPECT_EQ(text_of(metadata_), beside);
+  }
+  ASSERT_EQ(resume().code, 0);
+  // Once it is whole they are free.
+  EXPECT_EQ(run_program({"continue", case_file_, "-o", directory_ / "x"}).code, 0);
+}
+
 /// Any cell that is another, any two rows exchanged: the metadata's checksum tells.
 TEST_F(Resume, TablesWithOtherValues) {
   stop_after(50);

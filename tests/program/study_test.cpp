@@ -106,6 +106,17 @@ TEST_F(Study, ABadRowIsARowWithItsReason) {
   EXPECT_EQ(schema_fault(told, json::parse(text_of(STATIONARY_SCHEMA))), "");
 }
 
+/// A study of what another run wrote, under its name but for the suffix.
+TEST_F(Study, ReplacesNoMetadataOfItsTable) {
+  const std::string over = directory_.file("t.csv", "motion.nu\n0.3\n");
+  const std::string told = directory_.file("t.meta.json", "{}\n");
+  const Outcome outcome =
+      run_program({"study", shipped("disc.toml"), "--over", over, "-o", directory_ / "t.h5"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("t.csv, the table of --over"));
+  EXPECT_EQ(text_of(told), "{}\n");
+}
+
 TEST_F(Study, FourOnlyWhereAllFail) {
   EXPECT_EQ(run("motion.nu\nfast\nslow\n").code, 4);
   EXPECT_EQ(rows().size(), 2U);

@@ -35,8 +35,8 @@ void add_continue(CLI::App& program, Session& session) {
       ContinueFrom from{options->from, {}};
       if (options->resume) from.resumed = options->output;
       if (!options->from.empty() && !options->output.empty())
-        refuse_to_replace(options->output, options->output, table_of_row(options->from),
-                          "the table of the row to start from");
+        refuse_to_replace_table(options->output, table_of_row(options->from),
+                                "the table of the row to start from");
       return compute(*options, session, [&](TableTarget* target, const Run& run) {
         return continue_case(options->read(), from, target, run);
       });

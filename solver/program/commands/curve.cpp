@@ -29,8 +29,8 @@ void add_curve(CLI::App& program, Session& session) {
   command.callback([options, &session] {
     session.action = [options, &session] {
       if (!options->from.empty() && !options->output.empty())
-        refuse_to_replace(options->output, options->output, table_of_row(options->from),
-                          "the table of the event");
+        refuse_to_replace_table(options->output, table_of_row(options->from),
+                                "the table of the event");
       return compute(*options, session, [&](TableTarget* target, const Run& run) {
         return curve_case(options->read(), options->from, target, run);
       });

@@ -19,6 +19,7 @@
 #include "solver/program/plot/map_plot.hpp"
 #include "solver/program/plot/page_layout.hpp"
 #include "solver/program/rows/metadata.hpp"
+#include "solver/program/rows/metadata_reading.hpp"
 #include "solver/program/session/command.hpp"
 #include "solver/program/session/interrupt.hpp"
 #include "solver/program/session/output_file.hpp"

@@ -48,7 +48,7 @@ ExitCode run(const StudyOptions& options, const Session& session) {
   asked.plan.certify = options.certify;
   asked.tiled = options.tiles.run(options, session);
   if (!options.output.empty() && source)
-    refuse_to_replace(options.output, options.output, options.over, "the table of --over");
+    refuse_to_replace_table(options.output, options.over, "the table of --over");
   return compute(options, session, [&](TableTarget* target, const Run& how) {
     if (!merges) return study_case(asked, target, how);
     return asked.tiled.serves() ? Outcome()

@@ -39,8 +39,7 @@ TiledRun TileOptions::run(const ComputeOptions& options, const Session& session)
   if ((merges() || out.part.asked) && !has_journal(options.output))
     throw InputError(Origin::of_option(option), "", "found no file for the table",
                      "-o FILE, a table with its metadata beside it");
-  for (const std::string& each : merge)
-    refuse_to_replace(options.output, options.output, each, "a part");
+  for (const std::string& each : merge) refuse_to_replace_table(options.output, each, "a part");
   return out;
 }
 

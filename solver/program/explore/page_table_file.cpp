@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "solver/program/explore/page_table.hpp"
-#include "solver/program/rows/metadata.hpp"
+#include "solver/program/rows/metadata_reading.hpp"
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/cell_table.hpp"
 #include "solver/program/table/column_file.hpp"

@@ -57,6 +57,9 @@ struct EventCurveRecord {
   EventCurveEnd last;
 };
 
+/// Of what is written.
+constexpr int metadata_schema = 2;
+
 struct Metadata {
   std::string version;
   // Of the run, not of what it found: under the key `run`.
@@ -92,24 +95,8 @@ std::vector<std::pair<std::string_view, long>> named_counts(const Counts& counts
 /// (continuation.step and max_points).
 bool is_of_case(std::string_view metadata, const Case& input);
 
-/// What metadata of `continue` say of its table.
-struct CurveRecord {
-  std::size_t rows;
-  std::string checksum;
-  std::vector<EventRecord> events;
-  std::vector<StabilityClass> segments;  ///< their classes, in order
-};
-/// Nothing where a text is no such metadata.
-std::optional<CurveRecord> curve_record(std::string_view metadata);
-
 /// JSON text, indented, ending in a newline; bytes that are not UTF-8 are replaced. of_the_run: with
 /// the key `run`, without which it is the same for every run of a case.
 std::string metadata_json(const Metadata& metadata, bool of_the_run = true);
-
-/// Whether such a text is of a table of so many rows, and not of another that was written beside it since.
-bool is_of_table(std::string_view metadata, std::size_t rows);
-
-/// The title of the case in such a text; empty where it has none, or is no such text.
-std::string case_title(std::string_view metadata);
 
 }  // namespace stationary

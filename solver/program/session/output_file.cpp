@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
+#include "solver/program/rows/metadata_reading.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/text/input_error.hpp"
 
 namespace stationary::cli {
+namespace fs = std::filesystem;
 
 void refuse_output(const std::string& path, const std::string& found, const std::string& remedy,
                    std::string_view option) {
@@ -15,22 +19,54 @@ void refuse_output(const std::string& path, const std::string& found, const std:
                    "a file that can be written", remedy);
 }
 
-void refuse_to_replace(const std::string& path, const std::filesystem::path& target,
-                       const std::string& input, std::string_view what) {
+void refuse_to_replace(const std::string& path, const fs::path& target, const std::string& input,
+                       std::string_view what) {
   std::error_code error;
-  if (std::filesystem::equivalent(target, input, error))
+  if (fs::equivalent(target, input, error))
     refuse_output(path, fmt::format("{} is {}", printable(target.string()), what),
                   "choose another name");
 }
 
+void refuse_to_replace_table(const std::string& path, const std::string& input,
+                             std::string_view what) {
+  refuse_to_replace(path, path, input, what);
+  refuse_to_replace(path, metadata_path(path), metadata_path(input),
+                    fmt::format("the metadata of {}, {}", printable(input), what));
+}
+
+void refuse_to_forget(const std::string& path) {
+  const fs::path metadata = metadata_path(path);
+  if (std::error_code none; !fs::is_regular_file(metadata, none)) return;
+  std::ifstream file(metadata, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!is_to_be_gone_on_with(text)) return;
+  // They are of the table that was written last.
+  fs::path owner;
+  fs::file_time_type last;
+  for (const char* const suffix : {"", ".csv", ".h5", ".hdf5"}) {
+    std::error_code none;
+    const fs::path table = fs::path(path).replace_extension(suffix);
+    if (!fs::is_regular_file(table, none)) continue;
+    const fs::file_time_type time = fs::last_write_time(table, none);
+    if (none || (!owner.empty() && time <= last)) continue;
+    owner = table;
+    last = time;
+  }
+  if (owner.empty() || owner == path) return;
+  refuse_output(path,
+                fmt::format("{} is that of {}, which is not whole yet",
+                            printable(metadata.string()), printable(owner.string())),
+                "choose another name, or go on with that table by --resume, or remove it");
+}
+
 void refuse_to_share(std::string_view option, const std::string& path,
-                     const std::vector<std::filesystem::path>& others) {
+                     const std::vector<fs::path>& others) {
   // Neither need exist yet.
-  const auto place = [](const std::filesystem::path& file) {
+  const auto place = [](const fs::path& file) {
     std::error_code error;
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
+    return fs::weakly_canonical(fs::absolute(file, error), error);
   };
-  for (const std::filesystem::path& other : others)
+  for (const fs::path& other : others)
     if (place(path) == place(other))
       refuse_output(path, fmt::format("{} is written by -o", printable(other.string())),
                     "choose another name", option);

@@ -19,6 +19,14 @@ namespace stationary::cli {
 void refuse_to_replace(const std::string& path, const std::filesystem::path& target,
                        const std::string& input, std::string_view what);
 
+/// Refuses a table after -o that is the table of an input, or that would replace its metadata: x.h5 and
+/// x.csv have the same x.meta.json.
+void refuse_to_replace_table(const std::string& path, const std::string& input,
+                             std::string_view what);
+
+/// Refuses a table after -o whose metadata would replace those of another table that was interrupted.
+void refuse_to_forget(const std::string& path);
+
 /// Refuses the file of an option that is one of those that -o writes.
 void refuse_to_share(std::string_view option, const std::string& path,
                      const std::vector<std::filesystem::path>& others);

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "solver/program/case/case_motion.hpp"
-#include "solver/program/rows/metadata.hpp"
+#include "solver/program/rows/metadata_reading.hpp"
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/column_file.hpp"
 

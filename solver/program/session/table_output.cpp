@@ -56,6 +56,7 @@ void TableOutput::prepare() {
   const fs::path metadata = metadata_path(path);
   for (const fs::path& target : {fs::path(path), metadata})
     refuse_to_replace(path, target, case_path_, "the case file");
+  if (regular) refuse_to_forget(path);
   open_output(file_, path);
   if (!file_->is_regular()) return;  // nothing stands beside a device
   as_columns_ = is_column_file_extension(fs::path(path).extension().string());

@@ -1,0 +1,73 @@
+#include "solver/program/rows/metadata_reading.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace stationary {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
+bool is_to_be_gone_on_with(std::string_view metadata) {
+  const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  if (!found.is_object()) return false;
+  const Json status = found.value("status", Json());
+  return status == "interrupted" || status == "stopped at max_points";
+}
+
+std::optional<CurveRecord> curve_record(std::string_view metadata) {
+  try {
+    const Json found = Json::parse(metadata);
+    CurveRecord out;
+    out.rows = found.at("rows").get<std::size_t>();
+    out.checksum = found.at("checksum").get<std::string>();
+    for (const Json& event : found.at("events")) {
+      const auto* const type = std::ranges::find(event_names, event.at("event").get<std::string>());
+      const auto* const status =
+          std::ranges::find(event_status_names, event.at("status").get<std::string>());
+      if (type == std::end(event_names) || status == std::end(event_status_names))
+        return std::nullopt;
+      out.events.push_back({static_cast<EventType>(type - std::begin(event_names)),
+                            event.at("parameter").get<double>(),
+                            event.at("bracket").at(0).get<double>(),
+                            event.at("bracket").at(1).get<double>(),
+                            static_cast<EventStatus>(status - std::begin(event_status_names))});
+      if (const auto proven = event.find("enclosure"); proven != event.end()) {
+        out.events.back().enclosure =
+            Interval(proven->at(0).get<double>(), proven->at(1).get<double>());
+      }
+      if (const auto error = event.find("criticality_error"); error != event.end())
+        out.events.back().criticality_error = error->get<double>();
+    }
+    for (const Json& segment : found.at("segments")) {
+      if (segment.at("class").is_null()) {  // as marginal: it says nothing of the curve
+        out.segments.push_back(StabilityClass::marginal);
+        continue;
+      }
+      const auto* const verdict =
+          std::ranges::find(stability_names, segment.at("class").get<std::string>());
+      if (verdict == std::end(stability_names)) return std::nullopt;
+      out.segments.push_back(static_cast<StabilityClass>(verdict - std::begin(stability_names)));
+    }
+    return out;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+bool is_of_table(std::string_view metadata, std::size_t rows) {
+  const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  return found.is_object() && (!found.contains("rows") || found["rows"] == Json(rows));
+}
+
+std::string case_title(std::string_view metadata) {
+  const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  const Json::json_pointer place("/case/title");
+  return found.contains(place) && found[place].is_string() ? found[place].get<std::string>()
+                                                           : std::string();
+}
+
+}  // namespace stationary

@@ -1,0 +1,33 @@
+// What is read back of x.meta.json (metadata.hpp), JSON text.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/program/rows/metadata.hpp"
+
+namespace stationary {
+
+/// What metadata of `continue` say of its table.
+struct CurveRecord {
+  std::size_t rows = 0;
+  std::string checksum;
+  std::vector<EventRecord> events;
+  std::vector<StabilityClass> segments;  ///< their classes, in order
+};
+/// Nothing where a text is no such metadata.
+std::optional<CurveRecord> curve_record(std::string_view metadata);
+
+/// Whether the table was interrupted, or stopped for its length: --resume needs them.
+bool is_to_be_gone_on_with(std::string_view metadata);
+
+/// Whether a text is of a table of so many rows, and not of another that was written beside it since.
+bool is_of_table(std::string_view metadata, std::size_t rows);
+
+/// The title of the case in a text; empty where it has none, or is no such text.
+std::string case_title(std::string_view metadata);
+
+}  // namespace stationary
