@@ -232,6 +232,82 @@ TEST_F(Merging, ReplacesNoPartsMetadata) {
   EXPECT_TRUE(text_of(directory_ / "a.meta.json") == told);
 }
 
+TEST_F(Merging, RefusesPartsOfAnotherCommand) {
+  ASSERT_EQ(part("map.csv", "1/1").code, 0);
+  const std::string over = directory_.file("t.csv", "motion.nu\n0.3\n");
+  const Words study{"study", shipped("map_biot_log.toml")};
+  const Words atlas = joined({{"atlas", "--grid", shipped("apart.toml"), "--checkpoints", "2"},
+                              set("map.x={parameter=\"body.J.1\",from=1.2,to=1.8,count=2}")});
+  ASSERT_EQ(
+      run_program(
+          joined({study, {"--over", over, "--part", "1/1"}, {"-o", directory_ / "study.csv"}}))
+          .code,
+      0);
+  ASSERT_EQ(run_program(joined({atlas, {"--part", "1/1", "-o", directory_ / "atlas.csv"}})).code,
+            0);
+  const std::pair<std::string, Words> commands[] = {
+      {"map", joined({map_words, count_})}, {"study", study}, {"atlas", atlas}};
+  for (const auto& [name, words] : commands) {
+    for (const auto& [other, unused] : commands) {
+      if (name == other) continue;
+      const Outcome outcome = run_program(joined(
+          {words, {"--merge", directory_ / (other + ".csv"), "-o", directory_ / "merged.csv"}}));
+      EXPECT_EQ(outcome.code, 2) << name << " of " << other << ": " << outcome.err;
+      EXPECT_THAT(outcome.err, HasSubstr("found a part of the command \"" + other + "\""));
+    }
+  }
+}
+
+TEST_F(Merging, RefusesPartsOfAnotherVersion) {
+  const std::string over = directory_.file("t.csv", "motion.nu\n0.3\n");
+  const Words study{"study", shipped("disc.toml")};
+  ASSERT_EQ(part("map.csv", "1/1").code, 0);
+  ASSERT_EQ(run_program(
+                joined({study, {"--over", over, "--part", "1/1", "-o", directory_ / "study.csv"}}))
+                .code,
+            0);
+  const std::pair<std::string, Words> commands[] = {{"map", joined({map_words, count_})},
+                                                    {"study", study}};
+  for (const auto& [name, words] : commands) {
+    const std::string metadata = name + ".meta.json";
+    const json own = json::parse(text_of(directory_ / metadata));
+    for (const auto& [key, value, said] :
+         {std::tuple{"version", json("0.0.1"), "what version \"0.0.1\" wrote"},
+          {"schema", json(1), "metadata of schema 1"}}) {
+      json changed = own;
+      changed[key] = value;
+      directory_.file(metadata, changed.dump());
+      const Outcome outcome = run_program(joined(
+          {words, {"--merge", directory_ / (name + ".csv"), "-o", directory_ / "merged.csv"}}));
+      EXPECT_EQ(outcome.code, 2) << outcome.err;
+      EXPECT_THAT(outcome.err, HasSubstr(said));
+    }
+  }
+}
+
+/// Messages in the table name the files, so they are to be spelled alike; which are not is told.
+TEST_F(Merging, RefusesAStudysFilesInTwoSpellings) {
+  const std::string over = directory_.file("t.csv", "motion.nu\n0.3\n0.4\n");
+  const auto study = [&](const std::string& of, const std::string& share, const std::string& name) {
+    return run_program(
+        {"study", shipped("disc.toml"), "--over", of, "--part", share, "-o", directory_ / name});
+  };
+  ASSERT_EQ(study(over, "1/2", "a.csv").code, 0);
+  ASSERT_EQ(study(directory_ / "./t.csv", "2/2", "b.csv").code, 0);
+  const Outcome merged =
+      run_program({"study", shipped("disc.toml"), "--merge", directory_ / "a.csv",
+                   directory_ / "b.csv", "-o", directory_ / "merged.csv"});
+  EXPECT_EQ(merged.code, 2);
+  EXPECT_THAT(merged.err, HasSubstr("found --over \"" + (directory_ / "./t.csv") + "\" beside"));
+}
+
+TEST_F(Merging, AMissingPartIsNamedAsItWasGiven) {
+  const Outcome outcome = run_program(joined(
+      {map_words, count_, {"--merge", directory_ / "none", "-o", directory_ / "merged.csv"}}));
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("cannot read " + (directory_ / "none") + ";"));
+}
+
 /// The case of a whole is that of its parts, with what an option added to it.
 TEST_F(Merging, ProvenRowsOfAStudyAreNotAskedForAgain) {
   const std::string over = directory_.file("t.csv", "motion.nu\n0.3\n0.4\n");

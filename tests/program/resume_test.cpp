@@ -404,6 +404,19 @@ TEST_F(Resume, AnotherTableLeavesTheMetadata) {
   EXPECT_EQ(run_program({"continue", case_file_, "-o", directory_ / "x"}).code, 0);
 }
 
+TEST_F(Resume, TablesOfAnotherVersion) {
+  stop_after(50);
+  const nlohmann::json own = metadata();
+  for (const auto& [key, value, message] :
+       {std::tuple{"version", nlohmann::json("0.0.1"), "what version \"0.0.1\" wrote"},
+        {"schema", nlohmann::json(1), "metadata of schema 1"}}) {
+    nlohmann::json other = own;
+    other[key] = value;
+    directory_.file("x.meta.json", other.dump());
+    expect_refused(message);
+  }
+}
+
 /// Any cell that is another, any two rows exchanged: the metadata's checksum tells.
 TEST_F(Resume, TablesWithOtherValues) {
   stop_after(50);

@@ -287,7 +287,7 @@ Outcome merged_atlas_grid(const Case& input, const AtlasGridAsked& asked,
   std::vector<std::string> of_grid;
   for (const std::string& path : paths) (is_tables_file(path) ? of_cells : of_grid).push_back(path);
   require_tables(asked.tables, of_grid, of_cells);
-  const std::vector<PartTable> parts = read_parts(of_grid);
+  const std::vector<PartTable> parts = read_parts(of_grid, "atlas");
   const Grid grid(input, asked.checkpoints, false);
   require_work(parts, grid.hash());
   const auto begin = std::chrono::steady_clock::now();

@@ -55,7 +55,7 @@ void AtlasTables::commit(Metadata metadata) {
 
 void merge_tables(const std::vector<PartTable>& parts, const std::vector<std::string>& paths,
                   const std::vector<Column>& columns, AtlasTables& out) {
-  const std::vector<PartTable> files = read_parts(paths);
+  const std::vector<PartTable> files = read_parts(paths, "atlas");
   const PartRecord& one = files.front().metadata.part;
   if (one.of != parts.front().metadata.part.of || one.work != parts.front().metadata.part.work)
     throw InputError(Origin::of_option("--merge " + files.front().path), "",

@@ -225,6 +225,12 @@ Metadata describe(const Run& run, const Case& input, const MapCounts& counts, st
   return out;
 }
 
+/// Of all that decides the cells.
+std::string map_hash(const Case& input, const MapCells& cells) {
+  return work_hash("map", input.source,
+                   {fmt::format("{} {}", input.output.certificate, cells.tile())});
+}
+
 /// What the end says, and its exit code; cells: how many were to be computed.
 ExitCode conclusion(const MapCounts& counts, std::size_t cells, bool written, const TiledRun& tiled,
                     const Run& run) {
@@ -263,8 +269,7 @@ Outcome tiled_map_case(const Case& input, const TiledRun& tiled, TableTarget* ta
   const Share share = tiled.part.share(cells->size());
   const bool serves = tiled.serves();
   TileRunner runner(
-      {.hash = work_hash("map", input.source,
-                         {fmt::format("{} {}", input.output.certificate, cells->tile())}),
+      {.hash = map_hash(input, *cells),
        .too_short = cells->marches() ? 5.0 : 0.0,
        .share = share,
        .rows_a_tile = cells->tile(),
@@ -310,10 +315,11 @@ Outcome merged_map_case(const Case& input, const std::vector<std::string>& paths
   require_map(input);
   const MapWork work(input, true);
   const std::size_t cells = input.map->cells();
-  const std::vector<PartTable> parts = read_parts(paths);
+  const std::vector<PartTable> parts = read_parts(paths, "map");
   const MapCounts counts = counts_of(parts);
   Metadata metadata = describe(run, input, counts, cells, instructions_text(parts));
   require_case(parts, metadata);
+  require_work(parts, map_hash(input, *map_cells(input)));
   target.prepare();
   RowSink& table = target.open(work.columns, work.parameters, cells);
   const auto begin = std::chrono::steady_clock::now();

@@ -33,12 +33,19 @@ struct StudyCounts {
   long without_answer() const { return of(StudyStatus::failed) + of(StudyStatus::bad_input); }
 };
 
+/// Of a study's own table, which parts may have another one than.
+std::size_t study_column(const TableReader& rows, std::string_view column) {
+  if (const auto at = rows.column(column)) return *at;
+  throw InputError(Origin::of_option("--merge"), "", "found no column " + in_quotes(column),
+                   "tables as a study wrote them");
+}
+
 /// Reads the rows' own lines, so that those of a journal and of parts count as well.
 void count(const std::string& header, const std::string& lines, StudyCounts& counts) {
   if (lines.empty()) return;
   TableReader rows(std::make_unique<std::istringstream>(header + lines), "study");
-  const std::size_t number = rows.column("study_row").value();
-  const std::size_t status = rows.column("status").value();
+  const std::size_t number = study_column(rows, "study_row");
+  const std::size_t status = study_column(rows, "status");
   std::string last;
   while (rows.next()) {
     if (last == rows.text(number)) continue;  // another solution of the same row
@@ -109,7 +116,7 @@ ExitCode conclusion(const StudyCounts& counts, std::size_t rows, const TiledRun&
 std::vector<CellColumn> columns_of(const std::string& header, const std::string& lines) {
   TableReader rows(std::make_unique<std::istringstream>(header + lines), "study");
   const std::vector<std::string>& names = rows.columns();
-  const std::size_t status = rows.column("status").value();
+  const std::size_t status = study_column(rows, "status");
   std::vector<CellColumn> source;
   for (std::size_t k = 1; k < status; ++k) source.push_back({names[k], CellKind::number});
   while (rows.next())
@@ -175,9 +182,9 @@ Outcome study_case(const StudyRun& asked, TableTarget* target, const Run& run) {
 Outcome merged_study_case(const StudyRun& asked, std::optional<StudyTask> task,
                           const std::vector<std::string>& paths, TableTarget& target,
                           const Run& run) {
-  const std::vector<PartTable> parts = read_parts(paths);
+  const std::vector<PartTable> parts = read_parts(paths, "study");
   if (asked.source != nullptr) require_work(parts, Study(asked).hash());
-  const StudyRecord record = parts.front().metadata.study.value_or(StudyRecord{});
+  const StudyRecord record = parts.front().metadata.study.value();
   if (task && name(*task) != record.task)
     throw InputError(Origin::of_option("--do " + std::string(name(*task))), "",
                      "found parts made with --do " + record.task, "what the parts were made with");

@@ -1,5 +1,7 @@
 #include "solver/program/rows/metadata_reading.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 }  // namespace
+
+std::string other_program(std::string_view metadata, std::string_view version) {
+  const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  if (!found.is_object() || !found.contains("schema") || !found.contains("version")) return {};
+  const Json schema = found["schema"];
+  if (schema != metadata_schema)
+    return fmt::format("metadata of schema {}; this program's are of schema {}", schema.dump(),
+                       metadata_schema);
+  const Json made_by = found["version"];
+  if (made_by != version)
+    return fmt::format("what version {} wrote; this is version {}", made_by.dump(), version);
+  return {};
+}
 
 bool is_to_be_gone_on_with(std::string_view metadata) {
   const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);

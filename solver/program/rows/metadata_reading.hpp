@@ -21,6 +21,10 @@ struct CurveRecord {
 /// Nothing where a text is no such metadata.
 std::optional<CurveRecord> curve_record(std::string_view metadata);
 
+/// What is found where metadata are of another version of the program, or of another schema; empty where
+/// they are of this one, or are none.
+std::string other_program(std::string_view metadata, std::string_view version);
+
 /// Whether the table was interrupted, or stopped for its length: --resume needs them.
 bool is_to_be_gone_on_with(std::string_view metadata);
 

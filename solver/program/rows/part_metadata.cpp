@@ -21,9 +21,11 @@ std::optional<PartMetadata> part_metadata(std::string_view metadata) {
     PartMetadata out;
     out.part = {part.at("number").get<std::size_t>(), part.at("of").get<std::size_t>(),
                 part.at("first_row").get<std::size_t>() - 1, part.at("work").get<std::string>()};
+    out.command = found.at("command").get<std::string>();
     out.status = found.at("status").get<std::string>();
     out.rows = found.at("rows").get<std::size_t>();
     out.checksum = found.at("checksum").get<std::string>();
+    out.case_file = found.at("case_file").get<std::string>();
     out.case_text = text_of_case(found);
     out.instructions = found.value("instructions", std::string());
     for (const auto& [name, count] : found.at("counts").items())
@@ -32,6 +34,7 @@ std::optional<PartMetadata> part_metadata(std::string_view metadata) {
       out.study =
           StudyRecord{study->at("over").get<std::string>(), study->at("do").get<std::string>(),
                       study->at("rows").get<std::size_t>()};
+    if (out.command == "study" && !out.study) return std::nullopt;
     if (const Json& of = found.at("case"); of.is_object())
       out.certificate = of.at("output").at("certificate").get<bool>();
     return out;

@@ -14,9 +14,11 @@ namespace stationary {
 
 struct PartMetadata {
   PartRecord part;
-  std::string status;  ///< "done", "interrupted"
+  std::string command;  ///< "map", "study", "atlas"
+  std::string status;   ///< "done", "interrupted"
   std::size_t rows = 0;
   std::string checksum;
+  std::string case_file;
   std::string case_text;  ///< the case and its overrides, to be told from others
   std::string instructions;
   std::vector<std::pair<std::string, long>> counts;

@@ -65,6 +65,8 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
   std::ifstream file(metadata, std::ios::binary);
   if (!file) refuse("cannot read " + printable(metadata));
   const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (const std::string other = other_program(text, STATIONARY_VERSION); !other.empty())
+    refuse(fmt::format("found {} to be {}", printable(metadata), other));
   if (!is_of_case(text, input)) refuse(printable(metadata) + " is of another case");
   std::optional<CurveRecord> record = curve_record(text);
   if (!record) refuse(printable(metadata) + " does not say what rows and events the table has");

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <system_error>
 
+#include "solver/program/rows/metadata_reading.hpp"
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/cell_table.hpp"
 #include "solver/program/table/column_file.hpp"
@@ -28,14 +31,22 @@ std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-PartTable read_part_table(const std::string& path) {
+PartTable read_part_table(const std::string& path, std::string_view command) {
+  if (std::error_code none; !std::filesystem::is_regular_file(path, none))
+    refuse(path, "cannot read " + printable(path));
   const bool columnar = is_column_file(path);
   const std::string beside = columnar ? path : metadata_path(path).string();
   const std::string text = columnar ? column_file_metadata(path) : bytes_of(beside);
+  if (const std::string other = other_program(text, STATIONARY_VERSION); !other.empty())
+    refuse(path, fmt::format("found {} to be {}", printable(beside), other),
+           "make all parts with this version");
   auto metadata = part_metadata(text);
   if (!metadata)
     refuse(path, printable(beside) + " does not say which part it is of",
            "a part is what --part K/N wrote, with its .meta.json beside it");
+  if (metadata->command != command)
+    refuse(path, fmt::format("found a part of the command {}", in_quotes(metadata->command)),
+           fmt::format("these are to be parts of {}", in_quotes(command)));
   if (metadata->status != "done")
     refuse(path, "found that it was interrupted", "go on with it by --resume first");
   return {path, std::move(*metadata)};
@@ -44,6 +55,15 @@ PartTable read_part_table(const std::string& path) {
 std::string named(const PartTable& part) {
   return fmt::format("{} (part {}/{})", printable(part.path), part.metadata.part.number,
                      part.metadata.part.of);
+}
+
+/// A study's messages name its files, so a table of theirs has one spelling of each.
+void require_spelling(const PartTable& part, std::string_view what, const std::string& path,
+                      const std::string& of_first) {
+  if (path != of_first)
+    refuse(part.path,
+           fmt::format("found {} {} beside {}", what, in_quotes(path), in_quotes(of_first)),
+           "spell it alike in all parts: the messages of a study name it");
 }
 
 /// Nothing where the word is none of its column's.
@@ -55,15 +75,19 @@ std::optional<std::string_view> word_of(const std::vector<std::string_view>& wor
 
 }  // namespace
 
-std::vector<PartTable> read_parts(const std::vector<std::string>& paths) {
+std::vector<PartTable> read_parts(const std::vector<std::string>& paths, std::string_view command) {
   std::vector<PartTable> out;
-  for (const std::string& path : paths) out.push_back(read_part_table(path));
+  for (const std::string& path : paths) out.push_back(read_part_table(path, command));
   for (const PartTable& each : out) {
     const PartTable& first = out.front();
     if (each.metadata.part.of != first.metadata.part.of)
       refuse(each.path, fmt::format("found {} beside {}", named(each), named(first)));
     if (each.metadata.case_text != first.metadata.case_text)
       refuse(each.path, fmt::format("found another case than that of {}", named(first)));
+    if (each.metadata.study && first.metadata.study) {
+      require_spelling(each, "CASE", each.metadata.case_file, first.metadata.case_file);
+      require_spelling(each, "--over", each.metadata.study->over, first.metadata.study->over);
+    }
     if (each.metadata.part.work != first.metadata.part.work)
       refuse(each.path,
              fmt::format("found other options, input or version than of {}", named(first)));

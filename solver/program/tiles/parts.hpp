@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solver/program/rows/part_metadata.hpp"
@@ -17,8 +18,8 @@ struct PartTable {
   PartMetadata metadata;
 };
 
-/// In their order. Throws InputError about --merge.
-std::vector<PartTable> read_parts(const std::vector<std::string>& paths);
+/// Parts of a command, "map", in their order. Throws InputError about --merge.
+std::vector<PartTable> read_parts(const std::vector<std::string>& paths, std::string_view command);
 
 /// Throws where the parts are of another case, or of one with other overrides, than the metadata say.
 void require_case(const std::vector<PartTable>& parts, const Metadata& whole);
