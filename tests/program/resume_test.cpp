@@ -389,6 +389,22 @@ TEST_F(Resume, TablesCutShortOrChanged) {
   }
 }
 
+/// Both ends say why the curve ends, whichever of them was reached before.
+TEST_F(Resume, EndsSayWhatTheySaid) {
+  ASSERT_EQ(run().code, 0);
+  const auto told = metadata();
+  const int size = static_cast<int>(rows().size());
+  for (const int points : {size / 4, size - 2}) {
+    stop_after(points);
+    ASSERT_EQ(resume().code, 0);
+    const auto now = metadata();
+    for (const std::size_t k : {0U, 1U})
+      for (const char* const key : {"side", "event", "reason"})
+        EXPECT_EQ(now["ends"][k][key], told["ends"][k][key]) << points;
+    EXPECT_EQ(now["events"].size(), told["events"].size());
+  }
+}
+
 /// Its own metadata are needed to go on: x, x.csv and x.h5 have one x.meta.json.
 TEST_F(Resume, AnotherTableLeavesTheMetadata) {
   stop_after(50);

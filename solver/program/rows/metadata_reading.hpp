@@ -17,6 +17,8 @@ struct CurveRecord {
   std::string checksum;
   std::vector<EventRecord> events;
   std::vector<StabilityClass> segments;  ///< their classes, in order
+  std::string first_reason;              ///< why the curve ends there
+  std::string last_reason;
 };
 /// Nothing where a text is no such metadata.
 std::optional<CurveRecord> curve_record(std::string_view metadata);

@@ -18,6 +18,8 @@ struct ResumedTable {
   // Of its metadata; read_resumed() leaves them out.
   std::vector<EventRecord> events;
   std::vector<StabilityClass> segments;  ///< their classes, in order
+  std::string first_reason;              ///< why the curve ends there, where it does
+  std::string last_reason;
 };
 
 /// Throws InputError where the file is no such table: other columns than these (with the trailing

@@ -44,10 +44,9 @@ bool is_as_written(const std::string& path, const std::vector<TableRow>& rows,
 }
 
 /// How a table that is not gone on with there ended.
-SheetEnd old_end(const TableRow& row) {
+SheetEnd old_end(const TableRow& row, const std::string& reason) {
   const auto* const event = std::ranges::find(event_names, row.event);
-  return {static_cast<EventType>(event - std::begin(event_names)),
-          "as it was in the table resumed"};
+  return {static_cast<EventType>(event - std::begin(event_names)), reason};
 }
 
 }  // namespace
@@ -88,6 +87,8 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
   }
   out.events = std::move(record->events);
   out.segments = std::move(record->segments);
+  out.first_reason = std::move(record->first_reason);
+  out.last_reason = std::move(record->last_reason);
   return out;
 }
 
@@ -118,7 +119,7 @@ FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, double 
     out.backward = before.forward;
     out.events.assign(before.events.rbegin(), before.events.rend());
   } else {
-    out.backward = old_end(old.rows.front());
+    out.backward = old_end(old.rows.front(), old.first_reason);
   }
   out.events.insert(out.events.end(), old.events.begin(), old.events.end());
   for (const TableRow& row : old.rows) {
@@ -137,7 +138,7 @@ FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, double 
   } else if (old.last) {
     out.forward.reason = "interrupted";
   } else {
-    out.forward = old_end(old.rows.back());
+    out.forward = old_end(old.rows.back(), old.last_reason);
   }
   return out;
 }
