@@ -149,6 +149,42 @@ TEST_F(Mpi, HelpAndWrongInputEndAtOnceAndAreSaidOnce) {
   EXPECT_THAT(nowhere.err, HasSubstr("cannot write"));
 }
 
+/// What one rank alone finds wrong that rank says, for none of the others can.
+TEST_F(Mpi, ARankThatCannotReadTheCaseSaysSo) {
+  RunOptions how = ranks(3);
+  how.program.insert(how.program.end() - 1,
+                     {"sh", "-c", "cd \"$HERE\"/$OMPI_COMM_WORLD_RANK && exec \"$@\"", "sh"});
+  how.environment = {"HERE=" + directory_.path()};
+  for (const char* const rank : {"0", "1", "2"}) {
+    std::filesystem::create_directory(directory_ / rank);
+    if (std::string_view(rank) != "1")
+      std::filesystem::copy(shipped("disc.toml"), directory_ / rank + "/case.toml");
+  }
+  const Outcome outcome = run_program(
+      {"study", "case.toml", "--over", study_table(20), "-o", directory_ / "x.csv"}, how);
+  EXPECT_EQ(outcome.code, 2) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("stationary: rank 1: case.toml: no readable file"));
+  EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("rank 2: ")));
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "x.csv"));
+}
+
+/// As srun without PMI starts them: each would do all of the work.
+TEST_F(Mpi, TasksThatMpiDoesNotSeeAreRefused) {
+  for (const char* const task : {"0", "3"}) {
+    RunOptions how;
+    how.program = {mpi_program()};
+    how.environment = {"PMI_SIZE=4", std::string("PMI_RANK=") + task};
+    const Outcome outcome = run_program(joined({map_, {"-o", directory_ / "x.csv"}}), how);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    if (std::string_view(task) == "0")
+      EXPECT_THAT(outcome.err,
+                  AllOf(HasSubstr("found 4 processes by PMI_SIZE"), HasSubstr("srun --mpi=pmix")));
+    else
+      EXPECT_EQ(outcome.err, "");
+    EXPECT_FALSE(std::filesystem::exists(directory_ / "x.csv"));
+  }
+}
+
 /// Rank `which` of four is killed while they work; then they go on, another number of them.
 class KilledRank : public Mpi, public ::testing::WithParamInterface<int> {};
 

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/program/commands/mpi_launch.hpp"
 #include "solver/program/tiles/tile_workers.hpp"
 
 namespace stationary::cli {
@@ -390,7 +391,10 @@ MpiCrew::MpiCrew() = default;
 MpiCrew::~MpiCrew() = default;
 
 bool MpiCrew::leads() {
-  if (!begun_) begun_ = std::make_unique<Begun>();
+  if (!begun_) {
+    begun_ = std::make_unique<Begun>();
+    if (begun_->ranks == 1) require_alone();
+  }
   return begun_->rank == 0;
 }
 

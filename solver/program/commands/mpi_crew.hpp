@@ -24,6 +24,7 @@ class MpiCrew final : public Crew {
   /// Whether MPI was.
   bool begun() const { return begun_ != nullptr; }
 
+  /// Throws InputError where MPI does not see the others (mpi_launch.hpp).
   bool leads() override;
   int ranks() override;
   bool run(const TileLoop& loop, const std::string& hash) override;

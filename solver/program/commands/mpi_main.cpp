@@ -1,35 +1,18 @@
 // stationary-mpi: the commands that work in tiles, by the ranks of mpirun or srun.
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cstdlib>
+#include <optional>
 
 #include "solver/program/commands/mpi_crew.hpp"
+#include "solver/program/commands/mpi_launch.hpp"
 #include "solver/program/commands/program.hpp"
-
-namespace {
-
-/// The rank that Open MPI or Slurm says this process will have; 0 where neither started it.
-int coming_rank() {
-  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
-    if (const char* const text = std::getenv(name)) return std::atoi(text);
-  return 0;
-}
-
-/// Every rank reads the same arguments and the same case: what is wrong with them is said once.
-void say_nothing() {
-  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  if (nowhere < 0) return;
-  ::dup2(nowhere, STDOUT_FILENO);
-  ::dup2(nowhere, STDERR_FILENO);
-  ::close(nowhere);
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   using namespace stationary::cli;
-  if (coming_rank() > 0) say_nothing();
+  const int rank = coming_rank();
+  std::optional<HeldMessages> held;
+  if (rank > 0) held.emplace();
   MpiCrew crew;
   const int code = run_program(
       {"stationary-mpi", "Maps, studies and grids of atlases by the ranks of mpirun or srun",
@@ -40,9 +23,11 @@ int main(int argc, char** argv) {
        },
        &crew},
       argc, argv);
+  if (!held || code == 0) return code;
   // With the first rank that fails mpirun ends the others: rank 0 is to say before what is wrong. Its
-  // end wakes them.
+  // end wakes them. Where it does not end, this rank alone knows.
   constexpr unsigned seconds = 10;
-  if (coming_rank() > 0 && code != 0 && !crew.begun()) ::sleep(seconds);
+  if (!crew.begun() && ::sleep(seconds) > 0) return code;
+  if (!crew.begun() || crew.ranks() > 1) held->tell(rank);
   return code;
 }
