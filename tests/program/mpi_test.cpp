@@ -185,6 +185,17 @@ TEST_F(Mpi, TasksThatMpiDoesNotSeeAreRefused) {
   }
 }
 
+/// mpirun gives rank 0 a terminal, and writes what comes of it into a file.
+TEST_F(Mpi, WritesNoColours) {
+  RunOptions how = ranks(2);
+  how.environment = {"TERM=xterm"};
+  const Outcome outcome = run_program(map_, how);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("case"));
+  EXPECT_EQ(outcome.out.find('\x1b'), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << outcome.err;
+}
+
 /// Rank `which` of four is killed while they work; then they go on, another number of them.
 class KilledRank : public Mpi, public ::testing::WithParamInterface<int> {};
 

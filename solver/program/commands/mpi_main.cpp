@@ -10,6 +10,8 @@
 
 int main(int argc, char** argv) {
   using namespace stationary::cli;
+  // Rank 0 may have a terminal of mpirun's, whatever mpirun's own output is.
+  ::setenv("NO_COLOR", "1", 1);
   const int rank = coming_rank();
   std::optional<HeldMessages> held;
   if (rank > 0) held.emplace();

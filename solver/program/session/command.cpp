@@ -75,14 +75,14 @@ ExitCode compute(const ComputeOptions& options, const Session& session,
     progress.clear();
     complain(line);
   };
-  if (progress.shown() && !options.quiet) {
-    run.progress = [&progress](double fraction, const std::string& what) {
-      progress.show(fraction, what);
-    };
-  } else if (session.crew != nullptr && !options.quiet) {
-    // What a batch system starts has no terminal, and runs for hours.
+  if (session.crew != nullptr && !options.quiet) {
+    // What a batch system starts has no terminal, though mpirun may give it one, and runs for hours.
     run.progress = [&lines](double fraction, const std::string& what) {
       lines.show(fraction, what);
+    };
+  } else if (progress.shown() && !options.quiet) {
+    run.progress = [&progress](double fraction, const std::string& what) {
+      progress.show(fraction, what);
     };
   }
   run.waiting = [&options](const std::string& what) -> std::shared_ptr<void> {
