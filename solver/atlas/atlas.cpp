@@ -14,6 +14,7 @@
 #include "lib/body/inertia.hpp"
 #include "solver/atlas/sheet_arc.hpp"
 #include "solver/atlas/sheet_set.hpp"
+#include "solver/newton/available_threads.hpp"
 
 namespace stationary {
 namespace {
@@ -204,7 +205,7 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
   if (options.oblique && potential.may_shear())
     parts.emplace_back(sheared_sheets(body, potential), options);
   const auto each = static_cast<std::size_t>(options.checkpoints);
-  const int threads = std::max(1, options.threads);
+  const int threads = available_threads(options.threads);
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);

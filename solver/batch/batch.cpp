@@ -18,6 +18,7 @@
 #include "solver/batch/instruction_sets.hpp"
 #include "solver/batch/march_plan.hpp"
 #include "solver/batch/sweep.hpp"
+#include "solver/newton/available_threads.hpp"
 #include "solver/solve/nonexistence.hpp"
 
 namespace stationary {
@@ -139,12 +140,13 @@ class BatchRun {
         report();
       }
     };
-    if (options_.threads == 1) {
+    const int threads = available_threads(options_.threads);
+    if (threads == 1) {
       solve_parts(0, parts_);
     } else {
       const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                        static_cast<std::size_t>(options_.threads));
-      tbb::task_arena arena(options_.threads);
+                                        static_cast<std::size_t>(threads));
+      tbb::task_arena arena(threads);
       arena.execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts_),
                           [&](const auto& range) { solve_parts(range.begin(), range.end()); });

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lib/matrix/elementwise.hpp"
+#include "solver/newton/available_threads.hpp"
 
 namespace stationary {
 namespace {
@@ -54,7 +55,7 @@ CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>&
   options.function_tolerance = 1e-30;
   options.gradient_tolerance = 1e-30;
   options.parameter_tolerance = 1e-16;
-  options.num_threads = threads;
+  options.num_threads = available_threads(threads);
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);

@@ -95,6 +95,26 @@ TEST(CommandLine, HelpThatCannotBeWrittenIsAFailure) {
   }
 }
 
+/// Libraries that compute with threads have nothing to say of how many there are.
+TEST(CommandLine, MoreThreadsThanProcessorsAreNoMatter) {
+  const std::vector<std::vector<std::string>> commands{
+      {"atlas", shipped("apart.toml"), "--checkpoints", "2"},
+      {"map", shipped("map_biot_log.toml"), "--set", "map.x.count=9", "--set", "map.y.count=9"},
+      {"solve", shipped("disc.toml"), "--set", "solve.method=ceres"}};
+  for (const std::vector<std::string>& command : commands) {
+    std::string of_one;
+    for (const char* const threads : {"1", "512"}) {
+      std::vector<std::string> words = command;
+      words.insert(words.end(), {"-o", "-", "--threads", threads});
+      const Outcome outcome = run_program(words);
+      EXPECT_EQ(outcome.code, 0) << outcome.err;
+      EXPECT_EQ(outcome.err, "") << command[0] << ' ' << threads;
+      if (of_one.empty()) of_one = outcome.out;
+      EXPECT_TRUE(outcome.out == of_one) << command[0];
+    }
+  }
+}
+
 TEST(CommandLine, MisspeltCommandsAndOptions) {
   struct Line {
     std::vector<std::string> arguments;

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "solver/newton/available_threads.hpp"
+
 namespace stationary {
 namespace {
 
@@ -26,7 +28,7 @@ ParallelTableWriter::ParallelTableWriter(ByteSink& sink, std::vector<Column> col
               std::size_t{parameter.has_value()} + std::size_t{second.has_value()}),
       sink_(&sink),
       format_(column_list(), parameter, second),
-      arena_(threads),
+      arena_(available_threads(threads)),
       most_(2 * static_cast<std::size_t>(threads)) {}
 
 /// Of rows that are not wanted any more: nothing may still be at work on them.
