@@ -457,6 +457,20 @@ TEST_F(MapFile, Hdf5IsPlain) {
   const hid_t type = H5Dget_type(verdict);
   EXPECT_EQ(H5Tget_class(type), H5T_ENUM);
   EXPECT_EQ(H5Tget_size(type), 1U);
+  // Whole numbers have another one in the place of NaN, and say which.
+  const hid_t krein = H5Dopen2(file, "krein1", H5P_DEFAULT);
+  std::vector<std::int32_t> signs(117);
+  ASSERT_GE(H5Dread(krein, H5T_NATIVE_INT32, H5S_ALL, H5S_ALL, H5P_DEFAULT, signs.data()), 0);
+  const hid_t attribute = H5Aopen(krein, "_FillValue", H5P_DEFAULT);
+  ASSERT_GE(attribute, 0);
+  std::int32_t missing = 0;
+  ASSERT_GE(H5Aread(attribute, H5T_NATIVE_INT32, &missing), 0);
+  EXPECT_EQ(missing, -2147483647 - 1);
+  EXPECT_EQ(signs[116], missing);
+  EXPECT_NE(signs[0], missing);
+  H5Aclose(attribute);
+  H5Dclose(krein);
+  EXPECT_LE(H5Aexists_by_name(file, "xi", "_FillValue", H5P_DEFAULT), 0);
   EXPECT_GT(H5Aexists(file, "metadata"), 0);
   EXPECT_GT(H5Lexists(file, "body.J.1", H5P_DEFAULT), 0);
   H5Tclose(type);

@@ -353,6 +353,19 @@ TEST_F(Study, ThreadsDoNotChangeIt) {
   EXPECT_THAT(directory_.names(), Not(Contains("x.csv.journal")));
 }
 
+#ifdef STATIONARY_HAS_HDF5
+/// What is empty in a column of whole numbers is one of them in HDF5, which the column says.
+TEST_F(Study, CountsOfAColumnFileSayWhatIsMissing) {
+  const std::string over = directory_.file("t.csv", "motion.nu\n0.3\n");
+  const std::string out = directory_ / "x.h5";
+  ASSERT_EQ(run_program({"study", shipped("disc.toml"), "--over", over, "-o", out}).code, 0);
+  const hid_t file = H5Fopen(out.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  EXPECT_GT(H5Aexists_by_name(file, "krein1", "_FillValue", H5P_DEFAULT), 0);
+  EXPECT_LE(H5Aexists_by_name(file, "xi", "_FillValue", H5P_DEFAULT), 0);
+  H5Fclose(file);
+}
+#endif
+
 TEST_F(Study, ColumnFileHoldsTheSame) {
   NEEDS_HDF5();
   ASSERT_EQ(run(materials).code, 0);

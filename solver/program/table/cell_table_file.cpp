@@ -52,6 +52,7 @@ void write_column(hid_t file, const CellColumn& column, const Cells& cells) {
                                                       H5P_DEFAULT, layout.id(), H5P_DEFAULT),
                                            H5Dclose),
                                     name);
+    if (column.kind == CellKind::count) write_hdf5_missing_count(set.id());
     if (count == 0) return;
     require_hdf5(H5Dwrite(set.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
     if (cells.spelled)

@@ -91,7 +91,10 @@ struct ColumnFileWriter::Data {
   void create(std::size_t rows) {
     const hsize_t blocks = std::max<hsize_t>(1, (rows + longest_block - 1) / longest_block);
     block = std::max<hsize_t>(1, (rows + blocks - 1) / blocks);
-    for (Dataset& each : columns) each.set = create(each.name, each.file_type());
+    for (Dataset& each : columns) {
+      each.set = create(each.name, each.file_type());
+      if (each.kind == CellKind::count) write_hdf5_missing_count(each.set.id());
+    }
     created = true;
   }
   Handle create(const std::string& name, hid_t type) const {

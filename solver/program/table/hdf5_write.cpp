@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "solver/program/table/column_file.hpp"
+
 namespace stationary {
 
 void hdf5_failed(std::string_view what) {
@@ -73,6 +75,15 @@ void write_hdf5_attribute(hid_t file, const char* what, const std::string& text)
       Handle(H5Acreate2(file, what, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose),
       what);
   require_hdf5(H5Awrite(attribute.id(), type.id(), text.c_str()), what);
+}
+
+void write_hdf5_missing_count(hid_t set) {
+  constexpr const char* what = "_FillValue";
+  const Handle space = require_hdf5(Handle(H5Screate(H5S_SCALAR), H5Sclose), what);
+  const Handle attribute = require_hdf5(
+      Handle(H5Acreate2(set, what, H5T_STD_I32LE, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose),
+      what);
+  require_hdf5(H5Awrite(attribute.id(), H5T_NATIVE_INT32, &missing_count), what);
 }
 
 }  // namespace stationary

@@ -20,5 +20,7 @@ Handle create_hdf5_group(hid_t location, const std::string& name);
 void create_hdf5_groups_of(hid_t location, const std::string& name);
 Handle hdf5_string_type(std::size_t length);
 void write_hdf5_attribute(hid_t file, const char* what, const std::string& text);
+/// Of a dataset of counts: missing_count as its attribute _FillValue, where netCDF's readers look for it.
+void write_hdf5_missing_count(hid_t set);
 
 }  // namespace stationary
