@@ -155,5 +155,24 @@ TEST_F(InterruptedMap, WithoutLocksItIsRefusedByName) {
   EXPECT_EQ(map(out_, {}, true).code, 0);
 }
 
+/// Where the system begins few threads: a failure with its reason, at once.
+TEST_F(InterruptedMap, WithoutThreadsItFails) {
+  for (const char* const threads : {"0", "1", "3"}) {
+    RunOptions few;
+    few.environment = {std::string("LD_PRELOAD=") + STATIONARY_FAULT_SHIM,
+                       std::string("FAULT_THREADS=") + threads};
+    const Outcome outcome =
+        run_program({"map", shipped("map_biot_log.toml"), "--threads", "8", "-o", out_}, few);
+    EXPECT_EQ(outcome.code, 4) << threads;
+    EXPECT_THAT(outcome.err, HasSubstr("cannot begin a thread")) << threads;
+    // TBB has its own, as many as there are processors.
+    const Outcome atlas = run_program({"atlas", shipped("apart.toml"), "--checkpoints", "2",
+                                       "--threads", "8", "-o", directory_ / "a.csv"},
+                                      few);
+    EXPECT_THAT(atlas.code, ::testing::AnyOf(0, 4)) << threads << atlas.err;
+    if (atlas.code == 4) EXPECT_THAT(atlas.err, HasSubstr("stationary: failed: "));
+  }
+}
+
 }  // namespace
 }  // namespace stationary::testing

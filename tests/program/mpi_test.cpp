@@ -185,6 +185,22 @@ TEST_F(Mpi, TasksThatMpiDoesNotSeeAreRefused) {
   }
 }
 
+/// A rank that gets no threads ends all of them, with its reason.
+TEST_F(Mpi, ARankWithoutThreadsSaysSo) {
+  for (const char* const rank : {"0", "1"}) {
+    RunOptions how = ranks(3);
+    how.program.insert(how.program.end() - 1, {"sh", "-c",
+                                               "[ $OMPI_COMM_WORLD_RANK != $WHICH ] || export "
+                                               "FAULT_THREADS=3 LD_PRELOAD=$SHIM; exec \"$@\"",
+                                               "sh"});
+    how.environment = {std::string("SHIM=") + STATIONARY_FAULT_SHIM, std::string("WHICH=") + rank};
+    const Outcome outcome =
+        run_program(joined({map_, {"-o", directory_ / "x.csv", "--threads", "20"}}), how);
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("cannot begin a thread"));
+  }
+}
+
 /// mpirun gives rank 0 a terminal, and writes what comes of it into a file.
 TEST_F(Mpi, WritesNoColours) {
   RunOptions how = ranks(2);

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -260,7 +261,11 @@ class Serve {
     bytes += hash;
     MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, 0, hello, MPI_COMM_WORLD);
     std::vector<std::jthread> threads;
-    for (int k = 0; k < loop_.threads; ++k) threads.emplace_back([this] { compute(); });
+    try {
+      for (int k = 0; k < loop_.threads; ++k) threads.emplace_back([this] { compute(); });
+    } catch (const std::system_error& error) {
+      outbox_.send(0, failed, no_thread(error));  // which ends all of them
+    }
     Pause pause;
     bool ended = false;
     bool leaves = false;

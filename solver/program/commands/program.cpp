@@ -92,13 +92,16 @@ void tell_out_of_memory() { std::fputs("stationary: out of memory\n", stderr); }
 
 std::terminate_handler usual_end = std::abort;
 
-/// A JSON value takes memory to go (nlohmann's destructor), and where there is none left that is no
-/// exception that could be caught.
-[[noreturn]] void end_out_of_memory() {
+/// Exceptions that cannot be caught. A JSON value takes memory to go (nlohmann's destructor), which there
+/// may be none left of; a thread of TBB's begins another one, which the system may refuse.
+[[noreturn]] void end_by_exception() {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
     tell_out_of_memory();
+    ::_exit(static_cast<int>(ExitCode::failure));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "stationary: failed: %s\n", error.what());
     ::_exit(static_cast<int>(ExitCode::failure));
   } catch (...) {  // as without this handler
   }
@@ -110,7 +113,7 @@ std::terminate_handler usual_end = std::abort;
 
 int run_program(const Program& of, int argc, char** argv) {
   hold_standard_streams();
-  usual_end = std::set_terminate(end_out_of_memory);
+  usual_end = std::set_terminate(end_by_exception);
   // A limit on the size of files is then met as a full disk is.
   std::signal(SIGXFSZ, SIG_IGN);
   try {

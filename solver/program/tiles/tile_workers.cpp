@@ -1,9 +1,17 @@
 #include "solver/program/tiles/tile_workers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 
 namespace stationary::cli {
+
+std::string no_thread(const std::system_error& error) {
+  return fmt::format("cannot begin a thread: {}; ask for fewer by --threads",
+                     error.code().message());
+}
 
 TileWorkers::TileWorkers(const TileLoop& loop, Dispatcher& dispatcher, TileOrder& order,
                          int threads)
@@ -11,10 +19,15 @@ TileWorkers::TileWorkers(const TileLoop& loop, Dispatcher& dispatcher, TileOrder
   const int count = std::min(threads, static_cast<int>(std::min<std::size_t>(loop.tiles, 1024)));
   for (int k = 0; k < count; ++k) {
     ++working_;
-    threads_.emplace_back([this] {
-      work();
-      --working_;
-    });
+    try {
+      threads_.emplace_back([this] {
+        work();
+        --working_;
+      });
+    } catch (const std::system_error& error) {
+      failed_ = true;  // those that were begun end
+      throw std::runtime_error(no_thread(error));
+    }
   }
 }
 

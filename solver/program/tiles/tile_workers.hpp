@@ -4,6 +4,8 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -12,8 +14,12 @@
 
 namespace stationary::cli {
 
+/// What is said where the system begins no more threads.
+std::string no_thread(const std::system_error& error);
+
 class TileWorkers {
  public:
+  /// Throws std::runtime_error where not all of them can be begun.
   TileWorkers(const TileLoop& loop, Dispatcher& dispatcher, TileOrder& order, int threads);
   TileWorkers(const TileWorkers&) = delete;
   TileWorkers& operator=(const TileWorkers&) = delete;

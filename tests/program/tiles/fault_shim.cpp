@@ -5,11 +5,13 @@
 //                     of a write done
 //   FAULT_UNDER=PATH  counts only files whose paths begin so
 //   FAULT_LOCK=ERRNO  no lock of an open file is to be had, for that reason
+//   FAULT_THREADS=N   the system begins no more than N threads of it
 //   FAULT_CLOCK=K     its clock runs K times as fast, so that what is done every few seconds is done every
 //                     time
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <pthread.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -126,6 +128,15 @@ int fcntl(int descriptor, int command, ...) {
     return -1;
   }
   return next(descriptor, command, argument);
+}
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*),
+                   void* argument) noexcept {
+  static const auto next =
+      real<int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>("pthread_create");
+  static std::atomic<long> begun{0};
+  const char* const most = std::getenv("FAULT_THREADS");
+  if (most != nullptr && ++begun > std::atol(most)) return EAGAIN;
+  return next(thread, attributes, run, argument);
 }
 int clock_gettime(clockid_t which, timespec* out) noexcept {
   static const auto next = real<int (*)(clockid_t, timespec*)>("clock_gettime");
