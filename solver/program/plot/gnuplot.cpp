@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "solver/program/text/input_error.hpp"
+#include "solver/program/text/utf8.hpp"
 
 namespace stationary {
 namespace {
@@ -90,21 +91,6 @@ std::string message_of(std::FILE* errors) {
   return out.empty() ? "no message" : printable(out);
 }
 
-/// Bytes of the UTF-8 character a text begins with; 0 if it begins with none.
-std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-  const unsigned first = byte(0);
-  if (first < 0x80U) return 1;
-  const std::size_t length = first < 0xC2U ? 0 : first < 0xE0U ? 2 : first < 0xF0U ? 3 : 4;
-  if (length == 0 || first > 0xF4U || text.size() < length) return 0;
-  for (std::size_t k = 1; k < length; ++k)
-    if ((byte(k) & 0xC0U) != 0x80U) return 0;
-  const unsigned second = byte(1);
-  const bool overlong = (first == 0xE0U && second < 0xA0U) || (first == 0xF0U && second < 0x90U);
-  const bool outside = (first == 0xEDU && second > 0x9FU) || (first == 0xF4U && second > 0x8FU);
-  return overlong || outside ? 0 : length;
-}
-
 /// With what is no UTF-8 replaced: an SVG that contained it would not open.
 std::string well_formed(std::string_view text) {
   std::string out;
@@ -133,7 +119,7 @@ class FileActions {
 
 std::string in_gnuplot_quotes(std::string_view text) {
   std::string out = "'";
-  for (const char c : well_formed(printable(text))) {
+  for (const char c : printable(well_formed(text))) {
     if (c == '\'') out += '\'';
     out += c;
   }

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "solver/program/text/ascii.hpp"
+#include "solver/program/text/utf8.hpp"
 
 namespace stationary {
 namespace {
@@ -18,7 +18,7 @@ std::string compose(const Origin& origin, std::string_view key, std::string_view
     if (!out.empty()) out += separator;
     out += part;
   };
-  add(": ", key);
+  add(": ", printable(key));
   add(": ", found);
   add("; expected ", allowed);
   add("; ", remedy);
@@ -80,17 +80,19 @@ InputError::InputError(Origin origin, std::string key, std::string found, std::s
 std::string printable(std::string_view text) {
   constexpr std::size_t longest = 200;
   std::string out;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    if (k >= longest && !is_continuation(text[k])) {  // cut between characters
+  for (std::size_t k = 0; k < text.size();) {
+    if (k >= longest) {  // cut between characters
       out += "...";
       break;
     }
+    const std::size_t length = character_length(text.substr(k));
     const auto byte = static_cast<unsigned char>(text[k]);
-    if (byte < 0x20U || byte == 0x7FU) {
+    if (length == 0 || byte < 0x20U || byte == 0x7FU) {
       out += fmt::format("\\x{:02X}", byte);
     } else {
-      out += text[k];
+      out += text.substr(k, length);
     }
+    k += length == 0 ? 1 : length;
   }
   return out;
 }

@@ -47,7 +47,8 @@ class InputError : public std::runtime_error {
   std::string remedy_;
 };
 
-/// Text from outside made safe to print on one line: control characters escaped, long text cut.
+/// Text from outside made safe to print on one line: control characters, and bytes that are not UTF-8,
+/// escaped, long text cut.
 std::string printable(std::string_view text);
 
 /// printable() in double quotes.
