@@ -10,7 +10,7 @@
 #include "solver/program/diagram/diagram.hpp"
 #include "solver/program/diagram/diagram_lines.hpp"
 #include "solver/program/diagram/map_diagram.hpp"
-#include "solver/program/rows/part_metadata.hpp"
+#include "solver/program/rows/metadata_reading.hpp"
 #include "solver/program/table/table_reader.hpp"
 #include "solver/program/text/input_error.hpp"
 #include "solver/program/tiles/study_source.hpp"

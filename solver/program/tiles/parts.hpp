@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/program/rows/part_metadata.hpp"
+#include "solver/program/rows/metadata_reading.hpp"
 #include "solver/program/table/table.hpp"
 #include "solver/program/table/table_reader.hpp"
 
