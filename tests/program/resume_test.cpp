@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "solver/program/table/column_file.hpp"
+#include "tests/program/needs_gnuplot.hpp"
 #include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
@@ -334,6 +335,14 @@ TEST_F(Resume, MetadataThatAreNoneOfContinue) {
   const auto good = metadata();
   std::filesystem::remove(metadata_);
   expect_refused("cannot read ");
+  // A directory of that name is none to be read either, and no figure needs it.
+  std::filesystem::create_directory(directory_ / "x.meta.json");
+  expect_refused("cannot read ");
+  if (has_gnuplot()) {
+    const Outcome plotted = run_program({"plot", directory_ / "x.csv", "-o", directory_ / "x.svg"});
+    EXPECT_EQ(plotted.code, 0) << plotted.err;
+  }
+  std::filesystem::remove(directory_ / "x.meta.json");
   for (const char* text :
        {"", "{", "[]", "{\"case\": 1}", R"({"case": {"continuation": 1}})", "\xff\xfe"}) {
     directory_.file("x.meta.json", text);

@@ -61,9 +61,9 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
   };
   if (path.empty() || path == "-") refuse("found no file");
   const std::string metadata = metadata_path(path).string();
-  std::ifstream file(metadata, std::ios::binary);
-  if (!file) refuse("cannot read " + printable(metadata));
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::optional<std::string> read = bytes_of_file(metadata);
+  if (!read) refuse("cannot read " + printable(metadata));
+  const std::string& text = *read;
   if (const std::string other = other_program(text, STATIONARY_VERSION); !other.empty())
     refuse(fmt::format("found {} to be {}", printable(metadata), other));
   if (!is_of_case(text, input)) refuse(printable(metadata) + " is of another case");

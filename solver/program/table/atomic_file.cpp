@@ -9,6 +9,8 @@
 #include <charconv>
 #include <cstddef>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -140,6 +142,13 @@ void AtomicFile::commit(bool to_disk) {
 void StandardOutput::write(std::string_view bytes) {
   if (const int reason = write_all(STDOUT_FILENO, bytes))
     throw std::runtime_error(fmt::format("writing standard output: {}", std::strerror(reason)));
+}
+
+std::optional<std::string> bytes_of_file(const std::filesystem::path& path) {
+  if (std::error_code none; std::filesystem::is_directory(path, none)) return std::nullopt;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
 fs::path metadata_path(const fs::path& table) {

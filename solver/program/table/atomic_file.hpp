@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -48,6 +49,9 @@ class StandardOutput : public ByteSink {
  public:
   void write(std::string_view bytes) override;
 };
+
+/// All of a file; nothing of what cannot be read, as a directory.
+std::optional<std::string> bytes_of_file(const std::filesystem::path& path);
 
 /// x.meta.json beside x.csv.
 std::filesystem::path metadata_path(const std::filesystem::path& table);

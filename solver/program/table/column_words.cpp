@@ -70,8 +70,7 @@ std::string table_metadata(const std::string& path) {
   // One file may stand beside both x.csv and x.h5.
   if (is_column_file(path))
     if (std::string own = column_file_metadata(path); !own.empty()) return own;
-  std::ifstream file(metadata_path(path), std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return bytes_of_file(metadata_path(path)).value_or(std::string());
 }
 
 }  // namespace stationary

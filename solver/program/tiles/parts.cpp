@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -26,9 +25,9 @@ namespace {
 }
 
 std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) refuse(path, "cannot read " + printable(path));
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::optional<std::string> out = bytes_of_file(path);
+  if (!out) refuse(path, "cannot read " + printable(path));
+  return std::move(*out);
 }
 
 PartTable read_part_table(const std::string& path, std::string_view command) {
