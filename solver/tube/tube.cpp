@@ -128,8 +128,10 @@ template <int N>
 CurveBox<N> Tube<N>::place(const Interval& s, const Box<N>& d) const {
   CurveBox<N> out;
   for (int i = 0; i <= N; ++i) {
-    out[at(i)] = center_[i] + axes_(i, 0) * s;
-    for (int j = 0; j < N; ++j) out[at(i)] += axes_(i, j + 1) * d[at(j)];
+    IntervalSum sum(center_[i]);
+    sum.add_product(axes_(i, 0), s);
+    for (int j = 0; j < N; ++j) sum.add_product(axes_(i, j + 1), d[at(j)]);
+    out[at(i)] = sum.value();
   }
   return out;
 }
@@ -143,26 +145,32 @@ auto Tube<N>::image(const Equations& equations, const Square& Y, double s0, cons
   Box<N> along;
   for (int i = 0; i < N; ++i) {
     const auto& row = over.slope[at(i)];
-    for (int k = 0; k <= N; ++k) {
-      along[at(i)] += axes_(k, 0) * row[at(k)];
-      for (int j = 0; j < N; ++j) across[at(i)][at(j)] += axes_(k, j + 1) * row[at(k)];
-    }
+    const auto by_axis = [&](int axis) {
+      IntervalSum sum;
+      for (int k = 0; k <= N; ++k) sum.add_product(axes_(k, axis), row[at(k)]);
+      return sum.value();
+    };
+    along[at(i)] = by_axis(0);
+    for (int j = 0; j < N; ++j) across[at(i)][at(j)] = by_axis(j + 1);
   }
   Image out;
   const Interval step = s - Interval(s0);
   for (int i = 0; i < N; ++i) {
-    Interval residual;
+    IntervalSum moved(d0[at(i)]);
+    IntervalSum by_step;
     for (int k = 0; k < N; ++k) {
-      residual += Y(i, k) * g[at(k)];
-      out.along[at(i)] -= Y(i, k) * along[at(k)];
+      moved.add_product(-Y(i, k), g[at(k)]);
+      by_step.add_product(-Y(i, k), along[at(k)]);
     }
-    out.d[at(i)] = d0[at(i)] - residual + out.along[at(i)] * step;
+    out.along[at(i)] = by_step.value();
+    moved.add_product(out.along[at(i)], step);
     for (int j = 0; j < N; ++j) {
-      Interval entry(i == j ? 1.0 : 0.0);
-      for (int k = 0; k < N; ++k) entry -= Y(i, k) * across[at(k)][at(j)];
-      out.rest[at(i)][at(j)] = entry;
-      out.d[at(i)] += entry * (d[at(j)] - d0[at(j)]);
+      IntervalSum entry(i == j ? 1.0 : 0.0);
+      for (int k = 0; k < N; ++k) entry.add_product(-Y(i, k), across[at(k)][at(j)]);
+      out.rest[at(i)][at(j)] = entry.value();
+      moved.add_product(out.rest[at(i)][at(j)], d[at(j)] - d0[at(j)]);
     }
+    out.d[at(i)] = moved.value();
   }
   return out;
 }
