@@ -10,6 +10,7 @@
 #include <fstream>
 #include <limits>
 #include <system_error>
+#include <unordered_set>
 #include <utility>
 
 namespace stationary {
@@ -49,9 +50,10 @@ void TableReader::read_header() {
     throw InputError(Origin::in_file(name_), "", "found an empty file", "a table with a header");
   if (record_.starts_with(byte_order_mark)) record_.erase(0, byte_order_mark.size());
   split_record();
+  std::unordered_set<std::string_view> names;  // there may be many
   for (const Cell& cell : cells_) {
     if (cell.text.empty()) refuse(cell.begin, "found a column without a name", "a header");
-    if (column(cell.text))
+    if (!names.insert(cell.text).second)
       refuse(cell.begin, "found the column " + in_quotes(cell.text) + " twice", "each once");
     columns_.emplace_back(cell.text);
   }
