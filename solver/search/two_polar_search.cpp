@@ -173,9 +173,12 @@ class BlocksOf final : public TwoPolarSearches::Blocks {
     const SearchedPair searched(system, boxes_);
     auto known = solutions_within<N>(searched, before->solutions);
     if (!known) return std::nullopt;
+    PruneResult<N> begun;
+    begun.solutions = std::move(*known);
+    begun.undecided = before->undecided;
     const PruneResult<N> found = branch_and_prune<N>(
         searched, Mirror::one, prune_options(options_.min_width, options_.max_boxes), everything_,
-        {.solutions = std::move(*known), .undecided = before->undecided});
+        begun);
     boxes += found.boxes;
     if (found.interrupted || !found.undecided.empty()) return std::nullopt;
     SearchResult out = TwoPolarSearch(body_, potential_, motion, options_).of(found, axial_);
