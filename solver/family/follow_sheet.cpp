@@ -180,6 +180,7 @@ class Follower {
 
   /// The class half way between two members that no other row lies between.
   std::optional<StabilityClass> class_between(const Member& a, const Member& b) {
+    if (!a.spectrum && !b.spectrum) return std::nullopt;  // of one of them it may be left out
     const ReducedVector<N> x = family_.coordinates_of(a);
     const double scale = curve_.corrector().scale();
     ArcVector<N> chord;

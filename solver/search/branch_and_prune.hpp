@@ -136,7 +136,7 @@ PruneResult<N> branch_and_prune(const SearchedSystem<N>& system, Mirror mirror,
                                 const PruneResult<N>& before);
 
 /// Of a case of the system that has each of these alone in its box `unique`, its own solutions there: by
-/// Newton's method from the middle, proven as those of a search are. Nothing where that fails of one.
+/// Newton's method from that, proven as those of a search are. Nothing where that fails of one.
 template <int N>
 std::optional<std::vector<ProvenSolution<N>>> solutions_within(
     const SearchedSystem<N>& system, std::span<const ProvenSolution<N>> of_more);
