@@ -45,19 +45,12 @@ Krawczyk<N>::Krawczyk(const BoxEquations<N>& equations, const ReducedVector<N>& 
   for (int i = 0; i < N; ++i) point[index(i)] = x[i];
   const BoxSlopes<N> at = equations_.linearize(point);
   inverse_ = at.inverse();
-  if (equations_.varies()) {
-    const VariedResidual<N> g = equations_.varied(point);
-    for (int i = 0; i < N; ++i) {
-      Interval slope;
-      for (int j = 0; j < N; ++j) {
-        newton_[index(i)] += inverse_(i, j) * g.at[index(j)];
-        slope += inverse_(i, j) * g.slope[index(j)];
-      }
-      newton_[index(i)] += slope * g.offset;
-    }
-  } else {
-    for (int i = 0; i < N; ++i)
-      for (int j = 0; j < N; ++j) newton_[index(i)] += inverse_(i, j) * at.g[index(j)];
+  VariedResidual<N> g{at.g, {}, {}};
+  const bool varies = equations_.varies();
+  if (varies) g = equations_.varied(point);
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j < N; ++j) newton_[index(i)] += inverse_(i, j) * g.at[index(j)];
+    if (varies) newton_[index(i)] += g.by_number(inverse_, i);
   }
   for (Interval& d : newton_) d = -d;
 }

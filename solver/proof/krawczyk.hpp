@@ -56,6 +56,14 @@ struct VariedResidual {
   Box<N> at;
   Box<N> slope;
   Interval offset;  ///< p - p_0
+
+  /// What p adds to row i of Y G.
+  template <class Matrix>
+  Interval by_number(const Matrix& Y, int i) const {
+    IntervalSum sum;
+    for (int k = 0; k < N; ++k) sum.add_product(Y(i, k), slope[static_cast<std::size_t>(k)]);
+    return sum.value() * offset;
+  }
 };
 
 /// A system over boxes, of as many equations as unknowns; the machinery of proofs stands once for each N. It refers to

@@ -161,11 +161,7 @@ class BranchAndPrune {
       };
       IntervalSum others;
       for (int k = 0; k < N; ++k) others.add_product(Y(i, k), g.at[index(k)]);
-      if (varies) {
-        IntervalSum slope;
-        for (int k = 0; k < N; ++k) slope.add_product(Y(i, k), g.slope[index(k)]);
-        others.add_product(slope.value(), g.offset);
-      }
+      if (varies) others.add_product(1.0, g.by_number(Y, i));
       for (int j = 0; j < N; ++j)
         if (j != i) others.add_product(entry(j), d[index(j)]);
       const Interval sum = others.value();
