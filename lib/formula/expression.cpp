@@ -1,6 +1,7 @@
 #include "lib/formula/expression.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 
 #include "lib/expression/differentiate.hpp"
@@ -138,14 +139,18 @@ std::vector<NodeId> with_derivatives(Graph& g, NodeId potential,
   return out;
 }
 
-/// Where an expression that fits gets more than there is room for, it does without slopes.
-Program slopes(TapeWriter& writer, Graph& graph, std::span<const NodeId> of,
+/// Where an expression that fits gets more than there is room for, it does without slopes. valued:
+/// with the numbers themselves, first.
+Program slopes(TapeWriter& writer, Graph& graph, std::span<const NodeId> of, bool valued,
                std::span<const Variable> inputs, const std::vector<std::string>& parameters) {
   std::vector<Variable> all(inputs.begin(), inputs.end());
   for (int k = 0; k < static_cast<int>(parameters.size()); ++k)
     all.push_back(parameter_variable(k));
+  std::vector<NodeId> results = parameter_slopes(graph, of, static_cast<int>(parameters.size()));
+  if (!valued && !results.empty())
+    results.erase(results.begin(), results.begin() + static_cast<std::ptrdiff_t>(of.size()));
   try {
-    return writer.program(all, parameter_slopes(graph, of, static_cast<int>(parameters.size())));
+    return writer.program(all, results);
   } catch (const TooLarge&) {
     return {};
   }
@@ -173,6 +178,7 @@ class TapeInMaking {
                std::span<const Variable> inputs, ConditionForm form)
       : e_(e),
         inputs_(inputs),
+        form_(form),
         derivatives_(with_derivatives(e.graph, smooth, coordinates)),
         gradient_size_(1 + coordinates.size()),
         writer_(e.graph) {
@@ -193,12 +199,20 @@ class TapeInMaking {
     direction_count_ = directions.size();
     out_.balance = program(inputs, forces_, balance_conditions_);
   }
+  void add_forces() {
+    const std::vector<NodeId> conditions = conditions_as(form_);
+    out_.forces[0] = program(inputs_, gradient().subspan(1), conditions);
+    out_.forces[1] = program(inputs_, std::span(derivatives_).subspan(1), conditions);
+  }
   /// After add_balance().
   void add_residual() { out_.residual = program(balance_inputs_, residual(), balance_conditions_); }
-  void add_slopes() { out_.slopes = slopes(writer_, e_.graph, gradient(), inputs_, e_.parameters); }
+  void add_slopes() {
+    out_.slopes = slopes(writer_, e_.graph, gradient(), true, inputs_, e_.parameters);
+  }
   /// After add_balance().
   void add_residual_slopes() {
-    out_.residual_slopes = slopes(writer_, e_.graph, residual(), balance_inputs_, e_.parameters);
+    out_.residual_slopes =
+        slopes(writer_, e_.graph, residual(), false, balance_inputs_, e_.parameters);
   }
   /// Of an expression in alpha, xi, zeta and rho.
   void add_plane_pull() {
@@ -251,6 +265,7 @@ class TapeInMaking {
 
   Expression& e_;
   std::span<const Variable> inputs_;
+  ConditionForm form_;
   std::vector<NodeId> derivatives_;
   std::size_t gradient_size_;
   std::span<const Variable> balance_inputs_;
@@ -269,6 +284,7 @@ std::shared_ptr<const Tape> balanced_tape(Expression& e, std::span<const Coordin
   auto source = std::make_shared<const Expression>(e);
   TapeInMaking out(e, in_invariants(e), coordinates, inputs, condition_in_invariants);
   out.keep_source(std::move(source));
+  out.add_forces();
   out.add_balance(directions, balance_inputs);
   out.add_residual();
   out.add_slopes();
@@ -408,8 +424,10 @@ std::shared_ptr<const Tape> thickness_tape(Expression e) {
   auto source = std::make_shared<const Expression>(e);
   TapeInMaking out(e, e.root, coordinates, thickness_inputs, condition_in_invariants);
   out.keep_source(std::move(source));
+  out.add_forces();
   out.add_balance(directions, thickness_balance_inputs);
   out.add_slopes();
+  out.add_residual_slopes();
   return out.finished();
 }
 

@@ -63,12 +63,15 @@ struct Tape {
   std::vector<TapeCondition> conditions;
   std::vector<CoefficientCondition> coefficient_conditions;
   std::array<Program, 3> evaluate;  ///< by order; each also gives what the lower ones give
-  Program balance;                  ///< LogBalance: residuals, then the upper triangle by rows
-  Program residual;                 ///< the residuals alone; none of thickness_tape()
+  /// evaluate[1] and [2] without the value, and without what it alone takes: all that a balance
+  /// needs. None of anisotropic_tape().
+  std::array<Program, 2> forces;
+  Program balance;   ///< LogBalance: residuals, then the upper triangle by rows
+  Program residual;  ///< the residuals alone; none of thickness_tape()
   /// Value and gradient, then the derivative of both in each parameter: of the inputs and the
   /// parameters. No results where it could not be had (slopes.hpp).
   Program slopes;
-  /// The same of the residuals; none of thickness_tape(), as residual.
+  /// Of the residuals the derivatives alone.
   Program residual_slopes;
   std::vector<double> fixed_constants;  ///< the constants in which no parameter is
   bool has_principal_stretches = false;

@@ -178,7 +178,8 @@ class Follower {
     return bracket_of(p, bound * std::abs(p));
   }
 
-  /// The class half way between two members that no other row lies between.
+  /// The class half way between two members that no other row lies between: marginal where that
+  /// point of the curve is not found.
   std::optional<StabilityClass> class_between(const Member& a, const Member& b) {
     if (!a.spectrum && !b.spectrum) return std::nullopt;  // of one of them it may be left out
     const ReducedVector<N> x = family_.coordinates_of(a);
@@ -193,12 +194,12 @@ class Follower {
         moved<N>(x, ReducedVector<N>(0.5 * chord.template head<N>())),
         a.parameter + 0.5 * scale * chord[N], chord / length, 0.5 * length);
     report_.counts.linearizations += middle.linearizations;
-    if (middle.status != CorrectorStatus::converged) return std::nullopt;
+    if (middle.status != CorrectorStatus::converged) return StabilityClass::marginal;
     ArcVector<N> way;
     way.template head<N>() = logarithms(middle.point.x.array() / x.array()).matrix();
     way[N] = (middle.point.p - a.parameter) / scale;
     const double along = way.dot(chord) / (length * length);
-    if (!(along > 0.0 && along < 1.0)) return std::nullopt;
+    if (!(along > 0.0 && along < 1.0)) return StabilityClass::marginal;
     const CurvePoint<N> point = curve_.complete(middle.point);
     if (point.member.beyond_end() || !point.member.spectrum) return std::nullopt;
     return point.member.spectrum->verdict;

@@ -325,7 +325,7 @@ SizedBalance sized_balance(const Model& model, double xi, double zeta, double rh
     return {b, magnitude_of(b, c.xi * xi * xi, c.zeta * zeta * zeta, c.rho * rho * rho, false)};
   }
   if constexpr (!is_body_model<Model>) {
-    const auto w = model.template evaluate<2>(planar_invariants(xi, zeta), rho);
+    const auto w = forces<2>(model, planar_invariants(xi, zeta), rho);
     return {coupled_log_balance<2>(w, xi, zeta, rho, c), coupled_magnitude(w, xi, zeta, rho, c)};
   }
 }
@@ -346,7 +346,7 @@ LogBalance<DoubleDouble> extended_balance(const Model& model, double xi, double 
     }
   }
   if constexpr (!is_body_model<Model>) {
-    const auto w = model.template evaluate<1>(extended_invariants(xi, zeta), rho);
+    const auto w = forces<1>(model, extended_invariants(xi, zeta), rho);
     return coupled_log_balance<1>(w, wide_xi, wide_zeta, rho, c);
   }
 }
@@ -358,12 +358,12 @@ struct ThicknessSystem {
   DoubleDouble rate;  ///< m = J3 (nu1^2 + nu2^2)
 
   Linearized<1> linearize(const ReducedVector<1>& x) const {
-    const auto v = model.template evaluate<2>(x[0]);
+    const auto v = forces<2>(model, x[0]);
     const double pull = double(rate) * x[0] * x[0];
     return {ReducedVector<1>(v.v_r - pull), {{v.v_rr - 2.0 * pull}}, std::abs(v.v_rr) + 2.0 * pull};
   }
   ReducedVector<1> extended_residual(const ReducedVector<1>& x) const {
-    const auto v = model.template evaluate<1>(DoubleDouble(x[0]));
+    const auto v = forces<1>(model, DoubleDouble(x[0]));
     return ReducedVector<1>(double(v.v_r - rate * two_product(x[0], x[0])));
   }
   /// Sum over the inputs p of |p dG/dp|: a coefficient once, and the decimals of a formula, J once,
@@ -393,7 +393,7 @@ struct PlanarSystem {
                 magnitude_of(b, c_xi * x[0] * x[0], c_zeta * x[1] * x[1], 0.0, true)};
       }
     }
-    const auto w = model.template evaluate<2>(planar_invariants(x[0], x[1]));
+    const auto w = forces<2>(model, planar_invariants(x[0], x[1]));
     const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), 0.0};
     const auto b = planar_log_balance<2>(w, x[0], x[1], c);
     return {{b.g_xi, b.g_zeta}, {{b.uu, b.uv, b.vv}}, planar_magnitude(w, x[0], x[1], c)};
@@ -403,7 +403,7 @@ struct PlanarSystem {
       if (model.has_principal_stretches())
         return model.residual(DoubleDouble(x[0]), DoubleDouble(x[1]), rates.xi, rates.zeta);
     }
-    const auto w = model.template evaluate<1>(extended_invariants(x[0], x[1]));
+    const auto w = forces<1>(model, extended_invariants(x[0], x[1]));
     return planar_log_balance<1>(w, DoubleDouble(x[0]), DoubleDouble(x[1]), rates);
   }
   ReducedVector<2> extended_residual(const ReducedVector<2>& x) const {

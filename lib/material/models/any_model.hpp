@@ -77,6 +77,12 @@ struct AnyModel {
   auto evaluate(const State& state) const {
     return evaluate_kind<order, Coefficient>(*this, state);
   }
+  template <int order, class State>
+  auto forces(const State& state) const {
+    const auto* expression = std::get_if<Expression>(&model);
+    return expression != nullptr ? expression->template forces<order>(state)
+                                 : evaluate<order>(state);
+  }
 };
 
 template <class C = double>

@@ -59,22 +59,11 @@ class PlanarExpression : public TapeModel<C> {
       if (this->run_dual([&](std::size_t k, const R& x) { *places[k] = x; }, x.t, x.d, x.e))
         return out;
     }
-    this->template run<R>(
-        this->programs().evaluate[order],
-        [&](const auto& result) {
-          out.w = result(0);
-          if constexpr (order >= 1) {
-            out.w_t = result(1);
-            out.w_l = result(2);
-          }
-          if constexpr (order >= 2) {
-            out.w_tt = result(3);
-            out.w_tl = result(4);
-            out.w_ll = result(5);
-          }
-        },
-        x.t, x.d, x.e);
-    return out;
+    return derivatives_by<order, true>(this->programs().evaluate[order], x);
+  }
+  template <int order, class S>
+  PlanarDerivatives<Product<C, S>> forces(const PlanarInvariants<S>& x) const {
+    return derivatives_by<order, false>(this->programs().forces[order - 1], x);
   }
 
   template <class S>
@@ -99,7 +88,7 @@ class PlanarExpression : public TapeModel<C> {
   /// parameter enters by abs, min or max.
   std::optional<std::array<double, 2>> residual_sensitivity(
       double xi, double zeta) const requires std::is_same_v<C, double> {
-    return this->template sensitivity<2>(this->programs().residual_slopes, xi, zeta, 0.0, 0.0);
+    return this->template sensitivity<2>(xi, zeta, 0.0, 0.0);
   }
 
   /// g_xi and g_zeta of log_balance() alone.
@@ -115,6 +104,32 @@ class PlanarExpression : public TapeModel<C> {
           out.g_zeta = result(1);
         },
         xi, zeta, c_xi, c_zeta);
+    return out;
+  }
+
+ private:
+  /// valued: whether the program's first result is the value.
+  template <int order, bool valued, class S>
+  PlanarDerivatives<Product<C, S>> derivatives_by(const expression::Program& program,
+                                                  const PlanarInvariants<S>& x) const {
+    using R = Product<C, S>;
+    PlanarDerivatives<R> out;
+    this->template run<R>(
+        program,
+        [&](const auto& result) {
+          constexpr std::size_t first = valued ? 1 : 0;
+          if constexpr (valued) out.w = result(0);
+          if constexpr (order >= 1) {
+            out.w_t = result(first);
+            out.w_l = result(first + 1);
+          }
+          if constexpr (order >= 2) {
+            out.w_tt = result(first + 2);
+            out.w_tl = result(first + 3);
+            out.w_ll = result(first + 4);
+          }
+        },
+        x.t, x.d, x.e);
     return out;
   }
 };
@@ -147,8 +162,8 @@ class ThicknessExpression : public TapeModel<C> {
 
   /// Sum over the parameters p of |p dV_r/dp|; none where a parameter enters by abs, min or max.
   std::optional<double> residual_sensitivity(double rho) const requires std::is_same_v<C, double> {
-    const auto both = this->template sensitivity<2>(this->programs().slopes, rho);
-    return both ? std::optional((*both)[1]) : std::nullopt;
+    const auto force = this->template sensitivity<1>(rho, 0.0);
+    return force ? std::optional((*force)[0]) : std::nullopt;
   }
 
   /// The solution of V' = m rho, m >= 0, that is connected to the rest thickness by solutions for
@@ -165,15 +180,11 @@ class ThicknessExpression : public TapeModel<C> {
       const std::array<R*, 2> places{&out.v, &out.v_r};
       if (this->run_dual([&](std::size_t k, const R& x) { *places[k] = x; }, rho)) return out;
     }
-    this->template run<R>(
-        this->programs().evaluate[order],
-        [&](const auto& result) {
-          out.v = result(0);
-          if constexpr (order >= 1) out.v_r = result(1);
-          if constexpr (order >= 2) out.v_rr = result(2);
-        },
-        rho);
-    return out;
+    return derivatives_by<order, true>(this->programs().evaluate[order], rho);
+  }
+  template <int order, class S>
+  ThicknessDerivatives<Product<C, S>> forces(const S& rho) const {
+    return derivatives_by<order, false>(this->programs().forces[order - 1], rho);
   }
 
   template <class S>
@@ -187,6 +198,25 @@ class ThicknessExpression : public TapeModel<C> {
           out.ww = result(1);
         },
         rho, m);
+    return out;
+  }
+
+ private:
+  /// As of PlanarExpression.
+  template <int order, bool valued, class S>
+  ThicknessDerivatives<Product<C, S>> derivatives_by(const expression::Program& program,
+                                                     const S& rho) const {
+    using R = Product<C, S>;
+    ThicknessDerivatives<R> out;
+    this->template run<R>(
+        program,
+        [&](const auto& result) {
+          constexpr std::size_t first = valued ? 1 : 0;
+          if constexpr (valued) out.v = result(0);
+          if constexpr (order >= 1) out.v_r = result(first);
+          if constexpr (order >= 2) out.v_rr = result(first + 1);
+        },
+        rho);
     return out;
   }
 };
@@ -227,26 +257,11 @@ class CoupledExpression : public TapeModel<C> {
       if (this->run_dual([&](std::size_t k, const R& x) { *places[k] = x; }, x.t, x.d, x.e, rho))
         return out;
     }
-    this->template run<R>(
-        this->programs().evaluate[order],
-        [&](const auto& result) {
-          out.plane.w = result(0);
-          if constexpr (order >= 1) {
-            out.plane.w_t = result(1);
-            out.plane.w_l = result(2);
-            out.w_r = result(3);
-          }
-          if constexpr (order >= 2) {
-            out.plane.w_tt = result(4);
-            out.plane.w_tl = result(5);
-            out.w_tr = result(6);
-            out.plane.w_ll = result(7);
-            out.w_lr = result(8);
-            out.w_rr = result(9);
-          }
-        },
-        x.t, x.d, x.e, rho);
-    return out;
+    return derivatives_by<order, true>(this->programs().evaluate[order], x, rho);
+  }
+  template <int order, class S>
+  CoupledDerivatives<Product<C, S>> forces(const PlanarInvariants<S>& x, const S& rho) const {
+    return derivatives_by<order, false>(this->programs().forces[order - 1], x, rho);
   }
 
   template <class S>
@@ -258,8 +273,7 @@ class CoupledExpression : public TapeModel<C> {
   /// As of PlanarExpression, g = (g_xi, g_zeta, g_rho).
   std::optional<std::array<double, 3>> residual_sensitivity(
       double xi, double zeta, double rho) const requires std::is_same_v<C, double> {
-    return this->template sensitivity<3>(this->programs().residual_slopes, xi, zeta, rho, 0.0, 0.0,
-                                         0.0);
+    return this->template sensitivity<3>(xi, zeta, rho, 0.0, 0.0, 0.0);
   }
 
   /// g_xi, g_zeta and g_rho of log_balance() alone.
@@ -276,6 +290,37 @@ class CoupledExpression : public TapeModel<C> {
           out.g_rho = result(2);
         },
         xi, zeta, rho, c_xi, c_zeta, c_rho);
+    return out;
+  }
+
+ private:
+  /// As of PlanarExpression.
+  template <int order, bool valued, class S>
+  CoupledDerivatives<Product<C, S>> derivatives_by(const expression::Program& program,
+                                                   const PlanarInvariants<S>& x,
+                                                   const S& rho) const {
+    using R = Product<C, S>;
+    CoupledDerivatives<R> out;
+    this->template run<R>(
+        program,
+        [&](const auto& result) {
+          constexpr std::size_t first = valued ? 1 : 0;
+          if constexpr (valued) out.plane.w = result(0);
+          if constexpr (order >= 1) {
+            out.plane.w_t = result(first);
+            out.plane.w_l = result(first + 1);
+            out.w_r = result(first + 2);
+          }
+          if constexpr (order >= 2) {
+            out.plane.w_tt = result(first + 3);
+            out.plane.w_tl = result(first + 4);
+            out.w_tr = result(first + 5);
+            out.plane.w_ll = result(first + 6);
+            out.w_lr = result(first + 7);
+            out.w_rr = result(first + 8);
+          }
+        },
+        x.t, x.d, x.e, rho);
     return out;
   }
 };

@@ -45,4 +45,15 @@ struct CoupledDerivatives {
   S w_lr = poison<S>();
 };
 
+/// evaluate<order>() for who has no use for the value: a formula leaves it NaN, and computes nothing
+/// that it alone takes.
+template <int order, class Model, class... At>
+[[gnu::always_inline]] inline auto forces(const Model& model, const At&... at) {
+  if constexpr (requires { model.template forces<order>(at...); }) {
+    return model.template forces<order>(at...);
+  } else {
+    return model.template evaluate<order>(at...);
+  }
+}
+
 }  // namespace stationary

@@ -17,15 +17,15 @@ struct Separable {
 
   template <int order, class S>
   auto evaluate(const PlanarInvariants<S>& x, const S& rho) const {
-    const auto planar = plane.template evaluate<order>(x);
     const auto axial = thickness.template evaluate<order>(rho);
-    CoupledDerivatives<std::remove_cvref_t<decltype(planar.w + axial.v)>> out;
-    out.plane = planar;
-    out.plane.w = planar.w + axial.v;
-    out.w_r = axial.v_r;
-    out.w_rr = axial.v_rr;
-    if constexpr (order >= 2) out.w_tr = out.w_lr = decltype(out.w_tr)(0.0);
+    auto out = joined<order>(plane.template evaluate<order>(x), axial);
+    out.plane.w = out.plane.w + axial.v;
     return out;
+  }
+  template <int order, class S>
+  auto forces(const PlanarInvariants<S>& x, const S& rho) const {
+    return joined<order>(stationary::forces<order>(plane, x),
+                         stationary::forces<order>(thickness, rho));
   }
 
   template <class S>
@@ -36,6 +36,18 @@ struct Separable {
     out.g_rho = axial.g_rho;
     out.uw = out.vw = decltype(out.uw)(0.0);
     out.ww = axial.ww;
+    return out;
+  }
+
+ private:
+  /// All but the sum of the values.
+  template <int order>
+  static auto joined(const auto& planar, const auto& axial) {
+    CoupledDerivatives<std::remove_cvref_t<decltype(planar.w + axial.v)>> out;
+    out.plane = planar;
+    out.w_r = axial.v_r;
+    out.w_rr = axial.v_rr;
+    if constexpr (order >= 2) out.w_tr = out.w_lr = decltype(out.w_tr)(0.0);
     return out;
   }
 };

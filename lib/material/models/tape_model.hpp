@@ -365,12 +365,10 @@ class TapeModel {
     c.slope;
   };
 
-  /// A program of expression/slopes.hpp, of `count` numbers x and their slopes:
-  /// out(k, x_k, slope) with slope(i) = dx_k/dp_i. False where the tape has not got it.
+  /// A program of expression/slopes.hpp, of the inputs and the parameters: out(result).
   template <class Out, class... Inputs>
-  bool run_slopes(const expression::Program& program, const Out& out,
+  void run_slopes(const expression::Program& program, const Out& out,
                   const Inputs&... inputs) const {
-    if (program.results.empty()) return false;
     expression::Workspace<double, expression::largest_place_count> workspace;
     double* place = workspace.data();
     const double* constants = tape_->fixed_constants.data();
@@ -378,44 +376,51 @@ class TapeModel {
     ((place[next++] = inputs), ...);
     for (const C& c : coefficients_) place[next++] = leading(c);
     expression::run<double>(program, tape_->coefficients.literals.data(), constants, place);
-    const auto result = [&](std::size_t i) {
+    out([&](std::size_t i) {
       const expression::Result& at = program.results[i];
       return at.constant ? constants[at.at] : place[at.at];
-    };
+    });
+  }
+
+  /// Value and gradient as dual numbers, out(k, number k of them), of dual coefficients. False where
+  /// the tape has no slopes.
+  template <class Out, class... Inputs>
+  bool run_dual(const Out& out, const Inputs&... inputs) const {
+    const expression::Program& program = tape_->slopes;
+    if (program.results.empty()) return false;
     const std::size_t count = program.results.size() / (1 + coefficients_.size());
-    for (std::size_t k = 0; k < count; ++k)
-      out(k, result(k), [&](std::size_t i) { return result((1 + i) * count + k); });
+    run_slopes(
+        program,
+        [&](const auto& result) {
+          for (std::size_t k = 0; k < count; ++k) {
+            C number(result(k));
+            for (std::size_t i = 0; i < coefficients_.size(); ++i)
+              for (std::size_t direction = 0; direction < number.slope.size(); ++direction)
+                number.slope[direction] +=
+                    result((1 + i) * count + k) * coefficients_[i].slope[direction];
+            out(k, number);
+          }
+        },
+        inputs...);
     return true;
   }
 
-  /// Value and gradient as dual numbers, out(k, number k of them), of dual coefficients.
-  template <class Out, class... Inputs>
-  bool run_dual(const Out& out, const Inputs&... inputs) const {
-    return run_slopes(
-        tape_->slopes,
-        [&](std::size_t k, double value, const auto& slope) {
-          C number(value);
-          for (std::size_t i = 0; i < coefficients_.size(); ++i)
-            for (std::size_t direction = 0; direction < number.slope.size(); ++direction)
-              number.slope[direction] += slope(i) * coefficients_[i].slope[direction];
-          out(k, number);
-        },
-        inputs...);
-  }
-
-  /// Of each number x of a program of slopes the sum over the parameters p of |p dx/dp|.
+  /// Of each residual g the sum over the parameters p of |p dg/dp|; nothing where the tape has not
+  /// got their slopes.
   template <std::size_t n, class... Inputs>
-  std::optional<std::array<double, n>> sensitivity(const expression::Program& program,
-                                                   const Inputs&... inputs) const {
+  std::optional<std::array<double, n>> sensitivity(const Inputs&... inputs) const {
     std::array<double, n> out{};
-    const bool known = run_slopes(
+    if (coefficients_.size() == 0) return out;
+    const expression::Program& program = tape_->residual_slopes;
+    if (program.results.empty()) return {};
+    run_slopes(
         program,
-        [&](std::size_t k, double, const auto& slope) {
+        [&](const auto& result) {
           for (std::size_t i = 0; i < coefficients_.size(); ++i)
-            out[k] += std::abs(coefficients_[i] * slope(i));
+            for (std::size_t k = 0; k < n; ++k)
+              out[k] += std::abs(coefficients_[i] * result(i * n + k));
         },
         inputs...);
-    if (!known) return {};
     return out;
   }
 

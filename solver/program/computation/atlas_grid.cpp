@@ -57,7 +57,10 @@ class PackedRows final : public RowSink {
       : RowSink(columns, 0), pack_(pack), out_(out) {}
 
  private:
-  void put(const TableRow& row) override { pack_.add(row, out_); }
+  void put(const TableRow& row, TableChecksum& sum) override {
+    add_cells(row, sum);
+    pack_.add(row, out_);
+  }
 
   const RowPack& pack_;
   std::string& out_;

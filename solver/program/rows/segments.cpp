@@ -69,9 +69,16 @@ int SegmentBuilder::row(long point, const SegmentBound& at, std::optional<Stabil
 }
 
 void SegmentBuilder::between(StabilityClass verdict) {
-  // Marginal: the two events are too near to each other to say.
-  if (all_.empty() || verdict == StabilityClass::marginal) return;
+  if (all_.empty()) return;
   std::optional<StabilityClass>& current = all_.back().segment.verdict;
+  // Not to be told half way: it is that of the stretch before, unless an event between may have
+  // changed it.
+  const auto may_have_changed = [](const SegmentBound& each) {
+    return may_change_class(each.event);
+  };
+  if (verdict == StabilityClass::marginal && current &&
+      std::ranges::none_of(events_, may_have_changed))
+    return;
   if (!current) {
     current = verdict;
   } else if (*current != verdict) {

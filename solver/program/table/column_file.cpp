@@ -174,7 +174,8 @@ ColumnFileWriter::ColumnFileWriter(Data data, const std::vector<Column>& columns
 
 ColumnFileWriter::~ColumnFileWriter() { silence_hdf5(); }
 
-void ColumnFileWriter::put(const TableRow& row) {
+void ColumnFileWriter::put(const TableRow& row, TableChecksum& sum) {
+  add_cells(row, sum);
   for (Dataset& each : data_->columns) each.take(row);
   if (++data_->waiting == data_->block) data_->flush();
 }

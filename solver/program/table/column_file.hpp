@@ -60,7 +60,7 @@ class ColumnFileWriter final : public RowSink {
   struct Data;
   ColumnFileWriter(Data data, const std::vector<Column>& columns,
                    const std::vector<std::string>& parameters, std::optional<std::size_t> rows);
-  void put(const TableRow& row) override;
+  void put(const TableRow& row, TableChecksum& sum) override;
 
   std::unique_ptr<Data> data_;
 };

@@ -36,7 +36,8 @@ ParallelTableWriter::~ParallelTableWriter() {
   for (const auto& batch : started_) arena_.execute([&] { batch->group.wait(); });
 }
 
-void ParallelTableWriter::put(const TableRow& row) {
+void ParallelTableWriter::put(const TableRow& row, TableChecksum& sum) {
+  add_cells(row, sum);
   rows_.push_back(row);
   if (rows_.size() == batch_rows) start_batch();
 }

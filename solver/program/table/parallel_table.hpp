@@ -30,7 +30,7 @@ class ParallelTableWriter final : public RowSink {
  private:
   struct Batch;
 
-  void put(const TableRow& row) override;
+  void put(const TableRow& row, TableChecksum& sum) override;
   void start_batch();
   void write_oldest();
   void write_header();

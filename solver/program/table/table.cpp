@@ -38,8 +38,10 @@ constexpr std::string_view TableRow::*text_place(Column c) {
 char* append(std::string_view text, char* at) {
   // Quoted, a text may double in length; the names of this program are far shorter.
   text = text.substr(0, (longest_text - 2) / 2);
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos)
-    return std::copy(text.begin(), text.end(), at);
+  const auto asks_for_quotes = [](char c) {
+    return c == ',' || c == '"' || c == '\r' || c == '\n';
+  };
+  if (std::ranges::none_of(text, asks_for_quotes)) return std::copy(text.begin(), text.end(), at);
   *at++ = '"';
   for (const char c : text) {
     if (c == '"') *at++ = '"';
@@ -165,27 +167,52 @@ char* RowFormat::header(char* at) const {
   return at;
 }
 
-char* RowFormat::line(const TableRow& row, char* at) const {
+namespace {
+
+/// In a checksum's place where there is none.
+struct NoSum {
+  void add(std::string_view) {}
+  void add(double) {}
+};
+
+}  // namespace
+
+template <class Sum>
+char* RowFormat::summed_line(const TableRow& row, char* at, Sum& sum) const {
   bool first = true;
   for (const Column c : columns_) {
     if (!std::exchange(first, false)) *at++ = ',';
     switch (cell_kind(c)) {
       case CellKind::text:
+        sum.add(text_of(row, c));
         at = append(text_of(row, c), at);
         break;
       case CellKind::count:
+        sum.add(row[c]);
         at = append_count(row[c], at);
         break;
       case CellKind::number:
+        sum.add(row[c]);
         at = append(row[c], at);
     }
   }
   for (std::size_t k = 0; k < parameters_.size(); ++k) {
     if (!std::exchange(first, false)) *at++ = ',';
-    at = append(k == 0 ? row.parameter : row.second_parameter, at);
+    const double value = k == 0 ? row.parameter : row.second_parameter;
+    sum.add(value);
+    at = append(value, at);
   }
   *at++ = '\n';
   return at;
+}
+
+char* RowFormat::line(const TableRow& row, char* at) const {
+  NoSum none;
+  return summed_line(row, at, none);
+}
+
+char* RowFormat::line(const TableRow& row, char* at, TableChecksum& sum) const {
+  return summed_line(row, at, sum);
 }
 
 TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
@@ -198,8 +225,8 @@ TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
       buffer_(block_size + RowFormat::longest_line),
       cursor_(format_.header(buffer_.data())) {}
 
-void TableWriter::put(const TableRow& row) {
-  cursor_ = format_.line(row, cursor_);
+void TableWriter::put(const TableRow& row, TableChecksum& sum) {
+  cursor_ = format_.line(row, cursor_, sum);
   if (cursor_ >= buffer_.data() + block_size) flush();
 }
 

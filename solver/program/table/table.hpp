@@ -140,12 +140,12 @@ class TableChecksum {
   /// parameters: how many trailing columns it has.
   void add(const TableRow& row, std::span<const Column> columns, std::size_t parameters);
   void add(std::string_view text);
+  void add(double value);
   /// In hexadecimal.
   std::string text() const;
 
  private:
   void add(std::uint64_t word);
-  void add(double value);
 
   std::uint64_t state_ = 0x9e3779b97f4a7c15U;
 };
@@ -183,9 +183,8 @@ class RowSink {
   virtual ~RowSink() = default;
 
   void write(const TableRow& row) {
-    checksum_.add(row, columns_, parameters_);
     ++rows_;
-    put(row);
+    put(row, checksum_);
   }
   /// What its rows need.
   ColumnSet columns() const { return ColumnSet(columns_); }
@@ -193,7 +192,11 @@ class RowSink {
   const TableChecksum& checksum() const { return checksum_; }
 
  protected:
-  virtual void put(const TableRow& row) = 0;
+  /// Takes a row, and adds its cells to the sum.
+  virtual void put(const TableRow& row, TableChecksum& sum) = 0;
+  void add_cells(const TableRow& row, TableChecksum& sum) const {
+    sum.add(row, columns_, parameters_);
+  }
   const std::vector<Column>& column_list() const { return columns_; }
 
  private:
@@ -214,8 +217,14 @@ class RowFormat {
   /// From `at` on, where there must be room for the longest. The line's end.
   char* header(char* at) const;
   char* line(const TableRow& row, char* at) const;
+  /// Its cells are added to the sum as they are written: a step of the sum waits for the one before,
+  /// and the processor writes meanwhile.
+  char* line(const TableRow& row, char* at, TableChecksum& sum) const;
 
  private:
+  template <class Sum>
+  char* summed_line(const TableRow& row, char* at, Sum& sum) const;
+
   std::vector<Column> columns_;
   std::vector<std::string> parameters_;
 };
@@ -231,7 +240,7 @@ class TableWriter final : public RowSink {
   void flush();
 
  private:
-  void put(const TableRow& row) override;
+  void put(const TableRow& row, TableChecksum& sum) override;
 
   ByteSink* sink_;
   RowFormat format_;

@@ -21,7 +21,7 @@ class Interrupting final : public RowSink {
       : RowSink(equilibrium_columns({.certificate = true}), 0), stop_(stop), after_(after) {}
 
  private:
-  void put(const TableRow&) override { stop_ = stop_ || rows() >= after_; }
+  void put(const TableRow&, TableChecksum&) override { stop_ = stop_ || rows() >= after_; }
 
   std::atomic<bool>& stop_;
   std::size_t after_;

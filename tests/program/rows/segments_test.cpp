@@ -78,6 +78,22 @@ TEST(Segments, BetweenTwoEventsOfOneStep) {
   EXPECT_EQ(found[2].from.parameter, 0.5);
 }
 
+/// What is not to be told half way is not taken from the stretch before an event.
+TEST(Segments, AreMarginalBehindAnEventWhereNothingTells) {
+  Builder rows;
+  rows.row(0.1, elliptic);
+  rows.row(0.4, marginal, EventType::hamiltonian_hopf);
+  rows.builder.between(marginal);
+  EXPECT_EQ(rows.row(0.5, marginal, EventType::escape), 2);
+  EXPECT_EQ(rows.builder.segments().back().verdict, marginal);
+  Builder folded;
+  folded.row(0.1, elliptic);
+  folded.row(0.4, elliptic, EventType::fold_nu);
+  folded.builder.between(marginal);
+  EXPECT_EQ(folded.row(0.3, marginal, EventType::limit), 1) << "a fold changes no class";
+  EXPECT_EQ(folded.builder.segments().back().verdict, elliptic);
+}
+
 /// What an event cannot change it is not blamed for; without any event the segments end at rows.
 TEST(Segments, AClassThatChangesWithoutAnEvent) {
   Builder rows;
