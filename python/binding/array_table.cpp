@@ -66,7 +66,10 @@ class ArrayTable::Sink final : public RowSink {
       : RowSink(columns, parameters), table_(table) {}
 
  private:
-  void put(const TableRow& row) override { table_.put(row); }
+  void put(const TableRow& row, TableChecksum& sum) override {
+    add_cells(row, sum);
+    table_.put(row);
+  }
 
   ArrayTable& table_;
 };

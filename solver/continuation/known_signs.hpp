@@ -136,13 +136,15 @@ struct KnownSigns {
   }
 };
 
-/// Whether two Lambdas of a block that are negative at one end of a step are positive at the other.
-/// One passes zero only where an event says so; two together went round it, as a complex pair.
+/// Whether two Lambdas of a block that are negative at one end of a step are positive at the other:
+/// one passes zero only where an event says so; two together went round it, as a complex pair. Or
+/// whether four that are real at one end are complex at the other, of two meetings.
 inline bool pairs_changed_sides(const TestValues& from, const TestValues& to) {
   for (std::size_t block = 0; block < from.composition.size(); ++block) {
     const auto& a = from.composition[block];
     const auto& b = to.composition[block];
     if (a[0] == b[0] && std::abs(a[1] - b[1]) >= 2) return true;
+    if (std::abs(a[0] - b[0]) >= 4) return true;
   }
   return false;
 }

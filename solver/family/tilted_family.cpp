@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/material/elastic_energy.hpp"
+#include "lib/material/models/first_order_bound_model.hpp"
 #include "lib/stability/general_spectrum.hpp"
 #include "solver/continuation/curve_start.hpp"
 #include "solver/family/sheared_family.hpp"
@@ -99,8 +100,7 @@ class TiltedFamily final : public Family<2> {
     // rho follows from the others by a ratio of two of J, and is rounded.
     const double of_rho = holds_volume(model_) ? 0.0 : 0x1p-52;
     out.error_bound = error_bound + of_rho;
-    out.tilt_in_plane = tilt_share(double(squares.in_plane), p, error_bound);
-    out.tilt_normal = tilt_share(double(squares.normal), p, error_bound);
+    set_shares(squares, p, error_bound, out);
     if (out.beyond_end()) return out;
     if (may_leave_plane_) {
       const PlaneForces<double> at = plane_forces<double>(model_, x[0], x[1], out.q.rho);
@@ -130,14 +130,39 @@ class TiltedFamily final : public Family<2> {
 
  private:
   TiltSquares<DoubleDouble> squares_at(const BasicStretch<DoubleDouble>& q, double p) const {
+    return squares_of(model_, body_, q, two_product(p, p));
+  }
+  template <class Own, class Inertias, class S>
+  TiltSquares<S> squares_of(const Own& model, const Inertias& J, const BasicStretch<S>& q,
+                            const S& square_nu) const {
     if constexpr (is_body_model<Model>) {
-      return tilt_squares_of(model_, body_, plane_, q.xi, q.zeta, q.rho, two_product(p, p));
+      return tilt_squares_of(model, J, plane_, q.xi, q.zeta, q.rho, square_nu);
     } else {
-      const auto w = model_.template evaluate<1>(planar_invariants(q.xi, q.zeta), q.rho);
-      const CentrifugalRates<DoubleDouble> at_rest{0.0, 0.0, 0.0};
-      return tilt_squares(body_, plane_, coupled_log_balance<1>(w, q.xi, q.zeta, q.rho, at_rest),
-                          q.xi, q.zeta, q.rho);
+      const auto w = forces<1>(model, planar_invariants(q.xi, q.zeta), q.rho);
+      const CentrifugalRates<S> at_rest{S(0.0), S(0.0), S(0.0)};
+      return tilt_squares(J, plane_, coupled_log_balance<1>(w, q.xi, q.zeta, q.rho, at_rest), q.xi,
+                          q.zeta, q.rho);
     }
+  }
+
+  /// Far along an escape a share falls with the stretches, and is known as well as they are: what is
+  /// small is held against what the inputs do to it.
+  void set_shares(const TiltSquares<DoubleDouble>& squares, double p, double error_bound,
+                  Member& out) const {
+    const auto in_plane = double(squares.in_plane);
+    const auto normal = double(squares.normal);
+    out.tilt_in_plane = tilt_share(in_plane, p, error_bound);
+    out.tilt_normal = tilt_share(normal, p, error_bound);
+    if (out.tilt_in_plane != 0.0 && out.tilt_normal != 0.0) return;
+    const auto input = Conditioned::input;
+    const TiltSquares<Conditioned> known =
+        squares_of(conditioned_model(model_),
+                   Inertia3<Conditioned>{input(body_.J1), input(body_.J2), input(body_.J3)},
+                   BasicStretch<Conditioned>{Conditioned(0.0), input(out.q.xi), input(out.q.zeta),
+                                             input(out.q.rho)},
+                   Conditioned(p * p));
+    out.tilt_in_plane = tilt_share(in_plane, p, error_bound, known.in_plane.condition / (p * p));
+    out.tilt_normal = tilt_share(normal, p, error_bound, known.normal.condition / (p * p));
   }
 
   TiltedSystem<Model> system(double p) const {
@@ -170,9 +195,9 @@ std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& pote
       [&](const auto& model) { return family_of(body, potential, model, plane, spectrum); });
 }
 
-double tilt_share(double square, double p, double error_bound) {
+double tilt_share(double square, double p, double error_bound, double condition) {
   constexpr double most = 1e-11;  // at a turn of p the bound is not that of the curve
-  const double rounding = std::min(16.0 * error_bound, most);
+  const double rounding = std::min(16.0 * error_bound, most) * std::min(condition, 1.0);
   const double out = square / (p * p);
   return std::abs(out) <= rounding ? 0.0 : out;
 }

@@ -25,7 +25,7 @@ std::optional<Member> just_inside(const Family<2>& family, const Stretch& q, dou
                                   const Interval& within = Interval::entire());
 
 /// The share that the square of a component has in p^2 = |nu|^2; zero where the rounding of p, which moves
-/// q by the bound, leaves no more.
-double tilt_share(double square, double p, double error_bound);
+/// q by the bound, leaves no more. condition: by how much more than that the share is moved.
+double tilt_share(double square, double p, double error_bound, double condition = 1.0);
 
 }  // namespace stationary

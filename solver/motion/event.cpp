@@ -11,15 +11,14 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// The Lambdas of one block, ascending, and how many complex pairs it has.
+/// The Lambdas of one block: the real ones ascending; the complex ones, two modes a quadruple, one
+/// after the other.
 struct BlockModes {
   std::array<const Mode*, 5> real;
   std::size_t count = 0;
-  std::size_t negative = 0;   ///< of the real ones
-  double most_complex = 0.0;  ///< largest imaginary part of a Lambda
-  double complex_size = 0.0;
-  double complex_re = 0.0;
-  double complex_error = 0.0;
+  std::size_t negative = 0;  ///< of the real ones
+  std::array<const Mode*, 4> complex;
+  std::size_t complex_count = 0;
 };
 
 std::array<BlockModes, 4> by_block(const Spectrum& spectrum) {
@@ -29,12 +28,7 @@ std::array<BlockModes, 4> by_block(const Spectrum& spectrum) {
     if (mode.forced_zero) continue;
     BlockModes& block = out[static_cast<std::size_t>(mode.block)];
     if (mode.lambda_im > 0.0) {
-      if (mode.lambda_im >= block.most_complex) {
-        block.most_complex = mode.lambda_im;
-        block.complex_re = mode.lambda_re;
-        block.complex_size = hypotenuse(mode.lambda_re, mode.lambda_im);
-        block.complex_error = mode.lambda_error;
-      }
+      block.complex[block.complex_count++] = &mode;
       continue;
     }
     block.negative += mode.lambda_re < 0.0;
@@ -51,28 +45,37 @@ void require_beyond(double value, double error, std::size_t k, TestValues& out) 
   if (!(std::abs(value) > error)) out.uncertain |= 1U << static_cast<unsigned>(k);
 }
 
-void set_collision(const BlockModes& block, TestValues& out) {
-  if (block.most_complex > 0.0) {
-    const double relative = block.most_complex / block.complex_size;
-    out.value[TestValues::collision] = -relative * relative;
-    out.collides_imaginary = block.complex_re < 0.0;
-    require_beyond(block.most_complex, 2.0 * block.complex_error, TestValues::collision, out);
-    return;
-  }
+/// Of the blocks whose Lambdas may meet: each meeting makes a complex pair of two real Lambdas or the
+/// reverse, and so changes the sign, however many such pairs there are.
+void set_collision(const std::array<BlockModes, 4>& blocks, const TestContext& context,
+                   TestValues& out) {
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k < block.count; ++k) {
-    const double a = block.real[k - 1]->lambda_re;
-    const double b = block.real[k]->lambda_re;
-    const double half = 0.5 * (b - a);
-    const double mean = 0.5 * (b + a);
-    const double relative = half * half / (mean * mean + half * half);
-    require_beyond(b - a, 2.0 * (block.real[k - 1]->lambda_error + block.real[k]->lambda_error),
-                   TestValues::collision, out);
-    if (!(relative < least)) continue;
+  double sign = 1.0;
+  // Of mean +- half, or mean +- half i; relative: the square of half to that of both.
+  const auto meet = [&](double mean, double half, double relative, double error) {
+    require_beyond(half, error, TestValues::collision, out);
+    if (!(relative < least)) return;
     least = relative;
     out.collides_imaginary = mean < 0.0;
+  };
+  for (const Block name : {Block::even, Block::odd, Block::shear}) {
+    if (!context.kind.may_collide(name, context)) continue;
+    const BlockModes& block = blocks[static_cast<std::size_t>(name)];
+    for (std::size_t k = 1; k < block.count; ++k) {
+      const Mode& a = *block.real[k - 1];
+      const Mode& b = *block.real[k];
+      const double half = 0.5 * (b.lambda_re - a.lambda_re);
+      const double mean = 0.5 * (b.lambda_re + a.lambda_re);
+      meet(mean, half, half * half / (mean * mean + half * half), a.lambda_error + b.lambda_error);
+    }
+    for (std::size_t k = 0; k < block.complex_count; k += 2) {
+      const Mode& mode = *block.complex[k];
+      const double relative = mode.lambda_im / hypotenuse(mode.lambda_re, mode.lambda_im);
+      meet(mode.lambda_re, mode.lambda_im, relative * relative, 2.0 * mode.lambda_error);
+      sign = -sign;
+    }
   }
-  if (std::isfinite(least)) out.value[TestValues::collision] = least;
+  if (std::isfinite(least)) out.value[TestValues::collision] = sign * least;
 }
 
 void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
@@ -178,10 +181,7 @@ TestValues test_values(const Member& member, const TestContext& context, double 
   if (member.spectrum &&
       (context.seeks(TestValues::collision) || context.seeks(TestValues::crossings))) {
     const auto blocks = by_block(*member.spectrum);
-    for (const Block block : {Block::even, Block::odd, Block::shear}) {
-      if (context.kind.may_collide(block, context))
-        set_collision(blocks[static_cast<std::size_t>(block)], out);
-    }
+    set_collision(blocks, context, out);
     set_crossings(blocks, out);
   }
   return out;

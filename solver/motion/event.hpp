@@ -147,7 +147,8 @@ struct TestValues {
   static constexpr std::size_t ellipse = 5;
   static constexpr std::size_t turn = 6;           ///< in the plane: oblique, shear
   static constexpr std::size_t zero_momentum = 7;  ///< the momentum about the axis, two-polar
-  static constexpr std::size_t collision = 8;  ///< ((Lambda_1 - Lambda_2)/2)^2, < 0 of a quadruple
+  /// ((Lambda_1 - Lambda_2)/2)^2 of the two that are nearest; < 0 of an odd number of quadruples.
+  static constexpr std::size_t collision = 8;
   static constexpr std::size_t tilt_in_plane = 9;  ///< shares of nu^2, of a tilted family
   static constexpr std::size_t tilt_normal = 10;
   static constexpr std::size_t crossings = 11;  ///< Lambda_1 - Lambda_2 of two blocks

@@ -203,12 +203,14 @@ TEST(OrientedExpression, ATapeHasTheProgramsItsModelReads) {
   EXPECT_TRUE(directed->residual.results.empty());
   EXPECT_TRUE(directed->slopes.results.empty());
   EXPECT_TRUE(directed->residual_slopes.results.empty());
+  EXPECT_TRUE(directed->forces[0].results.empty());
   const auto axial_tape =
       support::written_thickness("a/rho + b*rho", {"a", "b"}, {1.0, 3.0}).tape();
   EXPECT_FALSE(axial_tape->balance.results.empty());
   EXPECT_FALSE(axial_tape->slopes.results.empty());
   EXPECT_TRUE(axial_tape->residual.results.empty());
-  EXPECT_TRUE(axial_tape->residual_slopes.results.empty());
+  EXPECT_EQ(axial_tape->residual_slopes.results.size(), 2U) << "of one residual in two parameters";
+  EXPECT_EQ(axial_tape->forces[1].results.size() + 1, axial_tape->evaluate[2].results.size());
 }
 
 }  // namespace

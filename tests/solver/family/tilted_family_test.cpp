@@ -237,6 +237,63 @@ TEST(TiltedFamily, AQuadrupleInsideTheLastStepIsFound) {
   }
 }
 
+/// Beside a quadruple of one block two other pairs of it may meet: roots of the discriminant of the
+/// characteristic polynomial, in 40 digits by its own equations.
+TEST(TiltedFamily, MeetingsBesideAQuadrupleAreFound) {
+  const auto meetings = [](const Body& body, const Potential& potential, const Stretch& start,
+                           double nu) {
+    const Followed sheet =
+        followed(AnyFamily(tilted_family(body, potential, TiltPlane::two_three, true)), start, nu,
+                 range(0.0, 3.0));
+    EXPECT_TRUE(sheet.events({EventType::unexplained}).empty()) << sheet.text();
+    return sheet.events({EventType::hamiltonian_hopf, EventType::real_collision});
+  };
+  {
+    const Potential potential(NeoHookean<>{0.1014, 0.7425}, ReciprocalQuadratic<>{0.1307, 0.4194});
+    const auto found = meetings({0.4187, 0.2142, 2.457}, potential,
+                                {0.0, 1.4295139160293784, 2.317228634705654, 0.6841889275500127},
+                                std::hypot(0.06787062313798278, 1.0763008288654825));
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].event, EventType::hamiltonian_hopf);
+    EXPECT_EQ(found[1].event, EventType::hamiltonian_hopf);
+    const double nu[] = {found[0].member.nu, found[1].member.nu};
+    EXPECT_NEAR(std::min(nu[0], nu[1]), 0.823813724475135081, 1e-13);
+    EXPECT_NEAR(std::max(nu[0], nu[1]), 1.043130301228578278, 1e-13);
+  }
+  const Potential potential(Hencky<>{0.2247, 0.7601}, ReciprocalQuadratic<>{0.762, 1.571});
+  const auto found = meetings({0.2065, 0.197513, 1.14}, potential,
+                              {0.0, 1.819838576346734, 1.9326614342676953, 0.8044539668746563},
+                              std::hypot(0.306797750215987, 1.3027359900357496));
+  ASSERT_EQ(found.size(), 2U);
+  for (const FollowedRow& each : found) {
+    const bool real = each.event == EventType::real_collision;
+    EXPECT_NEAR(each.member.nu, real ? 1.325621544058125844 : 1.343992167316744436, 1e-13);
+  }
+  EXPECT_NE(found[0].event, found[1].event);
+}
+
+/// nu3 falls nearly as 1/xi along an escape, and is known as well as xi is.
+TEST(TiltedFamily, ASmallComponentIsNotNone) {
+  const Body body(8.141, 0.5927, 7.537);
+  const Potential potential(Hencky<>{0.6066, 0.78}, Harmonic<>{4.192, 0.6664});
+  const double nu = std::hypot(0.7457806180784593, 3.7917614516907578e-06);
+  const Followed sheet =
+      followed(AnyFamily(tilted_family(body, potential, TiltPlane::one_three, true)),
+               {0.0, 485209.18145259534, 6.503782716084672, 504276.384032794}, nu, range(0.0, 3.0));
+  int far = 0;
+  for (const FollowedRow& row : sheet.rows) {
+    const Member& at = row.member;
+    if (!(at.q.xi > 1e4)) continue;
+    ++far;
+    EXPECT_GT(at.angular_velocity[2] * at.q.xi, 1.4) << at.q.xi;
+    EXPECT_LT(at.angular_velocity[2] * at.q.xi, 2.0) << at.q.xi;
+    EXPECT_LT(at.residual, 1e-14);
+  }
+  EXPECT_GT(far, 5);
+  EXPECT_EQ(tilt_share(1e-12, 1.0, 1e-12), 0.0);
+  EXPECT_EQ(tilt_share(1e-12, 1.0, 1e-12, 1e-11), 1e-12);
+}
+
 /// f of the rows turns exactly where they have an event of that type.
 template <class F>
 void expect_turns(const Followed& sheet, EventType type, const F& f) {
