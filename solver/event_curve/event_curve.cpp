@@ -166,21 +166,28 @@ class Follower {
   };
 
   /// Where a function of the point changes its sign on the arc, by bisection; nothing where a point
-  /// between is not found.
+  /// between is not found. The zero itself need not be: where inertias are equal the equations of
+  /// some events are singular.
   template <class Function>
   std::optional<double> zero_of(const Function& function, const ArcPoint<N>& from,
                                 const Arc<N>& arc, double at_from) const {
+    constexpr double near = 0x1p-30;
+    const auto value_at = [&](double u) -> std::optional<double> {
+      const Corrected<N> there = curve_.at(from, arc, u);
+      if (there.status != CorrectorStatus::converged) return std::nullopt;
+      const double value = function(there.point);
+      return std::isnan(value) ? std::nullopt : std::optional(value);
+    };
     double a = 0.0;
     double b = 1.0;
     for (int k = 0; k < 50 && b - a > 0x1p-44; ++k) {
       const double middle = 0.5 * (a + b);
-      const Corrected<N> there = curve_.at(from, arc, middle);
-      if (there.status != CorrectorStatus::converged) return std::nullopt;
-      const double value = function(there.point);
-      if (std::isnan(value)) return std::nullopt;
-      ((value < 0.0) == (at_from < 0.0) ? a : b) = middle;
+      const std::optional<double> value = value_at(middle);
+      if (!value) return b - a < near ? std::optional(a) : std::nullopt;
+      ((*value < 0.0) == (at_from < 0.0) ? a : b) = middle;
     }
-    return 0.5 * (a + b);
+    const double middle = 0.5 * (a + b);
+    return value_at(middle) ? middle : a;
   }
 
   static bool changes(double a, double b) { return a * b < 0.0; }

@@ -14,14 +14,18 @@ using nlohmann::json;
 
 class CurveSpecialPoints : public ::testing::Test {
  protected:
-  /// The metadata of the only curve.
-  json curve(const std::string& text, std::vector<std::string> more = {}) {
+  /// The metadata of the curves.
+  json curves(const std::string& text, const std::vector<std::string>& more = {}) {
     std::vector<std::string> arguments{"curve", directory_.file("case.toml", text), "-o", out_,
                                        "-q"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    const json all = json::parse(text_of(directory_ / "x.meta.json")).at("curves");
+    return json::parse(text_of(directory_ / "x.meta.json")).at("curves");
+  }
+  /// Of the only one.
+  json curve(const std::string& text, const std::vector<std::string>& more = {}) {
+    const json all = curves(text, more);
     EXPECT_EQ(all.size(), 1U);
     return all.at(0);
   }
@@ -95,6 +99,42 @@ TEST_F(CurveSpecialPoints, CuspInEitherOrderOfTheParameters) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].at("at").at(0).get<double>(), 1.421244992884, 1e-9);
   EXPECT_NEAR(found[0].at("at").at(1).get<double>(), 1.2, 1e-9);
+}
+
+/// Where J1 = J2 the equations of frequencies that meet are singular: the point itself is not had, and the
+/// points around it tell of it, whatever J2 the curve is met at first.
+TEST_F(CurveSpecialPoints, EqualInertiasWhereFrequenciesMeet) {
+  for (const char* J2 : {"0.195488", "0.1949", "0.21"}) {
+    int found = 0;
+    for (const json& each : curves(R"(
+[body]
+J = [0.1948, 0.195488, 41.69]
+[potential]
+plane     = { model = "biot", mu = 0.05032, lambda = 2.197 }
+thickness = { model = "reciprocal-quadratic", a = 2.493, b = 0.2608 }
+[motion]
+branch = "iii"
+nu = 0.3
+[continuation]
+from = 0.0
+to = 3.0
+[curve]
+event = "krein-pass"
+parameters = ["nu", "body.J.1"]
+from = [0.0449, 0.0489]
+to = [1.4378, 0.78195]
+tolerance = 1e-5
+)",
+                                   {"--set", std::string("body.J.1=") + J2})) {
+      for (const json& point : of(each, "double", "inertia-exchange")) {
+        ++found;
+        EXPECT_NEAR(point.at("at").at(1).get<double>(), 0.1948, 1e-14) << J2;
+        const double nu = point.at("at").at(0).get<double>();
+        EXPECT_NEAR(nu, nu < 0.2 ? 0.137278025404561 : 0.359762786947225, 1e-12) << J2;
+      }
+    }
+    EXPECT_EQ(found, 2) << J2;
+  }
 }
 
 /// J1 = J2 and this plane: the ellipses are at the one nu, all along the curve.
