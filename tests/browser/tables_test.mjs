@@ -154,6 +154,30 @@ to = [0.8, 2.4]
   await together.close();
 });
 
+test('between an event and an end, where no row lies, a line has the class of the metadata\'s segment', async () => {
+  const rows = ['0,limit,0.1,1,1,1,stable,1', '1,,0.3,1,1.2,1,stable,1', '2,shear,0.5,1,1.3,1,marginal,1', '3,tilt,0.9,1,1.5,1,marginal,2'];
+  const path = write('stretch.csv', `branch,sheet,point,event,nu3,xi,zeta,rho,class,segment\n${rows.map((row) => `iii,1,${row}\n`).join('')}`);
+  const about = (verdict) => write('stretch.meta.json', JSON.stringify({ segments: [{ sheet: 1, segment: 1, class: 'stable' }, { sheet: 1, segment: 2, class: verdict }] }));
+  const seen = async (fragment) => {
+    const page = await open(makePage(path), { fragment });
+    assert.deepEqual(page.complaints, []);
+    const out = { ink: await inked(page), classes: await page.$$eval('#legend input[name^=class]', (all) => all.map((each) => each.name)) };
+    await page.close();
+    return out;
+  };
+  const beside = (without) => `#x=nu3&y=zeta&row=1&zoom=0.6,0.8,0,2&without=${without}`;
+  for (const verdict of ['unstable', 'elliptic']) {
+    about(verdict);
+    const all = await seen(beside(''));
+    assert.ok(all.ink > 500 && all.classes.includes(`class ${verdict}`), all.classes.join());
+    assert.equal((await seen(beside('stable'))).ink, all.ink);
+    assert.equal((await seen(beside(verdict))).ink, 0);
+  }
+  // Metadata that do not tell it: as the rows before.
+  about(null);
+  assert.equal((await seen(beside('stable'))).ink, 0);
+});
+
 test('an event that is not located stands in the list with its bracket', async () => {
   const path = write('unlocated.csv', 'branch,sheet,point,event,nu3,xi,zeta,rho\niii,1,0,limit,0.1,1,1,1\niii,1,1,,0.3,1.1,1,1\n');
   const event = { event: 'tilt', sheet: 1, point: null, parameter: 0.2, bracket: [0.15, 0.25], status: 'unresolved' };

@@ -1,5 +1,6 @@
 // The lines of a diagram: each piece cut where the class changes, neighbours sharing the point at the border. A located
-// event belongs to both its sides, whatever its own class: on the border that is marginal.
+// event belongs to both its sides, whatever its own class: on the border that is marginal. Between two events, or an event
+// and an end, no row has the class of the curve: there it is that of the metadata's segments.
 
 import type { State } from './state';
 import type { Table } from './table';
@@ -14,6 +15,7 @@ export interface Line {
 
 export function classLines(table: Table): Line[] {
   const out: Line[] = [];
+  const told = new Map((table.metadata?.segments ?? []).map((each) => [`${each.sheet}.${each.segment}`, each.class]));
   table.pieces.forEach((piece, k) => {
     if (piece.end - piece.first === 1) {
       out.push({ piece: k, verdict: table.text('class', piece.first), first: piece.first, last: piece.first });
@@ -25,7 +27,8 @@ export function classLines(table: Table): Line[] {
       const own = table.text('class', row);
       const next = table.text('class', row + 1);
       const before = out.length > 0 && out[out.length - 1].piece === k ? out[out.length - 1].verdict : own;
-      const verdict = !isEvent ? own : !after ? next : before;
+      const between = told.get(`${table.text('sheet', row + 1)}.${table.text('segment', row + 1)}`) ?? (['', 'marginal'].includes(next) ? before : next);
+      const verdict = !isEvent ? own : !after ? next : between;
       const last = out[out.length - 1];
       if (last && last.piece === k && last.verdict === verdict && last.last === row) last.last = row + 1;
       else out.push({ piece: k, verdict, first: row, last: row + 1 });

@@ -2,6 +2,7 @@
 
 import { classStyle, classStyles } from './classes';
 import { sheetColours } from './diagram';
+import { classLines } from './diagram_data';
 import { byId, element, styleValue } from './dom';
 import { hatching, HeatMap, rampColour } from './heat_map';
 import { shown, withUnit } from './quantities';
@@ -87,7 +88,7 @@ function showScale(host: HTMLElement, table: Table, state: State): void {
 }
 
 function showToggles(host: HTMLElement, table: Table, state: State, changed: () => void): void {
-  const used = new Set<string>();
+  const used = new Set(classLines(table).map((line) => line.verdict));
   for (let row = 0; row < table.rows; ++row) used.add(table.text('class', row));
   const classes = classStyles.filter((each) => used.has(each.name) && (each.name !== '' || used.size === 1));
   const first = element('div', { class: 'keys', role: 'group', 'aria-label': 'Classes' });

@@ -37,6 +37,13 @@ export interface MetadataEvent {
   status?: string;
 }
 
+/** A stretch of a sheet of one class; the row of an event is of the one that it ends. */
+export interface MetadataSegment {
+  sheet: number;
+  segment: number;
+  class: string | null;
+}
+
 /** Of a complete atlas: what is proven of every motion of a branch at every ν in [from, to]. */
 export interface ProvenInterval {
   branch: string;
@@ -58,6 +65,7 @@ export interface Metadata {
   message?: string;
   case?: CaseData;
   events?: MetadataEvent[];
+  segments?: MetadataSegment[];
   classes?: ProvenInterval[];
   skipped?: { quantity?: string; why?: string }[];
 }
