@@ -194,6 +194,20 @@ test('an event that is not located stands in the list with its bracket', async (
   await page.close();
 });
 
+test('numbers near the ends of the range of doubles are left out of an axis, not the page', async () => {
+  const row = (nu, xi, energy) => `iii,1,${nu},${xi},1,1,${energy}\n`;
+  for (const rows of [row('1e-320', 1, 2) + row('2e-320', 1.1, 2), row('-1e308', '1e308', '1e308') + row('1e308', '1e-308', '-1e308'), row(0.1, 1, 2) + row(0.2, 'inf', 'nan') + row(0.3, 1.2, '1e300') + row(0.4, 1.3, 3)]) {
+    const page = await open(makePage(write('ends.csv', `branch,sheet,nu3,xi,zeta,rho,energy\n${rows}`)));
+    for (const name of await page.$$eval('#axis-of-y option', (options) => options.map((each) => each.value))) {
+      await page.selectOption('#axis-of-y', name);
+      for (const axis of ['#axis-x', '#axis-y']) assert.ok((await page.locator(`${axis} .tick`).count()) > 1, `${name} ${axis} of ${rows}`);
+      assert.doesNotMatch(await page.textContent('#axes'), /NaN|Infinity/);
+    }
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  }
+});
+
 test('HDF5 gives the same page as CSV, but for the name', async () => {
   const words = ['continue', shippedCase('tilted.toml')];
   const [a, b] = [await open(makePage(table('t.csv', ...words))), await open(makePage(table('t.h5', ...words)))];

@@ -47,6 +47,9 @@ export interface Range {
   high: number;
 }
 
+/** Beyond it, and below its inverse, differences that axes take cannot be represented. */
+const largest = 1e250;
+
 /** What the shown rows cover, with a margin; of a logarithmic axis only what is positive. */
 export function rangeOf(table: Table, state: State, names: readonly string[], logarithmic: boolean): Range {
   let low = Infinity;
@@ -55,7 +58,7 @@ export function rangeOf(table: Table, state: State, names: readonly string[], lo
     const column = table.column(name);
     for (let row = 0; row < table.rows; ++row) {
       const value = column[row];
-      if (!Number.isFinite(value) || (logarithmic && value <= 0) || state.hidden.has(table.pieces[table.piece(row)].key)) continue;
+      if (!(Math.abs(value) < largest) || (logarithmic && !(value > 1 / largest)) || state.hidden.has(table.pieces[table.piece(row)].key)) continue;
       low = Math.min(low, value);
       high = Math.max(high, value);
     }
@@ -65,7 +68,7 @@ export function rangeOf(table: Table, state: State, names: readonly string[], lo
     const factor = Math.max(1.05, (high / low) ** 0.05);
     return { low: low / factor, high: high * factor };
   }
-  const margin = high > low ? 0.05 * (high - low) : Math.max(0.5 * Math.abs(high), 1e-3);
+  const margin = high - low > 1 / largest ? 0.05 * (high - low) : Math.max(0.5 * Math.abs(high), 1e-3);
   return { low: low - margin, high: high + margin };
 }
 
