@@ -122,6 +122,14 @@ test('the scale of a map says where cells lie beyond its ends', async () => {
   assert.match(await ends(map('below.csv', (k) => (k === 7 ? -1e6 : k % 2))), /: ≤ 01$/);
 });
 
+test('the colours of a map\'s statuses are told', async () => {
+  const { rows } = csv(mapped());
+  const page = await open(makePage(mapped()), { fragment: '#y=status' });
+  const told = await page.$$eval('#legend .key', (keys) => keys.map((key) => key.textContent));
+  assert.deepEqual(told.sort(), [...new Set(rows.map((row) => row.status))].sort());
+  await page.close();
+});
+
 test('curves of events lie on a map over the same parameters', async () => {
   const tilting = write('tilting.toml', `[body]
 J = [1.0, 1.7, 0.6]

@@ -18,7 +18,7 @@ interface Axis {
 
 /** Dark to light, even to the eye (viridis, at nine places). */
 const ramp = ['#440154', '#472d7b', '#3b528b', '#2c728e', '#21918c', '#28ae80', '#5ec962', '#addc30', '#fde725'];
-const statuses: Record<string, string> = { solved: '--stable', 'none-exists': '--none', 'not-found': '--marginal', failed: '--unstable' };
+export const statuses: Record<string, string> = { solved: '--stable', 'none-exists': '--none', 'not-found': '--marginal', failed: '--unstable' };
 
 function rgb(colour: string): [number, number, number] {
   const value = parseInt(colour.replace('#', ''), 16);

@@ -4,7 +4,7 @@ import { classStyle, classStyles } from './classes';
 import { sheetColours } from './diagram';
 import { classLines } from './diagram_data';
 import { byId, element, styleValue } from './dom';
-import { hatching, HeatMap, rampColour } from './heat_map';
+import { hatching, HeatMap, rampColour, statuses } from './heat_map';
 import { shown, withUnit } from './quantities';
 import type { State } from './state';
 import type { Table } from './table';
@@ -35,9 +35,9 @@ function lineSample(verdict: string, colour: string): HTMLCanvasElement {
   });
 }
 
-function fieldSample(verdict: string): HTMLCanvasElement {
+function fieldSample(colour: string, verdict = ''): HTMLCanvasElement {
   return sampleCanvas(30, 16, (context) => {
-    context.fillStyle = styleValue(classStyle(verdict).colour);
+    context.fillStyle = styleValue(colour);
     context.fillRect(0, 0, 30, 16);
     const tile = hatching(verdict);
     if (!tile) return;
@@ -68,8 +68,13 @@ function showScale(host: HTMLElement, table: Table, state: State): void {
     const used = new Set<string>();
     for (let row = 0; row < table.rows; ++row) used.add(table.text('class', row));
     for (const style of classStyles.filter((each) => used.has(each.name) && each.name !== ''))
-      host.append(element('span', { class: 'key' }, fieldSample(style.name), style.text));
-  } else if (quantity !== 'status') {
+      host.append(element('span', { class: 'key' }, fieldSample(style.colour, style.name), style.text));
+  } else if (quantity === 'status') {
+    const used = new Set<string>();
+    for (let row = 0; row < table.rows; ++row) used.add(table.text('status', row));
+    for (const word of used) host.append(element('span', { class: 'key' }, fieldSample(statuses[word] ?? '--none'), word || 'no status'));
+    return;
+  } else {
     const { low, high, below, above } = HeatMap.range(table, quantity);
     const end = (beyond: boolean, sign: string, value: number): string => (beyond ? `${sign} ` : '') + shown(Number(value.toPrecision(4)));
     const bar = sampleCanvas(220, 14, (context) => {
@@ -80,11 +85,7 @@ function showScale(host: HTMLElement, table: Table, state: State): void {
     });
     host.append(element('span', { class: 'key' }, `${withUnit(quantity)}: ${end(below, '≤', low)}`, bar, end(above, '≥', high)));
   }
-  const none = sampleCanvas(30, 16, (context) => {
-    context.fillStyle = styleValue('--none');
-    context.fillRect(0, 0, 30, 16);
-  });
-  host.append(element('span', { class: 'key' }, none, 'no solution here, or nothing computed'));
+  host.append(element('span', { class: 'key' }, fieldSample('--none'), 'no solution here, or nothing computed'));
 }
 
 function showToggles(host: HTMLElement, table: Table, state: State, changed: () => void): void {
