@@ -183,6 +183,23 @@ test('the slider of a followed number goes along the family', async () => {
   await page.close();
 });
 
+test('what is solved has the number that the slider of the followed one shows', async () => {
+  const page = await open(makePage(shippedCase('fold.toml')));
+  await over(page, 1);
+  await showTable(page);
+  const field = page.locator('input[type=number][data-key="nu"]');
+  await field.fill('0.3');
+  await field.press('Tab');
+  await page.click('[data-task=solve]');
+  await over(page, 2);
+  assertSame(await page.textContent('#live-csv'), run('solve', shippedCase('fold.toml'), '--set', 'motion.nu=0.3', '-o', '-', '--quiet').out, 'nu');
+  // The family is the case's own again.
+  await page.click('[data-task=follow]');
+  assert.equal((await over(page, 3)).state, 'done');
+  assert.equal(await page.locator('#events li').count(), 4);
+  await page.close();
+});
+
 test('all solutions are found, with what is proven of them', async () => {
   const page = await open(makePage(shippedCase('fold.toml')));
   await over(page, 1);

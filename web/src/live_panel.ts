@@ -104,6 +104,7 @@ export class LivePanel {
   private settings(): string[] {
     const out = [];
     for (const key of this.moved) {
+      if (this.task === 'follow' && key === this.described?.range?.parameter) continue;
       const value = String(this.values.get(key));
       out.push(`${key === 'nu' ? 'motion.nu' : key}=${value}`);
       // A body that keeps its symmetry has one number for both.
@@ -162,7 +163,6 @@ export class LivePanel {
   private changed(key: string, value: number): void {
     // A family runs through its parameter: another value of it is another point of the same curve.
     if (this.task === 'follow' && key === this.described?.range?.parameter) {
-      this.moved.delete(key);
       this.listener.near(key, value);
       return;
     }
