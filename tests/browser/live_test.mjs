@@ -200,6 +200,21 @@ test('what is solved has the number that the slider of the followed one shows', 
   await page.close();
 });
 
+test('the strength of gravity has a slider where the case tells it by a density', async () => {
+  const page = await open(makePage(shippedCase('jacobi.toml')));
+  await over(page, 1);
+  await showTable(page);
+  await page.click('[data-task=solve]');
+  const { runs } = await over(page, 2);
+  const field = page.locator('input[type=number][data-key="gravity.g"]');
+  await field.fill('4.1');
+  await field.press('Tab');
+  const { state, message } = await over(page, runs + 1);
+  assert.equal(state, 'done', message);
+  assertSame(await page.textContent('#live-csv'), run('solve', shippedCase('jacobi.toml'), '--set', 'gravity={ g = 4.1 }', '-o', '-', '--quiet').out, 'g');
+  await page.close();
+});
+
 test('all solutions are found, with what is proven of them', async () => {
   const page = await open(makePage(shippedCase('fold.toml')));
   await over(page, 1);

@@ -106,7 +106,9 @@ export class LivePanel {
     for (const key of this.moved) {
       if (this.task === 'follow' && key === this.described?.range?.parameter) continue;
       const value = String(this.values.get(key));
-      out.push(`${key === 'nu' ? 'motion.nu' : key}=${value}`);
+      // The case may have pi_G_rho in its place, and takes one of them.
+      if (key === 'gravity.g') out.push(`gravity={ g = ${value} }`);
+      else out.push(`${key === 'nu' ? 'motion.nu' : key}=${value}`);
       // A body that keeps its symmetry has one number for both.
       if (key === 'body.J.0' && !this.values.has('body.J.1')) out.push(`body.J.1=${value}`);
     }
