@@ -245,6 +245,28 @@ test('a table computes its own case, and goes on from a row', async () => {
   await page.close();
 });
 
+test('the panel, opened again, takes the case of the table that is shown by then', async () => {
+  const page = await open(makePage(['fold', 'tilted'].map((name) => table(`${name}.csv`, 'continue', shippedCase(`${name}.toml`)))));
+  const title = async () => /^title = (.*)$/m.exec(await page.inputValue('#live-case'))[1];
+  await page.click('#live > summary');
+  const { runs } = await over(page, 1);
+  assert.match(await title(), /fold/);
+  await page.click('#live > summary');
+  await page.selectOption('#tables', '1');
+  await page.click('#live > summary');
+  assert.equal((await over(page, runs + 1)).state, 'done');
+  assert.match(await title(), /Tilted/);
+  // What was changed in it stays while the same table, or what came of it, is shown.
+  await page.getByText('The case', { exact: true }).click();
+  await page.fill('#live-case', (await page.inputValue('#live-case')).replace('Tilted', 'Changed'));
+  for (let k = 0; k < 2; ++k) await page.click('#live > summary');
+  await page.selectOption('#tables', '1');
+  for (let k = 0; k < 2; ++k) await page.click('#live > summary');
+  await page.waitForTimeout(200);
+  assert.match(await title(), /Changed/);
+  await page.close();
+});
+
 test('what takes long can be given up, and the page goes on', async () => {
   const long = `${readFileSync(shippedCase('oblique.toml'), 'utf8').replace(/\[continuation\][^[]*/, '').replace(/axis = .*/, '')}\n[solve]\nall = true\nbox = [1e-5, 1e5]\n`;
   const page = await open(makePage(shippedCase('two_polar.toml')));

@@ -78,6 +78,11 @@ class Page {
     this.diagram.draw();
   }
 
+  /** The table that is shown; null: the one that was computed here. */
+  get given(): Table | null {
+    return this.state.table === this.live ? null : this.table;
+  }
+
   /** The case of the shown table, or the one that goes on from the chosen row. */
   liveCase(ofRow: boolean): LiveCase | null {
     const { table, state } = this;
@@ -389,13 +394,18 @@ function prepareLive(payload: Payload, page: Page | null, solver: SolverSource |
     );
   };
   let begun = false;
+  /** Whose case it is. */
+  let taken: Table | null = null;
   host.addEventListener('toggle', () => {
-    if (!host.open || begun) return;
+    const given = shownOn?.given ?? null;
+    if (!host.open || (begun && (given === null || given === taken))) return;
     begun = true;
+    taken = given;
     compute(payload.case ? { name: payload.case.file, text: payload.case.text } : (shownOn?.liveCase(false) ?? null));
   });
   byId('go-live').addEventListener('click', () => {
     begun = true;
+    taken = shownOn?.given ?? taken;
     host.open = true;
     compute(shownOn?.liveCase(true) ?? null);
     host.scrollIntoView({ block: 'nearest' });
