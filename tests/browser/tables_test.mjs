@@ -28,6 +28,32 @@ test('the page of every shipped atlas opens and draws', async (t) => {
   }
 });
 
+test('the numbers at an axis have room and tell its ticks apart', async () => {
+  const page = await open(makePage(result('fold.csv')));
+  const ticks = (page, axis) => page.$$eval(`${axis} .tick text`, (all) => all.map((each) => {
+    const [box, host] = [each.getBoundingClientRect(), each.closest('svg').getBoundingClientRect()];
+    return { text: each.textContent, from: box.left - host.left, to: box.right - host.left };
+  }));
+  const assertApart = (seen, what) => {
+    const texts = seen.map((each) => each.text);
+    assert.ok(texts.length > 1 && new Set(texts).size === texts.length, `${what}: ${texts}`);
+    for (let k = 1; k < seen.length; ++k) assert.ok(seen[0].to === seen[1].to || seen[k].from > seen[k - 1].to, `${what}: ${texts}`);
+  };
+  const narrow = 'zoom=0.5491055228,0.549105523,1.64872127,1.64872128';
+  for (const view of ['x=error_bound&y=residual', 'x=|pi|&y=energy', 'x=point&y=growth', `log=0&${narrow}`, 'zoom=1e8,9e8,1e8,9e8', 'zoom=-1e-12,1e-12,-1e200,1e200', narrow]) {
+    await page.evaluate((to) => (location.hash = to), `#${view}`);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    for (const axis of ['#axis-x', '#axis-y']) assertApart(await ticks(page, axis), `${view} ${axis}`);
+    assert.ok((await ticks(page, '#axis-y')).every((each) => each.from > 15), view);
+  }
+  // What they leave out of a narrow axis stands beside its name.
+  assert.match(await page.textContent('#name-x'), /, less 0\.549105523$/);
+  await page.close();
+  const growing = await open(makePage(result('oblique.csv')), { fragment: '#row=138' });
+  assertApart(await ticks(growing, '#spectrum .re-axis'), 'spectrum');
+  await growing.close();
+});
+
 test('the body is drawn: many colours, and none of them all of it', async () => {
   const page = await open(makePage(result('neo_hookean_atlas.csv')));
   const counts = await colours(page, '#body-frame');

@@ -11,10 +11,11 @@ import { HeatMap } from './heat_map';
 import { meaning, withUnit } from './quantities';
 import { isZoom, narrowest, type State } from './state';
 import type { Table } from './table';
+import { linearTicks } from './ticks';
 
 type Scale = ScaleContinuousNumeric<number, number>;
 
-const margin = { left: 66, right: 30, top: 34, bottom: 46 };
+const margin = { left: 76, right: 30, top: 34, bottom: 46 };
 /** Of the pointer from a point, in pixels, at most. */
 const reach = 40;
 export const sheetColours = ['--sheet-1', '--sheet-2', '--sheet-3', '--sheet-4', '--sheet-5', '--sheet-6', '--sheet-7', '--sheet-8'];
@@ -313,14 +314,16 @@ export class Diagram {
     const ticksX = Math.max(3, Math.floor(width / 95));
     const ticksY = Math.max(3, Math.floor(height / 60));
     this.xAxis.attr('transform', `translate(0,${height - margin.bottom})`);
-    this.xAxis.call(ticked(axisBottom(this.x), this.x, ticksX).tickSizeInner(-(height - margin.bottom - margin.top)).tickSizeOuter(0).tickPadding(8));
+    const [axisX, axisY] = [ticked(axisBottom(this.x), this.x, ticksX, 6), ticked(axisLeft(this.y), this.y, ticksY, 4)];
+    this.xAxis.call(axisX.axis.tickSizeInner(-(height - margin.bottom - margin.top)).tickSizeOuter(0).tickPadding(8));
     this.yAxis.attr('transform', `translate(${margin.left},0)`);
-    this.yAxis.call(ticked(axisLeft(this.y), this.y, ticksY).tickSizeInner(-(width - margin.left - margin.right)).tickSizeOuter(0).tickPadding(8));
+    this.yAxis.call(axisY.axis.tickSizeInner(-(width - margin.left - margin.right)).tickSizeOuter(0).tickPadding(8));
     const name = (name: string): string => (name === 'spin' && this.table ? spinSymbol(this.table) : withUnit(name));
-    select('#name-x').attr('x', (margin.left + width - margin.right) / 2).attr('y', height - 8).text(name(this.state?.x ?? ''));
+    const measured = (text: string, { less }: { less: number }): string => (less === 0 ? text : `${text}, less ${String(less).replace('-', '−')}`);
+    select('#name-x').attr('x', (margin.left + width - margin.right) / 2).attr('y', height - 8).text(measured(name(this.state?.x ?? ''), axisX));
     const ordinates = this.ordinates();
     const mid = (margin.top + height - margin.bottom) / 2;
-    select('#name-y').attr('transform', `translate(15,${mid}) rotate(-90)`).text(ordinateName(ordinates, name));
+    select('#name-y').attr('transform', `translate(12,${mid}) rotate(-90)`).text(measured(ordinateName(ordinates, name), axisY));
   }
 
   /** The nearest point of a curve, or the cell. */
@@ -381,22 +384,28 @@ function ordinateName(names: readonly string[], name: (each: string) => string):
 
 const raised: Record<string, string> = { '-': '⁻', '0': '⁰', '1': '¹', '2': '²', '3': '³', '4': '⁴', '5': '⁵', '6': '⁶', '7': '⁷', '8': '⁸', '9': '⁹' };
 
-/** Of a logarithmic axis over some decades the powers of ten, over fewer 1, 2, 5 of each; else d3's own ticks. */
-function ticked(axis: Axis<NumberValue>, scale: Scale, count: number): Axis<NumberValue> {
+/** Of a logarithmic axis over some decades the powers of ten, over fewer 1, 2, 5 of each; else as of a linear one. */
+function ticked(axis: Axis<NumberValue>, scale: Scale, count: number, most: number): { axis: Axis<NumberValue>; less: number } {
   const [low, high] = scale.domain().map(Math.log10);
-  if (!('base' in scale) || high - low < 0.7) return axis.ticks(count);
+  if (!('base' in scale) || high - low < 0.7) {
+    const [from, to] = scale.domain();
+    const { values, text, less } = linearTicks(from, to, count, most);
+    return { axis: axis.tickValues(values).tickFormat((value) => text(Number(value))), less };
+  }
   if (high - low < 2.5) {
     const values = [];
     for (let k = Math.floor(low); k <= high; ++k) for (const each of [1, 2, 5]) if (each * 10 ** k >= 10 ** low && each * 10 ** k <= 10 ** high) values.push(each * 10 ** k);
-    return axis.tickValues(values).tickFormat((value) => String(Number(Number(value).toPrecision(3))));
+    const text = (value: number): string => (value < 1e5 && value > 9e-5 ? String(Number(value.toPrecision(3))) : value.toExponential(0).replace('e+', 'e').replace('-', '−'));
+    return { axis: axis.tickValues(values).tickFormat((value) => text(Number(value))), less: 0 };
   }
   const step = Math.max(1, Math.ceil((high - low) / count));
   const powers: number[] = [];
   for (let k = Math.ceil(low / step) * step; k <= high; k += step) powers.push(10 ** k);
-  return axis.tickValues(powers).tickFormat((value) => {
+  const text = (value: NumberValue): string => {
     const power = Math.round(Math.log10(Number(value)));
     return Math.abs(power) <= 2 ? String(Number(value)) : '10' + [...String(power)].map((each) => raised[each]).join('');
-  });
+  };
+  return { axis: axis.tickValues(powers).tickFormat(text), less: 0 };
 }
 
 /** nu1 of a table of (i), nu of one of several axes, omega of a two-polar one. */

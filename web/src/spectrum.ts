@@ -1,11 +1,12 @@
 // The spectrum of a row in the complex plane. A Krein signature is a shape: +1 a disc, -1 a ring, 0 or none a cross.
 
-import { axisBottom, axisLeft } from 'd3-axis';
-import { scaleLinear } from 'd3-scale';
+import { axisBottom, axisLeft, type Axis } from 'd3-axis';
+import { scaleLinear, type NumberValue } from 'd3-scale';
 import { select } from 'd3-selection';
 import { byId, element } from './dom';
 import { shown } from './quantities';
 import type { Table } from './table';
+import { linearTicks } from './ticks';
 
 const size = { width: 300, height: 250, left: 46, right: 12, top: 10, bottom: 34 };
 
@@ -37,6 +38,11 @@ export function markMode(number: number | null): void {
     .classed('chosen', (each) => each.mode === number);
 }
 
+function ticked(axis: Axis<NumberValue>, reach: number, count: number): Axis<NumberValue> {
+  const { values, text } = linearTicks(-reach, reach, count, Infinity);
+  return axis.tickValues(values).tickFormat((value) => text(Number(value))).tickSizeOuter(0);
+}
+
 /** choose: a mode is asked for, to be animated. */
 export function showSpectrum(table: Table, row: number | null, choose: (mode: number) => void): void {
   const svg = select(byId<SVGSVGElement>('spectrum'));
@@ -49,8 +55,8 @@ export function showSpectrum(table: Table, row: number | null, choose: (mode: nu
   const across = re > 0 ? 1.5 * re : 0.5 * im;
   const x = scaleLinear([-across, across], [size.left, size.width - size.right]);
   const y = scaleLinear([-1.12 * im, 1.12 * im], [size.height - size.bottom, size.top]);
-  svg.select<SVGGElement>('.re-axis').attr('transform', `translate(0,${size.height - size.bottom})`).call(axisBottom(x).ticks(4).tickSizeOuter(0));
-  svg.select<SVGGElement>('.im-axis').attr('transform', `translate(${size.left},0)`).call(axisLeft(y).ticks(6).tickSizeOuter(0));
+  svg.select<SVGGElement>('.re-axis').attr('transform', `translate(0,${size.height - size.bottom})`).call(ticked(axisBottom(x), across, 4));
+  svg.select<SVGGElement>('.im-axis').attr('transform', `translate(${size.left},0)`).call(ticked(axisLeft(y), 1.12 * im, 6));
   svg.select('.re-zero').attr('x1', x(0)).attr('x2', x(0)).attr('y1', size.top).attr('y2', size.height - size.bottom);
   svg.select('.im-zero').attr('y1', y(0)).attr('y2', y(0)).attr('x1', size.left).attr('x2', size.width - size.right);
   const marks = svg.select('.roots').selectAll<SVGPathElement, Root>('path').data(found);
