@@ -212,6 +212,13 @@ test('between an event and an end, where no row lies, a line has the class of th
   assert.equal((await seen(beside('stable'))).ink, 0);
 });
 
+test('a table with one component of the spin is drawn against it', async () => {
+  const columns = ['branch', 'sheet', 'point', 'event', 'nu3', 'lambda', 'mu', 'rho', 'class'];
+  const page = await open(makePage(table('component.csv', 'continue', shippedCase('third_axis.toml'), '--set', `output.columns=${JSON.stringify(columns)}`)));
+  assert.equal(await page.inputValue('#axis-of-x'), 'nu3');
+  await page.close();
+});
+
 test('an event that is not located stands in the list with its bracket', async () => {
   const path = write('unlocated.csv', 'branch,sheet,point,event,nu3,xi,zeta,rho\niii,1,0,limit,0.1,1,1,1\niii,1,1,,0.3,1.1,1,1\n');
   const event = { event: 'tilt', sheet: 1, point: null, parameter: 0.2, bracket: [0.15, 0.25], status: 'unresolved' };

@@ -89,7 +89,7 @@ export class Table {
 
   /** The column that the family runs in. */
   get parameter(): string {
-    return this.parameters.length > 0 ? this.parameters[this.parameters.length - 1] : this.has('spin') ? 'spin' : this.quantities[0];
+    return this.parameters[this.parameters.length - 1] ?? ['spin', ...spins, 'omega'].find((name) => this.quantities.includes(name)) ?? this.quantities[0];
   }
 
   /** Inertia of a row: the case's, with the row's own parameters; null: the table does not say. */
