@@ -183,6 +183,13 @@ test('the slider of a followed number goes along the family', async () => {
   await page.close();
 });
 
+test('sliders are not cut off on the narrowest screen', async () => {
+  const page = await open(makePage(shippedCase('fold.toml')), { viewport: { width: 320, height: 600 } });
+  await over(page, 1);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth), 0);
+  await page.close();
+});
+
 test('what is solved has the number that the slider of the followed one shows', async () => {
   const page = await open(makePage(shippedCase('fold.toml')));
   await over(page, 1);
