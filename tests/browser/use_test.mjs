@@ -69,6 +69,15 @@ test('the live region reads the chosen point', async () => {
   await page.close();
 });
 
+test('what stands of the chosen point is of the quantity that is drawn', async () => {
+  const { rows } = csv(followed());
+  const page = await open(makePage(followed()), { fragment: '#row=3' });
+  await page.selectOption('#axis-of-y', 'energy');
+  const [, energy] = /E = (.*)\. \w+$/.exec(await page.textContent('#point'));
+  assert.ok(Math.abs(Number(energy.replace('−', '-')) - Number(rows[2].energy)) < 1e-9, energy);
+  await page.close();
+});
+
 test('the events are a list of text, and each goes to its row', async () => {
   const { rows } = csv(followed());
   const page = await open(makePage(followed()));

@@ -201,6 +201,7 @@ class Page {
       button.setAttribute('aria-pressed', String(button.dataset['preset'] === preset?.id && state.x === (preset?.x ?? table.parameter)));
     showLegend(table, state, () => this.showAxes());
     this.diagram.show(table, state, this.overlays());
+    if (state.row !== null) this.say(this.sentence(state.row));
     this.remember();
   }
 
