@@ -252,6 +252,21 @@ test('a table computes its own case, and goes on from a row', async () => {
   await page.close();
 });
 
+test('a link to what was computed in a page opens that page as it is made', async () => {
+  const path = makePage(table('fold.csv', 'continue', shippedCase('fold.toml')));
+  const page = await open(path);
+  const first = await cells(page);
+  await page.click('#live > summary');
+  await over(page, 1);
+  await page.locator('#plot').press('End');
+  const fragment = new URL(page.url()).hash;
+  assert.match(fragment, /table=2.*row=/);
+  const again = await open(path, { fragment });
+  assert.deepEqual(await cells(again), first);
+  await again.close();
+  await page.close();
+});
+
 test('the panel, opened again, takes the case of the table that is shown by then', async () => {
   const page = await open(makePage(['fold', 'tilted'].map((name) => table(`${name}.csv`, 'continue', shippedCase(`${name}.toml`)))));
   const title = async () => /^title = (.*)$/m.exec(await page.inputValue('#live-case'))[1];

@@ -140,8 +140,10 @@ export function fromFragment(fragment: string, tables: readonly Table[]): State 
   const given = new URLSearchParams(fragment.replace(/^#/, ''));
   const number = (name: string): number => Number(given.get(name) ?? NaN);
   const list = (name: string): string[] => (given.get(name) ?? '').split(',').filter((each) => each !== '');
-  const index = number('table') - 1;
-  const state = firstState(tables, Number.isInteger(index) && index >= 0 && index < tables.length ? index : 0);
+  const index = given.has('table') ? number('table') - 1 : 0;
+  // What was computed in a page is in no other.
+  if (!Object.hasOwn(tables, index)) return firstState(tables);
+  const state = firstState(tables, index);
   const table = tables[state.table];
   const x = given.get('x');
   if (table.kind === 'curve' && x !== null && table.quantities.includes(x)) state.x = x;
