@@ -212,6 +212,16 @@ test('between an event and an end, where no row lies, a line has the class of th
   assert.equal((await seen(beside('stable'))).ink, 0);
 });
 
+test('beside rest a line has the class of the motions there', async () => {
+  const row = (point, nu, verdict) => `iii,1,${point},0,0,${nu},1,${1 + nu ** 2},1,${verdict}\n`;
+  const page = await open(makePage(write('rest.csv', `branch,sheet,point,nu1,nu2,nu3,xi,zeta,rho,class\n${row(0, -0.3, 'unstable')}${row(1, 0, 'stable')}${row(2, 0.3, 'unstable')}${row(3, 0.6, 'unstable')}`)), { fragment: '#y=zeta&row=4&zoom=-0.2,0.2,0.9,1.2' });
+  const all = await inked(page);
+  assert.ok(all > 500);
+  await page.locator('#legend input[name="class stable"]').uncheck();
+  assert.equal(await inked(page), all);
+  await page.close();
+});
+
 test('a table with one component of the spin is drawn against it', async () => {
   const columns = ['branch', 'sheet', 'point', 'event', 'nu3', 'lambda', 'mu', 'rho', 'class'];
   const page = await open(makePage(table('component.csv', 'continue', shippedCase('third_axis.toml'), '--set', `output.columns=${JSON.stringify(columns)}`)));

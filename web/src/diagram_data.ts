@@ -1,6 +1,6 @@
 // The lines of a diagram: each piece cut where the class changes, neighbours sharing the point at the border. A located
-// event belongs to both its sides, whatever its own class: on the border that is marginal. Between two events, or an event
-// and an end, no row has the class of the curve: there it is that of the metadata's segments.
+// event belongs to both its sides, whatever its own class: on the border that is marginal. So does a row at rest, whose
+// class is of another leaf. Between two such rows none has the class of the curve: it is that of the metadata's segments.
 
 import type { State } from './state';
 import type { Table } from './table';
@@ -13,6 +13,10 @@ export interface Line {
   last: number;
 }
 
+function isBorder(table: Table, row: number): boolean {
+  return table.mark(row) !== '' || (table.value('spin', row) === 0 && table.text('branch', row) !== 'two-polar');
+}
+
 export function classLines(table: Table): Line[] {
   const out: Line[] = [];
   const told = new Map((table.metadata?.segments ?? []).map((each) => [`${each.sheet}.${each.segment}`, each.class]));
@@ -22,13 +26,13 @@ export function classLines(table: Table): Line[] {
       return;
     }
     for (let row = piece.first; row + 1 < piece.end; ++row) {
-      const isEvent = table.mark(row) !== '';
-      const after = table.mark(row + 1) !== '';
+      const here = isBorder(table, row);
+      const after = isBorder(table, row + 1);
       const own = table.text('class', row);
       const next = table.text('class', row + 1);
       const before = out.length > 0 && out[out.length - 1].piece === k ? out[out.length - 1].verdict : own;
       const between = told.get(`${table.text('sheet', row + 1)}.${table.text('segment', row + 1)}`) ?? (['', 'marginal'].includes(next) ? before : next);
-      const verdict = !isEvent ? own : !after ? next : between;
+      const verdict = !here ? own : !after ? next : between;
       const last = out[out.length - 1];
       if (last && last.piece === k && last.verdict === verdict && last.last === row) last.last = row + 1;
       else out.push({ piece: k, verdict, first: row, last: row + 1 });
