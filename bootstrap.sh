@@ -40,7 +40,7 @@ mpi_packages=(libopenmpi-dev openmpi-bin)
 # The documentation, Debian packages with what looks them over, the page of `explore` and a browser for it.
 all_packages=(
   python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian chromium
-  clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc binaryen # the solver of pages
+  clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc binaryen zopfli # the solver of pages
 )
 # Node of another origin brings its npm, and Debian's npm is not installed beside it.
 command -v npm >/dev/null || all_packages+=(nodejs npm)

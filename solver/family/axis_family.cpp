@@ -24,9 +24,11 @@ AnyFamily axis_family(const Problem& problem, const AxisFamilyOptions& options, 
                         options.parameter.kind != FamilyParameter::Kind::shared;
   return problem.potential().visit_parts([&](const auto& model) {
     using Model = std::decay_t<decltype(model)>;
-    // A thickness of which there may be several is carried along by each sheet.
-    if constexpr (requires { model.plane; } && !several_thicknesses<Model>)
-      if (constant) return model_family<Model, 2>(problem, model, options);
+    // A thickness of which there may be several, a formula's, is carried along by each sheet. Where
+    // all are one type it is asked whether it is: steps depend on how many unknowns there are.
+    if constexpr (requires { model.plane; } && (few_types || !several_thicknesses<Model>))
+      if (constant && problem.potential().is_built_in())
+        return model_family<Model, 2>(problem, model, options);
     return model_family<Model, 3>(problem, model, options);
   });
 }

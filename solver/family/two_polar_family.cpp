@@ -18,11 +18,13 @@
 namespace stationary {
 namespace {
 
-template <class Model, template <class> class Motion>
-class TwoPolarFamily final
-    : public Family<decltype(followed_elastic_system(std::declval<Model>()))::dimension> {
+template <class Model, bool with_rho>
+using FollowedElastic = decltype(followed_elastic_system<with_rho>(std::declval<Model>()));
+
+template <class Model, bool with_rho, template <class> class Motion>
+class TwoPolarFamily final : public Family<FollowedElastic<Model, with_rho>::dimension> {
  public:
-  using Elastic = decltype(followed_elastic_system(std::declval<Model>()));
+  using Elastic = FollowedElastic<Model, with_rho>;
   static constexpr int N = Elastic::dimension;
 
   TwoPolarFamily(const Body& body, const Potential& potential, const Model& model,
@@ -90,7 +92,7 @@ class TwoPolarFamily final
       ReducedVector<N> x = near;
       x[0] = x[1] = std::sqrt(near[0] * near[1]);
       const TwoPolarSystem<Elastic, TwoPolarEqualMomenta> system{
-          followed_elastic_system(base_.model), base_.body.J1, {equal}};
+          followed_elastic_system<with_rho>(base_.model), base_.body.J1, {equal}};
       if (!newton(system, x).converged) return std::nullopt;
       ReducedVector<N> tail;
       const Refined refined = refine(system, x, 8, &tail);
@@ -186,7 +188,7 @@ class TwoPolarFamily final
   }
 
   static TwoPolarSystem<Elastic, Motion> system(const Setting& at) {
-    return {followed_elastic_system(at.model), at.body.J1, at.motion};
+    return {followed_elastic_system<with_rho>(at.model), at.body.J1, at.motion};
   }
 
   /// dG/dp; J3 is in no equation of these.
@@ -245,15 +247,15 @@ class TwoPolarFamily final
   Potential potential_;
 };
 
-template <class Model>
+template <bool with_rho, class Model>
 AnyFamily family_of(const Body& body, const Potential& potential, const Model& model,
                     const TwoPolarFamilyOptions& options) {
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&options.motion))
-    return std::make_unique<TwoPolarFamily<Model, TwoPolarRates>>(body, potential, model, *rates,
-                                                                  options);
+    return std::make_unique<TwoPolarFamily<Model, with_rho, TwoPolarRates>>(body, potential, model,
+                                                                            *rates, options);
   const auto& momenta = std::get<TwoPolarMomenta<double>>(options.motion);
-  return std::make_unique<TwoPolarFamily<Model, TwoPolarMomenta>>(body, potential, model, momenta,
-                                                                  options);
+  return std::make_unique<TwoPolarFamily<Model, with_rho, TwoPolarMomenta>>(body, potential, model,
+                                                                            momenta, options);
 }
 
 }  // namespace
@@ -263,8 +265,13 @@ AnyFamily two_polar_family(const Body& body, const Potential& potential,
   require_two_polar(body, options.motion);
   if (options.parameter.kind == FamilyParameter::Kind::inertia && options.parameter.index != 2)
     throw std::invalid_argument("J1 = J2 is kept: J3 is the inertia that may vary");
-  return potential.visit_parts(
-      [&](const auto& model) { return family_of(body, potential, model, options); });
+  return potential.visit_parts([&](const auto& model) {
+    // As of a spin (axis_family.cpp).
+    constexpr bool with_rho = several_thicknesses<std::decay_t<decltype(model)>>;
+    if constexpr (few_types && with_rho)
+      if (potential.is_built_in()) return family_of<false>(body, potential, model, options);
+    return family_of<with_rho>(body, potential, model, options);
+  });
 }
 
 }  // namespace stationary

@@ -35,10 +35,11 @@ auto elastic_system(const Model& model) {
   }
 }
 
-/// The same for following a motion: where rho may be one of several it is among the unknowns, N = 3.
-template <class Model>
+/// The same for following a motion; with_rho: where rho may be one of several it is among the
+/// unknowns, N = 3.
+template <bool with_rho, class Model>
 auto followed_elastic_system(const Model& model) {
-  if constexpr (several_thicknesses<Model>) {
+  if constexpr (with_rho) {
     return CoupledSystem<Model>{model, {}};
   } else {
     return elastic_system(model);
