@@ -36,19 +36,6 @@ const compute = (page, text) =>
 
 const showTable = (page) => page.evaluate(() => { document.getElementById('live-table').open = true; });
 
-/** Every cell to the bit, but error bounds, which hang on the last bit of the C library's logarithm: to nine digits. */
-function assertSame(here, there, note) {
-  const at = there.split('\n')[0].split(',').indexOf('error_bound');
-  const rows = (text) => text.split('\n').map((line) => line.split(','));
-  const without = (text) => rows(text).map((cells) => cells.filter((_, k) => k !== at));
-  assert.deepEqual(without(here), without(there), note);
-  for (const [k, cells] of rows(there).entries()) {
-    if (k === 0 || cells.length <= at) continue;
-    const [a, b] = [Number(rows(here)[k][at]), Number(cells[at])];
-    assert.ok(Math.abs(a - b) <= 1e-9 * b, `${note}: error bound ${a}, not ${b}`);
-  }
-}
-
 /** Numbers from one seed, the same in every run. */
 function random(seed) {
   let state = seed;
@@ -82,7 +69,7 @@ test('two hundred cases are solved to the bit as the program solves them', async
     const text = someCase(next);
     const program = run('solve', write('random.toml', text), '-o', '-', '--quiet');
     const here = await compute(page, text);
-    assertSame(here.table, program.out, `case ${k}:\n${text}\n${here.message}`);
+    assert.equal(here.table, program.out, `case ${k}:\n${text}\n${here.message}`);
     if (program.code === 0) ++solved;
     assert.equal(here.state, { 0: 'done', 3: 'none', 4: 'failed' }[program.code], text);
   }
@@ -91,24 +78,14 @@ test('two hundred cases are solved to the bit as the program solves them', async
   await page.close();
 });
 
-test('a family is followed as by the program: the same events, ends and solutions', async () => {
+test('a family is followed as by the program, to the byte', async () => {
   for (const name of ['fold.toml', 'tilted.toml', 'two_polar.toml', 'inertia.toml', 'mooney_rivlin.toml', 'elastic_sphere.toml', 'heavy_plate.toml', 'no_plane.toml']) {
     const page = await open(makePage(shippedCase(name)));
     const { state, message } = await over(page, 1);
     assert.equal(state, 'done', `${name}: ${message}`);
     await showTable(page);
-    const here = csv(write(`${name}.live.csv`, await page.textContent('#live-csv')));
-    const there = csv(table(`${name}.csv`, 'continue', shippedCase(name)));
-    assert.deepEqual(here.header, there.header, name);
-    const events = (rows) => rows.filter((row) => row.event !== '');
-    assert.deepEqual(events(here.rows).map((row) => row.event), events(there.rows).map((row) => row.event), name);
-    for (const [k, row] of events(here.rows).entries()) {
-      if (row.event === 'escape') continue; // where the last step ended, however far out
-      for (const column of ['nu1', 'nu2', 'nu3', 'xi', 'zeta', 'rho', 'pi3', 'energy']) {
-        const [a, b] = [Number(row[column]), Number(events(there.rows)[k][column])];
-        assert.ok(Math.abs(a - b) <= 1e-7 * Math.max(1, Math.abs(b)), `${name} ${row.event} ${column}: ${a} ${b}`);
-      }
-    }
+    const here = await page.textContent('#live-csv');
+    assert.ok(here === readFileSync(table(`${name}.csv`, 'continue', shippedCase(name)), 'utf8'), name);
     assert.deepEqual(page.complaints, []);
     await page.close();
   }
@@ -157,7 +134,7 @@ test('a slider computes what the program computes with its number', async () => 
   for (const key of ['nu', 'body.J.1', 'potential.plane.mu'])
     set.push('--set', `${key === 'nu' ? 'motion.nu' : key}=${await page.inputValue(`input[type=number][data-key="${key}"]`)}`);
   const there = run('solve', path, '-o', '-', '--quiet', ...set);
-  assertSame(await page.textContent('#live-csv'), there.out, 'slider');
+  assert.equal(await page.textContent('#live-csv'), there.out, 'slider');
   const { error_bound: ours, ...shown } = await cells(page);
   const { error_bound: theirs, ...written } = filled(csv(write('slider.csv', there.out)).rows[0]);
   assert.deepEqual(shown, written);
@@ -199,7 +176,7 @@ test('what is solved has the number that the slider of the followed one shows', 
   await field.press('Tab');
   await page.click('[data-task=solve]');
   await over(page, 2);
-  assertSame(await page.textContent('#live-csv'), run('solve', shippedCase('fold.toml'), '--set', 'motion.nu=0.3', '-o', '-', '--quiet').out, 'nu');
+  assert.equal(await page.textContent('#live-csv'), run('solve', shippedCase('fold.toml'), '--set', 'motion.nu=0.3', '-o', '-', '--quiet').out, 'nu');
   // The family is the case's own again.
   await page.click('[data-task=follow]');
   assert.equal((await over(page, 3)).state, 'done');
@@ -218,7 +195,7 @@ test('the strength of gravity has a slider where the case tells it by a density'
   await field.press('Tab');
   const { state, message } = await over(page, runs + 1);
   assert.equal(state, 'done', message);
-  assertSame(await page.textContent('#live-csv'), run('solve', shippedCase('jacobi.toml'), '--set', 'gravity={ g = 4.1 }', '-o', '-', '--quiet').out, 'g');
+  assert.equal(await page.textContent('#live-csv'), run('solve', shippedCase('jacobi.toml'), '--set', 'gravity={ g = 4.1 }', '-o', '-', '--quiet').out, 'g');
   await page.close();
 });
 
@@ -230,7 +207,7 @@ test('all solutions are found, with what is proven of them', async () => {
   const { state, message } = await over(page, 2);
   assert.equal(state, 'done');
   const there = run('solve', shippedCase('fold.toml'), '--set', 'solve.all=true', '-o', '-', '--quiet');
-  assertSame(await page.textContent('#live-csv'), there.out, 'all');
+  assert.equal(await page.textContent('#live-csv'), there.out, 'all');
   assert.match(message, /proven|complete|every/i);
   await page.close();
 });
