@@ -146,11 +146,10 @@ Program slopes(TapeWriter& writer, Graph& graph, std::span<const NodeId> of, boo
   std::vector<Variable> all(inputs.begin(), inputs.end());
   for (int k = 0; k < static_cast<int>(parameters.size()); ++k)
     all.push_back(parameter_variable(k));
-  std::vector<NodeId> results = parameter_slopes(graph, of, static_cast<int>(parameters.size()));
-  if (!valued && !results.empty())
-    results.erase(results.begin(), results.begin() + static_cast<std::ptrdiff_t>(of.size()));
   try {
-    return writer.program(all, results);
+    const auto results = parameter_slopes(graph, of, static_cast<int>(parameters.size()));
+    const std::size_t values = valued || results.empty() ? 0 : of.size();
+    return writer.program(all, std::span(results).subspan(values));
   } catch (const TooLarge&) {
     return {};
   }

@@ -38,7 +38,7 @@ class SegmentBuilder {
  public:
   /// The number of the row's segment. voting: the row's class is that of the curve beside it.
   int row(long point, const SegmentBound& at, std::optional<StabilityClass> verdict, bool voting);
-  /// The class between the last row and the next, neither of which votes.
+  /// The class between the last row and the next, neither of which votes; marginal: not to be told.
   void between(StabilityClass verdict);
   /// Empty where no row had a class.
   std::vector<Segment> segments() const;

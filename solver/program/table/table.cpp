@@ -65,6 +65,12 @@ char* append_count(double value, char* at) {
   return fmt::format_to(at, FMT_COMPILE("{}"), static_cast<long>(value));
 }
 
+/// In a checksum's place where there is none.
+struct NoSum {
+  void add(std::string_view) {}
+  void add(double) {}
+};
+
 }  // namespace
 
 CellKind cell_kind(Column c) {
@@ -166,16 +172,6 @@ char* RowFormat::header(char* at) const {
   *at++ = '\n';
   return at;
 }
-
-namespace {
-
-/// In a checksum's place where there is none.
-struct NoSum {
-  void add(std::string_view) {}
-  void add(double) {}
-};
-
-}  // namespace
 
 template <class Sum>
 char* RowFormat::summed_line(const TableRow& row, char* at, Sum& sum) const {

@@ -213,5 +213,17 @@ TEST(OrientedExpression, ATapeHasTheProgramsItsModelReads) {
   EXPECT_EQ(axial_tape->forces[1].results.size() + 1, axial_tape->evaluate[2].results.size());
 }
 
+/// A power has no slope in a parameter where that would be one beyond the largest; the formula fits.
+TEST(OrientedExpression, ATapeDoesWithoutSlopesThatDoNotFit) {
+  const auto fits =
+      support::written_thickness("a/rho + b*rho/a^4095", {"a", "b"}, {1.0, 3.0}).tape();
+  EXPECT_FALSE(fits->residual_slopes.results.empty());
+  const auto largest = support::written_thickness("a/rho + b*rho/a^4096", {"a", "b"}, {1.0, 3.0});
+  EXPECT_TRUE(largest.tape()->slopes.results.empty());
+  EXPECT_TRUE(largest.tape()->residual_slopes.results.empty());
+  EXPECT_EQ(largest.residual_sensitivity(1.5), std::nullopt);
+  EXPECT_EQ(largest.forces<2>(1.5).v_rr, largest.evaluate<2>(1.5).v_rr);
+}
+
 }  // namespace
 }  // namespace stationary::testing
