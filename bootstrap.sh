@@ -5,7 +5,8 @@ set -euo pipefail
 usage() {
   cat >&2 <<'TEXT'
 usage: ./bootstrap.sh run     set up, build, solve cases/fold.toml and follow it into results/
-       ./bootstrap.sh test    set up, build and pass the tests, the Python module's too, in release and under the sanitizers
+       ./bootstrap.sh test    set up, build and pass the tests, in release and under the sanitizers: the Python module's,
+                              the ranks' and, in a browser, those of the page and of the solver it carries, too
        ./bootstrap.sh all     as test, then the documentation, the Debian packages, and the Python module for the system
 Set-up installs Debian packages that are missing, as root or through sudo; it asks nothing.
 TEXT
@@ -36,14 +37,17 @@ python_packages=(
 )
 # Ranks of MPI, for the program stationary-mpi and its tests.
 mpi_packages=(libopenmpi-dev openmpi-bin)
-[[ $verb == run ]] || packages+=("${test_packages[@]}" "${python_packages[@]}" "${mpi_packages[@]}")
-# The documentation, Debian packages with what looks them over, the page of `explore` and a browser for it.
-all_packages=(
-  python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian chromium
-  clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc binaryen zopfli # the solver of pages
+# The solver that a page of `explore` carries, and a browser for the page.
+page_packages=(
+  clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc binaryen zopfli
+  chromium
 )
 # Node of another origin brings its npm, and Debian's npm is not installed beside it.
-command -v npm >/dev/null || all_packages+=(nodejs npm)
+command -v npm >/dev/null || page_packages+=(nodejs npm)
+[[ $verb == run ]] ||
+  packages+=("${test_packages[@]}" "${python_packages[@]}" "${mpi_packages[@]}" "${page_packages[@]}")
+# The documentation, and Debian packages with what looks them over.
+all_packages=(python3-sphinx python3-myst-parser libjs-mathjax dpkg-dev lintian)
 [[ $verb != all ]] || packages+=("${all_packages[@]}")
 
 stage=
@@ -133,10 +137,7 @@ if [[ $verb == run ]]; then
   end_stage
   printf '\nOpen results/fold.svg: the stretches and the spectrum against nu. docs/tutorial.md goes on from here.\n'
 else
-  # The solver of pages, four minutes of compiling, is made and tested with `all`.
-  solver_of_pages=OFF
-  [[ $verb != all ]] || solver_of_pages=ON
-  build release all -D STATIONARY_BUILD_TESTS=ON -D STATIONARY_PYTHON=ON -D STATIONARY_WASM="$solver_of_pages"
+  build release all -D STATIONARY_BUILD_TESTS=ON -D STATIONARY_PYTHON=ON -D STATIONARY_WASM=ON
   run_tests release
   # What the sanitizers are to look at are the libraries and the programs; the tests' objects are those of the release.
   build sanitize all -D STATIONARY_TEST_OBJECTS=build/release

@@ -19,8 +19,8 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double to_integer = 0x1.8p52;  // added and taken away it rounds to an integer
 
 /// log 2, its head of 33 bits, so that a product with an exponent is exact.
-constexpr double log_two_head = 0x1.62e42fefp-1;
-constexpr double log_two_tail = 0x1.473de6af278edp-34;
+constexpr double log_two_leading = 0x1.62e42fefp-1;
+constexpr double log_two_rest = 0x1.473de6af278edp-34;
 constexpr double half_pi[3] = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
                                -0x1.f1976b7ed8fbcp-110};
 
@@ -99,7 +99,7 @@ template <int order>
   const double shifted = head * (steps * 0x1.71547652b82fep+0) + to_integer;
   const double k = shifted - to_integer;
   const DoubleDouble r =
-      two_sum(head - k * (log_two_head / steps), tail - k * (log_two_tail / steps));
+      two_sum(head - k * (log_two_leading / steps), tail - k * (log_two_rest / steps));
   return {std::bit_cast<std::int64_t>(shifted) - std::bit_cast<std::int64_t>(to_integer), r,
           r.hi * r.hi * polynomial(series, r.hi)};
 }
@@ -170,9 +170,9 @@ template <std::size_t terms>
   // In each pair the first is the larger, or a multiple of the other's last place.
   const DoubleDouble z = quick_two_sum(
       m_head * r_head - 1.0, m_head * (row.reciprocal - r_head) + (m - m_head) * row.reciprocal);
-  const DoubleDouble first = quick_two_sum(k * log_two_head, row.head);
+  const DoubleDouble first = quick_two_sum(k * log_two_leading, row.head);
   const DoubleDouble second = quick_two_sum(first.hi, z.hi);
-  return {second.hi, (k * log_two_tail + row.tail) + (first.lo + second.lo), z,
+  return {second.hi, (k * log_two_rest + row.tail) + (first.lo + second.lo), z,
           (z.hi * z.hi) * z.hi * polynomial(series, z.hi)};
 }
 
