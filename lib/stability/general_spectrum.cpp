@@ -116,25 +116,18 @@ Leaf leaf_of(const Body& body, bool volume_held, const BasicStretch<DoubleDouble
   const bool turns = std::abs(nu_c[0].value) > least || std::abs(nu_c[1].value) > least ||
                      std::abs(nu_c[2].value) > least;
   const LeafShape shape{turns, volume_held};
-  std::size_t aside = 0;
-  const LeafForm<DoubleDouble> exact =
-      second_variation(body, q, nu, shape, V_qq, [&](const std::array<DoubleDouble, 3>& pi) {
-        aside = least_component(pi);
-        return leaf_spin(leaf_frame(pi, aside), nu, pi);
-      });
+  Leaf out;
+  out.pairs = shape.pairs();
+  const std::size_t aside =
+      leaf_reductions().second_variation(body, q, nu, shape, V_qq, out.second_variation);
   const LeafForm<Conditioned> with_conditions = second_variation(
       Inertia3<Conditioned>{input(body.J1), input(body.J2), input(body.J3)}, conditioned(q), nu_c,
       shape, V_qq_conditioned, [&](const std::array<Conditioned, 3>& pi) {
         return leaf_spin(leaf_frame(pi, aside), nu_c, pi);
       });
-  Leaf out;
-  out.pairs = shape.pairs();
-  for (std::size_t i = 0; i < 2 * out.pairs; ++i) {
-    for (std::size_t j = 0; j < 2 * out.pairs; ++j) {
-      out.second_variation[i][j] = renormalized(exact[i][j]);
+  for (std::size_t i = 0; i < 2 * out.pairs; ++i)
+    for (std::size_t j = 0; j < 2 * out.pairs; ++j)
       out.magnitude[i][j] = with_conditions[i][j].condition;
-    }
-  }
   return out;
 }
 

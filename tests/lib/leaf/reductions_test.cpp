@@ -1,5 +1,5 @@
-// What a leaf is reduced to, by code for any processor and by that for fused multiply-adds: the same
-// bits.
+// A leaf and what it is reduced to, by code for any processor and by that for fused multiply-adds:
+// the same bits.
 #include "lib/leaf/reductions.hpp"
 
 #include <gtest/gtest.h>
@@ -85,6 +85,34 @@ void expect_reduction_bits(Random& random) {
   EXPECT_EQ(out[0].similarity.carry(x), out[1].similarity.carry(x));
 }
 
+/// Of any motion: with alpha and nu of any zeros, at rest too, of a held volume and of none.
+void expect_variation_bits(Random& random) {
+  const Body body(random.log_uniform(0.1, 10.0), random.log_uniform(0.1, 10.0),
+                  random.log_uniform(0.1, 10.0));
+  const auto or_none = [&](double size) {
+    return random.integer(0, 2) == 0 ? DoubleDouble(0.0) : with_tail(random, random.sign() * size);
+  };
+  const auto stretch = [&] { return with_tail(random, random.log_uniform(0.4, 2.5)); };
+  const DoubleDouble alpha = or_none(random.uniform(0.0, 0.3));
+  const BasicStretch<DoubleDouble> q{alpha, stretch(), stretch(), stretch()};
+  Vector3<DoubleDouble> nu;
+  for (int k = 0; k < 3; ++k) nu[k] = or_none(random.log_uniform(1e-3, 10.0));
+  const auto V = random_form<4>(random);
+  Matrix4<DoubleDouble> V_qq;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) V_qq(Eigen::Index(i), Eigen::Index(j)) = V[i][j];
+  const bool turns = nu[0].hi != 0.0 || nu[1].hi != 0.0 || nu[2].hi != 0.0;
+  const LeafShape shape{turns, random.integer(0, 1) == 0};
+  LeafForm<DoubleDouble> out[2];
+  const std::size_t portable =
+      portable_leaf_reductions().second_variation(body, q, nu, shape, V_qq, out[0]);
+  const std::size_t fused =
+      fused_leaf_reductions()->second_variation(body, q, nu, shape, V_qq, out[1]);
+  EXPECT_EQ(portable, fused);
+  for (std::size_t i = 0; i < 2 * shape.pairs(); ++i)
+    for (std::size_t j = 0; j < 2 * shape.pairs(); ++j) expect_bits(out[0][i][j], out[1][i][j]);
+}
+
 TEST(LeafReductions, AreTheSameBits) {
   if (fused_leaf_reductions() == nullptr) GTEST_SKIP() << "no code for fused multiply-adds here";
   Random random(2027);
@@ -93,6 +121,7 @@ TEST(LeafReductions, AreTheSameBits) {
     expect_reduction_bits<3>(random);
     expect_reduction_bits<4>(random);
     expect_reduction_bits<5>(random);
+    expect_variation_bits(random);
   }
 }
 
