@@ -1,97 +1,11 @@
 #include "lib/expression/normal_form.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
+#include <limits>
 #include <utility>
-
-#include "lib/number/double_double_functions.hpp"
-#include "lib/number/interval_functions.hpp"
 
 namespace stationary::expression {
 namespace {
-
-constexpr std::uint64_t power_symbol = 1;
-constexpr std::uint64_t logarithm_symbol = 2;
-
-/// x as a whole number, where it is one and small.
-std::optional<int> whole(const ExactNumber& x) {
-  static const auto keys = [] {
-    std::array<Residue, 2 * Graph::largest_exponent + 1> out;
-    for (int n = 0; n <= 2 * Graph::largest_exponent; ++n)
-      out[static_cast<std::size_t>(n)] = ExactNumber::whole(n - Graph::largest_exponent).key;
-    return out;
-  }();
-  const double nearest = std::round(x.value.mid());
-  if (!(std::abs(nearest) <= Graph::largest_exponent)) return std::nullopt;
-  const int n = static_cast<int>(nearest);
-  if (keys[static_cast<std::size_t>(n + Graph::largest_exponent)] != x.key) return std::nullopt;
-  return n;
-}
-
-/// Whole numbers are known exactly.
-ExactNumber snapped(const ExactNumber& x) {
-  if (x.value.lo == x.value.hi) return x;
-  const auto n = whole(x);
-  return n ? ExactNumber{Interval(*n), x.key} : x;
-}
-
-ExactNumber operator+(const ExactNumber& x, const ExactNumber& y) {
-  if (x.is_zero()) return y;
-  if (y.is_zero()) return x;
-  return snapped({x.value + y.value, x.key + y.key});
-}
-ExactNumber operator-(const ExactNumber& x) { return {-x.value, -x.key}; }
-ExactNumber operator*(const ExactNumber& x, const ExactNumber& y) {
-  if (x.is_one()) return y;
-  if (y.is_one()) return x;
-  return snapped({x.value * y.value, x.key * y.key});
-}
-
-Interval whole_power(const Interval& x, int n) {
-  if (n < 0) return Interval(1.0) / whole_power(x, -n);
-  if (n == 0) return Interval(1.0);
-  const Interval half = whole_power(x, n / 2);
-  return n % 2 == 0 ? square(half) : square(half) * x;
-}
-
-Residue whole_power(const Residue& x, int n) {
-  if (n < 0) {
-    const std::optional<Residue> below = reciprocal(x);
-    if (!below) throw NotNormal("a division by what is 0");
-    return whole_power(*below, -n);
-  }
-  if (n == 0) return {1, 1};
-  const Residue half = whole_power(x, n / 2);
-  return n % 2 == 0 ? half * half : half * half * x;
-}
-
-ExactNumber power(const ExactNumber& x, int n) {
-  if (n == 1 || x.is_one()) return x;
-  return snapped({whole_power(x.value, n), whole_power(x.key, n)});
-}
-
-/// x > 0.
-ExactNumber power(const ExactNumber& x, const ExactNumber& r) {
-  if (x.is_one()) return x;
-  if (const auto n = whole(r)) return power(x, *n);
-  return {pow(x.value, r.value), symbol(power_symbol, x.key, r.key)};
-}
-
-ExactNumber magnitude(const ExactNumber& x) {
-  if (x.value.positive()) return x;
-  if (x.value.negative()) return -x;
-  throw NotNormal("a coefficient whose sign is not known");
-}
-
-std::strong_ordering compare(const ExactNumber& x, const ExactNumber& y) {
-  if (x.key == y.key) return std::strong_ordering::equal;
-  const double a = x.value.mid();
-  const double b = y.value.mid();
-  if (a != b) return a < b ? std::strong_ordering::less : std::strong_ordering::greater;
-  return x.key <=> y.key;
-}
 
 bool bounded(const NormalSum& x) {
   return std::ranges::all_of(
@@ -99,16 +13,6 @@ bool bounded(const NormalSum& x) {
 }
 
 }  // namespace
-
-ExactNumber ExactNumber::whole(int n) {
-  // 1 + 1 + ... by doubling.
-  Residue key;
-  for (unsigned bit = 1U << 30; bit != 0; bit >>= 1) {
-    key = key + key;
-    if (static_cast<unsigned>(std::abs(n)) & bit) key = key + Residue{1, 1};
-  }
-  return {Interval(n), n < 0 ? -key : key};
-}
 
 bool Monomial::is_constant() const {
   return powers.empty() && is_exponential() &&
@@ -137,103 +41,7 @@ std::strong_ordering NormalForms::compare(const Monomial& x, const Monomial& y) 
 
 NormalForms::NormalForms(const Graph& graph, std::span<const NodeId> roots,
                          std::span<const Interval> parameters)
-    : graph_(graph), parameters_(parameters.begin(), parameters.end()) {
-  // Of roots of parameters, a point where all of them are squares.
-  const std::vector<NodeId> parts = graph.parts(roots);
-  constexpr std::uint64_t tries = 10000;
-  for (std::uint64_t seed = 1; seed < tries; ++seed) {
-    residues_.emplace(graph, seed);
-    if (std::ranges::all_of(parts, [&](NodeId id) {
-          return !graph.is_coefficient(id) || (*residues_)(id).has_value();
-        }))
-      return;
-  }
-  throw NotNormal("coefficients without residues");
-}
-
-ExactNumber NormalForms::number(NodeId coefficient) {
-  const Interval at = value(coefficient);
-  if (!at.bounded()) throw NotNormal("a coefficient that is not bounded");
-  return snapped({at, *(*residues_)(coefficient)});
-}
-
-Interval NormalForms::value(NodeId x) {
-  const auto found = values_.find(x);
-  if (found != values_.end()) return found->second;
-  const Node& node = graph_[x];
-  Interval out = Interval::entire();
-  switch (node.kind) {
-    case Kind::literal:
-      out = node.index == 0 ? Interval(node.literal) : Interval::decimal(node.literal);
-      break;
-    case Kind::parameter:
-      out = parameters_[node.index];
-      break;
-    case Kind::pi:
-      out = Interval(double_double_pi.hi, above(double_double_pi.hi));
-      break;
-    case Kind::euler:
-      out = Interval(double_double_e.hi, above(double_double_e.hi));
-      break;
-    case Kind::coefficient_sum:
-      out = value(node.a) + value(node.b);
-      break;
-    case Kind::coefficient_product:
-      out = node.a == node.b ? square(value(node.a)) : value(node.a) * value(node.b);
-      break;
-    case Kind::coefficient_quotient:
-      out = value(node.a) / value(node.b);
-      break;
-    case Kind::minimum:
-      out = smaller(value(node.a), value(node.b));
-      break;
-    case Kind::maximum:
-      out = -smaller(-value(node.a), -value(node.b));
-      break;
-    case Kind::power:
-      out = pow(value(node.a), value(node.b));
-      break;
-    case Kind::function: {
-      const Interval of = value(node.a);
-      switch (node.function) {
-        case Function::sqrt:
-          out = sqrt(of);
-          break;
-        case Function::exp:
-          out = exp(of);
-          break;
-        case Function::log:
-          out = log(of);
-          break;
-        case Function::sin:
-          out = sin(of);
-          break;
-        case Function::cos:
-          out = cos(of);
-          break;
-        case Function::tan:
-          out = tan(of);
-          break;
-        case Function::tanh:
-          out = tanh(of);
-          break;
-        case Function::atan:
-          out = atan(of);
-          break;
-        case Function::abs:
-          out = absolute(of);
-          break;
-        case Function::power:
-          break;
-      }
-      break;
-    }
-    default:
-      break;
-  }
-  values_.emplace(x, out);
-  return out;
-}
+    : graph_(graph), coefficients_(graph, roots, parameters) {}
 
 NormalSum NormalForms::constant(const ExactNumber& c) {
   if (c.is_zero()) return {};
@@ -296,7 +104,7 @@ NormalSum NormalForms::multiply(const NormalTerm& x, const NormalTerm& y) {
   // N^n, n > 0, is multiplied out.
   for (const Monomial::Power& each : m.powers) {
     const Atom& atom = atoms_[static_cast<std::size_t>(each.atom)];
-    const auto n = expression::whole(each.exponent);
+    const auto n = as_whole(each.exponent);
     if (atom.kind != Atom::Kind::base || !n || *n < 1 || *n > largest_power) continue;
     const NormalSum expanded = whole_power(NormalSum(atom.sum), *n);
     const int which = each.atom;
@@ -373,7 +181,7 @@ void NormalForms::note_positive(const NormalSum& x) {
   for (const Monomial::Power& each : x[0].monomial.powers) {
     Atom& atom = atoms_[static_cast<std::size_t>(each.atom)];
     if (atom.kind != Atom::Kind::base || atom.positive) continue;
-    const auto n = expression::whole(each.exponent);
+    const auto n = as_whole(each.exponent);
     if (only != nullptr || !n || *n % 2 == 0) return;
     only = &atom;
   }
@@ -381,7 +189,7 @@ void NormalForms::note_positive(const NormalSum& x) {
 }
 
 NormalSum NormalForms::power(const NormalSum& x, const ExactNumber& r) {
-  if (const auto n = expression::whole(r)) return whole_power(x, *n);
+  if (const auto n = as_whole(r)) return whole_power(x, *n);
   note_positive(x);
   const Normalized parts = normalize(x);
   NormalTerm out = parts.factor;
@@ -406,7 +214,7 @@ NormalSum NormalForms::logarithm(const NormalSum& x) {
   const Normalized parts = normalize(x);
   NormalSum out;
   const ExactNumber& c = parts.factor.coefficient;
-  if (!c.is_one()) out = constant({log(c.value), symbol(logarithm_symbol, c.key)});
+  if (!c.is_one()) out = constant(expression::logarithm(c));
   const Monomial& m = parts.factor.monomial;
   for (std::size_t j = 0; j < 3; ++j) {
     if (m.a[j].is_zero()) continue;
@@ -519,9 +327,9 @@ NormalSum NormalForms::make(NodeId x) {
           throw NotNormal("a variable that is no stretch");
       }
     case Kind::sum: {
-      NormalSum out = constant(number(node.a));
+      NormalSum out = constant(coefficients_(node.a));
       for (const Term& term : node.terms)
-        out = add(out, multiply(known_.at(term.node), constant(number(term.coefficient))));
+        out = add(out, multiply(known_.at(term.node), constant(coefficients_(term.coefficient))));
       return out;
     }
     case Kind::product: {
@@ -534,7 +342,7 @@ NormalSum NormalForms::make(NodeId x) {
       return out;
     }
     case Kind::power:
-      return power(known_.at(node.a), number(node.b));
+      return power(known_.at(node.a), coefficients_(node.b));
     case Kind::function:
       return function(node);
     default:
@@ -543,86 +351,11 @@ NormalSum NormalForms::make(NodeId x) {
 }
 
 NormalSum NormalForms::of(NodeId x) {
-  if (graph_.is_coefficient(x)) return constant(number(x));
+  if (graph_.is_coefficient(x)) return constant(coefficients_(x));
   const std::array<NodeId, 1> root{x};
   for (const NodeId part : graph_.parts(root))
     if (!graph_.is_coefficient(part) && !known_.contains(part)) known_.emplace(part, make(part));
   return known_.at(x);
-}
-
-NormalSum NormalForms::derivative(const NormalTerm& term, int coordinate) {
-  const auto j = static_cast<std::size_t>(coordinate);
-  NormalSum out;
-  if (!term.monomial.a[j].is_zero()) out = {{term.coefficient * term.monomial.a[j], term.monomial}};
-  if (const int i = term.monomial.logarithms[j]; i > 0) {
-    NormalTerm lower = term;
-    --lower.monomial.logarithms[j];
-    lower.coefficient = lower.coefficient * ExactNumber::whole(i);
-    out = add(out, {lower});
-  }
-  for (const Monomial::Power& each : term.monomial.powers) {
-    const NormalSum& slope = atom_derivative(each.atom, coordinate);
-    if (slope.empty()) continue;
-    NormalSum part = multiply({term}, constant(each.exponent));
-    if (atoms_[static_cast<std::size_t>(each.atom)].kind == Atom::Kind::base) {
-      NormalTerm inverse{ExactNumber::whole(1), {}};
-      inverse.monomial.powers.push_back({each.atom, ExactNumber::whole(-1)});
-      part = multiply(part, {inverse});
-    }
-    out = add(out, multiply(part, slope));
-  }
-  for (const Monomial::Factor& each : term.monomial.factors) {
-    const NormalSum& slope = atom_derivative(each.atom, coordinate);
-    if (slope.empty()) continue;
-    NormalTerm lower = term;
-    lower.coefficient = lower.coefficient * ExactNumber::whole(each.exponent);
-    for (Monomial::Factor& factor : lower.monomial.factors)
-      if (factor.atom == each.atom) --factor.exponent;
-    std::erase_if(lower.monomial.factors,
-                  [](const Monomial::Factor& factor) { return factor.exponent == 0; });
-    NormalSum part{lower};
-    const Atom atom = atoms_[static_cast<std::size_t>(each.atom)];
-    const NormalSum one = constant(ExactNumber::whole(1));
-    const auto function_atom = [&](Function f) {
-      Atom other = atom;
-      other.function = f;
-      return atom_as_sum(intern(std::move(other)));
-    };
-    const auto minus = [&](const NormalSum& x) {
-      return multiply(x, constant(ExactNumber::whole(-1)));
-    };
-    if (atom.kind == Atom::Kind::base) {
-      NormalTerm inverse{ExactNumber::whole(1), {}};
-      inverse.monomial.powers.push_back({each.atom, ExactNumber::whole(-1)});
-      part = multiply(part, {inverse});
-    } else if (atom.function == Function::sin) {
-      part = multiply(part, function_atom(Function::cos));
-    } else if (atom.function == Function::cos) {
-      part = multiply(part, minus(function_atom(Function::sin)));
-    } else if (atom.function == Function::tan || atom.function == Function::tanh) {
-      const NormalSum itself = function_atom(atom.function);
-      const NormalSum squared = multiply(itself, itself);
-      part = multiply(part, add(one, atom.function == Function::tan ? squared : minus(squared)));
-    } else {
-      part = multiply(part, whole_power(add(one, whole_power(atom.sum, 2)), -1));
-    }
-    out = add(out, multiply(part, slope));
-  }
-  return out;
-}
-
-const NormalSum& NormalForms::atom_derivative(int atom, int coordinate) {
-  const std::pair key(atom, coordinate);
-  const auto found = derivatives_.find(key);
-  if (found != derivatives_.end()) return found->second;
-  const NormalSum sum = atoms_[static_cast<std::size_t>(atom)].sum;
-  return derivatives_.emplace(key, derivative(sum, coordinate)).first->second;
-}
-
-NormalSum NormalForms::derivative(const NormalSum& x, int coordinate) {
-  NormalSum out;
-  for (const NormalTerm& term : x) out = add(out, derivative(term, coordinate));
-  return out;
 }
 
 }  // namespace stationary::expression

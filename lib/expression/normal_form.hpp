@@ -8,34 +8,23 @@
 // Every N is normalized: its leading term is 1 or -1, every F: its leading coefficient is 1. What
 // the logarithms' sums have in common is found so, and two spellings of one material are one sum.
 //
-// Numbers are intervals that hold the exact coefficients, each with a residue by which equal ones
-// are known (residue.hpp): what has the residue 0 is 0, but for a probability below 1e-30.
+// Numbers are exact (exact_number.hpp).
 #pragma once
 
 #include <array>
 #include <compare>
 #include <cstdint>
-#include <limits>
 #include <map>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "lib/expression/exact_coefficients.hpp"
+#include "lib/expression/exact_number.hpp"
 #include "lib/expression/graph.hpp"
 #include "lib/expression/residue.hpp"
 #include "lib/number/interval.hpp"
 
 namespace stationary::expression {
-
-/// An exact number, known to lie in an interval and by its residue.
-struct ExactNumber {
-  Interval value;
-  Residue key;
-
-  static ExactNumber whole(int n);
-  bool is_zero() const { return key.is_zero(); }
-  bool is_one() const { return key == Residue{1, 1}; }
-};
 
 /// What a normal form is made of beside the exponentials of coordinates.
 struct Atom {
@@ -77,11 +66,6 @@ struct NormalTerm {
 };
 using NormalSum = std::vector<NormalTerm>;
 
-/// Of what a normal form has no room for; the graph itself is bounded then.
-class NotNormal : public std::length_error {
-  using std::length_error::length_error;
-};
-
 /// Makes normal forms of the nodes of one graph, in xi, zeta and rho as its variables.
 class NormalForms {
  public:
@@ -104,8 +88,6 @@ class NormalForms {
   static std::strong_ordering compare(const Monomial& x, const Monomial& y);
 
  private:
-  ExactNumber number(NodeId coefficient);
-  Interval value(NodeId coefficient);
   NormalSum make(NodeId x);
   NormalSum function(const Node& node);
 
@@ -132,12 +114,10 @@ class NormalForms {
   const NormalSum& atom_derivative(int atom, int coordinate);
 
   const Graph& graph_;
-  std::vector<Interval> parameters_;
-  std::optional<ResiduePoint> residues_;
+  ExactCoefficients coefficients_;
   std::vector<Atom> atoms_;
   std::map<std::vector<Residue>, int> known_atoms_;
   std::map<NodeId, NormalSum> known_;
-  std::map<NodeId, Interval> values_;
   std::map<std::pair<int, int>, NormalSum> derivatives_;
 };
 

@@ -1,7 +1,6 @@
 #include "solver/family/anisotropic_family.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 #include "lib/matrix/elementwise.hpp"
 #include "lib/number/elementary.hpp"
 #include "solver/family/oriented_events.hpp"
+#include "solver/family/shear_free_family.hpp"
 #include "solver/motion/oriented_stability.hpp"
 #include "solver/newton/newton.hpp"
 #include "solver/newton/refine.hpp"
@@ -31,11 +31,10 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
 
   AnisotropicFamily(const Body& body, const AnisotropicPotential& potential, Branch branch,
                     const AxisFamilyOptions& options)
-      : body_(body),
+      : settings_(body, potential, options),
         branch_(branch),
         options_(options),
-        even_(potential.even_in_alpha() && keeps_shear_free(potential, options.parameter)),
-        models_(std::make_shared<const OrientedModels>(potential)) {}
+        even_(potential.even_in_alpha() && keeps_shear_free(potential, options.parameter)) {}
 
   Branch branch() const override { return Layout::axis ? Branch::i : branch_; }
   KindEvents events() const override { return oriented_events<Layout>(); }
@@ -63,7 +62,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   ReducedVector<N> coordinates(const Stretch& q, double p) const override {
     ReducedVector<N> x = stretch_coordinates(q);
     if constexpr (Layout::axis) {
-      const Setting at = setting(p);
+      const OrientedSetting at = settings_.at(p);
       const auto I = in_plane_inertia(Inertia3<double>{at.body.J1, at.body.J2, at.body.J3}, q);
       const double principal = 0.5 * atan2(2.0 * I.product, -I.difference);
       const double near = branch_ == Branch::i ? 0.0 : 0.5 * std::numbers::pi;
@@ -99,7 +98,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     const Inertia3<double> J{member.body.J1, member.body.J2, member.body.J3};
     const ReducedVector<N> x = coordinates_of(member);
     const auto y = all_coordinates<Layout>(x, 1.0);
-    const OrientedSystem<Layout> at{models_.get(), member.body, branch_, 1.0};
+    const OrientedSystem<Layout> at{&settings_.models(), member.body, branch_, 1.0};
     const auto pull = at.inertial(J, y, 1.0);  // -dI/2 of I = q^T C q at |nu| = 1
     SpinInertia<N> out{0.0, ReducedVector<N>::Zero()};
     const Stretch q = at.stretch(y).q;
@@ -111,11 +110,12 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
 
   std::vector<ConditionValue> conditions(const ReducedVector<N>& x, double p) const override {
     const auto y = all_coordinates<Layout>(x, 1.0);
-    return setting(p).models->potential.conditions_at(oriented_stretch(y[0], y[1], y[2], y[3]).q);
+    return settings_.at(p).models->potential.conditions_at(
+        oriented_stretch(y[0], y[1], y[2], y[3]).q);
   }
 
   FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const override {
-    const Setting at = setting(p);
+    const OrientedSetting at = settings_.at(p);
     ++this->evaluations_.jacobians;
     const OrientedSystem<Layout> system = this->system(at);
     const auto all = system.linearize(x);
@@ -132,7 +132,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
 
   Refined refine_at(ReducedVector<N>& x, ReducedVector<N>& tail, double p) const override {
     constexpr int max_corrections = 8;
-    const Setting at = setting(p);
+    const OrientedSetting at = settings_.at(p);
     Refined out = refine(system(at), x, max_corrections, &tail);
     out.error_bound *= bound_factor;
     this->evaluations_.extended_residuals += out.steps;
@@ -142,14 +142,14 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   }
 
   ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const override {
-    const Setting at = setting(p);
+    const OrientedSetting at = settings_.at(p);
     ++this->evaluations_.extended_residuals;
     ++this->evaluations_.jacobians;
     return system(at).extended_residual(x);
   }
 
   ReducedVector<N> input_perturbation(const ReducedVector<N>& x, double p) const override {
-    const Setting at = setting(p);
+    const OrientedSetting at = settings_.at(p);
     ++this->evaluations_.sensitivities;
     ++this->evaluations_.jacobians;
     return 0x1p-53 * system(at).input_sensitivity(x);
@@ -158,7 +158,8 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   std::optional<Member> rest_point(const ReducedVector<N>& near) const override {
     if constexpr (Layout::axis) {
       if (!along_nu()) return std::nullopt;
-      const OrientedSystem<ShearedLayout> system{models_.get(), body_, branch_, 0.0};
+      const OrientedSystem<ShearedLayout> system{&settings_.models(), settings_.body(), branch_,
+                                                 0.0};
       ReducedVector<4> still = near.template head<4>();
       if (!newton(system, still).converged) return std::nullopt;
       ReducedVector<4> still_tail;
@@ -178,10 +179,12 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
                                            const Member& near) const override {
     if (!meets_mirror(type)) return Family<N>::event_at(type, circle, near);
     // Of the family with alpha = 0, if there is one.
-    if (near.parameter == 0.0 || !keeps_shear_free(models_->potential, options_.parameter))
+    if (near.parameter == 0.0 ||
+        !keeps_shear_free(settings_.models().potential, options_.parameter))
       return std::nullopt;
     const ReducedVector<N> x = coordinates_of(near);
-    const auto straight = straight_turn(straight_branch(x), x, near.parameter);
+    const auto straight = ShearFreeFamily(settings_, straight_branch(x))
+                              .located(x.template head<3>(), near.parameter);
     if (!straight) return std::nullopt;
     ExtendedEvent<N> out{{}, straight->parameter, straight->error_bound, straight->parameter_bound};
     for (int i = 0; i < N; ++i) out.x[index(i)] = i < 3 ? straight->x[index(i)] : x[i];
@@ -193,12 +196,12 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     if (meets_mirror(type)) return nullptr;
     const auto function = vanishing_function<Layout>(type, branch(), along_nu(), near);
     if (!function) return nullptr;
-    return equations_of<Layout>(branch_, *function);
+    return oriented_event_equations<Layout>(settings_.varied(), branch_, *function);
   }
 
   Member member(const ReducedVector<N>& x, const ReducedVector<N>& tail, double p,
                 double error_bound) const override {
-    const Setting at = setting(p);
+    const OrientedSetting at = settings_.at(p);
     std::array<DoubleDouble, static_cast<std::size_t>(N)> wide;
     if (tail.allFinite()) {
       for (int i = 0; i < N; ++i) wide[index(i)] = DoubleDouble(x[i], tail[i]);
@@ -241,58 +244,23 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     return out;
   }
 
-  /// By the turn's sign along the family with alpha = 0.
   std::optional<Member> mirror_point(const ReducedVector<N>& x, double p) const override {
     if constexpr (!Layout::alpha) {
       return std::nullopt;
     } else {
-      const Branch straight = straight_branch(x);
-      ReducedVector<3> guess(x[0], x[1], x[2]);
-      const auto point = [&](double at) -> std::optional<StraightPoint> {
-        return straight_point(straight, guess, at);
-      };
-      const auto turn = [&](double at) {
-        const auto found = point(at);
-        return found ? found->turn : std::numeric_limits<double>::quiet_NaN();
-      };
-      for (double reach = 1e-6 * (1.0 + std::abs(p)); reach < 0.1 * (1.0 + std::abs(p));
-           reach *= 4.0) {
-        const double a = turn(p - reach);
-        const double b = turn(p + reach);
-        if (std::isnan(a) || std::isnan(b)) return std::nullopt;
-        if ((a < 0.0) == (b < 0.0)) continue;
-        std::uintmax_t evaluations = 80;
-        const auto [low, high] = boost::math::tools::toms748_solve(
-            turn, p - reach, p + reach, a, b, boost::math::tools::eps_tolerance<double>(52),
-            evaluations);
-        const auto found = point(0.5 * (low + high));
-        const auto ahead = point(p + reach);
-        const auto behind = point(p - reach);
-        if (!found || !ahead || !behind) return std::nullopt;
-        ReducedVector<N> at = x;
-        at.template head<3>() = found->x;
-        at[Layout::alpha_place] = 1.0;
-        if constexpr (Layout::axis) {
-          const double angle = straight == Branch::i ? 0.0 : 0.5 * std::numbers::pi;
-          at[Layout::axis_place] =
-              axis_coordinate(std::copysign(angle, log(x[Layout::axis_place])));
-        }
-        if (const auto known = straight_turn(straight, found->x, 0.5 * (low + high))) {
-          ReducedVector<N> tail = ReducedVector<N>::Zero();
-          for (int i = 0; i < 3; ++i) {
-            at[i] = double(known->x[index(i)]);
-            tail[i] = double(known->x[index(i)] - at[i]);
-          }
-          return member(at, tail, double(known->parameter), known->error_bound + 0x1p-53);
-        }
-        // What the turn's own rounding leaves open of p, along the family.
-        constexpr double noise = 64.0 * 0x1p-53;
-        const double moved_by = logarithms(ahead->x.array() / behind->x.array()).abs().maxCoeff();
-        const double along = noise * moved_by / std::abs(b - a);
-        return member(at, ReducedVector<N>::Zero(), 0.5 * (low + high),
-                      2.0 * found->error_bound + along);
+      const ShearFreeFamily straight(settings_, straight_branch(x));
+      const auto turning = straight.turning_point(x.template head<3>(), p);
+      if (!turning) return std::nullopt;
+      ReducedVector<N> at = x;
+      ReducedVector<N> tail = ReducedVector<N>::Zero();
+      at.template head<3>() = turning->x;
+      tail.template head<3>() = turning->tail;
+      at[Layout::alpha_place] = 1.0;
+      if constexpr (Layout::axis) {
+        const double angle = straight.branch() == Branch::i ? 0.0 : 0.5 * std::numbers::pi;
+        at[Layout::axis_place] = axis_coordinate(std::copysign(angle, log(x[Layout::axis_place])));
       }
-      return std::nullopt;
+      return member(at, tail, turning->parameter, turning->error_bound);
     }
   }
 
@@ -309,21 +277,10 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   using Kind = FamilyParameter::Kind;
   static constexpr double bound_factor = Layout::bound_factor;
 
-  struct Setting {
-    Body body;
-    std::shared_ptr<const OrientedModels> models;
-    double nu;
-  };
-  struct StraightPoint {
-    ReducedVector<3> x;
-    double turn;
-    double error_bound;
-  };
-
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
   /// Of V at the member's q, as far as it is asked for.
-  void add_elastic(const Setting& at, Member& out) const {
+  void add_elastic(const OrientedSetting& at, Member& out) const {
     ++this->evaluations_.second_derivatives;
     const auto V = potential_derivatives<2>(at.models->plain, out.q);
     if (options_.errors) {
@@ -343,60 +300,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     return Layout::alpha && (type == EventType::shear || type == EventType::oblique);
   }
 
-  /// In a layout: this family's own, or that of the one with alpha = 0 that it branches off.
-  template <class Its>
-  std::unique_ptr<ExtendedEventEquations<event_dimension<Its::dimension>>> equations_of(
-      Branch branch, std::size_t function) const {
-    using System = OrientedEventSystem<Its>;
-    std::array<std::size_t, Its::dimension + 1> places;
-    for (std::size_t k = 0; k < Its::dimension; ++k) places[k] = event_place(k);
-    places.back() = EventEquations::parameter;
-    return std::make_unique<SystemEventEquations<event_dimension<Its::dimension>, System>>(
-        System(VariedSpin(models_->potential, body_, options_.nu, options_.parameter,
-                          coefficient_place()),
-               branch, function),
-        places, false, StretchErrorRule{.factor = bound_factor});
-  }
-  /// Where the family with alpha = 0 turns away from the material axes.
-  std::optional<ExtendedEvent<3>> straight_turn(Branch branch, const auto& x, double p) const {
-    const auto equations = equations_of<StraightLayout>(branch, TestValues::turn);
-    const auto root = equations->root({DoubleDouble(x[0]), DoubleDouble(x[1]), DoubleDouble(x[2]),
-                                       DoubleDouble(p), DoubleDouble(1.0)});
-    if (!root) return std::nullopt;
-    return ExtendedEvent<3>{{root->y[0], root->y[1], root->y[2]},
-                            root->y[EventEquations::parameter],
-                            equations->stretch_error(root->error),
-                            root->error[EventEquations::parameter]};
-  }
-
-  Setting setting(double p) const {
-    Setting out{body_, models_, options_.nu};
-    const int k = options_.parameter.index;
-    switch (options_.parameter.kind) {
-      case Kind::nu:
-        out.nu = p;
-        break;
-      case Kind::inertia:
-        (k == 0 ? out.body.J1 : k == 1 ? out.body.J2 : out.body.J3) = p;
-        break;
-      default:
-        break;
-    }
-    if (const int place = coefficient_place(); place >= 0) {
-      if (!varied_ || varied_at_ != p)
-        varied_ =
-            std::make_shared<const OrientedModels>(models_->potential.with_coefficient(place, p));
-      varied_at_ = p;
-      out.models = varied_;
-    }
-    return out;
-  }
-  /// Of the parameter, as far as it is one of the potential: of J that of gravity.
-  int coefficient_place() const {
-    return stationary::coefficient_place(models_->potential, options_.parameter);
-  }
-
-  OrientedSystem<Layout> system(const Setting& at) const {
+  OrientedSystem<Layout> system(const OrientedSetting& at) const {
     return {at.models.get(), at.body, branch_, at.nu};
   }
 
@@ -410,7 +314,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     return out;
   }
 
-  ReducedVector<N> parameter_slope(const Setting& at, const OrientedSystem<Layout>& system,
+  ReducedVector<N> parameter_slope(const OrientedSetting& at, const OrientedSystem<Layout>& system,
                                    const std::array<double, 5>& y,
                                    const ReducedVector<N>& scale) const {
     std::array<double, 5> out{};
@@ -420,7 +324,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       (k == 0 ? one.J1 : k == 1 ? one.J2 : one.J3) = 1.0;
       out = system.inertial(one, y, at.nu * at.nu);
     }
-    const int place = coefficient_place();
+    const int place = settings_.coefficient_place();
     if (place < 0) return rows(out, scale);
     const Inertia3<double> J{at.body.J1, at.body.J2, at.body.J3};
     const auto slopes =
@@ -440,29 +344,11 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     }
   }
 
-  std::optional<StraightPoint> straight_point(Branch branch, ReducedVector<3>& guess,
-                                              double p) const {
-    const Setting at = setting(p);
-    const OrientedSystem<StraightLayout> system{at.models.get(), at.body, branch, at.nu};
-    ReducedVector<3> x = guess;
-    if (!newton(system, x).converged) return std::nullopt;
-    const Refined refined = refine(system, x);
-    if (!refined.converged) return std::nullopt;
-    const Stretch q{0.0, x[0], x[1], x[2]};
-    const double V_aa = potential_derivatives<2>(at.models->plain, q).hessian(0, 0);
-    return StraightPoint{x, turn_at(at, branch, V_aa, q).value, refined.error_bound};
-  }
   static void set_turn(const Turn& turn, Member& out) {
     out.turn = turn.value;
     out.turn_condition = turn.condition;
   }
-  static Turn turn_at(const Setting& at, Branch branch, double V_aa, const Stretch& q) {
-    const double stiffness = shear_stiffness(V_aa, at.models->plain.body.volume.has_value(), branch,
-                                             at.body.J3, at.nu * at.nu, q);
-    return turn_of(at.body, branch, stiffness, q, at.nu);
-  }
-
-  Turn extended_turn(const Setting& at, const BasicStretch<DoubleDouble>& q) const {
+  Turn extended_turn(const OrientedSetting& at, const BasicStretch<DoubleDouble>& q) const {
     const DoubleDouble V_aa = potential_derivatives<2>(at.models->extended, q).hessian(0, 0);
     const DoubleDouble stiffness = shear_stiffness(V_aa, true, branch_, DoubleDouble(at.body.J3),
                                                    two_product(at.nu, at.nu), q);
@@ -470,14 +356,10 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
                    {0.0, double(q.xi), double(q.zeta), double(q.rho)}, at.nu);
   }
 
-  Body body_;
+  OrientedSettings settings_;
   Branch branch_;
   AxisFamilyOptions options_;
   bool even_;  ///< V in alpha, all along the family
-  std::shared_ptr<const OrientedModels> models_;
-  /// Where a coefficient is followed, those of its last value.
-  mutable std::shared_ptr<const OrientedModels> varied_;
-  mutable double varied_at_ = 0.0;
 };
 
 }  // namespace

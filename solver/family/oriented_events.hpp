@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "lib/body/inertia.hpp"
@@ -328,6 +329,21 @@ std::optional<std::size_t> vanishing_function(EventType type, Branch branch, boo
                             .kind = oriented_events<Layout>(),
                             .along_nu = along_nu};
   return nearest_function(type, context, test_values(near, context, 0.0, 0.0));
+}
+
+/// Of what vanishes at an event, in a family of this layout.
+template <class Layout>
+std::unique_ptr<ExtendedEventEquations<event_dimension<Layout::dimension>>>
+oriented_event_equations(const VariedSpin& spin, Branch branch, std::size_t function) {
+  constexpr auto dimension = static_cast<std::size_t>(Layout::dimension);
+  using Equations = ExtendedEventEquations<event_dimension<Layout::dimension>>;
+  using System = OrientedEventSystem<Layout>;
+  std::array<std::size_t, dimension + 1> places;
+  for (std::size_t k = 0; k < dimension; ++k) places[k] = event_place(k);
+  places.back() = Equations::parameter;
+  return std::make_unique<SystemEventEquations<event_dimension<Layout::dimension>, System>>(
+      System(spin, branch, function), places, false,
+      StretchErrorRule{.factor = Layout::bound_factor});
 }
 
 }  // namespace stationary

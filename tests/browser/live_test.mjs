@@ -196,6 +196,28 @@ test('the strength of gravity has a slider where the case tells it by a density'
   await page.close();
 });
 
+test('a slider whose number follows from one that moved goes with it', async () => {
+  const page = await open(makePage(shippedCase('jacobi.toml')));
+  await over(page, 1);
+  await showTable(page);
+  await page.click('[data-task=solve]');
+  const { runs } = await over(page, 2);
+  const g = page.locator('input[type=number][data-key="gravity.g"]');
+  const before = await g.inputValue();
+  const inertia = page.locator('input[type=number][data-key="body.J.0"]');
+  await inertia.fill('1.1');
+  await inertia.press('Tab');
+  await over(page, runs + 1);
+  const path = write('heavier.csv', '');
+  run('solve', shippedCase('jacobi.toml'), '--set', 'body.J.0=1.1', '-o', path, '--quiet');
+  const { gravity } = JSON.parse(readFileSync(path.replace(/\.csv$/, '.meta.json'), 'utf8')).case;
+  assert.notEqual(await g.inputValue(), before);
+  assert.equal(Number(await g.inputValue()), gravity.g);
+  assert.notEqual(await page.getAttribute('input[type=range][data-key="gravity.g"]', 'aria-valuetext'), `g = ${before}`);
+  assert.equal(await page.textContent('#live-csv'), readFileSync(path, 'utf8'), 'heavier');
+  await page.close();
+});
+
 test('all solutions are found, with what is proven of them', async () => {
   const page = await open(makePage(shippedCase('fold.toml')));
   await over(page, 1);

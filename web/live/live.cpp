@@ -4,7 +4,7 @@
 //   {"do": "read", "name": "x.toml", "case": TOML, "set": ["motion.nu=0.3", ...]}
 //     -> {"code": 0, "title", "motion", "parameters": [{"key", "value"}], "followed": [keys], "range": {...} | null}
 //   {"do": "solve" | "continue", ...}
-//     -> {"code", "messages": [...], "summary", "csv", "metadata", "page": what a page holds of the table}
+//     -> {"code", "messages": [...], "summary", "parameters", "csv", "metadata", "page": what a page holds of the table}
 //
 //   {"do": "modes", ..., "row": {"q": S of the row, "nu": [...], "rates": [omega, theta'] | null, "s": [[re, im], ...]}}
 //     -> {"code", "modes": for each s {"s", "displacement", "residual"} (mode_shape.hpp), null where s is 0}
@@ -68,12 +68,18 @@ class MemoryTable final : public TableTarget {
   std::string metadata_;  ///< empty: there is no table
 };
 
+/// Some follow from others: the strength of gravity, told by a density, from the inertias.
+Json parameters(const Case& input) {
+  const FamilyParameters family{input.own_body, input.models, input.motion};
+  Json out = Json::array();
+  for (const std::string& key : case_parameters(input.motion, input.models))
+    out.push_back({{"key", key}, {"value", parameter_value(family, key)}});
+  return out;
+}
+
 Json described(const Case& input) {
   Json out{{"code", 0}, {"title", input.title}, {"motion", name(input.motion)}};
-  const FamilyParameters family{input.own_body, input.models, input.motion};
-  out["parameters"] = Json::array();
-  for (const std::string& key : case_parameters(input.motion, input.models))
-    out["parameters"].push_back({{"key", key}, {"value", parameter_value(family, key)}});
+  out["parameters"] = parameters(input);
   out["followed"] = followed_parameters(input.motion, input.models);
   out["range"] = nullptr;
   if (const auto& range = input.continuation)
@@ -91,12 +97,14 @@ Json computed(Case input, const std::string& what, const std::string& table_name
   run.progress = [](double fraction, const std::string& doing) {
     page_progress(fraction, doing.data(), doing.size());
   };
+  Json numbers = parameters(input);
   if (std::exchange(input.output.certificate, false)) messages.push_back(no_certificates);
   MemoryTable target;
   const cli::Outcome outcome = what == "continue" ? cli::continue_case(input, {}, &target, run)
                                                   : cli::solve_case(input, &target, run);
   Json out{{"code", static_cast<int>(outcome.code)}, {"summary", outcome.summary}};
   out["messages"] = std::move(messages);
+  out["parameters"] = std::move(numbers);
   out["csv"] = target.csv();
   out["metadata"] = target.metadata();
   out["page"] = nullptr;

@@ -31,6 +31,8 @@ export class LivePanel {
   private described: Described | null = null;
   private readonly values = new Map<string, number>();
   private readonly moved = new Set<string>();
+  /** Puts a slider, by its key, where its number is. */
+  private readonly show = new Map<string, (at: number) => void>();
   private task: Task = 'solve';
   /** A button said what is done; before that the case does. */
   private chosen = false;
@@ -77,6 +79,7 @@ export class LivePanel {
     this.described = answer;
     this.values.clear();
     this.moved.clear();
+    this.show.clear();
     this.chosen = false;
     for (const { key, value } of answer.parameters) this.values.set(key, value);
     const follow = this.tasks().find((each) => each.dataset['task'] === 'follow');
@@ -132,12 +135,15 @@ export class LivePanel {
       this.moved.add(key);
       this.changed(key, at);
     };
-    number.value = String(value);
-    place(value);
-    range.addEventListener('input', () => {
-      const at = scale.value(Number(range.value) / steps);
+    const show = (at: number): void => {
       number.value = String(at);
       place(at);
+    };
+    show(value);
+    this.show.set(key, show);
+    range.addEventListener('input', () => {
+      const at = scale.value(Number(range.value) / steps);
+      show(at);
       set(at);
     });
     number.addEventListener('change', () => {
@@ -207,6 +213,12 @@ export class LivePanel {
     byId('live-summary').textContent = answer.summary ?? '';
     byId('live-summary-part').hidden = (answer.summary ?? '') === '';
     this.csv = answer.csv ?? '';
+    // A number that follows from one that was moved is another now.
+    for (const { key, value } of answer.parameters ?? []) {
+      if (this.moved.has(key) || this.values.get(key) === value) continue;
+      this.values.set(key, value);
+      this.show.get(key)?.(value);
+    }
     byId('live-result').hidden = this.csv === '';
     this.showTable();
     if (answer.page) {

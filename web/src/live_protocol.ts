@@ -12,12 +12,17 @@ export interface Request {
   row?: { q: number[]; nu: number[]; rates: number[] | null; s: [number, number][] };
 }
 
+export interface Parameter {
+  key: string;
+  value: number;
+}
+
 export interface Described {
   code: number;
   messages?: string[];
   title: string;
   motion: string;
-  parameters: { key: string; value: number }[];
+  parameters: Parameter[];
   followed: string[];
   range: { parameter: string; from: number; to: number } | null;
 }
@@ -27,6 +32,8 @@ export interface Computed {
   code: number;
   messages: string[];
   summary?: string;
+  /** Of the case as it was set; some follow from others. */
+  parameters?: Parameter[];
   /** To the byte what the program would have written. */
   csv?: string;
   metadata?: string;
