@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "solver/program/rows/metadata_reading.hpp"
+
 namespace stationary {
 namespace {
 
@@ -11,6 +13,7 @@ using BodyJson = nlohmann::json;  // its order of keys is one of its own
 
 /// Null where the metadata do not say.
 BodyJson body_of(std::string_view metadata, const std::vector<std::string>& varied) {
+  if (nests_too_deep(metadata)) return {};
   const BodyJson found = BodyJson::parse(metadata, nullptr, /*allow_exceptions=*/false);
   if (!found.is_object() || !found.contains("case") || !found["case"].is_object()) return {};
   BodyJson out;

@@ -80,6 +80,7 @@ std::string reason(const Json::exception& error) {
 /// What is wrong with metadata of a table; empty: nothing.
 std::string fault_of(const std::string& metadata, const std::string& path, const PageTable& page) {
   try {
+    if (nests_too_deep(metadata)) return "cannot be read: it nests more deeply than metadata do";
     const Json found = Json::parse(metadata);
     if (!found.is_object()) return "cannot be read: it is no JSON object";
     if (!is_of_table(metadata, page.rows))

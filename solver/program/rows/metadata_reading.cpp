@@ -11,6 +11,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Discarded where it is no JSON, or nests too deep.
+Json parsed(std::string_view metadata) {
+  if (nests_too_deep(metadata)) return Json::value_t::discarded;
+  return Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+}
+
 std::string text_of_case(const Json& metadata) {
   return metadata.at("command").dump() + metadata.at("case").dump() +
          metadata.at("overrides").dump();
@@ -18,8 +24,28 @@ std::string text_of_case(const Json& metadata) {
 
 }  // namespace
 
+bool nests_too_deep(std::string_view json) {
+  constexpr int most = 64;  // of objects and arrays in one another
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t k = 0; k < json.size(); ++k) {
+    const char c = json[k];
+    if (quoted) {
+      if (c == '\\') ++k;
+      quoted = c != '"';
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > most) return true;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return false;
+}
+
 std::string other_program(std::string_view metadata, std::string_view version) {
-  const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  const Json found = parsed(metadata);
   if (!found.is_object() || !found.contains("schema") || !found.contains("version")) return {};
   const Json schema = found["schema"];
   if (schema != metadata_schema)
@@ -32,7 +58,7 @@ std::string other_program(std::string_view metadata, std::string_view version) {
 }
 
 bool is_to_be_gone_on_with(std::string_view metadata) {
-  const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  const Json found = parsed(metadata);
   if (!found.is_object()) return false;
   const Json status = found.value("status", Json());
   return status == "interrupted" || status == "stopped at max_points";
@@ -40,7 +66,7 @@ bool is_to_be_gone_on_with(std::string_view metadata) {
 
 std::optional<CurveRecord> curve_record(std::string_view metadata) {
   try {
-    const Json found = Json::parse(metadata);
+    const Json found = parsed(metadata);
     CurveRecord out;
     out.rows = found.at("rows").get<std::size_t>();
     out.checksum = found.at("checksum").get<std::string>();
@@ -82,12 +108,12 @@ std::optional<CurveRecord> curve_record(std::string_view metadata) {
 }
 
 bool is_of_table(std::string_view metadata, std::size_t rows) {
-  const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  const Json found = parsed(metadata);
   return found.is_object() && (!found.contains("rows") || found["rows"] == Json(rows));
 }
 
 std::string case_title(std::string_view metadata) {
-  const Json found = Json::parse(metadata, nullptr, /*allow_exceptions=*/false);
+  const Json found = parsed(metadata);
   const Json::json_pointer place("/case/title");
   return found.contains(place) && found[place].is_string() ? found[place].get<std::string>()
                                                            : std::string();
@@ -95,7 +121,7 @@ std::string case_title(std::string_view metadata) {
 
 std::optional<PartMetadata> part_metadata(std::string_view metadata) {
   try {
-    const Json found = Json::parse(metadata);
+    const Json found = parsed(metadata);
     const Json& part = found.at("part");
     PartMetadata out;
     out.part = {part.at("number").get<std::size_t>(), part.at("of").get<std::size_t>(),

@@ -103,6 +103,10 @@ TEST(PageTable, LeavesOutMetadataThatCannotBeRead) {
     EXPECT_THAT(warning(),
                 AllOf(HasSubstr("x.meta.json cannot be read: "), Not(HasSubstr("json."))));
   }
+  // A million arrays in one another: what copies such a tree runs out of stack.
+  const std::size_t deep = 1'000'000;
+  folder.file("x.meta.json", "{\"case\": " + std::string(deep, '[') + std::string(deep, ']') + "}");
+  EXPECT_THAT(warning(), HasSubstr("x.meta.json cannot be read: it nests more deeply"));
   std::filesystem::remove(folder / "x.meta.json");
   std::filesystem::create_directory(folder / "x.meta.json");
   EXPECT_THAT(warning(), HasSubstr("x.meta.json cannot be read: it is no file"));

@@ -109,6 +109,12 @@ TEST_F(WholeFigure, CurvesOfAnotherBodyThanTheMapsAreToldOf) {
   EXPECT_EQ(drawn(), "") << "the body's J.1 is an axis";
   directory_.file("c.meta.json", metadata("2", "1.5"));
   EXPECT_THAT(drawn(), HasSubstr("c.csv: its curves are of another body than the map's"));
+  // A million arrays in one another: what compares such trees runs out of stack.
+  const std::string opening(1'000'000, '[');
+  const std::string closing(opening.size(), ']');
+  for (const char* const name : {"x.meta.json", "c.meta.json"})
+    directory_.file(name, R"({"case": {"body": )" + opening + closing + "}}");
+  EXPECT_EQ(drawn(), "") << "nothing is known";
 }
 
 TEST_F(WholeFigure, TheLegendNamesEveryTable) {
