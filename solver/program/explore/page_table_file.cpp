@@ -1,14 +1,17 @@
 // read_page_table() of a file, CSV or HDF5, with what is beside it. Apart from the rest, for pages, which have no files.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "solver/program/explore/page_table.hpp"
 #include "solver/program/rows/metadata_reading.hpp"
@@ -77,6 +80,43 @@ std::string reason(const Json::exception& error) {
   return printable(std::string(name == std::string_view::npos ? text : text.substr(name + 2)));
 }
 
+/// The first part of metadata that a page reads and that is not as the schema has it (metadata.schema.json); empty: none.
+std::string wrong_part(const Json& metadata) {
+  using Test = bool (Json::*)() const noexcept;
+  const auto wrong = [](const Json& of, const char* key, Test test, bool required) {
+    const auto at = of.find(key);
+    return at == of.end() ? required : !((*at).*test)();
+  };
+  for (const char* const key : {"command", "message"})
+    if (wrong(metadata, key, &Json::is_string, false)) return key;
+  const auto nullable_object = [](const Json& of, const char* key) {
+    const auto at = of.find(key);
+    return at == of.end() || at->is_null() || at->is_object();
+  };
+  if (!nullable_object(metadata, "case")) return "case";
+  const struct {
+    const char* name;
+    std::vector<const char*> texts;
+    std::vector<const char*> numbers;
+  } lists[] = {{"events", {"event"}, {"parameter"}},
+               {"segments", {}, {"sheet", "segment"}},
+               {"classes", {"branch", "status"}, {"from", "to"}},
+               {"skipped", {}, {}}};
+  for (const auto& [name, texts, numbers] : lists) {
+    if (wrong(metadata, name, &Json::is_array, false)) return name;
+    for (const Json& each : metadata.value(name, Json::array())) {
+      const auto is = [&](Test test) {
+        return [&each, &wrong, test](const char* key) { return wrong(each, key, test, true); };
+      };
+      if (!each.is_object() || !nullable_object(each, "sheets") ||
+          std::ranges::any_of(texts, is(&Json::is_string)) ||
+          std::ranges::any_of(numbers, is(&Json::is_number)))
+        return name;
+    }
+  }
+  return {};
+}
+
 /// What is wrong with metadata of a table; empty: nothing.
 std::string fault_of(const std::string& metadata, const std::string& path, const PageTable& page) {
   try {
@@ -86,6 +126,8 @@ std::string fault_of(const std::string& metadata, const std::string& path, const
     if (!is_of_table(metadata, page.rows))
       return fmt::format("is not of this table: it is of {} rows, and {} has {}",
                          found.at("rows").dump(), printable(path), page.rows);
+    if (const std::string part = wrong_part(found); !part.empty())
+      return fmt::format("cannot be read: its {} is not as the program writes it", part);
     const auto checksum = found.find("checksum");
     if (checksum == found.end() || !checksum->is_string()) return {};
     if (has_checksum(path, page, checksum->get<std::string>())) return {};

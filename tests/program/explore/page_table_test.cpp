@@ -103,6 +103,21 @@ TEST(PageTable, LeavesOutMetadataThatCannotBeRead) {
     EXPECT_THAT(warning(),
                 AllOf(HasSubstr("x.meta.json cannot be read: "), Not(HasSubstr("json."))));
   }
+  for (const auto& [part, value] : std::vector<std::pair<std::string, std::string>>{
+           {"command", "7"},
+           {"message", "[]"},
+           {"case", "\"x\""},
+           {"events", "5"},
+           {"events", "[5]"},
+           {"events", R"([{"event": "tilt", "point": null}])"},
+           {"segments", R"([{"sheet": 1, "segment": "2"}])"},
+           {"classes", R"([{"branch": "i", "status": "proven", "from": 0, "to": null}])"},
+           {"classes",
+            R"([{"branch": "i", "status": "proven", "from": 0, "to": 1, "sheets": "none"}])"},
+           {"skipped", "{}"}}) {
+    folder.file("x.meta.json", "{\"" + part + "\": " + value + "}");
+    EXPECT_THAT(warning(), HasSubstr("its " + part + " is not as the program writes it")) << value;
+  }
   // A million arrays in one another: what copies such a tree runs out of stack.
   const std::size_t deep = 1'000'000;
   folder.file("x.meta.json", "{\"case\": " + std::string(deep, '[') + std::string(deep, ']') + "}");
