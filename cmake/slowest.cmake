@@ -10,6 +10,9 @@ foreach(line IN LISTS lines)
     # Sources compiled as one are known by their target: every target has a unity_0.
     string(REGEX REPLACE "CMakeFiles/([^/]*)\\.dir/Unity/(.*)_cxx\\.cxx\\.o$" "\\1/\\2" name "${CMAKE_MATCH_3}")
     string(REGEX REPLACE "CMakeFiles/[^/]*\\.dir/|\\.o$" "" name "${name}")
+    if(IS_ABSOLUTE "${name}") # a custom command's output, which Ninja logs under its relative name too
+      continue()
+    endif()
     if(NOT DEFINED took_of_${name})
       list(APPEND names ${name})
     endif()
