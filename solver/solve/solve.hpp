@@ -30,7 +30,7 @@ constexpr std::string_view name(Method m) { return method_names[static_cast<int>
 
 struct SolveOptions {
   Method method = Method::automatic;
-  std::optional<Stretch> start;             ///< default: the rest state
+  std::optional<Stretch> start = {};        ///< default: the rest state
   bool search = true;                       ///< false: rest's sheet alone, no global search
   int threads = 1;                          ///< for Ceres
   const std::atomic<bool>* stop = nullptr;  ///< becomes true: return with status interrupted

@@ -87,7 +87,9 @@ event = ")" + each.event + "\"\n" +
     for (const Row& row : found) {
       EXPECT_FALSE(row.at("nu1").empty() || row.at("nu3").empty()) << row.at("point");
       // At the end a component is 0, and not proven to be real.
-      if (&row != &found.front()) EXPECT_EQ(row.at("certified"), "yes") << row.at("point");
+      if (&row != &found.front()) {
+        EXPECT_EQ(row.at("certified"), "yes") << row.at("point");
+      }
     }
     EXPECT_EQ(found.front().at("special"), "double");
     EXPECT_LT(std::abs(number(found.front().at("nu1")) * number(found.front().at("nu3"))), 1e-4);

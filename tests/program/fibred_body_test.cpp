@@ -47,16 +47,18 @@ void expect_alike(const Row& a, const Row& b, const std::string& where) {
                 2e-14 * (1.0 + std::abs(number(b.at(column)))))
         << where << column;
   EXPECT_EQ(a.contains("pressure"), b.contains("pressure"));
-  if (b.contains("pressure"))
+  if (b.contains("pressure")) {
     EXPECT_NEAR(number(a.at("pressure")), number(b.at("pressure")), 1e-13) << where;
+  }
   EXPECT_EQ(a.at("class"), b.at("class")) << where;
   EXPECT_EQ(a.at("negative"), b.at("negative")) << where;
   for (int k = 1; k <= 5; ++k) {
     for (const std::string part : {"re", "im"}) {
       const std::string column = part + std::to_string(k);
       ASSERT_EQ(a.at(column).empty(), b.at(column).empty()) << where << column;
-      if (!b.at(column).empty())
+      if (!b.at(column).empty()) {
         EXPECT_NEAR(number(a.at(column)), number(b.at(column)), 1e-12) << where << column;
+      }
     }
   }
 }

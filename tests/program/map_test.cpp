@@ -500,7 +500,9 @@ TEST_F(MapFile, WhatCannotBeShownIsRefused) {
   EXPECT_THAT(unknown.err, HasSubstr("--show growht: found no such column"));
   EXPECT_THAT(unknown.err, HasSubstr("did you mean \"growth\"?"));
   const std::string curve = directory_.file("c.csv", "branch,nu1,rho\ni,0.5,1\ni,0.6,1.1\n");
-  if (has_gnuplot()) EXPECT_EQ(plot(curve, "a.svg", {"--show", "rho"}).code, 0);
+  if (has_gnuplot()) {
+    EXPECT_EQ(plot(curve, "a.svg", {"--show", "rho"}).code, 0);
+  }
   const std::string broken = directory_.file("x.h5", text_of(h5_).substr(0, 700));
   EXPECT_EQ(plot(broken, "a.svg").code, 2);
 }

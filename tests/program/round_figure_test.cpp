@@ -165,7 +165,9 @@ TEST(RoundFigure, IsNoneOfUnequalInertias) {
     const auto rows = continued(directory, text);
     EXPECT_TRUE(events(rows, "ellipse-23").empty()) << J;
     for (const Row& row : rows)
-      if (number(row.at("nu1")) > 0.2) EXPECT_NE(row.at("zeta"), row.at("rho")) << J;
+      if (number(row.at("nu1")) > 0.2) {
+        EXPECT_NE(row.at("zeta"), row.at("rho")) << J;
+      }
   }
 }
 

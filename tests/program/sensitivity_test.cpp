@@ -361,7 +361,9 @@ start = [0.0, 1.6671619383278435, 1.1562090972527976, 1.5281974928045003]
   int seen = 0;
   for (const Row& row : slopes(path)) {
     const bool breaks = row.at("number") == "body.J.0" || row.at("number") == "body.J.1";
-    if (breaks) EXPECT_EQ(row.at("d_growth"), "") << row.at("number");
+    if (breaks) {
+      EXPECT_EQ(row.at("d_growth"), "") << row.at("number");
+    }
     // The others are smooth, and so are the stretches.
     EXPECT_NE(row.at("d_xi"), "") << row.at("number");
     EXPECT_LE(number(row.at("error")), 1e-3) << row.at("number");

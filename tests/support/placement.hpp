@@ -8,6 +8,8 @@
 // V through the invariants: d^2 = det S^2, t^2 = tr S^2 + 2 d.
 #pragma once
 
+#include <Eigen/Cholesky>
+
 #include "lib/body/body.hpp"
 #include "lib/material/potential.hpp"
 #include "tests/support/lie_poisson.hpp"

@@ -21,8 +21,8 @@ struct PageColumn {
 struct PageTable {
   std::string file;  ///< without its folder
   std::string title;
-  std::string metadata;  ///< JSON text; empty: there is none
-  std::string warning;   ///< why those beside the table are left out; empty: they are not
+  std::string metadata;      ///< JSON text; empty: there is none
+  std::string warning = {};  ///< why those beside the table are left out; empty: they are not
   std::vector<std::string>
       parameters;  ///< what is varied: columns under dotted keys, or a map's nu
   std::vector<PageColumn> columns;

@@ -71,7 +71,9 @@ TEST(Interval, SumsOfProductsHoldTheExactResult) {
     }
     const Interval value = sum.value();
     ASSERT_TRUE(holds(value, exact)) << text(value);
-    if (points) EXPECT_LE(Real50(value.hi) - Real50(value.lo), size * Real50(0x1p-46) + 1e-285);
+    if (points) {
+      EXPECT_LE(Real50(value.hi) - Real50(value.lo), size * Real50(0x1p-46) + 1e-285);
+    }
   }
   IntervalSum open;
   open.add_product(Interval::entire(), Interval(0.0));

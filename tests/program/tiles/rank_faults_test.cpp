@@ -193,7 +193,9 @@ TEST_F(RankFaults, KilledAroundEveryCallThatChangesAFile) {
       if (ended) break;
       ++killed;
       // The table is there whole or not at all.
-      if (fs::exists(table_)) EXPECT_EQ(text_of(table_), work_.whole_text()) << at << when;
+      if (fs::exists(table_)) {
+        EXPECT_EQ(text_of(table_), work_.whole_text()) << at << when;
+      }
       const auto begun_before = work_.begun();
       const auto kept_before = kept();
       EXPECT_LE(lost(begun_since({}, {}), kept_before), 2U * ranks) << at << when;

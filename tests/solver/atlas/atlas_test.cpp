@@ -124,7 +124,9 @@ TEST(Atlas, ABoxThatHoldsOneOfTwoMirrorImagesHasItsSheet) {
     EXPECT_GT(std::ranges::count(found.checkpoints, Branch::iii, &Checkpoint::branch), 0);
     for (const Checkpoint& at : found.checkpoints) {
       EXPECT_EQ(at.status, SearchStatus::complete);
-      if (at.branch == Branch::iii) EXPECT_EQ(at.proven, 1) << exchanged;
+      if (at.branch == Branch::iii) {
+        EXPECT_EQ(at.proven, 1) << exchanged;
+      }
     }
     ASSERT_EQ(std::ranges::count(found.sheets, Branch::iii, &AtlasSheet::branch), 1);
     int complete = 0;

@@ -252,9 +252,10 @@ TEST(LeastEnergy, IsTheSameOfCoarseRows) {
       ASSERT_EQ(each.size(), of[0].size()) << name;
       for (std::size_t k = 0; k < each.size(); ++k) {
         EXPECT_EQ(each[k].sheet, of[0][k].sheet) << name << " " << k;
-        if (k > 0)
+        if (k > 0) {
           EXPECT_NEAR(each[k].from.momentum / of[0][k].from.momentum, 1.0, 1e-9)
               << name << " " << k;
+        }
       }
     }
   }

@@ -76,7 +76,9 @@ TEST(SeparableSheets, AVerticalBranchFromEveryCircle) {
   const auto vertical = [](const AtlasSheet& sheet) { return sheet.report.vertical; };
   expect_near(rhos(found, vertical), {0.8, 1.1, 1.4}, 1e-9);
   for (const AtlasSheet& sheet : found.sheets)
-    if (sheet.report.vertical) EXPECT_TRUE(sheet.parent) << sheet.number;
+    if (sheet.report.vertical) {
+      EXPECT_TRUE(sheet.parent) << sheet.number;
+    }
   // Tilted sheets that end on one of them are joined to it.
   int tilted = 0;
   for (const AtlasSheet& sheet : found.sheets) {

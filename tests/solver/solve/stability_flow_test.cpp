@@ -2,6 +2,8 @@
 // conserves, and how it carries small disturbances.
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <complex>
 
 #include "tests/support/flows.hpp"
