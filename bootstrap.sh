@@ -120,9 +120,9 @@ run_tests() { # preset [ctest option ...]
 }
 
 if [[ $verb == run ]]; then
-  echo "Installs missing Debian packages, builds the program and runs a first case: about 6 minutes on two cores."
+  echo "Installs missing Debian packages, builds the program and runs a first case: about 5 minutes on two cores."
 else
-  echo "Installs missing Debian packages, builds everything in release and under the sanitizers, and runs the tests: about 35 minutes on two cores."
+  echo "Installs missing Debian packages, builds everything in release and under the sanitizers, and runs the tests, some in a browser: about 35 minutes on two cores."
 fi
 set_up
 if [[ $verb == run ]]; then
