@@ -80,7 +80,8 @@ std::string reason(const Json::exception& error) {
   return printable(std::string(name == std::string_view::npos ? text : text.substr(name + 2)));
 }
 
-/// The first part of metadata that a page reads and that is not as the schema has it (metadata.schema.json); empty: none.
+/// The first part of metadata that a page reads and that is not as the schema has it
+/// (metadata.schema.json); empty: none.
 std::string wrong_part(const Json& metadata) {
   using Test = bool (Json::*)() const noexcept;
   const auto wrong = [](const Json& of, const char* key, Test test, bool required) {

@@ -12,8 +12,8 @@
 
 namespace stationary {
 
-/// Whether a text of JSON nests more deeply than metadata ever do. What copies, compares and writes its tree is recursive,
-/// and the stack ends before such a text does.
+/// Whether a text of JSON nests more deeply than metadata ever do. What copies, compares and writes
+/// its tree is recursive, and the stack ends before such a text does.
 bool nests_too_deep(std::string_view json);
 
 /// What metadata of `continue` say of its table.
