@@ -1,5 +1,5 @@
 // What the benchmark reads of AUTO-07p's file fort.7.
-#include "tests/bench/auto_output.hpp"
+#include "tests/bench/work_precision/auto_output.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "tests/bench/equilibria.hpp"
+#include "tests/bench/work_precision/equilibria.hpp"
 
 #include <limits>
 #include <memory>
@@ -7,9 +7,9 @@
 #include "tests/bench/bodies.hpp"
 #include "tests/bench/four_equations.hpp"
 #include "tests/bench/march.hpp"
-#include "tests/bench/minpack_hybrj.hpp"
-#include "tests/bench/reduced_newton.hpp"
-#include "tests/bench/references.hpp"
+#include "tests/bench/work_precision/minpack_hybrj.hpp"
+#include "tests/bench/work_precision/reduced_newton.hpp"
+#include "tests/bench/work_precision/references.hpp"
 
 namespace stationary::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/bench/equilibria.hpp"
+#include "tests/bench/work_precision/equilibria.hpp"
 
 namespace stationary::bench {
 

@@ -1,4 +1,4 @@
-#include "tests/bench/ranks_simulation.hpp"
+#include "tests/bench/ranks/ranks_simulation.hpp"
 
 #include <algorithm>
 #include <functional>

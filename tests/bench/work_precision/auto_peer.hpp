@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/bench/curves.hpp"
+#include "tests/bench/work_precision/curves.hpp"
 
 namespace stationary::bench {
 

@@ -1,4 +1,4 @@
-#include "tests/bench/references.hpp"
+#include "tests/bench/work_precision/references.hpp"
 
 #include <Eigen/QR>
 

@@ -1,9 +1,9 @@
-#include "tests/bench/curves.hpp"
+#include "tests/bench/work_precision/curves.hpp"
 
 #include <array>
 
 #include "tests/bench/bodies.hpp"
-#include "tests/bench/references.hpp"
+#include "tests/bench/work_precision/references.hpp"
 #include "tests/support/curve_error.hpp"
 
 namespace stationary::bench {

@@ -18,14 +18,14 @@
 #include <list>
 
 #include "solver/program/table/atomic_file.hpp"
-#include "tests/bench/auto_peer.hpp"
 #include "tests/bench/bodies.hpp"
-#include "tests/bench/curves.hpp"
-#include "tests/bench/equilibria.hpp"
-#include "tests/bench/scipy_peer.hpp"
-#include "tests/bench/spectra.hpp"
-#include "tests/bench/work_precision_figure.hpp"
-#include "tests/bench/work_precision_table.hpp"
+#include "tests/bench/work_precision/auto_peer.hpp"
+#include "tests/bench/work_precision/curves.hpp"
+#include "tests/bench/work_precision/equilibria.hpp"
+#include "tests/bench/work_precision/scipy_peer.hpp"
+#include "tests/bench/work_precision/spectra.hpp"
+#include "tests/bench/work_precision/work_precision_figure.hpp"
+#include "tests/bench/work_precision/work_precision_table.hpp"
 
 namespace stationary::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/bench/work_precision_table.hpp"
+#include "tests/bench/work_precision/work_precision_table.hpp"
 
 #include <ceres/version.h>
 #include <fmt/chrono.h>

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "tests/bench/measurement.hpp"
-#include "tests/bench/references.hpp"
+#include "tests/bench/work_precision/references.hpp"
 
 namespace stationary::bench {
 

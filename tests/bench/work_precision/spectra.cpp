@@ -1,4 +1,4 @@
-#include "tests/bench/spectra.hpp"
+#include "tests/bench/work_precision/spectra.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

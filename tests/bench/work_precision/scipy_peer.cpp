@@ -1,4 +1,4 @@
-#include "tests/bench/scipy_peer.hpp"
+#include "tests/bench/work_precision/scipy_peer.hpp"
 
 #include <spawn.h>
 #include <sys/socket.h>

@@ -25,7 +25,7 @@
 #include "solver/program/commands/mpi_crew.hpp"
 #include "solver/program/rows/map_cells.hpp"
 #include "solver/program/tiles/tiled_run.hpp"
-#include "tests/bench/ranks_simulation.hpp"
+#include "tests/bench/ranks/ranks_simulation.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "tests/bench/auto_peer.hpp"
+#include "tests/bench/work_precision/auto_peer.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -20,8 +20,8 @@
 
 #include "lib/number/double_double_functions.hpp"
 #include "solver/continuation/continuation.hpp"
-#include "tests/bench/auto_output.hpp"
 #include "tests/bench/bodies.hpp"
+#include "tests/bench/work_precision/auto_output.hpp"
 
 namespace stationary::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/bench/auto_output.hpp"
+#include "tests/bench/work_precision/auto_output.hpp"
 
 #include <cmath>
 #include <sstream>

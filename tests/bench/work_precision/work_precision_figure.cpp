@@ -1,4 +1,4 @@
-#include "tests/bench/work_precision_figure.hpp"
+#include "tests/bench/work_precision/work_precision_figure.hpp"
 
 #include <fmt/format.h>
 
