@@ -15,6 +15,7 @@ class Elimination {
  public:
   using Matrix = Eigen::Matrix<double, n, n>;
 
+  Elimination() = default;
   explicit Elimination(const Matrix& A) : lu_(A) {
     for (int i = 0; i < n; ++i) row_[static_cast<std::size_t>(i)] = i;
     for (int k = 0; k < n; ++k) {
@@ -35,22 +36,24 @@ class Elimination {
   }
 
   double determinant() const { return sign_ * lu_.diagonal().prod(); }
-  /// Not finite where the matrix is singular.
-  Matrix inverse() const {
-    Matrix out = Matrix::Zero();
-    for (int k = 0; k < n; ++k) out(k, row_[static_cast<std::size_t>(k)]) = 1.0;
+  /// A^-1 B. Not finite where the matrix is singular.
+  template <int columns>
+  Eigen::Matrix<double, n, columns> solution(const Eigen::Matrix<double, n, columns>& B) const {
+    Eigen::Matrix<double, n, columns> out;
+    for (int k = 0; k < n; ++k) out.row(k) = B.row(row_[static_cast<std::size_t>(k)]);
     for (int k = 0; k < n; ++k)
-      for (int j = 0; j < n; ++j)
+      for (int j = 0; j < columns; ++j)
         for (int i = k + 1; i < n; ++i) out(i, j) -= lu_(i, k) * out(k, j);
     for (int k = n - 1; k >= 0; --k) {
       const double per_pivot = 1.0 / lu_(k, k);
-      for (int j = 0; j < n; ++j) {
+      for (int j = 0; j < columns; ++j) {
         out(k, j) *= per_pivot;
         for (int i = 0; i < k; ++i) out(i, j) -= lu_(i, k) * out(k, j);
       }
     }
     return out;
   }
+  Matrix inverse() const { return solution<n>(Matrix::Identity()); }
 
  private:
   Matrix lu_;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <type_traits>
 
 #include "lib/matrix/elimination.hpp"
 #include "solver/continuation/hermite_arc.hpp"
@@ -37,12 +38,11 @@ constexpr std::string_view name(CorrectorStatus s) {
   return corrector_status_names[static_cast<int>(s)];
 }
 
-/// [dG/dy; border^T] and its inverse: NaN where it is singular.
+/// [dG/dy; border^T] and its inverse, of which no more is computed than is asked for: NaN where it
+/// is singular.
 template <int N>
 class BorderedInverse {
  public:
-  using Matrix = Eigen::Matrix<double, N + 1, N + 1>;
-
   BorderedInverse() = default;
   /// slope: dG/d(p/scale).
   BorderedInverse(const Eigen::Matrix<double, N, N>& jacobian, const ReducedVector<N>& slope,
@@ -51,36 +51,60 @@ class BorderedInverse {
     A.template topLeftCorner<N, N>() = jacobian;
     A.template topRightCorner<N, 1>() = slope;
     A.row(N) = border.transpose();
-    // By elimination where there are four or more: the cofactors of a body that is far stiffer in
-    // volume than in shape cancel twice.
-    if constexpr (N < 3) {
-      bool invertible = false;
-      A.computeInverseAndDetWithCheck(inverse_, determinant_, invertible, 0.0);
+    if constexpr (by_elimination) {
+      parts_ = Elimination<N + 1>(A);
+      determinant_ = parts_.determinant();
     } else {
-      const Elimination<N + 1> lu(A);
-      determinant_ = lu.determinant();
-      inverse_ = lu.inverse();
+      bool invertible = false;
+      A.computeInverseAndDetWithCheck(parts_, determinant_, invertible, 0.0);
     }
-    if (!(std::abs(determinant_) > 0.0))
-      inverse_.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 
-  const Matrix& matrix() const { return inverse_; }
   /// The correction of y where the residual is g.
   ArcVector<N> correction(const ReducedVector<N>& g) const {
-    return inverse_.template leftCols<N>() * -g;
+    ArcVector<N> right = ArcVector<N>::Zero();
+    right.template head<N>() = -g;
+    return solution(right);
   }
   /// y that a residual of this size in each row may be off by, at most.
   ArcVector<N> largest(const ReducedVector<N>& g) const {
-    return inverse_.template leftCols<N>().cwiseAbs() * g;
+    return inverse().template leftCols<N>().cwiseAbs() * g;
+  }
+  /// The largest sum of magnitudes in a row of what takes G to y.
+  double rows() const {
+    return inverse().template leftCols<N>().cwiseAbs().rowwise().sum().maxCoeff();
   }
   /// Of dG/dy, on the border's side.
-  ArcVector<N> kernel() const { return inverse_.col(N); }
+  ArcVector<N> kernel() const { return solution(ArcVector<N>::Unit(N)); }
   /// Of the matrix's determinant: with the tangent as border one sign all along a sheet.
   bool positive() const { return determinant_ > 0.0; }
 
  private:
-  Matrix inverse_;
+  using Matrix = Eigen::Matrix<double, N + 1, N + 1>;
+  /// Where there are four rows or more: the cofactors of a body that is far stiffer in volume than
+  /// in shape cancel twice.
+  static constexpr bool by_elimination = N >= 3;
+  static constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+  bool singular() const { return !(std::abs(determinant_) > 0.0); }
+  ArcVector<N> solution(const ArcVector<N>& right) const {
+    if (singular()) return ArcVector<N>::Constant(not_a_number);
+    if constexpr (by_elimination) {
+      return parts_.template solution<1>(right);
+    } else {
+      return parts_ * right;
+    }
+  }
+  Matrix inverse() const {
+    if (singular()) return Matrix::Constant(not_a_number);
+    if constexpr (by_elimination) {
+      return parts_.inverse();
+    } else {
+      return parts_;
+    }
+  }
+
+  std::conditional_t<by_elimination, Elimination<N + 1>, Matrix> parts_;  ///< else its inverse
   double determinant_ = 0.0;
 };
 

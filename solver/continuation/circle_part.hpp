@@ -27,7 +27,7 @@ void make_rows_equal(Circle circle, bool volume_row, Vector& g) {
   make_equal(circle, g);
 }
 
-/// Of a linearization (g, jacobian, slope): restricted to the circle, the difference of the two stretches is given the
+/// Of a linearization (jacobian, slope, and g where it has it): restricted to the circle, the difference of the two stretches is given the
 /// eigenvalue 1. volume_row: as above.
 template <int N, class Linearization>
 void keep_to_circle(Circle circle, Linearization& at, bool volume_row = false) {
@@ -42,7 +42,7 @@ void keep_to_circle(Circle circle, Linearization& at, bool volume_row = false) {
     J(a, c) = J(b, c) = 0.5 * (J(a, c) + J(b, c));
     J(c, a) = J(c, b) = 0.5 * (J(c, a) + J(c, b));
   }
-  make_rows_equal(circle, volume_row, at.g);
+  if constexpr (requires { at.g; }) make_rows_equal(circle, volume_row, at.g);
   make_rows_equal(circle, volume_row, at.slope);
   if constexpr (requires { at.nu_slope; }) make_rows_equal(circle, volume_row, at.nu_slope);
 }

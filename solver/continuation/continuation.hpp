@@ -17,10 +17,12 @@
 
 #include "lib/matrix/elementwise.hpp"
 #include "lib/number/elementary.hpp"
+#include "solver/continuation/border_end.hpp"
 #include "solver/continuation/domain_guard.hpp"
 #include "solver/continuation/ellipse_end.hpp"
 #include "solver/continuation/event_search.hpp"
 #include "solver/continuation/path_step.hpp"
+#include "solver/continuation/range_limit.hpp"
 #include "solver/continuation/sheet_end.hpp"
 
 namespace stationary {
@@ -179,19 +181,19 @@ class Continuation {
       return;
     }
     find_events(next, attempt.arc);
-    if (const std::optional<double> limit = passed_limit(next, attempt.arc)) {
-      if (*limit == 0.0 && end_at_rest(attempt)) return;
+    if (const auto limit = passed_limit(options_.from, options_.to, next, attempt.arc, events())) {
+      if (limit->p == 0.0 && end_at_rest(attempt)) return;
       if (!stop_at(*limit, attempt)) return;
       next = here_next_;
       find_events(next, attempt.arc);
       if (ends_family(next, attempt)) return;
-      settle(next, attempt);
+      settle(next, attempt.arc);
       finish(EventType::limit, "the range asked for");
       return;
     }
     if (ends_family(next, attempt)) return;
     const double h = step_.length();
-    settle(next, attempt);
+    settle(next, attempt.arc);
     step_.lengthen(attempt.D, attempt.arc.turned);
     end_if_closed(h);
     if (end_.event == EventType::none) end_if_out_of_bounds();
@@ -239,13 +241,13 @@ class Continuation {
                 Arc<N>(attempt.arc.at(u), here_.arc.tangent, at.point.tangent));
   }
 
-  void settle(const CurvePoint<N>& next, const Attempt& attempt) {
+  void settle(const CurvePoint<N>& next, const Arc<N>& arc) {
     events_in_.settle();
     earlier_tests_ = here_.tests;
     here_ = next;
     guard_.enter(here_.arc);
-    step_.take(attempt.arc);
-    travelled_ += attempt.arc.chord;
+    step_.take(arc);
+    travelled_ += arc.chord;
     farthest_ = std::max(farthest_, travelled_.norm());
   }
 
@@ -257,24 +259,6 @@ class Continuation {
   bool leaves_range(const CurvePoint<N>& at) const {
     const double ahead = at.arc.tangent[N];
     return (at.arc.p <= options_.from && ahead < 0.0) || (at.arc.p >= options_.to && ahead > 0.0);
-  }
-
-  /// The limit of the range the step passes, also by turning just beyond it.
-  std::optional<double> passed_limit(const CurvePoint<N>& next, const Arc<N>& arc) {
-    const auto beyond = [&](double p) -> std::optional<double> {
-      if (p > options_.to) return options_.to;
-      if (p < options_.from) return options_.from;
-      return std::nullopt;
-    };
-    reach_ = 1.0;
-    for (const Event& event : events_) {
-      if (!is_fold(event.type)) continue;
-      if (const auto limit = beyond(event.member.parameter)) {
-        reach_ = arc.turn_of_parameter();
-        return limit;
-      }
-    }
-    return beyond(next.arc.p);
   }
 
   /// Ends it at p = 0, of a family whose balance is singular there. False: it is not, or the point
@@ -294,32 +278,16 @@ class Continuation {
     return true;
   }
 
-  /// Ends the attempt at p = limit instead. False: the point there was not found.
-  bool stop_at(double limit, Attempt& attempt) {
-    const double scale = curve_->corrector().scale();
-    const auto distance = [&](double u) {
-      return here_.arc.p + scale * attempt.arc.at(u)[N] - limit;
-    };
-    const double a = distance(0.0);
-    const double b = distance(reach_);
-    double u = reach_;
-    if ((a < 0.0) != (b < 0.0) && a != 0.0) {
-      std::uintmax_t evaluations = 60;
-      const auto bracket = boost::math::tools::toms748_solve(
-          distance, 0.0, reach_, a, b, boost::math::tools::eps_tolerance<double>(52), evaluations);
-      u = 0.5 * (bracket.first + bracket.second);
-    }
-    const ArcVector<N> y = attempt.arc.at(u);
-    Corrected<N> at = curve_->corrector().correct_at(
-        moved<N>(here_.arc.x, ReducedVector<N>(y.template head<N>())), limit,
-        attempt.arc.direction(u));
+  /// Ends the attempt at the limit instead. False: the point there was not found.
+  bool stop_at(const RangeLimit& limit, Attempt& attempt) {
+    const auto [at, arc] = at_limit(*curve_, here_.arc, attempt.arc, limit);
     if (at.status != CorrectorStatus::converged) {
       finish(EventType::stalled,
              "the end of the range was not reached: " + std::string(name(at.status)));
       return false;
     }
     here_next_ = completed(at.point);
-    attempt.arc = Arc<N>(y, here_.arc.tangent, at.point.tangent);
+    attempt.arc = arc;
     return true;
   }
 
@@ -343,7 +311,7 @@ class Continuation {
       CurvePoint<N> last = completed(corrected.point);
       last.member.spectrum.reset();    // a pair is zero there, and of no sign
       find_events(last, attempt.arc);  // once more, of what is left of the step
-      settle(last, attempt);
+      settle(last, attempt.arc);
     }
     std::erase_if(events_, [&](const Event& event) { return event.type == kind.end; });
     here_.member = end;
@@ -351,42 +319,20 @@ class Continuation {
   }
 
   /// Ends the sheet where the domain of the potential ends within `reach`: at the last point of the
-  /// curve inside, by bisection. False where it does not end there.
+  /// curve inside. False where it does not end there, and at the point reached already.
   bool end_at_border(double reach) {
-    const auto* broken = guard_.broken_along(here_.arc.tangent, reach);
-    if (broken == nullptr) return false;
-    Attempt last;
-    double inside = 0.0;
-    double outside = reach;
-    for (int k = 0; k < 60 && outside - inside > 0x1p-52; ++k) {
-      const double s = 0.5 * (inside + outside);
-      Attempt attempt;
-      (reaches(s, attempt) ? inside : outside) = s;
-      if (inside == s) last = attempt;
+    const auto border = border_within(*curve_, guard_, here_.arc, reach);
+    if (!border) return false;
+    finish(EventType::domain, "the domain of the potential ends: " + border->broken->text);
+    if (border->inside == 0.0) {
+      here_.member.error_bound += border->outside;
+      return false;
     }
-    finish(EventType::domain, "the domain of the potential ends: " + broken->text);
-    if (inside == 0.0) {
-      here_.member.error_bound += outside;
-      return false;  // at the point reached already
-    }
-    CurvePoint<N> next = completed(last.corrected.point);
-    next.member.error_bound += outside - inside;
+    CurvePoint<N> next = completed(border->corrected.point);
+    next.member.error_bound += border->outside - border->inside;
     events_.clear();
-    settle(next, last);
+    settle(next, border->arc);
     return true;
-  }
-
-  /// A point of the curve inside the domain, at a small distance.
-  bool reaches(double distance, Attempt& out) const {
-    const ArcVector<N> ahead = distance * here_.arc.tangent;
-    const Corrector<N>& corrector = curve_->corrector();
-    out.corrected = corrector.correct(
-        moved<N>(here_.arc.x, ReducedVector<N>(ahead.template head<N>())),
-        here_.arc.p + corrector.scale() * ahead[N], here_.arc.tangent, 1e-3 * distance + 1e-13);
-    if (out.corrected.status != CorrectorStatus::converged) return false;
-    const ArcPoint<N>& next = out.corrected.point;
-    out.arc = Arc<N>(ahead + out.corrected.correction, here_.arc.tangent, next.tangent);
-    return guard_.has(next);
   }
 
   void end_if_closed(double h) {
@@ -485,7 +431,6 @@ class Continuation {
   CurvePoint<N> here_;
   CurvePoint<N> here_next_;
   TestValues earlier_tests_{};
-  double reach_ = 1.0;  ///< of the last step, to its first turn beyond the range
   ArcVector<N> travelled_;
   double farthest_ = 0.0;
   std::vector<Event> events_;

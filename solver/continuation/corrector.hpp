@@ -25,6 +25,11 @@ struct Corrected {
   int linearizations = 0;
 };
 
+/// log(1 + x), of a small x by its series.
+inline double logarithm_of_one_and(double x) {
+  return std::abs(x) < 0x1p-18 ? x - 0.5 * x * x : log1p(x);
+}
+
 /// x with A x = 0 by its cofactors, which change sign with A and never with a normalization.
 template <int N>
 ArcVector<N> kernel_by_cofactors(const Eigen::Matrix<double, N, N + 1>& A) {
@@ -72,7 +77,7 @@ class Corrector {
   ArcVector<N> direction_near(const ReducedVector<N>& x, double p) const {
     return direction_of(linearize(x, p));
   }
-  ArcVector<N> direction_of(const FamilyLinearization<N>& at) const {
+  ArcVector<N> direction_of(const FamilySlopes<N>& at) const {
     Eigen::Matrix<double, N, N + 1> A;
     A.template leftCols<N>() = at.jacobian;
     A.col(N) = scale_ * at.slope;
@@ -99,7 +104,7 @@ class Corrector {
   /// |change of y| that half a unit in the last place of every input makes: across the curve, and
   /// along it where x is that of the row's rounded p.
   double curve_error(const ArcPoint<N>& point) const {
-    const double across = inverse(point.at, point.tangent)
+    const double across = inverse(point.slopes, point.tangent)
                               .largest(family_->input_perturbation(point.x, point.p))
                               .maxCoeff();
     const double along =
@@ -109,16 +114,12 @@ class Corrector {
 
   /// What of a correction is the rounding of G in double precision: some units of its magnitude.
   double correction_rounding(const ArcPoint<N>& point) const {
-    return 0x1p-50 * rows(inverse(point.at, point.tangent));
+    return 0x1p-50 * inverse(point.slopes, point.tangent).rows();
   }
 
  private:
-  BorderedInverse<N> inverse(const FamilyLinearization<N>& at, const ArcVector<N>& border) const {
+  BorderedInverse<N> inverse(const FamilySlopes<N>& at, const ArcVector<N>& border) const {
     return BorderedInverse<N>(at.jacobian, scale_ * at.slope, border);
-  }
-  /// The largest sum of magnitudes in a row of what takes G to y.
-  static double rows(const BorderedInverse<N>& inverse) {
-    return inverse.matrix().template leftCols<N>().cwiseAbs().rowwise().sum().maxCoeff();
   }
 
   void move(ArcVector<N> delta, Corrected<N>& out) const {
@@ -153,7 +154,8 @@ class Corrector {
     ArcPoint<N>& point = out.point;
     ReducedVector<N> x = point.x;
     Refined refined;
-    if (!pinned_) refined = family_->refine_at(x, point.tail, point.p);
+    std::optional<FamilySlopes<N>> slopes;
+    if (!pinned_) refined = family_->refine_with_slopes(x, point.tail, point.p, slopes);
     if (pinned_) {
       correct_onto_curve(ahead, out);
       point.p = *pinned_;
@@ -165,16 +167,24 @@ class Corrector {
         point.tail[b] = point.tail[a];
       }
       // Near an asymptote the rounding of p is a move along the curve.
-      for (int i = 0; i < N; ++i) out.correction[i] += log1p((x[i] - point.x[i]) / point.x[i]);
+      for (int i = 0; i < N; ++i)
+        out.correction[i] += logarithm_of_one_and((x[i] - point.x[i]) / point.x[i]);
       point.x = x;
       point.error_bound = refined.error_bound;
     } else {
       point.tail.setConstant(std::numeric_limits<double>::quiet_NaN());
       correct_at_turn(ahead, out);
+      slopes.reset();
     }
-    point.at = linearize(point.x, point.p);
-    ++out.linearizations;
-    const BorderedInverse<N> at_end = inverse(point.at, ahead);
+    if (slopes) {
+      keep_to_circle<N>(circle_, *slopes, family_->volume_row());
+      point.slopes = *slopes;
+      point.slopes_error = refined.last_change;
+    } else {
+      point.slopes = linearize(point.x, point.p);
+      ++out.linearizations;
+    }
+    const BorderedInverse<N> at_end = inverse(point.slopes, ahead);
     point.tangent = at_end.kernel();
     make_equal(circle_, point.tangent);
     if (pinned_) point.tangent[N] = 0.0;
@@ -216,7 +226,7 @@ class Corrector {
     const double across = moved_by.template head<N>().maxCoeff();
     const double D = moved_by[N] + 0x1p-53 * std::abs(out.point.p) / scale_;
     // In double, with its rounding.
-    const double rounding = 0x1p-50 * rows(inverted);
+    const double rounding = 0x1p-50 * inverted.rows();
     const ArcVector<N> kernel = inverted.kernel();
     const double slope = std::abs(kernel[N] / kernel.norm());
     constexpr double h = 1e-3;

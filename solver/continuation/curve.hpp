@@ -62,7 +62,8 @@ class Curve {
     // Where p has an asymptote the tangent's share of it is rounding: no sign is certain by that.
     constexpr double small = 1e-4;
     if (out.tests.value[TestValues::momentum] == momentum && std::abs(momentum) < small &&
-        !(std::abs(momentum) > per_parameter * corrector_.correction_rounding(arc)))
+        !(std::abs(momentum) >
+          per_parameter * (corrector_.correction_rounding(arc) + arc.slopes_error)))
       out.tests.uncertain |= 1U << static_cast<unsigned>(TestValues::momentum);
     return out;
   }
@@ -109,7 +110,7 @@ class Curve {
   };
 
   /// Kernel of [dG/d ln x  dG/dnu].
-  static ArcVector<N> kernel(const FamilyLinearization<N>& at) {
+  static ArcVector<N> kernel(const FamilySlopes<N>& at) {
     Eigen::Matrix<double, N, N + 1> A;
     A.template leftCols<N>() = at.jacobian;
     A.col(N) = at.nu_slope;
@@ -123,7 +124,7 @@ class Curve {
       c = arc.tangent;
       c[N] *= corrector_.scale();
     } else {
-      c = kernel(arc.at);
+      c = kernel(arc.slopes);
     }
     const double per_parameter = (family_->along_nu() ? corrector_.scale() : 0.0) / c.norm();
     c.normalize();

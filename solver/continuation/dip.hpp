@@ -15,28 +15,31 @@ struct Parabola {
   double a;
   double slope;
   double curvature;
+  double end;  ///< what it should be at 1
 };
 
-/// Through (-l, earlier), (0, a), (1, b), by Newton's form.
+/// Through (-l, earlier), (0, a), (1, b), by Newton's form, l (1 + l) times as large: nothing is
+/// divided by.
 inline Parabola parabola_through(double l, double earlier, double a, double b) {
   const double d01 = b - a;
-  const double d10 = (a - earlier) / l;
-  const double curvature = (d01 - d10) / (1.0 + l);
-  return {a, d01 - curvature, curvature};
+  const double size = l * (1.0 + l);
+  const double curvature = l * d01 - (a - earlier);
+  return {size * a, size * d01 - curvature, curvature, size * b};
 }
 
 /// Slope of the cubic that has the slopes a and b at its ends and gains so much between them.
 inline Parabola slope_of_cubic(double a, double b, double gain) {
-  return {a, 6.0 * gain - 4.0 * a - 2.0 * b, 3.0 * (a + b) - 6.0 * gain};
+  return {a, 6.0 * gain - 4.0 * a - 2.0 * b, 3.0 * (a + b) - 6.0 * gain, b};
 }
 
-/// Whether it comes near zero between its ends; b is what it should be at 1.
-inline bool may_touch_zero(const Parabola& f, double b) {
+/// Whether it comes near zero between its ends.
+inline bool may_touch_zero(const Parabola& f) {
   if (f.curvature * f.a <= 0.0) return false;  // bends away from zero
-  const double vertex = -0.5 * f.slope / f.curvature;
-  if (!(vertex > -0.1 && vertex < 1.1)) return false;
-  const double least = f.a + vertex * (f.slope + vertex * f.curvature);
-  return least * f.a <= 0.0 || std::abs(least) <= 0.3 * std::min(std::abs(f.a), std::abs(b));
+  const double size = std::abs(f.curvature);
+  const double turns = f.curvature < 0.0 ? 0.5 * f.slope : -0.5 * f.slope;  // at turns/size
+  if (!(turns > -0.1 * size && turns < 1.1 * size)) return false;
+  const double least = f.a + 0.5 * f.slope * (turns / size);
+  return least * f.a <= 0.0 || std::abs(least) <= 0.3 * std::min(std::abs(f.a), std::abs(f.end));
 }
 
 }  // namespace stationary

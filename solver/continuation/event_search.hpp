@@ -260,14 +260,14 @@ class EventSearch {
     const double b = to().tests.value[k];
     if (std::isnan(earlier) || (earlier < 0.0) != (a < 0.0)) return;
     const double l = earlier_length / arc().length;
-    if (may_touch_zero(parabola_through(l, earlier, a, b), b)) search_dip(k, a, b);
+    if (may_touch_zero(parabola_through(l, earlier, a, b))) search_dip(k, a, b);
   }
 
   /// Two turns of the parameter inside the step? Its slopes at both ends and what it gained.
   void fold_dip() {
     const double a = arc().length * arc().from[N];
     const double b = arc().length * arc().to[N];
-    if (!may_touch_zero(slope_of_cubic(a, b, arc().chord[N]), b)) return;
+    if (!may_touch_zero(slope_of_cubic(a, b, arc().chord[N]))) return;
     constexpr std::size_t k = TestValues::fold;
     search_dip(k, from().tests.value[k], to().tests.value[k]);
   }

@@ -26,8 +26,9 @@ struct ArcPoint {
   /// Sign of det [dG/dy; tangent^T]: one and the same all along a sheet.
   bool positive = true;
   double error_bound = std::numeric_limits<double>::quiet_NaN();  ///< of x at p
-  bool at_turn = false;  ///< x was corrected onto the curve, not to p
-  FamilyLinearization<N> at;
+  bool at_turn = false;       ///< x was corrected onto the curve, not to p
+  FamilySlopes<N> slopes;     ///< there
+  double slopes_error = 0.0;  ///< what they are off by may do to the tangent, beside their rounding
 };
 
 template <int N>
@@ -41,9 +42,11 @@ struct Arc {
   Arc() = default;
   /// length: that of the circle with this chord and this angle between the tangents.
   Arc(const ArcVector<N>& between, const ArcVector<N>& t0, const ArcVector<N>& t1)
-      : chord(between), from(t0), to(t1), turned(angle(t0, t1)) {
-    const double half = 0.5 * turned;
-    length = chord.norm() * (half > 1e-4 ? half / sin(half) : 1.0 + half * half / 6.0);
+      : chord(between), from(t0), to(t1) {
+    const double sine = std::min(1.0, 0.5 * (t0 - t1).norm());  // of half the angle
+    const double stretch = angle_over_sine(sine);
+    turned = 2.0 * sine * stretch;
+    length = chord.norm() * stretch;
   }
 
   /// y(u) - y(0), u = 0 ... 1 and, extrapolating, beyond.
@@ -69,8 +72,13 @@ struct Arc {
     return std::clamp(-2.0 * a / (B + (B > 0.0 ? root : -root)), 0.0, 1.0);
   }
 
-  static double angle(const ArcVector<N>& a, const ArcVector<N>& b) {
-    return 2.0 * asin(std::min(1.0, 0.5 * (a - b).norm()));  // accurate where small
+  /// An angle of this sine over it: of the angles that steps turn by, its series to 1e-15.
+  static double angle_over_sine(double sine) {
+    if (sine > 0.11) return asin(sine) / sine;
+    const double x = sine * sine;
+    constexpr double c[] = {1.0 / 6.0,     3.0 / 40.0,    5.0 / 112.0,
+                            35.0 / 1152.0, 63.0 / 2816.0, 231.0 / 13312.0};
+    return 1.0 + x * (c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5])))));
   }
 };
 

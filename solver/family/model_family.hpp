@@ -65,63 +65,40 @@ class ModelFamily final : public Family<N> {
     const Setting at = setting(p);
     const auto rates = extended_rates(at);
     this->evaluations_.jacobians += systems;
+    Linearizations parts;
     FamilyLinearization<N> out;
-    ReducedVector<N> scale;
     if constexpr (separable) {
-      const Linearized<2> planar = planar_system(at, rates).linearize({x[0], x[1]});
-      scale[0] = scale[1] = 1.0 / planar.magnitude;
-      out.g[0] = planar.g[0];
-      out.g[1] = planar.g[1];
-      out.jacobian.setZero();
-      out.jacobian.template topLeftCorner<2, 2>() = planar.jacobian.matrix();
+      parts.plane = planar_system(at, rates).linearize({x[0], x[1]});
+      out.g[0] = parts.plane.g[0];
+      out.g[1] = parts.plane.g[1];
       if constexpr (N == 3) {
-        const Linearized<1> axial = thickness_system(at, rates).linearize(ReducedVector<1>(x[2]));
-        scale[2] = 1.0 / axial.magnitude;
-        out.g[2] = axial.g[0];
-        out.jacobian(2, 2) = axial.jacobian(0, 0);
+        parts.thickness = thickness_system(at, rates).linearize(ReducedVector<1>(x[2]));
+        out.g[2] = parts.thickness.g[0];
       }
     } else {
-      const Linearized<3> all = CoupledSystem<Model>{at.model, rates}.linearize(x);
-      scale.setConstant(1.0 / all.magnitude);
-      out.g = all.g;
-      out.jacobian = all.jacobian.matrix();
+      parts.all = CoupledSystem<Model>{at.model, rates}.linearize(x);
+      out.g = parts.all.g;
     }
-    out.nu_slope = minus_pull(at.model, axis_rates(at.body, branch_, 2.0 * at.nu), x);
-    out.slope = along_nu() ? out.nu_slope : parameter_slope(at, rates, x);
-    for (int i = 0; i < N; ++i) {
-      out.g[i] *= scale[i];
-      out.slope[i] *= scale[i];
-      out.nu_slope[i] *= scale[i];
-      out.jacobian.row(i) *= scale[i];
-    }
+    const ReducedVector<N> scale = row_scales(parts);
+    static_cast<FamilySlopes<N>&>(out) = slopes_of(at, rates, x, parts, scale);
+    for (int i = 0; i < N; ++i) out.g[i] *= scale[i];
     return out;
   }
 
   Refined refine_at(ReducedVector<N>& x, ReducedVector<N>& tail, double p) const override {
     const Setting at = setting(p);
+    return refined(at, extended_rates(at), x, tail, nullptr);
+  }
+  Refined refine_with_slopes(ReducedVector<N>& x, ReducedVector<N>& tail, double p,
+                             std::optional<FamilySlopes<N>>& slopes) const override {
+    const Setting at = setting(p);
     const auto rates = extended_rates(at);
-    if constexpr (separable) {
-      ReducedVector<2> plane(x[0], x[1]);
-      ReducedVector<2> planar_tail;
-      Refined out = counted(refine(planar_system(at, rates), plane, max_corrections, &planar_tail));
-      x.template head<2>() = plane;
-      tail.template head<2>() = planar_tail;
-      if constexpr (N == 3) {
-        ReducedVector<1> rho(x[2]);
-        ReducedVector<1> rho_tail;
-        const Refined axial =
-            counted(refine(thickness_system(at, rates), rho, max_corrections, &rho_tail));
-        x[2] = rho[0];
-        tail[2] = rho_tail[0];
-        out.converged = out.converged && axial.converged;
-        out.error_bound = std::max(out.error_bound, axial.error_bound);
-      } else {
-        out.error_bound = std::max(out.error_bound, rho_bound_);
-      }
-      return out;
-    } else {
-      return counted(refine(CoupledSystem<Model>{at.model, rates}, x, max_corrections, &tail));
-    }
+    Linearizations parts;
+    const Refined out = refined(at, rates, x, tail, &parts);
+    slopes.reset();
+    if (out.converged && out.last_change <= Family<N>::slopes_agree)
+      slopes = slopes_of(at, rates, x, parts, row_scales(parts));
+    return out;
   }
 
   ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const override {
@@ -191,6 +168,13 @@ class ModelFamily final : public Family<N> {
   static constexpr bool separable = requires(const Model& m) { m.plane; };
   static constexpr bool constant_thickness = separable && N == 2;
 
+  /// Of the systems that are solved at one place: separable V's two, or the coupled one.
+  struct Linearizations {
+    Linearized<2> plane;
+    Linearized<1> thickness;  ///< N = 3
+    Linearized<3> all;
+  };
+
   /// Planar and thickness balances that are unknowns' own.
   static constexpr int systems = separable ? N - 1 : 1;
 
@@ -227,6 +211,68 @@ class ModelFamily final : public Family<N> {
         break;
       case Kind::fibre:
         break;  // none of an isotropic potential's
+    }
+    return out;
+  }
+
+  /// Corrects x; parts: linearizations before the last correction, if they are asked for.
+  Refined refined(const Setting& at, const CentrifugalRates<DoubleDouble>& rates,
+                  ReducedVector<N>& x, ReducedVector<N>& tail, Linearizations* parts) const {
+    if constexpr (separable) {
+      ReducedVector<2> plane(x[0], x[1]);
+      ReducedVector<2> planar_tail;
+      Refined out = counted(refine(planar_system(at, rates), plane, max_corrections, &planar_tail,
+                                   parts ? &parts->plane : nullptr));
+      x.template head<2>() = plane;
+      tail.template head<2>() = planar_tail;
+      if constexpr (N == 3) {
+        ReducedVector<1> rho(x[2]);
+        ReducedVector<1> rho_tail;
+        const Refined axial = counted(refine(thickness_system(at, rates), rho, max_corrections,
+                                             &rho_tail, parts ? &parts->thickness : nullptr));
+        x[2] = rho[0];
+        tail[2] = rho_tail[0];
+        out.converged = out.converged && axial.converged;
+        out.error_bound = std::max(out.error_bound, axial.error_bound);
+        out.last_change = std::max(out.last_change, axial.last_change);
+      } else {
+        out.error_bound = std::max(out.error_bound, rho_bound_);
+      }
+      return out;
+    } else {
+      return counted(refine(CoupledSystem<Model>{at.model, rates}, x, max_corrections, &tail,
+                            parts ? &parts->all : nullptr));
+    }
+  }
+
+  /// What the rows of G are multiplied by.
+  static ReducedVector<N> row_scales(const Linearizations& parts) {
+    ReducedVector<N> out;
+    if constexpr (separable) {
+      out[0] = out[1] = 1.0 / parts.plane.magnitude;
+      if constexpr (N == 3) out[2] = 1.0 / parts.thickness.magnitude;
+    } else {
+      out.setConstant(1.0 / parts.all.magnitude);
+    }
+    return out;
+  }
+  FamilySlopes<N> slopes_of(const Setting& at, const CentrifugalRates<DoubleDouble>& rates,
+                            const ReducedVector<N>& x, const Linearizations& parts,
+                            const ReducedVector<N>& scale) const {
+    FamilySlopes<N> out;
+    if constexpr (separable) {
+      out.jacobian.setZero();
+      out.jacobian.template topLeftCorner<2, 2>() = parts.plane.jacobian.matrix();
+      if constexpr (N == 3) out.jacobian(2, 2) = parts.thickness.jacobian(0, 0);
+    } else {
+      out.jacobian = parts.all.jacobian.matrix();
+    }
+    out.nu_slope = minus_pull(at.model, axis_rates(at.body, branch_, 2.0 * at.nu), x);
+    out.slope = along_nu() ? out.nu_slope : parameter_slope(at, rates, x);
+    for (int i = 0; i < N; ++i) {
+      out.slope[i] *= scale[i];
+      out.nu_slope[i] *= scale[i];
+      out.jacobian.row(i) *= scale[i];
     }
     return out;
   }

@@ -185,7 +185,7 @@ class StatedFamily final : public Family<Equations::dimension> {
   FamilyLinearization<N> linearize(const X& x, double p) const override {
     ++this->evaluations_.jacobians;
     const auto at = system(p).linearize(x);
-    return {at.g, at.jacobian.matrix(), at.slope, at.slope};
+    return {{at.jacobian.matrix(), at.slope, at.slope}, at.g};
   }
   Refined refine_at(X& x, X& tail, double p) const override {
     constexpr int max_corrections = 8;

@@ -28,13 +28,17 @@
 
 namespace stationary {
 
-/// G and its derivatives, each row divided by the magnitude of the terms in it.
+/// The derivatives of G, each row divided by the magnitude of the terms in it.
 template <int N>
-struct FamilyLinearization {
-  ReducedVector<N> g;
+struct FamilySlopes {
   Eigen::Matrix<double, N, N> jacobian;  ///< dG/d ln x
   ReducedVector<N> slope;                ///< dG/dp
   ReducedVector<N> nu_slope;             ///< dG/dnu; of slope's value where p is nu
+};
+/// G and its derivatives, rows divided likewise.
+template <int N>
+struct FamilyLinearization : FamilySlopes<N> {
+  ReducedVector<N> g;
 };
 
 /// What a two-polar motion has beside its stretches.
@@ -169,6 +173,8 @@ class Family {
  public:
   static constexpr int dimension = N;
 
+  static constexpr double slopes_agree = 0x1p-40;
+
   /// Since it was made.
   const EvaluationCounts& evaluations() const { return evaluations_; }
 
@@ -245,6 +251,13 @@ class Family {
   virtual FamilyLinearization<N> linearize(const ReducedVector<N>& x, double p) const = 0;
   /// Corrects x at fixed p with extended-precision residuals; tail: of x (refine.hpp).
   virtual Refined refine_at(ReducedVector<N>& x, ReducedVector<N>& tail, double p) const = 0;
+  /// The same; slopes: of linearize() at x as it is then, where those before the last correction are
+  /// the same to `slopes_agree` (Refined::last_change). Else nothing.
+  virtual Refined refine_with_slopes(ReducedVector<N>& x, ReducedVector<N>& tail, double p,
+                                     std::optional<FamilySlopes<N>>& slopes) const {
+    slopes.reset();
+    return refine_at(x, tail, p);
+  }
   /// G in extended precision, rows divided as in linearize().
   virtual ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const = 0;
   /// |change of G| by half a unit in the last place of every input, rows divided likewise.

@@ -22,6 +22,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "lib/number/elementary.hpp"
 #include "lib/number/first_order_bound.hpp"
@@ -34,7 +36,9 @@ struct Refined {
   int steps = 0;
   bool positive = false;  ///< det J > 0 at the last step
   double first_correction = std::numeric_limits<double>::quiet_NaN();  ///< max |delta| of step 1
-  double error_bound = std::numeric_limits<double>::quiet_NaN();       ///< relative, max over x
+  /// What the last step did to J^-1, relative to itself: kappa max |delta|.
+  double last_change = std::numeric_limits<double>::quiet_NaN();
+  double error_bound = std::numeric_limits<double>::quiet_NaN();  ///< relative, max over x
 };
 
 /// x exp(d) of a small d, as a series.
@@ -108,13 +112,19 @@ auto input_sensitivity(const System& system, const X& x, const At& at) {
   }
 }
 
+template <class System>
+using LinearizedOf = std::decay_t<decltype(std::declval<const System&>().linearize(
+    std::declval<const ReducedVector<System::dimension>&>()))>;
+
 /// Corrects x in place. bound = false leaves error_bound NaN and evaluates nothing for it.
 /// tail: what rounding x left of the solution, to about 2^-86; NaN where that is not known.
+/// last: linearize() before the last step.
 /// Not converged: x is the last iterate, or unchanged where the Jacobian is singular, also only to
 /// rounding, or the residual not finite.
 template <bool bound = true, class System>
 Refined refine(const System& system, ReducedVector<System::dimension>& x, int max_steps = 8,
-               ReducedVector<System::dimension>* tail = nullptr) {
+               ReducedVector<System::dimension>* tail = nullptr,
+               LinearizedOf<System>* last = nullptr) {
   constexpr int N = System::dimension;
   Refined out;
   if (tail != nullptr) tail->setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -140,6 +150,8 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
       const double bend =
           steep && before > fine ? std::max(kappa, size / (before * before)) : kappa;
       out.converged = true;
+      out.last_change = bend * size;
+      if (last != nullptr) *last = at;
       if constexpr (bound) {
         ReducedVector<N> perturbation = input_sensitivity(system, x, at);
         for (int i = 0; i < N; ++i)
