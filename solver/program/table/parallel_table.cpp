@@ -52,7 +52,8 @@ void ParallelTableWriter::start_batch() {
   arena_.execute([&] {
     own->group.run([this, own] {
       char* at = own->text.get();
-      for (const TableRow& row : own->rows) at = format_.line(row, at);
+      RowTexts texts;
+      for (const TableRow& row : own->rows) at = format_.line(row, texts, at);
       own->size = static_cast<std::size_t>(at - own->text.get());
     });
   });

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -13,8 +14,8 @@ namespace stationary {
 namespace {
 
 constexpr std::size_t block_size = 1U << 16U;
-constexpr std::size_t longest_text = 256;   // quoted
-constexpr std::size_t longest_number = 32;  // shortest round trip takes 24
+constexpr std::size_t longest_text = 256;  // quoted
+
 /// Where a row has the text of a column of texts.
 constexpr std::string_view TableRow::*text_place(Column c) {
   switch (c) {
@@ -51,14 +52,17 @@ char* append(std::string_view text, char* at) {
   return at;
 }
 
-char* append(double value, char* at) {
-  if (std::isnan(value)) return at;
-  if (value == 0.0) {  // a zero's sign says nothing
-    *at++ = '0';
-    return at;
-  }
-  return fmt::format_to(at, FMT_COMPILE("{}"), value);
-}
+constexpr std::uint8_t place_of(Column c) { return static_cast<std::uint8_t>(c); }
+constexpr std::array stretches{place_of(Column::xi), place_of(Column::zeta)};
+constexpr std::array growth{place_of(Column::growth)};
+constexpr std::array rates{place_of(Column::nu1), place_of(Column::nu2), place_of(Column::nu3)};
+/// Of each column those before it that often have the same number.
+constexpr auto likely_columns = [] {
+  std::array<std::span<const std::uint8_t>, column_count> out{};
+  out[place_of(Column::lambda)] = out[place_of(Column::mu)] = stretches;
+  for (int k = 0; k < mode_count; ++k) out[place_of(mode_column(k, ModePart::re))] = growth;
+  return out;
+}();
 
 char* append_count(double value, char* at) {
   if (std::isnan(value)) return at;
@@ -151,7 +155,8 @@ void TableChecksum::add(double value) {
 std::string TableChecksum::text() const { return fmt::format("{:016x}", state_); }
 
 // Nine texts (seven columns and, in the header, the parameters) and the rest numbers.
-const std::size_t RowFormat::longest_line = 9 * longest_text + (column_count + 2) * longest_number;
+const std::size_t RowFormat::longest_line =
+    9 * longest_text + (column_count + 2) * RowTexts::longest;
 
 RowFormat::RowFormat(const std::vector<Column>& columns,
                      const std::optional<std::string>& parameter,
@@ -174,7 +179,7 @@ char* RowFormat::header(char* at) const {
 }
 
 template <class Sum>
-char* RowFormat::summed_line(const TableRow& row, char* at, Sum& sum) const {
+char* RowFormat::summed_line(const TableRow& row, RowTexts& texts, char* at, Sum& sum) const {
   bool first = true;
   for (const Column c : columns_) {
     if (!std::exchange(first, false)) *at++ = ',';
@@ -189,26 +194,27 @@ char* RowFormat::summed_line(const TableRow& row, char* at, Sum& sum) const {
         break;
       case CellKind::number:
         sum.add(row[c]);
-        at = append(row[c], at);
+        if (!std::isnan(row[c]))
+          at = texts.append(row[c], place_of(c), likely_columns[place_of(c)], at);
     }
   }
   for (std::size_t k = 0; k < parameters_.size(); ++k) {
     if (!std::exchange(first, false)) *at++ = ',';
     const double value = k == 0 ? row.parameter : row.second_parameter;
     sum.add(value);
-    at = append(value, at);
+    if (!std::isnan(value)) at = texts.append(value, column_count + k, rates, at);
   }
   *at++ = '\n';
   return at;
 }
 
-char* RowFormat::line(const TableRow& row, char* at) const {
+char* RowFormat::line(const TableRow& row, RowTexts& texts, char* at) const {
   NoSum none;
-  return summed_line(row, at, none);
+  return summed_line(row, texts, at, none);
 }
 
-char* RowFormat::line(const TableRow& row, char* at, TableChecksum& sum) const {
-  return summed_line(row, at, sum);
+char* RowFormat::line(const TableRow& row, RowTexts& texts, char* at, TableChecksum& sum) const {
+  return summed_line(row, texts, at, sum);
 }
 
 TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
@@ -222,7 +228,7 @@ TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
       cursor_(format_.header(buffer_.data())) {}
 
 void TableWriter::put(const TableRow& row, TableChecksum& sum) {
-  cursor_ = format_.line(row, cursor_, sum);
+  cursor_ = format_.line(row, texts_, cursor_, sum);
   if (cursor_ >= buffer_.data() + block_size) flush();
 }
 

@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "solver/program/table/number_texts.hpp"
+
 namespace stationary {
 
 enum class Column : std::uint8_t {
@@ -206,6 +208,9 @@ class RowSink {
   std::size_t rows_ = 0;
 };
 
+/// Of the numbers of the rows before, which lines are made with: one after the other by one thread.
+using RowTexts = NumberTexts<column_count + 2>;
+
 /// A row as a line of CSV, and the line of the names.
 class RowFormat {
  public:
@@ -216,14 +221,14 @@ class RowFormat {
   static const std::size_t longest_line;
   /// From `at` on, where there must be room for the longest. The line's end.
   char* header(char* at) const;
-  char* line(const TableRow& row, char* at) const;
+  char* line(const TableRow& row, RowTexts& texts, char* at) const;
   /// Its cells are added to the sum as they are written: a step of the sum waits for the one before,
   /// and the processor writes meanwhile.
-  char* line(const TableRow& row, char* at, TableChecksum& sum) const;
+  char* line(const TableRow& row, RowTexts& texts, char* at, TableChecksum& sum) const;
 
  private:
   template <class Sum>
-  char* summed_line(const TableRow& row, char* at, Sum& sum) const;
+  char* summed_line(const TableRow& row, RowTexts& texts, char* at, Sum& sum) const;
 
   std::vector<Column> columns_;
   std::vector<std::string> parameters_;
@@ -244,6 +249,7 @@ class TableWriter final : public RowSink {
 
   ByteSink* sink_;
   RowFormat format_;
+  RowTexts texts_;
   std::vector<char> buffer_;
   char* cursor_;
 };

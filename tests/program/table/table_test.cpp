@@ -144,6 +144,33 @@ std::vector<Column> every_column() {
   return out;
 }
 
+TEST(RowTexts, ANumberThatWasWrittenBeforeHasTheTextOfItsOwn) {
+  const RowFormat format(every_column(), "p", "q");
+  std::mt19937_64 random(11);
+  std::vector<TableRow> rows = random_rows(400);
+  long repeated = 0;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    TableRow& row = rows[k];
+    for (std::size_t c = 0; c < column_count; ++c) {
+      if (cell_kind(static_cast<Column>(c)) != CellKind::number || random() % 2 == 0) continue;
+      row.numbers[c] = random() % 2 == 0 ? rows[k - 1].numbers[c] : row[Column::xi];
+      if (random() % 8 == 0) row.numbers[c] = -row.numbers[c];
+      ++repeated;
+    }
+    row.second_parameter = row[Column::nu2];
+  }
+  EXPECT_GT(repeated, 4000);
+  RowTexts texts;
+  std::vector<char> line(RowFormat::longest_line);
+  std::vector<char> own(RowFormat::longest_line);
+  for (const TableRow& row : rows) {
+    const char* const end = format.line(row, texts, line.data());
+    RowTexts none;
+    const char* const own_end = format.line(row, none, own.data());
+    EXPECT_EQ(std::string_view(line.data(), end), std::string_view(own.data(), own_end));
+  }
+}
+
 TEST(ParallelTable, BytesAreThoseOfOneThread) {
   for (const std::size_t count : {0U, 1U, 127U, 128U, 129U, 5000U}) {
     const std::vector<TableRow> rows = random_rows(count);
