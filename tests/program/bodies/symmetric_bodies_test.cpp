@@ -17,7 +17,7 @@ namespace {
 using ::testing::ElementsAre;
 
 /// `continue` of a case as text, the table's rows.
-std::vector<Row> followed(const std::string& text, int code = 0) {
+std::vector<Row> table_followed(const std::string& text, int code = 0) {
   const TemporaryDirectory directory;
   const Outcome outcome = run_program({"continue", directory.file("case.toml", text), "-o", "-"});
   EXPECT_EQ(outcome.code, code) << outcome.err;
@@ -50,7 +50,7 @@ std::string class_beside(const std::vector<Row>& rows, std::string_view event, i
 TEST(SymmetricBodies, ACircleOfAHeldVolumeTurnsWhereItsClosedFormDoes) {
   for (const char* l : {"-2.0", "0.0", "1.0", "3.0"}) {
     for (const std::string branch : {"i", "ii"}) {
-      const std::vector<Row> rows = followed(
+      const std::vector<Row> rows = table_followed(
           "[body]\nJ = [1.0, 1.0, 1.0]\nvolume = 1.0\n[potential]\n"
           "coupled = { expression = \"m*(log(lambda_)^2+log(mu_)^2+log(rho)^2)+l/2*log(d*rho)^2\", "
           "m = 1.0, l = " +
@@ -76,7 +76,7 @@ TEST(SymmetricBodies, ACircleOfAHeldVolumeTurnsWhereItsClosedFormDoes) {
 /// it, so that one direction changes its sign and not two.
 TEST(SymmetricBodies, TheAxisOfARoundBodyTiltsOnce) {
   for (const double J3 : {0.8, 0.7}) {
-    const std::vector<Row> rows = followed(
+    const std::vector<Row> rows = table_followed(
         "[body]\nJ = [1.0, " + std::to_string(J3) + ", " + std::to_string(J3) +
         "]\n[potential]\ncoupled = { model = \"neo-hookean-3d\", mu = 1.0, lambda = 2.0 }\n"
         "[motion]\nbranch = \"i\"\nnu = 0.3\n"
@@ -90,7 +90,7 @@ TEST(SymmetricBodies, TheAxisOfARoundBodyTiltsOnce) {
 /// Stretched to thousands the derivatives of V in double are rounding: J2 nu^2 zeta^2 = m at the one
 /// place where the circle breaks.
 TEST(SymmetricBodies, ACircleBreaksOnce) {
-  const std::vector<Row> rows = followed(
+  const std::vector<Row> rows = table_followed(
       "[body]\nJ = [1.0, 1.0, 1.0]\n[potential]\n"
       "coupled = { expression = \"m*(log(lambda_)^2+log(mu_)^2+log(rho)^2)+l/2*log(d*rho)^2\", "
       "m = 1.0, l = 10.0 }\n[motion]\nbranch = \"i\"\nnu = 0.3\n"
@@ -103,7 +103,7 @@ TEST(SymmetricBodies, ACircleBreaksOnce) {
 /// c11 = c22, c66 = (c11 - c12)/2: isotropic. With J1 = J2 the function of `oblique` is 0 all along.
 TEST(SymmetricBodies, WhatVanishesAllAlongIsNoEvent) {
   for (const char* branch : {"i", "ii"}) {
-    const std::vector<Row> rows = followed(
+    const std::vector<Row> rows = table_followed(
         "[body]\nJ = [1.0, 1.0, 0.5]\n[potential]\n"
         "plane = { model = \"orthotropic-saint-venant-kirchhoff\", c11 = 3.0, c22 = 3.0, "
         "c12 = 1.0, c66 = 1.0 }\nthickness = { model = \"reciprocal-quadratic\", a = 1.0, b = 3.0 "
@@ -152,7 +152,7 @@ TEST(SymmetricBodies, ACircleOfATwoPolarFamilyTellsWhereItLosesItsStability) {
   const std::string range =
       "[continuation]\nparameter = \"potential.coupled.lambda\"\nfrom = 0.85\nto = 0.96\n"
       "tolerance = 1e-6\n";
-  const std::vector<Row> rows = followed(
+  const std::vector<Row> rows = table_followed(
       body + "[motion]\nbranch = \"two-polar\"\nomega = 0.824\ntheta_dot = 0.673\n" + range);
   const std::vector<Row> events = between_ends(rows);
   ASSERT_THAT(names(events), ElementsAre("unexplained"));
@@ -163,7 +163,7 @@ TEST(SymmetricBodies, ACircleOfATwoPolarFamilyTellsWhereItLosesItsStability) {
 
 /// A pitchfork whose mirror axes are not the material ones is not passed; nothing escapes there.
 TEST(SymmetricBodies, AnEndAtModerateStretchesIsNoEscape) {
-  const std::vector<Row> rows = followed(
+  const std::vector<Row> rows = table_followed(
       "[body]\nJ = [1.5, 1.5, 0.4]\n[potential]\n"
       "plane = { model = \"biot-log\", mu = 1.0, lambda = 2.0 }\n"
       "thickness = { model = \"harmonic\", k = 2.0, rest = 1.0 }\n"
