@@ -149,7 +149,8 @@ class Corrector {
     return out;
   }
 
-  /// The extended-precision correction, tangent and orientation.
+  /// The extended-precision correction, tangent and orientation: by the slopes that the correction was
+  /// made with where these are the point's too.
   void finish(const ArcVector<N>& ahead, Corrected<N>& out) const {
     ArcPoint<N>& point = out.point;
     ReducedVector<N> x = point.x;

@@ -35,7 +35,7 @@ std::optional<RangeLimit> passed_limit(double from, double to, const CurvePoint<
   return std::nullopt;
 }
 
-/// The point of the curve at the limit, and the way to it; where it is converged.
+/// The point of the curve at the limit and, where the corrector converged, the way to it.
 template <int N>
 struct AtLimit {
   Corrected<N> corrected;

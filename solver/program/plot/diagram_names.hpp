@@ -18,7 +18,10 @@ std::vector<std::string> series_names(const Diagram& diagram);
 
 std::string ordinate_name(const Diagram& diagram);
 
-/// Its letters, and its file without folder and extension.
+/// Characters that a line of the legend has room for.
+constexpr std::size_t longest_legend_line = 24;
+
+/// Its letters, and its file without folder and extension, of a long one its beginning and its end.
 std::string table_name(const Diagram& diagram, std::size_t table);
 
 }  // namespace stationary

@@ -29,12 +29,12 @@ bool has_rows(const Diagram& diagram) {
 
 double width_of_legend(const Diagram& diagram) {
   constexpr double symbols = 46.0;
-  constexpr std::size_t longest_shown = 24;
   std::size_t longest = diagram.of_energy_and_momentum ? 12 : 18;  // "frequency, Krein +"
   for (const std::string& each : series_names(diagram)) longest = std::max(longest, each.size());
   for (std::size_t k = 0; diagram.tables.size() > 1 && k < diagram.tables.size(); ++k)
     longest = std::max(longest, table_name(diagram, k).size());
-  return symbols + page::character_width * static_cast<double>(std::min(longest, longest_shown));
+  return symbols +
+         page::character_width * static_cast<double>(std::min(longest, longest_legend_line));
 }
 
 /// How high the name of the ordinate stands beside its panel.

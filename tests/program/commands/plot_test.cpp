@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "solver/program/diagram/diagram_lines.hpp"
+#include "solver/program/plot/diagram_names.hpp"
 #include "solver/program/plot/diagram_picture.hpp"
 #include "solver/program/plot/gnuplot.hpp"
 #include "tests/program/needs_gnuplot.hpp"
@@ -130,6 +131,16 @@ TEST(Diagram, SheetsOfSeveralTablesAreToldApart) {
   EXPECT_EQ(diagram.pieces[1].label, "b");
   EXPECT_THAT(gnuplot_script(diagram, ImageFormat::svg, ""),
               AllOf(HasSubstr("'a  one'"), HasSubstr("'b  two'")));
+}
+
+TEST(Diagram, LongNamesOfTablesHaveTheirBeginningAndTheirEnd) {
+  Diagram diagram;
+  diagram.tables = {"here/twenty_one_characters.csv", "a_table_of_twenty_two_1.csv",
+                    "a_table_of_twenty_two_2.csv", "größere_Körper_mit_ν_und_ϱ_1.h5"};
+  EXPECT_EQ(table_name(diagram, 0), "a  twenty_one_characters");
+  EXPECT_EQ(table_name(diagram, 1), "b  a_table_of…enty_two_1");
+  EXPECT_EQ(table_name(diagram, 2), "c  a_table_of…enty_two_2");
+  EXPECT_EQ(table_name(diagram, 3), "d  größere_Kö…_ν_und_ϱ_1");
 }
 
 TEST(Diagram, ALineIsCutAtAnEventWhichBothSidesShare) {

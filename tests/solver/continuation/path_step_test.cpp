@@ -124,5 +124,23 @@ TEST(PathStep, GrowsAndShrinks) {
   EXPECT_LT(step.length(), 0.01);
 }
 
+TEST(Arc, AngleIsThatOfItsSine) {
+  int compared = 0;
+  for (double sine = 1e-12; sine <= 1.0; sine *= 1.01, ++compared)
+    EXPECT_NEAR(Arc<2>::angle_over_sine(sine) * sine, std::asin(sine), 1e-15 * std::asin(sine))
+        << sine;
+  EXPECT_GT(compared, 2500);
+  EXPECT_EQ(Arc<2>::angle_over_sine(0.0), 1.0);
+}
+
+TEST(Arc, LengthIsThatOfACircle) {
+  for (const double angle : {1e-6, 1e-3, 0.1, 0.2, 1.0}) {
+    const Arc<2> arc(RoundCurve::at(0.3 + angle) - RoundCurve::at(0.3), RoundCurve::tangent(0.3),
+                     RoundCurve::tangent(0.3 + angle));
+    EXPECT_NEAR(arc.turned, angle, 1e-14);
+    EXPECT_NEAR(arc.length, angle, 1e-14);
+  }
+}
+
 }  // namespace
 }  // namespace stationary

@@ -2,6 +2,8 @@
 // balance, and what is followed is what a solve finds.
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "tests/support/followed.hpp"
 #include "tests/support/model_and_branch.hpp"
 #include "tests/support/random_problem.hpp"
@@ -125,6 +127,57 @@ void expect_slopes(const Family<N>& family, const Stretch& q, double p, const Nu
     EXPECT_LE((at.nu_slope - along.slope).cwiseAbs().maxCoeff(), 1e-13) << message;
     EXPECT_EQ(along.slope, along.nu_slope) << message;
   }
+}
+
+/// Corrected from beside q: the slopes that come with it, where they do, are those there.
+template <int N>
+bool expect_slopes_of_correction(const Family<N>& family, const Stretch& q, double p, double beside,
+                                 const std::string& message) {
+  ReducedVector<N> x = unknowns<N>(q);
+  for (int k = 0; k < N; ++k) x[k] *= 1.0 + (k % 2 == 0 ? beside : -beside);
+  ReducedVector<N> plain = x;
+  ReducedVector<N> tail;
+  std::optional<FamilySlopes<N>> slopes;
+  EXPECT_TRUE(family.refine_with_slopes(x, tail, p, slopes).converged) << message;
+  (void)family.refine_at(plain, tail, p);
+  EXPECT_EQ(x, plain) << message;
+  if (!slopes) return false;
+  const FamilyLinearization<N> there = family.linearize(x, p);
+  constexpr double same = 64.0 * Family<N>::slopes_agree;
+  EXPECT_LE((slopes->jacobian - there.jacobian).cwiseAbs().maxCoeff(), same) << message;
+  EXPECT_LE((slopes->slope - there.slope).cwiseAbs().maxCoeff(),
+            same * there.slope.cwiseAbs().maxCoeff())
+      << message;
+  EXPECT_LE((slopes->nu_slope - there.nu_slope).cwiseAbs().maxCoeff(),
+            same * there.nu_slope.cwiseAbs().maxCoeff())
+      << message;
+  return true;
+}
+
+TEST_P(ParameterFamily, ACorrectionHasTheSlopesOfWhereItEnds) {
+  support::Random random(337);
+  int near = 0;
+  int far = 0;
+  for (int k = 0; k < 40; ++k) {
+    const Numbers of = random_numbers(random);
+    const Equilibrium solved = solve(of.problem(), of.nu);
+    if (solved.status != SolveStatus::solved) continue;
+    const AnyFamily in_nu = of.family({});
+    std::visit(
+        [&](const auto& own) {
+          constexpr int N = std::decay_t<decltype(*own)>::dimension;
+          if constexpr (N <= 3) {
+            for (const double beside : {1e-15, 1e-5}) {
+              const bool has =
+                  expect_slopes_of_correction<N>(*own, solved.q, of.nu, beside, std::to_string(k));
+              (beside < 1e-9 ? near : far) += has;
+            }
+          }
+        },
+        in_nu);
+  }
+  EXPECT_GE(near, 15);
+  EXPECT_EQ(far, 0);  // those before the last correction are not those after it
 }
 
 TEST_P(ParameterFamily, SlopesAreThoseOfTheBalance) {
