@@ -27,8 +27,8 @@ void make_rows_equal(Circle circle, bool volume_row, Vector& g) {
   make_equal(circle, g);
 }
 
-/// Of a linearization (jacobian, slope, and g where it has it): restricted to the circle, the difference of the two stretches is given the
-/// eigenvalue 1. volume_row: as above.
+/// Of a linearization (jacobian, slope, and g where it has it): restricted to the circle, the
+/// difference of the two stretches is given the eigenvalue 1. volume_row: as above.
 template <int N, class Linearization>
 void keep_to_circle(Circle circle, Linearization& at, bool volume_row = false) {
   if (circle == Circle::none) return;
