@@ -1,6 +1,6 @@
 // Numbers as the shortest text that is read back as the same number, of which many in a table are
 // ones that were written just before: a parameter that is held, lambda and mu that are xi and zeta, a
-// growth that is a mode's. Their text is copied, in a tenth of the time that it takes to be found.
+// growth that is a mode's. Their text is copied, and not found once more.
 #pragma once
 
 #include <array>
