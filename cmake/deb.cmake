@@ -1,5 +1,5 @@
 # Two Debian packages by CPack: the program, and the libraries with their headers. `deb` is the target;
-# the tools are Debian's dpkg-dev (dpkg-deb, dpkg-shlibdeps) and gzip.
+# the tools are Debian's dpkg-dev (dpkg-deb, dpkg-shlibdeps), scdoc and gzip.
 find_program(STATIONARY_DPKG_DEB dpkg-deb)
 find_program(STATIONARY_DPKG_SHLIBDEPS dpkg-shlibdeps)
 mark_as_advanced(STATIONARY_DPKG_DEB STATIONARY_DPKG_SHLIBDEPS)

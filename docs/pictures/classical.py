@@ -13,8 +13,8 @@ S-type ellipsoid the closed form
     omega^2 + theta'^2 = A = -2 g F_T,   2 omega theta' = B = -2 g d F_D + 2 g (rho^2/d) F_z   (docs/gravity.md)
 
 gives the rates; it exists where |B| <= A. `solve` then corrects it, bounds its error and claims its class; a border lies between two
-figures of one b/a whose classes are claimed and differ, c/a apart by less than 10^-9 of it. On these borders s3 = omega (I_1 + I_3)
-or omega (I_2 + I_3), I the principal inertias: the event `tilt` of the families (tests/python/classical_test.py)."""
+figures of one b/a whose classes are claimed and differ, c/a apart by less than 10^-9 of it. On these borders s3 = omega I_1 or
+s3 = omega I_2, I_a = m_b + m_c the locked inertia about axis a: the event `tilt` of the families (tests/python/classical_test.py)."""
 
 import csv
 import math

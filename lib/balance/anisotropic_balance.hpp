@@ -6,21 +6,21 @@
 // The balance is that V - q^T C(nu) q/2 be critical in q, taken in coordinates that keep S positive
 // definite,
 //
-//   u = ln xi,  v = ln zeta,  w = ln rho,  a:  alpha = sqrt(xi zeta) tanh a,  so d = xi zeta sech^2
-//   a
+//   u = ln xi,  v = ln zeta,  w = ln rho,  a:  alpha = sqrt(xi zeta) tanh a,
+//   so d = xi zeta sech^2 a
 //
 // and compatibility, in phi: nu is an eigenvector of the locked inertia I where
 //
 //   K = -(I22 - I11) sin(2 phi)/2 - I12 cos(2 phi) = 0.
 //
 // -K is 1/|nu|^2 times the derivative of q^T C q/2 by phi: all five are the gradient of one
-// function, and regular down to |nu| = 0. An isotropic W(t, l, r) has t = e^u + e^v, l = u + v + 2
-// ln sech a:
+// function, and regular down to |nu| = 0. An isotropic W(t, l, r) has
+// t = e^u + e^v, l = u + v + 2 ln sech a:
 //
 //   F_u = xi W_t + W_l,  F_v = zeta W_t + W_l,  F_w = W_r,  F_a = -2 tanh(a) W_l.
 //
-// Where det S = C is held, w = ln C - u - v - 2 ln sech a is eliminated: the four are those of V(u, v,
-// w(u, v, a), a) - q^T C(nu) q/2. w stays an unknown with k/2 (u + v + w + 2 ln sech a - ln C)^2 added
+// Where det S = C is held, w = ln C - u - v - 2 ln sech a is eliminated: the four are those of
+// V(u, v, w(u, v, a), a) - q^T C(nu) q/2. w stays an unknown with k/2 (u + v + w + 2 ln sech a - ln C)^2 added
 // to the function, for any k > 0 (held_volume.hpp), or is left out.
 //
 // a and phi are numbers x > 0 here too, a = ln x and phi = 2 gd(ln x) (Gudermann's function): all

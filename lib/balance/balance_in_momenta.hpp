@@ -3,8 +3,8 @@
 // motion (77)-(80) at p' = 0 (the paper prints d(alpha)/dt, ... on their left; it is dp_alpha/dt):
 //
 //   p' = N(q, pi, p) - grad V(q),   N = -dT/dq at fixed momenta,
-//   N = N_plane(pi1, pi2) + N_axial(pi3, p);   (91)-(94): grad V = N_plane,  (95)-(98): grad V =
-//   N_axial.
+//   N = N_plane(pi1, pi2) + N_axial(pi3, p);
+//   (91)-(94): grad V = N_plane,   (95)-(98): grad V = N_axial.
 //
 // With pi = I(q) nu and p the momenta of the steady rotation, N = C(nu) q: nu-form and momentum
 // form agree to rounding. Sources: eqs. (73), (77)-(80), (91)-(98) and the definitions of Xi,

@@ -69,7 +69,7 @@ Vector3<S> angular_velocity(TiltPlane plane, const S& in_plane, const S& normal)
 
 struct AxisRotation {
   Branch branch;
-  double nu;
+  double nu;  ///< along that axis; radians per unit of time, here and below
 };
 
 struct TiltedRotation {
@@ -98,16 +98,17 @@ struct ObliqueRotation {
   std::optional<Branch> near = std::nullopt;
 };
 
-/// Of R and U about axis 3.
+/// About axis 3: of S = U diag(lambda, mu, rho) U^T U turns at theta_dot, and R = L U at omega.
 template <class S>
 struct TwoPolarRates {
-  S omega;
-  S theta_dot;
+  S omega;      ///< of the figure in space
+  S theta_dot;  ///< of the figure in the material; either may be 0 or negative
 };
+/// Conjugate to these angles, in units of J nu.
 template <class S>
 struct TwoPolarMomenta {
-  S s3;
-  S p_theta;
+  S s3;       ///< the angular momentum
+  S p_theta;  ///< of the circulation
 };
 using TwoPolarMotion = std::variant<TwoPolarRates<double>, TwoPolarMomenta<double>>;
 

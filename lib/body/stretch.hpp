@@ -2,8 +2,8 @@
 // xi, zeta, rho) in this order everywhere.
 //
 //   t = xi + zeta,  d = xi zeta - alpha^2,  e = t^2 - 4 d = (xi - zeta)^2 + 4 alpha^2
-//   principal stretches lambda >= mu: roots of x^2 - t x + d;  theta = atan2(2 alpha, xi - zeta) /
-//   2
+//   principal stretches lambda >= mu: roots of x^2 - t x + d;
+//   theta = atan2(2 alpha, xi - zeta)/2
 //
 // t and d have no singularity at the circle lambda = mu, the principal stretches do. e is carried
 // along because near the circle it cannot be had from t and d without cancellation.

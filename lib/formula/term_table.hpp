@@ -2,8 +2,9 @@
 //
 //   G_i = sum_k C_ik tau_k - c_i exp(2 x_i),      dG_i/dx_j = sum_k C_ijk tau_k - 2 c_i exp(2 x_i),
 //
-// in the logarithms x of those of xi, zeta and rho that are unknown, with what has to hold where it
-// is defined. C are intervals that hold the exact coefficients.
+// in the logarithms x of those of xi, zeta and rho that are unknown, c_i the rates J nu^2 of the
+// centrifugal force, with what has to hold where it is defined. C are intervals that hold the exact
+// coefficients.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What the eigenproblem of a leaf gives for each Lambda.
+// What is had of each Lambda of a leaf, (J E'')^2 x = Lambda x (symplectic_leaf.hpp).
 #pragma once
 
 #include <array>
@@ -35,9 +35,10 @@ struct LeafModes {
   }
 };
 
+/// What is known of a leaf beside its matrix.
 struct LeafFacts {
-  bool forced_zero;
-  double uncertainty;
+  bool forced_zero;    ///< by a symmetry, one Lambda is exactly 0
+  double uncertainty;  ///< relative, of each input of the matrix
 };
 
 /// Energies below this of their terms' magnitudes have no sign.

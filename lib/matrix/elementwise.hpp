@@ -1,5 +1,5 @@
-// log, exp and pow of each element of an array of Eigen's by elementary.hpp. Eigen's own take whole
-// packets by series of theirs, fused on some processors, and what is left by the C library.
+// log, exp and pow of each element of an array of Eigen's by elementary.hpp. Eigen's own are the C
+// library's, which round otherwise on another processor.
 #pragma once
 
 #include <Eigen/Core>

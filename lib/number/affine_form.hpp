@@ -8,9 +8,11 @@
 // Source: J. Stolfi, L. H. de Figueiredo, Self-Validated Numerical Methods (1997), chapter 3.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "lib/number/interval.hpp"
 
@@ -228,6 +230,70 @@ AffineForm<D> log(const AffineForm<D>& x) {
   const Interval ends = hull(at_low - slope * Interval(y.lo), at_high - slope * Interval(y.hi));
   const Interval most = -(log_of_double(m) + Interval(1.0));
   return on_line(x, m, Interval(ends.lo, std::max(most.hi, ends.lo)), range);
+}
+
+/// The part of [-1, 1]^D that is left of a box of coordinates.
+template <int D>
+struct AffineBox {
+  std::array<Interval, D> epsilon;
+  bool empty = false;
+
+  static AffineBox whole() {
+    AffineBox out;
+    out.epsilon.fill(Interval(-1.0, 1.0));
+    return out;
+  }
+  static AffineBox nothing() {
+    AffineBox out = whole();
+    out.empty = true;
+    return out;
+  }
+  void join(const AffineBox& other) {
+    if (other.empty) return;
+    if (empty) {
+      *this = other;
+    } else {
+      for (std::size_t j = 0; j < D; ++j) epsilon[j] = hull(epsilon[j], other.epsilon[j]);
+    }
+  }
+
+  /// Every epsilon_j to where the form can take one of the values.
+  void keep(const AffineForm<D>& form, const Interval& values);
+};
+
+template <int D>
+void AffineBox<D>::keep(const AffineForm<D>& form, const Interval& values) {
+  if (empty || !form.bounded()) return;
+  const Interval rest(-form.radius, form.radius);
+  Interval all = Interval(form.center) + rest;
+  std::array<Interval, D> part;
+  for (std::size_t j = 0; j < D; ++j) {
+    part[j] = form.slope[j] * epsilon[j];
+    all += part[j];
+  }
+  if (all.apart_from(values) || form.range.apart_from(values)) {
+    empty = true;
+    return;
+  }
+  for (std::size_t j = 0; j < D; ++j) {
+    if (form.slope[j] == 0.0) continue;
+    Interval others = Interval(form.center) + rest;
+    for (std::size_t i = 0; i < D; ++i)
+      if (i != j) others += part[i];
+    // slope epsilon = value - others
+    Interval bound = Interval(-others.hi, -others.lo);
+    bound = Interval(below(bound.lo + values.lo), above(bound.hi + values.hi));
+    Interval side = Interval(bound.lo / form.slope[j], bound.hi / form.slope[j]);
+    if (form.slope[j] < 0.0) std::swap(side.lo, side.hi);
+    side = Interval(below(side.lo), above(side.hi));
+    if (std::isnan(side.lo) || std::isnan(side.hi)) continue;
+    if (side.apart_from(epsilon[j])) {
+      empty = true;
+      return;
+    }
+    epsilon[j] = common(epsilon[j], side);
+    part[j] = form.slope[j] * epsilon[j];
+  }
 }
 
 }  // namespace stationary

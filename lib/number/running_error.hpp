@@ -2,8 +2,8 @@
 // by u |x|, u >= 2^-53, and every operation rounds,
 //
 //   |value - exact| <= u . units + O(u^2),
-//   units(x y) = |x| units(y) + |y| units(x) + |x y|,   units(x + y) = units(x) + units(y) + |x +
-//   y|
+//   units(x y) = |x| units(y) + |y| units(x) + |x y|,
+//   units(x + y) = units(x) + units(y) + |x + y|
 //
 // and so on. Unlike Conditioned (first_order_bound.hpp), whose values come from extended precision,
 // the value here is the one the bound speaks of: what decides in SIMD lanes whether a sign is

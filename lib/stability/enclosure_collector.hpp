@@ -57,27 +57,54 @@ template <std::size_t n>
 using IntervalForm = SquareForm<Interval, n>;
 
 /// Negative eigenvalues of a symmetric F of rank `rank`, by Sylvester's law, the largest pivot
-/// first; nothing where a pivot has no sign.
-template <std::size_t n>
-std::optional<int> negative_directions(IntervalForm<n> F, std::size_t rank = n) {
+/// first; nothing where a pivot has no sign. pivots: their product, that is det F where the rank is n.
+template <class S, std::size_t n>
+std::optional<int> negative_directions(SquareForm<S, n> F, std::size_t rank = n,
+                                       S* pivots = nullptr) {
   std::array<std::size_t, n> order;
   for (std::size_t k = 0; k < n; ++k) order[k] = k;
   int count = 0;
+  S all(1.0);
   for (std::size_t a = 0; a < rank; ++a) {
     std::iter_swap(
         order.begin() + a,
         std::max_element(order.begin() + a, order.end(), [&](std::size_t i, std::size_t j) {
-          return F[i][i].mignitude() < F[j][j].mignitude();
+          return range(F[i][i]).mignitude() < range(F[j][j]).mignitude();
         }));
     const std::size_t k = order[a];
-    const int sign = proven_sign(F[k][k]);
+    const int sign = proven_sign(range(F[k][k]));
     if (sign == unknown) return std::nullopt;
     count += sign < 0;
+    all = all * F[k][k];
     for (std::size_t b = a + 1; b < n; ++b)
       for (std::size_t c = a + 1; c < n; ++c)
         F[order[b]][order[c]] -= F[order[b]][k] * F[k][order[c]] / F[k][k];
   }
+  if (pivots != nullptr) *pivots = all;
   return count;
+}
+
+/// Of each coefficient.
+template <class S, int D>
+Polynomial<Interval, D> ranges(const Polynomial<S, D>& p) {
+  Polynomial<Interval, D> out;
+  for (std::size_t k = 0; k <= D; ++k) out.c[k] = range(p.c[k]);
+  return out;
+}
+
+/// What the signs of its coefficients tell of the roots of a polynomial, c_D = 1: +1 where one is real
+/// and positive, -1 where all are negative, nothing where neither is known. all_real: they are known to be;
+/// then as many are positive as the coefficients change their sign (Descartes).
+template <int D>
+int sign_of_roots(const Polynomial<Interval, D>& p, bool all_real) {
+  if (p.c[0].negative()) return 1;
+  if (!all_real) return unknown;
+  bool all_positive = true;
+  for (const Interval& c : p.c) {
+    if (c.negative()) return 1;
+    all_positive = all_positive && c.positive();
+  }
+  return all_positive ? -1 : unknown;
 }
 
 /// Enclosed modes into what is proven of them together.
@@ -122,6 +149,8 @@ class EnclosureCollector {
   void set_definite_with_momentum() { definite_with_momentum_ = true; }
   /// Whether there is such a c is not decided: stable or elliptic is not told apart.
   void set_momentum_open() { momentum_open_ = true; }
+  /// One of the Lambda is real and positive, whichever it is.
+  void set_growing() { real_ = true; }
   /// E'' is definite: the motion is stable, whatever of the Lambda is decided.
   void set_definite() { proven_definite_ = true; }
   /// E'' has negative directions, whichever modes they are of.

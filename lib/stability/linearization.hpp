@@ -2,9 +2,9 @@
 // split it wherever V_alpha,xi = V_alpha,zeta = V_alpha,rho = 0: every isotropic V). Lambda = s^2.
 //
 // z = (pi, q, p):  pi' = nu x pi,  q' = dH/dp,  p' = -dH/dq,  nu = dH/dpi     (Lie-Poisson; the
-// paper prints pi' = pi x nu, which gives wrong spectra in (i), (ii): README, errata). On the leaf
-// |pi| = const, with omega the spin, I1 = J2 zeta^2 + J3 rho^2, I2 = J1 xi^2 + J3 rho^2, I3 = J1
-// xi^2 + J2 zeta^2:
+// paper prints pi' = pi x nu, which gives wrong spectra in (i), (ii): docs/theory.md, errata). On
+// the leaf |pi| = const, with omega the spin,
+// I1 = J2 zeta^2 + J3 rho^2, I2 = J1 xi^2 + J3 rho^2, I3 = J1 xi^2 + J2 zeta^2:
 //
 // (i) even (xi, zeta, rho):  diag(J1, J2, J3) x'' + K x = 0,
 //       K = V_xx - omega^2 diag(0, J2, J3) + (4 omega^2/I1) u u^T,  u = (0, J2 zeta, J3 rho)
@@ -21,8 +21,9 @@
 // (iii) even (alpha, xi, zeta[, rho]), gyroscopic: M x'' + G x' + K x = 0,
 //       M = diag(D/I3, J1, J2[, J3]),  G_xi,alpha = 2 omega J1 J2 zeta (xi+zeta)/I3,
 //       G_zeta,alpha = -2 omega J1 J2 xi (xi+zeta)/I3,
-//       K_aa = V_aa - omega^2 (J1+J2),  K = V_xx - omega^2 diag(J1, J2[, 0]) + (4 omega^2/I3) w
-//       w^T, w = (J1 xi, J2 zeta[, 0]).  Where V is separable rho stands alone: Lambda = -V_rr/J3.
+//       K_aa = V_aa - omega^2 (J1+J2),
+//       K = V_xx - omega^2 diag(J1, J2[, 0]) + (4 omega^2/I3) w w^T,  w = (J1 xi, J2 zeta[, 0]).
+//       Where V is separable rho stands alone: Lambda = -V_rr/J3.
 // omega = 0 in (iii) is the state of rest, on its 8-dimensional leaf.
 //
 // Everything is a template on the scalar; characteristic polynomials are formed by the caller's

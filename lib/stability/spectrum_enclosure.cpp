@@ -10,13 +10,6 @@ namespace stationary {
 namespace {
 
 /// Where the coefficients may lie.
-template <class S, int D>
-Polynomial<Interval, D> ranges(const Polynomial<S, D>& p) {
-  Polynomial<Interval, D> out;
-  for (std::size_t k = 0; k <= D; ++k) out.c[k] = range(p.c[k]);
-  return out;
-}
-
 /// Roots of p; krein(Lambda) of a simple imaginary one. definite: they are real, semisimple and of
 /// positive energy where imaginary.
 template <class S, int D, class Krein>

@@ -3,6 +3,7 @@
 // variation (tilted_linearization.hpp), their inertias and the roots of det(Lambda + B A).
 #pragma once
 
+#include "lib/number/sloped.hpp"
 #include "lib/stability/spectrum_enclosure.hpp"
 #include "lib/stability/tilted_linearization.hpp"
 
@@ -13,6 +14,11 @@ SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval, 5>& forms,
                                           bool material_symmetry, const Spectrum& approximate);
 /// Of a held volume.
 SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Interval, 4>& forms,
+                                          bool material_symmetry, const Spectrum& approximate);
+/// Of all motions along a curve.
+SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Sloped, 5>& forms,
+                                          bool material_symmetry, const Spectrum& approximate);
+SpectrumEnclosure enclose_tilted_spectrum(const TiltedForms<Sloped, 4>& forms,
                                           bool material_symmetry, const Spectrum& approximate);
 
 }  // namespace stationary

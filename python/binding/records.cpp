@@ -41,27 +41,21 @@ void fill(const Modes& modes, SpectrumRecord& out) {
   }
 }
 
+template <class S>
+SpectrumRecord record_of(const S& spectrum) {
+  SpectrumRecord out;
+  out.growth = spectrum.growth;
+  out.verdict = static_cast<std::int32_t>(spectrum.verdict);
+  out.negative = spectrum.negative;
+  out.modes = spectrum.modes;
+  fill(spectrum.mode, out);
+  return out;
+}
+
 }  // namespace
 
-SpectrumRecord record(const CellSpectrum& spectrum) {
-  SpectrumRecord out;
-  out.growth = spectrum.growth;
-  out.verdict = static_cast<std::int32_t>(spectrum.verdict);
-  out.negative = spectrum.negative;
-  out.modes = spectrum.modes;
-  fill(spectrum.mode, out);
-  return out;
-}
-
-SpectrumRecord record(const Spectrum& spectrum) {
-  SpectrumRecord out;
-  out.growth = spectrum.growth;
-  out.verdict = static_cast<std::int32_t>(spectrum.verdict);
-  out.negative = spectrum.negative;
-  out.modes = spectrum.modes;
-  fill(spectrum.mode, out);
-  return out;
-}
+SpectrumRecord record(const CellSpectrum& spectrum) { return record_of(spectrum); }
+SpectrumRecord record(const Spectrum& spectrum) { return record_of(spectrum); }
 
 Points::Points(const py::array& records)
     : nu_(needed(records, "nu")),

@@ -110,7 +110,7 @@ def atlas(
     prove for every nu of the range how many sheets there are, and of which classes, not at the
     checkpoints alone; the metadata's ``completeness`` and ``classes`` have the intervals.
 
-    Raises InputError, NumericalError.
+    Raises InputError, NotFound where there is no motion in the range, NumericalError.
     """
     case = _case(case)
     asked = flag(complete, "complete")

@@ -32,15 +32,11 @@ class AnisotropicSheets final : public SheetSource {
     return cover_oriented(problem_, false, from, to, options, classes);
   }
   std::optional<StabilityClass> proven_class(const Equilibrium& at, Inputs inputs) const override {
-    const Certificate proof = certify(problem_, at, inputs);
-    if (!proof.proven) return std::nullopt;
-    return enclose_spectrum(problem_, at, proof, {}, inputs).verdict;
+    return proven_class_of(problem_, at, inputs);
   }
 
   std::vector<Place> at_rest(const SolveOptions& options) const override {
-    const Equilibrium rest = solve(problem_, 0.0, options);
-    if (rest.status != SolveStatus::solved) return {};
-    return {Place{rest.q}};
+    return places_at_rest(problem_, options);
   }
 
   /// Of an even V in (iii): that with alpha = 0, then that with any other.

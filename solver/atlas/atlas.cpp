@@ -21,12 +21,7 @@ namespace {
 
 void remark(Atlas& out, Branch branch, bool oblique, std::optional<Entry> entry, double nu,
             std::string_view reason) {
-  Remark& made = out.remarks.emplace_back();
-  made.branch = branch;
-  made.oblique = oblique;
-  made.entry = entry;
-  made.nu = nu;
-  made.reason = reason;
+  out.remarks.push_back({branch, oblique, std::nullopt, entry, nu, std::string(reason)});
 }
 
 /// Also, with J1 = J2 and an isotropic V, where one is the other's mirror image.
@@ -178,8 +173,23 @@ std::vector<std::unique_ptr<SheetSource>> axis_sources(const Body& body, const P
   return all;
 }
 
+/// Motions tilted in a plane. With J1 = J2, and a box that has both, those in one plane are mirror images
+/// of the other's.
+std::vector<std::unique_ptr<SheetSource>> tilted_sources(const Body& body,
+                                                         const Potential& potential,
+                                                         const AtlasOptions& options) {
+  std::vector<std::unique_ptr<SheetSource>> out;
+  if (!options.tilted || !potential.is_isotropic()) return out;
+  out.push_back(tilted_sheets(body, potential, TiltPlane::one_three));
+  const Interval xi = options.search.range(0);
+  const Interval zeta = options.search.range(1);
+  if (!body.symmetric() || xi.lo != zeta.lo || xi.hi != zeta.hi)
+    out.push_back(tilted_sheets(body, potential, TiltPlane::two_three));
+  return out;
+}
+
 void add(SheetSet& set, Atlas& out) {
-  for (AtlasSheet& sheet : set.sheets()) {
+  for (AtlasSheet& sheet : set.found()) {
     sheet.number = static_cast<int>(out.sheets.size()) + 1;
     out.sheets.push_back(std::move(sheet));
   }
@@ -204,6 +214,9 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
     parts.emplace_back(oblique_sheets(body, potential), options);
   if (options.oblique && potential.may_shear())
     parts.emplace_back(sheared_sheets(body, potential), options);
+  const std::size_t in_plane = parts.size();
+  for (std::unique_ptr<SheetSource>& tilted : tilted_sources(body, potential, options))
+    parts.emplace_back(std::move(tilted), options);
   const auto each = static_cast<std::size_t>(options.checkpoints);
   const int threads = available_threads(options.threads);
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
@@ -224,19 +237,25 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
       tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t k) { parts[k].complete(); });
     tbb::parallel_for(std::size_t{0}, about_axes, [&](std::size_t k) { parts[k].follow_all(); });
   });
-  for (std::size_t k = 0; k < parts.size(); ++k) {
+  for (std::size_t k = 0; k < in_plane; ++k) {
     // Oblique sheets leave those about the axes.
     if (k >= about_axes) parts[k].follow_all(out.sheets);
     add(parts[k], out);
   }
-  for (const Checkpoint& at : out.checkpoints)
-    out.interrupted = out.interrupted || at.status == SearchStatus::interrupted;
   const bool axes_alike = potential.is_isotropic() && body.symmetric();
   if (potential.is_isotropic()) {
-    enter_tilted(body, potential, options, axes_alike, out);
+    if (options.tilted) enter_tilted(body, potential, options, axes_alike, out);
   } else {
     remark_tilts(out);
   }
+  for (std::size_t k = in_plane; k < parts.size(); ++k) {
+    for (const AtlasSheet& sheet : out.sheets)
+      if (sheet.plane && sheet.plane == parts[k].plane()) parts[k].adopt(sheet);
+    parts[k].follow_all();
+    add(parts[k], out);
+  }
+  for (const Checkpoint& at : out.checkpoints)
+    out.interrupted = out.interrupted || at.status == SearchStatus::interrupted;
   for (const AtlasSheet& sheet : out.sheets)
     out.interrupted = out.interrupted || sheet.report.interrupted;
   // A sheet or a cover that was not begun has nothing to say so.

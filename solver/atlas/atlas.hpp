@@ -7,7 +7,8 @@
 //   3. where a sheet lets others go (a circle turns into ellipses, an ellipse or an axis away from
 //      the material axes) and none of these is known, one is entered there;
 //   4. isotropic V: where an axis can tilt and no tilted family begins or ends there yet, one is
-//      entered and followed (tilted_family.hpp);
+//      entered and followed (tilted_family.hpp); then those through tilted motions found at
+//      checkpoints that lie on none of these;
 //   5. at every checkpoint the motions on the sheets are counted against those proven: where they
 //      agree, no sheet that passes there is missing;
 //   6. where asked, the curves of each kind are covered (solver/tube) before sheets are followed: the
@@ -43,6 +44,7 @@ struct AtlasOptions {
   int checkpoints = 256;
   std::vector<Branch> branches{Branch::i, Branch::ii, Branch::iii};
   bool oblique = true;    ///< its oblique motions too, where it may have any
+  bool tilted = true;     ///< likewise those tilted in a plane, of an isotropic V
   bool complete = false;  ///< for every nu, not at checkpoints alone
   StepOptions step;
   long max_points = 1'000'000;  ///< of each sheet
@@ -109,10 +111,11 @@ struct AtlasSheet {
   Motion motion(double nu) const;
 };
 
-/// All motions of a branch, or all oblique ones, at one nu, against the sheets.
+/// All motions of a branch, all oblique ones or all tilted in one plane, at one nu, against the sheets.
 struct Checkpoint {
   Branch branch = Branch::i;
   bool oblique = false;
+  std::optional<TiltPlane> plane = {};  ///< of tilted ones; `branch` then has no meaning
   double nu = 0.0;
   SearchStatus status = SearchStatus::not_run;
   int proven = 0;     ///< solutions in the box searched
@@ -165,6 +168,7 @@ struct ClassInterval {
 struct Completeness {
   Branch branch = Branch::i;
   bool oblique = false;
+  std::optional<TiltPlane> plane = {};      ///< as of a Checkpoint
   std::vector<CompleteInterval> intervals;  ///< ascending, each beginning where the last ends
   std::vector<ClassInterval> classes;       ///< likewise, not cut; empty without spectra
   long boxes = 0;                           ///< examined
@@ -184,6 +188,7 @@ struct Completeness {
 struct Remark {
   Branch branch;
   bool oblique;
+  std::optional<TiltPlane> plane;
   std::optional<Entry> entry;  ///< none: of the whole kind of motion
   double nu;
   std::string reason;
@@ -199,8 +204,19 @@ struct Atlas {
 };
 
 /// The kind of motion as tables name it.
-inline std::string_view kind_name(const AtlasSheet& sheet) { return name(sheet.motion(0.0)); }
-std::string_view kind_name(Branch branch, bool oblique);
+/// Of a sheet, a checkpoint, ...: as the column `branch` has it.
+std::string_view kind_name(Branch branch, bool oblique, bool tilted);
+template <class Of>
+std::string_view kind_name(const Of& of) {
+  return kind_name(of.branch, of.oblique, of.plane.has_value());
+}
+/// For a person: with the plane.
+template <class Of>
+std::string kind_text(const Of& of) {
+  std::string out(kind_name(of));
+  if (of.plane) out += ", plane " + std::string(name(*of.plane));
+  return out;
+}
 
 /// Throws std::invalid_argument unless 0 <= from < to, both finite, and checkpoints > 0.
 Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& options);

@@ -40,8 +40,8 @@ double Completeness::unproven_length() const { return unproven_length_of(interva
 
 double Completeness::unproven_class_length() const { return unproven_length_of(classes); }
 
-std::string_view kind_name(Branch branch, bool oblique) {
-  return oblique ? oblique_name : name(branch);
+std::string_view kind_name(Branch branch, bool oblique, bool tilted) {
+  return tilted ? tilted_name : oblique ? oblique_name : name(branch);
 }
 
 }  // namespace stationary

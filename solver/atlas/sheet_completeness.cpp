@@ -17,6 +17,7 @@ constexpr std::string_view parts = "ellipses part from circles";
 constexpr std::string_view parts_once = "ellipses part from circles: one event, proven";
 constexpr std::string_view folds = "two sheets meet at a fold";
 constexpr std::string_view leaves = "a sheet leaves the box";
+constexpr std::string_view tilts = "a sheet ends in a tilt";
 constexpr std::string_view part_leaves =
     "one stretch leaves the box, with no motion on either side for want of the others";
 constexpr std::string_view part_folds =
@@ -25,12 +26,13 @@ constexpr std::string_view part_folds =
 std::string_view reason_of(const NuGap& gap) {
   if (gap.undecided) return "boxes are left undecided";
   if (gap.mirrors) return parts;
-  return gap.turns ? folds : leaves;
+  if (gap.turns) return folds;
+  return gap.crosses ? leaves : tilts;
 }
 
 /// A sheet on its way to an escape hardly changes nu any more where it leaves the box, so that it may as well
 /// turn there. Two sheets that meet are two fewer, on one side of where they do; where the number proven
-/// on both sides differs by an odd one a sheet has left.
+/// on both sides differs by an odd one a sheet has left, or has ended.
 void tell_box_from_folds(std::vector<CompleteInterval>& all, const std::vector<NuGap>& gaps) {
   for (std::size_t k = 1; k + 1 < all.size(); ++k) {
     if (!all[k - 1].proven || !all[k + 1].proven) continue;
@@ -42,7 +44,8 @@ void tell_box_from_folds(std::vector<CompleteInterval>& all, const std::vector<N
     const auto is_it = [&](const NuGap& gap) { return gap.nu.lo == all[k].from; };
     const auto gap = std::ranges::find_if(gaps, is_it);
     const bool odd = (all[k + 1].sheets - all[k - 1].sheets) % 2 != 0;
-    if (gap != gaps.end() && gap->crosses && odd) all[k].reason = leaves;
+    if (gap != gaps.end() && odd && (gap->crosses || gap->ends))
+      all[k].reason = gap->crosses ? leaves : tilts;
   }
 }
 
@@ -153,6 +156,7 @@ void SheetSet::complete() {
   Completeness& out = completeness_.emplace();
   out.branch = source_->branch();
   out.oblique = source_->oblique();
+  out.plane = source_->plane();
   const double from = options_.from;
   const double to = options_.to;
   const auto cover = source_->cover(from, to, options_.search, options_.spectrum);

@@ -92,7 +92,10 @@ SheetSet::SheetSet(std::unique_ptr<SheetSource> source, const AtlasOptions& opti
 }
 
 void SheetSet::add_checkpoint(double nu) {
-  checkpoints_.push_back({.branch = source_->branch(), .oblique = source_->oblique(), .nu = nu});
+  checkpoints_.push_back({.branch = source_->branch(),
+                          .oblique = source_->oblique(),
+                          .plane = source_->plane(),
+                          .nu = nu});
   solutions_.emplace_back();
   unproven_.emplace_back();
   on_sheets_.emplace_back();
@@ -184,11 +187,22 @@ void SheetSet::follow_rest() {
   for (const Place& each : source_->at_rest(how)) enter(each, 0.0, Entry::rest, 0.0);
 }
 
+void SheetSet::adopt(const AtlasSheet& sheet) {
+  for (std::size_t k = 0; k < checkpoints_.size(); ++k)
+    add_crossings(sheet, 0, checkpoints_[k].nu, on_sheets_[k]);
+  sheets_.push_back(sheet);
+  families_of_sheets_.push_back(0);
+  ++adopted_;
+}
+
+std::span<AtlasSheet> SheetSet::found() { return std::span(sheets_).subspan(adopted_); }
+
 /// Follows the sheet through a motion and keeps it, unless it is one already kept.
 void SheetSet::enter(const Place& from, double nu, Entry entry, double entry_nu) {
   AtlasSheet sheet;
   sheet.branch = source_->branch();
   sheet.oblique = source_->oblique();
+  sheet.plane = source_->plane();
   sheet.entry = entry;
   sheet.entry_nu = entry_nu;
   const int family = source_->family_of(from);
@@ -208,7 +222,8 @@ void SheetSet::enter(const Place& from, double nu, Entry entry, double entry_nu)
 }
 
 void SheetSet::remark(Entry entry, double nu, std::string reason) {
-  remarks_.push_back({source_->branch(), source_->oblique(), entry, nu, std::move(reason)});
+  remarks_.push_back(
+      {source_->branch(), source_->oblique(), source_->plane(), entry, nu, std::move(reason)});
 }
 
 Place SheetSet::place(const Member& member) const {

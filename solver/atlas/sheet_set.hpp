@@ -35,14 +35,19 @@ class SheetSet {
   /// middle of every one.
   void complete();
 
+  /// Then, of the first family, sheets of this kind that are known: they are followed no more.
+  void adopt(const AtlasSheet& sheet);
+
   /// Then every sheet: from rest, through the motions found that lie on none, and off the sheets of
   /// this set, and of the others given.
   void follow_all(std::span<const AtlasSheet> others = {});
 
+  std::optional<TiltPlane> plane() const { return source_->plane(); }
   /// By nu.
   std::vector<Checkpoint> checkpoints() const;
   const std::optional<Completeness>& completeness() const { return completeness_; }
-  std::vector<AtlasSheet>& sheets() { return sheets_; }
+  /// Without those adopted.
+  std::span<AtlasSheet> found();
   const std::vector<Remark>& remarks() const { return remarks_; }
 
  private:
@@ -94,6 +99,7 @@ class SheetSet {
   std::vector<std::vector<Place>> unproven_;   ///< likewise, where a search is undecided
   std::vector<std::vector<Place>> on_sheets_;  ///< points there of the sheets so far
   std::vector<AtlasSheet> sheets_;
+  std::size_t adopted_ = 0;              ///< the first of them
   std::vector<int> families_of_sheets_;  ///< which of families_ each is of
   std::vector<Remark> remarks_;
   std::optional<Completeness> completeness_;

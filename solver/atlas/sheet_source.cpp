@@ -40,15 +40,11 @@ class AxisSheets final : public SheetSource {
   }
   std::optional<StabilityClass> proven_class(const Equilibrium& at, Inputs inputs) const override {
     if (at.q.alpha != 0.0) return proven_class_of(*this->at(at.nu[2]), at);
-    const Certificate proof = certify(problem_, at, inputs);
-    if (!proof.proven) return std::nullopt;
-    return enclose_spectrum(problem_, at, proof, {}, inputs).verdict;
+    return proven_class_of(problem_, at, inputs);
   }
 
   std::vector<Place> at_rest(const SolveOptions& options) const override {
-    const Equilibrium rest = solve(problem_, 0.0, options);
-    if (rest.status != SolveStatus::solved) return {};
-    return {Place{rest.q}};
+    return places_at_rest(problem_, options);
   }
 
   /// In (iii), where some may have alpha != 0, these are the second.
@@ -149,6 +145,19 @@ double distance(const Place& a, const Place& b) {
                    std::abs(log(a.q.rho / b.q.rho)),
                    std::abs(log(shear_coordinate(a.q) / shear_coordinate(b.q))),
                    std::abs(std::remainder(a.axis - b.axis, pi))});
+}
+
+std::vector<Place> places_at_rest(const Problem& problem, const SolveOptions& options) {
+  const Equilibrium rest = solve(problem, 0.0, options);
+  if (rest.status != SolveStatus::solved) return {};
+  return {Place{rest.q}};
+}
+
+std::optional<StabilityClass> proven_class_of(const Problem& problem, const Equilibrium& at,
+                                              Inputs inputs) {
+  const Certificate proof = certify(problem, at, inputs);
+  if (!proof.proven) return std::nullopt;
+  return enclose_spectrum(problem, at, proof, {}, inputs).verdict;
 }
 
 std::optional<StabilityClass> proven_class_of(const Kind& kind, const Equilibrium& at) {

@@ -1,4 +1,4 @@
-// What an atlas (atlas.hpp) asks of one kind of motion, about one of the material axes or oblique:
+// What an atlas (atlas.hpp) asks of one kind of motion, about one of the material axes, oblique or tilted:
 // all its motions at one nu, the families that its sheets belong to, and where its sheets leave
 // others.
 //
@@ -44,8 +44,13 @@ struct Departure {
 };
 using DepartureResult = std::variant<Departure, std::string>;
 
+/// Those of solve() at nu = 0.
+std::vector<Place> places_at_rest(const Problem& problem, const SolveOptions& options);
+
 /// By the decimals of the case, which hold its doubles.
 std::optional<StabilityClass> proven_class_of(const Kind& kind, const Equilibrium& at);
+std::optional<StabilityClass> proven_class_of(const Problem& problem, const Equilibrium& at,
+                                              Inputs inputs);
 
 class SheetSource {
  public:
@@ -56,6 +61,7 @@ class SheetSource {
 
   virtual Branch branch() const = 0;
   virtual bool oblique() const { return false; }
+  virtual std::optional<TiltPlane> plane() const { return std::nullopt; }
 
   /// Every motion at nu > 0, mirror images among them. May be called by several threads.
   virtual SearchResult search(double nu, const SearchOptions& options) const = 0;
@@ -105,6 +111,10 @@ std::unique_ptr<SheetSource> axis_sheets(const Problem& problem);
 /// std::invalid_argument).
 std::unique_ptr<SheetSource> anisotropic_sheets(const Problem& problem);
 std::unique_ptr<SheetSource> oblique_sheets(const Body& body, const Potential& potential);
+
+/// Of an isotropic V, tilted in a plane. They leave others at their tilts: there an atlas enters them.
+std::unique_ptr<SheetSource> tilted_sheets(const Body& body, const Potential& potential,
+                                           TiltPlane plane);
 
 /// Oblique ones of an isotropic V with gravity (Potential::may_shear()).
 std::unique_ptr<SheetSource> sheared_sheets(const Body& body, const Potential& potential);

@@ -75,7 +75,13 @@ class BorderedInverse {
     return inverse().template leftCols<N>().cwiseAbs().rowwise().sum().maxCoeff();
   }
   /// Of dG/dy, on the border's side.
-  ArcVector<N> kernel() const { return solution(ArcVector<N>::Unit(N)); }
+  ArcVector<N> kernel() const {
+    if constexpr (by_elimination) {
+      return solution(ArcVector<N>::Unit(N));
+    } else {
+      return inverse().col(N);
+    }
+  }
   /// Of the matrix's determinant: with the tangent as border one sign all along a sheet.
   bool positive() const { return determinant_ > 0.0; }
 

@@ -1,4 +1,4 @@
-// Where the events of a tilted family lie: the balance of a tilted axis (balance.hpp) and what
+// Where the events of a tilted family lie: the balance of a tilted axis (tilted_balance.hpp) and what
 // vanishes at the event, three equations in (xi, zeta, |nu|), in any number type:
 //
 //   fold               det dG/d ln x

@@ -157,15 +157,6 @@ class AxisKind final : public Kind {
   /// A vertical branch.
   bool follows_continuum() const override { return true; }
 
-  std::optional<EventEnclosure> enclose_event(const FamilyParameter& parameter, EventType event,
-                                              const Member& member) const override {
-    if (is_sheared(member.q)) return sheared_->enclose_event(parameter, event, member);
-    if (!potential().is_isotropic())
-      return enclose_oriented_event(problem_, parameter, event, member);
-    if (!has_enclosure(event)) return std::nullopt;
-    return stationary::enclose_event(problem_, parameter, circle_with(event, parameter, member),
-                                     event, member);
-  }
   std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
                                         const Member& member) const override {
     if (is_sheared(member.q)) return std::nullopt;
@@ -174,6 +165,16 @@ class AxisKind final : public Kind {
   }
 
  private:
+  std::optional<EventEnclosure> event_enclosure(const FamilyParameter& parameter, EventType event,
+                                                const Member& member) const override {
+    if (is_sheared(member.q)) return sheared_->enclose_event(parameter, event, member);
+    if (!potential().is_isotropic())
+      return enclose_oriented_event(problem_, parameter, event, member);
+    if (!has_enclosure(event)) return std::nullopt;
+    return stationary::enclose_event(problem_, parameter, circle_with(event, parameter, member),
+                                     event, member);
+  }
+
   /// Of an isotropic body with gravity about axis 3.
   bool is_sheared(const Stretch& q) const { return sheared_ && q.alpha != 0.0; }
 

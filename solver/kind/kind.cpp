@@ -9,6 +9,7 @@
 #include "solver/kind/sheared_kind.hpp"
 #include "solver/kind/tilted_kind.hpp"
 #include "solver/kind/two_polar_kind.hpp"
+#include "solver/proof/certificate.hpp"
 
 namespace stationary {
 namespace {
@@ -93,6 +94,15 @@ OnlyFound found(const Alternatives& kinds, const SolveOptions& options, bool all
 }
 
 }  // namespace
+
+std::optional<EventEnclosure> Kind::enclose_event(const FamilyParameter& parameter, EventType event,
+                                                  const Member& member) const {
+  std::optional<EventEnclosure> out = event_enclosure(parameter, event, member);
+  if (!out) return out;
+  out->assuming = potential_.assumptions();
+  require_assumptions(potential_, Inputs::decimals, out->q, *out);
+  return out;
+}
 
 Equilibrium at_rest() {
   Equilibrium out;

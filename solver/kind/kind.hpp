@@ -82,10 +82,8 @@ class Kind {
   /// Whether a start on a continuum of motions is followed along it.
   virtual bool follows_continuum() const { return false; }
   /// An event at a member of the family: nothing where it has no equations of its own.
-  virtual std::optional<EventEnclosure> enclose_event(const FamilyParameter&, EventType,
-                                                      const Member&) const {
-    return std::nullopt;
-  }
+  std::optional<EventEnclosure> enclose_event(const FamilyParameter& parameter, EventType event,
+                                              const Member& member) const;
   /// How the motions begin that an event lets begin, at a member of the family: nothing where that
   /// is not known.
   virtual std::optional<NormalForm> normal_form(const FamilyParameter&, EventType,
@@ -94,6 +92,12 @@ class Kind {
   }
 
  private:
+  /// enclose_event(), whatever the potential takes for granted.
+  virtual std::optional<EventEnclosure> event_enclosure(const FamilyParameter&, EventType,
+                                                        const Member&) const {
+    return std::nullopt;
+  }
+
   Body body_;
   Potential potential_;
 };

@@ -65,16 +65,17 @@ class ObliqueKind final : public Kind {
                           {.nu = motion_.nu, .parameter = parameter, .spectrum = outputs.spectrum},
                           motion_.near.value_or(Branch::i));
   }
-  std::optional<EventEnclosure> enclose_event(const FamilyParameter& parameter, EventType event,
-                                              const Member& member) const override {
-    return enclose_oblique_event(body(), potential().anisotropic(), parameter, event, member);
-  }
   std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
                                         const Member& member) const override {
     return oblique_normal_form(body(), potential(), parameter, event, member);
   }
 
  private:
+  std::optional<EventEnclosure> event_enclosure(const FamilyParameter& parameter, EventType event,
+                                                const Member& member) const override {
+    return enclose_oblique_event(body(), potential().anisotropic(), parameter, event, member);
+  }
+
   ObliqueRotation motion_;
 };
 

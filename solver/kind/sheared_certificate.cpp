@@ -52,7 +52,7 @@ Certificate certify_sheared(const ShearedEquations<N>& equations, double nu,
   std::optional<StretchBox> unique;
   if (const auto box = test.unique_within(spread)) unique = stated.stretch(*box);
   conclude(unique, solution, bound, out);
-  require_assumptions(equations.potential, Inputs::decimals, out);
+  require_assumptions(equations.potential, Inputs::decimals, out.solution, out);
   return out;
 }
 

@@ -152,12 +152,13 @@ class ShearedKind final : public Kind {
     return stationary::normal_form({body(), potential(), *left}, parameter, Circle::none, event,
                                    member);
   }
-  std::optional<EventEnclosure> enclose_event(const FamilyParameter&, EventType event,
-                                              const Member& member) const override {
+
+ private:
+  std::optional<EventEnclosure> event_enclosure(const FamilyParameter&, EventType event,
+                                                const Member& member) const override {
     return enclose_sheared_event(body(), potential(), axis_, event, member);
   }
 
- private:
   /// Whether it is known that there are none; else they are only not sought.
   bool none_is_known() const { return none_ && potential().is_isotropic(); }
 

@@ -71,16 +71,17 @@ class TiltedKind final : public Kind {
                    const Stretch&) const override {
     return tilted_family(body(), potential(), motion_.plane, outputs.spectrum);
   }
-  std::optional<EventEnclosure> enclose_event(const FamilyParameter&, EventType event,
-                                              const Member& member) const override {
-    return enclose_tilted_event(body(), potential(), motion_.plane, event, member);
-  }
   std::optional<NormalForm> normal_form(const FamilyParameter&, EventType event,
                                         const Member& member) const override {
     return tilted_normal_form(body(), potential(), motion_.plane, event, member);
   }
 
  private:
+  std::optional<EventEnclosure> event_enclosure(const FamilyParameter&, EventType event,
+                                                const Member& member) const override {
+    return enclose_tilted_event(body(), potential(), motion_.plane, event, member);
+  }
+
   TiltedRotation motion_;
 };
 

@@ -79,16 +79,17 @@ class TwoPolarKind final : public Kind {
         {.motion = motion_, .parameter = parameter, .spectrum = outputs.spectrum});
   }
   bool from_rest() const override { return true; }
-  std::optional<EventEnclosure> enclose_event(const FamilyParameter& parameter, EventType event,
-                                              const Member& member) const override {
-    return enclose_two_polar_event(body(), potential(), motion_, parameter, event, member);
-  }
   std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
                                         const Member& member) const override {
     return two_polar_normal_form(body(), potential(), motion_, parameter, event, member);
   }
 
  private:
+  std::optional<EventEnclosure> event_enclosure(const FamilyParameter& parameter, EventType event,
+                                                const Member& member) const override {
+    return enclose_two_polar_event(body(), potential(), motion_, parameter, event, member);
+  }
+
   TwoPolarMotion motion_;
 };
 

@@ -12,8 +12,10 @@
 //                      F_ss = 0 along s = ln(zeta/rho)/2; ellipse-13: (ii), likewise xi = rho
 //   oblique            (i), (ii): K_alpha,alpha (I1 - I2) = h^2 omega^2; an oblique family of an
 //                      even V ends there
-//   shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; likewise. Both, of an
-//                      isotropic V, where another parameter passes J1 = J2 only
+//   shear              (iii): K_alpha,alpha = 0 on a sheet of ellipses; likewise. Of a tilted
+//                      family W_t = 0: motions out of the plane of its axis begin. Of an isotropic
+//                      V without gravity oblique and shear are there only where another parameter
+//                      passes J1 = J2 (sheared_balance.hpp)
 //   hamiltonian-hopf   two imaginary pairs of one block meet and leave the axis
 //   real-collision     two real pairs of one block do
 //   krein-pass         imaginary pairs of opposite signature, of two blocks, meet and pass

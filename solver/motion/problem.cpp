@@ -10,6 +10,19 @@ ThicknessRule thickness_rule(const Potential& potential, Branch branch) {
   return branch == Branch::iii ? ThicknessRule::constant : ThicknessRule::closed_form;
 }
 
+/// Of the plan: what is in balance.
+std::string forces(bool elastic, bool gravity, bool pressure) {
+  std::vector<std::string> all;
+  if (elastic) all.emplace_back("elastic");
+  all.emplace_back("centrifugal force");
+  if (gravity) all.emplace_back("gravity");
+  if (pressure) all.emplace_back("pressure");
+  std::string out = "balance of " + all.front();
+  for (std::size_t k = 1; k < all.size(); ++k)
+    out += (k + 1 < all.size() ? ", " : " and ") + all[k];
+  return out;
+}
+
 /// Of a potential that is not isotropic.
 std::vector<PlanItem> oriented_plan(const AnisotropicPotential& V, Branch branch) {
   std::vector<PlanItem> plan;
@@ -38,8 +51,7 @@ std::vector<PlanItem> oriented_plan(const AnisotropicPotential& V, Branch branch
   plan.push_back(
       {"xi, zeta",
        branch == Branch::iii && !even ? "4 equations with alpha and rho" : "3 equations with rho",
-       V.body().any() ? "balance of elastic and centrifugal force, gravity and pressure"
-                      : "balance of elastic and centrifugal force"});
+       forces(true, V.body().gravitates, V.body().volume.has_value())});
   return plan;
 }
 
@@ -83,11 +95,11 @@ std::vector<PlanItem> make_plan(const Body& body, const Potential& potential, Br
       }
       break;
   }
+  const auto* const own = potential.body_model();
   plan.push_back({"xi, zeta",
                   rule == ThicknessRule::coupled ? "3 equations with rho" : "2 equations",
-                  potential.body_model() == nullptr
-                      ? "balance of elastic and centrifugal force"
-                      : "balance of elastic and centrifugal force, gravity and pressure"});
+                  forces(own == nullptr || !own->elastic.is_fluid(),
+                         own != nullptr && own->gravitates, potential.holds_volume())});
   return plan;
 }
 

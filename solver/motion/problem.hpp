@@ -2,10 +2,12 @@
 // solved.
 //
 //   separable V: rho decouples, V_rho'(rho) = J3 nu^2 rho in (i), (ii) and V_rho' = 0 in (iii)
-//   isotropic V: alpha = 0, by compatibility in (i), (ii); in (iii) because nu lies along a
-//                principal axis (J1 != J2), or by the choice of gauge on the circle of solutions
-//                (J1 = J2)
-// so (xi, zeta) remain, or (xi, zeta, rho) where V couples them. Worked out once; the solvers ask.
+//   isotropic V: alpha = 0 is held, which loses no solution without gravity: in (i), (ii) by
+//                compatibility; in (iii) because nu lies along a principal axis (J1 != J2), or by
+//                the choice of gauge on the circle of solutions (J1 = J2). With gravity there are
+//                others, a family of their own (lib/balance/sheared_balance.hpp)
+// so (xi, zeta) remain, or (xi, zeta, rho) where V couples them. Other V have alpha, too, an unknown
+// where they are not even in it. Worked out once; the solvers ask.
 #pragma once
 
 #include <string>
@@ -39,7 +41,7 @@ class Problem {
   const Potential& potential() const { return potential_; }
   Branch branch() const { return branch_; }
   ThicknessRule thickness_rule() const { return thickness_rule_; }
-  /// Number of coupled unknowns left: 2 (xi, zeta) or 3 (xi, zeta, rho).
+  /// Of an isotropic V, the coupled unknowns left: 2 (xi, zeta) or 3 (xi, zeta, rho).
   int unknowns() const { return thickness_rule_ == ThicknessRule::coupled ? 3 : 2; }
   const std::vector<PlanItem>& plan() const { return plan_; }
 

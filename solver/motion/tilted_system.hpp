@@ -1,4 +1,4 @@
-// The balance of a tilted axis (balance.hpp) as a reduced system in (ln xi, ln zeta), |nu| given.
+// The balance of a tilted axis (tilted_balance.hpp) as a reduced system in (ln xi, ln zeta), |nu| given.
 #pragma once
 
 #include "lib/balance/tilted_balance.hpp"

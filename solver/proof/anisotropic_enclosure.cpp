@@ -138,7 +138,7 @@ Certificate certify_anisotropic(const Problem& problem, const Equilibrium& equil
       out.reason = "proven not to be a solution: V_alpha does not vanish there";
     }
   }
-  require_assumptions(problem.potential(), inputs, out);
+  require_assumptions(problem.potential(), inputs, out.solution, out);
   return out;
 }
 
@@ -160,7 +160,7 @@ Certificate certify_oblique(const Body& body, const Potential& potential,
                                                 inputs),
                equilibrium.q, equilibrium.nu, out);
   }
-  require_assumptions(potential, inputs, out);
+  require_assumptions(potential, inputs, out.solution, out);
   return out;
 }
 

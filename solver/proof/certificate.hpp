@@ -29,15 +29,17 @@ inline Certificate begun(const Potential& potential, const Stretch& q) {
   return out;
 }
 
-/// What every proof ends with: that what is taken for granted is not refuted there.
-inline void require_assumptions(const Potential& potential, Inputs inputs, Certificate& out) {
+/// What every proof ends with, of a solution or of an event: that what is taken for granted is not
+/// refuted where it lies.
+template <class Claim>
+void require_assumptions(const Potential& potential, Inputs inputs, const StretchBox& at,
+                         Claim& out) {
   if (!out.proven || out.assuming.empty()) return;
-  const StretchBox& at = out.solution;
   if (!potential.assumptions_refuted({at.alpha, at.xi, at.zeta, at.rho},
                                      inputs == Inputs::decimals))
     return;
   out.proven = false;
-  out.reason = "proven not to be a solution: there the formula is not as was taken for granted (" +
+  out.reason = "proven not to be one: there the formula is not as was taken for granted (" +
                out.assuming.front() + ")";
 }
 

@@ -65,7 +65,7 @@ Certificate certify(const Problem& problem, const Equilibrium& equilibrium, Inpu
     problem.potential().visit_parts(
         [&](const auto& model) { certify_model(model, problem, q, nu, inputs, out); });
   }
-  require_assumptions(problem.potential(), inputs, out);
+  require_assumptions(problem.potential(), inputs, out.solution, out);
   if (out.proven && mirror_symmetric(problem, nu)) {
     // The mirror image solves the same equations; within `unique` it is the solution itself.
     out.circle = out.solution.xi.within(out.unique.zeta) && out.solution.zeta.within(out.unique.xi);

@@ -5,9 +5,9 @@
 // Inputs (J, coefficients, nu) are by default decimals within half a unit of the last place of the
 // doubles they were read as, as for Equilibrium::error_bound: the proof is for every such case (of
 // J1 = J2, for equal ones).
-// Refused: alpha != 0 (solutions of the balance that have it are no stationary motions, or another
-// choice of the angle), numbers proven to be no solution to working precision, and what the
-// intervals do not decide (a fold within rounding errors).
+// Refused: of an isotropic V alpha != 0 (without gravity it is no stationary motion, or another choice
+// of the angle; with gravity it is another kind's, sheared_kind.hpp), numbers proven to be no solution
+// to working precision, and what the intervals do not decide (a fold within rounding errors).
 #pragma once
 
 #include <array>

@@ -14,6 +14,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lib/body/circle.hpp"
 #include "lib/number/dual.hpp"
@@ -27,6 +28,8 @@ namespace stationary {
 struct EventEnclosure {
   bool proven = false;
   std::string reason;  ///< why not
+  /// As of a Certificate.
+  std::vector<std::string> assuming;
   Interval parameter;  ///< holds the event's p, for every value the inputs may have
   StretchBox q;        ///< likewise its stretches
   /// Proven bound of the relative error of each of the member's xi, zeta, rho as the event's.

@@ -239,13 +239,7 @@ class EventEquations {
     out.V_xz = b.uv / (s.xi * s.zeta);
     out.V_xr = b.uw / (s.xi * s.rho);
     out.V_zr = b.vw / (s.zeta * s.rho);
-    if constexpr (circle) {
-      out.V_aa = 2.0 * (out.V_xx - out.V_xz);
-    } else {
-      const T V_xi = b.g_xi / s.xi + s.rates.xi * s.xi;
-      const T V_zeta = b.g_zeta / s.zeta + s.rates.zeta * s.zeta;
-      out.V_aa = 2.0 * ((V_xi - V_zeta) / (s.xi - s.zeta));
-    }
+    out.V_aa = turning(s, out);
     return with_rotated_gravity(s, out);
   }
   /// Second derivatives along the held volume, the pull of rho among them already: G_xi = xi V_xi -
@@ -257,14 +251,18 @@ class EventEquations {
     out.V_zz = (b.vv - b.ww - b.g_zeta) / (s.zeta * s.zeta) + s.rates.zeta;
     out.V_xz = (b.uv - b.ww) / (s.xi * s.zeta);
     out.V_xr = out.V_zr = out.V_rr = T(0.0);
-    if constexpr (circle) {
-      out.V_aa = 2.0 * (out.V_xx - out.V_xz);
-    } else {
-      const T F_xi = b.g_xi / s.xi + s.rates.xi * s.xi;
-      const T F_zeta = b.g_zeta / s.zeta + s.rates.zeta * s.zeta;
-      out.V_aa = 2.0 * ((F_xi - F_zeta) / (s.xi - s.zeta));
-    }
+    out.V_aa = turning(s, out);
     return out;
+  }
+  /// V_aa of an isotropic potential with these forces; on the circle from its own derivatives.
+  T turning(const State& s, const StraightState<T>& of) const {
+    if constexpr (circle) {
+      return 2.0 * (of.V_xx - of.V_xz);
+    } else {
+      const T F_xi = s.balance.g_xi / s.xi + s.rates.xi * s.xi;
+      const T F_zeta = s.balance.g_zeta / s.zeta + s.rates.zeta * s.zeta;
+      return 2.0 * ((F_xi - F_zeta) / (s.xi - s.zeta));
+    }
   }
   /// What V_aa of gravity is beside that of an isotropic potential with the same forces:
   /// -2 g F_T (J1 - J2) (xi + zeta)/(zeta - xi).

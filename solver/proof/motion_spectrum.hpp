@@ -25,6 +25,12 @@ EnclosureFacts enclosure_facts(const Problem& problem, const MotionBox& motion);
 SpectrumEnclosure enclose_spectrum(const Problem& problem, const MotionBox& at,
                                    const Spectrum& approximate, Inputs inputs);
 
+/// Of those about an axis tilted in the plane, V isotropic; nothing is told where nu may lie along a
+/// material axis.
+SpectrumEnclosure enclose_tilted_spectrum(const Body& body, const Potential& potential,
+                                          TiltPlane plane, const MotionBox& at,
+                                          const Spectrum& approximate, Inputs inputs);
+
 /// Of oblique ones.
 SpectrumEnclosure enclose_oblique_spectrum(const Body& body, const Potential& potential,
                                            const MotionBox& at, const Spectrum& approximate,

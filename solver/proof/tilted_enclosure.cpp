@@ -6,6 +6,7 @@
 
 #include "lib/stability/tilted_spectrum_enclosure.hpp"
 #include "solver/proof/certificate.hpp"
+#include "solver/proof/motion_spectrum.hpp"
 
 namespace stationary {
 namespace {
@@ -76,7 +77,7 @@ Certificate certify_tilted(const Body& body, const Potential& potential,
     potential.visit_parts(
         [&](const auto& model) { certify_model(model, body, motion, equilibrium, inputs, out); });
   }
-  require_assumptions(potential, inputs, out);
+  require_assumptions(potential, inputs, out.solution, out);
   return out;
 }
 
@@ -84,19 +85,28 @@ SpectrumEnclosure enclose_spectrum(const Body& body, const Potential& potential,
                                    const TiltedRotation& motion, const Certificate& certificate,
                                    const Spectrum& spectrum, Inputs inputs) {
   if (!certificate.proven) throw std::invalid_argument("a spectrum needs a proven equilibrium");
-  const StretchBox& at = certificate.solution;
+  return enclose_tilted_spectrum(
+      body, potential, motion.plane,
+      {.stretches = certificate.solution, .nu = as_input(motion.nu, inputs)}, spectrum, inputs);
+}
+
+SpectrumEnclosure enclose_tilted_spectrum(const Body& body, const Potential& potential,
+                                          TiltPlane plane, const MotionBox& motion,
+                                          const Spectrum& approximate, Inputs inputs) {
+  const StretchBox& at = motion.stretches;
   return potential.visit_parts([&](const auto& model) {
-    const auto system = tilted_box_system(body, model, motion.plane, motion.nu, inputs);
-    const auto square = system.squares({at.xi, at.zeta});
-    const auto state =
-        straight_state(system.J, system.model, at.xi, at.zeta, at.rho, as_input(motion.nu, inputs));
-    const auto turned = motion.plane == TiltPlane::one_three ? state : state.exchanged();
-    const Interval nu1 = sqrt(square.in_plane);
-    const Interval nu3 = sqrt(square.normal);
+    auto system = tilted_box_system(body, model, plane, 0.0, inputs);
+    system.square_nu = square(motion.nu);
+    const auto square_of = system.squares({at.xi, at.zeta});
+    if (!square_of.in_plane.positive() || !square_of.normal.positive()) return SpectrumEnclosure();
+    const auto state = straight_state(system.J, system.model, at.xi, at.zeta, at.rho, motion.nu);
+    const auto turned = plane == TiltPlane::one_three ? state : state.exchanged();
+    const Interval nu1 = sqrt(square_of.in_plane);
+    const Interval nu3 = sqrt(square_of.normal);
     return potential.holds_volume() ? enclose_tilted_spectrum(held_tilted_forms(turned, nu1, nu3),
-                                                              body.symmetric(), spectrum)
+                                                              body.symmetric(), approximate)
                                     : enclose_tilted_spectrum(tilted_forms(turned, nu1, nu3),
-                                                              body.symmetric(), spectrum);
+                                                              body.symmetric(), approximate);
   });
 }
 

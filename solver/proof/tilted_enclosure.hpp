@@ -1,4 +1,4 @@
-// The balance of a tilted axis (balance.hpp) over a box of stretches, in interval arithmetic, with
+// The balance of a tilted axis (tilted_balance.hpp) over a box of stretches, in interval arithmetic, with
 // J, coefficients and |nu| as intervals; and the squares of nu's components, without which positive
 // a solution of that balance is no motion.
 //

@@ -104,7 +104,7 @@ Certificate certify_two_polar(const Body& body, const Potential& potential,
     });
     if (out.proven) prove_shape(equilibrium.circle, out);
   }
-  require_assumptions(potential, inputs, out);
+  require_assumptions(potential, inputs, out.solution, out);
   return out;
 }
 

@@ -1,9 +1,9 @@
 // All solutions of G(x) = 0 in a box of stretches, by branch and prune: a box is
 //
 //   discarded   where some G_i excludes 0 over it, by its own range or that of the mean value theorem,
-//               G_i(c) + sum_j J_ij(X) d_j, or where the Gauss-Seidel step
-//               d_i <- d_i n -(b_i + sum_{j != i} M_ij d_j)/M_ii,  M = Y J(X), b = Y G(c), x = c
-//               e^d leaves nothing of it: no solution in it
+//               G_i(c) + sum_j J_ij(X) d_j, x = c e^d, or where the Gauss-Seidel step
+//               d_i <- d_i n -(b_i + sum_{j != i} M_ij d_j)/M_ii,  M = Y J(X), b = Y G(c),
+//               leaves nothing of it: no solution in it
 //   settled     where Krawczyk's test proves one solution in a box that covers it
 //   narrowed    by that step, or split in two, where it is widest or, of a system that asks for it,
 //               where the bounds of G depend on it most, and examined again

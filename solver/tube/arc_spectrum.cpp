@@ -1,6 +1,10 @@
 #include "solver/tube/arc_spectrum.hpp"
 
+#include <utility>
+
+#include "lib/balance/tilted_balance.hpp"
 #include "lib/number/dual.hpp"
+#include "lib/stability/tilted_spectrum_enclosure.hpp"
 #include "solver/proof/box_balance.hpp"
 
 namespace stationary {
@@ -8,36 +12,66 @@ namespace {
 
 using AlongArc = Dual<Interval, 1>;
 
-template <class Model>
-StraightState<Sloped> state_along(const Body& body, const Model& model, const MotionArc& motion,
-                                  Inputs inputs) {
-  const auto number = [inputs](double x) { return AlongArc(as_input(x, inputs)); };
-  const StretchBox& x = motion.over.stretches;
-  const StretchBox& slope = motion.stretch_slope;
-  const StraightState<AlongArc> over = straight_state(
-      Inertia3<AlongArc>{number(body.J1), number(body.J2), number(body.J3)},
-      with_coefficients(model, number), AlongArc(x.xi, {slope.xi}), AlongArc(x.zeta, {slope.zeta}),
-      AlongArc(x.rho, {slope.rho}), AlongArc(motion.over.nu, {motion.nu_slope}));
-  const StretchBox& middle = motion.at.stretches;
-  const StraightState<Interval> at =
-      straight_state(inertia_intervals(body, inputs), interval_model(model, inputs), middle.xi,
-                     middle.zeta, middle.rho, motion.at.nu);
-  const auto sloped = [](const AlongArc& range, const Interval& middle) {
-    return Sloped(range.value, middle, range.slope[0]);
-  };
-  return {{sloped(over.J.J1, at.J.J1), sloped(over.J.J2, at.J.J2), sloped(over.J.J3, at.J.J3)},
-          sloped(over.xi, at.xi),
-          sloped(over.zeta, at.zeta),
-          sloped(over.rho, at.rho),
-          sloped(over.omega, at.omega),
-          sloped(over.V_aa, at.V_aa),
-          sloped(over.V_xx, at.V_xx),
-          sloped(over.V_xz, at.V_xz),
-          sloped(over.V_zz, at.V_zz),
-          sloped(over.V_xr, at.V_xr),
-          sloped(over.V_zr, at.V_zr),
-          sloped(over.V_rr, at.V_rr)};
+Sloped sloped(const AlongArc& over, const Interval& middle) {
+  return Sloped(over.value, middle, over.slope[0]);
 }
+
+/// The inputs and motions over the arc, with slopes, and in its middle.
+template <class Model>
+class Along {
+ public:
+  Along(const Body& body, const Model& model, const MotionArc& motion, Inputs inputs)
+      : number_{inputs},
+        over_J_{number_(body.J1), number_(body.J2), number_(body.J3)},
+        at_J_(inertia_intervals(body, inputs)),
+        over_model_(with_coefficients(model, number_)),
+        at_model_(interval_model(model, inputs)),
+        xi_(motion.over.stretches.xi, {motion.stretch_slope.xi}),
+        zeta_(motion.over.stretches.zeta, {motion.stretch_slope.zeta}),
+        rho_(motion.over.stretches.rho, {motion.stretch_slope.rho}),
+        nu_(motion.over.nu, {motion.nu_slope}),
+        at_(motion.at) {}
+
+  StraightState<Sloped> state() const {
+    const auto over = straight_state(over_J_, over_model_, xi_, zeta_, rho_, nu_);
+    const StretchBox& middle = at_.stretches;
+    const auto at = straight_state(at_J_, at_model_, middle.xi, middle.zeta, middle.rho, at_.nu);
+    return {{sloped(over.J.J1, at.J.J1), sloped(over.J.J2, at.J.J2), sloped(over.J.J3, at.J.J3)},
+            sloped(over.xi, at.xi),
+            sloped(over.zeta, at.zeta),
+            sloped(over.rho, at.rho),
+            sloped(over.omega, at.omega),
+            sloped(over.V_aa, at.V_aa),
+            sloped(over.V_xx, at.V_xx),
+            sloped(over.V_xz, at.V_xz),
+            sloped(over.V_zz, at.V_zz),
+            sloped(over.V_xr, at.V_xr),
+            sloped(over.V_zr, at.V_zr),
+            sloped(over.V_rr, at.V_rr)};
+  }
+  TiltSquares<Sloped> tilt(TiltPlane plane) const {
+    const auto over =
+        tilt_squares_of(over_model_, over_J_, plane, xi_, zeta_, rho_, AlongArc(nu_ * nu_));
+    const StretchBox& middle = at_.stretches;
+    const auto at = tilt_squares_of(at_model_, at_J_, plane, middle.xi, middle.zeta, middle.rho,
+                                    square(at_.nu));
+    return {sloped(over.in_plane, at.in_plane), sloped(over.normal, at.normal)};
+  }
+
+ private:
+  struct Number {
+    Inputs inputs;
+    AlongArc operator()(double x) const { return AlongArc(as_input(x, inputs)); }
+  };
+
+  Number number_;
+  Inertia3<AlongArc> over_J_;
+  Inertia3<Interval> at_J_;
+  decltype(with_coefficients(std::declval<Model>(), std::declval<Number>())) over_model_;
+  decltype(interval_model(std::declval<Model>(), Inputs())) at_model_;
+  AlongArc xi_, zeta_, rho_, nu_;
+  MotionBox at_;
+};
 
 }  // namespace
 
@@ -47,7 +81,28 @@ SpectrumEnclosure enclose_spectrum(const Problem& problem, const MotionArc& alon
     return enclose_spectrum(problem, along.over, approximate, inputs);
   return problem.potential().visit_parts([&](const auto& model) {
     return enclose_spectrum(enclosure_facts(problem, along.over),
-                            state_along(problem.body(), model, along, inputs), approximate);
+                            Along(problem.body(), model, along, inputs).state(), approximate);
+  });
+}
+
+SpectrumEnclosure enclose_tilted_spectrum(const Body& body, const Potential& potential,
+                                          TiltPlane plane, const MotionArc& along,
+                                          const Spectrum& approximate, Inputs inputs) {
+  if (!along.has_slopes)
+    return enclose_tilted_spectrum(body, potential, plane, along.over, approximate, inputs);
+  return potential.visit_parts([&](const auto& model) {
+    const Along numbers(body, model, along, inputs);
+    const TiltSquares<Sloped> squares = numbers.tilt(plane);
+    if (!squares.in_plane.range().positive() || !squares.normal.range().positive())
+      return SpectrumEnclosure();
+    const auto state = numbers.state();
+    const auto turned = plane == TiltPlane::one_three ? state : state.exchanged();
+    const Sloped nu1 = sqrt(squares.in_plane);
+    const Sloped nu3 = sqrt(squares.normal);
+    return potential.holds_volume() ? enclose_tilted_spectrum(held_tilted_forms(turned, nu1, nu3),
+                                                              body.symmetric(), approximate)
+                                    : enclose_tilted_spectrum(tilted_forms(turned, nu1, nu3),
+                                                              body.symmetric(), approximate);
   });
 }
 

@@ -15,6 +15,12 @@ struct MotionArc {
   Interval nu_slope;
 };
 
+/// Of motions about an axis tilted in the plane, V isotropic; nothing is told where nu may lie along a
+/// material axis.
+SpectrumEnclosure enclose_tilted_spectrum(const Body& body, const Potential& potential,
+                                          TiltPlane plane, const MotionArc& along,
+                                          const Spectrum& approximate, Inputs inputs);
+
 /// Of motions about the problem's axis; slopes are of use where V is isotropic.
 SpectrumEnclosure enclose_spectrum(const Problem& problem, const MotionArc& along,
                                    const Spectrum& approximate, Inputs inputs);

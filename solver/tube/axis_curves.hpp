@@ -1,6 +1,6 @@
-// The spins of an isotropic body about a material axis as curves (curve_equations.hpp) in the
-// logarithms of the stretches and q = nu^2/nu_end^2. What separates is taken apart: the plane, the
-// thickness; a motion at nu is one point of each.
+// The motions of an isotropic body, about a material axis or tilted in a plane of two, as curves
+// (curve_equations.hpp) in the logarithms of the stretches and q = nu^2/nu_end^2. Of those about an
+// axis what separates is taken apart: the plane, the thickness; a motion at nu is one point of each.
 // With J1 = J2 in (iii) circles and ellipses are curves of their own (circle_curves.hpp).
 #pragma once
 
@@ -42,6 +42,12 @@ struct CurveFactor {
 /// 0 <= from < to; the stretches in the box of the options, with their inputs.
 std::vector<CurveFactor> axis_curves(const Problem& problem, double from, double to,
                                      const SearchOptions& options);
+
+/// Those about an axis tilted in the plane (lib/balance/tilted_balance.hpp), nu = |nu|: where one of
+/// nu's components vanishes a curve goes on, and motions end.
+std::vector<CurveFactor> tilted_curves(const Body& body, const Potential& potential,
+                                       TiltPlane plane, double from, double to,
+                                       const SearchOptions& options);
 
 LogRange log_range(const Interval& stretch);
 

@@ -31,6 +31,7 @@ class Breaks {
       last.q.hi = std::max(last.q.hi, each.q.hi);
       last.turns = last.turns || each.turns;
       last.crosses = last.crosses || each.crosses;
+      last.ends = last.ends || each.ends;
       last.mirrors = last.mirrors || each.mirrors;
       last.undecided = last.undecided || each.undecided;
     }
@@ -45,6 +46,22 @@ class Breaks {
   /// q, and the sign of dq/ds asks for ever shorter slices.
   double narrow() const { return slices_ <= many ? 1e-13 : 1e-9; }
 
+  /// Of conditions, from one to another: whether the sign of any is open.
+  bool open(const CurveBox<N>& y, std::size_t first, std::size_t last) const {
+    const std::vector<Interval> all = equations_.conditions(y);
+    bool out = false;
+    for (std::size_t k = first; k < std::min(last, all.size()); ++k)
+      out = out || !all[k].positive();
+    return out;
+  }
+  bool ends(const CurveBox<N>& y) const { return open(y, 0, equations_.ends()); }
+  bool crosses(const CurveBox<N>& y) const {
+    bool out = open(y, equations_.ends(), static_cast<std::size_t>(-1));
+    for (std::size_t i = 0; i < std::size_t(N); ++i)
+      out = out || !(y[i] - region_.lower[i]).positive() || !(region_.upper[i] - y[i]).positive();
+    return out;
+  }
+
   void halve(const Interval& s) {
     constexpr double shortest = 0x1p-40;
     if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return;
@@ -54,8 +71,7 @@ class Breaks {
     if (within == Within::none) return;
     const Interval& q = slice.y[std::size_t(N)];
     const bool turns = slice.velocity[std::size_t(N)].may_be(0.0);
-    const bool crosses = within == Within::unclear;
-    if (!turns && !crosses) return;
+    if (!turns && within == Within::all) return;
     const bool meets_mirror = region_.mirror && slice.y[*region_.mirror].may_be(0.0);
     const bool once = meets_mirror && !slice.velocity[*region_.mirror].may_be(0.0);
     const double middle = s.mid();
@@ -66,7 +82,7 @@ class Breaks {
     const double width = q.hi - q.lo;
     const bool found = meets_mirror == once && (width <= narrow() || no_narrower_at_a_point());
     if (found || slices_ > most || s.hi - s.lo <= shortest * tube_->half_length()) {
-      found_.push_back({q, turns, crosses, once, slices_ > most});
+      found_.push_back({q, turns, crosses(slice.y), ends(slice.y), once, slices_ > most});
       return;
     }
     halve({s.lo, middle});

@@ -18,7 +18,8 @@ namespace stationary {
 struct CurveBreak {
   Interval q;
   bool turns = false;    ///< dq/ds may vanish here
-  bool crosses = false;  ///< the region or a condition may be left here
+  bool crosses = false;  ///< the region may be left here
+  bool ends = false;     ///< or a condition of the motions changes its sign
   /// A curve passes the region's mirror coordinate's 0 once, into its own mirror image.
   bool mirrors = false;
   bool undecided = false;  ///< left so for want of patience

@@ -109,6 +109,9 @@ class CurveEquations {
   /// Functions of y that are positive at the solutions sought, beside the sides of a region: over a
   /// place, where they need to hold at solutions only.
   virtual std::vector<Interval> conditions(const CurveBox<N>&) const { return {}; }
+  /// How many of them, the first, are those of the motions: where one changes its sign motions end. The
+  /// others are sides of a box.
+  virtual std::size_t ends() const { return 0; }
   /// No solution there by more than G and its slopes.
   virtual bool excludes(const CurveBox<N>&) const { return false; }
   /// Narrows a place likewise; false where nothing is left.

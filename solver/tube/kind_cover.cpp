@@ -13,9 +13,12 @@
 namespace stationary {
 namespace {
 
-CoverOptions cover_options(const SearchOptions& options) {
+CoverOptions cover_options(const SearchOptions& options, const Potential& potential) {
   CoverOptions out;
   out.stop = options.stop;
+  const BodyModel<>* const body = potential.body_model();
+  // An arc takes milliseconds then, not microseconds.
+  if (body != nullptr && body->gravitates) out.max_arcs = 6'000;
   return out;
 }
 
@@ -109,9 +112,10 @@ KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
       out.tubes += cover.tubes;
       out.interrupted = out.interrupted || cover.interrupted;
       for (const CurveBreak& each : cover.breaks)
-        all.push_back({nu_of(each.q, to), each.turns, each.crosses, each.mirrors, each.undecided});
+        all.push_back(
+            {nu_of(each.q, to), each.turns, each.crosses, each.ends, each.mirrors, each.undecided});
       for (const Interval& q : cover.undecided)
-        all.push_back({nu_of(q, to), false, false, false, true});
+        all.push_back({.nu = nu_of(q, to), .undecided = true});
     }
   }
   std::ranges::sort(all, {}, [](const NuGap& each) { return each.nu.lo; });
@@ -124,6 +128,7 @@ KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
     last.nu.hi = std::max(last.nu.hi, each.nu.hi);
     last.turns = last.turns || each.turns;
     last.crosses = last.crosses || each.crosses;
+    last.ends = last.ends || each.ends;
     last.mirrors = last.mirrors || each.mirrors;
     last.undecided = last.undecided || each.undecided;
   }
@@ -143,11 +148,19 @@ KindCover cover_axis(const Problem& problem, double from, double to, const Searc
     return enclose_spectrum(problem, in_own_places(motions, sought.places), {}, options.inputs)
         .verdict;
   };
-  CoverOptions how = cover_options(options);
-  const BodyModel<>* const body = problem.potential().body_model();
-  // An arc takes milliseconds then, not microseconds.
-  if (body != nullptr && body->gravitates) how.max_arcs = 6'000;
+  const CoverOptions how = cover_options(options, problem.potential());
   return cover_kind(axis_curves(sought.problem, from, to, sought.options), to, how,
+                    classes ? class_over : ClassOver());
+}
+
+KindCover cover_tilted(const Body& body, const Potential& potential, TiltPlane plane, double from,
+                       double to, const SearchOptions& options, bool classes) {
+  const ClassOver class_over = [&](const MotionArc& motions) {
+    return enclose_tilted_spectrum(body, potential, plane, motions, {}, options.inputs).verdict;
+  };
+  CoverOptions how = cover_options(options, potential);
+  how.max_arcs = std::min(how.max_arcs, 8'000L);  // each a tenth of a millisecond
+  return cover_kind(tilted_curves(body, potential, plane, from, to, options), to, how,
                     classes ? class_over : ClassOver());
 }
 
@@ -170,7 +183,7 @@ bool none_outside(const Problem& problem, double from, double to, const SearchOp
   if (const auto* body = problem.potential().body_model(); body != nullptr && body->gravitates)
     return false;
   const AxisSought sought = with_circles_about_third_axis(problem, options);
-  CoverOptions how = cover_options(options);
+  CoverOptions how = cover_options(options, problem.potential());
   how.follow = false;
   how.differences = true;
   how.max_boxes = 2'000;
@@ -198,7 +211,7 @@ std::optional<KindCover> cover_oriented(const Problem& problem, bool oblique, do
   const auto factors =
       oriented_curves(body, V.anisotropic(), problem.branch(), oblique, from, to, options);
   if (factors.empty()) return std::nullopt;
-  CoverOptions how = cover_options(options);
+  CoverOptions how = cover_options(options, V);
   // More unknowns; a box takes some 30 microseconds.
   how.max_boxes = 1'000'000;
   how.max_arcs = 20'000;

@@ -20,7 +20,8 @@ struct CurveFactor;
 struct NuGap {
   Interval nu;
   bool turns = false;      ///< sheets turn there: all of them are known
-  bool crosses = false;    ///< a sheet leaves the box, or ends: likewise
+  bool crosses = false;    ///< a sheet leaves the box: likewise
+  bool ends = false;       ///< a sheet ends in the box: likewise
   bool mirrors = false;    ///< ellipses part from circles: likewise
   bool undecided = false;  ///< not covered
 };
@@ -44,6 +45,10 @@ KindCover cover_kind(const std::vector<CurveFactor>& factors, double to,
 /// Of an isotropic body's spins about the problem's axis, 0 <= from < to.
 KindCover cover_axis(const Problem& problem, double from, double to, const SearchOptions& options,
                      bool classes = true);
+
+/// Of its motions about an axis tilted in the plane.
+KindCover cover_tilted(const Body& body, const Potential& potential, TiltPlane plane, double from,
+                       double to, const SearchOptions& options, bool classes = true);
 
 /// Whether it is proven that no motion of these, at any nu of the range, has a stretch outside the box,
 /// between 10^-50 and 10^50.

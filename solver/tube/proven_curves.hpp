@@ -42,12 +42,32 @@ class ProvenCurves {
     return piece(whole.tube, Interval(whole.s.mid()));
   }
   /// All of the piece with these q, and perhaps more.
-  CurvePiece trimmed(const CurvePiece& whole, const Interval& q) const;
+  CurvePiece trimmed(const CurvePiece& whole, const Interval& q) const {
+    constexpr double worth_it = 0.75;
+    if (q.hi - q.lo > worth_it * (whole.q().hi - whole.q().lo)) return whole;
+    const auto s = s_of(whole, q);
+    return s ? piece(whole.tube, common(*s, whole.s)) : whole;
+  }
   /// All of the piece with these q, where each of them is shown to be there, once.
-  std::optional<CurvePiece> crossed(const CurvePiece& whole, const Interval& q) const;
+  std::optional<CurvePiece> crossed(const CurvePiece& whole, const Interval& q) const {
+    const auto s = s_of(whole, q);
+    // The image of Newton's operator in the piece: each q has its s there.
+    if (!s || s->lo < whole.s.lo || s->hi > whole.s.hi) return std::nullopt;
+    return piece(whole.tube, *s);
+  }
   /// Adds what they tell of motions. scale: of the velocities.
   virtual void place(const CurvePiece& piece, const Interval& scale,
                      PlacedMotions& motions) const = 0;
+
+ private:
+  /// Newton's step for q(s) = q from the middle: nothing where dq/ds may vanish.
+  std::optional<Interval> s_of(const CurvePiece& whole, const Interval& q) const {
+    if (whole.q_slope().may_be(0.0) || !whole.q_slope().bounded()) return std::nullopt;
+    const CurvePiece middle = middle_of(whole);
+    const Interval out = middle.s + (q - middle.q()) / whole.q_slope();
+    if (!out.bounded() || out.apart_from(whole.s)) return std::nullopt;
+    return out;
+  }
 };
 
 /// equations and region must outlive this.

@@ -36,7 +36,7 @@ void write_rows(const std::string& file) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     for (const Completeness& each : found.completeness) {
       const auto proven = std::ranges::count(each.joined(), true, &CompleteInterval::proven);
-      const std::string name(kind_name(each.branch, each.oblique));
+      const std::string name = kind_text(each);
       const auto classes = std::ranges::count(each.classes, true, &ClassInterval::proven);
       std::printf("%s,%s,%g,%g,%ld,%ld,%td,%.3g,%ld,%td,%.3g,%.2g\n",
                   std::filesystem::path(file).stem().c_str(), name.c_str(), how.from, how.to,

@@ -24,7 +24,7 @@ inline std::string text_of(const Atlas& found) {
 inline void expect_complete(const Atlas& found) {
   EXPECT_FALSE(found.interrupted);
   for (const Checkpoint& at : found.checkpoints) {
-    EXPECT_TRUE(at.complete()) << kind_name(at.branch, at.oblique) << " " << at.nu << ": "
+    EXPECT_TRUE(at.complete()) << kind_text(at) << " " << at.nu << ": "
                                << name(at.status) << " " << at.proven << " " << at.on_sheets << " "
                                << at.beyond;
   }

@@ -1,11 +1,6 @@
 // A case: everything a command needs to know, read from a TOML file with overrides and validated in
 // full before anything is computed.
-//
-//   [body] J   [potential] plane + thickness | coupled, and fibre, second_fibre beside either
-//   [motion] branch, nu, of "tilted" also plane (else both); or of branch "two-polar" omega and
-//   theta_dot | s3 and p_theta [solve] start, method   [continuation] parameter, from, to,
-//   tolerance   [output] spectrum, ...   [map] x, y
-//   [curve] event, parameters, from, to   [atlas] complete, checkpoints
+// The keys, with what each may be: case_schema.cpp.
 #pragma once
 
 #include <array>

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -52,10 +51,9 @@ ExitCode run_one(const AtlasCommand& options, const Session& session) {
     throw InputError(Origin::of_option("atlas"), "", "found no --grid",
                      "atlas --grid: one atlas is the work of one machine",
                      "`stationary atlas` uses all its processors");
-  if (const std::string suffix = std::filesystem::path(options.least_energy).extension().string();
-      options.least_energy == "-" || (!suffix.empty() && suffix != ".csv"))
-    refuse_output(options.least_energy, "found " + in_quotes(suffix.empty() ? "-" : suffix),
-                  "a name that ends in .csv, or in nothing: the table is CSV", "--least-energy");
+  if (options.least_energy == "-")
+    refuse_output("-", "found standard output", "the name of a file", "--least-energy");
+  require_table_suffix(options.least_energy, "--least-energy");
   require_own_file(options, "--least-energy", options.least_energy);
   AtlasRun asked{options.checkpoints, std::nullopt, options.tiles.resume, options.complete,
                  options.least_energy};
@@ -99,7 +97,7 @@ void add_atlas(CLI::App& program, Session& session) {
       .add_option("--least-energy", options->least_energy,
                   "Also a table of which motion has the least energy at each |pi|, and where that "
                   "is another")
-      ->type_name("FILE.csv")
+      ->type_name("FILE")
       ->check(not_empty)
       ->excludes(grid);
   options->tiles.add_to(command, "cells");

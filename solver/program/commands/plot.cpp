@@ -338,7 +338,7 @@ void add_plot(CLI::App& program, Session& session) {
   command
       .add_option("--show", options->choice.columns,
                   "Columns to show, up to three, instead of the stretches; of a map over two "
-                  "parameters one, instead of class, or growth, or lambda")
+                  "parameters one, instead of the first there is of class, growth, lambda, xi")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->expected(1, static_cast<int>(most_ordinates))

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -19,6 +20,8 @@
 #include "solver/program/session/output_file.hpp"
 #include "solver/program/session/report.hpp"
 #include "solver/program/session/run_metadata.hpp"
+#include "solver/program/table/cell_table.hpp"
+#include "solver/program/table/column_file.hpp"
 #include "solver/program/tiles/search_journal.hpp"
 
 namespace stationary::cli {
@@ -67,7 +70,7 @@ void add_checkpoints(Report& out, const std::vector<Checkpoint>& all,
   std::string_view label = "proven";
   for (auto first = all.begin(); first != all.end();) {
     const auto last = std::find_if(first, all.end(), [&](const Checkpoint& c) {
-      return c.branch != first->branch || c.oblique != first->oblique;
+      return c.branch != first->branch || c.oblique != first->oblique || c.plane != first->plane;
     });
     const auto complete =
         std::count_if(first, last, [](const Checkpoint& c) { return c.complete(); });
@@ -75,8 +78,7 @@ void add_checkpoints(Report& out, const std::vector<Checkpoint>& all,
              fmt::format(
                  "branch ({}): at {} of {} checkpoints from nu = {:.6g} to {:.6g} the sheets have "
                  "every solution with {}",
-                 kind_name(first->branch, first->oblique), complete, last - first, first->nu,
-                 (last - 1)->nu,
+                 kind_text(*first), complete, last - first, first->nu, (last - 1)->nu,
                  searched.box ? std::string("stretches in solve.box")
                               : fmt::format("stretches in [{:g}, {:g}]", searched.min_stretch,
                                             searched.max_stretch)));
@@ -116,8 +118,8 @@ void add_completeness(Report& out, const std::vector<Completeness>& all) {
     const auto unproven = std::ranges::count(kind.intervals, false, &CompleteInterval::proven);
     const double from = kind.intervals.front().from;
     const double to = kind.intervals.back().to;
-    std::string text = fmt::format("branch ({}): complete for nu in [{:.6g}, {:.6g}]",
-                                   kind_name(kind.branch, kind.oblique), from, to);
+    std::string text =
+        fmt::format("branch ({}): complete for nu in [{:.6g}, {:.6g}]", kind_text(kind), from, to);
     text += all_but(unproven, kind.unproven_length(), to - from);
     out.line(std::exchange(label, {}),
              text + fmt::format("; {} boxes, {} tubes", kind.boxes, kind.tubes));
@@ -130,11 +132,10 @@ void add_completeness(Report& out, const std::vector<Completeness>& all) {
   }
   if (!all.empty()) {
     const double left = unproven_fraction(all);
-    out.line({},
-             fmt::format(
-                 "{} of the range of these branches is proven, in the box of the stretches; tilted "
-                 "and two-polar motions are not covered",
-                 left > 0.0 ? fmt::format("all but {:.2g}", left) : "all"));
+    out.line(
+        {}, fmt::format("{} of the range of these branches is proven, in the box of the stretches; "
+                        "two-polar motions are not covered, nor axes with three components",
+                        left > 0.0 ? fmt::format("all but {:.2g}", left) : "all"));
   }
 }
 
@@ -160,9 +161,9 @@ void add_classes(Report& out, const std::vector<Completeness>& all) {
   for (const Completeness& kind : all) {
     if (kind.classes.empty()) continue;
     const auto unproven = std::ranges::count(kind.classes, false, &ClassInterval::proven);
-    std::string text = fmt::format("branch ({}): proven for nu in [{:.6g}, {:.6g}]",
-                                   kind_name(kind.branch, kind.oblique), kind.classes.front().from,
-                                   kind.classes.back().to);
+    std::string text =
+        fmt::format("branch ({}): proven for nu in [{:.6g}, {:.6g}]", kind_text(kind),
+                    kind.classes.front().from, kind.classes.back().to);
     text += all_but(unproven, kind.unproven_class_length(),
                     kind.classes.back().to - kind.classes.front().from);
     out.line(std::exchange(label, {}), text + fmt::format("; {} arcs", kind.class_arcs));
@@ -218,11 +219,24 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
   std::string_view label = "remarks";
   for (const Remark& each : found.remarks) {
     const std::string at = each.entry ? ", " + entry_text(*each.entry, each.nu) : std::string();
-    out.line(
-        std::exchange(label, {}),
-        fmt::format("branch ({}){}: {}", kind_name(each.branch, each.oblique), at, each.reason));
+    out.line(std::exchange(label, {}),
+             fmt::format("branch ({}){}: {}", kind_text(each), at, each.reason));
   }
   return out.text();
+}
+
+/// metadata: of the atlas, which an HDF5 file has too.
+void write_least_energy(const std::vector<LeastEnergyPiece>& least,
+                        const std::vector<AtlasSheet>& sheets, Metadata metadata,
+                        const std::string& path, AtomicFile& file) {
+  const bool as_columns =
+      is_column_file_extension(std::filesystem::path(path).extension().string());
+  CellTable table(as_columns ? nullptr : &file, least_energy_columns());
+  table.write(least_energy_rows(least, sheets));
+  metadata.rows = table.rows();
+  metadata.checksum = table.checksum().text();
+  if (as_columns) table.finish(file.path().string(), metadata_json(metadata, /*of_the_run=*/false));
+  file.commit();
 }
 
 }  // namespace
@@ -267,22 +281,17 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   found.interrupted = found.interrupted || (how.stop != nullptr && *how.stop);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (least_file && !found.interrupted) {
-    least_file->write(least_energy_csv(least, found.sheets));
-    least_file->commit();
-  }
-  if (target != nullptr) {
-    Metadata metadata = metadata_of(run, &input);
-    if (input.output.certificate) metadata.counts.emplace_back("proven", proofs.proven);
-    metadata.seconds = seconds;
-    metadata.atlas = &found;
-    metadata.least_energy = least;
-    metadata.curves = records;
-    if (const auto caveat = proof_caveat(input)) metadata.plan.push_back(*caveat);
-    metadata.outcome = {{"command", "atlas"},
-                        {"status", found.interrupted ? "interrupted" : "done"}};
-    target->commit(std::move(metadata));
-  }
+  Metadata metadata = metadata_of(run, &input);
+  if (input.output.certificate) metadata.counts.emplace_back("proven", proofs.proven);
+  metadata.seconds = seconds;
+  metadata.atlas = &found;
+  metadata.least_energy = least;
+  metadata.curves = records;
+  if (const auto caveat = proof_caveat(input)) metadata.plan.push_back(*caveat);
+  metadata.outcome = {{"command", "atlas"}, {"status", found.interrupted ? "interrupted" : "done"}};
+  if (least_file && !found.interrupted)
+    write_least_energy(least, found.sheets, metadata, asked.least_energy, *least_file);
+  if (target != nullptr) target->commit(std::move(metadata));
   if (journal && !found.interrupted) journal->finish();
   Outcome out;
   if (run.summary) out.summary = summary(input, how, found, records, proofs, least, seconds);

@@ -68,7 +68,7 @@ class Rows {
   void write(int curve, long point, const EventCurvePoint& at) {
     ++rows_;
     TableRow row = curve_row(input_, at, set_);
-    if (input_.output.certificate && prove_curve_row(input_, at, row)) ++proven_;
+    if (input_.output.certificate) prove(at, row);
     if (table_ == nullptr) return;
     std::string line =
         fmt::format("{},{},{},{},{},{},{}", row.event, curve, point, name(at.special), row.branch,
@@ -80,8 +80,22 @@ class Rows {
   }
   long rows() const { return rows_; }
   long proven() const { return proven_; }
+  /// What is not proven though it was asked for; empty if all is.
+  std::string gap_text() const {
+    if (!input_.output.certificate || proven_ == rows_) return {};
+    return fmt::format("{} of {} events are not proven, the first of them at {}", rows_ - proven_,
+                       rows_, first_gap_);
+  }
 
  private:
+  void prove(const EventCurvePoint& at, TableRow& row) {
+    const EventEnclosure proof = prove_curve_row(input_, at, row);
+    proven_ += proof.proven;
+    if (proof.proven || !first_gap_.empty()) return;
+    const auto& keys = input_.curve->parameters;
+    first_gap_ = fmt::format("{} = {:.12g}, {} = {:.12g}: {}", keys[0], row.parameter, keys[1],
+                             row.second_parameter, proof.reason);
+  }
   static std::string_view word(const std::optional<StabilityClass>& verdict) {
     return verdict ? name(*verdict) : std::string_view();
   }
@@ -93,7 +107,23 @@ class Rows {
   CellTable* table_;
   long rows_ = 0;
   long proven_ = 0;
+  std::string first_gap_;  ///< where the first one is that is not, and why
 };
+
+/// How each point of a curve is had: as the case's own motion is, and the event proven.
+ComputationPlan curve_plan(const Case& input, bool to_table) {
+  Case own = input;
+  own.continuation.reset();
+  own.solve.all = false;
+  own.output.certificate = false;
+  ComputationPlan out = computation_plan(own, to_table);
+  if (input.solve.all)
+    out.skipped.push_back({"solve.all", "not used", "a curve is followed from events of a family"});
+  if (input.output.certificate)
+    out.computed.push_back({"certificate", "each event, and no other near it, to be proven",
+                            "interval arithmetic, for all decimals that read as the inputs"});
+  return out;
+}
 
 EventCurveRecord record_of(const Case& input, const EventCurve& curve, int number) {
   EventCurveRecord out;
@@ -127,6 +157,7 @@ std::string summary(const Case& input, const EventCurves& found, const Rows& row
            fmt::format("{}, {} points, in {:.2g} s", found.curves.size(), rows.rows(), seconds));
   if (input.output.certificate)
     out.line("certificate", fmt::format("{} of {} events proven", rows.proven(), rows.rows()));
+  if (const auto caveat = proof_caveat(input)) add_plan(out, {*caveat});
   for (std::size_t k = 0; k < found.curves.size(); ++k) {
     const EventCurve& curve = found.curves[k];
     out.gap();
@@ -170,6 +201,9 @@ Outcome curve_case(const Case& given, const std::string& row, TableTarget* targe
   CellTable* const table = target != nullptr ? &target->open(header(input, wanted)) : nullptr;
   Rows rows(input, wanted, table);
   Metadata metadata = metadata_of(run, &input);
+  ComputationPlan plan = curve_plan(input, target != nullptr);
+  metadata.plan = std::move(plan.computed);
+  metadata.skipped = std::move(plan.skipped);
   for (const EventCurve& curve : found.curves) {
     const int number = static_cast<int>(metadata.event_curves.size()) + 1;
     metadata.event_curves.push_back(record_of(input, curve, number));
@@ -185,10 +219,13 @@ Outcome curve_case(const Case& given, const std::string& row, TableTarget* targe
     if (input.output.certificate) metadata.counts.emplace_back("proven", rows.proven());
     metadata.outcome = {{"command", "curve"},
                         {"status", found.interrupted ? "interrupted" : "done"}};
+    if (const std::string gap = rows.gap_text(); !gap.empty())
+      metadata.outcome.emplace_back("warning", gap);
     target->commit(std::move(metadata));
   }
   Outcome out;
   for (const std::string& each : found.failures) run.complain("no curve from " + each);
+  if (const std::string gap = rows.gap_text(); !gap.empty()) run.complain(gap);
   if (run.summary) out.summary = summary(input, found, rows, seconds);
   const bool none = found.curves.empty();
   if (found.interrupted) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "solver/event_curve/event_sides.hpp"
@@ -292,14 +293,16 @@ TableRow curve_row(const Case& input, const EventCurvePoint& point, const Column
   return row;
 }
 
-bool prove_curve_row(const Case& input, const EventCurvePoint& point, TableRow& row) {
-  const FamilyParameters at = numbers_of(input, point.member.parameter, point.second);
+EventEnclosure prove_curve_row(const Case& input, const EventCurvePoint& point, TableRow& row) {
+  const std::unique_ptr<Kind> kind =
+      kind_at(numbers_of(input, point.member.parameter, point.second));
   const auto proof =
-      kind_at(at)->enclose_event(family_parameter_of(input, 0), input.curve->event, point.member);
-  const bool proven = proof && proof->proven;
-  row.certified = proof_word(proven);
-  if (proven) row[Column::error_bound] = proof->error_bound;
-  return proven;
+      prove_event(*kind, family_parameter_of(input, 0), input.curve->event, point.member, row);
+  if (proof) return *proof;
+  EventEnclosure none;
+  none.reason = "the event has no equations of its own here";
+  row.certified = proof_word(false);
+  return none;
 }
 
 }  // namespace stationary::cli

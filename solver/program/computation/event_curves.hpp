@@ -11,6 +11,7 @@
 #include "solver/program/case/case_file.hpp"
 #include "solver/program/session/run.hpp"
 #include "solver/program/table/table.hpp"
+#include "solver/proof/event_enclosure.hpp"
 #include "solver/solve/solve.hpp"
 
 namespace stationary::cli {
@@ -43,7 +44,7 @@ std::array<double, 2> curve_place(const Case& input, const EventCurvePoint& poin
 /// A point as a row: event, branch, both parameters, and the common columns that are wanted.
 TableRow curve_row(const Case& input, const EventCurvePoint& point, const ColumnSet& wanted);
 
-/// Whether the event is proven to be there, and no other near it; its bound goes into the row.
-bool prove_curve_row(const Case& input, const EventCurvePoint& point, TableRow& row);
+/// That the event is there, and no other near it: proven, or why not. Its bound goes into the row.
+EventEnclosure prove_curve_row(const Case& input, const EventCurvePoint& point, TableRow& row);
 
 }  // namespace stationary::cli

@@ -40,7 +40,7 @@ struct MapDiagram {
 /// Its parameters, of which a map has one or two: the trailing columns; none: it is no map's table.
 std::vector<std::string> map_parameters(const std::vector<std::string>& columns);
 
-/// quantity: a column of numbers, or class; default: class, growth, lambda, the first that is
+/// quantity: a column of numbers, or class; default: class, growth, lambda, xi, the first that is
 /// there. Throws InputError: no such column, cells that are none, values that make up no grid.
 MapDiagram read_map_diagram(TableReader& table, const std::optional<std::string>& quantity);
 

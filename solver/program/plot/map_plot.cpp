@@ -16,6 +16,7 @@
 #include "solver/program/diagram/ticks.hpp"
 #include "solver/program/plot/gnuplot.hpp"
 #include "solver/program/plot/plot_page.hpp"
+#include "solver/program/plot/script_lines.hpp"
 
 namespace stationary {
 namespace {
@@ -76,7 +77,7 @@ PageSize page_of(const MapDiagram& diagram, const PageChoice& choice) {
       PageSize{std::max(usual.width, least.width), std::max(usual.height, least.height)});
 }
 
-class MapScript {
+class MapScript : private ScriptLines {
  public:
   MapScript(const MapDiagram& diagram, const PageChoice& choice)
       : diagram_(diagram),
@@ -87,11 +88,6 @@ class MapScript {
   std::string write(ImageFormat format, std::string_view title);
 
  private:
-  template <class... Arguments>
-  void line(fmt::format_string<Arguments...> form, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), form, std::forward<Arguments>(arguments)...);
-    text_ += '\n';
-  }
   std::size_t stride(const MapDiagramAxis& axis) const {
     return (axis.values.size() + most_pixels - 1) / most_pixels;
   }
@@ -113,7 +109,6 @@ class MapScript {
   std::set<int> classes_;
   std::set<CellStatus> statuses_;  ///< of cells that show no number
   std::vector<double> shown_;      ///< the numbers, later ascending
-  std::string text_;
 };
 
 /// $codes: the index of the cell's colour; $numbers: the quantity where it is a number.

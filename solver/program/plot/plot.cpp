@@ -12,6 +12,7 @@
 #include "solver/program/plot/diagram_names.hpp"
 #include "solver/program/plot/gnuplot.hpp"
 #include "solver/program/plot/plot_style.hpp"
+#include "solver/program/plot/script_lines.hpp"
 
 namespace stationary {
 namespace {
@@ -33,18 +34,13 @@ std::string colour_of(std::size_t series) {
   return std::string(series_colours[series % series_colours.size()]);
 }
 
-class Script {
+class Script : private ScriptLines {
  public:
   Script(const Diagram& diagram, const PageChoice& choice)
       : diagram_(diagram), picture_(diagram_picture(diagram, choice)) {}
   std::string write(ImageFormat format, std::string_view title);
 
  private:
-  template <class... Arguments>
-  void line(fmt::format_string<Arguments...> form, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), form, std::forward<Arguments>(arguments)...);
-    text_ += '\n';
-  }
   void strokes(const std::string& name, const std::vector<Stroke>& all, const DiagramPanel& panel,
                bool of_rates);
   void points(const std::string& name, const std::vector<PagePoint>& all, const DiagramPanel& panel,
@@ -61,7 +57,6 @@ class Script {
   const Diagram& diagram_;
   DiagramPicture picture_;
   bool fresh_ = true;  ///< no panel yet: the title is a label of the first
-  std::string text_;
 };
 
 std::string place_text(const DiagramPanel& panel, const PagePoint& p, bool of_rates) {

@@ -37,10 +37,17 @@ CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
   return out;
 }
 
-std::string least_energy_csv(const std::vector<LeastEnergyPiece>& pieces,
-                             const std::vector<AtlasSheet>& sheets) {
-  std::string out =
-      "sheet,branch,momentum_from,momentum_to,energy_from,energy_to,spin_from,spin_to\n";
+std::vector<CellColumn> least_energy_columns() {
+  std::vector<CellColumn> out{{"sheet", CellKind::count}, {"branch", CellKind::text}};
+  for (const char* each :
+       {"momentum_from", "momentum_to", "energy_from", "energy_to", "spin_from", "spin_to"})
+    out.push_back({each, CellKind::number});
+  return out;
+}
+
+std::string least_energy_rows(const std::vector<LeastEnergyPiece>& pieces,
+                              const std::vector<AtlasSheet>& sheets) {
+  std::string out;
   for (const LeastEnergyPiece& each : pieces)
     out += fmt::format("{},{},{},{},{},{},{},{}\n", each.sheet,
                        kind_name(sheets[static_cast<std::size_t>(each.sheet) - 1]),

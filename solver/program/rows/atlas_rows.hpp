@@ -8,6 +8,7 @@
 #include "solver/atlas/atlas.hpp"
 #include "solver/atlas/least_energy.hpp"
 #include "solver/program/rows/curve_table.hpp"
+#include "solver/program/table/cell_table.hpp"
 
 namespace stationary {
 
@@ -28,9 +29,10 @@ struct AtlasBody {
 CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
                          std::vector<SheetRecord>& records);
 
-/// As CSV: a row for each piece.
-std::string least_energy_csv(const std::vector<LeastEnergyPiece>& pieces,
-                             const std::vector<AtlasSheet>& sheets);
+/// A row for each piece, as lines of CSV.
+std::vector<CellColumn> least_energy_columns();
+std::string least_energy_rows(const std::vector<LeastEnergyPiece>& pieces,
+                              const std::vector<AtlasSheet>& sheets);
 
 /// The part of the checkpoints at which no sheet is missing; of a complete atlas the part of the
 /// range, over its kinds of motion, for which the number of sheets is proven.

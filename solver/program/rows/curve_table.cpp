@@ -61,13 +61,11 @@ void CurveTable::tell_normal_form(const Member& member, EventType event) {
 RowProof CurveTable::prove(const Member& member, EventType event) {
   const std::unique_ptr<Kind> kind = kind_at_(member.parameter);
   RowProof out = prove_row(*kind, equilibrium_of(member), member.spectrum, row_);
-  const auto proof = kind->enclose_event(parameter_, event, member);
+  const auto proof = prove_event(*kind, parameter_, event, member, row_);
   if (!proof) return out;
   // The row says more than that its stretches are in equilibrium, and at a fold less.
   out.proven = proof->proven;
   out.reason = std::string(name(event)) + ": " + proof->reason;
-  row_.certified = proof_word(proof->proven, out.assuming);
-  row_[Column::error_bound] = proof->proven ? proof->error_bound : member.error_bound;
   if (proof->proven) events_.back().enclosure = proof->parameter / Interval(unit_);
   return out;
 }

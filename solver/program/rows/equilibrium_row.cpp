@@ -162,4 +162,13 @@ RowProof prove_row(const Kind& kind, const Equilibrium& equilibrium,
   return out;
 }
 
+std::optional<EventEnclosure> prove_event(const Kind& kind, const FamilyParameter& parameter,
+                                          EventType event, const Member& member, TableRow& row) {
+  std::optional<EventEnclosure> out = kind.enclose_event(parameter, event, member);
+  if (!out) return out;
+  row.certified = proof_word(out->proven, !out->assuming.empty());
+  row[Column::error_bound] = out->proven ? out->error_bound : member.error_bound;
+  return out;
+}
+
 }  // namespace stationary

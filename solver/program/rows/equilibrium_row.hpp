@@ -65,4 +65,9 @@ struct RowProof {
 RowProof prove_row(const Kind& kind, const Equilibrium& equilibrium,
                    const std::optional<Spectrum>& spectrum, TableRow& row);
 
+/// Proves that the event is there, by equations of its own: nothing where it has none. What the row
+/// says of it: certified, with the proven error_bound where there is one, else the member's.
+std::optional<EventEnclosure> prove_event(const Kind& kind, const FamilyParameter& parameter,
+                                          EventType event, const Member& member, TableRow& row);
+
 }  // namespace stationary

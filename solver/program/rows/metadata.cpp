@@ -179,14 +179,20 @@ Json event_curves_json(const std::vector<EventCurveRecord>& curves) {
   return out;
 }
 
+/// Of what is tilted in a plane.
+template <class Of>
+void add_plane(const Of& of, Json& out) {
+  if (of.plane) out["plane"] = name(*of.plane);
+}
+
 Json sheets_json(const std::vector<AtlasSheet>& sheets) {
   Json out = Json::array();
   for (const AtlasSheet& sheet : sheets) {
-    Json each{{"sheet", sheet.number},
-              {"branch", kind_name(sheet)},
-              {"entry", name(sheet.entry)},
-              {"entry_nu", sheet.entry_nu},
-              {"rows", sheet.rows.size()}};
+    Json each{{"sheet", sheet.number}, {"branch", kind_name(sheet)}};
+    add_plane(sheet, each);
+    each["entry"] = name(sheet.entry);
+    each["entry_nu"] = sheet.entry_nu;
+    each["rows"] = sheet.rows.size();
     for (const auto& [key, junction] :
          {std::pair{"parent", sheet.parent}, {"joins", sheet.joins}}) {
       if (!junction) continue;
@@ -208,7 +214,8 @@ Json sheets_json(const std::vector<AtlasSheet>& sheets) {
 Json remarks_json(const std::vector<Remark>& remarks) {
   Json out = Json::array();
   for (const Remark& each : remarks) {
-    Json remark{{"branch", kind_name(each.branch, each.oblique)}};
+    Json remark{{"branch", kind_name(each)}};
+    add_plane(each, remark);
     if (each.entry) {
       remark["entry"] = name(*each.entry);
       remark["nu"] = each.nu;
@@ -222,14 +229,15 @@ Json remarks_json(const std::vector<Remark>& remarks) {
 Json checkpoints_json(const std::vector<Checkpoint>& checkpoints) {
   Json out = Json::array();
   for (const Checkpoint& at : checkpoints) {
-    out.push_back({{"branch", kind_name(at.branch, at.oblique)},
-                   {"nu", at.nu},
-                   {"search", name(at.status)},
-                   {"proven", at.proven},
-                   {"unproven", at.unproven},
-                   {"on_sheets", at.on_sheets},
-                   {"on_sheets_not_proven", at.beyond},
-                   {"complete", at.complete()}});
+    out.push_back({{"branch", kind_name(at)}});
+    add_plane(at, out.back());
+    out.back().update({{"nu", at.nu},
+                       {"search", name(at.status)},
+                       {"proven", at.proven},
+                       {"unproven", at.unproven},
+                       {"on_sheets", at.on_sheets},
+                       {"on_sheets_not_proven", at.beyond},
+                       {"complete", at.complete()}});
   }
   return out;
 }
@@ -237,10 +245,12 @@ Json checkpoints_json(const std::vector<Checkpoint>& checkpoints) {
 /// What intervals of either sort have in common.
 template <class Part>
 Json proven_part_json(const Completeness& kind, const Part& part) {
-  return {{"branch", kind_name(kind.branch, kind.oblique)},
-          {"from", part.from},
-          {"to", part.to},
-          {"status", part.proven ? "proven" : "undecided"}};
+  Json out{{"branch", kind_name(kind)}};
+  add_plane(kind, out);
+  out["from"] = part.from;
+  out["to"] = part.to;
+  out["status"] = part.proven ? "proven" : "undecided";
+  return out;
 }
 
 Json completeness_json(const std::vector<Completeness>& all) {
@@ -250,7 +260,7 @@ Json completeness_json(const std::vector<Completeness>& all) {
       Json interval = proven_part_json(kind, each);
       if (each.leaves_box()) interval["status"] = "beyond";
       interval["sheets"] = each.proven ? Json(each.sheets) : Json();
-      if (!each.proven) interval["reason"] = each.reason;
+      interval["reason"] = each.proven ? "" : each.reason;
       interval["boxes"] = kind.boxes;
       interval["beyond"] = name(each.beyond);
       out.push_back(std::move(interval));

@@ -72,6 +72,15 @@ void refuse_to_share(std::string_view option, const std::string& path,
                     "choose another name", option);
 }
 
+void require_table_suffix(const std::string& path, std::string_view option) {
+  const std::string suffix = fs::path(path).extension().string();
+  if (suffix.empty() || suffix == ".csv") return;
+  if (is_column_file_extension(suffix)) return require_hdf5_for(path, option);
+  throw InputError(Origin::of_option(std::string(option) + ' ' + path), "",
+                   "found the suffix " + in_quotes(suffix),
+                   ".csv or none for CSV, .h5 or .hdf5 for HDF5");
+}
+
 void require_hdf5_for(const std::string& path, std::string_view option) {
   if (hdf5_version().empty())
     refuse_output(path, std::string(no_hdf5), "write CSV: a name that ends in .csv", option);

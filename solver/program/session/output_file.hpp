@@ -31,6 +31,9 @@ void refuse_to_forget(const std::string& path);
 void refuse_to_share(std::string_view option, const std::string& path,
                      const std::vector<std::filesystem::path>& others);
 
+/// Refuses a table whose name says neither CSV nor HDF5.
+void require_table_suffix(const std::string& path, std::string_view option = "-o");
+
 /// Refuses a target of HDF5 where the program was built without.
 void require_hdf5_for(const std::string& path, std::string_view option = "-o");
 

@@ -17,14 +17,6 @@ namespace {
 /// Seconds of work after which a journal goes only when the table is on the disk.
 constexpr double worth_a_flush = 10.0;
 
-void require_suffix(const std::string& path) {
-  const std::string suffix = fs::path(path).extension().string();
-  if (suffix.empty() || suffix == ".csv") return;
-  if (is_column_file_extension(suffix)) return require_hdf5_for(path);
-  throw InputError(Origin::of_option("-o " + path), "", "found the suffix " + in_quotes(suffix),
-                   ".csv or none for CSV, .h5 or .hdf5 for HDF5");
-}
-
 /// In HDF5 a name is a path: "a/b" is the dataset b in the group a, which is then no dataset.
 void require_paths(const std::string& path, const std::vector<CellColumn>& columns) {
   const auto refuse = [&](const std::string& found) {
@@ -52,7 +44,7 @@ void TableOutput::prepare() {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   const bool regular = !fs::exists(status) || fs::is_regular_file(status);
-  if (regular) require_suffix(path);
+  if (regular) require_table_suffix(path);
   const fs::path metadata = metadata_path(path);
   for (const fs::path& target : {fs::path(path), metadata})
     refuse_to_replace(path, target, case_path_, "the case file");

@@ -9,6 +9,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "solver/program/table/column_file.hpp"
+#include "tests/program/needs_hdf5.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
 
@@ -111,8 +113,31 @@ TEST(LeastEnergy, HasAFileOfItsOwn) {
   };
   refused(directory / "x.csv", "is written by -o");
   refused(directory / "x.meta.json", "found \".json\"");
-  refused(directory / "y.h5", "the table is CSV");
-  refused("-", "the table is CSV");
+  refused("-", "standard output");
+}
+
+TEST(LeastEnergy, IsTheSameTableAsHdf5) {
+  NEEDS_HDF5();
+  const TemporaryDirectory directory;
+  const auto least = [&](const char* name) {
+    const Outcome outcome =
+        run_program({"atlas", shipped("apart.toml"), "-q", "--checkpoints", "32", "--set",
+                     "output.spectrum=false", "--least-energy", directory / name});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return open_table(directory / name);
+  };
+  TableReader text = least("least.csv");
+  TableReader columns = least("least.h5");
+  ASSERT_EQ(columns.columns(), text.columns());
+  int rows = 0;
+  while (text.next()) {
+    ASSERT_TRUE(columns.next());
+    for (std::size_t k = 0; k < text.columns().size(); ++k)
+      EXPECT_EQ(columns.text(k), text.text(k)) << text.columns()[k];
+    ++rows;
+  }
+  EXPECT_FALSE(columns.next());
+  EXPECT_GE(rows, 1);
 }
 
 /// No row of any sheet has less energy than the motion named for its |pi|, and what is named is there.

@@ -13,6 +13,7 @@
 
 #include "lib/stability/spectrum.hpp"
 #include "solver/motion/event.hpp"
+#include "solver/program/table/table.hpp"
 #include "tests/program/program.hpp"
 
 namespace stationary::testing {
@@ -90,6 +91,17 @@ TEST(EventsPage, DescribesEveryEventAndClassWithAPicture) {
   };
   for (const std::string_view name : event_names) described(name);
   for (const std::string_view name : stability_names) described(name);
+}
+
+TEST(TablePage, HasEveryColumnInItsOrder) {
+  std::string text = page("table.md");
+  text = text.substr(text.find("```\n") + 4);
+  text = text.substr(0, text.find("```"));
+  const std::regex word("[a-z_0-9]+");
+  std::vector<std::string> columns;
+  for (std::sregex_iterator at(text.begin(), text.end(), word), end; at != end; ++at)
+    columns.push_back(at->str());
+  EXPECT_THAT(columns, ::testing::ElementsAreArray(column_names));
 }
 
 /// From solver/CMakeLists.txt, where the public headers stand first.

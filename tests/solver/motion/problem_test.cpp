@@ -6,6 +6,7 @@
 
 #include "tests/support/plate.hpp"
 #include "tests/support/random_problem.hpp"
+#include "tests/support/whole_body.hpp"
 
 namespace stationary {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using testing::make_potential;
 using testing::plate;
+using testing::whole_body;
 
 TEST(Problem, ThicknessRuleFollowsPotentialAndBranch) {
   const Potential separable = make_potential("biot", {1.0, 0.5});
@@ -87,6 +89,28 @@ TEST(Problem, PlanGivesTheRightReason) {
   EXPECT_THAT(
       Problem(plate, make_potential("neo-hookean-3d", {1.0, 0.5}), Branch::iii).plan()[2].how,
       HasSubstr("3 equations"));
+}
+
+TEST(Problem, PlanNamesTheForcesThatAreThere) {
+  const AnyPlane<> plane{Hencky<>{1.0, 0.6}};
+  const AnyThickness<> thickness{ReciprocalQuadratic<>{0.8, 1.3}};
+  const auto why = [](const Potential& potential) {
+    return Problem(plate, potential, Branch::i).plan().back().why;
+  };
+  EXPECT_EQ(why(Potential(Hencky<>{1.0, 0.6}, ReciprocalQuadratic<>{0.8, 1.3})),
+            "balance of elastic and centrifugal force");
+  EXPECT_EQ(why(whole_body(plane, thickness, 1.0, {}, plate)),
+            "balance of elastic, centrifugal force and pressure");
+  EXPECT_EQ(why(whole_body(plane, thickness, {}, 0.7, plate)),
+            "balance of elastic, centrifugal force and gravity");
+  EXPECT_EQ(why(whole_body(plane, thickness, 1.0, 0.7, plate)),
+            "balance of elastic, centrifugal force, gravity and pressure");
+  BodyModel<> fluid;
+  fluid.volume = 1.0;
+  fluid.gravitates = true;
+  fluid.g = 0.7;
+  fluid.J = {plate.J1, plate.J2, plate.J3};
+  EXPECT_EQ(why(Potential(fluid)), "balance of centrifugal force, gravity and pressure");
 }
 
 }  // namespace
