@@ -16,6 +16,7 @@
 #include <array>
 
 #include "lib/gravity/ellipsoid_integral.hpp"
+#include "lib/gravity/moment_units.hpp"
 
 namespace stationary {
 
@@ -30,6 +31,10 @@ struct GravityBalance {
 template <int order, class S>
 GravityBalance<S> gravity_balance(const S& g, const S& y1, const S& y2, const S& z) {
   const S T = y1 + y2;
+  if (const MomentUnits units(leading(T)); !units.are_own()) {
+    const double u = units.moment;
+    return gravity_balance<order, S>(units.strength * g, u * y1, u * y2, u * z);
+  }
   const S D = y1 * y2;
   const PowerSeries<S, order> F = ellipsoid_integral<order>(T, D, z);
   const S F_T = F.derivative({1, 0, 0});

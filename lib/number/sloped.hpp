@@ -59,6 +59,8 @@ class Sloped {
   Interval slope_;
 };
 
+inline double leading(const Sloped& x) { return x.range().mid(); }
+
 /// Where a number may lie.
 inline const Interval& range(const Interval& x) { return x; }
 inline const Interval& range(const Sloped& x) { return x.range(); }

@@ -6,6 +6,7 @@
 #include "lib/number/elementary.hpp"
 #include "lib/stability/held_linearization.hpp"
 #include "lib/stability/mode_collector.hpp"
+#include "lib/stability/state_units.hpp"
 
 namespace stationary {
 namespace {
@@ -335,9 +336,10 @@ bool Spectrum::away_from_zero() const {
   });
 }
 
-Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDouble>& state,
-                        const StraightState<Conditioned>& conditioned) {
-  ModeCollector out;
+namespace {
+
+Spectrum spectrum_of_blocks(const BlockFacts& facts, const StraightState<DoubleDouble>& state,
+                            const StraightState<Conditioned>& conditioned, ModeCollector out) {
   int negative = 0;
   const double u = facts.uncertainty;
   const bool at_rest = leading(state.omega) == 0.0;
@@ -371,6 +373,16 @@ Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDoubl
   }
   out.set_negative(negative);
   return out.finish();
+}
+
+}  // namespace
+
+Spectrum block_spectrum(const BlockFacts& facts, const StraightState<DoubleDouble>& state,
+                        const StraightState<Conditioned>& conditioned) {
+  const StateUnits units = units_of(state);
+  if (units.are_own()) return spectrum_of_blocks(facts, state, conditioned, ModeCollector());
+  return spectrum_of_blocks(facts, in_units(state, units), in_units(conditioned, units),
+                            ModeCollector(1.0 / units.rate));
 }
 
 Spectrum two_polar_spectrum(const StraightState<DoubleDouble>& state, const DoubleDouble& theta_dot,

@@ -5,11 +5,11 @@
 
 #include "lib/stability/enclosure_collector.hpp"
 #include "lib/stability/held_linearization.hpp"
+#include "lib/stability/state_units.hpp"
 
 namespace stationary {
 namespace {
 
-/// Where the coefficients may lie.
 /// Roots of p; krein(Lambda) of a simple imaginary one. definite: they are real, semisimple and of
 /// positive energy where imaginary.
 template <class S, int D, class Krein>
@@ -352,17 +352,37 @@ SpectrumEnclosure enclosed(const EnclosureFacts& facts, const StraightState<S>& 
   return out.finish(approximate);
 }
 
+/// In the units of the state, or in others where these are far from one.
+template <class S>
+SpectrumEnclosure enclosed_in_units(const EnclosureFacts& facts, const StraightState<S>& state,
+                                    const Spectrum& approximate) {
+  const StateUnits units = units_of(state);
+  if (units.are_own()) return enclosed(facts, state, approximate);
+  const double square_rate = units.rate * units.rate;
+  Spectrum near = approximate;
+  for (Mode& mode : near.mode) {
+    mode.lambda_re *= square_rate;
+    mode.lambda_im *= square_rate;
+  }
+  SpectrumEnclosure out = enclosed(facts, in_units(state, units), near);
+  for (ComplexInterval& lambda : out.lambda) {
+    lambda.re = Interval(lambda.re.lo / square_rate, lambda.re.hi / square_rate);
+    lambda.im = Interval(lambda.im.lo / square_rate, lambda.im.hi / square_rate);
+  }
+  return out;
+}
+
 }  // namespace
 
 SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts,
                                    const StraightState<Interval>& state,
                                    const Spectrum& approximate) {
-  return enclosed(facts, state, approximate);
+  return enclosed_in_units(facts, state, approximate);
 }
 
 SpectrumEnclosure enclose_spectrum(const EnclosureFacts& facts, const StraightState<Sloped>& state,
                                    const Spectrum& approximate) {
-  return enclosed(facts, state, approximate);
+  return enclosed_in_units(facts, state, approximate);
 }
 
 SpectrumEnclosure enclose_two_polar_spectrum(const StraightState<Interval>& state,

@@ -188,6 +188,17 @@ std::vector<std::unique_ptr<SheetSource>> tilted_sources(const Body& body,
   return out;
 }
 
+/// With J1 = J2 and an isotropic V: axes 1 and 2 exchanged, with the plane.
+AtlasSheet mirrored(AtlasSheet sheet) {
+  sheet.plane =
+      sheet.plane == TiltPlane::one_three ? TiltPlane::two_three : TiltPlane::one_three;
+  for (AtlasRow& row : sheet.rows) {
+    std::swap(row.member.q.xi, row.member.q.zeta);
+    std::swap(row.member.angular_velocity[0], row.member.angular_velocity[1]);
+  }
+  return sheet;
+}
+
 void add(SheetSet& set, Atlas& out) {
   for (AtlasSheet& sheet : set.found()) {
     sheet.number = static_cast<int>(out.sheets.size()) + 1;
@@ -249,8 +260,15 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
     remark_tilts(out);
   }
   for (std::size_t k = in_plane; k < parts.size(); ++k) {
-    for (const AtlasSheet& sheet : out.sheets)
-      if (sheet.plane && sheet.plane == parts[k].plane()) parts[k].adopt(sheet);
+    const bool for_both = parts.size() == in_plane + 1;  // of planes
+    for (const AtlasSheet& sheet : out.sheets) {
+      if (!sheet.plane) continue;
+      if (sheet.plane == parts[k].plane()) {
+        parts[k].adopt(sheet);
+      } else if (for_both) {
+        parts[k].adopt(mirrored(sheet));
+      }
+    }
     parts[k].follow_all();
     add(parts[k], out);
   }

@@ -149,6 +149,17 @@ class Corrector {
     return out;
   }
 
+  /// Whether Newton's method at a fixed p came to the point it began at: where p turns it may go far by small
+  /// steps, and to another.
+  static bool is_near(const ReducedVector<N>& from, const ReducedVector<N>& to,
+                      const Refined& refined) {
+    if (!refined.converged || !(refined.first_correction < 1e-3)) return false;
+    const double most = 4.0 * refined.first_correction + 0x1p-40;
+    for (int i = 0; i < N; ++i)
+      if (!(std::abs(to[i] - from[i]) <= most * std::abs(from[i]))) return false;
+    return true;
+  }
+
   /// The extended-precision correction, tangent and orientation: by the slopes that the correction was
   /// made with where these are the point's too.
   void finish(const ArcVector<N>& ahead, Corrected<N>& out) const {
@@ -161,7 +172,7 @@ class Corrector {
       correct_onto_curve(ahead, out);
       point.p = *pinned_;
       point.tail.setZero();
-    } else if (refined.converged && refined.first_correction < 1e-3) {
+    } else if (is_near(point.x, x, refined)) {
       if (circle_ != Circle::none) {
         const auto [a, b, c] = places(circle_);
         x[b] = x[a];

@@ -2,16 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include "solver/family/tilted_family.hpp"
 #include "solver/motion/tilted_system.hpp"
 #include "solver/proof/tilted_enclosure.hpp"
+#include "solver/search/model_terms.hpp"
 #include "solver/search/search_run.hpp"
 
 namespace stationary {
 namespace {
+
+template <class System>
+struct NarrowedBoxes : System {
+  std::shared_ptr<const StretchTerms> terms;
+
+  bool contract(Box<2>& x) const { return narrow_tilted<System>(*this, *terms, x); }
+};
 
 class TiltedSearch {
  public:
@@ -38,7 +48,9 @@ class TiltedSearch {
     const TiltedSystem<Model> system{
         model, body_, motion_.plane,
         axis_rates(body_, Branch::iii, two_product(motion_.nu, motion_.nu))};
-    const auto boxes = tilted_box_system(body_, model, motion_.plane, motion_.nu, options_.inputs);
+    auto plain = tilted_box_system(body_, model, motion_.plane, motion_.nu, options_.inputs);
+    const NarrowedBoxes<decltype(plain)> boxes{
+        std::move(plain), std::make_shared<StretchTerms>(model, options_.inputs)};
     Box<2> everything{options_.range(0), options_.range(1)};
     // rho in the box too.
     Interval& tied = everything[motion_.plane == TiltPlane::one_three ? 0 : 1];

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "solver/proof/tilted_enclosure.hpp"
+#include "solver/search/tilted_search.hpp"
 #include "solver/tube/axis_curves.hpp"
 
 namespace stationary {
@@ -16,7 +17,9 @@ template <class System>
 class TiltedCurves final : public CurveEquations<2> {
  public:
   /// system: at nu_end.
-  TiltedCurves(System system, const LogRange& rho) : system_(std::move(system)), rho_(rho) {}
+  template <class Model>
+  TiltedCurves(System system, const Model& model, const LogRange& rho, Inputs inputs)
+      : system_(std::move(system)), rho_(rho), terms_(model, inputs) {}
 
   CurveLinearized<2> linearize(const CurveBox<2>& y) const override {
     const Box<2> x = stretches(y);
@@ -41,6 +44,18 @@ class TiltedCurves final : public CurveEquations<2> {
     return {squares.in_plane, squares.normal, log_rho - rho_.lower, rho_.upper - log_rho};
   }
   std::size_t ends() const override { return 2; }
+  bool contract(CurveBox<2>& y) const override {
+    if (!terms_.any()) return true;
+    System here = system_;
+    here.square_nu = y[2] * system_.square_nu;
+    Box<2> x = stretches(y);
+    if (!narrow_tilted(here, terms_, x)) return false;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Interval narrowed = log(x[k]);
+      if (narrowed.bounded() && !narrowed.apart_from(y[k])) y[k] = common(y[k], narrowed);
+    }
+    return true;
+  }
   bool excludes(const CurveBox<2>& y) const override {
     const Box<2> x = stretches(y);
     return defined_nowhere(system_.model, x[0], x[1], system_.thickness(x));
@@ -72,6 +87,7 @@ class TiltedCurves final : public CurveEquations<2> {
 
   System system_;
   LogRange rho_;
+  StretchTerms terms_;
 };
 
 }  // namespace
@@ -85,8 +101,8 @@ std::vector<CurveFactor> tilted_curves(const Body& body, const Potential& potent
     auto system = tilted_box_system(body, model, plane, to, options.inputs);
     system.square_nu = square(Interval(to));  // the end of the range is no input
     system.rates = axis_rates(system.J, Branch::iii, system.square_nu);
-    auto curves = std::make_unique<TiltedCurves<decltype(system)>>(std::move(system),
-                                                                   log_range(options.range(2)));
+    auto curves = std::make_unique<TiltedCurves<decltype(system)>>(
+        std::move(system), model, log_range(options.range(2)), options.inputs);
     out[0].sets.push_back(curve_set<2>(std::move(curves), ranges, curve_range(from, to)));
   });
   return out;

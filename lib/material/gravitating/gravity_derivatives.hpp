@@ -8,6 +8,7 @@
 
 #include "lib/body/stretch.hpp"
 #include "lib/gravity/ellipsoid_integral.hpp"
+#include "lib/gravity/moment_units.hpp"
 #include "lib/material/models/model_derivatives.hpp"
 
 namespace stationary {
@@ -17,6 +18,17 @@ namespace stationary {
 template <int order, class S, class Inertias>
 CoupledDerivatives<S> gravity_derivatives(const S& g, const Inertias& J, const S& T, const S& d,
                                           const S& rho) {
+  if (const MomentUnits units(leading(T)); !units.are_own()) {
+    const double u = units.moment;
+    CoupledDerivatives<S> out = gravity_derivatives<order>(
+        S(units.strength * g), Inertias{u * J.J1, u * J.J2, u * J.J3}, S(u * T), d, rho);
+    // Those by T once more for each T.
+    out.plane.w_t = u * out.plane.w_t;
+    out.plane.w_tt = u * (u * out.plane.w_tt);
+    out.plane.w_tl = u * out.plane.w_tl;
+    out.w_tr = u * out.w_tr;
+    return out;
+  }
   const S D = J.J1 * J.J2 * (d * d);
   const S z = J.J3 * (rho * rho);
   const PowerSeries<S, order> F = ellipsoid_integral<order>(T, D, z);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -71,9 +72,11 @@ std::optional<OutOfScale> out_of_scale(const FamilyParameters& family) {
     return fmt::format("numbers from {:g} to {:g}", 1.0 / limit, limit);
   };
   const Body& J = family.body;
-  for (const double each : {J.J1, J.J2, J.J3})
-    if (!within(each, most))
-      return OutOfScale{"body.J", fmt::format("found {}", each), range(most)};
+  const std::array inertias{J.J1, J.J2, J.J3};
+  for (std::size_t k = 0; k < inertias.size(); ++k)
+    if (!within(inertias[k], most))
+      return OutOfScale{fmt::format("body.J.{}", k), fmt::format("found {}", inertias[k]),
+                        range(most)};
   Motion motion = family.motion;
   for (const auto& [parameter, value, momentum] : motion_numbers(motion)) {
     const double limit = momentum ? most : fastest;
@@ -88,7 +91,15 @@ std::optional<OutOfScale> out_of_scale(const FamilyParameters& family) {
     if (model.tape) continue;  // its numbers may be anything
     for (std::size_t k = 0; k < model.coefficients.size(); ++k) {
       const std::string& name = model.description.parameters[k];
-      if (name == "degrees") continue;
+      if (name == "degrees") {
+        // Beyond, a double hardly tells one direction from another.
+        constexpr double most_degrees = 1e6;
+        if (std::abs(model.coefficients[k]) > most_degrees)
+          return OutOfScale{coefficient_key(model, name),
+                            fmt::format("found {}", model.coefficients[k]),
+                            fmt::format("from {:g} to {:g}", -most_degrees, most_degrees)};
+        continue;
+      }
       if (!within(model.coefficients[k], most))
         return OutOfScale{coefficient_key(model, name),
                           fmt::format("found {}", model.coefficients[k]), range(most)};

@@ -141,14 +141,16 @@ struct Figure {
   std::string contents;
 };
 
-/// Refuses what only a diagram of rows has.
-void require_plane(const PlotOptions& options, const TableReader& table, std::string_view what) {
+/// Refuses what only a diagram of rows has. columns: how many there may be to show.
+void require_plane(const PlotOptions& options, const TableReader& table, std::string_view what,
+                   std::size_t columns) {
   const DiagramChoice& choice = options.choice;
-  if (choice.columns.size() <= 1 && !choice.energy_momentum && choice.sheets.empty() &&
+  if (choice.columns.size() <= columns && !choice.energy_momentum && choice.sheets.empty() &&
       choice.branches.empty())
     return;
   throw InputError(Origin::in_file(table.name()), "", "found " + std::string(what),
-                   "one column to show and no sheet or branch");
+                   columns > 0 ? "one column to show and no sheet or branch"
+                               : "no columns to show, and no sheet or branch");
 }
 
 /// Refuses a range of what this figure does not have.
@@ -172,7 +174,7 @@ void require_room(const PlotOptions& options, const PageChoice& page, const Page
 Figure map_figure(const PlotOptions& options, TableReader& table,
                   const std::vector<TableReader*>& curves, ImageFormat format,
                   const PageChoice& page) {
-  require_plane(options, table, "a map over two parameters");
+  require_plane(options, table, "a map over two parameters", 1);
   refuse_range(options, "rate", "a diagram of families");
   const DiagramChoice& choice = options.choice;
   const auto column = choice.columns.empty() ? std::nullopt : std::optional(choice.columns.front());
@@ -194,7 +196,7 @@ Figure map_figure(const PlotOptions& options, TableReader& table,
 
 Figure curve_figure(const PlotOptions& options, const std::vector<TableReader*>& curves,
                     ImageFormat format, const PageChoice& page) {
-  require_plane(options, *curves.front(), "curves of events");
+  require_plane(options, *curves.front(), "curves of events", 0);
   refuse_range(options, "rate", "a diagram of families");
   refuse_range(options, "value", "a map");
   const MapDiagram diagram = read_curve_diagram(curves);

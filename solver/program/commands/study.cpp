@@ -26,8 +26,8 @@ ExitCode run(const StudyOptions& options, const Session& session) {
   const std::optional<StudyTask> task =
       options.task.empty() ? std::nullopt : study_task(options.task);
   if (options.over.empty() && !merges)
-    throw InputError(Origin::of_option("--over"), "", "found no such option",
-                     "--over TABLE, the table of the rows");
+    throw InputError(Origin::of_option("study"), "", "found no table of rows",
+                     "--over TABLE, a row for each case");
   if (options.over.empty() && options.checkpoints)
     throw InputError(Origin::of_option("--checkpoints"), "", "found it with --merge alone",
                      "what the parts were made with: --over, --do and --checkpoints, or none");

@@ -34,23 +34,23 @@ std::string entry_text(Entry entry, double nu) {
     case Entry::search:
       return fmt::format("found at nu = {:.6g}", nu);
     case Entry::ellipse:
-      return fmt::format("off the circle at nu = {:.10g}", nu);
+      return fmt::format("off the circle at nu = {:.12g}", nu);
     case Entry::shear:
-      return fmt::format("off the axes at nu = {:.10g}", nu);
+      return fmt::format("off the axes at nu = {:.12g}", nu);
     case Entry::oblique:
-      return fmt::format("off an axis at nu = {:.10g}", nu);
+      return fmt::format("off an axis at nu = {:.12g}", nu);
     case Entry::numerical:
       return fmt::format("found at nu = {:.6g} by Newton's method, where the search is undecided",
                          nu);
     case Entry::tilt:
       break;
   }
-  return fmt::format("off a tilt at nu = {:.10g}", nu);
+  return fmt::format("off a tilt at nu = {:.12g}", nu);
 }
 
 std::string sheet_text(const AtlasSheet& sheet) {
   const auto end = [](const AtlasRow& row) {
-    return fmt::format("{} at nu = {:.10g}",
+    return fmt::format("{} at nu = {:.12g}",
                        row.event == EventType::none ? "open" : name(row.event), row.member.nu);
   };
   std::string out = fmt::format("({}{}), {} rows, {}: {}, {}", kind_name(sheet),
@@ -289,11 +289,14 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   metadata.curves = records;
   if (const auto caveat = proof_caveat(input)) metadata.plan.push_back(*caveat);
   metadata.outcome = {{"command", "atlas"}, {"status", found.interrupted ? "interrupted" : "done"}};
+  const std::string gap = proofs.gap_text("nu");
+  if (!gap.empty()) metadata.outcome.emplace_back("warning", gap);
   if (least_file && !found.interrupted)
     write_least_energy(least, found.sheets, metadata, asked.least_energy, *least_file);
   if (target != nullptr) target->commit(std::move(metadata));
   if (journal && !found.interrupted) journal->finish();
   Outcome out;
+  if (!gap.empty()) run.complain(gap);
   if (run.summary) out.summary = summary(input, how, found, records, proofs, least, seconds);
   if (found.interrupted) {
     run.complain(journal ? "interrupted: the atlas is not complete; --resume goes on with it"

@@ -202,12 +202,11 @@ Metadata describe(const Run& run, const Case& input, const GridCounts& counts, s
 }
 
 /// What the end says, and its exit code; cells: how many were to be computed.
-ExitCode conclusion(const GridCounts& counts, std::size_t cells, const TiledRun& tiled,
-                    const Run& run) {
+ExitCode conclusion(const GridCounts& counts, std::size_t cells, bool written,
+                    const TiledRun& tiled, const std::string& resumption, const Run& run) {
   if (counts.cells < cells) {
-    run.complain(
-        fmt::format("interrupted after {} of {} atlases{}", counts.cells, cells,
-                    tiled.journal ? ", which are written; --resume goes on with them" : ""));
+    run.complain(fmt::format("interrupted after {} of {} atlases{}{}", counts.cells, cells,
+                             written ? ", which are written" : "", resumption));
     return ExitCode::interrupted;
   }
   const long failed = counts.of(StudyStatus::failed);
@@ -276,9 +275,9 @@ Outcome atlas_grid(const Case& input, const AtlasGridAsked& asked, const TiledRu
   tables.commit(metadata);
   if (target != nullptr) target->commit(std::move(metadata));
   runner.finish();
-  Outcome out{conclusion(counts, share.size(), tiled, run), {}};
-  if (run.summary && out.code != ExitCode::interrupted)
-    out.summary = summary(input, counts, seconds);
+  Outcome out{conclusion(counts, share.size(), target != nullptr, tiled, runner.resumption(), run),
+              {}};
+  if (run.summary) out.summary = summary(input, counts, seconds);
   return out;
 }
 
@@ -309,7 +308,7 @@ Outcome merged_atlas_grid(const Case& input, const AtlasGridAsked& asked,
   metadata.merged_parts = parts.size();
   tables.commit(metadata);
   target.commit(std::move(metadata));
-  Outcome out{conclusion(counts, grid.cells(), {}, run), {}};
+  Outcome out{conclusion(counts, grid.cells(), true, {}, {}, run), {}};
   if (run.summary) out.summary = summary(input, counts, seconds);
   return out;
 }

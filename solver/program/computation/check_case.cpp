@@ -78,7 +78,18 @@ std::string check_case(const Case& input) {
     out.line("continuation",
              fmt::format("{} from {} to {}, tolerance {}", continuation->parameter,
                          continuation->from, continuation->to, continuation->tolerance));
+    if (!continuation->start_row.empty())
+      out.line("", "from the row " + printable(continuation->start_row) + " of a table");
   }
+  if (const auto& curve = input.curve) {
+    out.line("curve", fmt::format("{} in {} from {} to {} and {} from {} to {}, tolerance {}",
+                                  name(curve->event), curve->parameters[0], curve->from[0],
+                                  curve->to[0], curve->parameters[1], curve->from[1], curve->to[1],
+                                  curve->tolerance));
+  }
+  if (input.atlas.complete) out.line("atlas", "complete");
+  if (input.atlas.checkpoints)
+    out.line("atlas", fmt::format("{} checkpoints", *input.atlas.checkpoints));
   if (input.map) {
     for (const MapAxis* axis : input.map->axes())
       out.line(
@@ -90,6 +101,8 @@ std::string check_case(const Case& input) {
   for (const std::string& column : input.output.columns)
     columns += (columns.empty() ? "" : ", ") + column;
   out.line("output", "columns: " + (columns.empty() ? "all that is computed" : columns));
+  for (const auto& [number, uncertainty] : input.output.uncertainty)
+    out.line("", fmt::format("uncertainty of {}: {}", number, uncertainty));
   out.gap();
   const ComputationPlan plan = computation_plan(input, true);
   add_plan(out, plan.computed);

@@ -12,6 +12,7 @@
 #include "solver/program/computation/row_start.hpp"
 #include "solver/program/rows/curve_table.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
+#include "solver/program/rows/resume_table.hpp"
 #include "solver/program/session/case_family.hpp"
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
@@ -21,14 +22,6 @@
 
 namespace stationary::cli {
 namespace {
-
-/// What is not proven though it was asked for; empty if all is.
-std::string gap_text(const Case& input, const CurveProofs& proofs) {
-  if (proofs.proven == proofs.rows) return {};
-  return fmt::format("{} of {} rows are not proven, the first of them at {} = {:.12g}: {}",
-                     proofs.rows - proofs.proven, proofs.rows, input.continuation->parameter,
-                     proofs.first_gap, proofs.reason);
-}
 
 std::string end_text(const Case& input, const EndRecord& end) {
   if (end.reason.empty()) return "not followed";
@@ -122,7 +115,7 @@ Metadata describe(const Run& run, const Case& input, const Start& start, const F
                  {"first_end", end_text(input, curve.first)},
                  {"last_end", end_text(input, curve.last)}};
   if (report.vertical) out.outcome.emplace_back("vertical", "the sheet has this one nu");
-  if (const std::string gap = gap_text(input, table.proofs()); !gap.empty())
+  if (const std::string gap = table.proofs().gap_text(input.continuation->parameter); !gap.empty())
     out.outcome.emplace_back("warning", gap);
   return out;
 }
@@ -180,7 +173,7 @@ Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* 
   }();
   if (start.found.status != SolveStatus::solved) {
     run.complain(fmt::format("at the start {} = {}: {}", input.continuation->parameter, start.p,
-                             failure_text(outcome(start.found.status), start.found.message)));
+                             failure_text(start.outcome(), start.found.message)));
     return {exit_code(start.found.status), {}};
   }
   const AnyFamily family = family_of(input, start, with_spectrum, to_table);
@@ -214,15 +207,21 @@ Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* 
     metadata.seconds = seconds;
     target->commit(std::move(metadata));
   }
-  if (const std::string gap = gap_text(input, rows.proofs()); !gap.empty()) run.complain(gap);
+  if (const std::string gap = rows.proofs().gap_text(input.continuation->parameter); !gap.empty())
+    run.complain(gap);
   Outcome out{end_code(report), {}};
   if (out.code == ExitCode::interrupted) {
     run.complain(fmt::format("interrupted after {} points{}", report.points,
                              to_table ? ", which are written" : ""));
   }
+  const bool resumes =
+      to_table && missing_to_resume(columns, parameter, input.branch_name()).empty();
   if (report.out_of_points) {
-    run.complain(fmt::format("stopped after {} points, continuation.max_points{}", report.points,
-                             to_table ? "; --resume goes on where it is set higher" : ""));
+    run.complain(fmt::format(
+        "stopped after {} points, continuation.max_points{}", report.points,
+        resumes    ? "; --resume goes on where it is set higher"
+        : to_table ? "; --resume cannot go on: output.columns lacks what it needs"
+                   : ""));
   }
   for (const SheetEnd* end : {&report.backward, &report.forward})
     if (end->event == EventType::stalled) run.complain("numerical failure: " + end->reason);

@@ -195,7 +195,7 @@ Outcome curve_case(const Case& given, const std::string& row, TableTarget* targe
                   : event_curves(input, wanted.spectrum, run);
   }();
   if (found.status != SolveStatus::solved) {
-    run.complain(failure_text(outcome(found.status), found.message));
+    run.complain(failure_text(outcome(found.status, found.only_in_box), found.message));
     return {exit_code(found.status), {}};
   }
   CellTable* const table = target != nullptr ? &target->open(header(input, wanted)) : nullptr;

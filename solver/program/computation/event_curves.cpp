@@ -243,6 +243,7 @@ EventCurves event_curves(const Case& input, bool spectrum, const Run& run) {
     start = solved_start(family_case, run);
   }
   out.status = start.found.status;
+  out.only_in_box = start.only_in_box;
   out.message = start.found.message;
   out.interrupted = out.status == SolveStatus::interrupted;
   if (out.status != SolveStatus::solved) return out;

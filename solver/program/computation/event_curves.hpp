@@ -19,6 +19,7 @@ namespace stationary::cli {
 struct EventCurves {
   /// Of the family's start; anything but solved: there is no family to look for events on.
   SolveStatus status = SolveStatus::not_run;
+  bool only_in_box = false;  ///< as of a Start
   std::string message;
   std::vector<EventCurve> curves;
   /// Why events on the family start no curve.

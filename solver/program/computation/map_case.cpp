@@ -232,14 +232,17 @@ std::string map_hash(const Case& input, const MapCells& cells) {
 }
 
 /// What the end says, and its exit code; cells: how many were to be computed.
-ExitCode conclusion(const MapCounts& counts, std::size_t cells, bool written, const TiledRun& tiled,
-                    const Run& run) {
+ExitCode conclusion(const MapCounts& counts, std::size_t cells, bool proves, bool written,
+                    const TiledRun& tiled, const std::string& resumption, const Run& run) {
   if (counts.rows < cells) {
     run.complain(fmt::format("interrupted after {} of {} cells{}{}", counts.rows, cells,
-                             written ? ", which are written" : "",
-                             tiled.journal ? "; --resume goes on with them" : ""));
+                             written ? ", which are written" : "", resumption));
     return ExitCode::interrupted;
   }
+  if (proves && counts.proven < counts.of(CellStatus::solved))
+    run.complain(fmt::format("{} of {} solved cells are not proven",
+                             counts.of(CellStatus::solved) - counts.proven,
+                             counts.of(CellStatus::solved)));
   ExitCode out = ExitCode::done;
   if (const long failed = counts.of(CellStatus::failed); failed > 0) {
     run.complain(fmt::format("numerical failure in {} of {} cells", failed, counts.rows));
@@ -304,9 +307,10 @@ Outcome tiled_map_case(const Case& input, const TiledRun& tiled, TableTarget* ta
     target->commit(std::move(metadata));
   }
   runner.finish();
-  Outcome out{conclusion(counts, share.size(), to_table, tiled, run), {}};
-  if (run.summary && out.code != ExitCode::interrupted)
-    out.summary = summary(input, counts, seconds);
+  Outcome out{conclusion(counts, share.size(), input.output.certificate, to_table, tiled,
+                         runner.resumption(), run),
+              {}};
+  if (run.summary) out.summary = summary(input, counts, seconds);
   return out;
 }
 
@@ -329,7 +333,7 @@ Outcome merged_map_case(const Case& input, const std::vector<std::string>& paths
   metadata.merged_parts = parts.size();
   const double seconds = metadata.seconds;
   target.commit(std::move(metadata));
-  Outcome out{conclusion(counts, cells, true, {}, run), {}};
+  Outcome out{conclusion(counts, cells, input.output.certificate, true, {}, {}, run), {}};
   if (run.summary) out.summary = summary(input, counts, seconds);
   return out;
 }

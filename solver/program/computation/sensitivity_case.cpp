@@ -129,7 +129,7 @@ Answered of_events(const Asked& asked, const Run& run) {
   const Start start = solved_start(input, run);
   if (start.found.status != SolveStatus::solved) {
     out.code = exit_code(start.found.status);
-    out.status = outcome(start.found.status);
+    out.status = start.outcome();
     run.complain(failure_text(out.status, start.found.message));
     return out;
   }

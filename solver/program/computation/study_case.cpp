@@ -95,12 +95,11 @@ Metadata describe(const Run& run, const CaseTree& tree, const std::optional<Case
 }
 
 /// What the end says, and its exit code; rows: how many were to be done.
-ExitCode conclusion(const StudyCounts& counts, std::size_t rows, const TiledRun& tiled,
-                    const Run& run) {
+ExitCode conclusion(const StudyCounts& counts, std::size_t rows, bool written,
+                    const TiledRun& tiled, const std::string& resumption, const Run& run) {
   if (counts.rows < rows) {
-    run.complain(
-        fmt::format("interrupted after {} of {} rows{}", counts.rows, rows,
-                    tiled.journal ? ", which are written; --resume goes on with them" : ""));
+    run.complain(fmt::format("interrupted after {} of {} rows{}{}", counts.rows, rows,
+                             written ? ", which are written" : "", resumption));
     return ExitCode::interrupted;
   }
   const long bad = counts.without_answer();
@@ -173,9 +172,9 @@ Outcome study_case(const StudyRun& asked, TableTarget* target, const Run& run) {
     target->commit(std::move(metadata));
   }
   runner.finish();
-  Outcome out{conclusion(counts, share.size(), tiled, run), {}};
-  if (run.summary && out.code != ExitCode::interrupted)
-    out.summary = summary(study.tree(), record, counts, seconds);
+  Outcome out{conclusion(counts, share.size(), target != nullptr, tiled, runner.resumption(), run),
+              {}};
+  if (run.summary) out.summary = summary(study.tree(), record, counts, seconds);
   return out;
 }
 
@@ -215,7 +214,7 @@ Outcome merged_study_case(const StudyRun& asked, std::optional<StudyTask> task,
   const double seconds = metadata.seconds;
   metadata.merged_parts = parts.size();
   target.commit(std::move(metadata));
-  Outcome out{conclusion(counts, record.rows, {}, run), {}};
+  Outcome out{conclusion(counts, record.rows, true, {}, {}, run), {}};
   if (run.summary) out.summary = summary(tree, record, counts, seconds);
   return out;
 }

@@ -31,8 +31,7 @@ CurveProofs write_sheets(const AtlasBody& of, Atlas& found, RowSink* writer,
     table.tell_normal_forms(kind_at, {});
     if (of.prove && !stopped) table.prove(kind_at, {});
     records.push_back(write_rows(sheet, table));
-    out.rows += table.proofs().rows;
-    out.proven += table.proofs().proven;
+    out.add(table.proofs());
   }
   return out;
 }

@@ -1,5 +1,7 @@
 #include "solver/program/rows/curve_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -36,6 +38,8 @@ void CurveTable::row(const Member& member, EventType event) {
   if (proves()) {
     const RowProof proof = prove(member, event);
     count_proof(proof.proven, member.parameter / unit_, proof.reason);
+    if (event == EventType::none && member.spectrum && !proof.class_proven)
+      count_class(member.parameter / unit_);
   }
   if (writer_ != nullptr) {
     tell_normal_form(member, event);
@@ -107,8 +111,11 @@ void CurveTable::again(TableRow row, std::optional<StabilityClass> verdict) {
         own == std::end(stability_names)
             ? std::nullopt
             : std::optional(static_cast<StabilityClass>(own - std::begin(stability_names))));
-  if (proves())
+  if (proves()) {
     count_proof(row.certified != proof_word(false), parameter_of(row), "as it was in the table");
+    if (type == EventType::none && row.class_certified == proof_word(false))
+      count_class(parameter_of(row));
+  }
   for (const Column c : {Column::sheet, Column::point, Column::segment}) row[c] = row_[c];
   if (writer_ != nullptr) writer_->write(row);
   ++point_;
@@ -121,6 +128,34 @@ void CurveTable::count_proof(bool proven, double parameter, const std::string& r
   }
   ++proofs_.rows;
   proofs_.proven += proven;
+}
+
+void CurveTable::count_class(double parameter) {
+  if (proofs_.open_classes++ == 0) proofs_.first_open_class = parameter;
+}
+
+void CurveProofs::add(const CurveProofs& more) {
+  if (proven == rows) {
+    first_gap = more.first_gap;
+    reason = more.reason;
+  }
+  if (open_classes == 0) first_open_class = more.first_open_class;
+  rows += more.rows;
+  proven += more.proven;
+  open_classes += more.open_classes;
+}
+
+std::string CurveProofs::gap_text(std::string_view parameter) const {
+  std::string out;
+  if (proven != rows)
+    out = fmt::format("{} of {} rows are not proven, the first of them at {} = {:.12g}: {}",
+                      rows - proven, rows, parameter, first_gap, reason);
+  if (open_classes > 0)
+    out +=
+        fmt::format("{}the class of {} row{} that {} no event is not proven, first at {} = {:.12g}",
+                    out.empty() ? "" : "; ", open_classes, open_classes == 1 ? "" : "s",
+                    open_classes == 1 ? "is" : "are", parameter, first_open_class);
+  return out;
 }
 
 double CurveTable::parameter_of(const TableRow& row) const {

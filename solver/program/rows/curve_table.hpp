@@ -33,12 +33,18 @@ struct SheetRecord {
   EndRecord last;
 };
 
-/// How many rows are proven.
+/// How many rows are proven, and of how many that are no events the class is not.
 struct CurveProofs {
   long rows = 0;
   long proven = 0;
   double first_gap = std::numeric_limits<double>::quiet_NaN();  ///< parameter of one that is not
   std::string reason;                                           ///< why that one is not
+  long open_classes = 0;
+  double first_open_class = std::numeric_limits<double>::quiet_NaN();
+
+  void add(const CurveProofs& more);
+  /// What is not proven though it was asked for; empty if all is. parameter: its name.
+  std::string gap_text(std::string_view parameter) const;
 };
 
 class CurveTable final : public CurveSink {
@@ -92,6 +98,7 @@ class CurveTable final : public CurveSink {
   RowProof prove(const Member& member, EventType event);
   void tell_normal_form(const Member& member, EventType event);
   void count_proof(bool proven, double parameter, const std::string& reason);
+  void count_class(double parameter);
   double parameter_of(const TableRow& row) const;
   /// A row's place among the segments and the events; verdict: its own class.
   void place(EventType event, double parameter, bool voting,

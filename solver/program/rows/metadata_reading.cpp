@@ -44,6 +44,11 @@ bool nests_too_deep(std::string_view json) {
   return false;
 }
 
+bool is_metadata(std::string_view metadata) {
+  const Json found = parsed(metadata);
+  return found.is_object() && found.contains("schema") && found.contains("case");
+}
+
 std::string other_program(std::string_view metadata, std::string_view version) {
   const Json found = parsed(metadata);
   if (!found.is_object() || !found.contains("schema") || !found.contains("version")) return {};

@@ -28,6 +28,9 @@ struct CurveRecord {
 /// Nothing where a text is no such metadata.
 std::optional<CurveRecord> curve_record(std::string_view metadata);
 
+/// Whether it is JSON as this program's metadata are.
+bool is_metadata(std::string_view metadata);
+
 /// What is found where metadata are of another version of the program, or of another schema; empty where
 /// they are of this one, or are none.
 std::string other_program(std::string_view metadata, std::string_view version);

@@ -1,8 +1,12 @@
 #include "solver/program/rows/resume_table.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 
 #include "lib/stability/spectrum.hpp"
 #include "solver/normal_form/normal_form.hpp"
@@ -81,6 +85,24 @@ bool ends_a_line(const std::string& path) {
 
 }  // namespace
 
+std::vector<std::string_view> missing_to_resume(const std::vector<Column>& columns,
+                                                const std::optional<std::string>& parameter,
+                                                std::string_view branch) {
+  std::vector<Column> needed{Column::event, Column::xi, Column::zeta, Column::rho};
+  if (!parameter) {
+    constexpr Column nu[] = {Column::nu1, Column::nu2, Column::nu3};
+    if (const auto about = branch_from_name(branch)) {
+      needed.push_back(nu[axis(*about)]);
+    } else {
+      needed.insert(needed.end(), std::begin(nu), std::end(nu));
+    }
+  }
+  std::vector<std::string_view> out;
+  for (const Column c : needed)
+    if (std::ranges::find(columns, c) == columns.end()) out.push_back(name(c));
+  return out;
+}
+
 ResumedTable read_resumed(const std::string& path, const std::vector<Column>& columns,
                           const std::optional<std::string>& parameter, std::string_view branch) {
   const bool columnar = is_column_file(path);
@@ -98,14 +120,18 @@ ResumedTable read_resumed(const std::string& path, const std::vector<Column>& co
   }
   ResumedTable out;
   while (table.next()) out.rows.push_back(read_row(table, columns, parameter.has_value(), branch));
-  const bool has_event = std::ranges::find(columns, Column::event) != columns.end();
-  const bool has_rows = !out.rows.empty();
-  if (!has_rows || !has_event || !is_place(place(out.rows.front(), !!parameter, branch)) ||
-      !is_place(place(out.rows.back(), !!parameter, branch))) {
+  if (const auto missing = missing_to_resume(columns, parameter, branch); !missing.empty())
     throw InputError(Origin::in_file(path), "",
-                     has_rows ? "found no event, xi, zeta, rho or parameter" : "found no rows",
-                     "a table with all of these", std::string(remedy));
-  }
+                     fmt::format("found no column {}", fmt::join(missing, ", ")),
+                     "a table that its rows can be gone on from",
+                     "output.columns must have event, xi, zeta, rho and the parameter");
+  if (out.rows.empty())
+    throw InputError(Origin::in_file(path), "", "found no rows", "a row at least",
+                     std::string(remedy));
+  for (const TableRow* row : {&out.rows.front(), &out.rows.back()})
+    if (!is_place(place(*row, !!parameter, branch)))
+      throw InputError(Origin::in_file(path), "", "found a row without its stretches or parameter",
+                       "numbers in the first row and the last", std::string(remedy));
   const auto open = [&](const TableRow& end, const TableRow& neighbour, int direction) {
     OpenEnd at{place(end, !!parameter, branch), std::nullopt, direction};
     if (out.rows.size() > 1) at.neighbour = place(neighbour, !!parameter, branch);

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solver/family/follow_sheet.hpp"
@@ -21,6 +22,11 @@ struct ResumedTable {
   std::string first_reason;              ///< why the curve ends there, where it does
   std::string last_reason;
 };
+
+/// Of what a table needs to be gone on with, the columns that it has not.
+std::vector<std::string_view> missing_to_resume(const std::vector<Column>& columns,
+                                                const std::optional<std::string>& parameter,
+                                                std::string_view branch);
 
 /// Throws InputError where the file is no such table: other columns than these (with the trailing
 /// parameter, if it has one), no rows, or without what a place on the curve takes.

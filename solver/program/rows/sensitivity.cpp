@@ -31,12 +31,13 @@ std::optional<FamilyParameters> moved_number(const FamilyParameters& at, const s
   }
 }
 
-/// near: values beside which these are; the angle of an axis, half a turn of which is none, is brought there.
+/// near: values beside which these are: what has none there, as the angle of a circle, has none here. The
+/// angle of an axis, half a turn of which is none, is brought there.
 std::vector<double> picked(const TableRow& row, std::span<const Column> columns,
                            const TableRow& near) {
   std::vector<double> out;
   for (const Column c : columns) {
-    double value = row[c];
+    double value = std::isnan(near[c]) ? near[c] : row[c];
     if (c == Column::angle && std::isfinite(near[c]))
       value -= std::numbers::pi * std::round((value - near[c]) / std::numbers::pi);
     out.push_back(value);

@@ -43,7 +43,7 @@ struct Answer {
 
   bool solved() const { return status == SolveStatus::solved; }
   std::string_view outcome() const {
-    return only_in_box ? "no stationary ellipsoid in the box searched" : cli::outcome(status);
+    return cli::outcome(status, only_in_box);
   }
 };
 

@@ -114,6 +114,8 @@ Start solved_start(const Case& input, const Run& run) {
                                           out.at.motion, how.start.has_value());
   out.found = only_one(input, kinds, how, out.at.motion);
   const Kind& kind = *kinds.each.front().kind;
+  out.only_in_box =
+      out.found.status == SolveStatus::none_exists && !kind.potential().is_isotropic();
   if (out.found.status == SolveStatus::solved) {
     if (const auto reason = kind.no_family(family_parameter_of(input), out.found.q)) {
       require_followable(input, kind, *reason);

@@ -5,6 +5,7 @@
 #include "solver/program/case/case_parameter.hpp"
 #include "solver/program/rows/curve_table.hpp"
 #include "solver/program/rows/resume_table.hpp"
+#include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/run.hpp"
 
 namespace stationary::cli {
@@ -15,6 +16,10 @@ struct Start {
   double p;
   Equilibrium found;
   bool is_event = false;  ///< of the family, which then is to be met on the way
+  /// Where none was found: none exists of those searched for, and nothing is known of others.
+  bool only_in_box = false;
+
+  std::string_view outcome() const { return cli::outcome(found.status, only_in_box); }
 };
 
 /// Throws InputError where the case has no range to be followed.

@@ -41,6 +41,11 @@ std::string_view outcome(SolveStatus status) {
   return "nothing was computed";
 }
 
+std::string_view outcome(SolveStatus status, bool only_in_box) {
+  const bool none = status == SolveStatus::none_exists;
+  return none && only_in_box ? "no stationary ellipsoid in the box searched" : outcome(status);
+}
+
 std::string failure_text(std::string_view outcome, const std::string& message) {
   std::string out(outcome);
   if (!message.empty()) out += ": " + message;

@@ -18,6 +18,9 @@ std::string_view outcome(SolveStatus status);
 /// outcome, and the message that explains it.
 std::string failure_text(std::string_view outcome, const std::string& message);
 
+/// outcome(); only_in_box: none exists, of those searched for.
+std::string_view outcome(SolveStatus status, bool only_in_box);
+
 /// The columns of the table to be, refused before the computation if none is left (trailing: one
 /// is always there).
 std::vector<Column> chosen_columns(const Case& input, const std::vector<Column>& computed,

@@ -46,7 +46,8 @@ void refuse_to_forget(const std::string& path) {
   for (const char* const suffix : {"", ".csv", ".h5", ".hdf5"}) {
     std::error_code none;
     const fs::path table = fs::path(path).replace_extension(suffix);
-    if (!fs::is_regular_file(table, none)) continue;
+    // One of many tables has no metadata beside it.
+    if (!fs::is_regular_file(table, none) || is_tables_file(table.string())) continue;
     const fs::file_time_type time = fs::last_write_time(table, none);
     if (none || (!owner.empty() && time <= last)) continue;
     owner = table;

@@ -66,7 +66,9 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
   const std::string& text = *read;
   if (const std::string other = other_program(text, STATIONARY_VERSION); !other.empty())
     refuse(fmt::format("found {} to be {}", printable(metadata), other));
-  if (!is_of_case(text, input)) refuse(printable(metadata) + " is of another case");
+  if (!is_metadata(text)) refuse(printable(metadata) + " is no metadata of this program");
+  if (!is_of_case(text, input))
+    refuse(printable(metadata) + " is of another case, or of one that another row was given to");
   std::optional<CurveRecord> record = curve_record(text);
   if (!record) refuse(printable(metadata) + " does not say what rows and events the table has");
   const bool has_alpha = std::ranges::find(columns, Column::alpha) != columns.end();

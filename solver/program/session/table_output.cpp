@@ -41,9 +41,7 @@ void require_paths(const std::string& path, const std::vector<CellColumn>& colum
 void TableOutput::prepare() {
   const std::string& path = path_;
   if (path == "-") return;
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  const bool regular = !fs::exists(status) || fs::is_regular_file(status);
+  const bool regular = is_regular_target(path);
   if (regular) require_table_suffix(path);
   const fs::path metadata = metadata_path(path);
   for (const fs::path& target : {fs::path(path), metadata})

@@ -77,8 +77,34 @@ constexpr mode_t all_may = 0666;  // less the umask
 
 }  // namespace
 
+std::optional<int> named_descriptor(const fs::path& path) {
+  const std::string& name = path.native();
+  constexpr std::string_view streams[] = {"/dev/stdin", "/dev/stdout", "/dev/stderr"};
+  for (int k = 0; k < 3; ++k)
+    if (name == streams[k]) return k;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    int out = 0;
+    if (!name.starts_with(folder)) continue;
+    const char* const end = name.data() + name.size();
+    const auto [at, error] = std::from_chars(name.data() + folder.size(), end, out);
+    if (error == std::errc() && at == end && out >= 0) return out;
+  }
+  return std::nullopt;
+}
+
+bool is_regular_target(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return !named_descriptor(path) && (!fs::exists(status) || fs::is_regular_file(status));
+}
+
 AtomicFile::AtomicFile(const fs::path& target) : target_(target) {
   if (target.empty()) throw UnwritableFile("the name is empty");
+  if (const auto open = named_descriptor(target)) {
+    descriptor_ = ::fcntl(*open, F_DUPFD_CLOEXEC, 0);
+    if (descriptor_ < 0) refuse(errno);
+    return;
+  }
   struct ::stat status {};
   const bool exists = ::stat(target.c_str(), &status) == 0;
   const bool regular = !exists || S_ISREG(status.st_mode);

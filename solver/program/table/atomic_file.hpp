@@ -2,7 +2,8 @@
 // directory, renamed at commit(), removed if that is never reached. Until then it is locked
 // (file_lock.hpp): what a killed process left of the same file is not, and the next one removes it.
 //
-// What exists and is no regular file (a device, a pipe) is written directly; a link is followed.
+// What exists and is no regular file (a device, a pipe) is written directly; a link is followed. So is
+// what an open descriptor's name (/dev/stdout, /dev/fd/3) stands for, a file too, from where it is.
 #pragma once
 
 #include <filesystem>
@@ -19,6 +20,12 @@ namespace stationary {
 class UnwritableFile : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// N of /dev/fd/N, and of /dev/stdout and the like; nothing of other names.
+std::optional<int> named_descriptor(const std::filesystem::path& path);
+
+/// Whether a file of its own is or will be there: no device, pipe or descriptor.
+bool is_regular_target(const std::filesystem::path& path);
 
 class AtomicFile : public ByteSink {
  public:

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/file_lock.hpp"
 #include "solver/program/table/table.hpp"
 #include "solver/program/text/input_error.hpp"
@@ -113,10 +114,7 @@ std::size_t records(std::string_view text, std::string_view hash) {
 }  // namespace
 
 bool has_journal(const std::string& table) {
-  if (table.empty() || table == "-") return false;
-  std::error_code ignored;
-  const auto status = std::filesystem::status(table, ignored);
-  return !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
+  return !table.empty() && table != "-" && is_regular_target(table);
 }
 
 std::string hash_of(std::initializer_list<std::string_view> texts) {

@@ -85,6 +85,9 @@ StudySource::StudySource(TableReader table, std::string path) : path_(std::move(
     for (std::size_t k = 0; k < names_.size(); ++k)
       row.push_back({std::string(table.text(k)), table.fault(k, {}).origin()});
   }
+  // An empty line at the end is no row; of several columns it would have too few.
+  while (names_.size() == 1 && !rows_.empty() && rows_.back().front().text.empty())
+    rows_.pop_back();
   if (rows_.empty())
     throw InputError(Origin::in_file(path_), "", "found no rows", "a header and a row at least");
   for (std::size_t k = 0; k < names_.size(); ++k) {

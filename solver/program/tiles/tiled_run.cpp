@@ -36,7 +36,10 @@ bool TileRunner::run(const std::function<void(const Share& rows, const std::stri
   loop.done = [this](std::size_t tile, const std::string& text, double seconds) {
     const double elapsed =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    if (journal_ && elapsed >= work_.too_short) journal_->add(tile, text, seconds);
+    if (journal_ && elapsed >= work_.too_short) {
+      journal_->add(tile, text, seconds);
+      ++journaled_;
+    }
     ++computed_;
     if (run_.progress) show(elapsed);
   };
@@ -57,6 +60,14 @@ void TileRunner::describe(Metadata& metadata) const {
   metadata.tiles = TileRecord{computed_, kept_, how_.crew != nullptr ? how_.crew->ranks() : 1};
   if (how_.part.asked)
     metadata.part = PartRecord{how_.part.number, how_.part.of, work_.share.first, work_.hash};
+}
+
+std::string TileRunner::resumption() const {
+  if (!journal_) return {};
+  if (journaled_ == computed_) return "; --resume goes on with them";
+  const std::size_t in_journal = kept_ + journaled_;
+  if (in_journal == 0) return "; --resume begins anew, after so short a time";
+  return fmt::format("; --resume goes on with {} of {} tiles", in_journal, kept_ + computed_);
 }
 
 void TileRunner::finish() {

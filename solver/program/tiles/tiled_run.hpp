@@ -51,6 +51,8 @@ class TileRunner {
   bool run(const std::function<void(const Share& rows, const std::string& tile)>& take);
   /// What the metadata tell of the run, and of the part.
   void describe(Metadata& metadata) const;
+  /// Of an interrupted run, what --resume will do; nothing where there is no journal.
+  std::string resumption() const;
   /// The table is in its place: what was kept of a whole run is not needed any more.
   void finish();
 
@@ -65,6 +67,7 @@ class TileRunner {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::size_t computed_ = 0;
   std::size_t kept_ = 0;
+  std::size_t journaled_ = 0;  ///< of those computed
   bool whole_ = false;
 };
 

@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
@@ -96,6 +98,94 @@ TEST(ExtremeScales, TheSameInOtherUnitsOrRefused) {
     }
     EXPECT_EQ(same, 10);
     EXPECT_EQ(refused, 11);
+  }
+}
+
+/// Of a kind whose formulas leave the range of doubles before the body does: four coordinates about axis 3,
+/// gravity's second derivatives. {J}, {V} and {g} stand for what a number is times.
+struct ScaledBody {
+  const char* name;
+  std::array<double, 3> J;
+  const char* potential;  ///< of V(x) and g(x)
+  const char* branch;
+  double nu;
+};
+
+std::string in_units(const ScaledBody& body, const Units& units) {
+  std::string potential = body.potential;
+  // Gravity is of the size of g/sqrt J.
+  for (const auto& [mark, exponent] :
+       {std::pair{"V(", units.energy}, std::pair{"g(", units.energy + units.inertia / 2}}) {
+    for (std::size_t at; (at = potential.find(mark)) != std::string::npos;) {
+      const std::size_t end = potential.find(')', at);
+      const double x = std::stod(potential.substr(at + 2, end - at - 2));
+      potential.replace(at, end + 1 - at, number_text(std::ldexp(x, exponent)));
+    }
+  }
+  std::string J;
+  for (const double each : body.J)
+    J += (J.empty() ? "" : ", ") + number_text(std::ldexp(each, units.inertia));
+  return "[body]\nJ = [" + J + "]\n" + potential + "\n[motion]\nbranch = \"" + body.branch +
+         "\"\nnu = " + number_text(std::ldexp(body.nu, units.rate())) + "\n";
+}
+
+TEST(ExtremeScales, WhatIsClaimedIsTheSame) {
+  const ScaledBody bodies[] = {
+      {"coupled",
+       {3.97, 1.32, 3.81},
+       "[potential]\ncoupled = { model = \"neo-hookean-3d\", mu = V(1.79), lambda = V(0.172) }",
+       "iii",
+       0.075},
+      {"fluid", {1.0, 1.0, 1.0}, "volume = 1.0\n[gravity]\ng = g(4.0)", "iii", 0.4},
+      {"gravity",
+       {1.3, 1.1, 0.9},
+       "[gravity]\ng = g(1.5)\n[potential]\n"
+       "coupled = { model = \"neo-hookean-3d\", mu = V(1.0), lambda = V(2.0) }",
+       "i",
+       0.3},
+      {"fibre",
+       {1.3, 1.1, 0.9},
+       "[gravity]\ng = g(0.5)\n[potential]\n"
+       "coupled = { model = \"neo-hookean-3d\", mu = V(1.0), lambda = V(2.0) }\n"
+       "fibre = { k = V(0.4), degrees = 30 }",
+       "iii",
+       0.3}};
+  for (const ScaledBody& body : bodies) {
+    const auto row_in = [&](const Units& units) {
+      const TemporaryDirectory directory;
+      const Outcome outcome = run_program(
+          {"solve", directory.file("case.toml", in_units(body, units)), "-o", "-", "--certify"});
+      EXPECT_EQ(outcome.code, 0) << outcome.err;
+      const auto rows = rows_of(outcome.out);
+      return rows.empty() ? Row() : rows.front();
+    };
+    const Row plain = row_in({0, 0});
+    ASSERT_FALSE(plain.empty()) << body.name;
+    for (const Units units : {Units{140, 140}, Units{-140, -140}, Units{176, 176},
+                              Units{-200, -200}, Units{250, 250}, Units{-280, -280}}) {
+      SCOPED_TRACE(std::string(body.name) + " " + std::to_string(units.inertia));
+      // g would be beyond its own limit.
+      if (std::string(body.potential).find("g(") != std::string::npos &&
+          std::abs(units.energy + units.inertia / 2) > 290)
+        continue;
+      const Row scaled = row_in(units);
+      ASSERT_FALSE(scaled.empty());
+      for (const char* column : {"class", "negative", "certified", "class_certified", "krein1",
+                                 "krein2", "krein3", "krein4", "krein5"})
+        EXPECT_EQ(scaled.at(column), plain.at(column)) << column;
+      for (const char* column : {"alpha", "xi", "zeta", "rho"})
+        EXPECT_NEAR(number(scaled.at(column)), number(plain.at(column)),
+                    1e-14 * std::abs(number(plain.at(column))))
+            << column;
+      for (const char* part : {"re", "im"})
+        for (int k = 1; k <= 5; ++k) {
+          const std::string column = part + std::to_string(k);
+          if (plain.at(column).empty()) continue;
+          EXPECT_NEAR(std::ldexp(number(scaled.at(column)), -units.rate()),
+                      number(plain.at(column)), 1e-12)
+              << column;
+        }
+    }
   }
 }
 

@@ -112,7 +112,7 @@ TEST(LeastEnergy, HasAFileOfItsOwn) {
     EXPECT_TRUE(directory.names().empty()) << least;
   };
   refused(directory / "x.csv", "is written by -o");
-  refused(directory / "x.meta.json", "found \".json\"");
+  refused(directory / "x.meta.json", "found the suffix \".json\"");
   refused("-", "standard output");
 }
 

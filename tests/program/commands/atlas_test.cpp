@@ -39,7 +39,7 @@ TEST(AtlasCommand, WritesEverySheetAndItsMetadata) {
   EXPECT_EQ(metadata["sheets"][3]["entry"], "search");
   EXPECT_EQ(metadata["sheets"][5]["parent"]["sheet"], 2);
   EXPECT_EQ(metadata["sheets"][5]["joins"]["sheet"], 4);
-  EXPECT_EQ(metadata["checkpoints"].size(), 3U * 256U);
+  EXPECT_EQ(metadata["checkpoints"].size(), 5U * 256U);  // two planes of tilted axes
   for (const auto& at : metadata["checkpoints"]) EXPECT_TRUE(at["complete"].get<bool>()) << at;
 }
 

@@ -163,9 +163,10 @@ TEST_F(Curve, ProofsSayWhatTheyTakeForGranted) {
 [body]
 J = [1.0, 0.8, 0.5]
 [potential.coupled]
-expression = "mu/2*(xi^2 + 2*alpha^2 + zeta^2 - 2*ln(d)) + k/2*ln(d)^2 + (rho - 1)^2 + ADDED"
+expression = "mu/2*(xi^2 + 2*alpha^2 + zeta^2 - 2*ln(d)) + k/2*ln(d)^2 + b/2*(rho - 1)^2 + ADDED"
 mu = 1.0
 k = 0.5
+b = 1.0
 [motion]
 branch = "i"
 nu = 0.1

@@ -346,7 +346,7 @@ TEST_F(Resume, MetadataThatAreNoneOfContinue) {
   for (const char* text :
        {"", "{", "[]", "{\"case\": 1}", R"({"case": {"continuation": 1}})", "\xff\xfe"}) {
     directory_.file("x.meta.json", text);
-    expect_refused("x.meta.json is of another case");
+    expect_refused("x.meta.json is no metadata of this program");
   }
   auto changed = good;
   changed.erase("rows");
@@ -493,7 +493,7 @@ TEST_F(Resume, TablesWithoutAPlace) {
   stop_after(50, few);
   const Outcome outcome = resume(few);
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("found no event, xi, zeta, rho or parameter"));
+  EXPECT_THAT(outcome.err, HasSubstr("found no column rho"));
   const std::vector<std::string> enough{
       "--set", R"(output.columns=["event", "nu1", "xi", "zeta", "rho", "class"])"};
   stop_after(50, enough);

@@ -30,6 +30,7 @@ AtlasOptions sparse() {
   out.to = 1.02;
   out.checkpoints = 8;
   out.branches = {Branch::i};
+  out.tilted = false;
   out.step.tolerance = 1e-6;
   return out;
 }
