@@ -162,4 +162,22 @@ double CurveTable::parameter_of(const TableRow& row) const {
   return std::isnan(row.parameter) ? spin(branch_, row) : row.parameter;
 }
 
+std::vector<std::string_view> missing_to_resume(const std::vector<Column>& columns,
+                                                const std::optional<std::string>& parameter,
+                                                std::string_view branch) {
+  std::vector<Column> needed{Column::event, Column::xi, Column::zeta, Column::rho};
+  if (!parameter) {
+    constexpr Column nu[] = {Column::nu1, Column::nu2, Column::nu3};
+    if (const auto about = branch_from_name(branch)) {
+      needed.push_back(nu[axis(*about)]);
+    } else {
+      needed.insert(needed.end(), std::begin(nu), std::end(nu));
+    }
+  }
+  std::vector<std::string_view> out;
+  for (const Column c : needed)
+    if (std::ranges::find(columns, c) == columns.end()) out.push_back(name(c));
+  return out;
+}
+
 }  // namespace stationary

@@ -101,8 +101,7 @@ class CurveTable final : public CurveSink {
   void count_class(double parameter);
   double parameter_of(const TableRow& row) const;
   /// A row's place among the segments and the events; verdict: its own class.
-  void place(EventType event, double parameter, bool voting,
-             std::optional<StabilityClass> verdict);
+  void place(EventType event, double parameter, bool voting, std::optional<StabilityClass> verdict);
 
   std::string_view branch_;
   RowSink* writer_;
@@ -120,5 +119,10 @@ class CurveTable final : public CurveSink {
   CurveProofs proofs_;
   std::vector<EventRow> events_;
 };
+
+/// Of what a table needs to be gone on with, the columns that it has not.
+std::vector<std::string_view> missing_to_resume(const std::vector<Column>& columns,
+                                                const std::optional<std::string>& parameter,
+                                                std::string_view branch);
 
 }  // namespace stationary

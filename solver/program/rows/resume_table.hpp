@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solver/family/follow_sheet.hpp"
-#include "solver/program/table/table.hpp"
+#include "solver/program/rows/curve_table.hpp"
 
 namespace stationary {
 
@@ -22,11 +22,6 @@ struct ResumedTable {
   std::string first_reason;              ///< why the curve ends there, where it does
   std::string last_reason;
 };
-
-/// Of what a table needs to be gone on with, the columns that it has not.
-std::vector<std::string_view> missing_to_resume(const std::vector<Column>& columns,
-                                                const std::optional<std::string>& parameter,
-                                                std::string_view branch);
 
 /// Throws InputError where the file is no such table: other columns than these (with the trailing
 /// parameter, if it has one), no rows, or without what a place on the curve takes.

@@ -33,7 +33,8 @@ nlohmann::json completeness_of(const std::string& case_file,
 
 /// A branch, and of tilted motions their plane.
 std::string kind_of(const nlohmann::json& part) {
-  return part["branch"].get<std::string>() + (part.contains("plane") ? part["plane"] : "");
+  return part["branch"].get<std::string>() +
+         (part.contains("plane") ? part["plane"].get<std::string>() : "");
 }
 
 /// The parts of the range that are not proven, of a kind; each begins where the last ends.
