@@ -165,8 +165,8 @@ class Follower {
     return type;
   }
 
-  /// Of an event that ends the sheet; half a unit of what it was taken at where it has no
-  /// equations.
+  /// Of an event that ends the sheet. Where it has no equations: half a unit of what it was taken
+  /// at, and what the inputs' rounding may do to its stretches.
   std::array<double, 2> bracket_at_end(EventType event, const Member& at) const {
     constexpr double rounding = 0x1p-53;
     double p = at.parameter;
@@ -174,6 +174,8 @@ class Follower {
     if (const auto known = family_.event_at(event, broken_circle(event), at)) {
       p = double(known->parameter);
       bound += known->parameter_bound;
+    } else if (at.error_bound > 0.0) {
+      bound += at.error_bound;
     }
     return bracket_of(p, bound * std::abs(p));
   }

@@ -234,6 +234,7 @@ class ModelFamily final : public Family<N> {
         tail[2] = rho_tail[0];
         out.converged = out.converged && axial.converged;
         out.error_bound = std::max(out.error_bound, axial.error_bound);
+        out.first_correction = std::max(out.first_correction, axial.first_correction);
         out.last_change = std::max(out.last_change, axial.last_change);
       } else {
         out.error_bound = std::max(out.error_bound, rho_bound_);

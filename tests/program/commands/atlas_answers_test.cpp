@@ -232,6 +232,7 @@ TEST(Completeness, IsTheTableShipped) {
       double left = 0.0;
       for (const auto& each : metadata["completeness"]) {
         if (each["branch"] != row.at("branch")) continue;
+        if (each.value("plane", "") != row.at("plane")) continue;
         EXPECT_EQ(each["boxes"].dump(), row.at("boxes")) << name;
         const bool is_proven = each["status"] == "proven";
         if (is_proven)
@@ -241,7 +242,9 @@ TEST(Completeness, IsTheTableShipped) {
         joins = is_proven;
       }
       EXPECT_EQ(std::to_string(proven), row.at("proven_intervals")) << name;
-      EXPECT_LT(left, 1e-6 * (number(row.at("to")) - number(row.at("from")))) << name;
+      // Where both of two tilted sheets leave the box, a search between them is undecided.
+      const double most = row.at("plane").empty() ? 1e-6 : 1e-4;
+      EXPECT_LT(left, most * (number(row.at("to")) - number(row.at("from")))) << name;
       ++compared;
     }
   }
