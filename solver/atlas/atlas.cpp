@@ -190,8 +190,7 @@ std::vector<std::unique_ptr<SheetSource>> tilted_sources(const Body& body,
 
 /// With J1 = J2 and an isotropic V: axes 1 and 2 exchanged, with the plane.
 AtlasSheet mirrored(AtlasSheet sheet) {
-  sheet.plane =
-      sheet.plane == TiltPlane::one_three ? TiltPlane::two_three : TiltPlane::one_three;
+  sheet.plane = sheet.plane == TiltPlane::one_three ? TiltPlane::two_three : TiltPlane::one_three;
   for (AtlasRow& row : sheet.rows) {
     std::swap(row.member.q.xi, row.member.q.zeta);
     std::swap(row.member.angular_velocity[0], row.member.angular_velocity[1]);

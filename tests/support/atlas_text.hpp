@@ -24,9 +24,8 @@ inline std::string text_of(const Atlas& found) {
 inline void expect_complete(const Atlas& found) {
   EXPECT_FALSE(found.interrupted);
   for (const Checkpoint& at : found.checkpoints) {
-    EXPECT_TRUE(at.complete()) << kind_text(at) << " " << at.nu << ": "
-                               << name(at.status) << " " << at.proven << " " << at.on_sheets << " "
-                               << at.beyond;
+    EXPECT_TRUE(at.complete()) << kind_text(at) << " " << at.nu << ": " << name(at.status) << " "
+                               << at.proven << " " << at.on_sheets << " " << at.beyond;
   }
 }
 

@@ -82,10 +82,10 @@ std::string check_case(const Case& input) {
       out.line("", "from the row " + printable(continuation->start_row) + " of a table");
   }
   if (const auto& curve = input.curve) {
-    out.line("curve", fmt::format("{} in {} from {} to {} and {} from {} to {}, tolerance {}",
-                                  name(curve->event), curve->parameters[0], curve->from[0],
-                                  curve->to[0], curve->parameters[1], curve->from[1], curve->to[1],
-                                  curve->tolerance));
+    out.line("curve",
+             fmt::format("{} in {} from {} to {} and {} from {} to {}, tolerance {}",
+                         name(curve->event), curve->parameters[0], curve->from[0], curve->to[0],
+                         curve->parameters[1], curve->from[1], curve->to[1], curve->tolerance));
   }
   if (input.atlas.complete) out.line("atlas", "complete");
   if (input.atlas.checkpoints)

@@ -217,11 +217,11 @@ Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* 
   const bool resumes =
       to_table && missing_to_resume(columns, parameter, input.branch_name()).empty();
   if (report.out_of_points) {
-    run.complain(fmt::format(
-        "stopped after {} points, continuation.max_points{}", report.points,
-        resumes    ? "; --resume goes on where it is set higher"
-        : to_table ? "; --resume cannot go on: output.columns lacks what it needs"
-                   : ""));
+    run.complain(fmt::format("stopped after {} points, continuation.max_points{}", report.points,
+                             resumes ? "; --resume goes on where it is set higher"
+                             : to_table
+                                 ? "; --resume cannot go on: output.columns lacks what it needs"
+                                 : ""));
   }
   for (const SheetEnd* end : {&report.backward, &report.forward})
     if (end->event == EventType::stalled) run.complain("numerical failure: " + end->reason);

@@ -42,9 +42,7 @@ struct Answer {
   double seconds = 0.0;
 
   bool solved() const { return status == SolveStatus::solved; }
-  std::string_view outcome() const {
-    return cli::outcome(status, only_in_box);
-  }
+  std::string_view outcome() const { return cli::outcome(status, only_in_box); }
 };
 
 /// Solves, or searches where solve.all says so; proves what output.certificate asks for. wanted: of
