@@ -203,8 +203,7 @@ struct Atlas {
   bool interrupted = false;
 };
 
-/// The kind of motion as tables name it.
-/// Of a sheet, a checkpoint, ...: as the column `branch` has it.
+/// The kind of motion of a sheet, a checkpoint, ...: as the column `branch` has it.
 std::string_view kind_name(Branch branch, bool oblique, bool tilted);
 template <class Of>
 std::string_view kind_name(const Of& of) {

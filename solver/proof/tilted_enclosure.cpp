@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lib/stability/tilted_spectrum_enclosure.hpp"
 #include "solver/proof/certificate.hpp"
 #include "solver/proof/motion_spectrum.hpp"
 
@@ -97,16 +96,9 @@ SpectrumEnclosure enclose_tilted_spectrum(const Body& body, const Potential& pot
   return potential.visit_parts([&](const auto& model) {
     auto system = tilted_box_system(body, model, plane, 0.0, inputs);
     system.square_nu = square(motion.nu);
-    const auto square_of = system.squares({at.xi, at.zeta});
-    if (!square_of.in_plane.positive() || !square_of.normal.positive()) return SpectrumEnclosure();
     const auto state = straight_state(system.J, system.model, at.xi, at.zeta, at.rho, motion.nu);
-    const auto turned = plane == TiltPlane::one_three ? state : state.exchanged();
-    const Interval nu1 = sqrt(square_of.in_plane);
-    const Interval nu3 = sqrt(square_of.normal);
-    return potential.holds_volume() ? enclose_tilted_spectrum(held_tilted_forms(turned, nu1, nu3),
-                                                              body.symmetric(), approximate)
-                                    : enclose_tilted_spectrum(tilted_forms(turned, nu1, nu3),
-                                                              body.symmetric(), approximate);
+    return enclose_tilted_spectrum(body, potential, plane, state, system.squares({at.xi, at.zeta}),
+                                   approximate);
   });
 }
 

@@ -9,6 +9,7 @@
 
 #include "lib/balance/tilted_balance.hpp"
 #include "lib/body/motion.hpp"
+#include "lib/stability/tilted_spectrum_enclosure.hpp"
 #include "solver/proof/box_balance.hpp"
 #include "solver/proof/certify.hpp"
 
@@ -61,5 +62,23 @@ Certificate certify_tilted(const Body& body, const Potential& potential,
 SpectrumEnclosure enclose_spectrum(const Body& body, const Potential& potential,
                                    const TiltedRotation& motion, const Certificate& certificate,
                                    const Spectrum& spectrum, Inputs inputs = Inputs::decimals);
+
+/// Of all motions with this state and these squares of nu's components, S = Interval or Sloped: nothing is
+/// told where one of them may vanish.
+template <class S>
+SpectrumEnclosure enclose_tilted_spectrum(const Body& body, const Potential& potential,
+                                          TiltPlane plane, const StraightState<S>& state,
+                                          const TiltSquares<S>& squares,
+                                          const Spectrum& approximate) {
+  if (!range(squares.in_plane).positive() || !range(squares.normal).positive())
+    return SpectrumEnclosure();
+  const auto turned = plane == TiltPlane::one_three ? state : state.exchanged();
+  const S nu1 = sqrt(squares.in_plane);
+  const S nu3 = sqrt(squares.normal);
+  return potential.holds_volume() ? enclose_tilted_spectrum(held_tilted_forms(turned, nu1, nu3),
+                                                            body.symmetric(), approximate)
+                                  : enclose_tilted_spectrum(tilted_forms(turned, nu1, nu3),
+                                                            body.symmetric(), approximate);
+}
 
 }  // namespace stationary

@@ -4,8 +4,8 @@
 
 #include "lib/balance/tilted_balance.hpp"
 #include "lib/number/dual.hpp"
-#include "lib/stability/tilted_spectrum_enclosure.hpp"
 #include "solver/proof/box_balance.hpp"
+#include "solver/proof/tilted_enclosure.hpp"
 
 namespace stationary {
 namespace {
@@ -92,17 +92,8 @@ SpectrumEnclosure enclose_tilted_spectrum(const Body& body, const Potential& pot
     return enclose_tilted_spectrum(body, potential, plane, along.over, approximate, inputs);
   return potential.visit_parts([&](const auto& model) {
     const Along numbers(body, model, along, inputs);
-    const TiltSquares<Sloped> squares = numbers.tilt(plane);
-    if (!squares.in_plane.range().positive() || !squares.normal.range().positive())
-      return SpectrumEnclosure();
-    const auto state = numbers.state();
-    const auto turned = plane == TiltPlane::one_three ? state : state.exchanged();
-    const Sloped nu1 = sqrt(squares.in_plane);
-    const Sloped nu3 = sqrt(squares.normal);
-    return potential.holds_volume() ? enclose_tilted_spectrum(held_tilted_forms(turned, nu1, nu3),
-                                                              body.symmetric(), approximate)
-                                    : enclose_tilted_spectrum(tilted_forms(turned, nu1, nu3),
-                                                              body.symmetric(), approximate);
+    return enclose_tilted_spectrum(body, potential, plane, numbers.state(), numbers.tilt(plane),
+                                   approximate);
   });
 }
 
