@@ -189,6 +189,15 @@ TEST(ExtremeScales, WhatIsClaimedIsTheSame) {
   }
 }
 
+TEST(ExtremeScales, WhichNumberIsOutOfScaleIsSaid) {
+  for (const auto& [setting, key] : {std::pair{"body.J=[1.0, 1e200, 1.0]", "body.J.1"},
+                                     {"potential.fibre.degrees=2e6", "potential.fibre.degrees"}}) {
+    const Outcome outcome = run_program({"check", shipped("fibre.toml"), "--set", setting});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr(std::string(key) + ": found "));
+  }
+}
+
 /// A rate whose square overflows beside inertias that make up for it.
 TEST(ExtremeScales, AnOverflowIsNoProof) {
   const TemporaryDirectory directory;

@@ -582,5 +582,49 @@ TEST(Continue, AFullDiskIsAFailure) {
   EXPECT_EQ(run_program(streamed, {.standard_output = "/dev/full"}).code, 4);
 }
 
+/// mu turns a thousand times here, near one value: the row of a turn is between its neighbours, and not
+/// another turn's.
+TEST(Continue, AmongManyTurnsEachHasItsOwnRow) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("case.toml", R"case(
+[body]
+J = [2.3522, 0.27121, 0.15753]
+[potential]
+plane = { expression = "mu*(t-2)^2+k*(d-1)^2+c*cos(t)", mu = 1.3222, k = 2.8604, c = 0.33514 }
+thickness = { model = "harmonic", k = 8.436, rest = 1.3676 }
+[motion]
+branch = "iii"
+nu = 0.93309
+[continuation]
+parameter = "potential.plane.mu"
+from = 1.0245
+to = 3.9666
+tolerance = 1e-05
+)case");
+  const Outcome outcome = continued(file, {"output.spectrum=false"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto rows = rows_of(outcome.out);
+  int turns = 0;
+  for (std::size_t k = 1; k + 1 < rows.size(); ++k) {
+    if (rows[k].at("event") != "fold-parameter") continue;
+    const auto xi = [&](std::size_t row) { return number(rows[row].at("xi")); };
+    EXPECT_GT((xi(k) - xi(k - 1)) * (xi(k + 1) - xi(k)), 0.0) << "row " << k;
+    ++turns;
+  }
+  EXPECT_GE(turns, 1000);
+}
+
+/// The stream is written to, and no file in its place or beside its name.
+TEST(Continue, ToTheNameOfAStream) {
+  const TemporaryDirectory directory;
+  const std::string target = directory / "x";
+  const Outcome outcome = run_program({"continue", shipped("disc.toml"), "-q", "-o", "/dev/stdout"},
+                                      {.standard_output = target});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(text_of(target), continued(shipped("disc.toml")).out);
+  EXPECT_THAT(directory.names(), ElementsAre("x"));
+  EXPECT_FALSE(std::filesystem::exists("/dev/stdout.meta.json"));
+}
+
 }  // namespace
 }  // namespace stationary::testing

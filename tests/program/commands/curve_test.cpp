@@ -197,6 +197,12 @@ to = [0.9, 0.9]
   }
 }
 
+TEST_F(Curve, CheckSaysWhichCurve) {
+  const Outcome outcome = run_program({"check", shipped("elastic_sphere.toml")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("curve         hamiltonian-hopf in nu from 0.1 to 0.9 and "));
+}
+
 TEST_F(Curve, FromARowIsThatCurve) {
   const std::string file = directory_.file(
       "family.toml", std::string(fold_of_hencky) + "[continuation]\nfrom = 0.0\nto = 1.0\n");

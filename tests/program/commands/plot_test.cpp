@@ -433,6 +433,9 @@ TEST_F(Plot, CurvesBesideAFamilyAndRangesOfNothing) {
   const Outcome outcome = plot("x.svg", {"--range", "value=0:1"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("found a range of value; expected a map"));
+  const Outcome shown = run_program({"plot", curve, "--show", "nu1", "-o", directory_ / "x.svg"});
+  EXPECT_EQ(shown.code, 2);
+  EXPECT_THAT(shown.err, HasSubstr("found curves of events; expected no columns to show"));
 }
 
 TEST_F(Plot, OutputsThatAreNone) {

@@ -154,6 +154,12 @@ TEST_F(Study, WhatIsWrongWithTheCaseIsNoRowsFault) {
   EXPECT_EQ(run("body.J.0\n-2\n1.0\n", {"--set", "body.J.0=-1"}).code, 0);
 }
 
+TEST_F(Study, WithoutATableOfRowsSaysWhatIsMissing) {
+  const Outcome outcome = run_program({"study", case_file_, "--do", "solve", "-o", out_});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("study: found no table of rows; expected --over TABLE"));
+}
+
 TEST_F(Study, RefusesOptionsOfAnotherTask) {
   const std::string table = "motion.nu\n0.3\n";
   for (const char* const task : {"solve", "continue"})
