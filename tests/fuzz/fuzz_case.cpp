@@ -26,7 +26,7 @@ void read(std::string_view text) {
   CaseTree tree = CaseTree::parse(text, "fuzz.toml");
   apply_overrides(text, tree);
   const Case input = make_case(std::move(tree));
-  cli::ComputationPlan plan = cli::computation_plan(input, true);
+  cli::ComputationPlan plan = cli::computation_plan(input, true, cli::PlanOf::check);
   Metadata metadata;
   metadata.version = "fuzz";
   metadata.input = &input;

@@ -162,14 +162,15 @@ void require_numbers(const CaseTree& tree, const std::string& path, const toml::
   const toml::array* array = node.as_array();
   if (array == nullptr || array->size() != static_cast<std::size_t>(key.count))
     throw fault_at(tree, path, "found " + describe(node), std::string(key.allowed));
+  std::vector<InputError> faults;
   std::size_t index = 0;
   for (const toml::node& element : *array) {
-    if (!finite_number(element)) {
-      throw fault_at(tree, dotted(path, std::to_string(index)), "found " + describe(element),
-                     std::string(key.allowed));
-    }
+    if (!finite_number(element))
+      faults.push_back(fault_at(tree, dotted(path, std::to_string(index)),
+                                "found " + describe(element), std::string(key.allowed)));
     ++index;
   }
+  if (!faults.empty()) throw InputError(faults);
 }
 
 /// A pair of numbers, or an array of key.count such pairs.

@@ -225,6 +225,27 @@ std::string summary(const Case& input, const AtlasOptions& asked, const Atlas& f
   return out.text();
 }
 
+/// What was searched and followed.
+std::vector<std::pair<std::string_view, long>> counts_of(const Atlas& found) {
+  ContinuationCounts followed;
+  for (const AtlasSheet& each : found.sheets) followed += each.report.counts;
+  long boxes = 0;
+  long tubes = 0;
+  long arcs = 0;
+  for (const Completeness& each : found.completeness) {
+    boxes += each.boxes;
+    tubes += each.tubes;
+    arcs += each.class_arcs;
+  }
+  return {{"checkpoints", static_cast<long>(found.checkpoints.size())},
+          {"continuation_steps", followed.steps},
+          {"steps_taken_back", followed.rejected},
+          {"points_evaluated", followed.members},
+          {"cover_boxes", boxes},
+          {"cover_tubes", tubes},
+          {"class_arcs", arcs}};
+}
+
 /// metadata: of the atlas, which an HDF5 file has too.
 void write_least_energy(const std::vector<LeastEnergyPiece>& least,
                         const std::vector<AtlasSheet>& sheets, Metadata metadata,
@@ -282,12 +303,15 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   Metadata metadata = metadata_of(run, &input);
+  metadata.counts = counts_of(found);
   if (input.output.certificate) metadata.counts.emplace_back("proven", proofs.proven);
   metadata.seconds = seconds;
   metadata.atlas = &found;
   metadata.least_energy = least;
   metadata.curves = records;
-  if (const auto caveat = proof_caveat(input)) metadata.plan.push_back(*caveat);
+  ComputationPlan plan = computation_plan(input, target != nullptr, PlanOf::atlas);
+  metadata.plan = std::move(plan.computed);
+  metadata.skipped = std::move(plan.skipped);
   metadata.outcome = {{"command", "atlas"}, {"status", found.interrupted ? "interrupted" : "done"}};
   const std::string gap = proofs.gap_text("nu");
   if (!gap.empty()) metadata.outcome.emplace_back("warning", gap);

@@ -196,7 +196,9 @@ Metadata describe(const Run& run, const Case& input, const GridCounts& counts, s
   for (const StudyStatus each :
        {StudyStatus::solved, StudyStatus::none, StudyStatus::not_found, StudyStatus::failed})
     out.counts.emplace_back(name(each), counts.of(each));
-  if (const auto caveat = proof_caveat(input)) out.plan.push_back(*caveat);
+  ComputationPlan plan = computation_plan(input, true, PlanOf::atlas);
+  out.plan = std::move(plan.computed);
+  out.skipped = std::move(plan.skipped);
   out.outcome = {{"command", "atlas"}, {"status", counts.cells < cells ? "interrupted" : "done"}};
   return out;
 }

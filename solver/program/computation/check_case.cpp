@@ -4,8 +4,10 @@
 
 #include "solver/kind/kind.hpp"
 #include "solver/program/case/case_motion.hpp"
+#include "solver/program/computation/event_curves.hpp"
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/report.hpp"
+#include "solver/program/text/input_error.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -27,6 +29,22 @@ std::string start_text(const Case& input) {
   return fmt::format("(alpha, {}, rho) = ({}, {}, {}, {})",
                      has_rates(input.motion) ? "lambda, mu" : "xi, zeta", told.alpha, told.xi,
                      told.zeta, told.rho);
+}
+
+/// Why `curve` does not take the case, if it does not: every other command does.
+std::string curve_refusal(const Case& input) {
+  try {
+    require_curve(input);
+  } catch (const InputError& fault) {
+    return fmt::format("`curve` refuses it: {}: {}; expected {}", fault.key(), fault.found(),
+                       fault.allowed());
+  }
+  try {
+    require_second_in_range(input);
+  } catch (const InputError& fault) {
+    return fmt::format("`curve` needs --from: {}: {}", fault.key(), fault.found());
+  }
+  return {};
 }
 
 const char* symmetry_text(const Potential& potential) {
@@ -86,6 +104,7 @@ std::string check_case(const Case& input) {
              fmt::format("{} in {} from {} to {} and {} from {} to {}, tolerance {}",
                          name(curve->event), curve->parameters[0], curve->from[0], curve->to[0],
                          curve->parameters[1], curve->from[1], curve->to[1], curve->tolerance));
+    if (const std::string refused = curve_refusal(input); !refused.empty()) out.line("", refused);
   }
   if (input.atlas.complete) out.line("atlas", "complete");
   if (input.atlas.checkpoints)
@@ -104,7 +123,7 @@ std::string check_case(const Case& input) {
   for (const auto& [number, uncertainty] : input.output.uncertainty)
     out.line("", fmt::format("uncertainty of {}: {}", number, uncertainty));
   out.gap();
-  const ComputationPlan plan = computation_plan(input, true);
+  const ComputationPlan plan = computation_plan(input, true, PlanOf::check);
   add_plan(out, plan.computed);
   add_plan(out, plan.skipped);
   return out.text();

@@ -71,7 +71,7 @@ std::string summary(const Case& input, const Start& start, const FollowReport& r
   if (!curve.segments.empty()) out.gap();
   add_segments(out, curve.segments, parameter);
   out.gap();
-  const ComputationPlan plan = computation_plan(input, false);
+  const ComputationPlan plan = computation_plan(input, false, PlanOf::follow);
   add_plan(out, plan.computed);
   add_plan(out, plan.skipped);
   return out.text();
@@ -99,7 +99,7 @@ std::vector<std::pair<std::string_view, long>> counts_of(const Start& start,
 Metadata describe(const Run& run, const Case& input, const Start& start, const FollowReport& report,
                   const EvaluationCounts& evaluations, const CurveTable& table) {
   const SheetRecord curve = table.record(report);
-  ComputationPlan plan = computation_plan(input, true);
+  ComputationPlan plan = computation_plan(input, true, PlanOf::follow);
   Metadata out = metadata_of(run, &input);
   out.counts = counts_of(start, report, evaluations, table);
   if (input.output.certificate) out.counts.emplace_back("proven", table.proofs().proven);

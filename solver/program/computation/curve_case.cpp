@@ -110,21 +110,6 @@ class Rows {
   std::string first_gap_;  ///< where the first one is that is not, and why
 };
 
-/// How each point of a curve is had: as the case's own motion is, and the event proven.
-ComputationPlan curve_plan(const Case& input, bool to_table) {
-  Case own = input;
-  own.continuation.reset();
-  own.solve.all = false;
-  own.output.certificate = false;
-  ComputationPlan out = computation_plan(own, to_table);
-  if (input.solve.all)
-    out.skipped.push_back({"solve.all", "not used", "a curve is followed from events of a family"});
-  if (input.output.certificate)
-    out.computed.push_back({"certificate", "each event, and no other near it, to be proven",
-                            "interval arithmetic, for all decimals that read as the inputs"});
-  return out;
-}
-
 EventCurveRecord record_of(const Case& input, const EventCurve& curve, int number) {
   EventCurveRecord out;
   out.curve = number;
@@ -201,7 +186,7 @@ Outcome curve_case(const Case& given, const std::string& row, TableTarget* targe
   CellTable* const table = target != nullptr ? &target->open(header(input, wanted)) : nullptr;
   Rows rows(input, wanted, table);
   Metadata metadata = metadata_of(run, &input);
-  ComputationPlan plan = curve_plan(input, target != nullptr);
+  ComputationPlan plan = computation_plan(input, target != nullptr, PlanOf::curve);
   metadata.plan = std::move(plan.computed);
   metadata.skipped = std::move(plan.skipped);
   for (const EventCurve& curve : found.curves) {

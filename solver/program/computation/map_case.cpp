@@ -153,7 +153,7 @@ std::string axis_text(const MapAxis& axis) {
 
 /// The case's, and what of it holds at its own numbers only.
 ComputationPlan map_plan(const Case& input, bool to_table) {
-  ComputationPlan out = computation_plan(input, to_table);
+  ComputationPlan out = computation_plan(input, to_table, PlanOf::map);
   if (!has_lanes(input.motion)) {
     const PlanItem alone{"cells", "each solved by itself, as `solve` does",
                          "a kind of motion that is not marched in nu"};
@@ -215,10 +215,6 @@ Metadata describe(const Run& run, const Case& input, const MapCounts& counts, st
   out.counts.emplace_back("scalar_spectra", counts.evaluated.scalar_spectra);
   out.plan = std::move(plan.computed);
   out.skipped = std::move(plan.skipped);
-  if (input.solve.start || input.solve.all || input.solve.method != Method::automatic) {
-    out.skipped.push_back({"start, method, all", "not used",
-                           "every cell is solved on the sheet of its own rest state"});
-  }
   out.outcome = {{"command", "map"},
                  {"status", counts.rows < cells ? "interrupted" : "done"},
                  {"instructions", instructions}};

@@ -257,7 +257,15 @@ Outcome sensitivity_case(const Case& input, bool events, TableTarget* target, co
   if (found.code != ExitCode::done) return {found.code, {}};
   if (target != nullptr) {
     write(asked, found, target->open(asked.header(events)));
+    Case unproven = input;
+    unproven.output.certificate = false;
+    ComputationPlan plan =
+        computation_plan(unproven, true, events ? PlanOf::follow : PlanOf::solve);
     Metadata out = metadata_of(run, &input);
+    out.plan = std::move(plan.computed);
+    out.skipped = std::move(plan.skipped);
+    if (input.output.certificate)
+      out.skipped.push_back({"output.certificate", "not used", "slopes are estimated, not proven"});
     out.seconds = found.seconds;
     out.counts = found.counts;
     out.outcome = {{"command", "sensitivity"}, {"status", found.status}};

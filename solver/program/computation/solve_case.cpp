@@ -17,11 +17,6 @@
 namespace stationary::cli {
 namespace {
 
-constexpr std::string_view unused_start =
-    "solve.all looks for every solution, from nowhere in particular";
-
-bool start_is_unused(const Case& input) { return input.solve.all && input.solve.start.has_value(); }
-
 std::string cost_text(const Answer& found) {
   std::string out = fmt::format("{:.1e} s", found.seconds);
   bool first = true;
@@ -100,21 +95,19 @@ std::string summary(const Case& input, const Answer& found) {
   }
   out.line("cost", cost_text(found));
   out.gap();
-  const ComputationPlan plan = computation_plan(input, false);
+  const ComputationPlan plan = computation_plan(input, false, PlanOf::solve);
   add_plan(out, plan.computed);
   add_plan(out, plan.skipped);
   return out.text();
 }
 
 Metadata describe(const Run& run, const Case& input, const Answer& found) {
-  ComputationPlan plan = computation_plan(input, true);
+  ComputationPlan plan = computation_plan(input, true, PlanOf::solve);
   Metadata out = metadata_of(run, &input);
   out.seconds = found.seconds;
   out.counts = found.counts;
   out.plan = std::move(plan.computed);
   out.skipped = std::move(plan.skipped);
-  if (start_is_unused(input))
-    out.skipped.push_back({"solve.start", "not used", std::string(unused_start)});
   out.outcome = {
       {"command", "solve"},
       {"status", std::string(found.outcome())},
@@ -142,7 +135,8 @@ Outcome solve_case(const Case& input, TableTarget* target, const Run& run) {
                                           .pressure = input.potential.holds_volume()}),
                      "solve", false);
   if (target != nullptr) target->prepare();
-  if (start_is_unused(input)) run.complain("solve.start is not used: " + std::string(unused_start));
+  if (input.solve.all && input.solve.start)
+    run.complain("solve.start is not used: " + std::string(unused_start));
 
   const Answer found = [&] {
     const auto waiting = run.waiting("solving");

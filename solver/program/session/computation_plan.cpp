@@ -33,6 +33,55 @@ std::string box_text(const Case& input) {
                      two_polar ? "mu" : "zeta", text(ranges[1]), text(ranges[2]));
 }
 
+/// How the unknowns of each alternative are had.
+std::vector<PlanItem> unknowns_plan(const Alternatives& kinds) {
+  std::vector<PlanItem> out = kinds.each.front().kind->unknowns();
+  for (std::size_t k = 1; k < kinds.each.size(); ++k) {
+    // What differs between the alternatives is said of each.
+    const std::vector<PlanItem> other = kinds.each[k].kind->unknowns();
+    for (std::size_t i = 0; i < other.size(); ++i)
+      if (other[i].how != out[i].how)
+        out[i].how += " in the " + kinds.each[0].label + ", " + other[i].how + " in the " +
+                      kinds.each[k].label;
+  }
+  return out;
+}
+
+/// Of the keys of [solve] and [continuation] those that are set and not used, and why.
+std::vector<PlanItem> unused_keys(const Case& input, PlanOf of) {
+  std::vector<PlanItem> out;
+  const auto unused = [&](bool set, std::string_view key, std::string_view why) {
+    if (set) out.push_back({std::string(key), "not used", std::string(why)});
+  };
+  const auto start_and_method = [&](std::string_view why) {
+    unused(input.solve.start.has_value(), "solve.start", why);
+    unused(input.solve.method != Method::automatic, "solve.method", why);
+  };
+  if (of == PlanOf::map)
+    start_and_method("every cell is solved on the sheet of its own rest state");
+  if (of == PlanOf::atlas) start_and_method("an atlas searches everywhere");
+  if (input.solve.all && of == PlanOf::solve) start_and_method(unused_start);
+  if (input.solve.all && of == PlanOf::check)
+    start_and_method(input.continuation ? "solve.all = true searches everywhere; `continue` uses it"
+                                        : "solve.all = true searches everywhere");
+  if (of == PlanOf::map)
+    unused(input.solve.all, "solve.all",
+           "a cell is one motion, on the sheet of its own rest state");
+  if (of == PlanOf::follow)
+    unused(input.solve.all, "solve.all",
+           "one sheet is followed, from one motion; `atlas` follows every sheet");
+  if (of == PlanOf::curve)
+    unused(input.solve.all, "solve.all", "a curve is followed from events of a family");
+  const bool searches =
+      of == PlanOf::atlas || (input.solve.all && (of == PlanOf::solve || of == PlanOf::check));
+  unused(input.solve.box.has_value() && !searches, "solve.box",
+         "it is the box of solve.all = true, and of an atlas");
+  if (of == PlanOf::atlas)
+    unused(!input.continuation->events.empty(), "continuation.events",
+           "an atlas locates every event that it can");
+  return out;
+}
+
 }  // namespace
 
 bool wants_spectrum(const Case& input, bool to_table) {
@@ -57,36 +106,29 @@ std::optional<PlanItem> proof_caveat(const Case& input) {
                   "found at points, which is no proof (`check`)"};
 }
 
-ComputationPlan computation_plan(const Case& input, bool to_table) {
-  ComputationPlan out;
+ComputationPlan computation_plan(const Case& input, bool to_table, PlanOf of) {
+  const bool follows = of == PlanOf::check || of == PlanOf::follow;
   const auto kinds = alternatives(input.body, input.potential, input.motion, true);
-  const Kind& kind = *kinds.each.front().kind;
-  out.computed = kind.unknowns();
-  for (std::size_t k = 1; k < kinds.each.size(); ++k) {
-    // What differs between the alternatives is said of each.
-    const std::vector<PlanItem> other = kinds.each[k].kind->unknowns();
-    for (std::size_t i = 0; i < other.size(); ++i)
-      if (other[i].how != out.computed[i].how)
-        out.computed[i].how += " in the " + kinds.each[0].label + ", " + other[i].how + " in the " +
-                               kinds.each[k].label;
+  ComputationPlan out{{}, unused_keys(input, of)};
+  if (of == PlanOf::atlas) {
+    out.computed.push_back({"sheets", "searched at checkpoints, then followed over nu",
+                            box_text(input) + ": boxes in interval arithmetic"});
+  } else {
+    out.computed = unknowns_plan(kinds);
   }
   if (const auto caveat = proof_caveat(input)) out.computed.push_back(*caveat);
-  if (input.solve.all) {
+  if (input.solve.all && (of == PlanOf::solve || of == PlanOf::check))
     out.computed.push_back({"all solutions", "exhaustive search, to be proven complete",
                             box_text(input) + ": boxes in interval arithmetic"});
-    if (input.solve.start || input.solve.method != Method::automatic) {
-      out.skipped.push_back({"start, method", "not used", "solve.all = true searches everywhere"});
-    }
-  } else if (input.solve.box) {
-    out.skipped.push_back(
-        {"solve.box", "not used", "it is the box of solve.all = true, and of an atlas"});
-  }
   if (input.output.certificate) {
-    out.computed.push_back({"certificate",
-                            "existence, uniqueness, error bound and class, to be proven",
-                            "interval arithmetic, for all decimals that read as the inputs"});
+    out.computed.push_back(
+        of == PlanOf::curve
+            ? PlanItem{"certificate", "each event, and no other near it, to be proven",
+                       "interval arithmetic, for all decimals that read as the inputs"}
+            : PlanItem{"certificate", "existence, uniqueness, error bound and class, to be proven",
+                       "interval arithmetic, for all decimals that read as the inputs"});
   }
-  if (input.continuation) {
+  if (input.continuation && follows) {
     const auto [first, second] = parts_of(input.continuation->parameter);
     if (!second.empty())
       out.computed.push_back(
@@ -94,21 +136,23 @@ ComputationPlan computation_plan(const Case& input, bool to_table) {
            fmt::format("{} varies, {} = {} is held", first, second,
                        parameter_value({input.body, input.models, input.motion}, second)),
            "a ratio; error bounds and proofs are of the varied number, which is the ratio in the "
-           "table "
-           "times the held one within rounding"});
+           "table times the held one within rounding"});
   }
-  if (input.continuation && !input.continuation->events.empty()) {
+  if (input.continuation && follows && !input.continuation->events.empty()) {
     out.computed.push_back({"events",
                             fmt::format("{}", fmt::join(input.continuation->events, ", ")),
                             "continuation.events: of no others is a function evaluated"});
   }
-  if (wants_spectrum(input, to_table)) {
-    out.computed.push_back(kind.spectrum_plan());
-  } else if (!input.output.spectrum) {
+  if (!input.output.spectrum) {
     out.skipped.push_back({"spectrum", "skipped", "output.spectrum = false"});
-  } else {
+  } else if (!wants_spectrum(input, to_table)) {
     out.skipped.push_back({"spectrum", "skipped",
                            "output.columns names none of its columns (without -o it is computed)"});
+  } else if (of == PlanOf::atlas) {
+    out.computed.push_back(
+        {"spectrum", "of every row of every sheet", "as each kind of motion has it"});
+  } else {
+    out.computed.push_back(kinds.each.front().kind->spectrum_plan());
   }
   return out;
 }

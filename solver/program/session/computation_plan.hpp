@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "solver/program/case/case_file.hpp"
@@ -24,6 +25,14 @@ bool wants_column(const Case& input, Column column, bool to_table);
 /// What proofs about the case rest on beside interval arithmetic, if anything.
 std::optional<PlanItem> proof_caveat(const Case& input);
 
-ComputationPlan computation_plan(const Case& input, bool to_table);
+/// Why solve.all = true does not use solve.start.
+constexpr std::string_view unused_start =
+    "solve.all looks for every solution, from nowhere in particular";
+
+/// What a plan is of. Each command uses other parts of a case; `check` tells all of them, as `solve` and
+/// `continue` use them.
+enum class PlanOf { check, solve, follow, curve, map, atlas };
+
+ComputationPlan computation_plan(const Case& input, bool to_table, PlanOf of);
 
 }  // namespace stationary::cli
