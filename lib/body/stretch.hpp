@@ -27,6 +27,9 @@ using Vector4 = Eigen::Matrix<S, 4, 1>;
 template <class S>
 using Matrix4 = Eigen::Matrix<S, 4, 4>;
 
+/// (a - b)/(a + b), as two stretches or locked inertias are compared.
+constexpr double relative_difference(double a, double b) { return (a - b) / (a + b); }
+
 template <class S>
 struct BasicStretch {
   S alpha;

@@ -109,6 +109,9 @@ struct AtlasSheet {
 
   /// Of its members, at one nu.
   Motion motion(double nu) const;
+  /// What it ends at; none where following was stopped there, whatever the row is beside.
+  EventType first_event() const;
+  EventType last_event() const;
 };
 
 /// All motions of a branch, all oblique ones or all tilted in one plane, at one nu, against the sheets.

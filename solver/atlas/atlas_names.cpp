@@ -5,10 +5,26 @@
 
 namespace stationary {
 
+namespace {
+
+EventType end_event(const FollowReport& report, const SheetEnd& end, EventType row) {
+  const bool stopped = report.interrupted || report.out_of_points;
+  return stopped && end.event == EventType::none ? EventType::none : row;
+}
+
+}  // namespace
+
 Motion AtlasSheet::motion(double nu) const {
   if (plane) return TiltedMotion{plane, nu};
   if (oblique) return ObliqueRotation{nu};
   return AxisRotation{branch, nu};
+}
+
+EventType AtlasSheet::first_event() const {
+  return end_event(report, report.backward, rows.front().event);
+}
+EventType AtlasSheet::last_event() const {
+  return end_event(report, report.forward, rows.back().event);
 }
 
 namespace {

@@ -1,4 +1,4 @@
-// A model with one of its coefficients varied, and the slope of the reduced balance in it.
+// A model with one of its coefficients varied, and the slope of the reduced balance in it, or in an inertia.
 #pragma once
 
 #include "solver/family/axis_family.hpp"
@@ -124,6 +124,57 @@ ReducedVector<N> coefficient_slope(const Model& model, const FamilyParameter& pa
   } else {
     return gradient_slope<3>(model, direction, x);
   }
+}
+
+/// -c_i x_i^2: of G what the spin takes.
+template <int N, class Model>
+ReducedVector<N> minus_pull([[maybe_unused]] const Model& model, const CentrifugalRates<double>& c,
+                            const ReducedVector<N>& x) {
+  ReducedVector<N> out;
+  if constexpr (is_body_model<Model>) {
+    const auto pull = centrifugal_pull(model, c, x[0], x[1], x[2]);
+    out = {-pull[0], -pull[1], -pull[2]};
+    return out;
+  }
+  out[0] = -c.xi * x[0] * x[0];
+  out[1] = -c.zeta * x[1] * x[1];
+  if constexpr (N == 3) out[2] = -c.rho * x[2] * x[2];
+  return out;
+}
+
+/// dG/dp of the inertia or the coefficient that the parameter names. rates: of the body's spin.
+template <int N, class Model>
+ReducedVector<N> parameter_slope(const Model& model, const Body& body,
+                                 const CentrifugalRates<DoubleDouble>& rates,
+                                 const FamilyParameter& parameter, const ReducedVector<N>& x) {
+  const int k = parameter.index;
+  if (parameter.kind != FamilyParameter::Kind::inertia) {
+    ReducedVector<N> out = coefficient_slope<N>(model, parameter, x);
+    if constexpr (is_body_model<Model>) {
+      // rho = C/d, and its pull with it.
+      if (k == static_cast<int>(Model::volume_place) && model.volume) {
+        const double rho = model.thickness(x[0], x[1], x[2]);
+        const double pull = 2.0 * double(rates.rho) * rho * rho / *model.volume;
+        out[0] += pull;
+        out[1] += pull;
+      }
+    }
+    return out;
+  }
+  // The pull on x_k is J_k times nu^2 or nothing, and on no other.
+  const double J[3] = {body.J1, body.J2, body.J3};
+  const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
+  ReducedVector<N> out = ReducedVector<N>::Zero();
+  if constexpr (is_body_model<Model>) {
+    // Along a held volume the pull on rho is one on xi and zeta.
+    const CentrifugalRates<double> own{k == 0 ? c.xi : 0.0, k == 1 ? c.zeta : 0.0,
+                                       k == 2 ? c.rho : 0.0};
+    out = minus_pull<N>(model, own, x) / J[k] +
+          body_slope(model, Model::inertia_place + static_cast<std::size_t>(k), x);
+  } else if (k < N) {
+    out[k] = minus_pull<N>(model, c, x)[k] / J[k];
+  }
+  return out;
 }
 
 }  // namespace stationary

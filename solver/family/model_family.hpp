@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "lib/balance/sheared_balance.hpp"
+#include "lib/balance/symmetry_stiffness.hpp"
 #include "lib/body/inertia.hpp"
 #include "lib/material/elastic_energy.hpp"
 #include "solver/family/axis_family.hpp"
@@ -268,8 +268,9 @@ class ModelFamily final : public Family<N> {
     } else {
       out.jacobian = parts.all.jacobian.matrix();
     }
-    out.nu_slope = minus_pull(at.model, axis_rates(at.body, branch_, 2.0 * at.nu), x);
-    out.slope = along_nu() ? out.nu_slope : parameter_slope(at, rates, x);
+    out.nu_slope = minus_pull<N>(at.model, axis_rates(at.body, branch_, 2.0 * at.nu), x);
+    out.slope = along_nu() ? out.nu_slope
+                           : parameter_slope<N>(at.model, at.body, rates, options_.parameter, x);
     for (int i = 0; i < N; ++i) {
       out.slope[i] *= scale[i];
       out.nu_slope[i] *= scale[i];
@@ -292,14 +293,16 @@ class ModelFamily final : public Family<N> {
       ++this->evaluations_.potentials;
       out.energy = energy(at.body, elastic_energy(at.model, out.q), out.q, nu);
     }
-    if (branch_ != Branch::iii && is_on(circle_, out.q))
-      out.round_stiffness = across_circle(at, out);
+    if (branch_ != Branch::iii && is_on(circle_, out.q)) {
+      ++this->evaluations_.second_derivatives;
+      out.round_stiffness = stiffness_across_circle(at.model, branch_, at.body, out.q, at.nu);
+    }
     const bool varied = options_.parameter.kind == Kind::inertia;
     if constexpr (is_body_model<Model>) {
       // As J1 passes J2 in (iii) the stiffness below, which has no factor J1 - J2 on a circle.
       if (may_leave_ && !at.body.symmetric() && !(varied && branch_ == Branch::iii)) {
         ++this->evaluations_.potentials;
-        out.turn = turning(at, out.q);
+        out.turn = turning_stiffness(at.model, branch_, at.body, out.q, at.nu);
       }
     }
     // What turns an ellipse or makes one; elsewhere it keeps its sign.
@@ -314,36 +317,6 @@ class ModelFamily final : public Family<N> {
       const auto w = at.model.template evaluate<1>(x, out.q.rho);
       out.shear_stiffness = -2.0 * w.plane.w_l / x.d - centrifugal_matrix(at.body, nu)(0, 0);
     }
-  }
-
-  /// Member::turn of a body with gravity: K, of order one.
-  double turning(const Setting& at, const Stretch& q) const {
-    const Inertia3<double> J{at.body.J1, at.body.J2, at.body.J3};
-    const double V_T =
-        gravity_derivatives<1>(at.model.g, J, planar_moment(J, q), q.xi * q.zeta, q.rho).plane.w_t;
-    const TurningForces<double> turns =
-        turning_forces(branch_, J, q.xi, q.zeta, at.nu * at.nu, V_T);
-    const double K = relative_difference(J.J1, J.J2) / relative_difference(q.xi, q.zeta) *
-                     (turns.spin - turns.gravity) /
-                     (std::abs(turns.spin) + std::abs(turns.gravity));
-    return std::isinf(K) ? std::copysign(1.0, K) : K / (1.0 + std::abs(K));
-  }
-
-  /// F_ss of the reduced energy F along s = ln(zeta/rho)/2, xi held; (ii): of xi and rho. In extended
-  /// precision: of a body stretched far V's derivatives cancel.
-  double across_circle(const Setting& at, const Member& here) const {
-    ++this->evaluations_.second_derivatives;
-    const BasicStretch<DoubleDouble> q{here.q.alpha, here.q.xi, here.q.zeta, here.q.rho};
-    const auto v = potential_derivatives<2>(at.model, q);
-    const CentrifugalRates<DoubleDouble> c = extended_rates(at);
-    const int k = branch_ == Branch::i ? 2 : 1;
-    const DoubleDouble& x = branch_ == Branch::i ? q.zeta : q.xi;
-    const DoubleDouble pull =
-        (branch_ == Branch::i ? c.zeta : c.xi) * x * x + c.rho * (q.rho * q.rho);
-    const auto stiffness = double(x * (x * v.hessian(k, k) + v.gradient[k]) +
-                                  q.rho * (q.rho * v.hessian(3, 3) + v.gradient[3]) -
-                                  2.0 * (x * q.rho * v.hessian(k, 3)) - 2.0 * pull);
-    return stiffness / (std::abs(stiffness) + 2.0 * double(pull));
   }
 
   CentrifugalRates<DoubleDouble> extended_rates(const Setting& at) const {
@@ -370,54 +343,6 @@ class ModelFamily final : public Family<N> {
     std::array<DoubleDouble, 3> out{DoubleDouble(x[0], tail[0]), DoubleDouble(x[1], tail[1]),
                                     extended_rho_};
     if constexpr (N == 3) out[2] = DoubleDouble(x[2], tail[2]);
-    return out;
-  }
-
-  /// -c_i x_i^2.
-  static ReducedVector<N> minus_pull(const Model& model, const CentrifugalRates<double>& c,
-                                     const ReducedVector<N>& x) {
-    ReducedVector<N> out;
-    if constexpr (is_body_model<Model>) {
-      const auto pull = centrifugal_pull(model, c, x[0], x[1], x[2]);
-      out = {-pull[0], -pull[1], -pull[2]};
-      return out;
-    }
-    out[0] = -c.xi * x[0] * x[0];
-    out[1] = -c.zeta * x[1] * x[1];
-    if constexpr (N == 3) out[2] = -c.rho * x[2] * x[2];
-    return out;
-  }
-
-  /// dG/dp of an inertia or a coefficient, rows not divided.
-  ReducedVector<N> parameter_slope(const Setting& at, const CentrifugalRates<DoubleDouble>& rates,
-                                   const ReducedVector<N>& x) const {
-    const int k = options_.parameter.index;
-    if (options_.parameter.kind != Kind::inertia) {
-      ReducedVector<N> out = coefficient_slope<N>(at.model, options_.parameter, x);
-      if constexpr (is_body_model<Model>) {
-        // rho = C/d, and its pull with it.
-        if (k == static_cast<int>(Model::volume_place) && at.model.volume) {
-          const double rho = at.model.thickness(x[0], x[1], x[2]);
-          const double pull = 2.0 * double(rates.rho) * rho * rho / *at.model.volume;
-          out[0] += pull;
-          out[1] += pull;
-        }
-      }
-      return out;
-    }
-    // The pull on x_k is J_k times nu^2 or nothing, and on no other.
-    const double J[3] = {at.body.J1, at.body.J2, at.body.J3};
-    const CentrifugalRates<double> c{double(rates.xi), double(rates.zeta), double(rates.rho)};
-    ReducedVector<N> out = ReducedVector<N>::Zero();
-    if constexpr (is_body_model<Model>) {
-      // Along a held volume the pull on rho is one on xi and zeta.
-      const CentrifugalRates<double> own{k == 0 ? c.xi : 0.0, k == 1 ? c.zeta : 0.0,
-                                         k == 2 ? c.rho : 0.0};
-      out = minus_pull(at.model, own, x) / J[k] +
-            body_slope(at.model, Model::inertia_place + static_cast<std::size_t>(k), x);
-    } else if (k < N) {
-      out[k] = minus_pull(at.model, c, x)[k] / J[k];
-    }
     return out;
   }
 

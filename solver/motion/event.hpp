@@ -37,6 +37,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "lib/body/stretch.hpp"
 #include "solver/motion/family.hpp"
 
 namespace stationary {
@@ -191,9 +192,6 @@ struct TestContext {
 /// curve, relative.
 TestValues test_values(const Member& member, const TestContext& context, double fold,
                        double momentum, double error = 0.0);
-
-/// (a - b)/(a + b), as two locked inertias are compared.
-constexpr double relative_difference(double a, double b) { return (a - b) / (a + b); }
 
 /// What a zero of function k is; none where it is no event (equal signatures, say).
 EventType event_type(std::size_t k, const TestContext& context, const TestValues& at);

@@ -20,8 +20,8 @@
 
 #include "solver/event_curve/event_curve.hpp"
 #include "solver/motion/body_circle.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/random_problem.hpp"
 
 namespace {
 

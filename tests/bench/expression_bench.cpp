@@ -9,7 +9,7 @@
 #include "solver/batch/sweep.hpp"
 #include "solver/program/case/case_file.hpp"
 #include "tests/bench/measurement.hpp"
-#include "tests/support/written_out.hpp"
+#include "tests/support/bodies/written_out.hpp"
 
 namespace stationary::bench {
 namespace {

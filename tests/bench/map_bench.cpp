@@ -21,7 +21,7 @@
 #include "solver/batch_spectrum/batch_spectrum.hpp"
 #include "solver/solve/stability.hpp"
 #include "tests/bench/bodies.hpp"
-#include "tests/support/high_precision.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 
 namespace stationary::bench {
 namespace {

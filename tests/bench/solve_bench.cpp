@@ -22,7 +22,7 @@
 #include "tests/bench/bodies.hpp"
 #include "tests/bench/four_equations.hpp"
 #include "tests/bench/march.hpp"
-#include "tests/support/high_precision.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 
 namespace stationary::bench {
 namespace {

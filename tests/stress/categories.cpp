@@ -1,10 +1,10 @@
 #include "tests/stress/categories.hpp"
 
-#include "tests/stress/near_event.hpp"
-#include "tests/stress/oriented_case.hpp"
-#include "tests/stress/tilted_case.hpp"
-#include "tests/stress/two_polar_case.hpp"
-#include "tests/stress/whole_body_case.hpp"
+#include "tests/stress/cases/near_event.hpp"
+#include "tests/stress/cases/oriented_case.hpp"
+#include "tests/stress/cases/tilted_case.hpp"
+#include "tests/stress/cases/two_polar_case.hpp"
+#include "tests/stress/cases/whole_body_case.hpp"
 
 namespace stationary::stress {
 namespace {

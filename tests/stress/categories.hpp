@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/stress/tally.hpp"
+#include "tests/stress/judge/tally.hpp"
 
 namespace stationary::stress {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/program/plot/plot.hpp"
-#include "tests/stress/fold_ladder.hpp"
+#include "tests/stress/cases/fold_ladder.hpp"
 
 namespace stationary::stress {
 

@@ -25,11 +25,11 @@
 
 #include "solver/program/plot/gnuplot.hpp"
 #include "solver/program/table/atomic_file.hpp"
+#include "tests/stress/cases/curve_survey.hpp"
+#include "tests/stress/cases/followed_rows.hpp"
 #include "tests/stress/categories.hpp"
-#include "tests/stress/curve_survey.hpp"
 #include "tests/stress/fold_figure.hpp"
-#include "tests/stress/followed_rows.hpp"
-#include "tests/stress/formula_judge.hpp"
+#include "tests/stress/formulas/formula_judge.hpp"
 
 namespace {
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cctype>
 
+#include "tests/stress/cases/curve_survey.hpp"
+#include "tests/stress/cases/fold_ladder.hpp"
+#include "tests/stress/cases/followed_rows.hpp"
+#include "tests/stress/cases/two_polar_case.hpp"
 #include "tests/stress/categories.hpp"
-#include "tests/stress/curve_survey.hpp"
-#include "tests/stress/fold_ladder.hpp"
-#include "tests/stress/followed_rows.hpp"
-#include "tests/stress/hard_case.hpp"
-#include "tests/stress/two_polar_case.hpp"
+#include "tests/stress/judge/hard_case.hpp"
 
 namespace stationary::stress {
 namespace {

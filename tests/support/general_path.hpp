@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lib/stability/general_spectrum.hpp"
-#include "tests/support/wide_spectrum.hpp"
+#include "tests/support/numbers/wide_spectrum.hpp"
 
 namespace stationary::testing {
 

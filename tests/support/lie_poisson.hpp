@@ -12,7 +12,7 @@
 
 #include "lib/body/inertia.hpp"
 #include "lib/material/potential.hpp"
-#include "tests/support/high_precision.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 
 namespace stationary::testing {
 

@@ -21,8 +21,8 @@
 
 #include "lib/body/motion.hpp"
 #include "lib/material/potential.hpp"
-#include "tests/support/models.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary::support {
 

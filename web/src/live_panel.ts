@@ -3,8 +3,8 @@
 import { byId, element } from './dom';
 import type { Computed, Described, Request } from './live_protocol';
 import type { LiveSolver } from './live_solver';
-import type { Payload, PayloadTable } from './payload';
-import { meaning, shown } from './quantities';
+import type { Payload, PayloadTable } from './table/payload';
+import { meaning, shown } from './table/quantities';
 
 type Task = 'follow' | 'solve' | 'all';
 

@@ -1,7 +1,7 @@
 // The solver in its worker, as the page sees it: one request at a time, which can be given up.
 
 import type { FromWorker, Request } from './live_protocol';
-import { unpackedBytes } from './payload';
+import { unpackedBytes } from './table/payload';
 
 /** The worker's code; web/build.mjs puts it here. */
 declare const WORKER_CODE: string;

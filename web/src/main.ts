@@ -1,23 +1,23 @@
 // The page: unpacks what the program put into it, and keeps diagram, body, spectrum, row and address in step.
 
-import { BodyView } from './body_view';
-import { Diagram } from './diagram';
+import { BodyView } from './body/body_view';
+import { Diagram } from './diagram/diagram';
 import { byId, element, fill } from './dom';
-import { markEvent, showEvents } from './events_list';
-import { HeatMap } from './heat_map';
-import { showLegend } from './legend';
+import { markEvent, showEvents } from './diagram/events_list';
+import { HeatMap } from './diagram/heat_map';
+import { showLegend } from './diagram/legend';
 import { LivePanel, type LiveCase } from './live_panel';
 import { LiveSolver } from './live_solver';
-import { unpack, type Payload, type PayloadTable } from './payload';
-import { Modes } from './modes';
-import { showProvenClasses } from './proven_classes';
-import { meaning, shown } from './quantities';
+import { unpack, type Payload, type PayloadTable } from './table/payload';
+import { Modes } from './body/modes';
+import { showProvenClasses } from './diagram/proven_classes';
+import { meaning, shown } from './table/quantities';
 import { listenToCopying, rowName, showRow } from './row_panel';
-import { rowStart } from './row_start';
-import { showSpectrum } from './spectrum';
-import { available, colourings, firstState, fromFragment, mapQuantities, prefersLogarithm, presets, toFragment, type ColourBy, type State } from './state';
-import { Table } from './table';
-import { caseAsToml } from './toml';
+import { rowStart } from './table/row_start';
+import { showSpectrum } from './diagram/spectrum';
+import { available, colourings, firstState, fromFragment, mapQuantities, prefersLogarithm, presets, toFragment, type ColourBy, type State } from './table/state';
+import { Table } from './table/table';
+import { caseAsToml } from './table/toml';
 
 /** Unpacks it when it is first asked for. */
 type SolverSource = () => Promise<LiveSolver>;

@@ -1,9 +1,9 @@
 // The chosen row: every cell as it stands in the file, and the same as a case to go on from.
 
 import { byId, element } from './dom';
-import { meaning } from './quantities';
-import { rowStart } from './row_start';
-import type { Table } from './table';
+import { meaning } from './table/quantities';
+import { rowStart } from './table/row_start';
+import type { Table } from './table/table';
 
 async function copy(text: string): Promise<boolean> {
   try {

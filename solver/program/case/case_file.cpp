@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <initializer_list>
 #include <stdexcept>
 #include <utility>
 
@@ -32,20 +33,25 @@ std::optional<Body> read_body(const CaseTree& tree, Faults& faults) {
   return Body(J[0], J[1], J[2]);
 }
 
-/// Throws where the motion has a key that is not the branch's.
-void refuse_key(const CaseTree& tree, std::string_view key, std::string_view branch,
-                std::string_view instead) {
-  const std::string path = dotted("motion", key);
-  if (find(tree, path) == nullptr) return;
-  throw InputError(tree.key_origin(path), path,
-                   fmt::format("found {}, which branch \"{}\" does not take", key, branch),
-                   std::string(instead), fmt::format("remove {}", key));
+/// Those of these keys that the motion has: they are not the branch's.
+void refuse_keys(const CaseTree& tree, std::initializer_list<std::string_view> keys,
+                 std::string_view branch, std::string_view instead, Faults& faults) {
+  for (const std::string_view key : keys) {
+    const std::string path = dotted("motion", key);
+    if (find(tree, path) == nullptr) continue;
+    faults.add(InputError(tree.key_origin(path), path,
+                          fmt::format("found {}, which branch \"{}\" does not take", key, branch),
+                          std::string(instead), fmt::format("remove {}", key)));
+  }
 }
 
-/// motion.nu, of a branch that takes it and no other number.
-double read_nu(const CaseTree& tree, std::string_view branch, std::string_view meaning) {
-  for (const std::string_view key : {"omega", "theta_dot", "s3", "p_theta"})
-    refuse_key(tree, key, branch, meaning);
+/// motion.nu, of a branch that takes it and no other number, and none of these keys.
+double read_nu(const CaseTree& tree, std::initializer_list<std::string_view> others,
+               std::string_view branch, std::string_view meaning) {
+  Faults faults;
+  refuse_keys(tree, others, branch, meaning, faults);
+  refuse_keys(tree, {"omega", "theta_dot", "s3", "p_theta"}, branch, meaning, faults);
+  faults.raise();
   if (find(tree, "motion.nu") == nullptr) {
     throw fault_at(tree, "motion.nu", "found no such key",
                    std::string(find_case_key("motion.nu")->allowed), "add nu in [motion]");
@@ -71,13 +77,13 @@ void require_symmetry(const CaseTree& tree, std::string_view branch, bool asks_i
 
 AxisRotation read_axis_rotation(const CaseTree& tree, Branch branch) {
   constexpr std::string_view meaning = "nu (the spin along the branch's axis)";
-  for (const std::string_view key : {"plane", "axis"}) refuse_key(tree, key, name(branch), meaning);
-  return {branch, read_nu(tree, name(branch), meaning)};
+  return {branch, read_nu(tree, {"plane", "axis"}, name(branch), meaning)};
 }
 
 /// motion.nu as the length of a vector.
-double read_length(const CaseTree& tree, std::string_view branch, std::string_view meaning) {
-  const double nu = read_nu(tree, branch, meaning);
+double read_length(const CaseTree& tree, std::initializer_list<std::string_view> others,
+                   std::string_view branch, std::string_view meaning) {
+  const double nu = read_nu(tree, others, branch, meaning);
   if (nu > 0.0) return nu;
   throw fault_at(tree, "motion.nu",
                  fmt::format("found nu = {} with branch {}", nu, in_quotes(branch)), "nu > 0",
@@ -86,12 +92,11 @@ double read_length(const CaseTree& tree, std::string_view branch, std::string_vi
 
 /// isotropic: its family is connected with neither axis at rest.
 ObliqueRotation read_oblique(const CaseTree& tree, bool isotropic) {
-  constexpr std::string_view meaning = "nu (its length |nu|), and axis";
-  refuse_key(tree, "plane", oblique_name, meaning);
-  if (isotropic)
-    refuse_key(tree, "axis", oblique_name,
-               "nu (its length |nu|), and of a potential with directions of its own axis");
-  ObliqueRotation out{read_length(tree, oblique_name, meaning)};
+  constexpr std::string_view of_both = "nu (its length |nu|), and axis";
+  constexpr std::string_view without_axis =
+      "nu (its length |nu|), and of a potential with directions of its own axis";
+  ObliqueRotation out{isotropic ? read_length(tree, {"plane", "axis"}, oblique_name, without_axis)
+                                : read_length(tree, {"plane"}, oblique_name, of_both)};
   const std::string axis = value_or<std::string>(tree, "motion.axis", "");
   if (!axis.empty()) out.near = axis == "1" ? Branch::i : Branch::ii;
   return out;
@@ -99,8 +104,7 @@ ObliqueRotation read_oblique(const CaseTree& tree, bool isotropic) {
 
 Motion read_tilted(const CaseTree& tree) {
   constexpr std::string_view meaning = "nu (its length |nu|), and plane";
-  refuse_key(tree, "axis", tilted_name, meaning);
-  TiltedMotion out{{}, read_length(tree, tilted_name, meaning)};
+  TiltedMotion out{{}, read_length(tree, {"axis"}, tilted_name, meaning)};
   const std::string plane = value_or<std::string>(tree, "motion.plane", "");
   if (plane == spatial_plane_name) {
     return SpatialRotation{out.nu};
@@ -110,10 +114,11 @@ Motion read_tilted(const CaseTree& tree) {
   return out;
 }
 
-TwoPolarMotion read_two_polar(const CaseTree& tree, const std::optional<Body>& body) {
-  constexpr std::string_view rule = "omega and theta_dot, or s3 and p_theta";
-  for (const std::string_view key : {"nu", "plane", "axis"})
-    refuse_key(tree, key, two_polar_name, fmt::format("{}, instead", rule));
+constexpr std::string_view two_polar_numbers = "omega and theta_dot, or s3 and p_theta";
+
+/// The one of its two pairs of numbers that the motion has.
+TwoPolarMotion read_pair(const CaseTree& tree) {
+  constexpr std::string_view rule = two_polar_numbers;
   struct Pair {
     std::string_view first;
     std::string_view second;
@@ -145,15 +150,25 @@ TwoPolarMotion read_two_polar(const CaseTree& tree, const std::optional<Body>& b
                    fmt::format("found {} alone", chosen.given()), std::string(rule),
                    fmt::format("add {} in [motion]", chosen.missing()));
   }
-  if (body && !body->symmetric()) {
-    throw fault_at(tree, "body.J", fmt::format("found J1 = {}, J2 = {}", body->J1, body->J2),
-                   "J1 = J2 in branch \"two-polar\"",
-                   "these motions exist because material rotations about axis 3 are a symmetry");
-  }
   const double first = value_or(tree, dotted("motion", chosen.first), 0.0);
   const double second = value_or(tree, dotted("motion", chosen.second), 0.0);
   if (rates.any()) return TwoPolarRates<double>{first, second};
   return TwoPolarMomenta<double>{first, second};
+}
+
+TwoPolarMotion read_two_polar(const CaseTree& tree, const std::optional<Body>& body) {
+  Faults faults;
+  TwoPolarMotion out;
+  refuse_keys(tree, {"nu", "plane", "axis"}, two_polar_name,
+              fmt::format("{}, instead", two_polar_numbers), faults);
+  faults.collect([&] { out = read_pair(tree); });
+  if (body && !body->symmetric())
+    faults.add(
+        fault_at(tree, "body.J", fmt::format("found J1 = {}, J2 = {}", body->J1, body->J2),
+                 "J1 = J2 in branch \"two-polar\"",
+                 "these motions exist because material rotations about axis 3 are a symmetry"));
+  faults.raise();
+  return out;
 }
 
 Motion read_motion(const CaseTree& tree, const std::optional<Body>& body,

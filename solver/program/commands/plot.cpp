@@ -237,6 +237,10 @@ Figure figure(const PlotOptions& options, ImageFormat format) {
   if (!has_rates(diagram))
     refuse_range(options, "rate", "a diagram with frequencies or growth rates");
   require_room(options, page, least_page(diagram));
+  if (page.x && std::ranges::none_of(diagram.points, [&](const DiagramPoint& each) {
+        return each.abscissa >= page.x->low && each.abscissa <= page.x->high;
+      }))
+    complain("no row is in the range of x asked for");
   return {gnuplot_script(diagram, format, title_of(options), page),
           fmt::format("{}, {}, {}", counted(diagram.points.size(), "row"),
                       counted(diagram.pieces.size(), "sheet"),
@@ -256,7 +260,7 @@ void write_script(const PlotOptions& options, const std::string& script) {
 }
 
 /// The image; nothing where a signal ended that.
-std::optional<std::string> image_of(const std::string& script) {
+std::optional<std::string> image_of(const std::string& script, ImageFormat format) {
   const std::atomic<bool>& stop = stop_on_signals();
   std::optional<std::string> out;
   // Ctrl-C reaches gnuplot as well: its end is then no failure.
@@ -265,7 +269,7 @@ std::optional<std::string> image_of(const std::string& script) {
   } catch (const std::runtime_error&) {
     if (!stop) throw;
   }
-  if (!stop) return out;
+  if (!stop) return out && format == ImageFormat::svg ? finished_svg(*out) : out;
   complain("interrupted, nothing written");
   return std::nullopt;
 }
@@ -278,13 +282,16 @@ ExitCode plot_tables(const PlotOptions& options) {
   if (!options.script.empty() && options.script != "-" && !options.output.empty())
     refuse_to_share("--script", options.script, {options.output});
   for (const std::string& table : options.tables) {
-    refuse_to_replace(options.output, options.output, table, "the table");
-    refuse_to_replace(options.script, options.script, table, "the table");
+    if (fs::path(table).extension() == ".toml")
+      throw InputError(Origin::in_file(table), "", "found a case",
+                       "tables of solve, continue, atlas, map or curve", "`explore` opens a case");
+    refuse_to_replace_source("-o", options.output, table);
+    refuse_to_replace_source("--script", options.script, table);
   }
   const Figure drawn = figure(options, format);
   (void)stop_on_signals();  // before a file is begun, which would be left behind
   if (options.output == "-") {
-    const auto image = image_of(drawn.script);
+    const auto image = image_of(drawn.script, format);
     if (!image) return ExitCode::interrupted;
     print(*image);
     write_script(options, drawn.script);
@@ -293,7 +300,7 @@ ExitCode plot_tables(const PlotOptions& options) {
   if (!options.output.empty()) {
     std::optional<AtomicFile> file;
     open_output(file, options.output);  // what cannot be written is told before it is drawn
-    const auto image = image_of(drawn.script);
+    const auto image = image_of(drawn.script, format);
     if (!image) return ExitCode::interrupted;
     file->write(*image);
     file->commit();

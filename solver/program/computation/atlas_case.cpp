@@ -49,14 +49,15 @@ std::string entry_text(Entry entry, double nu) {
 }
 
 std::string sheet_text(const AtlasSheet& sheet) {
-  const auto end = [](const AtlasRow& row) {
-    return fmt::format("{} at nu = {:.12g}",
-                       row.event == EventType::none ? "open" : name(row.event), row.member.nu);
+  const auto end = [&](EventType event, const AtlasRow& row) {
+    const std::string_view open = sheet.report.interrupted ? "interrupted" : "open";
+    return fmt::format("{} at nu = {:.12g}", event == EventType::none ? open : name(event),
+                       row.member.nu);
   };
-  std::string out = fmt::format("({}{}), {} rows, {}: {}, {}", kind_name(sheet),
-                                sheet.report.vertical ? ", vertical" : "", sheet.rows.size(),
-                                entry_text(sheet.entry, sheet.entry_nu), end(sheet.rows.front()),
-                                end(sheet.rows.back()));
+  std::string out = fmt::format(
+      "({}{}), {} rows, {}: {}, {}", kind_name(sheet), sheet.report.vertical ? ", vertical" : "",
+      sheet.rows.size(), entry_text(sheet.entry, sheet.entry_nu),
+      end(sheet.first_event(), sheet.rows.front()), end(sheet.last_event(), sheet.rows.back()));
   if (sheet.parent)
     out += fmt::format("; leaves sheet {} at {}", sheet.parent->sheet, name(sheet.parent->event));
   if (sheet.joins)

@@ -35,6 +35,9 @@ constexpr Name names[] = {{"nu", "ν"},
                           {"body.J.0", "J₁"},
                           {"body.J.1", "J₂"},
                           {"body.J.2", "J₃"},
+                          {"body.volume", "held volume C"},
+                          {"gravity.g", "strength of gravity g"},
+                          {"gravity.pi_G_rho", "πGϱ of gravity"},
                           {"motion.nu", "ν"},
                           {"motion.omega", "ω"},
                           {"motion.theta_dot", "dθ/dt"},
@@ -49,7 +52,7 @@ constexpr Name names[] = {{"nu", "ν"},
 std::string coefficient(std::string_view key) {
   constexpr std::array<Name, 3> parts{{{"potential.plane.", " of the plane"},
                                        {"potential.thickness.", " of the thickness"},
-                                       {"potential.coupled.", ""}}};
+                                       {"potential.coupled.", " of V"}}};
   for (const auto& [prefix, of] : parts) {
     if (!key.starts_with(prefix) || key.size() == prefix.size()) continue;
     const std::string name = axis_name(key.substr(prefix.size()));

@@ -28,19 +28,21 @@ bool is_number(std::string_view text) {
 }
 
 /// What a column's cells must be; of other people's columns that is seen from the cells.
-enum class Rule { number, verdict, word, open };
+enum class Rule { number, sheet, verdict, word, open };
 
 Rule rule_of(const std::string& column) {
   if (is_parameter(column)) return Rule::number;
   const auto known = find_column(column);
   if (!known) return Rule::open;
   if (*known == Column::stability) return Rule::verdict;
+  if (*known == Column::sheet) return Rule::sheet;
   return cell_kind(*known) == CellKind::text ? Rule::word : Rule::number;
 }
 
 void check(const TableReader& table, std::size_t column, Rule rule) {
   const std::string_view cell = table.text(column);
   if (rule == Rule::number) static_cast<void>(table.number(column));
+  if (rule == Rule::sheet) require_sheet(table, column);
   if (rule == Rule::verdict && !cell.empty() &&
       std::ranges::find(stability_names, cell) == std::end(stability_names))
     throw table.fault(column, "stable, elliptic, unstable, oscillatory or marginal");
@@ -55,10 +57,20 @@ std::string joined(const std::vector<std::string>& cells) {
   return out;
 }
 
+/// Whether a column is a number of motions, their class, or that of a cell.
+bool is_of_motions(const std::string& column) {
+  const auto known = find_column(column);
+  return known && (cell_kind(*known) == CellKind::number || *known == Column::stability ||
+                   *known == Column::event || *known == Column::status);
+}
+
 }  // namespace
 
 PageTable read_page_table(TableReader& table) {
   require_drawable(table);
+  if (std::ranges::none_of(table.columns(), is_of_motions))
+    throw InputError(Origin::in_file(table.name()), "", "found no column that tells of motions",
+                     "tables of solve, continue, atlas, map or curve");
   PageTable out;
   out.file = std::filesystem::path(table.name()).filename().string();
   out.title = out.file;
@@ -66,13 +78,14 @@ PageTable read_page_table(TableReader& table) {
   for (const std::string& column : table.columns()) {
     rules.push_back(rule_of(column));
     if (is_parameter(column)) out.parameters.push_back(column);
-    out.columns.push_back({column, rules.back() == Rule::number, {}, {}});
+    const bool numbers = rules.back() == Rule::number || rules.back() == Rule::sheet;
+    out.columns.push_back({column, numbers, {}, {}});
   }
   while (table.next()) {
     for (std::size_t k = 0; k < rules.size(); ++k) {
       check(table, k, rules[k]);
       PageColumn& column = out.columns[k];
-      if (rules[k] != Rule::number) {
+      if (!column.is_number) {
         column.words.emplace_back(table.text(k));
         continue;
       }

@@ -98,23 +98,27 @@ class PanelDrawing {
   std::vector<std::size_t> pieces_;
   DiagramPanel& panel_;
   std::vector<SheetPath> paths_;
+  bool asked_ordinate_ = false;
 };
 
 void PanelDrawing::choose_axes(const PageChoice& choice) {
   std::vector<WeightedCurve> abscissas;
   std::vector<WeightedCurve> ordinates;
   std::vector<WeightedCurve> rate_curves;
+  const auto positive = [](double value) {
+    return value > 0.0 ? value : std::numeric_limits<double>::quiet_NaN();
+  };
+  // Of a momentum that is 0 in the row of rest the others' decades count.
+  const bool of_momentum = diagram_.of_energy_and_momentum;
   for (const std::size_t at : pieces_) {
     const DiagramPiece& piece = diagram_.pieces[at];
-    abscissas.push_back(
-        weighted(diagram_, piece, [](const DiagramPoint& p) { return p.abscissa; }));
+    abscissas.push_back(weighted(diagram_, piece, [&](const DiagramPoint& p) {
+      return of_momentum ? positive(p.abscissa) : p.abscissa;
+    }));
     for (std::size_t k = 0; k < diagram_.columns.size(); ++k) {
       ordinates.push_back(
           weighted(diagram_, piece, [k](const DiagramPoint& p) { return p.ordinate[k]; }));
     }
-    const auto positive = [](double rate) {
-      return rate > 0.0 ? rate : std::numeric_limits<double>::quiet_NaN();
-    };
     for (std::size_t k = 0; k < mode_count; ++k) {
       rate_curves.push_back(weighted(
           diagram_, piece, [&](const DiagramPoint& p) { return positive(p.frequency[k]); }));
@@ -122,10 +126,14 @@ void PanelDrawing::choose_axes(const PageChoice& choice) {
     rate_curves.push_back(
         weighted(diagram_, piece, [&](const DiagramPoint& p) { return positive(p.growth); }));
   }
-  panel_.abscissa =
-      diagram_.of_energy_and_momentum ? fitted_axis(abscissas) : whole_axis(abscissas);
+  panel_.abscissa = of_momentum ? fitted_axis(abscissas) : whole_axis(abscissas);
+  const bool has_rest = of_momentum && std::ranges::any_of(diagram_.points, [](const auto& each) {
+                          return each.abscissa == 0.0;
+                        });
+  if (has_rest && !panel_.abscissa.logarithmic) panel_.abscissa.range.low = 0.0;
   if (choice.x) panel_.abscissa = asked_axis(*choice.x, panel_.abscissa.logarithmic);
   panel_.ordinate = fitted_axis(ordinates);
+  asked_ordinate_ = choice.y.has_value();
   if (choice.y) panel_.ordinate = asked_axis(*choice.y, panel_.ordinate.logarithmic);
   panel_.rate = fitted_rate_axis(rate_curves);
   if (choice.rate) panel_.rate = asked_axis(*choice.rate, panel_.rate.logarithmic);
@@ -284,7 +292,8 @@ void PanelDrawing::thin_arrows(std::vector<PictureArrow>& arrows) {
   arrows = std::move(out);
 }
 
-/// On every curve that is in the picture there; where none is, on the edge by which it left.
+/// On every curve that is in the picture there; where none is, on the edge by which it left, unless the range was
+/// asked for.
 void PanelDrawing::mark_events() {
   for (const DiagramEvent& event : diagram_.events) {
     const bool here = std::ranges::any_of(pieces_, [&](std::size_t at) {
@@ -300,7 +309,7 @@ void PanelDrawing::mark_events() {
     const bool seen =
         std::ranges::any_of(places, [&](const PagePoint& at) { return in_height(at.y); });
     for (PagePoint at : places) {
-      if (seen && !in_height(at.y)) continue;
+      if ((seen || asked_ordinate_) && !in_height(at.y)) continue;
       at.y = std::clamp(at.y, 0.0, panel_.area.height());
       panel_.marks.push_back({event.name, at});
     }

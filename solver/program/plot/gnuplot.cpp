@@ -11,10 +11,12 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "solver/program/text/input_error.hpp"
 #include "solver/program/text/utf8.hpp"
@@ -164,6 +166,21 @@ std::string run_gnuplot(std::string_view script) {
   }
   if (drawn.empty()) throw std::runtime_error("gnuplot wrote nothing: " + message_of(errors.get()));
   return drawn;
+}
+
+std::string finished_svg(std::string_view image) {
+  constexpr std::pair<std::string_view, std::string_view> changes[] = {
+      {"]]>", "]]&gt;"},  // gnuplot escapes & and < alone
+      {"<image ", "<image style='image-rendering:crisp-edges;image-rendering:pixelated' "}};
+  std::string out;
+  while (!image.empty()) {
+    const auto* const change = std::ranges::find_if(
+        changes, [&](const auto& each) { return image.starts_with(each.first); });
+    const bool changed = change != std::end(changes);
+    out += changed ? change->second : image.substr(0, 1);
+    image.remove_prefix(changed ? change->first.size() : 1);
+  }
+  return out;
 }
 
 }  // namespace stationary

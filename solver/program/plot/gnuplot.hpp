@@ -15,4 +15,7 @@ std::string in_gnuplot_quotes(std::string_view text);
 /// gnuplot's message where it is not installed or fails.
 std::string run_gnuplot(std::string_view script);
 
+/// An SVG as gnuplot writes it, made well-formed whatever its texts hold, and the cells of a map with sharp edges.
+std::string finished_svg(std::string_view image);
+
 }  // namespace stationary

@@ -199,12 +199,12 @@ Json sheets_json(const std::vector<AtlasSheet>& sheets) {
       each[key] = {
           {"sheet", junction->sheet}, {"event", name(junction->event)}, {"nu", junction->nu}};
     }
-    const auto end = [](const AtlasRow& row, const SheetEnd& why) -> Json {
-      return {{"event", name(row.event)}, {"nu", row.member.nu}, {"reason", why.reason}};
+    const auto end = [](EventType event, const AtlasRow& row, const SheetEnd& why) -> Json {
+      return {{"event", name(event)}, {"nu", row.member.nu}, {"reason", why.reason}};
     };
     if (sheet.report.vertical) each["vertical"] = true;
-    each["first_end"] = end(sheet.rows.front(), sheet.report.backward);
-    each["last_end"] = end(sheet.rows.back(), sheet.report.forward);
+    each["first_end"] = end(sheet.first_event(), sheet.rows.front(), sheet.report.backward);
+    each["last_end"] = end(sheet.last_event(), sheet.rows.back(), sheet.report.forward);
     each["events"] = events_json(sheet.report.events);
     out.push_back(std::move(each));
   }

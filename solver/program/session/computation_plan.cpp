@@ -124,9 +124,9 @@ ComputationPlan computation_plan(const Case& input, bool to_table, PlanOf of) {
     out.computed.push_back(
         of == PlanOf::curve
             ? PlanItem{"certificate", "each event, and no other near it, to be proven",
-                       "interval arithmetic, for all decimals that read as the inputs"}
+                       "interval arithmetic, for all real numbers that round to the inputs"}
             : PlanItem{"certificate", "existence, uniqueness, error bound and class, to be proven",
-                       "interval arithmetic, for all decimals that read as the inputs"});
+                       "interval arithmetic, for all real numbers that round to the inputs"});
   }
   if (input.continuation && follows) {
     const auto [first, second] = parts_of(input.continuation->parameter);

@@ -20,11 +20,17 @@ void refuse_output(const std::string& path, const std::string& found, const std:
 }
 
 void refuse_to_replace(const std::string& path, const fs::path& target, const std::string& input,
-                       std::string_view what) {
+                       std::string_view what, std::string_view option) {
   std::error_code error;
   if (fs::equivalent(target, input, error))
     refuse_output(path, fmt::format("{} is {}", printable(target.string()), what),
-                  "choose another name");
+                  "choose another name", option);
+}
+
+void refuse_to_replace_source(std::string_view option, const std::string& path,
+                              const std::string& table) {
+  refuse_to_replace(path, path, table, "the table", option);
+  refuse_to_replace(path, path, metadata_path(table).string(), "the metadata of the table", option);
 }
 
 void refuse_to_replace_table(const std::string& path, const std::string& input,

@@ -15,9 +15,14 @@ namespace stationary::cli {
 [[noreturn]] void refuse_output(const std::string& path, const std::string& found,
                                 const std::string& remedy, std::string_view option = "-o");
 
-/// Refuses a target, of those "-o path" implies, that is the input; what says what that is.
+/// Refuses a target, of those "-o path", or another option, implies, that is the input; what says what that is.
 void refuse_to_replace(const std::string& path, const std::filesystem::path& target,
-                       const std::string& input, std::string_view what);
+                       const std::string& input, std::string_view what,
+                       std::string_view option = "-o");
+
+/// Refuses an image, a page or a script that would replace a table it is made of, or that table's metadata.
+void refuse_to_replace_source(std::string_view option, const std::string& path,
+                              const std::string& table);
 
 /// Refuses a table after -o that is the table of an input, or that would replace its metadata: x.h5 and
 /// x.csv have the same x.meta.json.

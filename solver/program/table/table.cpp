@@ -180,6 +180,7 @@ char* RowFormat::header(char* at) const {
 
 template <class Sum>
 char* RowFormat::summed_line(const TableRow& row, RowTexts& texts, char* at, Sum& sum) const {
+  char* const begin = at;
   bool first = true;
   for (const Column c : columns_) {
     if (!std::exchange(first, false)) *at++ = ',';
@@ -204,6 +205,8 @@ char* RowFormat::summed_line(const TableRow& row, RowTexts& texts, char* at, Sum
     sum.add(value);
     if (!std::isnan(value)) at = texts.append(value, column_count + k, rates, at);
   }
+  // The one column there is, empty: an empty line is none to many readers.
+  if (at == begin) at = append("\"\"", at);
   *at++ = '\n';
   return at;
 }

@@ -9,6 +9,7 @@
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/text/nearest_name.hpp"
+#include "solver/program/text/utf8.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -37,6 +38,10 @@ std::string toml_value(const std::string& key, const std::string& cell) {
 }
 
 void require_name(const std::string& path, const std::string& name) {
+  require_text(Origin::in_file(path, 1, 1), name, name);
+  if (name.find_first_of("\r\n") != std::string::npos)
+    throw InputError(Origin::in_file(path, 1, 1), printable(name),
+                     "found a column's name of two lines", "names of one line each");
   if (name.starts_with('_')) return;
   const auto refuse = [&](std::string found, std::string allowed, std::string remedy = {}) {
     throw InputError(Origin::in_file(path, 1, 1), printable(name), std::move(found),
@@ -54,6 +59,18 @@ void require_name(const std::string& path, const std::string& name) {
   refuse("found a column that names no key of a case",
          "dotted keys such as motion.nu, or names that begin with \"_\"",
          did_you_mean(nearest_name(name == "nu" ? "motion.nu" : std::string_view(name), known)));
+}
+
+/// Cells go into tables of CSV, which are text, and of HDF5, whose names and texts a NUL ends.
+void require_text(const Origin& origin, const std::string& key, std::string_view text) {
+  for (std::size_t k = 0; k < text.size();) {
+    const std::size_t length = character_length(text.substr(k));
+    if (length == 0 || text[k] == '\0')
+      throw InputError(origin, printable(key),
+                       length == 0 ? "found bytes that are no UTF-8" : "found a NUL byte",
+                       "text in UTF-8", "a spreadsheet may save it as CSV in UTF-8");
+    k += length;
+  }
 }
 
 /// A column's key would replace what an earlier one has set: body.J after body.J.1.
@@ -82,8 +99,10 @@ StudySource::StudySource(TableReader table, std::string path) : path_(std::move(
   require_apart(path_, names_);
   while (table.next()) {
     std::vector<Cell>& row = rows_.emplace_back();
-    for (std::size_t k = 0; k < names_.size(); ++k)
+    for (std::size_t k = 0; k < names_.size(); ++k) {
       row.push_back({std::string(table.text(k)), table.fault(k, {}).origin()});
+      require_text(row.back().place, names_[k], row.back().text);
+    }
   }
   // An empty line at the end is no row; of several columns it would have too few.
   while (names_.size() == 1 && !rows_.empty() && rows_.back().front().text.empty())

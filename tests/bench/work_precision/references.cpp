@@ -3,7 +3,7 @@
 #include <Eigen/QR>
 
 #include "tests/support/general_path.hpp"
-#include "tests/support/wide_spectrum.hpp"
+#include "tests/support/numbers/wide_spectrum.hpp"
 
 namespace stationary::bench {
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "lib/balance/balance.hpp"
-#include "tests/support/random_anisotropic.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/bodies/random_anisotropic.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

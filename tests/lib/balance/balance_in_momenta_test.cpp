@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "lib/body/motion.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/models.hpp"
-#include "tests/support/running_error.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/running_error.hpp"
 
 namespace stationary {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/random_anisotropic.hpp"
+#include "tests/support/bodies/random_anisotropic.hpp"
 
 namespace stationary {
 namespace {

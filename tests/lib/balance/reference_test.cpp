@@ -7,7 +7,7 @@
 #include "lib/balance/balance.hpp"
 #include "lib/balance/balance_in_momenta.hpp"
 #include "lib/balance/two_polar.hpp"
-#include "tests/support/law.hpp"
+#include "tests/support/numbers/law.hpp"
 #include "tests/support/reference_table.hpp"
 
 namespace stationary {

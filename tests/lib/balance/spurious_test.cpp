@@ -10,7 +10,7 @@
 #include "lib/balance/balance.hpp"
 #include "lib/balance/balance_in_momenta.hpp"
 #include "lib/body/motion.hpp"
-#include "tests/support/law.hpp"
+#include "tests/support/numbers/law.hpp"
 
 namespace stationary {
 namespace {

@@ -6,8 +6,8 @@
 #include <bit>
 
 #include "lib/number/fused.hpp"
-#include "tests/support/double_double_operands.hpp"
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/numbers/double_double_operands.hpp"
 
 namespace stationary {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "lib/balanced/spin_units.hpp"
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/random_states.hpp"
 
 namespace stationary {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "lib/balance/balance_in_momenta.hpp"
 #include "lib/body/motion.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/random_states.hpp"
-#include "tests/support/slope.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/slope.hpp"
 
 namespace stationary {
 namespace {

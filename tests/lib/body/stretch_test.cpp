@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "tests/support/law.hpp"
-#include "tests/support/random_states.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

@@ -10,9 +10,9 @@
 #include "lib/formula/term_table.hpp"
 #include "solver/program/text/expression_parser.hpp"
 #include "solver/proof/term_bounds.hpp"
-#include "tests/support/published_materials.hpp"
-#include "tests/support/random_states.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/published_materials.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 
 namespace stationary {
 namespace {

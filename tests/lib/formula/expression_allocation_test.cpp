@@ -6,7 +6,7 @@
 #include <new>
 
 #include "lib/number/dual.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 
 namespace {
 long allocations = 0;

@@ -6,9 +6,9 @@
 
 #include "lib/formula/apart.hpp"
 #include "lib/material/potential.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/random_states.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/bodies/written_potential.hpp"
+#include "tests/support/numbers/law.hpp"
 
 namespace stationary {
 namespace {

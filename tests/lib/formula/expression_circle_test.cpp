@@ -12,9 +12,9 @@
 #include "lib/material/models/model_coefficients.hpp"
 #include "lib/number/interval.hpp"
 #include "lib/number/taylor.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/wide_numbers.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/written_potential.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

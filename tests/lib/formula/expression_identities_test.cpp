@@ -8,7 +8,7 @@
 #include "lib/expression/residue.hpp"
 #include "lib/formula/vanishing.hpp"
 #include "solver/program/text/expression_parser.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 
 namespace stationary {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lib/number/simd_pack_functions.hpp"
-#include "tests/support/random_states.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 
 namespace stationary {
 namespace {

@@ -14,10 +14,10 @@
 #include "lib/number/dual.hpp"
 #include "lib/number/first_order_bound.hpp"
 #include "lib/number/interval.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/random_states.hpp"
-#include "tests/support/slope.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/bodies/written_potential.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/slope.hpp"
 
 namespace stationary {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "lib/material/anisotropic_potential.hpp"
 #include "solver/proof/oriented_boxes.hpp"
-#include "tests/support/random_states.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 
 namespace stationary::testing {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/random_states.hpp"
 
 namespace stationary {
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "lib/material/potential.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/random_anisotropic.hpp"
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/random_anisotropic.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/numbers/law.hpp"
 
 namespace stationary {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "lib/balance/balance.hpp"
 #include "lib/balance/balance_in_momenta.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/models.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/numbers/law.hpp"
 
 namespace stationary {
 namespace {

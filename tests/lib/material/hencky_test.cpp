@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "lib/number/dual.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/models.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

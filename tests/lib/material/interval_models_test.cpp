@@ -9,8 +9,8 @@
 #include "lib/material/models/model_coefficients.hpp"
 #include "lib/number/interval.hpp"
 #include "lib/stability/linearization.hpp"
-#include "tests/support/models.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

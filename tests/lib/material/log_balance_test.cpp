@@ -4,9 +4,9 @@
 
 #include "lib/balance/balance.hpp"
 #include "lib/number/double_double_functions.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/models.hpp"
-#include "tests/support/slope.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/slope.hpp"
 
 namespace stationary {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "lib/material/models/orthotropic_saint_venant_kirchhoff.hpp"
 #include "lib/material/potential.hpp"
-#include "tests/support/models.hpp"
+#include "tests/support/bodies/models.hpp"
 
 namespace stationary {
 namespace {

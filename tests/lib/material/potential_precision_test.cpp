@@ -9,10 +9,10 @@
 
 #include "lib/balance/balance.hpp"
 #include "lib/material/potential.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/models.hpp"
-#include "tests/support/running_error.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/running_error.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

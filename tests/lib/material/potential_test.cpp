@@ -7,9 +7,9 @@
 
 #include <cmath>
 
-#include "tests/support/law.hpp"
-#include "tests/support/models.hpp"
-#include "tests/support/slope.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/slope.hpp"
 
 namespace stationary {
 namespace {

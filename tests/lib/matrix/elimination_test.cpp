@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "lib/matrix/scaled_rows.hpp"
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/random_states.hpp"
 
 namespace stationary {
 namespace {

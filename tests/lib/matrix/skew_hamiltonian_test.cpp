@@ -8,9 +8,9 @@
 #include <complex>
 #include <cstddef>
 
-#include "tests/support/law.hpp"
-#include "tests/support/random_states.hpp"
-#include "tests/support/shifted_qr.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/shifted_qr.hpp"
 
 namespace stationary {
 namespace {

@@ -6,8 +6,8 @@
 #include <Eigen/LU>
 #include <limits>
 
-#include "tests/support/law.hpp"
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/numbers/law.hpp"
 
 namespace stationary {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "tests/support/random_states.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

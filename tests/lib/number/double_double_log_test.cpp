@@ -9,9 +9,9 @@
 
 #include "lib/number/double_double.hpp"
 #include "lib/number/double_double_log_table.hpp"
-#include "tests/support/double_double_operands.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/numbers/double_double_operands.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

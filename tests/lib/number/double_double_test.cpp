@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
-#include "tests/support/double_double_operands.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/numbers/double_double_operands.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "lib/number/first_order_bound_functions.hpp"
 #include "solver/newton/reduced_system.hpp"
-#include "tests/support/high_precision.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/models.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/numbers/high_precision.hpp"
+#include "tests/support/numbers/law.hpp"
 
 namespace stationary {
 namespace {

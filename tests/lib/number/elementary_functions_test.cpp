@@ -9,9 +9,9 @@
 #include "lib/number/double_double_functions.hpp"
 #include "lib/number/first_order_bound_functions.hpp"
 #include "lib/number/interval_functions.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/random_states.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "lib/material/models/first_order_bound_model.hpp"
 #include "lib/stability/linearization.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/models.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/numbers/law.hpp"
 
 namespace stationary {
 namespace {

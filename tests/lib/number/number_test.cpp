@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "lib/material/potential.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

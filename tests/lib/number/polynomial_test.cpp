@@ -10,8 +10,8 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/support/law.hpp"
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/numbers/law.hpp"
 
 namespace stationary {
 namespace {

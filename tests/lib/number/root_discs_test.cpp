@@ -7,7 +7,7 @@
 #include <complex>
 #include <vector>
 
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/random_states.hpp"
 
 namespace stationary {
 namespace {

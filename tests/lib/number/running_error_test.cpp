@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lib/stability/linearization.hpp"
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/random_states.hpp"
 
 namespace stationary {
 namespace {

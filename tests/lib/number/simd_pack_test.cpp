@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "solver/batch/term_magnitude.hpp"
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/random_states.hpp"
 
 namespace stationary {
 namespace {

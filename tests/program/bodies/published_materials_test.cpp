@@ -1,7 +1,7 @@
 // Materials from the literature, each written as four or more formulas that are one function: the
 // same proven solutions, classes and sheets from every spelling, nothing undecided, nothing
 // assumed.
-#include "tests/support/published_materials.hpp"
+#include "tests/support/bodies/published_materials.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Every built-in model written out as an expression is the same potential to the whole program:
 // equilibria, bounds, spectra, exhaustive search, certificates, events, families in a coefficient.
-#include "tests/support/written_out.hpp"
+#include "tests/support/bodies/written_out.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@
 #include "solver/search/search.hpp"
 #include "solver/solve/solve.hpp"
 #include "solver/solve/stability.hpp"
+#include "tests/support/bodies/random_states.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/random_states.hpp"
 
 namespace stationary::testing {
 namespace {

@@ -13,9 +13,9 @@
 #include "lib/material/potential.hpp"
 #include "solver/program/case/case_file.hpp"
 #include "solver/solve/solve.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/random_states.hpp"
-#include "tests/support/slope.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/numbers/law.hpp"
+#include "tests/support/numbers/slope.hpp"
 
 namespace stationary {
 namespace {

@@ -118,7 +118,10 @@ TEST_F(AtlasGrid, PartsThreadsAndInterruptionsDoNotChangeIt) {
   RunOptions interrupted;
   interrupted.pending_signal = SIGINT;
   const Words into{"-o", directory_ / "i.csv", "--tables", directory_ / "j.h5"};
-  EXPECT_EQ(grid(into, interrupted).code, 130);
+  const Outcome stopped = grid(into, interrupted);
+  EXPECT_EQ(stopped.code, 130);
+  EXPECT_THAT(stopped.out, HasSubstr("atlases"));
+  EXPECT_THAT(stopped.err, HasSubstr("--resume"));
   Words resumed = into;
   resumed.emplace_back("--resume");
   ASSERT_EQ(grid(resumed).code, 0);

@@ -266,6 +266,17 @@ TEST(Sensitivity, WhatBreaksAnEventHasNoSlope) {
   EXPECT_GE(seen, 5);
 }
 
+/// A circle leaves the angle of its ellipse's axis open, and J1 = 1.001 would tell one.
+TEST(Sensitivity, TheAngleOfACircleHasNone) {
+  int seen = 0;
+  for (const Row& row : slopes(shipped("circle.toml"))) {
+    EXPECT_EQ(row.at("d_angle"), "") << row.at("number");
+    EXPECT_NE(row.at("d_xi"), "") << row.at("number");
+    ++seen;
+  }
+  EXPECT_GE(seen, 5);
+}
+
 /// A fibre turned away from an axis leaves no motion about axis 1, and about axis 3 none at alpha = 0,
 /// where the ellipse turns away. A tilt is left, and is the same for either sense.
 TEST(Sensitivity, OfEventsByTheAngleOfAFibreAlongAnAxis) {

@@ -404,6 +404,7 @@ TEST_F(Study, InterruptedItKeepsItsJournal) {
   const Outcome outcome = run(many_rows(), {}, interrupted);
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("--resume"));
+  EXPECT_THAT(outcome.out, HasSubstr("rows          " + std::to_string(rows().size()) + ": "));
   EXPECT_THAT(text_of(journal_), StartsWith("stationary journal 2 "));
   EXPECT_LT(rows().size(), 200U);
   EXPECT_EQ(metadata()["status"], "interrupted");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -41,6 +42,47 @@ TEST_P(ShippedTable, HasItsMetadataWithoutTheRun) {
   EXPECT_EQ(metadata["rows"], rows_of(text_of(result(GetParam() + ".csv"))).size());
   EXPECT_TRUE(
       fs::exists(fs::path(STATIONARY_CASES) / ".." / metadata["case_file"].get<std::string>()));
+}
+
+/// Where a sheet ends on another, both tell the event, each with what it knows of the place.
+TEST(ShippedAtlas, BracketsOfOneEventOnTwoSheetsOverlap) {
+  int seen = 0;
+  for (const std::string& stem : tables()) {
+    const Json metadata = Json::parse(text_of(result(stem + ".meta.json")));
+    for (const Json& one : metadata["events"]) {
+      for (const Json& other : metadata["events"]) {
+        const double p = one["parameter"];
+        if (other["event"] != one["event"] || other["sheet"] <= one["sheet"]) continue;
+        if (!(std::abs(other["parameter"].get<double>() - p) <= 1e-9 * std::abs(p))) continue;
+        EXPECT_LE(one["bracket"][0], other["bracket"][1]) << stem << one << other;
+        EXPECT_LE(other["bracket"][0], one["bracket"][1]) << stem << one << other;
+        ++seen;
+      }
+    }
+  }
+  EXPECT_GE(seen, 10);
+}
+
+/// The end of an oblique sheet under gravity has no equations of its own: what the inputs' rounding may do to it is
+/// more than to the event of the axis, which has, and holds that.
+TEST(ShippedAtlas, AnEndWithoutEquationsHasTheWiderBracket) {
+  const Json metadata = Json::parse(text_of(result("heavy_plate_atlas.meta.json")));
+  const auto width = [](const Json& event) {
+    return event["bracket"][1].get<double>() - event["bracket"][0].get<double>();
+  };
+  int seen = 0;
+  for (const Json& one : metadata["events"]) {
+    for (const Json& other : metadata["events"]) {
+      if (one["event"] != "oblique" || other["event"] != "oblique") continue;
+      if (one["sheet"] > 2 || other["sheet"] != 6 || one["parameter"] != other["parameter"])
+        continue;
+      EXPECT_LT(other["bracket"][0], one["bracket"][0]);
+      EXPECT_GT(other["bracket"][1], one["bracket"][1]);
+      EXPECT_GT(width(other), 8.0 * width(one));
+      ++seen;
+    }
+  }
+  EXPECT_EQ(seen, 2);
 }
 
 TEST_P(ShippedTable, IsDrawnAgainAsItIs) {

@@ -145,6 +145,7 @@ TEST(AxisName, IsThePapersNotTheKey) {
   EXPECT_EQ(axis_name("body.J.1/body.J.0"), "J₂/J₁");
   EXPECT_EQ(axis_name("potential.fibre.degrees"), "fibre angle/°");
   EXPECT_EQ(axis_name("potential.plane.c"), "c of the plane");
+  EXPECT_EQ(axis_name("potential.coupled.lambda"), "λ of V");
   EXPECT_EQ(axis_name("motion.nu"), "ν");
   EXPECT_EQ(axis_name("rho"), "ϱ");
   EXPECT_EQ(axis_name("something else"), "something else");

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 
 namespace stationary {
 namespace {

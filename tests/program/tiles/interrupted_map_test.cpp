@@ -111,6 +111,20 @@ TEST_F(InterruptedMap, OnAFullDiskItKeepsWhatFits) {
   EXPECT_GT(run_of("x")["tiles"]["kept"].get<int>(), 0);
 }
 
+/// Of the cells that there are, and what --resume makes of it.
+TEST_F(InterruptedMap, ItPrintsItsSummary) {
+  RunOptions interrupted;
+  interrupted.pending_signal = SIGINT;
+  const Outcome outcome = map(out_, interrupted);
+  ASSERT_EQ(outcome.code, 130) << outcome.err;
+  const std::size_t rows = rows_of(text_of(out_)).size();
+  EXPECT_LT(rows, 3660U);
+  EXPECT_THAT(outcome.out, HasSubstr("cells         " + std::to_string(rows) + ": "));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("interrupted after " + std::to_string(rows) + " of 3660 cells"));
+  EXPECT_THAT(outcome.err, HasSubstr("--resume"));
+}
+
 /// The lock is what another run, here or on another machine, would hold.
 TEST_F(InterruptedMap, TwoRunsOnOneJournalAreRefused) {
   RunOptions interrupted;

@@ -7,9 +7,9 @@
 
 #include "solver/atlas/atlas.hpp"
 #include "solver/solve/anisotropic_equilibrium.hpp"
-#include "tests/support/anisotropic_motions.hpp"
 #include "tests/support/atlas_text.hpp"
-#include "tests/support/fibred_plates.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
+#include "tests/support/bodies/fibred_plates.hpp"
 
 namespace stationary {
 namespace {

@@ -15,9 +15,9 @@
 #include <thread>
 
 #include "tests/support/atlas_text.hpp"
-#include "tests/support/plate.hpp"
-#include "tests/support/random_problem.hpp"
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/plate.hpp"
+#include "tests/support/bodies/random_problem.hpp"
+#include "tests/support/bodies/random_states.hpp"
 
 namespace stationary {
 namespace {

@@ -11,9 +11,9 @@
 #include "solver/batch_spectrum/batch_spectrum.hpp"
 #include "solver/family/follow_sheet.hpp"
 #include "solver/solve/stability.hpp"
-#include "tests/support/anisotropic_motions.hpp"
-#include "tests/support/evenly.hpp"
-#include "tests/support/plate.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
+#include "tests/support/bodies/plate.hpp"
+#include "tests/support/numbers/evenly.hpp"
 
 namespace stationary {
 namespace {

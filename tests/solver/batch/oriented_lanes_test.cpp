@@ -11,9 +11,9 @@
 #include "solver/batch/batch.hpp"
 #include "solver/motion/problem.hpp"
 #include "solver/solve/solve.hpp"
-#include "tests/support/anisotropic_motions.hpp"
-#include "tests/support/plate.hpp"
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
+#include "tests/support/bodies/plate.hpp"
+#include "tests/support/bodies/random_states.hpp"
 
 namespace stationary {
 namespace {

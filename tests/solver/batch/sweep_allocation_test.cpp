@@ -5,7 +5,7 @@
 #include <new>
 
 #include "solver/batch/sweep.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 
 namespace {
 long allocations = 0;

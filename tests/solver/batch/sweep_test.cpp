@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/bodies/model_and_branch.hpp"
+#include "tests/support/bodies/plate.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
-#include "tests/support/evenly.hpp"
-#include "tests/support/high_precision.hpp"
-#include "tests/support/model_and_branch.hpp"
-#include "tests/support/plate.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/numbers/evenly.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 
 namespace stationary {
 namespace {

@@ -8,9 +8,9 @@
 #include <map>
 
 #include "solver/solve/stability.hpp"
-#include "tests/support/evenly.hpp"
-#include "tests/support/model_and_branch.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/bodies/model_and_branch.hpp"
+#include "tests/support/bodies/random_problem.hpp"
+#include "tests/support/numbers/evenly.hpp"
 
 namespace stationary {
 namespace {

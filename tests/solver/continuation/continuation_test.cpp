@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/bodies/model_and_branch.hpp"
+#include "tests/support/bodies/plate.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/curve_error.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/high_precision.hpp"
-#include "tests/support/model_and_branch.hpp"
-#include "tests/support/plate.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 
 namespace stationary {
 namespace {

@@ -9,8 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "tests/support/bodies/made_up_families.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/made_up_families.hpp"
 
 namespace stationary {
 namespace {

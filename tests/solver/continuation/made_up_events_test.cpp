@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/support/bodies/made_up_families.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/made_up_families.hpp"
 
 namespace stationary {
 namespace {

@@ -10,8 +10,8 @@
 #include <typeinfo>
 #include <utility>
 
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
-#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {

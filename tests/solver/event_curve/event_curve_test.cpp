@@ -9,8 +9,8 @@
 #include "solver/event_curve/pitchfork.hpp"
 #include "solver/kind/kind.hpp"
 #include "solver/search/search.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/random_problem.hpp"
 
 namespace stationary::testing {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "solver/family/branch_switch.hpp"
 #include "solver/family/follow_sheet.hpp"
-#include "tests/support/anisotropic_motions.hpp"
-#include "tests/support/fibred_plates.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
+#include "tests/support/bodies/fibred_plates.hpp"
 #include "tests/support/followed.hpp"
 
 namespace stationary {

@@ -4,9 +4,9 @@
 
 #include <optional>
 
+#include "tests/support/bodies/model_and_branch.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/model_and_branch.hpp"
-#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {

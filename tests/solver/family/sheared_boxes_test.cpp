@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "tests/support/whole_body.hpp"
+#include "tests/support/bodies/whole_body.hpp"
 
 namespace stationary {
 namespace {

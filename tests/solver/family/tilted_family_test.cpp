@@ -3,10 +3,10 @@
 
 #include "lib/balance/tilted_balance.hpp"
 #include "solver/solve/tilted_equilibrium.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/models.hpp"
-#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "solver/kind/kind.hpp"
 #include "solver/solve/two_polar_equilibrium.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/random_problem.hpp"
 
 namespace stationary::testing {
 namespace {

@@ -11,12 +11,12 @@
 #include "solver/family/anisotropic_family.hpp"
 #include "solver/family/oriented_events.hpp"
 #include "solver/kind/kind.hpp"
-#include "tests/support/anisotropic_motions.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
+#include "tests/support/bodies/plate.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/high_precision.hpp"
-#include "tests/support/plate.hpp"
-#include "tests/support/random_problem.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/numbers/high_precision.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

@@ -10,11 +10,11 @@
 #include <limits>
 #include <tuple>
 
-#include "tests/support/anisotropic_motions.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/bodies/whole_body.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/models.hpp"
-#include "tests/support/whole_body.hpp"
-#include "tests/support/written_potential.hpp"
 
 namespace stationary {
 namespace {

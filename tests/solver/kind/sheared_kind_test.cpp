@@ -10,8 +10,8 @@
 
 #include "solver/atlas/atlas.hpp"
 #include "solver/kind/kind.hpp"
+#include "tests/support/bodies/whole_body.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/whole_body.hpp"
 
 namespace stationary {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 
 namespace stationary {
 namespace {

@@ -9,7 +9,7 @@
 #include "solver/solve/anisotropic_equilibrium.hpp"
 #include "solver/solve/two_polar_equilibrium.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/high_precision.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 
 namespace stationary::testing {
 namespace {

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "solver/family/model_family.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/random_problem.hpp"
 
 namespace stationary {
 namespace {

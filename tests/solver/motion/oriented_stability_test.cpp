@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/solve/stability.hpp"
-#include "tests/support/anisotropic_motions.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
 
 namespace stationary {
 namespace {

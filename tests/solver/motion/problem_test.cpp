@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/plate.hpp"
-#include "tests/support/random_problem.hpp"
-#include "tests/support/whole_body.hpp"
+#include "tests/support/bodies/plate.hpp"
+#include "tests/support/bodies/random_problem.hpp"
+#include "tests/support/bodies/whole_body.hpp"
 
 namespace stationary {
 namespace {

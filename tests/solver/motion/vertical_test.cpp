@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "solver/atlas/atlas.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/random_problem.hpp"
 
 namespace stationary::testing {
 namespace {

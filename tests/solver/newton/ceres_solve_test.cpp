@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/newton/refine.hpp"
-#include "tests/support/models.hpp"
+#include "tests/support/bodies/models.hpp"
 
 namespace stationary {
 namespace {

@@ -8,7 +8,7 @@
 #include "solver/continuation/rest_walk.hpp"
 #include "solver/newton/newton.hpp"
 #include "solver/proof/oriented_boxes.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 
 namespace stationary {
 namespace {

@@ -14,7 +14,7 @@
 #include "solver/motion/oriented_system.hpp"
 #include "solver/motion/tilted_system.hpp"
 #include "solver/newton/reduced_system.hpp"
-#include "tests/support/random_anisotropic.hpp"
+#include "tests/support/bodies/random_anisotropic.hpp"
 
 namespace stationary {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/models.hpp"
+#include "tests/support/bodies/models.hpp"
 
 namespace stationary {
 namespace {

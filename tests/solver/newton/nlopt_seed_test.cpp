@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/law.hpp"
+#include "tests/support/numbers/law.hpp"
 
 namespace stationary {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "solver/newton/refine.hpp"
 #include "solver/newton/thickness_balance.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 
 namespace stationary {
 namespace {

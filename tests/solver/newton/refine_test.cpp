@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
-#include "tests/support/high_precision.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/models.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/numbers/high_precision.hpp"
+#include "tests/support/numbers/law.hpp"
 
 namespace stationary {
 namespace {

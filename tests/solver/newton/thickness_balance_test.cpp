@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/high_precision.hpp"
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/random_states.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 
 namespace stationary {
 namespace {

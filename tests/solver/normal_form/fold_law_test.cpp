@@ -10,9 +10,9 @@
 #include "solver/kind/kind.hpp"
 #include "solver/normal_form/normal_form.hpp"
 #include "solver/solve/two_polar_equilibrium.hpp"
-#include "tests/support/anisotropic_motions.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/random_problem.hpp"
 
 namespace stationary::testing {
 namespace {

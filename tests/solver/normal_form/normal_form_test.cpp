@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "solver/proof/certify.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/random_problem.hpp"
 
 namespace stationary::testing {
 namespace {

@@ -12,8 +12,8 @@
 #include "solver/motion/oriented_stability.hpp"
 #include "solver/normal_form/normal_form.hpp"
 #include "solver/solve/anisotropic_equilibrium.hpp"
-#include "tests/support/anisotropic_motions.hpp"
 #include "tests/support/atlas_text.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
 #include "tests/support/followed.hpp"
 
 namespace stationary::testing {

@@ -9,9 +9,9 @@
 #include "lib/balance/balance.hpp"
 #include "solver/kind/kind.hpp"
 #include "solver/normal_form/normal_form.hpp"
-#include "tests/support/anisotropic_motions.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/random_problem.hpp"
 
 namespace stationary::testing {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "lib/material/gravitating/body_model.hpp"
 #include "solver/proof/box_balance.hpp"
-#include "tests/support/random_states.hpp"
+#include "tests/support/bodies/random_states.hpp"
 
 namespace stationary {
 namespace {

@@ -9,10 +9,10 @@
 #include "lib/stability/leaf_enclosure.hpp"
 #include "solver/proof/motion_spectrum.hpp"
 #include "solver/solve/stability.hpp"
-#include "tests/support/anisotropic_motions.hpp"
-#include "tests/support/high_precision.hpp"
-#include "tests/support/motions.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
+#include "tests/support/bodies/motions.hpp"
+#include "tests/support/bodies/random_problem.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 #include "tests/support/reference_table.hpp"
 
 namespace stationary {

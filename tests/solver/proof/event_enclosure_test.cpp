@@ -9,8 +9,8 @@
 
 #include "solver/proof/event_system.hpp"
 #include "solver/solve/stability.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/followed.hpp"
-#include "tests/support/random_problem.hpp"
 #include "tests/support/reference_table.hpp"
 
 namespace stationary::testing {

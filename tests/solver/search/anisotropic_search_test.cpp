@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "solver/proof/anisotropic_enclosure.hpp"
-#include "tests/support/anisotropic_motions.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
 
 namespace stationary {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "solver/newton/newton.hpp"
 #include "solver/search/search.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 
 namespace stationary {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <sstream>
 
-#include "tests/support/high_precision.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/bodies/random_problem.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 #include "tests/support/reference_table.hpp"
 
 namespace stationary {

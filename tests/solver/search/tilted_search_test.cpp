@@ -14,8 +14,8 @@
 #include "solver/newton/newton.hpp"
 #include "solver/proof/tilted_enclosure.hpp"
 #include "solver/solve/tilted_equilibrium.hpp"
-#include "tests/support/high_precision.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/bodies/random_problem.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 #include "tests/support/reference_table.hpp"
 
 namespace stationary {

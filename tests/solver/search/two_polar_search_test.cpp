@@ -12,8 +12,8 @@
 #include "solver/proof/two_polar_boxes.hpp"
 #include "solver/proof/two_polar_enclosure.hpp"
 #include "solver/solve/two_polar_equilibrium.hpp"
-#include "tests/support/high_precision.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/bodies/random_problem.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 #include "tests/support/reference_table.hpp"
 
 namespace stationary {

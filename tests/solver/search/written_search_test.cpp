@@ -8,7 +8,7 @@
 #include "solver/proof/certify.hpp"
 #include "solver/search/search.hpp"
 #include "solver/search/two_polar_search.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 
 namespace stationary {
 namespace {

@@ -12,7 +12,7 @@
 #include "lib/balance/balance_in_momenta.hpp"
 #include "solver/motion/oriented_system.hpp"
 #include "solver/search/anisotropic_search.hpp"
-#include "tests/support/anisotropic_motions.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
 
 namespace stationary {
 namespace {

@@ -11,7 +11,7 @@
 #include "solver/motion/oriented_stability.hpp"
 #include "solver/search/anisotropic_search.hpp"
 #include "solver/solve/stability.hpp"
-#include "tests/support/anisotropic_motions.hpp"
+#include "tests/support/bodies/anisotropic_motions.hpp"
 #include "tests/support/flows.hpp"
 
 namespace stationary::testing {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "solver/solve/stability.hpp"
-#include "tests/support/motions.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/bodies/motions.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 
 namespace stationary {
 namespace {

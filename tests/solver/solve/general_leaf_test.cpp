@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "lib/stability/general_spectrum.hpp"
-#include "tests/support/motions.hpp"
-#include "tests/support/shifted_qr.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/bodies/motions.hpp"
+#include "tests/support/numbers/shifted_qr.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

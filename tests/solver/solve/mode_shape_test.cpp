@@ -10,10 +10,10 @@
 #include <complex>
 
 #include "solver/solve/two_polar_equilibrium.hpp"
-#include "tests/support/models.hpp"
-#include "tests/support/motions.hpp"
+#include "tests/support/bodies/models.hpp"
+#include "tests/support/bodies/motions.hpp"
+#include "tests/support/numbers/wide_spectrum.hpp"
 #include "tests/support/placement.hpp"
-#include "tests/support/wide_spectrum.hpp"
 
 namespace stationary {
 namespace {

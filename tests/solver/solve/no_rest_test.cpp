@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/solve/solve.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 
 namespace stationary {
 namespace {

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "solver/newton/newton.hpp"
+#include "tests/support/bodies/plate.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
-#include "tests/support/high_precision.hpp"
-#include "tests/support/plate.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 
 namespace stationary {
 namespace {

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "solver/solve/solve.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 #include "tests/support/closed_forms.hpp"
-#include "tests/support/high_precision.hpp"
-#include "tests/support/random_problem.hpp"
-#include "tests/support/wide_numbers.hpp"
+#include "tests/support/numbers/high_precision.hpp"
+#include "tests/support/numbers/wide_numbers.hpp"
 
 namespace stationary {
 namespace {

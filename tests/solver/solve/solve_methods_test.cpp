@@ -5,7 +5,7 @@
 
 #include "solver/newton/newton.hpp"
 #include "solver/solve/solve.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 
 namespace stationary {
 namespace {

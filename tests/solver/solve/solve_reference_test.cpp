@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "solver/solve/solve.hpp"
-#include "tests/support/high_precision.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/bodies/random_problem.hpp"
+#include "tests/support/numbers/high_precision.hpp"
+#include "tests/support/numbers/law.hpp"
 #include "tests/support/reference_table.hpp"
 
 namespace stationary {

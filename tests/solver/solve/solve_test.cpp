@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "solver/newton/reduced_system.hpp"
-#include "tests/support/law.hpp"
-#include "tests/support/plate.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/bodies/plate.hpp"
+#include "tests/support/bodies/random_problem.hpp"
+#include "tests/support/numbers/law.hpp"
 
 namespace stationary {
 namespace {

@@ -3,9 +3,9 @@
 // where that lies within the bounds: never wrong, and never marginal far from a change.
 #include <gtest/gtest.h>
 
+#include "tests/support/bodies/motions.hpp"
 #include "tests/support/general_path.hpp"
-#include "tests/support/motions.hpp"
-#include "tests/support/wide_spectrum.hpp"
+#include "tests/support/numbers/wide_spectrum.hpp"
 
 namespace stationary {
 namespace {

@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 #include <complex>
 
+#include "tests/support/bodies/motions.hpp"
 #include "tests/support/flows.hpp"
-#include "tests/support/motions.hpp"
 
 namespace stationary {
 namespace {

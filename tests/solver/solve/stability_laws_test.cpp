@@ -8,8 +8,8 @@
 
 #include "solver/search/two_polar_search.hpp"
 #include "solver/solve/two_polar_equilibrium.hpp"
+#include "tests/support/bodies/motions.hpp"
 #include "tests/support/general_path.hpp"
-#include "tests/support/motions.hpp"
 
 namespace stationary {
 namespace {

@@ -3,11 +3,11 @@
 // (tests/support/placement.hpp). Both in 50 digits, their eigenvalues by the QR algorithm there.
 #include <gtest/gtest.h>
 
+#include "tests/support/bodies/motions.hpp"
 #include "tests/support/general_path.hpp"
 #include "tests/support/lie_poisson.hpp"
-#include "tests/support/motions.hpp"
+#include "tests/support/numbers/wide_eigenvalues.hpp"
 #include "tests/support/placement.hpp"
-#include "tests/support/wide_eigenvalues.hpp"
 
 namespace stationary {
 namespace {

@@ -1,7 +1,7 @@
 // The tables of independently computed spectra (25 digits) against solve and stability.
 #include <gtest/gtest.h>
 
-#include "tests/support/motions.hpp"
+#include "tests/support/bodies/motions.hpp"
 #include "tests/support/reference_table.hpp"
 
 namespace stationary {

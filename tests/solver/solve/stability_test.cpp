@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/batch/sweep.hpp"
-#include "tests/support/motions.hpp"
+#include "tests/support/bodies/motions.hpp"
 
 namespace stationary {
 namespace {

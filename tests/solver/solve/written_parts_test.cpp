@@ -6,8 +6,8 @@
 
 #include "solver/solve/solve.hpp"
 #include "solver/solve/stability.hpp"
-#include "tests/support/motions.hpp"
-#include "tests/support/written_potential.hpp"
+#include "tests/support/bodies/motions.hpp"
+#include "tests/support/bodies/written_potential.hpp"
 
 namespace stationary {
 namespace {

@@ -14,8 +14,8 @@
 #include "solver/search/anisotropic_search.hpp"
 #include "solver/solve/stability.hpp"
 #include "solver/tube/curve_cover.hpp"
+#include "tests/support/bodies/plate.hpp"
 #include "tests/support/covers.hpp"
-#include "tests/support/plate.hpp"
 
 namespace stationary::testing {
 namespace {

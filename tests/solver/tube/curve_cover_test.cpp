@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "solver/tube/axis_curves.hpp"
+#include "tests/support/bodies/plate.hpp"
 #include "tests/support/covers.hpp"
-#include "tests/support/plate.hpp"
 
 namespace stationary::testing {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "solver/search/search.hpp"
 #include "solver/tube/kind_cover.hpp"
-#include "tests/support/random_problem.hpp"
+#include "tests/support/bodies/random_problem.hpp"
 
 namespace stationary {
 namespace {

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "solver/search/anisotropic_search.hpp"
+#include "tests/support/bodies/plate.hpp"
 #include "tests/support/covers.hpp"
-#include "tests/support/plate.hpp"
 
 namespace stationary::testing {
 namespace {

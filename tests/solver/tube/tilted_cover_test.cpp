@@ -9,8 +9,8 @@
 
 #include "solver/proof/tilted_enclosure.hpp"
 #include "solver/search/tilted_search.hpp"
+#include "tests/support/bodies/whole_body.hpp"
 #include "tests/support/covers.hpp"
-#include "tests/support/whole_body.hpp"
 
 namespace stationary::testing {
 namespace {

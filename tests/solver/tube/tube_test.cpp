@@ -11,7 +11,7 @@
 #include "solver/search/search.hpp"
 #include "solver/tube/axis_curves.hpp"
 #include "solver/tube/tube_set.hpp"
-#include "tests/support/plate.hpp"
+#include "tests/support/bodies/plate.hpp"
 
 namespace stationary {
 namespace {
