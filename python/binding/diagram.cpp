@@ -39,7 +39,7 @@ std::size_t series_of(const Diagram& diagram, const DiagramPiece& piece, std::si
 }
 
 /// (series, class or None, abscissae, values).
-void add_curves(const Diagram& diagram, const DiagramPiece& piece, const AxisRange& shown,
+void add_curves(const Diagram& diagram, const DiagramPiece& piece, const Axis& shown,
                 py::list& out) {
   for (const DiagramLine& line : class_lines(diagram, piece, shown)) {
     const py::object verdict =
@@ -57,7 +57,7 @@ void add_curves(const Diagram& diagram, const DiagramPiece& piece, const AxisRan
 }
 
 /// (kind, abscissae, rates), a kind as in "rate_styles".
-void add_rates(const Diagram& diagram, const DiagramPiece& piece, const AxisRange& shown,
+void add_rates(const Diagram& diagram, const DiagramPiece& piece, const Axis& shown,
                py::list& out) {
   const std::vector<std::size_t> rows = spectrum_rows(diagram, piece, shown);
   for (const RateTrack& track : rate_tracks(diagram, rows)) {
@@ -89,8 +89,8 @@ py::dict panel(const Diagram& diagram, std::size_t branch, const DiagramPanel& d
   py::list events;
   for (const DiagramPiece& piece : diagram.pieces) {
     if (piece.branch != branch && !diagram.of_energy_and_momentum) continue;
-    add_curves(diagram, piece, drawn.abscissa.range, curves);
-    if (has_rates(diagram)) add_rates(diagram, piece, drawn.abscissa.range, rates);
+    add_curves(diagram, piece, drawn.abscissa, curves);
+    if (has_rates(diagram)) add_rates(diagram, piece, drawn.abscissa, rates);
     add_events(diagram, piece, events);
   }
   py::dict out;

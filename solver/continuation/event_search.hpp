@@ -348,9 +348,14 @@ class EventSearch {
   void explain_counts() {
     counts_ = KnownCounts::at(to().member);
     explain_negative();
-    explain_growing();
+    explain(&KnownCounts::growing, growing_modes, !found_.empty());
+    explain(&KnownCounts::definite, definite, std::ranges::any_of(found_, [](const Found& each) {
+      return each.event.type != EventType::krein_pass &&
+             each.event.type != EventType::inertia_exchange;
+    }));
     if (next_.counts.negative && !counts_.negative) add_step(next_.counts.negative->since);
-    if (next_.counts.growing && !counts_.growing) add_step(next_.counts.growing->since);
+    for (const auto which : {&KnownCounts::growing, &KnownCounts::definite})
+      if (next_.counts.*which && !(counts_.*which)) add_step((next_.counts.*which)->since);
   }
 
   /// Whether the located events account for the change of `negative`; else brackets the change.
@@ -385,12 +390,14 @@ class EventSearch {
     bracket_unexplained([&](const Member& at) { return at.spectrum->negative == before->count; });
   }
 
-  /// Whether located events account for a change in the number of real Lambda > 0, which a second
-  /// momentum that is kept lets pass zero with no other sign of it; else brackets the change.
-  void explain_growing() {
-    auto& known = next_.counts.growing;
-    if (known && (!found_.empty() || !unresolved_.empty() || is_open())) known->explained = true;
-    const auto& now = counts_.growing;
+  /// Whether located events account for a change of a count; else brackets it. Of real Lambda > 0, which a second
+  /// momentum that is kept lets pass zero with no other sign of it. Of what is definite on a circle: with that
+  /// momentum some sum of the two is, or none any more, where no modes meet. events: such as account for it.
+  void explain(std::optional<KnownCount> KnownCounts::*which, int (*count)(const Spectrum&),
+               bool events) {
+    auto& known = next_.counts.*which;
+    if (known && (events || !unresolved_.empty() || is_open())) known->explained = true;
+    const auto& now = counts_.*which;
     if (!now) {
       if (!to().member.spectrum) known.reset();
       return;
@@ -398,13 +405,12 @@ class EventSearch {
     const auto before = std::exchange(known, now);
     if (!before || before->modes != now->modes || before->count == now->count || before->explained)
       return;
-    const auto earlier = KnownCounts::at(from().member).growing;
+    const auto earlier = KnownCounts::at(from().member).*which;
     if (!earlier || earlier->count != before->count) {
       add_unresolved(EventType::unexplained, before->since);
       return;
     }
-    bracket_unexplained(
-        [&](const Member& at) { return growing_modes(*at.spectrum) == before->count; });
+    bracket_unexplained([&](const Member& at) { return count(*at.spectrum) == before->count; });
   }
 
   /// Whether at an end of the step the sign of some function that an event is a zero of is not

@@ -89,13 +89,14 @@ struct KnownNegative {
   int change = 0;  ///< most that events since can have changed it by
   bool exchange = false;
 };
-/// Real Lambda > 0.
-struct KnownGrowing {
+/// Another count of a spectrum's.
+struct KnownCount {
   int modes;
   int count;
   ParameterRange since;
   bool explained = false;  ///< an event since, or what may be one
 };
+/// Of real Lambda > 0.
 inline int growing_modes(const Spectrum& spectrum) {
   return static_cast<int>(std::count_if(
       spectrum.mode.begin(), spectrum.mode.begin() + spectrum.modes, [](const Mode& mode) {
@@ -103,17 +104,28 @@ inline int growing_modes(const Spectrum& spectrum) {
       }));
 }
 
-/// Both, where no Lambda may be zero; else nothing.
+/// 1: the second variation is definite, with a second momentum's added where one is kept; 0: it is not, and
+/// nothing grows; -1: neither.
+inline int definite(const Spectrum& spectrum) {
+  if (spectrum.verdict == StabilityClass::stable) return 1;
+  return spectrum.verdict == StabilityClass::elliptic ? 0 : -1;
+}
+
+/// All, where no Lambda may be zero; else nothing.
 struct KnownCounts {
   std::optional<KnownNegative> negative;
-  std::optional<KnownGrowing> growing;
+  std::optional<KnownCount> growing;
+  std::optional<KnownCount> definite;
 
   static KnownCounts at(const Member& member) {
     if (!member.spectrum || !member.spectrum->away_from_zero()) return {};
     const Spectrum& spectrum = *member.spectrum;
     const ParameterRange since = ParameterRange::at(member.parameter);
-    return {KnownNegative{spectrum.modes, spectrum.negative, since},
-            KnownGrowing{spectrum.modes, growing_modes(spectrum), since}};
+    KnownCounts out{KnownNegative{spectrum.modes, spectrum.negative, since},
+                    KnownCount{spectrum.modes, growing_modes(spectrum), since}, std::nullopt};
+    const int sign = stationary::definite(spectrum);
+    if (sign >= 0) out.definite = KnownCount{spectrum.modes, sign, since};
+    return out;
   }
 };
 

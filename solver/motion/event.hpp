@@ -20,7 +20,7 @@
 //   real-collision     two real pairs of one block do
 //   krein-pass         imaginary pairs of opposite signature, of two blocks, meet and pass
 //   zero-momentum      two-polar: s3 = 0; the wobble's signature changes, and the count by two
-//   unexplained        the count of negative directions, or of Lambda > 0, changes and none of these
+//   unexplained        the count of negative directions, or of Lambda > 0, or what is definite, changes and none of these
 //                      accounts for it
 //   collapse escape domain limit closed stalled   ends of a sheet: d or rho -> 0; a stretch ->
 //                      infinity; where the potential ceases to be defined; the range asked for;

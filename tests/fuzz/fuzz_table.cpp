@@ -36,8 +36,8 @@ void draw(std::string_view text, bool energy_momentum) {
   TableReader table = table_of(text);
   const Diagram diagram = read_diagram({&table}, {.energy_momentum = energy_momentum});
   for (const DiagramPiece& piece : diagram.pieces) {
-    (void)class_lines(diagram, piece, {0.0, 1.0});
-    (void)spectrum_rows(diagram, piece, {0.0, 1.0});
+    (void)class_lines(diagram, piece, {{0.0, 1.0}});
+    (void)spectrum_rows(diagram, piece, {{0.0, 1.0}});
   }
 }
 

@@ -76,8 +76,9 @@ Cells row_of(const std::string& text, const std::optional<std::string>& along) {
     before = std::move(here);
   }
   refuse_row(text,
-             wanted.event.empty() ? fmt::format("found {} rows", rows)
-                                  : fmt::format("found {} rows of {}", number, wanted.event),
+             wanted.event.empty() ? fmt::format("found {} row{}", rows, rows == 1 ? "" : "s")
+                                  : fmt::format("found {} row{} of {}", number,
+                                                number == 1 ? "" : "s", wanted.event),
              fmt::format("a row {}", wanted.number));
 }
 

@@ -99,11 +99,7 @@ class DiagramTable {
   }
 
   std::string_view branch() const { return text(*table_, branch_); }
-  /// Throws InputError where it is no sheet's number.
-  std::string_view sheet() const {
-    if (sheet_) require_sheet(*table_, *sheet_);
-    return text(*table_, sheet_);
-  }
+  std::string_view sheet() const { return text(*table_, sheet_); }
   std::string_view event() const { return text(*table_, event_); }
   bool has_krein() const { return krein_[0].has_value(); }
 

@@ -25,11 +25,10 @@ const DiagramPoint* decisive(const DiagramPoint& a, const DiagramPoint& b) {
 /// Keeps, of each stretch of points within one image column, the first, the last and those where a
 /// value or the abscissa is extreme. values: of a point, an array that begins with the abscissa.
 template <class Values>
-std::vector<std::size_t> thinned(std::span<const std::size_t> points, const AxisRange& abscissa,
+std::vector<std::size_t> thinned(std::span<const std::size_t> points, const Axis& abscissa,
                                  const Values& values) {
-  const double columns_per_unit = image_columns / (abscissa.high - abscissa.low);
   const auto column = [&](std::size_t k) {
-    return std::floor((values(points[k])[0] - abscissa.low) * columns_per_unit);
+    return std::floor(abscissa.place(values(points[k])[0]) * image_columns);
   };
   std::vector<std::size_t> out;
   std::vector<std::size_t> kept;
@@ -62,7 +61,7 @@ std::vector<std::size_t> thinned(std::span<const std::size_t> points, const Axis
 }  // namespace
 
 std::vector<DiagramLine> class_lines(const Diagram& diagram, const DiagramPiece& piece,
-                                     const AxisRange& abscissa) {
+                                     const Axis& abscissa) {
   const std::vector<DiagramPoint>& points = diagram.points;
   std::vector<DiagramLine> lines{{points[piece.begin].verdict, {piece.begin}}};
   for (std::size_t k = piece.begin + 1; k < piece.end; ++k) {
@@ -87,7 +86,7 @@ std::vector<DiagramLine> class_lines(const Diagram& diagram, const DiagramPiece&
 }
 
 std::vector<std::size_t> spectrum_rows(const Diagram& diagram, const DiagramPiece& piece,
-                                       const AxisRange& abscissa) {
+                                       const Axis& abscissa) {
   const std::vector<DiagramPoint>& points = diagram.points;
   std::vector<std::size_t> rows;
   for (std::size_t k = piece.begin; k < piece.end; ++k)

@@ -27,10 +27,10 @@ constexpr double image_columns = 1600.0;
 /// Of a piece, cut where the class changes: between two rows in the middle. A located event belongs to
 /// both its sides, whatever its own class: on the border that is marginal.
 std::vector<DiagramLine> class_lines(const Diagram& diagram, const DiagramPiece& piece,
-                                     const AxisRange& abscissa);
+                                     const Axis& abscissa);
 
 /// The rows of a piece at which there is a spectrum: an event's without one are passed over.
 std::vector<std::size_t> spectrum_rows(const Diagram& diagram, const DiagramPiece& piece,
-                                       const AxisRange& abscissa);
+                                       const Axis& abscissa);
 
 }  // namespace stationary

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <utility>
@@ -39,6 +40,14 @@ Rule rule_of(const std::string& column) {
   return cell_kind(*known) == CellKind::text ? Rule::word : Rule::number;
 }
 
+void require_sheet(const TableReader& table, std::size_t column) {
+  if (table.text(column).empty()) return;
+  const double sheet = table.number(column);
+  constexpr double most = 2147483647.0;
+  if (!(sheet >= 1.0 && sheet <= most) || sheet != std::floor(sheet))
+    throw table.fault(column, "a whole number from 1 on");
+}
+
 void check(const TableReader& table, std::size_t column, Rule rule) {
   const std::string_view cell = table.text(column);
   if (rule == Rule::number) static_cast<void>(table.number(column));
@@ -59,6 +68,7 @@ std::string joined(const std::vector<std::string>& cells) {
 
 /// Whether a column is a number of motions, their class, or that of a cell.
 bool is_of_motions(const std::string& column) {
+  if (is_parameter(column)) return true;
   const auto known = find_column(column);
   return known && (cell_kind(*known) == CellKind::number || *known == Column::stability ||
                    *known == Column::event || *known == Column::status);

@@ -183,7 +183,7 @@ void PanelDrawing::draw_curves(const DiagramPiece& piece) {
     path.points.push_back({std::numeric_limits<double>::quiet_NaN(), 0.0});
   }
   paths_.push_back(std::move(path));
-  for (const DiagramLine& line : class_lines(diagram_, piece, panel_.abscissa.range))
+  for (const DiagramLine& line : class_lines(diagram_, piece, panel_.abscissa))
     for (std::size_t k = 0; k < diagram_.columns.size(); ++k) draw_line(piece, line, k);
 }
 
@@ -251,7 +251,7 @@ void PanelDrawing::draw_line(const DiagramPiece& piece, const DiagramLine& line,
 }
 
 void PanelDrawing::draw_rates(const DiagramPiece& piece) {
-  const std::vector<std::size_t> rows = spectrum_rows(diagram_, piece, panel_.abscissa.range);
+  const std::vector<std::size_t> rows = spectrum_rows(diagram_, piece, panel_.abscissa);
   for (const RateTrack& track : rate_tracks(diagram_, rows)) {
     std::vector<PagePoint> path;
     for (const RatePoint& each : track.points) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -154,14 +153,6 @@ void require_drawable(const TableReader& table) {
   if (command.empty()) return;
   throw InputError(Origin::in_file(table.name()), "", "found a table of " + std::string(command),
                    "tables of solve, continue, atlas, map or curve");
-}
-
-void require_sheet(const TableReader& table, std::size_t column) {
-  if (table.text(column).empty()) return;
-  const double sheet = table.number(column);
-  constexpr double most = 2147483647.0;
-  if (!(sheet >= 1.0 && sheet <= most) || sheet != std::floor(sheet))
-    throw table.fault(column, "a whole number from 1 on");
 }
 
 }  // namespace stationary

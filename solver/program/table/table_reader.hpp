@@ -68,7 +68,5 @@ class TableReader {
 /// Throws InputError of a table whose rows are no motions and no events: of study, sensitivity,
 /// atlas --grid.
 void require_drawable(const TableReader& table);
-/// Refuses the current row where its sheet is neither empty nor a whole number from 1 on.
-void require_sheet(const TableReader& table, std::size_t column);
 
 }  // namespace stationary

@@ -1,5 +1,7 @@
 #include "solver/program/tiles/part.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -27,7 +29,7 @@ Part read_part(const std::string& text) {
   if (!slash || of.ec != std::errc() || of.ptr != end || out.number < 1 || out.of > most_parts ||
       out.number > out.of)
     throw InputError(Origin::of_option("--part " + text), "", "found " + in_quotes(text),
-                     "K/N, part K = 1 ... N of N, as 2/7");
+                     fmt::format("K/N, part K = 1 ... N of N, N up to {}, as 2/7", most_parts));
   return out;
 }
 

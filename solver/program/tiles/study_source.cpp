@@ -37,6 +37,18 @@ std::string toml_value(const std::string& key, const std::string& cell) {
   return out;
 }
 
+/// Cells go into tables of CSV, which are text, and of HDF5, whose names and texts a NUL ends.
+void require_text(const Origin& origin, const std::string& key, std::string_view text) {
+  for (std::size_t k = 0; k < text.size();) {
+    const std::size_t length = character_length(text.substr(k));
+    if (length == 0 || text[k] == '\0')
+      throw InputError(origin, printable(key),
+                       length == 0 ? "found bytes that are no UTF-8" : "found a NUL byte",
+                       "text in UTF-8", "a spreadsheet may save it as CSV in UTF-8");
+    k += length;
+  }
+}
+
 void require_name(const std::string& path, const std::string& name) {
   require_text(Origin::in_file(path, 1, 1), name, name);
   if (name.find_first_of("\r\n") != std::string::npos)
@@ -59,18 +71,6 @@ void require_name(const std::string& path, const std::string& name) {
   refuse("found a column that names no key of a case",
          "dotted keys such as motion.nu, or names that begin with \"_\"",
          did_you_mean(nearest_name(name == "nu" ? "motion.nu" : std::string_view(name), known)));
-}
-
-/// Cells go into tables of CSV, which are text, and of HDF5, whose names and texts a NUL ends.
-void require_text(const Origin& origin, const std::string& key, std::string_view text) {
-  for (std::size_t k = 0; k < text.size();) {
-    const std::size_t length = character_length(text.substr(k));
-    if (length == 0 || text[k] == '\0')
-      throw InputError(origin, printable(key),
-                       length == 0 ? "found bytes that are no UTF-8" : "found a NUL byte",
-                       "text in UTF-8", "a spreadsheet may save it as CSV in UTF-8");
-    k += length;
-  }
 }
 
 /// A column's key would replace what an earlier one has set: body.J after body.J.1.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -162,6 +163,26 @@ TEST(SymmetricBodies, ACircleOfATwoPolarFamilyTellsWhereItLosesItsStability) {
 }
 
 /// A pitchfork whose mirror axes are not the material ones is not passed; nothing escapes there.
+/// On the circle E + c P, P the momentum of turns in the material, is definite for the c above the wobble and
+/// below half of nu + R, R the frequency of shear in turned axes; these part where the two are equal. No
+/// frequencies meet there, and `negative` stays 4.
+TEST(SymmetricBodies, ACircleIsNoMoreDefiniteWhereNoFrequenciesMeet) {
+  const std::vector<Row> rows = table_followed(
+      "[body]\nJ = [0.302, 0.302, 1.292]\nvolume = 1.934\n[potential]\n"
+      "plane = { model = \"hencky\", mu = 0.3251, lambda = 0.5872 }\n"
+      "thickness = { model = \"harmonic\", k = 0.6175, rest = 2.056 }\n"
+      "[motion]\nbranch = \"iii\"\nnu = 0.1\n"
+      "[continuation]\nfrom = 0.0\nto = 1.4\ntolerance = 1e-6\n");
+  const std::vector<Row> events = between_ends(rows);
+  const auto at =
+      std::ranges::find(events, "unexplained", [](const Row& each) { return each.at("event"); });
+  ASSERT_NE(at, events.end());
+  EXPECT_NEAR(number(at->at("nu3")), 1.148456264430534014073985, 1e-9);
+  EXPECT_EQ(class_beside(rows, "unexplained", -1), "stable");
+  EXPECT_EQ(class_beside(rows, "unexplained", 1), "elliptic");
+  EXPECT_EQ(std::ranges::count(names(events), "unexplained"), 1);
+}
+
 TEST(SymmetricBodies, AnEndAtModerateStretchesIsNoEscape) {
   const std::vector<Row> rows = table_followed(
       "[body]\nJ = [1.5, 1.5, 0.4]\n[potential]\n"

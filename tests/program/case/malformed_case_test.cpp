@@ -415,6 +415,22 @@ TEST(CaseFile, IntegersAreNumbers) {
   EXPECT_THAT(outcome.out, HasSubstr("nu from 0 to 1, tolerance 1"));
 }
 
+TEST(CaseFile, AllFaultsOfAMotionAreToldAtOnce) {
+  const Outcome pair = run_program({"check", shipped("fold.toml"), "--set",
+                                    "motion.branch=\"two-polar\"", "--set", "motion.plane=\"13\""});
+  EXPECT_EQ(pair.code, 2);
+  for (const char* fault : {"motion.nu: found nu", "motion.plane: found plane",
+                            "found none of omega, theta_dot", "body.J: found J1 = "})
+    EXPECT_THAT(pair.err, HasSubstr(fault));
+  const Outcome spin = run_program({"check", shipped("fold.toml"), "--set", "motion.plane=\"13\"",
+                                    "--set", "motion.axis=\"1\"", "--set", "motion.s3=1.0"});
+  for (const char* key : {"motion.plane: ", "motion.axis: ", "motion.s3: "})
+    EXPECT_THAT(spin.err, HasSubstr(key));
+  const Outcome body = run_program({"check", shipped("fold.toml"), "--set", "body.J=[nan,1,inf]"});
+  EXPECT_THAT(body.err, HasSubstr("body.J.0: "));
+  EXPECT_THAT(body.err, HasSubstr("body.J.2: "));
+}
+
 TEST(CaseFile, AllFaultsAreToldAtOnce) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("case.toml", R"([body]

@@ -126,6 +126,18 @@ TEST(Continue, ChosenColumnsKeepTheirOrder) {
   EXPECT_THAT(none.err, HasSubstr("output.columns: found no column that continue computes"));
 }
 
+/// An empty line is no row to many readers.
+TEST(Continue, AColumnByItselfHasALineForEveryRow) {
+  const TemporaryDirectory directory;
+  const std::string target = directory / "x.csv";
+  ASSERT_EQ(continued(shipped("fold.toml"), {"output.columns=[\"event\"]"}, target).code, 0);
+  const std::string text = text_of(target);
+  EXPECT_EQ(text.find("\n\n"), std::string::npos);
+  const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
+  EXPECT_EQ(std::ranges::count(text, '\n'), metadata["rows"].get<long>() + 1);
+  EXPECT_EQ(rows_of(text).size(), metadata["rows"]);
+}
+
 TEST(Continue, SpectrumOffChangesNoOtherCell) {
   const std::vector<std::string> quick{"continuation.tolerance=1e-6"};
   const auto with = rows_of(continued(shipped("disc.toml"), quick).out);

@@ -287,7 +287,7 @@ TEST_F(FromRow, WhatLeadsNowhereIsRefused) {
   refused(path, {}, "TABLE:N, TABLE:EVENT or TABLE:EVENT:K");
   refused(path + ":0", {}, "rows from 1 on");
   refused(path + ":1000000", {}, "expected a row 1000000");
-  refused(path + ":fold-nu:7", {}, "found 1 rows of fold-nu");
+  refused(path + ":fold-nu:7", {}, "found 1 row of fold-nu");
   refused(path + ":fold-un", {}, "did you mean \"fold-nu\"?");
   refused(directory_ / "none.csv:1", {}, "cannot read it");
   refused(path + ":3", {"--set", "motion.branch=tilted"}, "an event where that family begins");

@@ -149,7 +149,7 @@ TEST(Diagram, ALineIsCutAtAnEventWhichBothSidesShare) {
     std::string table = tilting_table;
     table.replace(table.find("marginal"), std::string("marginal").size(), verdict);
     const Diagram diagram = diagram_of(table);
-    const auto lines = class_lines(diagram, diagram.pieces.front(), {0.0, 1.0});
+    const auto lines = class_lines(diagram, diagram.pieces.front(), {{0.0, 1.0}});
     ASSERT_EQ(lines.size(), 2U) << verdict;
     EXPECT_EQ(lines[0].verdict, StabilityClass::stable);
     EXPECT_THAT(lines[0].points, ElementsAre(0, 1, 2));
@@ -171,14 +171,14 @@ TEST(Diagram, ThinningKeepsEndsAndExtremes) {
   diagram.points[123456].ordinate[1] = 7.0;
   diagram.points[234567].ordinate[2] = 0.1;
   diagram.points[200000].frequency[4] = 5.0;
-  const auto lines = class_lines(diagram, diagram.pieces.front(), {0.0, 1.0});
+  const auto lines = class_lines(diagram, diagram.pieces.front(), {{0.0, 1.0}});
   ASSERT_EQ(lines.size(), 1U);
   const auto& kept = lines.front().points;
   EXPECT_LT(kept.size(), 4 * static_cast<std::size_t>(image_columns));
   EXPECT_TRUE(std::ranges::is_sorted(kept));
   for (const std::size_t k : {std::size_t{0}, std::size_t{123456}, std::size_t{234567}, count - 1})
     EXPECT_TRUE(std::ranges::binary_search(kept, k)) << k;
-  const auto rates = spectrum_rows(diagram, diagram.pieces.front(), {0.0, 1.0});
+  const auto rates = spectrum_rows(diagram, diagram.pieces.front(), {{0.0, 1.0}});
   EXPECT_TRUE(std::ranges::binary_search(rates, std::size_t{200000}));
 }
 
@@ -323,6 +323,37 @@ TEST_F(Plot, ToStandardOutputWithItsScript) {
           .code,
       2);
   EXPECT_EQ(text_of(table_), tilting_table);
+}
+
+TEST_F(Plot, ReplacesNoMetadataOfItsTable) {
+  const std::string metadata = directory_.file("x.meta.json", "{}");
+  for (const char* option : {"-o", "--script"}) {
+    const Outcome outcome = run_program({"plot", table_, option, metadata, "--format", "svg"});
+    EXPECT_EQ(outcome.code, 2) << option;
+    EXPECT_THAT(outcome.err, HasSubstr(std::string(option) + ' ' + metadata));
+    EXPECT_THAT(outcome.err, HasSubstr("the metadata of the table"));
+    const Outcome itself = run_program({"plot", table_, option, table_, "--format", "svg"});
+    EXPECT_THAT(itself.err, HasSubstr(std::string(option) + ' ' + table_));
+  }
+  EXPECT_EQ(text_of(metadata), "{}");
+}
+
+/// What ends a CDATA section may stand in no text of XML.
+TEST_F(Plot, ATitleLeavesTheImageWellFormed) {
+  NEEDS_GNUPLOT();
+  ASSERT_EQ(plot("x.svg", {"--title", "a]]>b & <c>"}).code, 0);
+  EXPECT_THAT(text_of(directory_ / "x.svg"), Not(HasSubstr("]]>")));
+  EXPECT_THAT(texts("x.svg"), Contains("a]]&gt;b &amp; &lt;c>"));
+}
+
+TEST_F(Plot, SaysWhatIsNoTableAndWhatIsOutOfRange) {
+  NEEDS_GNUPLOT();
+  const Outcome of_case = run_program({"plot", shipped("fold.toml"), "-o", directory_ / "x.svg"});
+  EXPECT_EQ(of_case.code, 2);
+  EXPECT_THAT(of_case.err, HasSubstr("found a case; expected tables of solve"));
+  const Outcome nowhere = plot("y.svg", {"--range", "x=50:60"});
+  EXPECT_EQ(nowhere.code, 0);
+  EXPECT_THAT(nowhere.err, HasSubstr("no row is in the range of x asked for"));
 }
 
 TEST_F(Plot, ChoicesThatAreNone) {

@@ -143,6 +143,24 @@ TEST_F(Study, RefusesATableOfOtherThings) {
 }
 
 /// What no row puts right is refused before anything is computed.
+/// Its cells go into a table of CSV, or of HDF5 whose texts a NUL ends.
+TEST_F(Study, TakesTextsOfOneLineInUtf8) {
+  const struct {
+    std::string table;
+    const char* fault;
+  } all[] = {
+      {"\"_a\nb\",motion.nu\nx,0.3\n", "t.csv:1:1: _a\\x0Ab: found a column's name of two lines"},
+      {"_m,motion.nu\ngr\xf6\xdf,0.3\n", "t.csv:2:1: _m: found bytes that are no UTF-8"},
+      {std::string("_m,motion.nu\nb,0.2\na\0b,0.3\n", 28), "t.csv:3:1: _m: found a NUL byte"}};
+  for (const auto& [table, fault] : all) {
+    const Outcome outcome = run(table);
+    EXPECT_EQ(outcome.code, 2) << fault;
+    EXPECT_THAT(outcome.err, HasSubstr(fault));
+  }
+  ASSERT_EQ(run("_m,motion.nu\n\"gr\u00f6\u00df\ne\",0.3\n").code, 0);
+  EXPECT_THAT(text_of(out_), HasSubstr("\"gr\u00f6\u00df\ne\",0.3,solved"));
+}
+
 TEST_F(Study, WhatIsWrongWithTheCaseIsNoRowsFault) {
   for (const char* const wrong : {"foo=1", "body.J.0=-1", "output.columns=[\"nothing\"]"}) {
     const Outcome outcome = run("motion.nu\n0.3\n0.4\n", {"--set", wrong});

@@ -50,6 +50,17 @@ TEST(PageTable, KeepsTheTextsOfTheFile) {
   EXPECT_EQ(table.columns[4].numbers, "0.1,1e-3");
 }
 
+TEST(PageTable, IsOfMotions) {
+  for (const char* const other :
+       {"case,branch,boxes\na,i,1\n", "xi;zeta\n1;2\n", "sheet,branch,momentum_from\n1,i,0\n"})
+    EXPECT_THAT(refusal_of(other), HasSubstr("found no column that tells of motions"));
+  EXPECT_EQ(refusal_of("nu,body.J.1,class\n1,2,stable\n"), "taken");
+  EXPECT_EQ(refusal_of("sheet,xi\n1,1\n2.0,1\n,1\n"), "taken");
+  for (const char* const sheet : {"1.5", "-1", "0", "99999999999", "abc"})
+    EXPECT_THAT(refusal_of("xi,sheet\n1," + std::string(sheet) + "\n"),
+                HasSubstr("x.csv:2:3: sheet: found \"" + std::string(sheet) + "\""));
+}
+
 TEST(PageTable, SeesFromTheCellsWhatAnUnknownColumnIs) {
   const PageTable table = table_of("nu3,mine,yours\n1,2,3\n2,,x\n");
   EXPECT_TRUE(table.columns[1].is_number);

@@ -1,7 +1,9 @@
 // Where a line changes its class: at the rows of events, and half-way between two other rows.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <sstream>
 
@@ -28,7 +30,7 @@ Diagram diagram_of(const std::vector<std::string>& classes) {
 }
 
 std::vector<DiagramLine> lines_of(const Diagram& diagram) {
-  return class_lines(diagram, diagram.pieces.front(), {0.0, 10.0});
+  return class_lines(diagram, diagram.pieces.front(), {{0.0, 10.0}});
 }
 
 /// From where to where a class is drawn, stroke by stroke, of the parameter.
@@ -46,6 +48,20 @@ Reaches reaches(const Diagram& diagram, std::optional<StabilityClass> verdict) {
       for (const Stroke& stroke : curve.strokes)
         out.emplace_back(at(stroke.front()), at(stroke.back()));
   return out;
+}
+
+/// Rows are left out where they fall into one column of the image, which on a logarithmic axis are a factor wide.
+TEST(ClassLines, KeepWhatALogarithmicAxisShows) {
+  std::string csv = "branch,nu1,lambda,class\n";
+  for (int k = 0; k < 1000; ++k)
+    csv += fmt::format("i,{},{},stable\n", std::pow(10.0, 0.012 * k - 6.0), k);
+  TableReader table(std::make_unique<std::istringstream>(csv), "x.csv");
+  const Diagram diagram = read_diagram({&table});
+  const auto kept = [&](const Axis& axis) {
+    return class_lines(diagram, diagram.pieces.front(), axis).front().points.size();
+  };
+  EXPECT_EQ(kept({{1e-6, 1e6}, true}), 1000U);
+  EXPECT_LT(kept({{1e-6, 1e6}, false}), 500U);
 }
 
 TEST(ClassLines, ChangeHalfwayBetweenTwoRows) {

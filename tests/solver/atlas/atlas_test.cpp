@@ -381,5 +381,20 @@ TEST(Atlas, RefusesARangeThatIsNone) {
   EXPECT_THROW(atlas(plate, potential, none), std::invalid_argument);
 }
 
+/// A sheet that was stopped at its last row does not end there, whatever event the row is.
+TEST(AtlasSheet, EndsWhereItWasNotStopped) {
+  AtlasSheet sheet;
+  sheet.rows.resize(1);
+  sheet.rows.front().event = EventType::limit;
+  sheet.report.backward.event = EventType::limit;
+  sheet.report.interrupted = true;
+  EXPECT_EQ(sheet.first_event(), EventType::limit);
+  EXPECT_EQ(sheet.last_event(), EventType::none);
+  sheet.report.interrupted = false;
+  EXPECT_EQ(sheet.last_event(), EventType::limit);
+  sheet.report.out_of_points = true;
+  EXPECT_EQ(sheet.last_event(), EventType::none);
+}
+
 }  // namespace
 }  // namespace stationary

@@ -86,10 +86,12 @@ export class Diagram {
     const { table, state } = this;
     if (!table || !state) return;
     const { width, height } = fitCanvas(this.canvas);
-    const logX = this.heat ? this.heat.x.logarithmic : runsOff(table, state);
+    const logX = this.heat?.x.logarithmic ?? false;
+    const most = shownMomenta(table, state);
+    const takes = (row: number): boolean => !(table.value(state.x, row) > most);
     const logY = this.heat ? this.heat.y.logarithmic : state.logarithmic;
-    const rx = this.heat ? this.heat.x : rangeOf(table, state, [state.x], logX);
-    const ry = this.heat ? this.heat.y : rangeOf(table, state, this.ordinates(), logY);
+    const rx = this.heat ? this.heat.x : rangeOf(table, state, [state.x], false, takes);
+    const ry = this.heat ? this.heat.y : rangeOf(table, state, this.ordinates(), logY, takes);
     const [x0, x1, y0, y1] = state.zoom ?? [rx.low, rx.high, ry.low, ry.high];
     const make = (log: boolean): Scale => (log ? scaleLog() : scaleLinear());
     this.base = {
@@ -98,8 +100,8 @@ export class Diagram {
     };
     this.x = this.base.x;
     this.y = this.base.y;
-    const most = (low: number, high: number): number => (high - low) / (narrowest * Math.max(Math.abs(low), Math.abs(high)));
-    this.behaviour.scaleExtent([0.2, Math.max(1, Math.min(1e7, most(x0, x1), most(y0, y1)))]);
+    const closest = (low: number, high: number): number => (high - low) / (narrowest * Math.max(Math.abs(low), Math.abs(high)));
+    this.behaviour.scaleExtent([most < Infinity ? 1e-7 : 0.2, Math.max(1, Math.min(1e7, closest(x0, x1), closest(y0, y1)))]);
     // Without an event of a person behind it this one draws and reports nothing.
     this.behaviour.transform(this.target, zoomIdentity);
     this.draw();
@@ -393,11 +395,17 @@ export class Diagram {
   }
 }
 
-/** Whether the angular momentum of a sheet that escapes would press all others into a corner: decades are shown then. */
-function runsOff(table: Table, state: State): boolean {
-  if (state.x !== '|pi|') return false;
-  const sizes = table.column(state.x).filter((each) => each > 0).sort();
-  return sizes.length > 0 && sizes[sizes.length - 1] > 100 * sizes[sizes.length >> 1];
+/**
+ * What a diagram against |π| shows at first, where a sheet that escapes would press all others into a corner: the
+ * momenta of the events, and of half of the rows. Infinite: all.
+ */
+function shownMomenta(table: Table, state: State): number {
+  const sizes = table.column('|pi|').filter((each) => each >= 0).sort();
+  const most = sizes[sizes.length - 1];
+  if (state.x !== '|pi|' || !(most > 0)) return Infinity;
+  let out = sizes[sizes.length >> 1];
+  for (let row = 0; row < table.rows; ++row) if (table.mark(row) !== '' && !isEnd(table.mark(row))) out = Math.max(out, 1.2 * table.value('|pi|', row));
+  return out < 0.1 * most ? out : Infinity;
 }
 
 /** "λ, μ, ϱ"; "Im s (1/T)" of all modes. */

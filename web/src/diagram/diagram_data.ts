@@ -54,15 +54,15 @@ export interface Range {
 /** Beyond it, and below its inverse, differences that axes take cannot be represented. */
 const largest = 1e250;
 
-/** What the shown rows cover, with a margin; of a logarithmic axis only what is positive. */
-export function rangeOf(table: Table, state: State, names: readonly string[], logarithmic: boolean): Range {
+/** What the shown rows cover, of those taken, with a margin; of a logarithmic axis only what is positive. */
+export function rangeOf(table: Table, state: State, names: readonly string[], logarithmic: boolean, takes: (row: number) => boolean): Range {
   let low = Infinity;
   let high = -Infinity;
   for (const name of names) {
     const column = table.column(name);
     for (let row = 0; row < table.rows; ++row) {
       const value = column[row];
-      if (!(Math.abs(value) < largest) || (logarithmic && !(value > 1 / largest)) || state.hidden.has(table.pieces[table.piece(row)].key)) continue;
+      if (!(Math.abs(value) < largest) || (logarithmic && !(value > 1 / largest)) || state.hidden.has(table.pieces[table.piece(row)].key) || !takes(row)) continue;
       low = Math.min(low, value);
       high = Math.max(high, value);
     }
