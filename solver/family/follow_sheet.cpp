@@ -161,7 +161,9 @@ class Follower {
     const EventType type = event_type(turn, curve_.context(), start_.tests);
     if (type == EventType::ellipse || !options_.events.has(type)) return end;
     const double p = start_.member.parameter;
-    report_.events.push_back({type, p, p, p, EventStatus::located});
+    // Found to be a number of the inputs, it moves with that.
+    const auto bracket = bracket_of(p, 0x1p-53 * std::abs(p));
+    report_.events.push_back({type, p, bracket[0], bracket[1], EventStatus::located});
     return type;
   }
 

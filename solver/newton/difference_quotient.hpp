@@ -5,7 +5,9 @@
 //
 // of several h, each an eighth of the one before. What a quotient is off by is seen from that of
 // four points, which errs by O(h^4), from the noise of the values, and from the next h, whose
-// noise is eight times as large: of each function the h is taken that has the least of them. The noise of
+// noise is eight times as large, and by what it differs from later ones beyond what these may be off by: of each function
+// the h is taken that has the least of them. While the last two differ by more, smaller h are tried: a function may bend
+// within less than the first h. The noise of
 // values that are small beside their terms is not of their own last place: it is what is left in the fifth and
 // sixth differences of the seven points, of a smooth function O(h^5).
 //
@@ -61,11 +63,21 @@ class Quotients {
     std::pair<double, double> out{std::numeric_limits<double>::quiet_NaN(), HUGE_VAL};
     for (std::size_t k = 0; k + 1 < steps_.size(); ++k) {
       const Step& step = steps_[k];
-      const double seen =
-          std::max(step.cut + noise_from(k) / step.h, std::abs(step.slope - steps_[k + 1].slope));
+      double seen = std::max(own_error(k), std::abs(step.slope - steps_[k + 1].slope));
+      for (std::size_t j = k + 2; j < steps_.size(); ++j)
+        seen = std::max(seen, std::abs(step.slope - steps_[j].slope) - 4.0 * own_error(j));
       if (seen < out.second) out = {step.slope, seen};
     }
     return out;
+  }
+
+  /// Whether the last two h show other slopes than rounding makes them.
+  bool is_open() const {
+    if (steps_.size() < 2) return true;
+    const std::size_t last = steps_.size() - 1;
+    constexpr double far = 1e-3;
+    const double change = std::abs(steps_[last].slope - steps_[last - 1].slope);
+    return change > far * std::abs(steps_[last].slope) + 4.0 * noise_from(last) / steps_[last].h;
   }
 
   /// Whether f_1 - 2 f_0 + f_-1 falls as h, an eighth at the next, and not as h^2, where it is more than
@@ -91,6 +103,8 @@ class Quotients {
     double bend;  ///< of the values of both sides from a line
     double noise;
   };
+  /// Of the quotient at one h, by itself.
+  double own_error(std::size_t k) const { return steps_[k].cut + noise_from(k) / steps_[k].h; }
   /// Seen at this h or a later one, where less of the function is in it.
   double noise_from(std::size_t k) const {
     double out = 0.0;
@@ -109,7 +123,8 @@ template <class At>
 Slopes difference_quotients(const At& at, double x, double size, std::size_t count,
                             double settled = 1e-12) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  constexpr std::size_t most_steps = 6;
+  constexpr std::size_t steps = 6;
+  constexpr std::size_t most_steps = 9;  // of what is open then
   Slopes out{std::vector<double>(count, nan), std::vector<double>(count, nan)};
   // What has no value at x has no slope.
   const std::optional<std::vector<double>> middle = at(x);
@@ -117,6 +132,9 @@ Slopes difference_quotients(const At& at, double x, double size, std::size_t cou
   std::vector<detail::Quotients> of(count);
   double h = std::ldexp(size, -7);
   for (std::size_t step = 0; step < most_steps; ++step, h *= 0.125) {
+    if (step >= steps &&
+        std::ranges::none_of(of, [](const detail::Quotients& each) { return each.is_open(); }))
+      break;
     std::array<std::optional<std::vector<double>>, 6> f;  // at -3, -2, -1, 1, 2, 3
     constexpr double places[6] = {-3.0, -2.0, -1.0, 1.0, 2.0, 3.0};
     bool known = true;
@@ -139,8 +157,9 @@ Slopes difference_quotients(const At& at, double x, double size, std::size_t cou
   for (std::size_t i = 0; i < count; ++i) {
     const auto [slope, error] = of[i].best();
     if (of[i].bends_as_a_corner() || !(slope == slope)) continue;
+    constexpr double safety = 2.0;
     out.slope[i] = slope;
-    out.error[i] = error;
+    out.error[i] = safety * error;
   }
   return out;
 }

@@ -146,7 +146,9 @@ std::string read_parameter_name(const CaseTree& tree, const std::string& key, st
     const std::string_view name = part == "motion.nu" ? "nu" : part;
     if (std::ranges::find(names, name) == names.end())
       throw fault_at(tree, key, "found the string " + in_quotes(found),
-                     "one of " + listed(names) + ", or a ratio \"a/b\" of two of them",
+                     names.size() > 1
+                         ? "one of " + listed(names) + ", or a ratio \"a/b\" of two of them"
+                         : listed(names),
                      did_you_mean(nearest_name(part, names)));
     return std::string(name);
   };

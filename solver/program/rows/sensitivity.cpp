@@ -45,6 +45,57 @@ std::vector<double> picked(const TableRow& row, std::span<const Column> columns,
   return out;
 }
 
+/// A row's modes in another order: each beside that mode of another row's which it is next to, all together.
+void order_modes(const TableRow& near, TableRow& row) {
+  const auto has = [](const TableRow& of, int k) {
+    return std::isfinite(of[mode_column(k, ModePart::re)]) &&
+           std::isfinite(of[mode_column(k, ModePart::im)]);
+  };
+  std::vector<int> places;
+  for (int k = 0; k < mode_count; ++k) {
+    if (has(near, k) != has(row, k)) return;
+    if (has(row, k)) places.push_back(k);
+  }
+  const auto apart = [&](int a, int b) {
+    return hypotenuse(near[mode_column(a, ModePart::re)] - row[mode_column(b, ModePart::re)],
+                      near[mode_column(a, ModePart::im)] - row[mode_column(b, ModePart::im)]);
+  };
+  std::vector<int> order = places;
+  std::vector<int> best = order;
+  double least = std::numeric_limits<double>::infinity();
+  do {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < places.size(); ++k) sum += apart(places[k], order[k]);
+    if (sum < least) least = sum, best = order;
+  } while (std::next_permutation(order.begin(), order.end()));
+  const TableRow own = row;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    for (const ModePart part : {ModePart::re, ModePart::im, ModePart::krein})
+      row[mode_column(places[k], part)] = own[mode_column(best[k], part)];
+}
+
+/// Whether a motion may be the same one at another value of a number. From a start that is nearly round, or where
+/// another solution is near, a solve may come to one about another axis.
+bool is_near(const TableRow& found, const TableRow& row) {
+  constexpr double most = 0.25;
+  double change = 0.0;
+  double size = 0.0;
+  for (const Column c : {Column::alpha, Column::xi, Column::zeta, Column::rho}) {
+    change = std::max(change, std::abs(found[c] - row[c]));
+    size = std::max(size, std::abs(row[c]));
+  }
+  double product = 0.0;
+  double own = 0.0;
+  double other = 0.0;
+  for (const Column c : {Column::nu1, Column::nu2, Column::nu3}) {
+    product += found[c] * row[c];
+    own += row[c] * row[c];
+    other += found[c] * found[c];
+  }
+  const double along = std::abs(product) / std::sqrt(own * other);
+  return change <= most * size && !(along < 1.0 - 0.5 * most * most);
+}
+
 /// Over which a number may change what is computed by much.
 double size_of(double value) { return value == 0.0 ? 1.0 : std::abs(value); }
 
@@ -123,10 +174,12 @@ std::vector<NumberSlopes> motion_slopes(const FamilyParameters& at, const TableR
                      TableRow out;
                      fill_row(name(kind->motion()), kind->body(), kind->potential(), found, wanted,
                               out);
+                     if (!is_near(out, row)) return std::nullopt;
                      if (spectrum) {
                        const auto modes = kind->spectrum(found);
                        if (!modes) return std::nullopt;
                        fill_spectrum(*modes, out);
+                       order_modes(row, out);
                      }
                      return picked(out, columns, row);
                    });

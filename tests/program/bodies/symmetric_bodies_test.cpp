@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -181,6 +182,56 @@ TEST(SymmetricBodies, ACircleIsNoMoreDefiniteWhereNoFrequenciesMeet) {
   EXPECT_EQ(class_beside(rows, "unexplained", -1), "stable");
   EXPECT_EQ(class_beside(rows, "unexplained", 1), "elliptic");
   EXPECT_EQ(std::ranges::count(names(events), "unexplained"), 1);
+}
+
+/// A coefficient that enters no balance of the circle: its ellipses come to it all the same, at
+/// mu = J (omega^2 + theta_dot^2)(1 + J (omega + theta_dot)^2/k), xi^2 = zeta^2 = 1 + J (omega + theta_dot)^2/k.
+TEST(SymmetricBodies, EllipsesMeetACircleThatTheParameterLeavesAlone) {
+  const std::string body =
+      "[body]\nJ = [1.566, 1.566, 1.206]\n[potential]\n"
+      "plane = { expression = \"mu/2*(I1/d - 2) + k/2*(d-1)^2\", mu = 0.8728, k = 3.326 }\n"
+      "thickness = { model = \"reciprocal-quadratic\", a = 0.006926, b = 637.5 }\n";
+  const std::string range =
+      "[continuation]\nparameter = \"potential.plane.mu\"\nfrom = 0.2182\nto = 3.491\n";
+  const std::vector<Row> two_polar = table_followed(
+      body + "[motion]\nbranch = \"two-polar\"\nomega = 0.31701\ntheta_dot = 0.40706\n" + range);
+  ASSERT_FALSE(two_polar.empty());
+  const Row& last =
+      two_polar.front().at("event") == "ellipse" ? two_polar.front() : two_polar.back();
+  EXPECT_EQ(last.at("event"), "ellipse");
+  EXPECT_NEAR(number(last.at("potential.plane.mu")), 0.519759457834063615039, 1e-14);
+  EXPECT_NEAR(number(last.at("xi")), 1.116623738279989655, 1e-13);
+  EXPECT_NEAR(number(last.at("zeta")), 1.116623738279989655, 1e-13);
+  const std::vector<Row> third =
+      table_followed(body +
+                     "[motion]\nbranch = \"iii\"\nnu = 0.6\n[solve]\n"
+                     "start = [0, 3.1254491982997803, 0.4953452866428406, 0.022147978811976516]\n" +
+                     range);
+  ASSERT_FALSE(third.empty());
+  const Row& end = third.front().at("event") == "ellipse" ? third.front() : third.back();
+  EXPECT_EQ(end.at("event"), "ellipse");
+  EXPECT_NEAR(number(end.at("potential.plane.mu")), 0.6593178285027, 1e-12);
+}
+
+/// An axis that turns where J1 = J2 does so at that double: J2 is known to half a unit, and so is the place.
+TEST(SymmetricBodies, AnEventAtANumberOfTheBodyHasABracket) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "case.toml",
+      "[body]\nJ = [1.582, 1.582, 2.032]\n[potential]\n"
+      "coupled = { model = \"neo-hookean-3d\", mu = 0.04129, lambda = 2.487 }\n"
+      "[motion]\nbranch = \"i\"\nnu = 0.1145\n[continuation]\nparameter = \"body.J.0\"\n"
+      "from = 0.3955\nto = 6.328\ntolerance = 1e-6\n");
+  const Outcome outcome = run_program({"continue", path, "-o", directory / "x.csv", "-q"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  int seen = 0;
+  for (const auto& event : nlohmann::json::parse(text_of(directory / "x.meta.json"))["events"]) {
+    EXPECT_LT(event["bracket"][0], event["bracket"][1]) << event;
+    EXPECT_LE(event["bracket"][0], event["parameter"]) << event;
+    EXPECT_GE(event["bracket"][1], event["parameter"]) << event;
+    seen += event["parameter"] == 1.582;
+  }
+  EXPECT_GE(seen, 1);
 }
 
 TEST(SymmetricBodies, AnEndAtModerateStretchesIsNoEscape) {

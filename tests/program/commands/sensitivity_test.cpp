@@ -13,6 +13,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tests/program/json_schema.hpp"
@@ -275,6 +276,54 @@ TEST(Sensitivity, TheAngleOfACircleHasNone) {
     ++seen;
   }
   EXPECT_GE(seen, 5);
+}
+
+/// Nearly round a body may turn about many axes, and a solve beside it come to another of them.
+TEST(Sensitivity, NeighboursAreOfTheSameMotion) {
+  const TemporaryDirectory directory;
+  for (const auto& [k, nu1, angle] : {std::tuple{"0.01", -1424.55657944, 83343.5660363},
+                                      {"0.1", -159.338769253, 10426.1219769}}) {
+    const std::string path =
+        directory.file("case.toml",
+                       "[body]\nJ = [1.0, 1.0, 0.6]\n[potential]\n"
+                       "plane = { model = \"neo-hookean\", mu = 1.0, lambda = 2.0 }\n"
+                       "thickness = { model = \"reciprocal-quadratic\", a = 1.0, b = 3.0 }\n"
+                       "fibre = { k = " +
+                           std::string(k) +
+                           ", degrees = 30.0 }\n"
+                           "[motion]\nbranch = \"oblique\"\naxis = \"1\"\nnu = 0.02\n");
+    for (const Row& row : slopes(path)) {
+      if (row.at("number") != "body.J.0") continue;
+      for (const auto& [column, exact] : {std::pair{"d_nu1", nu1}, {"d_angle", angle}}) {
+        if (row.at(column).empty()) continue;
+        EXPECT_LE(std::abs(number(row.at(column)) - exact), number(row.at("error")))
+            << k << column << row.at(column);
+      }
+    }
+  }
+}
+
+/// By J1 a pair that the symmetry of J1 = J2 holds at zero becomes a real one, +-sqrt(c dJ1): that has no slope, and
+/// the pair above it keeps its own.
+TEST(Sensitivity, ModesAreThoseBesideThem) {
+  const TemporaryDirectory directory;
+  const std::string path =
+      directory.file("case.toml",
+                     "[body]\nJ = [0.6661, 0.6661, 1.688]\n[potential]\n"
+                     "plane = { model = \"hencky\", mu = 5.89, lambda = 0.5877 }\n"
+                     "thickness = { model = \"reciprocal-quadratic\", a = 2.449, b = 0.6372 }\n"
+                     "[motion]\nbranch = \"tilted\"\nnu = 0.72733\nplane = \"23\"\n"
+                     "[solve]\nall = true\nbox = [0.02, 50.0]\n");
+  int seen = 0;
+  for (const Row& row : slopes(path)) {
+    if (row.at("number") != "body.J.0" || row.at("sheet") != "2") continue;
+    EXPECT_EQ(row.at("d_re1"), "");
+    if (!row.at("d_re2").empty()) {
+      EXPECT_NEAR(number(row.at("d_re2")), -1.2829309, 1e-6);
+    }
+    ++seen;
+  }
+  EXPECT_EQ(seen, 1);
 }
 
 /// A fibre turned away from an axis leaves no motion about axis 1, and about axis 3 none at alpha = 0,

@@ -70,6 +70,20 @@ TEST(DifferenceQuotients, TakeSmallerStepsBesideAPole) {
   EXPECT_LE(found.error[0], 1e-8 * exact);
 }
 
+/// One that saturates within the first steps, or within all: no quotient of those is believed beyond its error.
+TEST(DifferenceQuotients, HoldWhereTheFirstStepsSeeNothing) {
+  for (const double within : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+    const Slopes found = difference_quotients(
+        [&](double t) -> Values { return std::vector{2.0 * t + std::atan((t - 1.0) / within)}; },
+        1.0, 1.0, 1);
+    const double exact = 2.0 + 1.0 / within;
+    EXPECT_LE(std::abs(found.slope[0] - exact), found.error[0]) << within;
+    if (within >= 1e-6) {
+      EXPECT_LE(found.error[0], 1e-3 * exact) << within;
+    }
+  }
+}
+
 /// A corner, and roots that begin at x on one side or on both: no h says what they do there.
 TEST(DifferenceQuotients, NoSlopeWhereTheSidesDiffer) {
   const Slopes found = difference_quotients(
