@@ -5,9 +5,9 @@
 //
 // of several h, each an eighth of the one before. What a quotient is off by is seen from that of
 // four points, which errs by O(h^4), from the noise of the values, and from the next h, whose
-// noise is eight times as large, and by what it differs from later ones beyond what these may be off by: of each function
-// the h is taken that has the least of them. While the last two differ by more, smaller h are tried: a function may bend
-// within less than the first h. The noise of
+// noise is eight times as large: of each function the h is taken that has the least of them. Where a function changes within
+// less than h, what is seen of it is a jump, the values of either side being far nearer to each other than to the other
+// side's: no such h is taken, and smaller ones are tried. The noise of
 // values that are small beside their terms is not of their own last place: it is what is left in the fifth and
 // sixth differences of the seven points, of a smooth function O(h^5).
 //
@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,12 @@ class Quotients {
                                   std::abs(fifth(1) - fifth(0)) / 30.0});
     constexpr double safety = 4.0;  // few samples
     step.noise = std::max(safety * seen, 0x1p-50 * std::abs(v[3]));
+    const double jump = std::abs((v[4] + v[5] + v[6]) - (v[0] + v[1] + v[2])) / 3.0;
+    const auto [least_left, most_left] = std::minmax({v[0], v[1], v[2]});
+    const auto [least_right, most_right] = std::minmax({v[4], v[5], v[6]});
+    const double scatter = std::max(most_left - least_left, most_right - least_right);
+    constexpr double far = 8.0;  // along a line it is twice the scatter
+    step.jumps = jump > far * scatter && jump > 0x1p-44 * std::abs(v[3]);
     steps_.push_back(step);
   }
 
@@ -63,21 +70,18 @@ class Quotients {
     std::pair<double, double> out{std::numeric_limits<double>::quiet_NaN(), HUGE_VAL};
     for (std::size_t k = 0; k + 1 < steps_.size(); ++k) {
       const Step& step = steps_[k];
-      double seen = std::max(own_error(k), std::abs(step.slope - steps_[k + 1].slope));
-      for (std::size_t j = k + 2; j < steps_.size(); ++j)
-        seen = std::max(seen, std::abs(step.slope - steps_[j].slope) - 4.0 * own_error(j));
+      if (step.jumps || steps_[k + 1].jumps) continue;
+      const double seen =
+          std::max(step.cut + noise_from(k) / step.h, std::abs(step.slope - steps_[k + 1].slope));
       if (seen < out.second) out = {step.slope, seen};
     }
     return out;
   }
 
-  /// Whether the last two h show other slopes than rounding makes them.
+  /// Whether the function is not yet seen to be smooth at two h: it jumps from one side to the other.
   bool is_open() const {
-    if (steps_.size() < 2) return true;
-    const std::size_t last = steps_.size() - 1;
-    constexpr double far = 1e-3;
-    const double change = std::abs(steps_[last].slope - steps_[last - 1].slope);
-    return change > far * std::abs(steps_[last].slope) + 4.0 * noise_from(last) / steps_[last].h;
+    const auto last = std::span(steps_).last(std::min<std::size_t>(steps_.size(), 3));
+    return std::ranges::any_of(last, &Step::jumps);
   }
 
   /// Whether f_1 - 2 f_0 + f_-1 falls as h, an eighth at the next, and not as h^2, where it is more than
@@ -102,9 +106,8 @@ class Quotients {
     double cut;   ///< by what the quotient of four points differs
     double bend;  ///< of the values of both sides from a line
     double noise;
+    bool jumps;
   };
-  /// Of the quotient at one h, by itself.
-  double own_error(std::size_t k) const { return steps_[k].cut + noise_from(k) / steps_[k].h; }
   /// Seen at this h or a later one, where less of the function is in it.
   double noise_from(std::size_t k) const {
     double out = 0.0;

@@ -148,7 +148,7 @@ std::string read_parameter_name(const CaseTree& tree, const std::string& key, st
       throw fault_at(tree, key, "found the string " + in_quotes(found),
                      names.size() > 1
                          ? "one of " + listed(names) + ", or a ratio \"a/b\" of two of them"
-                         : listed(names),
+                         : "one of " + listed(names),
                      did_you_mean(nearest_name(part, names)));
     return std::string(name);
   };

@@ -224,8 +224,9 @@ TEST(SymmetricBodies, AnEventAtANumberOfTheBodyHasABracket) {
       "from = 0.3955\nto = 6.328\ntolerance = 1e-6\n");
   const Outcome outcome = run_program({"continue", path, "-o", directory / "x.csv", "-q"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto metadata = nlohmann::json::parse(text_of(directory / "x.meta.json"));
   int seen = 0;
-  for (const auto& event : nlohmann::json::parse(text_of(directory / "x.meta.json"))["events"]) {
+  for (const auto& event : metadata["events"]) {
     EXPECT_LT(event["bracket"][0], event["bracket"][1]) << event;
     EXPECT_LE(event["bracket"][0], event["parameter"]) << event;
     EXPECT_GE(event["bracket"][1], event["parameter"]) << event;
