@@ -8,7 +8,7 @@ import { shown } from '../table/quantities';
 import type { Table } from '../table/table';
 import { linearTicks } from './ticks';
 
-const size = { width: 300, height: 250, left: 62, right: 12, top: 10, bottom: 34 };
+const size = { width: 300, height: 250, left: 54, right: 12, top: 10, bottom: 34 };
 
 interface Root {
   re: number;
