@@ -78,8 +78,10 @@ class Quotients {
     return out;
   }
 
-  /// Whether the function is not yet seen to be smooth at two h: it jumps from one side to the other.
+  /// Whether the function is not yet seen to be smooth at two h: it is not known there, or jumps from one side to the
+  /// other.
   bool is_open() const {
+    if (steps_.size() < 2) return true;
     const auto last = std::span(steps_).last(std::min<std::size_t>(steps_.size(), 3));
     return std::ranges::any_of(last, &Step::jumps);
   }

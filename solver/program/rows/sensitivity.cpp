@@ -84,15 +84,15 @@ bool is_near(const TableRow& found, const TableRow& row) {
     change = std::max(change, std::abs(found[c] - row[c]));
     size = std::max(size, std::abs(row[c]));
   }
-  double product = 0.0;
-  double own = 0.0;
-  double other = 0.0;
-  for (const Column c : {Column::nu1, Column::nu2, Column::nu3}) {
-    product += found[c] * row[c];
-    own += row[c] * row[c];
-    other += found[c] * found[c];
-  }
-  const double along = std::abs(product) / std::sqrt(own * other);
+  const auto length = [](const TableRow& of) {
+    return hypotenuse(of[Column::nu1], of[Column::nu2], of[Column::nu3]);
+  };
+  const double own = length(row);
+  const double other = length(found);
+  double cosine = 0.0;
+  for (const Column c : {Column::nu1, Column::nu2, Column::nu3})
+    cosine += (found[c] / other) * (row[c] / own);
+  const double along = std::abs(cosine);
   return change <= most * size && !(along < 1.0 - 0.5 * most * most);
 }
 

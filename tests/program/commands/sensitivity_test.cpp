@@ -295,7 +295,7 @@ TEST(Sensitivity, NeighboursAreOfTheSameMotion) {
     for (const Row& row : slopes(path)) {
       if (row.at("number") != "body.J.0") continue;
       for (const auto& [column, exact] : {std::pair{"d_nu1", nu1}, {"d_angle", angle}}) {
-        if (row.at(column).empty()) continue;
+        ASSERT_NE(row.at(column), "") << k << column;
         EXPECT_LE(std::abs(number(row.at(column)) - exact), number(row.at("error")))
             << k << column << row.at(column);
       }

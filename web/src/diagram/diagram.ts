@@ -154,7 +154,7 @@ export class Diagram {
     this.drawAxes(width, height);
   }
 
-  /** What joined by lines is the curve of a quantity: of all frequencies at once, those of one mode. */
+  /** What the line of a quantity goes through: where all frequencies are shown, those of one mode. */
   private drawn(table: Table, state: State, name: string): Float64Array {
     const mode = frequencies.indexOf(name as (typeof frequencies)[number]);
     const all = frequencies.filter((each) => table.has(each));
