@@ -13,6 +13,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "solver/program/diagram/same_body.hpp"
 #include "solver/program/plot/gnuplot.hpp"
@@ -269,7 +270,7 @@ std::optional<std::string> image_of(const std::string& script, ImageFormat forma
   } catch (const std::runtime_error&) {
     if (!stop) throw;
   }
-  if (!stop) return out && format == ImageFormat::svg ? finished_svg(*out) : out;
+  if (!stop) return out && format == ImageFormat::svg ? finished_svg(std::move(*out)) : out;
   complain("interrupted, nothing written");
   return std::nullopt;
 }

@@ -7,16 +7,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <utility>
 
 #include "solver/program/text/input_error.hpp"
 #include "solver/program/text/utf8.hpp"
@@ -168,19 +167,11 @@ std::string run_gnuplot(std::string_view script) {
   return drawn;
 }
 
-std::string finished_svg(std::string_view image) {
-  constexpr std::pair<std::string_view, std::string_view> changes[] = {
-      {"]]>", "]]&gt;"},  // gnuplot escapes & and < alone
-      {"<image ", "<image style='image-rendering:crisp-edges;image-rendering:pixelated' "}};
-  std::string out;
-  while (!image.empty()) {
-    const auto* const change = std::ranges::find_if(
-        changes, [&](const auto& each) { return image.starts_with(each.first); });
-    const bool changed = change != std::end(changes);
-    out += changed ? change->second : image.substr(0, 1);
-    image.remove_prefix(changed ? change->first.size() : 1);
-  }
-  return out;
+std::string finished_svg(std::string image) {
+  boost::replace_all(image, "]]>", "]]&gt;");  // gnuplot escapes & and < alone
+  boost::replace_all(image, "<image ",
+                     "<image style='image-rendering:crisp-edges;image-rendering:pixelated' ");
+  return image;
 }
 
 }  // namespace stationary

@@ -16,6 +16,6 @@ std::string in_gnuplot_quotes(std::string_view text);
 std::string run_gnuplot(std::string_view script);
 
 /// An SVG as gnuplot writes it, made well-formed whatever its texts hold, and the cells of a map with sharp edges.
-std::string finished_svg(std::string_view image);
+std::string finished_svg(std::string image);
 
 }  // namespace stationary

@@ -487,7 +487,8 @@ TEST_F(MapFile, IsDrawnTheSameFromEither) {
   EXPECT_EQ(plot(h5_, "b.svg", {"--title", "t"}).code, 0);
   EXPECT_EQ(text_of(directory_ / "a.svg"), text_of(directory_ / "b.svg"));
   EXPECT_THAT(text_of(directory_ / "a.svg"),
-              AllOf(HasSubstr("elliptic"), HasSubstr("unstable"), HasSubstr("J₂"), HasSubstr("ν")));
+              AllOf(HasSubstr("elliptic"), HasSubstr("unstable"), HasSubstr("J₂"), HasSubstr("ν"),
+                    HasSubstr("image-rendering:pixelated")));
   EXPECT_EQ(plot(h5_, "c.png", {"--show", "growth", "-q"}).out, "");
   EXPECT_GT(std::filesystem::file_size(directory_ / "c.png"), 1000U);
   const Outcome titled = plot(h5_, "d.svg");
