@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "solver/program/diagram/diagram_lines.hpp"
@@ -62,6 +63,35 @@ TEST(ClassLines, KeepWhatALogarithmicAxisShows) {
   };
   EXPECT_EQ(kept({{1e-6, 1e6}, true}), 1000U);
   EXPECT_LT(kept({{1e-6, 1e6}, false}), 500U);
+}
+
+/// Of an asked range no event is drawn that is outside it; elsewhere one stands on the edge by which its curve left.
+TEST(ClassLines, EventsOutsideAnAskedRangeAreNotDrawn) {
+  std::string csv = "branch,event,nu1,lambda,class\n";
+  for (int k = 0; k <= 10; ++k)
+    csv += fmt::format("i,{},{},{},stable\n", k == 5 ? "tilt" : "", k, k);
+  TableReader table(std::make_unique<std::istringstream>(csv), "x.csv");
+  const Diagram diagram = read_diagram({&table});
+  const auto marks = [&](std::optional<AxisRange> y) {
+    PageChoice choice;
+    choice.y = y;
+    return diagram_picture(diagram, choice).panels.front().marks.size();
+  };
+  EXPECT_EQ(marks(std::nullopt), 1U);
+  EXPECT_EQ(marks(AxisRange{4.0, 6.0}), 1U);
+  EXPECT_EQ(marks(AxisRange{0.0, 4.0}), 0U);
+}
+
+/// Rest, where |pi| = 0, leaves a logarithmic axis to the decades of the others.
+TEST(ClassLines, RestForbidsNoLogarithmicMomentum) {
+  std::string csv = "branch,nu1,pi1,pi2,pi3,energy,class\n";
+  for (int k = 0; k <= 40; ++k)
+    csv += fmt::format("i,{},{},0,0,{},stable\n", k, k == 0 ? 0.0 : std::pow(10.0, 0.2 * k), k + 1);
+  TableReader table(std::make_unique<std::istringstream>(csv), "x.csv");
+  DiagramChoice choice;
+  choice.energy_momentum = true;
+  const Diagram diagram = read_diagram({&table}, choice);
+  EXPECT_TRUE(diagram_picture(diagram).panels.front().abscissa.logarithmic);
 }
 
 TEST(ClassLines, ChangeHalfwayBetweenTwoRows) {
