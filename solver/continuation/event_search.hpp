@@ -350,8 +350,7 @@ class EventSearch {
     explain_negative();
     explain(&KnownCounts::growing, growing_modes, !found_.empty());
     explain(&KnownCounts::definite, definite, std::ranges::any_of(found_, [](const Found& each) {
-      return each.event.type != EventType::krein_pass &&
-             each.event.type != EventType::inertia_exchange;
+      return may_change_class(each.event.type);
     }));
     if (next_.counts.negative && !counts_.negative) add_step(next_.counts.negative->since);
     for (const auto which : {&KnownCounts::growing, &KnownCounts::definite})

@@ -128,17 +128,11 @@ ReducedVector<N> coefficient_slope(const Model& model, const FamilyParameter& pa
 
 /// -c_i x_i^2: of G what the spin takes.
 template <int N, class Model>
-ReducedVector<N> minus_pull([[maybe_unused]] const Model& model, const CentrifugalRates<double>& c,
+ReducedVector<N> minus_pull(const Model& model, const CentrifugalRates<double>& c,
                             const ReducedVector<N>& x) {
+  const auto pull = centrifugal_pull(model, c, x[0], x[1], x[N - 1]);
   ReducedVector<N> out;
-  if constexpr (is_body_model<Model>) {
-    const auto pull = centrifugal_pull(model, c, x[0], x[1], x[2]);
-    out = {-pull[0], -pull[1], -pull[2]};
-    return out;
-  }
-  out[0] = -c.xi * x[0] * x[0];
-  out[1] = -c.zeta * x[1] * x[1];
-  if constexpr (N == 3) out[2] = -c.rho * x[2] * x[2];
+  for (int k = 0; k < N; ++k) out[k] = -pull[static_cast<std::size_t>(k)];
   return out;
 }
 

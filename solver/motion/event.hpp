@@ -115,6 +115,11 @@ constexpr bool is_end(EventType e) { return e >= EventType::collapse; }
 constexpr bool is_fold(EventType e) {
   return e == EventType::fold_nu || e == EventType::fold_parameter;
 }
+/// Whether a class may change at such an event.
+constexpr bool may_change_class(EventType event) {
+  return event != EventType::krein_pass && event != EventType::inertia_exchange &&
+         !is_fold(event) && event != EventType::none;
+}
 /// Where a circle breaks.
 constexpr EventType ellipse_event(Circle circle) {
   switch (circle) {

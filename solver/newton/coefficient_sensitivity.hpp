@@ -5,7 +5,6 @@
 // by dual numbers or as a model says it, and what the decimals that a formula is written with do.
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -17,11 +16,9 @@
 #include "lib/number/dual.hpp"
 #include "lib/number/first_order_bound_functions.hpp"
 #include "solver/newton/asked_of_models.hpp"
+#include "solver/newton/reduced_vector.hpp"
 
 namespace stationary {
-
-template <int N>
-using ReducedVector = Eigen::Matrix<double, N, 1>;
 
 /// A direction for each coefficient.
 template <class Model>

@@ -21,6 +21,7 @@
 #include "lib/number/elementary.hpp"
 #include "solver/newton/asked_of_models.hpp"
 #include "solver/newton/coefficient_sensitivity.hpp"
+#include "solver/newton/reduced_vector.hpp"
 
 namespace stationary {
 

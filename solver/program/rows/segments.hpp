@@ -59,10 +59,4 @@ class SegmentBuilder {
   SegmentBound last_;
 };
 
-/// Whether a class may change at such an event.
-constexpr bool may_change_class(EventType event) {
-  return event != EventType::krein_pass && event != EventType::inertia_exchange &&
-         !is_fold(event) && event != EventType::none;
-}
-
 }  // namespace stationary

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "solver/kind/kind.hpp"
 #include "solver/program/case/case_motion.hpp"
@@ -108,25 +109,27 @@ std::optional<PlanItem> proof_caveat(const Case& input) {
 
 ComputationPlan computation_plan(const Case& input, bool to_table, PlanOf of) {
   const bool follows = of == PlanOf::check || of == PlanOf::follow;
-  const auto kinds = alternatives(input.body, input.potential, input.motion, true);
   ComputationPlan out{{}, unused_keys(input, of)};
+  PlanItem spectrum;
   if (of == PlanOf::atlas) {
     out.computed.push_back({"sheets", "searched at checkpoints, then followed over nu",
                             box_text(input) + ": boxes in interval arithmetic"});
+    spectrum = {"spectrum", "of every row of every sheet", "as each kind of motion has it"};
   } else {
+    const auto kinds = alternatives(input.body, input.potential, input.motion, true);
     out.computed = unknowns_plan(kinds);
+    spectrum = kinds.each.front().kind->spectrum_plan();
   }
   if (const auto caveat = proof_caveat(input)) out.computed.push_back(*caveat);
   if (input.solve.all && (of == PlanOf::solve || of == PlanOf::check))
     out.computed.push_back({"all solutions", "exhaustive search, to be proven complete",
                             box_text(input) + ": boxes in interval arithmetic"});
   if (input.output.certificate) {
-    out.computed.push_back(
-        of == PlanOf::curve
-            ? PlanItem{"certificate", "each event, and no other near it, to be proven",
-                       "interval arithmetic, for all real numbers that round to the inputs"}
-            : PlanItem{"certificate", "existence, uniqueness, error bound and class, to be proven",
-                       "interval arithmetic, for all real numbers that round to the inputs"});
+    out.computed.push_back({"certificate",
+                            of == PlanOf::curve
+                                ? "each event, and no other near it, to be proven"
+                                : "existence, uniqueness, error bound and class, to be proven",
+                            "interval arithmetic, for all real numbers that round to the inputs"});
   }
   if (input.continuation && follows) {
     const auto [first, second] = parts_of(input.continuation->parameter);
@@ -148,11 +151,8 @@ ComputationPlan computation_plan(const Case& input, bool to_table, PlanOf of) {
   } else if (!wants_spectrum(input, to_table)) {
     out.skipped.push_back({"spectrum", "skipped",
                            "output.columns names none of its columns (without -o it is computed)"});
-  } else if (of == PlanOf::atlas) {
-    out.computed.push_back(
-        {"spectrum", "of every row of every sheet", "as each kind of motion has it"});
   } else {
-    out.computed.push_back(kinds.each.front().kind->spectrum_plan());
+    out.computed.push_back(std::move(spectrum));
   }
   return out;
 }
