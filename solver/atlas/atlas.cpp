@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lib/body/inertia.hpp"
 #include "solver/atlas/sheet_arc.hpp"
 #include "solver/atlas/sheet_set.hpp"
 #include "solver/newton/available_threads.hpp"
@@ -19,9 +18,9 @@
 namespace stationary {
 namespace {
 
-void remark(Atlas& out, Branch branch, bool oblique, std::optional<Entry> entry, double nu,
+void remark(Atlas& out, const SheetKind& of, std::optional<Entry> entry, double nu,
             std::string_view reason) {
-  out.remarks.push_back({branch, oblique, std::nullopt, entry, nu, std::string(reason)});
+  out.remarks.push_back({of, entry, nu, std::string(reason)});
 }
 
 /// Also, with J1 = J2 and an isotropic V, where one is the other's mirror image.
@@ -64,15 +63,6 @@ void find_junctions(std::vector<AtlasSheet>& sheets, bool axes_alike) {
   }
 }
 
-/// The plane a branch's axis tilts in at such an event.
-std::optional<TiltPlane> plane_of(Branch branch, const Member& at) {
-  const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-6 * (a + b); };
-  const Vector3<double> m = second_moments(at.body, at.q);
-  if (branch != Branch::ii && equal(m[0], m[2])) return TiltPlane::one_three;
-  if (branch != Branch::i && equal(m[1], m[2])) return TiltPlane::two_three;
-  return std::nullopt;
-}
-
 /// Tilted families from the tilts of the sheets known, each once.
 void enter_tilted(const Body& body, const Potential& potential, const AtlasOptions& options,
                   bool axes_alike, Atlas& out) {
@@ -93,12 +83,12 @@ void enter_tilted(const Body& body, const Potential& potential, const AtlasOptio
       if (options.stopped()) return;
       AtlasSheet sheet;
       sheet.branch = out.sheets[s].branch;
-      sheet.plane = plane_of(sheet.branch, row.member);
+      sheet.plane = plane_of_tilt(sheet.branch, body, row.member.q);
       sheet.entry = Entry::tilt;
       sheet.entry_nu = row.member.nu;
       sheet.number = static_cast<int>(out.sheets.size()) + 1;
       const auto not_entered = [&](const std::string& reason) {
-        remark(out, sheet.branch, false, Entry::tilt, row.member.nu, reason);
+        remark(out, {sheet.branch}, Entry::tilt, row.member.nu, reason);
       };
       if (!sheet.plane) {
         not_entered(row.member.q.alpha != 0.0
@@ -138,7 +128,7 @@ void remark_tilts(Atlas& out) {
   for (const AtlasSheet& sheet : out.sheets) {
     for (const AtlasRow& row : sheet.rows) {
       if (row.event != EventType::tilt) continue;
-      remark(out, sheet.branch, sheet.oblique, Entry::tilt, row.member.nu,
+      remark(out, sheet, Entry::tilt, row.member.nu,
              "motions with an axis out of the plane of axes 1 and 2 are not sought "
              "of an anisotropic body");
     }
@@ -165,7 +155,7 @@ std::vector<std::unique_ptr<SheetSource>> axis_sources(const Body& body, const P
                 "this axis is a motion by chance only"
               : "not looked for: V_alpha is not known to vanish at alpha = 0, and "
                 "where it does not a spin about this axis is a motion by chance only";
-      remark(out, branch, false, std::nullopt, options.from, known);
+      remark(out, {branch}, std::nullopt, options.from, known);
     } else {
       all.push_back(anisotropic_sheets(problem));
     }

@@ -1,5 +1,6 @@
-// Every sheet of a body's steady rotations about its material axes, and of an anisotropic body
-// about oblique ones, over a range of nu, connected to rest or not:
+// Every sheet of a body's steady rotations over a range of nu, connected to rest or not: about its
+// material axes, about axes tilted between two of them (of an isotropic body), and about oblique ones
+// (of an anisotropic body, or with gravity):
 //
 //   1. at checkpoints inside the range all motions of each kind are found, with proof (search.hpp,
 //      anisotropic_search.hpp);
@@ -30,6 +31,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/atlas/sheet_kind.hpp"
 #include "solver/family/follow_sheet.hpp"
 #include "solver/family/tilted_family.hpp"
 #include "solver/search/search.hpp"
@@ -94,31 +96,23 @@ struct Junction {
   double nu;
 };
 
-struct AtlasSheet {
+struct AtlasSheet : SheetKind {
   int number = 0;  ///< from 1
-  Branch branch = Branch::i;
-  bool oblique = false;  ///< `branch` then has no meaning
   Entry entry = Entry::rest;
   double entry_nu = 0.0;
-  std::optional<TiltPlane> plane;  ///< of a tilted family: `branch` is then that it was entered at
   std::optional<Junction> parent;  ///< the sheet it leaves
   std::optional<Junction> joins;   ///< the sheet its other end lies on
   FollowReport report;
   std::vector<AtlasRow> rows;
   SheetArc arc;  ///< between its rows
 
-  /// Of its members, at one nu.
-  Motion motion(double nu) const;
   /// What it ends at; none where following was stopped there, whatever the row is beside.
   EventType first_event() const;
   EventType last_event() const;
 };
 
-/// All motions of a branch, all oblique ones or all tilted in one plane, at one nu, against the sheets.
-struct Checkpoint {
-  Branch branch = Branch::i;
-  bool oblique = false;
-  std::optional<TiltPlane> plane = {};  ///< of tilted ones; `branch` then has no meaning
+/// All motions of a kind at one nu, against the sheets.
+struct Checkpoint : SheetKind {
   double nu = 0.0;
   SearchStatus status = SearchStatus::not_run;
   int proven = 0;     ///< solutions in the box searched
@@ -168,10 +162,7 @@ struct ClassInterval {
 };
 
 /// Of one kind of motion, all of the range.
-struct Completeness {
-  Branch branch = Branch::i;
-  bool oblique = false;
-  std::optional<TiltPlane> plane = {};      ///< as of a Checkpoint
+struct Completeness : SheetKind {
   std::vector<CompleteInterval> intervals;  ///< ascending, each beginning where the last ends
   std::vector<ClassInterval> classes;       ///< likewise, not cut; empty without spectra
   long boxes = 0;                           ///< examined
@@ -188,10 +179,7 @@ struct Completeness {
 };
 
 /// What was come upon and not followed, or is not looked for.
-struct Remark {
-  Branch branch;
-  bool oblique;
-  std::optional<TiltPlane> plane;
+struct Remark : SheetKind {
   std::optional<Entry> entry;  ///< none: of the whole kind of motion
   double nu;
   std::string reason;
@@ -205,20 +193,6 @@ struct Atlas {
   std::vector<Completeness> completeness;  ///< where asked for, by branch
   bool interrupted = false;
 };
-
-/// The kind of motion of a sheet, a checkpoint, ...: as the column `branch` has it.
-std::string_view kind_name(Branch branch, bool oblique, bool tilted);
-template <class Of>
-std::string_view kind_name(const Of& of) {
-  return kind_name(of.branch, of.oblique, of.plane.has_value());
-}
-/// For a person: with the plane.
-template <class Of>
-std::string kind_text(const Of& of) {
-  std::string out(kind_name(of));
-  if (of.plane) out += ", plane " + std::string(name(*of.plane));
-  return out;
-}
 
 /// Throws std::invalid_argument unless 0 <= from < to, both finite, and checkpoints > 0.
 Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& options);

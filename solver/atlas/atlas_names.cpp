@@ -14,7 +14,7 @@ EventType end_event(const FollowReport& report, const SheetEnd& end, EventType r
 
 }  // namespace
 
-Motion AtlasSheet::motion(double nu) const {
+Motion SheetKind::motion(double nu) const {
   if (plane) return TiltedMotion{plane, nu};
   if (oblique) return ObliqueRotation{nu};
   return AxisRotation{branch, nu};
@@ -56,8 +56,12 @@ double Completeness::unproven_length() const { return unproven_length_of(interva
 
 double Completeness::unproven_class_length() const { return unproven_length_of(classes); }
 
-std::string_view kind_name(Branch branch, bool oblique, bool tilted) {
-  return tilted ? tilted_name : oblique ? oblique_name : name(branch);
+std::string_view kind_name(const SheetKind& kind) { return name(kind.motion(0.0)); }
+
+std::string kind_text(const SheetKind& kind) {
+  std::string out(kind_name(kind));
+  if (kind.plane) out += ", plane " + std::string(name(*kind.plane));
+  return out;
 }
 
 }  // namespace stationary

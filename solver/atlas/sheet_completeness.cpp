@@ -154,9 +154,7 @@ ClassInterval SheetSet::classes_between(double from, double to, const SearchResu
 
 void SheetSet::complete() {
   Completeness& out = completeness_.emplace();
-  out.branch = source_->branch();
-  out.oblique = source_->oblique();
-  out.plane = source_->plane();
+  static_cast<SheetKind&>(out) = source_->kind();
   const double from = options_.from;
   const double to = options_.to;
   const auto cover = source_->cover(from, to, options_.search, options_.spectrum);

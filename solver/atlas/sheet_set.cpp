@@ -92,10 +92,7 @@ SheetSet::SheetSet(std::unique_ptr<SheetSource> source, const AtlasOptions& opti
 }
 
 void SheetSet::add_checkpoint(double nu) {
-  checkpoints_.push_back({.branch = source_->branch(),
-                          .oblique = source_->oblique(),
-                          .plane = source_->plane(),
-                          .nu = nu});
+  checkpoints_.push_back({source_->kind(), nu});
   solutions_.emplace_back();
   unproven_.emplace_back();
   on_sheets_.emplace_back();
@@ -200,9 +197,7 @@ std::span<AtlasSheet> SheetSet::found() { return std::span(sheets_).subspan(adop
 /// Follows the sheet through a motion and keeps it, unless it is one already kept.
 void SheetSet::enter(const Place& from, double nu, Entry entry, double entry_nu) {
   AtlasSheet sheet;
-  sheet.branch = source_->branch();
-  sheet.oblique = source_->oblique();
-  sheet.plane = source_->plane();
+  static_cast<SheetKind&>(sheet) = source_->kind();
   sheet.entry = entry;
   sheet.entry_nu = entry_nu;
   const int family = source_->family_of(from);
@@ -222,8 +217,7 @@ void SheetSet::enter(const Place& from, double nu, Entry entry, double entry_nu)
 }
 
 void SheetSet::remark(Entry entry, double nu, std::string reason) {
-  remarks_.push_back(
-      {source_->branch(), source_->oblique(), source_->plane(), entry, nu, std::move(reason)});
+  remarks_.push_back({source_->kind(), entry, nu, std::move(reason)});
 }
 
 Place SheetSet::place(const Member& member) const {

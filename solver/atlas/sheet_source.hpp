@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "solver/atlas/sheet_kind.hpp"
 #include "solver/family/axis_family.hpp"
 #include "solver/kind/kind.hpp"
 #include "solver/motion/event.hpp"
@@ -62,6 +63,7 @@ class SheetSource {
   virtual Branch branch() const = 0;
   virtual bool oblique() const { return false; }
   virtual std::optional<TiltPlane> plane() const { return std::nullopt; }
+  SheetKind kind() const { return {branch(), oblique(), plane()}; }
 
   /// Every motion at nu > 0, mirror images among them. May be called by several threads.
   virtual SearchResult search(double nu, const SearchOptions& options) const = 0;

@@ -13,10 +13,6 @@
 namespace stationary {
 namespace {
 
-double uncertainty_of(const BatchCell& cell) {
-  return std::isnan(cell.error_bound) ? 1e-15 : std::max(cell.error_bound, 0x1p-53);
-}
-
 /// One call of cell_spectra.
 class SpectrumRun {
  public:
@@ -82,7 +78,7 @@ class SpectrumRun {
     tile_.q[first_][i] = cell.xi;
     tile_.q[1 - first_][i] = cell.zeta;
     tile_.q[2][i] = cell.rho;
-    tile_.uncertainty[i] = uncertainty_of(cell);
+    tile_.uncertainty[i] = stretch_uncertainty(cell.error_bound);
     for (std::size_t k = 0; k < 3; ++k) {
       tile_.inertia[k][i] = inertia_[k];
       tile_.pull[k][i] = pull_[k];

@@ -28,7 +28,7 @@
 namespace stationary {
 
 struct ContinuationOptions {
-  double from = 0.0;  ///< range of the parameter, from < to
+  double from = 0.0;  ///< range of the parameter, from <= to
   double to = 1.0;
   StepOptions step;
   double min_stretch = 1e-6;  ///< a sheet ends (collapse, escape) where a stretch leaves these
@@ -220,7 +220,7 @@ class Continuation {
 
   void find_events(const CurvePoint<N>& next, const Arc<N>& arc) {
     events_ = events_in_.run(here_, next, arc, step_.has_arc() ? &earlier_tests_ : nullptr,
-                             step_.arc().length, counts_.steps == 1);
+                             step_.arc().length, !begun_);
     unlocated_ = events_in_.unresolved();
   }
 
@@ -243,6 +243,7 @@ class Continuation {
 
   void settle(const CurvePoint<N>& next, const Arc<N>& arc) {
     events_in_.settle();
+    begun_ = true;
     earlier_tests_ = here_.tests;
     here_ = next;
     guard_.enter(here_.arc);
@@ -436,6 +437,7 @@ class Continuation {
   std::vector<Event> events_;
   std::vector<Event> unlocated_;
   SheetEnd end_;
+  bool begun_ = false;  ///< a step has been taken
   bool ended_before_step_ = false;
   bool opposite_axis_ = false;
   ContinuationCounts counts_;

@@ -89,10 +89,12 @@ class DomainGuard {
     return conditions_(moved<N>(x_, ReducedVector<N>(y.template head<N>())), p_ + scale_ * y[N]);
   }
 
+  /// values: none where there is no such potential at all.
   const expression::TapeCondition* broken_at(const std::vector<ConditionValue>& values) const {
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (!values[k].holds() || (values[k].value < 0.0) != (here_[k].value < 0.0))
-        return values[k].condition;
+    for (std::size_t k = 0; k < here_.size(); ++k)
+      if (k >= values.size() || !values[k].holds() ||
+          (values[k].value < 0.0) != (here_[k].value < 0.0))
+        return here_[k].condition;
     return nullptr;
   }
 

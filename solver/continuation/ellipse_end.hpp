@@ -50,6 +50,7 @@ std::optional<CurvePoint<N>> circle_within(const Curve<N>& ellipses, const Curve
           stiffness, -reach, reach, a, b, boost::math::tools::eps_tolerance<double>(52),
           evaluations);
       CurvePoint<N> out = at(0.5 * (low + high));
+      if (std::isnan(out.tests.value[TestValues::ellipse])) return std::nullopt;
       out.member.error_bound *= 4.0;
       if (auto known = circle.event_at(ellipse_event(section), out.member, reach))
         out.member = std::move(known->member);

@@ -65,6 +65,7 @@ struct Arc {
   double turn_of_parameter() const {
     const double gain = chord[N];
     const double a = from[N] * length;
+    if (a == 0.0) return 0.0;
     const double b = to[N] * length;
     const double A = 3.0 * (a + b - 2.0 * gain);
     const double B = 2.0 * (3.0 * gain - 2.0 * a - b);

@@ -9,7 +9,7 @@ namespace stationary {
 
 enum class EventStatus {
   located,
-  bracketed,  ///< the member is the bracket's middle
+  bracketed,  ///< the member is one of the curve in or beside the bracket
   unresolved  ///< the function's sign is certain at the bracket's ends only; no member
 };
 constexpr std::string_view event_status_names[] = {"located", "bracketed", "unresolved"};

@@ -57,7 +57,7 @@ class PathStep {
   template <class Rounding>
   double shown(double correction, double h, const Rounding& rounding) const {
     const double D = StepControl::fourth_derivative(correction, h, arc_.length);
-    if (!control_.shortens(D, h) || correction >= 1e-8) return D;
+    if (!control_.shortens(D, h)) return D;
     // Rounding of G may be in it: believe the last step, as far as what is left allows.
     const double left = correction - rounding();
     return std::clamp(D_, StepControl::fourth_derivative(left, h, arc_.length), D);

@@ -35,6 +35,18 @@ std::optional<RangeLimit> passed_limit(double from, double to, const CurvePoint<
   return std::nullopt;
 }
 
+/// Where f(u) is 0 between low and high, where it has opposite signs; nothing where it has not.
+template <class F>
+std::optional<double> zero_between(const F& f, double low, double high) {
+  const double a = f(low);
+  const double b = f(high);
+  if (!(a < 0.0 && b > 0.0) && !(a > 0.0 && b < 0.0)) return std::nullopt;
+  std::uintmax_t evaluations = 60;
+  const auto [first, last] = boost::math::tools::toms748_solve(
+      f, low, high, a, b, boost::math::tools::eps_tolerance<double>(52), evaluations);
+  return 0.5 * (first + last);
+}
+
 /// The point of the curve at the limit and, where the corrector converged, the way to it.
 template <int N>
 struct AtLimit {
@@ -46,22 +58,21 @@ AtLimit<N> at_limit(const Curve<N>& curve, const ArcPoint<N>& from, const Arc<N>
                     const RangeLimit& limit) {
   const double scale = curve.corrector().scale();
   const auto distance = [&](double u) { return from.p + scale * arc.at(u)[N] - limit.p; };
-  const double a = distance(0.0);
-  const double b = distance(limit.reach);
-  double u = limit.reach;
-  if ((a < 0.0) != (b < 0.0) && a != 0.0) {
-    std::uintmax_t evaluations = 60;
-    const auto bracket = boost::math::tools::toms748_solve(
-        distance, 0.0, limit.reach, a, b, boost::math::tools::eps_tolerance<double>(52),
-        evaluations);
-    u = 0.5 * (bracket.first + bracket.second);
-  }
-  const ArcVector<N> y = arc.at(u);
+  // A step that begins at the limit and comes back to it turns in between.
+  const double begin = from.p == limit.p ? arc.turn_of_parameter() : 0.0;
+  double u = zero_between(distance, begin, limit.reach).value_or(limit.reach);
   AtLimit<N> out;
   out.corrected = curve.corrector().correct_at(
-      moved<N>(from.x, ReducedVector<N>(y.template head<N>())), limit.p, arc.direction(u));
+      moved<N>(from.x, ReducedVector<N>(arc.at(u).template head<N>())), limit.p, arc.direction(u));
+  if (out.corrected.point.p != limit.p) {
+    // Beside a turn of p the curve is followed to where its own p is the limit.
+    const auto own_distance = [&](double v) { return curve.at(from, arc, v).point.p - limit.p; };
+    if (const auto own = zero_between(own_distance, begin, limit.reach)) u = *own;
+    out.corrected = curve.at(from, arc, u);
+    if (out.corrected.point.p != limit.p) out.corrected.status = CorrectorStatus::left_curve;
+  }
   if (out.corrected.status == CorrectorStatus::converged)
-    out.arc = Arc<N>(y, from.tangent, out.corrected.point.tangent);
+    out.arc = Arc<N>(arc.at(u), from.tangent, out.corrected.point.tangent);
   return out;
 }
 

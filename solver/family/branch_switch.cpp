@@ -14,8 +14,10 @@ std::optional<Member> leave_straight(const Family<N>& family, const Member& even
   ReducedVector<N> x;
   ArcVector<N> away = ArcVector<N>::Zero();
   if constexpr (N < 5) {
+    const auto alpha = family.mirrored();
+    if (!alpha) return std::nullopt;
     x = family.coordinates(event.q, event.parameter);
-    away[family.mirrored().value()] = 1.0;
+    away[*alpha] = 1.0;
   } else {
     x << event.q.xi, event.q.zeta, event.q.rho, 1.0,
         axis_coordinate(branch == Branch::i ? 0.0 : 0.5 * std::numbers::pi);

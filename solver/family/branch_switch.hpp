@@ -14,7 +14,7 @@
 namespace stationary {
 
 /// A motion of the family with alpha != 0, a little way from the event; nothing where none was found.
-/// N < 5: mirrored() says which of its unknowns alpha is; N = 5: oblique, the axis an unknown. branch:
+/// N < 5: mirrored() says which of its unknowns alpha is, if one is; N = 5: oblique, the axis an unknown. branch:
 /// whose event it is.
 template <int N>
 std::optional<Member> leave_straight(const Family<N>& family, const Member& event, Branch branch);

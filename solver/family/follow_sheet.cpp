@@ -172,14 +172,14 @@ class Follower {
   std::array<double, 2> bracket_at_end(EventType event, const Member& at) const {
     constexpr double rounding = 0x1p-53;
     double p = at.parameter;
-    double bound = rounding;
+    double bound = rounding * std::abs(p);
     if (const auto known = family_.event_at(event, broken_circle(event), at)) {
       p = double(known->parameter);
-      bound += known->parameter_bound;
+      bound = (rounding + known->parameter_bound) * std::abs(p);
     } else if (at.error_bound > 0.0) {
-      bound += at.error_bound;
+      bound += at.error_bound * std::max(std::abs(p), curve_.corrector().scale());
     }
-    return bracket_of(p, bound * std::abs(p));
+    return bracket_of(p, bound);
   }
 
   /// The class half way between two members that no other row lies between: marginal where that

@@ -143,8 +143,7 @@ Member ShearedEquations<N>::member(const X& x, const X& tail, double p, double e
   if (N == 3) out.pressure = pressure(body, potential, out.q, out.angular_velocity);
   out.energy = energy(body, potential, out.q, out.angular_velocity);
   if (spectrum) {
-    const double bound = std::isnan(error_bound) ? 1e-15 : std::max(out.error_bound, 0x1p-53);
-    out.spectrum = spectrum_at(*this, q, nu, bound);
+    out.spectrum = spectrum_at(*this, q, nu, stretch_uncertainty(error_bound));
   }
   return out;
 }

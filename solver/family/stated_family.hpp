@@ -192,6 +192,7 @@ class StatedFamily final : public Family<Equations::dimension> {
     const Refined out = refine(system(p), x, max_corrections, &tail);
     this->evaluations_.extended_residuals += out.steps;
     this->evaluations_.jacobians += out.steps;
+    this->evaluations_.sensitivities += out.converged;
     return out;
   }
   X extended_residual(const X& x, double p) const override {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/body/inertia.hpp"
 #include "lib/material/elastic_energy.hpp"
 #include "lib/material/models/first_order_bound_model.hpp"
 #include "lib/stability/general_spectrum.hpp"
@@ -120,10 +121,10 @@ class TiltedFamily final : public Family<2> {
       out.pressure = pressure(body_, potential_, out.q, out.angular_velocity);
     out.energy = energy(body_, elastic_energy(model_, out.q), out.q, out.angular_velocity);
     if (spectrum_) {
-      const double bound = std::isnan(error_bound) ? 1e-15 : std::max(error_bound, 0x1p-53);
       ++evaluations_.spectra;
-      out.spectrum = general_spectrum(body_, potential_, q,
-                                      angular_velocity(plane_, along[0], along[1]), bound);
+      out.spectrum =
+          general_spectrum(body_, potential_, q, angular_velocity(plane_, along[0], along[1]),
+                           stretch_uncertainty(error_bound));
     }
     return out;
   }
@@ -193,6 +194,14 @@ std::unique_ptr<Family<2>> tilted_family(const Body& body, const Potential& pote
                                          TiltPlane plane, bool spectrum) {
   return potential.visit_parts(
       [&](const auto& model) { return family_of(body, potential, model, plane, spectrum); });
+}
+
+std::optional<TiltPlane> plane_of_tilt(Branch branch, const Body& body, const Stretch& q) {
+  const Vector3<double> m = second_moments(body, q);
+  const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-6 * (a + b); };
+  if (branch != Branch::ii && equal(m[0], m[2])) return TiltPlane::one_three;
+  if (branch != Branch::i && equal(m[1], m[2])) return TiltPlane::two_three;
+  return std::nullopt;
 }
 
 double tilt_share(double square, double p, double error_bound, double condition) {

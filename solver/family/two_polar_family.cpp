@@ -236,9 +236,8 @@ class TwoPolarFamily final : public Family<FollowedElastic<Model, with_rho>::dim
     if (found.circle) {
       return model_stability(at.body, Branch::iii, at.model, x, found.nu[2], error_bound);
     }
-    const double bound = std::isnan(error_bound) ? 1e-15 : std::max(error_bound, 0x1p-53);
     return two_polar_stability(at.body, at.model, x, found.two_polar->rates,
-                               found.two_polar->momenta.s3, bound);
+                               found.two_polar->momenta.s3, stretch_uncertainty(error_bound));
   }
 
   FamilyParameter parameter_;

@@ -60,7 +60,8 @@ class AxisKind final : public Kind {
   Motion motion() const override { return motion_; }
 
   Equilibrium solve(const SolveOptions& options) const override {
-    if (options.start && is_sheared(*options.start)) return sheared_->solve(options);
+    if (options.start && motion_.nu != 0.0 && is_sheared(*options.start))
+      return sheared_->solve(options);
     Equilibrium out = stationary::solve(problem_, motion_.nu, options);
     const bool look = options.search && !options.start && options.method == Method::automatic;
     if (sheared_ && motion_.nu != 0.0 && look && out.status == SolveStatus::not_found)

@@ -73,6 +73,7 @@ OnlyFound found(const Alternatives& kinds, const SolveOptions& options, bool all
   OnlyFound out{{{}, kinds.each.front().kind.get()}};
   Equilibrium& first = out.first.equilibrium;
   std::string failures;
+  bool open = false;  // of some nothing is known
   for (const auto& [label, kind] : kinds.each) {
     Equilibrium each = kind->solve(how);
     if (each.status == SolveStatus::interrupted) return {{std::move(each), kind.get()}};
@@ -83,12 +84,14 @@ OnlyFound found(const Alternatives& kinds, const SolveOptions& options, bool all
       continue;
     }
     failures += (failures.empty() ? "" : "; ") + (label.empty() ? "" : label + ": ") + each.message;
+    open = open || each.status == SolveStatus::not_found;
     if (first.status != SolveStatus::solved && first.status != SolveStatus::failed)
-      first = std::move(each);
+      out.first = {std::move(each), kind.get()};
   }
   if (first.status == SolveStatus::solved) return out;
   first.message = failures;
-  if (kinds.any && first.status == SolveStatus::not_found)
+  if (open && first.status == SolveStatus::none_exists) first.status = SolveStatus::not_found;
+  if (kinds.any && open && first.status != SolveStatus::failed)
     return {{kinds.any->solve(options), kinds.any.get()}};
   return out;
 }

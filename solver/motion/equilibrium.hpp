@@ -2,6 +2,8 @@
 // trusted, how they were found and what that took.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -58,6 +60,12 @@ struct TwoPolarState {
   TwoPolarRates<double> rates;
   TwoPolarMomenta<double> momenta;
 };
+
+/// What a spectrum takes the logarithms of the stretches to be known to: their error bound, where one was
+/// computed (else NaN), and never better than they are rounded.
+inline double stretch_uncertainty(double error_bound) {
+  return std::isnan(error_bound) ? 1e-15 : std::max(error_bound, 0x1p-53);
+}
 
 struct Equilibrium {
   SolveStatus status = SolveStatus::not_run;

@@ -20,8 +20,9 @@
 //   real-collision     two real pairs of one block do
 //   krein-pass         imaginary pairs of opposite signature, of two blocks, meet and pass
 //   zero-momentum      two-polar: s3 = 0; the wobble's signature changes, and the count by two
-//   unexplained        the count of negative directions, or of Lambda > 0, or what is definite, changes and none of these
-//                      accounts for it
+//   unexplained        what is counted of the spectrum changes between two rows, and none of these in between
+//                      accounts for it: the negative directions, the Lambda > 0, or, on a circle, whether the
+//                      second variation is definite
 //   collapse escape domain limit closed stalled   ends of a sheet: d or rho -> 0; a stretch ->
 //                      infinity; where the potential ceases to be defined; the range asked for;
 //                      back at the start; given up, the metadata say why
@@ -106,7 +107,7 @@ class EventSet {
 
   std::uint32_t bits_ = ~0U;
 };
-/// Those found among the Lambdas, or by the count of negative directions.
+/// Those found among the Lambdas, or by what the rows count of the spectrum.
 inline constexpr std::array spectral_events{EventType::hamiltonian_hopf, EventType::real_collision,
                                             EventType::krein_pass, EventType::unexplained};
 

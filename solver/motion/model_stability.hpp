@@ -132,7 +132,7 @@ Spectrum model_stability(const Body& body, Branch branch, const Model& model,
   const BlockFacts facts{branch,
                          body.symmetric(),
                          !separable,
-                         std::isnan(bound) ? 1e-15 : std::max(bound, 0x1p-53),
+                         stretch_uncertainty(bound),
                          sees_no_axes(model),
                          holds_volume(model)};
   // A circle known only to its error is the circle.

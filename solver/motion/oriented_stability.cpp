@@ -73,7 +73,7 @@ Spectrum spectrum_by_parts(const Leaf& whole, LeafParts parts, double uncertaint
 Spectrum oriented_stability(const OrientedSpin& spin, const OrientedModels& models,
                             const BasicStretch<DoubleDouble>& q, const Vector3<DoubleDouble>& nu,
                             double bound) {
-  const double uncertainty = std::isnan(bound) ? 1e-15 : std::max(bound, 0x1p-53);
+  const double uncertainty = stretch_uncertainty(bound);
   const Body& body = spin.body;
   const AnisotropicPotential& V = models.potential;
   const bool straight = spin.about_axis && double(q.alpha) == 0.0 && V.shear_free();

@@ -21,6 +21,7 @@
 #include "lib/number/elementary.hpp"
 #include "solver/newton/asked_of_models.hpp"
 #include "solver/newton/coefficient_sensitivity.hpp"
+#include "solver/newton/input_directions.hpp"
 #include "solver/newton/reduced_vector.hpp"
 
 namespace stationary {
@@ -188,6 +189,14 @@ struct PlanarSystem {
     const ReducedVector<2> pull(double(rates.xi) * x[0] * x[0], double(rates.zeta) * x[1] * x[1]);
     return coefficient_sensitivity<2>(model, x) + 3.0 * pull + decimal_sensitivity<2>(model, x);
   }
+  /// each(p dG/dp) for the same inputs p.
+  template <class Each>
+  void for_each_input(const ReducedVector<2>& x, const Each& each) const {
+    for_each_coefficient<2>(model, x, each);
+    for_each_decimal<2>(model, x, each);
+    for_each_spin_input<2>(
+        ReducedVector<2>(double(rates.xi) * x[0] * x[0], double(rates.zeta) * x[1] * x[1]), each);
+  }
   /// The system at a fraction tau of nu^2.
   PlanarSystem at_fraction(double tau) const {
     return {model, {rates.xi * tau, rates.zeta * tau, rates.rho * tau}};
@@ -225,6 +234,22 @@ struct CoupledSystem {
       if (model.volume) pull = {pull[0] + 2.0 * pull[2], pull[1] + 2.0 * pull[2], 0.0};
     }
     return coefficient_sensitivity<3>(model, x) + 3.0 * pull + decimal_sensitivity<3>(model, x);
+  }
+  template <class Each>
+  void for_each_input(const ReducedVector<3>& x, const Each& each) const {
+    const ReducedVector<3> pull(double(rates.xi) * x[0] * x[0], double(rates.zeta) * x[1] * x[1],
+                                double(rates.rho) * x[2] * x[2]);
+    for_each_coefficient<3>(model, x, each);
+    for_each_decimal<3>(model, x, each);
+    if (!holds_volume(model)) {
+      for_each_spin_input<3>(pull, each);
+      return;
+    }
+    // Along a held volume rho and its pull change with the volume as well.
+    for_each_spin_input<3>(pull, [&](const ReducedVector<3>& g) {
+      each(ReducedVector<3>(g[0] - g[2], g[1] - g[2], 0.0));
+    });
+    each(ReducedVector<3>(2.0 * pull[2], 2.0 * pull[2], 0.0));
   }
   CoupledSystem at_fraction(double tau) const {
     return {model, {rates.xi * tau, rates.zeta * tau, rates.rho * tau}};

@@ -5,7 +5,8 @@
 //
 // which rounds x correctly to about half a unit in the last place, and an error bound:
 //
-//   e <= |J^-1| ( 2^-53 sum_p |p dG/dp|     inputs given as decimals: half a unit of each
+//   e <= |J^-1| ( 2^-53 sum_p |p dG/dp|     inputs given as decimals: half a unit of each; where that is much,
+//                                           2^-53 sum_p |J^-1 p dG/dp| in its place
 //               + 2^-80 magnitude )         extended-precision residual
 //        + kappa (delta^2 + 2^-50 |delta|)  what the step leaves: curvature, J in double
 //        + 2^-53                            rounding x
@@ -116,6 +117,27 @@ template <class System>
 using LinearizedOf = std::decay_t<decltype(std::declval<const System&>().linearize(
     std::declval<const ReducedVector<System::dimension>&>()))>;
 
+/// Whether it says what each of its inputs does by itself.
+template <class System>
+constexpr bool takes_inputs_apart = requires(const System& system,
+                                             const ReducedVector<System::dimension>& x) {
+  system.for_each_input(x, [](const ReducedVector<System::dimension>&) {});
+};
+
+/// What half a unit of each input does to the solution, input by input, with what J^-1 may be off by. sum: the same
+/// of the sum of their magnitudes.
+template <class System, class Inverse>
+double moved_by_each_input(const System& system, const ReducedVector<System::dimension>& x,
+                           const Inverse& inverse, double kappa, double sum) {
+  constexpr int N = System::dimension;
+  ReducedVector<N> moved = ReducedVector<N>::Zero();
+  system.for_each_input(x, [&](const ReducedVector<N>& slope) {
+    const ReducedVector<N> by = inverse * slope;
+    for (int i = 0; i < N; ++i) moved[i] += std::abs(by[i]);
+  });
+  return 0x1p-53 * largest_magnitude<N>(moved) + 0x1p-48 * (1.0 + kappa) * sum;
+}
+
 /// Corrects x in place. bound = false leaves error_bound NaN and evaluates nothing for it.
 /// tail: what rounding x left of the solution, to about 2^-86; NaN where that is not known.
 /// last: linearize() before the last step.
@@ -153,11 +175,19 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x, int ma
       out.last_change = bend * size;
       if (last != nullptr) *last = at;
       if constexpr (bound) {
-        ReducedVector<N> perturbation = input_sensitivity(system, x, at);
+        const ReducedVector<N> sensitivity = input_sensitivity(system, x, at);
+        ReducedVector<N> perturbation;
         for (int i = 0; i < N; ++i)
-          perturbation[i] = 0x1p-53 * perturbation[i] + 0x1p-80 * at.magnitude;
-        const double linear = largest_magnitude<N>(absolute * perturbation) +
-                              bend * size * (size + 0x1p-50) + 0x1p-53;
+          perturbation[i] = 0x1p-53 * sensitivity[i] + 0x1p-80 * at.magnitude;
+        const double left = bend * size * (size + 0x1p-50) + 0x1p-53;
+        double linear = largest_magnitude<N>(absolute * perturbation) + left;
+        if constexpr (takes_inputs_apart<System>) {
+          // Of long, thin bodies that is far too much.
+          constexpr double coarse = 0x1p-40;
+          if (linear > coarse)
+            linear = std::min(linear, moved_by_each_input(system, x, inverse, kappa, linear) +
+                                          0x1p-80 * kappa + left);
+        }
         // Without such an e, that of a fold: below `linear` where kappa is far above the curvature.
         out.error_bound = std::fmax(linear, with_curvature(linear, kappa));
       }

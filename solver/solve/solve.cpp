@@ -150,11 +150,11 @@ SearchStatus search_all(const Problem& problem, double nu, const SolveOptions& o
 /// and NLopt's where that leaves boxes undecided.
 void solve_elsewhere(const Problem& problem, double nu, const SolveOptions& options,
                      Equilibrium& out) {
+  if (!out.message.empty() && !out.message.ends_with(' ')) out.message += ". ";
   if (!options.search) {
     out.message += "Other sheets were not looked for.";
     return;
   }
-  if (!out.message.empty() && !out.message.ends_with(' ')) out.message += ". ";
   const SearchStatus status = search_all(problem, nu, options, out);
   if (out.status != SolveStatus::not_found || status == SearchStatus::complete) return;
   SolveOptions by_nlopt = options;

@@ -61,7 +61,8 @@ class TiltedSolve : FamilySolve {
   void from_rest() {
     const bool any = for_each_beginning(motion_.nu, [&](const Beginning& at) {
       const auto [from, to] = limits(at, motion_.nu);
-      along(*family_, at.q, at.nu, motion_.nu, range(from, to, {}), family_at(at.where));
+      along(*family_, at.q, at.nu, motion_.nu, range(from, to, EventSet::none()),
+            family_at(at.where));
       const bool solved = out_.status == SolveStatus::solved;
       if (!solved) failed(out_.message);
       if (solved) out_.message = "from rest to " + at.where + ", then along the tilted family";

@@ -404,7 +404,7 @@ Spectrum two_polar_stability(const Body& body, const Potential& potential,
     circle.error_bound = std::max(equilibrium.error_bound, spin_error);
     return stability(Problem(body, potential, Branch::iii), circle);
   }
-  const double u = std::max(equilibrium.error_bound, 0x1p-53);
+  const double u = stretch_uncertainty(equilibrium.error_bound);
   return potential.visit_parts([&](const auto& model) {
     // One more correction of (lambda, mu[, rho]) at the computed rates, kept unrounded.
     using Elastic = decltype(elastic_system(model));

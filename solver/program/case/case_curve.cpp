@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <vector>
 
@@ -46,16 +47,15 @@ void read_parameters(const CaseTree& tree, const FamilyParameters& family, CaseC
 void require_domain(const CaseTree& tree, const FamilyParameters& family, const CaseCurve& curve) {
   for (const double first : {curve.from[0], curve.to[0]}) {
     for (const double second : {curve.from[1], curve.to[1]}) {
-      FamilyParameters at = family;
-      for (const int k : {0, 1}) {
-        const auto i = static_cast<std::size_t>(k);
-        const double value = k == 0 ? first : second;
-        try {
-          at = with_parameter(at, curve.parameters[i], value);
-        } catch (const std::invalid_argument& error) {
-          throw fault_at(tree, element(value == curve.from[i] ? "from" : "to", k),
-                         fmt::format("found {} = {}", curve.parameters[i], value), error.what());
-        }
+      const std::array corner{ParameterValue{curve.parameters[0], first},
+                              ParameterValue{curve.parameters[1], second}};
+      try {
+        (void)with_parameters(family, corner);
+      } catch (const std::invalid_argument& error) {
+        const std::size_t k = refused_of(family, corner);
+        throw fault_at(
+            tree, element(corner[k].value == curve.from[k] ? "from" : "to", static_cast<int>(k)),
+            fmt::format("found {} = {}", corner[k].parameter, corner[k].value), error.what());
       }
     }
   }

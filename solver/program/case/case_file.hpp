@@ -63,8 +63,9 @@ struct Case {
   std::string title;
   Body own_body;  ///< as it is written
   Body body;      ///< the same, or of a fluid that in whose coordinates its J are equal
-  std::vector<ModelChoice> models;  ///< plane and thickness, or coupled; then fibres
-  Potential potential;              ///< made of `models`
+  std::vector<ModelChoice>
+      models;           ///< plane and thickness, or coupled; then fibres, gravity and a held volume
+  Potential potential;  ///< made of `models`
   Motion motion;
   MaterialCoordinates coordinates;  ///< of S of own_body
   Solve solve;                      ///< start and box in those of `body`

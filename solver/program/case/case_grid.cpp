@@ -44,42 +44,24 @@ MapAxis read_axis(const CaseTree& tree, const std::string& key, Faults& faults) 
   return out;
 }
 
-/// Whether y's number has to be there before x's can be had from it.
-bool is_divided_by(const MapAxis& x, const MapAxis& y) {
-  return parts_of(x.parameter).second == parts_of(y.parameter).first;
-}
-
-/// Body and models with both parameters at a corner of the grid, whichever order their domain
-/// takes.
-void require_corner(const CaseTree& tree, const CaseMap& map, const FamilyParameters& family,
-                    double x, double y) {
-  const auto with = [&](const FamilyParameters& of, const MapAxis& axis, std::string_view key,
-                        double value) {
-    try {
-      return with_parameter(of, axis.parameter, value);
-    } catch (const std::invalid_argument& error) {
-      throw fault_at(tree, fmt::format("{}.{}", key, value == axis.to ? "to" : "from"),
-                     fmt::format("found {} = {}", axis.parameter, value), error.what());
-    }
-  };
-  if (map.y) {
-    try {
-      (void)with(with(family, *map.y, "map.y", y), map.x, "map.x", x);
-      return;
-    } catch (const InputError&) {
-      // Perhaps y's value needs x's first.
-      if (is_divided_by(map.x, *map.y)) throw;
-    }
-  }
-  const FamilyParameters first = with(family, map.x, "map.x", x);
-  if (map.y) (void)with(first, *map.y, "map.y", y);
-}
-
 /// The domains are convex, so the corners answer for all of the grid.
 void require_domain(const CaseTree& tree, const CaseMap& map, const FamilyParameters& family) {
-  for (const double x : {map.x.from, map.x.to})
-    for (const double y : {map.y ? map.y->from : 0.0, map.y ? map.y->to : 0.0})
-      require_corner(tree, map, family, x, y);
+  const std::vector<const MapAxis*> axes = map.axes();
+  for (const double x : {map.x.from, map.x.to}) {
+    for (const double y : {map.y ? map.y->from : 0.0, map.y ? map.y->to : 0.0}) {
+      const std::vector<ParameterValue> corner = map.values_at(x, y);
+      try {
+        (void)with_parameters(family, corner);
+      } catch (const std::invalid_argument& error) {
+        const std::size_t k = refused_of(family, corner);
+        const MapAxis& axis = *axes[k];
+        throw fault_at(tree,
+                       fmt::format("map.{}.{}", k == 0 ? "x" : "y",
+                                   corner[k].value == axis.to ? "to" : "from"),
+                       fmt::format("found {} = {}", axis.parameter, corner[k].value), error.what());
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -94,17 +76,29 @@ std::vector<double> MapAxis::values() const {
   return out;
 }
 
+std::string axis_text(const MapAxis& axis) {
+  return fmt::format("{} from {} to {}, {} values{}", axis.parameter, axis.from, axis.to,
+                     axis.count, axis.scale == AxisScale::log ? ", logarithmic" : "");
+}
+
 std::vector<const MapAxis*> CaseMap::axes() const {
   std::vector<const MapAxis*> out{&x};
   if (y) out.push_back(&*y);
   return out;
 }
 
+bool is_divided_by(const MapAxis& x, const MapAxis& y) {
+  return parts_of(x.parameter).second == parts_of(y.parameter).first;
+}
+
+std::vector<ParameterValue> CaseMap::values_at(double at_x, double at_y) const {
+  std::vector<ParameterValue> out{{x.parameter, at_x}};
+  if (y) out.push_back({y->parameter, at_y});
+  return out;
+}
+
 FamilyParameters CaseMap::cell(const FamilyParameters& family, double at_x, double at_y) const {
-  if (!y) return with_parameter(family, x.parameter, at_x);
-  if (is_divided_by(x, *y))
-    return with_parameter(with_parameter(family, y->parameter, at_y), x.parameter, at_x);
-  return with_parameter(with_parameter(family, x.parameter, at_x), y->parameter, at_y);
+  return with_parameters(family, values_at(at_x, at_y));
 }
 
 std::optional<CaseMap> read_map(const CaseTree& tree, const FamilyParameters* family,

@@ -17,6 +17,7 @@
 namespace stationary {
 
 struct FamilyParameters;
+struct ParameterValue;
 
 enum class AxisScale { linear, log };
 constexpr std::string_view axis_scale_names[] = {"linear", "log"};
@@ -35,13 +36,21 @@ struct MapAxis {
   std::vector<double> values() const;
 };
 
+/// For a person.
+std::string axis_text(const MapAxis& axis);
+
+/// Whether x's number is y's times a value.
+bool is_divided_by(const MapAxis& x, const MapAxis& y);
+
 struct CaseMap {
   MapAxis x;
   std::optional<MapAxis> y;
 
   std::vector<const MapAxis*> axes() const;
   std::size_t cells() const { return x.count * (y ? y->count : 1); }
-  /// The case's numbers at a cell; at_y: of a map with y.
+  /// What is set at a cell, x first; at_y: of a map with y. The map must outlive it.
+  std::vector<ParameterValue> values_at(double at_x, double at_y) const;
+  /// The case's numbers there.
   FamilyParameters cell(const FamilyParameters& family, double at_x, double at_y) const;
 };
 

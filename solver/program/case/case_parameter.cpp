@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/kind/kind.hpp"
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/text/nearest_name.hpp"
@@ -66,6 +67,12 @@ bool within(double x, double limit) {
 }
 
 }  // namespace
+
+FamilyParameters own_numbers(const Case& input) { return {input.body, input.models, input.motion}; }
+
+std::unique_ptr<Kind> kind_of(const FamilyParameters& at) {
+  return kind_of(at.body, make_potential(at.models, at.body), at.motion);
+}
 
 std::optional<OutOfScale> out_of_scale(const FamilyParameters& family) {
   const auto range = [](double limit) {
@@ -168,11 +175,15 @@ double parameter_unit(const FamilyParameters& family, std::string_view parameter
   return second.empty() ? 1.0 : parameter_value(family, second);
 }
 
-FamilyParameters with_parameter(FamilyParameters family, std::string_view key, double value) {
+namespace {
+
+/// Its domain is left to be looked at.
+void set_parameter(FamilyParameters& family, std::string_view key, double value) {
   if (const auto [first, second] = parts_of(key); !second.empty()) {
     const double unit = parameter_value(family, second);
     if (!(unit > 0.0)) throw std::invalid_argument(std::string(second) + " > 0, to be divided by");
-    return with_parameter(std::move(family), first, value * unit);
+    set_parameter(family, first, value * unit);
+    return;
   }
   double* number = find_number(family, key);
   if (number == nullptr) throw std::invalid_argument("a parameter of the case");
@@ -180,11 +191,39 @@ FamilyParameters with_parameter(FamilyParameters family, std::string_view key, d
   if (nu_is_length(family.motion) && key == "nu" && value < 0.0)
     throw std::invalid_argument("nu >= 0 (it is the length |nu| there)");
   *number = value;
+}
+
+}  // namespace
+
+FamilyParameters with_parameter(FamilyParameters family, std::string_view key, double value) {
+  return with_parameters(std::move(family), std::array{ParameterValue{key, value}});
+}
+
+FamilyParameters with_parameters(FamilyParameters family, std::span<const ParameterValue> values) {
+  const auto waits = [&](const ParameterValue& each) {
+    return std::ranges::any_of(values, [&](const ParameterValue& other) {
+      return parts_of(each.parameter).second == parts_of(other.parameter).first;
+    });
+  };
+  for (const bool waiting : {false, true})
+    for (const ParameterValue& each : values)
+      if (waits(each) == waiting) set_parameter(family, each.parameter, each.value);
   family.body = Body(family.body.J1, family.body.J2, family.body.J3);  // its domain
   make_potential(family.models, family.body);
   if (const auto fault = out_of_scale(family))
     throw std::invalid_argument(fault->allowed + " (" + OutOfScale::hint + ")");
   return family;
+}
+
+std::size_t refused_of(const FamilyParameters& family, std::span<const ParameterValue> values) {
+  for (std::size_t k = 0; k + 1 < values.size(); ++k) {
+    try {
+      (void)with_parameters(family, values.subspan(k, 1));
+    } catch (const std::invalid_argument&) {
+      return k;
+    }
+  }
+  return values.size() - 1;
 }
 
 double parameter_value(FamilyParameters family, std::string_view key) {
@@ -205,7 +244,7 @@ FamilyParameter family_parameter(std::string_view parameter,
     const auto at = coefficient_index(model, key);
     if (!at) continue;
     if (model.description.kind == ModelDescription::Kind::fibre) {
-      // Fibres come last: k and degrees of each.
+      // k and degrees of each.
       const bool second = &model != models.data() &&
                           (&model - 1)->description.kind == ModelDescription::Kind::fibre;
       return {Kind::fibre, *at + (second ? 2 : 0)};

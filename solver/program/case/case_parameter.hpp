@@ -7,7 +7,10 @@
 // held, and its values are those of the ratio. The second is positive.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,12 +20,20 @@
 
 namespace stationary {
 
+class Kind;
+
 /// What a parameter acts on.
 struct FamilyParameters {
   Body body;
   std::vector<ModelChoice> models;
   Motion motion;
 };
+
+/// Those of the case itself.
+FamilyParameters own_numbers(const Case& input);
+
+/// The motion's kind. Throws std::invalid_argument for numbers outside the domain of body or model.
+std::unique_ptr<Kind> kind_of(const FamilyParameters& at);
 
 /// A number too large or too small beside the others for what is computed with it, the powers of a
 /// spectrum and their extended precision included: these must stay within 1e-300 ... 1e300.
@@ -60,6 +71,18 @@ double parameter_unit(const FamilyParameters& family, std::string_view parameter
 /// With the parameter at a value. Throws std::invalid_argument with the violated inequality of
 /// body or model, for a number out of scale, or for a key that is not one of case_parameters().
 FamilyParameters with_parameter(FamilyParameters family, std::string_view key, double value);
+
+/// A parameter and the value it gets.
+struct ParameterValue {
+  std::string_view parameter;
+  double value;
+};
+/// Likewise of several parameters, none of which varies what another one does, whether or not some of them alone
+/// would be in the domain. A ratio is to the second number's new value.
+FamilyParameters with_parameters(FamilyParameters family, std::span<const ParameterValue> values);
+/// Which of those that with_parameters() refuses to blame: the first that is not allowed beside the family's
+/// other numbers, or the last.
+std::size_t refused_of(const FamilyParameters& family, std::span<const ParameterValue> values);
 
 /// The parameter's own value. Throws std::invalid_argument for a key that is not one of them.
 double parameter_value(FamilyParameters family, std::string_view key);

@@ -214,6 +214,11 @@ std::optional<std::vector<ModelChoice>> read_models(const CaseTree& tree, Faults
     faults.add(fault_at(tree, "potential." + missing, found, std::string(rule), "add " + missing));
     return std::nullopt;
   }
+  if (bases == 0 && anisotropic(out)) {
+    faults.add(fault_at(tree, "potential.fibre", "found a fibre alone",
+                        "a fibre beside a plane, or beside coupled", "add plane"));
+    return std::nullopt;
+  }
   return out;
 }
 

@@ -81,7 +81,7 @@ void add_study(CLI::App& program, Session& session) {
           std::vector<std::string>(std::begin(study_task_names), std::end(study_task_names))));
   command
       .add_option("--checkpoints", options->checkpoints, "Of each atlas, as of the command atlas")
-      ->check(CLI::Range(1, 1'000'000));
+      ->check(CLI::Range(1, most_checkpoints));
   options->tiles.add_to(command, "rows");
   command.callback([options, &session] {
     session.action = [options, &session] { return run(*options, session); };

@@ -70,9 +70,8 @@ void add_checkpoints(Report& out, const std::vector<Checkpoint>& all,
                      const SearchOptions& searched) {
   std::string_view label = "proven";
   for (auto first = all.begin(); first != all.end();) {
-    const auto last = std::find_if(first, all.end(), [&](const Checkpoint& c) {
-      return c.branch != first->branch || c.oblique != first->oblique || c.plane != first->plane;
-    });
+    const auto last =
+        std::find_if(first, all.end(), [&](const SheetKind& kind) { return kind != *first; });
     const auto complete =
         std::count_if(first, last, [](const Checkpoint& c) { return c.complete(); });
     out.line(std::exchange(label, {}),

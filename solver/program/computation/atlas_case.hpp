@@ -1,6 +1,5 @@
-// Every sheet of the case's body and potential in branches (i), (ii), (iii), of an anisotropic body
-// the oblique ones too, over its range of nu, connected to rest or not, and what is proven of there
-// being no others.
+// Every sheet of the case's body and potential (atlas.hpp) over its range of nu, connected to rest or not, and what
+// is proven of there being no others.
 #pragma once
 
 #include <optional>

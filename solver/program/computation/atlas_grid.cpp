@@ -25,6 +25,7 @@
 #include "solver/program/table/row_pack.hpp"
 #include "solver/program/table/table_reader.hpp"
 #include "solver/program/text/input_error.hpp"
+#include "solver/program/text/written_number.hpp"
 #include "solver/program/tiles/parts.hpp"
 #include "solver/program/tiles/study_answer.hpp"
 
@@ -66,8 +67,6 @@ class PackedRows final : public RowSink {
   std::string& out_;
 };
 
-std::string number_text(double value) { return fmt::format("{}", value == 0.0 ? 0.0 : value); }
-
 /// A grid of atlases as far as it does not depend on how it is run.
 class Grid {
  public:
@@ -108,8 +107,7 @@ class Grid {
     PackedRows sink(columns_, pack_, rows);
     std::optional<StudyAnswer> found;
     try {
-      const FamilyParameters at =
-          input_.map->cell({input_.body, input_.models, input_.motion}, x, y);
+      const FamilyParameters at = input_.map->cell(own_numbers(input_), x, y);
       AtlasOptions how = how_;
       how.stop = how.search.stop = stop;
       found = atlas_answer({at.body, make_potential(at.models, at.body), input_.output.certificate,
@@ -179,9 +177,7 @@ std::string summary(const Case& input, const GridCounts& counts, double seconds)
   if (!input.title.empty()) out.line("case", printable(input.title));
   for (const auto& [label, axis] :
        {std::pair{"x", &input.map->x}, {"y", input.map->y ? &*input.map->y : nullptr}})
-    if (axis != nullptr)
-      out.line(label, fmt::format("{} from {} to {}, {} values", axis->parameter, axis->from,
-                                  axis->to, axis->count));
+    if (axis != nullptr) out.line(label, axis_text(*axis));
   std::string words;
   for (const auto& [status, count] : counts.statuses)
     words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, status);

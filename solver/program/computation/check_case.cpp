@@ -111,10 +111,7 @@ std::string check_case(const Case& input) {
     out.line("atlas", fmt::format("{} checkpoints", *input.atlas.checkpoints));
   if (input.map) {
     for (const MapAxis* axis : input.map->axes())
-      out.line(
-          axis == &input.map->x ? "map" : "",
-          fmt::format("{}: {} values from {} to {}{}", axis->parameter, axis->count, axis->from,
-                      axis->to, axis->scale == AxisScale::log ? ", logarithmic" : ""));
+      out.line(axis == &input.map->x ? "map" : "", axis_text(*axis));
   }
   std::string columns;
   for (const std::string& column : input.output.columns)

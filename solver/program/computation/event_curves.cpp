@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -19,8 +20,6 @@
 namespace stationary::cli {
 namespace {
 
-FamilyParameters own_numbers(const Case& input) { return {input.body, input.models, input.motion}; }
-
 /// What a parameter varies: of a ratio its first number.
 std::string_view number_of(const Case& input, std::size_t k) {
   return parts_of(input.curve->parameters[k]).first;
@@ -31,12 +30,9 @@ double unit_of(const Case& input, std::size_t k) {
 
 /// first, second: of the numbers that vary.
 FamilyParameters numbers_of(const Case& input, double first, double second) {
-  return with_parameter(with_parameter(own_numbers(input), number_of(input, 0), first),
-                        number_of(input, 1), second);
-}
-
-std::unique_ptr<Kind> kind_at(const FamilyParameters& numbers) {
-  return kind_of(numbers.body, make_potential(numbers.models, numbers.body), numbers.motion);
+  return with_parameters(own_numbers(input),
+                         std::array{ParameterValue{number_of(input, 0), first},
+                                    ParameterValue{number_of(input, 1), second}});
 }
 
 double own_number(const Case& input, std::size_t k) {
@@ -72,7 +68,7 @@ EventCurveSetting setting_of(const Case& input, const Stretch& q) {
   const FamilyParameter first_parameter = family_parameter_of(input, 0);
   EventCurveSetting out;
   out.family = [&input, q, first_parameter](double first, double second, bool spectrum) {
-    return kind_at(numbers_of(input, first, second))
+    return kind_of(numbers_of(input, first, second))
         ->family(first_parameter, {.spectrum = spectrum}, q);
   };
   out.first = first_parameter;
@@ -238,7 +234,7 @@ EventCurves event_curves(const Case& input, bool spectrum, const Run& run) {
   Start start = solved_start(family_case, run);
   // As `continue` does: the family through rest may turn before the case's own nu.
   if (start.found.status != SolveStatus::solved && asked.parameters[0] == "nu" &&
-      !input.solve.start && asked.to[0] > 0.0 && kind_at(own_numbers(input))->from_rest()) {
+      !input.solve.start && asked.to[0] > 0.0 && kind_of(own_numbers(input))->from_rest()) {
     family_case.continuation->from = std::min(asked.from[0], 0.0);
     start = solved_start(family_case, run);
   }
@@ -296,9 +292,9 @@ TableRow curve_row(const Case& input, const EventCurvePoint& point, const Column
 
 EventEnclosure prove_curve_row(const Case& input, const EventCurvePoint& point, TableRow& row) {
   const std::unique_ptr<Kind> kind =
-      kind_at(numbers_of(input, point.member.parameter, point.second));
+      kind_of(numbers_of(input, point.member.parameter, point.second));
   const auto proof =
-      prove_event(*kind, family_parameter_of(input, 0), input.curve->event, point.member, row);
+      prove_event(*kind, family_parameter_of(input, 0), sought_event(input), point.member, row);
   if (proof) return *proof;
   EventEnclosure none;
   none.reason = "the event has no equations of its own here";

@@ -146,11 +146,6 @@ std::string counted(const std::map<std::string, long, std::less<>>& counts) {
   return out;
 }
 
-std::string axis_text(const MapAxis& axis) {
-  return fmt::format("{} from {} to {}, {} values{}", axis.parameter, axis.from, axis.to,
-                     axis.count, axis.scale == AxisScale::log ? ", logarithmic" : "");
-}
-
 /// The case's, and what of it holds at its own numbers only.
 ComputationPlan map_plan(const Case& input, bool to_table) {
   ComputationPlan out = computation_plan(input, to_table, PlanOf::map);

@@ -90,15 +90,6 @@ double number_in(const Cells& row, std::string_view column) {
   return out;
 }
 
-/// The plane whose two locked inertias are equal there.
-std::optional<TiltPlane> tilt_plane(const Body& body, const Stretch& q) {
-  const Vector3<double> m = second_moments(body, q);
-  const auto equal = [&](int k) { return std::abs(m[k] - m[2]) <= 1e-6 * (m[k] + m[2]); };
-  if (equal(0)) return TiltPlane::one_three;
-  if (equal(1)) return TiltPlane::two_three;
-  return std::nullopt;
-}
-
 class FromRow {
  public:
   FromRow(const Case& given, const std::string& text, bool to_start_from)
@@ -227,7 +218,7 @@ class FromRow {
   /// is there but for rounding.
   double require_between(const Case& input, const std::string& parameter, double from,
                          double to) const {
-    const double p = parameter_value({input.body, input.models, input.motion}, parameter);
+    const double p = parameter_value(own_numbers(input), parameter);
     const double rounding = 0x1p-50 * std::max(std::abs(from), std::abs(to));
     if (!(p >= from - rounding && p <= to + rounding))
       refuse_row(text_, fmt::format("found a row at {} = {}", parameter, p),
@@ -238,7 +229,7 @@ class FromRow {
   RowStart finished(Case input, const Stretch& q) const {
     const Case::Continuation& range = *input.continuation;
     const double p = require_between(input, range.parameter, range.from, range.to);
-    Start start{{input.body, input.models, input.motion}, p, {}};
+    Start start{own_numbers(input), p, {}};
     start.found.status = SolveStatus::solved;
     start.found.message = "row " + printable(text_);
     start.found.connection = Connection::given_start;
@@ -269,7 +260,7 @@ class FromRow {
     const auto from = branch_from_name(own);
     const auto to = branch_from_name(wanted);
     if (wanted == tilted_name && from && event == name(EventType::tilt)) {
-      if (const auto plane = tilt_plane(input.body, q)) {
+      if (const auto plane = plane_of_tilt(*from, input.body, q)) {
         const auto family = tilted_family(input.body, input.potential, *plane, false);
         const Case::Continuation& range = *input.continuation;
         auto start = just_inside(*family, q, nu().norm(), {range.from, range.to});

@@ -18,6 +18,7 @@
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/report.hpp"
 #include "solver/program/session/run_metadata.hpp"
+#include "solver/program/text/written_number.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -166,9 +167,7 @@ Answered of_events(const Asked& asked, const Run& run) {
   return out;
 }
 
-std::string cell(double x) {
-  return x == x ? fmt::format("{}", x == 0.0 ? 0.0 : x) : std::string();
-}
+std::string cell(double x) { return x == x ? number_text(x) : std::string(); }
 
 void write(const Asked& asked, const Answered& found, CellTable& table) {
   for (const Moved& each : found.moved) {

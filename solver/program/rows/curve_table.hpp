@@ -68,12 +68,12 @@ class CurveTable final : public CurveSink {
     kind_of_event_ = std::move(kind_at);
     parameter_ = parameter;
   }
-  /// The table's parameter is the family's over this (a ratio's second number); report: what was told
-  /// of following the family, put into the table's parameter.
+  /// The table's parameter is the family's over this (a ratio's second number).
   void in_units_of(double unit) { unit_ = unit; }
+  /// What was told of following the family, in the table's parameter.
+  void convert(FollowReport& report) const;
   /// Those of the rows' stretches.
   void in_coordinates(const MaterialCoordinates& coordinates) { coordinates_ = coordinates; }
-  void convert(FollowReport& report) const;
   void row(const Member& member, EventType event) override;
   void between(StabilityClass verdict) override { segments_.between(verdict); }
   /// A row that was in a table already, with this table's sheet and next point; verdict: the class

@@ -94,6 +94,23 @@ void fill_row(std::string_view branch, const Body& body, const Potential& potent
   if (wanted.has(Column::energy)) row[Column::energy] = energy(body, potential, q, nu);
 }
 
+namespace {
+
+void empty_modes(int first, TableRow& row) {
+  for (int k = first; k < mode_count; ++k)
+    for (const ModePart part : {ModePart::re, ModePart::im, ModePart::krein})
+      row[mode_column(k, part)] = std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Of a row that had the spectrum of another member.
+void empty_spectrum(TableRow& row) {
+  row.stability = {};
+  row[Column::growth] = row[Column::negative] = std::numeric_limits<double>::quiet_NaN();
+  empty_modes(0, row);
+}
+
+}  // namespace
+
 void fill_row(std::string_view branch, const Member& member, const ColumnSet& wanted,
               TableRow& row) {
   row.branch = branch;
@@ -107,7 +124,11 @@ void fill_row(std::string_view branch, const Member& member, const ColumnSet& wa
   row[Column::pressure] = member.pressure;
   fill_errors(member, row);
   row.parameter = member.parameter;
-  if (member.spectrum) fill_spectrum(*member.spectrum, row);
+  if (member.spectrum) {
+    fill_spectrum(*member.spectrum, row);
+  } else {
+    empty_spectrum(row);
+  }
 }
 
 void tell_in(const MaterialCoordinates& coordinates, const ColumnSet& wanted, TableRow& row) {
@@ -130,9 +151,7 @@ void fill_from(const auto& spectrum, TableRow& row) {
   row.stability = name(spectrum.verdict);
   row[Column::growth] = spectrum.growth;
   row[Column::negative] = spectrum.negative;
-  for (int k = spectrum.modes; k < mode_count; ++k)
-    for (const ModePart part : {ModePart::re, ModePart::im, ModePart::krein})
-      row[mode_column(k, part)] = std::numeric_limits<double>::quiet_NaN();
+  empty_modes(spectrum.modes, row);
   for (int k = 0; k < spectrum.modes; ++k) {
     const auto& mode = spectrum.mode[static_cast<std::size_t>(k)];
     row[mode_column(k, ModePart::re)] = mode.re;
@@ -158,7 +177,7 @@ RowProof prove_row(const Kind& kind, const Equilibrium& equilibrium,
         spectrum && kind.enclose(equilibrium, certificate, *spectrum).verdict == spectrum->verdict;
   }
   row.certified = proof_word(out.proven, assuming);
-  if (spectrum) row.class_certified = proof_word(out.class_proven, assuming);
+  row.class_certified = spectrum ? proof_word(out.class_proven, assuming) : std::string_view();
   return out;
 }
 

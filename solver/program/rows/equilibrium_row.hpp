@@ -37,7 +37,8 @@ std::vector<Column> equilibrium_columns(const RowParts& parts);
 void fill_row(std::string_view branch, const Body& body, const Potential& potential,
               const Equilibrium& equilibrium, const ColumnSet& wanted, TableRow& row);
 
-/// Likewise of a member of a family, its parameter and, where it was computed, its spectrum.
+/// Likewise of a member of a family, its parameter and its spectrum, whose columns are empty where it was not
+/// computed.
 void fill_row(std::string_view branch, const Member& member, const ColumnSet& wanted,
               TableRow& row);
 

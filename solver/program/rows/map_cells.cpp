@@ -69,8 +69,7 @@ class KindCells final : public MapCells {
   };
 
   FamilyParameters at_cell(std::size_t k) const {
-    return input_.map->cell({input_.body, input_.models, input_.motion}, x_[k % x_.size()],
-                            y_[k / x_.size()]);
+    return input_.map->cell(own_numbers(input_), x_[k % x_.size()], y_[k / x_.size()]);
   }
 
   /// Cells of one row of the grid, of a kind that solves for them together.

@@ -18,7 +18,7 @@ constexpr std::size_t cells_of_a_group = 1024;
 constexpr std::size_t most_groups_kept = 256;
 
 double unit(const Case& input, const MapAxis& axis) {
-  return parameter_unit({input.body, input.models, input.motion}, axis.parameter);
+  return parameter_unit(own_numbers(input), axis.parameter);
 }
 
 std::vector<double> times(std::vector<double> values, double factor) {
@@ -68,15 +68,12 @@ std::size_t MapGrid::tile() const {
 
 double MapGrid::value(std::size_t row, bool of_x) const {
   // Where one number is divided by the other, that one comes first.
-  const auto divided_by = [](const MapAxis& a, const MapAxis* b) {
-    return b != nullptr && parts_of(a.parameter).second == parts_of(b->parameter).first;
-  };
   const MapAxis& x = input_.map->x;
   const MapAxis* const y = input_.map->y ? &*input_.map->y : nullptr;
   const double at_x = x_[row % x_.size()] * x_unit_;
   const double at_y = y_[row / x_.size()] * y_unit_;
-  if (of_x) return divided_by(x, y) ? x_[row % x_.size()] * at_y : at_x;
-  return y != nullptr && divided_by(*y, &x) ? y_[row / x_.size()] * at_x : at_y;
+  if (of_x) return y != nullptr && is_divided_by(x, *y) ? x_[row % x_.size()] * at_y : at_x;
+  return y != nullptr && is_divided_by(*y, x) ? y_[row / x_.size()] * at_x : at_y;
 }
 
 BatchInput MapGrid::batch(std::size_t group) const {

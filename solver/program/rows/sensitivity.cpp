@@ -17,10 +17,6 @@
 namespace stationary {
 namespace {
 
-std::unique_ptr<Kind> kind_at(const FamilyParameters& at) {
-  return kind_of(at.body, make_potential(at.models, at.body), at.motion);
-}
-
 /// `at` with the number at a value; nothing where that is not allowed.
 std::optional<FamilyParameters> moved_number(const FamilyParameters& at, const std::string& number,
                                              double value) {
@@ -168,7 +164,7 @@ std::vector<NumberSlopes> motion_slopes(const FamilyParameters& at, const TableR
   return slopes_by(at, numbers, columns.size(),
                    [&](const FamilyParameters& beside) -> std::optional<std::vector<double>> {
                      if (stopped(stop)) return std::nullopt;
-                     const auto kind = kind_at(beside);
+                     const auto kind = kind_of(beside);
                      const Equilibrium found = kind->solve(options);
                      if (found.status != SolveStatus::solved) return std::nullopt;
                      TableRow out;
@@ -194,7 +190,7 @@ std::vector<NumberSlopes> event_slopes(const FamilyParameters& at, const std::st
   const std::string followed(parts_of(parameter).first);
   const FamilyParameter in_family = family_parameter(parameter, at.models);
   const auto family_at = [&](const FamilyParameters& beside) {
-    return kind_at(with_parameter(beside, followed, event.parameter));
+    return kind_of(with_parameter(beside, followed, event.parameter));
   };
   const auto family_of = [&](const Kind& kind) {
     return kind.family(in_family, {.spectrum = false}, event.q);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/program/text/written_number.hpp"
+
 namespace stationary {
 namespace {
 
@@ -22,7 +24,7 @@ struct Least {
   }
   std::string text() const {
     if (count == 0) return {};
-    return fmt::format("{}", value == 0.0 ? 0.0 : value);  // a zero's sign says nothing
+    return number_text(value);
   }
 };
 

@@ -14,19 +14,15 @@
 namespace stationary::cli {
 namespace {
 
-std::unique_ptr<Kind> kind_of(const FamilyParameters& at) {
-  return stationary::kind_of(at.body, make_potential(at.models, at.body), at.motion);
-}
-
 /// nu = 0 where the range has it and no start is given (the family through the rest state), else
 /// the case's own value if it lies in the range, else the range's beginning. Of a family that is not
 /// followed from rest: the case's own value.
 double start_parameter(const Case& input) {
   const Case::Continuation& range = *input.continuation;
   const bool in_nu = range.parameter == "nu";
-  const bool from_rest = kind_of({input.body, input.models, input.motion})->from_rest();
+  const bool from_rest = kind_of(own_numbers(input))->from_rest();
   if (in_nu && from_rest && !input.solve.start && range.from <= 0.0 && range.to >= 0.0) return 0.0;
-  const double own = parameter_value({input.body, input.models, input.motion}, range.parameter);
+  const double own = parameter_value(own_numbers(input), range.parameter);
   if (own >= range.from && own <= range.to) return own;
   if (!input.solve.start && from_rest) return range.from;
   throw fault_at(
@@ -40,7 +36,7 @@ double start_parameter(const Case& input) {
 }
 
 FamilyParameters at_parameter(const Case& input, double p) {
-  return with_parameter({input.body, input.models, input.motion}, input.continuation->parameter, p);
+  return with_parameter(own_numbers(input), input.continuation->parameter, p);
 }
 
 FamilyParameter family_parameter_of(const Case& input) {

@@ -137,7 +137,7 @@ ComputationPlan computation_plan(const Case& input, bool to_table, PlanOf of) {
       out.computed.push_back(
           {"ratio",
            fmt::format("{} varies, {} = {} is held", first, second,
-                       parameter_value({input.body, input.models, input.motion}, second)),
+                       parameter_value(own_numbers(input), second)),
            "a ratio; error bounds and proofs are of the varied number, which is the ratio in the "
            "table times the held one within rounding"});
   }

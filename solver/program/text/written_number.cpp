@@ -1,5 +1,7 @@
 #include "solver/program/text/written_number.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -69,5 +71,7 @@ std::optional<WrittenNumber> written_number(std::string_view text) {
   out.is_double = out.value == 0.0 || (out.decimal.known() && is_exactly(out.value, out.decimal));
   return out;
 }
+
+std::string number_text(double value) { return fmt::format("{}", value == 0.0 ? 0.0 : value); }
 
 }  // namespace stationary

@@ -1,7 +1,9 @@
-// A decimal number of a formula, "12.5e3": the nearest double, and whether it is that double.
+// A decimal number of a formula, "12.5e3": the nearest double, and whether it is that double; and a double as a
+// table tells it.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "lib/expression/graph.hpp"
@@ -16,5 +18,8 @@ struct WrittenNumber {
 
 /// digits [. digits] [e [sign] digits]; nothing where a double cannot hold it.
 std::optional<WrittenNumber> written_number(std::string_view text);
+
+/// The shortest decimals that are this double; a zero's sign says nothing and is left out.
+std::string number_text(double value);
 
 }  // namespace stationary

@@ -44,6 +44,18 @@ class ShearedByGravity : public ::testing::Test {
   TemporaryDirectory directory_;
 };
 
+/// At rest no axis is one of a spin, and a start with alpha != 0 leads to the rest state all the same.
+TEST_F(ShearedByGravity, AtRestAStartMayBeSheared) {
+  const std::string rest = "branch = \"iii\"\nnu = 0.0\n";
+  const Outcome plain = run(rest, {"solve", "-o", "-", "--set", "solve.start=[0.0, 1, 0.8, 0.9]"});
+  const Outcome sheared =
+      run(rest, {"solve", "-o", "-", "--set", "solve.start=[0.1, 1, 0.8, 0.9]"});
+  ASSERT_EQ(plain.code, 0) << plain.err;
+  ASSERT_EQ(sheared.code, 0) << sheared.err;
+  EXPECT_NEAR(number(rows_of(plain.out).at(0).at("xi")),
+              number(rows_of(sheared.out).at(0).at("xi")), 1e-14);
+}
+
 TEST_F(ShearedByGravity, IsAmongAllAboutAxisThree) {
   const Outcome all = run(third_, {"solve", "-o", "-", "--set", "solve.all=true", "--set",
                                    "solve.box=[0.5,2]", "--set", "output.certificate=true"});

@@ -301,6 +301,21 @@ TEST(TwoPolarCase, IsFollowedInARate) {
   }
 }
 
+/// At the circle of equal momenta there is no spectrum of ellipses, from whichever side it is met.
+TEST(TwoPolarCase, ARowWithoutSpectrumHasNoneOfAnother) {
+  const Outcome outcome =
+      run_program({"continue", momenta_case, "--certify", "--set", "motion.p_theta=3.0", "--set",
+                   "motion.s3=1.2", "--set", "continuation.from=0.5", "-o", "-"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  auto rows = rows_of(outcome.out);
+  ASSERT_GT(rows.size(), 50U);
+  EXPECT_EQ(rows[rows.size() - 2]["class"], "stable");
+  Row& last = rows.back();
+  EXPECT_EQ(last["event"], "ellipse");
+  for (const char* column : {"class", "class_certified", "growth", "negative", "im1", "krein4"})
+    EXPECT_EQ(last[column], "") << column;
+}
+
 /// An interrupted table goes on as the whole one.
 TEST(TwoPolarCase, IsGoneOnWith) {
   const TemporaryDirectory directory;

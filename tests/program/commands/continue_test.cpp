@@ -247,16 +247,54 @@ TEST(Continue, EndsAtTheLimitsAsked) {
     EXPECT_LT(number(rows[k - 1], "nu1"), number(rows[k], "nu1"));
 }
 
+/// cases/fold.toml
+double greatest_spin_of_fold() {
+  constexpr double mu = 1.1;
+  constexpr double lambda = 0.8;
+  return std::sqrt(2.0 * mu * (mu + lambda) / ((2.0 * mu + lambda) * std::numbers::e * 1.7));
+}
+
+/// Beside a turn of nu: a sheet that comes back to where it began, and a limit within 1e-12 of the turn.
+TEST(Continue, EndsAtTheLimitBesideATurn) {
+  struct Asked {
+    const char* start;
+    const char* from;
+    const char* to;
+    const char* step;
+    const char* end;
+  };
+  for (const Asked& each : {Asked{"0.5491", "0.5491", "3", "0.1", "0.5491"},
+                            Asked{"0.549105", "0.549105", "3", "0.1", "0.549105"},
+                            Asked{"0.549", "0.549", "1", "0.5", "0.549"},
+                            Asked{"0.3", "0", "0.5491055229307", "0.1", "0.5491055229307"},
+                            Asked{"0.3", "0", "0.54910552293", "0.1", "0.54910552293"}}) {
+    SCOPED_TRACE(each.start + std::string(" to ") + each.to);
+    const auto text = [](const char* key, const char* value) {
+      return std::string(key) + "=" + value;
+    };
+    const auto rows =
+        rows_of(continued(shipped("fold.toml"),
+                          {text("motion.nu", each.start), text("continuation.from", each.from),
+                           text("continuation.to", each.to), text("continuation.step", each.step)})
+                    .out);
+    ASSERT_GT(rows.size(), 2U);
+    EXPECT_EQ(rows.front().at("event"), "limit");
+    EXPECT_EQ(rows.front().at("nu1"), each.from);
+    EXPECT_EQ(rows.back().at("event"), "limit");
+    EXPECT_EQ(rows.back().at("nu1"), each.end);
+    // ln(zeta)/zeta^2 is as nu^2, and 1/(2 e) at the fold.
+    const double zeta = number(rows.back(), "zeta");
+    const double share = number(rows.back(), "nu1") / greatest_spin_of_fold();
+    EXPECT_NEAR(std::log(zeta) / (zeta * zeta), share * share / (2.0 * std::numbers::e), 1e-15);
+  }
+}
+
 /// The fold by its closed form (cases/fold.toml), and nu at rest on either side of it.
 TEST(Continue, AFoldStandsWhereTheSpinIsGreatest) {
   const auto rows = rows_of(continued(shipped("fold.toml"), along_nu("0", "3")).out);
   EXPECT_EQ(names_of_events(rows), "limit fold-nu tilt escape");
   const std::size_t fold = index_of(rows, "fold-nu");
-  constexpr double mu = 1.1;
-  constexpr double lambda = 0.8;
-  const double greatest =
-      std::sqrt(2.0 * mu * (mu + lambda) / ((2.0 * mu + lambda) * std::numbers::e * 1.7));
-  EXPECT_NEAR(number(rows[fold], "nu1"), greatest, 1e-15);
+  EXPECT_NEAR(number(rows[fold], "nu1"), greatest_spin_of_fold(), 1e-15);
   for (std::size_t k = 1; k < rows.size(); ++k) {
     const double step = number(rows[k], "nu1") - number(rows[k - 1], "nu1");
     EXPECT_GE(k <= fold ? step : -step, 0.0) << k;

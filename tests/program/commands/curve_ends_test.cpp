@@ -183,6 +183,23 @@ TEST_F(CurveEnds, ARateOfATwoPolarFamilyTurns) {
   }
 }
 
+/// And its proof is that of the fold, whichever name it was asked by.
+TEST_F(CurveEnds, AFoldInAnotherNumberIsProvenByEitherName) {
+  const std::string asked = text_of(STATIONARY_CASES "/fold.toml") +
+                            "[curve]\nparameters = [\"body.J.1\", \"nu\"]\n"
+                            "from = [1.0, 0.5]\nto = [2.5, 0.58]\n";
+  for (const char* name : {"fold-nu", "fold-parameter"}) {
+    SCOPED_TRACE(name);
+    const Outcome outcome =
+        run("curve", asked + "event = \"" + name + "\"\n",
+            {"--certify", "--set", "potential.fibre={ k = 0.01, degrees = 0 }"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::vector<Row> curve = rows("curve");
+    ASSERT_GT(curve.size(), 12U);
+    for (const Row& row : curve) EXPECT_EQ(row.at("certified"), "yes");
+  }
+}
+
 /// s3 = 0 where both rates come to 0: the logarithm of the first does not pass it.
 TEST_F(CurveEnds, WhereTheFirstNumberComesToZero) {
   const std::string asked =

@@ -106,6 +106,23 @@ TEST(InputSensitivity, HoldsWhatTheNumbersOfAWholeBodyDo) {
         const CoupledSystem<BodyModel<>> system{model, {rates[0], rates[1], rates[2]}};
         expect_held<3>(spread<3>(BodyModel<>::places, by_number) + 3.0 * spread<3>(3, by_rate),
                        system.input_sensitivity(x));
+        // One by one they say no more, and with their signs what all numbers together do.
+        ReducedVector<3> sum = ReducedVector<3>::Zero();
+        ReducedVector<3> together = ReducedVector<3>::Zero();
+        system.for_each_input(x, [&](const ReducedVector<3>& by) {
+          sum += by.cwiseAbs();
+          together += by;
+        });
+        expect_held<3>(sum, system.input_sensitivity(x));
+        const auto all = [&](double share) {
+          BodyModel<> own = model;
+          for (std::size_t k = 0; k < BodyModel<>::places; ++k) own = changed(own, k, share);
+          auto c = rates;
+          for (double& rate : c) rate *= std::pow(1.0 + share, 3);
+          return at(own, c);
+        };
+        const ReducedVector<3> seen = (all(h) - all(-h)) / (2.0 * h);
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(together[i], seen[i], 1e-7 * (1.0 + sum[i])) << i;
       }
     }
   }
