@@ -3,8 +3,6 @@
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <map>
@@ -17,6 +15,7 @@
 #include "python/binding/potential.hpp"
 #include "python/binding/records.hpp"
 #include "solver/batch_spectrum/batch_spectrum.hpp"
+#include "solver/newton/thread_arena.hpp"
 #include "solver/program/case/case_parameter.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/text/nearest_name.hpp"
@@ -72,17 +71,14 @@ BatchInput share(const Problem& problem, const std::vector<Varied>& parameters,
 /// The spectra of a share's solved cells, by all threads.
 void spectra(const BatchInput& input, const BatchResult& solved, bool modes, int threads,
              SpectrumRecord* out) {
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, input.lanes, [&](std::size_t lane) {
-      std::vector<CellPlace> places;
-      for (std::size_t k = 0; k < input.nu.size(); ++k)
-        if (solved.cell(lane, k).status == SolveStatus::solved) places.push_back({lane, k});
-      std::vector<CellSpectrum> found(places.size());
-      cell_spectra(input, solved, places, {.modes = modes}, found);
-      for (std::size_t i = 0; i < places.size(); ++i)
-        out[lane * input.nu.size() + places[i].k] = record(found[i]);
-    });
+  for_each_by(threads, input.lanes, [&](std::size_t lane) {
+    std::vector<CellPlace> places;
+    for (std::size_t k = 0; k < input.nu.size(); ++k)
+      if (solved.cell(lane, k).status == SolveStatus::solved) places.push_back({lane, k});
+    std::vector<CellSpectrum> found(places.size());
+    cell_spectra(input, solved, places, {.modes = modes}, found);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      out[lane * input.nu.size() + places[i].k] = record(found[i]);
   });
 }
 

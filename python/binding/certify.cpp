@@ -3,8 +3,6 @@
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <optional>
 #include <string>
@@ -15,6 +13,7 @@
 #include "python/binding/potential.hpp"
 #include "python/binding/records.hpp"
 #include "solver/kind/kind.hpp"
+#include "solver/newton/thread_arena.hpp"
 
 namespace stationary::python {
 namespace {
@@ -60,16 +59,13 @@ py::tuple certify(const Body& body, const Material& material, const std::string&
   std::vector<std::string> reasons(points.size());
   const int count = thread_count(threads);
   interruptible([&](const std::atomic<bool>& stop) {
-    tbb::task_arena arena(count);
-    arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t k) {
-        all[k] = ProofRecord();
-        const Equilibrium at = points.equilibrium(about, k);
-        if (at.status != SolveStatus::solved) reasons[k] = "not solved";
-        if (stop || at.status != SolveStatus::solved) return;
-        const auto kind = kind_of(body, material.potential, AxisRotation{about, points.nu(k)});
-        all[k] = proof(*kind, at, reasons[k]);
-      });
+    for_each_by(count, points.size(), [&](std::size_t k) {
+      all[k] = ProofRecord();
+      const Equilibrium at = points.equilibrium(about, k);
+      if (at.status != SolveStatus::solved) reasons[k] = "not solved";
+      if (stop || at.status != SolveStatus::solved) return;
+      const auto kind = kind_of(body, material.potential, AxisRotation{about, points.nu(k)});
+      all[k] = proof(*kind, at, reasons[k]);
     });
   });
   return py::make_tuple(out, reasons, material.potential.assumptions());

@@ -1,10 +1,15 @@
 #include "python/binding/potential.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <atomic>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "python/binding/interruptible.hpp"
 #include "python/binding/module.hpp"
 #include "python/binding/toml_from_python.hpp"
 #include "solver/program/case/case_file.hpp"
@@ -64,11 +69,27 @@ py::list models() {
   return out;
 }
 
-// A reference that is not const, as py::vectorize needs it.
-double value(Material& self, double alpha, double xi, double zeta, double rho) {
-  const Stretch q{alpha, xi, zeta, rho};
-  if (const char* inequality = violated_inequality(q)) throw std::invalid_argument(inequality);
-  return self.potential.value(q);
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// V at many S, alpha ... rho of one shape.
+py::array_t<double> values(const Material& self, const Numbers& alpha, const Numbers& xi,
+                           const Numbers& zeta, const Numbers& rho) {
+  py::array_t<double> out(std::vector<py::ssize_t>(alpha.shape(), alpha.shape() + alpha.ndim()));
+  const auto size = static_cast<std::size_t>(out.size());
+  double* const V = out.mutable_data();
+  interruptible([&, a = alpha.data(), x = xi.data(), z = zeta.data(),
+                 r = rho.data()](const std::atomic<bool>& stop) {
+    for (std::size_t k = 0; k < size && !stop; ++k) {
+      const Stretch q{a[k], x[k], z[k], r[k]};
+      if (const char* inequality = violated_inequality(q))
+        throw InputError({}, "S",
+                         fmt::format("found alpha = {}, xi = {}, zeta = {}, rho = {}", q.alpha,
+                                     q.xi, q.zeta, q.rho),
+                         inequality);
+      V[k] = self.potential.value(q);
+    }
+  });
+  return out;
 }
 
 }  // namespace
@@ -90,8 +111,7 @@ void declare_potential(py::module_& module) {
       .def_property_readonly("coefficients", &coefficients)
       .def_property_readonly("formulas", &formulas)
       .def_property_readonly("facts", &facts)
-      .def("value", py::vectorize(&value), py::arg("alpha"), py::arg("xi"), py::arg("zeta"),
-           py::arg("rho"));
+      .def("value", &values, py::arg("alpha"), py::arg("xi"), py::arg("zeta"), py::arg("rho"));
   module.def("models", &models);
   module.def("model_list", &cli::model_list, py::arg("name"));
   module.def(

@@ -3,8 +3,6 @@
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +15,7 @@
 #include "python/binding/potential.hpp"
 #include "python/binding/records.hpp"
 #include "solver/kind/kind.hpp"
+#include "solver/newton/thread_arena.hpp"
 #include "solver/search/search_message.hpp"
 
 namespace stationary::python {
@@ -57,13 +56,10 @@ py::tuple search(const Body& body, const Material& material, const std::string& 
   const int count = thread_count(threads);
   interruptible([&](const std::atomic<bool>& stop) {
     options.stop = &stop;
-    tbb::task_arena arena(count);
-    arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, size, [&](std::size_t k) {
-        if (stop) return;
-        results[k] =
-            kind_of(body, material.potential, AxisRotation{about, spins[k]})->search(options);
-      });
+    for_each_by(count, size, [&](std::size_t k) {
+      if (stop) return;
+      results[k] =
+          kind_of(body, material.potential, AxisRotation{about, spins[k]})->search(options);
     });
   });
   std::vector<FoundRecord> found;

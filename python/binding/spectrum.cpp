@@ -1,8 +1,6 @@
 // The spectrum of each of many solved motions.
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <optional>
 #include <string>
@@ -12,6 +10,7 @@
 #include "python/binding/potential.hpp"
 #include "python/binding/records.hpp"
 #include "solver/kind/kind.hpp"
+#include "solver/newton/thread_arena.hpp"
 
 namespace stationary::python {
 namespace {
@@ -24,15 +23,12 @@ py::array spectrum(const Body& body, const Material& material, const std::string
   SpectrumRecord* const all = out.mutable_data();
   const int count = thread_count(threads);
   interruptible([&](const std::atomic<bool>& stop) {
-    tbb::task_arena arena(count);
-    arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t k) {
-        all[k] = SpectrumRecord();
-        const Equilibrium at = points.equilibrium(about, k);
-        if (stop || at.status != SolveStatus::solved) return;
-        const auto kind = kind_of(body, material.potential, AxisRotation{about, points.nu(k)});
-        if (const auto found = kind->spectrum(at)) all[k] = record(*found);
-      });
+    for_each_by(count, points.size(), [&](std::size_t k) {
+      all[k] = SpectrumRecord();
+      const Equilibrium at = points.equilibrium(about, k);
+      if (stop || at.status != SolveStatus::solved) return;
+      const auto kind = kind_of(body, material.potential, AxisRotation{about, points.nu(k)});
+      if (const auto found = kind->spectrum(at)) all[k] = record(*found);
     });
   });
   return out;

@@ -71,9 +71,19 @@ def thread_count(asked: Any) -> int | None:
 
 def numbers(values: Any, name: str, count: int | None = None) -> npt.NDArray[np.float64]:
     try:
+        if np.asarray(values).dtype.kind in "mM":  # dates would be counts of days
+            raise TypeError
         out = np.asarray(values, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError(f"{name}: found {values!r}; expected numbers") from None
     if count is not None and out.shape != (count,):
         raise InputError(f"{name}: found {values!r}; expected {count} numbers")
+    return out
+
+
+def spins(values: Any) -> npt.NDArray[np.float64]:
+    """Of nu."""
+    out = numbers(values, "nu")
+    if not np.isfinite(out).all():
+        raise InputError(f"nu: found {out[~np.isfinite(out)][0]}; expected finite numbers")
     return out

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._core import Body as Body
-from ._input import flag, mapping, numbers, text, thread_count, type_name
+from ._input import flag, mapping, numbers, spins, text, thread_count, type_name
 from .errors import InputError, NotFound, NumericalError
 
 _NOT_EQUILIBRIUM = 3  # the program's exit code
@@ -97,7 +97,7 @@ class Potential:
     ) -> Any:
         """V at positive definite stretches; the arguments are broadcast.
 
-        Raises InputError where S is not positive definite.
+        NaN where the formula is not defined. Raises InputError where S is not positive definite.
         """
         names = ("alpha", "xi", "zeta", "rho")
         S = [numbers(each, name) for each, name in zip((alpha, xi, zeta, rho), names)]
@@ -106,7 +106,8 @@ class Potential:
         except ValueError:
             shapes = ", ".join(str(each.shape) for each in S)
             raise InputError(f"S: found arrays of shapes {shapes}; expected one shape") from None
-        return self._inner.value(*S)
+        out = self._inner.value(*(np.ascontiguousarray(each) for each in np.broadcast_arrays(*S)))
+        return out if out.ndim else float(out)
 
     def __repr__(self) -> str:
         return "\n".join(
@@ -139,12 +140,12 @@ def sweep(
     branch: str,
     nu: npt.ArrayLike,
     *,
-    start: Sequence[float] | None = None,
+    start: npt.ArrayLike | None = None,
     error_bound: bool = True,
 ) -> npt.NDArray[np.void]:
     """One family at many nu, one after the other; each solve starts from the last ones.
 
-    branch: "i", "ii" or "iii". nu: in the order in which they are to be solved, along the branch's
+    potential: an isotropic one; solve_batch takes others too. branch: "i", "ii" or "iii". nu: in the order in which they are to be solved, along the branch's
     axis, in reciprocal time. start: (alpha, xi, zeta, rho) near the solution at the first nu; None:
     the solution connected to rest. error_bound: False leaves it NaN and spares its work.
 
@@ -154,9 +155,12 @@ def sweep(
     Raises InputError, and NotFound or NumericalError where there is no solution at the first nu.
     C++: Sweep, solver/batch/sweep.hpp.
     """
+    model = _model(body, potential, branch)
+    if not potential.isotropic:
+        raise InputError("potential: found an anisotropic one; expected an isotropic one; solve_batch takes others")
     out, code, text = _core.sweep(
-        *_model(body, potential, branch),
-        numbers(nu, "nu"),
+        *model,
+        spins(nu),
         None if start is None else numbers(start, "start", 4),
         flag(error_bound, "error_bound"),
     )
@@ -190,7 +194,7 @@ def solve_batch(
     varied = mapping(parameters or {}, "parameters")
     cells, spectra = _core.solve_batch(
         *_model(body, potential, branch),
-        numbers(nu, "nu").ravel(),
+        spins(nu).ravel(),
         {str(key): numbers(each, str(key)) for key, each in varied.items()},
         None if spectrum is None else text(spectrum, "spectrum"),
         flag(error_bound, "error_bound"),
@@ -265,7 +269,7 @@ def search(
     branch: str,
     nu: npt.ArrayLike,
     *,
-    box: tuple[float, float] = (1e-3, 1e3),
+    box: npt.ArrayLike = (1e-3, 1e3),
     threads: int | None = None,
 ) -> Solutions:
     """Every motion at each nu with stretches in the box, with proof.
@@ -275,7 +279,7 @@ def search(
     return Solutions(
         *_core.search(
             *_model(body, potential, branch),
-            numbers(nu, "nu"),
+            spins(nu),
             numbers(box, "box", 2),
             thread_count(threads),
         )

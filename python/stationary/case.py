@@ -65,6 +65,8 @@ class Case:
         found: Any = self.to_dict()
         for part in text(key, "Case").split("."):
             try:
+                if isinstance(found, list) and not (part.isascii() and part.isdecimal()):
+                    raise IndexError(part)
                 found = found[int(part)] if isinstance(found, list) else found[part]
             except (KeyError, IndexError, TypeError, ValueError):
                 raise KeyError(key) from None

@@ -64,6 +64,8 @@ def draw(
         if command == "curve":
             return _event_curves(result._computed.curve_diagram(), result, ax)
         return _map(result._computed.map_diagram(show[0] if show else None), result, ax)
+    if show and energy_momentum:
+        raise InputError("show: found columns beside the energy-momentum diagram; expected one of these")
     if len(show) > _MOST_COLUMNS:
         raise InputError(f"show: found {len(show)} columns; expected at most {_MOST_COLUMNS}")
     return _diagram(result._computed.diagram(show, sheets, branches, energy_momentum), result, ax)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from . import _core
+from ._input import text
 from ._text import block, plain
 
 
@@ -33,7 +34,7 @@ class Models(dict[str, Model]):
     """Of every name its Model. Its ``repr`` is what ``stationary models`` prints."""
 
     def __missing__(self, name: str) -> Model:
-        _core.model_list(name)  # raises InputError with the nearest name
+        _core.model_list(text(name, "models"))  # raises InputError with the nearest name
         raise KeyError(name)
 
     def __repr__(self) -> str:

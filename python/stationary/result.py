@@ -73,7 +73,7 @@ class Result:
     def write(self, path: str | os.PathLike[str]) -> None:
         """Writes the table, and x.meta.json beside it, the same bytes as the program.
 
-        HDF5 for .h5 and .hdf5, else CSV. Raises InputError where the path cannot be written or
+        HDF5 for .h5 and .hdf5, else CSV; "-": CSV to the standard output, and no metadata. Raises InputError where the path cannot be written or
         would replace the case file.
         """
         self._computed.write(file_path(path, "write"))

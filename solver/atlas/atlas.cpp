@@ -1,8 +1,6 @@
 #include "solver/atlas/atlas.hpp"
 
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include "solver/atlas/sheet_arc.hpp"
 #include "solver/atlas/sheet_set.hpp"
 #include "solver/newton/available_threads.hpp"
+#include "solver/newton/thread_arena.hpp"
 
 namespace stationary {
 namespace {
@@ -221,11 +220,10 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
   const int threads = available_threads(options.threads);
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
   const std::size_t searches = parts.size() * each;
   std::atomic<std::size_t> done = 0;
   std::mutex reporting;
-  arena.execute([&] {
+  arena_of(threads).execute([&] {
     tbb::parallel_for(std::size_t{0}, searches, [&](std::size_t k) {
       parts[k / each].search_at(k % each, k);
       const std::size_t so_far = ++done;

@@ -3,7 +3,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +18,7 @@
 #include "solver/batch/march_plan.hpp"
 #include "solver/batch/sweep.hpp"
 #include "solver/newton/available_threads.hpp"
+#include "solver/newton/thread_arena.hpp"
 #include "solver/solve/nonexistence.hpp"
 
 namespace stationary {
@@ -146,8 +146,7 @@ class BatchRun {
     } else {
       const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                         static_cast<std::size_t>(threads));
-      tbb::task_arena arena(threads);
-      arena.execute([&] {
+      arena_of(threads).execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts_),
                           [&](const auto& range) { solve_parts(range.begin(), range.end()); });
       });

@@ -117,7 +117,7 @@ def test_what_is_in_a_case(disc):
     case = Case(disc)
     for key in ("motion", "motion.nu", "body.J.1"):
         assert key in case
-    for key in ("motion.axis", "body.J.3", "motion.nu.0", "", 1, None):
+    for key in ("motion.axis", "body.J.3", "body.J.-1", "body.J. 1", "motion.nu.0", "", 1, None):
         assert key not in case
     with pytest.raises(TypeError, match="not iterable"):
         list(case)

@@ -217,6 +217,27 @@ NONSENSE = {
     "title: found half": lambda case: Case({**case.to_dict(), "title": "\ud800"}),
     "expected a dict": lambda case: Case([1, 2]),
     "Potential: found": lambda case: stationary.Potential(3),
+    "nu: found nan; expected finite numbers": lambda case: stationary.sweep(
+        case.body, case.potential, "i", [0.1, math.nan]
+    ),
+    "nu: found inf": lambda case: stationary.solve_batch(case.body, case.potential, "i", [math.inf]),
+    "expected numbers": lambda case: stationary.sweep(case.body, case.potential, "i", [10**400]),
+    "datetime64[D]'); expected numbers": lambda case: stationary.sweep(
+        case.body, case.potential, "i", np.array(["2026-01-01"], "datetime64[D]")
+    ),
+    "found an anisotropic one; expected an isotropic one": lambda case: stationary.sweep(
+        case.body,
+        case.set("potential.fibre", {"k": 0.4, "degrees": 30.0}).potential,
+        "i",
+        [0.1],
+    ),
+    "models: found a value of type int; expected text": lambda case: stationary.models()[3],
+    "S: found alpha = 0, xi = -2, zeta = 1, rho = 1; expected xi > 0": lambda case: case.potential.value(
+        0.0, [1.0, -2.0], 1.0, 1.0
+    ),
+    "show: found columns beside the energy-momentum diagram": lambda case: stationary.follow(
+        case
+    ).plot(diagram="energy-momentum", show="xi"),
     "alpha: found 'a'": lambda case: case.potential.value("a", 1.0, 1.0, 1.0),
     "one shape": lambda case: case.potential.value(0.0, np.ones(3), np.ones(4), 1.0),
     "parameters: found": lambda case: stationary.solve_batch(

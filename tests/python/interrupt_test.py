@@ -23,6 +23,7 @@ WORK = {
     "sweep": "stationary.sweep(fold.body, fold.potential, 'i', np.linspace(0.0, 0.5, 30_000_000))",
     "solve_batch": "stationary.solve_batch(fold.body, fold.potential, 'i', np.linspace(0.0, 0.5, 1000),"
     " {'body.J.1': np.linspace(1.1, 2.0, 5_000)}, spectrum='modes')",
+    "value": "fold.potential.value(0.0, np.linspace(0.5, 2.0, 20_000_000), 1.0, 1.0)",
     "search": "stationary.search(fold.body, fold.potential, 'i', np.linspace(0.0, 0.5, 1_000_000))",
     "certify": "points = stationary.sweep(fold.body, fold.potential, 'i', np.linspace(0.0, 0.5, 1_000_000))\n"
     "print('certifying', flush=True); stationary.certify(fold.body, fold.potential, 'i', points)",

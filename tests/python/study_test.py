@@ -20,6 +20,16 @@ def test_rows_are_those_of_solve(disc):
             assert row[name] == alone.table[name][0], name
 
 
+def test_what_is_missing_in_the_only_column_is_a_row(disc, tmp_path):
+    found = stationary.study(disc, {"motion.nu": [0.1, None, None]})
+    assert len(found) == 3 and found["nu1"].tolist() == [0.1, 0.5, 0.5]
+    assert len(stationary.study(disc, {"motion.nu": [None]})) == 1
+    table, out = tmp_path / "t.csv", tmp_path / "a.csv"
+    table.write_text('motion.nu\n0.1\n""\n\n')  # an empty line at the end is none
+    assert run_program("study", CASE, "--over", table, "-o", out, "-q")[0] == 0
+    assert len(out.read_text().splitlines()) == 3
+
+
 @pytest.mark.parametrize("do", ["solve", "continue", "atlas"])
 def test_is_the_program_s(do, tmp_path):
     table, theirs, ours = (tmp_path / name for name in ("t.csv", "a.csv", "b.csv"))

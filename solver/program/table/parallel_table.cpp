@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solver/newton/available_threads.hpp"
+#include "solver/newton/thread_arena.hpp"
 
 namespace stationary {
 namespace {
@@ -28,7 +29,7 @@ ParallelTableWriter::ParallelTableWriter(ByteSink& sink, std::vector<Column> col
               std::size_t{parameter.has_value()} + std::size_t{second.has_value()}),
       sink_(&sink),
       format_(column_list(), parameter, second),
-      arena_(available_threads(threads)),
+      arena_(arena_of(available_threads(threads))),
       most_(2 * static_cast<std::size_t>(threads)) {}
 
 /// Of rows that are not wanted any more: nothing may still be at work on them.

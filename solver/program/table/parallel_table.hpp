@@ -37,7 +37,7 @@ class ParallelTableWriter final : public RowSink {
 
   ByteSink* sink_;
   RowFormat format_;
-  tbb::task_arena arena_;
+  tbb::task_arena& arena_;
   std::size_t most_;                            ///< batches not yet written
   std::vector<TableRow> rows_;                  ///< of the batch to come
   std::deque<std::unique_ptr<Batch>> started_;  ///< the oldest first

@@ -41,6 +41,8 @@ class TableReader {
   std::string_view text(std::size_t column) const { return cells_[column].text; }
   /// The same as a number, NaN where the cell is empty.
   double number(std::size_t column) const;
+  /// Whether this row is an empty line, which an empty cell in quotes is not.
+  bool is_empty_line() const { return record_.empty(); }
   /// What is wrong with a cell of this row, as an error that names its place.
   InputError fault(std::size_t column, std::string allowed) const;
 

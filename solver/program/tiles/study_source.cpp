@@ -97,16 +97,17 @@ StudySource::StudySource(TableReader table, std::string path) : path_(std::move(
   names_ = table.columns();
   for (const std::string& name : names_) require_name(path_, name);
   require_apart(path_, names_);
+  std::size_t kept = 0;
   while (table.next()) {
     std::vector<Cell>& row = rows_.emplace_back();
     for (std::size_t k = 0; k < names_.size(); ++k) {
       row.push_back({std::string(table.text(k)), table.fault(k, {}).origin()});
       require_text(row.back().place, names_[k], row.back().text);
     }
+    if (!table.is_empty_line()) kept = rows_.size();
   }
-  // An empty line at the end is no row; of several columns it would have too few.
-  while (names_.size() == 1 && !rows_.empty() && rows_.back().front().text.empty())
-    rows_.pop_back();
+  // Empty lines at the end are no rows; of several columns they would have too few.
+  if (names_.size() == 1) rows_.resize(kept);
   if (rows_.empty())
     throw InputError(Origin::in_file(path_), "", "found no rows", "a header and a row at least");
   for (std::size_t k = 0; k < names_.size(); ++k) {
@@ -153,7 +154,10 @@ std::string StudySource::cells(std::size_t k) const {
 
 std::string StudySource::text() const {
   std::string out = csv_header(columns());
-  for (std::size_t k = 0; k < rows_.size(); ++k) out += cells(k) + '\n';
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    const std::string line = cells(k);
+    out += (line.empty() ? "\"\"" : line) + '\n';
+  }
   return out;
 }
 
