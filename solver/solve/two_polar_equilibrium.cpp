@@ -243,6 +243,16 @@ class Solver {
 void circle_instead(const Body& body, const Potential& potential,
                     const TwoPolarRates<double>& rates, const SolveOptions& options, Solver& solver,
                     Equilibrium& out) {
+  const auto corrected = [&](const Stretch& near) {
+    out.q = near;
+    if (!solver.correct_circle(rates)) return false;
+    out.status = SolveStatus::solved;
+    out.circle = true;
+    out.message += "; this is the circle lambda = mu, which depends on omega + theta_dot only";
+    return true;
+  };
+  const auto& start = options.start;
+  if (start && start->alpha == 0.0 && start->xi == start->zeta && corrected(*start)) return;
   SolveOptions from_rest = options;
   from_rest.start.reset();
   const Equilibrium circle =
@@ -266,15 +276,10 @@ void circle_instead(const Body& body, const Potential& potential,
     }
     if (!q) return;
   }
-  out.status = SolveStatus::solved;
+  if (corrected(*q)) return;
+  out.status = SolveStatus::failed;
   out.circle = true;
-  out.q = *q;
-  if (!solver.correct_circle(rates)) {
-    out.status = SolveStatus::failed;
-    out.message += "; the circle lambda = mu did not converge";
-    return;
-  }
-  out.message += "; this is the circle lambda = mu, which depends on omega + theta_dot only";
+  out.message += "; the circle lambda = mu did not converge";
 }
 
 /// Of all ellipses in the search's box the one nearest to the unit stretches; where none is proven, of
