@@ -33,6 +33,12 @@ struct Inertia3 {
   S J3;
 };
 
+/// That of an axis, from 0, of a Body, an Inertia3 or what else has all three.
+template <class Inertias>
+constexpr auto& inertia_of(Inertias& J, int axis) {
+  return axis == 0 ? J.J1 : axis == 1 ? J.J2 : J.J3;
+}
+
 /// Locked inertia I(q), eq. (20). body, here and below: J1, J2, J3 as doubles or in S.
 template <class S, class Inertias>
 Matrix3<S> locked_inertia(const Inertias& body, const BasicStretch<S>& q) {

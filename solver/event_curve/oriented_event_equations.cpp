@@ -71,7 +71,7 @@ class OrientedEventEquations final : public HeldEventEquations<all> {
         nu_ = value;
         break;
       case FamilyParameter::Kind::inertia:
-        (held_.index == 0 ? body_.J1 : held_.index == 1 ? body_.J2 : body_.J3) = value;
+        inertia_of(body_, held_.index) = value;
         break;
       default:
         break;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "lib/body/inertia.hpp"
 #include "lib/material/elastic_energy.hpp"
 #include "lib/matrix/elementwise.hpp"
 #include "lib/number/elementary.hpp"
@@ -131,9 +132,8 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
   }
 
   Refined refine_at(ReducedVector<N>& x, ReducedVector<N>& tail, double p) const override {
-    constexpr int max_corrections = 8;
     const OrientedSetting at = settings_.at(p);
-    Refined out = refine(system(at), x, max_corrections, &tail);
+    Refined out = refine(system(at), x, most_corrections, &tail);
     out.error_bound *= bound_factor;
     this->evaluations_.extended_residuals += out.steps;
     this->evaluations_.jacobians += out.steps;
@@ -163,7 +163,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
       ReducedVector<4> still = near.template head<4>();
       if (!newton(system, still).converged) return std::nullopt;
       ReducedVector<4> still_tail;
-      const Refined refined = refine(system, still, 8, &still_tail);
+      const Refined refined = refine(system, still, most_corrections, &still_tail);
       if (!refined.converged) return std::nullopt;
       ReducedVector<N> x = near;
       ReducedVector<N> tail = ReducedVector<N>::Zero();
@@ -321,7 +321,7 @@ class AnisotropicFamily final : public Family<Layout::dimension> {
     if (options_.parameter.kind == Kind::inertia) {
       const int k = options_.parameter.index;
       Inertia3<double> one{0.0, 0.0, 0.0};
-      (k == 0 ? one.J1 : k == 1 ? one.J2 : one.J3) = 1.0;
+      inertia_of(one, k) = 1.0;
       out = system.inertial(one, y, at.nu * at.nu);
     }
     const int place = settings_.coefficient_place();

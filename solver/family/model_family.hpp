@@ -163,7 +163,6 @@ class ModelFamily final : public Family<N> {
   }
 
  private:
-  static constexpr int max_corrections = 8;
   using Kind = FamilyParameter::Kind;
   static constexpr bool separable = requires(const Model& m) { m.plane; };
   static constexpr bool constant_thickness = separable && N == 2;
@@ -200,9 +199,8 @@ class ModelFamily final : public Family<N> {
         out.nu = p;
         break;
       case Kind::inertia:
-        (k == 0 ? out.body.J1 : k == 1 ? out.body.J2 : out.body.J3) = p;
-        if constexpr (is_body_model<Model>)
-          (k == 0 ? out.model.J.J1 : k == 1 ? out.model.J.J2 : out.model.J.J3) = p;
+        inertia_of(out.body, k) = p;
+        if constexpr (is_body_model<Model>) inertia_of(out.model.J, k) = p;
         break;
       case Kind::plane:
       case Kind::thickness:
@@ -221,14 +219,14 @@ class ModelFamily final : public Family<N> {
     if constexpr (separable) {
       ReducedVector<2> plane(x[0], x[1]);
       ReducedVector<2> planar_tail;
-      Refined out = counted(refine(planar_system(at, rates), plane, max_corrections, &planar_tail,
+      Refined out = counted(refine(planar_system(at, rates), plane, most_corrections, &planar_tail,
                                    parts ? &parts->plane : nullptr));
       x.template head<2>() = plane;
       tail.template head<2>() = planar_tail;
       if constexpr (N == 3) {
         ReducedVector<1> rho(x[2]);
         ReducedVector<1> rho_tail;
-        const Refined axial = counted(refine(thickness_system(at, rates), rho, max_corrections,
+        const Refined axial = counted(refine(thickness_system(at, rates), rho, most_corrections,
                                              &rho_tail, parts ? &parts->thickness : nullptr));
         x[2] = rho[0];
         tail[2] = rho_tail[0];
@@ -241,7 +239,7 @@ class ModelFamily final : public Family<N> {
       }
       return out;
     } else {
-      return counted(refine(CoupledSystem<Model>{at.model, rates}, x, max_corrections, &tail,
+      return counted(refine(CoupledSystem<Model>{at.model, rates}, x, most_corrections, &tail,
                             parts ? &parts->all : nullptr));
     }
   }
@@ -288,9 +286,9 @@ class ModelFamily final : public Family<N> {
       const BalanceCheck check = check_balance(at.body, v, out.q, nu, holds_volume(at.model));
       out.residual = check.residual;
       out.compatibility = check.compatibility;
-      if (options_.energy) out.energy = energy(at.body, elastic_energy(at.model, out.q), out.q, nu);
-    } else if (options_.energy) {
-      ++this->evaluations_.potentials;
+    }
+    if (options_.energy) {
+      this->evaluations_.potentials += !options_.errors;
       out.energy = energy(at.body, elastic_energy(at.model, out.q), out.q, nu);
     }
     if (branch_ != Branch::iii && is_on(circle_, out.q)) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/body/inertia.hpp"
 #include "lib/matrix/elementwise.hpp"
 #include "solver/newton/newton.hpp"
 #include "solver/newton/refine.hpp"
@@ -19,7 +20,7 @@ OrientedSetting OrientedSettings::at(double p) const {
       out.nu = p;
       break;
     case Kind::inertia:
-      (k == 0 ? out.body.J1 : k == 1 ? out.body.J2 : out.body.J3) = p;
+      inertia_of(out.body, k) = p;
       break;
     default:
       break;

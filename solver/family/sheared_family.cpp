@@ -94,7 +94,7 @@ std::optional<Member> ShearedEquations<N>::mirror_point(const X& x, double p) co
   y[shear_place] = std::abs(p);
   if (!newton(system, y).converged) return std::nullopt;
   X tail;
-  const Refined refined = refine(system, y, 8, &tail);
+  const Refined refined = refine(system, y, most_corrections, &tail);
   if (!refined.converged) return std::nullopt;
   const double nu = std::copysign(y[shear_place], p);
   y[shear_place] = 1.0;

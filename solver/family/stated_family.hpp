@@ -188,8 +188,7 @@ class StatedFamily final : public Family<Equations::dimension> {
     return {{at.jacobian.matrix(), at.slope, at.slope}, at.g};
   }
   Refined refine_at(X& x, X& tail, double p) const override {
-    constexpr int max_corrections = 8;
-    const Refined out = refine(system(p), x, max_corrections, &tail);
+    const Refined out = refine(system(p), x, most_corrections, &tail);
     this->evaluations_.extended_residuals += out.steps;
     this->evaluations_.jacobians += out.steps;
     this->evaluations_.sensitivities += out.converged;

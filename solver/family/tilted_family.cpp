@@ -54,8 +54,7 @@ class TiltedFamily final : public Family<2> {
   }
 
   Refined refine_at(ReducedVector<2>& x, ReducedVector<2>& tail, double p) const override {
-    constexpr int max_corrections = 8;
-    const Refined out = refine(system(p), x, max_corrections, &tail);
+    const Refined out = refine(system(p), x, most_corrections, &tail);
     evaluations_.extended_residuals += out.steps;
     evaluations_.jacobians += out.steps;
     evaluations_.sensitivities += out.converged;

@@ -62,8 +62,7 @@ class TwoPolarFamily final : public Family<FollowedElastic<Model, with_rho>::dim
   }
 
   Refined refine_at(ReducedVector<N>& x, ReducedVector<N>& tail, double p) const override {
-    constexpr int max_corrections = 8;
-    const Refined out = refine(system(setting(p)), x, max_corrections, &tail);
+    const Refined out = refine(system(setting(p)), x, most_corrections, &tail);
     this->evaluations_.extended_residuals += out.steps;
     this->evaluations_.jacobians += out.steps;
     this->evaluations_.sensitivities += out.converged;
@@ -95,7 +94,7 @@ class TwoPolarFamily final : public Family<FollowedElastic<Model, with_rho>::dim
           followed_elastic_system<with_rho>(base_.model), base_.body.J1, {equal}};
       if (!newton(system, x).converged) return std::nullopt;
       ReducedVector<N> tail;
-      const Refined refined = refine(system, x, 8, &tail);
+      const Refined refined = refine(system, x, most_corrections, &tail);
       if (!refined.converged || std::abs(x[0] - x[1]) > refined.error_bound * x[0])
         return std::nullopt;
       x[1] = x[0];

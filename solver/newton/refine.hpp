@@ -113,6 +113,9 @@ auto input_sensitivity(const System& system, const X& x, const At& at) {
   }
 }
 
+/// Of one motion: near a fold several are taken.
+constexpr int most_corrections = 8;
+
 template <class System>
 using LinearizedOf = std::decay_t<decltype(std::declval<const System&>().linearize(
     std::declval<const ReducedVector<System::dimension>&>()))>;
@@ -144,8 +147,8 @@ double moved_by_each_input(const System& system, const ReducedVector<System::dim
 /// Not converged: x is the last iterate, or unchanged where the Jacobian is singular, also only to
 /// rounding, or the residual not finite.
 template <bool bound = true, class System>
-Refined refine(const System& system, ReducedVector<System::dimension>& x, int max_steps = 8,
-               ReducedVector<System::dimension>* tail = nullptr,
+Refined refine(const System& system, ReducedVector<System::dimension>& x,
+               int max_steps = most_corrections, ReducedVector<System::dimension>* tail = nullptr,
                LinearizedOf<System>* last = nullptr) {
   constexpr int N = System::dimension;
   Refined out;

@@ -40,7 +40,7 @@ ThicknessBalance balanced_thickness(const Thickness& model, const DoubleDouble& 
   }
   ThicknessBalance out;
   ReducedVector<1> tail;
-  out.refined = refine<bound>(system, x, 8, &tail);
+  out.refined = refine<bound>(system, x, most_corrections, &tail);
   out.rho = x[0];
   out.tail = tail[0];
   return out;

@@ -16,6 +16,7 @@
 
 #include "lib/balance/sheared_balance.hpp"
 #include "lib/body/circle.hpp"
+#include "lib/body/inertia.hpp"
 #include "lib/number/dual.hpp"
 #include "solver/motion/event_functions.hpp"
 #include "solver/motion/family_parameter.hpp"
@@ -152,7 +153,7 @@ class EventEquations {
 
   static T moment(const State& s, int k) {
     const T& x = k == 0 ? s.xi : k == 1 ? s.zeta : s.rho;
-    return (k == 0 ? s.J.J1 : k == 1 ? s.J.J2 : s.J.J3) * (x * x);
+    return inertia_of(s.J, k) * (x * x);
   }
 
   T function(const State& s) const {

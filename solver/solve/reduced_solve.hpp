@@ -59,7 +59,7 @@ class ReducedSolve {
   bool finish(ReducedVector<N> x, ReducedAnswer<N>& out) {
     for (int time = 0; time < 2; ++time) {
       ReducedVector<N> tail;
-      const Refined refined = refine(system_, x, 8, &tail);
+      const Refined refined = refine(system_, x, most_corrections, &tail);
       counts_.newton_steps += refined.steps;
       counts_.extended_residuals += refined.steps;
       counts_.jacobians += refined.steps;

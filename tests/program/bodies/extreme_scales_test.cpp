@@ -11,6 +11,7 @@
 
 #include "tests/program/program.hpp"
 #include "tests/program/table_reading.hpp"
+#include "tests/support/numbers/high_precision.hpp"
 
 namespace stationary::testing {
 namespace {
@@ -248,6 +249,70 @@ TEST(ExtremeScales, SpinsThatAreNearlyRestAreRefused) {
                          "map={x={parameter=\"nu\",from=1e-300,to=1.0,count=3}}"})
                 .code,
             2);
+}
+
+/// A body of the modified neo-Hookean formula about axis 3, which its spin draws out along axis 1 without bound.
+std::string needle(const char* gravity) {
+  return std::string("[body]\nJ = [1.112, 0.4243, 1.451]\n[potential.coupled]\nexpression = ") +
+         "\"mu/2*(I1 + rho^2)*(d*rho)^(-2/3) + k/2*(d*rho-1)^2\"\nmu = 1.665\nk = 3.879\n" +
+         gravity +
+         "[motion]\nbranch = \"iii\"\nnu = 1.0\n"
+         "[continuation]\nfrom = 0.0\nto = 2.25\ntolerance = 1e-6\n";
+}
+
+/// Where the balance in doubles is rounding, a sheet goes on.
+TEST(ExtremeScales, ANeedleIsFollowedUntilNuDoesNotTellItsPoints) {
+  const TemporaryDirectory directory;
+  for (const char* gravity : {"", "[gravity]\ng = 0.6525\n"}) {
+    SCOPED_TRACE(gravity);
+    const Outcome outcome =
+        run_program({"continue", directory.file("case.toml", needle(gravity)), "-o", "-"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto rows = rows_of(outcome.out);
+    EXPECT_EQ(rows.back().at("event"), "escape");
+    EXPECT_GT(number(rows.back().at("xi")), 5e4);
+    EXPECT_LT(rows.size(), 200U);
+  }
+}
+
+/// With D = det S and m = mu D^(-2/3): rho^2 = (1 - J1 nu^2/m) xi^2 = (1 - J2 nu^2/m) zeta^2, and an equation of D
+/// is left,
+///   m (2 rho^2 - xi^2 - zeta^2)/3 + k (D - 1) D = 0.
+TEST(ExtremeScales, BoundsOfANeedleAreAboveItsErrors) {
+  const TemporaryDirectory directory;
+  const Outcome outcome =
+      run_program({"continue", directory.file("case.toml", needle("")), "-o", "-"});
+  int compared = 0;
+  for (const Row& row : rows_of(outcome.out)) {
+    const double xi = number(row.at("xi"));
+    if (!row.at("event").empty() || xi < 100.0 || xi > 2e4) continue;
+    const Number50 nu2 = Number50(number(row.at("nu3"))) * Number50(number(row.at("nu3")));
+    std::array<Number50, 3> x;
+    const auto equation = [&](const Number50& D) {
+      const Number50 m = Number50(1.665) * pow(D, Number50(-2) / 3);
+      const Number50 by_xi = 1 - Number50(1.112) * nu2 / m;
+      const Number50 by_zeta = 1 - Number50(0.4243) * nu2 / m;
+      const Number50 rho2 = pow(D * D * by_xi * by_zeta, Number50(1) / 3);
+      x = {sqrt(rho2 / by_xi), sqrt(rho2 / by_zeta), sqrt(rho2)};
+      return m * (2 * rho2 - x[0] * x[0] - x[1] * x[1]) / 3 + Number50(3.879) * (D - 1) * D;
+    };
+    Number50 D = Number50(xi) * Number50(number(row.at("zeta"))) * Number50(number(row.at("rho")));
+    for (int k = 0; k < 6; ++k) {
+      const Number50 h = D * Number50("1e-30");
+      const Number50 f = equation(D);
+      D -= f * h / (equation(D + h) - f);
+    }
+    (void)equation(D);
+    const char* names[] = {"xi", "zeta", "rho"};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double error = abs(Number50(number(row.at(names[k]))) / x[k] - 1).convert_to<double>();
+      EXPECT_LE(error, number(row.at("error_bound"))) << xi << ' ' << names[k];
+      EXPECT_LE(error, 1e-15) << xi << ' ' << names[k];
+    }
+    EXPECT_LE(number(row.at("error_bound")), 1e-9) << xi;
+    ++compared;
+  }
+  EXPECT_GE(compared, 6);
 }
 
 }  // namespace
