@@ -46,7 +46,7 @@ from = [0.0, 1.0]
 to = [0.2, 2.0]
 )";
 
-json metadata_of(const TemporaryDirectory& directory) {
+json written_metadata(const TemporaryDirectory& directory) {
   const json out = json::parse(text_of(directory / "x.meta.json"));
   EXPECT_EQ(schema_fault(out, json::parse(text_of(STATIONARY_SCHEMA))), "");
   return out;
@@ -70,7 +70,7 @@ TEST(Plan, EachCommandNamesTheKeysThatItDoesNotUse) {
   for (const auto& [command, keys] : unused) {
     const Outcome outcome = run_program({command, file, "-o", directory / "x.csv", "-q"});
     ASSERT_EQ(outcome.code, 0) << command << outcome.err;
-    const json metadata = metadata_of(directory);
+    const json metadata = written_metadata(directory);
     auto skipped = by_quantity(metadata["skipped"]);
     for (const std::string& key : keys) EXPECT_EQ(skipped[key], "not used") << command << key;
     EXPECT_EQ(skipped.size(), keys.size()) << command << metadata["skipped"];
@@ -86,14 +86,14 @@ TEST(Plan, AnAtlasCountsWhatItSearchedAndFollowed) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("case.toml", with_every_key);
   ASSERT_EQ(run_program({"atlas", file, "-o", directory / "x.csv", "-q"}).code, 0);
-  const json metadata = metadata_of(directory);
+  const json metadata = written_metadata(directory);
   const json& counts = metadata["counts"];
   EXPECT_EQ(counts["checkpoints"], metadata["checkpoints"].size());
   EXPECT_GE(counts["points_evaluated"].get<long>(), metadata["rows"].get<long>());
   EXPECT_GT(counts["continuation_steps"].get<long>(), 0);
   EXPECT_EQ(counts["cover_boxes"], 0);
   ASSERT_EQ(run_program({"atlas", file, "--complete", "-o", directory / "x.csv", "-q"}).code, 0);
-  EXPECT_GT(metadata_of(directory)["counts"]["cover_boxes"].get<long>(), 0);
+  EXPECT_GT(written_metadata(directory)["counts"]["cover_boxes"].get<long>(), 0);
 }
 
 TEST(Plan, CheckSaysWhatACurveOfTheCaseAsksFor) {

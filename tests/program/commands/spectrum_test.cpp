@@ -23,7 +23,7 @@ std::map<std::string, std::string> solved_row(std::vector<std::string> arguments
   return only_row(outcome.out);
 }
 
-nlohmann::json metadata_of(const std::vector<std::string>& overrides) {
+nlohmann::json metadata_of_solve(const std::vector<std::string>& overrides) {
   const TemporaryDirectory directory;
   std::vector<std::string> arguments{"solve", main_case, "-o", directory / "x.csv"};
   for (const std::string& each : overrides) {
@@ -76,7 +76,7 @@ TEST(SpectrumOutput, FourModesAtRestLeaveTheFifthEmpty) {
 }
 
 TEST(SpectrumOutput, MetadataCountItAndNameTheClass) {
-  const auto metadata = metadata_of({});
+  const auto metadata = metadata_of_solve({});
   EXPECT_EQ(metadata["counts"]["spectra"], 1);
   EXPECT_EQ(metadata["class"], "unstable");
   EXPECT_TRUE(metadata["skipped"].empty());
@@ -84,7 +84,7 @@ TEST(SpectrumOutput, MetadataCountItAndNameTheClass) {
 }
 
 TEST(SpectrumOutput, SwitchedOffNoneOfItIsComputed) {
-  const auto metadata = metadata_of({"output.spectrum=false"});
+  const auto metadata = metadata_of_solve({"output.spectrum=false"});
   EXPECT_EQ(metadata["counts"]["spectra"], 0);
   EXPECT_FALSE(metadata.contains("class"));
   EXPECT_EQ(metadata["skipped"][0]["quantity"], "spectrum");
@@ -104,12 +104,12 @@ TEST(SpectrumOutput, SwitchedOffNoneOfItIsComputed) {
 
 TEST(SpectrumOutput, ColumnsWithoutItSkipItInATableOnly) {
   const std::string columns = "output.columns=[\"xi\", \"zeta\"]";
-  const auto metadata = metadata_of({columns});
+  const auto metadata = metadata_of_solve({columns});
   EXPECT_EQ(metadata["counts"]["spectra"], 0);
   EXPECT_THAT(metadata["skipped"][0]["why"].get<std::string>(), HasSubstr("output.columns"));
   EXPECT_THAT(run_program({"check", main_case, "--set", columns}).out, HasSubstr("skipped"));
   EXPECT_THAT(run_program({"solve", main_case, "--set", columns}).out, HasSubstr("unstable: "));
-  EXPECT_EQ(metadata_of({"output.columns=[\"xi\", \"im3\"]"})["counts"]["spectra"], 1);
+  EXPECT_EQ(metadata_of_solve({"output.columns=[\"xi\", \"im3\"]"})["counts"]["spectra"], 1);
 }
 
 TEST(SpectrumOutput, SummaryHasTheModesAndWhatTheClassClaims) {
