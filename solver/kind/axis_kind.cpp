@@ -60,8 +60,12 @@ class AxisKind final : public Kind {
   Motion motion() const override { return motion_; }
 
   Equilibrium solve(const SolveOptions& options) const override {
-    if (options.start && motion_.nu != 0.0 && is_sheared(*options.start))
-      return sheared_->solve(options);
+    if (options.start && is_sheared(*options.start)) {
+      if (motion_.nu != 0.0) return sheared_->solve(options);
+      SolveOptions straight = options;  // at rest alpha = 0
+      straight.start->alpha = 0.0;
+      return solve(straight);
+    }
     Equilibrium out = stationary::solve(problem_, motion_.nu, options);
     const bool look = options.search && !options.start && options.method == Method::automatic;
     if (sheared_ && motion_.nu != 0.0 && look && out.status == SolveStatus::not_found)

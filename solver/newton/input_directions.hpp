@@ -96,11 +96,11 @@ void for_each_decimal(const Model& model, const ReducedVector<N>& x, const Each&
   for (int k = 0; k < N; ++k) each(ReducedVector<N>(sum[k] * ReducedVector<N>::Unit(k)));
 }
 
-/// And of the spin: pull_i = c_i x_i^2, J_i nu^2 of the inertias and of nu, as the equations have it.
+/// And of the spin, whose pull_i = c_i x_i^2 the equations take away, c_i = J_i nu^2.
 template <int N, class Each>
 void for_each_spin_input(const ReducedVector<N>& pull, const Each& each) {
-  each(ReducedVector<N>(2.0 * pull));  // nu
-  for (int k = 0; k < N; ++k) each(ReducedVector<N>(pull[k] * ReducedVector<N>::Unit(k)));
+  each(ReducedVector<N>(-2.0 * pull));  // nu
+  for (int k = 0; k < N; ++k) each(ReducedVector<N>(-pull[k] * ReducedVector<N>::Unit(k)));
 }
 
 }  // namespace stationary

@@ -17,8 +17,8 @@ namespace stationary {
 
 /// Without a start all motions are searched for (two_polar_search.hpp) and the ellipse nearest to
 /// the unit stretches is the answer; what that search leaves undecided NLopt and Newton's method
-/// look into. With one: Newton's method there. options.method: automatic, or nlopt without that search. Throws as
-/// require_two_polar().
+/// look into. With one: Newton's method there; one on the circle, at given rates that allow no ellipse near by, leads to
+/// the circle near it. options.method: automatic, or nlopt without that search. Throws as require_two_polar().
 Equilibrium solve_two_polar(const Body& body, const Potential& potential,
                             const TwoPolarMotion& motion, const SolveOptions& options = {});
 

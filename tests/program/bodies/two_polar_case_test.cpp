@@ -124,21 +124,6 @@ TEST(TwoPolarCase, OnTheCircleItIsBranchThree) {
               HasSubstr("the circle lambda = mu"));
 }
 
-/// A start on a circle leads to that circle, and nothing is searched for.
-TEST(TwoPolarCase, FromACircleToTheCircle) {
-  const TemporaryDirectory directory;
-  const std::string path = directory.file("case.toml", line_of_ellipses);
-  auto row = two_polar_row({path, "--set", "motion.omega=0.7"});
-  const Outcome again =
-      run_program({"solve", path, "--set", "motion.omega=0.7", "--set",
-                   "solve.start=[0.0, " + row["xi"] + ", " + row["xi"] + ", " + row["rho"] + "]",
-                   "-o", directory / "x.csv"});
-  ASSERT_EQ(again.code, 0) << again.err;
-  EXPECT_EQ(rows_of(text_of(directory / "x.csv")).at(0).at("xi"), row["xi"]);
-  EXPECT_THAT(again.out, HasSubstr("the circle lambda = mu"));
-  EXPECT_THAT(again.out, ::testing::Not(HasSubstr("search")));
-}
-
 TEST(TwoPolarCase, AllOfThem) {
   const TemporaryDirectory directory;
   const auto all = [](const std::string& path, const std::vector<std::string>& more) {

@@ -54,7 +54,7 @@ TEST_F(DomainOfTwo, NoAtlasOfAGridFails) {
       {"atlas", case_file(about_axis_ + "[continuation]\nfrom = 0.0\nto = 0.2\n" + map_), "--grid",
        "--checkpoints", "1", "-o", directory_ / "grid.csv"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("12: 12 complete"));
+  EXPECT_THAT(outcome.out, HasSubstr("12: 12 solved"));
   EXPECT_THAT(outcome.out,
               HasSubstr("potential.plane.lambda from 0.5 to 1, 3 values, logarithmic"));
 }

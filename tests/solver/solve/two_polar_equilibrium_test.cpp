@@ -129,6 +129,23 @@ TEST(TwoPolar, ACircleIsFoundWhereTheSpinHasALineOfEllipses) {
   EXPECT_EQ(found.q.xi, found.q.zeta);
 }
 
+/// From a start on it, a little off, without a search.
+TEST(TwoPolar, AStartOnACircleLeadsToIt) {
+  const Body body(1.0, 1.0, 0.6);
+  const Potential V = potential("neo-hookean", 1.0, 2.0);
+  const TwoPolarRates<double> rates{0.5, 0.5};
+  const auto found = solve_two_polar(body, V, rates);
+  SolveOptions near{.method = Method::newton, .start = found.q};
+  near.start->xi *= 1.0 + 1e-4;
+  near.start->zeta = near.start->xi;
+  const auto again = solve_two_polar(body, V, rates, near);
+  ASSERT_EQ(again.status, SolveStatus::solved) << again.message;
+  EXPECT_TRUE(again.circle);
+  EXPECT_EQ(again.q.xi, found.q.xi);
+  EXPECT_EQ(again.q.rho, found.q.rho);
+  EXPECT_EQ(again.counts.walk_steps, 0);
+}
+
 TEST(TwoPolar, LinesOfSolutionsAreSaidNotSampled) {
   const Body body(1.0, 1.0, 0.6);
   // J (omega^2 + theta'^2) = 0.36 + 0.64 = 1 and J (omega - theta')^2 = 4 exactly.
