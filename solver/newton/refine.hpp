@@ -182,14 +182,14 @@ Refined refine(const System& system, ReducedVector<System::dimension>& x,
         ReducedVector<N> perturbation;
         for (int i = 0; i < N; ++i)
           perturbation[i] = 0x1p-53 * sensitivity[i] + 0x1p-80 * at.magnitude;
-        const double left = bend * size * (size + 0x1p-50) + 0x1p-53;
-        double linear = largest_magnitude<N>(absolute * perturbation) + left;
+        const double step_leaves = bend * size * (size + 0x1p-50);
+        double linear = largest_magnitude<N>(absolute * perturbation) + step_leaves + 0x1p-53;
         if constexpr (takes_inputs_apart<System>) {
           // Of long, thin bodies that is far too much.
           constexpr double coarse = 0x1p-40;
           if (linear > coarse)
             linear = std::min(linear, moved_by_each_input(system, x, inverse, kappa, linear) +
-                                          0x1p-80 * kappa + left);
+                                          0x1p-80 * kappa + step_leaves + 0x1p-53);
         }
         // Without such an e, that of a fold: below `linear` where kappa is far above the curvature.
         out.error_bound = std::fmax(linear, with_curvature(linear, kappa));
