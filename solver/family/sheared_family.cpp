@@ -142,9 +142,7 @@ Member ShearedEquations<N>::member(const X& x, const X& tail, double p, double e
   out.compatibility = check.compatibility;
   if (N == 3) out.pressure = pressure(body, potential, out.q, out.angular_velocity);
   out.energy = energy(body, potential, out.q, out.angular_velocity);
-  if (spectrum) {
-    out.spectrum = spectrum_at(*this, q, nu, stretch_uncertainty(error_bound));
-  }
+  if (spectrum) out.spectrum = spectrum_at(*this, q, nu, stretch_uncertainty(out.error_bound));
   return out;
 }
 
