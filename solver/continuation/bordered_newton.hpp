@@ -74,9 +74,6 @@ class BorderedInverse {
   double rows() const {
     return inverse().template leftCols<N>().cwiseAbs().rowwise().sum().maxCoeff();
   }
-  /// What of a correction may be the rounding of G in double precision, where its rows are divided by the size of
-  /// their terms.
-  double rounding() const { return 0x1p-50 * rows(); }
   /// Of dG/dy, on the border's side.
   ArcVector<N> kernel() const {
     if constexpr (by_elimination) {
@@ -153,16 +150,13 @@ NewtonCourse<N> bordered_newton(const ArcVector<N>& border, double max_correctio
         out.status = CorrectorStatus::too_far;
         return out;
       }
-    }
-    const bool is_slow = k > 0 && !contracts(size, previous);
-    const bool is_rounding = is_slow && size <= out.last.rounding();
-    if (is_slow && !is_rounding) {
+    } else if (!contracts(size, previous)) {
       out.status = CorrectorStatus::slow;
       return out;
     }
     move(delta);
     previous = size;
-    if (size <= last_correction || is_rounding) {
+    if (size <= last_correction) {
       out.status = CorrectorStatus::converged;
       return out;
     }

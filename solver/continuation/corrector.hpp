@@ -112,9 +112,9 @@ class Corrector {
     return across + along + 0x1p-53;
   }
 
-  /// What of a correction is the rounding of G in double precision.
+  /// What of a correction is the rounding of G in double precision: some units of its magnitude.
   double correction_rounding(const ArcPoint<N>& point) const {
-    return inverse(point.slopes, point.tangent).rounding();
+    return 0x1p-50 * inverse(point.slopes, point.tangent).rows();
   }
 
  private:
@@ -238,7 +238,7 @@ class Corrector {
     const double across = moved_by.template head<N>().maxCoeff();
     const double D = moved_by[N] + 0x1p-53 * std::abs(out.point.p) / scale_;
     // In double, with its rounding.
-    const double rounding = inverted.rounding();
+    const double rounding = 0x1p-50 * inverted.rows();
     const ArcVector<N> kernel = inverted.kernel();
     const double slope = std::abs(kernel[N] / kernel.norm());
     constexpr double h = 1e-3;

@@ -57,12 +57,9 @@ class PathStep {
   template <class Rounding>
   double shown(double correction, double h, const Rounding& rounding) const {
     const double D = StepControl::fourth_derivative(correction, h, arc_.length);
-    if (!control_.shortens(D, h)) return D;
-    // Rounding of G may be in it, in a long correction too where G is much larger than its slopes along the curve:
-    // believe the last step, as far as what is left allows.
-    const double noise = rounding();
-    if (correction >= 1e-8 && noise < 0.1 * correction) return D;
-    const double left = correction - noise;
+    if (!control_.shortens(D, h) || correction >= 1e-8) return D;
+    // Rounding of G may be in it: believe the last step, as far as what is left allows.
+    const double left = correction - rounding();
     return std::clamp(D_, StepControl::fourth_derivative(left, h, arc_.length), D);
   }
   /// Whether a step of length h that showed it may be taken.
