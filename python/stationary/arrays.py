@@ -145,8 +145,8 @@ def sweep(
 ) -> npt.NDArray[np.void]:
     """One family at many nu, one after the other; each solve starts from the last ones.
 
-    potential: an isotropic one; solve_batch takes others too. branch: "i", "ii" or "iii". nu: in the order in which they are to be solved, along the branch's
-    axis, in reciprocal time. start: (alpha, xi, zeta, rho) near the solution at the first nu; None:
+    potential: an isotropic one; solve_batch takes others too. branch: "i", "ii" or "iii". nu: in the
+    order in which they are to be solved, along the branch's axis, in reciprocal time. start: (alpha, xi, zeta, rho) near the solution at the first nu; None:
     the solution connected to rest. error_bound: False leaves it NaN and spares its work.
 
     Returns records of nu's shape: ``nu, xi, zeta, rho, error_bound, steps, status``. A sweep stays
