@@ -231,8 +231,11 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
       if (const std::unique_lock lock(reporting, std::try_to_lock); lock)
         options.progress(static_cast<double>(so_far) / static_cast<double>(searches));
     });
-    if (options.complete)
+    if (options.complete) {
+      // First what is had soon, so that a proof cut short leaves its rows. Tilted sheets are entered at tilts.
+      tbb::parallel_for(std::size_t{0}, in_plane, [&](std::size_t k) { parts[k].follow_proven(); });
       tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t k) { parts[k].complete(); });
+    }
     tbb::parallel_for(std::size_t{0}, about_axes, [&](std::size_t k) { parts[k].follow_all(); });
   });
   for (std::size_t k = 0; k < in_plane; ++k) {

@@ -12,9 +12,9 @@
 //      checkpoints that lie on none of these;
 //   5. at every checkpoint the motions on the sheets are counted against those proven: where they
 //      agree, no sheet that passes there is missing;
-//   6. where asked, the curves of each kind are covered (solver/tube) before sheets are followed: the
-//      range falls into intervals of nu with one number of motions each, and the middle of every
-//      such interval is a checkpoint too; and into others in which the class of each is one.
+//   6. where asked, the curves of each kind are covered (solver/tube) after step 2, and step 2 is gone
+//      on with: the range falls into intervals of nu with one number of motions each, and the middle
+//      of every such interval is a checkpoint too; and into others in which the class of each is one.
 //
 // nu and -nu are one, and with J1 = J2 and an isotropic V so are (i) and (ii), an ellipse of (iii)
 // and the same turned by a right angle; with an even V S and its mirror image are.

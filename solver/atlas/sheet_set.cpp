@@ -95,7 +95,9 @@ void SheetSet::add_checkpoint(double nu) {
   checkpoints_.push_back({source_->kind(), nu});
   solutions_.emplace_back();
   unproven_.emplace_back();
-  on_sheets_.emplace_back();
+  std::vector<Place>& crossed = on_sheets_.emplace_back();
+  for (std::size_t k = 0; k < sheets_.size(); ++k)
+    add_crossings(sheets_[k], families_of_sheets_[k], nu, crossed);
 }
 
 std::vector<Checkpoint> SheetSet::checkpoints() const {
@@ -149,20 +151,33 @@ std::vector<const Equilibrium*> SheetSet::one_of_each_pair(
   return out;
 }
 
+void SheetSet::follow_proven() {
+  if (options_.from == 0.0 && !std::exchange(from_rest_, true)) follow_rest();
+  enter_all(solutions_, Entry::search, std::exchange(entered_, checkpoints_.size()));
+}
+
 void SheetSet::follow_all(std::span<const AtlasSheet> others) {
-  if (options_.from == 0.0) follow_rest();
-  for (std::size_t k = 0; k < checkpoints_.size(); ++k) {
-    for (const Place& at : solutions_[k]) {
+  follow_others(others);
+  for (std::size_t k = 0; k < checkpoints_.size(); ++k) count(k);
+  if (options_.stopped()) return;
+  prove_partings();
+  name_class_events();
+  name_beyond();
+}
+
+void SheetSet::enter_all(const std::vector<std::vector<Place>>& found, Entry entry,
+                         std::size_t first) {
+  for (std::size_t k = first; k < checkpoints_.size(); ++k) {
+    for (const Place& at : found[k]) {
       if (options_.stopped()) return;
-      if (!on_a_sheet(at, k)) enter(at, checkpoints_[k].nu, Entry::search, checkpoints_[k].nu);
+      if (!on_a_sheet(at, k)) enter(at, checkpoints_[k].nu, entry, checkpoints_[k].nu);
     }
   }
-  for (std::size_t k = 0; k < checkpoints_.size(); ++k) {
-    for (const Place& at : unproven_[k]) {
-      if (options_.stopped()) return;
-      if (!on_a_sheet(at, k)) enter(at, checkpoints_[k].nu, Entry::numerical, checkpoints_[k].nu);
-    }
-  }
+}
+
+void SheetSet::follow_others(std::span<const AtlasSheet> others) {
+  follow_proven();
+  enter_all(unproven_, Entry::numerical, 0);
   if (source_->leaves_by() != EventType::none) {
     std::vector<Parting> partings;
     add_partings(sheets_, partings);
@@ -172,10 +187,6 @@ void SheetSet::follow_all(std::span<const AtlasSheet> others) {
       if (!has_child(each, partings)) leave(each);
     }
   }
-  for (std::size_t k = 0; k < checkpoints_.size(); ++k) count(k);
-  prove_partings();
-  name_class_events();
-  name_beyond();
 }
 
 void SheetSet::follow_rest() {

@@ -31,6 +31,10 @@ class SheetSet {
   /// the search in the atlas.
   void search_at(std::size_t checkpoint, std::size_t number);
 
+  /// Then, if a proof is to come that may take long: the sheets from rest and through the motions proven
+  /// at the checkpoints.
+  void follow_proven();
+
   /// Then, where asked for: intervals of nu with one number of motions each, and a checkpoint in the
   /// middle of every one.
   void complete();
@@ -38,8 +42,8 @@ class SheetSet {
   /// Then, of the first family, sheets of this kind that are known: they are followed no more.
   void adopt(const AtlasSheet& sheet);
 
-  /// Then every sheet: from rest, through the motions found that lie on none, and off the sheets of
-  /// this set, and of the others given.
+  /// Then every sheet that is not followed yet: from rest, through the motions found that lie on none,
+  /// and off the sheets of this set, and of the others given.
   void follow_all(std::span<const AtlasSheet> others = {});
 
   std::optional<TiltPlane> plane() const { return source_->plane(); }
@@ -73,6 +77,8 @@ class SheetSet {
   Place canonical_place(const Equilibrium& at) const;
   std::vector<const Equilibrium*> one_of_each_pair(const std::vector<Equilibrium>& found) const;
   void follow_rest();
+  void enter_all(const std::vector<std::vector<Place>>& found, Entry entry, std::size_t first);
+  void follow_others(std::span<const AtlasSheet> others);
   void enter(const Place& from, double nu, Entry entry, double entry_nu);
   void remark(Entry entry, double nu, std::string reason);
   bool lies_on(const AtlasSheet& sheet, int family, const Place& at, double nu) const;
@@ -101,6 +107,8 @@ class SheetSet {
   std::vector<AtlasSheet> sheets_;
   std::size_t adopted_ = 0;              ///< the first of them
   std::vector<int> families_of_sheets_;  ///< which of families_ each is of
+  bool from_rest_ = false;               ///< those that begin there are followed
+  std::size_t entered_ = 0;              ///< checkpoints whose proven motions have been entered
   std::vector<Remark> remarks_;
   std::optional<Completeness> completeness_;
 };

@@ -161,6 +161,16 @@ class AxisKind final : public Kind {
   }
   /// A vertical branch.
   bool follows_continuum() const override { return true; }
+  /// The end of a family whose axis has come to this one.
+  std::optional<Beginning> beginning(EventType event, const Member& at,
+                                     std::optional<Branch> branch, const Interval&) const override {
+    if (branch || (event != EventType::tilt && event != EventType::oblique)) return std::nullopt;
+    const int own = axis(motion_.branch);
+    Vector3<double> across = at.angular_velocity;
+    across[own] = 0.0;
+    if (!(across.norm() <= 1e-6 * at.angular_velocity.norm())) return std::nullopt;
+    return Beginning{AxisRotation{motion_.branch, at.angular_velocity[own]}, at.q, true};
+  }
 
   std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
                                         const Member& member) const override {

@@ -29,6 +29,13 @@ struct FamilyOutputs {
   bool energy = true;
 };
 
+/// Where motions of a kind begin: one of them, with what the kind leaves open decided.
+struct Beginning {
+  Motion motion;
+  Stretch q;
+  bool at_event = false;  ///< it is the event's own, else a little way from it
+};
+
 class Kind {
  public:
   Kind(const Body& body, const Potential& potential) : body_(body), potential_(potential) {}
@@ -81,6 +88,14 @@ class Kind {
   }
   /// Whether a start on a continuum of motions is followed along it.
   virtual bool follows_continuum() const { return false; }
+  /// A motion of this kind at an event of another's family (a spin about the axis of `branch`, or, without
+  /// it, another kind) where such begin; within: |nu| that it is to have if one has. Nothing where none
+  /// do, or none was found.
+  virtual std::optional<Beginning> beginning(EventType, const Member& /*event*/,
+                                             std::optional<Branch> /*branch*/,
+                                             const Interval& /*within*/) const {
+    return std::nullopt;
+  }
   /// An event at a member of the family: nothing where it has no equations of its own.
   std::optional<EventEnclosure> enclose_event(const FamilyParameter& parameter, EventType event,
                                               const Member& member) const;

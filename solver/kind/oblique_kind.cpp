@@ -1,6 +1,7 @@
 #include "solver/kind/oblique_kind.hpp"
 
 #include "solver/family/anisotropic_family.hpp"
+#include "solver/family/branch_switch.hpp"
 #include "solver/kind/oriented_event_enclosure.hpp"
 #include "solver/proof/anisotropic_enclosure.hpp"
 #include "solver/search/anisotropic_search.hpp"
@@ -64,6 +65,16 @@ class ObliqueKind final : public Kind {
     return oblique_family(body(), potential().anisotropic(),
                           {.nu = motion_.nu, .parameter = parameter, .spectrum = outputs.spectrum},
                           motion_.near.value_or(Branch::i));
+  }
+  std::optional<Beginning> beginning(EventType event, const Member& at,
+                                     std::optional<Branch> branch, const Interval&) const override {
+    if (event != EventType::oblique || !branch) return std::nullopt;
+    const auto start =
+        leave_straight(oblique_family(body(), potential().anisotropic(),
+                                      {.nu = at.nu, .parameter = {}, .spectrum = false}, *branch),
+                       at, *branch);
+    if (!start) return std::nullopt;
+    return Beginning{ObliqueRotation{start->parameter, *branch}, start->q};
   }
   std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
                                         const Member& member) const override {

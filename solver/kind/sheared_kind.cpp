@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lib/number/elementary.hpp"
+#include "solver/family/branch_switch.hpp"
 #include "solver/kind/sheared_certificate.hpp"
 #include "solver/search/sheared_search.hpp"
 #include "solver/solve/family_solve.hpp"
@@ -144,6 +145,14 @@ class ShearedKind final : public Kind {
                                        const Stretch&) const override {
     if (none_ || parameter.kind == FamilyParameter::Kind::nu) return none_;
     return "motions with alpha != 0 of an isotropic body are followed in nu alone";
+  }
+  std::optional<Beginning> beginning(EventType event, const Member& at,
+                                     std::optional<Branch> branch, const Interval&) const override {
+    if (axis_ != ShearedAxis::oblique || none_ || event != EventType::oblique || !branch)
+      return std::nullopt;
+    const auto start = leave_straight(family({}, {.spectrum = false}, at.q), at, *branch);
+    if (!start) return std::nullopt;
+    return Beginning{ObliqueRotation{start->parameter}, start->q};
   }
   std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
                                         const Member& member) const override {

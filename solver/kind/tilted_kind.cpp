@@ -71,6 +71,17 @@ class TiltedKind final : public Kind {
                    const Stretch&) const override {
     return tilted_family(body(), potential(), motion_.plane, outputs.spectrum);
   }
+  std::optional<Beginning> beginning(EventType event, const Member& at,
+                                     std::optional<Branch> branch,
+                                     const Interval& within) const override {
+    if (event != EventType::tilt || !branch) return std::nullopt;
+    if (plane_of_tilt(*branch, body(), at.q) != motion_.plane) return std::nullopt;
+    const auto family = tilted_family(body(), potential(), motion_.plane, false);
+    auto start = just_inside(*family, at.q, at.nu, within);
+    if (!start) start = just_inside(*family, at.q, at.nu);
+    if (!start) return std::nullopt;
+    return Beginning{TiltedMotion{motion_.plane, start->nu}, start->q};
+  }
   std::optional<NormalForm> normal_form(const FamilyParameter&, EventType event,
                                         const Member& member) const override {
     return tilted_normal_form(body(), potential(), motion_.plane, event, member);

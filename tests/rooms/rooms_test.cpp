@@ -132,7 +132,7 @@ constexpr std::string_view rooms_of_kinds[] = {"solver/kind/", "solver/program/c
                                                "lib/body/motion.hpp",
                                                "solver/program/rows/map_grid.cpp"};
 
-/// The sources that ask which kind a motion is.
+/// The sources that ask which kind a motion is, by its type or by its name.
 std::vector<std::string> asking(const std::vector<Source>& all) {
   std::vector<std::string> out;
   for (const Source& source : all) {
@@ -142,6 +142,11 @@ std::vector<std::string> asking(const std::vector<Source>& all) {
       for (const char* question : {"get<", "get_if<", "holds_alternative<"})
         if (source.text.find(std::string(question) + kind + ">") != std::string::npos)
           out.push_back(source.path + " asks for " + kind);
+    for (const char* kind : {"tilted_name", "oblique_name", "two_polar_name", "\"tilted\"",
+                             "\"oblique\"", "\"two-polar\""})
+      for (const char* question : {"== ", "!= "})
+        if (source.text.find(std::string(question) + kind) != std::string::npos)
+          out.push_back(source.path + " asks for " + kind);
   }
   return out;
 }
@@ -150,6 +155,8 @@ TEST(Rooms, NothingOutsideAKindAsksWhichItIs) {
   EXPECT_THAT(asking(sources()), IsEmpty());
   EXPECT_THAT(asking({{"solver/atlas/a.cpp", "std::get_if<TiltedMotion>(&motion)"}}),
               ElementsAre(HasSubstr("asks for TiltedMotion")));
+  EXPECT_THAT(asking({{"solver/atlas/a.cpp", "if (name(motion) == tilted_name) return;"}}),
+              ElementsAre(HasSubstr("asks for tilted_name")));
 }
 
 /// The sources that name a processor's instructions outside the one header that may.

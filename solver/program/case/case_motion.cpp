@@ -114,6 +114,7 @@ bool may_have_alpha(const Motion& motion, const Potential& potential) {
   return spin && spin->branch == Branch::iii && potential.may_shear();
 }
 bool has_rates(const Motion& motion) { return std::holds_alternative<TwoPolarMotion>(motion); }
+bool has_rates(std::string_view branch) { return branch == two_polar_name; }
 std::optional<AxisRotation> spin_of(const Motion& motion) {
   const auto* const spin = std::get_if<AxisRotation>(&motion);
   return spin == nullptr ? std::nullopt : std::optional(*spin);

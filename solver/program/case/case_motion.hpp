@@ -37,6 +37,8 @@ bool keeps_round(const Motion& motion);
 bool is_followed_in_nu_alone(const Motion& motion);
 /// Whether its rows have rates and momenta of their own, and lambda, mu for xi, zeta.
 bool has_rates(const Motion& motion);
+/// Likewise of a motion by its branch's name, as a case, a row or a column of rows has it.
+bool has_rates(std::string_view branch);
 /// The spin about a material axis that it is; nothing of another kind.
 std::optional<AxisRotation> spin_of(const Motion& motion);
 /// Whether alpha may be no zero.

@@ -11,9 +11,6 @@
 #include <span>
 #include <utility>
 
-#include "lib/body/inertia.hpp"
-#include "solver/family/branch_switch.hpp"
-#include "solver/family/tilted_family.hpp"
 #include "solver/kind/kind.hpp"
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_schema.hpp"
@@ -173,9 +170,10 @@ class FromRow {
       if (key.starts_with("body.") || key.starts_with("potential."))
         if (const auto at = row_.find(key); at != row_.end() && !at->second.empty())
           set(key, at->second);
-    if (has_rates(given_.motion) && text("branch") != two_polar_name)
+    if (has_rates(given_.motion) && text("branch") != given_.branch_name())
       refuse_row(text_, "found a row of branch " + in_quotes(text("branch")),
-                 "a row of \"two-polar\"", "rates and momenta are not in the row");
+                 "a row of branch " + in_quotes(given_.branch_name()),
+                 "rates and momenta are not in the row");
     Case out = with_ratios(std::move(tree));
     out.output.certificate = given_.output.certificate;
     out.motion = decided(out.motion, nu()[1] != 0.0);
@@ -234,71 +232,43 @@ class FromRow {
     start.found.message = "row " + printable(text_);
     start.found.connection = Connection::given_start;
     start.found.q = q;
-    start.is_event = is_event_proper();
+    start.is_event = named_event() != EventType::none && !is_end(named_event());
     input.solve.start = q;
     return {std::move(input), std::move(start)};
   }
 
-  /// Of an event, and no end of a sheet.
-  bool is_event_proper() const {
+  EventType named_event() const {
     const auto event = row_.find("event");
-    if (event == row_.end() || event->second.empty()) return false;
+    if (event == row_.end()) return EventType::none;
     const auto* const named = std::ranges::find(event_names, event->second);
-    return named != std::end(event_names) &&
-           !is_end(static_cast<EventType>(named - std::begin(event_names)));
-  }
-  /// A little way from the row's event.
-  static RowStart beside(RowStart start) {
-    start.start.is_event = false;
-    return start;
+    if (named == std::end(event_names)) return EventType::none;
+    return static_cast<EventType>(named - std::begin(event_names));
   }
 
-  /// The case's family where it leaves the row's.
+  /// The case's family where it begins at the row's event.
   RowStart beginning(Case input, const Stretch& q, const std::string& own) const {
-    const std::string wanted(input.branch_name());
     const std::string event = row_.contains("event") ? row_.at("event") : "";
-    const auto from = branch_from_name(own);
-    const auto to = branch_from_name(wanted);
-    if (wanted == tilted_name && from && event == name(EventType::tilt)) {
-      if (const auto plane = plane_of_tilt(*from, input.body, q)) {
-        const auto family = tilted_family(input.body, input.potential, *plane, false);
-        const Case::Continuation& range = *input.continuation;
-        auto start = just_inside(*family, q, nu().norm(), {range.from, range.to});
-        if (!start) start = just_inside(*family, q, nu().norm());
-        if (start) {
-          input.motion = TiltedMotion{*plane, start->nu};
-          return beside(finished(std::move(input), start->q));
-        }
-      }
+    Member member;
+    member.body = input.body;
+    member.q = q;
+    member.angular_velocity = nu();
+    member.nu = member.parameter = nu().norm();
+    const Case::Continuation& range = *input.continuation;
+    const Alternatives kinds = alternatives(input.body, input.potential, given_.motion, true);
+    for (const auto& [label, kind] : kinds.each) {
+      const auto begun =
+          kind->beginning(named_event(), member, branch_from_name(own), {range.from, range.to});
+      if (!begun) continue;
+      input.motion = begun->motion;
+      RowStart out = finished(std::move(input), begun->q);
+      out.start.is_event = out.start.is_event && begun->at_event;
+      return out;
     }
-    if (wanted == oblique_name && from && event == name(EventType::oblique)) {
-      Member member;
-      member.body = input.body;
-      member.q = q;
-      member.nu = member.parameter = nu().norm();
-      member.angular_velocity = nu();
-      const bool isotropic = input.potential.is_isotropic();
-      const ObliqueRotation motion{member.nu,
-                                   isotropic ? std::nullopt : std::optional<Branch>(*from)};
-      const AnyFamily family = kind_of(input.body, input.potential, motion)->family({}, {}, q);
-      if (const auto start = leave_straight(family, member, *from)) {
-        input.motion = ObliqueRotation{start->parameter, motion.near};
-        return beside(finished(std::move(input), start->q));
-      }
-    }
-    // The end of a family whose axis has come to a material one.
-    const bool ends = event == name(EventType::tilt) || event == name(EventType::oblique);
-    if (to && !from && ends) {
-      const Vector3<double> spin = nu();
-      Vector3<double> across = spin;
-      across[axis(*to)] = 0.0;
-      if (across.norm() <= 1e-6 * spin.norm()) return finished(std::move(input), q);
-    }
-    refuse_row(
-        text_,
-        fmt::format("found a row of branch {}{}", in_quotes(own),
-                    event.empty() ? "" : " at the event " + event),
-        fmt::format("a row of branch {}, or an event where that family begins", in_quotes(wanted)));
+    refuse_row(text_,
+               fmt::format("found a row of branch {}{}", in_quotes(own),
+                           event.empty() ? "" : " at the event " + event),
+               fmt::format("a row of branch {}, or an event where that family begins",
+                           in_quotes(input.branch_name())));
   }
 
   const Case& given_;

@@ -5,6 +5,7 @@
 
 #include "lib/body/motion.hpp"
 #include "lib/number/elementary.hpp"
+#include "solver/program/case/case_motion.hpp"
 #include "solver/program/diagram/axis_name.hpp"
 
 namespace stationary {
@@ -23,7 +24,7 @@ RowParameter::RowParameter(const TableReader& table)
 
 double RowParameter::value(std::string_view branch) const {
   if (key_) return table_->number(*key_);
-  if (branch == two_polar_name) return need(omega_, Column::omega, branch);
+  if (has_rates(branch)) return need(omega_, Column::omega, branch);
   if (const std::optional<Branch> axis = branch_from_name(branch)) {
     const auto k = static_cast<std::size_t>(*axis);
     return need(nu_[k], nu_columns[k], branch);
@@ -36,7 +37,7 @@ double RowParameter::value(std::string_view branch) const {
 
 std::string RowParameter::symbol(std::string_view branch) const {
   if (key_) return axis_name(table_->columns()[*key_]);
-  if (branch == two_polar_name) return axis_name(name(Column::omega));
+  if (has_rates(branch)) return axis_name(name(Column::omega));
   if (const std::optional<Branch> axis = branch_from_name(branch))
     return axis_name(name(nu_columns[static_cast<std::size_t>(*axis)]));
   return "ν";

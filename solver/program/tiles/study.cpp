@@ -91,7 +91,7 @@ std::string Study::hash() const {
 
 std::vector<Column> Study::columns() const {
   if (plan_.task != StudyTask::solve) return {};
-  const bool two_polar = value_or<std::string>(tree_, "motion.branch", "") == two_polar_name ||
+  const bool two_polar = has_rates(value_or<std::string>(tree_, "motion.branch", "")) ||
                          source_.has("motion.branch", two_polar_name);
   const std::vector<Column> all = equilibrium_columns(
       {.two_polar = two_polar,

@@ -138,6 +138,12 @@ TEST_F(FromRow, ATiltLeadsToTheTiltedFamilyAndBack) {
   EXPECT_EQ(rows.front().at("branch"), "tilted");
   EXPECT_EQ(rows.front().at("event"), "tilt");
   EXPECT_EQ(rows.back().at("event"), "tilt");
+  // In the plane that the tilt is in, and in no other.
+  const Outcome elsewhere = from("disc.toml", straight + ":tilt",
+                                 {"--set", "motion.branch=tilted", "--set", "motion.plane=\"23\"",
+                                  "--set", "continuation.to=1.2"});
+  EXPECT_EQ(elsewhere.code, 2);
+  EXPECT_THAT(elsewhere.err, HasSubstr("an event where that family begins"));
   // Its ends lie on branches (i) and (iii).
   const std::string back = directory_ / "tilted.csv";
   ASSERT_EQ(run_program({"continue", cases + "/tilted.toml", "-o", back, "-q"}).code, 0);

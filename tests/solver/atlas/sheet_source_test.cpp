@@ -1,7 +1,14 @@
-// Of a motion and its mirror images an atlas keeps one place.
+// Of a motion and its mirror images an atlas keeps one place; and what it has where it is told to stop
+// while it proves that nothing is missing.
 #include "solver/atlas/sheet_source.hpp"
 
 #include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+#include <utility>
+
+#include "solver/atlas/sheet_set.hpp"
 
 namespace stationary {
 namespace {
@@ -33,6 +40,64 @@ TEST(SheetSource, OfAnEllipseAndItsImageTheOneAlongTheFirstAxisIsKept) {
   const auto first = axis_sheets(Problem(Body(0.6, 1.7, 1.7), coupled, Branch::i));
   expect_place(*first, {0.0, 0.9, 0.8, 1.3}, {0.0, 0.9, 1.3, 0.8});
   expect_place(*first, {0.0, 0.9, 1.3, 0.8}, {0.0, 0.9, 1.3, 0.8});
+}
+
+/// Spins about a material axis, told to stop as their curves begin to be covered.
+class StoppedAtItsCover final : public SheetSource {
+ public:
+  StoppedAtItsCover(const Problem& problem, std::atomic<bool>& stop)
+      : own_(axis_sheets(problem)), stop_(&stop) {}
+
+  Branch branch() const override { return own_->branch(); }
+  SearchResult search(double nu, const SearchOptions& options) const override {
+    return own_->search(nu, options);
+  }
+  std::optional<KindCover> cover(double, double, const SearchOptions&, bool) const override {
+    *stop_ = true;
+    KindCover out;
+    out.interrupted = true;
+    return out;
+  }
+  std::optional<StabilityClass> proven_class(const Equilibrium& at, Inputs inputs) const override {
+    return own_->proven_class(at, inputs);
+  }
+  std::vector<Place> at_rest(const SolveOptions& options) const override {
+    return own_->at_rest(options);
+  }
+  AnyFamily family(int which, bool spectrum) const override {
+    return own_->family(which, spectrum);
+  }
+  DepartureResult departure(Branch parent, const Member& at, double range) const override {
+    return own_->departure(parent, at, range);
+  }
+
+ private:
+  std::unique_ptr<SheetSource> own_;
+  std::atomic<bool>* stop_;
+};
+
+TEST(SheetSet, WhatWasFollowedBeforeAProofCutShortIsKept) {
+  std::atomic<bool> stop{false};
+  AtlasOptions options;
+  options.checkpoints = 4;
+  options.complete = true;
+  options.stop = options.search.stop = &stop;
+  SheetSet set(std::make_unique<StoppedAtItsCover>(
+                   Problem(Body(1.0, 1.7, 0.6), separable, Branch::iii), stop),
+               options);
+  for (std::size_t k = 0; k < 4; ++k) set.search_at(k, k);
+  set.follow_proven();
+  set.complete();
+  EXPECT_TRUE(stop);
+  set.follow_all();
+  ASSERT_EQ(set.found().size(), 1U);
+  EXPECT_EQ(set.found().front().entry, Entry::rest);
+  EXPECT_FALSE(set.found().front().report.interrupted);
+  EXPECT_TRUE(set.remarks().empty());
+  for (const Checkpoint& at : set.checkpoints()) {
+    EXPECT_EQ(at.proven, 1);
+    EXPECT_EQ(at.on_sheets, 1);
+  }
 }
 
 }  // namespace
