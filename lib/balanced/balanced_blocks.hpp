@@ -120,6 +120,15 @@ template <class S>
 struct ChainEntries {
   S a, b, c;
   S d2, e2;
+
+  /// det(chain + shift + y), in y.
+  Polynomial<S, 3> characteristic_about(double shift) const {
+    const S x = renormalized(S(a + shift));
+    const S y = renormalized(S(b + shift));
+    const S z = renormalized(S(c + shift));
+    return {
+        {S(x * (y * z - e2) - d2 * z), S(x * y + (y + x) * z - (d2 + e2)), S(x + y + z), S(1.0)}};
+  }
 };
 /// (i), even, its parts.
 template <class S>

@@ -15,15 +15,20 @@ int add_chain(const InPlaneBlocks& blocks, const BalancedBound& bound, double u,
   const ChainBound error(even_chain_i(bound).entries(), u);
   const SeparatedRoots& roots = blocks.chain_roots;
   int negative = 0;
-  if (roots.found && error.resolves(*std::min_element(roots.gap.begin(), roots.gap.end()))) {
+  if (roots.found) {
+    const bool resolved = error.resolves(*std::min_element(roots.gap.begin(), roots.gap.end()));
     for (std::size_t k = 0; k < 3; ++k) {
       const double lambda = roots.root[k];
-      out.add_real(lambda, error(lambda, roots.slope[k], roots.gap[k]), 1);
+      out.add_real(lambda,
+                   resolved ? error(lambda, roots.slope[k], roots.gap[k])
+                            : error.largest() + 0x1p-53 * std::abs(lambda),
+                   1);
       negative += lambda > 0.0;
     }
     return negative;
   }
-  const CubicRoots<DoubleDouble> careful = cubic_roots(blocks.chain);
+  const CubicRoots<DoubleDouble> careful =
+      shifted(cubic_roots(blocks.chain), DoubleDouble(blocks.chain_mean));
   const double any = error.largest();
   for (const DoubleDouble& root : {careful.single, careful.pair.small, careful.pair.large}) {
     const double lambda = leading(root);

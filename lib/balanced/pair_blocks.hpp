@@ -16,7 +16,8 @@ using LeadingState = BalancedState<double, double>;
 /// Branch (i).
 struct InPlaneBlocks {
   LeadingState state;
-  Polynomial<DoubleDouble, 3> chain;
+  Polynomial<DoubleDouble, 3> chain;  ///< in Lambda - chain_mean
+  double chain_mean = 0.0;            ///< of roots near one another
   SeparatedRoots chain_roots;
   OddQuadratic<DoubleDouble> odd;
   RootPair<DoubleDouble> odd_roots;  ///< not where a symmetry forces a zero
@@ -116,9 +117,15 @@ template <class P>
                                       InPlaneBlocks& out) {
   const BalancedState<P, double> s = state_of<P>(spin, curvatures, units);
   out.state = leading_state(s);
-  const Polynomial<P, 3> chain = even_chain_i(s).characteristic();
+  const ChainParts<P> parts = even_chain_i(s);
+  const Polynomial<P, 3> chain = parts.characteristic();
   out.chain = doubles_of(chain);
+  out.chain_mean = 0.0;
   out.chain_roots = separated_roots(chain);
+  if (!out.chain_roots.found && is_cluster(out.chain)) {
+    out.chain_mean = leading(chain.c[2]) * (-1.0 / 3.0);
+    out.chain = doubles_of(parts.entries().characteristic_about(out.chain_mean));
+  }
   const OddQuadratic<P> odd = odd_quadratic_i(s);
   out.odd = {doubles_of(odd.b), doubles_of(odd.c), doubles_of(odd.det_P), doubles_of(odd.det_Q),
              doubles_of(odd.Q_22)};

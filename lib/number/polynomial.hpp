@@ -2,14 +2,17 @@
 //
 // The roots start in double and are polished in S by Newton on the polynomial itself (a real root)
 // or on a quadratic factor (Bairstow), so two roots that all but coincide stay one well-conditioned
-// factor: in extended precision their distance is resolved to about 1e-15 of their size. Small
-// roots keep their relative accuracy as far as the coefficients carry it.
+// factor: in extended precision their distance is resolved to about 1e-15 of their size. Where three or
+// four do, they are sought about their mean: to 1e-10 or 1e-7 of their size, which is what coefficients
+// in pairs of doubles know of them. Small roots keep their relative accuracy as far as the coefficients
+// carry it.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <utility>
 
 #include "lib/number/number.hpp"
 
@@ -116,11 +119,91 @@ RootPair<S> quadratic_roots(const S& b, const S& c) {
   return out;
 }
 
+/// Two real roots as a pair.
+template <class S>
+RootPair<S> pair_of_roots(const S& a, const S& b) {
+  const S half = renormalized(S(0.5 * (a - b)));
+  const bool first = std::abs(leading(a)) >= std::abs(leading(b));
+  return {renormalized(S(0.5 * (a + b))), renormalized(S(half * half)), first ? a : b,
+          first ? b : a};
+}
+
+/// The roots, each moved by a shift.
+template <class S>
+RootPair<S> shifted(const RootPair<S>& pair, const S& shift) {
+  const auto moved = [&](const S& x) { return renormalized(S(x + shift)); };
+  RootPair<S> out{moved(pair.mean), pair.separation, moved(pair.large), moved(pair.small)};
+  if (std::abs(leading(out.large)) < std::abs(leading(out.small))) std::swap(out.large, out.small);
+  return out;
+}
+
 template <class S>
 struct CubicRoots {
   S single;          ///< the real root farther from the other two
   RootPair<S> pair;  ///< the others
 };
+template <class S>
+CubicRoots<S> shifted(const CubicRoots<S>& roots, const S& shift) {
+  return {renormalized(S(roots.single + shift)), shifted(roots.pair, shift)};
+}
+
+/// Whether the roots of a monic cubic y^3 + P y + Q, y = x - inflection, are near one another beside their
+/// size: the polynomial in x is mostly rounding there.
+inline bool is_cluster(double inflection, double P, double Q) {
+  const double size = std::abs(inflection);
+  return std::abs(P) <= 0x1p-10 * size * size && std::abs(Q) <= 0x1p-15 * size * size * size;
+}
+template <class S>
+bool is_cluster(const Polynomial<S, 3>& p) {
+  const S inverse = S(1.0) / p.c[3];
+  const Polynomial<S, 3> monic{{p.c[0] * inverse, p.c[1] * inverse, p.c[2] * inverse, S(1.0)}};
+  const S inflection = -monic.c[2] / S(3.0);
+  return is_cluster(leading(inflection), leading(renormalized(monic.slope(inflection))),
+                    leading(renormalized(monic(inflection))));
+}
+
+/// Where Newton's method for y^3 + P y + Q, Q != 0, has to begin to come to its isolated root, on the side
+/// of -Q, monotonically: three real ones lie within 2 sqrt(-P/3).
+inline double beyond_isolated_root(double P, double Q) {
+  double bound = std::sqrt(std::fmax(-4.0 * P / 3.0, 0.0));
+  if (4.0 * P * P * P + 27.0 * Q * Q > 0.0) bound += cube_root(std::abs(Q));
+  return Q < 0.0 ? bound : -bound;
+}
+
+/// Roots of y^3 + P y + Q.
+template <class S>
+CubicRoots<S> depressed_cubic_roots(const S& P, const S& Q) {
+  using std::sqrt;
+  const double p = leading(P);
+  const double q = leading(Q);
+  double y = q == 0.0 ? 0.0 : beyond_isolated_root(p, q);
+  for (int k = 0; k < 100 && y != 0.0; ++k) {
+    const double step = ((y * y + p) * y + q) / (3.0 * y * y + p);
+    if (!std::isfinite(step)) break;
+    y -= step;
+    if (std::abs(step) <= 1e-9 * std::abs(y)) break;
+  }
+  S z(y);
+  constexpr int polish = significand_bits<S>() > 106 ? 4 : 2;
+  for (int k = 0; k < polish; ++k) {
+    const S slope = renormalized(S(3.0 * (z * z) + P));
+    if (leading(slope) == 0.0) break;
+    z = renormalized(S(z - renormalized(S((z * z + P) * z + Q)) / slope));
+  }
+  CubicRoots<S> out;
+  out.single = z;
+  RootPair<S>& pair = out.pair;
+  pair.mean = -0.5 * z;
+  pair.separation = renormalized(S(-P - 0.75 * (z * z)));
+  pair.large = pair.small = pair.mean;
+  if (pair.real()) {
+    const S root = sqrt(pair.separation);
+    const bool left = leading(pair.mean) < 0.0;
+    pair.large = renormalized(left ? S(pair.mean - root) : S(pair.mean + root));
+    pair.small = renormalized(left ? S(pair.mean + root) : S(pair.mean - root));
+  }
+  return out;
+}
 
 /// Roots of c3 x^3 + ..., c3 != 0.
 template <class S>
@@ -132,14 +215,15 @@ CubicRoots<S> cubic_roots(const Polynomial<S, 3>& p) {
   // Newton from beyond the isolated root's side of the inflection, where it converges
   // monotonically: y^3 + P y + Q in y = x - inflection has its isolated root on the side of -Q.
   const S inflection = -monic.c[2] / S(3.0);
-  const double Q = leading(monic(inflection));
-  const double P = leading(monic.slope(inflection));
+  const S Q_exact = renormalized(monic(inflection));
+  const S P_exact = renormalized(monic.slope(inflection));
+  const double Q = leading(Q_exact);
+  const double P = leading(P_exact);
+  if (is_cluster(leading(inflection), P, Q))
+    return shifted(depressed_cubic_roots(P_exact, Q_exact), inflection);
   S x = inflection;
   if (Q != 0.0) {
-    // Three real roots: the isolated one lies within sqrt(-P) 1 ... 2/sqrt(3).
-    double bound = std::sqrt(std::fmax(-4.0 * P / 3.0, 0.0));
-    if (4.0 * P * P * P + 27.0 * Q * Q > 0.0) bound += cube_root(std::abs(Q));
-    double r = leading(inflection) + (Q < 0.0 ? bound : -bound);
+    double r = leading(inflection) + beyond_isolated_root(P, Q);
     for (int k = 0; k < 60; ++k) {
       const double step = rough(r) / rough.slope(r);
       if (!std::isfinite(step)) break;
@@ -182,18 +266,10 @@ struct QuarticRoots {
   RootPair<S> second;
 };
 
-/// Roots of c4 x^4 + ..., c4 != 0, as two quadratic factors: the nearest roots share a factor.
-template <class S>
-QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
+/// Roots of a monic quartic in double, by Durand and Kerner's method.
+inline std::array<std::complex<double>, 4> rough_quartic_roots(const std::array<double, 4>& rough) {
   using Complex = std::complex<double>;
-  const S inverse = S(1.0) / p.c[4];
-  std::array<S, 4> m;
-  std::array<double, 4> rough;
-  for (std::size_t k = 0; k < 4; ++k) {
-    m[k] = p.c[k] * inverse;
-    rough[k] = leading(m[k]);
-  }
-  // Durand-Kerner, scaled to a root size of about one.
+  // Scaled to a root size of about one.
   double scale = 0.0;
   for (std::size_t k = 0; k < 4; ++k)
     scale = std::fmax(scale, pow(std::abs(rough[k]), 1.0 / static_cast<double>(4 - k)));
@@ -227,7 +303,86 @@ QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
     }
     if (moved <= 1e-15 * scale) break;
   }
-  z = nearest;
+  return nearest;
+}
+
+/// How many of the roots are near one another beside their size, three or four; `apart` is the other of
+/// three. Else 0.
+struct RootCluster {
+  int count = 0;
+  std::size_t apart = 0;
+};
+inline RootCluster cluster_of(const std::array<std::complex<double>, 4>& z) {
+  constexpr double near = 0x1p-7;
+  const auto are_near = [&](std::size_t i, std::size_t j) {
+    return modulus(z[i] - z[j]) < near * std::fmin(modulus(z[i]), modulus(z[j]));
+  };
+  RootCluster out;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t a = (k + 1) % 4;
+    const std::size_t b = (k + 2) % 4;
+    const std::size_t c = (k + 3) % 4;
+    if (!are_near(a, b) || !are_near(b, c) || !are_near(a, c)) continue;
+    out.apart = k;
+    out.count = out.count == 0 ? 3 : 4;
+  }
+  return out;
+}
+
+/// The three others of a monic quartic with a real root.
+template <class S>
+Polynomial<S, 3> without_root(const std::array<S, 4>& m, const S& x) {
+  const double r = leading(x);
+  // From the end where nothing cancels.
+  if (r * r * r * r >= std::abs(leading(m[0])) && r != 0.0) {
+    const S c0 = renormalized(S(-m[0] / x));
+    const S c1 = renormalized(S((c0 - m[1]) / x));
+    return {{c0, c1, renormalized(S((c1 - m[2]) / x)), S(1.0)}};
+  }
+  const S c2 = renormalized(S(m[3] + x));
+  const S c1 = renormalized(S(m[2] + x * c2));
+  return {{renormalized(S(m[1] + x * c1)), c1, c2, S(1.0)}};
+}
+
+/// Roots of c4 x^4 + ..., c4 != 0, as two quadratic factors: the nearest roots share a factor.
+template <class S>
+QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
+  using Complex = std::complex<double>;
+  const S inverse = S(1.0) / p.c[4];
+  std::array<S, 4> m;
+  std::array<double, 4> rough;
+  double scale = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    m[k] = p.c[k] * inverse;
+    rough[k] = leading(m[k]);
+    scale = std::fmax(scale, pow(std::abs(rough[k]), 1.0 / static_cast<double>(4 - k)));
+  }
+  if (scale == 0.0) scale = 1.0;
+  const std::array<Complex, 4> z = rough_quartic_roots(rough);
+  const RootCluster cluster = cluster_of(z);
+  if (cluster.count == 4 && leading(m[3]) != 0.0) {
+    // About their mean they are not all near one another.
+    const S mean = -0.25 * m[3];
+    const S square = renormalized(S(mean * mean));
+    const S q2 = renormalized(S(6.0 * square + 3.0 * (m[3] * mean) + m[2]));
+    const S q1 = renormalized(S(mean * (4.0 * square + 3.0 * (m[3] * mean) + 2.0 * m[2]) + m[1]));
+    const S q0 = renormalized(S(mean * (mean * (square + m[3] * mean + m[2]) + m[1]) + m[0]));
+    const QuarticRoots<S> about = quartic_roots(Polynomial<S, 4>{{q0, q1, q2, S(0.0), S(1.0)}});
+    return {shifted(about.first, mean), shifted(about.second, mean)};
+  }
+  if (cluster.count == 3) {
+    // The one apart is real, for complex ones come in pairs.
+    const Polynomial<S, 4> monic{{m[0], m[1], m[2], m[3], S(1.0)}};
+    S x(z[cluster.apart].real());
+    constexpr int polish = significand_bits<S>() > 106 ? 6 : 4;
+    for (int k = 0; k < polish; ++k) {
+      const S slope = renormalized(monic.slope(x));
+      if (leading(slope) == 0.0) break;
+      x = renormalized(S(x - renormalized(monic(x)) / slope));
+    }
+    const CubicRoots<S> others = cubic_roots(without_root(m, x));
+    return {others.pair, pair_of_roots(others.single, x)};
+  }
   // Of the three pairings the one whose factors lie farthest apart, conjugates together.
   constexpr std::size_t pairings[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
   double best = -1.0;

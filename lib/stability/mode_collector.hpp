@@ -43,7 +43,18 @@ struct UncertainPolynomial {
   double root_error(double root) const {
     const double slope = std::abs(value.slope(root));
     const double kappa = 0.5 * std::abs(value.curvature(root)) / slope;
-    return with_curvature(spread(std::abs(root)) / slope, kappa) + 0x1p-53 * std::abs(root);
+    const double first = spread(std::abs(root)) / slope;
+    double out = with_curvature(first, kappa);
+    if (!(4.0 * kappa * first < 1.0)) out = std::fmin(out, any_root_error(std::abs(root)));
+    return out + 0x1p-53 * std::abs(root);
+  }
+  /// Of any root of this size, however near others are (Ostrowski): (2 D - 1) (change of p / leading)^(1/D).
+  double any_root_error(double size) const {
+    const double change = spread(size) / std::abs(value.c[D]);
+    const double root = D == 2   ? std::sqrt(change)
+                        : D == 3 ? cube_root(change)
+                                 : std::sqrt(std::sqrt(change));
+    return (2.0 * D - 1.0) * root;
   }
   double pair_error(double re, double im) const {
     // |p'| and |p''| at a complex root.
@@ -65,7 +76,9 @@ struct UncertainPolynomial {
   }
   /// Half the distance two roots around `mean` must keep to be told apart from a double root.
   double merging_distance(double mean) const {
-    return std::sqrt(2.0 * spread(std::abs(mean)) / std::abs(value.curvature(mean)));
+    const double out = std::sqrt(2.0 * spread(std::abs(mean)) / std::abs(value.curvature(mean)));
+    // Beside a third one the curvature vanishes.
+    return D == 2 ? out : std::fmin(out, any_root_error(std::abs(mean)));
   }
 };
 

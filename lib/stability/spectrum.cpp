@@ -63,11 +63,23 @@ double pencil_error(const PlanarPencil<Conditioned>& pencil, double lambda, doub
   return u * std::max(size(0) / first + mixed, size(2) / second + mixed);
 }
 
+/// Of roots that are near one another the characteristic polynomial knows a third of the digits: they are those
+/// of the pencil moved by their mean.
+CubicRoots<Extended> roots_of(const SymmetricPencil<Extended>& pencil) {
+  const Polynomial<Extended, 3> p = pencil.characteristic();
+  if (!is_cluster(p)) return cubic_roots(p);
+  const Extended mean(leading(p.c[2] / (-3.0 * p.c[3])));
+  SymmetricPencil<Extended> about = pencil;
+  for (int i = 0; i < 3; ++i)
+    about.K[i][i] = renormalized(Extended(pencil.K[i][i] + mean * pencil.mass[i]));
+  return shifted(cubic_roots(about.characteristic()), mean);
+}
+
 /// A symmetric block: three real Lambda, all energies +1 where imaginary. Returns the negative
 /// directions.
 int add_symmetric(const SymmetricPencil<Extended>& pencil,
                   const SymmetricPencil<Conditioned>& conditioned, double u, ModeCollector& out) {
-  const CubicRoots<Extended> roots = cubic_roots(pencil.characteristic());
+  const CubicRoots<Extended> roots = roots_of(pencil);
   const double error = pencil_error(conditioned, u);
   int negative = 0;
   for (const Extended& root : {roots.single, roots.pair.small, roots.pair.large}) {

@@ -71,6 +71,8 @@ template <class V>
   const V inflection = -(a2 * (1.0 / 3.0));
   const V P = a1 + a2 * inflection;
   const V Q = ((inflection + a2) * inflection + a1) * inflection + a0;
+  const V size = abs(inflection);
+  known = known & ((0x1p-10 * (size * size) < abs(P)) | (0x1p-15 * (size * size * size) < abs(Q)));
   V bound = sqrt(select(P < V(0.0), P * (-4.0 / 3.0), V(0.0)));
   const Mask alone = V(0.0) < 4.0 * (P * P * P) + 27.0 * (Q * Q);
   bound = bound + select(alone, above_cube_root(abs(Q)), V(0.0));

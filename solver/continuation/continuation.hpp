@@ -135,10 +135,7 @@ class Continuation {
   bool try_step(Attempt& out) {
     const double h = step_.length();
     const ArcVector<N> ahead = step_.ahead(here_.arc.tangent, h);
-    const double scale = curve_->corrector().scale();
-    out.corrected = curve_->corrector().correct(
-        moved<N>(here_.arc.x, ReducedVector<N>(ahead.template head<N>())),
-        here_.arc.p + scale * ahead[N], here_.arc.tangent, step_.longest_correction(h));
+    out.corrected = corrected_from(ahead, ResidualIn::doubles);
     counts_.linearizations += out.corrected.linearizations;
     if (out.corrected.status != CorrectorStatus::converged)
       return step_.refuse(std::string(name(out.corrected.status)));
@@ -152,8 +149,16 @@ class Continuation {
       return step_.refuse(
           "the bordered determinant changed sign: another sheet, or a branch point");
     if (step_.has_arc()) {
-      out.D = step_.shown(out.corrected.first_correction, h,
-                          [&] { return curve_->corrector().correction_rounding(next); });
+      const double correction = out.corrected.first_correction;
+      out.D = step_.shown(correction, h);
+      // Where that is G's rounding rather than the curve's bend, G is had without it.
+      if (step_.shortens(out.D, h) &&
+          curve_->corrector().correction_rounding(next) > 0.1 * correction) {
+        const Corrected<N> again = corrected_from(ahead, ResidualIn::pairs);
+        counts_.linearizations += again.linearizations;
+        if (again.status == CorrectorStatus::converged)
+          out.D = step_.shown(again.first_correction, h);
+      }
     } else {
       // The first step shows no fourth derivative: its middle does, against the cubic.
       const Corrected<N> middle = curve_->at(here_.arc, out.arc, 0.5);
@@ -163,6 +168,14 @@ class Continuation {
       out.D = StepControl::fourth_derivative_in_middle(middle.first_correction, h);
     }
     return step_.fits(out.D, h) || step_.refuse_bend(out.D);
+  }
+
+  /// The point that is predicted so far ahead, corrected.
+  Corrected<N> corrected_from(const ArcVector<N>& ahead, ResidualIn residual) const {
+    return curve_->corrector().correct(
+        moved<N>(here_.arc.x, ReducedVector<N>(ahead.template head<N>())),
+        here_.arc.p + curve_->corrector().scale() * ahead[N], here_.arc.tangent,
+        step_.longest_correction(step_.length()), residual);
   }
 
   void accept(Attempt& attempt) {

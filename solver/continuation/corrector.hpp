@@ -25,6 +25,10 @@ struct Corrected {
   int linearizations = 0;
 };
 
+/// What Newton's method has G from. In doubles its rounding may be much: of bodies that are far longer than
+/// thick, or far stiffer in volume than in shape.
+enum class ResidualIn { doubles, pairs };
+
 /// log(1 + x), of a small x by its series.
 inline double logarithm_of_one_and(double x) {
   return std::abs(x) < 0x1p-18 ? x - 0.5 * x * x : log1p(x);
@@ -59,8 +63,8 @@ class Corrector {
 
   /// max_correction: bound of the first correction, in y.
   Corrected<N> correct(const ReducedVector<N>& x, double p, const ArcVector<N>& border,
-                       double max_correction) const {
-    Corrected<N> out = iterated(x, p, border, max_correction);
+                       double max_correction, ResidualIn residual = ResidualIn::doubles) const {
+    Corrected<N> out = iterated(x, p, border, max_correction, residual);
     if (out.status == CorrectorStatus::converged) finish(border, out);
     return out;
   }
@@ -114,7 +118,7 @@ class Corrector {
 
   /// What of a correction is the rounding of G in double precision: some units of its magnitude.
   double correction_rounding(const ArcPoint<N>& point) const {
-    return 0x1p-50 * inverse(point.slopes, point.tangent).rows();
+    return rounding_of(inverse(point.slopes, point.tangent));
   }
 
  private:
@@ -129,15 +133,17 @@ class Corrector {
     out.correction += delta;
   }
 
-  /// By Newton's method in doubles, from x, p.
+  /// By Newton's method from x, p; where that failed by corrections that G's rounding may be, once more without
+  /// it.
   Corrected<N> iterated(const ReducedVector<N>& x, double p, const ArcVector<N>& border,
-                        double max_correction) const {
+                        double max_correction, ResidualIn residual = ResidualIn::doubles) const {
     Corrected<N> out;
     out.point.x = x;
     out.point.p = p;
     out.correction.setZero();
     const auto scaled = [&] {
       FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
+      if (residual == ResidualIn::pairs) at.g = extended_residual(out.point.x, out.point.p);
       at.slope *= scale_;
       return at;
     };
@@ -146,7 +152,30 @@ class Corrector {
     out.first_correction = course.first_correction;
     out.linearizations += course.linearizations;
     out.status = course.status;
-    return out;
+    if (residual == ResidualIn::pairs || !may_be_rounding(course)) return out;
+    Corrected<N> again = iterated(x, p, border, max_correction, ResidualIn::pairs);
+    again.linearizations += out.linearizations;
+    return again;
+  }
+
+  /// Whether corrections failed that may be nothing else.
+  static bool may_be_rounding(const NewtonCourse<N>& course) {
+    switch (course.status) {
+      case CorrectorStatus::slow:
+        return rounding_of(course.last) > contracted;
+      case CorrectorStatus::too_far:
+        return rounding_of(course.last) > 0.1 * course.first_correction;
+      default:
+        return false;
+    }
+  }
+  static double rounding_of(const BorderedInverse<N>& inverse) { return 0x1p-50 * inverse.rows(); }
+
+  /// G at a point as the rows of linearize() have it, but for its rounding.
+  ReducedVector<N> extended_residual(const ReducedVector<N>& x, double p) const {
+    ReducedVector<N> g = family_->extended_residual(x, p);
+    make_rows_equal(circle_, family_->volume_row(), g);
+    return g;
   }
 
   /// Whether Newton's method at a fixed p came to the point it began at: where p turns it may go far by small
@@ -211,9 +240,8 @@ class Corrector {
     out.point.at_turn = true;
     for (int k = 0; k < 2; ++k) {
       const FamilyLinearization<N> at = linearize(out.point.x, out.point.p);
-      ReducedVector<N> g = family_->extended_residual(out.point.x, out.point.p);
-      make_rows_equal(circle_, family_->volume_row(), g);
-      const ArcVector<N> delta = inverse(at, border).correction(g);
+      const ArcVector<N> delta =
+          inverse(at, border).correction(extended_residual(out.point.x, out.point.p));
       if (!(delta.norm() < 1e-3)) {
         out.status = CorrectorStatus::left_curve;
         return;
@@ -238,7 +266,7 @@ class Corrector {
     const double across = moved_by.template head<N>().maxCoeff();
     const double D = moved_by[N] + 0x1p-53 * std::abs(out.point.p) / scale_;
     // In double, with its rounding.
-    const double rounding = 0x1p-50 * inverted.rows();
+    const double rounding = rounding_of(inverted);
     const ArcVector<N> kernel = inverted.kernel();
     const double slope = std::abs(kernel[N] / kernel.norm());
     constexpr double h = 1e-3;

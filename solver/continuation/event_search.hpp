@@ -363,6 +363,11 @@ class EventSearch {
     if (curve().context().kind.circle_on_own_leaf && curve().context().circle != Circle::none)
       return;
     auto& known = next_.counts.negative;
+    // Where a range ends at J1 = J2 the curve ends at that event, as it starts at it.
+    if (to().tests.value[TestValues::turn] == 0.0) {
+      known.reset();
+      return;
+    }
     if (known) {
       for (const Found& each : found_) {
         // At rest no axis is turned about.

@@ -11,9 +11,12 @@ constexpr double longest_first_correction(double h, double max_angle) {
   return 0.5 * max_angle * h + 1e-13;
 }
 
-/// Whether a correction of this size after one of that size is Newton's near a solution. Below 1e-12 it is rounding.
+/// Corrections below this are rounding.
+constexpr double contracted = 1e-12;
+
+/// Whether a correction of this size after one of that size is Newton's near a solution.
 constexpr bool contracts(double size, double before) {
-  return size <= 0.25 * before || size <= 1e-12;
+  return size <= 0.25 * before || size <= contracted;
 }
 
 /// Whether two points with these signs of the bordered determinant can lie on one sheet.

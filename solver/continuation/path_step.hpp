@@ -52,16 +52,12 @@ class PathStep {
     return false;
   }
 
-  /// The fourth derivative that the first correction of a step of length h showed, after the first step. rounding(): what of
-  /// that correction may be rounding.
-  template <class Rounding>
-  double shown(double correction, double h, const Rounding& rounding) const {
-    const double D = StepControl::fourth_derivative(correction, h, arc_.length);
-    if (!control_.shortens(D, h) || correction >= 1e-8) return D;
-    // Rounding of G may be in it: believe the last step, as far as what is left allows.
-    const double left = correction - rounding();
-    return std::clamp(D_, StepControl::fourth_derivative(left, h, arc_.length), D);
+  /// The fourth derivative that the first correction of a step of length h showed, after the first step.
+  double shown(double correction, double h) const {
+    return StepControl::fourth_derivative(correction, h, arc_.length);
   }
+  /// Whether one that shows it makes the next step shorter.
+  bool shortens(double D, double h) const { return control_.shortens(D, h); }
   /// Whether a step of length h that showed it may be taken.
   bool fits(double D, double h) const { return !control_.too_long(D, h); }
   /// Refuses one that does not fit.

@@ -69,7 +69,13 @@ AtLimit<N> at_limit(const Curve<N>& curve, const ArcPoint<N>& from, const Arc<N>
     const auto own_distance = [&](double v) { return curve.at(from, arc, v).point.p - limit.p; };
     if (const auto own = zero_between(own_distance, begin, limit.reach)) u = *own;
     out.corrected = curve.at(from, arc, u);
-    if (out.corrected.point.p != limit.p) out.corrected.status = CorrectorStatus::left_curve;
+    // A limit some units below a turn is where the turn is, for a double.
+    constexpr double units = 0x1p-50;
+    ArcPoint<N>& point = out.corrected.point;
+    if (!(std::abs(point.p - limit.p) <= units * std::abs(limit.p)))
+      out.corrected.status = CorrectorStatus::left_curve;
+    if (point.p != limit.p) point.error_bound *= 4.0;  // a root of how far p is off
+    point.p = limit.p;
   }
   if (out.corrected.status == CorrectorStatus::converged)
     out.arc = Arc<N>(arc.at(u), from.tangent, out.corrected.point.tangent);

@@ -32,7 +32,7 @@ class OrientedSearch {
         options_(options),
         system_{&models_, body, branch, nu},
         boxes_(body, models_.potential, branch, nu, options.inputs),
-        search_(options) {
+        search_(potential, options) {
     boxes_.rho_range = options.range(2);
   }
 

@@ -32,7 +32,7 @@ class AxisSearch {
         mirror_(mirror_symmetric(problem, nu) && alike(options.range(0), options.range(1))
                     ? Mirror::both
                     : Mirror::none),
-        search_(options) {}
+        search_(problem.potential(), options) {}
 
   SearchResult run() {
     problem_.potential().visit_parts([this](const auto& model) { run_model(model); });

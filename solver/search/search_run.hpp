@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 #include <type_traits>
@@ -28,7 +29,10 @@ struct FoundThickness {
 class SearchRun {
  public:
   /// The options must outlive it. Throws std::invalid_argument for a box that is none.
-  explicit SearchRun(const SearchOptions& options) : options_(options) { require_box(options); }
+  SearchRun(const Potential& potential, const SearchOptions& options)
+      : options_(options), assumes_(!potential.assumptions().empty()) {
+    require_box(options);
+  }
 
   bool interrupted() const { return out_.status == SearchStatus::interrupted; }
 
@@ -95,6 +99,16 @@ class SearchRun {
 
   /// A motion with the numbers found; what is not proven counts where its residual is accepted.
   void add(const Equilibrium& found, bool proven) {
+    // Where the formula is not what the proof takes for granted of it, that is no motion.
+    if (proven && assumes_ && !(found.residual <= acceptable_residual)) {
+      const auto about = [](double x) {
+        const double reach = 1e-12 * std::abs(x);
+        return Interval(x - reach, x + reach);
+      };
+      leave_undecided(
+          {about(found.q.xi), about(found.q.zeta), about(found.q.rho), about(found.q.alpha)});
+      return;
+    }
     if (proven) {
       out_.solutions.push_back(found);
     } else if (found.residual <= acceptable_residual) {
@@ -120,6 +134,7 @@ class SearchRun {
 
  private:
   const SearchOptions& options_;
+  bool assumes_;  ///< the potential takes for granted what is not proven
   SearchResult out_;
 };
 

@@ -124,7 +124,7 @@ class ShearedSearch {
         nu_(nu),
         options_(options),
         boxes_(invariants_, nu, options),
-        search_(options) {}
+        search_(equations.potential, options) {}
 
   SearchResult run() {
     const StatedSystem<ShearedInvariants<N>> system{invariants_, nu_};

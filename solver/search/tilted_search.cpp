@@ -32,7 +32,7 @@ class TiltedSearch {
         motion_(motion),
         options_(options),
         family_(tilted_family(body, potential, motion.plane, false)),
-        search_(options) {}
+        search_(potential, options) {}
 
   SearchResult run() {
     potential_.visit_parts([this](const auto& model) { run_model(model); });

@@ -19,7 +19,11 @@ class TwoPolarSearch {
  public:
   TwoPolarSearch(const Body& body, const Potential& potential, const TwoPolarMotion& motion,
                  const SearchOptions& options)
-      : body_(body), potential_(potential), motion_(motion), options_(options), search_(options) {}
+      : body_(body),
+        potential_(potential),
+        motion_(motion),
+        options_(options),
+        search_(potential, options) {}
 
   SearchResult run() {
     potential_.visit_parts([this](const auto& model) {

@@ -147,7 +147,11 @@ export class LivePanel {
       set(at);
     });
     number.addEventListener('change', () => {
-      const at = Number(number.value);
+      const at = number.valueAsNumber;
+      if (!Number.isFinite(at)) {
+        show(this.values.get(key) ?? value);
+        return;
+      }
       place(at);
       set(at);
     });
@@ -223,7 +227,12 @@ export class LivePanel {
     this.showTable();
     if (answer.page) {
       const [table] = (JSON.parse(answer.page) as Payload).tables;
-      this.listener.computed(table);
+      try {
+        this.listener.computed(table);
+      } catch (error) {
+        this.end('failed', `What was computed cannot be drawn: ${error instanceof Error ? error.message : String(error)}`);
+        return;
+      }
       const proof = table.metadata?.message ?? '';
       const rows = `${table.rows} row${table.rows === 1 ? '' : 's'} in ${shown(Number(((performance.now() - this.began) / 1000).toPrecision(2)))} s`;
       this.end('done', [rows, proof, messages].filter((each) => each !== '').join('. '));

@@ -122,6 +122,12 @@ std::optional<AxisRotation> spin_of(const Motion& motion) {
 
 bool has_lanes(const Motion& motion) { return std::holds_alternative<AxisRotation>(motion); }
 
+bool may_have_axis(const Motion& motion, const Vector3<double>& nu) {
+  const auto* const tilted = std::get_if<TiltedMotion>(&motion);
+  if (tilted == nullptr || !tilted->plane) return true;
+  return nu[*tilted->plane == TiltPlane::one_three ? 1 : 0] == 0.0;
+}
+
 Motion decided(Motion motion, bool about_axis_2) {
   if (auto* tilted = std::get_if<TiltedMotion>(&motion); tilted != nullptr && !tilted->plane)
     tilted->plane = about_axis_2 ? TiltPlane::two_three : TiltPlane::one_three;

@@ -46,6 +46,9 @@ bool may_have_alpha(const Motion& motion, const Potential& potential);
 /// Whether maps solve it along lanes in nu, and not cell by cell.
 bool has_lanes(const Motion& motion);
 
+/// Whether nu may be its angular velocity: that it lies in the plane prescribed.
+bool may_have_axis(const Motion& motion, const Vector3<double>& nu);
+
 /// The plane or axis left open, decided by a motion of it: the component of nu that is not zero.
 Motion decided(Motion motion, bool about_axis_2);
 

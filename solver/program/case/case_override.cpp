@@ -8,6 +8,7 @@
 #include "solver/program/case/case_toml.hpp"
 #include "solver/program/case/toml_depth.hpp"
 #include "solver/program/text/ascii.hpp"
+#include "solver/program/text/utf8.hpp"
 
 namespace stationary {
 namespace {
@@ -77,7 +78,8 @@ toml::table parse_value(const Assignment& assignment) {
     assignment.refuse("found more than one value", "one TOML value", {});
   } catch (const toml::parse_error& error) {
     // true, false, inf and nan have parsed; what else begins with a letter is a bare word.
-    if (is_letter(assignment.value.front()) && assignment.value.find('\n') == std::string::npos) {
+    if (is_letter(assignment.value.front()) && assignment.value.find('\n') == std::string::npos &&
+        is_utf8(assignment.value)) {
       toml::table out;
       out.insert("value", assignment.value);
       return out;

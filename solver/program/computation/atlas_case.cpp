@@ -321,6 +321,13 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
   if (journal && !found.interrupted) journal->finish();
   Outcome out;
   if (!gap.empty()) run.complain(gap);
+  const auto cut = std::ranges::count_if(
+      found.sheets, [](const AtlasSheet& sheet) { return sheet.report.out_of_points; });
+  if (cut > 0)
+    run.complain(
+        fmt::format("{} sheet{} stopped at continuation.max_points: what is beyond may be "
+                    "another sheet in this table, or in none",
+                    cut, cut == 1 ? "" : "s"));
   if (run.summary) out.summary = summary(input, how, found, records, proofs, least, seconds);
   if (found.interrupted) {
     run.complain(journal ? "interrupted: the atlas is not complete; --resume goes on with it"

@@ -31,6 +31,14 @@ Cells cells_of(const TableReader& table) {
   return out;
 }
 
+double number_in(const Cells& row, std::string_view column) {
+  const auto at = row.find(column);
+  double out = std::numeric_limits<double>::quiet_NaN();
+  if (at != row.end())
+    std::from_chars(at->second.data(), at->second.data() + at->second.size(), out);
+  return out;
+}
+
 /// Whether a row of this event is no place to start from along its own sheet: a fold, where the parameter
 /// names no point of its own, an end at unbounded or vanishing stretches, or where sheets of one branch
 /// meet, which S does not tell apart there. The row beside it is.
@@ -44,8 +52,15 @@ bool is_no_start(std::string_view event, std::string_view branch) {
   return ends && !branch_from_name(branch);
 }
 
-/// The row; to go on along the sheets of a branch, one beside it on the same sheet where it is no place to
-/// start from. Beside a row of a curve of events is another body's.
+/// Whether a double of the parameter tells the row from its neighbours, which on the way to unbounded or
+/// vanishing stretches it does no more; a table without error bounds does not say.
+bool is_resolved(const Cells& row) {
+  constexpr double resolved = 1e-9;
+  return !(number_in(row, "error_bound") > resolved);
+}
+
+/// The row; to go on along the sheets of a branch, the nearest on the same sheet that is a place to start from.
+/// Beside a row of a curve of events is another body's.
 Cells row_of(const std::string& text, const std::optional<std::string>& along) {
   const RowName wanted = row_name(text);
   TableReader table = open_table(wanted.path);
@@ -56,20 +71,31 @@ Cells row_of(const std::string& text, const std::optional<std::string>& along) {
   long number = 0;
   long rows = 0;
   Cells before;
-  std::optional<Cells> fold;
+  Cells resolved;
+  std::optional<Cells> skipped;
+  const auto on_sheet_of = [](const Cells& row, const Cells& other) {
+    return !row.empty() && row.at("sheet") == other.at("sheet");
+  };
+  bool unbounded = false;
   while (table.next()) {
     ++rows;
     Cells here = cells_of(table);
-    if (fold && here["sheet"] == (*fold)["sheet"]) return here;  // nothing was before it
+    // Nothing was before it.
+    if (skipped && on_sheet_of(*skipped, here) && (!unbounded || is_resolved(here))) return here;
     const bool counts = wanted.event.empty() || table.text(*event) == wanted.event;
     if (counts && ++number == wanted.number) {
       if (!along || !of_sheets || here["branch"] != *along ||
           !is_no_start(table.text(*event), *along))
         return here;
-      if (!before.empty() && before["sheet"] == here["sheet"]) return before;
-      fold = std::move(here);
+      unbounded = table.text(*event) == name(EventType::escape) ||
+                  table.text(*event) == name(EventType::collapse);
+      const Cells& beside = unbounded ? resolved : before;
+      if (on_sheet_of(beside, here)) return beside;
+      skipped = std::move(here);
       continue;
     }
+    if (along && is_resolved(here) && !(event && is_no_start(table.text(*event), *along)))
+      resolved = here;
     before = std::move(here);
   }
   refuse_row(text,
@@ -77,14 +103,6 @@ Cells row_of(const std::string& text, const std::optional<std::string>& along) {
                                   : fmt::format("found {} row{} of {}", number,
                                                 number == 1 ? "" : "s", wanted.event),
              fmt::format("a row {}", wanted.number));
-}
-
-double number_in(const Cells& row, std::string_view column) {
-  const auto at = row.find(column);
-  double out = std::numeric_limits<double>::quiet_NaN();
-  if (at != row.end())
-    std::from_chars(at->second.data(), at->second.data() + at->second.size(), out);
-  return out;
 }
 
 class FromRow {
@@ -99,7 +117,7 @@ class FromRow {
     Case input = with_numbers_of_the_row();
     if (!input.continuation)
       refuse_row(text_, "found no [continuation] in the case", "a case to be continued");
-    const Stretch q = stretch();
+    const Stretch q = stretch(input);
     const std::string own = text("branch");
     const std::string wanted(input.branch_name());
     if (own != wanted) return beginning(std::move(input), q, own);
@@ -116,19 +134,21 @@ class FromRow {
     if (text("branch") != given_.branch_name())
       refuse_row(text_, "found a row of branch " + in_quotes(text("branch")),
                  "a row of branch " + in_quotes(given_.branch_name()));
-    EventRow out{with_numbers_of_the_row(), stretch()};
+    EventRow out{with_numbers_of_the_row(), {}};
     const Case& input = out.input;
+    out.q = stretch(input);
     for (std::size_t k = 0; k < input.curve->parameters.size(); ++k)
       require_between(input, input.curve->parameters[k], input.curve->from[k], input.curve->to[k]);
     return out;
   }
 
  private:
-  Stretch stretch() const {
+  /// S, in the coordinates of the row's own body.
+  Stretch stretch(const Case& input) const {
     const Stretch q{value_or("alpha", 0.0), value("xi"), value("zeta"), value("rho")};
     if (const char* inequality = violated_inequality(q))
       refuse_row(text_, "found no positive definite S in the row", inequality);
-    return given_.coordinates.computed(q);
+    return input.coordinates.computed(q);
   }
   std::string text(std::string_view column) const {
     const auto at = row_.find(column);
@@ -149,33 +169,43 @@ class FromRow {
     return {value_or("nu1", 0.0), value_or("nu2", 0.0), value_or("nu3", 0.0)};
   }
 
+  static constexpr std::string_view gravity = "gravity.";
+
+  /// A number of the row in the case's place. Gravity is given by one of two: the other is left out.
+  void set(CaseTree& tree, const std::string& key, const std::string& cell) const {
+    const std::string assigned = key.starts_with(gravity)
+                                     ? "gravity={" + key.substr(gravity.size()) + "=" + cell + "}"
+                                     : key + "=" + cell;
+    tree.override_key(assigned, place_of_row(text_));
+  }
+
   /// The case with the row's motion and the numbers of its trailing columns.
   Case with_numbers_of_the_row() const {
     CaseTree tree = given_.source;
-    const auto set = [&](const std::string& key, const std::string& cell) {
-      tree.override_key(key + "=" + cell, place_of_row(text_));
-    };
     Motion motion = given_.motion;
     for (const MotionNumber& each : motion_numbers(motion)) {
       const std::string key(each.parameter == "nu" ? "motion.nu" : each.parameter);
       if (each.parameter != "nu") {
-        set(key, text(key.substr(key.find('.') + 1)));
+        set(tree, key, text(key.substr(key.find('.') + 1)));
         continue;
       }
       const auto branch = branch_from_name(given_.branch_name());
       const double spin = branch ? nu()[axis(*branch)] : nu().norm();
-      set(key, fmt::format("{}", spin));
+      set(tree, key, fmt::format("{}", spin));
     }
     for (const std::string& key : case_parameters(given_.motion, given_.models))
-      if (key.starts_with("body.") || key.starts_with("potential."))
+      if (key.starts_with("body.") || key.starts_with("potential.") || key.starts_with(gravity))
         if (const auto at = row_.find(key); at != row_.end() && !at->second.empty())
-          set(key, at->second);
+          set(tree, key, at->second);
     if (has_rates(given_.motion) && text("branch") != given_.branch_name())
       refuse_row(text_, "found a row of branch " + in_quotes(text("branch")),
                  "a row of branch " + in_quotes(given_.branch_name()),
                  "rates and momenta are not in the row");
     Case out = with_ratios(std::move(tree));
     out.output.certificate = given_.output.certificate;
+    if (text("branch") == given_.branch_name() && !may_have_axis(out.motion, nu()))
+      refuse_row(text_, "found a row whose axis lies in another plane",
+                 "a row in the plane of motion.plane");
     out.motion = decided(out.motion, nu()[1] != 0.0);
     return out;
   }
@@ -203,9 +233,8 @@ class FromRow {
       if (next == left.end()) next = left.begin();
       const auto [first, second] = parts_of(*next);
       const double unit = parameter_value({out.own_body, out.models, out.motion}, second);
-      tree.override_key(
-          fmt::format("{}={}", first == "nu" ? "motion.nu" : first, number_in(row_, *next) * unit),
-          place_of_row(text_));
+      set(tree, first == "nu" ? "motion.nu" : std::string(first),
+          fmt::format("{}", number_in(row_, *next) * unit));
       left.erase(next);
       out = make_case(tree);
     }

@@ -126,6 +126,9 @@ class EventMembers final : public CurveSink {
 
 Answered of_events(const Asked& asked, const Run& run) {
   const Case& input = asked.input;
+  if (!input.continuation->start_row.empty())
+    throw fault_at(input.source, "continuation.start_row", "found a row to start from",
+                   "none: sensitivity follows the case from its own start");
   Answered out;
   const Start start = solved_start(input, run);
   if (start.found.status != SolveStatus::solved) {
@@ -146,6 +149,14 @@ Answered of_events(const Asked& asked, const Run& run) {
     return out;
   }
   out.counts.emplace_back("continuation_steps", report.counts.steps);
+  if (report.out_of_points)
+    run.complain("stopped at continuation.max_points: events beyond are not among these");
+  for (const SheetEnd* end : {&report.backward, &report.forward}) {
+    if (end->event != EventType::stalled) continue;
+    run.complain("numerical failure: " + end->reason + "; events beyond are not among these");
+    out.code = ExitCode::failure;
+    out.status = "stalled";
+  }
   for (const auto& [member, event] : sink.events) {
     Moved moved{std::string(name(event)), 1, member.parameter / unit, {}, {}, {}};
     TableRow row;

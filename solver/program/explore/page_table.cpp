@@ -66,12 +66,11 @@ std::string joined(const std::vector<std::string>& cells) {
   return out;
 }
 
-/// Whether a column is a number of motions, their class, or that of a cell.
+/// Whether a column is a number of motions: a page has it as an axis.
 bool is_of_motions(const std::string& column) {
   if (is_parameter(column)) return true;
   const auto known = find_column(column);
-  return known && (cell_kind(*known) == CellKind::number || *known == Column::stability ||
-                   *known == Column::event || *known == Column::status);
+  return known && cell_kind(*known) == CellKind::number;
 }
 
 }  // namespace
@@ -79,7 +78,8 @@ bool is_of_motions(const std::string& column) {
 PageTable read_page_table(TableReader& table) {
   require_drawable(table);
   if (std::ranges::none_of(table.columns(), is_of_motions))
-    throw InputError(Origin::in_file(table.name()), "", "found no column that tells of motions",
+    throw InputError(Origin::in_file(table.name()), "",
+                     "found no column of numbers that tells of motions",
                      "tables of solve, continue, atlas, map or curve");
   PageTable out;
   out.file = std::filesystem::path(table.name()).filename().string();

@@ -216,7 +216,7 @@ void MapScript::set_colours() {
   const double room = high > low ? 0.0 : std::max(0.05 * std::abs(high), 1e-12);
   if (choice_.value) low = choice_.value->low, high = choice_.value->high;
   if (choice_.value) line("unset logscale cb");
-  const AxisRange colours_of = drawable({low - room, high + room}, false);
+  const AxisRange colours_of = drawable({growth ? low : low - room, high + room}, false);
   line("set cbrange [{}:{}]", colours_of.low, colours_of.high);
   const double bar_height =
       std::min(0.6 * area_.height(), area_.height() - above_bar - map_legend_height(diagram_));

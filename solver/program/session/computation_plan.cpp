@@ -78,6 +78,9 @@ std::vector<PlanItem> unused_keys(const Case& input, PlanOf of) {
   unused(input.solve.box.has_value() && !searches, "solve.box",
          "it is the box of solve.all = true, and of an atlas");
   if (of == PlanOf::atlas)
+    unused(!input.continuation->start_row.empty(), "continuation.start_row",
+           "an atlas searches everywhere");
+  if (of == PlanOf::atlas)
     unused(!input.continuation->events.empty(), "continuation.events",
            "an atlas locates every event that it can");
   return out;

@@ -21,4 +21,13 @@ constexpr std::size_t character_length(std::string_view text) {
   return overlong || outside ? 0 : length;
 }
 
+constexpr bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
 }  // namespace stationary

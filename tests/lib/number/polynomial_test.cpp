@@ -248,6 +248,37 @@ TEST(CubicRoots, TripleRoot) {
   }
 }
 
+/// A root of a = -2 ... -8 and as many more within a gap of it: each found to what coefficients in pairs of
+/// doubles know of a root among n that are that near.
+std::vector<Real50> near_one_another(Random& random, double a, double gap, int count) {
+  std::vector<Real50> out;
+  for (int k = 0; k < count; ++k)
+    out.push_back(Real50(a) * (1 + Real50(gap) * random.uniform(-1.0, 1.0)));
+  return out;
+}
+double known_to(double gap, int near) {
+  const double apart = 0x1p-96 / std::pow(gap, near - 1);
+  const double together = 8.0 * std::pow(0x1p-100, 1.0 / near);
+  return std::max(half_unit, std::min(apart, together));
+}
+
+TEST(CubicRoots, NearlyTripleOnesAreKnownAsFarAsTheCoefficientsAre) {
+  Random random(113);
+  for (int exponent = -52; exponent <= -3; ++exponent) {
+    const double gap = std::ldexp(1.0, exponent);
+    for (int k = 0; k < 200; ++k) {
+      const auto roots = near_one_another(random, -random.uniform(2.0, 8.0), gap, 3);
+      const auto found =
+          cubic_roots(rounded(factor(roots[0]) * factor(roots[1]) * factor(roots[2])));
+      const double spread = std::sqrt(std::abs(leading(found.pair.separation)));
+      for (const double each : {leading(found.single), leading(found.pair.mean) - spread,
+                                leading(found.pair.mean) + spread})
+        ASSERT_LE(relative_distance(DoubleDouble(each), roots), known_to(gap, 3))
+            << at("gap", gap, "roots", roots[0], roots[1], roots[2]);
+    }
+  }
+}
+
 std::vector<DoubleDouble> all_four(const QuarticRoots<DoubleDouble>& found) {
   return {found.first.small, found.first.large, found.second.small, found.second.large};
 }
@@ -329,6 +360,30 @@ TEST(QuarticRoots, ComplexPairBesideRealOnes) {
     expect_roots(where, {real.small, real.large}, {a, b}, half_unit);
     EXPECT_LE(relative_distance(complex.mean, {re}), half_unit) << where;
     EXPECT_LE(relative_distance(complex.separation, {Real50(-im * im)}), half_unit) << where;
+  }
+}
+
+TEST(QuarticRoots, NearlyTripleAndQuadrupleOnesAreKnownAsFarAsTheCoefficientsAre) {
+  Random random(114);
+  for (int exponent = -52; exponent <= -3; ++exponent) {
+    const double gap = std::ldexp(1.0, exponent);
+    for (int k = 0; k < 100; ++k) {
+      const double a = -random.uniform(2.0, 8.0);
+      for (const bool all : {false, true}) {
+        auto roots = near_one_another(random, a, gap, all ? 4 : 3);
+        if (!all) roots.push_back(Real50(a * random.log_uniform(1.5, 10.0)));
+        const auto found = quartic_roots(
+            rounded((factor(roots[0]) * factor(roots[1])) * (factor(roots[2]) * factor(roots[3]))));
+        for (const auto& pair : {found.first, found.second}) {
+          const double spread = std::sqrt(std::abs(leading(pair.separation)));
+          const bool real = pair.real();
+          for (const double each : {real ? leading(pair.small) : leading(pair.mean) - spread,
+                                    real ? leading(pair.large) : leading(pair.mean) + spread})
+            ASSERT_LE(relative_distance(DoubleDouble(each), roots), known_to(gap, all ? 4 : 3))
+                << at("gap", gap, "all", all, "roots", roots[0], roots[1], roots[2], roots[3]);
+        }
+      }
+    }
   }
 }
 

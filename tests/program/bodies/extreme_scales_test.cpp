@@ -299,5 +299,22 @@ TEST(ExtremeScales, BoundsOfANeedleAreAboveItsErrors) {
   EXPECT_GE(compared, 6);
 }
 
+/// With gravity it is not of a closed form; a coupled balance in doubles is rounding there.
+TEST(ExtremeScales, ANeedleIsFollowedToWhereItEscapes) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("case.toml", needle());
+  for (const char* const tolerance : {"1e-6", "1e-10"}) {
+    const Outcome outcome =
+        run_program({"continue", path, "-o", "-", "--set", "gravity={g=0.5}", "--set",
+                     std::string("continuation.tolerance=") + tolerance});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const auto rows = rows_of(outcome.out);
+    ASSERT_FALSE(rows.empty());
+    EXPECT_EQ(rows.back().at("event"), "escape");
+    EXPECT_GT(number(rows.back().at("xi")), 1e5);
+    EXPECT_LT(rows.size(), 4000U) << tolerance;
+  }
+}
+
 }  // namespace
 }  // namespace stationary::testing

@@ -175,5 +175,12 @@ TEST_F(Override, OfAFormulaByAModel) {
   EXPECT_THAT(outcome.out, HasSubstr("hencky: mu = 1, lambda = 2"));
 }
 
+/// What is written later is text of a file of metadata.
+TEST_F(Override, BytesThatAreNoCharactersAreRefused) {
+  const Outcome outcome = run_program({"check", shipped("fold.toml"), "--set", "title=a\xff"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("a TOML value"));
+}
+
 }  // namespace
 }  // namespace stationary::testing

@@ -16,6 +16,7 @@ namespace stationary::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(AtlasCommand, WritesEverySheetAndItsMetadata) {
   const TemporaryDirectory directory;
@@ -155,6 +156,24 @@ TEST(AtlasCommand, InterruptedItKeepsItsSearches) {
   const std::string found = text_of(directory / "x.csv");
   ASSERT_EQ(run_program(command).code, 0);
   EXPECT_TRUE(text_of(directory / "x.csv") == found);
+}
+
+TEST(AtlasCommand, SheetsThatAreCutShortAreSaidToBe) {
+  const TemporaryDirectory directory;
+  const Outcome outcome =
+      run_program({"atlas", shipped("apart.toml"), "-o", directory / "x.csv", "--checkpoints", "4",
+                   "--set", "continuation.max_points=20"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("stopped at continuation.max_points"));
+  const Outcome whole =
+      run_program({"atlas", shipped("apart.toml"), "-o", directory / "y.csv", "--checkpoints", "4",
+                   "--set", "continuation.start_row=\"a.csv:3\""});
+  EXPECT_EQ(whole.code, 0);
+  EXPECT_THAT(whole.err, Not(HasSubstr("max_points")));
+  bool told = false;
+  for (const auto& each : nlohmann::json::parse(text_of(directory / "y.meta.json")).at("skipped"))
+    told = told || each.at("quantity") == "continuation.start_row";
+  EXPECT_TRUE(told);
 }
 
 }  // namespace

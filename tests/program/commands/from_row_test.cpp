@@ -305,5 +305,62 @@ TEST_F(FromRow, WhatLeadsNowhereIsRefused) {
   refused(narrow + ":2", {}, "found no xi in the row");
 }
 
+/// A row of the table that a case is followed from lies on what comes of it.
+TEST_F(FromRow, NumbersOfGravityAndCoordinatesOfAFluidAreTheRows) {
+  const auto holds = [](const Outcome& found, const Row& row) {
+    return std::ranges::any_of(rows_of(found.out), [&](const Row& each) {
+      return std::abs(number(each.at("xi")) / number(row.at("xi")) - 1.0) < 1e-12 &&
+             std::abs(number(each.at("zeta")) / number(row.at("zeta")) - 1.0) < 1e-12;
+    });
+  };
+  const std::string path =
+      table("continue", "elastic_sphere.toml", "g.csv",
+            {"--set", "motion.nu=0.2", "--set", "continuation.parameter=gravity.g", "--set",
+             "continuation.from=0.5", "--set", "continuation.to=2"});
+  const Row row = rows_of(text_of(path)).at(2);
+  ASSERT_NE(row.at("gravity.g"), "2");
+  for (const char* const gravity : {"gravity={g=4.0}", "gravity={pi_G_rho=1.0}"}) {
+    const Outcome found =
+        from("elastic_sphere.toml", path + ":3", {"--set", gravity, "--set", "output.columns=[]"});
+    ASSERT_EQ(found.code, 0) << found.err;
+    EXPECT_TRUE(holds(found, row)) << gravity;
+  }
+  const std::string bodies = directory_.file("bodies.csv", "body.J.1\n1.0\n1.3\n2.0\n");
+  const std::string fluids = directory_ / "fluids.csv";
+  ASSERT_EQ(run_program({"study", cases + "/maclaurin.toml", "--over", bodies, "--do", "solve",
+                         "-o", fluids, "-q"})
+                .code,
+            0);
+  const Outcome found = from("maclaurin.toml", fluids + ":2", {"--set", "output.columns=[]"});
+  ASSERT_EQ(found.code, 0) << found.err;
+  EXPECT_TRUE(holds(found, rows_of(text_of(fluids)).at(1)));
+}
+
+/// Where a sheet escapes a double of the parameter does not tell its rows from one another.
+TEST_F(FromRow, AnEscapeLeadsToTheWholeOfItsSheet) {
+  const std::string path = table("continue", "mooney_rivlin.toml", "m.csv");
+  const auto whole = events(text_of(path), "fold-nu", "nu1");
+  const Outcome found = from("mooney_rivlin.toml", path + ":escape");
+  ASSERT_EQ(found.code, 0) << found.err;
+  const auto again = events(found.out, "fold-nu", "nu1");
+  ASSERT_EQ(again.size(), whole.size());
+  for (std::size_t k = 0; k < whole.size(); ++k) EXPECT_NEAR(again[k], whole[k], 1e-11);
+}
+
+TEST_F(FromRow, ARowInAnotherPlaneIsRefused) {
+  const std::string path = table("continue", "tilted.toml", "t.csv");
+  const Row row = rows_of(text_of(path)).at(3);
+  const bool first = number(row.at("nu2")) == 0.0;
+  for (const bool same : {false, true}) {
+    const Outcome outcome =
+        from("tilted.toml", path + ":4",
+             {"--set", std::string("motion.plane=\"") + (same == first ? "13" : "23") + "\""});
+    EXPECT_EQ(outcome.code, same ? 0 : 2) << outcome.err;
+    if (!same) {
+      EXPECT_THAT(outcome.err, HasSubstr("lies in another plane"));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stationary::testing

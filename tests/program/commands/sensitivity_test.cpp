@@ -452,5 +452,16 @@ TEST(Sensitivity, WrongInputIsRefused) {
   EXPECT_THAT(fluid.err, HasSubstr("fluid"));
 }
 
+TEST(Sensitivity, OfEventsSaysWhatItDoesNotFollow) {
+  const Outcome cut = run_program({"sensitivity", shipped("fold.toml"), "--events", "-o", "-",
+                                   "--set", "continuation.max_points=5"});
+  EXPECT_EQ(cut.code, 0) << cut.err;
+  EXPECT_THAT(cut.err, HasSubstr("stopped at continuation.max_points"));
+  const Outcome row = run_program({"sensitivity", shipped("fold.toml"), "--events", "-o", "-",
+                                   "--set", "continuation.start_row=\"a.csv:3\""});
+  EXPECT_EQ(row.code, 2);
+  EXPECT_THAT(row.err, HasSubstr("follows the case from its own start"));
+}
+
 }  // namespace
 }  // namespace stationary::testing

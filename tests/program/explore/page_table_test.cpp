@@ -53,7 +53,7 @@ TEST(PageTable, KeepsTheTextsOfTheFile) {
 TEST(PageTable, IsOfMotions) {
   for (const char* const other :
        {"case,branch,boxes\na,i,1\n", "xi;zeta\n1;2\n", "sheet,branch,momentum_from\n1,i,0\n"})
-    EXPECT_THAT(refusal_of(other), HasSubstr("found no column that tells of motions"));
+    EXPECT_THAT(refusal_of(other), HasSubstr("found no column of numbers that tells of motions"));
   EXPECT_EQ(refusal_of("nu,body.J.1,class\n1,2,stable\n"), "taken");
   EXPECT_EQ(refusal_of("sheet,xi\n1,1\n2.0,1\n,1\n"), "taken");
   for (const char* const sheet : {"1.5", "-1", "0", "99999999999", "abc"})

@@ -104,6 +104,49 @@ TEST_P(StabilityBoundsTest, HoldForTheDoublesAndForShakenInputs) {
   RecordProperty("worst_ratio_shaken", std::to_string(worst_shaken));
 }
 
+/// Bodies that are nearly spheres, at rest and at slow spins: three or four Lambda near one another, which
+/// the characteristic polynomials know to a third or a quarter of their digits.
+TEST(StabilityNearASphere, BoundsHoldHoweverNearTheFrequenciesAre) {
+  support::Random random(977);
+  struct Shape {
+    PotentialName name;
+    std::array<double, 2> plane;
+    std::array<double, 2> axial;
+  };
+  const Shape shapes[] = {{{"neo-hookean-3d", ""}, {3.0, 0.5}, {}},
+                          {{"neo-hookean-3d", ""}, {2.0, 1e-5}, {}},
+                          {{"biot", "harmonic"}, {1.0, 0.0}, {2.0, 1.0}},
+                          {{"saint-venant-kirchhoff", "harmonic"}, {1.5, 0.0}, {3.0, 1.0}},
+                          {{"hencky", "harmonic"}, {1.0, 0.0}, {2.0, 1.0}}};
+  int claimed = 0;
+  int all = 0;
+  double widest = 0.0;
+  for (const Shape& shape : shapes) {
+    for (const Branch branch : branches) {
+      for (const double gap : {0.0, 1e-15, 1e-11, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3}) {
+        for (const double nu : {0.0, 1e-6, 1e-4, 6.17e-4, 1e-3, 1e-2}) {
+          const double j = random.log_uniform(0.5, 2.0);
+          const auto near = [&] { return j * (1.0 + gap * random.uniform(-1.0, 1.0)); };
+          const Body body(near(), near(), near());
+          const SolvedMotion at = motion(body, shape.name, shape.plane, shape.axial, branch, nu);
+          const Spectrum spectrum = at.blocks();
+          const WideMotion wide = wide_motion(at);
+          expect_within_bounds(at, spectrum, wide);
+          claimed += expect_right_or_marginal(at, spectrum, wide);
+          ++all;
+          for (const Mode& mode : modes(spectrum)) {
+            EXPECT_TRUE(std::isfinite(mode.lambda_error)) << at.text << "\n" << spectrum;
+            widest = std::max(widest, mode.lambda_error / scale(spectrum));
+          }
+        }
+      }
+    }
+  }
+  EXPECT_LT(widest, 1e-2);
+  EXPECT_GT(claimed, 0);
+  RecordProperty("claimed", std::to_string(claimed) + " of " + std::to_string(all));
+}
+
 /// nu of the sign change of f between low and high, f evaluated at solved motions.
 template <class F>
 double bisected(double low, double high, const F& f) {

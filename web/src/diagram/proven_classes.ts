@@ -1,4 +1,4 @@
-// Of a complete atlas: of how many motions each class is, proven for every ν. A strip for each branch, in which each
+// Of a complete atlas: of how many motions each class is, proven for every ν. A strip for each kind of motion, in which each
 // motion is a band in its class's colour and hatching, and the intervals as a table.
 
 import { scaleLinear } from 'd3-scale';
@@ -12,7 +12,11 @@ import type { Table } from '../table/table';
 const band = 13;
 const mark = 6;
 
-const branchName = (branch: string): string => (/^i+$/.test(branch) ? `branch (${branch})` : branch);
+/** The kind of motion that an interval tells of. */
+const kindName = ({ branch, plane }: ProvenInterval): string => {
+  if (plane !== undefined) return `${branch}, plane ${plane}`;
+  return /^i+$/.test(branch) ? `branch (${branch})` : branch;
+};
 const ends = ({ from, to }: ProvenInterval): string => `${shown(Number(from.toPrecision(12)))} … ${shown(Number(to.toPrecision(12)))}`;
 
 /** The classes of its motions, one entry each; null: not decided. */
@@ -65,16 +69,16 @@ export function showProvenClasses(table: Table): void {
   byId('proven-part').hidden = all.length === 0;
   byId('proven-beyond').hidden = all.every((each) => each.beyond === 'excluded');
   const [low, high] = [Math.min(...all.map((each) => each.from)), Math.max(...all.map((each) => each.to))];
-  const branches = [...new Set(all.map((each) => each.branch))];
-  const strips = branches.map((branch) => {
-    const intervals = all.filter((each) => each.branch === branch);
+  const kinds = [...new Set(all.map(kindName))];
+  const strips = kinds.map((kind) => {
+    const intervals = all.filter((each) => kindName(each) === kind);
     const most = Math.max(1, ...intervals.map((each) => motions(each)?.length ?? 0));
     const left = intervals.filter((each) => motions(each) === null);
     const length = left.reduce((sum, each) => sum + each.to - each.from, 0);
     const told = left.length === 0 ? 'for every ν' : `but for ${left.length} interval${left.length === 1 ? '' : 's'} of total length ${length.toPrecision(2)}`;
-    const canvas = element('canvas', { class: 'proven-strip', role: 'img', 'aria-label': `${branchName(branch)}: ${intervals.map((each) => `${inWords(each)} for ν in ${ends(each)}`).join('; ')}` });
+    const canvas = element('canvas', { class: 'proven-strip', role: 'img', 'aria-label': `${kind}: ${intervals.map((each) => `${inWords(each)} for ν in ${ends(each)}`).join('; ')}` });
     canvas.style.height = `${most * band + mark}px`;
-    return { canvas, intervals, figure: element('figure', {}, element('figcaption', {}, element('b', {}, branchName(branch)), ` proven for ν in ${shown(low)} … ${shown(high)} ${told}`), canvas) };
+    return { canvas, intervals, figure: element('figure', {}, element('figcaption', {}, element('b', {}, kind), ` proven for ν in ${shown(low)} … ${shown(high)} ${told}`), canvas) };
   });
   byId('proven-strips').replaceChildren(...strips.map((each) => each.figure), element('p', { class: 'ends', 'aria-hidden': 'true' }, element('span', {}, `ν = ${shown(low)}`), element('span', {}, shown(high))));
   const used = new Set(all.flatMap((each) => motions(each) ?? []));
@@ -83,7 +87,7 @@ export function showProvenClasses(table: Table): void {
     return element('span', { class: 'key', 'data-class': style.name }, sample, style.text);
   }));
   byId('proven').replaceChildren(
-    ...all.map((each) => element('tr', { class: each.status }, element('th', { scope: 'row' }, branchName(each.branch)), element('td', {}, String(each.from)), element('td', {}, String(each.to)), element('td', {}, inWords(each)))),
+    ...all.map((each) => element('tr', { class: each.status }, element('th', { scope: 'row' }, kindName(each)), element('td', {}, String(each.from)), element('td', {}, String(each.to)), element('td', {}, inWords(each)))),
   );
   redraw = (): void => {
     for (const { canvas, intervals } of strips) draw(canvas, intervals, low, high);

@@ -47,6 +47,8 @@ export interface MetadataSegment {
 /** Of a complete atlas: what is proven of every motion of a branch at every ν in [from, to]. */
 export interface ProvenInterval {
   branch: string;
+  /** Of tilted motions. */
+  plane?: string;
   from: number;
   to: number;
   status: string;
