@@ -179,25 +179,25 @@ class EnclosureCollector {
   }
 
  private:
-  /// To each approximate mode the enclosure nearest to it; a complex one, which stands for the
-  /// whole quadruple, with im >= 0.
+  /// To each enclosure the approximate mode nearest to it, the narrowest first: a wide one may hold several.
+  /// A complex one stands for the whole quadruple, with im >= 0.
   void assign(const Spectrum& approximate, SpectrumEnclosure& out) const {
-    std::vector<ComplexInterval> left = lambda_;
-    for (int k = 0; k < out.modes && k < approximate.modes; ++k) {
-      const Mode& mode = approximate.mode[static_cast<std::size_t>(k)];
-      std::size_t nearest = 0;
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t i = 0; i < left.size(); ++i) {
-        const double off = std::abs(left[i].re.mid() - mode.lambda_re) +
-                           std::abs(std::abs(left[i].im.mid()) - mode.lambda_im);
-        if (!(off < least)) continue;
-        least = off;
-        nearest = i;
-      }
-      ComplexInterval& chosen = out.lambda[static_cast<std::size_t>(k)];
-      chosen = left[nearest];
-      if (chosen.im.negative()) chosen.im = -chosen.im;
-      left.erase(left.begin() + static_cast<std::ptrdiff_t>(nearest));
+    std::vector<ComplexInterval> all = lambda_;
+    std::ranges::stable_sort(all, {}, [](const ComplexInterval& each) {
+      return (each.re.hi - each.re.lo) + (each.im.hi - each.im.lo);
+    });
+    std::vector<std::size_t> left;
+    for (int k = 0; k < out.modes && k < approximate.modes; ++k)
+      left.push_back(static_cast<std::size_t>(k));
+    for (ComplexInterval& each : all) {
+      if (left.empty()) return;
+      if (each.im.negative()) each.im = -each.im;
+      const auto nearest = std::ranges::min_element(left, {}, [&](std::size_t k) {
+        const Mode& mode = approximate.mode[k];
+        return std::abs(each.re.mid() - mode.lambda_re) + std::abs(each.im.mid() - mode.lambda_im);
+      });
+      out.lambda[*nearest] = each;
+      left.erase(nearest);
     }
   }
 

@@ -45,16 +45,23 @@ struct UncertainPolynomial {
     const double kappa = 0.5 * std::abs(value.curvature(root)) / slope;
     const double first = spread(std::abs(root)) / slope;
     double out = with_curvature(first, kappa);
-    if (!(4.0 * kappa * first < 1.0)) out = std::fmin(out, any_root_error(std::abs(root)));
+    if (!(4.0 * kappa * first < 1.0)) out = std::fmin(out, any_root_error(root));
     return out + 0x1p-53 * std::abs(root);
   }
-  /// Of any root of this size, however near others are (Ostrowski): (2 D - 1) (change of p / leading)^(1/D).
-  double any_root_error(double size) const {
-    const double change = spread(size) / std::abs(value.c[D]);
-    const double root = D == 2   ? std::sqrt(change)
-                        : D == 3 ? cube_root(change)
-                                 : std::sqrt(std::sqrt(change));
-    return (2.0 * D - 1.0) * root;
+  /// Of a root however near others are: the matching distance of Ostrowski's theorem,
+  /// (2 n - 1) (change of p / h)^(1/n), of n roots beside which the others make p = h (x - ...)^n.
+  double any_root_error(double root) const {
+    const double change = spread(std::abs(root));
+    const double lead = std::abs(value.c[D]);
+    if constexpr (D == 2) return 3.0 * std::sqrt(change / lead);
+    if constexpr (D == 3) return 5.0 * cube_root(change / lead);
+    if constexpr (D == 4) {
+      // Of three, where they are near beside their distance from the fourth, h/lead.
+      const double h = std::abs(4.0 * value.c[4] * root + value.c[3]);
+      const double three = 5.0 * cube_root(2.0 * change / h);
+      if (8.0 * three * lead < h) return three;
+      return 7.0 * std::sqrt(std::sqrt(change / lead));
+    }
   }
   double pair_error(double re, double im) const {
     // |p'| and |p''| at a complex root.
@@ -78,7 +85,7 @@ struct UncertainPolynomial {
   double merging_distance(double mean) const {
     const double out = std::sqrt(2.0 * spread(std::abs(mean)) / std::abs(value.curvature(mean)));
     // Beside a third one the curvature vanishes.
-    return D == 2 ? out : std::fmin(out, any_root_error(std::abs(mean)));
+    return D == 2 ? out : std::fmin(out, any_root_error(mean));
   }
 };
 

@@ -191,6 +191,13 @@ int add_even_iii(const StraightState<Extended>& s, const StraightState<Condition
            negatives_2(leading(block.rest.K[0][0]), leading(block.rest.K[1][1]), det_K);
   }
 
+  if (leading(s.omega) == 0.0 && !forced) {
+    // At rest alpha is by itself.
+    const double lambda = -leading(block.K_alpha / block.mass_alpha);
+    const Conditioned bound = conditioned.K_alpha / conditioned.mass_alpha;
+    out.add_real(lambda, u * bound.condition + 0x1p-53 * std::abs(lambda), 1);
+    return negative_alpha + add_symmetric(block.rest, conditioned.rest, u, out);
+  }
   const auto p = block.characteristic_coupled();
   const UncertainPolynomial<4> uncertain(conditioned.characteristic_coupled(), u);
   const auto trace = block.trace_adjugate_coupled();

@@ -149,16 +149,15 @@ class Continuation {
       return step_.refuse(
           "the bordered determinant changed sign: another sheet, or a branch point");
     if (step_.has_arc()) {
-      const double correction = out.corrected.first_correction;
-      out.D = step_.shown(correction, h);
+      const auto rounding = [&] { return curve_->corrector().correction_rounding(next); };
+      double correction = out.corrected.first_correction;
       // Where that is G's rounding rather than the curve's bend, G is had without it.
-      if (step_.shortens(out.D, h) &&
-          curve_->corrector().correction_rounding(next) > 0.1 * correction) {
+      if (step_.is_coarse(correction, h) && rounding() > 0.1 * correction) {
         const Corrected<N> again = corrected_from(ahead, ResidualIn::pairs);
         counts_.linearizations += again.linearizations;
-        if (again.status == CorrectorStatus::converged)
-          out.D = step_.shown(again.first_correction, h);
+        if (again.status == CorrectorStatus::converged) correction = again.first_correction;
       }
+      out.D = step_.shown(correction, h, rounding);
     } else {
       // The first step shows no fourth derivative: its middle does, against the cubic.
       const Corrected<N> middle = curve_->at(here_.arc, out.arc, 0.5);

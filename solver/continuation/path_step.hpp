@@ -52,12 +52,21 @@ class PathStep {
     return false;
   }
 
-  /// The fourth derivative that the first correction of a step of length h showed, after the first step.
-  double shown(double correction, double h) const {
-    return StepControl::fourth_derivative(correction, h, arc_.length);
+  /// Whether a first correction that shortens the steps is too large to be taken for rounding.
+  bool is_coarse(double correction, double h) const {
+    return correction >= coarse &&
+           control_.shortens(StepControl::fourth_derivative(correction, h, arc_.length), h);
   }
-  /// Whether one that shows it makes the next step shorter.
-  bool shortens(double D, double h) const { return control_.shortens(D, h); }
+  /// The fourth derivative that the first correction of a step of length h showed, after the first step. rounding(): what of
+  /// that correction may be rounding, of G or of the tangents.
+  template <class Rounding>
+  double shown(double correction, double h, const Rounding& rounding) const {
+    const double D = StepControl::fourth_derivative(correction, h, arc_.length);
+    if (!control_.shortens(D, h) || correction >= coarse) return D;
+    // Believe the last step, as far as what is left allows.
+    const double left = correction - rounding();
+    return std::clamp(D_, StepControl::fourth_derivative(left, h, arc_.length), D);
+  }
   /// Whether a step of length h that showed it may be taken.
   bool fits(double D, double h) const { return !control_.too_long(D, h); }
   /// Refuses one that does not fit.
@@ -82,6 +91,8 @@ class PathStep {
   }
 
  private:
+  static constexpr double coarse = 1e-8;
+
   StepControl control_;
   Arc<N> arc_;
   bool has_arc_ = false;

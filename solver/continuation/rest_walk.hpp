@@ -204,7 +204,7 @@ class RestWalk {
   /// its middle, of the others by the first correction.
   bool bends_little(Attempt& attempt) {
     if (step_.has_arc()) {
-      attempt.D = step_.shown(attempt.first_correction, attempt.length);
+      attempt.D = step_.shown(attempt.first_correction, attempt.length, [] { return 0.0; });
     } else {
       const Attempt middle = on_arc(attempt.arc, 0.5);
       if (!accepts(middle)) return false;

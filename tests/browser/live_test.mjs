@@ -145,6 +145,28 @@ test('a slider computes what the program computes with its number', async () => 
   await page.close();
 });
 
+test('a field that is cleared keeps its number', async () => {
+  const page = await open(makePage(shippedCase('disc.toml')));
+  const { runs } = await over(page, 1);
+  const field = page.locator('input[type=number][data-key="body.J.1"]');
+  const before = await field.inputValue();
+  await field.fill('');
+  await field.press('Tab');
+  assert.equal(await field.inputValue(), before);
+  assert.equal((await over(page, runs)).state, 'done');
+  assert.equal(await runsOf(page), runs);
+  await page.close();
+});
+
+test('a table that has no numbers is said not to be drawn', async () => {
+  const page = await open(makePage(shippedCase('disc.toml')));
+  await over(page, 1);
+  const { state, message } = await compute(page, `${readFileSync(shippedCase('disc.toml'), 'utf8')}\n[output]\ncolumns = ["class"]\n`);
+  assert.equal(state, 'failed');
+  assert.match(message, /numbers|drawn/);
+  await page.close();
+});
+
 test('the slider of a followed number goes along the family', async () => {
   const page = await open(makePage(shippedCase('fold.toml')));
   const { runs } = await over(page, 1);

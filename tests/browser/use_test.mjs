@@ -111,12 +111,16 @@ test('of a complete atlas, how many motions of each class there are at every nu 
   const { classes } = JSON.parse(readFileSync(path.replace(/\.csv$/, '.meta.json'), 'utf8'));
   assert.ok(classes.length > 10);
   const page = await open(makePage(path));
-  assert.equal(await page.locator('.proven-strip').count(), new Set(classes.map((each) => each.branch)).size);
+  // A strip for each kind of motion: tilted ones are of one plane or of the other.
+  const kinds = [...new Set(classes.map((each) => `${each.branch} ${each.plane}`))];
+  assert.ok(kinds.length > new Set(classes.map((each) => each.branch)).size);
+  assert.equal(await page.locator('.proven-strip').count(), kinds.length);
   await page.evaluate(() => document.querySelectorAll('#proven-part details').forEach((each) => (each.open = true)));
   const told = await page.$$eval('#proven tr', (all) => all.map((each) => [...each.children].map((cell) => cell.textContent)));
   assert.equal(told.length, classes.length);
   for (const [k, each] of classes.entries()) {
     assert.ok(told[k][0].includes(each.branch));
+    if (each.plane) assert.ok(told[k][0].endsWith(`plane ${each.plane}`));
     assert.equal(Number(told[k][1]), each.from);
     assert.equal(Number(told[k][2]), each.to);
     const counts = Object.entries(each.sheets ?? {}).map(([name, count]) => `${count} ${name}`).join(', ');
@@ -125,11 +129,12 @@ test('of a complete atlas, how many motions of each class there are at every nu 
   // Ink where there is a motion, in one band for each; not where there is none; a mark where nothing is told.
   const seen = await page.$$eval('.proven-strip', (strips, given) => {
     const { from, to } = { from: Math.min(...given.map((each) => each.from)), to: Math.max(...given.map((each) => each.to)) };
-    return [...new Set(given.map((each) => each.branch))].flatMap((branch, which) => {
+    const kindOf = (each) => `${each.branch} ${each.plane}`;
+    return [...new Set(given.map(kindOf))].flatMap((kind, which) => {
       const strip = strips[which];
       const { data } = strip.getContext('2d').getImageData(0, 0, strip.width, strip.height);
       const inked = (x, y) => data[4 * (y * strip.width + x) + 3] > 200;
-      return given.filter((each) => each.branch === branch && each.to - each.from > 0.02 * (to - from) && each.status === 'proven').map((each) => {
+      return given.filter((each) => kindOf(each) === kind && each.to - each.from > 0.02 * (to - from) && each.status === 'proven').map((each) => {
         const x = Math.floor((((each.from + each.to) / 2 - from) / (to - from)) * strip.width);
         const bands = Object.values(each.sheets).reduce((sum, count) => sum + count, 0);
         let rows = 0;

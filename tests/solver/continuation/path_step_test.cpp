@@ -94,7 +94,7 @@ TEST(PathStep, PredictsByTheTangentThenByTheCubic) {
     // h^2 (h + l)^2/24 of the fourth derivative, which is 1.
     const double expected = h * h * (h + l) * (h + l) / 24.0;
     EXPECT_NEAR(off.norm() / expected, 1.0, 0.1) << h;
-    EXPECT_NEAR(step.shown(expected, h), 1.0, 1e-12);
+    EXPECT_NEAR(step.shown(expected, h, [] { return 0.0; }), 1.0, 1e-12);
   }
 }
 
