@@ -257,9 +257,7 @@ std::vector<Real50> near_one_another(Random& random, double a, double gap, int c
   return out;
 }
 double known_to(double gap, int near) {
-  const double apart = 0x1p-96 / std::pow(gap, near - 1);
-  const double together = 8.0 * std::pow(0x1p-100, 1.0 / near);
-  return std::max(half_unit, std::min(apart, together));
+  return gap >= 0x1p-7 ? 4.0 * half_unit : 32.0 * std::pow(0x1p-100, 1.0 / near);
 }
 
 TEST(CubicRoots, NearlyTripleOnesAreKnownAsFarAsTheCoefficientsAre) {
