@@ -159,6 +159,13 @@ Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* 
   if (from.resumed) {
     old = resumed_table(input, *from.resumed, columns, parameter);
     if (!old->first && !old->last) {
+      for (const auto& [row, reason] : {std::pair(&old->rows.front(), &old->first_reason),
+                                        std::pair(&old->rows.back(), &old->last_reason)}) {
+        if (row->event != name(EventType::stalled)) continue;
+        run.complain("numerical failure: " + *reason + ": " + *from.resumed +
+                     " ends there, and has nothing to go on with");
+        return {ExitCode::failure, std::string()};
+      }
       const std::string text = *from.resumed + " is complete: both ends are reached\n";
       return {ExitCode::done, run.summary ? text : std::string()};
     }
