@@ -2,8 +2,11 @@
 // also by turning just beyond it, and the point of the curve there.
 #pragma once
 
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -47,6 +50,18 @@ std::optional<double> zero_between(const F& f, double low, double high) {
   return 0.5 * (first + last);
 }
 
+/// Where the distance, from that at `begin` on, is nearest to zero or beyond it, near `turn`.
+template <class F>
+double turn_near(const F& distance, double begin, double turn) {
+  const double sign = distance(begin) < 0.0 ? -1.0 : 1.0;
+  const double half = 0.5 * (turn - begin);
+  std::uintmax_t evaluations = 60;
+  return boost::math::tools::brent_find_minima([&](double u) { return sign * distance(u); },
+                                               turn - half, std::min(turn + half, 1.0),
+                                               std::numeric_limits<double>::digits / 2, evaluations)
+      .first;
+}
+
 /// The point of the curve at the limit and, where the corrector converged, the way to it.
 template <int N>
 struct AtLimit {
@@ -67,7 +82,13 @@ AtLimit<N> at_limit(const Curve<N>& curve, const ArcPoint<N>& from, const Arc<N>
   if (out.corrected.point.p != limit.p) {
     // Beside a turn of p the curve is followed to where its own p is the limit.
     const auto own_distance = [&](double v) { return curve.at(from, arc, v).point.p - limit.p; };
-    if (const auto own = zero_between(own_distance, begin, limit.reach)) u = *own;
+    auto own = zero_between(own_distance, begin, limit.reach);
+    if (!own && limit.reach < 1.0) {
+      // It turns a hair beyond the limit, and not quite where its arc does.
+      u = turn_near(own_distance, begin, limit.reach);
+      own = zero_between(own_distance, begin, u);
+    }
+    if (own) u = *own;
     out.corrected = curve.at(from, arc, u);
     // A limit some units below a turn is where the turn is, for a double.
     constexpr double units = 0x1p-50;

@@ -360,5 +360,21 @@ TEST(SolveAll, AStartIsNotUsed) {
   EXPECT_THAT(text_of(directory / "x.meta.json"), HasSubstr("\"quantity\": \"solve.start\""));
 }
 
+/// That alpha = 0 balances is taken for granted of a formula that is isotropic at every point tried; where it is not
+/// there is no motion, whatever the search proves of the rest.
+TEST(SolveAll, WhatTheFormulaRefutesIsNoSolution) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "case.toml",
+      "[body]\nJ = [1.0, 1.7, 0.6]\n[potential]\n"
+      "plane = { expression = \"0.5*I1 + 1/d + (sin(2*alpha)-2*sin(alpha)*cos(alpha)) + "
+      "sin(alpha)*exp(-1e8*(d-1.0672564774741016)^2)\" }\n"
+      "thickness = { expression = \"a/rho + b/2*rho^2\", a = 1.0, b = 3.0 }\n"
+      "[motion]\nbranch = \"iii\"\nnu = 0.3\n[solve]\nall = true\n");
+  const Outcome outcome = solved_case(path, {"-o", "-"});
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("not decided"));
+}
+
 }  // namespace
 }  // namespace stationary::testing
