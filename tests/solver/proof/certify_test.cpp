@@ -326,6 +326,27 @@ TEST(SpectrumEnclosure, AgreesWithStability) {
   RecordProperty("classes", std::to_string(classes) + " of " + std::to_string(claimed));
 }
 
+/// Of frequencies that nearly meet some are enclosed with others and some by themselves: each mode has one that it
+/// may lie in.
+TEST(SpectrumEnclosure, IsThatOfItsMode) {
+  for (const double J : {2.43, 2.4299999999999997}) {
+    for (const double nu : {1.876675873854705e-06, 3e-6, 1e-5}) {
+      const Problem problem(Body(J, J, J), Potential(NeoHookean3d<>{2.2, 0.64}), Branch::i);
+      const Equilibrium at = solve(problem, nu);
+      const Certificate proof = certify(problem, at);
+      ASSERT_TRUE(proof.proven) << proof.reason;
+      const Spectrum spectrum = stability(problem, at);
+      const SpectrumEnclosure found = enclose_spectrum(problem, at, proof, spectrum);
+      ASSERT_EQ(found.modes, spectrum.modes);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(found.modes); ++k) {
+        const Mode& mode = spectrum.mode[k];
+        const Interval own(mode.lambda_re - mode.lambda_error, mode.lambda_re + mode.lambda_error);
+        EXPECT_FALSE(own.apart_from(found.lambda[k].re)) << J << ' ' << nu << ' ' << k;
+      }
+    }
+  }
+}
+
 /// The wider the state, the less is decided, and nothing wrongly.
 TEST(SpectrumEnclosure, WideStatesDecideNothing) {
   Random random(933);
