@@ -90,6 +90,13 @@ int add_symmetric(const SymmetricPencil<Extended>& pencil,
   return negative;
 }
 
+/// Its first two coordinates.
+template <class S>
+PlanarPencil<S> in_plane(const SymmetricPencil<S>& pencil) {
+  const auto& [m, K] = pencil;
+  return {{m[0], S(0.0), m[1]}, {K[0][0], K[0][1], K[1][1]}, {m[0], m[1]}};
+}
+
 /// Of two coordinates whose masses are coupled too.
 int add_symmetric(const PlanarPencil<Extended>& pencil,
                   const PlanarPencil<Conditioned>& conditioned, double u, ModeCollector& out) {
@@ -161,6 +168,22 @@ bool forced_zero(const StraightState<Extended>& s, const BlockFacts& facts) {
          (facts.isotropic && leading(s.omega) == 0.0 && leading(s.xi) != leading(s.zeta));
 }
 
+/// (iii), even, at rest: alpha is by itself, and the rest a symmetric block. Returns the negative directions but
+/// for alpha's.
+int add_at_rest(const GyroscopicBlock<Extended>& block,
+                const GyroscopicBlock<Conditioned>& conditioned, bool forced, bool rho_coupled,
+                double u, ModeCollector& out) {
+  if (forced) {
+    out.add_forced_zero();
+  } else {
+    const double lambda = -leading(block.K_alpha / block.mass_alpha);
+    const Conditioned bound = conditioned.K_alpha / conditioned.mass_alpha;
+    out.add_real(lambda, u * bound.condition + 0x1p-53 * std::abs(lambda), 1);
+  }
+  if (rho_coupled) return add_symmetric(block.rest, conditioned.rest, u, out);
+  return add_symmetric(in_plane(block.rest), in_plane(conditioned.rest), u, out);
+}
+
 /// (iii), even, away from the circle.
 int add_even_iii(const StraightState<Extended>& s, const StraightState<Conditioned>& c,
                  const BlockFacts& facts, ModeCollector& out) {
@@ -178,6 +201,8 @@ int add_even_iii(const StraightState<Extended>& s, const StraightState<Condition
   const bool planar_definite = positive_definite_2(K[0][0], K[0][1], K[1][1], u);
   bool definite = planar_definite && (forced || positive(conditioned.K_alpha, u));
   const int negative_alpha = leading(block.K_alpha) < 0.0 ? 1 : 0;
+  if (leading(s.omega) == 0.0)
+    return negative_alpha + add_at_rest(block, conditioned, forced, facts.rho_coupled, u, out);
 
   if (!facts.rho_coupled) {
     const auto p = block.characteristic();
@@ -191,13 +216,6 @@ int add_even_iii(const StraightState<Extended>& s, const StraightState<Condition
            negatives_2(leading(block.rest.K[0][0]), leading(block.rest.K[1][1]), det_K);
   }
 
-  if (leading(s.omega) == 0.0 && !forced) {
-    // At rest alpha is by itself.
-    const double lambda = -leading(block.K_alpha / block.mass_alpha);
-    const Conditioned bound = conditioned.K_alpha / conditioned.mass_alpha;
-    out.add_real(lambda, u * bound.condition + 0x1p-53 * std::abs(lambda), 1);
-    return negative_alpha + add_symmetric(block.rest, conditioned.rest, u, out);
-  }
   const auto p = block.characteristic_coupled();
   const UncertainPolynomial<4> uncertain(conditioned.characteristic_coupled(), u);
   const auto trace = block.trace_adjugate_coupled();
