@@ -171,7 +171,8 @@ TEST(AtlasCommand, SheetsThatAreCutShortAreSaidToBe) {
   EXPECT_EQ(whole.code, 0);
   EXPECT_THAT(whole.err, Not(HasSubstr("max_points")));
   bool told = false;
-  for (const auto& each : nlohmann::json::parse(text_of(directory / "y.meta.json")).at("skipped"))
+  const auto metadata = nlohmann::json::parse(text_of(directory / "y.meta.json"));
+  for (const auto& each : metadata.at("skipped"))
     told = told || each.at("quantity") == "continuation.start_row";
   EXPECT_TRUE(told);
 }

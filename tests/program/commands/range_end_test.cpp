@@ -55,7 +55,8 @@ TEST(RangeEnd, AHairBelowAFoldIsReached) {
       if (row.at("event") == "fold-nu") fold = number(row.at("nu3"));
     ASSERT_GT(fold, 0.0) << file;
     double to = fold;
-    for (int k = 0; k < 6; ++k, to = std::nextafter(to, 0.0)) {
+    for (int k = 0; k < 6; ++k) {
+      to = std::nextafter(to, 0.0);
       const auto rows = followed_over(
           file, {"motion.nu=" + in_all_digits(0.9 * fold), "continuation.to=" + in_all_digits(to)});
       ASSERT_GT(rows.size(), 3U);

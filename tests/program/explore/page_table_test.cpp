@@ -52,7 +52,8 @@ TEST(PageTable, KeepsTheTextsOfTheFile) {
 
 TEST(PageTable, IsOfMotions) {
   for (const char* const other :
-       {"case,branch,boxes\na,i,1\n", "xi;zeta\n1;2\n", "sheet,branch,momentum_from\n1,i,0\n"})
+       {"case,branch,boxes\na,i,1\n", "xi;zeta\n1;2\n", "sheet,branch,momentum_from\n1,i,0\n",
+        "branch,event,class\ni,tilt,stable\n"})
     EXPECT_THAT(refusal_of(other), HasSubstr("found no column of numbers that tells of motions"));
   EXPECT_EQ(refusal_of("nu,body.J.1,class\n1,2,stable\n"), "taken");
   EXPECT_EQ(refusal_of("sheet,xi\n1,1\n2.0,1\n,1\n"), "taken");
@@ -79,7 +80,7 @@ TEST(PageTable, ParametersOfAMapAreItsTwo) {
 
 TEST(PageTable, RefusesWhatTheProgramWouldNotHaveWritten) {
   EXPECT_THAT(refusal_of("branch,xi\ni,wide\n"), HasSubstr("folder/x.csv:2:3: xi: found \"wide\""));
-  EXPECT_THAT(refusal_of("branch,class\ni,safe\n"), HasSubstr("stable, elliptic"));
+  EXPECT_THAT(refusal_of("branch,xi,class\ni,1,safe\n"), HasSubstr("stable, elliptic"));
   EXPECT_THAT(refusal_of("branch,body.J.0\ni,heavy\n"), HasSubstr("body.J.0"));
   EXPECT_THAT(refusal_of("branch,xi\n"), HasSubstr("found no rows"));
   EXPECT_THAT(refusal_of(""), HasSubstr("found an empty file"));
