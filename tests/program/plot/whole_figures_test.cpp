@@ -39,6 +39,19 @@ TEST_F(WholeFigure, OfValuesAtTheEndsOfTheDoubles) {
   }
 }
 
+/// The palette begins at no growth, also where that is all there is.
+TEST_F(WholeFigure, AMapWithoutGrowthHasTheColourOfNone) {
+  NEEDS_GNUPLOT();
+  for (const std::string growth : {"0", "0.5"}) {
+    const Outcome outcome =
+        plot("xi,class,growth,status,nu,body.J.0\n1,stable,0,solved,0,1\n1,stable," + growth +
+                 ",solved,0.5,1\n1,stable,0,solved,0,2\n1,stable,0,solved,0.5,2\n",
+             {"--show", "growth", "--script", directory_ / "x.gp"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(text_of(directory_ / "x.gp"), HasSubstr("set cbrange [0:")) << growth;
+  }
+}
+
 /// Three branches, each with a spectrum.
 const char* const three_branches =
     "branch,sheet,nu1,nu2,nu3,rho,lambda,mu,class,growth,im1\n"
