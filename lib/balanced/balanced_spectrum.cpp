@@ -1,6 +1,7 @@
 #include "lib/balanced/balanced_spectrum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lib/balanced/chain_bound.hpp"
@@ -15,26 +16,22 @@ int add_chain(const InPlaneBlocks& blocks, const BalancedBound& bound, double u,
   const ChainBound error(even_chain_i(bound).entries(), u);
   const SeparatedRoots& roots = blocks.chain_roots;
   int negative = 0;
-  if (roots.found) {
-    const bool resolved = error.resolves(*std::min_element(roots.gap.begin(), roots.gap.end()));
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double lambda = roots.root[k];
-      out.add_real(lambda,
-                   resolved ? error(lambda, roots.slope[k], roots.gap[k])
-                            : error.largest() + 0x1p-53 * std::abs(lambda),
-                   1);
-      negative += lambda > 0.0;
-    }
+  const auto add = [&](double lambda, double spread) {
+    out.add_real(lambda, spread, 1);
+    negative += lambda > 0.0;
+  };
+  if (roots.found && error.resolves(*std::min_element(roots.gap.begin(), roots.gap.end()))) {
+    for (std::size_t k = 0; k < 3; ++k)
+      add(roots.root[k], error(roots.root[k], roots.slope[k], roots.gap[k]));
     return negative;
   }
-  const CubicRoots<DoubleDouble> careful =
-      shifted(cubic_roots(blocks.chain), DoubleDouble(blocks.chain_mean));
-  const double any = error.largest();
-  for (const DoubleDouble& root : {careful.single, careful.pair.small, careful.pair.large}) {
-    const double lambda = leading(root);
-    out.add_real(lambda, any + 0x1p-53 * std::abs(lambda), 1);
-    negative += lambda > 0.0;
+  std::array<double, 3> careful = roots.root;
+  if (!roots.found) {
+    const auto [single, pair] = shifted(cubic_roots(blocks.chain), DoubleDouble(blocks.chain_mean));
+    careful = {leading(single), leading(pair.small), leading(pair.large)};
   }
+  const double any = error.largest();
+  for (const double lambda : careful) add(lambda, any + 0x1p-53 * std::abs(lambda));
   return negative;
 }
 

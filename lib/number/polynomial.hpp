@@ -153,13 +153,16 @@ inline bool is_cluster(double inflection, double P, double Q) {
   const double size = std::abs(inflection);
   return std::abs(P) <= 0x1p-10 * size * size && std::abs(Q) <= 0x1p-15 * size * size * size;
 }
+/// Of any cubic, in double: the limits are far above what that rounds.
 template <class S>
 bool is_cluster(const Polynomial<S, 3>& p) {
-  const S inverse = S(1.0) / p.c[3];
-  const Polynomial<S, 3> monic{{p.c[0] * inverse, p.c[1] * inverse, p.c[2] * inverse, S(1.0)}};
-  const S inflection = -monic.c[2] / S(3.0);
-  return is_cluster(leading(inflection), leading(renormalized(monic.slope(inflection))),
-                    leading(renormalized(monic(inflection))));
+  const double lead = leading(p.c[3]);
+  const double c0 = leading(p.c[0]) / lead;
+  const double c1 = leading(p.c[1]) / lead;
+  const double c2 = leading(p.c[2]) / lead;
+  const double inflection = c2 * (-1.0 / 3.0);
+  return is_cluster(inflection, c1 + c2 * inflection,
+                    ((inflection + c2) * inflection + c1) * inflection + c0);
 }
 
 /// Where Newton's method for y^3 + P y + Q, Q != 0, has to begin to come to its isolated root, on the side
@@ -266,14 +269,10 @@ struct QuarticRoots {
   RootPair<S> second;
 };
 
-/// Roots of a monic quartic in double, by Durand and Kerner's method.
-inline std::array<std::complex<double>, 4> rough_quartic_roots(const std::array<double, 4>& rough) {
+/// Roots of a monic quartic in double, by Durand and Kerner's method. scale: about the largest's size.
+inline std::array<std::complex<double>, 4> rough_quartic_roots(const std::array<double, 4>& rough,
+                                                               double scale) {
   using Complex = std::complex<double>;
-  // Scaled to a root size of about one.
-  double scale = 0.0;
-  for (std::size_t k = 0; k < 4; ++k)
-    scale = std::fmax(scale, pow(std::abs(rough[k]), 1.0 / static_cast<double>(4 - k)));
-  if (scale == 0.0) scale = 1.0;
   std::array<Complex, 4> z;
   Complex power = scale;
   for (Complex& each : z) {
@@ -358,7 +357,7 @@ QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
     scale = std::fmax(scale, pow(std::abs(rough[k]), 1.0 / static_cast<double>(4 - k)));
   }
   if (scale == 0.0) scale = 1.0;
-  const std::array<Complex, 4> z = rough_quartic_roots(rough);
+  const std::array<Complex, 4> z = rough_quartic_roots(rough, scale);
   const RootCluster cluster = cluster_of(z);
   if (cluster.count == 4 && leading(m[3]) != 0.0) {
     // About their mean they are not all near one another.

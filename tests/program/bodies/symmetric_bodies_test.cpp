@@ -248,5 +248,38 @@ TEST(SymmetricBodies, AnEndAtModerateStretchesIsNoEscape) {
   EXPECT_NEAR(number(rows.back().at("nu3")), 0.937404977, 1e-6);
 }
 
+/// Of a sphere three frequencies are near one another: a map leaves them to what `solve` has them by. Lambda of the
+/// plane are -2, -2 + nu^2 and -2 - 3 nu^2 but for higher powers.
+TEST(SymmetricBodies, FrequenciesOfASphereAreTheSameInAMap) {
+  const TemporaryDirectory directory;
+  const std::string path =
+      directory.file("case.toml",
+                     "[body]\nJ = [1.0, 1.0, 1.0]\n[potential]\n"
+                     "plane = { model = \"biot\", mu = 1.0, lambda = 0.0 }\n"
+                     "thickness = { model = \"harmonic\", k = 2.0, rest = 1.0 }\n"
+                     "[motion]\nbranch = \"i\"\nnu = 0.001\n"
+                     "[map]\nx = { parameter = \"nu\", from = 1e-4, to = 1e-3, count = 3 }\n");
+  const Outcome map = run_program({"map", path, "-o", "-"});
+  ASSERT_EQ(map.code, 0) << map.err;
+  const auto cells = rows_of(map.out);
+  ASSERT_EQ(cells.size(), 3U);
+  for (const Row& cell : cells) {
+    const Outcome alone =
+        run_program({"solve", path, "-o", "-", "--set", "motion.nu=" + cell.at("nu1")});
+    ASSERT_EQ(alone.code, 0) << alone.err;
+    const auto rows = rows_of(alone.out);
+    ASSERT_EQ(rows.size(), 1U);
+    int near = 0;
+    const double nu2 = std::pow(number(cell.at("nu1")), 2);
+    for (const std::string k : {"1", "2", "3", "4", "5"}) {
+      EXPECT_EQ(cell.at("im" + k), rows.front().at("im" + k)) << k;
+      const double im = number(cell.at("im" + k));
+      for (const double lambda : {2.0 - nu2, 2.0, 2.0 + 3.0 * nu2})
+        near += std::abs(im * im - lambda) <= 10.0 * nu2 * nu2 + 1e-13;
+    }
+    EXPECT_GE(near, 3) << cell.at("nu1");
+  }
+}
+
 }  // namespace
 }  // namespace stationary::testing
