@@ -58,7 +58,7 @@ class TermForms {
   const Form& coordinate(int j) const { return x_[place(j)]; }
   /// Of the box, at points where the bases have these signs and are positive where they must be.
   void evaluate_atoms(const Signs& signs, AffineBox<D>& left);
-  /// Bits of the bases that may have either sign in the box.
+  /// Bits of the bases that may have either sign in the box; of the first 32 of them.
   unsigned undecided_bases() const;
 
   /// By 1. Nothing where it is not bounded over the box.
@@ -252,7 +252,7 @@ auto TermForms<D>::sum(const Entries& entries) const -> std::optional<Form> {
 template <int D>
 unsigned TermForms<D>::undecided_bases() const {
   unsigned out = 0;
-  for (std::size_t k = 0; k < unsigned_.size(); ++k) {
+  for (std::size_t k = 0; k < std::min<std::size_t>(unsigned_.size(), 32); ++k) {
     const AtomForms& at = atoms_[static_cast<std::size_t>(unsigned_[k])];
     const Interval& range = at.value.range;
     if (at.usable && range.lo < 0.0 && range.hi > 0.0) out |= 1U << k;

@@ -343,66 +343,49 @@ Polynomial<S, 3> without_root(const std::array<S, 4>& m, const S& x) {
   return {{renormalized(S(m[1] + x * c1)), c1, c2, S(1.0)}};
 }
 
-/// Roots of c4 x^4 + ..., c4 != 0, as two quadratic factors: the nearest roots share a factor.
+/// Which of a monic quartic's roots are far smaller or far larger than all others, by the sizes of its
+/// coefficients: from 1e10 on a method in double that looks for all of them at once does not tell the small ones.
+enum class RootGrading { none, one_large, one_small, two_small };
+inline RootGrading grading_of(const std::array<double, 4>& m) {
+  constexpr double far = 0x1p-32;
+  const double a = std::abs(m[3]);
+  const double b = std::abs(m[2]);
+  const double c = std::abs(m[1]);
+  const double d = std::abs(m[0]);
+  const auto largest = [](double x, double y, double z) { return std::fmax(x, std::fmax(y, z)); };
+  if (a > 0.0 && largest(b / a, std::sqrt(c / a), cube_root(d / a)) < far * a)
+    return RootGrading::one_large;
+  if (c > 0.0 && d / c * largest(b / c, std::sqrt(a / c), 1.0 / cube_root(c)) < far)
+    return RootGrading::one_small;
+  // x^2 + m3 x + m2 has the large ones.
+  if (b > 0.0 && std::fmax(c / b, std::sqrt(d / b)) * std::fmax(a / b, 1.0 / std::sqrt(b)) < far)
+    return RootGrading::two_small;
+  return RootGrading::none;
+}
+
+/// A real root of a monic quartic, from near it.
 template <class S>
-QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
-  using Complex = std::complex<double>;
-  const S inverse = S(1.0) / p.c[4];
-  std::array<S, 4> m;
-  std::array<double, 4> rough;
-  double scale = 0.0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    m[k] = p.c[k] * inverse;
-    rough[k] = leading(m[k]);
-    scale = std::fmax(scale, pow(std::abs(rough[k]), 1.0 / static_cast<double>(4 - k)));
+S polished_root(const std::array<S, 4>& m, S x) {
+  const Polynomial<S, 4> monic{{m[0], m[1], m[2], m[3], S(1.0)}};
+  constexpr int most = significand_bits<S>() > 106 ? 6 : 4;
+  for (int k = 0; k < most; ++k) {
+    const S slope = renormalized(monic.slope(x));
+    if (leading(slope) == 0.0) break;
+    x = renormalized(S(x - renormalized(monic(x)) / slope));
   }
-  if (scale == 0.0) scale = 1.0;
-  const std::array<Complex, 4> z = rough_quartic_roots(rough, scale);
-  const RootCluster cluster = cluster_of(z);
-  if (cluster.count == 4 && leading(m[3]) != 0.0) {
-    // About their mean they are not all near one another.
-    const S mean = -0.25 * m[3];
-    const S square = renormalized(S(mean * mean));
-    const S q2 = renormalized(S(6.0 * square + 3.0 * (m[3] * mean) + m[2]));
-    const S q1 = renormalized(S(mean * (4.0 * square + 3.0 * (m[3] * mean) + 2.0 * m[2]) + m[1]));
-    const S q0 = renormalized(S(mean * (mean * (square + m[3] * mean + m[2]) + m[1]) + m[0]));
-    const QuarticRoots<S> about = quartic_roots(Polynomial<S, 4>{{q0, q1, q2, S(0.0), S(1.0)}});
-    return {shifted(about.first, mean), shifted(about.second, mean)};
-  }
-  if (cluster.count == 3) {
-    // The one apart is real, for complex ones come in pairs.
-    const Polynomial<S, 4> monic{{m[0], m[1], m[2], m[3], S(1.0)}};
-    S x(z[cluster.apart].real());
-    constexpr int polish = significand_bits<S>() > 106 ? 6 : 4;
-    for (int k = 0; k < polish; ++k) {
-      const S slope = renormalized(monic.slope(x));
-      if (leading(slope) == 0.0) break;
-      x = renormalized(S(x - renormalized(monic(x)) / slope));
-    }
-    const CubicRoots<S> others = cubic_roots(without_root(m, x));
-    return {others.pair, pair_of_roots(others.single, x)};
-  }
-  // Of the three pairings the one whose factors lie farthest apart, conjugates together.
-  constexpr std::size_t pairings[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
-  double best = -1.0;
-  Complex sum;
-  Complex product;
-  for (const auto& i : pairings) {
-    const Complex s = z[i[0]] + z[i[1]];
-    const Complex q = z[i[0]] * z[i[1]];
-    if (std::abs(s.imag()) > 1e-6 * scale || std::abs(q.imag()) > 1e-6 * scale * scale) continue;
-    double apart = std::numeric_limits<double>::infinity();
-    for (std::size_t a = 0; a < 2; ++a)
-      for (std::size_t b = 2; b < 4; ++b) apart = std::fmin(apart, modulus(z[i[a]] - z[i[b]]));
-    if (apart > best) {
-      best = apart;
-      sum = s;
-      product = q;
-    }
-  }
-  // Bairstow: x^4 + ... = (x^2 + b x + c)(x^2 + e x + f) + r1 x + r0, Newton on (b, c) until r = 0.
-  S b = S(-sum.real());
-  S c = S(product.real());
+  return x;
+}
+/// All, one that is real and no near one of the others known.
+template <class S>
+QuarticRoots<S> with_root(const std::array<S, 4>& m, const S& x) {
+  const CubicRoots<S> others = cubic_roots(without_root(m, x));
+  return {others.pair, pair_of_roots(others.single, x)};
+}
+
+/// Of a monic quartic near whose factor x^2 + b x + c is, by Bairstow's method:
+/// x^4 + ... = (x^2 + b x + c)(x^2 + e x + f) + r1 x + r0, Newton on (b, c) until r = 0.
+template <class S>
+QuarticRoots<S> by_factor(const std::array<S, 4>& m, S b, S c) {
   S e;
   S f;
   for (int k = 0; k < 8; ++k) {
@@ -423,6 +406,66 @@ QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
   e = renormalized(S(m[3] - b));
   f = renormalized(S(m[2] - c - b * e));
   return {quadratic_roots(b, c), quadratic_roots(e, f)};
+}
+
+/// Roots of c4 x^4 + ..., c4 != 0, as two quadratic factors: the nearest roots share a factor.
+template <class S>
+QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
+  using Complex = std::complex<double>;
+  const S inverse = S(1.0) / p.c[4];
+  std::array<S, 4> m;
+  std::array<double, 4> rough;
+  double scale = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    m[k] = p.c[k] * inverse;
+    rough[k] = leading(m[k]);
+    scale = std::fmax(scale, pow(std::abs(rough[k]), 1.0 / static_cast<double>(4 - k)));
+  }
+  if (scale == 0.0) scale = 1.0;
+  const RootGrading grading = grading_of(rough);
+  if (grading == RootGrading::one_large) return with_root(m, polished_root(m, S(-m[3])));
+  if (grading == RootGrading::one_small) return with_root(m, polished_root(m, S(-m[0] / m[1])));
+  if (grading == RootGrading::two_small) return by_factor(m, S(m[1] / m[2]), S(m[0] / m[2]));
+  const std::array<Complex, 4> z = rough_quartic_roots(rough, scale);
+  const RootCluster cluster = cluster_of(z);
+  if (cluster.count == 4 && leading(m[3]) != 0.0) {
+    // About their mean they are not all near one another.
+    const S mean = -0.25 * m[3];
+    const S square = renormalized(S(mean * mean));
+    const S q2 = renormalized(S(6.0 * square + 3.0 * (m[3] * mean) + m[2]));
+    const S q1 = renormalized(S(mean * (4.0 * square + 3.0 * (m[3] * mean) + 2.0 * m[2]) + m[1]));
+    const S q0 = renormalized(S(mean * (mean * (square + m[3] * mean + m[2]) + m[1]) + m[0]));
+    const QuarticRoots<S> about = quartic_roots(Polynomial<S, 4>{{q0, q1, q2, S(0.0), S(1.0)}});
+    return {shifted(about.first, mean), shifted(about.second, mean)};
+  }
+  if (cluster.count == 3) {
+    // The one apart is real, for complex ones come in pairs.
+    return with_root(m, polished_root(m, S(z[cluster.apart].real())));
+  }
+  // Of the three pairings the one whose factors lie farthest apart, conjugates together.
+  constexpr std::size_t pairings[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
+  double best = -1.0;
+  Complex sum;
+  Complex product;
+  for (const auto& i : pairings) {
+    const Complex s = z[i[0]] + z[i[1]];
+    const Complex q = z[i[0]] * z[i[1]];
+    if (std::abs(s.imag()) > 1e-6 * scale || std::abs(q.imag()) > 1e-6 * scale * scale) continue;
+    double apart = std::numeric_limits<double>::infinity();
+    for (std::size_t a = 0; a < 2; ++a)
+      for (std::size_t b = 2; b < 4; ++b) apart = std::fmin(apart, modulus(z[i[a]] - z[i[b]]));
+    if (apart > best) {
+      best = apart;
+      sum = s;
+      product = q;
+      // By the factor of the small roots: what is left of the large ones' would cancel.
+      if (const Complex others = z[i[2]] * z[i[3]]; modulus(others) < 0x1p-20 * modulus(q)) {
+        sum = z[i[2]] + z[i[3]];
+        product = others;
+      }
+    }
+  }
+  return by_factor(m, S(-sum.real()), S(product.real()));
 }
 
 }  // namespace stationary

@@ -13,20 +13,28 @@ namespace {
 
 using Extended = DoubleDouble;
 
-/// Signature of the mode of Lambda in the odd block of (i): Q1 on the eigenvector of P Q1 to -Lambda.
-int odd_signature(const double (&p)[3], const double (&q1)[3], double lambda) {
-  const double m = -lambda;
-  const double n11 = p[0] * q1[0] + p[1] * q1[1];
-  const double n12 = p[0] * q1[1] + p[1] * q1[2];
-  const double n21 = p[1] * q1[0] + p[2] * q1[1];
-  const double n22 = p[1] * q1[1] + p[2] * q1[2];
-  double x = n12;
-  double y = m - n11;
-  if (std::abs(n21) * q1[0] * q1[0] + std::abs(m - n22) > std::abs(x) + std::abs(y)) {
-    x = m - n22;
-    y = n21;
+/// Signature of the mode of Lambda in the odd block of (i), by what is definite: the sign of x^T Q1 x, where
+/// Q1 x = m P^-1 x and m = -Lambda > 0. sum: of the two m.
+int odd_signature(const OddForms<Extended>& odd, const Extended& sum, double lambda) {
+  if (leading(odd.det_P) > 0.0) return 1;  // P is definite: P_11 > 0
+  const Extended diagonal = odd.Q1[0] + odd.Q1[2];
+  if (leading(odd.det_Q1) >= 0.0) return sign(leading(diagonal));
+  // One of each. adj(Q1 - m P^-1) = r x x^T, r of one sign at both, x^T P^-1 x = -f'(m)/r of
+  // f = det(Q1 - m P^-1): of the nearer to zero that of -r. Half-way between, the diagonal has the sign of r:
+  // of its entries, times det P < 0, that which cancels less.
+  const Extended middle = 0.5 * sum;
+  int r = 0;
+  double best = -1.0;
+  for (const int k : {0, 2}) {
+    const Extended own = odd.det_P * odd.Q1[k];
+    const Extended other = middle * odd.P[2 - k];
+    const double entry = leading(other - own);
+    const double certain = std::abs(entry) / (std::abs(leading(own)) + std::abs(leading(other)));
+    if (!(certain > best)) continue;
+    best = certain;
+    r = sign(entry);
   }
-  return sign(q1[0] * x * x + 2.0 * q1[1] * x * y + q1[2] * y * y);
+  return -lambda < leading(middle) ? -r : r;
 }
 
 bool positive_definite_2(const Conditioned& a, const Conditioned& b, const Conditioned& c,
@@ -124,10 +132,10 @@ int add_odd_i(const StraightState<Extended>& s, const StraightState<Conditioned>
   const double det_p = leading(odd.det_P);
   const int negative = negatives_2(q1[0], q1[2], det_q1) + (det_p < 0.0 ? 1 : 0);
 
-  const double p[3] = {leading(odd.P[0]), leading(odd.P[1]), leading(odd.P[2])};
-  const auto krein = [&](const Extended& lambda) { return odd_signature(p, q1, leading(lambda)); };
-
   const Polynomial<Extended, 2> characteristic = odd.characteristic();
+  const auto krein = [&](const Extended& lambda) {
+    return odd_signature(odd, characteristic.c[1], leading(lambda));
+  };
   const UncertainPolynomial<2> uncertain(conditioned.characteristic(), u);
   if (material_symmetry) {
     out.add_forced_zero();

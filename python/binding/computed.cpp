@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -169,8 +170,16 @@ void write(const Computed& self, const std::string& path) {
   std::optional<py::gil_scoped_release> released;
   if (!is_column_file_extension(extension)) released.emplace();
   if (!self.other_file.empty())
-    cli::refuse_to_replace(path, path, self.other_file, "the table that it ran over");
-  self.table.write(path, self.input_file);
+    cli::refuse_to_replace_table(path, self.other_file, "the table that it ran over");
+  try {
+    self.table.write(path, self.input_file);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& fault) {  // a full disk
+    released.reset();
+    PyErr_SetString(PyExc_OSError, fault.what());
+    throw py::error_already_set();
+  }
 }
 
 py::tuple state(const Computed& self) {

@@ -11,7 +11,7 @@ from . import _core
 from ._input import flag, path, text, thread_count, whole_number
 from ._study_table import csv_of
 from .case import Case
-from .errors import NotFound, NumericalError
+from .errors import InputError, NotFound, NumericalError
 from .result import Result
 
 CaseLike = Union[Case, Mapping[str, Any], str, "os.PathLike[str]"]
@@ -38,6 +38,8 @@ def _keys(case: CaseLike) -> _core.Keys:
 
 
 def _row(row: str | None) -> str:
+    if row == "":
+        raise InputError("row: found an empty name; expected a row of a table, or None")
     return "" if row is None else text(row, "row")
 
 

@@ -74,7 +74,7 @@ class Result:
         """Writes the table, and x.meta.json beside it, the same bytes as the program.
 
         HDF5 for .h5 and .hdf5, else CSV; "-": CSV to the standard output, and no metadata. Raises InputError where the path cannot be written or
-        would replace the case file.
+        would replace the case file, OSError where the disk is full.
         """
         self._computed.write(file_path(path, "write"))
 

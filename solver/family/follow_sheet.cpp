@@ -8,6 +8,7 @@
 
 #include "lib/matrix/elementwise.hpp"
 #include "solver/continuation/curve_start.hpp"
+#include "solver/continuation/known_signs.hpp"
 
 namespace stationary {
 namespace {
@@ -35,7 +36,7 @@ class Follower {
     }
     start_ = curve_.complete(start.point);
     report_.counts.members = 1;
-    if (options.from_event) begin_beside();
+    begin_beside();
   }
 
   FollowReport both(CurveSink& sink) {
@@ -78,6 +79,8 @@ class Follower {
   /// A step from a start that is an event: there its functions vanish, or have a sign by chance, and from
   /// beside it is met like any other; inside the first step back, which is longer.
   void begin_beside() {
+    const FunctionBits open = open_at_start();
+    if (!options_.from_event && open == 0) return;
     ContinuationOptions how = options_.continuation;
     how.step.first *= 0.6;
     for (const int direction : {+1, -1}) {
@@ -85,9 +88,24 @@ class Follower {
       if (!walk.step() || walk.end() != EventType::none) continue;
       const Corrected<N> beside = start_of(curve_, walk.point().arc.x, walk.point().arc.p);
       if (beside.status != CorrectorStatus::converged) continue;
-      start_ = curve_.complete(beside.point);
+      const CurvePoint<N> point = curve_.complete(beside.point);
+      const SignBits signs = SignBits::of(point.tests);
+      // Of a function that vanishes all along nothing is met.
+      if (!options_.from_event && (open & (signs.positive | signs.negative)) == 0) continue;
+      start_ = point;
       return;
     }
+  }
+
+  /// Functions of the events sought that have a value and no certain sign at the start: it may be one of them. At
+  /// rest, where the two sides are alike, none is; the passage of J1 = J2 is told of the start itself.
+  FunctionBits open_at_start() const {
+    if (start_.member.nu == 0.0 || report_.vertical) return 0;
+    FunctionBits out = 0;
+    for (std::size_t k = 0; k < TestValues::count; ++k)
+      if (curve_.context().seeks(k)) out |= bit_of(k);
+    if (start_.tests.value[TestValues::turn] == 0.0) out &= ~bit_of(TestValues::turn);
+    return out & SignBits::of(start_.tests).open();
   }
 
   /// Whether a place's axis is written as the opposite of the start's.

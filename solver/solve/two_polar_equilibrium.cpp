@@ -1,6 +1,9 @@
 #include "solver/solve/two_polar_equilibrium.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -365,6 +368,35 @@ Equilibrium solved(const Body& body, const Potential& potential, const TwoPolarM
   return out;
 }
 
+/// (lambda, mu, rho) without the rounding of q: of a motion's numbers, rates and momenta, those count that say it
+/// more certainly. Rounded rates may move a body far that its momenta hold, and the other way round.
+struct UnroundedStretch {
+  explicit UnroundedStretch(const Stretch& near)
+      : q{DoubleDouble(near.xi), DoubleDouble(near.zeta), DoubleDouble(near.rho)} {}
+
+  std::array<DoubleDouble, 3> q;
+  double bound = std::numeric_limits<double>::infinity();  ///< as Equilibrium::error_bound
+
+  template <class Model, template <class> class Motion>
+  void at(const Body& body, const Model& model, const Motion<double>& motion, const Stretch& near) {
+    using Elastic = decltype(elastic_system(model));
+    constexpr int N = Elastic::dimension;
+    const TwoPolarSystem<Elastic, Motion> system{elastic_system(model), body.J1, motion};
+    const ReducedVector<N> x = diagonal(near).template head<N>();
+    ReducedVector<N> refined_x = x;
+    const Refined refined = refine(system, refined_x);
+    if (!refined.converged || !(refined.error_bound < bound)) return;
+    bound = refined.error_bound;
+    const auto unrounded = extended_solution(system, x);
+    std::ranges::copy(unrounded, q.begin());
+    if constexpr (N == 2) {
+      using Thickness = std::decay_t<decltype(model.thickness)>;
+      q[2] = extended_solution(ThicknessSystem<Thickness>{model.thickness, DoubleDouble(0.0)},
+                               ReducedVector<1>(near.rho))[0];
+    }
+  }
+};
+
 }  // namespace
 
 Equilibrium solve_two_polar(const Body& body, const Potential& potential,
@@ -396,37 +428,38 @@ Spectrum two_polar_stability(const Body& body, const Potential& potential,
                              const Equilibrium& equilibrium) {
   if (equilibrium.status != SolveStatus::solved)
     throw std::invalid_argument("a spectrum needs a solved equilibrium");
-  const Vector3<double> x = diagonal(equilibrium.q);
+  const TwoPolarRates<double>& rates = equilibrium.two_polar->rates;
+  const TwoPolarMomenta<double>& momenta = equilibrium.two_polar->momenta;
   if (equilibrium.circle) {
     Equilibrium circle = equilibrium;
-    const TwoPolarRates<double>& rates = equilibrium.two_polar->rates;
     const double spin = equilibrium.nu[2];
     // Rates of opposite sense cancel in their sum, half a unit of each does not.
-    const double spin_error =
-        spin == 0.0
-            ? 0.0
-            : 0x1p-53 * (std::abs(rates.omega) + std::abs(rates.theta_dot)) / std::abs(spin);
-    circle.error_bound = std::max(equilibrium.error_bound, spin_error);
+    const double half_units =
+        spin == 0.0 ? 1.0 : (std::abs(rates.omega) + std::abs(rates.theta_dot)) / std::abs(spin);
+    circle.error_bound = std::max(1.0, half_units) * equilibrium.error_bound;
+    const UnroundedStretch found = potential.visit_parts([&](const auto& model) {
+      UnroundedStretch out(equilibrium.q);
+      out.at(body, model, TwoPolarEqualMomenta<double>{momenta.s3}, equilibrium.q);
+      return out;
+    });
+    if (found.bound <= circle.error_bound) {
+      const auto& [xi, zeta, rho] = found.q;
+      circle.q = {0.0, xi.hi, zeta.hi, rho.hi};
+      circle.unrounded = {DoubleDouble(0.0), xi, zeta, rho};
+    }
     return stability(Problem(body, potential, Branch::iii), circle);
   }
-  const double u = stretch_uncertainty(equilibrium.error_bound);
   return potential.visit_parts([&](const auto& model) {
-    // One more correction of (lambda, mu[, rho]) at the computed rates, kept unrounded.
-    using Elastic = decltype(elastic_system(model));
-    constexpr int N = Elastic::dimension;
-    const TwoPolarSystem<Elastic, TwoPolarRates> system{elastic_system(model), body.J1,
-                                                        equilibrium.two_polar->rates};
-    const auto planar = extended_solution(system, ReducedVector<N>(x.head<N>()));
-    DoubleDouble rho;
-    if constexpr (N == 3) {
-      rho = planar[2];
+    UnroundedStretch found(equilibrium.q);
+    found.at(body, model, rates, equilibrium.q);
+    if (momenta.s3 == momenta.p_theta) {
+      found.at(body, model, TwoPolarEqualMomenta<double>{momenta.s3}, equilibrium.q);
     } else {
-      using Thickness = std::decay_t<decltype(model.thickness)>;
-      rho = extended_solution(ThicknessSystem<Thickness>{model.thickness, DoubleDouble(0.0)},
-                              ReducedVector<1>(x[2]))[0];
+      found.at(body, model, momenta, equilibrium.q);
     }
-    return two_polar_stability(body, model, {planar[0], planar[1], rho},
-                               equilibrium.two_polar->rates, equilibrium.two_polar->momenta.s3, u);
+    // Where neither does, nothing is known of the spectrum.
+    const double bound = std::max(equilibrium.error_bound, std::min(found.bound, 1.0));
+    return two_polar_stability(body, model, found.q, rates, momenta.s3, stretch_uncertainty(bound));
   });
 }
 

@@ -194,6 +194,7 @@ def records(nu=0.1, xi=1.0):
 # What is no input at all, by the words of the message.
 NONSENSE = {
     "row: found": lambda case: stationary.follow(case, row=3),
+    "row: found an empty name": lambda case: stationary.follow(case, row=""),
     "Case: found": lambda case: Case.read(3),
     "overrides: found": lambda case: Case.read(SOURCES / "cases" / "disc.toml", [3]),
     "overrides: found 'motion.nu=0.3'; expected a list": lambda case: Case.read(

@@ -165,6 +165,11 @@ def test_refuses_to_replace_the_case(tmp_path):
         result.write(path)
 
 
+def test_a_full_disk():
+    with pytest.raises(OSError, match="No space left"):
+        stationary.solve("cases/disc.toml").write("/dev/full")
+
+
 def test_refuses_other_suffixes(tmp_path):
     with pytest.raises(stationary.InputError, match="suffix") as error:
         stationary.solve("cases/disc.toml").write(tmp_path / "x.xlsx")

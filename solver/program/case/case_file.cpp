@@ -274,8 +274,11 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
   if (faults.sound("continuation.events"))
     faults.collect(
         [&] { out.events = read_names(tree, "continuation.events", locatable_events()); });
-  if (const std::string row = value_or<std::string>(tree, "continuation.start_row", "");
-      !row.empty()) {
+  if (faults.sound("continuation.start_row") && find(tree, "continuation.start_row") != nullptr) {
+    const auto row = value_or<std::string>(tree, "continuation.start_row", "");
+    if (row.empty())
+      faults.add(fault_at(tree, "continuation.start_row", "found an empty name",
+                          "TABLE:N, TABLE:EVENT or TABLE:EVENT:K"));
     const std::filesystem::path folder = std::filesystem::path(tree.name()).parent_path();
     out.start_row = (folder / row).string();  // beside the case file
     try {
@@ -371,6 +374,9 @@ std::vector<std::pair<std::string, double>> read_uncertainty(const CaseTree& tre
     if (!parts_of(name).second.empty())
       throw fault_at(tree, "output.uncertainty", "found the ratio " + in_quotes(name),
                      "numbers of the case, each by itself");
+    if (std::ranges::find(out, name, &std::pair<std::string, double>::first) != out.end())
+      throw fault_at(tree, "output.uncertainty", "found " + in_quotes(name) + " by two names",
+                     "each number once");
     out.emplace_back(name, *value.value<double>());
   }
   return out;

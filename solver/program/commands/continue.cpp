@@ -27,7 +27,8 @@ void add_continue(CLI::App& program, Session& session) {
           "--from", options->from,
           "Go on from a motion of a table: TABLE:N (data row N, the first is 1), TABLE:EVENT "
           "or TABLE:EVENT:K")
-      ->type_name("TABLE:ROW");
+      ->type_name("TABLE:ROW")
+      ->check(not_empty_row);
   command.add_flag("--resume", options->resume,
                    "Go on with the interrupted table at -o FILE (same case, same columns)");
   command.callback([options, &session] {

@@ -25,7 +25,8 @@ void add_curve(CLI::App& program, Session& session) {
       .add_option("--from", options->from,
                   "Only the curve of an event that a table has: TABLE:N (data row N, the first is "
                   "1), TABLE:EVENT or TABLE:EVENT:K")
-      ->type_name("TABLE:ROW");
+      ->type_name("TABLE:ROW")
+      ->check(not_empty_row);
   command.callback([options, &session] {
     session.action = [options, &session] {
       if (!options->from.empty() && !options->output.empty())

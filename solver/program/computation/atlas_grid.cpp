@@ -199,14 +199,8 @@ Metadata describe(const Run& run, const Case& input, const GridCounts& counts, s
   return out;
 }
 
-/// What the end says, and its exit code; cells: how many were to be computed.
-ExitCode conclusion(const GridCounts& counts, std::size_t cells, bool written,
-                    const TiledRun& tiled, const std::string& resumption, const Run& run) {
-  if (counts.cells < cells) {
-    run.complain(fmt::format("interrupted after {} of {} atlases{}{}", counts.cells, cells,
-                             written ? ", which are written" : "", resumption));
-    return ExitCode::interrupted;
-  }
+/// What the end of a whole run says, and its exit code.
+ExitCode conclusion(const GridCounts& counts, const TiledRun& tiled, const Run& run) {
   const long failed = counts.of(StudyStatus::failed);
   if (failed == 0 && counts.of(StudyStatus::solved) == 0 && counts.cells > 0) {
     run.complain(fmt::format("no stationary ellipsoid in any of {} atlases", counts.cells));
@@ -273,8 +267,9 @@ Outcome atlas_grid(const Case& input, const AtlasGridAsked& asked, const TiledRu
   tables.commit(metadata);
   if (target != nullptr) target->commit(std::move(metadata));
   runner.finish();
-  Outcome out{conclusion(counts, share.size(), target != nullptr, tiled, runner.resumption(), run),
-              {}};
+  const bool whole = counts.cells == share.size();
+  if (!whole) run.complain(runner.interruption(counts.cells, target != nullptr));
+  Outcome out{whole ? conclusion(counts, tiled, run) : ExitCode::interrupted, {}};
   if (run.summary) out.summary = summary(input, counts, seconds);
   return out;
 }
@@ -306,7 +301,7 @@ Outcome merged_atlas_grid(const Case& input, const AtlasGridAsked& asked,
   metadata.merged_parts = parts.size();
   tables.commit(metadata);
   target.commit(std::move(metadata));
-  Outcome out{conclusion(counts, grid.cells(), true, {}, {}, run), {}};
+  Outcome out{conclusion(counts, {}, run), {}};
   if (run.summary) out.summary = summary(input, counts, seconds);
   return out;
 }

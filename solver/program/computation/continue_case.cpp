@@ -218,17 +218,17 @@ Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* 
     run.complain(gap);
   Outcome out{end_code(report), {}};
   if (out.code == ExitCode::interrupted) {
-    run.complain(fmt::format("interrupted after {} points{}", report.points,
-                             to_table ? ", which are written" : ""));
+    run.complain(fmt::format("interrupted after {} point{}", report.points,
+                             report.points == 1 ? (to_table ? ", which is written" : "")
+                                                : (to_table ? "s, which are written" : "s")));
   }
-  const bool resumes =
-      to_table && missing_to_resume(columns, parameter, input.branch_name()).empty();
   if (report.out_of_points) {
+    const bool told = missing_to_resume(columns, parameter, input.branch_name()).empty();
     run.complain(fmt::format("stopped after {} points, continuation.max_points{}", report.points,
-                             resumes ? "; --resume goes on where it is set higher"
-                             : to_table
-                                 ? "; --resume cannot go on: output.columns lacks what it needs"
-                                 : ""));
+                             !to_table || !target->can_be_resumed() ? ""
+                             : told
+                                 ? "; --resume goes on where it is set higher"
+                                 : "; --resume cannot go on: output.columns lacks what it needs"));
   }
   for (const SheetEnd* end : {&report.backward, &report.forward})
     if (end->event == EventType::stalled) run.complain("numerical failure: " + end->reason);

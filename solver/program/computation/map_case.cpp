@@ -222,14 +222,8 @@ std::string map_hash(const Case& input, const MapCells& cells) {
                    {fmt::format("{} {}", input.output.certificate, cells.tile())});
 }
 
-/// What the end says, and its exit code; cells: how many were to be computed.
-ExitCode conclusion(const MapCounts& counts, std::size_t cells, bool proves, bool written,
-                    const TiledRun& tiled, const std::string& resumption, const Run& run) {
-  if (counts.rows < cells) {
-    run.complain(fmt::format("interrupted after {} of {} cells{}{}", counts.rows, cells,
-                             written ? ", which are written" : "", resumption));
-    return ExitCode::interrupted;
-  }
+/// What the end of a whole run says, and its exit code.
+ExitCode conclusion(const MapCounts& counts, bool proves, const TiledRun& tiled, const Run& run) {
   if (proves && counts.proven < counts.of(CellStatus::solved))
     run.complain(fmt::format("{} of {} solved cells are not proven",
                              counts.of(CellStatus::solved) - counts.proven,
@@ -298,9 +292,10 @@ Outcome tiled_map_case(const Case& input, const TiledRun& tiled, TableTarget* ta
     target->commit(std::move(metadata));
   }
   runner.finish();
-  Outcome out{conclusion(counts, share.size(), input.output.certificate, to_table, tiled,
-                         runner.resumption(), run),
-              {}};
+  const bool whole = counts.rows == share.size();
+  if (!whole) run.complain(runner.interruption(counts.rows, to_table));
+  Outcome out{
+      whole ? conclusion(counts, input.output.certificate, tiled, run) : ExitCode::interrupted, {}};
   if (run.summary) out.summary = summary(input, counts, seconds);
   return out;
 }
@@ -324,7 +319,7 @@ Outcome merged_map_case(const Case& input, const std::vector<std::string>& paths
   metadata.merged_parts = parts.size();
   const double seconds = metadata.seconds;
   target.commit(std::move(metadata));
-  Outcome out{conclusion(counts, cells, input.output.certificate, true, {}, {}, run), {}};
+  Outcome out{conclusion(counts, input.output.certificate, {}, run), {}};
   if (run.summary) out.summary = summary(input, counts, seconds);
   return out;
 }

@@ -95,6 +95,7 @@ Answered of_motions(const Asked& asked, const Run& run) {
   const Case& input = asked.input;
   const Answer found = answer_of(input, run, input.output.spectrum, ColumnSet::all());
   Answered out{exit_code(found.status), std::string(found.outcome()), {}, {}, found.counts, 0.0};
+  if (run.stopped()) return out;
   if (!found.solved()) {
     run.complain(failure_text(found.outcome(), found.message));
     return out;
@@ -131,6 +132,7 @@ Answered of_events(const Asked& asked, const Run& run) {
                    "none: sensitivity follows the case from its own start");
   Answered out;
   const Start start = solved_start(input, run);
+  if (run.stopped()) return out;
   if (start.found.status != SolveStatus::solved) {
     out.code = exit_code(start.found.status);
     out.status = start.outcome();
@@ -142,6 +144,7 @@ Answered of_events(const Asked& asked, const Run& run) {
   EventMembers sink;
   const FollowReport report = follow(family_of(input, start, true, true), start.found.q,
                                      start.p * unit, follow_options(input, unit, run), sink);
+  if (run.stopped()) return out;
   if (!report.failure.empty()) {
     run.complain("numerical failure: " + report.failure);
     out.code = ExitCode::failure;

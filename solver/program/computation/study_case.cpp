@@ -94,14 +94,8 @@ Metadata describe(const Run& run, const CaseTree& tree, const std::optional<Case
   return out;
 }
 
-/// What the end says, and its exit code; rows: how many were to be done.
-ExitCode conclusion(const StudyCounts& counts, std::size_t rows, bool written,
-                    const TiledRun& tiled, const std::string& resumption, const Run& run) {
-  if (counts.rows < rows) {
-    run.complain(fmt::format("interrupted after {} of {} rows{}{}", counts.rows, rows,
-                             written ? ", which are written" : "", resumption));
-    return ExitCode::interrupted;
-  }
+/// What the end of a whole run says, and its exit code.
+ExitCode conclusion(const StudyCounts& counts, const TiledRun& tiled, const Run& run) {
   const long bad = counts.without_answer();
   if (bad == 0) return ExitCode::done;
   run.complain(
@@ -172,8 +166,9 @@ Outcome study_case(const StudyRun& asked, TableTarget* target, const Run& run) {
     target->commit(std::move(metadata));
   }
   runner.finish();
-  Outcome out{conclusion(counts, share.size(), target != nullptr, tiled, runner.resumption(), run),
-              {}};
+  const bool whole = counts.rows == share.size();
+  if (!whole) run.complain(runner.interruption(counts.rows, target != nullptr));
+  Outcome out{whole ? conclusion(counts, tiled, run) : ExitCode::interrupted, {}};
   if (run.summary) out.summary = summary(study.tree(), record, counts, seconds);
   return out;
 }
@@ -214,7 +209,7 @@ Outcome merged_study_case(const StudyRun& asked, std::optional<StudyTask> task,
   const double seconds = metadata.seconds;
   metadata.merged_parts = parts.size();
   target.commit(std::move(metadata));
-  Outcome out{conclusion(counts, record.rows, true, {}, {}, run), {}};
+  Outcome out{conclusion(counts, {}, run), {}};
   if (run.summary) out.summary = summary(tree, record, counts, seconds);
   return out;
 }

@@ -103,9 +103,11 @@ std::optional<CurveRecord> curve_record(std::string_view metadata) {
       if (verdict == std::end(stability_names)) return std::nullopt;
       out.segments.push_back(static_cast<StabilityClass>(verdict - std::begin(stability_names)));
     }
-    for (const Json& end : found.at("ends"))
-      (end.at("side") == "first" ? out.first_reason : out.last_reason) =
-          end.at("reason").get<std::string>();
+    for (const Json& end : found.at("ends")) {
+      const bool first = end.at("side") == "first";
+      (first ? out.first_reason : out.last_reason) = end.at("reason").get<std::string>();
+      if (!first) out.last_is_open = end.at("event") == "";
+    }
     return out;
   } catch (const Json::exception&) {
     return std::nullopt;

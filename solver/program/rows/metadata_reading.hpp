@@ -24,6 +24,7 @@ struct CurveRecord {
   std::vector<StabilityClass> segments;  ///< their classes, in order
   std::string first_reason;              ///< why the curve ends there
   std::string last_reason;
+  bool last_is_open = false;  ///< it does not end there, and was not followed on
 };
 /// Nothing where a text is no such metadata.
 std::optional<CurveRecord> curve_record(std::string_view metadata);

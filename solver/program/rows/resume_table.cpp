@@ -86,7 +86,8 @@ bool ends_a_line(const std::string& path) {
 }  // namespace
 
 ResumedTable read_resumed(const std::string& path, const std::vector<Column>& columns,
-                          const std::optional<std::string>& parameter, std::string_view branch) {
+                          const std::optional<std::string>& parameter, std::string_view branch,
+                          bool goes_on) {
   const bool columnar = is_column_file(path);
   TableReader table = open_table(path);
   std::vector<std::string> expected;
@@ -122,7 +123,7 @@ ResumedTable read_resumed(const std::string& path, const std::vector<Column>& co
   if (out.rows.front().event.empty()) {
     out.first = open(out.rows.front(), out.rows[std::min<std::size_t>(1, out.rows.size() - 1)], -1);
   }
-  if (out.rows.back().event.empty()) {
+  if (out.rows.back().event.empty() || (out.rows.size() == 1 && goes_on)) {
     out.last = open(out.rows.back(),
                     out.rows[out.rows.size() - std::min<std::size_t>(2, out.rows.size())], +1);
   }

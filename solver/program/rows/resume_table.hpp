@@ -24,8 +24,10 @@ struct ResumedTable {
 };
 
 /// Throws InputError where the file is no such table: other columns than these (with the trailing
-/// parameter, if it has one), no rows, or without what a place on the curve takes.
+/// parameter, if it has one), no rows, or without what a place on the curve takes. goes_on: what the
+/// metadata say of the last row, whose cell cannot where it is the first too, and an end as that.
 ResumedTable read_resumed(const std::string& path, const std::vector<Column>& columns,
-                          const std::optional<std::string>& parameter, std::string_view branch);
+                          const std::optional<std::string>& parameter, std::string_view branch,
+                          bool goes_on = false);
 
 }  // namespace stationary

@@ -31,6 +31,8 @@ class TableTarget {
   virtual CellTable& open(std::vector<CellColumn> columns) = 0;
   /// The table is complete. rows and checksum of the metadata are the table's.
   virtual void commit(Metadata metadata) = 0;
+  /// After prepare(): whether it stays as a file with its metadata, which --resume can go on with.
+  virtual bool can_be_resumed() const { return false; }
 };
 
 }  // namespace stationary

@@ -39,6 +39,10 @@ std::string not_empty(const std::string& name) {
   return name.empty() ? "found an empty name; expected a file" : "";
 }
 
+std::string not_empty_row(const std::string& name) {
+  return name.empty() ? "found an empty name; expected a row of a table" : "";
+}
+
 void ComputeOptions::add_to(CLI::App& command) {
   CaseOptions::add_to(command);
   command

@@ -73,6 +73,8 @@ int all_processors();
 
 /// A check of an option that names a file: what is wrong, or nothing.
 std::string not_empty(const std::string& name);
+/// Likewise of one that names a row of a table.
+std::string not_empty_row(const std::string& name);
 
 /// A command with the options all have in common.
 CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& description);

@@ -35,7 +35,8 @@ void refuse_to_replace_source(std::string_view option, const std::string& path,
 
 void refuse_to_replace_table(const std::string& path, const std::string& input,
                              std::string_view what) {
-  refuse_to_replace(path, path, input, what);
+  for (const fs::path& target : {fs::path(path), metadata_path(path)})
+    refuse_to_replace(path, target, input, what);
   refuse_to_replace(path, metadata_path(path), metadata_path(input),
                     fmt::format("the metadata of {}, {}", printable(input), what));
 }

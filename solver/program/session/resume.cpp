@@ -73,7 +73,8 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
   if (!record) refuse(printable(metadata) + " does not say what rows and events the table has");
   const bool has_alpha = std::ranges::find(columns, Column::alpha) != columns.end();
   if (may_have_alpha(input.motion, input.potential) && !has_alpha) refuse("found no column alpha");
-  ResumedTable out = read_resumed(path, columns, parameter, input.branch_name());
+  ResumedTable out =
+      read_resumed(path, columns, parameter, input.branch_name(), record->last_is_open);
   if (out.rows.size() != record->rows) {
     refuse(fmt::format("{} has {} rows, {} by its metadata", printable(path), out.rows.size(),
                        record->rows));

@@ -31,6 +31,7 @@ class TableOutput final : public TableTarget {
   CellTable& open(std::vector<CellColumn> columns) override;
   /// Writes what is left and puts both files in place; before this nothing is.
   void commit(Metadata metadata) override;
+  bool can_be_resumed() const override { return metadata_file_.has_value(); }
   /// The same with the metadata as texts: of the file beside it, and within HDF5 (without what
   /// depends on the run).
   void commit(const std::string& beside, const std::string& within, bool to_disk = false);

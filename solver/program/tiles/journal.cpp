@@ -22,7 +22,9 @@
 namespace stationary::cli {
 namespace {
 
+constexpr std::string_view kind = "stationary journal ";
 constexpr std::string_view title = "stationary journal 2 ";
+static_assert(title.starts_with(kind));
 /// A disk is slower than a map that is worth no journal.
 constexpr std::chrono::seconds flush_every(10);
 constexpr std::string_view mark = "tile ";
@@ -178,6 +180,12 @@ void Journal::open(const std::string& table, bool resume) {
     struct ::stat mine {};
     if (is_at(file_, path_) && ::fstat(file_, &mine) == 0) {
       end_ = static_cast<std::size_t>(mine.st_size);
+      // A file of another's is not emptied.
+      const Mapped mapped(file_, end_);
+      if (!resume && !kind.starts_with(mapped.text().substr(0, kind.size())))
+        throw InputError(Origin::of_option("-o " + table), "",
+                         fmt::format("found {}, which is no journal", printable(path_)),
+                         "a place for its journal", "choose another name, or remove that file");
       return;
     }
     ::close(file_);

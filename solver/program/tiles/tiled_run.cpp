@@ -62,11 +62,16 @@ void TileRunner::describe(Metadata& metadata) const {
     metadata.part = PartRecord{how_.part.number, how_.part.of, work_.share.first, work_.hash};
 }
 
+std::string TileRunner::interruption(std::size_t rows, bool written) const {
+  return fmt::format("interrupted after {} of {} {}{}{}", rows, work_.share.size(), work_.unit,
+                     written && rows > 0 ? ", which are written" : "", resumption());
+}
+
 std::string TileRunner::resumption() const {
   if (!journal_) return {};
-  if (journaled_ == computed_) return "; --resume goes on with them";
   const std::size_t in_journal = kept_ + journaled_;
   if (in_journal == 0) return "; --resume begins anew, after so short a time";
+  if (journaled_ == computed_) return "; --resume goes on with them";
   return fmt::format("; --resume goes on with {} of {} tiles", in_journal, kept_ + computed_);
 }
 

@@ -51,13 +51,15 @@ class TileRunner {
   bool run(const std::function<void(const Share& rows, const std::string& tile)>& take);
   /// What the metadata tell of the run, and of the part.
   void describe(Metadata& metadata) const;
-  /// Of an interrupted run, what --resume will do; nothing where there is no journal.
-  std::string resumption() const;
+  /// What is said of a run that was interrupted after so many rows; written: they are in a table.
+  std::string interruption(std::size_t rows, bool written) const;
   /// The table is in its place: what was kept of a whole run is not needed any more.
   void finish();
 
  private:
   void show(double seconds);
+  /// What --resume will do; nothing where there is no journal.
+  std::string resumption() const;
 
   TiledWork work_;
   const TiledRun& how_;

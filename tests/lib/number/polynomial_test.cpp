@@ -300,6 +300,29 @@ TEST(QuarticRoots, SpreadRealOnesToTheLastPlace) {
   EXPECT_GE(compared, 4000);
 }
 
+/// By any factors up to 1e28, all of one size, or in two or three or four sizes.
+TEST(QuarticRoots, RootsOfVeryDifferentSizesToTheLastPlace) {
+  Random random(127);
+  for (int k = 0; k < 4000; ++k) {
+    const double sizes[] = {random.log_uniform(1e-14, 1e14), random.log_uniform(1e-14, 1e14),
+                            random.log_uniform(1e-14, 1e14)};
+    const std::size_t of[4] = {0, k % 3 == 0 ? 0U : 1U, k % 3 == 1 ? 0U : 1U, k % 2 == 0 ? 1U : 2U};
+    std::vector<Real50> roots;
+    for (int j = 0; j < 4; ++j)
+      roots.push_back(Real50((j % 2 == 0 ? -1.0 : 1.0) *
+                             (1.0 + 0.3 * j + 0.1 * random.uniform(0.0, 1.0)) * sizes[of[j]]));
+    std::sort(roots.begin(), roots.end());
+    bool apart = true;
+    for (std::size_t j = 1; j < 4; ++j)
+      apart = apart && abs(Real50(roots[j - 1] / roots[j] - 1)) > Real50(1e-2);
+    if (!apart) continue;
+    const auto p =
+        rounded((factor(roots[0]) * factor(roots[1])) * (factor(roots[2]) * factor(roots[3])));
+    expect_roots(at("roots", roots[0], roots[1], roots[2], roots[3]), all_four(quartic_roots(p)),
+                 roots, half_unit);
+  }
+}
+
 TEST(QuarticRoots, TwoNearDoublePairsEachShareAFactor) {
   Random random(110);
   for (int k = 0; k < 1000; ++k) {

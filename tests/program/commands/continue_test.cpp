@@ -19,6 +19,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 constexpr const char* without_spectrum =
@@ -348,6 +349,9 @@ TEST(Continue, MaxPointsEndsTheTableOpen) {
     EXPECT_THAT(metadata["last_end"].get<std::string>(),
                 HasSubstr("continuation.max_points is reached"));
   }
+  const Outcome piped = continued(shipped("disc.toml"), {"continuation.max_points=17"});
+  EXPECT_THAT(piped.err, HasSubstr("continuation.max_points"));
+  EXPECT_THAT(piped.err, Not(HasSubstr("--resume"))) << "no file stays";
 }
 
 // Other parameters: the spin is held.

@@ -2,12 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "solver/program/rows/resume_table.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "tests/program/needs_gnuplot.hpp"
 #include "tests/program/needs_hdf5.hpp"
@@ -249,6 +251,38 @@ TEST_F(Resume, ACompleteTableStays) {
   EXPECT_EQ(text_of(table_), table);
   EXPECT_EQ(text_of(metadata_), beside);
   EXPECT_THAT(resume({"--quiet"}).out, IsEmpty());
+}
+
+/// Interrupted after its first row, which is the end behind it: the other is open.
+TEST_F(Resume, OneRowThatIsAnEnd) {
+  const std::vector<std::string> from_rest{"--set", "continuation.from=0"};
+  stop_after(2, from_rest);
+  const std::string text = text_of(table_);
+  const std::size_t second = text.find('\n', text.find('\n') + 1) + 1;
+  directory_.file("x.csv", text.substr(0, second));
+  std::vector<Column> columns;
+  for (std::istringstream header(text.substr(0, text.find('\n'))); header.good();) {
+    std::string each;
+    std::getline(header, each, ',');
+    columns.push_back(
+        static_cast<Column>(std::ranges::find(column_names, each) - std::begin(column_names)));
+  }
+  const ResumedTable one = read_resumed(table_, columns, std::nullopt, "i", true);
+  ASSERT_EQ(one.rows.size(), 1U);
+  EXPECT_EQ(one.rows[0].event, "limit");
+  EXPECT_FALSE(one.first);
+  EXPECT_TRUE(one.last);
+  EXPECT_FALSE(read_resumed(table_, columns, std::nullopt, "i").last);
+  TableChecksum checksum;
+  checksum.add(one.rows[0], columns, 0);
+  auto told = metadata();
+  told["rows"] = 1;
+  told["checksum"] = checksum.text();
+  told["status"] = "interrupted";
+  directory_.file("x.meta.json", told.dump());
+  const Outcome outcome = resume(from_rest);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  expect_whole(uninterrupted(from_rest));
 }
 
 TEST_F(Resume, InterruptedAtOnceKeepsTheTable) {

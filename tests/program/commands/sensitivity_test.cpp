@@ -444,6 +444,8 @@ TEST(Sensitivity, WrongInputIsRefused) {
   EXPECT_THAT(refused("uncertainty = { nu = \"much\" }"), HasSubstr("standard uncertainty > 0"));
   EXPECT_THAT(refused("uncertainty = 0.1"), HasSubstr("a table"));
   EXPECT_THAT(refused("uncertainty = { \"body.J.0/body.J.1\" = 0.1 }"), HasSubstr("ratio"));
+  EXPECT_THAT(refused("uncertainty = { nu = 0.1, \"motion.nu\" = 0.2 }"),
+              HasSubstr("each number once"));
   const Outcome fluid = run_program(
       {"sensitivity", directory.file("fluid.toml",
                                      "[body]\nJ = [1, 2, 3]\nvolume = 1\n[gravity]\ng = 4\n"

@@ -85,5 +85,41 @@ TEST_F(FollowInParts, APlaceOffTheCurveIsRefused) {
   EXPECT_TRUE(kept.rows.empty());
 }
 
+/// The start is an event: it is met as from anywhere else on the sheet.
+TEST(FollowFromAnEvent, WhereTheParameterIsThatOfAnExchange) {
+  const auto events_from = [](double J1) {
+    const Problem problem(Body(J1, 1.0, 0.6), testing::make_potential("biot-log", {1.0, 0.6}),
+                          Branch::iii);
+    const AnyFamily family =
+        axis_family(problem, {.nu = 0.3, .parameter = {FamilyParameter::Kind::inertia, 0}});
+    const Followed sheet = followed(family, solve(problem, 0.3).q, J1, range(0.5, 2.0, 1e-8));
+    EXPECT_EQ(sheet.report.failure, "");
+    return sheet.report.events;
+  };
+  const auto there = events_from(1.0);
+  const auto beside = events_from(0.9);
+  ASSERT_EQ(there.size(), beside.size());
+  ASSERT_EQ(there.size(), 1U);
+  EXPECT_EQ(there[0].type, beside[0].type);
+  EXPECT_NEAR(there[0].parameter, 1.0, 1e-15);
+}
+
+TEST(FollowFromAnEvent, ATiltInNu) {
+  const Problem problem(Body(1.42825, 2.69933, 2.11892),
+                        testing::make_potential("biot-log", {1.15634, 0.033237},
+                                                "reciprocal-quadratic", {2.21176, 1.97421}),
+                        Branch::ii);
+  const double nu = 0.4490786012447529;
+  const Equilibrium at =
+      solve(problem, nu,
+            {.start = Stretch{0.0, 1.1404014591693683, 0.9981351968523923, 1.1265749255878896}});
+  ASSERT_EQ(at.status, SolveStatus::solved);
+  const Followed sheet =
+      followed(axis_family(problem, {.spectrum = true}), at.q, nu, range(0.0, 0.6, 1e-6));
+  ASSERT_EQ(sheet.report.events.size(), 1U) << sheet.text();
+  EXPECT_EQ(sheet.report.events[0].type, EventType::tilt);
+  EXPECT_NEAR(sheet.report.events[0].parameter, nu, 1e-14);
+}
+
 }  // namespace
 }  // namespace stationary

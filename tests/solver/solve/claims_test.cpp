@@ -12,6 +12,8 @@
 #include "lib/stability/mode_collector.hpp"
 #include "lib/stability/spectrum_enclosure.hpp"
 #include "solver/solve/solve.hpp"
+#include "solver/solve/stability.hpp"
+#include "tests/support/bodies/whole_body.hpp"
 
 namespace stationary {
 namespace {
@@ -224,6 +226,81 @@ TEST(Claims, ACircleIsStableOrEllipticOnlyWhereItsMomentumTells) {
   EXPECT_EQ(verdict({1.99, 1.999}), StabilityClass::stable);
   EXPECT_EQ(verdict({1.999, 2.001}), std::nullopt);
   EXPECT_EQ(verdict({2.001, 2.01}), StabilityClass::elliptic);
+}
+
+/// Bodies so long that the two forms of the odd block leave nothing of a signature in doubles. The class and the
+/// negative directions of the second variation: in 60 digits.
+TEST(Claims, SignaturesOfNeedlesNextToJ1EqualJ2) {
+  struct Needle {
+    Body body;
+    Potential V;
+    Branch branch;
+    double nu;
+    Stretch start;
+    StabilityClass verdict;
+    int negative;
+  };
+  const Body gravitating(1.43445, 1.4344510418402, 1.14482);
+  const Body held_body(0.711048, 0.71104800037748, 0.761999);
+  BodyModel<> planar;
+  planar.elastic.plane = AnyPlane<>{Hencky<>{1.25197, 3.4282}};
+  planar.volume = 0.615372;
+  const Needle needles[] = {
+      {gravitating,
+       testing::whole_body(AnyPlane<>{Hencky<>{0.576447, 0.799011}},
+                           AnyThickness<>{ReciprocalQuadratic<>{0.21094, 1.25688}}, {}, 0.35389,
+                           gravitating),
+       Branch::i,
+       8.649387309547992e-05,
+       {0.0, 0.013058450368796375, 40058.12585413502, 0.551593309066842},
+       StabilityClass::stable,
+       0},
+      {held_body,
+       testing::whole_body(AnyPlane<>{Hencky<>{0.384006, 1.21655}},
+                           AnyThickness<>{Harmonic<>{4.40141, 0.377363}}, 0.531824, {}, held_body),
+       Branch::i,
+       0.013030828433783328,
+       {0.0, 0.03339079279097232, 237.53011746549873, 0.06705366464668228},
+       StabilityClass::stable,
+       0},
+      {Body(1.47502, 1.4750200000455, 0.322258),
+       Potential(planar),
+       Branch::ii,
+       0.05124423166434716,
+       {0.0, 65.28817826606847, 0.0893719922574447, 0.10546339353231408},
+       StabilityClass::elliptic,
+       2}};
+  for (const Needle& each : needles) {
+    const Problem problem(each.body, each.V, each.branch);
+    const Equilibrium at = solve(problem, each.nu, {.start = each.start});
+    ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
+    const Spectrum found = stability(problem, at);
+    EXPECT_EQ(found.verdict, each.verdict);
+    EXPECT_EQ(found.negative, each.negative);
+    EXPECT_EQ(2 * std::ranges::count(found.mode, -1, &Mode::krein), each.negative);
+  }
+}
+
+/// Modes of 1e8 beside such of 1e-10, in 60 digits: one of the two real-looking pairs is none.
+TEST(Claims, SlowModesBesideFastOnesOfANeedle) {
+  const Body body(2.2079, 1.02489, 0.31667);
+  const Potential V = testing::whole_body(AnyPlane<>{Hencky<>{0.107216, 0.788041}},
+                                          AnyThickness<>{ReciprocalQuadratic<>{0.775668, 4.93227}},
+                                          {}, 0.474596, body);
+  const Problem problem(body, V, Branch::iii);
+  const Equilibrium at = solve(
+      problem, 1.4062899014154908e-05,
+      {.start = Stretch{0.0, 100513.47636867507, 0.00011688709843915634, 0.5397707636128405}});
+  ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
+  const Spectrum found = stability(problem, at);
+  for (const double lambda : {-4.12670311e-10, -2.28314258e-10, 1.97777e-10}) {
+    double nearest = 1.0;
+    for (int k = 0; k < found.modes; ++k) {
+      const Mode& mode = found.mode[static_cast<std::size_t>(k)];
+      nearest = std::min(nearest, std::abs(mode.lambda_re - lambda) - mode.lambda_error);
+    }
+    EXPECT_LE(nearest, 1e-5 * std::abs(lambda)) << lambda;
+  }
 }
 
 /// J1 = J2, a volume that is held: from material axes turned by theta the same motion has

@@ -189,6 +189,28 @@ TEST(TwoPolar, WithoutSpinMomentumThereIsNoWobble) {
   EXPECT_EQ(two_polar_stability(body, V, found).modes, 3);
 }
 
+/// At these rates the balance is nearly singular, at these momenta it is not. True: 60 digits.
+TEST(TwoPolar, ModesOfPrescribedMomentaAreWithinTheirBounds) {
+  const Body body(1.0, 1.0, 0.6);
+  BodyModel<> model;
+  model.elastic.coupled = NeoHookean3d<>{1.0, 2.0};
+  model.gravitates = true;
+  model.g = 1e-4;
+  model.J = {body.J1, body.J2, body.J3};
+  const Potential V(model);
+  const Equilibrium at = solve_two_polar(body, V, TwoPolarMomenta<double>{1.7, 0.4});
+  ASSERT_EQ(at.status, SolveStatus::solved) << at.message;
+  const Spectrum found = two_polar_stability(body, V, at);
+  ASSERT_EQ(found.modes, 4);
+  EXPECT_NEAR(found.growth, 0.54454133029117537, 1e-13);
+  const double im[] = {1.7072026866042355, 2.549015578027123, 3.6440091092484964};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Mode& mode = found.mode[k + 1];
+    EXPECT_NEAR(mode.lambda_re, -im[k] * im[k], mode.lambda_error + 1e-14);
+    EXPECT_LE(mode.lambda_error, 1e-12);
+  }
+}
+
 TEST(TwoPolar, MisuseThrows) {
   const Potential V = potential("biot", 1.0, 1.0);
   EXPECT_THROW(solve_two_polar(Body(1.0, 1.1, 1.0), V, TwoPolarRates<double>{1.0, 0.0}),
