@@ -53,7 +53,8 @@ class EventSearch {
       known_.counts = KnownCounts::at(from.member);
       // A curve that starts where its parameter passes J1 = J2 starts at that event
       // (follow_sheet.hpp).
-      if (from.tests.value[TestValues::turn] == 0.0) known_.counts.negative.reset();
+      if (from.tests.value[TestValues::turn] == 0.0 || hides_zero(first_))
+        known_.counts.negative.reset();
     }
     next_ = known_;
     find_zeros(sought_ & own_functions, earlier, earlier_length);
@@ -378,7 +379,7 @@ class EventSearch {
       }
     }
     const auto& now = counts_.negative;
-    if (!now) {
+    if (!now || hides_zero(last_)) {
       if (!to().member.spectrum) known.reset();
       return;
     }
@@ -415,6 +416,12 @@ class EventSearch {
       return;
     }
     bracket_unexplained([&](const Member& at) { return count(*at.spectrum) == before->count; });
+  }
+
+  /// Whether a count at a point may be that of either side of an event: where J1 = J2 the energy of the symmetry's
+  /// zero changes its sign, and no other Lambda is zero.
+  bool hides_zero(const SignBits& at) const {
+    return curve().context().material_symmetry && (at.open() & own_functions) != 0;
   }
 
   /// Whether at an end of the step the sign of some function that an event is a zero of is not

@@ -150,8 +150,9 @@ void require_plane(const PlotOptions& options, const TableReader& table, std::st
       choice.branches.empty())
     return;
   throw InputError(Origin::in_file(table.name()), "", "found " + std::string(what),
-                   columns > 0 ? "one column to show and no sheet or branch"
-                               : "no columns to show, and no sheet or branch");
+                   columns > 0
+                       ? "at most one column to show, no sheet or branch, no energy-momentum"
+                       : "no columns to show, no sheet or branch, no energy-momentum");
 }
 
 /// Refuses a range of what this figure does not have.
