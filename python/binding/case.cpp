@@ -49,8 +49,8 @@ CaseTree restored_tree(const py::dict& keys, const std::string& name,
                       Overrides(overrides.begin(), overrides.end()));
 }
 
-Shared restored(const py::dict& keys, const std::string& name,
-                const std::map<std::string, std::string>& overrides) {
+Shared restored_case(const py::dict& keys, const std::string& name,
+                     const std::map<std::string, std::string>& overrides) {
   return make(restored_tree(keys, name, overrides));
 }
 
@@ -96,8 +96,10 @@ void declare_case(py::module_& module) {
   py::class_<Case, Shared>(module, "Case")
       .def_static("read", &read, py::arg("path"), py::arg("overrides"))
       .def_static(
-          "of", [](const py::dict& keys) { return restored(keys, case_name, {}); }, py::arg("keys"))
-      .def_static("restored", &restored, py::arg("keys"), py::arg("name"), py::arg("overrides"))
+          "of", [](const py::dict& keys) { return restored_case(keys, case_name, {}); },
+          py::arg("keys"))
+      .def_static("restored", &restored_case, py::arg("keys"), py::arg("name"),
+                  py::arg("overrides"))
       .def("with_values", &with, py::arg("values"))
       .def("keys", [](const Case& input) { return to_python(input.source.root()); })
       .def("state", [](const Case& input) { return state(input.source); })

@@ -141,7 +141,7 @@ std::shared_ptr<Computed> study(const Tree& base, const std::string& over,
 }
 
 /// The rows themselves, which live as long as the array does.
-py::object array(const std::shared_ptr<Computed>& self) {
+py::object table_array(const std::shared_ptr<Computed>& self) {
   const ArrayTable& table = self->table;
   if (!table.complete()) return py::none();
   if (table.cells() != nullptr) {
@@ -190,7 +190,7 @@ py::tuple state(const Computed& self) {
                         table.lasting_metadata, table.complete);
 }
 
-std::shared_ptr<Computed> restored(const py::tuple& state) {
+std::shared_ptr<Computed> restored_result(const py::tuple& state) {
   auto out = std::make_shared<Computed>();
   ArrayTable::Contents table;
   std::size_t k = 0;
@@ -221,7 +221,7 @@ std::shared_ptr<Computed> restored(const py::tuple& state) {
 void declare_computed(py::module_& module) {
   py::class_<Computed, std::shared_ptr<Computed>>(module, "Computed")
       // For every protocol of pickle: with py::pickle the protocols 0 and 1 end the interpreter.
-      .def(py::init(&restored), py::arg("state"))
+      .def(py::init(&restored_result), py::arg("state"))
       .def("__reduce__",
            [](const py::object& self) {
              return py::make_tuple(self.attr("__class__"),
@@ -232,7 +232,7 @@ void declare_computed(py::module_& module) {
       .def_property_readonly("lines", [](const Computed& self) { return self.lines; })
       .def_property_readonly("complete", [](const Computed& self) { return self.table.complete(); })
       .def_property_readonly("metadata", [](const Computed& self) { return self.table.metadata(); })
-      .def_property_readonly("table", &array)
+      .def_property_readonly("table", &table_array)
       .def("write", &write, py::arg("path"))
       .def(
           "diagram",
