@@ -98,9 +98,9 @@ Metadata describe(const Run& run, const CaseTree& tree, const std::optional<Case
 ExitCode conclusion(const StudyCounts& counts, const TiledRun& tiled, const Run& run) {
   const long bad = counts.without_answer();
   if (bad == 0) return ExitCode::done;
-  run.complain(
-      fmt::format("{} of {} rows failed, the first of them {}", bad, rows, counts.first_bad));
-  const bool all = bad == static_cast<long>(rows);
+  run.complain(fmt::format("{} of {} rows failed, the first of them {}", bad, counts.rows,
+                           counts.first_bad));
+  const bool all = bad == static_cast<long>(counts.rows);
   // What a part comes to is said of the whole.
   return all && !tiled.part.asked ? ExitCode::failure : ExitCode::done;
 }
