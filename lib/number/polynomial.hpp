@@ -344,10 +344,11 @@ Polynomial<S, 3> without_root(const std::array<S, 4>& m, const S& x) {
 }
 
 /// Which of a monic quartic's roots are far smaller or far larger than all others, by the sizes of its
-/// coefficients: from 1e10 on a method in double that looks for all of them at once does not tell the small ones.
+/// coefficients: where the largest is 1e10 times the smallest, a method in double that looks for all of them at
+/// once does not tell the small ones.
 enum class RootGrading { none, one_large, one_small, two_small };
 inline RootGrading grading_of(const std::array<double, 4>& m) {
-  constexpr double far = 0x1p-32;
+  constexpr double far = 0x1p-20;
   const double a = std::abs(m[3]);
   const double b = std::abs(m[2]);
   const double c = std::abs(m[1]);

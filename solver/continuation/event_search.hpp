@@ -353,7 +353,8 @@ class EventSearch {
     explain(&KnownCounts::definite, definite, std::ranges::any_of(found_, [](const Found& each) {
       return may_change_class(each.event.type);
     }));
-    if (next_.counts.negative && !counts_.negative) add_step(next_.counts.negative->since);
+    if (next_.counts.negative && (!counts_.negative || hides_zero(last_)))
+      add_step(next_.counts.negative->since);
     for (const auto which : {&KnownCounts::growing, &KnownCounts::definite})
       if (next_.counts.*which && !(counts_.*which)) add_step((next_.counts.*which)->since);
   }
@@ -388,7 +389,8 @@ class EventSearch {
     const int change = std::abs(before->count - now->count);
     if (change <= before->change && (before->change - change) % 2 == 0) return;
     if (before->exchange && curve().context().material_symmetry) return;
-    if (!KnownCounts::at(from().member).negative) {
+    const auto earlier = KnownCounts::at(from().member).negative;
+    if (!earlier || earlier->count != before->count) {
       add_unresolved(EventType::unexplained, before->since);
       return;
     }

@@ -36,11 +36,11 @@ class Follower {
     }
     start_ = curve_.complete(start.point);
     report_.counts.members = 1;
-    begin_beside();
   }
 
   FollowReport both(CurveSink& sink) {
     if (!report_.failure.empty()) return report_;
+    begin_beside();
     report_.points = 1;  // the start, written when what is before it is known
     HeldBack held;
     report_.backward = one(-1, held);

@@ -368,14 +368,14 @@ Equilibrium solved(const Body& body, const Potential& potential, const TwoPolarM
   return out;
 }
 
-/// (lambda, mu, rho) without the rounding of q: of a motion's numbers, rates and momenta, those count that say it
-/// more certainly. Rounded rates may move a body far that its momenta hold, and the other way round.
+/// (lambda, mu, rho) without the rounding of q: of a motion's numbers, rates and momenta, those count that move q
+/// less. Rounded rates may move a body far that its momenta hold, and the other way round.
 struct UnroundedStretch {
   explicit UnroundedStretch(const Stretch& near)
       : q{DoubleDouble(near.xi), DoubleDouble(near.zeta), DoubleDouble(near.rho)} {}
 
   std::array<DoubleDouble, 3> q;
-  double bound = std::numeric_limits<double>::infinity();  ///< as Equilibrium::error_bound
+  double moved = 1.0;  ///< of q, relative
 
   template <class Model, template <class> class Motion>
   void at(const Body& body, const Model& model, const Motion<double>& motion, const Stretch& near) {
@@ -383,10 +383,11 @@ struct UnroundedStretch {
     constexpr int N = Elastic::dimension;
     const TwoPolarSystem<Elastic, Motion> system{elastic_system(model), body.J1, motion};
     const ReducedVector<N> x = diagonal(near).template head<N>();
-    ReducedVector<N> refined_x = x;
-    const Refined refined = refine(system, refined_x);
-    if (!refined.converged || !(refined.error_bound < bound)) return;
-    bound = refined.error_bound;
+    ReducedVector<N> corrected = x;
+    const Refined refined = refine<false>(system, corrected);
+    constexpr double last_places = 1e-10;  // beyond, extended_solution() keeps x
+    if (!refined.converged || !(refined.first_correction < std::min(moved, last_places))) return;
+    moved = refined.first_correction;
     const auto unrounded = extended_solution(system, x);
     std::ranges::copy(unrounded, q.begin());
     if constexpr (N == 2) {
@@ -434,15 +435,17 @@ Spectrum two_polar_stability(const Body& body, const Potential& potential,
     Equilibrium circle = equilibrium;
     const double spin = equilibrium.nu[2];
     // Rates of opposite sense cancel in their sum, half a unit of each does not.
-    const double half_units =
-        spin == 0.0 ? 1.0 : (std::abs(rates.omega) + std::abs(rates.theta_dot)) / std::abs(spin);
-    circle.error_bound = std::max(1.0, half_units) * equilibrium.error_bound;
+    const double spin_error =
+        spin == 0.0
+            ? 0.0
+            : 0x1p-53 * (std::abs(rates.omega) + std::abs(rates.theta_dot)) / std::abs(spin);
+    circle.error_bound = std::max(equilibrium.error_bound, spin_error);
     const UnroundedStretch found = potential.visit_parts([&](const auto& model) {
       UnroundedStretch out(equilibrium.q);
       out.at(body, model, TwoPolarEqualMomenta<double>{momenta.s3}, equilibrium.q);
       return out;
     });
-    if (found.bound <= circle.error_bound) {
+    if (found.moved <= circle.error_bound) {
       const auto& [xi, zeta, rho] = found.q;
       circle.q = {0.0, xi.hi, zeta.hi, rho.hi};
       circle.unrounded = {DoubleDouble(0.0), xi, zeta, rho};
@@ -457,9 +460,9 @@ Spectrum two_polar_stability(const Body& body, const Potential& potential,
     } else {
       found.at(body, model, momenta, equilibrium.q);
     }
-    // Where neither does, nothing is known of the spectrum.
-    const double bound = std::max(equilibrium.error_bound, std::min(found.bound, 1.0));
-    return two_polar_stability(body, model, found.q, rates, momenta.s3, stretch_uncertainty(bound));
+    // Where neither leads anywhere, nothing is known of the spectrum.
+    return two_polar_stability(body, model, found.q, rates, momenta.s3,
+                               stretch_uncertainty(equilibrium.error_bound + found.moved));
   });
 }
 

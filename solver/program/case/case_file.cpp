@@ -276,11 +276,8 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
         [&] { out.events = read_names(tree, "continuation.events", locatable_events()); });
   if (faults.sound("continuation.start_row") && find(tree, "continuation.start_row") != nullptr) {
     const auto row = value_or<std::string>(tree, "continuation.start_row", "");
-    if (row.empty())
-      faults.add(fault_at(tree, "continuation.start_row", "found an empty name",
-                          "TABLE:N, TABLE:EVENT or TABLE:EVENT:K"));
     const std::filesystem::path folder = std::filesystem::path(tree.name()).parent_path();
-    out.start_row = (folder / row).string();  // beside the case file
+    if (!row.empty()) out.start_row = (folder / row).string();  // beside the case file
     try {
       (void)cli::row_name(out.start_row);
     } catch (const InputError& fault) {

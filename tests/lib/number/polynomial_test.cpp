@@ -300,9 +300,10 @@ TEST(QuarticRoots, SpreadRealOnesToTheLastPlace) {
   EXPECT_GE(compared, 4000);
 }
 
-/// By any factors up to 1e28, all of one size, or in two or three or four sizes.
+/// In two or three sizes, apart by any factors up to 1e28.
 TEST(QuarticRoots, RootsOfVeryDifferentSizesToTheLastPlace) {
   Random random(127);
+  int compared = 0;
   for (int k = 0; k < 4000; ++k) {
     const double sizes[] = {random.log_uniform(1e-14, 1e14), random.log_uniform(1e-14, 1e14),
                             random.log_uniform(1e-14, 1e14)};
@@ -316,11 +317,40 @@ TEST(QuarticRoots, RootsOfVeryDifferentSizesToTheLastPlace) {
     for (std::size_t j = 1; j < 4; ++j)
       apart = apart && abs(Real50(roots[j - 1] / roots[j] - 1)) > Real50(1e-2);
     if (!apart) continue;
+    ++compared;
     const auto p =
         rounded((factor(roots[0]) * factor(roots[1])) * (factor(roots[2]) * factor(roots[3])));
     expect_roots(at("roots", roots[0], roots[1], roots[2], roots[3]), all_four(quartic_roots(p)),
                  roots, half_unit);
   }
+  EXPECT_GE(compared, 3000);
+}
+
+/// Between them, beyond, or below.
+TEST(QuarticRoots, AComplexPairBesideRealOnesOfOtherSizes) {
+  Random random(131);
+  int compared = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const double size = random.log_uniform(1e-8, 1e8);
+    const double angle = random.uniform(0.2, 2.9);
+    const Real50 re(size * std::cos(angle));
+    const Real50 im(size * std::sin(angle));
+    const Real50 a(random.sign() * random.log_uniform(1e-14, 1e14));
+    const Real50 b(random.sign() * random.log_uniform(1e-14, 1e14));
+    if (abs(Real50(a / b - 1)) < Real50(0.1)) continue;
+    ++compared;
+    const auto found =
+        quartic_roots(rounded(factor(a) * factor(b) * pair_factor(re, Real50(-im * im))));
+    const auto& complex = found.first.real() ? found.second : found.first;
+    const auto& real = found.first.real() ? found.first : found.second;
+    const std::string where = at("real", a, b, "complex", re, im);
+    ASSERT_FALSE(complex.real()) << where;
+    ASSERT_TRUE(real.real()) << where;
+    expect_roots(where, {real.small, real.large}, {a, b}, half_unit);
+    EXPECT_NEAR(leading(complex.mean) / size, nearest(Real50(re / size)), 4.0 * half_unit) << where;
+    EXPECT_LE(relative_distance(complex.separation, {Real50(-im * im)}), 64.0 * half_unit) << where;
+  }
+  EXPECT_GE(compared, 3000);
 }
 
 TEST(QuarticRoots, TwoNearDoublePairsEachShareAFactor) {

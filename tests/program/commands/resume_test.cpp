@@ -285,6 +285,33 @@ TEST_F(Resume, OneRowThatIsAnEnd) {
   expect_whole(uninterrupted(from_rest));
 }
 
+/// The last row lies on an event to the last places: it is gone on from itself, not from beside.
+TEST_F(Resume, FromARowOnAnEvent) {
+  const std::string input = directory_.file("tilt.toml", R"([body]
+J = [1.42825, 2.69933, 2.11892]
+[potential]
+plane     = { model = "biot-log", mu = 1.15634, lambda = 0.033237 }
+thickness = { model = "reciprocal-quadratic", a = 2.21176, b = 1.97421 }
+[motion]
+branch = "ii"
+nu = 0.4489284874959108
+[continuation]
+from = 0.4489284874959108
+to = 0.6
+step = 1e-3
+tolerance = 1e-6
+)");
+  const std::vector<std::string> follow{"continue", input, "-o", table_};
+  auto stopped = follow;
+  stopped.insert(stopped.end(), {"--set", "continuation.max_points=2"});
+  ASSERT_EQ(run_program(stopped).code, 0);
+  auto on = follow;
+  on.emplace_back("--resume");
+  const Outcome outcome = run_program(on);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_GT(rows().size(), 10U);
+}
+
 TEST_F(Resume, InterruptedAtOnceKeepsTheTable) {
   stop_after(50);
   const std::string table = text_of(table_);
