@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lib/body/inertia.hpp"
 
@@ -39,6 +40,11 @@ void set_tests(const Member& member, const TestContext& context, TestValues& out
     // its own: only omega + theta' matters to it.
     const double own = member.body.J1 * member.nu * member.nu;
     out.value[TestValues::turn] = member.turn / (std::abs(member.turn) + 2.0 * own);
+    // Both are differences of terms that may be far larger.
+    const double error = member.turn_condition * (member.error_bound + 0x1p-50);
+    for (const auto& [k, value] : {std::pair{TestValues::ellipse, member.shear_stiffness},
+                                   std::pair{TestValues::turn, member.turn}})
+      if (!(std::abs(value) > error)) out.uncertain |= 1U << static_cast<unsigned>(k);
     out.value[TestValues::inertia_13] = relative_difference(m[2], m[0]);
     return;
   }

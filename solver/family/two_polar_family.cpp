@@ -156,6 +156,9 @@ class TwoPolarFamily final : public Family<FollowedElastic<Model, with_rho>::dim
       const auto pull = two_polar_pull(body.J1, x[0], x[1], rates);
       const double own = body.J1 * out.nu * out.nu;
       out.turn = (across + (pull.ll - pull.lm) - pull.lambda) / (x[0] * x[1]) - own;
+      const double terms = system(at).elastic.linearize(x).magnitude + std::abs(pull.ll) +
+                           std::abs(pull.lm) + std::abs(pull.lambda);
+      out.turn_condition = terms / (x[0] * x[1]) + own;
     }
     if (spectrum_) out.spectrum = spectrum(at, found, with_tails(x, tail, rho), out.error_bound);
     return out;

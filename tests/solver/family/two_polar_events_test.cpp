@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "lib/body/inertia.hpp"
 
 namespace stationary {
@@ -32,6 +34,28 @@ TEST(TwoPolarEvents, ATiltLeavesTheAxisWhoseRateItHas) {
       EXPECT_EQ(leaves(m[0] + m[2]), TwoPolarVanishing::leaves_lambda) << omega << off;
       EXPECT_EQ(vanishing_at(EventType::tilt, true, at), TwoPolarVanishing::leaves_circle);
     }
+  }
+}
+
+/// What makes or turns an ellipse has a sign where it is more than the rounding of its terms.
+TEST(TwoPolarEvents, AStiffnessBelowItsRoundingHasNoSign) {
+  const KindEvents events = two_polar_events();
+  const TestContext context{
+      .branch = Branch::iii, .material_symmetry = true, .circle = Circle::xi_zeta};
+  Member at = ellipse();
+  at.q = {0.0, 1.2, 1.2, 0.9};
+  at.nu = 0.5;
+  at.two_polar = TwoPolarMember{{{0.3, 0.2}, {0.1, 0.1}}, false};
+  at.error_bound = 1e-15;
+  at.turn_condition = 10.0;
+  for (const double size : {1e-3, 1e-13, 1e-15, 0.0}) {
+    at.shear_stiffness = size;
+    at.turn = -size;
+    TestValues out;
+    out.value.fill(std::numeric_limits<double>::quiet_NaN());
+    events.set(at, context, out);
+    EXPECT_EQ(out.sign(TestValues::ellipse), size > 2e-14 ? 1 : 0) << size;
+    EXPECT_EQ(out.sign(TestValues::turn), size > 2e-14 ? -1 : 0) << size;
   }
 }
 
