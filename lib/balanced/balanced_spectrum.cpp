@@ -6,6 +6,7 @@
 
 #include "lib/balanced/chain_bound.hpp"
 #include "lib/stability/mode_collector.hpp"
+#include "lib/stability/odd_signature.hpp"
 
 namespace stationary {
 namespace {
@@ -66,16 +67,12 @@ int add_odd(const InPlaneBlocks& blocks, const BalancedBound& bound, bool materi
   const bool definite =
       positive(conditioned.det_P, u) || positive(conditioned.det_Q, u);  // then Lambda is real
   const auto krein = [&](const DoubleDouble& lambda) {
-    // Q1 x = m P^-1 x, m = -Lambda > 0: the sign of P where that is definite, or of Q1.
-    if (det_P > 0.0) return 1;
-    if (det_Q > 0.0) return sign(Q_22);
-    // Else one of each. adj(Q1 - m P^-1) = r x x^T, r of one sign at both, x^T P^-1 x = -f'(m)/r of
-    // f = det(Q1 - m P^-1): of the nearer to zero that of -r, seen best half-way between them.
     const double middle = -0.5 * leading(odd.b);
-    const double I2 = s.m1 + s.m3;
-    const double I3 = s.m1 + s.m2;
-    const double r = -Q_22 * s.omega2 * det_P - middle * I2 * I3;
-    return leading(lambda) > middle ? -sign(r) : sign(r);
+    return odd_signature(det_P, det_Q, sign(Q_22), leading(lambda), middle, [&] {
+      const double I2 = s.m1 + s.m3;
+      const double I3 = s.m1 + s.m2;
+      return sign(-Q_22 * s.omega2 * det_P - middle * I2 * I3);
+    });
   };
   out.add_pair(blocks.odd_roots, uncertain, !definite, krein);
   const int of_Q = det_Q < 0.0 ? 1 : 2 * (Q_22 < 0.0);

@@ -376,7 +376,7 @@ S polished_root(const std::array<S, 4>& m, S x) {
   }
   return x;
 }
-/// All, one that is real and no near one of the others known.
+/// All of them, where a real one is known that is near no other.
 template <class S>
 QuarticRoots<S> with_root(const std::array<S, 4>& m, const S& x) {
   const CubicRoots<S> others = cubic_roots(without_root(m, x));

@@ -6,6 +6,7 @@
 #include "lib/number/elementary.hpp"
 #include "lib/stability/held_linearization.hpp"
 #include "lib/stability/mode_collector.hpp"
+#include "lib/stability/odd_signature.hpp"
 #include "lib/stability/state_units.hpp"
 
 namespace stationary {
@@ -13,28 +14,20 @@ namespace {
 
 using Extended = DoubleDouble;
 
-/// Signature of the mode of Lambda in the odd block of (i), by what is definite: the sign of x^T Q1 x, where
-/// Q1 x = m P^-1 x and m = -Lambda > 0. sum: of the two m.
-int odd_signature(const OddForms<Extended>& odd, const Extended& sum, double lambda) {
-  if (leading(odd.det_P) > 0.0) return 1;  // P is definite: P_11 > 0
-  const Extended diagonal = odd.Q1[0] + odd.Q1[2];
-  if (leading(odd.det_Q1) >= 0.0) return sign(leading(diagonal));
-  // One of each. adj(Q1 - m P^-1) = r x x^T, r of one sign at both, x^T P^-1 x = -f'(m)/r of
-  // f = det(Q1 - m P^-1): of the nearer to zero that of -r. Half-way between, the diagonal has the sign of r:
-  // of its entries, times det P < 0, that which cancels less.
-  const Extended middle = 0.5 * sum;
-  int r = 0;
+/// Sign of the diagonal of Q1 - m P^-1, det P < 0: of its entries, that which cancels less.
+int sign_of_diagonal(const OddForms<Extended>& odd, const Extended& m) {
+  int out = 0;
   double best = -1.0;
   for (const int k : {0, 2}) {
     const Extended own = odd.det_P * odd.Q1[k];
-    const Extended other = middle * odd.P[2 - k];
+    const Extended other = m * odd.P[2 - k];
     const double entry = leading(other - own);
     const double certain = std::abs(entry) / (std::abs(leading(own)) + std::abs(leading(other)));
     if (!(certain > best)) continue;
     best = certain;
-    r = sign(entry);
+    out = sign(entry);
   }
-  return -lambda < leading(middle) ? -r : r;
+  return out;
 }
 
 bool positive_definite_2(const Conditioned& a, const Conditioned& b, const Conditioned& c,
@@ -133,8 +126,10 @@ int add_odd_i(const StraightState<Extended>& s, const StraightState<Conditioned>
   const int negative = negatives_2(q1[0], q1[2], det_q1) + (det_p < 0.0 ? 1 : 0);
 
   const Polynomial<Extended, 2> characteristic = odd.characteristic();
+  const Extended middle = -0.5 * characteristic.c[1];
   const auto krein = [&](const Extended& lambda) {
-    return odd_signature(odd, characteristic.c[1], leading(lambda));
+    return odd_signature(det_p, det_q1, sign(leading(odd.Q1[0] + odd.Q1[2])), leading(lambda),
+                         leading(middle), [&] { return sign_of_diagonal(odd, -middle); });
   };
   const UncertainPolynomial<2> uncertain(conditioned.characteristic(), u);
   if (material_symmetry) {

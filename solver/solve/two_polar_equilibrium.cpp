@@ -446,6 +446,7 @@ Spectrum two_polar_stability(const Body& body, const Potential& potential,
       return out;
     });
     if (found.moved <= circle.error_bound) {
+      circle.error_bound += found.moved;
       const auto& [xi, zeta, rho] = found.q;
       circle.q = {0.0, xi.hi, zeta.hi, rho.hi};
       circle.unrounded = {DoubleDouble(0.0), xi, zeta, rho};

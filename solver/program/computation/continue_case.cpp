@@ -218,9 +218,9 @@ Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* 
     run.complain(gap);
   Outcome out{end_code(report), {}};
   if (out.code == ExitCode::interrupted) {
-    run.complain(fmt::format("interrupted after {} point{}", report.points,
-                             report.points == 1 ? (to_table ? ", which is written" : "")
-                                                : (to_table ? "s, which are written" : "s")));
+    run.complain(fmt::format("interrupted after {} point{}{}", report.points,
+                             report.points == 1 ? "" : "s",
+                             to_table ? "; the table is written" : ""));
   }
   if (report.out_of_points) {
     const bool told = missing_to_resume(columns, parameter, input.branch_name()).empty();

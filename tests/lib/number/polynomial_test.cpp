@@ -281,21 +281,25 @@ std::vector<DoubleDouble> all_four(const QuarticRoots<DoubleDouble>& found) {
   return {found.first.small, found.first.large, found.second.small, found.second.large};
 }
 
+/// Whether real ones are no pair that is nearly double; then the quartic's are compared with them.
+bool expect_quartic(std::vector<Real50> roots) {
+  std::sort(roots.begin(), roots.end());
+  for (std::size_t j = 1; j < 4; ++j)
+    if (abs(Real50(roots[j - 1] / roots[j] - 1)) <= Real50(1e-2)) return false;
+  const auto p =
+      rounded((factor(roots[0]) * factor(roots[1])) * (factor(roots[2]) * factor(roots[3])));
+  expect_roots(at("roots", roots[0], roots[1], roots[2], roots[3]), all_four(quartic_roots(p)),
+               roots, half_unit);
+  return true;
+}
+
 TEST(QuarticRoots, SpreadRealOnesToTheLastPlace) {
   Random random(109);
   int compared = 0;
   for (int k = 0; k < 5000; ++k) {
     std::vector<Real50> roots;
     for (int j = 0; j < 4; ++j) roots.push_back(Real50(-random.log_uniform(1e-2, 1e2)));
-    std::sort(roots.begin(), roots.end());
-    bool apart = true;
-    for (std::size_t j = 1; j < 4; ++j) apart = apart && Real50(roots[j - 1] / roots[j] - 1) > 1e-2;
-    if (!apart) continue;
-    ++compared;
-    const auto p =
-        rounded((factor(roots[0]) * factor(roots[1])) * (factor(roots[2]) * factor(roots[3])));
-    expect_roots(at("roots", roots[0], roots[1], roots[2], roots[3]), all_four(quartic_roots(p)),
-                 roots, half_unit);
+    compared += expect_quartic(roots);
   }
   EXPECT_GE(compared, 4000);
 }
@@ -312,16 +316,7 @@ TEST(QuarticRoots, RootsOfVeryDifferentSizesToTheLastPlace) {
     for (int j = 0; j < 4; ++j)
       roots.push_back(Real50((j % 2 == 0 ? -1.0 : 1.0) *
                              (1.0 + 0.3 * j + 0.1 * random.uniform(0.0, 1.0)) * sizes[of[j]]));
-    std::sort(roots.begin(), roots.end());
-    bool apart = true;
-    for (std::size_t j = 1; j < 4; ++j)
-      apart = apart && abs(Real50(roots[j - 1] / roots[j] - 1)) > Real50(1e-2);
-    if (!apart) continue;
-    ++compared;
-    const auto p =
-        rounded((factor(roots[0]) * factor(roots[1])) * (factor(roots[2]) * factor(roots[3])));
-    expect_roots(at("roots", roots[0], roots[1], roots[2], roots[3]), all_four(quartic_roots(p)),
-                 roots, half_unit);
+    compared += expect_quartic(roots);
   }
   EXPECT_GE(compared, 3000);
 }

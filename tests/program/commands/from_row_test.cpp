@@ -246,6 +246,18 @@ TEST_F(FromRow, TheCaseMayNameTheRow) {
   EXPECT_EQ(outcome.out, from("fold.toml", path + ":9").out);
 }
 
+TEST_F(FromRow, AnEmptyNameIsNoRow) {
+  for (const char* const command : {"continue", "curve"}) {
+    const Outcome outcome = run_program({command, cases + "/fold.toml", "--from", ""});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("found an empty name; expected a row of a table"));
+  }
+  const Outcome own =
+      run_program({"continue", cases + "/fold.toml", "--set", "continuation.start_row=\"\""});
+  EXPECT_EQ(own.code, 2);
+  EXPECT_THAT(own.err, HasSubstr("continuation.start_row: found"));
+}
+
 TEST_F(FromRow, AWrongRowOfTheCaseIsToldInTheCase) {
   std::string text = text_of(cases + "/fold.toml");
   text.insert(text.find("[continuation]") + 14, "\nstart_row = \"fold.csv:tlt\"");

@@ -115,6 +115,13 @@ TEST_F(Study, ReplacesNoMetadataOfItsTable) {
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("t.csv, the table of --over"));
   EXPECT_EQ(text_of(told), "{}\n");
+  // Nor the table itself, where it is named as they are.
+  const std::string table = directory_.file("u.meta.json", "motion.nu\n0.3\n");
+  const Outcome own =
+      run_program({"study", shipped("disc.toml"), "--over", table, "-o", directory_ / "u.csv"});
+  EXPECT_EQ(own.code, 2);
+  EXPECT_THAT(own.err, HasSubstr("u.meta.json is the table of --over"));
+  EXPECT_EQ(text_of(table), "motion.nu\n0.3\n");
 }
 
 TEST_F(Study, FourOnlyWhereAllFail) {

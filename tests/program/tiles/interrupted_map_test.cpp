@@ -112,6 +112,17 @@ TEST_F(InterruptedMap, OnAFullDiskItKeepsWhatFits) {
 }
 
 /// Of the cells that there are, and what --resume makes of it.
+TEST_F(InterruptedMap, AFileThatIsNoJournalStays) {
+  directory_.file("x.csv.journal", "hello\n");
+  const Outcome refused = map(out_);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("which is no journal"));
+  EXPECT_EQ(text_of(journal_), "hello\n");
+  EXPECT_THAT(directory_.names(), ElementsAre("x.csv.journal"));
+  directory_.file("x.csv.journal", "");  // of a run that was killed before it wrote
+  EXPECT_EQ(map(out_).code, 0);
+}
+
 TEST_F(InterruptedMap, ItPrintsItsSummary) {
   RunOptions interrupted;
   interrupted.pending_signal = SIGINT;

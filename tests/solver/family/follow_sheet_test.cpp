@@ -121,5 +121,24 @@ TEST(FollowFromAnEvent, ATiltInNu) {
   EXPECT_NEAR(sheet.report.events[0].parameter, nu, 1e-14);
 }
 
+/// J1 = J2, a range that ends a hair before a tilt: which sign the inertias' difference has there is not certain,
+/// and the negative direction that comes and goes with it is no event by itself.
+TEST(FollowToATilt, AtTheEndOfARangeNothingIsUnexplained) {
+  const Problem problem(Body(1.07785, 1.07785, 2.72593),
+                        testing::make_potential("neo-hookean", {0.32088, 0.0809022},
+                                                "reciprocal-quadratic", {0.424724, 3.01068}),
+                        Branch::ii);
+  const AnyFamily family = axis_family(
+      problem, {.nu = 0.5146, .parameter = {FamilyParameter::Kind::plane, 0}, .spectrum = true});
+  const auto followed_to = [&](double end) {
+    return followed(family, solve(problem, 0.5146).q, 0.32088, range(0.064176, end, 1e-6));
+  };
+  EXPECT_TRUE(followed_to(0.3375128519882887).report.events.empty());
+  const Followed on = followed_to(0.36);
+  ASSERT_EQ(on.report.events.size(), 1U) << on.text();
+  EXPECT_EQ(on.report.events[0].type, EventType::tilt);
+  EXPECT_NEAR(on.report.events[0].parameter, 0.3375128519882887, 1e-12);
+}
+
 }  // namespace
 }  // namespace stationary
