@@ -319,7 +319,7 @@ TEST(TwoPolarCase, ARowWithoutSpectrumHasNoneOfAnother) {
 /// A circle at given momenta, next to the fold of (iii) in its rounded spin. True: 60 digits.
 TEST(TwoPolarCase, ModesOfACircleNextToAFoldAreThoseOfItsMomenta) {
   const TemporaryDirectory directory;
-  auto row = two_polar_row({directory.file("x.toml", R"([body]
+  auto row = two_polar_row({directory.file("x.toml", R"toml([body]
 J = [1.0, 1.0, 1.0]
 [gravity]
 g = 4.0
@@ -329,7 +329,7 @@ coupled = { expression = "K/(d*rho)", K = 1.3333333333333333 }
 branch = "two-polar"
 s3 = 1.8271045
 p_theta = 1.8271045
-)")});
+)toml")});
   const double im[] = {0.027861566866948493, 0.22068694103783254, 0.91420350184049373,
                        0.97228212385837681, 1.3237668366641416};
   for (int k = 0; k < 5; ++k)

@@ -111,7 +111,6 @@ TEST_F(InterruptedMap, OnAFullDiskItKeepsWhatFits) {
   EXPECT_GT(run_of("x")["tiles"]["kept"].get<int>(), 0);
 }
 
-/// Of the cells that there are, and what --resume makes of it.
 TEST_F(InterruptedMap, AFileThatIsNoJournalStays) {
   directory_.file("x.csv.journal", "hello\n");
   const Outcome refused = map(out_);
@@ -123,6 +122,7 @@ TEST_F(InterruptedMap, AFileThatIsNoJournalStays) {
   EXPECT_EQ(map(out_).code, 0);
 }
 
+/// Of the cells that there are, and what --resume makes of it.
 TEST_F(InterruptedMap, ItPrintsItsSummary) {
   RunOptions interrupted;
   interrupted.pending_signal = SIGINT;
