@@ -383,33 +383,44 @@ TEST(Map, CornersOfTheDomainInWhicheverOrder) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
+/// Once its table is begun, or before its first cell.
+void expect_an_interrupted_map(const char* name, const RunOptions& how) {
+  const TemporaryDirectory directory;
+  const std::string target = directory / name;
+  auto arguments = map_command({"map.x.count=3000", "map.y.count=2000"});
+  arguments.insert(arguments.end(), {"-o", target, "--threads", "1"});
+  RunOptions options = how;
+  if (options.pending_signal == 0) options.interrupt_once_written = target;
+  const Outcome outcome = run_program(arguments, options);
+  SCOPED_TRACE(outcome.err);
+  EXPECT_EQ(outcome.code, 130);
+  const std::string stem = std::string(name).substr(0, 1);
+  EXPECT_THAT(directory.names(),
+              ElementsAre(name, std::string(name) + ".journal", stem + ".meta.json"));
+  const auto metadata = nlohmann::json::parse(text_of(directory / "m.meta.json"));
+  EXPECT_EQ(metadata.at("status"), "interrupted");
+  const auto rows = metadata.at("rows").get<std::size_t>();
+  EXPECT_LT(rows, options.pending_signal != 0 ? 1U : 6000000U);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("interrupted after " + std::to_string(rows) + " of 6000000 cells" +
+                        (rows > 0 ? ", which are written" : "; --resume begins anew")));
+  const std::vector<std::string> wanted{"point"};
+  TableReader table = is_column_file(target)
+                          ? TableReader(column_file_table(target, wanted), target)
+                          : TableReader(target);
+  std::size_t read = 0;
+  while (table.next()) ++read;
+  EXPECT_EQ(read, rows);
+}
+
 TEST(Map, InterruptedWritesWhatIsComplete) {
   for (const char* name : {"m.csv", "m.h5"}) {
     if (!has_hdf5 && name[2] == 'h') continue;
-    const TemporaryDirectory directory;
-    const std::string target = directory / name;
-    auto arguments = map_command({"map.x.count=3000", "map.y.count=2000"});
-    arguments.insert(arguments.end(), {"-o", target, "--threads", "1"});
-    const Outcome outcome = run_program(arguments, {.interrupt_once_written = target});
-    EXPECT_EQ(outcome.code, 130);
-    const std::string stem = std::string(name).substr(0, 1);
-    EXPECT_THAT(directory.names(),
-                ElementsAre(name, std::string(name) + ".journal", stem + ".meta.json"));
-    const auto metadata = nlohmann::json::parse(text_of(directory / "m.meta.json"));
-    EXPECT_EQ(metadata.at("status"), "interrupted");
-    const auto rows = metadata.at("rows").get<std::size_t>();
-    EXPECT_LT(rows, 6000000U);
-    // Before the first tile or after.
-    EXPECT_THAT(outcome.err,
-                HasSubstr("interrupted after " + std::to_string(rows) + " of 6000000 cells" +
-                          (rows > 0 ? ", which are written" : "; --resume begins anew")));
-    const std::vector<std::string> wanted{"point"};
-    TableReader table = is_column_file(target)
-                            ? TableReader(column_file_table(target, wanted), target)
-                            : TableReader(target);
-    std::size_t read = 0;
-    while (table.next()) ++read;
-    EXPECT_EQ(read, rows);
+    SCOPED_TRACE(name);
+    expect_an_interrupted_map(name, {});
+    RunOptions at_once;
+    at_once.pending_signal = SIGINT;
+    expect_an_interrupted_map(name, at_once);
   }
 }
 
