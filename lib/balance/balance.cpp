@@ -9,6 +9,23 @@ namespace stationary {
 
 STATIONARY_ORIENTED_BALANCES(template)
 
+namespace {
+
+/// F relative to the largest term in it, gradient V_i, hessian V_ij, force C q and cancels.
+template <int N>
+double relative_residual(const Eigen::Vector<double, N>& F,
+                         const Eigen::Vector<double, N>& gradient,
+                         const Eigen::Matrix<double, N, N>& hessian,
+                         const Eigen::Vector<double, N>& force, const Eigen::Vector<double, N>& q,
+                         double cancels) {
+  const double largest = std::max({gradient.cwiseAbs().maxCoeff(), force.cwiseAbs().maxCoeff(),
+                                   (hessian * q.asDiagonal()).cwiseAbs().maxCoeff(), cancels});
+  const double worst = F.cwiseAbs().maxCoeff();
+  return F.allFinite() ? (worst == 0.0 ? 0.0 : worst / largest) : poison<double>();
+}
+
+}  // namespace
+
 BalanceCheck check_balance(const Body& body, const Potential& potential, const Stretch& q,
                            const Vector3<double>& nu) {
   const bool held = potential.holds_volume();
@@ -39,11 +56,7 @@ BalanceCheck check_balance(const Body& body, const PotentialDerivatives<double>&
     F += share * Vector4<double>(-2.0 * q.alpha, q.zeta, q.xi, 0.0);
     F[3] = 0.0;
   }
-  const double largest =
-      std::max({v.gradient.cwiseAbs().maxCoeff(), force.cwiseAbs().maxCoeff(),
-                (v.hessian * q.vector().asDiagonal()).cwiseAbs().maxCoeff(), cancels});
-  const double worst = F.cwiseAbs().maxCoeff();
-  out.residual = F.allFinite() ? (worst == 0.0 ? 0.0 : worst / largest) : poison<double>();
+  out.residual = relative_residual<4>(F, v.gradient, v.hessian, force, q.vector(), cancels);
 
   const Vector3<double> K = compatibility_residual(body, q, nu);
   const Vector3<double> pi = locked_inertia(body, q) * nu;
@@ -55,6 +68,16 @@ BalanceCheck check_balance(const Body& body, const PotentialDerivatives<double>&
   const double worst_k = K.cwiseAbs().maxCoeff();
   out.compatibility = worst_k == 0.0 ? 0.0 : worst_k / largest_product;
   return out;
+}
+
+BalanceCheck check_straight_balance(const CentrifugalRates<double>& c,
+                                    const PotentialDerivatives<double>& v, const Stretch& q) {
+  const Vector3<double> x(q.xi, q.zeta, q.rho);
+  const Vector3<double> gradient = v.gradient.tail<3>();
+  const Vector3<double> force(c.xi * q.xi, c.zeta * q.zeta, c.rho * q.rho);
+  return {.residual = relative_residual<3>(gradient - force, gradient,
+                                           v.hessian.bottomRightCorner<3, 3>(), force, x, 0.0),
+          .compatibility = 0.0};
 }
 
 double pressure(const Body& body, const Potential& potential, const Stretch& q,

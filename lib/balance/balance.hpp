@@ -128,6 +128,11 @@ BalanceCheck check_balance(const Body& body, const PotentialDerivatives<double>&
                            const Stretch& q, const Vector3<double>& nu, bool volume_held = false,
                            double cancels = 0.0);
 
+/// Of an isotropic V at alpha = 0 and a spin about one axis, where F_alpha and K are zero. v: without
+/// the derivatives in alpha; c: the rates of C(nu).
+BalanceCheck check_straight_balance(const CentrifugalRates<double>& c,
+                                    const PotentialDerivatives<double>& v, const Stretch& q);
+
 /// The multiplier P of a held volume, grad V - P grad(d rho) = C(nu) q, at alpha = 0 and the spin
 /// nu: positive where it pushes outward. Not a pressure of the material: V + f(d rho) shifts it by
 /// f'. NaN where no volume is held.

@@ -26,15 +26,27 @@ TwoPolarMomenta<S> two_polar_momenta(double J, const Vector3<S>& x, const S& ome
   return {J * (squares * omega + product * theta_dot), J * (squares * theta_dot + product * omega)};
 }
 
+/// What the rates pull with: own lambda + product mu at lambda.
+template <class S>
+struct TwoPolarPullRates {
+  S own;
+  S product;
+};
+
+template <class Mass, class S>
+TwoPolarPullRates<S> two_polar_pull_rates(const Mass& J, const TwoPolarRates<S>& rates) {
+  return {J * (rates.omega * rates.omega + rates.theta_dot * rates.theta_dot),
+          2.0 * J * (rates.omega * rates.theta_dot)};
+}
+
 /// grad V minus the force of the rates (3 equations). x > 0, any omega, theta'.
 template <class Model, class S>
 Vector3<S> two_polar_residual(double J, const Model& model, const Vector3<S>& x, const S& omega,
                               const S& theta_dot) {
   const auto v = potential_derivatives<1>(model, BasicStretch<S>{S(0.0), x[0], x[1], x[2]});
-  const S squares = J * (omega * omega + theta_dot * theta_dot);
-  const S mixed = 2.0 * J * (omega * theta_dot);
-  return {v.gradient[1] - squares * x[0] - mixed * x[1],
-          v.gradient[2] - squares * x[1] - mixed * x[0], v.gradient[3]};
+  const auto pull = two_polar_pull_rates(J, TwoPolarRates<S>{omega, theta_dot});
+  return {v.gradient[1] - pull.own * x[0] - pull.product * x[1],
+          v.gradient[2] - pull.own * x[1] - pull.product * x[0], v.gradient[3]};
 }
 
 /// Jacobian of two_polar_residual in x at fixed rates, symmetric 3x3.
@@ -43,12 +55,11 @@ Matrix3<S> two_polar_jacobian(double J, const Model& model, const Vector3<S>& x,
                               const S& theta_dot) {
   const auto v = potential_derivatives<2>(model, BasicStretch<S>{S(0.0), x[0], x[1], x[2]});
   Matrix3<S> out = v.hessian.template bottomRightCorner<3, 3>();
-  const S squares = J * (omega * omega + theta_dot * theta_dot);
-  const S mixed = 2.0 * J * (omega * theta_dot);
-  out(0, 0) -= squares;
-  out(1, 1) -= squares;
-  out(0, 1) -= mixed;
-  out(1, 0) -= mixed;
+  const auto pull = two_polar_pull_rates(J, TwoPolarRates<S>{omega, theta_dot});
+  out(0, 0) -= pull.own;
+  out(1, 1) -= pull.own;
+  out(0, 1) -= pull.product;
+  out(1, 0) -= pull.product;
   return out;
 }
 
@@ -96,19 +107,6 @@ struct TwoPolarPull {
   S lm;
   S mm;
 };
-
-/// What the rates pull with: own lambda^2 + product lambda mu at lambda.
-template <class S>
-struct TwoPolarPullRates {
-  S own;
-  S product;
-};
-
-template <class Mass, class S>
-TwoPolarPullRates<S> two_polar_pull_rates(const Mass& J, const TwoPolarRates<S>& rates) {
-  return {J * (rates.omega * rates.omega + rates.theta_dot * rates.theta_dot),
-          2.0 * J * (rates.omega * rates.theta_dot)};
-}
 
 /// At fixed rates.
 template <class Mass, class S>

@@ -47,7 +47,7 @@ constexpr std::string_view two_polar_name = "two-polar";
 
 /// The planes a tilted axis can lie in.
 enum class TiltPlane { one_three, two_three };
-/// The last: all three, that is in no plane.
+/// Their names, and last of a tilted axis in none of them (SpatialRotation).
 constexpr std::string_view tilt_plane_names[] = {"13", "23", "123"};
 constexpr std::string_view spatial_plane_name = tilt_plane_names[2];
 constexpr std::string_view name(TiltPlane plane) {

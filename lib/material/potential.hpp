@@ -29,10 +29,10 @@
 
 namespace stationary {
 
-/// In q, by in_stretch(); order 0, 1, 2 as in evaluate().
-template <int order, class Model, class S>
+/// In q, by in_stretch(); order 0, 1, 2 as in evaluate(). first = 1: without those in alpha.
+template <int order, int first = 0, class Model, class S>
 auto potential_derivatives(const Model& model, const BasicStretch<S>& q) {
-  return in_stretch<order>(model.template evaluate<order>(planar_invariants(q), q.rho), q);
+  return in_stretch<order, first>(model.template evaluate<order>(planar_invariants(q), q.rho), q);
 }
 template <int order, class C, class S>
 auto potential_derivatives(const BodyModel<C>& model, const BasicStretch<S>& q) {

@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "solver/program/case/case_toml.hpp"
-#include "solver/program/case/toml_depth.hpp"
 #include "solver/program/text/input_error.hpp"
+#include "solver/program/text/toml_depth.hpp"
 
 namespace stationary::python {
 namespace py = pybind11;

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -107,7 +108,8 @@ class EventSearch {
         compare_ends(k);
       } else if (k == TestValues::fold && curve().family().along_nu()) {
         fold_dip();
-      } else if (k == TestValues::collision && pairs_changed_sides(from().tests, to().tests)) {
+      } else if (k == TestValues::collision && (pairs_changed_sides(from().tests, to().tests) ||
+                                                from().tests.zeros != to().tests.zeros)) {
         search_dips(k);
       } else if (earlier != nullptr) {
         dip(k, earlier->value[k], earlier_length);
@@ -152,8 +154,15 @@ class EventSearch {
       // Beyond the step it is the next one's.
       if (locate(k, *left, *right)) next_.set(k, -before, to().member.parameter);
     } else if (last == -before) {
-      add_unresolved(event_type(k, curve().context(), to().tests), known_.since[k]);
+      add_unresolved(unlocated(k, to().tests), known_.since[k]);
     }
+  }
+
+  /// The type of a zero of function k somewhere in the step; at: the nearest point known.
+  EventType unlocated(std::size_t k, const TestValues& at) const {
+    const auto met = k == TestValues::collision ? met_between(from().tests, to().tests)
+                                                : std::optional<EventType>();
+    return met ? *met : event_type(k, curve().context(), at);
   }
 
   void add_unresolved(EventType type, ParameterRange since) {
@@ -206,7 +215,7 @@ class EventSearch {
         resolved / arc().length) {
       add(k, low, high);
     } else {
-      add_unresolved(event_type(k, curve().context(), to().tests), known_.since[k]);
+      add_unresolved(unlocated(k, to().tests), known_.since[k]);
     }
     return true;
   }
@@ -248,7 +257,7 @@ class EventSearch {
       return;
     }
     // Known to be there, and no more.
-    const EventType type = event_type(k, curve().context(), from().tests);
+    const EventType type = unlocated(k, from().tests);
     if (type == EventType::none) return;
     const auto [before, after] = points_.around(0.0, 1.0);
     found_.push_back(
@@ -261,7 +270,7 @@ class EventSearch {
     const double b = to().tests.value[k];
     if (std::isnan(earlier) || (earlier < 0.0) != (a < 0.0)) return;
     const double l = earlier_length / arc().length;
-    if (may_touch_zero(parabola_through(l, earlier, a, b))) search_dip(k, a, b);
+    if (may_touch_zero(parabola_through(l, earlier, a, b))) search_dip(k, {0.0, a}, {1.0, b});
   }
 
   /// Two turns of the parameter inside the step? Its slopes at both ends and what it gained.
@@ -270,30 +279,43 @@ class EventSearch {
     const double b = arc().length * arc().to[N];
     if (!may_touch_zero(slope_of_cubic(a, b, arc().chord[N]))) return;
     constexpr std::size_t k = TestValues::fold;
-    search_dip(k, from().tests.value[k], to().tests.value[k]);
+    search_dip(k, {0.0, from().tests.value[k]}, {1.0, to().tests.value[k]});
   }
 
-  /// Where the step is looked at in between.
+  /// Where the step is looked at in between: where a family ends or begins its modes change fastest.
   void search_dips(std::size_t k) {
-    constexpr int parts = 32;
-    Sample last{0.0, from().tests.value[k]};
-    for (int part = 1; part <= parts; ++part) {
-      Sample next{double(part) / parts, to().tests.value[k]};
-      if (part < parts) next.value = points_.value(k, next.u, last.value);
-      if ((next.value < 0.0) != (last.value < 0.0)) locate(k, last, next);
-      last = next;
+    constexpr std::size_t parts = 32;
+    std::array<Sample, parts + 1> at;
+    at[0] = {0.0, from().tests.value[k]};
+    at[parts] = {1.0, to().tests.value[k]};
+    for (std::size_t part = 1; part < parts; ++part) {
+      const double u = double(part) / double(parts);
+      at[part] = {u, points_.value(k, u, at[part - 1].value)};
+    }
+    const auto size = [&](std::size_t part) { return std::abs(at[part].value); };
+    const auto changes = [&](std::size_t part) {
+      return (at[part].value < 0.0) != (at[part + 1].value < 0.0);
+    };
+    for (std::size_t part = 0; part < parts; ++part) {
+      if (changes(part)) {
+        locate(k, at[part], at[part + 1]);
+      } else if (part > 0 && !changes(part - 1) && size(part) < size(part - 1) &&
+                 size(part) <= size(part + 1)) {
+        search_dip(k, at[part - 1], at[part + 1]);
+      }
     }
   }
 
-  void search_dip(std::size_t k, double a, double b) {
-    const double sign = a < 0.0 ? -1.0 : 1.0;
+  void search_dip(std::size_t k, Sample first, Sample last) {
+    const double sign = first.value < 0.0 ? -1.0 : 1.0;
     std::uintmax_t evaluations = 25;
     const auto [u, f] = boost::math::tools::brent_find_minima(
-        [&](double s) { return sign * points_.value(k, s, a); }, 0.0, 1.0, 20, evaluations);
+        [&](double s) { return sign * points_.value(k, s, first.value); }, first.u, last.u, 20,
+        evaluations);
     CurvePoint<N> lowest;
     if (!(f < 0.0) || !points_.evaluate(u, lowest) || lowest.tests.sign(k) == 0) return;
-    locate(k, {0.0, a}, {u, sign * f});
-    locate(k, {u, sign * f}, {1.0, b});
+    locate(k, first, {u, sign * f});
+    locate(k, {u, sign * f}, last);
   }
 
   /// Crossings of different blocks: over stretches of the step where each block keeps its numbers

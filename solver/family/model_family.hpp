@@ -277,13 +277,22 @@ class ModelFamily final : public Family<N> {
     return out;
   }
 
+  BalanceCheck checked(const Setting& at, const Stretch& q, const Vector3<double>& nu) const {
+    if constexpr (is_body_model<Model>) {
+      return check_balance(at.body, potential_derivatives<2>(at.model, q), q, nu,
+                           holds_volume(at.model));
+    } else {
+      return check_straight_balance(axis_rates(at.body, branch_, at.nu * at.nu),
+                                    potential_derivatives<2, 1>(at.model, q), q);
+    }
+  }
+
   /// Of V at the member's q, as far as it is asked for.
   void add_elastic(const Setting& at, Member& out) const {
     const Vector3<double>& nu = out.angular_velocity;
     if (options_.errors) {
       ++this->evaluations_.second_derivatives;
-      const auto v = potential_derivatives<2>(at.model, out.q);
-      const BalanceCheck check = check_balance(at.body, v, out.q, nu, holds_volume(at.model));
+      const BalanceCheck check = checked(at, out.q, nu);
       out.residual = check.residual;
       out.compatibility = check.compatibility;
     }

@@ -16,7 +16,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 struct BlockModes {
   std::array<const Mode*, 5> real;
   std::size_t count = 0;
-  std::size_t negative = 0;  ///< of the real ones
+  std::size_t negative = 0;  ///< of the real ones, for certain
+  std::size_t zeros = 0;     ///< of the real ones, those that may be 0
   std::array<const Mode*, 4> complex;
   std::size_t complex_count = 0;
 };
@@ -31,7 +32,8 @@ std::array<BlockModes, 4> by_block(const Spectrum& spectrum) {
       block.complex[block.complex_count++] = &mode;
       continue;
     }
-    block.negative += mode.lambda_re < 0.0;
+    block.negative += mode.lambda_re < -mode.lambda_error;
+    block.zeros += std::abs(mode.lambda_re) <= mode.lambda_error;
     std::size_t place = block.count++;
     for (; place > 0 && mode.lambda_re < block.real[place - 1]->lambda_re; --place)
       block.real[place] = block.real[place - 1];
@@ -83,6 +85,7 @@ void set_crossings(const std::array<BlockModes, 4>& blocks, TestValues& out) {
   for (std::size_t a = 0; a < blocks.size(); ++a) {
     out.composition[a] = {static_cast<std::uint8_t>(blocks[a].count),
                           static_cast<std::uint8_t>(blocks[a].negative)};
+    out.zeros[a] = static_cast<std::uint8_t>(blocks[a].zeros);
     for (std::size_t b = a + 1; b < blocks.size(); ++b) {
       for (std::size_t i = 0; i < blocks[a].count; ++i) {
         for (std::size_t j = 0; j < blocks[b].count && k < TestValues::count; ++j, ++k) {

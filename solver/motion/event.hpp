@@ -168,6 +168,8 @@ struct TestValues {
   /// Of each block how many Lambda are real, and how many of these negative: crossings compare only
   /// where these are equal.
   std::array<std::array<std::uint8_t, 2>, 4> composition{};
+  /// Of each block how many of the real ones may be 0, and count as not negative: where a family ends, one.
+  std::array<std::uint8_t, 4> zeros{};
   bool collides_imaginary = false;  ///< the pair of `collision` has Lambda < 0
   /// Bit k: the errors of the point leave the sign of value k open.
   std::uint32_t uncertain = 0;

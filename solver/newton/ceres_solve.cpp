@@ -41,10 +41,16 @@ std::string version_of_ceres() { return CERES_VERSION_STRING; }
 template <class System>
 CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>& x, int threads) {
   constexpr int N = System::dimension;
+  CeresOutcome out;
+  // Of a start without numbers Ceres tells the standard error, whatever its logging type.
+  const Linearized<N> start = system.linearize(x);
+  const double inverse_scale = 1.0 / start.magnitude;
+  if (!(inverse_scale * start.g).allFinite() ||
+      !(inverse_scale * start.jacobian.matrix()).allFinite())
+    return out;
   Eigen::Matrix<double, N, 1> log_x = logarithms(x.array());
   ceres::Problem problem;
-  problem.AddResidualBlock(new Residual<System>(system, system.linearize(x).magnitude), nullptr,
-                           log_x.data());
+  problem.AddResidualBlock(new Residual<System>(system, start.magnitude), nullptr, log_x.data());
   ceres::Solver::Options options;
   options.minimizer_type = ceres::TRUST_REGION;
   options.trust_region_strategy_type = ceres::LEVENBERG_MARQUARDT;
@@ -60,7 +66,6 @@ CeresOutcome ceres_solve(const System& system, ReducedVector<System::dimension>&
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
 
-  CeresOutcome out;
   out.iterations = static_cast<int>(summary.iterations.size());
   out.residuals = summary.num_residual_evaluations;
   out.jacobians = summary.num_jacobian_evaluations;

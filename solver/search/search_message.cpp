@@ -24,10 +24,7 @@ std::string unproven_text(std::size_t unproven) {
   return "; " + std::to_string(unproven) + " found by Newton's method there, not proven";
 }
 
-std::string search_message(const SearchOptions& options, SearchStatus status, std::size_t proven,
-                           const std::vector<StretchBox>& undecided, std::string_view may_be,
-                           const std::array<std::string_view, 3>& names) {
-  if (status == SearchStatus::interrupted) return "interrupted";
+std::string range_text(const SearchOptions& options, const std::array<std::string_view, 3>& names) {
   std::ostringstream text;
   text.precision(10);
   const std::array ranges{options.range(0), options.range(1), options.range(2)};
@@ -37,7 +34,16 @@ std::string search_message(const SearchOptions& options, SearchStatus status, st
   for (std::size_t k = 0; k < (alike ? 1 : ranges.size()); ++k)
     text << (k > 0 ? ", " : "") << (alike ? "stretches" : names[k]) << " in [" << ranges[k].lo
          << ", " << ranges[k].hi << "]";
-  text << ": ";
+  return text.str();
+}
+
+std::string search_message(const SearchOptions& options, SearchStatus status, std::size_t proven,
+                           const std::vector<StretchBox>& undecided, std::string_view may_be,
+                           const std::array<std::string_view, 3>& names) {
+  if (status == SearchStatus::interrupted) return "interrupted";
+  std::ostringstream text;
+  text.precision(10);
+  text << range_text(options, names) << ": ";
   if (undecided.empty()) {
     text << (proven == 0 ? "proven that there is none" : "proven to be all");
     return text.str();

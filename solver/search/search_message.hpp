@@ -18,8 +18,11 @@ std::string found_by_search(bool proven);
 /// "; 2 more found by Newton's method there, not proven", or nothing.
 std::string unproven_text(std::size_t unproven);
 
-/// "stretches in [0.001, 1000]: proven to be all" (where they differ, each range by itself), or what is not decided, where, and what that may
-/// be; names: of the stretches.
+/// "stretches in [0.001, 1000]"; where they differ, each range by itself. names: of the stretches.
+std::string range_text(const SearchOptions& options,
+                       const std::array<std::string_view, 3>& names = {"xi", "zeta", "rho"});
+
+/// "stretches in [0.001, 1000]: proven to be all", or what is not decided, where, and what that may be.
 std::string search_message(const SearchOptions& options, SearchStatus status, std::size_t proven,
                            const std::vector<StretchBox>& undecided,
                            std::string_view may_be =

@@ -176,6 +176,10 @@ class ReducedSolve {
   std::string story(const WalkResult<N>& walked) const {
     std::ostringstream text;
     text.precision(6);
+    if (!(walked.largest_tau > 0.0)) {
+      text << "The walk from the rest state makes no step towards |nu| = " << std::abs(nu_) << ". ";
+      return text.str();
+    }
     const double nu_reached = std::abs(nu_) * std::sqrt(walked.largest_tau);
     text << "The sheet of the rest state does not reach |nu| = " << std::abs(nu_)
          << ": it goes up to " << nu_reached;

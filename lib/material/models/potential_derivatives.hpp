@@ -18,8 +18,9 @@ struct PotentialDerivatives {
   Matrix4<S> hessian;
 };
 
-/// The chain rule above. order 0, 1, 2 as in evaluate(); what was not asked for is NaN.
-template <int order, class R, class S>
+/// The chain rule above. order 0, 1, 2 as in evaluate(); what was not asked for is NaN. first = 1: without
+/// the derivatives in alpha.
+template <int order, int first = 0, class R, class S>
 PotentialDerivatives<R> in_stretch(const CoupledDerivatives<R>& w, const BasicStretch<S>& q) {
   PotentialDerivatives<R> out{w.plane.w, Vector4<R>::Constant(poison<R>()),
                               Matrix4<R>::Constant(poison<R>())};
@@ -28,14 +29,14 @@ PotentialDerivatives<R> in_stretch(const CoupledDerivatives<R>& w, const BasicSt
     const S inverse_rho = S(1.0) / q.rho;
     const S l[3] = {-2.0 * q.alpha * inverse_d, q.zeta * inverse_d, q.xi * inverse_d};
     const R w_l = w.plane.w_l;
-    out.gradient[0] = w_l * l[0];
+    if constexpr (first == 0) out.gradient[0] = w_l * l[0];
     out.gradient[1] = w.plane.w_t + w_l * l[1];
     out.gradient[2] = w.plane.w_t + w_l * l[2];
     out.gradient[3] = w.w_r * inverse_rho;
     if constexpr (order >= 2) {
       const R curvature = w.plane.w_ll - w_l;
       auto& H = out.hessian;
-      for (int i = 0; i < 3; ++i) {
+      for (int i = first; i < 3; ++i) {
         for (int j = i; j < 3; ++j) {
           R h = curvature * (l[i] * l[j]);
           if (i > 0) h += w.plane.w_tl * l[j];
@@ -47,11 +48,11 @@ PotentialDerivatives<R> in_stretch(const CoupledDerivatives<R>& w, const BasicSt
         if (i > 0) h += w.w_tr;
         H(i, 3) = h * inverse_rho;
       }
-      H(0, 0) += -2.0 * w_l * inverse_d;
+      if constexpr (first == 0) H(0, 0) += -2.0 * w_l * inverse_d;
       H(1, 2) += w_l * inverse_d;
       H(3, 3) = (w.w_rr - w.w_r) * (inverse_rho * inverse_rho);
-      for (int i = 1; i < 4; ++i)
-        for (int j = 0; j < i; ++j) H(i, j) = H(j, i);
+      for (int i = first + 1; i < 4; ++i)
+        for (int j = first; j < i; ++j) H(i, j) = H(j, i);
     }
   }
   return out;

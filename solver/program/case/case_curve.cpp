@@ -9,6 +9,7 @@
 
 #include "solver/program/case/case_parameter.hpp"
 #include "solver/program/case/case_schema.hpp"
+#include "solver/program/text/named.hpp"
 
 namespace stationary {
 namespace {
@@ -18,7 +19,8 @@ std::string element(std::string_view key, int k) { return fmt::format("curve.{}.
 void read_parameters(const CaseTree& tree, const FamilyParameters& family, CaseCurve& out) {
   const toml::array& named = *find(tree, "curve.parameters")->as_array();
   if (named.size() != 2) {
-    throw fault_at(tree, "curve.parameters", fmt::format("found {} names", named.size()),
+    throw fault_at(tree, "curve.parameters",
+                   fmt::format("found {} name{}", named.size(), named.size() == 1 ? "" : "s"),
                    std::string(find_case_key("curve.parameters")->allowed));
   }
   const std::vector<std::string> valid = case_parameters(family.motion, family.models);
@@ -70,11 +72,9 @@ std::optional<CaseCurve> read_curve(const CaseTree& tree, const FamilyParameters
   const auto has = [&](std::string_view key) {
     return find(tree, key) != nullptr && faults.sound(key);
   };
-  if (has("curve.event")) {
-    const auto* const named =
-        std::ranges::find(event_names, value_or<std::string>(tree, "curve.event", ""));
-    out.event = static_cast<EventType>(named - std::begin(event_names));
-  }
+  if (has("curve.event"))
+    out.event =
+        named<EventType>(event_names, value_or<std::string>(tree, "curve.event", "")).value();
   if (has("curve.from") && has("curve.to")) {
     const std::vector<double> from = numbers(tree, "curve.from");
     const std::vector<double> to = numbers(tree, "curve.to");

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "solver/program/case/case_toml.hpp"
-#include "solver/program/case/toml_depth.hpp"
 #include "solver/program/text/ascii.hpp"
+#include "solver/program/text/toml_depth.hpp"
 #include "solver/program/text/utf8.hpp"
 
 namespace stationary {

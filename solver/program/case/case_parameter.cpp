@@ -99,12 +99,12 @@ std::optional<OutOfScale> out_of_scale(const FamilyParameters& family) {
     for (std::size_t k = 0; k < model.coefficients.size(); ++k) {
       const std::string& name = model.description.parameters[k];
       if (name == "degrees") {
-        // Beyond, a double hardly tells one direction from another.
         constexpr double most_degrees = 1e6;
         if (std::abs(model.coefficients[k]) > most_degrees)
           return OutOfScale{coefficient_key(model, name),
                             fmt::format("found {}", model.coefficients[k]),
-                            fmt::format("from {:g} to {:g}", -most_degrees, most_degrees)};
+                            fmt::format("numbers from {:g} to {:g}", -most_degrees, most_degrees),
+                            "beyond, a number hardly tells one direction from another"};
         continue;
       }
       if (!within(model.coefficients[k], most))
@@ -151,12 +151,14 @@ std::string read_parameter_name(const CaseTree& tree, const std::string& key, st
   const auto named = [&](std::string_view part) {
     // The dotted key of the same number.
     const std::string_view name = part == "motion.nu" ? "nu" : part;
+    const bool absent = (part == "gravity.g" || part == "body.volume") && !find(tree, part);
     if (std::ranges::find(names, name) == names.end())
       throw fault_at(tree, key, "found the string " + in_quotes(found),
                      names.size() > 1
                          ? "one of " + listed(names) + ", or a ratio \"a/b\" of two of them"
                          : "one of " + listed(names),
-                     did_you_mean(nearest_name(part, names)));
+                     absent ? "the case has no " + std::string(part) + " to begin with"
+                            : did_you_mean(nearest_name(part, names)));
     return std::string(name);
   };
   const bool ratio = found.find('/') != std::string::npos;
@@ -211,7 +213,7 @@ FamilyParameters with_parameters(FamilyParameters family, std::span<const Parame
   family.body = Body(family.body.J1, family.body.J2, family.body.J3);  // its domain
   make_potential(family.models, family.body);
   if (const auto fault = out_of_scale(family))
-    throw std::invalid_argument(fault->allowed + " (" + OutOfScale::hint + ")");
+    throw std::invalid_argument(fault->allowed + " (" + fault->hint + ")");
   return family;
 }
 

@@ -41,7 +41,7 @@ struct OutOfScale {
   std::string key;
   std::string found;
   std::string allowed;
-  static constexpr const char* hint = "choose units in which J and V are of order one";
+  std::string hint = "choose units in which J and V are of order one";
 };
 std::optional<OutOfScale> out_of_scale(const FamilyParameters& family);
 

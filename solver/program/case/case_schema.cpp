@@ -66,13 +66,15 @@ constexpr CaseKey keys[] = {
     {"solve.method", text, false, "", 0, method_names},
     {"solve.all", boolean, false, a_boolean},
     {"solve.box", ranges, false,
-     "two numbers, box = [min, max], or three such pairs, of xi, zeta and rho", 3},
+     "two numbers, box = [min, max], or three such pairs, of xi, zeta and rho (of a two-polar "
+     "motion lambda, mu and rho)",
+     3},
     {"continuation", table, false, "a table with from and to"},
     {"continuation.parameter", text, false, "\"nu\" or the dotted key of a number of the case"},
     {"continuation.from", number, true, a_number},
     {"continuation.to", number, true, a_number},
     {"continuation.tolerance", number, false, "a number > 0 and <= 1"},
-    {"continuation.step", number, false, "a number > 0 and <= 0.5"},
+    {"continuation.step", number, false, "a number from 1e-12 to 0.5"},
     {"continuation.max_points", number, false, "a whole number >= 2"},
     {"continuation.events", texts, false, "an array of names of events"},
     {"continuation.start_row", text, false, "TABLE:N, TABLE:EVENT or TABLE:EVENT:K"},
@@ -134,9 +136,9 @@ std::string place_of(std::string_view prefix) {
                                  const std::vector<std::string_view>& allowed) {
   std::string remedy = did_you_mean(nearest_name(name, allowed));
   if (remedy.empty()) {
-    // The right key in the wrong table.
+    // The right key in the wrong table; of several the first.
     for (const CaseKey& key : keys)
-      if (last_name(key.path) == name && parent(key.path) != prefix)
+      if (remedy.empty() && last_name(key.path) == name && parent(key.path) != prefix)
         remedy = did_you_mean(std::optional(key.path));
   }
   const std::string path = dotted(prefix, name);
@@ -271,12 +273,23 @@ void require_model(const CaseTree& tree, const std::string& path, const toml::ta
   require_coefficients(tree, path, table, *description, {"model"}, faults);
 }
 
+/// How to write a choice that was read as a number: 13 for "13".
+std::string quoted_choice(const CaseTree& tree, const CaseKey& key, const toml::node& node) {
+  const auto number = node.value<long>();
+  if (!number || std::ranges::find(key.choices, std::to_string(*number)) == key.choices.end())
+    return {};
+  if (tree.overrides().contains(std::string(key.path)))
+    return fmt::format("in quotes: --set '{}=\"{}\"'", key.path, *number);
+  return fmt::format("in quotes: {} = \"{}\"", last_name(key.path), *number);
+}
+
 void require_type(const CaseTree& tree, const CaseKey& key, const toml::node& node) {
   const auto require = [&](bool right) {
     if (right) return;
-    const std::string allowed =
-        key.choices.empty() ? std::string(key.allowed) : "one of " + listed(key.choices);
-    throw fault_at(tree, key.path, "found " + describe(node), allowed);
+    if (key.choices.empty())
+      throw fault_at(tree, key.path, "found " + describe(node), std::string(key.allowed));
+    throw fault_at(tree, key.path, "found " + describe(node), "one of " + listed(key.choices),
+                   quoted_choice(tree, key, node));
   };
   switch (key.type) {
     case table:
@@ -305,7 +318,7 @@ void require_type(const CaseTree& tree, const CaseKey& key, const toml::node& no
       for (const auto& [name, value] : *node.as_table())
         if (!finite_number(value) || !(*value.value<double>() > 0.0))
           throw fault_at(tree, key.path, "found " + in_quotes(name.str()) + " = " + describe(value),
-                         std::string(key.allowed));
+                         "standard uncertainties, numbers > 0");
       break;
     case texts: {
       require(node.is_array());

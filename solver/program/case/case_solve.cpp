@@ -9,6 +9,7 @@
 
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_schema.hpp"
+#include "solver/program/text/named.hpp"
 
 namespace stationary {
 namespace {
@@ -101,8 +102,7 @@ Case::Solve read_solve(const CaseTree& tree, const std::optional<Motion>& motion
   Case::Solve out;
   if (faults.sound("solve.method")) {
     const std::string method = value_or<std::string>(tree, "solve.method", "auto");
-    const auto at = std::ranges::find(method_names, std::string_view(method));
-    out.method = static_cast<Method>(at - std::begin(method_names));
+    out.method = named<Method>(method_names, method).value();
   }
   out.all = value_or(tree, "solve.all", false);
   if (faults.sound("solve.box")) faults.collect([&] { out.box = read_box(tree); });

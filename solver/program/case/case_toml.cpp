@@ -12,7 +12,7 @@
 #include <memory>
 #include <utility>
 
-#include "solver/program/case/toml_depth.hpp"
+#include "solver/program/text/toml_depth.hpp"
 
 namespace stationary {
 namespace {

@@ -36,6 +36,9 @@ void require_own_file(const AtlasCommand& options, std::string_view option,
 
 ExitCode run_grid(const AtlasCommand& options, const Session& session) {
   require_own_file(options, "--tables", options.tables);
+  if (options.certify && options.tables.empty() && !options.tiles.merges())
+    throw InputError(Origin::of_option("--certify"), "", "found it with --grid and no --tables",
+                     "--tables FILE.h5 beside it", "it proves rows of the atlases' own tables");
   const TiledRun tiled = options.tiles.run(options, session);
   return compute(options, session, [&](TableTarget* target, const Run& run) {
     const Case input = options.read();

@@ -9,7 +9,9 @@
 namespace stationary::cli {
 
 void add_help(CLI::App& program) {
-  add_command(program, "help", "What the program takes, or one command: help COMMAND");
+  // Its word is read before the parser is asked (program.cpp).
+  add_command(program, "help", "What the program takes, or one command of it")
+      .add_option("COMMAND", "One of the program's commands");
 }
 
 ExitCode help(const CLI::App& program, const std::string& name) {

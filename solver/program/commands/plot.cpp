@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -15,6 +16,7 @@
 #include <optional>
 #include <utility>
 
+#include "solver/motion/event.hpp"
 #include "solver/program/diagram/same_body.hpp"
 #include "solver/program/plot/gnuplot.hpp"
 #include "solver/program/plot/map_plot.hpp"
@@ -25,6 +27,7 @@
 #include "solver/program/session/interrupt.hpp"
 #include "solver/program/session/output_file.hpp"
 #include "solver/program/table/column_file.hpp"
+#include "solver/program/text/named.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -243,10 +246,14 @@ Figure figure(const PlotOptions& options, ImageFormat format) {
         return each.abscissa >= page.x->low && each.abscissa <= page.x->high;
       }))
     complain("no row is in the range of x asked for");
+  const auto ends =
+      static_cast<std::size_t>(std::ranges::count_if(diagram.events, [](const DiagramEvent& each) {
+        return is_end(named<EventType>(event_names, each.name).value_or(EventType::none));
+      }));
   return {gnuplot_script(diagram, format, title_of(options), page),
-          fmt::format("{}, {}, {}", counted(diagram.points.size(), "row"),
+          fmt::format("{}, {}, {}, {}", counted(diagram.points.size(), "row"),
                       counted(diagram.pieces.size(), "sheet"),
-                      counted(diagram.events.size(), "event"))};
+                      counted(diagram.events.size() - ends, "event"), counted(ends, "end"))};
 }
 
 void write_script(const PlotOptions& options, const std::string& script) {

@@ -69,7 +69,8 @@ void add_study(CLI::App& program, Session& session) {
       .add_option(
           "--over", options->over,
           "Table of the rows: columns are keys of the case (potential.plane.mu), or begin with "
-          "_ and are carried through; an empty cell leaves the case's value")
+          "_ and are carried through; an empty cell leaves the case's value. Required, unless "
+          "--merge is given")
       ->type_name("TABLE")
       ->check(not_empty);
   command

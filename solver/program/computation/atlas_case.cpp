@@ -23,6 +23,7 @@
 #include "solver/program/table/cell_table.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/tiles/search_journal.hpp"
+#include "solver/search/search_message.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -79,9 +80,7 @@ void add_checkpoints(Report& out, const std::vector<Checkpoint>& all,
                  "branch ({}): at {} of {} checkpoints from nu = {:.6g} to {:.6g} the sheets have "
                  "every solution with {}",
                  kind_text(*first), complete, last - first, first->nu, (last - 1)->nu,
-                 searched.box ? std::string("stretches in solve.box")
-                              : fmt::format("stretches in [{:g}, {:g}]", searched.min_stretch,
-                                            searched.max_stretch)));
+                 range_text(searched)));
     while (first != last) {
       const auto alike = [&](const Checkpoint& c) {
         return c.status == first->status && c.proven == first->proven &&

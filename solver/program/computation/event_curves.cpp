@@ -16,6 +16,8 @@
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/rows/equilibrium_row.hpp"
 #include "solver/program/session/case_family.hpp"
+#include "solver/program/text/input_error.hpp"
+#include "solver/program/text/named.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -170,6 +172,27 @@ void add_curve(EventCurves& out, const Case& input, const Member& event, bool sp
   }
 }
 
+/// One that the family has no curves of.
+[[noreturn]] void refuse_event(const Case& input, bool spin, bool isotropic) {
+  const EventType event = input.curve->event;
+  const bool of_circle = event == EventType::ellipse || event == EventType::ellipse_23 ||
+                         event == EventType::ellipse_13;
+  const bool fibred = of_circle && !isotropic;
+  std::vector<std::string_view> allowed;
+  for (const std::string_view each : event_names)
+    if (has_event_curve(named<EventType>(event_names, each).value(), spin, isotropic))
+      allowed.push_back(each);
+  throw fault_at(
+      input.source, "curve.event",
+      fmt::format("found {} and {}", in_quotes(name(event)),
+                  fibred ? "an anisotropic potential" : "branch " + in_quotes(input.branch_name())),
+      "one of " + listed(allowed),
+      fibred ? "ellipses leave circles of isotropic bodies alone"
+      : event == EventType::zero_momentum
+          ? "a spin about a material axis has no momentum at rest alone"
+          : "it has curves of spins about a material axis with alpha = 0 alone");
+}
+
 }  // namespace
 
 void require_curve(const Case& input) {
@@ -197,19 +220,7 @@ void require_curve(const Case& input) {
                    "a number that leaves the potential even in alpha",
                    "where it is not, no motion about a material axis has alpha = 0");
   }
-  if (!has_event_curve(input.curve->event, spin, isotropic)) {
-    throw fault_at(
-        input.source, "curve.event",
-        fmt::format("found {} and {}", in_quotes(name(input.curve->event)),
-                    spin ? "an anisotropic potential" : "branch " + in_quotes(input.branch_name())),
-        spin ? "\"fold-nu\", \"fold-momentum\", \"tilt\", \"inertia-exchange\", \"shear\", "
-               "\"oblique\", \"hamiltonian-hopf\", \"krein-pass\" or \"real-collision\" for curve"
-             : "\"fold-nu\", \"fold-momentum\", \"tilt\", \"inertia-exchange\", \"shear\", "
-               "\"ellipse\" or \"zero-momentum\" for curve",
-        spin ? "circles have curves of isotropic bodies alone"
-             : "where frequencies meet has curves of spins about a material axis with alpha = 0 "
-               "alone");
-  }
+  if (!has_event_curve(input.curve->event, spin, isotropic)) refuse_event(input, spin, isotropic);
 }
 
 void require_second_in_range(const Case& input) {

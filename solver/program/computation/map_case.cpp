@@ -210,9 +210,8 @@ Metadata describe(const Run& run, const Case& input, const MapCounts& counts, st
   out.counts.emplace_back("scalar_spectra", counts.evaluated.scalar_spectra);
   out.plan = std::move(plan.computed);
   out.skipped = std::move(plan.skipped);
-  out.outcome = {{"command", "map"},
-                 {"status", counts.rows < cells ? "interrupted" : "done"},
-                 {"instructions", instructions}};
+  out.outcome = {{"command", "map"}, {"status", counts.rows < cells ? "interrupted" : "done"}};
+  out.instructions = instructions;
   return out;
 }
 

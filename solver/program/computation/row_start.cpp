@@ -16,6 +16,7 @@
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/table/table_reader.hpp"
+#include "solver/program/text/named.hpp"
 #include "solver/program/text/row_name.hpp"
 
 namespace stationary::cli {
@@ -269,9 +270,7 @@ class FromRow {
   EventType named_event() const {
     const auto event = row_.find("event");
     if (event == row_.end()) return EventType::none;
-    const auto* const named = std::ranges::find(event_names, event->second);
-    if (named == std::end(event_names)) return EventType::none;
-    return static_cast<EventType>(named - std::begin(event_names));
+    return named<EventType>(event_names, event->second).value_or(EventType::none);
   }
 
   /// The case's family where it begins at the row's event.

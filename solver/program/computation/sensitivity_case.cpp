@@ -76,12 +76,12 @@ Asked asked_of(const Case& input, bool events) {
     out.numbers.push_back(number);
     out.uncertainty.push_back(known == input.output.uncertainty.end() ? 0.0 : known->second);
   }
-  out.columns = sloped_columns(
-      chosen_columns(input,
-                     equilibrium_columns({.two_polar = has_rates(input.motion),
+  out.columns = chosen_columns(
+      input,
+      sloped_columns(equilibrium_columns({.two_polar = has_rates(input.motion),
                                           .spectrum = input.output.spectrum && !events,
-                                          .pressure = input.potential.holds_volume()}),
-                     "sensitivity", true));
+                                          .pressure = input.potential.holds_volume()})),
+      "sensitivity", events);
   return out;
 }
 

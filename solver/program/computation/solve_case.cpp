@@ -25,7 +25,9 @@ std::string cost_text(const Answer& found) {
     std::string words(what);
     for (char& c : words)
       if (c == '_') c = ' ';
-    if (count == 1 && words.ends_with('s'))
+    if (count == 1 && words == "spectra")
+      words = "spectrum";
+    else if (count == 1 && words.ends_with('s'))
       words.resize(words.size() - (words.ends_with("xes") ? 2 : 1));
     out += fmt::format("{}{} {}", std::exchange(first, false) ? ": " : ", ", count, words);
   }

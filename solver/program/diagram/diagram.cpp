@@ -12,6 +12,7 @@
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/diagram/axis_name.hpp"
 #include "solver/program/diagram/row_parameter.hpp"
+#include "solver/program/text/named.hpp"
 #include "solver/program/text/nearest_name.hpp"
 
 namespace stationary {
@@ -42,10 +43,9 @@ bool is_number(const TableReader& table, std::string_view column) {
 std::optional<StabilityClass> verdict(const TableReader& table, ColumnPlace column) {
   const std::string_view found = text(table, column);
   if (found.empty()) return std::nullopt;
-  const auto at = std::ranges::find(stability_names, found);
-  if (at == std::end(stability_names))
-    throw table.fault(*column, "stable, elliptic, unstable, oscillatory or marginal");
-  return static_cast<StabilityClass>(at - std::begin(stability_names));
+  const auto out = named<StabilityClass>(stability_names, found);
+  if (!out) throw table.fault(*column, "stable, elliptic, unstable, oscillatory or marginal");
+  return out;
 }
 
 /// What one table offers of a diagram.

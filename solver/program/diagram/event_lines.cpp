@@ -5,6 +5,8 @@
 #include <iterator>
 #include <span>
 
+#include "solver/program/text/named.hpp"
+
 namespace stationary {
 
 std::vector<std::string> curve_parameters(const std::vector<std::string>& columns) {
@@ -42,11 +44,9 @@ std::vector<EventLine> read_event_lines(TableReader& table, std::string_view x,
     out.back().points.push_back(at);
     const std::string_view word = table.text(special);
     if (word.empty()) continue;
-    const auto* const type = std::ranges::find(special_point_names, word);
-    if (type == std::end(special_point_names))
-      throw table.fault(special, "empty, or a special point");
-    out.back().special.push_back(
-        {static_cast<SpecialPoint>(type - std::begin(special_point_names)), at});
+    const auto type = named<SpecialPoint>(special_point_names, word);
+    if (!type) throw table.fault(special, "empty, or a special point");
+    out.back().special.push_back({*type, at});
   }
   return out;
 }

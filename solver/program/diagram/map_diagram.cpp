@@ -11,6 +11,7 @@
 #include "lib/stability/spectrum.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/diagram/axis.hpp"
+#include "solver/program/text/named.hpp"
 #include "solver/program/text/nearest_name.hpp"
 
 namespace stationary {
@@ -56,9 +57,9 @@ std::optional<std::size_t> word(const TableReader& table, std::size_t column,
                                 const std::string_view (&words)[n], const std::string& allowed) {
   const std::string_view found = table.text(column);
   if (found.empty()) return std::nullopt;
-  const auto at = std::ranges::find(words, found);
-  if (at == std::end(words)) throw table.fault(column, allowed);
-  return static_cast<std::size_t>(at - std::begin(words));
+  const auto out = named<std::size_t>(words, found);
+  if (!out) throw table.fault(column, allowed);
+  return out;
 }
 
 std::vector<double> different(std::vector<double> values) {

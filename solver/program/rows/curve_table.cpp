@@ -7,6 +7,8 @@
 #include <iterator>
 #include <limits>
 
+#include "solver/program/text/named.hpp"
+
 namespace stationary {
 
 void CurveTable::place(EventType event, double parameter, bool voting,
@@ -100,17 +102,12 @@ SheetRecord CurveTable::record(const FollowReport& report) const {
 }
 
 void CurveTable::again(TableRow row, std::optional<StabilityClass> verdict) {
-  const auto* const event = std::ranges::find(event_names, row.event);
-  const auto* const own = std::ranges::find(stability_names, row.stability);
-  const auto type = static_cast<EventType>(event - std::begin(event_names));
+  const EventType type = named<EventType>(event_names, row.event).value();
   const bool at_rest = row[Column::nu1] == 0.0 && row[Column::nu2] == 0.0 &&
                        row[Column::nu3] == 0.0 && std::isnan(row[Column::omega]);
   const bool voting = has_class_of_curve(type, at_rest);
   if (verdict && !voting && !last_votes_ && point_ > 0) segments_.between(*verdict);
-  place(type, parameter_of(row), voting,
-        own == std::end(stability_names)
-            ? std::nullopt
-            : std::optional(static_cast<StabilityClass>(own - std::begin(stability_names))));
+  place(type, parameter_of(row), voting, named<StabilityClass>(stability_names, row.stability));
   if (proves()) {
     count_proof(row.certified != proof_word(false), parameter_of(row), "as it was in the table");
     if (type == EventType::none && row.class_certified == proof_word(false))

@@ -362,6 +362,7 @@ std::string metadata_json(const Metadata& metadata, bool of_the_run) {
       out["run"]["tiles"] = {{"computed", tiles->computed}, {"kept", tiles->kept}};
     }
     if (metadata.merged_parts > 0) out["run"]["parts"] = metadata.merged_parts;
+    if (!metadata.instructions.empty()) out["run"]["instructions"] = metadata.instructions;
   }
   out["events"] = events_json(metadata.curves);
   out["segments"] = segments_json(metadata.curves);

@@ -68,6 +68,7 @@ struct Metadata {
   int threads = 1;
   std::optional<TileRecord> tiles;
   std::size_t merged_parts = 0;  ///< 0: it is not merged
+  std::string instructions;      ///< that a map was marched by, or "scalar"; empty of all else
 
   const Case* input = nullptr;
   const CaseTree* source = nullptr;  ///< of the case where it is none by itself (`study`)

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "solver/program/text/named.hpp"
+
 namespace stationary {
 namespace {
 
@@ -76,16 +78,13 @@ std::optional<CurveRecord> curve_record(std::string_view metadata) {
     out.rows = found.at("rows").get<std::size_t>();
     out.checksum = found.at("checksum").get<std::string>();
     for (const Json& event : found.at("events")) {
-      const auto* const type = std::ranges::find(event_names, event.at("event").get<std::string>());
-      const auto* const status =
-          std::ranges::find(event_status_names, event.at("status").get<std::string>());
-      if (type == std::end(event_names) || status == std::end(event_status_names))
-        return std::nullopt;
-      out.events.push_back({static_cast<EventType>(type - std::begin(event_names)),
-                            event.at("parameter").get<double>(),
+      const auto type = named<EventType>(event_names, event.at("event").get<std::string>());
+      const auto status =
+          named<EventStatus>(event_status_names, event.at("status").get<std::string>());
+      if (!type || !status) return std::nullopt;
+      out.events.push_back({*type, event.at("parameter").get<double>(),
                             event.at("bracket").at(0).get<double>(),
-                            event.at("bracket").at(1).get<double>(),
-                            static_cast<EventStatus>(status - std::begin(event_status_names))});
+                            event.at("bracket").at(1).get<double>(), *status});
       if (const auto proven = event.find("enclosure"); proven != event.end()) {
         out.events.back().enclosure =
             Interval(proven->at(0).get<double>(), proven->at(1).get<double>());
@@ -98,10 +97,10 @@ std::optional<CurveRecord> curve_record(std::string_view metadata) {
         out.segments.push_back(StabilityClass::marginal);
         continue;
       }
-      const auto* const verdict =
-          std::ranges::find(stability_names, segment.at("class").get<std::string>());
-      if (verdict == std::end(stability_names)) return std::nullopt;
-      out.segments.push_back(static_cast<StabilityClass>(verdict - std::begin(stability_names)));
+      const auto verdict =
+          named<StabilityClass>(stability_names, segment.at("class").get<std::string>());
+      if (!verdict) return std::nullopt;
+      out.segments.push_back(*verdict);
     }
     for (const Json& end : found.at("ends")) {
       const bool first = end.at("side") == "first";
@@ -139,7 +138,7 @@ std::optional<PartMetadata> part_metadata(std::string_view metadata) {
     out.checksum = found.at("checksum").get<std::string>();
     out.case_file = found.at("case_file").get<std::string>();
     out.case_text = text_of_case(found);
-    out.instructions = found.value("instructions", std::string());
+    out.instructions = found.value(Json::json_pointer("/run/instructions"), std::string());
     for (const auto& [name, count] : found.at("counts").items())
       out.counts.emplace_back(name, count.get<long>());
     if (const auto study = found.find("study"); study != found.end())

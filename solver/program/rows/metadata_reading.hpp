@@ -54,7 +54,7 @@ struct PartMetadata {
   std::string checksum;
   std::string case_file;
   std::string case_text;  ///< the case and its overrides, to be told from others
-  std::string instructions;
+  std::string instructions;  ///< empty of an HDF5 file, which tells nothing of its run
   std::vector<std::pair<std::string, long>> counts;
   std::optional<StudyRecord> study;
   bool certificate = false;  ///< of the case: each row was to be proven

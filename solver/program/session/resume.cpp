@@ -11,6 +11,7 @@
 #include "solver/program/rows/metadata_reading.hpp"
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/column_file.hpp"
+#include "solver/program/text/named.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -45,8 +46,7 @@ bool is_as_written(const std::string& path, const std::vector<TableRow>& rows,
 
 /// How a table that is not gone on with there ended.
 SheetEnd old_end(const TableRow& row, const std::string& reason) {
-  const auto* const event = std::ranges::find(event_names, row.event);
-  return {static_cast<EventType>(event - std::begin(event_names)), reason};
+  return {named<EventType>(event_names, row.event).value(), reason};
 }
 
 }  // namespace

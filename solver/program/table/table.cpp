@@ -10,6 +10,8 @@
 #include <cstring>
 #include <utility>
 
+#include "solver/program/text/named.hpp"
+
 namespace stationary {
 namespace {
 
@@ -107,9 +109,7 @@ std::string_view text_of(const TableRow& row, Column c) { return row.*text_place
 void set_text(TableRow& row, Column c, std::string_view text) { row.*text_place(c) = text; }
 
 std::optional<Column> find_column(std::string_view name) {
-  const auto at = std::ranges::find(column_names, name);
-  if (at == std::end(column_names)) return std::nullopt;
-  return static_cast<Column>(at - std::begin(column_names));
+  return named<Column>(column_names, name);
 }
 
 std::vector<Column> select_columns(std::span<const Column> computed,

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "solver/motion/event.hpp"
+#include "solver/program/text/named.hpp"
 #include "solver/program/text/nearest_name.hpp"
 
 namespace stationary::cli {
@@ -22,7 +23,7 @@ std::optional<long> whole_number(std::string_view text) {
 }
 
 bool is_event(std::string_view text) {
-  return !text.empty() && std::ranges::find(event_names, text) != std::end(event_names);
+  return !text.empty() && named<EventType>(event_names, text);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ PartTable read_part_table(const std::string& path, std::string_view command) {
   return {path, std::move(*metadata)};
 }
 
-std::string named(const PartTable& part) {
+std::string told(const PartTable& part) {
   return fmt::format("{} (part {}/{})", printable(part.path), part.metadata.part.number,
                      part.metadata.part.of);
 }
@@ -80,16 +80,16 @@ std::vector<PartTable> read_parts(const std::vector<std::string>& paths, std::st
   for (const PartTable& each : out) {
     const PartTable& first = out.front();
     if (each.metadata.part.of != first.metadata.part.of)
-      refuse(each.path, fmt::format("found {} beside {}", named(each), named(first)));
+      refuse(each.path, fmt::format("found {} beside {}", told(each), told(first)));
     if (each.metadata.case_text != first.metadata.case_text)
-      refuse(each.path, fmt::format("found another case than that of {}", named(first)));
+      refuse(each.path, fmt::format("found another case than that of {}", told(first)));
     if (each.metadata.study && first.metadata.study) {
       require_spelling(each, "CASE", each.metadata.case_file, first.metadata.case_file);
       require_spelling(each, "--over", each.metadata.study->over, first.metadata.study->over);
     }
     if (each.metadata.part.work != first.metadata.part.work)
       refuse(each.path,
-             fmt::format("found other options, input or version than of {}", named(first)));
+             fmt::format("found other options, input or version than of {}", told(first)));
   }
   std::ranges::stable_sort(out, {},
                            [](const PartTable& each) { return each.metadata.part.number; });
@@ -97,7 +97,7 @@ std::vector<PartTable> read_parts(const std::vector<std::string>& paths, std::st
     const std::size_t number = out[k].metadata.part.number;
     if (k > 0 && number == out[k - 1].metadata.part.number)
       refuse(out[k].path,
-             fmt::format("found {} twice: {} too", named(out[k]), printable(out[k - 1].path)));
+             fmt::format("found {} twice: {} too", told(out[k]), printable(out[k - 1].path)));
   }
   for (std::size_t k = 0; k < out.front().metadata.part.of; ++k)
     if (k >= out.size() || out[k].metadata.part.number != k + 1)
@@ -202,7 +202,7 @@ PartLines read_lines(const std::vector<PartTable>& parts) {
     const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
     const std::string header = text.substr(0, end);
     if (!out.header.empty() && header != out.header)
-      refuse(part.path, fmt::format("found other columns than in {}", named(parts.front())));
+      refuse(part.path, fmt::format("found other columns than in {}", told(parts.front())));
     out.header = header;
     CellTable rows(nullptr, {});
     rows.write(std::string_view(text).substr(end));

@@ -12,6 +12,7 @@
 #include "solver/program/rows/sheet_summary.hpp"
 #include "solver/program/session/answer.hpp"
 #include "solver/program/session/case_family.hpp"
+#include "solver/program/text/named.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -105,9 +106,7 @@ std::optional<StudyAnswer> answer(const StudyPlan& plan, const CaseTree& base,
 }  // namespace
 
 std::optional<StudyTask> study_task(std::string_view name) {
-  const auto* const task = std::ranges::find(study_task_names, name);
-  if (task == std::end(study_task_names)) return std::nullopt;
-  return static_cast<StudyTask>(task - std::begin(study_task_names));
+  return named<StudyTask>(study_task_names, name);
 }
 
 std::vector<CellColumn> StudyPlan::cell_columns() const {

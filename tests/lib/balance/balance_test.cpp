@@ -117,6 +117,26 @@ TYPED_TEST(BalanceTest, DoesNotSeeTheSignOfNu) {
   }
 }
 
+TYPED_TEST(BalanceTest, TheStraightCheckIsTheWholeOne) {
+  Random random(306);
+  for (int trial = 0; trial < balance_trials; ++trial) {
+    const auto model = draw<TypeParam>(random);
+    const Body body = random.body();
+    Stretch q = random.stretch();
+    q.alpha = 0.0;
+    for (const Branch branch : {Branch::i, Branch::ii, Branch::iii}) {
+      const double nu = random.uniform(-1.0, 1.0);
+      const BalanceCheck whole =
+          check_balance(body, potential_derivatives<2>(model, q), q, angular_velocity(branch, nu));
+      const BalanceCheck straight = check_straight_balance(
+          axis_rates(body, branch, nu * nu), potential_derivatives<2, 1>(model, q), q);
+      EXPECT_EQ(straight.residual, whole.residual);
+      EXPECT_EQ(whole.compatibility, 0.0);
+      EXPECT_EQ(straight.compatibility, 0.0);
+    }
+  }
+}
+
 TYPED_TEST(BalanceTest, ExchangeOfAxesOneAndTwo) {
   Random random(305);
   for (int trial = 0; trial < balance_trials; ++trial) {

@@ -236,7 +236,7 @@ TEST(AnisotropicCase, MapsComputeWhatIsAskedForAndSayHow) {
   EXPECT_EQ(bare["counts"]["spectra"], 0);
   EXPECT_EQ(bare["counts"]["potentials"], 0);
   EXPECT_EQ(bare["counts"]["scalar_lanes"], 4);
-  EXPECT_EQ(bare["instructions"], "scalar");
+  EXPECT_EQ(bare["run"]["instructions"], "scalar");
   EXPECT_EQ(bare["plan"].back()["quantity"], "cells");
   const auto all = metadata_of({"--certify"}, {});
   EXPECT_EQ(all["counts"]["spectra"], all["counts"]["solved"]);

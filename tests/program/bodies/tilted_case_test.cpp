@@ -183,6 +183,52 @@ TEST(TiltedCase, TheFamilyFromBranchToBranch) {
   EXPECT_EQ(metadata["events"][0]["event"], "tilt");
 }
 
+/// Lambda that meet in the step that ends a family, at a coarse tolerance: found, or told as what they are. True:
+/// 70 digits, from the Lagrangian.
+TEST(TiltedCase, MeetingsInTheLastStep) {
+  const std::string written = R"(plane = { expression = "mu/2*(I1 - 2*log(d)) + la/2*log(d)^2", )";
+  const struct {
+    std::string body;
+    std::string range;
+    std::vector<std::pair<std::string, double>> events;  ///< the last before the end
+  } cases[] = {{"[body]\nJ = [1.239, 1.286, 0.3445]\n[potential]\n" + written +
+                    "mu = 0.3449, la = 1.423 }\n"
+                    "thickness = { model = \"reciprocal-quadratic\", a = 1.434, b = 0.6756 }\n",
+                "nu = 0.5\n[continuation]\nfrom = 0.3\nto = 1.002\n",
+                {{"hamiltonian-hopf", 0.527735934227476}, {"real-collision", 0.528784534891634}}},
+               {"[body]\nJ = [0.9772, 1.17264, 0.981]\n[potential]\n" + written +
+                    "mu = 1.749, la = 0.5614 }\n"
+                    "thickness = { model = \"reciprocal-quadratic\", a = 0.3895, b = 0.4611 }\n",
+                "nu = 1.19\n[continuation]\nfrom = 0.001\nto = 2.242\n",
+                {{"real-collision", 1.33789849866187},
+                 {"fold-nu", 1.33790413502084},
+                 {"real-collision", 1.33789487167122}}},
+               {"[body]\nJ = [0.8617, 0.89617, 0.2378]\n[potential]\n" + written +
+                    "mu = 2.703, la = 1.459 }\n"
+                    "thickness = { model = \"harmonic\", k = 0.8892, rest = 0.5628 }\n",
+                "nu = 1.595\n[continuation]\nfrom = 0.001\nto = 2.042\n",
+                {{"hamiltonian-hopf", 1.74931809197162}, {"real-collision", 1.7711134129739}}}};
+  const TemporaryDirectory directory;
+  for (const auto& each : cases) {
+    const std::string file =
+        directory.file("x.toml", each.body + "[motion]\nbranch = \"tilted\"\nplane = \"23\"\n" +
+                                     each.range + "tolerance = 1e-6\n");
+    const Outcome outcome = run_program({"continue", file, "-o", directory / "x.csv", "-q"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto events = nlohmann::json::parse(text_of(directory / "x.meta.json"))["events"];
+    ASSERT_GT(events.size(), each.events.size()) << events;
+    EXPECT_EQ(events.back()["event"], "tilt");
+    const std::size_t first = events.size() - 1 - each.events.size();
+    for (std::size_t k = 0; k < each.events.size(); ++k) {
+      const auto& [type, parameter] = each.events[k];
+      const auto& found = events[first + k];
+      EXPECT_EQ(found["event"], type) << events;
+      EXPECT_LE(found["bracket"][0].get<double>(), parameter * (1.0 + 1e-13)) << events;
+      EXPECT_GE(found["bracket"][1].get<double>(), parameter * (1.0 - 1e-13)) << events;
+    }
+  }
+}
+
 TEST(TiltedCase, AnInterruptedTableGoesOn) {
   const TemporaryDirectory directory;
   const std::vector<std::string> command{"continue", tilted_case, "-o", directory / "x.csv"};

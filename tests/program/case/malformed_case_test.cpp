@@ -489,6 +489,31 @@ spectrum = 1
 }
 
 /// One mistake, one line.
+TEST(CaseFile, ARefusalSaysWhatWasMeant) {
+  struct {
+    const char* set;
+    const char* said;
+  } const all[] = {
+      {"motion.parameter=\"nu\"", "did you mean \"continuation.parameter\"?"},
+      {"motion.from=0.1", "did you mean \"continuation.from\"?"},
+      {"motion.plane=13",
+       "found the integer 13; expected one of \"13\", \"23\", \"123\"; in quotes: "
+       "--set 'motion.plane=\"13\"'"},
+      {"continuation.step=1e-300",
+       "continuation.step: found 1e-300; expected a number from 1e-12 to 0.5"},
+      {"continuation.parameter=\"gravity.g\"", "the case has no gravity.g to begin with"},
+      {"potential.fibre={k=1.0,degrees=1e7}",
+       "numbers from -1e+06 to 1e+06; beyond, a number hardly tells one direction from another"},
+      {"output.uncertainty={\"body.J.1\"=-1}",
+       "found \"body.J.1\" = the integer -1; expected standard uncertainties, numbers > 0"},
+      {"solve.box=[1,2,3,4]", "lambda, mu and rho"}};
+  for (const auto& each : all) {
+    const Outcome outcome = run_program({"check", shipped("fold.toml"), "--set", each.set});
+    EXPECT_EQ(outcome.code, 2) << each.set;
+    EXPECT_THAT(outcome.err, HasSubstr(each.said)) << each.set;
+  }
+}
+
 TEST(CaseFile, AFaultIsToldOnce) {
   // Without the tables that a case has, or with two models that are none.
   const std::map<std::string, std::size_t> several{{"control_characters", 4U},

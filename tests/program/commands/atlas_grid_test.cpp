@@ -188,6 +188,9 @@ TEST_F(AtlasGrid, RefusesWhatIsNoGrid) {
           "found \"nu\"");
   refused({"atlas", file, "--tables", "t.h5"}, "--grid");
   refused({"atlas", file, "--part", "1/2"}, "--grid");
+  Words proven = words_;
+  proven.emplace_back("--certify");
+  refused(proven, "found it with --grid and no --tables");
   Words words = words_;
   words.insert(words.end(), {"--tables", directory_ / "t.csv"});
   refused(words, "--tables");

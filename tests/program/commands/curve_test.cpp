@@ -544,7 +544,13 @@ nu = 0.3
   EXPECT_THAT(missing.err, HasSubstr("add [curve]"));
   const Outcome tilted = with({"motion.branch=tilted", "curve.event=krein-pass"});
   EXPECT_EQ(tilted.code, 2);
-  EXPECT_THAT(tilted.err, HasSubstr("for curve"));
+  EXPECT_THAT(tilted.err, HasSubstr("found \"krein-pass\" and branch \"tilted\""));
+  EXPECT_THAT(tilted.err, HasSubstr("of spins about a material axis with alpha = 0 alone"));
+  const Outcome spin = with({"curve.event=zero-momentum"});
+  EXPECT_EQ(spin.code, 2);
+  EXPECT_THAT(spin.err, HasSubstr("a spin about a material axis has no momentum at rest alone"));
+  EXPECT_THAT(spin.err, HasSubstr("\"ellipse-13\""));
+  EXPECT_THAT(spin.err, Not(HasSubstr("\"zero-momentum\",")));
 }
 
 TEST_F(Curve, NoSuchEventIsSaid) {

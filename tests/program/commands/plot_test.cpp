@@ -255,7 +255,7 @@ TEST_F(Plot, WritesEachFormat) {
   NEEDS_GNUPLOT();
   const Outcome outcome = plot("x.svg");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_EQ(outcome.out, directory_ / "x.svg" + ": 5 rows, 1 sheet, 3 events\n");
+  EXPECT_EQ(outcome.out, directory_ / "x.svg" + ": 5 rows, 1 sheet, 1 event, 2 ends\n");
   EXPECT_THAT(outcome.err, IsEmpty());
   EXPECT_THAT(text_of(directory_ / "x.svg"), HasSubstr("</svg>"));
   EXPECT_THAT(texts("x.svg"), IsSupersetOf({"tilt", "ν₁", "unstable", "growth rate", "x.csv"}));
@@ -446,7 +446,7 @@ TEST_F(Plot, ReadsAPipe) {
       {"plot", "/dev/stdin", "-o", directory_ / "x.svg"},
       {.program = {"sh", "-c", "cat '" + table_ + "' | \"$0\" \"$@\"", program_path()}});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("5 rows, 1 sheet, 3 events"));
+  EXPECT_THAT(outcome.out, HasSubstr("5 rows, 1 sheet, 1 event, 2 ends"));
 }
 
 TEST_F(Plot, CurvesBesideAFamilyAndRangesOfNothing) {

@@ -24,6 +24,7 @@ namespace stationary::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::vector<Row> slopes(const std::string& path, const std::vector<std::string>& more = {}) {
   std::vector<std::string> command{"sensitivity", path, "-o", "-"};
@@ -276,6 +277,16 @@ TEST(Sensitivity, TheAngleOfACircleHasNone) {
     ++seen;
   }
   EXPECT_GE(seen, 5);
+}
+
+TEST(Sensitivity, RefusesColumnsWithoutSlopes) {
+  const std::vector<std::string> asked{"sensitivity", shipped("disc.toml"),
+                                       "-o",          "-",
+                                       "--set",       "output.columns=[\"class\",\"negative\"]"};
+  const Outcome outcome = run_program(asked);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("found no column that sensitivity computes"));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("\"class\"")));
 }
 
 /// Nearly round a body may turn about many axes, and a solve beside it come to another of them.

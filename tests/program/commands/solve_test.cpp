@@ -133,6 +133,21 @@ TEST(Solve, NotFoundIsThreeAndSaysThatItProvesNothing) {
   EXPECT_THAT(outcome.err, HasSubstr("was found"));
 }
 
+/// Of a start beyond the numbers Ceres would tell in its own words.
+TEST(Solve, AStartWithoutNumbersIsNoMatterOfALog) {
+  const Outcome outcome =
+      run_program({"solve", shipped("disc.toml"), "-o", "-", "--set", "solve.start=[0,1e200,1,1]"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty());
+}
+
+TEST(Solve, TheWalkSaysThatItDidNotBegin) {
+  const Outcome outcome =
+      run_program({"solve", shipped("maclaurin.toml"), "--set", "body.volume=1e60"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("makes no step towards |nu| = 0.3"));
+}
+
 TEST(Solve, SpinReversedLeavesTheShape) {
   const Outcome forward = run_program({"solve", shipped("disc.toml"), "-o", "-"});
   const Outcome backward =

@@ -130,7 +130,7 @@ TEST_P(Page, EveryCommandPrintsWhatItSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Documentation, Page,
-                         ::testing::Values("tutorial", "howto", "use", "everything"),
+                         ::testing::Values("tutorial", "howto", "use", "everything", "gravity"),
                          [](const auto& param) { return param.param; });
 
 TEST(Readme, ItsCommandPrintsWhatItSays) { expect_as_printed(STATIONARY_DOCS "/../README.md", 1); }

@@ -70,6 +70,7 @@ TEST(CommandLine, HelpOfACommandIsThatCommandsOwn) {
   EXPECT_EQ(run_program({"help"}).out, run_program({"--help"}).out);
   for (const char* command : {"solve", "continue", "atlas", "map", "check", "models", "plot"})
     EXPECT_EQ(run_program({"help", command}).out, run_program({command, "--help"}).out) << command;
+  EXPECT_THAT(run_program({"help", "help"}).out, HasSubstr("[COMMAND]"));
   const Outcome unknown = run_program({"help", "mop"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("unknown command \"mop\"; did you mean \"map\"?"));

@@ -1,4 +1,4 @@
-#include "solver/program/case/toml_depth.hpp"
+#include "solver/program/text/toml_depth.hpp"
 
 #include <algorithm>
 
