@@ -53,7 +53,7 @@ struct PartMetadata {
   std::size_t rows = 0;
   std::string checksum;
   std::string case_file;
-  std::string case_text;  ///< the case and its overrides, to be told from others
+  std::string case_text;     ///< the case and its overrides, to be told from others
   std::string instructions;  ///< empty of an HDF5 file, which tells nothing of its run
   std::vector<std::pair<std::string, long>> counts;
   std::optional<StudyRecord> study;
