@@ -318,7 +318,7 @@ void require_type(const CaseTree& tree, const CaseKey& key, const toml::node& no
       for (const auto& [name, value] : *node.as_table())
         if (!finite_number(value) || !(*value.value<double>() > 0.0))
           throw fault_at(tree, key.path, "found " + in_quotes(name.str()) + " = " + describe(value),
-                         "standard uncertainties, numbers > 0");
+                         "a standard uncertainty > 0");
       break;
     case texts: {
       require(node.is_array());

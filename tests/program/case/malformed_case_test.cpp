@@ -505,7 +505,7 @@ TEST(CaseFile, ARefusalSaysWhatWasMeant) {
       {"potential.fibre={k=1.0,degrees=1e7}",
        "numbers from -1e+06 to 1e+06; beyond, a number hardly tells one direction from another"},
       {"output.uncertainty={\"body.J.1\"=-1}",
-       "found \"body.J.1\" = the integer -1; expected standard uncertainties, numbers > 0"},
+       "found \"body.J.1\" = the integer -1; expected a standard uncertainty > 0"},
       {"solve.box=[1,2,3,4]", "lambda, mu and rho"}};
   for (const auto& each : all) {
     const Outcome outcome = run_program({"check", shipped("fold.toml"), "--set", each.set});

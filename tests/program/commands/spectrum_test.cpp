@@ -115,7 +115,7 @@ TEST(SpectrumOutput, ColumnsWithoutItSkipItInATableOnly) {
 TEST(SpectrumOutput, SummaryHasTheModesAndWhatTheClassClaims) {
   const Outcome outcome = run_program({"solve", main_case});
   for (const char* text : {"unstable: a real pair of eigenvalues", "growth 0.154303767405", "im s",
-                           "Krein", "error bound of s^2", "1.81536788799", "1 spectra"})
+                           "Krein", "error bound of s^2", "1.81536788799", "1 spectrum"})
     EXPECT_THAT(outcome.out, HasSubstr(text));
   // Two negative directions, and stable all the same.
   const Outcome circle = run_program({"solve", STATIONARY_CASES "/circle.toml"});
