@@ -384,13 +384,17 @@ TEST(Map, CornersOfTheDomainInWhicheverOrder) {
 }
 
 /// Once its table is begun, or before its first cell.
-void expect_an_interrupted_map(const char* name, const RunOptions& how) {
+void expect_an_interrupted_map(const char* name, bool before) {
   const TemporaryDirectory directory;
   const std::string target = directory / name;
   auto arguments = map_command({"map.x.count=3000", "map.y.count=2000"});
   arguments.insert(arguments.end(), {"-o", target, "--threads", "1"});
-  RunOptions options = how;
-  if (options.pending_signal == 0) options.interrupt_once_written = target;
+  RunOptions options;
+  if (before) {
+    options.pending_signal = SIGINT;
+  } else {
+    options.interrupt_once_written = target;
+  }
   const Outcome outcome = run_program(arguments, options);
   SCOPED_TRACE(outcome.err);
   EXPECT_EQ(outcome.code, 130);
@@ -400,7 +404,7 @@ void expect_an_interrupted_map(const char* name, const RunOptions& how) {
   const auto metadata = nlohmann::json::parse(text_of(directory / "m.meta.json"));
   EXPECT_EQ(metadata.at("status"), "interrupted");
   const auto rows = metadata.at("rows").get<std::size_t>();
-  EXPECT_LT(rows, options.pending_signal != 0 ? 1U : 6000000U);
+  EXPECT_LT(rows, before ? 1U : 6000000U);
   EXPECT_THAT(outcome.err,
               HasSubstr("interrupted after " + std::to_string(rows) + " of 6000000 cells" +
                         (rows > 0 ? ", which are written" : "; --resume begins anew")));
@@ -417,10 +421,7 @@ TEST(Map, InterruptedWritesWhatIsComplete) {
   for (const char* name : {"m.csv", "m.h5"}) {
     if (!has_hdf5 && name[2] == 'h') continue;
     SCOPED_TRACE(name);
-    expect_an_interrupted_map(name, {});
-    RunOptions at_once;
-    at_once.pending_signal = SIGINT;
-    expect_an_interrupted_map(name, at_once);
+    for (const bool before : {false, true}) expect_an_interrupted_map(name, before);
   }
 }
 
