@@ -108,8 +108,8 @@ class EventSearch {
         compare_ends(k);
       } else if (k == TestValues::fold && curve().family().along_nu()) {
         fold_dip();
-      } else if (k == TestValues::collision && (pairs_changed_sides(from().tests, to().tests) ||
-                                                from().tests.zeros != to().tests.zeros)) {
+      } else if (k == TestValues::collision &&
+                 (pairs_changed_sides(from().tests, to().tests) || ends_family())) {
         search_dips(k);
       } else if (earlier != nullptr) {
         dip(k, earlier->value[k], earlier_length);
@@ -280,6 +280,11 @@ class EventSearch {
     if (!may_touch_zero(slope_of_cubic(a, b, arc().chord[N]))) return;
     constexpr std::size_t k = TestValues::fold;
     search_dip(k, {0.0, from().tests.value[k]}, {1.0, to().tests.value[k]});
+  }
+
+  /// Whether the family may end, or begin, at an end of the step: there a Lambda of its own is zero.
+  bool ends_family() const {
+    return curve().context().kind.end != EventType::none && from().tests.zeros != to().tests.zeros;
   }
 
   /// Where the step is looked at in between: where a family ends or begins its modes change fastest.
