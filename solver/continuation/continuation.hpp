@@ -312,8 +312,11 @@ class Continuation {
     const auto at = std::ranges::find(events_, kind.end, &Event::type);
     if (at == events_.end() && !next.member.beyond_end()) return false;
     const Member end = at == events_.end() ? here_.member : at->member;
-    finish(kind.end, std::string(kind.end_reason(end)));
-    if (at == events_.end()) return true;  // it was there at the start
+    std::string reason(kind.end_reason(end));
+    if (at == events_.end()) {  // it was there at the start
+      finish(kind.end, std::move(reason));
+      return true;
+    }
     const ReducedVector<N> x = curve_->family().coordinates(end.q, end.parameter);
     const Corrected<N> corrected = curve_->corrector().correct_at(x, end.parameter, attempt.arc.to);
     if (corrected.status == CorrectorStatus::converged) {
@@ -324,10 +327,26 @@ class Continuation {
       CurvePoint<N> last = completed(corrected.point);
       last.member.spectrum.reset();    // a pair is zero there, and of no sign
       find_events(last, attempt.arc);  // once more, of what is left of the step
+      if (!unlocated_.empty() && stops_short(attempt.arc)) return true;
       settle(last, attempt.arc);
     }
+    finish(kind.end, std::move(reason));
     std::erase_if(events_, [&](const Event& event) { return event.type == kind.end; });
     here_.member = end;
+    return true;
+  }
+
+  /// Takes the arc to the family's end but for a bit, once: what is not located for want of a sign at the end
+  /// may be, and the class before the end is told. False: it has been, or the point was not found.
+  bool stops_short(const Arc<N>& arc) {
+    constexpr double part = 31.0 / 32.0;
+    if (std::exchange(stopped_short_, true)) return false;
+    const Corrected<N> at = curve_->at(here_.arc, arc, part);
+    if (at.status != CorrectorStatus::converged) return false;
+    const CurvePoint<N> next = completed(at.point);
+    const Arc<N> way(arc.at(part), here_.arc.tangent, at.point.tangent);
+    find_events(next, way);
+    settle(next, way);
     return true;
   }
 
@@ -451,6 +470,7 @@ class Continuation {
   SheetEnd end_;
   bool begun_ = false;  ///< a step has been taken
   bool ended_before_step_ = false;
+  bool stopped_short_ = false;  ///< before the family's own end
   bool opposite_axis_ = false;
   ContinuationCounts counts_;
 };

@@ -32,14 +32,15 @@ inline Parabola slope_of_cubic(double a, double b, double gain) {
   return {a, 6.0 * gain - 4.0 * a - 2.0 * b, 3.0 * (a + b) - 6.0 * gain, b};
 }
 
-/// Whether it comes near zero between its ends.
-inline bool may_touch_zero(const Parabola& f) {
+/// Whether it comes near zero between its ends: beyond: how far past them its turn may be; share: of what it
+/// is at an end, the least may be.
+inline bool may_touch_zero(const Parabola& f, double beyond = 0.1, double share = 0.3) {
   if (f.curvature * f.a <= 0.0) return false;  // bends away from zero
   const double size = std::abs(f.curvature);
   const double turns = f.curvature < 0.0 ? 0.5 * f.slope : -0.5 * f.slope;  // at turns/size
-  if (!(turns > -0.1 * size && turns < 1.1 * size)) return false;
+  if (!(turns > -beyond * size && turns < (1.0 + beyond) * size)) return false;
   const double least = f.a + 0.5 * f.slope * (turns / size);
-  return least * f.a <= 0.0 || std::abs(least) <= 0.3 * std::min(std::abs(f.a), std::abs(f.end));
+  return least * f.a <= 0.0 || std::abs(least) <= share * std::min(std::abs(f.a), std::abs(f.end));
 }
 
 }  // namespace stationary

@@ -5,8 +5,9 @@
 // each of its points onto the curve, and from there the event's own equations in extended
 // precision, which say what it is known to. Where f does not change sign but a parabola through the
 // last three points dips towards zero inside the step, its extremum is sought on the curve: two
-// zeros in one step are found so. What remains of the change in the number of negative directions
-// is reported as unexplained.
+// zeros in one step are found so. Lambdas that met in the step may show it by their signatures at its
+// ends: then the meetings are sought however near each other they are. What remains of the change in
+// the number of negative directions is reported as unexplained.
 //
 // A sign counts where it is certain (TestValues::sign). Where it is not at an end of the step, the
 // curve is looked at a little before or beyond; where it is certain nowhere near, the last certain
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <optional>
@@ -24,7 +24,9 @@
 #include <vector>
 
 #include "solver/continuation/dip.hpp"
+#include "solver/continuation/hidden_zeros.hpp"
 #include "solver/continuation/known_signs.hpp"
+#include "solver/continuation/lambda_meetings.hpp"
 #include "solver/continuation/located_event.hpp"
 #include "solver/continuation/step_points.hpp"
 
@@ -47,6 +49,7 @@ class EventSearch {
     points_.enter(from, to, arc);
     found_.clear();
     unresolved_.clear();
+    met_unseen_ = false;
     last_ = SignBits::of(to.tests);
     if (starts) {
       first_ = SignBits::of(from.tests);
@@ -60,6 +63,8 @@ class EventSearch {
     next_ = known_;
     find_zeros(sought_ & own_functions, earlier, earlier_length);
     if ((sought_ & all_crossings) != 0) find_crossings(earlier, earlier_length);
+    if (met_unseen_ && found_.empty() && unresolved_.empty())
+      add_unresolved(EventType::hamiltonian_hopf, ParameterRange::at(from.member.parameter));
     if (explains_) explain_counts();
     for_each_function(all_functions & last_.open(), [&](std::size_t k) {
       if (next_.sign(k) == known_.sign(k)) add_step(next_.since[k]);
@@ -108,9 +113,8 @@ class EventSearch {
         compare_ends(k);
       } else if (k == TestValues::fold && curve().family().along_nu()) {
         fold_dip();
-      } else if (k == TestValues::collision &&
-                 (pairs_changed_sides(from().tests, to().tests) || ends_family())) {
-        search_dips(k);
+      } else if (k == TestValues::collision) {
+        search_meetings(earlier, earlier_length);
       } else if (earlier != nullptr) {
         dip(k, earlier->value[k], earlier_length);
       }
@@ -213,7 +217,7 @@ class EventSearch {
     if (points_.uncertain_stretch(k, low, a.u) + points_.uncertain_stretch(k, high, b.u) +
             (high - low) <=
         resolved / arc().length) {
-      add(k, low, high);
+      add(k, low, high, std::min(low - a.u, b.u - high));
     } else {
       add_unresolved(unlocated(k, to().tests), known_.since[k]);
     }
@@ -238,15 +242,18 @@ class EventSearch {
     return false;
   }
 
-  void add(std::size_t k, double low, double high) {
+  /// The event at a zero that lies so far at least from places where the sign is certain, and may have another
+  /// beyond them.
+  void add(std::size_t k, double low, double high, double reach) {
+    const double apart = reach > 0.0 ? std::min(1e-3, 0.5 * reach) : 1e-3;
     CurvePoint<N> point;
     for (const double u : {0.5 * (low + high), low, high}) {
       if (!points_.evaluate(u, point) || point.member.beyond_end()) continue;
       const EventType type = event_type(k, curve().context(), point.tests);
       if (type == EventType::none) return;
       // The first order, widened until the sign of f is seen to be certain on either side.
-      double along =
-          0.5 * (high - low) + points_.noise(k, u, point) / std::abs(points_.slope(k, u));
+      double along = 0.5 * (high - low) +
+                     points_.noise(k, u, point, apart) / std::abs(points_.slope(k, u, apart));
       while (along < 0.5 && !points_.changes_between(k, u - along, u + along)) along *= 2.0;
       if (!(along < 0.5)) break;  // nowhere in the step is the sign of f certain
       const auto [before, after] = points_.around(u - along, u + along);
@@ -270,7 +277,7 @@ class EventSearch {
     const double b = to().tests.value[k];
     if (std::isnan(earlier) || (earlier < 0.0) != (a < 0.0)) return;
     const double l = earlier_length / arc().length;
-    if (may_touch_zero(parabola_through(l, earlier, a, b))) search_dip(k, {0.0, a}, {1.0, b});
+    if (may_touch_zero(parabola_through(l, earlier, a, b))) search_dip(k);
   }
 
   /// Two turns of the parameter inside the step? Its slopes at both ends and what it gained.
@@ -278,8 +285,7 @@ class EventSearch {
     const double a = arc().length * arc().from[N];
     const double b = arc().length * arc().to[N];
     if (!may_touch_zero(slope_of_cubic(a, b, arc().chord[N]))) return;
-    constexpr std::size_t k = TestValues::fold;
-    search_dip(k, {0.0, from().tests.value[k]}, {1.0, to().tests.value[k]});
+    search_dip(TestValues::fold);
   }
 
   /// Whether the family may end, or begin, at an end of the step: there a Lambda of its own is zero.
@@ -287,40 +293,39 @@ class EventSearch {
     return curve().context().kind.end != EventType::none && from().tests.zeros != to().tests.zeros;
   }
 
-  /// Where the step is looked at in between: where a family ends or begins its modes change fastest.
-  void search_dips(std::size_t k) {
-    constexpr std::size_t parts = 32;
-    std::array<Sample, parts + 1> at;
-    at[0] = {0.0, from().tests.value[k]};
-    at[parts] = {1.0, to().tests.value[k]};
-    for (std::size_t part = 1; part < parts; ++part) {
-      const double u = double(part) / double(parts);
-      at[part] = {u, points_.value(k, u, at[part - 1].value)};
-    }
-    const auto size = [&](std::size_t part) { return std::abs(at[part].value); };
-    const auto changes = [&](std::size_t part) {
-      return (at[part].value < 0.0) != (at[part + 1].value < 0.0);
-    };
-    for (std::size_t part = 0; part < parts; ++part) {
-      if (changes(part)) {
-        locate(k, at[part], at[part + 1]);
-      } else if (part > 0 && !changes(part - 1) && size(part) < size(part - 1) &&
-                 size(part) <= size(part + 1)) {
-        search_dip(k, at[part - 1], at[part + 1]);
-      }
-    }
+  /// Of function k, between places where it has opposite signs.
+  void locate_all(std::size_t k, const std::vector<SignChange<N>>& between) {
+    for (const SignChange<N>& each : between) locate(k, each.low, each.high);
   }
 
-  void search_dip(std::size_t k, Sample first, Sample last) {
-    const double sign = first.value < 0.0 ? -1.0 : 1.0;
-    std::uintmax_t evaluations = 25;
-    const auto [u, f] = boost::math::tools::brent_find_minima(
-        [&](double s) { return sign * points_.value(k, s, first.value); }, first.u, last.u, 20,
-        evaluations);
-    CurvePoint<N> lowest;
-    if (!(f < 0.0) || !points_.evaluate(u, lowest) || lowest.tests.sign(k) == 0) return;
-    locate(k, first, {u, sign * f});
-    locate(k, {u, sign * f}, last);
+  /// Zeros of function k about its least size in the step, if it has any.
+  void search_dip(std::size_t k) {
+    std::vector<SignChange<N>> between;
+    zeros_about_least(points_, k, {0.0, from().tests.value[k]}, {1.0, to().tests.value[k]},
+                      between);
+    locate_all(k, between);
+  }
+
+  /// Lambdas that met and parted: their order tells of it, or their numbers, or how near they come. Where a
+  /// family ends or begins its modes change fastest.
+  void search_meetings(const TestValues* earlier, double earlier_length) {
+    const TestValues& first = from().tests;
+    const TestValues& last = to().tests;
+    std::vector<SignChange<N>> between;
+    if (order_changed(first, last)) {
+      met_unseen_ = !meetings_by_order(points_, {0.0, first}, {1.0, last}, between);
+    } else if (pairs_changed_sides(first, last) || ends_family()) {
+      meetings_between_parts(points_, between);
+    } else if (earlier != nullptr && same_pairs(*earlier, first) && same_pairs(first, last)) {
+      const double l = earlier_length / arc().length;
+      constexpr double beyond = 0.5;
+      constexpr double share = 0.8;
+      for (std::size_t gap = 0; gap < first.gaps.size() && between.empty(); ++gap)
+        if (may_touch_zero(parabola_through(l, earlier->gaps[gap], first.gaps[gap], last.gaps[gap]),
+                           beyond, share))
+          meetings_about_least(points_, gap, {0.0, first}, {1.0, last}, between);
+    }
+    locate_all(TestValues::collision, between);
   }
 
   /// Crossings of different blocks: over stretches of the step where each block keeps its numbers
@@ -358,11 +363,6 @@ class EventSearch {
         crossings_between({begin, a.tests}, {end, b.tests});
     }
   }
-
-  struct Tested {
-    double u;
-    TestValues tests;
-  };
 
   void crossings_between(const Tested& a, const Tested& b) {
     if (a.tests.composition != b.tests.composition) return;
@@ -482,8 +482,9 @@ class EventSearch {
   KnownCounts counts_;  ///< at to()
   std::vector<Found> found_;
   std::vector<Event> unresolved_;
-  KnownSigns known_;  ///< at from()
-  KnownSigns next_;   ///< at to()
+  bool met_unseen_ = false;  ///< Lambdas changed their order, and no place is seen where they met
+  KnownSigns known_;         ///< at from()
+  KnownSigns next_;          ///< at to()
 };
 
 }  // namespace stationary

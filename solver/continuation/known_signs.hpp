@@ -148,48 +148,6 @@ struct KnownSigns {
   }
 };
 
-/// How many more Lambdas of a block one point has than another: real ones, negative ones, and such as may be 0.
-struct CompositionChange {
-  int real;
-  int negative;
-  int zeros;
-
-  static CompositionChange of(std::size_t block, const TestValues& from, const TestValues& to) {
-    const auto& a = from.composition[block];
-    const auto& b = to.composition[block];
-    return {b[0] - a[0], b[1] - a[1], to.zeros[block] - from.zeros[block]};
-  }
-};
-
-/// Whether two Lambdas of a block that are negative at one end of a step are not at the other: one passes
-/// zero, or comes to it, only where an event says so; two together went round it, as a complex pair. Or
-/// whether four that are real at one end are complex at the other, of two meetings.
-inline bool pairs_changed_sides(const TestValues& from, const TestValues& to) {
-  for (std::size_t block = 0; block < from.composition.size(); ++block) {
-    const auto change = CompositionChange::of(block, from, to);
-    if (change.real == 0 && std::abs(change.negative) > std::max(1, std::abs(change.zeros)))
-      return true;
-    if (std::abs(change.real) >= 4) return true;
-  }
-  return false;
-}
-
-/// Of Lambdas that met between two points: negative ones or others, by what is complex at one and real at the
-/// other; nothing where that does not tell.
-inline std::optional<EventType> met_between(const TestValues& from, const TestValues& to) {
-  int real = 0;
-  int negative = 0;
-  for (std::size_t block = 0; block < from.composition.size(); ++block) {
-    const auto change = CompositionChange::of(block, from, to);
-    real += change.real;
-    negative += change.negative;
-  }
-  if (std::abs(real) != 2) return std::nullopt;
-  if (negative == 0) return EventType::real_collision;
-  if (negative == real) return EventType::hamiltonian_hopf;
-  return std::nullopt;
-}
-
 /// Whether it is about the order of the locked inertias: where a spin's axis may turn.
 constexpr bool is_of_axis(EventType type) {
   return type == EventType::tilt || type == EventType::oblique ||

@@ -58,8 +58,8 @@ class StepPoints {
     const double f = point.tests.value[k];
     return std::isnan(f) ? otherwise : f;
   }
-  double slope(std::size_t k, double u) {
-    constexpr double apart = 1e-3;
+  /// apart: how far from u it is looked at.
+  double slope(std::size_t k, double u, double apart) {
     return (value(k, u + apart, 0.0) - value(k, u - apart, 0.0)) / (2.0 * apart);
   }
 
@@ -94,17 +94,16 @@ class StepPoints {
   }
 
   /// What function k is known to at u: what the point's errors make of it, and those of the
-  /// Lambdas. Where two collide their own errors are roots of what their square's is: beside it.
-  double noise(std::size_t k, double u, const CurvePoint<N>& point) {
+  /// Lambdas. Where two collide their own errors are roots of what their square's is: beside it, so far apart.
+  double noise(std::size_t k, double u, const CurvePoint<N>& point, double apart) {
     constexpr double errors = 32.0;
-    constexpr double apart = 1e-3;
     const double own = errors * curve_->corrector().curve_error(point.arc);
     if (k >= TestValues::crossings) return std::max(own, mode_noise(point.member));
     if (k != TestValues::collision) return own;
     CurvePoint<N> beside;
     if (!evaluate(u + apart, beside) && !evaluate(u - apart, beside)) return own;
     const double root = std::sqrt(std::abs(beside.tests.value[k]));
-    return std::max(own, 2.0 * root * mode_noise(beside.member));
+    return 2.0 * root * std::max(own, mode_noise(beside.member));
   }
 
   /// What the parameter is between on a part of the arc. Where it turns there, no farther than the

@@ -47,12 +47,25 @@ void require_beyond(double value, double error, std::size_t k, TestValues& out) 
   if (!(std::abs(value) > error)) out.uncertain |= 1U << static_cast<unsigned>(k);
 }
 
+/// The signatures of a block's negative Lambdas, where all are certain.
+void set_signatures(const BlockModes& block, std::size_t name, TestValues& out) {
+  unsigned positive = 0;
+  for (std::size_t k = 0; k < block.negative; ++k) {
+    const int krein = block.real[k]->krein;
+    if (krein == 0) return;
+    positive |= (krein > 0 ? 1U : 0U) << static_cast<unsigned>(k);
+  }
+  out.signatures[name] = static_cast<std::uint8_t>(positive);
+  out.signed_blocks |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(name));
+}
+
 /// Of the blocks whose Lambdas may meet: each meeting makes a complex pair of two real Lambdas or the
 /// reverse, and so changes the sign, however many such pairs there are.
 void set_collision(const std::array<BlockModes, 4>& blocks, const TestContext& context,
                    TestValues& out) {
   double least = std::numeric_limits<double>::infinity();
   double sign = 1.0;
+  std::size_t gap = 0;
   // Of mean +- half, or mean +- half i; relative: the square of half to that of both.
   const auto meet = [&](double mean, double half, double relative, double error) {
     require_beyond(half, error, TestValues::collision, out);
@@ -63,17 +76,21 @@ void set_collision(const std::array<BlockModes, 4>& blocks, const TestContext& c
   for (const Block name : {Block::even, Block::odd, Block::shear}) {
     if (!context.kind.may_collide(name, context)) continue;
     const BlockModes& block = blocks[static_cast<std::size_t>(name)];
+    set_signatures(block, static_cast<std::size_t>(name), out);
     for (std::size_t k = 1; k < block.count; ++k) {
       const Mode& a = *block.real[k - 1];
       const Mode& b = *block.real[k];
       const double half = 0.5 * (b.lambda_re - a.lambda_re);
       const double mean = 0.5 * (b.lambda_re + a.lambda_re);
-      meet(mean, half, half * half / (mean * mean + half * half), a.lambda_error + b.lambda_error);
+      const double relative = half * half / (mean * mean + half * half);
+      meet(mean, half, relative, a.lambda_error + b.lambda_error);
+      out.gaps[gap++] = relative;
     }
     for (std::size_t k = 0; k < block.complex_count; k += 2) {
       const Mode& mode = *block.complex[k];
       const double relative = mode.lambda_im / hypotenuse(mode.lambda_re, mode.lambda_im);
       meet(mode.lambda_re, mode.lambda_im, relative * relative, 2.0 * mode.lambda_error);
+      out.gaps[gap++] = -relative * relative;
       sign = -sign;
     }
   }
@@ -169,6 +186,7 @@ TestValues test_values(const Member& member, const TestContext& context, double 
                        double momentum, double error) {
   TestValues out;
   out.value.fill(none);
+  out.gaps.fill(none);
   out.value[TestValues::fold] = fold;
   out.value[TestValues::momentum] = momentum;
   out.value[TestValues::tilt_in_plane] = member.tilt_in_plane;

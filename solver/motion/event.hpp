@@ -170,6 +170,13 @@ struct TestValues {
   std::array<std::array<std::uint8_t, 2>, 4> composition{};
   /// Of each block how many of the real ones may be 0, and count as not negative: where a family ends, one.
   std::array<std::uint8_t, 4> zeros{};
+  /// Of each block whose Lambda may meet the signatures of the negative ones, ascending: bit i is set where
+  /// that of the i-th is +1.
+  std::array<std::uint8_t, 4> signatures{};
+  std::uint8_t signed_blocks = 0;  ///< bit b: those of block b are all certain
+  /// What `collision` is the nearest to zero of, up to its sign: the same of each two neighbours of a block and,
+  /// < 0, of each complex pair. In one order while no block's number of real Lambda changes.
+  std::array<double, 4> gaps;
   bool collides_imaginary = false;  ///< the pair of `collision` has Lambda < 0
   /// Bit k: the errors of the point leave the sign of value k open.
   std::uint32_t uncertain = 0;

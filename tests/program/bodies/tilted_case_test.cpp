@@ -229,6 +229,31 @@ TEST(TiltedCase, MeetingsInTheLastStep) {
   }
 }
 
+/// Two meetings between two rows, of which the signatures of the rows tell: with steps of any length. True: steps
+/// of a tolerance of 1e-12; to six digits, 70 digits from the Lagrangian.
+TEST(TiltedCase, MeetingsBetweenTwoRows) {
+  const TemporaryDirectory directory;
+  const std::string file =
+      directory.file("x.toml",
+                     "[body]\nJ = [0.8965, 0.93236, 1.0583]\n[potential]\n"
+                     "plane = { model = \"biot-log\", mu = 0.4417, lambda = 2.87 }\n"
+                     "thickness = { model = \"reciprocal-quadratic\", a = 2.985, b = 0.3077 }\n"
+                     "[motion]\nbranch = \"tilted\"\nnu = 0.8717\nplane = \"23\"\n"
+                     "[continuation]\nfrom = 0.001\nto = 1.358\n");
+  const std::vector<double> meetings{0.78574247966188, 0.78649655953956, 0.91564893175582};
+  for (const char* tolerance : {"1e-5", "1e-7", "1e-8", "1e-9"}) {
+    const Outcome outcome = run_program({"continue", file, "-o", directory / "x.csv", "-q", "--set",
+                                         std::string("continuation.tolerance=") + tolerance});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::vector<double> found;
+    for (const auto& event : nlohmann::json::parse(text_of(directory / "x.meta.json"))["events"])
+      if (event["event"] == "hamiltonian-hopf") found.push_back(event["parameter"]);
+    ASSERT_EQ(found.size(), meetings.size()) << tolerance;
+    for (std::size_t k = 0; k < meetings.size(); ++k)
+      EXPECT_NEAR(found[k], meetings[k], 1e-13) << tolerance;
+  }
+}
+
 TEST(TiltedCase, AnInterruptedTableGoesOn) {
   const TemporaryDirectory directory;
   const std::vector<std::string> command{"continue", tilted_case, "-o", directory / "x.csv"};

@@ -175,5 +175,78 @@ TEST(MadeUpEvents, NothingPassesWhereTheNumberOfPairsChanges) {
   }
 }
 
+/// Two pairs of opposite signatures, Lambda = -4 -+ sqrt((p - at)^2 - apart^2), that meet at p = at -+ apart and
+/// go on in another order; or, of a sign -1 under the root, are imaginary between the two. Beside them two of one
+/// signature that are nearer each other.
+Spectrum exchanging(double p, double at, double apart, double sign = 1.0) {
+  Spectrum out;
+  out.modes = 4;
+  out.negative = 2;
+  const double square = sign * (p - at - apart) * (p - at + apart);
+  const double half = std::sqrt(std::abs(square));
+  for (std::size_t k = 0; k < 4; ++k) {
+    Mode& mode = out.mode[k];
+    const bool meets = k < 2;
+    mode.lambda_re = meets ? -4.0 : k == 2 ? -9.0 : -9.0001;
+    mode.lambda_im = meets && square < 0.0 ? half : 0.0;
+    if (meets && square >= 0.0) mode.lambda_re += k == 0 ? -half : half;
+    mode.lambda_error = 1e-15;
+    mode.im = std::sqrt(-mode.lambda_re);
+    mode.krein = !meets ? 1 : mode.lambda_im > 0.0 ? 0 : (k == 0) == (p < at) ? 1 : -1;
+  }
+  out.verdict = square < 0.0 ? StabilityClass::oscillatory : StabilityClass::elliptic;
+  return out;
+}
+
+TEST(MadeUpEvents, PairsThatChangedTheirOrderHaveMet) {
+  for (const double at : {0.31, 0.472, 0.593, 0.688, 0.741}) {
+    for (const double apart : {1e-2, 1e-4, 1e-7}) {
+      for (const double longest : {0.5, 0.1}) {
+        Line line;
+        line.spectrum = [&](double p) { return std::optional(exchanging(p, at, apart)); };
+        FollowOptions options = range(0.0, 1.0);
+        options.continuation.step.max = longest;
+        const Found found = follow_line(line, options);
+        const auto events = found.sheet.events({EventType::hamiltonian_hopf});
+        ASSERT_EQ(events.size(), 2U) << at << " " << apart << " " << found.sheet.text();
+        EXPECT_NEAR(events[0].member.parameter, at - apart, 1e-9);
+        EXPECT_NEAR(events[1].member.parameter, at + apart, 1e-9);
+        EXPECT_EQ(found.sheet.report.events.size(), 2U) << found.sheet.text();
+      }
+    }
+  }
+}
+
+TEST(MadeUpEvents, PairsThatAreImaginaryForABitAreSeen) {
+  for (const double at : {0.31, 0.472, 0.593, 0.688, 0.741}) {
+    for (const double apart : {1e-2, 1e-4}) {
+      Line line;
+      line.spectrum = [&](double p) { return std::optional(exchanging(p, at, apart, -1.0)); };
+      FollowOptions options = range(0.0, 1.0);
+      options.continuation.step.max = 0.1;
+      const Found found = follow_line(line, options);
+      const auto events = found.sheet.events({EventType::hamiltonian_hopf});
+      ASSERT_EQ(events.size(), 2U) << at << " " << apart << " " << found.sheet.text();
+      EXPECT_NEAR(events[0].member.parameter, at - apart, 1e-9);
+      EXPECT_NEAR(events[1].member.parameter, at + apart, 1e-9);
+    }
+  }
+}
+
+/// That they met is told where no place is seen between the two.
+TEST(MadeUpEvents, PairsThatPassEachOtherWithoutLeavingTheAxisAreTold) {
+  for (const double at : {0.31, 0.472, 0.593}) {
+    Line line;
+    line.spectrum = [&](double p) { return std::optional(exchanging(p, at, 0.0)); };
+    const Found found = follow_line(line);
+    ASSERT_EQ(found.sheet.report.events.size(), 1U) << at << " " << found.sheet.text();
+    const EventRecord& event = found.sheet.report.events[0];
+    EXPECT_EQ(event.type, EventType::hamiltonian_hopf);
+    EXPECT_EQ(event.status, EventStatus::unresolved);
+    EXPECT_LE(event.before, at);
+    EXPECT_GE(event.after, at);
+  }
+}
+
 }  // namespace
 }  // namespace stationary
