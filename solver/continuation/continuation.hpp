@@ -336,8 +336,9 @@ class Continuation {
     return true;
   }
 
-  /// Takes the arc to the family's end but for a bit, once: what is not located for want of a sign at the end
-  /// may be, and the class before the end is told. False: it has been, or the point was not found.
+  /// Where an event before the family's end is not located, for want of a sign at the end: first takes a step of
+  /// 31/32 of the way, at whose end the class before the family's end is told. False: that was done before, or
+  /// the point was not found.
   bool stops_short(const Arc<N>& arc) {
     constexpr double part = 31.0 / 32.0;
     if (std::exchange(stopped_short_, true)) return false;

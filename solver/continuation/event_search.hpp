@@ -63,7 +63,7 @@ class EventSearch {
     next_ = known_;
     find_zeros(sought_ & own_functions, earlier, earlier_length);
     if ((sought_ & all_crossings) != 0) find_crossings(earlier, earlier_length);
-    if (met_unseen_ && found_.empty() && unresolved_.empty())
+    if (met_unseen())
       add_unresolved(EventType::hamiltonian_hopf, ParameterRange::at(from.member.parameter));
     if (explains_) explain_counts();
     for_each_function(all_functions & last_.open(), [&](std::size_t k) {
@@ -144,7 +144,7 @@ class EventSearch {
     }
     if (before == 0) return;
     if (first != 0 && last != 0) {
-      if (first != last) locate(k, {0.0, a}, {1.0, b});
+      if (first != last) locate(k, {0.0, a}, {1.0, b}, from().tests, to().tests);
       return;
     }
     // Looked into where the numbers, uncertain as they are, suggest a change.
@@ -156,17 +156,18 @@ class EventSearch {
     if (left && right && (left->value > 0.0) == (before > 0) &&
         (left->value > 0.0) != (right->value > 0.0)) {
       // Beyond the step it is the next one's.
-      if (locate(k, *left, *right)) next_.set(k, -before, to().member.parameter);
+      if (locate(k, *left, *right, from().tests, to().tests))
+        next_.set(k, -before, to().member.parameter);
     } else if (last == -before) {
-      add_unresolved(unlocated(k, to().tests), known_.since[k]);
+      add_unresolved(unlocated(k, from().tests, to().tests), known_.since[k]);
     }
   }
 
-  /// The type of a zero of function k somewhere in the step; at: the nearest point known.
-  EventType unlocated(std::size_t k, const TestValues& at) const {
-    const auto met = k == TestValues::collision ? met_between(from().tests, to().tests)
-                                                : std::optional<EventType>();
-    return met ? *met : event_type(k, curve().context(), at);
+  /// The type of a zero of function k somewhere between two places of the step.
+  EventType unlocated(std::size_t k, const TestValues& first, const TestValues& last) const {
+    const auto met =
+        k == TestValues::collision ? met_between(first, last) : std::optional<EventType>();
+    return met ? *met : event_type(k, curve().context(), last);
   }
 
   void add_unresolved(EventType type, ParameterRange since) {
@@ -204,7 +205,7 @@ class EventSearch {
 
   /// False where the zero lies beyond the step. One before it, where a sign was not certain then,
   /// is its beginning's.
-  bool locate(std::size_t k, Sample a, Sample b) {
+  bool locate(std::size_t k, Sample a, Sample b, const TestValues& first, const TestValues& last) {
     std::uintmax_t evaluations = 80;
     const auto f = [&](double u) { return points_.value(k, u, a.value); };
     const auto close = [](double low, double high) { return high - low <= 0x1p-48; };
@@ -217,9 +218,9 @@ class EventSearch {
     if (points_.uncertain_stretch(k, low, a.u) + points_.uncertain_stretch(k, high, b.u) +
             (high - low) <=
         resolved / arc().length) {
-      add(k, low, high, std::min(low - a.u, b.u - high));
+      add(k, low, high, std::min(low - a.u, b.u - high), unlocated(k, first, last));
     } else {
-      add_unresolved(unlocated(k, to().tests), known_.since[k]);
+      add_unresolved(unlocated(k, first, last), known_.since[k]);
     }
     return true;
   }
@@ -242,9 +243,9 @@ class EventSearch {
     return false;
   }
 
-  /// The event at a zero that lies so far at least from places where the sign is certain, and may have another
-  /// beyond them.
-  void add(std::size_t k, double low, double high, double reach) {
+  /// The event at a zero. reach: to the nearer end of where it was sought, beyond which there may be another;
+  /// differences are taken within half of it. otherwise: its type, where no point near it tells.
+  void add(std::size_t k, double low, double high, double reach, EventType otherwise) {
     const double apart = reach > 0.0 ? std::min(1e-3, 0.5 * reach) : 1e-3;
     CurvePoint<N> point;
     for (const double u : {0.5 * (low + high), low, high}) {
@@ -264,11 +265,10 @@ class EventSearch {
       return;
     }
     // Known to be there, and no more.
-    const EventType type = unlocated(k, from().tests);
-    if (type == EventType::none) return;
+    if (otherwise == EventType::none) return;
     const auto [before, after] = points_.around(0.0, 1.0);
     found_.push_back(
-        {0.5 * (low + high), {type, from().member, before, after, EventStatus::bracketed}});
+        {0.5 * (low + high), {otherwise, from().member, before, after, EventStatus::bracketed}});
   }
 
   /// Two zeros of function k inside the step? f at the earlier point, and its distance.
@@ -293,17 +293,25 @@ class EventSearch {
     return curve().context().kind.end != EventType::none && from().tests.zeros != to().tests.zeros;
   }
 
-  /// Of function k, between places where it has opposite signs.
-  void locate_all(std::size_t k, const std::vector<SignChange<N>>& between) {
-    for (const SignChange<N>& each : between) locate(k, each.low, each.high);
+  /// Zeros of function k between neighbouring places of certain and opposite signs.
+  void locate_between(std::size_t k, std::vector<Tested> at) {
+    std::erase_if(at, [k](const Tested& each) { return each.tests.sign(k) == 0; });
+    std::ranges::sort(at, {}, &Tested::u);
+    for (std::size_t place = 0; place + 1 < at.size(); ++place) {
+      const auto& [low, first] = at[place];
+      const auto& [high, last] = at[place + 1];
+      if (first.sign(k) != last.sign(k))
+        locate(k, {low, first.value[k]}, {high, last.value[k]}, first, last);
+    }
   }
+
+  std::vector<Tested> ends() const { return {{0.0, from().tests}, {1.0, to().tests}}; }
 
   /// Zeros of function k about its least size in the step, if it has any.
   void search_dip(std::size_t k) {
-    std::vector<SignChange<N>> between;
-    zeros_about_least(points_, k, {0.0, from().tests.value[k]}, {1.0, to().tests.value[k]},
-                      between);
-    locate_all(k, between);
+    std::vector<Tested> at = ends();
+    add_least(points_, k, at);
+    locate_between(k, std::move(at));
   }
 
   /// Lambdas that met and parted: their order tells of it, or their numbers, or how near they come. Where a
@@ -311,21 +319,31 @@ class EventSearch {
   void search_meetings(const TestValues* earlier, double earlier_length) {
     const TestValues& first = from().tests;
     const TestValues& last = to().tests;
-    std::vector<SignChange<N>> between;
-    if (order_changed(first, last)) {
-      met_unseen_ = !meetings_by_order(points_, {0.0, first}, {1.0, last}, between);
-    } else if (pairs_changed_sides(first, last) || ends_family()) {
-      meetings_between_parts(points_, between);
+    std::vector<Tested> at = ends();
+    met_unseen_ = !add_by_order(points_, {0.0, first}, {1.0, last}, at);
+    if (pairs_changed_sides(first, last) || ends_family()) {
+      add_parts(points_, at);
     } else if (earlier != nullptr && same_pairs(*earlier, first) && same_pairs(first, last)) {
       const double l = earlier_length / arc().length;
       constexpr double beyond = 0.5;
       constexpr double share = 0.8;
-      for (std::size_t gap = 0; gap < first.gaps.size() && between.empty(); ++gap)
+      for (std::size_t gap = 0; gap < first.gaps.size() && at.size() == 2; ++gap)
         if (may_touch_zero(parabola_through(l, earlier->gaps[gap], first.gaps[gap], last.gaps[gap]),
                            beyond, share))
-          meetings_about_least(points_, gap, {0.0, first}, {1.0, last}, between);
+          add_meeting(points_, gap, {0.0, first}, {1.0, last}, at);
     }
-    locate_all(TestValues::collision, between);
+    if (at.size() > 2) locate_between(TestValues::collision, std::move(at));
+  }
+
+  /// Whether Lambdas that stand in another order have met unseen: no meeting is known in the step, and none has
+  /// passed zero.
+  bool met_unseen() const {
+    return met_unseen_ && unresolved_.empty() &&
+           std::ranges::none_of(found_, [this](const Found& each) {
+             const EventType type = each.event.type;
+             return type == EventType::hamiltonian_hopf || type == EventType::real_collision ||
+                    negative_change(type, curve().context()) != 0;
+           });
   }
 
   /// Crossings of different blocks: over stretches of the step where each block keeps its numbers
@@ -368,7 +386,7 @@ class EventSearch {
     if (a.tests.composition != b.tests.composition) return;
     for_each_function(crossing_bits(a.tests.opposite | b.tests.opposite), [&](std::size_t k) {
       if (a.tests.sign(k) * b.tests.sign(k) < 0)
-        locate(k, {a.u, a.tests.value[k]}, {b.u, b.tests.value[k]});
+        locate(k, {a.u, a.tests.value[k]}, {b.u, b.tests.value[k]}, a.tests, b.tests);
     });
   }
 

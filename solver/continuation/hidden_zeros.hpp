@@ -1,8 +1,7 @@
-// Zeros of a test function inside a step at whose ends it has one certain sign: pairs of places between
-// which its sign changes.
+// Zeros of a test function inside a step at whose ends it has one certain sign: places of the step where it may
+// have the other. Zeros lie between neighbouring places of certain and opposite signs.
 #pragma once
 
-#include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstddef>
@@ -14,65 +13,52 @@
 
 namespace stationary {
 
-template <int N>
-struct SignChange {
-  typename StepPoints<N>::Sample low;
-  typename StepPoints<N>::Sample high;
-};
-
 /// A place of the step, and the test functions there.
 struct Tested {
   double u;
   TestValues tests;
 };
 
-/// About the least of a size between two places, that is < 0 where the sign of function k is another.
+/// Adds the place between two others where a size is least, if it is < 0 there.
 template <int N, class Size>
-void zeros_about_least(StepPoints<N>& points, std::size_t k,
-                       const typename StepPoints<N>::Sample& first,
-                       const typename StepPoints<N>::Sample& last, const Size& size,
-                       std::vector<SignChange<N>>& out) {
+void add_least(StepPoints<N>& points, double first, double last, const Size& size,
+               std::vector<Tested>& out) {
   std::uintmax_t evaluations = 25;
-  const auto [u, least] =
-      boost::math::tools::brent_find_minima(size, first.u, last.u, 20, evaluations);
+  const auto [u, least] = boost::math::tools::brent_find_minima(size, first, last, 20, evaluations);
   CurvePoint<N> lowest;
-  if (!(least < 0.0) || !points.evaluate(u, lowest) || lowest.tests.sign(k) == 0) return;
-  const typename StepPoints<N>::Sample between{u, lowest.tests.value[k]};
-  out.push_back({first, between});
-  out.push_back({between, last});
+  if (least < 0.0 && points.evaluate(u, lowest)) out.push_back({u, lowest.tests});
 }
 
-/// Of function k by itself.
+/// Where function k comes nearest to the other sign in the step.
 template <int N>
-void zeros_about_least(StepPoints<N>& points, std::size_t k,
-                       const typename StepPoints<N>::Sample& first,
-                       const typename StepPoints<N>::Sample& last,
-                       std::vector<SignChange<N>>& out) {
-  const double sign = first.value < 0.0 ? -1.0 : 1.0;
-  const auto size = [&](double u) { return sign * points.value(k, u, first.value); };
-  zeros_about_least(points, k, first, last, size, out);
+void add_least(StepPoints<N>& points, std::size_t k, std::vector<Tested>& out) {
+  const double f = points.from().tests.value[k];
+  const double sign = f < 0.0 ? -1.0 : 1.0;
+  add_least(
+      points, 0.0, 1.0, [&](double u) { return sign * points.value(k, u, f); }, out);
 }
 
-/// Meetings of the Lambdas of one of TestValues::gaps, about its least size between two places where it is of
+/// Where the Lambdas of one of TestValues::gaps have met, about its least size between two places where it is of
 /// the same.
 template <int N>
-void meetings_about_least(StepPoints<N>& points, std::size_t gap, const Tested& a, const Tested& b,
-                          std::vector<SignChange<N>>& out) {
+void add_meeting(StepPoints<N>& points, std::size_t gap, const Tested& a, const Tested& b,
+                 std::vector<Tested>& out) {
   constexpr std::size_t k = TestValues::collision;
+  const int sign = a.tests.sign(k);
+  if (sign == 0) return;
   const auto size = [&](double u) {
     CurvePoint<N> point;
     const bool known = points.evaluate(u, point);
-    if (known && point.tests.sign(k) == -a.tests.sign(k)) return -std::abs(point.tests.value[k]);
+    if (known && point.tests.sign(k) == -sign) return -std::abs(point.tests.value[k]);
     const bool same = known && same_pairs(a.tests, point.tests);
     return std::abs((same ? point.tests : a.tests).gaps[gap]);
   };
-  zeros_about_least(points, k, {a.u, a.tests.value[k]}, {b.u, b.tests.value[k]}, size, out);
+  add_least(points, a.u, b.u, size, out);
 }
 
-/// Meetings, by looking at many places of the step.
+/// Many places of the step, and between them where some Lambdas have met.
 template <int N>
-void meetings_between_parts(StepPoints<N>& points, std::vector<SignChange<N>>& out) {
-  constexpr std::size_t k = TestValues::collision;
+void add_parts(StepPoints<N>& points, std::vector<Tested>& out) {
   constexpr int parts = 32;
   std::vector<Tested> at{{0.0, points.from().tests}};
   CurvePoint<N> point;
@@ -80,53 +66,64 @@ void meetings_between_parts(StepPoints<N>& points, std::vector<SignChange<N>>& o
     if (const double u = double(part) / double(parts); points.evaluate(u, point))
       at.push_back({u, point.tests});
   at.push_back({1.0, points.to().tests});
-  const auto value = [&](std::size_t place) { return at[place].tests.value[k]; };
-  const auto changes = [&](std::size_t place) {
-    return (value(place) < 0.0) != (value(place + 1) < 0.0);
-  };
-  for (std::size_t place = 0; place + 1 < at.size(); ++place) {
-    if (changes(place)) {
-      out.push_back({{at[place].u, value(place)}, {at[place + 1].u, value(place + 1)}});
-      continue;
-    }
-    if (place == 0 || changes(place - 1)) continue;
+  for (std::size_t place = 1; place + 1 < at.size(); ++place) {
     const Tested& before = at[place - 1];
     const Tested& here = at[place];
     const Tested& behind = at[place + 1];
+    out.push_back(here);
     if (!same_pairs(before.tests, here.tests) || !same_pairs(here.tests, behind.tests)) continue;
     for (std::size_t gap = 0; gap < here.tests.gaps.size(); ++gap) {
       const double size = std::abs(here.tests.gaps[gap]);
       if (size < std::abs(before.tests.gaps[gap]) && size <= std::abs(behind.tests.gaps[gap]))
-        meetings_about_least(points, gap, before, behind, out);
+        add_meeting(points, gap, before, behind, out);
     }
   }
 }
 
-/// Meetings of negative Lambdas that stand in another order at b than at a (order_changed), by halving: in
-/// a place between they are complex. False where none is seen, however near the two places come: they
-/// pass each other.
+/// Adds places between one where the Lambdas stand as at the end of the step and one where some have met,
+/// nearer and nearer to the meeting; the last of the first sort.
 template <int N>
-bool meetings_by_order(StepPoints<N>& points, const Tested& a, const Tested& b,
-                       std::vector<SignChange<N>>& out) {
+Tested add_before_meeting(StepPoints<N>& points, Tested apart, Tested met,
+                          std::vector<Tested>& out) {
+  constexpr std::size_t k = TestValues::collision;
+  constexpr int halvings = 12;
+  CurvePoint<N> point;
+  for (int n = 0; n < halvings; ++n) {
+    const double u = 0.5 * (apart.u + met.u);
+    if (!points.evaluate(u, point) || point.tests.sign(k) == 0) break;
+    out.push_back({u, point.tests});
+    (point.tests.sign(k) == apart.tests.sign(k) ? apart : met) = out.back();
+  }
+  return apart;
+}
+
+/// Where negative Lambdas have met that stand in another order at b than at a (order_changed), by halving. False
+/// where some such place is not seen, however near the two come: they pass each other.
+template <int N>
+bool add_by_order(StepPoints<N>& points, const Tested& a, const Tested& b,
+                  std::vector<Tested>& out) {
   constexpr std::size_t k = TestValues::collision;
   constexpr double nearest = 0x1p-36;
+  if (!order_changed(a.tests, b.tests)) return true;
   if (b.u - a.u < nearest) return false;
   for (const double share : {0.5, 0.375, 0.625}) {
-    const double u = a.u + share * (b.u - a.u);
     CurvePoint<N> point;
+    const double u = a.u + share * (b.u - a.u);
     if (!points.evaluate(u, point)) continue;
     const Tested at{u, point.tests};
     const int sign = at.tests.sign(k);
+    Tested left = at;
+    Tested right = at;
     if (sign == -a.tests.sign(k)) {
-      out.push_back({{a.u, a.tests.value[k]}, {u, at.tests.value[k]}});
-      out.push_back({{u, at.tests.value[k]}, {b.u, b.tests.value[k]}});
-      return true;
+      out.push_back(at);
+      left = add_before_meeting(points, a, at, out);
+      right = add_before_meeting(points, b, at, out);
+    } else if (sign == 0 ||
+               !(order_changed(a.tests, at.tests) || order_changed(at.tests, b.tests))) {
+      continue;
     }
-    const bool before = order_changed(a.tests, at.tests);
-    const bool behind = order_changed(at.tests, b.tests);
-    if (sign == 0 || !(before || behind)) continue;
-    const bool seen = !before || meetings_by_order(points, a, at, out);
-    return (!behind || meetings_by_order(points, at, b, out)) && seen;
+    const bool seen = add_by_order(points, a, left, out);
+    return add_by_order(points, right, b, out) && seen;
   }
   return false;
 }

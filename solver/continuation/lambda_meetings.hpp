@@ -66,7 +66,8 @@ inline std::optional<EventType> met_between(const TestValues& from, const TestVa
 }
 
 /// Whether negative Lambdas of opposite signatures stand in another order at the other end of a step, in some
-/// block whose real Lambdas are as many: they met. Where one has come to zero it was the last of them.
+/// block whose real Lambdas are as many: they met. One that has come to zero was the nearest to it, and is left
+/// out.
 inline bool order_changed(const TestValues& from, const TestValues& to) {
   const unsigned certain = from.signed_blocks & to.signed_blocks;
   for (std::size_t block = 0; block < from.signatures.size(); ++block) {

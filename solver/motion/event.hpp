@@ -174,8 +174,8 @@ struct TestValues {
   /// that of the i-th is +1.
   std::array<std::uint8_t, 4> signatures{};
   std::uint8_t signed_blocks = 0;  ///< bit b: those of block b are all certain
-  /// What `collision` is the nearest to zero of, up to its sign: the same of each two neighbours of a block and,
-  /// < 0, of each complex pair. In one order while no block's number of real Lambda changes.
+  /// ((Lambda_1 - Lambda_2)/2)^2, relative, of each two neighbours of a block and of each complex pair (< 0), in
+  /// one order while no block's number of real Lambda changes; `collision` is the nearest to zero, up to its sign.
   std::array<double, 4> gaps;
   bool collides_imaginary = false;  ///< the pair of `collision` has Lambda < 0
   /// Bit k: the errors of the point leave the sign of value k open.

@@ -217,6 +217,48 @@ TEST(MadeUpEvents, PairsThatChangedTheirOrderHaveMet) {
   }
 }
 
+/// One of signature -1 comes from below two of +1, at -4.6 and -4.4, and meets and parts from each of them.
+Spectrum passing_two(double p, double at, double apart) {
+  const double moving = -4.5 + 10.0 * (p - at);
+  const double met = moving < -4.5 ? -4.6 : -4.4;
+  const double mean = 0.5 * (moving + met);
+  const double square = 0.25 * (moving - met) * (moving - met) - 25.0 * apart * apart;
+  const double half = std::sqrt(std::abs(square));
+  Spectrum out;
+  out.modes = 3;
+  out.negative = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Mode& mode = out.mode[k];
+    const bool meets = k < 2;
+    mode.lambda_re = meets ? mean : -9.0 - met;
+    mode.lambda_im = meets && square < 0.0 ? half : 0.0;
+    if (meets && square >= 0.0) mode.lambda_re += k == 0 ? -half : half;
+    mode.lambda_error = 1e-15;
+    mode.im = std::sqrt(-mode.lambda_re);
+    mode.krein = !meets ? 1 : mode.lambda_im > 0.0 ? 0 : (k == 0) == (moving < met) ? -1 : 1;
+  }
+  out.verdict = square < 0.0 ? StabilityClass::oscillatory : StabilityClass::elliptic;
+  return out;
+}
+
+TEST(MadeUpEvents, OneThatPassedTwoMetBoth) {
+  for (const double at : {0.31, 0.472, 0.593, 0.688, 0.741}) {
+    for (const double apart : {1e-3, 1e-5}) {
+      Line line;
+      line.spectrum = [&](double p) { return std::optional(passing_two(p, at, apart)); };
+      FollowOptions options = range(0.0, 1.0);
+      options.continuation.step.max = 0.2;
+      const Found found = follow_line(line, options);
+      const auto events = found.sheet.events({EventType::hamiltonian_hopf});
+      ASSERT_EQ(events.size(), 4U) << at << " " << apart << " " << found.sheet.text();
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double place = at + (k < 2 ? -0.01 : 0.01) + (k % 2 == 0 ? -apart : apart);
+        EXPECT_NEAR(events[k].member.parameter, place, 1e-9) << k;
+      }
+    }
+  }
+}
+
 TEST(MadeUpEvents, PairsThatAreImaginaryForABitAreSeen) {
   for (const double at : {0.31, 0.472, 0.593, 0.688, 0.741}) {
     for (const double apart : {1e-2, 1e-4}) {
