@@ -122,7 +122,7 @@ run_tests() { # preset [ctest option ...]
 if [[ $verb == run ]]; then
   echo "Installs missing Debian packages, builds the program and runs a first case: about 5 minutes on two cores."
 else
-  echo "Installs missing Debian packages, builds everything in release and under the sanitizers, and runs the tests, some in a browser: about 35 minutes on two cores."
+  echo "Installs missing Debian packages, builds everything in release and under the sanitizers, and runs the tests, some in a browser: 40 to 70 minutes on two cores, by the machine."
 fi
 set_up
 if [[ $verb == run ]]; then
