@@ -19,6 +19,7 @@
 #include <array>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -319,20 +320,33 @@ class EventSearch {
   void search_meetings(const TestValues* earlier, double earlier_length) {
     const TestValues& first = from().tests;
     const TestValues& last = to().tests;
+    const bool reordered = order_changed(first, last);
+    const bool looked_at = pairs_changed_sides(first, last) || ends_family();
+    std::array<bool, 4> dips{};
+    if (!looked_at && earlier != nullptr && same_pairs(*earlier, first) && same_pairs(first, last))
+      dips = gaps_that_dip(*earlier, earlier_length);
+    if (!reordered && !looked_at && std::ranges::none_of(dips, std::identity())) return;
     std::vector<Tested> at = ends();
-    met_unseen_ = !add_by_order(points_, {0.0, first}, {1.0, last}, at);
-    if (pairs_changed_sides(first, last) || ends_family()) {
-      add_parts(points_, at);
-    } else if (earlier != nullptr && same_pairs(*earlier, first) && same_pairs(first, last)) {
-      const double l = earlier_length / arc().length;
-      constexpr double beyond = 0.5;
-      constexpr double share = 0.8;
-      for (std::size_t gap = 0; gap < first.gaps.size() && at.size() == 2; ++gap)
-        if (may_touch_zero(parabola_through(l, earlier->gaps[gap], first.gaps[gap], last.gaps[gap]),
-                           beyond, share))
-          add_meeting(points_, gap, {0.0, first}, {1.0, last}, at);
-    }
-    if (at.size() > 2) locate_between(TestValues::collision, std::move(at));
+    const Tested begin = at[0];
+    const Tested end = at[1];
+    met_unseen_ = reordered && !add_by_order(points_, begin, end, at);
+    if (looked_at) add_parts(points_, at);
+    for (std::size_t gap = 0; gap < dips.size(); ++gap)
+      if (dips[gap] && at.size() == 2) add_meeting(points_, gap, begin, end, at);
+    locate_between(TestValues::collision, std::move(at));
+  }
+
+  /// Those of TestValues::gaps that may have come to zero in the step.
+  std::array<bool, 4> gaps_that_dip(const TestValues& earlier, double earlier_length) const {
+    constexpr double beyond = 0.5;
+    constexpr double share = 0.8;
+    const double l = earlier_length / arc().length;
+    std::array<bool, 4> out{};
+    for (std::size_t gap = 0; gap < out.size(); ++gap)
+      out[gap] = may_touch_zero(
+          parabola_through(l, earlier.gaps[gap], from().tests.gaps[gap], to().tests.gaps[gap]),
+          beyond, share);
+    return out;
   }
 
   /// Whether Lambdas that stand in another order have met unseen: no meeting is known in the step, and none has
