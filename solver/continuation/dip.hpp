@@ -32,8 +32,8 @@ inline Parabola slope_of_cubic(double a, double b, double gain) {
   return {a, 6.0 * gain - 4.0 * a - 2.0 * b, 3.0 * (a + b) - 6.0 * gain, b};
 }
 
-/// Whether it comes near zero between its ends: beyond: how far past them its turn may be; share: of what it
-/// is at an end, the least may be.
+/// Whether it comes near zero between its ends, or turns no farther beyond them. share: what the least may be of
+/// the smaller end.
 inline bool may_touch_zero(const Parabola& f, double beyond = 0.1, double share = 0.3) {
   if (f.curvature * f.a <= 0.0) return false;  // bends away from zero
   const double size = std::abs(f.curvature);

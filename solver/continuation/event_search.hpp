@@ -19,7 +19,6 @@
 #include <array>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -322,30 +321,32 @@ class EventSearch {
     const TestValues& last = to().tests;
     const bool reordered = order_changed(first, last);
     const bool looked_at = pairs_changed_sides(first, last) || ends_family();
-    std::array<bool, 4> dips{};
+    FunctionBits dips = 0;
     if (!looked_at && earlier != nullptr && same_pairs(*earlier, first) && same_pairs(first, last))
       dips = gaps_that_dip(*earlier, earlier_length);
-    if (!reordered && !looked_at && std::ranges::none_of(dips, std::identity())) return;
+    if (!reordered && !looked_at && dips == 0) return;
     std::vector<Tested> at = ends();
     const Tested begin = at[0];
     const Tested end = at[1];
     met_unseen_ = reordered && !add_by_order(points_, begin, end, at);
     if (looked_at) add_parts(points_, at);
-    for (std::size_t gap = 0; gap < dips.size(); ++gap)
-      if (dips[gap] && at.size() == 2) add_meeting(points_, gap, begin, end, at);
+    for_each_function(dips, [&](std::size_t gap) {
+      if (at.size() == 2) add_meeting(points_, gap, begin, end, at);
+    });
     locate_between(TestValues::collision, std::move(at));
   }
 
-  /// Those of TestValues::gaps that may have come to zero in the step.
-  std::array<bool, 4> gaps_that_dip(const TestValues& earlier, double earlier_length) const {
+  /// Those of TestValues::gaps that may have come to zero in the step, a bit each.
+  FunctionBits gaps_that_dip(const TestValues& earlier, double earlier_length) const {
     constexpr double beyond = 0.5;
     constexpr double share = 0.8;
     const double l = earlier_length / arc().length;
-    std::array<bool, 4> out{};
-    for (std::size_t gap = 0; gap < out.size(); ++gap)
-      out[gap] = may_touch_zero(
-          parabola_through(l, earlier.gaps[gap], from().tests.gaps[gap], to().tests.gaps[gap]),
-          beyond, share);
+    FunctionBits out = 0;
+    for (std::size_t gap = 0; gap < earlier.gaps.size(); ++gap)
+      if (may_touch_zero(
+              parabola_through(l, earlier.gaps[gap], from().tests.gaps[gap], to().tests.gaps[gap]),
+              beyond, share))
+        out |= bit_of(gap);
     return out;
   }
 

@@ -57,6 +57,13 @@ TEST(SamePairs, ByTheNumbersOfRealOnes) {
   EXPECT_FALSE(same_pairs(block_of("-+"), block_of("")));
 }
 
+TEST(PairsChangedSides, WhereTwoAreNotNegativeAnyMoreOrFourAreComplex) {
+  EXPECT_TRUE(pairs_changed_sides(block_of("-+"), block_of("", 0, 2)));
+  EXPECT_TRUE(pairs_changed_sides(block_of("-+-+"), block_of("")));
+  EXPECT_FALSE(pairs_changed_sides(block_of("-+"), block_of("-", 0, 1))) << "one passed zero";
+  EXPECT_FALSE(pairs_changed_sides(block_of("-+"), block_of(""))) << "the sign of collision tells";
+}
+
 TEST(MetBetween, ByWhatIsComplexOnOneSide) {
   EXPECT_EQ(met_between(block_of("-+"), block_of("")), EventType::hamiltonian_hopf);
   EXPECT_EQ(met_between(block_of("", 0, 2), block_of("")), EventType::real_collision);

@@ -175,27 +175,55 @@ TEST(MadeUpEvents, NothingPassesWhereTheNumberOfPairsChanges) {
   }
 }
 
-/// Two pairs of opposite signatures, Lambda = -4 -+ sqrt((p - at)^2 - apart^2), that meet at p = at -+ apart and
-/// go on in another order; or, of a sign -1 under the root, are imaginary between the two. Beside them two of one
-/// signature that are nearer each other.
-Spectrum exchanging(double p, double at, double apart, double sign = 1.0) {
+/// Two Lambda = mean -+ sqrt(square) of opposite signatures, that of the lower one given, and others of +1.
+Spectrum meeting(double mean, double square, int lower, const std::vector<double>& others) {
   Spectrum out;
-  out.modes = 4;
+  out.modes = 2 + static_cast<int>(others.size());
   out.negative = 2;
-  const double square = sign * (p - at - apart) * (p - at + apart);
   const double half = std::sqrt(std::abs(square));
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < 2 + others.size(); ++k) {
     Mode& mode = out.mode[k];
-    const bool meets = k < 2;
-    mode.lambda_re = meets ? -4.0 : k == 2 ? -9.0 : -9.0001;
-    mode.lambda_im = meets && square < 0.0 ? half : 0.0;
-    if (meets && square >= 0.0) mode.lambda_re += k == 0 ? -half : half;
+    mode.lambda_re = k >= 2 ? others[k - 2] : mean;
+    mode.krein = 1;
+    if (k < 2 && square < 0.0) {
+      mode.lambda_im = half;
+      mode.krein = 0;
+    } else if (k < 2) {
+      mode.lambda_re += k == 0 ? -half : half;
+      mode.krein = k == 0 ? lower : -lower;
+    }
     mode.lambda_error = 1e-15;
     mode.im = std::sqrt(-mode.lambda_re);
-    mode.krein = !meets ? 1 : mode.lambda_im > 0.0 ? 0 : (k == 0) == (p < at) ? 1 : -1;
   }
   out.verdict = square < 0.0 ? StabilityClass::oscillatory : StabilityClass::elliptic;
   return out;
+}
+
+/// They meet at p = at -+ apart and go on in another order; or, of a sign -1 under the root, are imaginary between
+/// the two. Beside them two of one signature that are nearer each other.
+Spectrum exchanging(double p, double at, double apart, double sign = 1.0) {
+  return meeting(-4.0, sign * (p - at - apart) * (p - at + apart), p < at ? 1 : -1,
+                 {-9.0001, -9.0});
+}
+
+/// One of signature -1 comes from below two of +1, at -4.6 and -4.4, and meets and parts from each of them.
+Spectrum passing_two(double p, double at, double apart) {
+  const double moving = std::min(-4.5 + 10.0 * (p - at), -1.0);
+  const double met = moving < -4.5 ? -4.6 : -4.4;
+  const double half = 0.5 * (moving - met);
+  return meeting(0.5 * (moving + met), half * half - 25.0 * apart * apart, moving < met ? -1 : 1,
+                 {-9.0 - met});
+}
+
+void expect_meetings(const Line& line, double longest, const std::vector<double>& places) {
+  FollowOptions options = range(0.0, 1.0);
+  options.continuation.step.max = longest;
+  const Found found = follow_line(line, options);
+  const auto events = found.sheet.events({EventType::hamiltonian_hopf});
+  ASSERT_EQ(events.size(), places.size()) << found.sheet.text();
+  for (std::size_t k = 0; k < places.size(); ++k)
+    EXPECT_NEAR(events[k].member.parameter, places[k], 1e-9) << k;
+  EXPECT_EQ(found.sheet.report.events.size(), places.size()) << found.sheet.text();
 }
 
 TEST(MadeUpEvents, PairsThatChangedTheirOrderHaveMet) {
@@ -204,41 +232,11 @@ TEST(MadeUpEvents, PairsThatChangedTheirOrderHaveMet) {
       for (const double longest : {0.5, 0.1}) {
         Line line;
         line.spectrum = [&](double p) { return std::optional(exchanging(p, at, apart)); };
-        FollowOptions options = range(0.0, 1.0);
-        options.continuation.step.max = longest;
-        const Found found = follow_line(line, options);
-        const auto events = found.sheet.events({EventType::hamiltonian_hopf});
-        ASSERT_EQ(events.size(), 2U) << at << " " << apart << " " << found.sheet.text();
-        EXPECT_NEAR(events[0].member.parameter, at - apart, 1e-9);
-        EXPECT_NEAR(events[1].member.parameter, at + apart, 1e-9);
-        EXPECT_EQ(found.sheet.report.events.size(), 2U) << found.sheet.text();
+        SCOPED_TRACE(at);
+        expect_meetings(line, longest, {at - apart, at + apart});
       }
     }
   }
-}
-
-/// One of signature -1 comes from below two of +1, at -4.6 and -4.4, and meets and parts from each of them.
-Spectrum passing_two(double p, double at, double apart) {
-  const double moving = -4.5 + 10.0 * (p - at);
-  const double met = moving < -4.5 ? -4.6 : -4.4;
-  const double mean = 0.5 * (moving + met);
-  const double square = 0.25 * (moving - met) * (moving - met) - 25.0 * apart * apart;
-  const double half = std::sqrt(std::abs(square));
-  Spectrum out;
-  out.modes = 3;
-  out.negative = 1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Mode& mode = out.mode[k];
-    const bool meets = k < 2;
-    mode.lambda_re = meets ? mean : -9.0 - met;
-    mode.lambda_im = meets && square < 0.0 ? half : 0.0;
-    if (meets && square >= 0.0) mode.lambda_re += k == 0 ? -half : half;
-    mode.lambda_error = 1e-15;
-    mode.im = std::sqrt(-mode.lambda_re);
-    mode.krein = !meets ? 1 : mode.lambda_im > 0.0 ? 0 : (k == 0) == (moving < met) ? -1 : 1;
-  }
-  out.verdict = square < 0.0 ? StabilityClass::oscillatory : StabilityClass::elliptic;
-  return out;
 }
 
 TEST(MadeUpEvents, OneThatPassedTwoMetBoth) {
@@ -246,15 +244,10 @@ TEST(MadeUpEvents, OneThatPassedTwoMetBoth) {
     for (const double apart : {1e-3, 1e-5}) {
       Line line;
       line.spectrum = [&](double p) { return std::optional(passing_two(p, at, apart)); };
-      FollowOptions options = range(0.0, 1.0);
-      options.continuation.step.max = 0.2;
-      const Found found = follow_line(line, options);
-      const auto events = found.sheet.events({EventType::hamiltonian_hopf});
-      ASSERT_EQ(events.size(), 4U) << at << " " << apart << " " << found.sheet.text();
-      for (std::size_t k = 0; k < 4; ++k) {
-        const double place = at + (k < 2 ? -0.01 : 0.01) + (k % 2 == 0 ? -apart : apart);
-        EXPECT_NEAR(events[k].member.parameter, place, 1e-9) << k;
-      }
+      SCOPED_TRACE(at);
+      const double first = at - 0.01;
+      const double second = at + 0.01;
+      expect_meetings(line, 0.2, {first - apart, first + apart, second - apart, second + apart});
     }
   }
 }
@@ -264,13 +257,8 @@ TEST(MadeUpEvents, PairsThatAreImaginaryForABitAreSeen) {
     for (const double apart : {1e-2, 1e-4}) {
       Line line;
       line.spectrum = [&](double p) { return std::optional(exchanging(p, at, apart, -1.0)); };
-      FollowOptions options = range(0.0, 1.0);
-      options.continuation.step.max = 0.1;
-      const Found found = follow_line(line, options);
-      const auto events = found.sheet.events({EventType::hamiltonian_hopf});
-      ASSERT_EQ(events.size(), 2U) << at << " " << apart << " " << found.sheet.text();
-      EXPECT_NEAR(events[0].member.parameter, at - apart, 1e-9);
-      EXPECT_NEAR(events[1].member.parameter, at + apart, 1e-9);
+      SCOPED_TRACE(at);
+      expect_meetings(line, 0.1, {at - apart, at + apart});
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/motion/event.hpp"
 #include "solver/motion/family.hpp"
 
 namespace stationary::testing {
