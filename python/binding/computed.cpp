@@ -23,6 +23,7 @@
 #include "solver/program/computation/continue_case.hpp"
 #include "solver/program/computation/curve_case.hpp"
 #include "solver/program/computation/map_case.hpp"
+#include "solver/program/computation/row_start.hpp"
 #include "solver/program/computation/sensitivity_case.hpp"
 #include "solver/program/computation/solve_case.hpp"
 #include "solver/program/computation/study_case.hpp"
@@ -38,7 +39,7 @@ using Tree = std::shared_ptr<CaseTree>;
 
 struct Computed {
   std::string input_file;  ///< which is not to be replaced; empty: none
-  std::string other_file;  ///< nor is this, the table that a study runs over
+  std::string other_file;  ///< nor is this, a table that it was computed from
   ArrayTable table;
   cli::Outcome outcome;
   std::vector<std::string> lines;  ///< what the program would say on standard error
@@ -82,12 +83,19 @@ std::shared_ptr<Computed> sensitivity(const Shared& input, bool events,
                   });
 }
 
+/// row: that it started from; empty: none.
+void keep_table_of(Computed& result, const std::string& row) {
+  if (!row.empty()) result.other_file = cli::table_of_row(row);
+}
+
 std::shared_ptr<Computed> follow(const Shared& input, const std::string& row,
                                  std::optional<int> threads) {
-  return computed(input, threads, "stationary.follow",
-                  [&row](const Case& given, TableTarget* target, const cli::Run& run) {
-                    return cli::continue_case(given, {row, {}}, target, run);
-                  });
+  const auto out = computed(input, threads, "stationary.follow",
+                            [&row](const Case& given, TableTarget* target, const cli::Run& run) {
+                              return cli::continue_case(given, {row, {}}, target, run);
+                            });
+  keep_table_of(*out, cli::start_row_of(*input, row));
+  return out;
 }
 
 void require_checkpoints(std::optional<int> checkpoints) {
@@ -110,10 +118,12 @@ std::shared_ptr<Computed> map(const Shared& input, std::optional<int> threads) {
 
 std::shared_ptr<Computed> curve(const Shared& input, const std::string& row,
                                 std::optional<int> threads) {
-  return computed(input, threads, "stationary.curve",
-                  [&row](const Case& given, TableTarget* target, const cli::Run& run) {
-                    return cli::curve_case(given, row, target, run);
-                  });
+  const auto out = computed(input, threads, "stationary.curve",
+                            [&row](const Case& given, TableTarget* target, const cli::Run& run) {
+                              return cli::curve_case(given, row, target, run);
+                            });
+  keep_table_of(*out, row);
+  return out;
 }
 
 /// over: a table's file, or what messages call one whose text is `csv`.
@@ -170,7 +180,7 @@ void write(const Computed& self, const std::string& path) {
   std::optional<py::gil_scoped_release> released;
   if (!is_column_file_extension(extension)) released.emplace();
   if (!self.other_file.empty())
-    cli::refuse_to_replace_table(path, self.other_file, "the table that it ran over");
+    cli::refuse_to_replace_table(path, self.other_file, "the table that it was computed from");
   try {
     self.table.write(path, self.input_file);
   } catch (const InputError&) {

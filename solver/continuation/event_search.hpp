@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/continuation/count_changes.hpp"
 #include "solver/continuation/dip.hpp"
 #include "solver/continuation/hidden_zeros.hpp"
 #include "solver/continuation/known_signs.hpp"
@@ -54,11 +55,9 @@ class EventSearch {
     if (starts) {
       first_ = SignBits::of(from.tests);
       known_.set(all_functions, first_, from.member.parameter);
-      known_.counts = KnownCounts::at(from.member);
       // A curve that starts where its parameter passes J1 = J2 starts at that event
       // (follow_sheet.hpp).
-      if (from.tests.value[TestValues::turn] == 0.0 || hides_zero(first_))
-        known_.counts.negative.reset();
+      counts_.start(from.member, from.tests.value[TestValues::turn] == 0.0 || hides_zero(first_));
     }
     next_ = known_;
     find_zeros(sought_ & own_functions, earlier, earlier_length);
@@ -69,10 +68,10 @@ class EventSearch {
     for_each_function(all_functions & last_.open(), [&](std::size_t k) {
       if (next_.sign(k) == known_.sign(k)) add_step(next_.since[k]);
     });
-    std::ranges::sort(found_, {}, &Found::u);
+    std::ranges::sort(found_, {}, &FoundEvent::u);
     std::vector<Event> out;
     out.reserve(found_.size());
-    for (Found& each : found_) out.push_back(std::move(each.event));
+    for (FoundEvent& each : found_) out.push_back(std::move(each.event));
     return out;
   }
 
@@ -81,6 +80,7 @@ class EventSearch {
   /// The step of the last run() is taken: the next begins where it ended.
   void settle() {
     known_ = next_;
+    counts_.settle();
     first_ = last_;
   }
 
@@ -88,10 +88,6 @@ class EventSearch {
   long evaluations() const { return points_.evaluations(); }
 
  private:
-  struct Found {
-    double u;
-    Event event;
-  };
   using Sample = typename StepPoints<N>::Sample;
 
   const Curve<N>& curve() const { return points_.curve(); }
@@ -185,7 +181,7 @@ class EventSearch {
   /// With what the parameter was in this step: between its ends, and where it turned.
   void add_step(ParameterRange& since) const {
     since.add(to().member.parameter);
-    for (const Found& each : found_) {
+    for (const FoundEvent& each : found_) {
       if (each.event.type != EventType::fold_nu && each.event.type != EventType::fold_parameter)
         continue;
       since.add(each.event.before);
@@ -258,7 +254,7 @@ class EventSearch {
       while (along < 0.5 && !points_.changes_between(k, u - along, u + along)) along *= 2.0;
       if (!(along < 0.5)) break;  // nowhere in the step is the sign of f certain
       const auto [before, after] = points_.around(u - along, u + along);
-      Found out{u, {type, point.member, before, after, EventStatus::located}};
+      FoundEvent out{u, {type, point.member, before, after, EventStatus::located}};
       const double own = curve().corrector().curve_error(point.arc);
       out.event.member.error_bound = 2.0 * (along * arc().length + own);
       found_.push_back(std::move(out));
@@ -354,7 +350,7 @@ class EventSearch {
   /// passed zero.
   bool met_unseen() const {
     return met_unseen_ && unresolved_.empty() &&
-           std::ranges::none_of(found_, [this](const Found& each) {
+           std::ranges::none_of(found_, [this](const FoundEvent& each) {
              const EventType type = each.event.type;
              return type == EventType::hamiltonian_hopf || type == EventType::real_collision ||
                     negative_change(type, curve().context()) != 0;
@@ -382,7 +378,7 @@ class EventSearch {
     });
     if (plain) return;
     std::vector<double> borders;
-    for (const Found& each : found_) borders.push_back(each.u);
+    for (const FoundEvent& each : found_) borders.push_back(each.u);
     std::ranges::sort(borders);
     borders.insert(borders.begin(), 0.0);  // the ends too: at rest the spin's own pair is missing
     borders.push_back(1.0);
@@ -407,77 +403,36 @@ class EventSearch {
 
   /// Whether events account for the changes of the counts; else brackets what is left of them.
   void explain_counts() {
-    counts_ = KnownCounts::at(to().member);
-    explain_negative();
-    explain(&KnownCounts::growing, growing_modes, !found_.empty());
-    explain(&KnownCounts::definite, definite, std::ranges::any_of(found_, [](const Found& each) {
-      return may_change_class(each.event.type);
-    }));
-    if (next_.counts.negative && (!counts_.negative || hides_zero(last_)))
-      add_step(next_.counts.negative->since);
-    for (const auto which : {&KnownCounts::growing, &KnownCounts::definite})
-      if (next_.counts.*which && !(counts_.*which)) add_step((next_.counts.*which)->since);
+    const CountChanges::Step step{from().member, to().member, curve().context(), hides_zero(last_),
+                                  to().tests.value[TestValues::turn] == 0.0};
+    counts_.enter(step);
+    report(counts_.negative(step, found_));
+    report(counts_.growing(step, !found_.empty() || !unresolved_.empty() || is_open()));
+    const bool may_change = std::ranges::any_of(
+        found_, [](const FoundEvent& each) { return may_change_class(each.event.type); });
+    report(counts_.definite(step, may_change || !unresolved_.empty() || is_open()));
+    counts_.widen_remembered([this](ParameterRange& since) { add_step(since); });
   }
 
-  /// Whether the located events account for the change of `negative`; else brackets the change.
-  void explain_negative() {
-    // A circle's count is that of (iii), which its ellipses at other rates do not change.
-    if (curve().context().kind.circle_on_own_leaf && curve().context().circle != Circle::none)
-      return;
-    auto& known = next_.counts.negative;
-    // Where a range ends at J1 = J2 the curve ends at that event, as it starts at it.
-    if (to().tests.value[TestValues::turn] == 0.0) {
-      known.reset();
+  /// Brackets a change of a count where it came in this step.
+  void report(const std::optional<UnexplainedChange>& change) {
+    if (!change) return;
+    if (!change->in_step) {
+      add_unresolved(EventType::unexplained, change->since);
       return;
     }
-    if (known) {
-      for (const Found& each : found_) {
-        // At rest no axis is turned about.
-        if (to().member.nu == 0.0 && is_of_axis(each.event.type)) continue;
-        known->change += negative_change(each.event.type, curve().context());
-        // J1 = J2: the direction conjugate to the symmetry may change its sign there.
-        known->exchange = known->exchange || each.event.type == EventType::inertia_exchange;
-      }
+    double low = 0.0;
+    double high = 1.0;
+    CurvePoint<N> middle = to();
+    for (int k = 0; k < 50; ++k) {
+      const double u = 0.5 * (low + high);
+      if (!points_.evaluate(u, middle)) break;
+      (change->count(*middle.member.spectrum) == change->before ? low : high) = u;
     }
-    const auto& now = counts_.negative;
-    if (!now || hides_zero(last_)) {
-      if (!to().member.spectrum) known.reset();
-      return;
-    }
-    const auto before = std::exchange(known, now);
-    if (!before || before->modes != now->modes) return;
-    const int change = std::abs(before->count - now->count);
-    if (change <= before->change && (before->change - change) % 2 == 0) return;
-    if (before->exchange && curve().context().material_symmetry) return;
-    const auto earlier = KnownCounts::at(from().member).negative;
-    if (!earlier || earlier->count != before->count) {
-      add_unresolved(EventType::unexplained, before->since);
-      return;
-    }
-    bracket_unexplained([&](const Member& at) { return at.spectrum->negative == before->count; });
-  }
-
-  /// Whether located events account for a change of a count; else brackets it. Of real Lambda > 0, which a second
-  /// momentum that is kept lets pass zero with no other sign of it. Of what is definite on a circle: with that
-  /// momentum some sum of the two is, or none any more, where no modes meet. events: such as account for it.
-  void explain(std::optional<KnownCount> KnownCounts::*which, int (*count)(const Spectrum&),
-               bool events) {
-    auto& known = next_.counts.*which;
-    if (known && (events || !unresolved_.empty() || is_open())) known->explained = true;
-    const auto& now = counts_.*which;
-    if (!now) {
-      if (!to().member.spectrum) known.reset();
-      return;
-    }
-    const auto before = std::exchange(known, now);
-    if (!before || before->modes != now->modes || before->count == now->count || before->explained)
-      return;
-    const auto earlier = KnownCounts::at(from().member).*which;
-    if (!earlier || earlier->count != before->count) {
-      add_unresolved(EventType::unexplained, before->since);
-      return;
-    }
-    bracket_unexplained([&](const Member& at) { return count(*at.spectrum) == before->count; });
+    const auto [first, last] = points_.around(low, high);
+    found_.push_back(
+        {0.5 * (low + high),
+         {EventType::unexplained, middle.member, first, last, EventStatus::bracketed}});
   }
 
   /// Whether a count at a point may be that of either side of an event: where J1 = J2 the energy of the symmetry's
@@ -490,30 +445,13 @@ class EventSearch {
   /// certain.
   bool is_open() const { return ((first_.open() | last_.open()) & own_functions) != 0; }
 
-  /// Between the ends of the step, of what is_before() tells.
-  template <class IsBefore>
-  void bracket_unexplained(const IsBefore& is_before) {
-    double low = 0.0;
-    double high = 1.0;
-    CurvePoint<N> middle = to();
-    for (int k = 0; k < 50; ++k) {
-      const double u = 0.5 * (low + high);
-      if (!points_.evaluate(u, middle)) break;
-      (is_before(middle.member) ? low : high) = u;
-    }
-    const auto [first, last] = points_.around(low, high);
-    found_.push_back(
-        {0.5 * (low + high),
-         {EventType::unexplained, middle.member, first, last, EventStatus::bracketed}});
-  }
-
   StepPoints<N> points_;
   FunctionBits sought_ = 0;
-  bool explains_;       ///< what is left of the changes of counts
-  SignBits first_;      ///< at from()
-  SignBits last_;       ///< at to()
-  KnownCounts counts_;  ///< at to()
-  std::vector<Found> found_;
+  bool explains_;   ///< what is left of the changes of counts
+  SignBits first_;  ///< at from()
+  SignBits last_;   ///< at to()
+  CountChanges counts_;
+  std::vector<FoundEvent> found_;
   std::vector<Event> unresolved_;
   bool met_unseen_ = false;  ///< Lambdas changed their order, and no place is seen where they met
   KnownSigns known_;         ///< at from()

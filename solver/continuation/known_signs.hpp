@@ -1,5 +1,5 @@
-// What is certain of a curve up to a point: the sign that each test function had last, the counts
-// of negative directions and of growing modes, and what the parameter was between since.
+// What is certain of a curve up to a point: the sign that each test function had last, and what the
+// parameter was between since.
 //
 // Signs are kept as bits, function k at bit k: on most steps none changes, and that is one
 // comparison.
@@ -10,8 +10,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <optional>
 
 #include "solver/motion/event.hpp"
 
@@ -81,59 +79,10 @@ struct ParameterRange {
   }
 };
 
-/// Negative directions.
-struct KnownNegative {
-  int modes;
-  int count;
-  ParameterRange since;
-  int change = 0;  ///< most that events since can have changed it by
-  bool exchange = false;
-};
-/// Another count of a spectrum's.
-struct KnownCount {
-  int modes;
-  int count;
-  ParameterRange since;
-  bool explained = false;  ///< an event since, or what may be one
-};
-/// Of real Lambda > 0.
-inline int growing_modes(const Spectrum& spectrum) {
-  return static_cast<int>(std::count_if(
-      spectrum.mode.begin(), spectrum.mode.begin() + spectrum.modes, [](const Mode& mode) {
-        return !mode.forced_zero && mode.lambda_im == 0.0 && mode.lambda_re > 0.0;
-      }));
-}
-
-/// 1: the second variation is definite, with a second momentum's added where one is kept; 0: it is not, and
-/// nothing grows; -1: neither.
-inline int definite(const Spectrum& spectrum) {
-  if (spectrum.verdict == StabilityClass::stable) return 1;
-  return spectrum.verdict == StabilityClass::elliptic ? 0 : -1;
-}
-
-/// All, where no Lambda may be zero; else nothing.
-struct KnownCounts {
-  std::optional<KnownNegative> negative;
-  std::optional<KnownCount> growing;
-  std::optional<KnownCount> definite;
-
-  static KnownCounts at(const Member& member) {
-    if (!member.spectrum || !member.spectrum->away_from_zero()) return {};
-    const Spectrum& spectrum = *member.spectrum;
-    const ParameterRange since = ParameterRange::at(member.parameter);
-    KnownCounts out{KnownNegative{spectrum.modes, spectrum.negative, since},
-                    KnownCount{spectrum.modes, growing_modes(spectrum), since}, std::nullopt};
-    const int sign = stationary::definite(spectrum);
-    if (sign >= 0) out.definite = KnownCount{spectrum.modes, sign, since};
-    return out;
-  }
-};
-
 struct KnownSigns {
   FunctionBits positive = 0;  ///< the last sign that was certain
   FunctionBits negative = 0;
   std::array<ParameterRange, TestValues::count> since{};
-  KnownCounts counts;
 
   int sign(std::size_t k) const { return SignBits{positive, negative}.of(k); }
   /// Those functions have the signs they have at a point.
@@ -147,11 +96,5 @@ struct KnownSigns {
     set(bit_of(k), {sign > 0 ? ~FunctionBits{0} : 0, sign < 0 ? ~FunctionBits{0} : 0}, parameter);
   }
 };
-
-/// Whether it is about the order of the locked inertias: where a spin's axis may turn.
-constexpr bool is_of_axis(EventType type) {
-  return type == EventType::tilt || type == EventType::oblique ||
-         type == EventType::inertia_exchange;
-}
 
 }  // namespace stationary

@@ -34,7 +34,7 @@ class Follower {
         circle_(circle),
         options_(options),
         second_(second),
-        family_(std::move(system)),
+        family_(std::move(system), options.second_to - options.second_from),
         curve_(family_, options.second_to - options.second_from, Circle::none, std::nullopt,
                EventSet::none()) {}
 
@@ -332,7 +332,8 @@ class Follower {
 
   /// p1 where the arc passes the p2 of the start.
   void note_crossing(const ArcPoint<N>& from, const ArcPoint<N>& to, const Arc<N>& arc) {
-    if ((from.p < second_) == (to.p < second_) || from.p == second_) return;
+    if (from.p == second_) return;
+    if (to.p != second_ && (from.p < second_) == (to.p < second_)) return;
     const auto u = zero_of([this](const ArcPoint<N>& at) { return at.p - second_; }, from, arc,
                            from.p - second_);
     if (!u) return;

@@ -21,7 +21,8 @@ auto difference(const std::array<DoubleDouble, M>& a, const std::array<DoubleDou
 }  // namespace
 
 template <int N>
-EventCurveFamily<N>::EventCurveFamily(EventCurveSystem<N> system) : system_(std::move(system)) {
+EventCurveFamily<N>::EventCurveFamily(EventCurveSystem<N> system, double scale)
+    : system_(std::move(system)), scale_(scale) {
   for (int i = 0; i < N; ++i) {
     const double value = double(system_.start[static_cast<std::size_t>(i)]);
     start_[i] = std::abs(value);
@@ -76,8 +77,8 @@ FamilyLinearization<N> EventCurveFamily<N>::linearize(const X& x, double p) cons
   const ExtendedVector<N> y = unknowns(x);
   const Slopes at = slopes(y, p);
   const ExtendedVector<N> here = system_.equations->values(y);
-  // Of a p2 near zero a step that is no smaller than those of numbers of order one.
-  const double step = h * std::max(std::abs(p), 0x1p-10);
+  // Of a p2 near zero a step that is no smaller than that of other numbers of its range.
+  const double step = h * std::max(std::abs(p), 0x1p-10 * scale_);
   system_.equations->hold(p + step);
   const ExtendedVector<N> ahead = system_.equations->values(y);
   system_.equations->hold(p - step);

@@ -19,7 +19,8 @@ class EventCurveFamily final : public Family<N> {
   static constexpr int first = ExtendedEventEquations<N>::parameter;  ///< the place of p1 in x
   using X = ReducedVector<N>;
 
-  explicit EventCurveFamily(EventCurveSystem<N> system);
+  /// scale: of p2, as of its range.
+  EventCurveFamily(EventCurveSystem<N> system, double scale);
 
   const EventCurveSystem<N>& system() const { return system_; }
 
@@ -52,6 +53,7 @@ class EventCurveFamily final : public Family<N> {
   Slopes slopes(const ExtendedVector<N>& y, double p) const;
 
   EventCurveSystem<N> system_;
+  double scale_;
   X start_;
   X sign_;
 };

@@ -73,12 +73,13 @@ double pitchfork_coefficient(const Problem& problem, double nu, const Stretch& q
   };
   double bKb = 0.0;
   double scale = 0.0;
+  double det_K = 0.0;
   if (problem.potential().holds_volume()) {
     // Only along the volume: off it what is left of V is symmetric in no pair with rho.
     Weights along_volume = both;
     along_volume[std::size_t(places_of.other)] = -2.0;
     const double b = second(along_volume);
-    scale = stiffness(along_volume, along_volume, here);
+    scale = det_K = stiffness(along_volume, along_volume, here);
     bKb = b * b / scale;
   } else {
     const double b_s = second(both);
@@ -87,14 +88,15 @@ double pitchfork_coefficient(const Problem& problem, double nu, const Stretch& q
     const double K_st = stiffness(both, third, here);
     const double K_tt = stiffness(third, third, here);
     scale = std::abs(K_ss) + std::abs(K_tt);
-    bKb = (b_s * b_s * K_tt - 2.0 * b_s * b_t * K_st + b_t * b_t * K_ss) /
-          (K_ss * K_tt - K_st * K_st);
+    det_K = K_ss * K_tt - K_st * K_st;
+    bKb = (b_s * b_s * K_tt - 2.0 * b_s * b_t * K_st + b_t * b_t * K_ss) / det_K;
   }
   const double size = std::abs(vvvv) + 3.0 * std::abs(bKb);
   const double out = vvvv - 3.0 * bKb;
   // The point is known to doubles, and so is its stiffness along v, which is in out.
   constexpr double rounding = 1e-11;
-  return std::abs(out) > rounding * (size + std::abs(scale)) ? out / size : 0.0;
+  if (!(std::abs(out) > rounding * (size + std::abs(scale)))) return 0.0;
+  return (det_K < 0.0 ? -out : out) / size;
 }
 
 }  // namespace stationary

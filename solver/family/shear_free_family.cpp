@@ -61,7 +61,9 @@ std::optional<ShearFreeFamily::TurningPoint> ShearFreeFamily::turning_point(
     const auto found = point(near, at);
     return found ? found->turn : std::numeric_limits<double>::quiet_NaN();
   };
-  for (double reach = 1e-6 * (1.0 + std::abs(p)); reach < 0.1 * (1.0 + std::abs(p)); reach *= 4.0) {
+  // Of a number in any unit; of one that is 0 in that of numbers of order one.
+  double reach = 1e-6 * (p != 0.0 ? std::abs(p) : 1.0);
+  for (; reach < 0.1 * (1.0 + std::abs(p)); reach *= 4.0) {
     const double a = turn(p - reach);
     const double b = turn(p + reach);
     if (std::isnan(a) || std::isnan(b)) return std::nullopt;

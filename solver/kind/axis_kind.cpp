@@ -175,8 +175,9 @@ class AxisKind final : public Kind {
   std::optional<NormalForm> normal_form(const FamilyParameter& parameter, EventType event,
                                         const Member& member) const override {
     if (is_sheared(member.q)) return std::nullopt;
-    return stationary::normal_form(problem_, parameter, circle_with(event, parameter, member),
-                                   event, member);
+    const auto circle = circle_with(event, parameter, member);
+    if (!circle) return std::nullopt;
+    return stationary::normal_form(problem_, parameter, *circle, event, member);
   }
 
  private:
@@ -186,8 +187,9 @@ class AxisKind final : public Kind {
     if (!potential().is_isotropic())
       return enclose_oriented_event(problem_, parameter, event, member);
     if (!has_enclosure(event)) return std::nullopt;
-    return stationary::enclose_event(problem_, parameter, circle_with(event, parameter, member),
-                                     event, member);
+    const auto circle = circle_with(event, parameter, member);
+    if (!circle) return std::nullopt;
+    return stationary::enclose_event(problem_, parameter, *circle, event, member);
   }
 
   /// Of an isotropic body with gravity about axis 3.
@@ -219,10 +221,14 @@ class AxisKind final : public Kind {
     return none;
   }
 
-  /// The circle that the member's sheet keeps; at its end, the one that it breaks there.
-  Circle circle_with(EventType event, const FamilyParameter& parameter,
-                     const Member& member) const {
-    if (const Circle broken = broken_circle(event); broken != Circle::none) return broken;
+  /// The circle that the member's sheet keeps; at its end, the one that it breaks there, nothing where this body
+  /// has none to be broken.
+  std::optional<Circle> circle_with(EventType event, const FamilyParameter& parameter,
+                                    const Member& member) const {
+    if (const Circle broken = broken_circle(event); broken != Circle::none) {
+      if (circle_of(problem_, parameter) != broken) return std::nullopt;
+      return broken;
+    }
     if (mirror_symmetric(problem_, member.nu) && member.q.xi == member.q.zeta)
       return Circle::xi_zeta;
     const Circle circle = circle_of(problem_, parameter);

@@ -12,17 +12,23 @@ namespace {
 
 using Force = std::array<DoubleDouble, 3>;
 
-/// V's part of the balance at x, with the family's parameter times a factor.
+/// Another value of a family's parameter, so far from its own.
+double another(double value, double apart) {
+  return value != 0.0 ? value * (1.0 + apart) : apart;
+}
+
+/// V's part of the balance at x, with the family's parameter so far from its own value.
 class Elastic {
  public:
-  Elastic(const Potential& potential, const FamilyParameter& parameter, double factor)
-      : potential_(potential), parameter_(parameter), factor_(factor) {}
+  Elastic(const Potential& potential, const FamilyParameter& parameter, double apart)
+      : potential_(potential), parameter_(parameter), apart_(apart) {}
 
   Force at(const std::array<DoubleDouble, 3>& x) const {
     const CentrifugalRates<DoubleDouble> at_rest{0.0, 0.0, 0.0};
     const auto number = [&](double value, FamilyParameter::Kind kind, int index) {
       const InputPlace place = input_place(potential_, kind, index);
-      return DoubleDouble(value) * (varies(parameter_, place.kind, place.index) ? factor_ : 1.0);
+      return DoubleDouble(varies(parameter_, place.kind, place.index) ? another(value, apart_)
+                                                                      : value);
     };
     const LogBalance<DoubleDouble> b =
         varied_balance(potential_, x[0], x[1], x[2], at_rest, number);
@@ -32,7 +38,7 @@ class Elastic {
  private:
   const Potential& potential_;
   FamilyParameter parameter_;
-  double factor_;
+  double apart_;
 };
 
 enum class Answer { same, other, undefined };
@@ -69,8 +75,8 @@ bool is_symmetric(const Potential& potential, const FamilyParameter& parameter,
   const bool held = body != nullptr && body->volume;
   const double unit = held ? cube_root(*body->volume) : 1.0;
   int defined = 0;
-  for (const double factor : {1.0, 1.375}) {
-    const Elastic V(potential, parameter, factor);
+  for (const double apart : {0.0, 0.375}) {
+    const Elastic V(potential, parameter, apart);
     const bool volume_varies = held && varies(parameter, FamilyParameter::Kind::plane,
                                               static_cast<int>(BodyModel<>::volume_place));
     for (const double first : {0.83, 1.29, 2.17}) {
@@ -82,7 +88,7 @@ bool is_symmetric(const Potential& potential, const FamilyParameter& parameter,
         other = DoubleDouble(0.93 * unit);
         if (held) {
           const DoubleDouble volume(*body->volume);
-          other = volume * (volume_varies ? factor : 1.0) /
+          other = volume * (volume_varies ? 1.0 + apart : 1.0) /
                   (DoubleDouble(unit * first) * DoubleDouble(unit * second));
         }
         switch (compare(V, at, x, held)) {

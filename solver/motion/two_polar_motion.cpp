@@ -16,15 +16,24 @@ std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
   };
   const double squares = J * (rates.omega * rates.omega + rates.theta_dot * rates.theta_dot);
   const double slip = rates.omega - rates.theta_dot;
-  const auto plane = [&](const auto& m) -> std::optional<RatesVerdict> {
+  // Of V = k t^2/2 + g(d, rho) t is free where the condition holds, a held volume or not.
+  const auto of_trace = [&](const auto& m) -> std::optional<RatesVerdict> {
     using Model = std::decay_t<decltype(m)>;
     if constexpr (std::is_same_v<Model, ReciprocalDeterminant<>>)
       return verdict("J (omega^2 + theta_dot^2) = k", squares, m.k);
     if constexpr (std::is_same_v<Model, NeoHookean<>> || std::is_same_v<Model, NeoHookean3d<>>)
       return verdict("J (omega^2 + theta_dot^2) = mu", squares, m.mu);
-    if constexpr (std::is_same_v<Model, Biot<>>)
-      return verdict("J (omega - theta_dot)^2 = 2 mu", J * slip * slip, 2.0 * m.mu);
     return std::nullopt;
+  };
+  if (const BodyModel<>* body = potential.body_model()) {
+    if (body->gravitates) return std::nullopt;
+    if (body->elastic.plane) return body->elastic.plane->visit(of_trace);
+    return std::visit(of_trace, body->elastic.coupled);
+  }
+  const auto plane = [&](const auto& m) -> std::optional<RatesVerdict> {
+    if constexpr (std::is_same_v<std::decay_t<decltype(m)>, Biot<>>)
+      return verdict("J (omega - theta_dot)^2 = 2 mu", J * slip * slip, 2.0 * m.mu);
+    return of_trace(m);
   };
   if (const auto parts = separable_parts(potential)) return parts->plane.visit(plane);
   return potential.visit(plane);

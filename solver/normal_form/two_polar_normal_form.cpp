@@ -73,11 +73,18 @@ std::optional<NormalForm> two_polar_normal_form(const Body& body, const Potentia
   const bool circle = member.q.xi == member.q.zeta;
   const auto what = vanishing_at(type, circle, member);
   if (!what) return std::nullopt;
-  return std::visit(
+  auto out = std::visit(
       [&](const auto& held) -> std::optional<NormalForm> {
         return form(TwoPolarGradient(body, potential, held, parameter, member), circle, *what);
       },
       motion);
+  // |pi| = |s3| grows where a negative s3 falls.
+  const bool in_s3 = parameter.kind == FamilyParameter::Kind::nu && parameter.index == 0;
+  if (out && in_s3 && type == EventType::fold_momentum && member.parameter < 0.0) {
+    out->coefficient = -out->coefficient;
+    out->side = out->side == EventSide::after ? EventSide::before : EventSide::after;
+  }
+  return out;
 }
 
 }  // namespace stationary

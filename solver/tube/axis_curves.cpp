@@ -152,7 +152,8 @@ class AxisCurves {
   }
 
   /// N unknowns of a circle, one more of an ellipse; thickness: the last, where it is one. Of an
-  /// ellipse and the same turned by a right angle that with xi > zeta.
+  /// ellipse and the same turned by a right angle that with xi > zeta; where the box is not the same in the
+  /// two, those of which either lies in it.
   template <int N, class Model>
   std::vector<AnyCurveSet> circles_and_ellipses(const Model& model,
                                                 const std::vector<LogRange>& thickness,
@@ -160,21 +161,30 @@ class AxisCurves {
     const LogRange& xi = stretch_[0];
     const LogRange& zeta = stretch_[1];
     std::vector<AnyCurveSet> out;
-    std::vector<LogRange> circle{overlap(xi, zeta)};
-    std::vector<LogRange> ellipse{{0.5 * (xi.lower + zeta.lower), 0.5 * (xi.upper + zeta.upper)},
-                                  {Interval(0.0), 0.5 * (xi.upper - zeta.lower)}};
-    for (std::vector<LogRange>* each : {&circle, &ellipse})
-      each->insert(each->end(), thickness.begin(), thickness.end());
-    if (circle[0].lower.lo < circle[0].upper.hi)
-      out.push_back(
-          set<N>(std::make_unique<CircleCurves<Model, N>>(model, rates_, held, inputs_), circle));
-    if (ellipse[1].upper.hi > 0.0) {
-      auto ellipses =
-          std::make_unique<EllipseCurves<Model, N + 1>>(model, rates_, xi, zeta, held, inputs_);
-      out.push_back(set<N + 1>(std::move(ellipses), ellipse));
+    const auto with_thickness = [&](std::vector<LogRange> plane) {
+      plane.insert(plane.end(), thickness.begin(), thickness.end());
+      return plane;
+    };
+    const LogRange circle = overlap(xi, zeta);
+    if (circle.lower.lo < circle.upper.hi)
+      out.push_back(set<N>(std::make_unique<CircleCurves<Model, N>>(model, rates_, held, inputs_),
+                           with_thickness({circle})));
+    const auto add_ellipses = [&](const LogRange& longer, const LogRange& shorter) {
+      const LogRange half{Interval(0.0), 0.5 * (longer.upper - shorter.lower)};
+      if (!(half.upper.hi > 0.0)) return;
+      const LogRange mean{0.5 * (longer.lower + shorter.lower),
+                          0.5 * (longer.upper + shorter.upper)};
+      auto ellipses = std::make_unique<EllipseCurves<Model, N + 1>>(model, rates_, longer, shorter,
+                                                                    held, inputs_);
+      out.push_back(set<N + 1>(std::move(ellipses), with_thickness({mean, half})));
       std::get<CurveSet<N + 1>>(out.back()).region.mirror = 1;
-    }
+    };
+    add_ellipses(xi, zeta);
+    if (!same(xi, zeta)) add_ellipses(zeta, xi);
     return out;
+  }
+  static bool same(const LogRange& a, const LogRange& b) {
+    return a.lower.lo == b.lower.lo && a.upper.hi == b.upper.hi;
   }
   static LogRange overlap(const LogRange& a, const LogRange& b) {
     return {a.lower.lo > b.lower.lo ? a.lower : b.lower,

@@ -121,6 +121,8 @@ class Gaps {
                                       const Interval& q) const {
     const FactorPiece& first = together[leader];
     const CurvePiece middle = first.curves->middle_of(first.piece);
+    // A tube runs on beyond the end of the range, where nu_of() would take the motion's nu for that at the end.
+    if (!middle.q().within({0.0, 1.0})) return std::nullopt;
     const double h =
         std::max(above(first.piece.s.hi - middle.s.lo), above(middle.s.hi - first.piece.s.lo));
     const Interval q_slope = first.piece.q_slope() * Interval(h);

@@ -144,7 +144,7 @@ def test_wrong_options(disc):
 def test_does_not_replace_its_table(disc, tmp_path):
     path = tmp_path / "t.csv"
     path.write_text("motion.nu\n0.3\n")
-    with pytest.raises(stationary.InputError, match="the table that it ran over"):
+    with pytest.raises(stationary.InputError, match="the table that it was computed from"):
         stationary.study(disc, path).write(path)
     assert path.read_text() == "motion.nu\n0.3\n"
 

@@ -5,6 +5,7 @@ import type { Computed, Described, Request } from './live_protocol';
 import type { LiveSolver } from './live_solver';
 import type { Payload, PayloadTable } from './table/payload';
 import { meaning, shown } from './table/quantities';
+import { number as tomlNumber } from './table/toml';
 
 type Task = 'follow' | 'solve' | 'all';
 
@@ -108,7 +109,7 @@ export class LivePanel {
     const out = [];
     for (const key of this.moved) {
       if (this.task === 'follow' && key === this.described?.range?.parameter) continue;
-      const value = String(this.values.get(key));
+      const value = tomlNumber(this.values.get(key) ?? NaN);
       // The case may have pi_G_rho in its place, and takes one of them.
       if (key === 'gravity.g') out.push(`gravity={ g = ${value} }`);
       else out.push(`${key === 'nu' ? 'motion.nu' : key}=${value}`);

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -146,27 +148,78 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
   return out;
 }
 
-/// Whether one of J varies.
-bool follows_inertia(const std::optional<Case::Continuation>& continuation,
-                     const std::optional<CaseMap>& map, const std::optional<CaseCurve>& curve) {
-  const auto is_inertia = [](std::string_view key) {
-    return key.find("body.J.") != std::string_view::npos;
+/// The numbers that vary, each at both ends of its range: together, one set for each corner.
+std::vector<std::vector<ParameterValue>> ends_of(
+    const std::optional<Case::Continuation>& continuation, const std::optional<CaseMap>& map,
+    const std::optional<CaseCurve>& curve) {
+  std::vector<std::vector<ParameterValue>> out;
+  const auto add = [&](std::span<const std::array<ParameterValue, 2>> axes) {
+    std::vector<std::vector<ParameterValue>> corners{{}};
+    for (const auto& ends : axes) {
+      std::vector<std::vector<ParameterValue>> more;
+      for (const auto& corner : corners)
+        for (const ParameterValue& end : ends) {
+          more.push_back(corner);
+          more.back().push_back(end);
+        }
+      corners = std::move(more);
+    }
+    out.insert(out.end(), corners.begin(), corners.end());
   };
-  if (continuation && is_inertia(continuation->parameter)) return true;
-  if (curve && std::ranges::any_of(curve->parameters, is_inertia)) return true;
-  return map && std::ranges::any_of(
-                    map->axes(), [&](const MapAxis* axis) { return is_inertia(axis->parameter); });
+  if (continuation) {
+    const std::string& key = continuation->parameter;
+    add(std::array{
+        std::array<ParameterValue, 2>{{{key, continuation->from}, {key, continuation->to}}}});
+  }
+  if (map) {
+    std::vector<std::array<ParameterValue, 2>> axes;
+    for (const MapAxis* axis : map->axes())
+      axes.push_back({{{axis->parameter, axis->from}, {axis->parameter, axis->to}}});
+    add(axes);
+  }
+  if (curve) {
+    std::vector<std::array<ParameterValue, 2>> axes;
+    for (std::size_t k = 0; k < curve->parameters.size(); ++k)
+      axes.push_back(
+          {{{curve->parameters[k], curve->from[k]}, {curve->parameters[k], curve->to[k]}}});
+    add(axes);
+  }
+  return out;
+}
+
+/// Whether a body that is a fluid as it is written is one wherever its numbers vary.
+bool stays_fluid(const FamilyParameters& family,
+                 const std::vector<std::vector<ParameterValue>>& ends) {
+  const auto is_elastic = [](const ParameterValue& each) {
+    return parts_of(each.parameter).first.starts_with("potential.");
+  };
+  return std::ranges::all_of(ends, [&](const std::vector<ParameterValue>& corner) {
+    if (std::ranges::none_of(corner, is_elastic)) return true;
+    try {
+      const FamilyParameters there = with_parameters(family, corner);
+      return is_fluid(make_potential(there.models, there.body));
+    } catch (const std::invalid_argument&) {
+      return true;  // no body at all
+    }
+  });
 }
 
 /// Whether S is told in other coordinates than the body's that is computed.
-bool is_told_in_others(const CaseTree& tree, const Body& body, const Potential& potential,
-                       bool inertia_varies) {
+bool is_told_in_others(const CaseTree& tree, const FamilyParameters& family,
+                       const Potential& potential,
+                       const std::vector<std::vector<ParameterValue>>& ends) {
+  const Body& body = family.body;
   if ((body.J1 == body.J2 && body.J2 == body.J3) || !is_fluid(potential)) return false;
+  const bool inertia_varies = std::ranges::any_of(ends, [](const auto& corner) {
+    return std::ranges::any_of(corner, [](const ParameterValue& each) {
+      return each.parameter.find("body.J.") != std::string_view::npos;
+    });
+  });
   if (inertia_varies && !body.symmetric())
     throw fault_at(tree, "body.J", fmt::format("found J1 = {}, J2 = {}", body.J1, body.J2),
                    "J1 = J2 of a fluid whose J is followed",
                    "its J is a choice of material coordinates: S sqrt(J) is the same motion");
-  return !inertia_varies;
+  return !inertia_varies && stays_fluid(family, ends);
 }
 
 /// In the coordinates of the body that is computed.
@@ -290,7 +343,8 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
       family.reset();
     }
   }
-  Case::Solve solve = read_solve(tree, motion, models, faults);
+  const Case::Solve own_solve = read_solve(tree, motion, models, faults);
+  Case::Solve solve = own_solve;
   const auto continuation = read_continuation(tree, family, faults);
   const auto map = read_map(tree, family ? &*family : nullptr, faults);
   const auto curve = read_curve(tree, family ? &*family : nullptr, faults);
@@ -306,8 +360,7 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
       potential = make_potential(*models, *body);
       require_scale(tree, *models, *potential);
       require_alpha(tree, solve.start, *motion, *potential);
-      if (!is_told_in_others(tree, *body, *potential, follows_inertia(continuation, map, curve)))
-        return;
+      if (!is_told_in_others(tree, *family, *potential, ends_of(continuation, map, curve))) return;
       coordinates = coordinates_of(*body);
       computed = round_body(*body);
       potential = make_potential(*models, *computed);
@@ -322,6 +375,7 @@ Case make_case(CaseTree tree, std::span<const Override> overrides) {
           .potential = std::move(*potential),
           .motion = *motion,
           .coordinates = coordinates,
+          .own_solve = own_solve,
           .solve = std::move(solve),
           .continuation = continuation,
           .map = map,

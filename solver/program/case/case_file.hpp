@@ -68,7 +68,8 @@ struct Case {
   Potential potential;  ///< made of `models`
   Motion motion;
   MaterialCoordinates coordinates;  ///< of S of own_body
-  Solve solve;                      ///< start and box in those of `body`
+  Solve own_solve;                  ///< start and box in these
+  Solve solve;                      ///< in those of `body`
   std::optional<Continuation> continuation;
   std::optional<CaseMap> map;
   std::optional<CaseCurve> curve;

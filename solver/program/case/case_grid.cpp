@@ -70,7 +70,13 @@ std::vector<double> MapAxis::values() const {
   std::vector<double> out(count);
   for (std::size_t k = 0; k < count; ++k) {
     const double part = static_cast<double>(k) / static_cast<double>(count - 1);
-    out[k] = scale == AxisScale::log ? from * pow(to / from, part) : from + (to - from) * part;
+    if (scale != AxisScale::log) {
+      out[k] = from + (to - from) * part;
+    } else if (const double whole = to / from; std::isfinite(whole)) {
+      out[k] = from * pow(whole, part);
+    } else {  // of numbers whose ratio is none
+      out[k] = exp(log(from) + part * (log(to) - log(from)));
+    }
   }
   out.back() = to;
   return out;

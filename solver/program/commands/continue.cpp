@@ -35,11 +35,16 @@ void add_continue(CLI::App& program, Session& session) {
     session.action = [options, &session] {
       ContinueFrom from{options->from, {}};
       if (options->resume) from.resumed = options->output;
-      if (!options->from.empty() && !options->output.empty())
-        refuse_to_replace_table(options->output, table_of_row(options->from),
-                                "the table of the row to start from");
+      const auto keep_table_of = [&](const std::string& row) {
+        if (!row.empty() && !options->output.empty())
+          refuse_to_replace_table(options->output, table_of_row(row),
+                                  "the table of the row to start from");
+      };
+      keep_table_of(options->from);
       return compute(*options, session, [&](TableTarget* target, const Run& run) {
-        return continue_case(options->read(), from, target, run);
+        const Case input = options->read();
+        keep_table_of(start_row_of(input, options->from));
+        return continue_case(input, from, target, run);
       });
     };
   });

@@ -166,6 +166,16 @@ void refuse_range(const PlotOptions& options, std::string_view axis, std::string
                        fmt::format("found a range of {}", axis), fmt::format("{}", figure));
 }
 
+/// Refuses a range that an axis of logarithms cannot show.
+void refuse_range_of_logarithms(const PlotOptions& options, const PageChoice& page,
+                                const MapDiagram& map) {
+  const auto is_refused = [](const MapDiagramAxis& axis, const std::optional<AxisRange>& asked) {
+    return axis.scale == AxisScale::log && asked && !(asked->low > 0.0);
+  };
+  if (is_refused(map.x, page.x)) refuse_range(options, "x", "LOW > 0 on a logarithmic axis");
+  if (is_refused(map.y, page.y)) refuse_range(options, "y", "LOW > 0 on a logarithmic axis");
+}
+
 /// Refuses an asked size on which the figure could not be read.
 void require_room(const PlotOptions& options, const PageChoice& page, const PageSize& least) {
   if (!page.size || (page.size->width >= least.width && page.size->height >= least.height)) return;
@@ -185,6 +195,7 @@ Figure map_figure(const PlotOptions& options, TableReader& table,
   const auto column = choice.columns.empty() ? std::nullopt : std::optional(choice.columns.front());
   MapDiagram map = read_map_diagram(table, column);
   if (map.of_class()) refuse_range(options, "value", "a map of numbers");
+  refuse_range_of_logarithms(options, page, map);
   for (TableReader* const each : curves) {
     std::ranges::move(read_event_lines(*each, map.x.parameter, map.y.parameter),
                       std::back_inserter(map.lines));

@@ -22,13 +22,12 @@ std::string coefficients_text(const ModelChoice& model) {
 }
 
 std::string start_text(const Case& input) {
-  const auto& start = input.solve.start;
+  const auto& start = input.own_solve.start;
   if (!start)
     return std::string(kind_of(input.body, input.potential, input.motion)->default_start());
-  const Stretch told = input.coordinates.told(*start);
   return fmt::format("(alpha, {}, rho) = ({}, {}, {}, {})",
-                     has_rates(input.motion) ? "lambda, mu" : "xi, zeta", told.alpha, told.xi,
-                     told.zeta, told.rho);
+                     has_rates(input.motion) ? "lambda, mu" : "xi, zeta", start->alpha, start->xi,
+                     start->zeta, start->rho);
 }
 
 /// Why `curve` does not take the case, if it does not: every other command does.

@@ -132,7 +132,7 @@ ExitCode end_code(const FollowReport& report) {
 Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* target,
                       const Run& run) {
   require_range(given);
-  const std::string row = from.row.empty() ? given.continuation->start_row : from.row;
+  const std::string row = start_row_of(given, from.row);
   std::optional<RowStart> at_row;
   try {
     if (!row.empty()) at_row = start_from_row(given, row);

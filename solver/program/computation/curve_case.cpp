@@ -183,6 +183,10 @@ Outcome curve_case(const Case& given, const std::string& row, TableTarget* targe
     run.complain(failure_text(outcome(found.status, found.only_in_box), found.message));
     return {exit_code(found.status), {}};
   }
+  for (const std::string& each : found.failures) run.complain("no curve from " + each);
+  const bool none = found.curves.empty();
+  // A failure is no table.
+  if (none && !found.failures.empty() && !found.interrupted) return {ExitCode::failure, {}};
   CellTable* const table = target != nullptr ? &target->open(header(input, wanted)) : nullptr;
   Rows rows(input, wanted, table);
   Metadata metadata = metadata_of(run, &input);
@@ -209,15 +213,11 @@ Outcome curve_case(const Case& given, const std::string& row, TableTarget* targe
     target->commit(std::move(metadata));
   }
   Outcome out;
-  for (const std::string& each : found.failures) run.complain("no curve from " + each);
   if (const std::string gap = rows.gap_text(); !gap.empty()) run.complain(gap);
   if (run.summary) out.summary = summary(input, found, rows, seconds);
-  const bool none = found.curves.empty();
   if (found.interrupted) {
     run.complain("interrupted: the curves are not complete");
     out.code = ExitCode::interrupted;
-  } else if (none && !found.failures.empty()) {
-    out.code = ExitCode::failure;
   } else if (none) {
     run.complain(fmt::format("the family has no {} for {} from {} to {}", name(input.curve->event),
                              input.curve->parameters[0], input.curve->from[0], input.curve->to[0]));

@@ -11,6 +11,7 @@
 #include "solver/event_curve/event_sides.hpp"
 #include "solver/family/anisotropic_family.hpp"
 #include "solver/kind/kind.hpp"
+#include "solver/motion/body_circle.hpp"
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_parameter.hpp"
 #include "solver/program/case/case_schema.hpp"
@@ -45,16 +46,25 @@ FamilyParameter family_parameter_of(const Case& input, std::size_t k) {
   return family_parameter(input.curve->parameters[k], input.models);
 }
 
-/// A circle stays one only while two J are equal.
+/// A circle stays one only while two J are equal, and one of rho while V does not tell its stretches apart.
 void require_circle(const Case& input, Circle circle) {
   const auto [first, second, other] = places(circle);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     const std::string_view key = number_of(input, k);
-    if (key != fmt::format("body.J.{}", first) && key != fmt::format("body.J.{}", second)) continue;
-    throw fault_at(input.source, fmt::format("curve.parameters.{}", k),
-                   "found " + in_quotes(key) + ", and the event is on a circle",
-                   "another number of the case",
-                   fmt::format("circles need J{} = J{}", first + 1, second + 1));
+    const bool of_inertia =
+        key == fmt::format("body.J.{}", first) || key == fmt::format("body.J.{}", second);
+    const FamilyParameters own = own_numbers(input);
+    const auto spin = spin_of(own.motion);
+    if (!of_inertia &&
+        (!spin || circle_of({own.body, make_potential(own.models, own.body), spin->branch},
+                            family_parameter_of(input, k)) == circle))
+      continue;
+    throw fault_at(
+        input.source, fmt::format("curve.parameters.{}", k),
+        "found " + in_quotes(key) + ", and the event is on a circle", "another number of the case",
+        of_inertia ? fmt::format("circles need J{} = J{}", first + 1, second + 1)
+                   : fmt::format("circles of {} need a potential symmetric in the two",
+                                 circle == Circle::zeta_rho ? "zeta and rho" : "xi and rho"));
   }
 }
 

@@ -18,6 +18,7 @@
 #include "solver/program/table/table_reader.hpp"
 #include "solver/program/text/named.hpp"
 #include "solver/program/text/row_name.hpp"
+#include "solver/program/tiles/study_source.hpp"
 
 namespace stationary::cli {
 namespace {
@@ -180,7 +181,7 @@ class FromRow {
     tree.override_key(assigned, place_of_row(text_));
   }
 
-  /// The case with the row's motion and the numbers of its trailing columns.
+  /// The case with the row's motion and what its trailing columns set of the body.
   Case with_numbers_of_the_row() const {
     CaseTree tree = given_.source;
     Motion motion = given_.motion;
@@ -194,10 +195,11 @@ class FromRow {
       const double spin = branch ? nu()[axis(*branch)] : nu().norm();
       set(tree, key, fmt::format("{}", spin));
     }
-    for (const std::string& key : case_parameters(given_.motion, given_.models))
-      if (key.starts_with("body.") || key.starts_with("potential.") || key.starts_with(gravity))
-        if (const auto at = row_.find(key); at != row_.end() && !at->second.empty())
-          set(tree, key, at->second);
+    // In their order a whole J comes before one of its numbers.
+    for (const auto& [key, cell] : row_)
+      if (!cell.empty() && may_be_set(key) &&
+          (key.starts_with("body.") || key.starts_with("potential.") || key.starts_with(gravity)))
+        set(tree, key, toml_value(key, cell));
     if (has_rates(given_.motion) && text("branch") != given_.branch_name())
       refuse_row(text_, "found a row of branch " + in_quotes(text("branch")),
                  "a row of branch " + in_quotes(given_.branch_name()),
@@ -264,6 +266,7 @@ class FromRow {
     start.found.q = q;
     start.is_event = named_event() != EventType::none && !is_end(named_event());
     input.solve.start = q;
+    input.own_solve.start = input.coordinates.told(q);
     return {std::move(input), std::move(start)};
   }
 
@@ -312,6 +315,10 @@ RowStart start_from_row(const Case& given, const std::string& row) {
 
 EventRow event_of_row(const Case& given, const std::string& row, EventType type) {
   return FromRow(given, row, false).event(type);
+}
+
+std::string start_row_of(const Case& given, const std::string& asked) {
+  return asked.empty() && given.continuation ? given.continuation->start_row : asked;
 }
 
 std::string table_of_row(const std::string& row) { return row_name(row).path; }

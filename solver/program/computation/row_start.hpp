@@ -1,7 +1,7 @@
 // `continue --from ROW` (row_name.hpp): going on from a motion that a table holds.
 //
-// The case gives body and potential; the row gives S, the motion's numbers and those in trailing
-// columns, which override the case. The family is the case's motion.branch; where it is another than
+// The case gives body and potential; the row gives S, the motion's numbers and what trailing columns
+// have of the body and its potential (numbers, and models and formulas of a study), which override the case. The family is the case's motion.branch; where it is another than
 // the row's, the row must be an event at which that family begins.
 #pragma once
 
@@ -19,6 +19,9 @@ struct RowStart {
 /// Throws InputError: no such table, row or event, a row without a motion, or of a family that does
 /// not lead to the case's.
 RowStart start_from_row(const Case& given, const std::string& row);
+
+/// The row that is asked for, else that of the case; empty: none.
+std::string start_row_of(const Case& given, const std::string& asked);
 
 /// The table that a row is named of. Throws InputError where it names none.
 std::string table_of_row(const std::string& row);

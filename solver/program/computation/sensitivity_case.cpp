@@ -70,7 +70,7 @@ Asked asked_of(const Case& input, bool events) {
   const ParameterParts followed =
       events ? parts_of(input.continuation->parameter) : ParameterParts();
   for (const std::string& number : case_parameters(input.motion, input.models)) {
-    if (number == followed.first || number == followed.second) continue;
+    if (number == followed.first) continue;  // a ratio moves with its second
     const auto known =
         std::ranges::find(input.output.uncertainty, number, &std::pair<std::string, double>::first);
     out.numbers.push_back(number);

@@ -171,8 +171,7 @@ void MapScript::set_axis(const MapDiagramAxis& axis, char letter) {
   // Of positive numbers, such as J, none are shown that are not.
   if (!is_log && first > 0.0) shown.low = std::max(shown.low, 0.0);
   const std::optional<AxisRange>& asked = letter == 'x' ? choice_.x : choice_.y;
-  if (asked && (!is_log || asked->low > 0.0))
-    shown = {place(axis, asked->low), place(axis, asked->high)};
+  if (asked) shown = {place(axis, asked->low), place(axis, asked->high)};
   shown = drawable(shown, false);
   line("set {}range [{}:{}]", letter, shown.low, shown.high);
   const AxisWay way = letter == 'x' ? AxisWay::level : AxisWay::upright;

@@ -57,11 +57,11 @@ Json case_json(const Case& input) {
   }
   out["motion"] = motion_json(input.motion);
   Json& solve = out["solve"];
-  if (const auto& start = input.solve.start)
+  if (const auto& start = input.own_solve.start)
     solve["start"] = {start->alpha, start->xi, start->zeta, start->rho};
   solve["method"] = name(input.solve.method);
   solve["all"] = input.solve.all;
-  if (const auto& box = input.solve.box)
+  if (const auto& box = input.own_solve.box)
     for (const Interval& range : *box) solve["box"].push_back({range.lo, range.hi});
   if (const auto& continuation = input.continuation) {
     out["continuation"] = {{"parameter", continuation->parameter},

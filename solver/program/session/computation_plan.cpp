@@ -22,8 +22,10 @@ bool names_spectral_column(const std::vector<std::string>& names) {
 }
 
 std::string box_text(const Case& input) {
-  const SearchOptions where{.box = input.solve.box};
-  const std::array ranges{where.range(0), where.range(1), where.range(2)};
+  const SearchOptions where{.box = input.own_solve.box};
+  std::array<Interval, 3> ranges;
+  for (std::size_t k = 0; k < ranges.size(); ++k)
+    ranges[k] = where.box ? where.range(k) : input.coordinates.unit[k] * where.range(k);
   const auto text = [](const Interval& each) {
     return fmt::format("[{:g}, {:g}]", each.lo, each.hi);
   };

@@ -71,9 +71,7 @@ void ParallelTableWriter::write_oldest() {
 
 void ParallelTableWriter::write_header() {
   if (std::exchange(has_header_, true)) return;
-  std::vector<char> line(RowFormat::longest_line);
-  const char* const end = format_.header(line.data());
-  sink_->write({line.data(), static_cast<std::size_t>(end - line.data())});
+  sink_->write(format_.header());
 }
 
 void ParallelTableWriter::flush() {

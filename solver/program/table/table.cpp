@@ -10,6 +10,7 @@
 #include <cstring>
 #include <utility>
 
+#include "solver/program/table/cell_table.hpp"
 #include "solver/program/text/named.hpp"
 
 namespace stationary {
@@ -154,9 +155,9 @@ void TableChecksum::add(double value) {
 
 std::string TableChecksum::text() const { return fmt::format("{:016x}", state_); }
 
-// Nine texts (seven columns and, in the header, the parameters) and the rest numbers.
+// Seven texts and the rest numbers.
 const std::size_t RowFormat::longest_line =
-    9 * longest_text + (column_count + 2) * RowTexts::longest;
+    7 * longest_text + (column_count + 2) * RowTexts::longest;
 
 RowFormat::RowFormat(const std::vector<Column>& columns,
                      const std::optional<std::string>& parameter,
@@ -166,16 +167,11 @@ RowFormat::RowFormat(const std::vector<Column>& columns,
     if (*trailing) parameters_.push_back(**trailing);
 }
 
-char* RowFormat::header(char* at) const {
-  char* const begin = at;
-  const auto add = [&](std::string_view name) {
-    if (at != begin) *at++ = ',';
-    at = append(name, at);
-  };
-  for (const Column c : columns_) add(name(c));
-  for (const std::string& each : parameters_) add(each);
-  *at++ = '\n';
-  return at;
+std::string RowFormat::header() const {
+  std::vector<CellColumn> cells;
+  for (const Column c : columns_) cells.push_back({std::string(name(c)), cell_kind(c)});
+  for (const std::string& each : parameters_) cells.push_back({each, CellKind::number});
+  return csv_header(cells);
 }
 
 template <class Sum>
@@ -227,8 +223,11 @@ TableWriter::TableWriter(ByteSink& sink, std::vector<Column> columns,
               std::size_t{parameter.has_value()} + std::size_t{second.has_value()}),
       sink_(&sink),
       format_(column_list(), parameter, second),
-      buffer_(block_size + RowFormat::longest_line),
-      cursor_(format_.header(buffer_.data())) {}
+      buffer_(block_size + RowFormat::longest_line) {
+  const std::string header = format_.header();
+  buffer_.resize(buffer_.size() + header.size());
+  cursor_ = std::copy(header.begin(), header.end(), buffer_.data());
+}
 
 void TableWriter::put(const TableRow& row, TableChecksum& sum) {
   cursor_ = format_.line(row, texts_, cursor_, sum);

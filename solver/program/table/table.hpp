@@ -218,9 +218,9 @@ class RowFormat {
   RowFormat(const std::vector<Column>& columns, const std::optional<std::string>& parameter,
             const std::optional<std::string>& second);
 
+  std::string header() const;
   static const std::size_t longest_line;
   /// From `at` on, where there must be room for the longest. The line's end.
-  char* header(char* at) const;
   char* line(const TableRow& row, RowTexts& texts, char* at) const;
   /// Its cells are added to the sum as they are written: a step of the sum waits for the one before,
   /// and the processor writes meanwhile.
@@ -251,7 +251,7 @@ class TableWriter final : public RowSink {
   RowFormat format_;
   RowTexts texts_;
   std::vector<char> buffer_;
-  char* cursor_;
+  char* cursor_ = nullptr;
 };
 
 }  // namespace stationary

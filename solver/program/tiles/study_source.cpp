@@ -23,20 +23,6 @@ bool takes_text(std::string_view key, std::string_view cell) {
          (key.ends_with(".domain") && !cell.starts_with('['));
 }
 
-/// A cell as a value of TOML.
-std::string toml_value(const std::string& key, const std::string& cell) {
-  if (cell == "True") return "true";
-  if (cell == "False") return "false";
-  if (!takes_text(key, cell) || cell.front() == '"' || cell.front() == '\'') return cell;
-  std::string out = "\"";
-  for (const char c : cell) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  out += '"';
-  return out;
-}
-
 /// Cells go into tables of CSV, which are text, and of HDF5, whose names and texts a NUL ends.
 void require_text(const Origin& origin, const std::string& key, std::string_view text) {
   for (std::size_t k = 0; k < text.size();) {
@@ -84,6 +70,19 @@ void require_apart(const std::string& path, const std::vector<std::string>& name
 }
 
 }  // namespace
+
+std::string toml_value(const std::string& key, const std::string& cell) {
+  if (cell == "True") return "true";
+  if (cell == "False") return "false";
+  if (!takes_text(key, cell) || cell.front() == '"' || cell.front() == '\'') return cell;
+  std::string out = "\"";
+  for (const char c : cell) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  out += '"';
+  return out;
+}
 
 bool is_number(std::string_view cell) {
   double value = 0.0;

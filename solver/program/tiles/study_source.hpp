@@ -19,6 +19,9 @@
 
 namespace stationary::cli {
 
+/// A cell of a key's column as a value of TOML, one that is not empty.
+std::string toml_value(const std::string& key, const std::string& cell);
+
 /// Whether all of a cell is a number.
 bool is_number(std::string_view cell);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -175,6 +176,55 @@ TEST_F(Fluid, TheCaseIsToldAsItIs) {
                                               "0.5\nto = 1.0\n")});
   EXPECT_EQ(followed.code, 2);
   EXPECT_THAT(followed.err, HasSubstr("J1 = J2 of a fluid whose J is followed"));
+}
+
+TEST_F(Fluid, ItsStartAndBoxAreToldAsTheyAre) {
+  const std::string path = directory_.file(
+      "case.toml", fluid_case("branch = \"iii\"\nnu = 0.3\n") +
+                       "[solve]\nall = true\nbox = [[0.5, 2.0], [0.4, 3.0], [0.5, 2.0]]\n");
+  const Outcome checked = run_program({"check", path});
+  ASSERT_EQ(checked.code, 0) << checked.err;
+  EXPECT_THAT(checked.out, HasSubstr("xi in [0.5, 2], zeta in [0.4, 3], rho in [0.5, 2]"));
+  ASSERT_EQ(run_program({"solve", path, "--set", "solve.all=false", "--set",
+                         "solve.start=[0.0, 1.1, 1.1, 0.83]", "-o", directory_ / "row.csv"})
+                .code,
+            0);
+  const auto solve = nlohmann::json::parse(text_of(directory_ / "row.meta.json"))["case"]["solve"];
+  EXPECT_EQ(solve["start"], nlohmann::json({0.0, 1.1, 1.1, 0.83}));
+  EXPECT_EQ(solve["box"], nlohmann::json({{0.5, 2.0}, {0.4, 3.0}, {0.5, 2.0}}));
+}
+
+/// A body that is a fluid by the case's own coefficient alone has its own J where that varies.
+TEST_F(Fluid, ACoefficientThatMakesItElasticLeavesItsJ) {
+  const std::string text =
+      "[body]\nJ = [1.0, 1.7, 0.6]\nvolume = 1.0\n[gravity]\ng = 4.0\n[potential]\ncoupled = { "
+      "expression = \"mu/2*(I1 + rho^2)\", mu = 0.0 }\n[motion]\nbranch = \"iii\"\nnu = 0.3\n";
+  const Outcome map = run_program(
+      {"map",
+       directory_.file("map.toml",
+                       text + "[map]\nx = { parameter = \"potential.coupled.mu\", from = 0.0, to = "
+                              "1.0, count = 3 }\n"),
+       "-o", "-"});
+  ASSERT_EQ(map.code, 0) << map.err;
+  const auto cells = rows_of(map.out);
+  ASSERT_EQ(cells.size(), 3U);
+  const auto continued_rows = continued(
+      text + "[continuation]\nparameter = \"potential.coupled.mu\"\nfrom = 0.5\nto = 1.0\n",
+      {"--set", "potential.coupled.mu=0.5"});
+  ASSERT_FALSE(continued_rows.empty());
+  for (const std::string mu : {"0.0", "0.5", "1.0"}) {
+    const Outcome solved = run_program({"solve", directory_.file("one.toml", text), "--set",
+                                        "potential.coupled.mu=" + mu, "-o", "-"});
+    ASSERT_EQ(solved.code, 0) << solved.err;
+    const Row own = only_row(solved.out);
+    const Row& cell = cells[static_cast<std::size_t>(2.0 * std::stod(mu))];
+    for (const std::string column : {"xi", "zeta", "rho", "energy"}) {
+      EXPECT_NEAR(number(cell.at(column)), number(own.at(column)), 1e-13) << column << " " << mu;
+      if (mu == "1.0") {
+        EXPECT_NEAR(number(continued_rows.back().at(column)), number(own.at(column)), 1e-13);
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -211,6 +212,45 @@ TEST(RoundFigure, TurnsInOtherNumbersAreFoldsOfAParameter) {
   EXPECT_NEAR(number(turns.front().at("gravity.g")), 4.0 * 0.36 / 0.4493314121239138543595, 1e-14);
   EXPECT_EQ(turns.front().at("certified"), "yes");
   EXPECT_EQ(turns.front().at("side"), "after");
+}
+
+/// What is symmetric in zeta and rho at the case's own numbers alone has no circle at others.
+TEST(RoundFigure, HasNoCurveWhereTheSecondNumberBreaksItsSymmetry) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file(
+      "case.toml",
+      "[body]\nJ = [1, 1, 1]\nvolume = 1\n[gravity]\ng = 4\n[potential]\ncoupled = { expression = "
+      "\"mu/2*(I1 + b*rho^2 - 3)\", mu = 0.03, b = 1.0 }\n[motion]\nbranch = \"i\"\nnu = 0.5\n"
+      "[curve]\nevent = \"ellipse-23\"\nparameters = [\"nu\", \"potential.coupled.b\"]\n"
+      "from = [0.3, 0.9]\nto = [1.0, 1.1]\n");
+  const Outcome outcome = run_program({"curve", path, "-o", directory / "curve.csv"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err,
+              testing::HasSubstr("circles of zeta and rho need a potential symmetric"));
+  EXPECT_FALSE(std::filesystem::exists(directory / "curve.csv"));
+}
+
+/// An imperfection that begins at 0: zeta = rho there, and nowhere beyond.
+TEST(RoundFigure, IsLeftWithACoefficientThatBreaksItsSymmetry) {
+  const TemporaryDirectory directory;
+  const std::string text =
+      "[body]\nJ = [1.0, 1.2, 1.2]\n[potential]\ncoupled = { expression = \"mu/2*(I1 + rho^2 - 3 - "
+      "2*log(d*rho)) + l/2*log(d*rho)^2 + e*(rho - 1)^2\", mu = 1.0, l = 2.0, e = 0.0 }\n[motion]\n"
+      "branch = \"i\"\nnu = 0.4\n";
+  const auto rows = continued(
+      directory,
+      text + "[continuation]\nparameter = \"potential.coupled.e\"\nfrom = 0.0\nto = 0.5\n");
+  ASSERT_FALSE(rows.empty());
+  const Row& last = rows.back();
+  EXPECT_EQ(number(last.at("potential.coupled.e")), 0.5);
+  EXPECT_LT(std::abs(number(last.at("residual"))), 1e-14);
+  EXPECT_GT(number(last.at("zeta")), number(last.at("rho")) + 1e-3);
+  const Outcome solved = run_program({"solve", directory.file("at.toml", text), "--set",
+                                      "potential.coupled.e=0.5", "-o", directory / "at.csv"});
+  ASSERT_EQ(solved.code, 0) << solved.err;
+  const auto same = rows_of(text_of(directory / "at.csv"));
+  for (const char* const stretch : {"xi", "zeta", "rho"})
+    EXPECT_NEAR(number(same.at(0).at(stretch)), number(last.at(stretch)), 1e-13) << stretch;
 }
 
 }  // namespace

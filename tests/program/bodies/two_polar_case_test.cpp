@@ -92,6 +92,26 @@ TEST(TwoPolarCase, PrescribedMomentaOnALineOfSolutions) {
   EXPECT_EQ(nlohmann::json::parse(text_of(directory / "x.meta.json"))["rows"], 0);
 }
 
+/// W = mu t^2/2 + g(d) leaves t free there, whatever holds d rho.
+TEST(TwoPolarCase, ALineOfSolutionsOfAHeldVolumeIsNoMotion) {
+  const TemporaryDirectory directory;
+  for (const char* const potential :
+       {"plane = { model = \"neo-hookean\", mu = 1.0, lambda = 0.5 }\n",
+        "plane = { model = \"reciprocal-determinant\", c = 0.9, k = 1.0 }\n",
+        "coupled = { model = \"neo-hookean-3d\", mu = 1.0, lambda = 0.5 }\n"}) {
+    const std::string path = directory.file(
+        "case.toml", "[body]\nJ = [1.0, 1.0, 0.6]\nvolume = 1.0\n[potential]\n" +
+                         std::string(potential) +
+                         "[motion]\nbranch = \"two-polar\"\nomega = 0.8\ntheta_dot = -0.6\n");
+    for (const char* const all : {"false", "true"}) {
+      const Outcome outcome =
+          run_program({"solve", path, "--set", std::string("solve.all=") + all});
+      EXPECT_EQ(outcome.code, 3) << potential;
+      EXPECT_THAT(outcome.err, HasSubstr("no isolated stationary ellipsoid")) << potential;
+    }
+  }
+}
+
 TEST(TwoPolarCase, RatesAndMomentaOfOneMotionGiveTheSameRow) {
   auto rates = two_polar_row({rates_case});
   std::string text = text_of(rates_case);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "solver/program/table/column_file.hpp"
 #include "tests/program/json_schema.hpp"
@@ -558,6 +560,32 @@ TEST_F(Curve, NoSuchEventIsSaid) {
   const Outcome outcome = run(fold_of_hencky, {"--set", "curve.to=[0.2, 3.0]"});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("no fold-nu"));
+}
+
+/// One that turns and comes back to the case's own value, the lower end of the range, is one curve.
+TEST_F(Curve, ThatEndsAtTheCasesOwnValueIsListedOnce) {
+  for (const auto& [from, to] : {std::pair{"1.0", "3.0"}, {"0.9", "3.0"}}) {
+    const Outcome outcome =
+        run_program({"curve", STATIONARY_CASES "/circle.toml", "--set", "curve.event=fold-nu",
+                     "--set", "curve.parameters=[\"nu\",\"potential.plane.mu\"]", "--set",
+                     std::string("curve.from=[0.0,") + from + "]", "--set",
+                     std::string("curve.to=[2.5,") + to + "]", "-o", out_});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const Row& row : rows()) EXPECT_EQ(row.at("curve"), "1") << from;
+  }
+}
+
+/// A failure is no table: what stood there stays.
+TEST_F(Curve, ThatFailsReplacesNothing) {
+  std::ofstream(out_) << "kept\n";
+  const Outcome outcome = run_program(
+      {"curve", STATIONARY_CASES "/fibre_map.toml", "--set", "potential.fibre.degrees=0", "-o",
+       out_, "--set",
+       "curve={event=\"tilt\",parameters=[\"nu\",\"potential.fibre.degrees\"],from=[0.0,-30.0],to="
+       "[1.5,30.0]}"});
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("no curve from"));
+  EXPECT_EQ(text_of(out_), "kept\n");
 }
 
 }  // namespace

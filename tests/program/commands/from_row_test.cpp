@@ -282,6 +282,19 @@ TEST_F(FromRow, DoesNotReplaceItsTable) {
   EXPECT_EQ(text_of(path), before);
 }
 
+TEST_F(FromRow, DoesNotReplaceTheTableOfTheCasesOwnRow) {
+  const std::string path = table("continue", "fold.toml", "fold.csv");
+  const std::string before = text_of(path);
+  for (const char* const name : {"fold.csv", "fold.h5"}) {
+    const Outcome outcome =
+        run_program({"continue", cases + "/fold.toml", "--set",
+                     "continuation.start_row=\"" + path + ":3\"", "-o", directory_ / name});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("the table of the row to start from"));
+  }
+  EXPECT_EQ(text_of(path), before);
+}
+
 TEST_F(FromRow, DoesNotReplaceTheMetadataOfItsTable) {
   const std::string path = table("continue", "fold.toml", "fold.csv");
   const std::string before = text_of(directory_ / "fold.meta.json");
@@ -346,6 +359,34 @@ TEST_F(FromRow, NumbersOfGravityAndCoordinatesOfAFluidAreTheRows) {
   const Outcome found = from("maclaurin.toml", fluids + ":2", {"--set", "output.columns=[]"});
   ASSERT_EQ(found.code, 0) << found.err;
   EXPECT_TRUE(holds(found, rows_of(text_of(fluids)).at(1)));
+}
+
+/// Of a study's rows J, models and formulas are the row's too.
+TEST_F(FromRow, ARowOfAStudyHasItsOwnBody) {
+  const std::string bodies =
+      directory_.file("bodies.csv",
+                      "body.J,potential.plane.model,potential.plane.mu,potential.plane.lambda\n"
+                      "\"[1.0, 1.9, 0.6]\",,,\n,hencky,1.1,0.8\n");
+  const std::string study = directory_ / "study.csv";
+  const Outcome studied = run_program(
+      {"study", cases + "/disc.toml", "--over", bodies, "--do", "solve", "-o", study, "-q"});
+  ASSERT_EQ(studied.code, 0) << studied.err;
+  const std::vector<std::vector<std::string>> own = {
+      {"body.J=[1.0, 1.9, 0.6]"}, {"potential.plane={model=\"hencky\",mu=1.1,lambda=0.8}"}};
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    std::vector<std::string> command{"continue", cases + "/disc.toml", "-o", "-"};
+    for (const std::string& each : own[k]) command.insert(command.end(), {"--set", each});
+    const Outcome expected = run_program(command);
+    ASSERT_EQ(expected.code, 0) << expected.err;
+    const Outcome found = from("disc.toml", study + ":" + std::to_string(k + 1));
+    ASSERT_EQ(found.code, 0) << found.err;
+    for (const char* const event : {"tilt", "fold-nu", "oblique"}) {
+      const auto here = events(found.out, event, "nu1");
+      const auto there = events(expected.out, event, "nu1");
+      ASSERT_EQ(here.size(), there.size()) << event << " " << k;
+      for (std::size_t e = 0; e < here.size(); ++e) EXPECT_NEAR(here[e], there[e], 1e-10) << event;
+    }
+  }
 }
 
 /// Where a sheet escapes a double of the parameter does not tell its rows from one another.

@@ -564,6 +564,32 @@ TEST(MapDiagram, GridFromTheRows) {
                              HasSubstr("set logscale cb")));
 }
 
+/// From 1e-200 to 1e200 the ratio of the two is none of doubles.
+TEST(Map, LogarithmicAxesHaveNoInfiniteValues) {
+  const MapAxis axis{.parameter = "potential.coupled.k",
+                     .from = 1e-200,
+                     .to = 1e200,
+                     .count = 5,
+                     .scale = AxisScale::log};
+  const std::vector<double> values = axis.values();
+  const double expected[] = {1e-200, 1e-100, 1.0, 1e100, 1e200};
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(values[k] / expected[k], 1.0, 1e-12) << k;
+}
+
+TEST(MapDiagram, RefusesARangeThatLogarithmsDoNotHave) {
+  const TemporaryDirectory directory;
+  const std::string table = directory.file(
+      "m.csv",
+      "xi,status,nu,body.J.0\n1,solved,0,1\n2,solved,1,1\n1,solved,0,10\n2,solved,1,10\n"
+      "3,solved,0,100\n2,solved,1,100\n");
+  for (const char* const range : {"y=0:1", "y=-1:10"}) {
+    const Outcome outcome =
+        run_program({"plot", table, "-o", directory / "m.svg", "--range", range});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("LOW > 0 on a logarithmic axis"));
+  }
+}
+
 TEST(MapDiagram, WhatIsNoGridIsRefused) {
   const auto refused = [](const std::string& csv, const std::string& why) {
     try {

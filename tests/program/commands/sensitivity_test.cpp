@@ -255,6 +255,26 @@ TEST(Sensitivity, UncertaintiesAreCombined) {
   EXPECT_EQ(metadata["case"]["output"]["uncertainty"]["body.J.0"], 0.01);
 }
 
+/// The same tilt along J3/J1, at J3/J1 = 1/(1 - J1 nu^2/mu): it moves with the J1 that the ratio is to.
+TEST(Sensitivity, OfAnEventAlongARatio) {
+  const TemporaryDirectory directory;
+  std::string text = neo_hookean_case;
+  text.replace(text.find("[continuation]"), std::string::npos,
+               "[continuation]\nparameter = \"body.J.2/body.J.0\"\nfrom = 1.0\nto = 2.0\n"
+               "[output]\nuncertainty = { \"body.J.0\" = 0.01 }\n");
+  const double left = 1.0 - 0.6 * 0.25;
+  double found = 0.0;
+  double combined = 0.0;
+  for (const Row& row : slopes(directory.file("case.toml", text), {"--events"})) {
+    if (row.at("of") != "tilt" || std::abs(number(row.at("at")) - 1.0 / left) > 1e-6) continue;
+    EXPECT_NE(row.at("number"), "body.J.2") << "it is the event's own";
+    if (row.at("number") == "body.J.0") found = number(row.at("d_event"));
+    if (row.at("number") == "combined") combined = number(row.at("d_event"));
+  }
+  EXPECT_NEAR(found, 0.25 / (left * left), 1e-10);
+  EXPECT_NEAR(combined, 0.01 * found, 1e-13);
+}
+
 /// J1 of a circle breaks what its ellipses begin at; J2 likewise.
 TEST(Sensitivity, WhatBreaksAnEventHasNoSlope) {
   int seen = 0;

@@ -73,6 +73,18 @@ TEST(Table, AllColumnsAndTheParameter) {
                 "1e+300\n");
 }
 
+/// Names of a formula's numbers, and ratios of two, may be as long as they like.
+TEST(Table, LongNamesOfParametersAreWhole) {
+  for (const std::size_t length : {200U, 100'000U}) {
+    const std::string name = "potential.coupled." + std::string(length, 'k');
+    Text sink;
+    TableWriter table(sink, {Column::xi}, name + "/" + name, name);
+    table.write(TableRow());
+    table.flush();
+    EXPECT_EQ(sink.text, "xi," + name + "/" + name + "," + name + "\n,,\n");
+  }
+}
+
 TEST(Table, EveryDoubleReadsBack) {
   std::mt19937_64 random(1);
   std::vector<double> values{0.1,  1.0, -2.5, 1e22, 1e23, 5e-324, 1.7976931348623157e308,

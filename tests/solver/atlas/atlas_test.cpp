@@ -146,6 +146,40 @@ TEST(Atlas, ABoxThatHoldsOneOfTwoMirrorImagesHasItsSheet) {
   }
 }
 
+/// Nor is the ellipse counted on where it, and not its mirror image, leaves the box.
+TEST(Atlas, ABoxThatHoldsOneOfTwoMirrorImagesLosesIt) {
+  const Body round(1.0, 1.0, 0.6);
+  const Potential potential = potential_of("biot-log", 1.0, 4.0);
+  const Interval small(0.5, 1.0);
+  const Interval large(1.5, 2.5);
+  constexpr double leaves = 1.1513;  // there its shorter stretch is 0.5, and the longer one 2.46
+  for (const bool exchanged : {false, true}) {
+    for (const double from : {1.09, 1.14}) {  // the middle of the range is before it, and beyond
+      AtlasOptions options;
+      options.from = from;
+      options.to = 1.2;
+      options.checkpoints = 1;
+      options.complete = true;
+      options.search.box = {exchanged ? small : large, exchanged ? large : small, small};
+      const Atlas found = atlas(round, potential, options);
+      int before = 0;
+      int beyond = 0;
+      for (const Completeness& each : found.completeness) {
+        if (each.branch != Branch::iii) continue;
+        for (const CompleteInterval& interval : each.intervals) {
+          if (!interval.proven) continue;
+          EXPECT_FALSE(interval.from < leaves - 1e-3 && interval.to > leaves + 1e-3)
+              << interval.from << " to " << interval.to;
+          EXPECT_EQ(interval.sheets, interval.to < leaves + 1e-3 ? 1 : 0);
+          ++(interval.sheets == 1 ? before : beyond);
+        }
+      }
+      EXPECT_GT(before, 0) << exchanged << " from " << from;
+      EXPECT_GT(beyond, 0) << exchanged << " from " << from;
+    }
+  }
+}
+
 /// Then no sheet is followed that could say so.
 TEST(Atlas, ToldToStopAfterItsSearchesWasInterrupted) {
   for (const bool complete : {false, true}) {

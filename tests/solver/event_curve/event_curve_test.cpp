@@ -160,18 +160,48 @@ TEST(EventCurve, EllipseOfHencky) {
   }
 }
 
-/// hencky: F_vvvv = -16 mu, F_vv. K^-1 F_vv. = 16 mu^2/lambda at the event.
+/// hencky: F_vvvv = -16 mu, F_vv. K^-1 F_vv. = 16 mu^2/lambda at the event, det K of lambda's sign.
 TEST(EventCurve, PitchforkOfHencky) {
   for (const double lambda : {3.0, 0.7, -0.5}) {
     const double u = 0.5 / (1.0 + lambda);
     const Problem problem(Body(1.0, 1.0, 0.5), make_potential("hencky", {1.0, lambda}),
                           Branch::iii);
-    const double expected = (-16.0 - 48.0 / lambda) / (16.0 + std::abs(48.0 / lambda));
+    const double expected = (-16.0 * lambda - 48.0) / (16.0 * std::abs(lambda) + 48.0);
     const double xi = std::exp(u);
     EXPECT_NEAR(pitchfork_coefficient(problem, std::exp(-u), {0.0, xi, xi, std::cbrt(1.0 / 3.0)}),
                 expected, 1e-12)
         << lambda;
   }
+}
+
+/// Where lambda passes 0 the circle turns, and the ellipses do not change sides.
+TEST(EventCurve, ACircleThatTurnsIsNoDegeneratePitchfork) {
+  const double u = 0.5 / 1.7;
+  const Numbers numbers{.model = "hencky",
+                        .branch = Branch::iii,
+                        .J = {1.0, 1.0, 0.5},
+                        .plane = {1.0, 0.7},
+                        .nu = std::exp(-u)};
+  const double xi = std::exp(u);
+  const EventCurve curve =
+      follow_event_curve(setting(numbers, EventType::ellipse, {}, {Kind::plane, 1}),
+                         start(numbers, {0.0, xi, xi, std::cbrt(1.0 / 3.0)}, numbers.nu), 0.7,
+                         Circle::xi_zeta,
+                         {.first_from = 0.1,
+                          .first_to = 2.0,
+                          .second_from = -0.5,
+                          .second_to = 2.0,
+                          .tolerance = 1e-6});
+  ASSERT_EQ(curve.failure, "");
+  int meetings = 0;
+  for (const EventCurvePoint& point : curve.points) {
+    EXPECT_NE(point.special, SpecialPoint::degenerate_pitchfork) << point.second;
+    if (point.special != SpecialPoint::double_event) continue;
+    ++meetings;
+    EXPECT_EQ(point.other, EventType::fold_nu);
+    EXPECT_NEAR(point.second, 0.0, 1e-10);
+  }
+  EXPECT_EQ(meetings, 1);
 }
 
 /// Of an isotropic body an axis leaves its own in the plane, and an ellipse turns away from its axes,

@@ -57,5 +57,17 @@ TEST(BodyCircle, AFamilyInOneOfTheTwoInertiasHasNone) {
   EXPECT_EQ(circle_of({equal_23, coupled, Branch::i}, {Kind::plane, 1}), Circle::zeta_rho);
 }
 
+TEST(BodyCircle, AFamilyInACoefficientThatTellsTheStretchesApartHasNone) {
+  using Kind = FamilyParameter::Kind;
+  for (const double own : {0.0, 0.3}) {
+    const Potential V(support::written_coupled(
+        "mu/2*(I1 + rho^2 - 3 - 2*log(d*rho)) + la/2*log(d*rho)^2 + e*(rho - 1)^2",
+        {"mu", "la", "e"}, {1.1, 0.6, own}));
+    EXPECT_EQ(circle_of({equal_23, V, Branch::i}, {Kind::plane, 2}), Circle::none) << own;
+    EXPECT_EQ(circle_of({equal_23, V, Branch::i}, {Kind::plane, 0}),
+              own == 0.0 ? Circle::zeta_rho : Circle::none);
+  }
+}
+
 }  // namespace
 }  // namespace stationary

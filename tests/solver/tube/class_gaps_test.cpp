@@ -90,6 +90,32 @@ TEST(ClassGaps, AreWhereTheClassChanges) {
   EXPECT_LT(found.arcs, 1000);
 }
 
+/// Tubes run on beyond the range: what is inferred from an arc's middle has a motion there.
+TEST(ClassGaps, AChangeJustBeforeTheEndOfTheRangeIsSeen) {
+  for (const double before : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    std::vector<std::vector<std::unique_ptr<ProvenCurves>>> factors(1);
+    Covered covered(0.0, 1.0, 0.0, false);
+    factors[0].push_back(std::move(covered.curves));
+    // xi = e^q, q = nu^2: 2/e xi - q passes c once, at q = 1 - before.
+    const double c = 2.0 * std::exp(-before) - (1.0 - before);
+    const ClassOver of_sign = by_sign([&](const Sloped& xi, const Sloped&, const Sloped& nu) {
+      return (2.0 / std::exp(1.0)) * xi - square(nu) - Sloped(c);
+    });
+    const ClassGaps found = class_gaps(
+        factors,
+        [&](const MotionArc& arc) {
+          if (arc.has_slopes) {
+            EXPECT_FALSE(log(arc.at.stretches.xi).apart_from(square(arc.at.nu)))
+                << "no motion at " << arc.at.nu.mid();
+          }
+          return of_sign(arc);
+        },
+        1.0, 10'000);
+    ASSERT_EQ(found.gaps.size(), 1U) << before;
+    EXPECT_NEAR(found.gaps[0].mid(), 1.0 - before, 1e-11);
+  }
+}
+
 /// A motion's thickness is a curve of its own; nu is of both.
 TEST(ClassGaps, OfFactorsTogether) {
   std::vector<std::vector<std::unique_ptr<ProvenCurves>>> factors(2);
