@@ -31,6 +31,7 @@ class Division {
     } else if (!has_plane) {
       thickness_ = graph_.add({thickness_, addend});
     } else {
+      has_mixed_ = true;
       const NodeId at_one = substitute(graph_, addend, {{Variable::rho, graph_.one()}});
       plane_ = graph_.add({plane_, at_one});
       thickness_ =
@@ -41,11 +42,14 @@ class Division {
 
   NodeId plane() const { return plane_; }
   NodeId thickness() const { return thickness_; }
+  /// Whether one of the addends was in both, and is divided by its values at the unit stretches.
+  bool has_mixed() const { return has_mixed_; }
 
  private:
   Graph& graph_;
   NodeId plane_;
   NodeId thickness_;
+  bool has_mixed_ = false;
   std::map<Variable, NodeId> at_unit_plane_;
 };
 
@@ -63,6 +67,8 @@ std::optional<PlaneAndThickness> taken_apart(const Expression& whole) {
   } else {
     parts.add(root);
   }
+  // The unit stretches may be none of its domain.
+  if (parts.has_mixed() && !e.conditions.empty()) return std::nullopt;
   if (!occurs(g, parts.plane(), of_plane) || !occurs(g, parts.thickness(), of_thickness))
     return std::nullopt;
   Expression rest = e;

@@ -208,7 +208,10 @@ class WholeFormulas {
  private:
   template <class Model>
   Vector4<C> model_gradient(const Model& model) const {
-    if constexpr (requires { model.template derivatives<1>(q_); }) {
+    if constexpr (requires { model.template isotropic<1>(planar_invariants(q_), q_.rho); }) {
+      const auto terms = model.template isotropic<1>(planar_invariants(q_), q_.rho);
+      return in_stretch<1>(terms, q_).gradient + model.template derivatives<1>(q_).gradient;
+    } else if constexpr (requires { model.template derivatives<1>(q_); }) {
       return model.template derivatives<1>(q_).gradient;
     } else if constexpr (requires { model.template evaluate<1>(q_.rho); }) {
       Vector4<C> out = Vector4<C>::Constant(C(0.0));

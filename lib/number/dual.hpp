@@ -78,7 +78,7 @@ struct Dual {
   friend Dual pow(const Dual& x, const Dual& p) {
     const T value = pow(x.value, p.value);
     const T of_base = p.value * value / x.value;
-    const T of_exponent = value * log(x.value);
+    const T of_exponent = is_none(x.value) ? T(0.0) : value * log(size(x.value));
     return of(value, [&](std::size_t k) {
       return moved(of_base, x.slope[k]) + moved(of_exponent, p.slope[k]);
     });
@@ -88,14 +88,23 @@ struct Dual {
   }
 
  private:
-  /// slope times x; 0 where x is, whatever the slope.
-  static T moved(const T& slope, const T& x) {
+  static bool is_none(const T& x) {
     if constexpr (requires { x.lo; }) {
-      return x.lo == 0.0 && x.hi == 0.0 ? T(0.0) : slope * x;
+      return x.lo == 0.0 && x.hi == 0.0;
     } else {
-      return x == T(0.0) ? T(0.0) : slope * x;
+      return x == T(0.0);
     }
   }
+  /// Of a negative number to a whole power.
+  static T size(const T& x) {
+    if constexpr (std::is_same_v<T, double>) {
+      return std::abs(x);
+    } else {
+      return x;
+    }
+  }
+  /// slope times x; 0 where x is, whatever the slope.
+  static T moved(const T& slope, const T& x) { return is_none(x) ? T(0.0) : slope * x; }
   static Dual plus(const Dual& x, const Dual& y) {
     return of(x.value + y.value, [&](std::size_t k) { return x.slope[k] + y.slope[k]; });
   }

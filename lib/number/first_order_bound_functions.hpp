@@ -36,7 +36,9 @@ inline Conditioned pow(const Conditioned& x, const Conditioned& p) {
   // 0^p, of which nothing moves.
   if (value == 0.0 && x.condition == 0.0) return {value, 0.0};
   const double of_base = x.condition == 0.0 ? 0.0 : std::abs(p.value / x.value) * x.condition;
-  const double of_exponent = p.condition == 0.0 ? 0.0 : std::abs(log(x.value)) * p.condition;
+  // Of a negative number to a whole one its size.
+  const double of_exponent =
+      p.condition == 0.0 ? 0.0 : std::abs(log(std::abs(x.value))) * p.condition;
   return {value, std::abs(value) * (of_base + of_exponent)};
 }
 

@@ -22,17 +22,32 @@ void remark(Atlas& out, const SheetKind& of, std::optional<Entry> entry, double 
   out.remarks.push_back({of, entry, nu, std::string(reason)});
 }
 
-/// Also, with J1 = J2 and an isotropic V, where one is the other's mirror image.
-bool at_same_place(const Member& a, const Member& b, bool axes_alike) {
+/// Whether xi and zeta are sought between the same bounds.
+bool is_alike_in_plane(const SearchOptions& box) {
+  const Interval xi = box.range(0);
+  const Interval zeta = box.range(1);
+  return xi.lo == zeta.lo && xi.hi == zeta.hi;
+}
+
+/// Of an isotropic body with J1 = J2, which motions stand for their mirror images: axes 1 and 2 exchanged.
+struct Exchanged {
+  bool spins;  ///< about these axes, where the box is alike in xi and zeta: (ii) is (i) over again
+  bool ellipses;  ///< of (iii), of which one of two is told, whatever the box
+
+  bool of(Branch branch) const { return branch == Branch::iii ? ellipses : spins; }
+};
+
+/// Also where one is the other's mirror image.
+bool at_same_place(const Member& a, const Member& b, bool exchanged) {
   const Stretch mirrored{0.0, b.q.zeta, b.q.xi, b.q.rho};
   const bool alike = distance({a.q}, {b.q}) < same_place ||
-                     (axes_alike && distance({a.q}, {mirrored}) < same_place);
+                     (exchanged && distance({a.q}, {mirrored}) < same_place);
   return alike && std::abs(a.nu - b.nu) <= 1e-9 * std::abs(b.nu);
 }
 
 /// Where on another sheet, one about a material axis, this end lies.
 std::optional<Junction> junction(const std::vector<AtlasSheet>& sheets, const AtlasSheet& of,
-                                 const AtlasRow& end, bool axes_alike) {
+                                 const AtlasRow& end, const Exchanged& exchanged) {
   const bool same_branch =
       broken_circle(end.event) != Circle::none || end.event == EventType::shear;
   if (!same_branch && end.event != EventType::oblique && end.event != EventType::tilt)
@@ -41,7 +56,8 @@ std::optional<Junction> junction(const std::vector<AtlasSheet>& sheets, const At
     if (other.plane || other.oblique || other.number == of.number) continue;
     if (same_branch && other.branch != of.branch) continue;
     const auto met = [&](const AtlasRow& row) {
-      return row.event == end.event && at_same_place(row.member, end.member, axes_alike);
+      return row.event == end.event &&
+             at_same_place(row.member, end.member, exchanged.of(other.branch));
     };
     if (std::ranges::any_of(other.rows, met))
       return Junction{other.number, end.event, end.member.nu};
@@ -49,10 +65,10 @@ std::optional<Junction> junction(const std::vector<AtlasSheet>& sheets, const At
   return std::nullopt;
 }
 
-void find_junctions(std::vector<AtlasSheet>& sheets, bool axes_alike) {
+void find_junctions(std::vector<AtlasSheet>& sheets, const Exchanged& exchanged) {
   for (AtlasSheet& sheet : sheets) {
-    sheet.parent = junction(sheets, sheet, sheet.rows.front(), axes_alike);
-    sheet.joins = junction(sheets, sheet, sheet.rows.back(), axes_alike);
+    sheet.parent = junction(sheets, sheet, sheet.rows.front(), exchanged);
+    sheet.joins = junction(sheets, sheet, sheet.rows.back(), exchanged);
     if (!sheet.parent) std::swap(sheet.parent, sheet.joins);
     // Of a tilted family's two, the one it was entered at.
     const bool both = sheet.parent && sheet.joins;
@@ -64,20 +80,20 @@ void find_junctions(std::vector<AtlasSheet>& sheets, bool axes_alike) {
 
 /// Tilted families from the tilts of the sheets known, each once.
 void enter_tilted(const Body& body, const Potential& potential, const AtlasOptions& options,
-                  bool axes_alike, Atlas& out) {
+                  const Exchanged& exchanged, Atlas& out) {
   const std::size_t known = out.sheets.size();
-  const auto at_end = [&](const AtlasSheet& tilted, const Member& at) {
-    return at_same_place(tilted.rows.front().member, at, axes_alike) ||
-           at_same_place(tilted.rows.back().member, at, axes_alike);
+  const auto at_end = [&](const AtlasSheet& tilted, const Member& at, Branch of) {
+    return at_same_place(tilted.rows.front().member, at, exchanged.of(of)) ||
+           at_same_place(tilted.rows.back().member, at, exchanged.of(of));
   };
-  const auto met = [&](const Member& at) {
+  const auto met = [&](const Member& at, Branch of) {
     return std::any_of(out.sheets.begin() + static_cast<std::ptrdiff_t>(known), out.sheets.end(),
-                       [&](const AtlasSheet& tilted) { return at_end(tilted, at); });
+                       [&](const AtlasSheet& tilted) { return at_end(tilted, at, of); });
   };
   for (std::size_t s = 0; s < known; ++s) {
     for (std::size_t k = 0; k < out.sheets[s].rows.size(); ++k) {
       const AtlasRow row = out.sheets[s].rows[k];
-      if (row.event != EventType::tilt || met(row.member)) continue;
+      if (row.event != EventType::tilt || met(row.member, out.sheets[s].branch)) continue;
       // A family cut short does not tell what its other end is.
       if (options.stopped()) return;
       AtlasSheet sheet;
@@ -111,8 +127,9 @@ void enter_tilted(const Body& body, const Potential& potential, const AtlasOptio
                                  start->q, start->nu, options, sheet.rows);
       if (!sheet.report.failure.empty()) {
         not_entered(sheet.report.failure);
-      } else if (met(sheet.rows.front().member) && met(sheet.rows.back().member) &&
-                 !at_end(sheet, row.member)) {
+      } else if (met(sheet.rows.front().member, sheet.branch) &&
+                 met(sheet.rows.back().member, sheet.branch) &&
+                 !at_end(sheet, row.member, sheet.branch)) {
         // Where tilts of two sheets are next to each other.
         not_entered("tilted motions not entered: those found beside it are of another tilt");
       } else {
@@ -142,10 +159,8 @@ std::vector<std::unique_ptr<SheetSource>> axis_sources(const Body& body, const P
   for (const Branch branch : options.branches) {
     const Problem problem(body, potential, branch);
     if (potential.is_isotropic()) {
-      const Interval xi = options.search.range(0);
-      const Interval zeta = options.search.range(1);
       const bool mirror_image =
-          branch == Branch::ii && has_i && body.symmetric() && xi.lo == zeta.lo && xi.hi == zeta.hi;
+          branch == Branch::ii && has_i && body.symmetric() && is_alike_in_plane(options.search);
       if (!mirror_image) all.push_back(axis_sheets(problem));
     } else if (branch != Branch::iii && !potential.anisotropic().shear_free()) {
       const char* known =
@@ -170,9 +185,7 @@ std::vector<std::unique_ptr<SheetSource>> tilted_sources(const Body& body,
   std::vector<std::unique_ptr<SheetSource>> out;
   if (!options.tilted || !potential.is_isotropic()) return out;
   out.push_back(tilted_sheets(body, potential, TiltPlane::one_three));
-  const Interval xi = options.search.range(0);
-  const Interval zeta = options.search.range(1);
-  if (!body.symmetric() || xi.lo != zeta.lo || xi.hi != zeta.hi)
+  if (!body.symmetric() || !is_alike_in_plane(options.search))
     out.push_back(tilted_sheets(body, potential, TiltPlane::two_three));
   return out;
 }
@@ -244,8 +257,9 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
     add(parts[k], out);
   }
   const bool axes_alike = potential.is_isotropic() && body.symmetric();
+  const Exchanged exchanged{axes_alike && is_alike_in_plane(options.search), axes_alike};
   if (potential.is_isotropic()) {
-    if (options.tilted) enter_tilted(body, potential, options, axes_alike, out);
+    if (options.tilted) enter_tilted(body, potential, options, exchanged, out);
   } else {
     remark_tilts(out);
   }
@@ -268,7 +282,7 @@ Atlas atlas(const Body& body, const Potential& potential, const AtlasOptions& op
     out.interrupted = out.interrupted || sheet.report.interrupted;
   // A sheet or a cover that was not begun has nothing to say so.
   out.interrupted = out.interrupted || options.stopped();
-  find_junctions(out.sheets, axes_alike);
+  find_junctions(out.sheets, exchanged);
   return out;
 }
 

@@ -31,6 +31,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/body/circle.hpp"
 #include "solver/atlas/sheet_kind.hpp"
 #include "solver/family/follow_sheet.hpp"
 #include "solver/family/tilted_family.hpp"
@@ -105,6 +106,8 @@ struct AtlasSheet : SheetKind {
   FollowReport report;
   std::vector<AtlasRow> rows;
   SheetArc arc;  ///< between its rows
+  /// Of an ellipse in this circle's plane and the same turned by a right angle it stands for both.
+  Circle mirror = Circle::none;
 
   /// What it ends at; none where following was stopped there, whatever the row is beside.
   EventType first_event() const;

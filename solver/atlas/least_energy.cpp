@@ -333,13 +333,15 @@ class EnergyArcs {
   std::vector<EnergyArc> taken() { return std::move(arcs_); }
 
  private:
-  bool inside(const Member& member) const { return in_box(member.q, box_); }
+  bool inside(const AtlasSheet& sheet, const Member& member) const {
+    return in_box(member.q, box_, sheet.mirror);
+  }
 
   void add(const AtlasSheet& sheet, const Member& first, const Member& second) {
     LeastEnergyEnd a = place_of(first);
     LeastEnergyEnd b = place_of(second);
-    const bool has_a = inside(first);
-    const bool has_b = inside(second);
+    const bool has_a = inside(sheet, first);
+    const bool has_b = inside(sheet, second);
     if (has_a != has_b) {
       const auto side = side_of_box(sheet, first, second, has_a);
       if (side) (has_a ? b : a) = *side;
@@ -372,7 +374,7 @@ class EnergyArcs {
       const double middle = 0.5 * (in + out);
       const auto member = sheet.arc(first, second, middle);
       if (!member) return std::nullopt;
-      const bool is_in = inside(*member);
+      const bool is_in = inside(sheet, *member);
       (is_in ? in : out) = middle;
       if (is_in) at = place_of(*member);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "lib/matrix/elementwise.hpp"
 #include "solver/continuation/curve.hpp"
@@ -46,25 +47,23 @@ SheetArc sheet_arc(const std::shared_ptr<const AnyFamily>& family) {
   };
 }
 
-bool in_box(const Stretch& q, const SearchOptions& box) {
+bool in_box(const Stretch& q, const SearchOptions& box, Circle mirror) {
   const PrincipalStretches planar = principal_stretches(q);
   // Sheared, the two of the plane are sought between the same bounds.
-  const std::array<double, 3> stretches = q.alpha == 0.0
-                                              ? std::array{q.xi, q.zeta, q.rho}
-                                              : std::array{planar.lambda, planar.mu, q.rho};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Interval range = box.range(k);
-    if (!(stretches[k] > range.lo && stretches[k] < range.hi)) return false;
-  }
-  return true;
-}
-
-void align_axes(Member& a, Member& b) {
-  if (a.nu == 0.0) a.angular_velocity = b.angular_velocity;
-  if (b.nu == 0.0) b.angular_velocity = a.angular_velocity;
-  // An axis is a line: both ways along it are one, and the angle between the two is what they turn.
-  if (a.angular_velocity[0] < 0.0) a.angular_velocity *= -1.0;
-  if (a.angular_velocity.dot(b.angular_velocity) < 0.0) b.angular_velocity *= -1.0;
+  std::array<double, 3> stretches = q.alpha == 0.0 ? std::array{q.xi, q.zeta, q.rho}
+                                                   : std::array{planar.lambda, planar.mu, q.rho};
+  const auto inside = [&] {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Interval range = box.range(k);
+      if (!(stretches[k] > range.lo && stretches[k] < range.hi)) return false;
+    }
+    return true;
+  };
+  if (inside() || mirror == Circle::none) return inside();
+  const CirclePlaces turned = places(mirror);
+  std::swap(stretches[static_cast<std::size_t>(turned.first)],
+            stretches[static_cast<std::size_t>(turned.second)]);
+  return inside();
 }
 
 }  // namespace stationary

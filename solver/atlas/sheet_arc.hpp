@@ -13,8 +13,9 @@ namespace stationary {
 /// Of the family that the sheet belongs to.
 SheetArc sheet_arc(const std::shared_ptr<const AnyFamily>& family);
 
-/// With principal stretches in the box of an atlas.
-bool in_box(const Stretch& q, const SearchOptions& box);
+/// With principal stretches in the box of an atlas, or the same turned by a right angle of ellipses that stand for
+/// both (AtlasSheet::mirror).
+bool in_box(const Stretch& q, const SearchOptions& box, Circle mirror);
 
 /// Both on the same one of the two ways along an axis, of a row at rest that of the other row.
 void align_axes(Member& a, Member& b);

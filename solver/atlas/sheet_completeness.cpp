@@ -210,8 +210,8 @@ std::vector<Interval> SheetSet::listed_outside() const {
     for (std::size_t k = 1; k < sheet.rows.size(); ++k) {
       const Member& a = sheet.rows[k - 1].member;
       const Member& b = sheet.rows[k].member;
-      const bool has_a = !in_box(a.q, options_.search);
-      const bool has_b = !in_box(b.q, options_.search);
+      const bool has_a = !in_box(a.q, options_.search, sheet.mirror);
+      const bool has_b = !in_box(b.q, options_.search, sheet.mirror);
       if (!has_a && !has_b) continue;
       // Where one of the two is inside, of the way between them nothing is said.
       const auto [low, high] =

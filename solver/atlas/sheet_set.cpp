@@ -211,6 +211,7 @@ void SheetSet::enter(const Place& from, double nu, Entry entry, double entry_nu)
   static_cast<SheetKind&>(sheet) = source_->kind();
   sheet.entry = entry;
   sheet.entry_nu = entry_nu;
+  sheet.mirror = source_->mirror();
   const int family = source_->family_of(from);
   sheet.report =
       follow_rows(families_[static_cast<std::size_t>(family)], from.q, nu, options_, sheet.rows);
@@ -318,7 +319,7 @@ void SheetSet::count(std::size_t checkpoint) {
     const auto found = std::ranges::find_if(proven, same_as_p);
     if (found != proven.end()) {
       met[static_cast<std::size_t>(found - proven.begin())] = true;
-    } else if (in_box(p.q, options_.search)) {
+    } else if (in_box(p.q, options_.search, source_->mirror())) {
       ++at.beyond;
     }
   }

@@ -62,7 +62,7 @@ class AxisSheets final : public SheetSource {
   /// its two axes.
   Place canonical(const Place& at) const override {
     if (bends_) return mirrored_upwards(at);
-    if (circle_ == Circle::none) return at;
+    if (mirror() == Circle::none) return at;
     Place out = at;
     double* const x[3] = {&out.q.xi, &out.q.zeta, &out.q.rho};
     const auto [a, b, other] = places(circle_);
@@ -73,6 +73,8 @@ class AxisSheets final : public SheetSource {
     }
     return out;
   }
+
+  Circle mirror() const override { return bends_ ? Circle::none : circle_; }
 
   EventType leaves_by() const override {
     if (bends_) return EventType::shear;

@@ -89,6 +89,8 @@ class SheetSource {
 
   Place place(const Stretch& q, const Vector3<double>& nu) const;
   virtual Place canonical(const Place& at) const { return at; }
+  /// In whose plane an ellipse is told as that which is drawn out along the first of its two axes.
+  virtual Circle mirror() const { return Circle::none; }
 
   /// The event on other sheets at which sheets of this kind begin, or none.
   virtual EventType leaves_by() const { return EventType::none; }

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "solver/continuation/known_signs.hpp"
+#include "solver/continuation/located_event.hpp"
 #include "solver/motion/event.hpp"
 
 namespace stationary {

@@ -244,7 +244,8 @@ class BranchAndPrune {
     const Interval side = box[index(chosen)];
     const double cut = std::sqrt(side.lo) * std::sqrt(side.hi);
     if (!(log_width(side) > options_.min_width) || !(side.lo < cut && cut < side.hi)) {
-      leave_undecided(box);
+      // Contracted to so little at once it was not asked yet.
+      if (!system_.excludes(box)) leave_undecided(box);
       return;
     }
     Box<N> half = box;

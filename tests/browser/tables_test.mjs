@@ -212,6 +212,23 @@ test('between an event and an end, where no row lies, a line has the class of th
   assert.equal((await seen(beside('stable'))).ink, 0);
 });
 
+test('what an address asks for stays: several quantities that no view has, rows without a class', async () => {
+  const rows = [0.1, 0.2, 0.3, 0.4].map((nu, k) => `iii,1,${k},0,0,${nu},${1 + nu},${1 - nu},1,${1 + nu},${1 - nu}\n`).join('');
+  const path = makePage(write('bare.csv', `branch,sheet,point,nu1,nu2,nu3,xi,zeta,rho,lambda,mu\n${rows}`));
+  const page = await open(path, { fragment: '#y=xi,zeta' });
+  await page.locator('#colour').selectOption('sheet');
+  assert.match(decodeURIComponent(page.url()), /y=xi,zeta/);
+  const all = await inked(page);
+  await page.locator('#legend input[name="class "]').uncheck();
+  assert.ok((await inked(page)) < all);
+  const without = page.url();
+  await page.close();
+  const again = await open(path, { fragment: without.slice(without.indexOf('#')) });
+  assert.ok((await inked(again)) < all);
+  assert.deepEqual(again.complaints, []);
+  await again.close();
+});
+
 test('beside rest a line has the class of the motions there', async () => {
   const row = (point, nu, verdict) => `iii,1,${point},0,0,${nu},1,${1 + nu ** 2},1,${verdict}\n`;
   const page = await open(makePage(write('rest.csv', `branch,sheet,point,nu1,nu2,nu3,xi,zeta,rho,class\n${row(0, -0.3, 'unstable')}${row(1, 0, 'stable')}${row(2, 0.3, 'unstable')}${row(3, 0.6, 'unstable')}`)), { fragment: '#y=zeta&row=4&zoom=-0.2,0.2,0.9,1.2' });

@@ -52,7 +52,13 @@ test('keys go along the sheet, to events, to other sheets, and zoom', async () =
   assert.notEqual((await cells(page)).sheet, rows[0].sheet);
   const before = await inked(page);
   await plot.press('+');
-  assert.match(page.url(), /zoom=/);
+  const larger = page.url();
+  assert.match(larger, /zoom=/);
+  await plot.press('-');
+  assert.notEqual(page.url(), larger);
+  assert.ok(Math.abs((await inked(page)) - before) < 0.02 * before);
+  await plot.press('+');
+  assert.equal(page.url(), larger);
   await plot.press('0');
   assert.doesNotMatch(page.url(), /zoom=/);
   assert.ok(Math.abs((await inked(page)) - before) < 0.02 * before);

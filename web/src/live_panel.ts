@@ -69,10 +69,11 @@ export class LivePanel {
     this.began = performance.now();
     this.opened = given;
     byId<HTMLTextAreaElement>('live-case').value = given.text;
+    // Until it is read no slider is of this case.
+    this.described = null;
     const answer = await this.solver.ask<Described>(this.request('read', []));
     if (!answer) return;
     if (answer.code !== 0) {
-      this.described = null;
       byId('sliders').replaceChildren();
       this.end('failed', (answer.messages ?? []).join('\n'));
       return;

@@ -29,6 +29,8 @@ class Page {
   private readonly body = new BodyView();
   private readonly modes: Modes;
   private heat: HeatMap | null = null;
+  /** What the choice of the vertical axis says; several quantities may be none of its choices. */
+  private choiceOfY = '';
   /** Where the table that was computed here is; null: nothing was. */
   private live: number | null;
 
@@ -63,11 +65,18 @@ class Page {
     const { state } = this;
     const known = (name: string): boolean => table.quantities.includes(name);
     if (before && known(old.x) && old.y.length > 0 && old.y.every(known) && (before.rows > 1) === (table.rows > 1)) {
-      Object.assign(state, { x: old.x, y: old.y, colour: old.colour, logarithmic: old.logarithmic, hiddenClasses: old.hiddenClasses });
+      Object.assign(state, { x: old.x, y: this.sameView(before, table, old.y), colour: old.colour, logarithmic: old.logarithmic, hiddenClasses: old.hiddenClasses });
       if (old.row !== null) this.nearest(before.value(before.parameter, old.row), before.text('sheet', old.row));
     }
     this.fillTables();
     this.showTable();
+  }
+
+  /** The quantities shown, or all of a view's that the other table has. */
+  private sameView(from: Table, to: Table, y: readonly string[]): string[] {
+    const of = (table: Table, names: readonly string[]): string[] => names.filter((name) => table.quantities.includes(name));
+    const preset = presets.find((each) => available(from, each) && of(from, each.y).join() === y.join());
+    return preset ? of(to, preset.y) : [...y];
   }
 
   /** Chooses the row nearest to a value of the family's parameter. */
@@ -183,8 +192,11 @@ class Page {
     if (table.kind === 'curve') state.x = byId<HTMLSelectElement>('axis-of-x').value;
     const several = presets.find((each) => `:${each.id}` === y);
     const ordinates = state.y.join();
-    if (several) state.y = several.y.filter((name) => table.quantities.includes(name));
-    else if (y !== '') state.y = [y];
+    // An address may ask for quantities that no one choice stands for.
+    if (y !== this.choiceOfY) {
+      if (several) state.y = several.y.filter((name) => table.quantities.includes(name));
+      else if (y !== '') state.y = [y];
+    }
     state.colour = byId<HTMLSelectElement>('colour').value as ColourBy;
     state.logarithmic = ordinates === state.y.join() ? byId<HTMLInputElement>('log').checked : prefersLogarithm(table, state.y);
     if (table.kind === 'curve' && before !== [state.x, ...state.y, state.logarithmic].join()) state.zoom = null;
@@ -196,6 +208,7 @@ class Page {
     const preset = presets.find((each) => available(table, each) && each.y.filter((name) => table.quantities.includes(name)).join() === state.y.join());
     byId<HTMLSelectElement>('axis-of-x').value = state.x;
     byId<HTMLSelectElement>('axis-of-y').value = state.y.length > 1 && preset ? `:${preset.id}` : (state.y[0] ?? '');
+    this.choiceOfY = byId<HTMLSelectElement>('axis-of-y').value;
     byId<HTMLInputElement>('log').checked = state.logarithmic;
     for (const button of byId('presets').querySelectorAll('button'))
       button.setAttribute('aria-pressed', String(button.dataset['preset'] === preset?.id && state.x === (preset?.x ?? table.parameter)));
@@ -332,9 +345,12 @@ class Page {
       if (!Number.isFinite(value)) return element('div', {}, `${meaning(name).symbol}: ${table.text(name, row) || 'not computed'}`);
       const symbol = name === 'spin' ? 'ν' : meaning(name).symbol;
       const isStretch = ['alpha', 'xi', 'zeta', 'rho', 'lambda', 'mu'].includes(name);
-      const error = isStretch && Number.isFinite(bound) ? ` ± ${(Math.abs(value) * bound).toExponential(1)}` : '';
+      // The bound of alpha is relative to the root of xi zeta.
+      const size = name === 'alpha' ? Math.sqrt(table.value('xi', row) * table.value('zeta', row)) : Math.abs(value);
+      const error = size * bound;
+      const told = isStretch && Number.isFinite(error) ? `${table.text(name, row)} ± ${error.toExponential(1)}` : shown(value);
       const unit = meaning(name).unit;
-      return element('div', {}, element('i', {}, symbol), ` = ${shown(value)}${error}${unit === '' || unit === '1' ? '' : ` ${unit}`}`);
+      return element('div', {}, element('i', {}, symbol), ` = ${told}${unit === '' || unit === '1' ? '' : ` ${unit}`}`);
     });
     const verdict = table.text('class', row);
     const growth = table.value('growth', row);

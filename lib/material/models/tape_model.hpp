@@ -396,8 +396,9 @@ class TapeModel {
             C number(result(k));
             for (std::size_t i = 0; i < coefficients_.size(); ++i)
               for (std::size_t direction = 0; direction < number.slope.size(); ++direction)
-                number.slope[direction] +=
-                    result((1 + i) * count + k) * coefficients_[i].slope[direction];
+                if (coefficients_[i].slope[direction] != 0.0)
+                  number.slope[direction] +=
+                      result((1 + i) * count + k) * coefficients_[i].slope[direction];
             out(k, number);
           }
         },
@@ -405,8 +406,8 @@ class TapeModel {
     return true;
   }
 
-  /// Of each residual g the sum over the parameters p of |p dg/dp|; nothing where the tape has not
-  /// got their slopes.
+  /// Of each residual g the sum over the parameters p of |p dg/dp|, none of which is by a p = 0; nothing where the
+  /// tape has not got their slopes, or one is no number.
   template <std::size_t n, class... Inputs>
   std::optional<std::array<double, n>> sensitivity(const Inputs&... inputs) const {
     std::array<double, n> out{};
@@ -417,10 +418,11 @@ class TapeModel {
         program,
         [&](const auto& result) {
           for (std::size_t i = 0; i < coefficients_.size(); ++i)
-            for (std::size_t k = 0; k < n; ++k)
+            for (std::size_t k = 0; k < n && coefficients_[i] != 0.0; ++k)
               out[k] += std::abs(coefficients_[i] * result(i * n + k));
         },
         inputs...);
+    if (!std::ranges::all_of(out, [](double each) { return std::isfinite(each); })) return {};
     return out;
   }
 

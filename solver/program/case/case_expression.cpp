@@ -93,7 +93,10 @@ std::vector<std::string_view> words(std::string_view text) {
   std::vector<std::string_view> out;
   for (std::size_t k = 0; k < text.size();) {
     std::size_t end = k;
-    while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]))) ++end;
+    const bool is_number = is_digit(text[k]);  // 1.e3 has no word e3
+    while (end < text.size() &&
+           (is_letter(text[end]) || is_digit(text[end]) || (is_number && text[end] == '.')))
+      ++end;
     if (end > k && is_letter(text[k])) out.push_back(text.substr(k, end - k));
     k = std::max(end, k + 1);
   }

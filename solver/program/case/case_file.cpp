@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solver/continuation/step_control.hpp"
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_motion_table.hpp"
 #include "solver/program/case/case_parameter.hpp"
@@ -148,14 +149,16 @@ std::optional<Case::Continuation> read_continuation(const CaseTree& tree,
   return out;
 }
 
+using Ends = std::array<ParameterValue, 2>;
+
 /// The numbers that vary, each at both ends of its range: together, one set for each corner.
 std::vector<std::vector<ParameterValue>> ends_of(
     const std::optional<Case::Continuation>& continuation, const std::optional<CaseMap>& map,
     const std::optional<CaseCurve>& curve) {
   std::vector<std::vector<ParameterValue>> out;
-  const auto add = [&](std::span<const std::array<ParameterValue, 2>> axes) {
-    std::vector<std::vector<ParameterValue>> corners{{}};
-    for (const auto& ends : axes) {
+  const auto add = [&](const std::vector<Ends>& axes) {
+    std::vector<std::vector<ParameterValue>> corners(1);
+    for (const Ends& ends : axes) {
       std::vector<std::vector<ParameterValue>> more;
       for (const auto& corner : corners)
         for (const ParameterValue& end : ends) {
@@ -166,24 +169,19 @@ std::vector<std::vector<ParameterValue>> ends_of(
     }
     out.insert(out.end(), corners.begin(), corners.end());
   };
-  if (continuation) {
-    const std::string& key = continuation->parameter;
-    add(std::array{
-        std::array<ParameterValue, 2>{{{key, continuation->from}, {key, continuation->to}}}});
-  }
-  if (map) {
-    std::vector<std::array<ParameterValue, 2>> axes;
+  const auto ends = [](const std::string& key, double from, double to) {
+    return Ends{ParameterValue{key, from}, ParameterValue{key, to}};
+  };
+  if (continuation) add({ends(continuation->parameter, continuation->from, continuation->to)});
+  std::vector<Ends> axes;
+  if (map)
     for (const MapAxis* axis : map->axes())
-      axes.push_back({{{axis->parameter, axis->from}, {axis->parameter, axis->to}}});
-    add(axes);
-  }
-  if (curve) {
-    std::vector<std::array<ParameterValue, 2>> axes;
-    for (std::size_t k = 0; k < curve->parameters.size(); ++k)
-      axes.push_back(
-          {{{curve->parameters[k], curve->from[k]}, {curve->parameters[k], curve->to[k]}}});
-    add(axes);
-  }
+      axes.push_back(ends(axis->parameter, axis->from, axis->to));
+  add(axes);
+  axes.clear();
+  for (std::size_t k = 0; curve && k < curve->parameters.size(); ++k)
+    axes.push_back(ends(curve->parameters[k], curve->from[k], curve->to[k]));
+  add(axes);
   return out;
 }
 

@@ -328,6 +328,14 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
                     "another sheet in this table, or in none",
                     cut, cut == 1 ? "" : "s"));
   if (run.summary) out.summary = summary(input, how, found, records, proofs, least, seconds);
+  for (const AtlasSheet& sheet : found.sheets) {
+    for (const SheetEnd* end : {&sheet.report.backward, &sheet.report.forward}) {
+      if (end->event != EventType::stalled) continue;
+      run.complain(
+          fmt::format("numerical failure: sheet {} was given up: {}", sheet.number, end->reason));
+      out.code = ExitCode::failure;
+    }
+  }
   if (found.interrupted) {
     run.complain(journal ? "interrupted: the atlas is not complete; --resume goes on with it"
                          : "interrupted: the atlas is not complete");

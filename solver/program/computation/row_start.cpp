@@ -317,10 +317,6 @@ EventRow event_of_row(const Case& given, const std::string& row, EventType type)
   return FromRow(given, row, false).event(type);
 }
 
-std::string start_row_of(const Case& given, const std::string& asked) {
-  return asked.empty() && given.continuation ? given.continuation->start_row : asked;
-}
-
 std::string table_of_row(const std::string& row) { return row_name(row).path; }
 
 }  // namespace stationary::cli

@@ -21,7 +21,9 @@ struct RowStart {
 RowStart start_from_row(const Case& given, const std::string& row);
 
 /// The row that is asked for, else that of the case; empty: none.
-std::string start_row_of(const Case& given, const std::string& asked);
+inline std::string start_row_of(const Case& given, const std::string& asked) {
+  return asked.empty() && given.continuation ? given.continuation->start_row : asked;
+}
 
 /// The table that a row is named of. Throws InputError where it names none.
 std::string table_of_row(const std::string& row);

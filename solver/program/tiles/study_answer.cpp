@@ -124,8 +124,16 @@ std::optional<StudyAnswer> atlas_answer(const AtlasBody& of, const AtlasOptions&
   (void)write_sheets(of, found, rows, sheets);
   const double complete = complete_fraction(found);
   StudyAnswer out{StudyStatus::solved, {}, {sheet_summary(sheets, complete)}};
-  if (sheets.empty()) out.status = complete == 1.0 ? StudyStatus::none : StudyStatus::not_found;
+  // At checkpoints alone nothing is said of what lies between them.
+  const bool all = how.complete && complete == 1.0 && found.remarks.empty();
+  if (sheets.empty()) out.status = all ? StudyStatus::none : StudyStatus::not_found;
   if (!found.remarks.empty()) out.message = found.remarks.front().reason;
+  for (const AtlasSheet& sheet : found.sheets) {
+    if (sheet.report.out_of_points) out.message = "stopped at continuation.max_points";
+    for (const SheetEnd* end : {&sheet.report.backward, &sheet.report.forward})
+      if (end->event == EventType::stalled)
+        out = {StudyStatus::failed, end->reason, std::move(out.cells)};
+  }
   return out;
 }
 

@@ -133,6 +133,24 @@ TEST(AnisotropicExpression, AndTheSameSearches) {
   EXPECT_THAT(outcome.out, HasSubstr("proven to be all"));
 }
 
+/// Two fibres at 30 and 150 degrees: that V is even in alpha is known at points alone, and confirmed by the whole
+/// formula's derivatives, its isotropic terms among them.
+TEST(AnisotropicExpression, WhatIsTakenForGrantedIsConfirmed) {
+  const std::string fibres =
+      "plane = { expression = \"mu/2*(I1-2-2*log(d)) + la/2*log(d)^2 + k/2*(A^2+B^2)\", mu = 1.0, "
+      "la = "
+      "2.0, k = 0.4, let = { c=\"cos(30*pi/180)\", s=\"sin(30*pi/180)\", f=\"cos(150*pi/180)\", "
+      "g=\"sin(150*pi/180)\", A=\"(xi*c+alpha*s)^2+(alpha*c+zeta*s)^2-1\", "
+      "B=\"(xi*f+alpha*g)^2+(alpha*f+zeta*g)^2-1\" } }\n" +
+      named_thickness;
+  const Outcome one = run_case("solve", fibres, third, {"-o", "-", "--certify"});
+  ASSERT_EQ(one.code, 0) << one.err;
+  EXPECT_EQ(rows_of(one.out).at(0).at("certified"), "yes");
+  const Outcome all = run_case("solve", fibres, third, {"--set", "solve.all=true"});
+  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_THAT(all.out, HasSubstr("proven to be all"));
+}
+
 TEST(AnisotropicExpression, CheckPrintsWhatWasFoundOut) {
   const Outcome skew = run_case("check", fibred.written, third);
   EXPECT_EQ(skew.code, 0) << skew.err;

@@ -80,6 +80,26 @@ TEST_F(DomainOfTwo, ACurvesRectangleIsAllowed) {
 }
 
 /// A held volume alone is a fluid; a fibre needs something elastic beside it.
+/// Where the only balance lies outside a domain in principal stretches nothing is left undecided.
+TEST(Domain, WhatLiesOutsideItIsExcluded) {
+  const TemporaryDirectory directory;
+  for (const char* const domain :
+       {"lambda>0.87", "lambda>1", "mu_<0.8", "lambda*mu_>0.9", "lambda^2+mu_^2>1.6", "d>0.9"}) {
+    const Outcome outcome = run_program(
+        {"solve",
+         directory.file("case.toml",
+                        "[body]\nJ = [1.0, 1.7, 0.6]\n[potential]\nplane = { expression = \"c/d + "
+                        "k/2*I1\", domain = \"" +
+                            std::string(domain) +
+                            "\", c = 1.0, k = 2.0 }\nthickness = { model = "
+                            "\"reciprocal-quadratic\", a = 1.0, b = 3.0 }\n[motion]\nbranch = "
+                            "\"iii\"\nnu = 0.3\n"),
+         "--set", "solve.all=true"});
+    EXPECT_EQ(outcome.code, 3) << domain;
+    EXPECT_THAT(outcome.err, HasSubstr("proven that there is none")) << domain;
+  }
+}
+
 TEST(Domain, AFluidHasNoFibre) {
   const TemporaryDirectory directory;
   const std::string file = directory.file(

@@ -124,6 +124,54 @@ TEST(ExpressionCase, AParameterThatIsZeroIsSolvedWithoutAWord) {
   }
 }
 
+/// What a parameter that is 0, or a negative one to a whole one, has no slope by is moved by no rounding of it.
+TEST(ExpressionCase, ErrorBoundsAreNumbersWhereParametersHaveNoSlope) {
+  const TemporaryDirectory directory;
+  const std::string thickness =
+      "thickness = { model = \"reciprocal-quadratic\", a = 1.0, b = 3.0 }\n";
+  const auto file = [&](const std::string& plane) {
+    return directory.file("case.toml", case_with("plane = { " + plane + " }\n" + thickness));
+  };
+  const std::string plain = file("expression = \"c/d + k/2*I1\", c = 1.0, k = 2.0");
+  const double xi = number(only_row(run_program({"solve", plain, "-o", "-"}).out).at("xi"));
+  for (const char* const text : {"sqrt(z)*t", "z^0.3*t", "z^m*t"}) {
+    const std::string path =
+        file("expression = \"c/d + k/2*I1 + " + std::string(text) +
+             "\", c = 1.0, k = 2.0, z = 0.0" + (std::string(text) == "z^m*t" ? ", m = 2.0" : ""));
+    const Outcome one = run_program({"solve", path, "-o", "-"});
+    ASSERT_EQ(one.code, 0) << text << one.err;
+    const Row row = only_row(one.out);
+    EXPECT_NEAR(number(row.at("xi")), xi, 1e-14) << text;
+    EXPECT_LT(number(row.at("error_bound")), 1e-14) << text;
+    const Outcome family =
+        run_program({"continue", path, "--set", "continuation={from=0.0,to=0.6}", "-o", "-"});
+    EXPECT_EQ(family.code, 0) << text << family.err;
+  }
+  const std::string square =
+      file("expression = \"c/d + k/2*I1 + z^2*t\", c = 1.0, k = 2.0, z = -2.1");
+  const Row expected = only_row(run_program({"solve", square, "-o", "-"}).out);
+  const Outcome whole = run_program(
+      {"solve", file("expression = \"c/d + k/2*I1 + z^m*t\", c = 1.0, k = 2.0, z = -2.1, m = 2.0"),
+       "-o", "-"});
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  const Row got = only_row(whole.out);
+  EXPECT_NEAR(number(got.at("xi")), number(expected.at("xi")), 1e-14);
+  EXPECT_EQ(got.at("class"), expected.at("class"));
+  EXPECT_LT(number(got.at("error_bound")), 1e-13);
+}
+
+/// A number with a point before its exponent has no name in it.
+TEST(ExpressionCase, APartMayBeCalledAsAnExponent) {
+  const TemporaryDirectory directory;
+  const Outcome outcome = run_program(
+      {"check",
+       directory.file("case.toml",
+                      case_with("plane = { expression = \"I1/2 - log(d)*e3\", let = { e3 = "
+                                "\"1.e3*0.001\" } }\n" +
+                                harmonic_thickness))});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
 /// A note is of names the potential would have; the facts call the stretch what it is called here.
 TEST(ExpressionCase, HiddenNamesInNotesAndFacts) {
   const TemporaryDirectory directory;
@@ -327,6 +375,24 @@ TEST(ExpressionCase, ASeparableCoupledFormulaIsTakenApart) {
                    "continuation={ parameter = \"potential.coupled.mu\", from = 0.8, to = 2.0 }"});
   EXPECT_EQ(proven.code, 0) << proven.err;
   EXPECT_THAT(proven.out, HasSubstr("proven within"));
+}
+
+/// One whose addend is of both is solved whole where the unit stretches may be outside its domain.
+TEST(ExpressionCase, ADomainWithoutTheUnitStretchesIsSolved) {
+  const TemporaryDirectory directory;
+  const auto solved = [&](const std::string& text) {
+    const Outcome outcome = run_program(
+        {"solve",
+         directory.file("case.toml", case_with("coupled = { expression = \"mu/2*(I1 + rho^2) - " +
+                                               text + "\", mu = 1.0, c = 1.0 }\n")),
+         "-o", "-"});
+    EXPECT_EQ(outcome.code, 0) << text << outcome.err;
+    return outcome.code == 0 ? only_row(outcome.out) : Row();
+  };
+  Row apart = solved("c*log(d - 2) - c*log(rho)");
+  Row together = solved("c*log((d - 2)*rho)");
+  for (const char* const column : {"xi", "zeta", "rho"})
+    EXPECT_NEAR(number(together[column]), number(apart[column]), 1e-13) << column;
 }
 
 TEST(ExpressionCase, IsFollowedInItsParameterAndMapped) {

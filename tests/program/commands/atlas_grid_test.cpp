@@ -65,7 +65,7 @@ TEST_F(AtlasGrid, EachRowIsAnAtlas) {
                      "potential.plane.lambda=" + rows[k].at("potential.plane.lambda")});
     ASSERT_EQ(alone.code, 0) << alone.err;
     const json told = json::parse(text("one.meta.json"));
-    EXPECT_EQ(rows[k].at("status"), told["sheets"].empty() ? "none" : "solved");
+    EXPECT_EQ(rows[k].at("status"), told["sheets"].empty() ? "not-found" : "solved");
     EXPECT_EQ(rows[k].at("sheets"), std::to_string(told["sheets"].size()));
     EXPECT_EQ(rows[k].at("events"), std::to_string(told["events"].size()));
     // The cell's own table, dataset for dataset.
@@ -175,6 +175,55 @@ TEST_F(AtlasGrid, MergesNoTablesOfOtherParts) {
   refused({"a.csv", "b.csv", "a.h5", "b.h5"}, "was changed since it was written");
 }
 #endif
+
+/// At checkpoints alone there is no proof for every nu: this body has motions below the first.
+TEST_F(AtlasGrid, NothingAtCheckpointsIsNoProof) {
+  const std::string path = directory_.file(
+      "none.toml",
+      "[body]\nJ = [1.0, 1.7, 0.6]\n[potential]\nplane = { model = \"reciprocal-determinant\", c = "
+      "1.0, k = 2.0 }\nthickness = { model = \"reciprocal-quadratic\", a = 1.0, b = 3.0 "
+      "}\n[motion]\n"
+      "branch = \"iii\"\nnu = 1.05\n[continuation]\nfrom = 1.41\nto = 5.0\n[map]\nx = { parameter "
+      "= \"body.J.2\", from = 0.6, to = 0.7, count = 2 }\n");
+  const Words at_checkpoints{"atlas", path, "--grid", "--checkpoints", "4", "-o", "-"};
+  for (const Row& row : rows_of(run_program(at_checkpoints).out))
+    EXPECT_EQ(row.at("status"), "not-found");
+  // Proven for every nu, where there is none.
+  Words complete = at_checkpoints;
+  complete.insert(complete.end(), {"--complete", "--set", "continuation.from=2.0"});
+  for (const Row& row : rows_of(run_program(complete).out)) EXPECT_EQ(row.at("status"), "none");
+}
+
+/// A sheet that is given up, or cut, is said to be, as by `continue`.
+TEST_F(AtlasGrid, SaysWhichSheetsAreNotWhole) {
+  const std::string stalls = directory_.file(
+      "stall.toml",
+      "[body]\nJ = [1.5, 1.5, 0.4]\n[potential]\nplane = { model = \"biot-log\", mu = 1.0, lambda "
+      "= "
+      "2.0 }\nthickness = { model = \"harmonic\", k = 2.0, rest = 1.0 }\nfibre = { k = 0.5, "
+      "degrees "
+      "= 45.0 }\n[motion]\nbranch = \"iii\"\nnu = 0.3\n[continuation]\nfrom = 0.0\nto = 2.5\n"
+      "tolerance = 1e-6\n[map]\nx = { parameter = \"body.J.2\", from = 0.4, to = 0.41, count = 2 "
+      "}\n");
+  const Outcome one =
+      run_program({"atlas", stalls, "--checkpoints", "3", "-o", directory_ / "one.csv"});
+  EXPECT_EQ(one.code, 4);
+  EXPECT_THAT(one.err, HasSubstr("was given up"));
+  EXPECT_FALSE(rows_of(text("one.csv")).empty());
+  const Outcome all = run_program({"atlas", stalls, "--grid", "--checkpoints", "3", "-o", "-"});
+  EXPECT_EQ(all.code, 4);
+  for (const Row& row : rows_of(all.out)) {
+    EXPECT_EQ(row.at("status"), "failed");
+    EXPECT_NE(row.at("sheets"), "");
+    EXPECT_NE(row.at("message"), "");
+  }
+  Words few = words_;
+  few.insert(few.end(), {"--set", "continuation.max_points=20", "-o", "-"});
+  for (const Row& row : rows_of(run_program(few).out))
+    if (row.at("status") == "solved") {
+      EXPECT_EQ(row.at("message"), "stopped at continuation.max_points");
+    }
+}
 
 TEST_F(AtlasGrid, RefusesWhatIsNoGrid) {
   const auto refused = [&](const Words& arguments, const std::string& words) {

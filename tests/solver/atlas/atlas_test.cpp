@@ -146,6 +146,24 @@ TEST(Atlas, ABoxThatHoldsOneOfTwoMirrorImagesHasItsSheet) {
   }
 }
 
+/// There motions tilted from axis 2 are no mirror images of those listed: they leave (ii) in a plane of their own.
+TEST(Atlas, ABoxThatIsNotAlikeHasTheTiltedSheetsOfBothPlanes) {
+  const Body round(1.0, 1.0, 0.6);
+  AtlasOptions options;
+  options.to = 1.5;
+  options.checkpoints = 4;
+  options.spectrum = false;
+  options.search.box = {Interval(1e-3, 1e3), Interval(1e-2, 1e2), Interval(1e-3, 1e3)};
+  const Atlas found = atlas(round, potential_of("reciprocal-determinant", 1.0, 2.0), options);
+  for (const TiltPlane plane : {TiltPlane::one_three, TiltPlane::two_three}) {
+    const auto sheet = std::ranges::find(found.sheets, std::optional(plane), &AtlasSheet::plane);
+    ASSERT_NE(sheet, found.sheets.end());
+    ASSERT_TRUE(sheet->parent);
+    const AtlasSheet& parent = found.sheets[static_cast<std::size_t>(sheet->parent->sheet - 1)];
+    EXPECT_EQ(parent.branch, plane == TiltPlane::one_three ? Branch::i : Branch::ii);
+  }
+}
+
 /// Nor is the ellipse counted on where it, and not its mirror image, leaves the box.
 TEST(Atlas, ABoxThatHoldsOneOfTwoMirrorImagesLosesIt) {
   const Body round(1.0, 1.0, 0.6);

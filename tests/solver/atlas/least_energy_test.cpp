@@ -293,6 +293,29 @@ TEST(LeastEnergy, OfASheetThatCoversPartOfAPiece) {
   EXPECT_EQ(pieces[0].to.momentum, alone[0].to.momentum);
 }
 
+/// Of an ellipse and the same turned by a right angle a sheet has one, and a box may hold the other.
+TEST(LeastEnergy, IsTheSameOfABoxAndItsMirrorImage) {
+  const Case input = shipped("circle");
+  std::vector<std::vector<LeastEnergyPiece>> pieces;
+  const Interval wide(1e-3, 1e3);
+  const Interval small(1e-3, 1.0);
+  for (const bool exchanged : {false, true}) {
+    AtlasOptions how = atlas_options(input, 32, false);
+    how.branches = {Branch::iii};
+    how.tilted = false;
+    how.search.box = {exchanged ? small : wide, exchanged ? wide : small, wide};
+    const Atlas found = atlas(input.body, input.potential, how);
+    pieces.push_back(least_energy(found.sheets, how.search));
+  }
+  ASSERT_EQ(pieces[0].size(), pieces[1].size());
+  ASSERT_FALSE(pieces[0].empty());
+  for (std::size_t k = 0; k < pieces[0].size(); ++k) {
+    EXPECT_NEAR(pieces[0][k].from.momentum, pieces[1][k].from.momentum, 1e-9);
+    EXPECT_NEAR(pieces[0][k].to.momentum, pieces[1][k].to.momentum, 1e-9);
+    EXPECT_NEAR(pieces[0][k].to.energy, pieces[1][k].to.energy, 1e-9);
+  }
+}
+
 TEST(LeastEnergy, HasNoPiecesOnceStopped) {
   const Case input = shipped("fold");
   const AtlasOptions how = atlas_options(input, 4, false);

@@ -46,6 +46,8 @@ export class Diagram {
   private x: Scale = scaleLinear();
   private y: Scale = scaleLinear();
   private hover: { row: number; quantity: string } | null = null;
+  /** While the view is laid out anew. */
+  private resetting = false;
 
   constructor(private readonly events: DiagramEvents) {
     this.target = select(this.host);
@@ -69,6 +71,7 @@ export class Diagram {
     this.state = state;
     this.overlay = overlay;
     this.hover = null;
+    this.events.hovered(null, '', 0, 0);
     this.rescale();
   }
 
@@ -102,13 +105,14 @@ export class Diagram {
     this.y = this.base.y;
     const closest = (low: number, high: number): number => (high - low) / (narrowest * Math.max(Math.abs(low), Math.abs(high)));
     this.behaviour.scaleExtent([most < Infinity ? 1e-7 : 0.2, Math.max(1, Math.min(1e7, closest(x0, x1), closest(y0, y1)))]);
-    // Without an event of a person behind it this one draws and reports nothing.
+    this.resetting = true;
     this.behaviour.transform(this.target, zoomIdentity);
+    this.resetting = false;
     this.draw();
   }
 
   private onZoom(event: D3ZoomEvent<HTMLElement, unknown>): void {
-    if (!this.state || (event.transform.k === 1 && event.transform.x === 0 && event.transform.y === 0 && !event.sourceEvent)) return;
+    if (!this.state || this.resetting) return;
     const x = event.transform.rescaleX(this.base.x as never) as Scale;
     const y = event.transform.rescaleY(this.base.y as never) as Scale;
     const [x0, x1] = x.domain();

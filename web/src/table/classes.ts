@@ -24,7 +24,7 @@ export function classStyle(name: string): ClassStyle {
 
 /** Rates so far as to be no bifurcation: the range asked for ends there. */
 export function isEnd(event: string): boolean {
-  return ['limit', 'collapse', 'escape', 'domain', 'closed'].includes(event);
+  return ['limit', 'collapse', 'escape', 'domain', 'closed', 'stalled'].includes(event);
 }
 
 type Shape = 'disc' | 'ring' | 'square' | 'box' | 'triangle' | 'wedge' | 'diamond' | 'rhomb' | 'star' | 'cross' | 'plus';

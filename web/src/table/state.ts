@@ -121,6 +121,9 @@ function zoomText([low, high]: readonly [number, number]): string {
   return [low, high].map((each) => Number(each.toPrecision(Math.min(Math.max(digits, 7), 17)))).join();
 }
 
+/** The word of an address for rows without a class. */
+const noClass = 'none';
+
 export function toFragment(state: State, tables: readonly Table[]): string {
   const start = firstState(tables, state.table);
   const out = new URLSearchParams();
@@ -129,7 +132,7 @@ export function toFragment(state: State, tables: readonly Table[]): string {
   if (state.y.join() !== start.y.join()) out.set('y', state.y.join());
   if (state.row !== null && state.row !== start.row) out.set('row', String(state.row + 1));
   if (state.hidden.size > 0) out.set('hide', [...state.hidden].join());
-  if (state.hiddenClasses.size > 0) out.set('without', [...state.hiddenClasses].join());
+  if (state.hiddenClasses.size > 0) out.set('without', [...state.hiddenClasses].map((name) => name || noClass).join());
   if (state.colour !== 'class') out.set('colour', state.colour);
   if (state.logarithmic !== prefersLogarithm(tables[state.table], state.y)) out.set('log', state.logarithmic ? '1' : '0');
   if (state.zoom) out.set('zoom', `${zoomText([state.zoom[0], state.zoom[1]])},${zoomText([state.zoom[2], state.zoom[3]])}`);
@@ -154,8 +157,8 @@ export function fromFragment(fragment: string, tables: readonly Table[]): State 
   if (Number.isInteger(row) && row >= 0 && row < table.rows) state.row = row;
   const keys = new Set(table.pieces.map((piece) => piece.key));
   state.hidden = new Set(list('hide').filter((key) => keys.has(key)));
-  const classes = ['stable', 'elliptic', 'unstable', 'oscillatory', 'marginal'];
-  state.hiddenClasses = new Set(list('without').filter((name) => classes.includes(name)));
+  const classes = ['stable', 'elliptic', 'unstable', 'oscillatory', 'marginal', ''];
+  state.hiddenClasses = new Set(list('without').map((name) => (name === noClass ? '' : name)).filter((name) => classes.includes(name)));
   state.colour = colourings.find((each) => each === given.get('colour')) ?? 'class';
   state.logarithmic = given.has('log') ? given.get('log') === '1' : prefersLogarithm(table, state.y);
   const zoom = list('zoom').map(Number);
