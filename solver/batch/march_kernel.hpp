@@ -188,6 +188,8 @@ template <class V, class System>
   }
   const V speed = V::load(m.speed);
   const Mask circle = inertia[0] == inertia[1];
+  const V difference = inertia[0] - inertia[1];
+  const V more = select(circle, V(0.0), select(V(0.0) < difference, V(1.0), V(-1.0)));
   const V rest = V::load(m.rest);
   LaneState<V> at{{rest, rest}, speed == speed, V(0.0)};
   V past[4][2];
@@ -206,6 +208,9 @@ template <class V, class System>
     const Mask before = at.alive;
     correct_lanes<System, V>(system, circle, m.extended && step.slot >= 0,
                              m.bounded && step.slot >= 0, at);
+    // As Sweep: from a circle towards what is pulled more, and never through one.
+    if constexpr (n == 2)
+      at.alive = at.alive & ~((at.x[0] - at.x[1]) * more < V(-0x1p-40) * at.x[0]);
     end = select(before & ~at.alive, V(static_cast<double>(k)), end);
     if (!any(at.alive)) break;
     for (int i = 0; i < n; ++i) {

@@ -44,7 +44,8 @@ MarchPlan march_plan(std::span<const double> nu) {
     const double target = out.s[k] * out.s[k];
     for (;;) {
       const double step = std::clamp(square, first_step * range, longest_step * range);
-      if (target - square <= 1.5 * step) break;
+      // Of squares below the smallest numbers a step is none.
+      if (!(step > 0.0) || target - square <= 1.5 * step) break;
       square += step;
       out.steps.push_back({.s = std::sqrt(square)});
     }

@@ -24,15 +24,36 @@ Sweep::Sweep(const Problem& problem, const Equilibrium& start, const SweepOption
   past_.fill({nu, {q.xi, q.zeta, q.rho}});
   const CentrifugalRates<DoubleDouble> rates = problem.rates(two_product(nu, nu));
   circle_ = problem.branch() == Branch::iii && problem.body().symmetric() && q.xi == q.zeta;
-  positive_ = problem.potential().visit([&](const auto& model) {
+  problem.potential().visit([&](const auto& model) {
+    const auto take = [&](const auto& jacobian) {
+      positive_ = jacobian.determinant() > 0.0;
+      side_ = side_of_sheet(q, jacobian(0, 0) - jacobian(0, 1));
+    };
     if constexpr (requires { model.plane; }) {
       const PlanarSystem<decltype((model.plane))> system{model.plane, rates};
-      return system.linearize({q.xi, q.zeta}).jacobian.determinant() > 0.0;
+      take(system.linearize({q.xi, q.zeta}).jacobian);
     } else {
       const CoupledSystem<decltype(model)> system{model, rates};
-      return system.linearize({q.xi, q.zeta, q.rho}).jacobian.determinant() > 0.0;
+      take(system.linearize({q.xi, q.zeta, q.rho}).jacobian);
     }
   });
+}
+
+/// stiffness: against ellipses, of a circle. Where gravity tells axis 1 from axis 2 a sheet may pass xi = zeta: looked
+/// after where a pitchfork may be near alone.
+double Sweep::side_of_sheet(const Stretch& q, double stiffness) const {
+  const Body& body = problem_.body();
+  const CentrifugalRates<DoubleDouble> pull = problem_.rates(DoubleDouble(1.0));
+  const double more = double(pull.xi - pull.zeta);
+  const BodyModel<>* model = problem_.potential().body_model();
+  const bool heavy = model != nullptr && model->gravitates;
+  constexpr double nearly = 0.01;
+  if (more == 0.0 || (heavy && !(std::abs(more) <= nearly * std::max(body.J1, body.J2))))
+    return 0.0;
+  // A circle is left towards what is pulled more; it is one but for rounding.
+  constexpr double rounding = 0x1p-40;
+  const bool circle = std::abs(q.xi - q.zeta) <= rounding * q.xi;
+  return std::copysign(1.0, circle ? more * stiffness : q.xi - q.zeta);
 }
 
 std::array<double, 3> Sweep::predict(double nu) const {
@@ -42,7 +63,8 @@ std::array<double, 3> Sweep::predict(double nu) const {
   const double a = (nu - x0.nu) / d01;
   double b = 0.0;
   double ratio = 0.0;
-  if (known_ == 3) {  // Newton's form of the parabola; at equal spacing 3 (x0 - x1) + x2
+  if (known_ == 3 &&
+      x0.nu != x2.nu) {  // Newton's form of the parabola; at equal spacing 3 (x0 - x1) + x2
     b = (nu - x0.nu) * (nu - x1.nu) / (d01 * (x0.nu - x2.nu));
     ratio = d01 / (x1.nu - x2.nu);
   }
@@ -129,7 +151,7 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
     const PlanarSystem<Plane> system{model.plane, rates};
     const Refined planar = corrected<bound>(system, x);
     out.steps += planar.steps;
-    if (!planar.converged || !trusted(planar, 2)) return false;
+    if (!planar.converged || !trusted(planar, 2) || changes_sides(x[0], x[1])) return false;
     const ReducedVector<2> last(past_[0].x[0], past_[0].x[1]);
     if (!stays_inside(system, last, x)) return false;
     if (!is_short_move(last, x) &&
@@ -165,7 +187,7 @@ bool Sweep::attempt(const Model& model, double nu, SweepPoint& out) {
     const CoupledSystem<const Model&> system{model, rates};
     const Refined refined = corrected<bound>(system, x);
     out.steps += refined.steps;
-    if (!refined.converged || !trusted(refined, 3)) return false;
+    if (!refined.converged || !trusted(refined, 3) || changes_sides(x[0], x[1])) return false;
     const ReducedVector<3> last(past_[0].x[0], past_[0].x[1], past_[0].x[2]);
     if (!stays_inside(system, last, x)) return false;
     if (!is_short_move(last, x) &&

@@ -62,6 +62,13 @@ class Sweep {
   bool attempt(const Model& model, double nu, SweepPoint& out);
   std::array<double, 3> predict(double nu) const;
   bool trusted(const Refined& refined, int unknowns) const;
+  /// xi = zeta needs equal pulls, so that a sheet without them stays on its side. Where J1 and J2 are nearly equal both
+  /// sides of a pitchfork that has broken lie within a step.
+  bool changes_sides(double xi, double zeta) const {
+    constexpr double rounding = 0x1p-40;
+    return (xi - zeta) * side_ < -rounding * xi;
+  }
+  double side_of_sheet(const Stretch& q, double stiffness) const;
 
   Problem problem_;
   SweepOptions options_;
@@ -69,6 +76,7 @@ class Sweep {
   int known_ = 1;
   bool circle_ = false;
   bool positive_ = false;  ///< sign of the determinant on this sheet
+  double side_ = 0.0;      ///< sign of xi - zeta on this sheet; 0: it may have either, or none
   bool constant_rho_known_ = false;
   double constant_rho_bound_ = std::numeric_limits<double>::quiet_NaN();
   long thickness_solves_ = 0;

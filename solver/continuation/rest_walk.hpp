@@ -26,7 +26,7 @@ namespace stationary {
 
 enum class WalkEnd {
   reached,      ///< x lies on the rest sheet at tau = 1
-  escaped,      ///< a stretch left [1e-8, 1e8]
+  escaped,      ///< a stretch left [min_stretch, max_stretch]
   turned_back,  ///< the sheet came back to nu = 0
   at_border,    ///< the domain of the potential ends
   stuck,        ///< the step became too small

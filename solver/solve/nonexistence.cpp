@@ -1,5 +1,6 @@
 #include "solver/solve/nonexistence.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -54,7 +55,10 @@ struct PlanarReason {
     const DoubleDouble xi_left = 2.0 * m.mu - c.zeta;
     const DoubleDouble zeta_left = 2.0 * m.mu - c.xi;
     const DoubleDouble det = zeta_left * xi_left + m.lambda * (xi_left + zeta_left);
-    if (!std::isfinite(double(det))) return std::nullopt;  // an overflow proves nothing
+    // An overflow proves nothing, nor does an underflow.
+    const double size =
+        std::max({std::abs(double(xi_left)), std::abs(double(zeta_left)), std::abs(m.lambda)});
+    if (!std::isfinite(double(det)) || !(size > 0x1p-450)) return std::nullopt;
     const bool positive = (double(det) > 0.0 && double(xi_left) > 0.0 && double(zeta_left) > 0.0) ||
                           (double(det) < 0.0 && double(xi_left) < 0.0 && double(zeta_left) < 0.0);
     if (positive) return std::nullopt;

@@ -2,6 +2,7 @@
 // refinement they all end in. Knows nothing of potentials or files.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -37,6 +38,9 @@ class ReducedSolve {
                const SolveOptions& options, Counts& counts, Circle circle = Circle::none)
       : system_(system), rest_(rest), nu_(nu), options_(options), counts_(counts) {
     walk_.circle = circle;
+    // Of a body whose stretches are far from 1.
+    walk_.min_stretch *= std::min(1.0, rest.minCoeff());
+    walk_.max_stretch *= std::max(1.0, rest.maxCoeff());
   }
 
   ReducedAnswer<N> run(const std::optional<ReducedVector<N>>& start) {

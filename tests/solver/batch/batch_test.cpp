@@ -257,6 +257,29 @@ TEST(Batch, DoesNotJumpToANearbySheet) {
   }
 }
 
+TEST(Batch, StaysOnItsSideOfAPitchforkThatIsHardlyBroken) {
+  for (const double apart : {1e-8, 1e-6}) {
+    const Problem problem(Body(1.0, 1.0 - apart, 0.6), make_potential("biot-log", {1.0, 4.0}),
+                          Branch::iii);
+    const std::vector<double> nu = evenly(0.1, 1.3, 13);
+    const BatchResult out = solved(BatchInput(problem, 1, nu));
+    for (std::size_t k = 0; k < nu.size(); ++k) {
+      const BatchCell cell = out.cell(0, k);
+      const Equilibrium alone = solve(problem, nu[k]);
+      ASSERT_EQ(cell.status, SolveStatus::solved) << nu[k];
+      EXPECT_NEAR(cell.xi / alone.q.xi, 1.0, 1e-9) << apart << " " << nu[k];
+      EXPECT_NEAR(cell.zeta / alone.q.zeta, 1.0, 1e-9) << apart << " " << nu[k];
+    }
+  }
+}
+
+/// Their squares are below the smallest numbers.
+TEST(Batch, SpinsWhoseSquaresVanishEnd) {
+  const Problem problem(plate, make_potential("neo-hookean", {1.0, 2.0}), Branch::i);
+  for (const double nu : {1e-160, 1.5e-161, 1e-161, 3e-162, 1e-162})
+    EXPECT_EQ(solved(BatchInput(problem, 1, {nu})).cell(0, 0).status, SolveStatus::solved) << nu;
+}
+
 TEST(Batch, CircleIsFollowedThroughItsBifurcation) {
   const Problem problem(Body(1.0, 1.0, 0.6), make_potential("biot-log", {1.0, 4.0}), Branch::iii);
   const BatchInput input(problem, 1, evenly(0.0, 1.4, 141));

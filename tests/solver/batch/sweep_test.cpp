@@ -237,6 +237,34 @@ TEST(Sweep, DoesNotCrossTheGapOfABrokenBifurcation) {
   }
 }
 
+/// Nearly a circle: both sides of its broken pitchfork lie within a step, that with xi > zeta, where J1 > J2, being the
+/// rest sheet's.
+TEST(Sweep, StaysOnItsSideOfAPitchforkThatIsHardlyBroken) {
+  int compared = 0;
+  for (const double apart : {1e-12, 1e-8, 1e-6, 1e-5}) {
+    for (int k = 0; k < 12; ++k) {
+      const Body body(1.0, 1.0 - (k % 2 == 0 ? apart : -apart), 0.6);
+      const Problem problem(body, make_potential("biot-log", {1.0, 3.0 + 0.25 * k}), Branch::iii);
+      for (const SweepPoint& point : swept(problem, evenly(0.0, 1.3, 14))) {
+        if (point.status != SolveStatus::solved || point.nu == 0.0) continue;
+        EXPECT_GE((point.xi - point.zeta) * (body.J1 - body.J2), -1e-12 * apart)
+            << apart << " " << k << " " << point.nu;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 300);
+}
+
+/// Up and down again: a slope is of points at different nu.
+TEST(Sweep, BackOverTheSamePoints) {
+  const Problem problem(plate, make_potential("neo-hookean", {1.0, 2.0}), Branch::i);
+  std::vector<double> nu = evenly(0.0, 0.33, 101);
+  for (std::size_t k = 100; k-- > 0;) nu.push_back(nu[k]);
+  for (const SweepPoint& point : swept(problem, nu))
+    EXPECT_EQ(point.status, SolveStatus::solved) << point.nu;
+}
+
 TEST(Sweep, CircleIsFollowedThroughItsBifurcation) {
   const Problem problem(Body(1.0, 1.0, 0.6), make_potential("biot-log", {1.0, 4.0}), Branch::iii);
   for (const SweepPoint& point : swept(problem, evenly(0.0, 1.4, 141))) {

@@ -175,6 +175,16 @@ TEST(Existence, BiotHasAReasonExactlyWhereItsSolutionIsNotPositive) {
   EXPECT_GT(exists, 1000);
 }
 
+/// In units so small that products vanish nothing is proven.
+TEST(Existence, AnUnderflowIsNoReason) {
+  for (const double unit : {1e-165, 1e-150}) {
+    const Problem problem(Body(unit, 1.7 * unit, 0.6 * unit),
+                          make_potential("biot", {unit, 2.0 * unit}), Branch::i);
+    EXPECT_FALSE(nonexistence_reason(problem, 0.0)) << unit;
+    EXPECT_FALSE(nonexistence_reason(problem, 0.3)) << unit;
+  }
+}
+
 TEST(Existence, NoReasonIsKnownForTheOthers) {
   for (const char* model : {"saint-venant-kirchhoff", "biot-log"})
     for (const Branch branch : {Branch::i, Branch::ii, Branch::iii})

@@ -142,6 +142,21 @@ TEST(Solve, RestIsTheRestState) {
   }
 }
 
+/// reciprocal-determinant: xi and zeta grow with c^(1/4), and are no escape.
+TEST(Solve, StretchesFarFromOneAreReached) {
+  const auto at = [](double c, double nu) {
+    return solve(Problem(plate, make_potential("reciprocal-determinant", {c, 2.0}), Branch::i), nu);
+  };
+  for (const double scale : {1e9, 1e-9}) {
+    const Equilibrium plain = at(1.0, 0.9);
+    const Equilibrium far = at(std::pow(scale, 4), 0.9);
+    ASSERT_EQ(far.status, SolveStatus::solved) << far.message;
+    EXPECT_EQ(far.connection, Connection::rest);
+    EXPECT_NEAR(far.q.xi / (scale * plain.q.xi), 1.0, 1e-14);
+    EXPECT_NEAR(far.q.zeta / (scale * plain.q.zeta), 1.0, 1e-14);
+  }
+}
+
 TEST(Solve, RoundPlateAboutItsNormalStaysRound) {
   for (const char* model : {"biot-log", "hencky", "saint-venant-kirchhoff", "biot"}) {
     const Problem problem(Body(1.0, 1.0, 0.6), make_potential(model, {1.0, 4.0}), Branch::iii);
