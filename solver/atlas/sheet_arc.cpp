@@ -66,4 +66,12 @@ bool in_box(const Stretch& q, const SearchOptions& box, Circle mirror) {
   return inside();
 }
 
+void align_axes(Member& a, Member& b) {
+  if (a.nu == 0.0) a.angular_velocity = b.angular_velocity;
+  if (b.nu == 0.0) b.angular_velocity = a.angular_velocity;
+  // An axis is a line: both ways along it are one, and the angle between the two is what they turn.
+  if (a.angular_velocity[0] < 0.0) a.angular_velocity *= -1.0;
+  if (a.angular_velocity.dot(b.angular_velocity) < 0.0) b.angular_velocity *= -1.0;
+}
+
 }  // namespace stationary

@@ -117,14 +117,6 @@ void SheetSet::add_classes(double from, double to, std::span<const Interval> cla
         classes_between(begin, end, known ? found : source_->search(middle, options_.search)));
   };
   double begin = from;
-  const auto open = [&](double begins, double ends) {
-    ClassInterval& out = completeness_->classes.emplace_back();
-    out.from = begins;
-    out.to = ends;
-    out.reason = begins <= 0.0 ? "at rest the classes are those of another leaf"
-                               : "the class of a motion may change";
-  };
-  if (from == 0.0 && (class_gaps.empty() || class_gaps.front().lo > 0.0)) open(0.0, 0.0);
   for (const Interval& gap : class_gaps) {
     if (options_.stopped()) {
       completeness_->classes.push_back({begin, to, false, {}, interrupted});
@@ -132,8 +124,12 @@ void SheetSet::add_classes(double from, double to, std::span<const Interval> cla
     }
     if (gap.hi <= from || gap.lo >= to) continue;
     constant(begin, gap.lo);
-    begin = std::min(gap.hi, to);
-    open(std::max(gap.lo, from), begin);
+    ClassInterval& open = completeness_->classes.emplace_back();
+    open.from = std::max(gap.lo, from);
+    open.to = std::min(gap.hi, to);
+    open.reason = gap.lo <= 0.0 ? "at rest the classes are those of another leaf"
+                                : "the class of a motion may change";
+    begin = open.to;
   }
   constant(begin, to);
 }

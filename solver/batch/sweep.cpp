@@ -24,6 +24,12 @@ Sweep::Sweep(const Problem& problem, const Equilibrium& start, const SweepOption
   past_.fill({nu, {q.xi, q.zeta, q.rho}});
   const CentrifugalRates<DoubleDouble> rates = problem.rates(two_product(nu, nu));
   circle_ = problem.branch() == Branch::iii && problem.body().symmetric() && q.xi == q.zeta;
+  const Body& body = problem.body();
+  const double apart = std::abs(body.J1 - body.J2) / std::max(body.J1, body.J2);
+  constexpr double nearly = 0.01;
+  if (problem.branch() == Branch::iii && problem.potential().has_turned_gravity() &&
+      apart <= nearly)
+    passed_ = 10.0 * apart + 1e-6;
   problem.potential().visit([&](const auto& model) {
     const auto take = [&](const auto& jacobian) {
       positive_ = jacobian.determinant() > 0.0;
@@ -39,17 +45,12 @@ Sweep::Sweep(const Problem& problem, const Equilibrium& start, const SweepOption
   });
 }
 
-/// stiffness: against ellipses, of a circle. Where gravity tells axis 1 from axis 2 a sheet may pass xi = zeta: looked
-/// after where a pitchfork may be near alone.
+/// stiffness: against ellipses, of a circle.
 double Sweep::side_of_sheet(const Stretch& q, double stiffness) const {
-  const Body& body = problem_.body();
+  if (problem_.potential().has_turned_gravity()) return 0.0;
   const CentrifugalRates<DoubleDouble> pull = problem_.rates(DoubleDouble(1.0));
   const double more = double(pull.xi - pull.zeta);
-  const BodyModel<>* model = problem_.potential().body_model();
-  const bool heavy = model != nullptr && model->gravitates;
-  constexpr double nearly = 0.01;
-  if (more == 0.0 || (heavy && !(std::abs(more) <= nearly * std::max(body.J1, body.J2))))
-    return 0.0;
+  if (more == 0.0) return 0.0;
   // A circle is left towards what is pulled more; it is one but for rounding.
   constexpr double rounding = 0x1p-40;
   const bool circle = std::abs(q.xi - q.zeta) <= rounding * q.xi;

@@ -62,11 +62,14 @@ class Sweep {
   bool attempt(const Model& model, double nu, SweepPoint& out);
   std::array<double, 3> predict(double nu) const;
   bool trusted(const Refined& refined, int unknowns) const;
-  /// xi = zeta needs equal pulls, so that a sheet without them stays on its side. Where J1 and J2 are nearly equal both
-  /// sides of a pitchfork that has broken lie within a step.
+  /// Whether these lie on the other side of a circle than the sheet, or the last point. xi = zeta needs equal pulls, so
+  /// that a sheet without them stays on its side; where J1 and J2 are nearly equal both sides of a pitchfork that has
+  /// broken lie within a step. With gravity a sheet passes xi = zeta, but by no more than J1 and J2 differ.
   bool changes_sides(double xi, double zeta) const {
     constexpr double rounding = 0x1p-40;
-    return (xi - zeta) * side_ < -rounding * xi;
+    if (side_ != 0.0) return (xi - zeta) * side_ < -rounding * xi;
+    return std::abs(xi - zeta) > passed_ * xi &&
+           (xi - zeta) * (past_[0].x[0] - past_[0].x[1]) < 0.0;
   }
   double side_of_sheet(const Stretch& q, double stiffness) const;
 
@@ -77,6 +80,8 @@ class Sweep {
   bool circle_ = false;
   bool positive_ = false;  ///< sign of the determinant on this sheet
   double side_ = 0.0;      ///< sign of xi - zeta on this sheet; 0: it may have either, or none
+  double passed_ =
+      std::numeric_limits<double>::infinity();  ///< then how far a step may pass xi = zeta
   bool constant_rho_known_ = false;
   double constant_rho_bound_ = std::numeric_limits<double>::quiet_NaN();
   long thickness_solves_ = 0;

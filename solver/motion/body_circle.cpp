@@ -13,8 +13,8 @@ namespace {
 using Force = std::array<DoubleDouble, 3>;
 
 /// Another value of a family's parameter, so far from its own.
-double another(double value, double apart) {
-  return value != 0.0 ? value * (1.0 + apart) : apart;
+DoubleDouble another(double value, double apart) {
+  return value != 0.0 ? DoubleDouble(value) * (1.0 + apart) : DoubleDouble(apart);
 }
 
 /// V's part of the balance at x, with the family's parameter so far from its own value.
@@ -27,8 +27,8 @@ class Elastic {
     const CentrifugalRates<DoubleDouble> at_rest{0.0, 0.0, 0.0};
     const auto number = [&](double value, FamilyParameter::Kind kind, int index) {
       const InputPlace place = input_place(potential_, kind, index);
-      return DoubleDouble(varies(parameter_, place.kind, place.index) ? another(value, apart_)
-                                                                      : value);
+      return varies(parameter_, place.kind, place.index) ? another(value, apart_)
+                                                         : DoubleDouble(value);
     };
     const LogBalance<DoubleDouble> b =
         varied_balance(potential_, x[0], x[1], x[2], at_rest, number);

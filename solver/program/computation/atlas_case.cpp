@@ -123,7 +123,9 @@ void add_completeness(Report& out, const std::vector<Completeness>& all) {
     out.line(std::exchange(label, {}),
              text + fmt::format("; {} boxes, {} tubes", kind.boxes, kind.tubes));
     for (const CompleteInterval& each : kind.joined()) {
-      const std::string range = fmt::format("[{:.12g}, {:.12g}]", each.from, each.to);
+      // At rest the leaf is another, and so is what a class says.
+      const char* const begin = each.proven && each.from == 0.0 ? "(" : "[";
+      const std::string range = fmt::format("{}{:.12g}, {:.12g}]", begin, each.from, each.to);
       out.line({}, each.proven ? fmt::format("  {} sheet{} for nu in {}", each.sheets,
                                              each.sheets == 1 ? "" : "s", range)
                                : fmt::format("  not told in {}: {}", range, each.reason));

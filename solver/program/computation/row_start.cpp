@@ -13,6 +13,7 @@
 
 #include "solver/kind/kind.hpp"
 #include "solver/program/case/case_motion.hpp"
+#include "solver/program/case/case_potential.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/table/table_reader.hpp"
@@ -195,11 +196,15 @@ class FromRow {
       const double spin = branch ? nu()[axis(*branch)] : nu().norm();
       set(tree, key, fmt::format("{}", spin));
     }
+    const toml::node* const potential = find(tree, "potential");
+    const toml::table before =
+        potential != nullptr && potential->is_table() ? *potential->as_table() : toml::table();
     // In their order a whole J comes before one of its numbers.
     for (const auto& [key, cell] : row_)
       if (!cell.empty() && may_be_set(key) &&
           (key.starts_with("body.") || key.starts_with("potential.") || key.starts_with(gravity)))
         set(tree, key, toml_value(key, cell));
+    leave_replaced_coefficients(tree, before);
     if (has_rates(given_.motion) && text("branch") != given_.branch_name())
       refuse_row(text_, "found a row of branch " + in_quotes(text("branch")),
                  "a row of branch " + in_quotes(given_.branch_name()),

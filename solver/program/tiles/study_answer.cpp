@@ -128,8 +128,9 @@ std::optional<StudyAnswer> atlas_answer(const AtlasBody& of, const AtlasOptions&
   const bool all = how.complete && complete == 1.0 && found.remarks.empty();
   if (sheets.empty()) out.status = all ? StudyStatus::none : StudyStatus::not_found;
   if (!found.remarks.empty()) out.message = found.remarks.front().reason;
-  for (const AtlasSheet& sheet : found.sheets) {
+  for (const AtlasSheet& sheet : found.sheets)
     if (sheet.report.out_of_points) out.message = "stopped at continuation.max_points";
+  for (const AtlasSheet& sheet : found.sheets) {
     for (const SheetEnd* end : {&sheet.report.backward, &sheet.report.forward})
       if (end->event == EventType::stalled)
         out = {StudyStatus::failed, end->reason, std::move(out.cells)};

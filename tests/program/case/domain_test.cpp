@@ -79,7 +79,6 @@ TEST_F(DomainOfTwo, ACurvesRectangleIsAllowed) {
                         "lambda > 0"));
 }
 
-/// A held volume alone is a fluid; a fibre needs something elastic beside it.
 /// Where the only balance lies outside a domain in principal stretches nothing is left undecided.
 TEST(Domain, WhatLiesOutsideItIsExcluded) {
   const TemporaryDirectory directory;
@@ -100,6 +99,7 @@ TEST(Domain, WhatLiesOutsideItIsExcluded) {
   }
 }
 
+/// A held volume alone is a fluid; a fibre needs something elastic beside it.
 TEST(Domain, AFluidHasNoFibre) {
   const TemporaryDirectory directory;
   const std::string file = directory.file(

@@ -256,6 +256,28 @@ TEST(Sweep, StaysOnItsSideOfAPitchforkThatIsHardlyBroken) {
   EXPECT_GT(compared, 300);
 }
 
+/// With gravity a figure is shorter along the axis of the greater J at rest, and longer at fast spins.
+TEST(Sweep, PassesACircleThatGravityLetsItPass) {
+  BodyModel<> heavy;
+  heavy.elastic.coupled = NeoHookean3d<>{1.0, 2.0};
+  heavy.gravitates = true;
+  heavy.g = 1.0;
+  for (const double J2 : {0.995, 0.99999, 0.5}) {
+    const Body body(1.0, J2, 0.6);
+    heavy.J = {body.J1, body.J2, body.J3};
+    const Problem problem(body, Potential(heavy), Branch::iii);
+    const auto points = swept(problem, evenly(0.0, 0.8, 17));
+    for (const SweepPoint& point : points) {
+      ASSERT_EQ(point.status, SolveStatus::solved) << J2 << " " << point.nu;
+      EXPECT_NEAR(solve(problem, point.nu).q.xi / point.xi, 1.0, 1e-14);
+    }
+    EXPECT_LT(points.front().xi, points.front().zeta);
+    if (J2 > 0.9) {
+      EXPECT_GT(points.back().xi, points.back().zeta);
+    }
+  }
+}
+
 /// Up and down again: a slope is of points at different nu.
 TEST(Sweep, BackOverTheSamePoints) {
   const Problem problem(plate, make_potential("neo-hookean", {1.0, 2.0}), Branch::i);

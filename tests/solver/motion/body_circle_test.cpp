@@ -57,6 +57,20 @@ TEST(BodyCircle, AFamilyInOneOfTheTwoInertiasHasNone) {
   EXPECT_EQ(circle_of({equal_23, coupled, Branch::i}, {Kind::plane, 1}), Circle::zeta_rho);
 }
 
+/// Whatever double the volume is.
+TEST(BodyCircle, AFamilyInAHeldVolumeKeepsItsCircle) {
+  using Kind = FamilyParameter::Kind;
+  for (const double volume : {1.0, 1.1, 0.7, 4.18879}) {
+    BodyModel<> held;
+    held.elastic.coupled = NeoHookean3d<>{1.1, 0.6};
+    held.volume = volume;
+    EXPECT_EQ(circle_of({equal_23, Potential(held), Branch::i},
+                        {Kind::plane, static_cast<int>(BodyModel<>::volume_place)}),
+              Circle::zeta_rho)
+        << volume;
+  }
+}
+
 TEST(BodyCircle, AFamilyInACoefficientThatTellsTheStretchesApartHasNone) {
   using Kind = FamilyParameter::Kind;
   for (const double own : {0.0, 0.3}) {
