@@ -116,9 +116,11 @@ Member ShearedEquations<N>::member(const X& x, const X& tail, double p, double e
   Member out;
   out.parameter = out.nu = p;
   out.body = body;
-  out.error_bound = bound_factor * error_bound;
-  // An alpha below the rounding of extended precision is none.
   const double alpha = double(q.alpha);
+  out.error_bound = bound_factor * error_bound;
+  // Where the volume is held ln rho = ln C - ln xi - ln zeta + 2 ln cosh a.
+  if constexpr (N == 3) out.error_bound *= 1.0 + std::abs(alpha) / std::sqrt(x[0] * x[1]);
+  // An alpha below the rounding of extended precision is none.
   const bool sheared = std::abs(alpha) > 0x1p-80 * std::sqrt(x[0] * x[1]);
   out.q = {sheared ? alpha : 0.0, x[0], x[1], double(q.rho)};
   if (axis == ShearedAxis::in_no_plane) {

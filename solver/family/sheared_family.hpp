@@ -21,9 +21,8 @@ struct ShearedEquations {
   static constexpr auto size = static_cast<std::size_t>(N);
   static constexpr std::size_t rho_place = 2;  ///< of N = 4
   static constexpr int shear_place = N - 1;
-  /// Of alpha over sqrt(xi zeta), tanh a, against the bound of ln x; where the volume is held of
-  /// ln rho = ln C - ln xi - ln zeta + 2 ln cosh a.
-  static constexpr double bound_factor = N == 3 ? 4.0 : 2.0;
+  /// Of alpha over sqrt(xi zeta), tanh a, against the bound of ln x.
+  static constexpr double bound_factor = 2.0;
   using X = ReducedVector<N>;
 
   Body body;

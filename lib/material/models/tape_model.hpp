@@ -383,12 +383,13 @@ class TapeModel {
   }
 
   /// Value and gradient as dual numbers, out(k, number k of them), of dual coefficients. False where
-  /// the tape has no slopes.
+  /// the tape has no slopes, or one is no number: then out has been told nothing of use.
   template <class Out, class... Inputs>
   bool run_dual(const Out& out, const Inputs&... inputs) const {
     const expression::Program& program = tape_->slopes;
     if (program.results.empty()) return false;
     const std::size_t count = program.results.size() / (1 + coefficients_.size());
+    bool finite = true;
     run_slopes(
         program,
         [&](const auto& result) {
@@ -399,11 +400,12 @@ class TapeModel {
                 if (coefficients_[i].slope[direction] != 0.0)
                   number.slope[direction] +=
                       result((1 + i) * count + k) * coefficients_[i].slope[direction];
+            for (const auto& slope : number.slope) finite = finite && std::isfinite(slope);
             out(k, number);
           }
         },
         inputs...);
-    return true;
+    return finite;
   }
 
   /// Of each residual g the sum over the parameters p of |p dg/dp|, none of which is by a p = 0; nothing where the
