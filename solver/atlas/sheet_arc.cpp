@@ -59,7 +59,8 @@ bool in_box(const Stretch& q, const SearchOptions& box, Circle mirror) {
     }
     return true;
   };
-  if (inside() || mirror == Circle::none) return inside();
+  if (inside()) return true;
+  if (mirror == Circle::none) return false;
   const CirclePlaces turned = places(mirror);
   std::swap(stretches[static_cast<std::size_t>(turned.first)],
             stretches[static_cast<std::size_t>(turned.second)]);

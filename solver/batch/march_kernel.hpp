@@ -188,8 +188,6 @@ template <class V, class System>
   }
   const V speed = V::load(m.speed);
   const Mask circle = inertia[0] == inertia[1];
-  const V difference = inertia[0] - inertia[1];
-  const V more = select(circle, V(0.0), select(V(0.0) < difference, V(1.0), V(-1.0)));
   const V rest = V::load(m.rest);
   LaneState<V> at{{rest, rest}, speed == speed, V(0.0)};
   V past[4][2];
@@ -209,8 +207,10 @@ template <class V, class System>
     correct_lanes<System, V>(system, circle, m.extended && step.slot >= 0,
                              m.bounded && step.slot >= 0, at);
     // As Sweep: from a circle towards what is pulled more, and never through one.
-    if constexpr (n == 2)
-      at.alive = at.alive & ~((at.x[0] - at.x[1]) * more < V(-0x1p-40) * at.x[0]);
+    if constexpr (n == 2) {
+      const V more = inertia[0] - inertia[1];
+      at.alive = at.alive & ~((at.x[0] - at.x[1]) * more < -0x1p-40 * (at.x[0] * abs(more)));
+    }
     end = select(before & ~at.alive, V(static_cast<double>(k)), end);
     if (!any(at.alive)) break;
     for (int i = 0; i < n; ++i) {

@@ -24,16 +24,10 @@ Sweep::Sweep(const Problem& problem, const Equilibrium& start, const SweepOption
   past_.fill({nu, {q.xi, q.zeta, q.rho}});
   const CentrifugalRates<DoubleDouble> rates = problem.rates(two_product(nu, nu));
   circle_ = problem.branch() == Branch::iii && problem.body().symmetric() && q.xi == q.zeta;
-  const Body& body = problem.body();
-  const double apart = std::abs(body.J1 - body.J2) / std::max(body.J1, body.J2);
-  constexpr double nearly = 0.01;
-  if (problem.branch() == Branch::iii && problem.potential().has_turned_gravity() &&
-      apart <= nearly)
-    passed_ = 10.0 * apart + 1e-6;
   problem.potential().visit([&](const auto& model) {
     const auto take = [&](const auto& jacobian) {
       positive_ = jacobian.determinant() > 0.0;
-      side_ = side_of_sheet(q, jacobian(0, 0) - jacobian(0, 1));
+      watch_side(q, jacobian(0, 0) - jacobian(0, 1));
     };
     if constexpr (requires { model.plane; }) {
       const PlanarSystem<decltype((model.plane))> system{model.plane, rates};
@@ -46,15 +40,21 @@ Sweep::Sweep(const Problem& problem, const Equilibrium& start, const SweepOption
 }
 
 /// stiffness: against ellipses, of a circle.
-double Sweep::side_of_sheet(const Stretch& q, double stiffness) const {
-  if (problem_.potential().has_turned_gravity()) return 0.0;
+void Sweep::watch_side(const Stretch& q, double stiffness) {
+  const Body& body = problem_.body();
+  if (problem_.potential().has_turned_gravity()) {
+    const double apart = std::abs(body.J1 - body.J2) / std::max(body.J1, body.J2);
+    constexpr double nearly = 0.01;
+    if (problem_.branch() == Branch::iii && apart <= nearly) passed_ = 10.0 * apart + 1e-6;
+    return;
+  }
   const CentrifugalRates<DoubleDouble> pull = problem_.rates(DoubleDouble(1.0));
   const double more = double(pull.xi - pull.zeta);
-  if (more == 0.0) return 0.0;
+  if (more == 0.0) return;
   // A circle is left towards what is pulled more; it is one but for rounding.
   constexpr double rounding = 0x1p-40;
   const bool circle = std::abs(q.xi - q.zeta) <= rounding * q.xi;
-  return std::copysign(1.0, circle ? more * stiffness : q.xi - q.zeta);
+  side_ = std::copysign(1.0, circle ? more * stiffness : q.xi - q.zeta);
 }
 
 std::array<double, 3> Sweep::predict(double nu) const {
@@ -64,8 +64,8 @@ std::array<double, 3> Sweep::predict(double nu) const {
   const double a = (nu - x0.nu) / d01;
   double b = 0.0;
   double ratio = 0.0;
-  if (known_ == 3 &&
-      x0.nu != x2.nu) {  // Newton's form of the parabola; at equal spacing 3 (x0 - x1) + x2
+  // Newton's form of the parabola, of three nu; at equal spacing 3 (x0 - x1) + x2.
+  if (known_ == 3 && x0.nu != x2.nu) {
     b = (nu - x0.nu) * (nu - x1.nu) / (d01 * (x0.nu - x2.nu));
     ratio = d01 / (x1.nu - x2.nu);
   }

@@ -71,7 +71,7 @@ class Sweep {
     return std::abs(xi - zeta) > passed_ * xi &&
            (xi - zeta) * (past_[0].x[0] - past_[0].x[1]) < 0.0;
   }
-  double side_of_sheet(const Stretch& q, double stiffness) const;
+  void watch_side(const Stretch& q, double stiffness);
 
   Problem problem_;
   SweepOptions options_;
@@ -80,8 +80,8 @@ class Sweep {
   bool circle_ = false;
   bool positive_ = false;  ///< sign of the determinant on this sheet
   double side_ = 0.0;      ///< sign of xi - zeta on this sheet; 0: it may have either, or none
-  double passed_ =
-      std::numeric_limits<double>::infinity();  ///< then how far a step may pass xi = zeta
+  /// Then how far a step may pass xi = zeta.
+  double passed_ = std::numeric_limits<double>::infinity();
   bool constant_rho_known_ = false;
   double constant_rho_bound_ = std::numeric_limits<double>::quiet_NaN();
   long thickness_solves_ = 0;

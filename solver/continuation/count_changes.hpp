@@ -92,8 +92,8 @@ class CountChanges {
     const Member& from;
     const Member& to;
     const TestContext& context;
-    bool
-        hides_zero;  ///< at `to` the count of negative directions may be that of either side of an event
+    /// At `to` the count of negative directions may be that of either side of an event.
+    bool hides_zero;
     bool at_exchange;  ///< it ends where its parameter passes J1 = J2
   };
 

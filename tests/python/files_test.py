@@ -149,6 +149,18 @@ def test_from_a_row(tmp_path):
     assert lasting(ours) == lasting(theirs)
 
 
+def test_does_not_replace_the_table_of_its_row(tmp_path):
+    table = tmp_path / "fold.csv"
+    stationary.follow("cases/fold.toml").write(table)
+    before = table.read_bytes()
+    row = f"{table}:tilt"
+    named = stationary.Case.read("cases/fold.toml").set({"continuation.start_row": row})
+    for found in (stationary.follow("cases/fold.toml", row=row), stationary.follow(named)):
+        with pytest.raises(stationary.InputError, match="the table that it was computed from"):
+            found.write(table)
+    assert table.read_bytes() == before
+
+
 def test_threads_change_no_byte(tmp_path):
     case = stationary.Case.read("cases/fibre_map.toml")
     case = case.set({"map.x.count": 12, "map.y.count": 10})

@@ -123,9 +123,7 @@ void add_completeness(Report& out, const std::vector<Completeness>& all) {
     out.line(std::exchange(label, {}),
              text + fmt::format("; {} boxes, {} tubes", kind.boxes, kind.tubes));
     for (const CompleteInterval& each : kind.joined()) {
-      // At rest the leaf is another, and so is what a class says.
-      const char* const begin = each.proven && each.from == 0.0 ? "(" : "[";
-      const std::string range = fmt::format("{}{:.12g}, {:.12g}]", begin, each.from, each.to);
+      const std::string range = fmt::format("[{:.12g}, {:.12g}]", each.from, each.to);
       out.line({}, each.proven ? fmt::format("  {} sheet{} for nu in {}", each.sheets,
                                              each.sheets == 1 ? "" : "s", range)
                                : fmt::format("  not told in {}: {}", range, each.reason));
@@ -169,7 +167,9 @@ void add_classes(Report& out, const std::vector<Completeness>& all) {
                     kind.classes.back().to - kind.classes.front().from);
     out.line(std::exchange(label, {}), text + fmt::format("; {} arcs", kind.class_arcs));
     for (const ClassInterval& each : kind.classes) {
-      const std::string range = fmt::format("[{:.12g}, {:.12g}]", each.from, each.to);
+      // At rest the leaf is another, and so is what a class says.
+      const char* const begin = each.proven && each.from == 0.0 ? "(" : "[";
+      const std::string range = fmt::format("{}{:.12g}, {:.12g}]", begin, each.from, each.to);
       out.line({}, each.proven ? fmt::format("  {} for nu in {}", class_counts(each), range)
                                : fmt::format("  not told in {}: {}", range, class_change(each)));
     }
@@ -331,10 +331,9 @@ Outcome atlas_case(const Case& input, const AtlasRun& asked, TableTarget* target
                     cut, cut == 1 ? "" : "s"));
   if (run.summary) out.summary = summary(input, how, found, records, proofs, least, seconds);
   for (const AtlasSheet& sheet : found.sheets) {
-    for (const SheetEnd* end : {&sheet.report.backward, &sheet.report.forward}) {
-      if (end->event != EventType::stalled) continue;
+    for (const std::string& reason : given_up(sheet.report)) {
       run.complain(
-          fmt::format("numerical failure: sheet {} was given up: {}", sheet.number, end->reason));
+          fmt::format("numerical failure: sheet {} was given up: {}", sheet.number, reason));
       out.code = ExitCode::failure;
     }
   }

@@ -122,9 +122,7 @@ Metadata describe(const Run& run, const Case& input, const Start& start, const F
 
 ExitCode end_code(const FollowReport& report) {
   if (report.interrupted) return ExitCode::interrupted;
-  const bool stalled =
-      report.backward.event == EventType::stalled || report.forward.event == EventType::stalled;
-  return stalled ? ExitCode::failure : ExitCode::done;
+  return given_up(report).empty() ? ExitCode::done : ExitCode::failure;
 }
 
 }  // namespace
@@ -230,8 +228,7 @@ Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* 
                                  ? "; --resume goes on where it is set higher"
                                  : "; --resume cannot go on: output.columns lacks what it needs"));
   }
-  for (const SheetEnd* end : {&report.backward, &report.forward})
-    if (end->event == EventType::stalled) run.complain("numerical failure: " + end->reason);
+  for (const std::string& reason : given_up(report)) run.complain("numerical failure: " + reason);
   if (run.summary) out.summary = summary(input, start, report, rows, seconds);
   return out;
 }

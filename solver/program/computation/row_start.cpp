@@ -10,10 +10,10 @@
 #include <map>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "solver/kind/kind.hpp"
 #include "solver/program/case/case_motion.hpp"
-#include "solver/program/case/case_potential.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/table/table_reader.hpp"
@@ -175,41 +175,36 @@ class FromRow {
   static constexpr std::string_view gravity = "gravity.";
 
   /// A number of the row in the case's place. Gravity is given by one of two: the other is left out.
-  void set(CaseTree& tree, const std::string& key, const std::string& cell) const {
-    const std::string assigned = key.starts_with(gravity)
-                                     ? "gravity={" + key.substr(gravity.size()) + "=" + cell + "}"
-                                     : key + "=" + cell;
-    tree.override_key(assigned, place_of_row(text_));
+  Override set(const std::string& key, const std::string& cell) const {
+    return {key.starts_with(gravity) ? "gravity={" + key.substr(gravity.size()) + "=" + cell + "}"
+                                     : key + "=" + cell,
+            place_of_row(text_)};
   }
 
   /// The case with the row's motion and what its trailing columns set of the body.
   Case with_numbers_of_the_row() const {
-    CaseTree tree = given_.source;
+    std::vector<Override> all;
     Motion motion = given_.motion;
     for (const MotionNumber& each : motion_numbers(motion)) {
       const std::string key(each.parameter == "nu" ? "motion.nu" : each.parameter);
       if (each.parameter != "nu") {
-        set(tree, key, text(key.substr(key.find('.') + 1)));
+        all.push_back(set(key, text(key.substr(key.find('.') + 1))));
         continue;
       }
       const auto branch = branch_from_name(given_.branch_name());
       const double spin = branch ? nu()[axis(*branch)] : nu().norm();
-      set(tree, key, fmt::format("{}", spin));
+      all.push_back(set(key, fmt::format("{}", spin)));
     }
-    const toml::node* const potential = find(tree, "potential");
-    const toml::table before =
-        potential != nullptr && potential->is_table() ? *potential->as_table() : toml::table();
     // In their order a whole J comes before one of its numbers.
     for (const auto& [key, cell] : row_)
       if (!cell.empty() && may_be_set(key) &&
           (key.starts_with("body.") || key.starts_with("potential.") || key.starts_with(gravity)))
-        set(tree, key, toml_value(key, cell));
-    leave_replaced_coefficients(tree, before);
+        all.push_back(set(key, toml_value(key, cell)));
     if (has_rates(given_.motion) && text("branch") != given_.branch_name())
       refuse_row(text_, "found a row of branch " + in_quotes(text("branch")),
                  "a row of branch " + in_quotes(given_.branch_name()),
                  "rates and momenta are not in the row");
-    Case out = with_ratios(std::move(tree));
+    Case out = with_ratios(make_case(given_.source, all));
     out.output.certificate = given_.output.certificate;
     if (text("branch") == given_.branch_name() && !may_have_axis(out.motion, nu()))
       refuse_row(text_, "found a row whose axis lies in another plane",
@@ -219,8 +214,7 @@ class FromRow {
   }
 
   /// The case with the numbers that columns of ratios vary.
-  Case with_ratios(CaseTree tree) const {
-    Case out = make_case(tree);
+  Case with_ratios(Case out) const {
     const std::vector<std::string> numbers = case_parameters(out.motion, out.models);
     const auto known = [&](std::string_view key) {
       return std::ranges::find(numbers, key) != numbers.end();
@@ -241,10 +235,10 @@ class FromRow {
       if (next == left.end()) next = left.begin();
       const auto [first, second] = parts_of(*next);
       const double unit = parameter_value({out.own_body, out.models, out.motion}, second);
-      set(tree, first == "nu" ? "motion.nu" : std::string(first),
-          fmt::format("{}", number_in(row_, *next) * unit));
+      const Override varied = set(first == "nu" ? "motion.nu" : std::string(first),
+                                  fmt::format("{}", number_in(row_, *next) * unit));
       left.erase(next);
-      out = make_case(tree);
+      out = make_case(out.source, {&varied, 1});
     }
     return out;
   }

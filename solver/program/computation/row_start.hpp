@@ -1,8 +1,9 @@
 // `continue --from ROW` (row_name.hpp): going on from a motion that a table holds.
 //
 // The case gives body and potential; the row gives S, the motion's numbers and what trailing columns
-// have of the body and its potential (numbers, and models and formulas of a study), which override the case. The family is the case's motion.branch; where it is another than
-// the row's, the row must be an event at which that family begins.
+// have of the body and its potential (numbers, and models and formulas of a study), which override the
+// case. The family is the case's motion.branch; where it is another than the row's, the row must be an
+// event at which that family begins.
 #pragma once
 
 #include <string>

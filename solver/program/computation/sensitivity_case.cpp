@@ -154,9 +154,8 @@ Answered of_events(const Asked& asked, const Run& run) {
   out.counts.emplace_back("continuation_steps", report.counts.steps);
   if (report.out_of_points)
     run.complain("stopped at continuation.max_points: events beyond are not among these");
-  for (const SheetEnd* end : {&report.backward, &report.forward}) {
-    if (end->event != EventType::stalled) continue;
-    run.complain("numerical failure: " + end->reason + "; events beyond are not among these");
+  for (const std::string& reason : given_up(report)) {
+    run.complain("numerical failure: " + reason + "; events beyond are not among these");
     out.code = ExitCode::failure;
     out.status = "stalled";
   }

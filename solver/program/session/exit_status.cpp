@@ -52,6 +52,13 @@ std::string failure_text(std::string_view outcome, const std::string& message) {
   return out;
 }
 
+std::vector<std::string> given_up(const FollowReport& report) {
+  std::vector<std::string> out;
+  for (const SheetEnd* end : {&report.backward, &report.forward})
+    if (end->event == EventType::stalled) out.push_back(end->reason);
+  return out;
+}
+
 std::vector<Column> chosen_columns(const Case& input, const std::vector<Column>& computed,
                                    std::string_view command, bool trailing) {
   std::vector<Column> out = select_columns(computed, input.output.columns);

@@ -12,6 +12,7 @@
 #include "solver/program/rows/sheet_summary.hpp"
 #include "solver/program/session/answer.hpp"
 #include "solver/program/session/case_family.hpp"
+#include "solver/program/session/exit_status.hpp"
 #include "solver/program/text/named.hpp"
 
 namespace stationary::cli {
@@ -73,9 +74,8 @@ std::optional<StudyAnswer> followed(const StudyPlan& plan, const Case& input, co
   const SheetRecord sheet = table.record(report);
   StudyAnswer out{StudyStatus::solved, start.found.message, {sheet_summary({&sheet, 1}, {})}};
   if (report.out_of_points) out.message = "stopped at continuation.max_points";
-  for (const SheetEnd* end : {&report.backward, &report.forward})
-    if (end->event == EventType::stalled)
-      out = {StudyStatus::failed, end->reason, std::move(out.cells)};
+  for (const std::string& reason : given_up(report))
+    out = {StudyStatus::failed, reason, std::move(out.cells)};
   return out;
 }
 
@@ -130,11 +130,9 @@ std::optional<StudyAnswer> atlas_answer(const AtlasBody& of, const AtlasOptions&
   if (!found.remarks.empty()) out.message = found.remarks.front().reason;
   for (const AtlasSheet& sheet : found.sheets)
     if (sheet.report.out_of_points) out.message = "stopped at continuation.max_points";
-  for (const AtlasSheet& sheet : found.sheets) {
-    for (const SheetEnd* end : {&sheet.report.backward, &sheet.report.forward})
-      if (end->event == EventType::stalled)
-        out = {StudyStatus::failed, end->reason, std::move(out.cells)};
-  }
+  for (const AtlasSheet& sheet : found.sheets)
+    for (const std::string& reason : given_up(sheet.report))
+      out = {StudyStatus::failed, reason, std::move(out.cells)};
   return out;
 }
 

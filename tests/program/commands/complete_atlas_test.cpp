@@ -137,6 +137,15 @@ TEST(CompleteAtlas, ProvesTheClassesOfEveryMotion) {
   EXPECT_GE(whole_diagrams, 4);
 }
 
+/// The rest state is a motion of the sheet, and what a class says of it is said of another leaf.
+TEST(CompleteAtlas, AClassIsOfNuAboveZero) {
+  const Outcome outcome = run_program({"atlas", shipped("fibre.toml"), "--complete",
+                                       "--checkpoints", "1", "--set", "continuation.to=0.3"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("  1 sheet for nu in [0, 0.3]"));
+  EXPECT_THAT(outcome.out, HasSubstr("  1 stable for nu in (0, 0.3]"));
+}
+
 TEST(CompleteAtlas, ProvesThatEllipsesPartFromCircles) {
   int parts = 0;
   for (const auto& each : completeness_of(shipped("circle.toml"))) {

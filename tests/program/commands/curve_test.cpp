@@ -571,6 +571,7 @@ TEST_F(Curve, ThatEndsAtTheCasesOwnValueIsListedOnce) {
                      std::string("curve.from=[0.0,") + from + "]", "--set",
                      std::string("curve.to=[2.5,") + to + "]", "-o", out_});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_FALSE(rows().empty()) << from;
     for (const Row& row : rows()) EXPECT_EQ(row.at("curve"), "1") << from;
   }
 }
