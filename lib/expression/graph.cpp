@@ -283,7 +283,10 @@ NodeId Graph::power(NodeId x, int n) {
     const NodeId even = coefficient_multiply(half, half);
     return n % 2 == 0 ? even : coefficient_multiply(even, x);
   }
-  const Term term = scaled(x);
+  // (c x)^n is c^n x^n, but for large n: c^n alone may overflow, or vanish, where (c x)^n does not.
+  constexpr int moderate = 16;
+  Term term = scaled(x);
+  if (std::abs(n) > moderate && !is_literal(term.coefficient, -1.0)) term = {x, one(), 0};
   const Node base = nodes_[term.node];
   Node product;
   product.kind = Kind::product;

@@ -74,7 +74,7 @@ struct Term {
   auto operator<=>(const Term&) const = default;
 };
 
-/// digits 10^power; digits 0: more of them than fit.
+/// digits 10^power; digits 0: more of them than fit, and power tells such numbers apart.
 struct Decimal {
   std::uint64_t digits = 0;
   int power = 0;

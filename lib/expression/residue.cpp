@@ -12,8 +12,9 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-/// p = 7 modulo 8 and m = 3 modulo 4: 2 is a square, -1 is none, roots are powers.
-constexpr std::uint64_t p = 4611686018427376319U;
+/// p = 7 modulo 8 and m = 3 modulo 4: 2 is a square, -1 is none, roots are powers. So are all primes
+/// up to 43 squares, and roots of the numbers made of them what they are of real numbers.
+constexpr std::uint64_t p = 4611686018404548599U;
 constexpr std::uint64_t m = (p - 1) / 2;
 constexpr std::uint64_t generator = 4;  ///< of the squares
 
@@ -167,6 +168,11 @@ Residue ResiduePoint::whole_power(const Residue& x, int n) {
   return n < 0 ? quotient({1, 1}, out) : out;
 }
 
+Residue ResiduePoint::root(const Residue& base, const Residue& exponent) {
+  has_signs_ = true;
+  return power(base, exponent);
+}
+
 Residue ResiduePoint::power(const Residue& base, const Residue& exponent) {
   has_roots_ = true;
   if (!is_square(base.plain)) usable_ = false;
@@ -184,7 +190,8 @@ Residue ResiduePoint::literal(const Node& node) {
   };
   if (node.index != 0) {
     if (!node.decimal.known())
-      return symbol(Symbol::inexact_literal, {std::bit_cast<std::uint64_t>(node.literal), 0});
+      return symbol(Symbol::inexact_literal, {std::bit_cast<std::uint64_t>(node.literal),
+                                              static_cast<std::uint64_t>(node.decimal.power)});
     return {modulo(p, 10, node.decimal.digits, node.decimal.power),
             modulo(m, 10, node.decimal.digits, node.decimal.power)};
   }
@@ -219,7 +226,7 @@ Residue ResiduePoint::exponential(NodeId argument) {
   const auto take = [&](NodeId logarithm, const Residue& coefficient) {
     const Node& of = graph_[logarithm];
     if (of.kind != Kind::function || of.function != Function::log) return;
-    powers = powers * power(*known_[of.a], coefficient);
+    powers = powers * root(*known_[of.a], coefficient);
     left = left - (coefficient * *known_[logarithm]);
   };
   take(argument, {1, 1});
@@ -329,7 +336,7 @@ Residue ResiduePoint::function(const Node& node) {
     case Function::log:
       return logarithm(node.a);
     case Function::sqrt:
-      return power(*known_[node.a], {half(p), half(m)});
+      return root(*known_[node.a], {half(p), half(m)});
     default:
       return applied(node.function, *known_[node.a]);
   }
@@ -422,7 +429,7 @@ Residue ResiduePoint::of(NodeId id) {
     case Kind::function:
       return function(node);
     case Kind::power:
-      return power(*known_[node.a], *known_[node.b]);
+      return root(*known_[node.a], *known_[node.b]);
     case Kind::variable:
       return variable(static_cast<Variable>(node.index));
     case Kind::sum: {
@@ -462,16 +469,19 @@ Residues residues(const Graph& graph, NodeId x) {
   int zero = 0;
   int other = 0;
   int wanted = enough;
+  bool has_signs = false;
   for (int k = 0; k < tries && zero + other < wanted; ++k) {
     ResiduePoint at(graph, static_cast<std::uint64_t>(k) + 20101131U);
     const std::optional<Residue> value = at(x);
     if (!value) continue;
     (value->plain == 0 ? zero : other) += 1;
     if (at.has_roots()) wanted = enough_with_roots;
+    has_signs = has_signs || at.has_signs();
     if (zero > 0 && other > 0) return Residues::unclear;
     if (other >= enough && zero == 0 && !at.has_roots()) break;
   }
-  if (other == 0 && zero == wanted) return Residues::zero;
+  if (other == 0 && zero == wanted)
+    return has_signs ? Residues::zero_but_for_signs : Residues::zero;
   return zero == 0 && other >= enough ? Residues::not_zero : Residues::unclear;
 }
 

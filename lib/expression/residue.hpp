@@ -12,7 +12,9 @@
 // Each rule holds of the functions themselves wherever both sides are defined, so what is 0 by them
 // is 0. A polynomial of degree n that is not 0 vanishes at a random point with a probability of
 // n/p, p = 4.6e18 (J. T. Schwartz, J. ACM 27 (1980) 701). That a root of x^2 is x where x is a
-// square, and -x elsewhere, stands for the sign of x: half of the points have either.
+// square, and -x elsewhere, stands for the sign of x: half of the points have either. Of a number it
+// is the same at all points, sqrt(53^2) = -53 if 53 is no square, and a power of a negative
+// parameter has a residue nowhere: what is 0 with roots in it is so but for signs (residues()).
 #pragma once
 
 #include <array>
@@ -52,6 +54,8 @@ class ResiduePoint {
 
   /// Whether the values so far hold a root or a power whose sign depends on the point.
   bool has_roots() const { return has_roots_; }
+  /// Likewise one of more than principal stretches: its sign may be that of no real number.
+  bool has_signs() const { return has_signs_; }
 
  private:
   enum class Symbol : std::uint8_t;
@@ -66,6 +70,8 @@ class ResiduePoint {
   Residue whole_power(const Residue& x, int n);
   /// base^exponent, modulo p alone where both are known there.
   Residue power(const Residue& base, const Residue& exponent);
+  /// Likewise of what may be a number or a parameter.
+  Residue root(const Residue& base, const Residue& exponent);
   Residue literal(const Node& node);
   Residue variable(Variable v);
   Residue parameter(int index) const;
@@ -87,13 +93,15 @@ class ResiduePoint {
   std::vector<std::optional<Residue>> logarithms_;
   bool usable_ = true;
   bool has_roots_ = false;
+  bool has_signs_ = false;
 };
 
 /// What residues say of x at many points.
 enum class Residues : std::uint8_t {
-  zero,      ///< 0 at all of them: x is 0 but for a probability below 1e-30
-  not_zero,  ///< 0 at none
-  unclear    ///< some of either (a root whose sign is not known), or no point was usable
+  zero,                ///< 0 at all of them: x is 0 but for a probability below 1e-30
+  zero_but_for_signs,  ///< likewise, if the roots of numbers in it have the signs that they have here
+  not_zero,            ///< 0 at none
+  unclear              ///< some of either (a root whose sign is not known), or no point was usable
 };
 Residues residues(const Graph& graph, NodeId x);
 

@@ -128,7 +128,11 @@ class Test {
         double(value_at<DoubleDouble>(c, at, [](double x) { return DoubleDouble(x); }));
     const Conditioned size = value_at<Conditioned>(c, at, Conditioned::input);
     if (!std::isfinite(value) || !std::isfinite(size.condition)) return Outcome::undefined;
-    if (std::abs(value) > std::max(0x1p-66 * size.condition, least)) return Outcome::not_zero;
+    if (std::abs(value) > std::max(0x1p-66 * size.condition, least)) {
+      // Decimal numbers are doubles here.
+      const bool certain = !c.has_decimals || std::abs(value) > 0x1p-50 * size.condition;
+      return certain ? Outcome::not_zero : Outcome::undefined;
+    }
     return size.condition > least ? Outcome::zero : Outcome::too_small;
   }
 
@@ -192,6 +196,23 @@ Verdict numerically(const Graph& graph, NodeId x, std::size_t parameter_count,
   return anyhow == Verdict::at_points && given == anyhow ? anyhow : Verdict::undecided;
 }
 
+/// Of what is 0 but for the signs of roots: these are asked for at points, of the parameters given and
+/// of others.
+Verdict with_signs(const Graph& graph, NodeId x, std::size_t parameter_count,
+                   std::span<const double> values) {
+  const Test test(graph, x);
+  const Verdict given = at_points(test, test.coefficients(), parameter_count, values);
+  if (given != Verdict::at_points) return given;
+  if (!values.empty() && at_points(test, test.coefficients(), parameter_count) == Verdict::refuted)
+    return Verdict::undecided;
+  // k^p has another sign rule where k < 0 and p is whole.
+  const std::array<NodeId, 1> root{x};
+  const bool of_parameters = std::ranges::any_of(graph.parts(root), [&](NodeId id) {
+    return graph[id].kind == Kind::power && graph.is_coefficient(id);
+  });
+  return of_parameters ? Verdict::at_points : Verdict::exactly;
+}
+
 /// Functions that may be related by more than residues know.
 bool has_other_rules(const Graph& graph, NodeId x) {
   const std::array<NodeId, 1> root{x};
@@ -223,6 +244,8 @@ Verdict vanishes(const Graph& graph, NodeId x, std::size_t parameter_count,
   if (parameter_count > largest_parameter_count) return Verdict::undecided;
   const Residues formally = residues(graph, x);
   if (formally == Residues::zero) return Verdict::exactly;
+  if (formally == Residues::zero_but_for_signs)
+    return with_signs(graph, x, parameter_count, values);
   const Verdict out = numerically(graph, x, parameter_count, values);
   // No identity by the rules of exp, log and powers, but small wherever it was tried.
   const bool refuted = formally == Residues::not_zero && !has_other_rules(graph, x);

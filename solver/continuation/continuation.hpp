@@ -31,8 +31,8 @@ struct ContinuationOptions {
   double from = 0.0;  ///< range of the parameter, from <= to
   double to = 1.0;
   StepOptions step;
-  double min_stretch = 1e-6;  ///< a sheet ends (collapse, escape) where a stretch leaves these
-  double max_stretch = 1e6;
+  double min_stretch = 1e-6;  ///< a sheet ends (collapse, escape) where a stretch leaves these,
+  double max_stretch = 1e6;   ///< in units of unit_stretch() of its start
 };
 
 struct ContinuationCounts {
@@ -62,7 +62,8 @@ class Continuation {
         events_in_(curve),
         guard_(curve),
         start_(start),
-        here_(start) {
+        here_(start),
+        unit_(unit_stretch(start.member.q)) {
     if (direction < 0) reverse(here_);
     start_ = here_;
     guard_.enter(here_.arc);
@@ -383,15 +384,16 @@ class Continuation {
 
   void end_if_out_of_bounds() {
     const Arc<N>& arc = step_.arc();
-    if (auto end =
-            end_out_of_bounds(here_.member.q, arc, options_.min_stretch, options_.max_stretch)) {
+    if (auto end = end_out_of_bounds(here_.member.q, arc, unit_, options_.min_stretch,
+                                     options_.max_stretch)) {
       finish(std::move(*end));
       return;
     }
     const Corrector<N>& corrector = curve_->corrector();
     if (corrector.vertical() || options_.from == options_.to) return;
-    if (is_unresolved(here_.member.q, arc, corrector.scale(), here_.arc.p, here_.arc.error_bound))
-      finish(unresolved_end(here_.member.q, arc));
+    if (is_unresolved(here_.member.q, arc, unit_, corrector.scale(), here_.arc.p,
+                      here_.arc.error_bound))
+      finish(unresolved_end(here_.member.q, arc, unit_));
   }
 
   /// Whether a bound of x at the point's p was found.
@@ -400,7 +402,7 @@ class Continuation {
   /// Ends the sheet at the last point: the next is none of a known p.
   void end_unresolved(const Arc<N>& arc) {
     ended_before_step_ = true;
-    finish(unresolved_end(here_.member.q, arc));
+    finish(unresolved_end(here_.member.q, arc, unit_));
   }
 
   /// A sheet of ellipses that reaches the circle its family may be (xi = zeta, say) meets it there
@@ -462,6 +464,7 @@ class Continuation {
   DomainGuard<N> guard_;
   CurvePoint<N> start_;
   CurvePoint<N> here_;
+  double unit_;  ///< of stretches, for where the sheet ends
   CurvePoint<N> here_next_;
   TestValues earlier_tests_{};
   ArcVector<N> travelled_;

@@ -18,13 +18,28 @@ struct SheetEnd {
   std::string reason;
 };
 
+/// The stretch that a sheet's others are measured by, from its start: 1, but where all of a body's
+/// stretches are far from that.
+inline double unit_stretch(const Stretch& start) {
+  constexpr double far = 1e3;
+  const auto [least, most] = stretch_range(start);
+  if (least > far) return least;
+  return most < 1.0 / far ? most : 1.0;
+}
+
+/// Principal stretches in units of `unit`.
+inline StretchRange stretch_range(const Stretch& q, double unit) {
+  const auto [least, most] = stretch_range(q);
+  return {least / unit, most / unit};
+}
+
 /// Whether the stretches run off rather than vanish, at q, the end of this arc. In their
 /// logarithms: one that only grows along while another vanishes does not escape. With alpha != 0
-/// the unknowns are no principal stretches, and these tell by how far each has come from 1.
+/// the unknowns are no principal stretches, and these tell by how far each has come from `unit`.
 template <int N>
-bool escapes(const Stretch& q, const Arc<N>& arc) {
+bool escapes(const Stretch& q, const Arc<N>& arc, double unit) {
   if (q.alpha != 0.0) {
-    const auto [least, most] = stretch_range(q);
+    const auto [least, most] = stretch_range(q, unit);
     return log(most) > -0.5 * log(least);
   }
   const ReducedVector<N> change = arc.chord.template head<N>();
@@ -34,25 +49,26 @@ bool escapes(const Stretch& q, const Arc<N>& arc) {
 /// Where points are no longer resolved: the stretches run off, at an asymptote; elsewhere branches
 /// meet that no event stands for.
 template <int N>
-SheetEnd unresolved_end(const Stretch& q, const Arc<N>& arc) {
-  const auto [least, most] = stretch_range(q);
+SheetEnd unresolved_end(const Stretch& q, const Arc<N>& arc, double unit) {
+  const auto [least, most] = stretch_range(q, unit);
   constexpr double moderate = 8.0;
   if (most < moderate && least > 1.0 / moderate)
     return {EventType::stalled,
             "beyond this the stretches are not resolved though they are moderate: the sheet may "
             "meet another here"};
-  return {escapes(q, arc) ? EventType::escape : EventType::collapse,
+  return {escapes(q, arc, unit) ? EventType::escape : EventType::collapse,
           "beyond this a double of the parameter does not resolve the stretches"};
 }
 
-/// Where a principal stretch is outside [min_stretch, max_stretch].
+/// Where a principal stretch is outside [min_stretch, max_stretch] in units of `unit`.
 template <int N>
-std::optional<SheetEnd> end_out_of_bounds(const Stretch& q, const Arc<N>& arc, double min_stretch,
-                                          double max_stretch) {
-  const auto [least, most] = stretch_range(q);
+std::optional<SheetEnd> end_out_of_bounds(const Stretch& q, const Arc<N>& arc, double unit,
+                                          double min_stretch, double max_stretch) {
+  const auto [least, most] = stretch_range(q, unit);
   if (most > max_stretch || least < min_stretch)
-    return SheetEnd{most > max_stretch || escapes(q, arc) ? EventType::escape : EventType::collapse,
-                    "a stretch left the bounds followed"};
+    return SheetEnd{
+        most > max_stretch || escapes(q, arc, unit) ? EventType::escape : EventType::collapse,
+        "a stretch left the bounds followed"};
   return std::nullopt;
 }
 
@@ -60,11 +76,11 @@ std::optional<SheetEnd> end_out_of_bounds(const Stretch& q, const Arc<N>& arc, d
 /// asymptote in p: the stretches are far out and p hardly changed along the arc to it, or the bound
 /// is coarse.
 template <int N>
-bool is_unresolved(const Stretch& q, const Arc<N>& arc, double scale, double p,
+bool is_unresolved(const Stretch& q, const Arc<N>& arc, double unit, double scale, double p,
                    double error_bound) {
   constexpr double far = 1e3;      // of a stretch, or its inverse
   constexpr double coarse = 1e-5;  // of a bound that still holds
-  const auto [least, most] = stretch_range(q);
+  const auto [least, most] = stretch_range(q, unit);
   const double resolved = std::abs(arc.chord[N]) * scale / arc.length;
   return ((most > far || least < 1.0 / far) && resolved < 1e-9 * std::abs(p)) ||
          error_bound > coarse;

@@ -101,17 +101,19 @@ SheetRecord CurveTable::record(const FollowReport& report) const {
   return out;
 }
 
-void CurveTable::again(TableRow row, std::optional<StabilityClass> verdict) {
+void CurveTable::again(TableRow row, std::optional<StabilityClass> verdict, bool at_rest) {
   const EventType type = named<EventType>(event_names, row.event).value();
-  const bool at_rest = row[Column::nu1] == 0.0 && row[Column::nu2] == 0.0 &&
-                       row[Column::nu3] == 0.0 && std::isnan(row[Column::omega]);
-  const bool voting = has_class_of_curve(type, at_rest);
+  const double parameter = parameter_of(row);
+  const bool in_nu = std::isnan(row.parameter);
+  const bool voting = has_class_of_curve(type, in_nu ? parameter == 0.0 : at_rest);
   if (verdict && !voting && !last_votes_ && point_ > 0) segments_.between(*verdict);
-  place(type, parameter_of(row), voting, named<StabilityClass>(stability_names, row.stability));
+  // Where the table has no column for it, a row that votes has the class of its segment.
+  auto own = named<StabilityClass>(stability_names, row.stability);
+  if (!own && voting) own = verdict;
+  place(type, parameter, voting, own);
   if (proves()) {
-    count_proof(row.certified != proof_word(false), parameter_of(row), "as it was in the table");
-    if (type == EventType::none && row.class_certified == proof_word(false))
-      count_class(parameter_of(row));
+    count_proof(row.certified != proof_word(false), parameter, "as it was in the table");
+    if (type == EventType::none && row.class_certified == proof_word(false)) count_class(parameter);
   }
   for (const Column c : {Column::sheet, Column::point, Column::segment}) row[c] = row_[c];
   if (writer_ != nullptr) writer_->write(row);

@@ -33,6 +33,13 @@ struct SheetRecord {
   EndRecord last;
 };
 
+/// A segment as metadata tell it: its class, of the rows from the first to the last point.
+struct RecordedSegment {
+  std::optional<StabilityClass> verdict;
+  long first_point = -1;  ///< -1: no row lies in it
+  long last_point = -1;
+};
+
 /// How many rows are proven, and of how many that are no events the class is not.
 struct CurveProofs {
   long rows = 0;
@@ -77,8 +84,8 @@ class CurveTable final : public CurveSink {
   void row(const Member& member, EventType event) override;
   void between(StabilityClass verdict) override { segments_.between(verdict); }
   /// A row that was in a table already, with this table's sheet and next point; verdict: the class
-  /// of its segment there.
-  void again(TableRow row, std::optional<StabilityClass> verdict);
+  /// of its segment there; at_rest: ResumedTable::at_rest.
+  void again(TableRow row, std::optional<StabilityClass> verdict, bool at_rest);
   /// Adds to the events of the rows so far their rows and enclosures.
   void complete(std::vector<EventRecord>& events) const;
   /// Of the rows so far; report: what was told of following them, its events completed.

@@ -93,14 +93,12 @@ std::optional<CurveRecord> curve_record(std::string_view metadata) {
         out.events.back().criticality_error = error->get<double>();
     }
     for (const Json& segment : found.at("segments")) {
-      if (segment.at("class").is_null()) {  // as marginal: it says nothing of the curve
-        out.segments.push_back(StabilityClass::marginal);
-        continue;
-      }
-      const auto verdict =
-          named<StabilityClass>(stability_names, segment.at("class").get<std::string>());
-      if (!verdict) return std::nullopt;
-      out.segments.push_back(*verdict);
+      RecordedSegment& each = out.segments.emplace_back();
+      each.first_point = segment.at("first_point").get<long>();
+      each.last_point = segment.at("last_point").get<long>();
+      if (segment.at("class").is_null()) continue;
+      each.verdict = named<StabilityClass>(stability_names, segment.at("class").get<std::string>());
+      if (!each.verdict) return std::nullopt;
     }
     for (const Json& end : found.at("ends")) {
       const bool first = end.at("side") == "first";

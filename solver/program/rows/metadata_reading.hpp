@@ -21,8 +21,8 @@ struct CurveRecord {
   std::size_t rows = 0;
   std::string checksum;
   std::vector<EventRecord> events;
-  std::vector<StabilityClass> segments;  ///< their classes, in order
-  std::string first_reason;              ///< why the curve ends there
+  std::vector<RecordedSegment> segments;  ///< in order
+  std::string first_reason;               ///< why the curve ends there
   std::string last_reason;
   bool last_is_open = false;  ///< it does not end there, and was not followed on
 };

@@ -18,9 +18,10 @@ struct ResumedTable {
   std::optional<OpenEnd> last;
   // Of its metadata; read_resumed() leaves them out.
   std::vector<EventRecord> events;
-  std::vector<StabilityClass> segments;  ///< their classes, in order
-  std::string first_reason;              ///< why the curve ends there, where it does
+  std::vector<RecordedSegment> segments;  ///< in order
+  std::string first_reason;               ///< why the curve ends there, where it does
   std::string last_reason;
+  bool at_rest = false;  ///< the motion followed in another number than nu; the case's
 };
 
 /// Throws InputError where the file is no such table: other columns than these (with the trailing

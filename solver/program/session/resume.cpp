@@ -9,6 +9,7 @@
 
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/rows/metadata_reading.hpp"
+#include "solver/program/session/computation_plan.hpp"
 #include "solver/program/table/atomic_file.hpp"
 #include "solver/program/table/column_file.hpp"
 #include "solver/program/text/named.hpp"
@@ -51,6 +52,17 @@ SheetEnd old_end(const TableRow& row, const std::string& reason) {
 
 }  // namespace
 
+std::vector<std::string_view> unproven_to_resume(const Case& input,
+                                                 const std::vector<Column>& columns) {
+  std::vector<std::string_view> out;
+  if (!input.output.certificate) return out;
+  for (const Column c : {Column::certified, Column::class_certified}) {
+    if (c == Column::class_certified && !wants_spectrum(input, /*to_table=*/true)) continue;
+    if (std::ranges::find(columns, c) == columns.end()) out.push_back(name(c));
+  }
+  return out;
+}
+
 ResumedTable resumed_table(const Case& input, const std::string& path,
                            const std::vector<Column>& columns,
                            const std::optional<std::string>& parameter) {
@@ -73,6 +85,8 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
   if (!record) refuse(printable(metadata) + " does not say what rows and events the table has");
   const bool has_alpha = std::ranges::find(columns, Column::alpha) != columns.end();
   if (may_have_alpha(input.motion, input.potential) && !has_alpha) refuse("found no column alpha");
+  for (const std::string_view each : unproven_to_resume(input, columns))
+    refuse(fmt::format("found no column {}, whose rows are counted", each));
   ResumedTable out =
       read_resumed(path, columns, parameter, input.branch_name(), record->last_is_open);
   if (out.rows.size() != record->rows) {
@@ -92,6 +106,10 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
   out.segments = std::move(record->segments);
   out.first_reason = std::move(record->first_reason);
   out.last_reason = std::move(record->last_reason);
+  Motion held = input.motion;
+  out.at_rest = std::ranges::any_of(motion_numbers(held), [](const MotionNumber& each) {
+    return each.parameter == "nu" && *each.value == 0.0;
+  });
   return out;
 }
 
@@ -125,12 +143,13 @@ FollowReport follow_on(const AnyFamily& family, const ResumedTable& old, double 
     out.backward = old_end(old.rows.front(), old.first_reason);
   }
   out.events.insert(out.events.end(), old.events.begin(), old.events.end());
+  long point = 0;
   for (const TableRow& row : old.rows) {
-    const double number = row[Column::segment];
-    std::optional<StabilityClass> verdict;
-    if (number >= 1.0 && number <= static_cast<double>(old.segments.size()))
-      verdict = old.segments[static_cast<std::size_t>(number) - 1];
-    table.again(row, verdict);
+    const auto its = std::ranges::find_if(old.segments, [&](const RecordedSegment& each) {
+      return each.first_point <= point && point <= each.last_point;
+    });
+    table.again(row, its == old.segments.end() ? std::nullopt : its->verdict, old.at_rest);
+    ++point;
   }
   out.points += static_cast<long>(old.rows.size());
   if (old.last && !out.interrupted) {

@@ -13,6 +13,13 @@ namespace {
 
 constexpr int most_digits = 18;  ///< of a 64-bit number, whatever they are
 
+/// What tells a number apart whose digits do not fit (S. C. Noll's and others' FNV-1a).
+expression::Decimal too_long(std::string_view text) {
+  std::uint32_t hash = 2166136261U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  return {.digits = 0, .power = static_cast<int>(hash >> 1) + 1};
+}
+
 /// The digits without zeros at either end; none where they are too many.
 expression::Decimal decimal_of(std::string_view text) {
   expression::Decimal out;
@@ -31,7 +38,7 @@ expression::Decimal decimal_of(std::string_view text) {
       continue;
     }
     count += zeros + 1;
-    if (count > most_digits) return {};
+    if (count > most_digits) return too_long(text);
     for (; zeros > 0; --zeros) out.digits *= 10;
     out.digits = 10 * out.digits + static_cast<std::uint64_t>(text[at] - '0');
   }
@@ -42,7 +49,7 @@ expression::Decimal decimal_of(std::string_view text) {
     const char* end = text.data() + text.size();
     constexpr int largest = 100000;
     if (std::from_chars(begin, end, power).ec != std::errc() || std::abs(power) > largest)
-      return {};
+      return too_long(text);
     out.power += power;
   }
   return out;

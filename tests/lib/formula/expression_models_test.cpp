@@ -368,6 +368,25 @@ TEST(ExpressionModels, DecimalNumbers) {
   EXPECT_EQ(model.evaluate<1>(extended_invariants(1.0, 1.0)).w_t.lo, 0.0);
 }
 
+/// (c x)^n where c^n overflows, or is nothing, and (c x)^n is of order one.
+TEST(ExpressionModels, LargePowersOfScaledStretches) {
+  struct Power {
+    const char* text;
+    double scale;
+    int n;
+  };
+  for (const auto& [text, scale, n] :
+       {Power{"mu*(t/20)^243", 20.0, 243}, Power{"mu/(t/20)^243", 20.0, -243},
+        Power{"mu*(100*t)^(-400)", 0.01, -400}}) {
+    const auto model = written_plane(text, {"mu"}, {3.0});
+    const double t = 0.999 * scale;
+    const auto w = model.evaluate<2>(planar_invariants(0.5 * t, 0.5 * t));
+    const double exact = 3.0 * std::pow(0.999, n);
+    EXPECT_NEAR(w.w, exact, 1e-12 * exact) << text;
+    EXPECT_NEAR(w.w_t * t, n * exact, 1e-11 * std::abs(n) * exact) << text;
+  }
+}
+
 TEST(ExpressionModels, RestStates) {
   EXPECT_EQ(
       written_plane("p/2*(I1 - 2 - 2*log(d)) + q/2*log(d)^2", p_and_q, {1.0, 2.0}).rest_stretch(),
