@@ -16,15 +16,33 @@ namespace stationary {
 
 /// Of an isotropic body with gravity and J1 != J2, alpha = 0, at a stationary q with spin nu: K of
 /// turning_forces() over the sum of its terms' sizes. In [-1, 1]; 0 where motions with alpha != 0 begin.
-inline double turning_stiffness(const BodyModel<>& model, Branch branch, const Body& body,
-                                const Stretch& q, double nu) {
+/// Its sign is certain where |value| > condition (the relative error of stretches and gravity): not where
+/// xi and zeta differ by no more than that.
+struct TurningStiffness {
+  double value;
+  double condition;
+};
+inline TurningStiffness turning_stiffness(const BodyModel<>& model, Branch branch, const Body& body,
+                                          const Stretch& q, double nu) {
   const Inertia3<double> J{body.J1, body.J2, body.J3};
   const double V_T =
       gravity_derivatives<1>(model.g, J, planar_moment(J, q), q.xi * q.zeta, q.rho).plane.w_t;
   const TurningForces<double> turns = turning_forces(branch, J, q.xi, q.zeta, nu * nu, V_T);
-  const double K = relative_difference(J.J1, J.J2) / relative_difference(q.xi, q.zeta) *
-                   (turns.spin - turns.gravity) / (std::abs(turns.spin) + std::abs(turns.gravity));
-  return std::isinf(K) ? std::copysign(1.0, K) : K / (1.0 + std::abs(K));
+  const double size = std::abs(turns.spin) + std::abs(turns.gravity);
+  const double unequal = relative_difference(J.J1, J.J2);
+  const double apart = relative_difference(q.xi, q.zeta);
+  const double K = unequal / apart * (turns.spin - turns.gravity) / size;
+  const double value = std::isinf(K) ? std::copysign(1.0, K) : K / (1.0 + std::abs(K));
+  // (i), (ii): gravity's own part is a difference.
+  const double parts = branch == Branch::iii
+                           ? size
+                           : size + 2.0 * V_T * (J.J1 * q.xi * q.xi + J.J2 * q.zeta * q.zeta);
+  // Some rounding errors of each part, and that of xi - zeta; K's sign is wrong where they make up K.
+  constexpr double roundings = 16.0;
+  const double condition =
+      (roundings * std::abs(unequal) * (parts / size) / (1.0 + std::abs(K)) + std::abs(value)) /
+      std::abs(apart);
+  return {value, condition};
 }
 
 /// (i), (ii), on the circle of the two stretches across the axis, at a stationary q with spin nu: F_ss of the

@@ -111,10 +111,16 @@ int add_normal(const NormalBlocks& blocks, const BalancedBound& bound, bool mate
   return negative;
 }
 
-/// A pair that stands alone.
-void add_single(double lambda, const Conditioned& bound, int signature, double u,
+/// A pair that stands alone; second: of its error, what is of second order.
+void add_single(double lambda, const Conditioned& bound, int signature, double u, double second,
                 ModeCollector& out) {
-  out.add_real(lambda, u * bound.condition + 0x1p-53 * std::abs(lambda), signature);
+  out.add_real(lambda, u * bound.condition + second + 0x1p-53 * std::abs(lambda), signature);
+}
+
+/// What is of second order in I3 - I1 and I3 - I2: all there is where both are 0.
+double second_of_odd(const BalancedBound& c, double u) {
+  const double both = u * (c.m1 - c.m3).condition * (u * (c.m2 - c.m3).condition);
+  return both * std::abs(leading(c.omega2 / ((c.m1 + c.m3) * (c.m2 + c.m3))));
 }
 
 }  // namespace
@@ -150,9 +156,10 @@ Spectrum balanced_spectrum(const BlockFacts& facts, const NormalBlocks& blocks,
   out.begin(Block::odd);
   const int first = sign(blocks.I3_I1);
   const int second = sign(blocks.I3_I2);
-  add_single(blocks.odd, odd_lambda_iii(conditioned), first > 0 ? 1 : -1, u, out);
+  add_single(blocks.odd, odd_lambda_iii(conditioned), first > 0 ? 1 : -1, u,
+             second_of_odd(conditioned, u), out);
   out.begin(Block::thickness);
-  add_single(blocks.rho, conditioned.ww / conditioned.m3, 1, u, out);
+  add_single(blocks.rho, conditioned.ww / conditioned.m3, 1, u, 0.0, out);
   out.begin(Block::even);
   out.set_negative((first < 0) + (second < 0) + (blocks.rho > 0.0) +
                    add_normal(blocks, conditioned, facts.material_symmetry, u, out));

@@ -166,28 +166,32 @@ OddForms<S> odd_forms_i(const StraightState<S>& s) {
   const S omega2 = s.omega * s.omega;
   const S pi1 = I1 * s.omega;
   const S kappa = s.V_aa - s.J.J1 * omega2;
+  // Not as differences of the inertias, whose common part may be nearly all of them.
+  const S of_xi = s.J.J1 * (s.xi * s.xi);
+  const S I1_I2 = s.J.J2 * (s.zeta * s.zeta) - of_xi;
+  const S I1_I3 = s.J.J3 * (s.rho * s.rho) - of_xi;
   OddForms<S> out;
   out.Q1[0] = kappa + omega2 * (h * h) / I2;
   out.Q1[1] = s.omega * h / I2;
-  out.Q1[2] = (I1 - I2) / (I1 * I2);
+  out.Q1[2] = I1_I2 / (I1 * I2);
   out.Q2[0] = I3 / D;
   out.Q2[1] = g / D;
   out.Q2[2] = (s.J.J1 + s.J.J2) / D - S(1.0) / I1;
   out.P[0] = out.Q2[0];
   out.P[1] = pi1 * out.Q2[1];
   out.P[2] = pi1 * pi1 * out.Q2[2];
-  out.det_Q1 = (kappa * (I1 - I2) - h * h * omega2) / (I1 * I2);
-  out.det_P = pi1 * pi1 * ((I1 - I3) / (I1 * D));
+  out.det_Q1 = (kappa * I1_I2 - h * h * omega2) / (I1 * I2);
+  out.det_P = pi1 * pi1 * (I1_I3 / (I1 * D));
   return out;
 }
 
 /// (iii), odd.
 template <class S>
 S odd_lambda_iii(const StraightState<S>& s) {
-  const S I1 = s.I1();
-  const S I2 = s.I2();
-  const S I3 = s.I3();
-  return -(s.omega * s.omega) * ((I3 - I1) * (I3 - I2)) / (I1 * I2);
+  const S of_rho = s.J.J3 * (s.rho * s.rho);
+  const S I3_I1 = s.J.J1 * (s.xi * s.xi) - of_rho;
+  const S I3_I2 = s.J.J2 * (s.zeta * s.zeta) - of_rho;
+  return -(s.omega * s.omega) * (I3_I1 * I3_I2) / (s.I1() * s.I2());
 }
 
 /// (iii), even: alpha's own entries, its gyroscopic couplings, and the pencil of (xi, zeta, rho).

@@ -150,7 +150,11 @@ int add_odd_i(const StraightState<Extended>& s, const StraightState<Conditioned>
 int add_odd_iii(const StraightState<Extended>& s, const StraightState<Conditioned>& c, double u,
                 ModeCollector& out) {
   const double lambda = leading(odd_lambda_iii(s));
-  const double error = u * odd_lambda_iii(c).condition + 0x1p-53 * std::abs(lambda);
+  // Where I3 is I1 and I2, as on a circle, what is of second order is all there is.
+  const double both = u * (c.I3() - c.I1()).condition * (u * (c.I3() - c.I2()).condition);
+  const double error = u * odd_lambda_iii(c).condition +
+                       std::abs(leading(c.omega * c.omega / (c.I1() * c.I2()))) * both +
+                       0x1p-53 * std::abs(lambda);
   const int s1 = sign(leading(s.I3() - s.I1()));
   const int s2 = sign(leading(s.I3() - s.I2()));
   out.add_real(lambda, error, s1 > 0 ? 1 : -1);

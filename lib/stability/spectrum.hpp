@@ -58,7 +58,8 @@ struct Spectrum {
   int modes = 0;  ///< 5; 4 at nu = 0; two-polar 4, 3 at s3 = 0; one less of a held volume
   std::array<Mode, 5> mode;  ///< ascending in im, then re
 
-  /// Whether no Lambda but a symmetry's can be zero: then `negative` is certain.
+  /// Whether no Lambda but a symmetry's can be zero: then `negative` is certain, but where J1 = J2 in (i)
+  /// and (ii) near I1 = I3, I2 = I3, whose sign is in no Lambda.
   bool away_from_zero() const;
 };
 

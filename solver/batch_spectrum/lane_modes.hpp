@@ -81,8 +81,7 @@ template <class V>
   const Polynomial<Pair<V>, 2> p = odd.characteristic();
   const V q1[3] = {leading(odd.Q1[0]), leading(odd.Q1[1]), leading(odd.Q1[2])};
   const V P[3] = {leading(odd.P[0]), leading(odd.P[1]), leading(odd.P[2])};
-  // Where P or Q1 is definite, the sign of that one; else Q1 on the eigenvector of P Q1 to -Lambda,
-  // as in spectrum.cpp.
+  // Where P or Q1 is definite, the sign of that one; else Q1 on the eigenvector of P Q1 to -Lambda.
   const Mask q_saddle = leading(odd.det_Q1) < V(0.0);
   const Mask both = q_saddle & (leading(odd.det_P) < V(0.0));
   const V definite =

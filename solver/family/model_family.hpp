@@ -309,7 +309,9 @@ class ModelFamily final : public Family<N> {
       // As J1 passes J2 in (iii) the stiffness below, which has no factor J1 - J2 on a circle.
       if (may_leave_ && !at.body.symmetric() && !(varied && branch_ == Branch::iii)) {
         ++this->evaluations_.potentials;
-        out.turn = turning_stiffness(at.model, branch_, at.body, out.q, at.nu);
+        const TurningStiffness turn = turning_stiffness(at.model, branch_, at.body, out.q, at.nu);
+        out.turn = turn.value;
+        out.turn_condition = turn.condition;
       }
     }
     // What turns an ellipse or makes one; elsewhere it keeps its sign.

@@ -70,8 +70,8 @@ struct Member {
   /// (i), (ii). Of an isotropic V with gravity and J1 != J2 likewise (turning_forces()); tilted, W_t, where
   /// motions leave the plane of the axis.
   double turn = std::numeric_limits<double>::quiet_NaN();
-  double turn_condition =
-      4.0;  ///< |change of turn| for a relative one of what it is made of, at most
+  /// |change of turn| for a relative one of what it is made of, as far as its sign is concerned.
+  double turn_condition = 4.0;
   /// Tilted: the shares of nu^2 along the plane's own axis and along axis 3. Negative beyond an end
   /// of the family, where nothing else but q is computed.
   double tilt_in_plane = std::numeric_limits<double>::quiet_NaN();
