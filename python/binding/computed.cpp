@@ -173,8 +173,7 @@ py::object table_array(const std::shared_ptr<Computed>& self) {
   return out;
 }
 
-/// HDF5 of Debian is not for several threads, and h5py calls it under the interpreter's lock: so does
-/// this.
+/// HDF5 may be built for one thread only, and h5py calls it under the interpreter's lock: so does this.
 void write(const Computed& self, const std::string& path) {
   const std::string extension = path.substr(std::min(path.rfind('.'), path.size()));
   std::optional<py::gil_scoped_release> released;

@@ -25,6 +25,31 @@ bool on_main_thread() {
   return threading.attr("get_ident")().equal(threading.attr("main_thread")().attr("ident"));
 }
 
+bool is_finalizing() {
+#if PY_VERSION_HEX >= 0x030D0000
+  return Py_IsFinalizing() != 0;
+#else
+  return _Py_IsFinalizing() != 0;
+#endif
+}
+
+/// The interpreter's lock is let go while this lives. Where the interpreter ends meanwhile, a thread that
+/// asked for the lock would be ended by unwinding, through what does not let it pass: it sleeps until
+/// the process is gone, as threads of later Pythons do.
+class WithoutLock {
+ public:
+  WithoutLock() : state_(PyEval_SaveThread()) {}
+  WithoutLock(const WithoutLock&) = delete;
+  WithoutLock& operator=(const WithoutLock&) = delete;
+  ~WithoutLock() {
+    while (is_finalizing()) pause();
+    PyEval_RestoreThread(state_);
+  }
+
+ private:
+  PyThreadState* state_;
+};
+
 /// How long a signal waits at most.
 constexpr std::chrono::milliseconds look_every{20};
 
@@ -95,7 +120,7 @@ class Hired {
 void interruptible(const std::function<void(const std::atomic<bool>& stop)>& work) {
   std::atomic<bool> stop{false};
   if (!on_main_thread()) {
-    const py::gil_scoped_release released;
+    const WithoutLock released;
     work(stop);
     return;
   }

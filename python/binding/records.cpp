@@ -1,5 +1,6 @@
 #include "python/binding/records.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -7,6 +8,9 @@
 
 namespace stationary::python {
 namespace {
+
+/// Of less the modes lose their digits; a case's nu is refused likewise (case_parameter.cpp).
+constexpr double least_spin = 1e-100;
 
 using Column = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
@@ -18,7 +22,10 @@ bool has(const py::array& records, const char* name) {
 Column needed(const py::array& records, const char* name) {
   if (has(records, name)) {
     const auto numbers = Column::ensure(records.attr("__getitem__")(name));
-    if (numbers) return numbers;
+    // A field of arrays has another shape.
+    if (numbers && numbers.ndim() == records.ndim() &&
+        std::equal(numbers.shape(), numbers.shape() + numbers.ndim(), records.shape()))
+      return numbers;
     throw InputError({}, "points", "found no numbers in the field " + in_quotes(name),
                      "one a point");
   }
@@ -72,6 +79,8 @@ Points::Points(const py::array& records)
     if (at.status != SolveStatus::solved) continue;
     const char* wrong = violated_inequality(at.q);
     if (wrong == nullptr && !std::isfinite(nu(k))) wrong = "a finite nu";
+    if (wrong == nullptr && nu(k) != 0.0 && std::abs(nu(k)) < least_spin)
+      wrong = "nu = 0 or |nu| >= 1e-100";
     if (wrong != nullptr)
       throw InputError({}, "points", "found another in record " + std::to_string(k), wrong);
   }

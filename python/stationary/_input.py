@@ -13,6 +13,10 @@ import numpy.typing as npt
 from .errors import InputError
 
 
+# Of less the modes lose their digits; a case's nu is refused likewise.
+_LEAST_SPIN = 1e-100
+
+
 def type_name(value: Any) -> str:
     return f"a value of type {type(value).__name__}"
 
@@ -71,7 +75,8 @@ def thread_count(asked: Any) -> int | None:
 
 def numbers(values: Any, name: str, count: int | None = None) -> npt.NDArray[np.float64]:
     try:
-        if np.asarray(values).dtype.kind in "mM":  # dates would be counts of days
+        # Dates would be counts of days, complex numbers their real parts, masked ones what they hide.
+        if np.asarray(values).dtype.kind not in "biufO" or np.ma.is_masked(values):
             raise TypeError
         out = np.asarray(values, dtype=float)
     except (TypeError, ValueError, OverflowError):
@@ -86,4 +91,7 @@ def spins(values: Any) -> npt.NDArray[np.float64]:
     out = numbers(values, "nu")
     if not np.isfinite(out).all():
         raise InputError(f"nu: found {out[~np.isfinite(out)][0]}; expected finite numbers")
+    small = (out != 0) & (np.abs(out) < _LEAST_SPIN)
+    if small.any():
+        raise InputError(f"nu: found {out[small][0]}; expected 0 or at least {_LEAST_SPIN} in size")
     return out

@@ -56,6 +56,10 @@ def _columns(table: Any) -> dict[str, list[Any]]:
 
 
 def _values(column: Any, key: str) -> list[Any]:
+    if isinstance(column, np.ndarray) and column.dtype.kind == "M":
+        # Its own list of fine ones has counts of nanoseconds.
+        texts = np.datetime_as_string(column).tolist()
+        return ["" if missing else text for missing, text in zip(np.isnat(column), texts)]
     if hasattr(column, "tolist"):
         column = column.tolist()
     if isinstance(column, (str, bytes, Mapping)) or not hasattr(column, "__iter__"):
@@ -68,6 +72,11 @@ def _cell(value: Any, key: str) -> str:
         return ""
     if isinstance(value, (float, np.floating)) and math.isnan(value):
         return ""
+    if isinstance(value, bytes):
+        try:
+            value = value.decode()
+        except UnicodeDecodeError:
+            raise InputError(f"{_NAME}: {key}: found {value!r}; expected text in Unicode") from None
     if isinstance(value, str):
         return value
     if key.startswith("_") and not isinstance(value, (float, np.floating)):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import enum
 from collections.abc import Mapping
 from typing import Any, NamedTuple
@@ -61,7 +62,9 @@ class Potential:
     _models: dict[str, Any]
 
     def __init__(self, keys: Mapping[str, Any] | None = None, /, **models: Any) -> None:
-        self._models = {**mapping(keys or {}, "Potential"), **models}
+        given = {} if keys is None else mapping(keys, "Potential")
+        # Copied to the bottom: another process makes it anew of these, whatever the caller's are by then.
+        self._models = copy.deepcopy({**given, **models})
         self._inner = _core.Potential(self._models)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -106,7 +109,9 @@ class Potential:
         except ValueError:
             shapes = ", ".join(str(each.shape) for each in S)
             raise InputError(f"S: found arrays of shapes {shapes}; expected one shape") from None
-        out = self._inner.value(*(np.ascontiguousarray(each) for each in np.broadcast_arrays(*S)))
+        out = self._inner.value(
+            *(np.require(each, requirements="C") for each in np.broadcast_arrays(*S))
+        )
         return out if out.ndim else float(out)
 
     def __repr__(self) -> str:
@@ -191,7 +196,7 @@ def solve_batch(
 
     Raises InputError. C++: solve_batch and cell_spectra, solver/batch, solver/batch_spectrum.
     """
-    varied = mapping(parameters or {}, "parameters")
+    varied = {} if parameters is None else mapping(parameters, "parameters")
     cells, spectra = _core.solve_batch(
         *_model(body, potential, branch),
         spins(nu).ravel(),

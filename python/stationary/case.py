@@ -31,7 +31,8 @@ class Case:
     _inner: _core.Case
 
     def __init__(self, keys: Mapping[str, Any] | None = None, /, **tables: Any) -> None:
-        object.__setattr__(self, "_inner", _core.Case.of({**mapping(keys or {}, "Case"), **tables}))
+        given = {} if keys is None else mapping(keys, "Case")
+        object.__setattr__(self, "_inner", _core.Case.of({**given, **tables}))
 
     @classmethod
     def read(cls, path: str | os.PathLike[str], overrides: Iterable[str] | None = None) -> Case:

@@ -54,6 +54,8 @@ def _finished(
     result = Result(computed, case) if computed.complete else None
     lines = computed.lines
     if computed.code != _DONE and not (keep and result is not None):
+        for line in lines[:-1]:
+            warnings.warn(line, RuntimeWarning, stacklevel=3)
         error = NotFound if computed.code == _NO_EQUILIBRIUM else NumericalError
         raise error(lines[-1] if lines else "nothing was computed", result)
     for line in lines:

@@ -87,9 +87,13 @@ def _diagram(found: dict[str, Any], result: Result, ax: Any) -> Any:
         axes = made[:, 0]
         figure.suptitle(result.case.title)
     else:
-        axes = np.atleast_1d(np.asarray(ax, dtype=object))
-    step = 2 if rates and len(axes) >= 2 * len(panels) else 1
-    for k, panel in enumerate(panels[: len(axes) // step]):
+        axes = np.atleast_1d(np.asarray(ax, dtype=object)).ravel()
+        allowed = [len(panels)] + ([2 * len(panels)] if rates else [])
+        if len(axes) not in allowed:
+            expected = " or ".join(str(count) for count in allowed)
+            raise InputError(f"ax: found {len(axes)} axes; expected {expected}, for {len(panels)} panels")
+    step = 2 if rates and len(axes) == 2 * len(panels) else 1
+    for k, panel in enumerate(panels):
         _curves(panel, found["series"], axes[step * k])
         axes[step * k].set_ylabel(", ".join(found["ordinates"]))
         if step == 2:

@@ -118,9 +118,9 @@ class Result:
     ) -> Any:
         """Draws with matplotlib what ``stationary plot`` draws with gnuplot, and returns the axes.
 
-        A bifurcation diagram has two, stretches above and, where there is a spectrum, rates below:
-        an array of them; ax: one or two axes to draw into. show: up to three columns instead of the
-        stretches; diagram: "energy-momentum" for the energy against the size of the momentum; only
+        A bifurcation diagram has two for each panel (an atlas has a panel a branch), stretches above and,
+        where there is a spectrum, rates below: an array of them. ax: as many axes to draw into, or one a
+        panel, without the rates. show: up to three columns instead of the stretches; diagram: "energy-momentum" for the energy against the size of the momentum; only
         these sheets, only these branches, where they are named.
 
         A map over two parameters has one, with the column ``show``, and so have curves of events,

@@ -85,8 +85,12 @@ def _printer() -> Any:
         def _print_Max(self, most: Any) -> str:
             return self._nested("max", most)
 
+        # Their names would be those of parameters, where a case has such.
         def _print_Exp1(self, e: Any) -> str:
-            return "e"
+            return "exp(1)"
+
+        def _print_Pi(self, pi: Any) -> str:
+            return "(4*atan(1))"
 
         def _print_Float(self, number: Any) -> str:
             return repr(float(number))

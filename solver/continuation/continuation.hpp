@@ -237,8 +237,8 @@ class Continuation {
     unlocated_ = events_in_.unresolved();
   }
 
-  /// Those of the step before its end where gap(x) of the stretches is 0, up to a tenth of the way
-  /// from it: there the curve meets another, and its functions vanish or say nothing.
+  /// Those of the step before its end where gap(x) of the stretches is 0, as near to it as the signs of
+  /// functions are certain: there the curve meets another, and they vanish or say nothing.
   template <class Gap>
   void find_events_before(const Gap& gap, const Attempt& attempt) {
     const auto f = [&](double u) { return gap(curve_->at(here_.arc, attempt.arc, u).point.x); };
@@ -246,12 +246,21 @@ class Continuation {
     const auto close = [](double low, double high) { return high - low <= 0x1p-20; };
     const auto [low, high] = boost::math::tools::toms748_solve(
         f, 0.0, 1.0, gap(here_.arc.x), gap(attempt.corrected.point.x), close, evaluations);
-    const double u = 0.9 * low;
-    const Corrected<N> at = curve_->at(here_.arc, attempt.arc, u);
-    const bool before = (gap(at.point.x) > 0.0) == (gap(here_.arc.x) > 0.0);
-    if (at.status != CorrectorStatus::converged || !before) return;
-    find_events(completed(at.point),
-                Arc<N>(attempt.arc.at(u), here_.arc.tangent, at.point.tangent));
+    std::optional<CurvePoint<N>> last;
+    double reached = 0.0;
+    constexpr double nearest = 1e-6;
+    for (double left = 0.1; left >= nearest; left *= 0.1) {
+      const double u = (1.0 - left) * low;
+      const Corrected<N> at = curve_->at(here_.arc, attempt.arc, u);
+      const bool before = (gap(at.point.x) > 0.0) == (gap(here_.arc.x) > 0.0);
+      if (at.status != CorrectorStatus::converged || !before) break;
+      CurvePoint<N> next = completed(at.point);
+      if (last && SignBits::of(next.tests).open() != SignBits::of(last->tests).open()) break;
+      last = std::move(next);
+      reached = u;
+    }
+    if (!last) return;
+    find_events(*last, Arc<N>(attempt.arc.at(reached), here_.arc.tangent, last->arc.tangent));
   }
 
   void settle(const CurvePoint<N>& next, const Arc<N>& arc) {

@@ -182,8 +182,7 @@ class EventSearch {
   void add_step(ParameterRange& since) const {
     since.add(to().member.parameter);
     for (const FoundEvent& each : found_) {
-      if (each.event.type != EventType::fold_nu && each.event.type != EventType::fold_parameter)
-        continue;
+      if (!turns_parameter(each.event)) continue;
       since.add(each.event.before);
       since.add(each.event.after);
     }
@@ -377,28 +376,49 @@ class EventSearch {
       }
     });
     if (plain) return;
-    std::vector<double> borders;
-    for (const FoundEvent& each : found_) borders.push_back(each.u);
-    std::ranges::sort(borders);
-    borders.insert(borders.begin(), 0.0);  // the ends too: at rest the spin's own pair is missing
-    borders.push_back(1.0);
-    constexpr double aside = 1e-6;
-    for (std::size_t k = 0; k + 1 < borders.size(); ++k) {
-      const double begin = borders[k] + aside;
-      const double end = borders[k + 1] - aside;
-      CurvePoint<N> a;
-      CurvePoint<N> b;
-      if (begin < end && points_.evaluate(begin, a) && points_.evaluate(end, b))
-        crossings_between({begin, a.tests}, {end, b.tests});
-    }
+    // The ends too: at rest the spin's own pair is missing.
+    const std::vector<double> borders = parts_of_step();
+    for (std::size_t k = 0; k + 1 < borders.size(); ++k)
+      crossings_between(borders[k], borders[k + 1]);
   }
 
-  void crossings_between(const Tested& a, const Tested& b) {
-    if (a.tests.composition != b.tests.composition) return;
-    for_each_function(crossing_bits(a.tests.opposite | b.tests.opposite), [&](std::size_t k) {
-      if (a.tests.sign(k) * b.tests.sign(k) < 0)
-        locate(k, {a.u, a.tests.value[k]}, {b.u, b.tests.value[k]}, a.tests, b.tests);
-    });
+  /// The ends of the step and the events in it, ascending.
+  std::vector<double> parts_of_step() const {
+    std::vector<double> out{0.0, 1.0};
+    for (const FoundEvent& each : found_) out.push_back(each.u);
+    std::ranges::sort(out);
+    return out;
+  }
+
+  /// Those of a part of the step without events. Beside an event a Lambda may be zero within its error, or
+  /// two not be told apart: what is not certain there is compared farther inside.
+  void crossings_between(double begin, double end) {
+    constexpr double nearest = 1e-6;
+    constexpr double farthest = 0.1;  // of the part
+    FunctionBits done = 0;
+    for (double aside = nearest; aside <= std::max(nearest, farthest * (end - begin));
+         aside *= 4.0) {
+      CurvePoint<N> a;
+      CurvePoint<N> b;
+      if (!(begin + aside < end - aside) || !points_.evaluate(begin + aside, a) ||
+          !points_.evaluate(end - aside, b))
+        return;
+      const bool alike = a.tests.composition == b.tests.composition;
+      FunctionBits open = 0;
+      for_each_function(crossing_bits(a.tests.opposite | b.tests.opposite) & ~done,
+                        [&](std::size_t k) {
+                          const int signs = a.tests.sign(k) * b.tests.sign(k);
+                          if (signs == 0 || !alike) {
+                            open |= bit_of(k);
+                            return;
+                          }
+                          done |= bit_of(k);
+                          if (signs < 0)
+                            locate(k, {begin + aside, a.tests.value[k]},
+                                   {end - aside, b.tests.value[k]}, a.tests, b.tests);
+                        });
+      if (alike && open == 0) return;
+    }
   }
 
   /// Whether events account for the changes of the counts; else brackets what is left of them.
@@ -411,7 +431,26 @@ class EventSearch {
     const bool may_change = std::ranges::any_of(
         found_, [](const FoundEvent& each) { return may_change_class(each.event.type); });
     report(counts_.definite(step, may_change || !unresolved_.empty() || is_open()));
+    if (may_change && curve().context().circle != Circle::none) explain_definite();
     counts_.widen_remembered([this](ParameterRange& since) { add_step(since); });
+  }
+
+  /// On a circle what is definite changes where no modes meet, and so it may between events of a step, which
+  /// do not account for it.
+  void explain_definite() {
+    constexpr double aside = 1e-6;
+    const std::vector<double> borders = parts_of_step();
+    for (std::size_t k = 0; k + 1 < borders.size(); ++k) {
+      const double low = k == 0 ? 0.0 : borders[k] + aside;
+      const double high = k + 2 == borders.size() ? 1.0 : borders[k + 1] - aside;
+      CurvePoint<N> a;
+      CurvePoint<N> b;
+      if (!(low < high) || !points_.evaluate(low, a) || !points_.evaluate(high, b)) continue;
+      const auto first = KnownCounts::at(a.member).definite;
+      const auto last = KnownCounts::at(b.member).definite;
+      if (first && last && first->modes == last->modes && first->count != last->count)
+        bracket({definite, first->count, first->since, true}, low, high);
+    }
   }
 
   /// Brackets a change of a count where it came in this step.
@@ -421,13 +460,15 @@ class EventSearch {
       add_unresolved(EventType::unexplained, change->since);
       return;
     }
-    double low = 0.0;
-    double high = 1.0;
+    bracket(*change, 0.0, 1.0);
+  }
+
+  void bracket(const UnexplainedChange& change, double low, double high) {
     CurvePoint<N> middle = to();
     for (int k = 0; k < 50; ++k) {
       const double u = 0.5 * (low + high);
       if (!points_.evaluate(u, middle)) break;
-      (change->count(*middle.member.spectrum) == change->before ? low : high) = u;
+      (change.count(*middle.member.spectrum) == change.before ? low : high) = u;
     }
     const auto [first, last] = points_.around(low, high);
     found_.push_back(

@@ -23,4 +23,11 @@ struct Event {
   EventStatus status = EventStatus::bracketed;
 };
 
+/// Whether the number that the curve is followed in turns there: of a family at given momenta it is they.
+inline bool turns_parameter(const Event& event) {
+  const auto& two_polar = event.member.two_polar;
+  return is_fold(event.type) ||
+         (event.type == EventType::fold_momentum && two_polar && two_polar->by_momenta);
+}
+
 }  // namespace stationary

@@ -30,7 +30,7 @@ std::optional<RangeLimit> passed_limit(double from, double to, const CurvePoint<
     return std::nullopt;
   };
   for (const Event& event : events) {
-    if (!is_fold(event.type)) continue;
+    if (!turns_parameter(event)) continue;
     if (const auto limit = beyond(event.member.parameter))
       return RangeLimit{*limit, arc.turn_of_parameter()};
   }

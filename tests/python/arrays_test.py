@@ -1,5 +1,6 @@
 """Bodies, potentials and many motions at once, against the commands and against each other."""
 
+import copy
 import pickle
 from fractions import Fraction
 
@@ -67,6 +68,57 @@ def test_potentials(material):
     assert grid.shape == (4, 2)
     with pytest.raises(stationary.InputError):
         potential.value(0.0, -1.0, 1.0, 1.0)
+    assert type(potential.value(0.1, 1.2, 1.0, 0.9)) is float
+
+
+def test_a_copied_potential_is_the_same_material(material):
+    """Whatever became of the dict that it was made of."""
+    models = {"plane": {"model": "reciprocal-determinant", "c": 1.0, "k": 2.0}}
+    models["thickness"] = {"model": "reciprocal-quadratic", "a": 1.0, "b": 3.0}
+    made = []
+    for c in (1.0, 1.5, 2.0):
+        models["plane"]["c"] = c
+        made.append(stationary.Potential(models))
+    for each, c in zip(made, (1.0, 1.5, 2.0)):
+        for again in (pickle.loads(pickle.dumps(each)), copy.copy(each), copy.deepcopy(each)):
+            assert again.coefficients["plane"]["c"] == c == each.coefficients["plane"]["c"]
+
+
+@pytest.mark.parametrize("shape", [(2,), (0,), (1,), (2, 2)])
+def test_fields_that_are_no_numbers_are_refused(material, shape):
+    points = np.ones(3, [("nu", float), ("xi", float, shape), ("zeta", float), ("rho", float)])
+    for call in (stationary.spectrum, stationary.certify):
+        with pytest.raises(stationary.InputError, match='no numbers in the field "xi"'):
+            call(*material, "i", points)
+
+
+@pytest.mark.parametrize(
+    "nu",
+    [
+        np.ma.masked_values([0.1, 9.96e36, 0.3], 9.96e36), np.array([0.3 + 1j]), ["0.3"], [b"0.3"], [1e-150],
+    ],
+)  # fmt: skip
+def test_spins_that_are_no_numbers_are_refused(material, nu):
+    with pytest.raises(stationary.InputError, match="nu: found"):
+        stationary.sweep(*material, "i", nu)
+    with pytest.raises(stationary.InputError, match="nu: found"):
+        stationary.solve_batch(*material, "i", nu)
+
+
+def test_masked_parameters_and_frames_are_refused(material):
+    masked = np.ma.masked_array([1.5, 99.0], [False, True])
+    with pytest.raises(stationary.InputError, match="body.J.1: found"):
+        stationary.solve_batch(*material, "i", [0.1], {"body.J.1": masked})
+    assert stationary.solve_batch(
+        *material, "i", [0.1], {"body.J.1": np.ma.masked_array([1.5, 1.6])}
+    ).shape == (2, 1)
+    pandas = pytest.importorskip("pandas")
+    with pytest.raises(stationary.InputError, match="expected a dict"):
+        stationary.solve_batch(*material, "i", [0.1], pandas.DataFrame({"body.J.1": [1.5, 1.6]}))
+    for nothing in (np.zeros(2), [], 0):
+        for call in (stationary.Case, stationary.Potential):
+            with pytest.raises(stationary.InputError, match="expected a dict"):
+                call(nothing)
 
 
 def test_enumerations_are_those_of_the_records(material):

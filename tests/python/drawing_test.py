@@ -48,6 +48,20 @@ def test_draws_into_given_axes():
     assert drawn is axes and len(axes.lines) > 0
     _, pair = plt.subplots(2)
     assert list(result.plot(pair)) == list(pair)
+    _, column = plt.subplots(2, 1, squeeze=False)
+    assert list(result.plot(column)) == list(column[:, 0])
+
+
+def test_no_panel_is_left_out():
+    chart = stationary.atlas(case("circle"), checkpoints=3)
+    panels = len(set(chart["branch"].tolist()))
+    assert panels > 1
+    for count in (1, panels + 1):
+        _, axes = plt.subplots(count)
+        with pytest.raises(stationary.InputError, match=f"expected {panels} or {2 * panels}"):
+            chart.plot(axes)
+    _, axes = plt.subplots(panels)
+    assert all(len(each.lines) > 0 for each in chart.plot(axes))
 
 
 def test_without_a_spectrum_one_panel():

@@ -142,6 +142,13 @@ def test_a_warning_is_one(disc):
         stationary.solve(disc)
 
 
+def test_a_warning_before_an_error_is_one():
+    case = Case.read(SOURCES / "cases" / "too_fast.toml").set("solve", {"all": True, "start": [0.0, 1.0, 1.0, 1.0]})
+    with pytest.warns(RuntimeWarning, match="solve.start is not used"):
+        with pytest.raises(stationary.NotFound):
+            stationary.solve(case)
+
+
 def test_of_the_library(disc):
     body, potential = Case(disc).body, Case(disc).potential
     with pytest.raises(InputError, match="J1 > 0"):

@@ -93,6 +93,23 @@ def test_cells_of_every_kind(disc):
     assert found["xi"][0] == stationary.solve(disc)["xi"][0]
 
 
+@pytest.mark.parametrize("unit", ["D", "s", "ns"])
+def test_dates_and_bytes_are_carried_through(disc, unit):
+    found = stationary.study(
+        disc,
+        {
+            "_date": np.array(["2026-01-01", "NaT"], f"datetime64[{unit}]"),
+            "_material": np.array([b"soft", b"hard"]),
+            "motion.branch": np.array([b"i", b"ii"]),
+        },
+    )
+    assert found["status"].tolist() == ["solved"] * 2
+    dates = found["_date"].tolist()
+    assert dates[0].startswith("2026-01-01") and dates[1] == ""
+    assert found["_material"].tolist() == ["soft", "hard"]
+    assert found["branch"].tolist() == ["i", "ii"]
+
+
 def test_a_case_that_is_one_only_with_a_row_s_values(disc):
     del disc["motion"]["nu"]
     found = stationary.study(disc, {"motion.nu": [0.2, 0.5]})

@@ -78,7 +78,7 @@ def value(expression):
 
 def test_the_text_means_what_the_expression_does():
     names = {str(symbol): number for symbol, number in AT.items()}
-    names |= {"pi": math.pi, "e": math.e, "exp": math.exp, "cos": math.cos}
+    names |= {"pi": math.pi, "e": math.e, "exp": math.exp, "cos": math.cos, "atan": math.atan}
     names["sqrt"] = lambda x: x**0.5
     rng = random.Random(7)
     compared = 0
@@ -172,6 +172,23 @@ def test_a_parameter_called_like_a_constant_is_not_it():
     case["potential"]["plane"]["expression"] = c / d + sympy.I * I1
     with pytest.raises(stationary.InputError, match="found SymPy's I;"):
         stationary.Case(case)
+
+
+def test_parameters_called_e_and_pi_are_not_the_constants():
+    for constant, name in ((sympy.E, "e"), (sympy.pi, "pi")):
+        potential = stationary.Potential(
+            coupled={
+                "expression": I1 + rho**2 - 2 * sympy.log(d * rho)
+                + constant * (d * rho - 1) ** 2 + sympy.Symbol(name) * rho**2,
+                name: 0.5,
+            }
+        )  # fmt: skip
+        alone = stationary.Potential(
+            coupled={"expression": I1 - 2 * sympy.log(d * rho) + rho**2 + constant * (d * rho - 1) ** 2 + k * rho**2,
+                     "k": 0.5}
+        )  # fmt: skip
+        q = (0.0, 1.2, 1.1, 0.9)
+        assert potential.value(*q) == pytest.approx(alone.value(*q), rel=1e-14)
 
 
 def test_a_potential_of_the_library():

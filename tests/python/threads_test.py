@@ -1,6 +1,7 @@
 """Threads side by side: no crash, and each has the answer that it has alone."""
 
 import random
+import subprocess
 import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
@@ -100,3 +101,21 @@ def test_the_lock_is_released():
     done.set()
     ticker.join()
     assert len(ticks) > 5
+
+
+def test_the_interpreter_ends_while_a_thread_computes():
+    """A daemon's, which asks for the lock of an interpreter that is gone."""
+    script = f"""
+import threading, time
+import stationary
+fold = stationary.Case.read({str(SOURCES / "cases" / "fold.toml")!r})
+def compute():
+    while True:
+        stationary.follow(fold)
+for _ in range(4):
+    threading.Thread(target=compute, daemon=True).start()
+time.sleep(0.5)
+"""
+    for _ in range(3):
+        ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+        assert (ended.returncode, ended.stderr) == (0, "")
