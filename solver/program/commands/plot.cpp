@@ -228,6 +228,7 @@ Figure figure(const PlotOptions& options, ImageFormat format) {
   for (const std::string& path : options.tables) {
     tables.emplace_back(new TableReader(open_table(path)));
     readers.push_back(tables.back().get());
+    require_drawable(*readers.back());
   }
   const auto is_map = [](const TableReader* each) {
     return map_parameters(each->columns()).size() == 2;

@@ -34,12 +34,15 @@ Cells cells_of(const TableReader& table) {
   return out;
 }
 
+/// NaN where there is no such cell, or it is no number.
 double number_in(const Cells& row, std::string_view column) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const auto at = row.find(column);
-  double out = std::numeric_limits<double>::quiet_NaN();
-  if (at != row.end())
-    std::from_chars(at->second.data(), at->second.data() + at->second.size(), out);
-  return out;
+  if (at == row.end()) return none;
+  const char* const end = at->second.data() + at->second.size();
+  double out = none;
+  const auto [read, error] = std::from_chars(at->second.data(), end, out);
+  return error == std::errc() && read == end ? out : none;
 }
 
 /// Whether a row of this event is no place to start from along its own sheet: a fold, where the parameter
@@ -148,7 +151,9 @@ class FromRow {
  private:
   /// S, in the coordinates of the row's own body.
   Stretch stretch(const Case& input) const {
-    const Stretch q{value_or("alpha", 0.0), value("xi"), value("zeta"), value("rho")};
+    const bool sheared = may_have_alpha(input.motion, input.potential);
+    const Stretch q{sheared ? value("alpha") : value_or("alpha", 0.0), value("xi"), value("zeta"),
+                    value("rho")};
     if (const char* inequality = violated_inequality(q))
       refuse_row(text_, "found no positive definite S in the row", inequality);
     return input.coordinates.computed(q);
@@ -161,15 +166,29 @@ class FromRow {
     return at->second;
   }
   double value(std::string_view column) const {
-    (void)text(column);
-    return number_in(row_, column);
-  }
-  double value_or(std::string_view column, double otherwise) const {
+    const std::string cell = text(column);
     const double out = number_in(row_, column);
-    return std::isnan(out) ? otherwise : out;
+    if (std::isnan(out))
+      refuse_row(text_, fmt::format("found {} in the column {}", in_quotes(cell), column),
+                 "a number");
+    return out;
   }
+  /// Where the row has none.
+  double value_or(std::string_view column, double otherwise) const {
+    const auto at = row_.find(column);
+    return at == row_.end() || at->second.empty() ? otherwise : value(column);
+  }
+  /// About a material axis the others are 0; a two-polar row has none.
   Vector3<double> nu() const {
-    return {value_or("nu1", 0.0), value_or("nu2", 0.0), value_or("nu3", 0.0)};
+    constexpr std::string_view names[] = {"nu1", "nu2", "nu3"};
+    const std::string branch = text("branch");
+    const auto about = branch_from_name(branch);
+    Vector3<double> out;
+    for (int k = 0; k < 3; ++k) {
+      const bool needed = about ? axis(*about) == k : !has_rates(branch);
+      out[k] = needed ? value(names[k]) : value_or(names[k], 0.0);
+    }
+    return out;
   }
 
   static constexpr std::string_view gravity = "gravity.";
@@ -236,7 +255,7 @@ class FromRow {
       const auto [first, second] = parts_of(*next);
       const double unit = parameter_value({out.own_body, out.models, out.motion}, second);
       const Override varied = set(first == "nu" ? "motion.nu" : std::string(first),
-                                  fmt::format("{}", number_in(row_, *next) * unit));
+                                  fmt::format("{}", value(*next) * unit));
       left.erase(next);
       out = make_case(out.source, {&varied, 1});
     }

@@ -180,4 +180,12 @@ Axis asked_axis(const AxisRange& range, bool logarithmic) {
   return {range, logarithmic && range.low >= least_normal};
 }
 
+double base_of(const AxisRange& range) {
+  constexpr double narrow = 1e-4;  // of the numbers themselves
+  const double width = range.high - range.low;
+  if (!(width > 0.0 && width < narrow * std::abs(range.high))) return 0.0;
+  const double unit = pow(10.0, std::ceil(log10(width)));
+  return unit * std::round(range.low / unit);
+}
+
 }  // namespace stationary

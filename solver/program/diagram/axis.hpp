@@ -29,6 +29,10 @@ struct Axis {
   double value(double place) const;
 };
 
+/// What all numbers of a range all but share, 0 where it is not narrow: shown less it, they have ticks that can
+/// be read.
+double base_of(const AxisRange& range);
+
 /// A number along a curve, and how much of the curve's way it stands for.
 struct WeightedValue {
   double value;

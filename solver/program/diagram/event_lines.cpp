@@ -2,19 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
-#include <span>
 
+#include "solver/program/diagram/row_parameter.hpp"
 #include "solver/program/text/named.hpp"
 
 namespace stationary {
 
 std::vector<std::string> curve_parameters(const std::vector<std::string>& columns) {
-  constexpr std::array<std::string_view, 5> before{"event", "curve", "point", "special", "branch"};
-  if (columns.size() < before.size() + 2 ||
-      !std::ranges::equal(before, std::span(columns).first<before.size()>()))
-    return {};
-  return {columns[before.size()], columns[before.size() + 1]};
+  for (const std::string_view needed : {"event", "curve"})
+    if (std::ranges::find(columns, needed) == columns.end()) return {};
+  std::vector<std::string> out = parameters_among(columns);
+  if (out.size() != 2) out.clear();
+  return out;
 }
 
 std::vector<EventLine> read_event_lines(TableReader& table, std::string_view x,
@@ -32,7 +31,7 @@ std::vector<EventLine> read_event_lines(TableReader& table, std::string_view x,
   const std::size_t at_y = table.column(y).value();
   const std::size_t event = table.column("event").value();
   const std::size_t curve = table.column("curve").value();
-  const std::size_t special = table.column("special").value();
+  const auto special = table.column("special");
   std::vector<EventLine> out;
   std::string last;
   while (table.next()) {
@@ -42,10 +41,10 @@ std::vector<EventLine> read_event_lines(TableReader& table, std::string_view x,
     }
     const std::array<double, 2> at{table.number(at_x), table.number(at_y)};
     out.back().points.push_back(at);
-    const std::string_view word = table.text(special);
+    const std::string_view word = special ? table.text(*special) : std::string_view();
     if (word.empty()) continue;
     const auto type = named<SpecialPoint>(special_point_names, word);
-    if (!type) throw table.fault(special, "empty, or a special point");
+    if (!type) throw table.fault(*special, "empty, or a special point");
     out.back().special.push_back({*type, at});
   }
   return out;

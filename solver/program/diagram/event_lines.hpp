@@ -22,8 +22,7 @@ struct EventLine {
   std::vector<Special> special;
 };
 
-/// Both parameters, the columns after event, curve, point, special and branch; empty: it is no table
-/// of `curve`.
+/// Both parameters, whatever other tools have added or moved; empty: it is no table of `curve`.
 std::vector<std::string> curve_parameters(const std::vector<std::string>& columns);
 
 /// x, y: the parameters on the axes. Throws InputError where the table's are others, and for cells

@@ -11,6 +11,7 @@
 #include "lib/stability/spectrum.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/diagram/axis.hpp"
+#include "solver/program/diagram/row_parameter.hpp"
 #include "solver/program/text/named.hpp"
 #include "solver/program/text/nearest_name.hpp"
 
@@ -99,12 +100,8 @@ std::size_t index(const MapDiagramAxis& axis, double value) {
 }  // namespace
 
 std::vector<std::string> map_parameters(const std::vector<std::string>& columns) {
-  const auto status = std::ranges::find(columns, name(Column::status));
-  if (status == columns.end()) return {};
-  std::vector<std::string> out;
-  for (auto each = status + 1; each != columns.end(); ++each)
-    if (!find_column(*each)) out.push_back(*each);
-  return out;
+  if (std::ranges::find(columns, name(Column::status)) == columns.end()) return {};
+  return parameters_among(columns);
 }
 
 MapDiagram read_map_diagram(TableReader& table, const std::optional<std::string>& quantity) {

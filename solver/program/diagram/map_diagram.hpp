@@ -37,7 +37,7 @@ struct MapDiagram {
   bool of_class() const { return quantity == "class"; }
 };
 
-/// Its parameters, of which a map has one or two: the trailing columns; none: it is no map's table.
+/// Its parameters, of which a map has one or two, wherever they stand; none: it is no map's table.
 std::vector<std::string> map_parameters(const std::vector<std::string>& columns);
 
 /// quantity: a column of numbers, or class; default: class, growth, lambda, xi, the first that is

@@ -6,6 +6,8 @@
 #include "lib/body/motion.hpp"
 #include "lib/number/elementary.hpp"
 #include "solver/program/case/case_motion.hpp"
+#include "solver/program/case/case_parameter.hpp"
+#include "solver/program/case/case_schema.hpp"
 #include "solver/program/diagram/axis_name.hpp"
 
 namespace stationary {
@@ -15,11 +17,23 @@ constexpr std::array<Column, 3> nu_columns{Column::nu1, Column::nu2, Column::nu3
 
 }  // namespace
 
+bool is_parameter(std::string_view column) {
+  const auto [first, second] = parts_of(column);
+  const auto is_number = [](std::string_view key) { return key == "nu" || may_be_set(key); };
+  return is_number(first) && (second.empty() || is_number(second));
+}
+
+std::vector<std::string> parameters_among(const std::vector<std::string>& columns) {
+  std::vector<std::string> out;
+  for (const std::string& each : columns)
+    if (is_parameter(each)) out.push_back(each);
+  return out;
+}
+
 RowParameter::RowParameter(const TableReader& table)
     : table_(&table), nu_(places(table, nu_columns)), omega_(table.column(name(Column::omega))) {
-  const std::vector<std::string>& columns = table.columns();
-  const bool is_nu = columns.back() == "nu";  // of a map
-  if (is_nu || columns.back().find('.') != std::string::npos) key_ = columns.size() - 1;
+  if (const auto own = parameters_among(table.columns()); !own.empty())
+    key_ = table.column(own.back());
 }
 
 double RowParameter::value(std::string_view branch) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "solver/program/table/table.hpp"
 #include "solver/program/table/table_reader.hpp"
@@ -20,6 +21,12 @@ std::array<ColumnPlace, n> places(const TableReader& table, const std::array<Col
   for (std::size_t k = 0; k < n; ++k) out[k] = table.column(name(columns[k]));
   return out;
 }
+
+/// Whether a column is of a number of the case by its name, wherever it stands: a key that may be set, a ratio
+/// of two, or nu.
+bool is_parameter(std::string_view column);
+/// Those of these columns, in their order.
+std::vector<std::string> parameters_among(const std::vector<std::string>& columns);
 
 class RowParameter {
  public:

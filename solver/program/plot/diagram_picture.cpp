@@ -138,15 +138,13 @@ void PanelDrawing::choose_axes(const PageChoice& choice) {
   panel_.rate = fitted_rate_axis(rate_curves);
   if (choice.rate) panel_.rate = asked_axis(*choice.rate, panel_.rate.logarithmic);
 
-  constexpr double narrow = 1e-4;  // range of the values, of themselves
   AxisRange& range = panel_.ordinate.range;
-  const double width = range.high - range.low;
-  if (width < narrow * std::abs(range.high)) {
-    const double unit = pow(10.0, std::ceil(log10(width)));
-    panel_.base = unit * std::round(range.low / unit);
+  panel_.base = base_of(range);
+  if (panel_.base != 0.0) {
     range = {range.low - panel_.base, range.high - panel_.base};
     panel_.ordinate.logarithmic = false;
   }
+  if (!panel_.abscissa.logarithmic) panel_.abscissa_base = base_of(panel_.abscissa.range);
 }
 
 /// Of those drawn later, how many are within the width of a line.

@@ -60,6 +60,7 @@ struct DiagramPanel {
   Axis ordinate;  ///< less base
   /// What all values all but share: they are drawn less it, for ticks that can be read.
   double base = 0.0;
+  double abscissa_base = 0.0;  ///< likewise; the axis is not less it
   Axis rate;
   std::vector<PictureCurve> curves;
   std::vector<PictureRates> rates;

@@ -91,9 +91,20 @@ class MapScript : private ScriptLines {
   std::size_t stride(const MapDiagramAxis& axis) const {
     return (axis.values.size() + most_pixels - 1) / most_pixels;
   }
-  double place(const MapDiagramAxis& axis, double value) const {
-    return axis.scale == AxisScale::log ? log10(value) : value;
+  /// What its linear numbers are drawn less: where they all but share it.
+  static double base(const MapDiagramAxis& axis) {
+    if (axis.scale == AxisScale::log) return 0.0;
+    const auto [low, high] = std::minmax(axis.values.front(), axis.values.back());
+    return base_of({low, high});
   }
+  static double place(const MapDiagramAxis& axis, double value) {
+    return axis.scale == AxisScale::log ? log10(value) : value - base(axis);
+  }
+  static std::string name_of(const MapDiagramAxis& axis) {
+    const double less = base(axis);
+    return axis_name(axis.parameter) + (less == 0.0 ? "" : fmt::format(" less {}", less));
+  }
+  void choose_base();
   std::string pixels(const MapDiagramAxis& axis, int coordinate) const;
   void data();
   void set_axis(const MapDiagramAxis& axis, char letter);
@@ -108,18 +119,36 @@ class MapScript : private ScriptLines {
   PageArea area_;
   std::set<int> classes_;
   std::set<CellStatus> statuses_;  ///< of cells that show no number
-  std::vector<double> shown_;      ///< the numbers, later ascending
+  std::vector<double> shown_;      ///< the numbers less their base, later ascending
+  double base_ = 0.0;              ///< of the numbers
 };
 
-/// $codes: the index of the cell's colour; $numbers: the quantity where it is a number.
+void MapScript::choose_base() {
+  if (diagram_.of_class() || diagram_.quantity == "growth") return;
+  AxisRange range{largest_drawn, -largest_drawn};
+  for (const double value : diagram_.values) {
+    if (!std::isfinite(value)) continue;
+    range.low = std::min(range.low, value);
+    range.high = std::max(range.high, value);
+  }
+  if (choice_.value) range = *choice_.value;
+  base_ = base_of(range);
+}
+
+/// $codes: the index of the cell's colour; $numbers: the quantity where it is a number. One row of cells, or
+/// one column, stands there twice: gnuplot draws no such image.
 void MapScript::data() {
+  choose_base();
   const std::size_t columns = diagram_.x.values.size();
+  const int times_over = columns == 1 ? 2 : 1;
+  const int times_up = diagram_.y.values.size() == 1 ? 2 : 1;
   const std::size_t over = stride(diagram_.x);
   const std::size_t up = stride(diagram_.y);
   std::string numbers;
   line("$codes << END_OF_DATA");
   for (std::size_t row = 0; row < diagram_.y.values.size(); row += up) {
     std::string codes;
+    std::string row_numbers;
     for (std::size_t column = 0; column < columns; column += over) {
       const double value = diagram_.values[row * columns + column];
       const auto status = diagram_.statuses[row * columns + column];
@@ -129,22 +158,26 @@ void MapScript::data() {
         code = static_cast<int>(value);
         classes_.insert(code);
       } else if (shown) {
-        shown_.push_back(std::clamp(value, -largest_drawn, largest_drawn));
+        shown_.push_back(std::clamp(value, -largest_drawn, largest_drawn) - base_);
       } else {
         const CellStatus what = status.value_or(CellStatus::solved);
         statuses_.insert(what);
         code += static_cast<int>(what);
       }
-      fmt::format_to(std::back_inserter(codes), "{} ", code);
-      if (shown) {
-        fmt::format_to(std::back_inserter(numbers), "{:.6g} ",
-                       std::clamp(value, -largest_drawn, largest_drawn));
-      } else {
-        numbers += "NaN ";
+      for (int k = 0; k < times_over; ++k) {
+        fmt::format_to(std::back_inserter(codes), "{} ", code);
+        if (shown) {
+          fmt::format_to(std::back_inserter(row_numbers), "{:.6g} ",
+                         std::clamp(value, -largest_drawn, largest_drawn) - base_);
+        } else {
+          row_numbers += "NaN ";
+        }
       }
     }
-    line("{}", codes);
-    numbers += '\n';
+    for (int k = 0; k < times_up; ++k) {
+      line("{}", codes);
+      numbers += row_numbers + '\n';
+    }
   }
   line("END_OF_DATA");
   if (!diagram_.of_class()) line("$numbers << END_OF_DATA\n{}END_OF_DATA", numbers);
@@ -155,7 +188,8 @@ std::string MapScript::pixels(const MapDiagramAxis& axis, int coordinate) const 
   const double first = place(axis, axis.values.front());
   const double last = place(axis, axis.values.back());
   const double steps = static_cast<double>(std::max<std::size_t>(axis.values.size() - 1, 1));
-  const double step = axis.values.size() > 1 ? (last - first) / steps : 1.0;
+  if (axis.values.size() == 1) return fmt::format("({} + 0.5 * ${})", first - 0.25, coordinate);
+  const double step = (last - first) / steps;
   return fmt::format("({} + {} * ${})", first, step * static_cast<double>(stride(axis)),
                      coordinate);
 }
@@ -169,7 +203,7 @@ void MapScript::set_axis(const MapDiagramAxis& axis, char letter) {
   AxisRange shown{first - half, last + half};
   const bool is_log = axis.scale == AxisScale::log;
   // Of positive numbers, such as J, none are shown that are not.
-  if (!is_log && first > 0.0) shown.low = std::max(shown.low, 0.0);
+  if (!is_log && axis.values.front() > 0.0) shown.low = std::max(shown.low, -base(axis));
   const std::optional<AxisRange>& asked = letter == 'x' ? choice_.x : choice_.y;
   if (asked) shown = {place(axis, asked->low), place(axis, asked->high)};
   shown = drawable(shown, false);
@@ -212,8 +246,9 @@ void MapScript::set_colours() {
   constexpr double largest_linear_ratio = 30.0;
   if (!growth && low > 0.0 && high / low > largest_linear_ratio) line("set logscale cb");
   if (growth) low = 0.0;
-  const double room = high > low ? 0.0 : std::max(0.05 * std::abs(high), 1e-12);
-  if (choice_.value) low = choice_.value->low, high = choice_.value->high;
+  double room = high > low ? 0.0 : std::max(0.05 * std::abs(high), 1e-12);
+  if (choice_.value)
+    low = choice_.value->low - base_, high = choice_.value->high - base_, room = 0.0;
   if (choice_.value) line("unset logscale cb");
   const AxisRange colours_of = drawable({growth ? low : low - room, high + room}, false);
   line("set cbrange [{}:{}]", colours_of.low, colours_of.high);
@@ -223,7 +258,9 @@ void MapScript::set_colours() {
        on_page(size_, 16.0, bar_height));
   line("set cbtics font ',11' offset -0.5,0");
   line("set format cb '%.4g'");
-  line("set label {} at {} left font ',12'", in_gnuplot_quotes(axis_name(diagram_.quantity)),
+  std::string quantity = axis_name(diagram_.quantity);
+  if (base_ != 0.0) quantity += fmt::format(" less {}", base_);
+  line("set label {} at {} left font ',12'", in_gnuplot_quotes(quantity),
        on_page(size_, area_.right + 16.0, area_.bottom + bar_height + (cut ? 28.0 : 14.0)));
   if (!cut || choice_.value) return;
   line("set label {} at {} left font ',11'",
@@ -321,8 +358,8 @@ std::string MapScript::write(ImageFormat format, std::string_view title) {
       "set key at graph 1.02, graph 1.0 left top Left reverse samplen 1.2 spacing {:.3g} font "
       "',12'",
       key_spacing(format, map_legend_line));
-  line("set xlabel {} offset 0,0.4", in_gnuplot_quotes(axis_name(diagram_.x.parameter)));
-  line("set label {} at {} center rotate by 90", in_gnuplot_quotes(axis_name(diagram_.y.parameter)),
+  line("set xlabel {} offset 0,0.4", in_gnuplot_quotes(name_of(diagram_.x)));
+  line("set label {} at {} center rotate by 90", in_gnuplot_quotes(name_of(diagram_.y)),
        on_page(size_, page::margin, 0.5 * (area_.bottom + area_.top)));
   if (statuses_.contains(CellStatus::not_found))
     line(

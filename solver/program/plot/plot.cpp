@@ -59,10 +59,17 @@ class Script : private ScriptLines {
   bool fresh_ = true;  ///< no panel yet: the title is a label of the first
 };
 
+/// As it is drawn: less the base.
+Axis drawn_abscissa(const DiagramPanel& panel) {
+  Axis out = panel.abscissa;
+  out.range = {out.range.low - panel.abscissa_base, out.range.high - panel.abscissa_base};
+  return out;
+}
+
 std::string place_text(const DiagramPanel& panel, const PagePoint& p, bool of_rates) {
   const PageArea& area = of_rates ? panel.rate_area : panel.area;
   const Axis& ordinate = of_rates ? panel.rate : panel.ordinate;
-  return fmt::format("{:.10g} {:.10g}\n", panel.abscissa.value(p.x / area.width()),
+  return fmt::format("{:.10g} {:.10g}\n", drawn_abscissa(panel).value(p.x / area.width()),
                      ordinate.value(p.y / area.height()));
 }
 
@@ -134,11 +141,13 @@ void Script::begin_panel(const DiagramPanel& panel, bool of_rates, bool names_ab
   if (!fresh_) line("unset label\nunset arrow");
   fresh_ = false;
   text_ += panel_margins(picture_.size, area);
-  set_ticks(panel.abscissa, 'x', area);
+  set_ticks(drawn_abscissa(panel), 'x', area);
   set_ticks(of_rates ? panel.rate : panel.ordinate, 'y', area);
   line("set format x '{}'", names_abscissa ? "%g" : "");
   if (names_abscissa) {
-    line("set label {} at {} center", in_gnuplot_quotes(panel.abscissa_name),
+    std::string abscissa = panel.abscissa_name;
+    if (panel.abscissa_base != 0.0) abscissa += fmt::format(" less {}", panel.abscissa_base);
+    line("set label {} at {} center", in_gnuplot_quotes(abscissa),
          on_page(picture_.size, 0.5 * (area.left + area.right), area.bottom - 34.0));
   }
   for (const double at : panel.guides)

@@ -420,5 +420,39 @@ TEST_F(FromRow, ARowInAnotherPlaneIsRefused) {
   }
 }
 
+/// Not a number by its beginning, nor 0 where there is none.
+TEST_F(FromRow, WhatIsMissingOrNoNumberIsRefused) {
+  struct Changed {
+    const char* file;
+    std::vector<std::string> left_out;
+    const char* comma;  ///< a column with decimal commas
+    const char* message;
+  };
+  for (const Changed& each :
+       {Changed{"double_well.toml", {}, "nu3", "in the column nu3"},
+        Changed{"double_well.toml", {}, "xi", "in the column xi"},
+        Changed{"double_well.toml", {"nu3"}, nullptr, "found no nu3 in the row"},
+        Changed{"oblique.toml", {"nu2"}, nullptr, "found no nu2 in the row"},
+        Changed{"oblique.toml", {"alpha"}, nullptr, "found no alpha in the row"}}) {
+    SCOPED_TRACE(each.message);
+    const auto rows = rows_of(text_of(table("continue", each.file, "whole.csv")));
+    ASSERT_GT(rows.size(), 7U);
+    std::string header;
+    std::string cells;
+    for (const auto& [column, cell] : rows[7]) {
+      if (std::ranges::find(each.left_out, column) != each.left_out.end()) continue;
+      std::string written = cell;
+      if (each.comma != nullptr && column == each.comma)
+        written = "\"" + written.replace(written.find('.'), 1, ",") + "\"";
+      header += (header.empty() ? "" : ",") + column;
+      cells += (cells.empty() ? "" : ",") + written;
+    }
+    const std::string path = directory_.file("changed.csv", header + "\n" + cells + "\n");
+    const Outcome outcome = from(each.file, path + ":1");
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(each.message));
+  }
+}
+
 }  // namespace
 }  // namespace stationary::testing

@@ -149,5 +149,76 @@ TEST_F(WholeFigure, TheLegendNamesEveryTable) {
   EXPECT_THAT(run_program(arguments).err, HasSubstr("expected at least"));
 }
 
+/// gnuplot makes no image of one row of cells, or one column, nor says so.
+TEST_F(WholeFigure, MapsOfOneRowOrColumnHaveTheirCells) {
+  NEEDS_GNUPLOT();
+  const std::string row =
+      "xi,class,status,nu,body.J.0\n1,stable,solved,0,1\n1,unstable,solved,0.5,1\n";
+  const std::string column =
+      "xi,class,status,nu,body.J.0\n1,stable,solved,0,1\n2,unstable,solved,0,2\n";
+  for (const std::string& cells : {row, column})
+    for (const char* const quantity : {"class", "xi"}) {
+      const Outcome outcome = plot(cells, {"--show", quantity});
+      EXPECT_EQ(outcome.code, 0) << outcome.err;
+      EXPECT_THAT(text_of(directory_ / "x.svg"), HasSubstr("<image"));
+    }
+}
+
+/// Over a range of 1e-7 neither ticks nor cells all are one.
+TEST_F(WholeFigure, NarrowRangesAreDrawnLessWhatTheyShare) {
+  NEEDS_GNUPLOT();
+  const auto script = [&](const std::string& text, std::vector<std::string> more) {
+    more.insert(more.end(), {"--script", directory_ / "x.gp"});
+    const Outcome outcome = plot(text, more);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return text_of(directory_ / "x.gp");
+  };
+  const std::string map = script(
+      "energy,status,nu,body.J.0\n2.2690001,solved,0.3,1.7\n2.2690002,solved,0.3000001,1.7\n"
+      "2.2690003,solved,0.3,1.7000001\n2.2690004,solved,0.3000001,1.7000001\n",
+      {"--show", "energy"});
+  for (const char* const part : {"less 0.3'", "less 1.7'", "less 2.269'"})
+    EXPECT_THAT(map, HasSubstr(part));
+  EXPECT_THAT(map, HasSubstr("1e-07 2e-07 \n3e-07 4e-07"));
+  const std::string family =
+      script("branch,nu1,lambda\ni,0.3,1\ni,0.30000001,1.25\ni,0.3000001,2\n", {});
+  EXPECT_THAT(family, HasSubstr("less 0.3'"));
+  EXPECT_THAT(family, HasSubstr("\n1e-08 1.25\n"));
+}
+
+TEST_F(WholeFigure, AnAskedRangeOfColoursIsTheRange) {
+  NEEDS_GNUPLOT();
+  const Outcome outcome = plot(
+      "rho,status,nu,body.J.0\n0.5,solved,0,1\n0.5,solved,0.5,1\n0.5,solved,0,2\n"
+      "0.5,solved,0.5,2\n",
+      {"--show", "rho", "--range", "value=0.4:0.6", "--script", directory_ / "x.gp"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(text_of(directory_ / "x.gp"), HasSubstr("set cbrange [0.4:0.6]"));
+}
+
+/// What a table is and what it is drawn against do not hang on columns that another tool adds or moves.
+TEST_F(WholeFigure, OtherPeoplesColumnsChangeNothing) {
+  NEEDS_GNUPLOT();
+  for (const std::string family : {"branch,nu1,lambda,body.J.1\ni,0.5,1,1\ni,0.5,2,1.5\n",
+                                   "branch,nu1,lambda,body.J.1,note\ni,0.5,1,1,a\ni,0.5,2,1.5,b\n",
+                                   "body.J.1,branch,nu1,lambda\n1,i,0.5,1\n1.5,i,0.5,2\n"}) {
+    EXPECT_EQ(plot(family, {"--script", directory_ / "x.gp"}).code, 0);
+    EXPECT_THAT(text_of(directory_ / "x.gp"), HasSubstr("\n1 1\n1.5 2\n")) << family;
+  }
+  for (const std::string map :
+       {"note,body.J.0,nu,xi,class,status\na,1,0,1,stable,solved\na,1,0.5,1,stable,solved\n"
+        "a,2,0,1,stable,solved\na,2,0.5,1,stable,solved\n",
+        "xi,class,status,body.J.0,nu,note\n1,stable,solved,1,0,a\n1,stable,solved,1,0.5,a\n"
+        "1,stable,solved,2,0,a\n1,stable,solved,2,0.5,a\n"}) {
+    const Outcome outcome = plot(map);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("2 by 2 cells")) << map;
+  }
+  const Outcome curve =
+      plot("id,event,curve,nu,body.J.1\n1,tilt,1,0.1,1\n2,tilt,1,0.2,1.5\n3,tilt,1,0.3,2\n");
+  EXPECT_EQ(curve.code, 0) << curve.err;
+  EXPECT_THAT(curve.out, HasSubstr("curve"));
+}
+
 }  // namespace
 }  // namespace stationary::testing
