@@ -54,7 +54,8 @@ std::optional<int> as_whole(const ExactNumber& x) {
   const double nearest = std::round(x.value.mid());
   if (!(std::abs(nearest) <= Graph::largest_exponent)) return std::nullopt;
   const int n = static_cast<int>(nearest);
-  if (keys[static_cast<std::size_t>(n + Graph::largest_exponent)] != x.key) return std::nullopt;
+  if (keys[static_cast<std::size_t>(n + Graph::largest_exponent)] != x.key || !x.value.may_be(n))
+    return std::nullopt;
   return n;
 }
 

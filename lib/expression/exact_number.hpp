@@ -1,5 +1,6 @@
 // Exact numbers as intervals that hold them, each with a residue by which equal ones are known
-// (residue.hpp): what has the residue 0 is 0, but for a probability below 1e-30.
+// (residue.hpp): what has the residue 0 is 0, but for a probability below 1e-30, where its interval holds 0 (the
+// residue of a root of a number may have the other sign).
 #pragma once
 
 #include <compare>
@@ -22,7 +23,7 @@ struct ExactNumber {
   Residue key;
 
   static ExactNumber whole(int n);
-  bool is_zero() const { return key.is_zero(); }
+  bool is_zero() const { return key.is_zero() && value.may_be(0.0); }
   bool is_one() const { return key == Residue{1, 1}; }
 };
 

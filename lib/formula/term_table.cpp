@@ -61,7 +61,7 @@ class TableMaker {
   std::vector<TermEntry> entries(const NormalSum& sum) {
     std::vector<TermEntry> out;
     for (const NormalTerm& term : sum)
-      out.push_back({index(term.monomial), term.coefficient.value});
+      out.push_back({index(term.monomial), term.coefficient.value, term.coefficient.key});
     return out;
   }
 

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,8 @@ namespace stationary::expression {
 struct TermEntry {
   int term = 0;
   Interval coefficient;
+  std::optional<Residue> key =
+      {};  ///< by which equal coefficients are known, where it is (exact_number.hpp)
 };
 
 struct TermTable {

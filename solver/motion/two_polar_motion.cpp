@@ -11,8 +11,10 @@ namespace stationary {
 
 std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
                                           const TwoPolarRates<double>& rates) {
-  const auto verdict = [](const char* condition, double left, double right) {
-    return RatesVerdict{condition, std::abs(left - right) <= 8 * 0x1p-53 * right};
+  // half_unit: what half a unit of the rates makes of `left`, beside its own rounding.
+  const auto verdict = [](const char* condition, double left, double right,
+                          double half_unit = 0.0) {
+    return RatesVerdict{condition, std::abs(left - right) <= 8 * 0x1p-53 * right + half_unit};
   };
   const double squares = J * (rates.omega * rates.omega + rates.theta_dot * rates.theta_dot);
   const double slip = rates.omega - rates.theta_dot;
@@ -32,7 +34,9 @@ std::optional<RatesVerdict> rates_verdict(double J, const Potential& potential,
   }
   const auto plane = [&](const auto& m) -> std::optional<RatesVerdict> {
     if constexpr (std::is_same_v<std::decay_t<decltype(m)>, Biot<>>)
-      return verdict("J (omega - theta_dot)^2 = 2 mu", J * slip * slip, 2.0 * m.mu);
+      return verdict(
+          "J (omega - theta_dot)^2 = 2 mu", J * slip * slip, 2.0 * m.mu,
+          4.0 * 0x1p-53 * J * std::abs(slip) * (std::abs(rates.omega) + std::abs(rates.theta_dot)));
     return of_trace(m);
   };
   if (const auto parts = separable_parts(potential)) return parts->plane.visit(plane);

@@ -83,6 +83,7 @@ void TermBounds<D>::add(Entries& entries, const Entry& more) {
     entries.push_back(more);
   } else {
     at->coefficient += more.coefficient;
+    at->key.reset();
   }
 }
 
@@ -91,9 +92,12 @@ auto TermBounds<D>::merged(const Entries& x, const Entries& y, double sign) -> E
   Entries out = x;
   for (const Entry& each : y) {
     const auto at = std::ranges::find(out, each.term, &Entry::term);
+    // The same number in both rows; two whose intervals are the same need not be.
+    const bool of_one_double = at != out.end() && at->coefficient.lo == at->coefficient.hi;
     if (sign < 0.0 && at != out.end() && at->coefficient.lo == each.coefficient.lo &&
-        at->coefficient.hi == each.coefficient.hi) {
-      out.erase(at);  // the same number in both rows
+        at->coefficient.hi == each.coefficient.hi &&
+        (of_one_double || (at->key && at->key == each.key))) {
+      out.erase(at);
     } else {
       add(out, {each.term, sign * each.coefficient});
     }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lib/number/double_double.hpp"
 #include "solver/program/case/case_expression.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/text/ascii.hpp"
@@ -118,7 +119,11 @@ void read_whole_body(const CaseTree& tree, Faults& faults, std::vector<ModelChoi
     faults.add(fault_at(tree, "gravity", has_g ? "found both g and pi_G_rho" : "found neither",
                         "g or pi_G_rho", has_g ? "keep one of them" : "add one of them"));
   const std::vector<double> J = numbers(tree, "body.J");
-  if (density && J.size() == 3) g = 4.0 * std::sqrt(J[0] * J[1] * J[2]) * *density;
+  if (density && J.size() == 3) {
+    // Rounded once: bounds of what is computed of it count on that (coefficient_sensitivity.hpp).
+    const DoubleDouble product = two_product(J[0], J[1]) * J[2];
+    g = double(4.0 * (sqrt(product) * *density));
+  }
   if (g)
     out.push_back({"gravity",
                    {Kind::whole,

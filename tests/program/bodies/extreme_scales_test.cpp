@@ -316,5 +316,38 @@ TEST(ExtremeScales, ANeedleIsFollowedToWhereItEscapes) {
   }
 }
 
+/// A fluid of 10^18 times the volume and of as much gravity: a million times the stretches at the same nu, up
+/// to where the sheet escapes.
+TEST(ExtremeScales, AFluidOfAnyVolumeIsFollowedToItsEnd) {
+  const TemporaryDirectory directory;
+  const auto followed = [&](const std::string& volume) {
+    const Outcome outcome =
+        run_program({"continue",
+                     directory.file("case.toml", "[body]\nJ = [1.0, 1.0, 0.6]\nvolume = " + volume +
+                                                     "\n[gravity]\ng = " + volume +
+                                                     "\n[motion]\nbranch = \"iii\"\nnu = 0.3\n"
+                                                     "[continuation]\nfrom = 0.0\nto = 3.0\n"),
+                     "-o", "-"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    std::vector<Row> events;
+    for (const Row& row : rows_of(outcome.out))
+      if (!row.at("event").empty()) events.push_back(row);
+    return events;
+  };
+  const auto plain = followed("1.0");
+  const auto large = followed("1e18");
+  ASSERT_EQ(plain.size(), 6U);
+  ASSERT_EQ(large.size(), plain.size());
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    EXPECT_EQ(large[k].at("event"), plain[k].at("event"));
+    if (plain[k].at("event") == "escape") continue;  // the first point beyond the bounds
+    EXPECT_NEAR(number(large[k], "nu3"), number(plain[k], "nu3"), 1e-12);
+    for (const char* column : {"xi", "zeta", "rho"})
+      EXPECT_NEAR(number(large[k], column), 1e6 * number(plain[k], column),
+                  1e-9 * number(large[k], column));
+  }
+  EXPECT_GT(number(large.back(), "xi"), 1e8);
+}
+
 }  // namespace
 }  // namespace stationary::testing

@@ -166,5 +166,32 @@ TEST(BalancedStability, BoundsHoldTheRoundingBesideTheInputs) {
   EXPECT_GE(compared, 80);
 }
 
+/// Where all inertias are equal Lambda of pi1, pi2 is a product of two zeros, and all of its error of second
+/// order: on a circle and off it.
+TEST(BalancedStability, EqualInertiasAreBoundedToSecondOrder) {
+  for (const auto& J : {std::array{1.0, 1.0, 1.0}, std::array{1.0, 1.21, 0.64}}) {
+    const Problem problem(Body(J[0], J[1], J[2]),
+                          named_potential({"hencky", "harmonic"}, {0.5, 0.5}, {3.0, 1.0}),
+                          Branch::iii);
+    const std::array<double, 3> x{1.1 / std::sqrt(J[0]), 1.1 / std::sqrt(J[1]),
+                                  1.1 / std::sqrt(J[2])};
+    constexpr double nu = 0.6;
+    for (const double off : {1e-9, 1e-12}) {
+      const Spectrum spectrum =
+          stability(problem, known(problem, {0.0, x[0], x[1], x[2]}, nu, off));
+      // rho off by that: I3 - I1 and I3 - I2 are 2 off of what I1 and I2 are twice of.
+      const double moved = nu * nu * off * off;
+      int found = 0;
+      for (const Mode& mode : modes(spectrum)) {
+        if (mode.block != Block::odd) continue;
+        ++found;
+        EXPECT_GE(mode.lambda_error + std::abs(mode.lambda_re), 0.99 * moved) << spectrum;
+        EXPECT_EQ(spectrum.verdict, StabilityClass::marginal);
+      }
+      EXPECT_EQ(found, 1);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stationary
