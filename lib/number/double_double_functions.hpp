@@ -4,8 +4,8 @@
 //   sin x, cos x x = k pi/2 + r, series of r                (|x| up to 2^30, NaN beyond)
 //   tan, tanh    from those;   atan x one Newton step from the double's;   x^p = exp(p log x)
 //
-// Error, relative to the result but for sin, cos and tan near their zeros, where it is of 1, and exp below 2^-900, whose
-// second double may be subnormal:
+// Error, relative to the result but for sin, cos and tan near their zeros, where it is of 1, tan near its poles, where
+// it is of 1/cos, and exp below 2^-900, whose second double may be subnormal:
 //   exp, tanh 2^-92;  sin, cos, tan, atan 2^-95 (1 + |x|);  pow 2^-80 (1 + |p log x|).
 #pragma once
 

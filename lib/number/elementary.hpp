@@ -4,9 +4,9 @@
 //
 // The part of an argument that a table or a multiple of pi/2 takes away is taken without an error:
 // exp, log, pow and tanh are within 0.53 units in the last place of the exact
-// value (exp within 0.6 where it is subnormal), atan within 0.7, sin and cos within 0.8, tan within 0.9, log1p within
-// 1.1, asin and acos within 2.
-// hypotenuse, cube_root and log10 (of a normal x) are rounded from extended precision. Special values are those of
+// value (exp within 0.8 where it is subnormal), atan within 0.75, sin and cos within 0.8, tan within 0.9, log1p within
+// 1.3, asin and acos within 2.
+// hypotenuse, cube_root and log10 (of a normal x below 2^1022) are rounded from extended precision. Special values are those of
 // <cmath>, but sin, cos and tan have none beyond 2^30 (NaN).
 //
 // Their attributes say that they depend on their arguments alone, as the compiler knows of the C

@@ -56,6 +56,8 @@ struct Interval {
   static Interval decimal(double x) {
     if (x == 0.0) return x;
     constexpr double infinity = std::numeric_limits<double>::infinity();
+    // An interval is bounded or all there is.
+    if (std::abs(x) == std::numeric_limits<double>::max()) return entire();
     return {std::nextafter(x, -infinity), std::nextafter(x, infinity)};
   }
 

@@ -460,7 +460,7 @@ QuarticRoots<S> quartic_roots(const Polynomial<S, 4>& p) {
       sum = s;
       product = q;
       // By the factor of the small roots: what is left of the large ones' would cancel.
-      if (const Complex others = z[i[2]] * z[i[3]]; modulus(others) < 0x1p-20 * modulus(q)) {
+      if (const Complex others = z[i[2]] * z[i[3]]; modulus(others) < 0.25 * modulus(q)) {
         sum = z[i[2]] + z[i[3]];
         product = others;
       }

@@ -321,6 +321,25 @@ TEST(QuarticRoots, RootsOfVeryDifferentSizesToTheLastPlace) {
   EXPECT_GE(compared, 3000);
 }
 
+/// Roots that all but meet are told from a complex pair, also beside ones that are far larger: the distance of
+/// a pair is known to some 1e-15 of its size.
+TEST(QuarticRoots, ANearDoublePairBesideALargeRoot) {
+  for (const double large : {6.4e3, 6.4e5, 6.4e6, 1e8}) {
+    const Real50 x(6.924);
+    const Real50 other = x * (1 + Real50("1e-13"));
+    const Real50 half = (other - x) / 2;
+    const auto found = quartic_roots(
+        rounded((factor(Real50(-large)) * factor(Real50(0.966))) * (factor(x) * factor(other))));
+    int pairs = 0;
+    for (const auto& each : {found.first, found.second}) {
+      if (!(std::abs(leading(each.mean) - 6.924) < 1e-6)) continue;
+      ++pairs;
+      EXPECT_LE(relative_distance(each.separation, {Real50(half * half)}), 0.05) << large;
+    }
+    EXPECT_EQ(pairs, 1) << large;
+  }
+}
+
 /// Between them, beyond, or below.
 TEST(QuarticRoots, AComplexPairBesideRealOnesOfOtherSizes) {
   Random random(131);
