@@ -1,5 +1,6 @@
 #include "solver/motion/vertical_branch.hpp"
 
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <type_traits>
@@ -39,9 +40,9 @@ struct Signs {
   bool somewhere() const { return zero || (minus && plus); }
 };
 
-/// Of a written-out plane.
-std::optional<std::string> written_condition(const PlanarExpression<>& plane, double c) {
-  const auto model = conditioned_model(plane);
+/// At c; derivatives(x) has W_t and W_l at planar invariants, that of a held volume's thickness in it.
+template <class Derivatives>
+std::optional<std::string> condition_on_grid(double c, const Derivatives& derivatives) {
   const Conditioned rate = Conditioned::input(c);
   Signs first;
   Signs second;
@@ -50,9 +51,9 @@ std::optional<std::string> written_condition(const PlanarExpression<>& plane, do
       const Conditioned xi = Conditioned::input(std::sqrt(d * ratio));
       const Conditioned zeta = Conditioned::input(std::sqrt(d / ratio));
       const auto x = planar_invariants(xi, zeta);
-      const auto w = model.template evaluate<1>(x);
-      first.add(sign(w.w_t - rate * x.t));
-      second.add(sign(w.w_l + rate * x.d));
+      const auto [w_t, w_l] = derivatives(x);
+      first.add(sign(w_t - rate * x.t));
+      second.add(sign(w_l + rate * x.d));
       if (!first.all_zero && !second.all_zero) return std::nullopt;
     }
   }
@@ -61,14 +62,44 @@ std::optional<std::string> written_condition(const PlanarExpression<>& plane, do
   return std::nullopt;
 }
 
+using Slopes = std::array<Conditioned, 2>;
+
+/// Of a written-out plane.
+std::optional<std::string> written_condition(const PlanarExpression<>& plane, double c) {
+  return condition_on_grid(c, [model = conditioned_model(plane)](const auto& x) {
+    const auto w = model.template evaluate<1>(x);
+    return Slopes{w.w_t, w.w_l};
+  });
+}
+
+/// Of a plane whose volume is held: d is free in W(t, l) + V(volume/d).
+std::optional<std::string> held_condition(const BodyModel<>& body, double c) {
+  if (body.gravitates || !body.volume || !body.elastic.plane) return std::nullopt;
+  const Conditioned volume = Conditioned::input(*body.volume);
+  return body.elastic.plane->visit([&](const auto& plane) {
+    return condition_on_grid(c, [&, model = conditioned_model(plane)](const auto& x) {
+      const auto w = model.template evaluate<1>(x);
+      Slopes out{w.w_t, w.w_l};
+      if (!body.elastic.thickness) return out;
+      const Conditioned rho = volume / x.d;
+      body.elastic.thickness->visit([&](const auto& thickness) {
+        out[1] -= rho * conditioned_model(thickness).template evaluate<1>(rho).v_r;
+      });
+      return out;
+    });
+  });
+}
+
 }  // namespace
 
 std::optional<std::string> vertical_condition(const Problem& problem, double nu) {
   if (problem.branch() != Branch::iii || !problem.body().symmetric() || nu == 0.0)
     return std::nullopt;
+  const double J = problem.body().J1;
+  if (const BodyModel<>* body = problem.potential().body_model())
+    return held_condition(*body, J * nu * nu);
   const auto parts = separable_parts(problem.potential());
   if (!parts) return std::nullopt;
-  const double J = problem.body().J1;
   if (const auto* written = std::get_if<PlanarExpression<>>(&parts->plane.model))
     return written_condition(*written, J * nu * nu);
   // Without lambda no ellipse balances there.

@@ -3,7 +3,8 @@
 //
 //   W_t = c t,   W_l = -c d,   t = xi + zeta,  d = e^l = xi zeta,
 //
-// and a curve solves it where one of the two holds identically and the other somewhere.
+// and a curve solves it where one of the two holds identically and the other somewhere. Where the volume is
+// held, of W(t, l) + V_rho(volume/d).
 #pragma once
 
 #include <optional>

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "solver/atlas/atlas.hpp"
+#include "solver/motion/vertical_branch.hpp"
 #include "tests/support/bodies/random_problem.hpp"
+#include "tests/support/bodies/whole_body.hpp"
 #include "tests/support/followed.hpp"
 
 namespace stationary::testing {
@@ -86,6 +88,20 @@ TEST(VerticalBranch, NotWhereEllipsesDependOnNu) {
 }
 
 /// The atlas enters it off the circle and finds the tilted family that ends on it.
+/// W_t = mu t leaves t free where the volume is held too; what d is then the thickness decides as well.
+TEST(VerticalBranch, OfAHeldVolume) {
+  const AnyThickness<> thickness{ReciprocalQuadratic<>{1.0, 3.0}};
+  const auto of = [&](const AnyPlane<>& plane) {
+    return Problem(Body(J, J, J3), held(plane, thickness), Branch::iii);
+  };
+  const Problem problem = of(AnyPlane<>{NeoHookean<>{1.0, 2.0}});
+  const double nu = std::sqrt(1.0 / J);
+  ASSERT_TRUE(vertical_condition(problem, nu));
+  EXPECT_FALSE(vertical_condition(problem, nu * (1.0 + 1e-9)));
+  EXPECT_FALSE(vertical_condition(of(AnyPlane<>{Biot<>{1.0, 2.0}}), std::sqrt(2.0 / J)));
+  EXPECT_EQ(solve(problem, nu).status, SolveStatus::not_isolated);
+}
+
 TEST(VerticalBranch, InTheAtlas) {
   const Problem problem = body_of("neo-hookean", {0.8, 2.0});
   AtlasOptions options;
