@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/continuation/bracketed_changes.hpp"
 #include "solver/continuation/count_changes.hpp"
 #include "solver/continuation/dip.hpp"
 #include "solver/continuation/hidden_zeros.hpp"
@@ -431,49 +432,19 @@ class EventSearch {
     const bool may_change = std::ranges::any_of(
         found_, [](const FoundEvent& each) { return may_change_class(each.event.type); });
     report(counts_.definite(step, may_change || !unresolved_.empty() || is_open()));
-    if (may_change && curve().context().circle != Circle::none) explain_definite();
+    if (may_change && curve().context().circle != Circle::none)
+      add_changes_of_definiteness(points_, parts_of_step(), found_);
     counts_.widen_remembered([this](ParameterRange& since) { add_step(since); });
-  }
-
-  /// On a circle what is definite changes where no modes meet, and so it may between events of a step, which
-  /// do not account for it.
-  void explain_definite() {
-    constexpr double aside = 1e-6;
-    const std::vector<double> borders = parts_of_step();
-    for (std::size_t k = 0; k + 1 < borders.size(); ++k) {
-      const double low = k == 0 ? 0.0 : borders[k] + aside;
-      const double high = k + 2 == borders.size() ? 1.0 : borders[k + 1] - aside;
-      CurvePoint<N> a;
-      CurvePoint<N> b;
-      if (!(low < high) || !points_.evaluate(low, a) || !points_.evaluate(high, b)) continue;
-      const auto first = KnownCounts::at(a.member).definite;
-      const auto last = KnownCounts::at(b.member).definite;
-      if (first && last && first->modes == last->modes && first->count != last->count)
-        bracket({definite, first->count, first->since, true}, low, high);
-    }
   }
 
   /// Brackets a change of a count where it came in this step.
   void report(const std::optional<UnexplainedChange>& change) {
     if (!change) return;
-    if (!change->in_step) {
+    if (change->in_step) {
+      found_.push_back(bracketed(points_, *change, 0.0, 1.0));
+    } else {
       add_unresolved(EventType::unexplained, change->since);
-      return;
     }
-    bracket(*change, 0.0, 1.0);
-  }
-
-  void bracket(const UnexplainedChange& change, double low, double high) {
-    CurvePoint<N> middle = to();
-    for (int k = 0; k < 50; ++k) {
-      const double u = 0.5 * (low + high);
-      if (!points_.evaluate(u, middle)) break;
-      (change.count(*middle.member.spectrum) == change.before ? low : high) = u;
-    }
-    const auto [first, last] = points_.around(low, high);
-    found_.push_back(
-        {0.5 * (low + high),
-         {EventType::unexplained, middle.member, first, last, EventStatus::bracketed}});
   }
 
   /// Whether a count at a point may be that of either side of an event: where J1 = J2 the energy of the symmetry's
