@@ -76,7 +76,8 @@ def thread_count(asked: Any) -> int | None:
 def numbers(values: Any, name: str, count: int | None = None) -> npt.NDArray[np.float64]:
     try:
         # Dates would be counts of days, complex numbers their real parts, masked ones what they hide.
-        if np.asarray(values).dtype.kind not in "biufO" or np.ma.is_masked(values):
+        hides = isinstance(values, np.ma.MaskedArray) and np.any(values.mask)
+        if np.asarray(values).dtype.kind not in "biufO" or hides:
             raise TypeError
         out = np.asarray(values, dtype=float)
     except (TypeError, ValueError, OverflowError):
