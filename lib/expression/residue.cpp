@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "lib/expression/root_signs.hpp"
 #include "lib/expression/symmetric_kernel.hpp"
 
 namespace stationary::expression {
@@ -77,6 +78,7 @@ Residue operator-(const Residue& x, const Residue& y) { return x + -y; }
 Residue operator*(const Residue& x, const Residue& y) {
   return {times(x.plain, y.plain, p), times(x.exponent, y.exponent, m)};
 }
+Residue residue_of(std::uint64_t n) { return {n % p, n % m}; }
 std::optional<Residue> reciprocal(const Residue& x) {
   if (x.plain == 0 || x.exponent == 0) return std::nullopt;
   return Residue{inverse(x.plain, p), inverse(x.exponent, m)};
@@ -168,11 +170,6 @@ Residue ResiduePoint::whole_power(const Residue& x, int n) {
   return n < 0 ? quotient({1, 1}, out) : out;
 }
 
-Residue ResiduePoint::root(const Residue& base, const Residue& exponent) {
-  has_signs_ = true;
-  return power(base, exponent);
-}
-
 Residue ResiduePoint::power(const Residue& base, const Residue& exponent) {
   has_roots_ = true;
   if (!is_square(base.plain)) usable_ = false;
@@ -226,7 +223,7 @@ Residue ResiduePoint::exponential(NodeId argument) {
   const auto take = [&](NodeId logarithm, const Residue& coefficient) {
     const Node& of = graph_[logarithm];
     if (of.kind != Kind::function || of.function != Function::log) return;
-    powers = powers * root(*known_[of.a], coefficient);
+    powers = powers * power(*known_[of.a], coefficient);
     left = left - (coefficient * *known_[logarithm]);
   };
   take(argument, {1, 1});
@@ -336,7 +333,7 @@ Residue ResiduePoint::function(const Node& node) {
     case Function::log:
       return logarithm(node.a);
     case Function::sqrt:
-      return root(*known_[node.a], {half(p), half(m)});
+      return power(*known_[node.a], {half(p), half(m)});
     default:
       return applied(node.function, *known_[node.a]);
   }
@@ -429,7 +426,7 @@ Residue ResiduePoint::of(NodeId id) {
     case Kind::function:
       return function(node);
     case Kind::power:
-      return root(*known_[node.a], *known_[node.b]);
+      return power(*known_[node.a], *known_[node.b]);
     case Kind::variable:
       return variable(static_cast<Variable>(node.index));
     case Kind::sum: {
@@ -469,19 +466,18 @@ Residues residues(const Graph& graph, NodeId x) {
   int zero = 0;
   int other = 0;
   int wanted = enough;
-  bool has_signs = false;
   for (int k = 0; k < tries && zero + other < wanted; ++k) {
     ResiduePoint at(graph, static_cast<std::uint64_t>(k) + 20101131U);
     const std::optional<Residue> value = at(x);
     if (!value) continue;
     (value->plain == 0 ? zero : other) += 1;
     if (at.has_roots()) wanted = enough_with_roots;
-    has_signs = has_signs || at.has_signs();
     if (zero > 0 && other > 0) return Residues::unclear;
     if (other >= enough && zero == 0 && !at.has_roots()) break;
   }
   if (other == 0 && zero == wanted)
-    return has_signs ? Residues::zero_but_for_signs : Residues::zero;
+    return wanted == enough || roots_have_real_signs(graph, x) ? Residues::zero
+                                                               : Residues::zero_but_for_signs;
   return zero == 0 && other >= enough ? Residues::not_zero : Residues::unclear;
 }
 

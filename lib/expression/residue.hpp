@@ -13,8 +13,9 @@
 // is 0. A polynomial of degree n that is not 0 vanishes at a random point with a probability of
 // n/p, p = 4.6e18 (J. T. Schwartz, J. ACM 27 (1980) 701). That a root of x^2 is x where x is a
 // square, and -x elsewhere, stands for the sign of x: half of the points have either. Of a number it
-// is the same at all points, sqrt(53^2) = -53 if 53 is no square, and a power of a negative
-// parameter has a residue nowhere: what is 0 with roots in it is so but for signs (residues()).
+// is the same at all points, and sqrt(n^2) = -n where n is no square; all made of primes up to 43 are. A power
+// of what is negative, to a parameter that may be whole, has a residue nowhere. What is 0 with other numbers
+// under roots, or such powers, is so but for signs (residues()).
 #pragma once
 
 #include <array>
@@ -38,6 +39,7 @@ Residue operator+(const Residue& x, const Residue& y);
 Residue operator-(const Residue& x);
 Residue operator-(const Residue& x, const Residue& y);
 Residue operator*(const Residue& x, const Residue& y);
+Residue residue_of(std::uint64_t n);
 /// Nothing where x is 0 modulo p or m.
 std::optional<Residue> reciprocal(const Residue& x);
 /// A residue that depends on x and y and on nothing else, as random.
@@ -54,8 +56,6 @@ class ResiduePoint {
 
   /// Whether the values so far hold a root or a power whose sign depends on the point.
   bool has_roots() const { return has_roots_; }
-  /// Likewise one of more than principal stretches: its sign may be that of no real number.
-  bool has_signs() const { return has_signs_; }
 
  private:
   enum class Symbol : std::uint8_t;
@@ -70,8 +70,6 @@ class ResiduePoint {
   Residue whole_power(const Residue& x, int n);
   /// base^exponent, modulo p alone where both are known there.
   Residue power(const Residue& base, const Residue& exponent);
-  /// Likewise of what may be a number or a parameter.
-  Residue root(const Residue& base, const Residue& exponent);
   Residue literal(const Node& node);
   Residue variable(Variable v);
   Residue parameter(int index) const;
@@ -93,7 +91,6 @@ class ResiduePoint {
   std::vector<std::optional<Residue>> logarithms_;
   bool usable_ = true;
   bool has_roots_ = false;
-  bool has_signs_ = false;
 };
 
 /// What residues say of x at many points.

@@ -123,12 +123,13 @@ class Test {
 
   enum class Outcome { undefined, zero, too_small, not_zero };
 
-  Outcome operator()(const Coefficients& c, const Point& at) const {
+  /// relative: of the size of its terms, below which it is 0.
+  Outcome operator()(const Coefficients& c, const Point& at, double relative) const {
     const auto value =
         double(value_at<DoubleDouble>(c, at, [](double x) { return DoubleDouble(x); }));
     const Conditioned size = value_at<Conditioned>(c, at, Conditioned::input);
     if (!std::isfinite(value) || !std::isfinite(size.condition)) return Outcome::undefined;
-    if (std::abs(value) > std::max(0x1p-66 * size.condition, least)) {
+    if (std::abs(value) > std::max(relative * size.condition, least)) {
       // Decimal numbers are doubles here.
       const bool certain = !c.has_decimals || std::abs(value) > 0x1p-50 * size.condition;
       return certain ? Outcome::not_zero : Outcome::undefined;
@@ -158,9 +159,11 @@ class Test {
   Program program_;
 };
 
+constexpr double all_digits = 0x1p-66;
+
 /// at_points, refuted or undecided; values: of all parameters, or none.
 Verdict at_points(const Test& test, const Coefficients& c, std::size_t parameter_count,
-                  std::span<const double> values = {}) {
+                  std::span<const double> values = {}, double relative = all_digits) {
   Points points;
   int zero = 0;
   for (const Range& range : ranges) {
@@ -168,7 +171,7 @@ Verdict at_points(const Test& test, const Coefficients& c, std::size_t parameter
     for (int k = 0; k < points_per_range && here < enough; ++k) {
       Point at = random_point(points, range, parameter_count);
       if (!values.empty()) at.parameters.assign(values.begin(), values.end());
-      const Test::Outcome outcome = test(c, at);
+      const Test::Outcome outcome = test(c, at, relative);
       if (outcome == Test::Outcome::not_zero) return Verdict::refuted;
       // A coefficient may well be 0 for the values given.
       here += outcome == Test::Outcome::zero ||
@@ -196,21 +199,24 @@ Verdict numerically(const Graph& graph, NodeId x, std::size_t parameter_count,
   return anyhow == Verdict::at_points && given == anyhow ? anyhow : Verdict::undecided;
 }
 
-/// Of what is 0 but for the signs of roots: these are asked for at points, of the parameters given and
-/// of others.
+/// Numbers counted as inputs: the size of what is made of them alone.
+Coefficients with_numbers_as_inputs(Coefficients c) {
+  for (Instruction& step : c.steps)
+    if (step.operation == Operation::literal) step.operation = Operation::decimal;
+  return c;
+}
+
+/// Of what is 0 but for the signs of roots: these show at points, of the parameters given and of others, in a
+/// few digits, and are no proof there.
 Verdict with_signs(const Graph& graph, NodeId x, std::size_t parameter_count,
                    std::span<const double> values) {
+  constexpr double few_digits = 0x1p-40;
   const Test test(graph, x);
-  const Verdict given = at_points(test, test.coefficients(), parameter_count, values);
-  if (given != Verdict::at_points) return given;
-  if (!values.empty() && at_points(test, test.coefficients(), parameter_count) == Verdict::refuted)
-    return Verdict::undecided;
-  // k^p has another sign rule where k < 0 and p is whole.
-  const std::array<NodeId, 1> root{x};
-  const bool of_parameters = std::ranges::any_of(graph.parts(root), [&](NodeId id) {
-    return graph[id].kind == Kind::power && graph.is_coefficient(id);
-  });
-  return of_parameters ? Verdict::at_points : Verdict::exactly;
+  const Coefficients c = with_numbers_as_inputs(test.coefficients());
+  const Verdict given = at_points(test, c, parameter_count, values, few_digits);
+  if (given != Verdict::at_points || values.empty()) return given;
+  const Verdict others = at_points(test, c, parameter_count, {}, few_digits);
+  return others == Verdict::refuted ? Verdict::undecided : given;
 }
 
 /// Functions that may be related by more than residues know.

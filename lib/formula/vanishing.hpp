@@ -2,8 +2,7 @@
 //
 //   term by term     it is 0 as it is written
 //   exactly          it is 0 in residues at random points (residue.hpp): but for a probability
-//                    below 1e-30, for all stretches and parameters; where it has roots of numbers
-//                    it is 0 at points too, which residues do not tell the signs of
+//                    below 1e-30, for all stretches and parameters
 //   at points        |x| <= 2^-66 (the size of its terms; what is larger by decimal numbers alone
 //                    refutes nothing) at fixed pseudo-random points: stretches
 //                    in [1e-3, 1e3], the matrix positive definite, parameters of both signs in

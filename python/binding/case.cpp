@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "python/binding/interruptible.hpp"
 #include "python/binding/module.hpp"
 #include "python/binding/toml_from_python.hpp"
 #include "solver/program/computation/check_case.hpp"
@@ -18,12 +19,12 @@ using Shared = std::shared_ptr<Case>;
 using Tree = std::shared_ptr<CaseTree>;
 
 Shared make(CaseTree tree) {
-  const py::gil_scoped_release released;
+  const WithoutLock released;
   return std::make_shared<Case>(make_case(std::move(tree)));
 }
 
 Shared read(const std::string& path, const std::vector<std::string>& overrides) {
-  const py::gil_scoped_release released;
+  const WithoutLock released;
   return std::make_shared<Case>(read_case(path, overrides));
 }
 
@@ -33,7 +34,7 @@ Shared with(const Case& input, const py::dict& values) {
     const auto key = py::cast<std::string>(name);
     overrides.push_back({key + "=" + assigned_text(value, key)});
   }
-  const py::gil_scoped_release released;
+  const WithoutLock released;
   return std::make_shared<Case>(make_case(input.source, overrides));
 }
 
@@ -105,7 +106,7 @@ void declare_case(py::module_& module) {
       .def("state", [](const Case& input) { return state(input.source); })
       .def(
           "check", [](const Case& input) { return cli::check_case(input); },
-          py::call_guard<py::gil_scoped_release>())
+          py::call_guard<WithoutLock>())
       .def_property_readonly("name", [](const Case& input) { return input.source.name(); })
       .def_property_readonly("title", [](const Case& input) { return input.title; });
 }

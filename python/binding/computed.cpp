@@ -176,7 +176,7 @@ py::object table_array(const std::shared_ptr<Computed>& self) {
 /// HDF5 may be built for one thread only, and h5py calls it under the interpreter's lock: so does this.
 void write(const Computed& self, const std::string& path) {
   const std::string extension = path.substr(std::min(path.rfind('.'), path.size()));
-  std::optional<py::gil_scoped_release> released;
+  std::optional<WithoutLock> released;
   if (!is_column_file_extension(extension)) released.emplace();
   if (!self.other_file.empty())
     cli::refuse_to_replace_table(path, self.other_file, "the table that it was computed from");

@@ -1,5 +1,6 @@
 #include "python/binding/interruptible.hpp"
 
+#include <cxxabi.h>
 #include <pybind11/pybind11.h>
 #include <unistd.h>
 
@@ -24,31 +25,6 @@ bool on_main_thread() {
   const py::module_ threading = py::module_::import("threading");
   return threading.attr("get_ident")().equal(threading.attr("main_thread")().attr("ident"));
 }
-
-bool is_finalizing() {
-#if PY_VERSION_HEX >= 0x030D0000
-  return Py_IsFinalizing() != 0;
-#else
-  return _Py_IsFinalizing() != 0;
-#endif
-}
-
-/// The interpreter's lock is let go while this lives. Where the interpreter ends meanwhile, a thread that
-/// asked for the lock would be ended by unwinding, through what does not let it pass: it sleeps until
-/// the process is gone, as threads of later Pythons do.
-class WithoutLock {
- public:
-  WithoutLock() : state_(PyEval_SaveThread()) {}
-  WithoutLock(const WithoutLock&) = delete;
-  WithoutLock& operator=(const WithoutLock&) = delete;
-  ~WithoutLock() {
-    while (is_finalizing()) pause();
-    PyEval_RestoreThread(state_);
-  }
-
- private:
-  PyThreadState* state_;
-};
 
 /// How long a signal waits at most.
 constexpr std::chrono::milliseconds look_every{20};
@@ -117,6 +93,18 @@ class Hired {
 
 }  // namespace
 
+void WithoutLock::take(PyThreadState* state) {
+#ifdef __GLIBCXX__
+  try {
+    PyEval_RestoreThread(state);
+  } catch (const abi::__forced_unwind&) {
+    for (;;) pause();
+  }
+#else
+  PyEval_RestoreThread(state);
+#endif
+}
+
 void interruptible(const std::function<void(const std::atomic<bool>& stop)>& work) {
   std::atomic<bool> stop{false};
   if (!on_main_thread()) {
@@ -128,7 +116,7 @@ void interruptible(const std::function<void(const std::atomic<bool>& stop)>& wor
   std::exception_ptr signalled;
   {
     const Hired worker;
-    const py::gil_scoped_release released;
+    const WithoutLock released;
     worker->begin([&] {
       try {
         work(stop);

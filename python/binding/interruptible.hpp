@@ -1,11 +1,29 @@
 // Long work without the interpreter's lock, which Ctrl-C ends.
 #pragma once
 
+#include <pybind11/pybind11.h>
+
 #include <atomic>
 #include <functional>
 #include <optional>
 
 namespace stationary::python {
+
+/// The interpreter's lock is let go while this lives. A thread that waits for the lock of an interpreter that
+/// has ended is ended by unwinding, through what does not let it pass: it sleeps until the process is gone
+/// instead, as threads of later Pythons do.
+class WithoutLock {
+ public:
+  WithoutLock() : state_(PyEval_SaveThread()) {}
+  WithoutLock(const WithoutLock&) = delete;
+  WithoutLock& operator=(const WithoutLock&) = delete;
+  ~WithoutLock() { take(state_); }
+
+ private:
+  static void take(PyThreadState* state);
+
+  PyThreadState* state_;
+};
 
 /// Runs work(stop) without the lock. Called by the interpreter's main thread the work has a thread of
 /// its own, and the main one looks for signals meanwhile: where one raises an exception `stop`

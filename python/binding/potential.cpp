@@ -27,7 +27,7 @@ Material read(const py::dict& models) {
   root.insert("motion", toml::table{{"branch", "i"}, {"nu", 0.0}});
   toml::table written = table_from_python(models, "Potential");
   root.insert("potential", std::move(written));
-  const py::gil_scoped_release released;
+  const WithoutLock released;
   Case made = make_case(CaseTree::of(std::move(root), "Potential"));
   return {std::move(made.models), std::move(made.potential)};
 }

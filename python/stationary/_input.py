@@ -73,11 +73,20 @@ def thread_count(asked: Any) -> int | None:
     return whole_number(asked, "threads", 1024)
 
 
+def _hides(values: Any) -> bool:
+    """Whether it is, or has in its list, an array of which something is masked."""
+    if isinstance(values, (list, tuple)):
+        return any(_hides(each) for each in values)
+    return isinstance(values, np.ma.MaskedArray) and bool(np.any(values.mask))
+
+
 def numbers(values: Any, name: str, count: int | None = None) -> npt.NDArray[np.float64]:
     try:
         # Dates would be counts of days, complex numbers their real parts, masked ones what they hide.
-        hides = isinstance(values, np.ma.MaskedArray) and np.any(values.mask)
-        if np.asarray(values).dtype.kind not in "biufO" or hides:
+        given = np.asarray(values)
+        if given.dtype.kind not in "biufO" or _hides(values):
+            raise TypeError
+        if given.dtype.kind == "O" and any(isinstance(each, (str, bytes)) for each in given.flat):
             raise TypeError
         out = np.asarray(values, dtype=float)
     except (TypeError, ValueError, OverflowError):

@@ -50,6 +50,7 @@ struct AtlasOptions {
   bool tilted = true;     ///< likewise those tilted in a plane, of an isotropic V
   bool complete = false;  ///< for every nu, not at checkpoints alone
   StepOptions step;
+  double unit = 1.0;            ///< ContinuationOptions::unit
   long max_points = 1'000'000;  ///< of each sheet
   SearchOptions search;
   bool spectrum = true;

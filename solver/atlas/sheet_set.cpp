@@ -68,6 +68,7 @@ FollowOptions follow_options(const AtlasOptions& options) {
   out.continuation.from = options.from;
   out.continuation.to = options.to;
   out.continuation.step = options.step;
+  out.continuation.unit = options.unit;
   out.max_points = options.max_points;
   out.stop = options.stop;
   return out;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "solver/continuation/count_changes.hpp"
@@ -25,23 +26,37 @@ FoundEvent bracketed(StepPoints<N>& points, const UnexplainedChange& change, dou
           {EventType::unexplained, middle.member, first, last, EventStatus::bracketed}};
 }
 
-/// On a circle what is definite changes where no modes meet, and so it may in a step with other events, which do
-/// not account for it: what is left between neighbouring ones of `parts`, the ends of the step and its
-/// events, is added to `found`.
+/// A place of the step where it is known what is definite.
+struct KnownDefinite {
+  double u;
+  KnownCount count;
+};
+/// The nearest to u, towards the other end of its part of the step; an event at u says nothing itself.
+template <int N>
+std::optional<KnownDefinite> definite_near(StepPoints<N>& points, double u, double other) {
+  for (const double aside : {0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1}) {
+    const double at = u + aside * (other - u);
+    CurvePoint<N> point;
+    if (!points.evaluate(at, point)) continue;
+    if (const auto known = KnownCounts::at(point.member).definite) return KnownDefinite{at, *known};
+  }
+  return std::nullopt;
+}
+
+/// On a circle what is definite changes where no modes meet, and so it may in a step with other events, or with
+/// one at its end, which do not account for it: what is left between neighbouring ones of `parts`, the
+/// ends of the step and its events, is added to `found`.
 template <int N>
 void add_changes_of_definiteness(StepPoints<N>& points, const std::vector<double>& parts,
                                  std::vector<FoundEvent>& found) {
-  constexpr double aside = 1e-6;
   for (std::size_t k = 0; k + 1 < parts.size(); ++k) {
-    const double low = k == 0 ? 0.0 : parts[k] + aside;
-    const double high = k + 2 == parts.size() ? 1.0 : parts[k + 1] - aside;
-    CurvePoint<N> a;
-    CurvePoint<N> b;
-    if (!(low < high) || !points.evaluate(low, a) || !points.evaluate(high, b)) continue;
-    const auto first = KnownCounts::at(a.member).definite;
-    const auto last = KnownCounts::at(b.member).definite;
-    if (first && last && first->modes == last->modes && first->count != last->count)
-      found.push_back(bracketed(points, {definite, first->count, first->since, true}, low, high));
+    const auto first = definite_near(points, parts[k], parts[k + 1]);
+    if (!first) continue;
+    const auto last = definite_near(points, parts[k + 1], parts[k]);
+    if (last && first->u < last->u && first->count.modes == last->count.modes &&
+        first->count.count != last->count.count)
+      found.push_back(bracketed(points, {definite, first->count.count, first->count.since, true},
+                                first->u, last->u));
   }
 }
 

@@ -32,7 +32,8 @@ struct ContinuationOptions {
   double to = 1.0;
   StepOptions step;
   double min_stretch = 1e-6;  ///< a sheet ends (collapse, escape) where a stretch leaves these,
-  double max_stretch = 1e6;   ///< in units of unit_stretch() of its start
+  double max_stretch = 1e6;   ///< wider where the body's own stretch is beyond 1
+  double unit = 1.0;          ///< that stretch, at rest
 };
 
 struct ContinuationCounts {
@@ -63,7 +64,7 @@ class Continuation {
         guard_(curve),
         start_(start),
         here_(start),
-        unit_(unit_stretch(start.member.q)) {
+        window_(options.unit) {
     if (direction < 0) reverse(here_);
     start_ = here_;
     guard_.enter(here_.arc);
@@ -248,7 +249,8 @@ class Continuation {
         f, 0.0, 1.0, gap(here_.arc.x), gap(attempt.corrected.point.x), close, evaluations);
     std::optional<CurvePoint<N>> last;
     double reached = 0.0;
-    constexpr double nearest = 1e-6;
+    // What the rates of two equal momenta are made of is 0/0 at the circle.
+    const double nearest = curve_->context().kind.circle_on_own_leaf ? 0.1 : 1e-6;
     for (double left = 0.1; left >= nearest; left *= 0.1) {
       const double u = (1.0 - left) * low;
       const Corrected<N> at = curve_->at(here_.arc, attempt.arc, u);
@@ -393,16 +395,16 @@ class Continuation {
 
   void end_if_out_of_bounds() {
     const Arc<N>& arc = step_.arc();
-    if (auto end = end_out_of_bounds(here_.member.q, arc, unit_, options_.min_stretch,
+    if (auto end = end_out_of_bounds(here_.member.q, arc, window_, options_.min_stretch,
                                      options_.max_stretch)) {
       finish(std::move(*end));
       return;
     }
     const Corrector<N>& corrector = curve_->corrector();
     if (corrector.vertical() || options_.from == options_.to) return;
-    if (is_unresolved(here_.member.q, arc, unit_, corrector.scale(), here_.arc.p,
+    if (is_unresolved(here_.member.q, arc, window_, corrector.scale(), here_.arc.p,
                       here_.arc.error_bound))
-      finish(unresolved_end(here_.member.q, arc, unit_));
+      finish(unresolved_end(here_.member.q, arc, window_));
   }
 
   /// Whether a bound of x at the point's p was found.
@@ -411,7 +413,7 @@ class Continuation {
   /// Ends the sheet at the last point: the next is none of a known p.
   void end_unresolved(const Arc<N>& arc) {
     ended_before_step_ = true;
-    finish(unresolved_end(here_.member.q, arc, unit_));
+    finish(unresolved_end(here_.member.q, arc, window_));
   }
 
   /// A sheet of ellipses that reaches the circle its family may be (xi = zeta, say) meets it there
@@ -473,7 +475,7 @@ class Continuation {
   DomainGuard<N> guard_;
   CurvePoint<N> start_;
   CurvePoint<N> here_;
-  double unit_;  ///< of stretches, for where the sheet ends
+  StretchWindow window_;  ///< for where the sheet ends
   CurvePoint<N> here_next_;
   TestValues earlier_tests_{};
   ArcVector<N> travelled_;

@@ -431,8 +431,9 @@ class EventSearch {
     report(counts_.growing(step, !found_.empty() || !unresolved_.empty() || is_open()));
     const bool may_change = std::ranges::any_of(
         found_, [](const FoundEvent& each) { return may_change_class(each.event.type); });
-    report(counts_.definite(step, may_change || !unresolved_.empty() || is_open()));
-    if (may_change && curve().context().circle != Circle::none)
+    const bool excused = may_change || !unresolved_.empty() || is_open();
+    report(counts_.definite(step, excused));
+    if (excused && curve().context().circle != Circle::none)
       add_changes_of_definiteness(points_, parts_of_step(), found_);
     counts_.widen_remembered([this](ParameterRange& since) { add_step(since); });
   }

@@ -2,6 +2,7 @@
 // parameter no longer tells its points apart.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -18,28 +19,26 @@ struct SheetEnd {
   std::string reason;
 };
 
-/// The stretch that a sheet's others are measured by, from its start: 1, but where all of a body's
-/// stretches are far from that.
-inline double unit_stretch(const Stretch& start) {
-  constexpr double far = 1e3;
-  const auto [least, most] = stretch_range(start);
-  if (least > far) return least;
-  return most < 1.0 / far ? most : 1.0;
-}
+/// The stretches that others are far from where a sheet ends: 1 and a body's own at rest.
+struct StretchWindow {
+  explicit StretchWindow(double unit) : least(std::min(1.0, unit)), most(std::max(1.0, unit)) {}
+  double least;
+  double most;
+};
 
-/// Principal stretches in units of `unit`.
-inline StretchRange stretch_range(const Stretch& q, double unit) {
+/// Principal stretches, the least over the window's, the largest too.
+inline StretchRange stretch_range(const Stretch& q, const StretchWindow& window) {
   const auto [least, most] = stretch_range(q);
-  return {least / unit, most / unit};
+  return {least / window.least, most / window.most};
 }
 
 /// Whether the stretches run off rather than vanish, at q, the end of this arc. In their
 /// logarithms: one that only grows along while another vanishes does not escape. With alpha != 0
-/// the unknowns are no principal stretches, and these tell by how far each has come from `unit`.
+/// the unknowns are no principal stretches, and these tell by how far each has come from it.
 template <int N>
-bool escapes(const Stretch& q, const Arc<N>& arc, double unit) {
+bool escapes(const Stretch& q, const Arc<N>& arc, const StretchWindow& window) {
   if (q.alpha != 0.0) {
-    const auto [least, most] = stretch_range(q, unit);
+    const auto [least, most] = stretch_range(q, window);
     return log(most) > -0.5 * log(least);
   }
   const ReducedVector<N> change = arc.chord.template head<N>();
@@ -49,25 +48,26 @@ bool escapes(const Stretch& q, const Arc<N>& arc, double unit) {
 /// Where points are no longer resolved: the stretches run off, at an asymptote; elsewhere branches
 /// meet that no event stands for.
 template <int N>
-SheetEnd unresolved_end(const Stretch& q, const Arc<N>& arc, double unit) {
-  const auto [least, most] = stretch_range(q, unit);
+SheetEnd unresolved_end(const Stretch& q, const Arc<N>& arc, const StretchWindow& window) {
+  const auto [least, most] = stretch_range(q, window);
   constexpr double moderate = 8.0;
   if (most < moderate && least > 1.0 / moderate)
     return {EventType::stalled,
             "beyond this the stretches are not resolved though they are moderate: the sheet may "
             "meet another here"};
-  return {escapes(q, arc, unit) ? EventType::escape : EventType::collapse,
+  return {escapes(q, arc, window) ? EventType::escape : EventType::collapse,
           "beyond this a double of the parameter does not resolve the stretches"};
 }
 
-/// Where a principal stretch is outside [min_stretch, max_stretch] in units of `unit`.
+/// Where a principal stretch is outside [min_stretch, max_stretch], from the window.
 template <int N>
-std::optional<SheetEnd> end_out_of_bounds(const Stretch& q, const Arc<N>& arc, double unit,
-                                          double min_stretch, double max_stretch) {
-  const auto [least, most] = stretch_range(q, unit);
+std::optional<SheetEnd> end_out_of_bounds(const Stretch& q, const Arc<N>& arc,
+                                          const StretchWindow& window, double min_stretch,
+                                          double max_stretch) {
+  const auto [least, most] = stretch_range(q, window);
   if (most > max_stretch || least < min_stretch)
     return SheetEnd{
-        most > max_stretch || escapes(q, arc, unit) ? EventType::escape : EventType::collapse,
+        most > max_stretch || escapes(q, arc, window) ? EventType::escape : EventType::collapse,
         "a stretch left the bounds followed"};
   return std::nullopt;
 }
@@ -76,11 +76,11 @@ std::optional<SheetEnd> end_out_of_bounds(const Stretch& q, const Arc<N>& arc, d
 /// asymptote in p: the stretches are far out and p hardly changed along the arc to it, or the bound
 /// is coarse.
 template <int N>
-bool is_unresolved(const Stretch& q, const Arc<N>& arc, double unit, double scale, double p,
-                   double error_bound) {
+bool is_unresolved(const Stretch& q, const Arc<N>& arc, const StretchWindow& window, double scale,
+                   double p, double error_bound) {
   constexpr double far = 1e3;      // of a stretch, or its inverse
   constexpr double coarse = 1e-5;  // of a bound that still holds
-  const auto [least, most] = stretch_range(q, unit);
+  const auto [least, most] = stretch_range(q, window);
   const double resolved = std::abs(arc.chord[N]) * scale / arc.length;
   return ((most > far || least < 1.0 / far) && resolved < 1e-9 * std::abs(p)) ||
          error_bound > coarse;

@@ -96,10 +96,6 @@ ReducedVector<N> decimal_sensitivity(const Model& model, const ReducedVector<N>&
 template <int N, class Model>
 ReducedVector<N> coefficient_sensitivity(const Model& model, const ReducedVector<N>& x);
 
-/// Number k of a body with gravity as far as half a unit of what the case gives moves it: g may be that of
-/// pi_G_rho and three J, whose half units make up three and a half of its own.
-inline double half_units(double value, std::size_t k) { return k == 0 ? 4.0 * value : value; }
-
 /// g and J of a body with gravity as dual numbers in this order, slope(value, k) that of number k.
 template <class Slope>
 auto gravity_with_duals(const BodyModel<>& model, double xi, double zeta, double rho,
@@ -133,7 +129,8 @@ inline ReducedVector<3> elastic_sensitivity(const BodyModel<>& model, const Redu
 inline ReducedVector<3> gravity_sensitivity(const BodyModel<>& model, const ReducedVector<3>& x,
                                             bool held_volume) {
   if (!model.gravitates) return ReducedVector<3>::Zero();
-  LogBalance<Dual<double, 4>> b = gravity_with_duals(model, x[0], x[1], x[2], half_units);
+  LogBalance<Dual<double, 4>> b =
+      gravity_with_duals(model, x[0], x[1], x[2], [](double value, std::size_t) { return value; });
   if (held_volume) b = held<1>(b);
   return {sensitivity(b.g_xi), sensitivity(b.g_zeta), sensitivity(b.g_rho)};
 }

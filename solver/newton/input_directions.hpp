@@ -52,7 +52,8 @@ void for_each_body_coefficient(const BodyModel<>& model, const ReducedVector<3>&
       },
       model.elastic.coupled);
   if (model.gravitates) {
-    const auto b = gravity_with_duals(model, x[0], x[1], rho, half_units);
+    const auto b =
+        gravity_with_duals(model, x[0], x[1], rho, [](double value, std::size_t) { return value; });
     for_each_direction<3>(held, b.g_xi, b.g_zeta, b.g_rho);
   }
   if (model.volume) {

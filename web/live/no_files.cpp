@@ -15,7 +15,7 @@ namespace {
 
 RowStart start_from_row(const Case&, const std::string& row) { refuse(row); }
 
-std::vector<std::string_view> unproven_to_resume(const Case&, const std::vector<Column>&) {
+std::vector<std::string_view> lacking_to_resume(const Case&, const std::vector<Column>&) {
   return {};
 }
 

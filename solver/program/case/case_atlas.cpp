@@ -26,6 +26,7 @@ AtlasOptions atlas_options(const Case& input, std::optional<int> checkpoints, bo
   out.to = std::max(std::abs(asked.from), std::abs(asked.to));
   out.step.tolerance = asked.tolerance;
   out.step.first = asked.step;
+  out.unit = input.unit_stretch();
   out.max_points = static_cast<long>(asked.max_points);
   out.spectrum = with_spectrum;
   const int by_symmetry =

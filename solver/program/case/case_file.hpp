@@ -15,6 +15,7 @@
 #include "lib/body/motion.hpp"
 #include "lib/material/material_coordinates.hpp"
 #include "lib/material/potential.hpp"
+#include "lib/number/elementary.hpp"
 #include "lib/number/interval.hpp"
 #include "solver/motion/event.hpp"
 #include "solver/motion/problem.hpp"
@@ -81,6 +82,11 @@ struct Case {
   /// Of an axis rotation (std::bad_variant_access otherwise).
   Problem problem() const {
     return Problem(body, potential, std::get<AxisRotation>(motion).branch);
+  }
+  /// The stretch that those of its body are measured by (ContinuationOptions::unit).
+  double unit_stretch() const {
+    const std::optional<double> volume = potential.volume();
+    return volume ? cube_root(*volume) : 1.0;
   }
 };
 

@@ -120,7 +120,7 @@ void read_whole_body(const CaseTree& tree, Faults& faults, std::vector<ModelChoi
                         "g or pi_G_rho", has_g ? "keep one of them" : "add one of them"));
   const std::vector<double> J = numbers(tree, "body.J");
   if (density && J.size() == 3) {
-    // Rounded once: bounds of what is computed of it count on that (coefficient_sensitivity.hpp).
+    // Rounded once.
     const DoubleDouble product = two_product(J[0], J[1]) * J[2];
     g = double(4.0 * (sqrt(product) * *density));
   }

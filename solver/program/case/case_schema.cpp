@@ -405,6 +405,15 @@ bool may_be_set(std::string_view path) {
          index[0] < '0' + above->count;
 }
 
+bool is_number_of_case(std::string_view path) {
+  constexpr std::string_view tops[] = {"body.", "gravity.", "potential.", "motion."};
+  if (std::ranges::none_of(tops, [&](std::string_view top) { return path.starts_with(top); }))
+    return false;
+  if (const CaseKey* key = find_case_key(path)) return key->type == number;
+  constexpr std::string_view texts[] = {"model", "expression", "domain"};
+  return may_be_set(path) && std::ranges::find(texts, last_name(path)) == std::end(texts);
+}
+
 InputError fault_at(const CaseTree& tree, std::string_view key, std::string found,
                     std::string allowed, std::string remedy) {
   return InputError(tree.origin(key), printable(key), std::move(found), std::move(allowed),

@@ -55,6 +55,9 @@ void require_known_keys(const CaseTree& tree, Faults& faults);
 /// numbers, or a number of a model.
 bool may_be_set(std::string_view path);
 
+/// Whether that key is of a number of the body, its gravity, its potential or the motion.
+bool is_number_of_case(std::string_view path);
+
 /// `found` and `allowed` at a key's value, ready to throw.
 InputError fault_at(const CaseTree& tree, std::string_view key, std::string found,
                     std::string allowed, std::string remedy = {});

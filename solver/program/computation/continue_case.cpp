@@ -222,7 +222,7 @@ Outcome continue_case(const Case& given, const ContinueFrom& from, TableTarget* 
   }
   if (report.out_of_points) {
     const bool told = missing_to_resume(columns, parameter, input.branch_name()).empty() &&
-                      unproven_to_resume(input, columns).empty();
+                      lacking_to_resume(input, columns).empty();
     run.complain(fmt::format("stopped after {} points, continuation.max_points{}", report.points,
                              !to_table || !target->can_be_resumed() ? ""
                              : told

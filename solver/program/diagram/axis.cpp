@@ -184,8 +184,10 @@ double base_of(const AxisRange& range) {
   constexpr double narrow = 1e-4;  // of the numbers themselves
   const double width = range.high - range.low;
   if (!(width > 0.0 && width < narrow * std::abs(range.high))) return 0.0;
-  const double unit = pow(10.0, std::ceil(log10(width)));
-  return unit * std::round(range.low / unit);
+  const double decades = std::ceil(log10(width));
+  const double unit = pow(10.0, std::abs(decades));
+  // A division by a power of ten leaves the nearest double to a decimal.
+  return decades < 0.0 ? std::round(range.low * unit) / unit : unit * std::round(range.low / unit);
 }
 
 }  // namespace stationary

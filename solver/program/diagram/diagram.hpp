@@ -2,8 +2,8 @@
 // and rho or other columns, the frequencies with their Krein signatures, the growth rate, and the
 // located events; or the energy against the size of the angular momentum.
 //
-// The parameter is the table's trailing column, a dotted key such as body.J.0 or a map's nu, if
-// there is one; else the spin: nu1, nu2 or nu3 after the branch, |nu| where the axis is oblique or
+// The parameter is the table's column of a number of the case, a dotted key such as body.J.0 or a map's
+// nu, wherever it stands, if there is one; else the spin: nu1, nu2 or nu3 after the branch, |nu| where the axis is oblique or
 // tilted (negative where no component is positive, so that a family and its mirror image lie
 // apart), and omega of two-polar motions.
 #pragma once

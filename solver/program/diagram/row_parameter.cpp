@@ -19,7 +19,7 @@ constexpr std::array<Column, 3> nu_columns{Column::nu1, Column::nu2, Column::nu3
 
 bool is_parameter(std::string_view column) {
   const auto [first, second] = parts_of(column);
-  const auto is_number = [](std::string_view key) { return key == "nu" || may_be_set(key); };
+  const auto is_number = [](std::string_view key) { return key == "nu" || is_number_of_case(key); };
   return is_number(first) && (second.empty() || is_number(second));
 }
 
@@ -62,7 +62,7 @@ double RowParameter::need(ColumnPlace column, Column c, std::string_view branch)
   throw InputError(Origin::in_file(table_->name()), "",
                    "found no column " + in_quotes(name(c)) + ", the parameter of " +
                        (branch.empty() ? "its rows" : "branch " + in_quotes(branch)),
-                   "it, or a trailing column such as body.J.0");
+                   "it, or a column such as body.J.0");
 }
 
 }  // namespace stationary

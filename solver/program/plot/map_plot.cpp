@@ -244,7 +244,8 @@ void MapScript::set_colours() {
   const bool growth = diagram_.quantity == "growth";
   line("set palette defined ({})", growth ? growth_palette : palette);
   constexpr double largest_linear_ratio = 30.0;
-  if (!growth && low > 0.0 && high / low > largest_linear_ratio) line("set logscale cb");
+  if (!growth && base_ == 0.0 && low > 0.0 && high / low > largest_linear_ratio)
+    line("set logscale cb");
   if (growth) low = 0.0;
   double room = high > low ? 0.0 : std::max(0.05 * std::abs(high), 1e-12);
   if (choice_.value)

@@ -81,6 +81,7 @@ FollowOptions follow_options(const Case& input, double unit, const Run& run) {
   FollowOptions out;
   out.continuation.from = asked.from * unit;
   out.continuation.to = asked.to * unit;
+  out.continuation.unit = input.unit_stretch();
   out.continuation.step.tolerance = asked.tolerance;
   out.continuation.step.first = asked.step;
   out.events = asked.event_set();

@@ -52,14 +52,16 @@ SheetEnd old_end(const TableRow& row, const std::string& reason) {
 
 }  // namespace
 
-std::vector<std::string_view> unproven_to_resume(const Case& input,
-                                                 const std::vector<Column>& columns) {
+std::vector<std::string_view> lacking_to_resume(const Case& input,
+                                                const std::vector<Column>& columns) {
+  std::vector<Column> needed;
+  if (may_have_alpha(input.motion, input.potential)) needed.push_back(Column::alpha);
+  if (input.output.certificate) needed.push_back(Column::certified);
+  if (input.output.certificate && wants_spectrum(input, /*to_table=*/true))
+    needed.push_back(Column::class_certified);
   std::vector<std::string_view> out;
-  if (!input.output.certificate) return out;
-  for (const Column c : {Column::certified, Column::class_certified}) {
-    if (c == Column::class_certified && !wants_spectrum(input, /*to_table=*/true)) continue;
+  for (const Column c : needed)
     if (std::ranges::find(columns, c) == columns.end()) out.push_back(name(c));
-  }
   return out;
 }
 
@@ -83,10 +85,8 @@ ResumedTable resumed_table(const Case& input, const std::string& path,
     refuse(printable(metadata) + " is of another case, or of one that another row was given to");
   std::optional<CurveRecord> record = curve_record(text);
   if (!record) refuse(printable(metadata) + " does not say what rows and events the table has");
-  const bool has_alpha = std::ranges::find(columns, Column::alpha) != columns.end();
-  if (may_have_alpha(input.motion, input.potential) && !has_alpha) refuse("found no column alpha");
-  for (const std::string_view each : unproven_to_resume(input, columns))
-    refuse(fmt::format("found no column {}, whose rows are counted", each));
+  for (const std::string_view each : lacking_to_resume(input, columns))
+    refuse(fmt::format("found no column {}", each));
   ResumedTable out =
       read_resumed(path, columns, parameter, input.branch_name(), record->last_is_open);
   if (out.rows.size() != record->rows) {

@@ -13,10 +13,10 @@
 
 namespace stationary::cli {
 
-/// The columns with proofs that a table of this case has not, though they are asked for: what is
-/// proven of its rows is then not known.
-std::vector<std::string_view> unproven_to_resume(const Case& input,
-                                                 const std::vector<Column>& columns);
+/// The columns that a table of this case is to have beside missing_to_resume(), and has not: alpha, where it
+/// may be no zero, and what is proven, where that is asked for.
+std::vector<std::string_view> lacking_to_resume(const Case& input,
+                                                const std::vector<Column>& columns);
 
 /// The table at `path`, of this case and with these columns. Throws InputError where it is another.
 ResumedTable resumed_table(const Case& input, const std::string& path,

@@ -87,7 +87,6 @@ TEST(VerticalBranch, NotWhereEllipsesDependOnNu) {
   EXPECT_GT(ellipses, 0);
 }
 
-/// The atlas enters it off the circle and finds the tilted family that ends on it.
 /// W_t = mu t leaves t free where the volume is held too; what d is then the thickness decides as well.
 TEST(VerticalBranch, OfAHeldVolume) {
   const AnyThickness<> thickness{ReciprocalQuadratic<>{1.0, 3.0}};
@@ -102,6 +101,7 @@ TEST(VerticalBranch, OfAHeldVolume) {
   EXPECT_EQ(solve(problem, nu).status, SolveStatus::not_isolated);
 }
 
+/// The atlas enters it off the circle and finds the tilted family that ends on it.
 TEST(VerticalBranch, InTheAtlas) {
   const Problem problem = body_of("neo-hookean", {0.8, 2.0});
   AtlasOptions options;

@@ -186,7 +186,6 @@ TEST(BalancedStability, EqualInertiasAreBoundedToSecondOrder) {
         if (mode.block != Block::odd) continue;
         ++found;
         EXPECT_GE(mode.lambda_error + std::abs(mode.lambda_re), 0.99 * moved) << spectrum;
-        EXPECT_EQ(spectrum.verdict, StabilityClass::marginal);
       }
       EXPECT_EQ(found, 1);
     }

@@ -1,0 +1,145 @@
+#include "lib/expression/root_signs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "lib/expression/residue.hpp"
+
+namespace stationary::expression {
+namespace {
+
+class Signs {
+ public:
+  explicit Signs(const Graph& graph) : graph_(graph), point_(graph, 1) {}
+
+  bool are_of_real_numbers(NodeId x) {
+    const std::array<NodeId, 1> root{x};
+    return std::ranges::all_of(graph_.parts(root), [this](NodeId id) {
+      const Node& node = graph_[id];
+      if (node.kind == Kind::power)
+        return of_small_primes(node.a) &&
+               (graph_[node.b].kind == Kind::literal || positive(node.a));
+      if (node.kind != Kind::function) return true;
+      // exp(c log x) is a power of x too.
+      const bool is_root = node.function == Function::sqrt || node.function == Function::log;
+      return !is_root || of_small_primes(node.a);
+    });
+  }
+
+ private:
+  static bool of_small_primes(std::uint64_t digits) {
+    for (const unsigned prime : {2U, 3U, 5U, 7U, 11U, 13U, 17U, 19U, 23U, 29U, 31U, 37U, 41U, 43U})
+      while (digits != 0 && digits % prime == 0) digits /= prime;
+    return digits <= 1;
+  }
+  static bool of_small_primes(const Node& literal) {
+    if (literal.index != 0)
+      return literal.decimal.known() && of_small_primes(literal.decimal.digits);
+    int power = 0;
+    const double fraction = std::frexp(std::abs(literal.literal), &power);
+    return of_small_primes(static_cast<std::uint64_t>(std::ldexp(fraction, 53)));
+  }
+  bool of_small_primes(NodeId x) {
+    const std::array<NodeId, 1> root{x};
+    return std::ranges::all_of(graph_.parts(root), [this](NodeId id) {
+      const Node& node = graph_[id];
+      if (node.kind == Kind::literal) return of_small_primes(node);
+      // A sum of numbers is another number.
+      return node.kind != Kind::coefficient_sum || has_parameter(id) || is_short_number(id);
+    });
+  }
+  /// Whether a coefficient without parameters is a decimal number of few digits, made of small primes.
+  bool is_short_number(NodeId x) {
+    constexpr int digits = 15;
+    std::array<char, 40> text{};
+    const double size = std::abs(number(x));
+    if (!std::isfinite(size)) return false;
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), size,
+                                            std::chars_format::scientific, digits - 1);
+    if (error != std::errc()) return false;
+    std::uint64_t whole = 0;
+    const char* at = text.data();
+    for (; at != end && *at != 'e'; ++at)
+      if (*at != '.') whole = 10 * whole + static_cast<std::uint64_t>(*at - '0');
+    int power = 0;
+    if (*at == 'e') std::from_chars(at + (at[1] == '+' ? 2 : 1), end, power);
+    power -= digits - 1;
+    // The same number to its last digit, and not only near it.
+    const std::optional<Residue> known = point_(x);
+    const Residue ten{10, 10};
+    Residue out = residue_of(whole);
+    const Residue unit = power < 0 ? *reciprocal(ten) : ten;
+    for (int k = 0; k < std::abs(power); ++k) out = out * unit;
+    return known && (*known == out || *known == -out) && of_small_primes(whole);
+  }
+  double number(NodeId x) const {
+    const Node& node = graph_[x];
+    switch (node.kind) {
+      case Kind::literal:
+        return node.literal;
+      case Kind::coefficient_sum:
+        return number(node.a) + number(node.b);
+      case Kind::coefficient_product:
+        return number(node.a) * number(node.b);
+      case Kind::coefficient_quotient:
+        return number(node.a) / number(node.b);
+      default:
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  bool has_parameter(NodeId x) const {
+    const std::array<NodeId, 1> root{x};
+    return std::ranges::any_of(graph_.parts(root),
+                               [this](NodeId id) { return graph_[id].kind == Kind::parameter; });
+  }
+  /// Known to be, wherever it is defined.
+  bool positive(NodeId x) const {
+    const Node& node = graph_[x];
+    switch (node.kind) {
+      case Kind::literal:
+        return node.literal > 0.0;
+      case Kind::pi:
+      case Kind::euler:
+        return true;
+      case Kind::variable: {
+        const auto v = static_cast<Variable>(node.index);
+        return v != Variable::alpha && v <= Variable::first_invariant;
+      }
+      case Kind::function:
+        return node.function == Function::exp || node.function == Function::sqrt;
+      case Kind::power:
+        return positive(node.a);
+      case Kind::coefficient_sum:
+      case Kind::coefficient_product:
+      case Kind::coefficient_quotient:
+        return positive(node.a) && positive(node.b);
+      case Kind::sum:
+        return (graph_.is_zero(node.a) || positive(node.a)) &&
+               std::ranges::all_of(node.terms, [this](const Term& term) {
+                 return positive(term.coefficient) && positive(term.node);
+               });
+      case Kind::product:
+        return std::ranges::all_of(node.terms, [this](const Term& factor) {
+          return factor.exponent % 2 == 0 || positive(factor.node);
+        });
+      default:
+        return false;
+    }
+  }
+
+  const Graph& graph_;
+  ResiduePoint point_;
+};
+
+}  // namespace
+
+bool roots_have_real_signs(const Graph& graph, NodeId x) {
+  return Signs(graph).are_of_real_numbers(x);
+}
+
+}  // namespace stationary::expression
