@@ -96,6 +96,7 @@ def test_fields_that_are_no_numbers_are_refused(material, shape):
     "nu",
     [
         np.ma.masked_values([0.1, 9.96e36, 0.3], 9.96e36), np.array([0.3 + 1j]), ["0.3"], [b"0.3"], [1e-150],
+        np.array(["0.3"], dtype=object), [np.ma.masked_array([0.1, 99.0], [False, True])],
     ],
 )  # fmt: skip
 def test_spins_that_are_no_numbers_are_refused(material, nu):

@@ -74,6 +74,13 @@ to = 1.6
     ASSERT_EQ(changes.size(), 2U);
     EXPECT_NEAR(changes[0], -1.205381736, 1e-8);
     EXPECT_NEAR(changes[1], 1.205381736, 1e-8);
+    // Up to the collision itself.
+    const auto ended =
+        followed(text, {std::string("continuation.tolerance=") + tolerance, "continuation.from=0",
+                        "continuation.to=1.2091831503937809"});
+    const auto change = places(ended, "unexplained", "nu3");
+    ASSERT_EQ(change.size(), 1U);
+    EXPECT_NEAR(change[0], 1.205381736, 1e-8);
   }
 }
 
@@ -102,6 +109,26 @@ to = 3.0
     ASSERT_EQ(tilts.size(), 1U);
     EXPECT_NEAR(tilts[0], 1.0651184670, 1e-9);
   }
+}
+
+/// Where two momenta come to be equal the rates are 0/0: no event is seen in them.
+TEST_F(CloseEvents, NoneInRatesThatAreRounding) {
+  const auto rows = followed(R"([body]
+J = [0.812, 0.812, 2.784]
+volume = 0.8
+[potential]
+plane = { model = "saint-venant-kirchhoff", mu = 1.527, lambda = 0.818 }
+thickness = { model = "harmonic", k = 4.831, rest = 1.314 }
+[motion]
+branch = "two-polar"
+s3 = -0.217
+p_theta = 0.581
+[continuation]
+parameter = "motion.s3"
+from = -2.0
+to = 3.0
+)");
+  EXPECT_EQ(names_of_events(rows), "limit zero-momentum ellipse");
 }
 
 /// The momentum that is followed turns 2e-4 beyond the range: there the table ends.
