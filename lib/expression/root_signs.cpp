@@ -13,9 +13,9 @@
 namespace stationary::expression {
 namespace {
 
-class Signs {
+class RootSigns {
  public:
-  explicit Signs(const Graph& graph) : graph_(graph), point_(graph, 1) {}
+  explicit RootSigns(const Graph& graph) : graph_(graph), point_(graph, 1) {}
 
   bool are_of_real_numbers(NodeId x) {
     const std::array<NodeId, 1> root{x};
@@ -139,7 +139,7 @@ class Signs {
 }  // namespace
 
 bool roots_have_real_signs(const Graph& graph, NodeId x) {
-  return Signs(graph).are_of_real_numbers(x);
+  return RootSigns(graph).are_of_real_numbers(x);
 }
 
 }  // namespace stationary::expression
