@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -53,29 +52,22 @@ class RootSigns {
       return node.kind != Kind::coefficient_sum || has_parameter(id) || is_short_number(id);
     });
   }
-  /// Whether a coefficient without parameters is a decimal number of few digits, made of small primes.
+  /// Whether a coefficient without parameters is a decimal number of few digits, made of small primes: the same
+  /// to its last digit, and not only near it.
   bool is_short_number(NodeId x) {
-    constexpr int digits = 15;
-    std::array<char, 40> text{};
-    const double size = std::abs(number(x));
-    if (!std::isfinite(size)) return false;
-    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), size,
-                                            std::chars_format::scientific, digits - 1);
-    if (error != std::errc()) return false;
-    std::uint64_t whole = 0;
-    const char* at = text.data();
-    for (; at != end && *at != 'e'; ++at)
-      if (*at != '.') whole = 10 * whole + static_cast<std::uint64_t>(*at - '0');
-    int power = 0;
-    if (*at == 'e') std::from_chars(at + (at[1] == '+' ? 2 : 1), end, power);
-    power -= digits - 1;
-    // The same number to its last digit, and not only near it.
     const std::optional<Residue> known = point_(x);
-    const Residue ten{10, 10};
-    Residue out = residue_of(whole);
-    const Residue unit = power < 0 ? *reciprocal(ten) : ten;
-    for (int k = 0; k < std::abs(power); ++k) out = out * unit;
-    return known && (*known == out || *known == -out) && of_small_primes(whole);
+    if (!known) return false;
+    const Residue tenth = *reciprocal(Residue{10, 10});
+    Residue unit{1, 1};
+    constexpr double largest = 1e15;
+    for (double scaled = std::abs(number(x)); scaled < largest; scaled *= 10.0) {
+      const auto digits = static_cast<std::uint64_t>(std::round(scaled));
+      const Residue found = residue_of(digits) * unit;
+      if (*known == found || *known == -found) return of_small_primes(digits);
+      if (scaled == 0.0) break;
+      unit = unit * tenth;
+    }
+    return false;
   }
   double number(NodeId x) const {
     const Node& node = graph_[x];
