@@ -55,7 +55,7 @@ TEST_F(ResumeColumns, ClassesWithoutTheirColumn) {
   };
   for (const Cut& each :
        {Cut{"fold.toml", R"(["event","nu1","xi","zeta","rho","growth","segment"])", 2, 100},
-        Cut{"fold.toml", R"(["event","nu1","xi","zeta","rho","growth"])", 2, 200},
+        Cut{"fold.toml", R"(["event","nu1","xi","zeta","rho","growth"])", 2, 50},
         Cut{"double_well.toml", R"(["event","nu3","xi","zeta","rho","growth"])", 2, 600}}) {
     SCOPED_TRACE(each.columns);
     const std::vector<std::string> columns{"--set", std::string("output.columns=") + each.columns};
