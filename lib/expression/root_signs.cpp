@@ -20,9 +20,10 @@ class RootSigns {
     const std::array<NodeId, 1> root{x};
     return std::ranges::all_of(graph_.parts(root), [this](NodeId id) {
       const Node& node = graph_[id];
+      // What varies and is to a power has to be positive (domain.hpp); a parameter may be negative, and its
+      // exponent whole.
       if (node.kind == Kind::power)
-        return of_small_primes(node.a) &&
-               (graph_[node.b].kind == Kind::literal || positive(node.a));
+        return of_small_primes(node.a) && !(graph_.is_coefficient(id) && has_parameter(node.a));
       if (node.kind != Kind::function) return true;
       // exp(c log x) is a power of x too.
       const bool is_root = node.function == Function::sqrt || node.function == Function::log;
@@ -89,41 +90,6 @@ class RootSigns {
     return std::ranges::any_of(graph_.parts(root),
                                [this](NodeId id) { return graph_[id].kind == Kind::parameter; });
   }
-  /// Known to be, wherever it is defined.
-  bool positive(NodeId x) const {
-    const Node& node = graph_[x];
-    switch (node.kind) {
-      case Kind::literal:
-        return node.literal > 0.0;
-      case Kind::pi:
-      case Kind::euler:
-        return true;
-      case Kind::variable: {
-        const auto v = static_cast<Variable>(node.index);
-        return v != Variable::alpha && v <= Variable::first_invariant;
-      }
-      case Kind::function:
-        return node.function == Function::exp || node.function == Function::sqrt;
-      case Kind::power:
-        return positive(node.a);
-      case Kind::coefficient_sum:
-      case Kind::coefficient_product:
-      case Kind::coefficient_quotient:
-        return positive(node.a) && positive(node.b);
-      case Kind::sum:
-        return (graph_.is_zero(node.a) || positive(node.a)) &&
-               std::ranges::all_of(node.terms, [this](const Term& term) {
-                 return positive(term.coefficient) && positive(term.node);
-               });
-      case Kind::product:
-        return std::ranges::all_of(node.terms, [this](const Term& factor) {
-          return factor.exponent % 2 == 0 || positive(factor.node);
-        });
-      default:
-        return false;
-    }
-  }
-
   const Graph& graph_;
   ResiduePoint point_;
 };

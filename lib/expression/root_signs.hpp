@@ -1,6 +1,6 @@
 // Whether the residues of an expression (residue.hpp) give its roots and powers the signs that those of real
 // numbers have: what is under a root has numbers of small primes alone, which are squares modulo p as they
-// are of real numbers, and what may be negative is to no power that may be whole.
+// are of real numbers, and no parameter is to the power of another.
 #pragma once
 
 #include "lib/expression/graph.hpp"
