@@ -39,6 +39,7 @@ Residue operator+(const Residue& x, const Residue& y);
 Residue operator-(const Residue& x);
 Residue operator-(const Residue& x, const Residue& y);
 Residue operator*(const Residue& x, const Residue& y);
+/// Of a whole number.
 Residue residue_of(std::uint64_t n);
 /// Nothing where x is 0 modulo p or m.
 std::optional<Residue> reciprocal(const Residue& x);

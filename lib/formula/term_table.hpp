@@ -22,8 +22,8 @@ namespace stationary::expression {
 struct TermEntry {
   int term = 0;
   Interval coefficient;
-  std::optional<Residue> key =
-      {};  ///< by which equal coefficients are known, where it is (exact_number.hpp)
+  /// By which equal coefficients are known, where it is (exact_number.hpp).
+  std::optional<Residue> key = {};
 };
 
 struct TermTable {

@@ -6,7 +6,8 @@
 //   at points        |x| <= 2^-66 (the size of its terms; what is larger by decimal numbers alone
 //                    refutes nothing) at fixed pseudo-random points: stretches
 //                    in [1e-3, 1e3], the matrix positive definite, parameters of both signs in
-//                    [1e-2, 1e2]; one point where it is not refutes it
+//                    [1e-2, 1e2]; one point where it is not refutes it. What is 0 in residues but for the signs
+//                    of roots, which show in a few digits, need be 0 to 2^-40 alone
 //
 // Coefficients with a branch (abs, min, max; sqrt, log, atan and powers of parameters) are given
 // values of their own at points, as if each were one more parameter: min(k, 0) is 0 for one half of

@@ -120,8 +120,9 @@ class Result:
 
         A bifurcation diagram has two for each panel (an atlas has a panel a branch), stretches above and,
         where there is a spectrum, rates below: an array of them. ax: as many axes to draw into, or one a
-        panel, without the rates. show: up to three columns instead of the stretches; diagram: "energy-momentum" for the energy against the size of the momentum; only
-        these sheets, only these branches, where they are named.
+        panel, without the rates. show: up to three columns instead of the stretches; diagram:
+        "energy-momentum" for the energy against the size of the momentum; only these sheets, only these
+        branches, where they are named.
 
         A map over two parameters has one, with the column ``show``, and so have curves of events,
         which may be drawn into a map's: ``curves.plot(chart.plot())``.

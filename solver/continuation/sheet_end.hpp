@@ -59,7 +59,7 @@ SheetEnd unresolved_end(const Stretch& q, const Arc<N>& arc, const StretchWindow
           "beyond this a double of the parameter does not resolve the stretches"};
 }
 
-/// Where a principal stretch is outside [min_stretch, max_stretch], from the window.
+/// Where a principal stretch is below min_stretch times the window's least, or above max_stretch times its most.
 template <int N>
 std::optional<SheetEnd> end_out_of_bounds(const Stretch& q, const Arc<N>& arc,
                                           const StretchWindow& window, double min_stretch,

@@ -249,6 +249,12 @@ TEST(Interval, OfADecimalHoldsHalfAUnitEitherWay) {
   }
   EXPECT_EQ(Interval::decimal(0.0).lo, 0.0);
   EXPECT_EQ(Interval::decimal(0.0).hi, 0.0);
+  // Beyond the largest double there is no bound: no interval has one alone.
+  const double largest = std::numeric_limits<double>::max();
+  for (const double x : {largest, -largest}) {
+    EXPECT_EQ(Interval::decimal(x).lo, Interval::entire().lo);
+    EXPECT_EQ(Interval::decimal(x).hi, Interval::entire().hi);
+  }
 }
 
 }  // namespace
