@@ -106,8 +106,8 @@ enum class ResiduePoint::Symbol : std::uint8_t {
   kernel
 };
 
-ResiduePoint::ResiduePoint(const Graph& graph, std::uint64_t seed)
-    : graph_(graph), state_(seed), key_(mixed(seed ^ 0x5851f42d4c957f2dU)) {
+ResiduePoint::ResiduePoint(const Graph& graph, std::uint64_t seed, RootBases* bases)
+    : graph_(graph), state_(seed), key_(mixed(seed ^ 0x5851f42d4c957f2dU)), bases_(bases) {
   choose_stretches();
 }
 
@@ -170,11 +170,17 @@ Residue ResiduePoint::whole_power(const Residue& x, int n) {
   return n < 0 ? quotient({1, 1}, out) : out;
 }
 
-Residue ResiduePoint::power(const Residue& base, const Residue& exponent) {
+Residue ResiduePoint::power(const Residue& base, const Residue& exponent,
+                            std::optional<NodeId> of) {
   has_roots_ = true;
-  if (!is_square(base.plain)) usable_ = false;
-  return {to_power(base.plain, exponent.exponent, p),
-          symbol(Symbol::exponent_of_power, base, exponent).exponent};
+  const bool square = is_square(base.plain);
+  if (!square) usable_ = false;
+  if (!square && of && bases_ != nullptr) bases_->no_square[*of] = true;
+  const Residue out{to_power(base.plain, exponent.exponent, p),
+                    symbol(Symbol::exponent_of_power, base, exponent).exponent};
+  const bool opposite =
+      of && bases_ != nullptr && bases_->either_sign[*of] && (mixed(key_ + *of) & 1U) != 0;
+  return opposite ? Residue{minus(out.plain, p), out.exponent} : out;
 }
 
 /// An exact double is a whole number times a power of two.
@@ -223,7 +229,7 @@ Residue ResiduePoint::exponential(NodeId argument) {
   const auto take = [&](NodeId logarithm, const Residue& coefficient) {
     const Node& of = graph_[logarithm];
     if (of.kind != Kind::function || of.function != Function::log) return;
-    powers = powers * power(*known_[of.a], coefficient);
+    powers = powers * power(*known_[of.a], coefficient, of.a);
     left = left - (coefficient * *known_[logarithm]);
   };
   take(argument, {1, 1});
@@ -333,7 +339,7 @@ Residue ResiduePoint::function(const Node& node) {
     case Function::log:
       return logarithm(node.a);
     case Function::sqrt:
-      return power(*known_[node.a], {half(p), half(m)});
+      return power(*known_[node.a], {half(p), half(m)}, node.a);
     default:
       return applied(node.function, *known_[node.a]);
   }
@@ -426,7 +432,7 @@ Residue ResiduePoint::of(NodeId id) {
     case Kind::function:
       return function(node);
     case Kind::power:
-      return power(*known_[node.a], *known_[node.b]);
+      return power(*known_[node.a], *known_[node.b], node.a);
     case Kind::variable:
       return variable(static_cast<Variable>(node.index));
     case Kind::sum: {
@@ -463,22 +469,37 @@ Residues residues(const Graph& graph, NodeId x) {
   constexpr int enough = 4;
   constexpr int enough_with_roots = 100;
   constexpr int tries = 6400;
+  const std::vector<bool> none(graph.size(), false);
+  RootBases bases{none, none};
   int zero = 0;
   int other = 0;
   int wanted = enough;
-  for (int k = 0; k < tries && zero + other < wanted; ++k) {
-    ResiduePoint at(graph, static_cast<std::uint64_t>(k) + 20101131U);
+  std::uint64_t tried = 0;
+  const auto next = [&]() -> std::optional<Residue> {
+    ResiduePoint at(graph, 20101131U + tried++, &bases);
     const std::optional<Residue> value = at(x);
+    if (value && at.has_roots()) wanted = enough_with_roots;
+    return value;
+  };
+  while (tried < tries && zero + other < wanted) {
+    const std::optional<Residue> value = next();
     if (!value) continue;
     (value->plain == 0 ? zero : other) += 1;
-    if (at.has_roots()) wanted = enough_with_roots;
     if (zero > 0 && other > 0) return Residues::unclear;
-    if (other >= enough && zero == 0 && !at.has_roots()) break;
+    if (other >= enough && zero == 0 && wanted == enough) break;
   }
-  if (other == 0 && zero == wanted)
-    return wanted == enough || roots_have_real_signs(graph, x) ? Residues::zero
-                                                               : Residues::zero_but_for_signs;
-  return zero == 0 && other >= enough ? Residues::not_zero : Residues::unclear;
+  if (zero != wanted) return zero == 0 && other >= enough ? Residues::not_zero : Residues::unclear;
+  if (wanted == enough) return Residues::zero;
+  const std::optional<std::vector<NodeId>> open = roots_of_open_sign(graph, x, bases.no_square);
+  if (!open) return Residues::zero_but_for_signs;
+  for (const NodeId base : *open) bases.either_sign[base] = true;
+  for (zero = 0; !open->empty() && zero < enough_with_roots && tried < 2 * tries;) {
+    const std::optional<Residue> value = next();
+    if (!value) continue;
+    if (value->plain != 0) return Residues::zero_but_for_signs;
+    ++zero;
+  }
+  return open->empty() || zero == enough_with_roots ? Residues::zero : Residues::zero_but_for_signs;
 }
 
 }  // namespace stationary::expression

@@ -13,9 +13,11 @@
 // is 0. A polynomial of degree n that is not 0 vanishes at a random point with a probability of
 // n/p, p = 4.6e18 (J. T. Schwartz, J. ACM 27 (1980) 701). That a root of x^2 is x where x is a
 // square, and -x elsewhere, stands for the sign of x: half of the points have either. Of a number it
-// is the same at all points, and sqrt(n^2) = -n where n is no square; all made of primes up to 43 are. A power
-// of what is negative, to a parameter that may be whole, has a residue nowhere. What is 0 with other numbers
-// under roots, or such powers, is so but for signs (residues()).
+// is the same at all points, and sqrt(n^2) = -n where n is no square; all made of primes up to 43 are. So it is of a
+// number times a square, however it is written: what is under a root, has a sum in it and is a square at every
+// point gets a root of either sign, at random. A power of what is negative, to a parameter that may be whole, has a
+// residue nowhere. What is 0 with other numbers under roots, with such powers, or by one sign of a root only, is so
+// but for signs (residues()).
 #pragma once
 
 #include <array>
@@ -46,10 +48,17 @@ std::optional<Residue> reciprocal(const Residue& x);
 /// A residue that depends on x and y and on nothing else, as random.
 Residue symbol(std::uint64_t which, const Residue& x, const Residue& y = {});
 
+/// What is under roots and powers, by its node.
+struct RootBases {
+  std::vector<bool> no_square;    ///< at some point
+  std::vector<bool> either_sign;  ///< its roots get one at random
+};
+
 /// Stretches and parameters at random: xi, zeta, rho and d squares, and t^2 - 4 d one.
 class ResiduePoint {
  public:
-  ResiduePoint(const Graph& graph, std::uint64_t seed);
+  /// bases: of all the graph's nodes, what is seen of them is noted there; or null.
+  ResiduePoint(const Graph& graph, std::uint64_t seed, RootBases* bases = nullptr);
 
   /// The value of x; nothing where a power is taken of what is no square here, or a division is by
   /// 0.
@@ -69,8 +78,9 @@ class ResiduePoint {
   Residue symbol(Symbol which, const Residue& x, const Residue& y = {}) const;
   Residue quotient(const Residue& x, const Residue& y);
   Residue whole_power(const Residue& x, int n);
-  /// base^exponent, modulo p alone where both are known there.
-  Residue power(const Residue& base, const Residue& exponent);
+  /// base^exponent, modulo p alone where both are known there; of: the base's node, if it has one.
+  Residue power(const Residue& base, const Residue& exponent,
+                std::optional<NodeId> of = std::nullopt);
   Residue literal(const Node& node);
   Residue variable(Variable v);
   Residue parameter(int index) const;
@@ -90,6 +100,7 @@ class ResiduePoint {
   std::array<std::optional<Residue>, 256> variables_;
   std::vector<std::optional<Residue>> known_;
   std::vector<std::optional<Residue>> logarithms_;
+  RootBases* bases_;
   bool usable_ = true;
   bool has_roots_ = false;
 };
@@ -97,7 +108,7 @@ class ResiduePoint {
 /// What residues say of x at many points.
 enum class Residues : std::uint8_t {
   zero,                ///< 0 at all of them: x is 0 but for a probability below 1e-30
-  zero_but_for_signs,  ///< likewise, if the roots of numbers in it have the signs that they have here
+  zero_but_for_signs,  ///< likewise, if the roots in it have the signs that they have here
   not_zero,            ///< 0 at none
   unclear              ///< some of either (a root whose sign is not known), or no point was usable
 };

@@ -16,19 +16,27 @@ class RootSigns {
  public:
   explicit RootSigns(const Graph& graph) : graph_(graph), point_(graph, 1) {}
 
-  bool are_of_real_numbers(NodeId x) {
+  std::optional<std::vector<NodeId>> open(NodeId x, const std::vector<bool>& no_square) {
+    std::vector<NodeId> out;
     const std::array<NodeId, 1> root{x};
-    return std::ranges::all_of(graph_.parts(root), [this](NodeId id) {
+    for (const NodeId id : graph_.parts(root)) {
       const Node& node = graph_[id];
+      const bool is_power = node.kind == Kind::power;
+      // exp(c log x) is a power of x too.
+      const bool is_root = node.kind == Kind::function &&
+                           (node.function == Function::sqrt || node.function == Function::log);
+      if (!is_power && !is_root) continue;
       // What varies and is to a power has to be positive (domain.hpp); a parameter may be negative, and its
       // exponent whole.
-      if (node.kind == Kind::power)
-        return of_small_primes(node.a) && !(graph_.is_coefficient(id) && has_parameter(node.a));
-      if (node.kind != Kind::function) return true;
-      // exp(c log x) is a power of x too.
-      const bool is_root = node.function == Function::sqrt || node.function == Function::log;
-      return !is_root || of_small_primes(node.a);
-    });
+      if (is_power && graph_.is_coefficient(id) && has_parameter(node.a)) return std::nullopt;
+      if (no_square[node.a]) continue;
+      if (has_sum(node.a)) {
+        out.push_back(node.a);
+      } else if (!of_small_primes(node.a)) {
+        return std::nullopt;
+      }
+    }
+    return out;
   }
 
  private:
@@ -47,11 +55,28 @@ class RootSigns {
   bool of_small_primes(NodeId x) {
     const std::array<NodeId, 1> root{x};
     return std::ranges::all_of(graph_.parts(root), [this](NodeId id) {
-      const Node& node = graph_[id];
-      if (node.kind == Kind::literal) return of_small_primes(node);
-      // A sum of numbers is another number.
-      return node.kind != Kind::coefficient_sum || has_parameter(id) || is_short_number(id);
+      return graph_[id].kind != Kind::literal || of_small_primes(graph_[id]);
     });
+  }
+  /// Whether there is a sum in it, but for numbers that together are one of small primes: powers, roots and exp are
+  /// positive, as squares are modulo p, and of other functions nothing is a square at every point.
+  bool has_sum(NodeId x) {
+    const Node& node = graph_[x];
+    const auto in = [this](NodeId id) { return has_sum(id); };
+    switch (node.kind) {
+      case Kind::coefficient_sum:
+        return has_parameter(x) || !is_short_number(x);
+      case Kind::coefficient_product:
+      case Kind::coefficient_quotient:
+        return in(node.a) || in(node.b);
+      case Kind::sum:
+        return node.terms.size() > 1 || !graph_.is_zero(node.a) || in(node.terms[0].node) ||
+               in(node.terms[0].coefficient);
+      case Kind::product:
+        return std::ranges::any_of(node.terms, in, &Term::node);
+      default:
+        return node.kind == Kind::kernel;
+    }
   }
   /// Whether a coefficient without parameters is a decimal number of few digits, made of small primes: the same
   /// to its last digit, and not only near it.
@@ -96,8 +121,9 @@ class RootSigns {
 
 }  // namespace
 
-bool roots_have_real_signs(const Graph& graph, NodeId x) {
-  return RootSigns(graph).are_of_real_numbers(x);
+std::optional<std::vector<NodeId>> roots_of_open_sign(const Graph& graph, NodeId x,
+                                                      const std::vector<bool>& no_square) {
+  return RootSigns(graph).open(x, no_square);
 }
 
 }  // namespace stationary::expression

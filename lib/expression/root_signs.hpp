@@ -1,13 +1,23 @@
 // Whether the residues of an expression (residue.hpp) give its roots and powers the signs that those of real
-// numbers have: what is under a root has numbers of small primes alone, which are squares modulo p as they
-// are of real numbers, and no parameter is to the power of another.
+// numbers have. They do
+//
+//   of products of variables and numbers     where the numbers are made of small primes, squares modulo p
+//   of what is no square at some point       there it has no root, so that it is not a number times a square
+//
+// and where no parameter is to the power of another. Of what has a sum in it and is a square at every point the sign
+// is open.
 #pragma once
+
+#include <optional>
+#include <vector>
 
 #include "lib/expression/graph.hpp"
 
 namespace stationary::expression {
 
-/// Of all roots and powers that x is made of. false: not known.
-bool roots_have_real_signs(const Graph& graph, NodeId x);
+/// Under the roots and powers that x is made of, those whose sign is open; nothing where that of another is not
+/// known. no_square: by node, whether it was none at some point.
+std::optional<std::vector<NodeId>> roots_of_open_sign(const Graph& graph, NodeId x,
+                                                      const std::vector<bool>& no_square);
 
 }  // namespace stationary::expression

@@ -86,8 +86,9 @@ NodeId without_principal_stretches(Expression& e, Verdict* how) {
   throw Unsuitable(
       required +
       ". Whether they do could not be decided: at nearly all of the points where it is tried "
-      "(stretches and parameters of all sizes) the formula is not finite. In t, d and I1 nothing "
-      "is to be decided");
+      "(stretches and parameters of all sizes) what differs is not finite, or too small to tell. "
+      "In t, d and I1 "
+      "nothing is to be decided");
 }
 
 namespace {

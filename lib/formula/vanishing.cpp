@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -112,6 +113,20 @@ Coefficients without_branches(Coefficients c, std::size_t& parameter_count) {
   return c;
 }
 
+/// Numbers, pi and e counted as inputs: the size of what is made of them alone, which may be 0 to all digits.
+Coefficients with_numbers_as_inputs(Coefficients c) {
+  for (Instruction& step : c.steps) {
+    const bool pi = step.operation == Operation::pi;
+    if (pi || step.operation == Operation::euler) {
+      step.a = static_cast<std::uint16_t>(c.literals.size());
+      c.literals.push_back(pi ? std::numbers::pi : std::numbers::e);
+      step.operation = Operation::decimal;
+    }
+    if (step.operation == Operation::literal) step.operation = Operation::decimal;
+  }
+  return c;
+}
+
 class Test {
  public:
   Test(const Graph& graph, NodeId x) : writer_(graph) {
@@ -123,11 +138,12 @@ class Test {
 
   enum class Outcome { undefined, zero, too_small, not_zero };
 
-  /// relative: of the size of its terms, below which it is 0.
-  Outcome operator()(const Coefficients& c, const Point& at, double relative) const {
+  /// sized: c with numbers as inputs. relative: of the size of its terms, below which it is 0.
+  Outcome operator()(const Coefficients& c, const Coefficients& sized, const Point& at,
+                     double relative) const {
     const auto value =
         double(value_at<DoubleDouble>(c, at, [](double x) { return DoubleDouble(x); }));
-    const Conditioned size = value_at<Conditioned>(c, at, Conditioned::input);
+    const Conditioned size = value_at<Conditioned>(sized, at, Conditioned::input);
     if (!std::isfinite(value) || !std::isfinite(size.condition)) return Outcome::undefined;
     if (std::abs(value) > std::max(relative * size.condition, least)) {
       // Decimal numbers are doubles here.
@@ -164,6 +180,7 @@ constexpr double all_digits = 0x1p-66;
 /// at_points, refuted or undecided; values: of all parameters, or none.
 Verdict at_points(const Test& test, const Coefficients& c, std::size_t parameter_count,
                   std::span<const double> values = {}, double relative = all_digits) {
+  const Coefficients sized = with_numbers_as_inputs(c);
   Points points;
   int zero = 0;
   for (const Range& range : ranges) {
@@ -171,7 +188,7 @@ Verdict at_points(const Test& test, const Coefficients& c, std::size_t parameter
     for (int k = 0; k < points_per_range && here < enough; ++k) {
       Point at = random_point(points, range, parameter_count);
       if (!values.empty()) at.parameters.assign(values.begin(), values.end());
-      const Test::Outcome outcome = test(c, at, relative);
+      const Test::Outcome outcome = test(c, sized, at, relative);
       if (outcome == Test::Outcome::not_zero) return Verdict::refuted;
       // A coefficient may well be 0 for the values given.
       here += outcome == Test::Outcome::zero ||
@@ -199,20 +216,13 @@ Verdict numerically(const Graph& graph, NodeId x, std::size_t parameter_count,
   return anyhow == Verdict::at_points && given == anyhow ? anyhow : Verdict::undecided;
 }
 
-/// Numbers counted as inputs: the size of what is made of them alone.
-Coefficients with_numbers_as_inputs(Coefficients c) {
-  for (Instruction& step : c.steps)
-    if (step.operation == Operation::literal) step.operation = Operation::decimal;
-  return c;
-}
-
 /// Of what is 0 but for the signs of roots: these show at points, of the parameters given and of others, in a
 /// few digits, and are no proof there.
 Verdict with_signs(const Graph& graph, NodeId x, std::size_t parameter_count,
                    std::span<const double> values) {
   constexpr double few_digits = 0x1p-40;
   const Test test(graph, x);
-  const Coefficients c = with_numbers_as_inputs(test.coefficients());
+  const Coefficients& c = test.coefficients();
   const Verdict given = at_points(test, c, parameter_count, values, few_digits);
   if (given != Verdict::at_points || values.empty()) return given;
   const Verdict others = at_points(test, c, parameter_count, {}, few_digits);

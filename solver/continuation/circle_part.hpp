@@ -28,16 +28,18 @@ void make_rows_equal(Circle circle, bool volume_row, Vector& g) {
 }
 
 /// Of a linearization (jacobian, slope, and g where it has it): restricted to the circle, the
-/// difference of the two stretches is given the eigenvalue 1. volume_row: as above.
+/// difference of the two stretches is given an eigenvalue. volume_row: as above. across: that eigenvalue, > 0 and of
+/// the size of G's terms.
 template <int N, class Linearization>
-void keep_to_circle(Circle circle, Linearization& at, bool volume_row = false) {
+void keep_to_circle(Circle circle, Linearization& at, bool volume_row = false,
+                    double across = 1.0) {
   if (circle == Circle::none) return;
   auto& J = at.jacobian;
   const auto [a, b, c] = places(circle);
   if (volume_row && b == 2) J.row(a) = J.row(b).eval();
   const double along = 0.5 * (J(a, a) + J(a, b) + J(b, a) + J(b, b));
-  J(a, a) = J(b, b) = 0.5 * (along + 1.0);
-  J(a, b) = J(b, a) = 0.5 * (along - 1.0);
+  J(a, a) = J(b, b) = 0.5 * (along + across);
+  J(a, b) = J(b, a) = 0.5 * (along - across);
   if constexpr (N == 3) {
     J(a, c) = J(b, c) = 0.5 * (J(a, c) + J(b, c));
     J(c, a) = J(c, b) = 0.5 * (J(c, a) + J(c, b));

@@ -150,7 +150,7 @@ class RestWalk {
     ++out_.linearizations;
     const Linearized<N> at = system_.at_fraction(p.tau).linearize(p.x);
     Linearization out{at.g, at.jacobian.matrix(), system_.minus_pull(p.x)};
-    keep_to_circle<N>(circle_, out);
+    keep_to_circle<N>(circle_, out, false, at.magnitude);
     return out;
   }
 

@@ -11,6 +11,7 @@
 #include "lib/matrix/elementwise.hpp"
 #include "solver/continuation/continuation.hpp"
 #include "solver/continuation/curve_start.hpp"
+#include "solver/continuation/sheet_end.hpp"
 #include "solver/event_curve/event_curve_family.hpp"
 
 namespace stationary {
@@ -342,6 +343,14 @@ class Follower {
     out_.crossings.push_back(member_at(setting_.family(place.first, at.point.p, false), place));
   }
 
+  /// Whether short steps lead far out at one p1, whose rounding then is all that they show.
+  static bool creeps(const Stretch& q, const Arc<N>& arc) {
+    constexpr double short_step = 0.01;
+    Arc<N> in_first = arc;
+    in_first.chord[N] = arc.chord[EventCurveFamily<N>::first];
+    return arc.length < short_step && is_unresolved(q, in_first, StretchWindow(1.0), 1.0, 1.0, 0.0);
+  }
+
   EventCurveEnd one(int direction) {
     ContinuationOptions how;
     how.from = options_.second_from;
@@ -352,6 +361,8 @@ class Follower {
     if (direction < 0) here.tangent = -here.tangent;
     Signs signs = signs_at(here);
     keep_uncertain(nullptr, signs, here);
+    constexpr int longest_creep = 64;  // steps
+    int creeping = 0;
     while (walk.end() == EventType::none) {
       if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
         out_.interrupted = true;
@@ -389,6 +400,11 @@ class Follower {
       if (walk.end() != EventType::closed)
         out_.points.push_back(completed(next, there, SpecialPoint::none));
       if (at_limit) return *at_limit;
+      creeping = creeps(walk.point().member.q, arc) ? creeping + 1 : 0;
+      if (creeping == longest_creep) {
+        const SheetEnd end = unresolved_end(walk.point().member.q, arc, StretchWindow(1.0));
+        return {end.event, end.reason};
+      }
       here = next;
       signs = there;
     }

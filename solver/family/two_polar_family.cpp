@@ -136,7 +136,7 @@ class TwoPolarFamily final : public Family<FollowedElastic<Model, with_rho>::dim
     found.circle = x[0] == x[1];
     set_motion(body, TwoPolarMotion(at.motion), found);
     const TwoPolarRates<double>& rates = found.two_polar->rates;
-    out.two_polar = TwoPolarMember{*found.two_polar, by_momenta};
+    out.two_polar = found.two_polar;
     out.nu = found.nu[2];
     out.angular_velocity = found.nu;
     ++this->evaluations_.second_derivatives;
@@ -238,8 +238,8 @@ class TwoPolarFamily final : public Family<FollowedElastic<Model, with_rho>::dim
     if (found.circle) {
       return model_stability(at.body, Branch::iii, at.model, x, found.nu[2], error_bound);
     }
-    return two_polar_stability(at.body, at.model, x, found.two_polar->rates,
-                               found.two_polar->momenta.s3, stretch_uncertainty(error_bound));
+    return two_polar_stability(at.body, at.model, x, *found.two_polar,
+                               stretch_uncertainty(error_bound));
   }
 
   FamilyParameter parameter_;

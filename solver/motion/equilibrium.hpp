@@ -59,6 +59,8 @@ struct Counts {
 struct TwoPolarState {
   TwoPolarRates<double> rates;
   TwoPolarMomenta<double> momenta;
+  bool by_momenta =
+      false;  ///< those are what was prescribed, or what a family holds or varies; else the rates
 };
 
 /// What a spectrum takes the logarithms of the stretches to be known to: their error bound, where one was

@@ -41,11 +41,6 @@ struct FamilyLinearization : FamilySlopes<N> {
   ReducedVector<N> g;
 };
 
-/// What a two-polar motion has beside its stretches.
-struct TwoPolarMember : TwoPolarState {
-  bool by_momenta;  ///< those are what the family holds or varies
-};
-
 /// A stationary motion of the family, with everything a table row or an event asks of it.
 struct Member {
   double parameter = std::numeric_limits<double>::quiet_NaN();
@@ -77,7 +72,7 @@ struct Member {
   double tilt_in_plane = std::numeric_limits<double>::quiet_NaN();
   double tilt_normal = std::numeric_limits<double>::quiet_NaN();
   std::optional<Spectrum> spectrum;
-  std::optional<TwoPolarMember> two_polar;
+  std::optional<TwoPolarState> two_polar;
 
   bool beyond_end() const { return tilt_in_plane < 0.0 || tilt_normal < 0.0; }
 };

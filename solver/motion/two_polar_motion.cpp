@@ -52,13 +52,13 @@ std::string RatesVerdict::line_message() const {
 void set_motion(const Body& body, const TwoPolarMotion& motion, Equilibrium& at) {
   const Vector3<double> x = diagonal(at.q);
   if (const auto* rates = std::get_if<TwoPolarRates<double>>(&motion)) {
-    at.two_polar = {*rates, two_polar_momenta(body.J1, x, rates->omega, rates->theta_dot)};
+    at.two_polar = {*rates, two_polar_momenta(body.J1, x, rates->omega, rates->theta_dot), false};
   } else {
     const auto& momenta = std::get<TwoPolarMomenta<double>>(motion);
     at.two_polar = {at.circle
                         ? TwoPolarRates<double>{momenta.s3 / (2.0 * body.J1 * x[0] * x[0]), 0.0}
                         : two_polar_rates(body.J1, x, momenta),
-                    momenta};
+                    momenta, true};
   }
   const TwoPolarRates<double>& rates = at.two_polar->rates;
   at.nu = {0.0, 0.0, rates.omega + rates.theta_dot};

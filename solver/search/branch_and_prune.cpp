@@ -50,9 +50,11 @@ class BranchAndPrune {
     return examine_all();
   }
 
-  PruneResult<N> go_on(const Box<N>& everything, const PruneResult<N>& before) {
+  PruneResult<N> go_on(const Box<N>& everything, const PruneResult<N>& before,
+                       const std::vector<Box<N>>& left) {
     everything_ = everything;
     out_.solutions = before.solutions;
+    for (const Box<N>& box : left) leave_undecided(box);
     queue_.assign(before.undecided.begin(), before.undecided.end());
     return examine_all();
   }
@@ -240,6 +242,10 @@ class BranchAndPrune {
   }
 
   void split(const Box<N>& box, const BoxSlopes<N>& over) {
+    if (system_.passes_on(box)) {
+      out_.passed_on.push_back(box);
+      return;
+    }
     const int chosen = side_to_split(box, over);
     const Interval side = box[index(chosen)];
     const double cut = std::sqrt(side.lo) * std::sqrt(side.hi);
@@ -377,8 +383,8 @@ PruneResult<N> branch_and_prune(const SearchedSystem<N>& system, Mirror mirror,
 template <int N>
 PruneResult<N> branch_and_prune(const SearchedSystem<N>& system, Mirror mirror,
                                 const PruneOptions& options, const Box<N>& everything,
-                                const PruneResult<N>& before) {
-  return BranchAndPrune<N>(system, mirror, options).go_on(everything, before);
+                                const PruneResult<N>& before, const std::vector<Box<N>>& left) {
+  return BranchAndPrune<N>(system, mirror, options).go_on(everything, before, left);
 }
 
 template <int N>
@@ -407,10 +413,17 @@ template PruneResult<4> branch_and_prune<4>(const SearchedSystem<4>&, Mirror, co
 template PruneResult<5> branch_and_prune<5>(const SearchedSystem<5>&, Mirror, const PruneOptions&,
                                             const Box<5>&);
 
+template PruneResult<1> branch_and_prune<1>(const SearchedSystem<1>&, Mirror, const PruneOptions&,
+                                            const Box<1>&, const PruneResult<1>&,
+                                            const std::vector<Box<1>>&);
 template PruneResult<2> branch_and_prune<2>(const SearchedSystem<2>&, Mirror, const PruneOptions&,
-                                            const Box<2>&, const PruneResult<2>&);
+                                            const Box<2>&, const PruneResult<2>&,
+                                            const std::vector<Box<2>>&);
 template PruneResult<3> branch_and_prune<3>(const SearchedSystem<3>&, Mirror, const PruneOptions&,
-                                            const Box<3>&, const PruneResult<3>&);
+                                            const Box<3>&, const PruneResult<3>&,
+                                            const std::vector<Box<3>>&);
+template std::optional<std::vector<ProvenSolution<1>>> solutions_within<1>(
+    const SearchedSystem<1>&, std::span<const ProvenSolution<1>>);
 template std::optional<std::vector<ProvenSolution<2>>> solutions_within<2>(
     const SearchedSystem<2>&, std::span<const ProvenSolution<2>>);
 template std::optional<std::vector<ProvenSolution<3>>> solutions_within<3>(

@@ -53,7 +53,8 @@ struct PruneResult {
   /// What Newton's method found in those, with the error bound of refine(); nothing of it is
   /// proven.
   std::vector<ProvenSolution<N>> unproven;
-  long boxes = 0;  ///< examined
+  std::vector<Box<N>> passed_on;  ///< undecided ones that are another search's
+  long boxes = 0;                 ///< examined
   bool interrupted = false;
 };
 
@@ -77,6 +78,8 @@ class SearchedSystem {
   /// Narrows the box; false where nothing is left of it.
   virtual bool contract(Box<N>& box) const = 0;
   virtual bool splits_by_slopes() const = 0;
+  /// Whether a box that is not decided is left to another search instead of being split.
+  virtual bool passes_on(const Box<N>&) const { return false; }
 
  private:
   BoxEquations<N> boxes_;
@@ -85,7 +88,7 @@ class SearchedSystem {
 /// System: the reduced balance in double and extended precision; BoxSystem: the same in intervals, with what it has
 /// of solution_box(), excludes(), contract() and split_by_slopes. It refers to both.
 template <class System, class BoxSystem>
-class SearchedPair final : public SearchedSystem<BoxSystem::dimension> {
+class SearchedPair : public SearchedSystem<BoxSystem::dimension> {
  public:
   static constexpr int N = BoxSystem::dimension;
 
@@ -129,11 +132,11 @@ template <int N>
 PruneResult<N> branch_and_prune(const SearchedSystem<N>& system, Mirror mirror,
                                 const PruneOptions& options, const Box<N>& everything);
 /// The same after a search to_go_on of a system that this one is a case of, from its solutions, made this
-/// system's, and its undecided boxes; N = 2, 3.
+/// system's, and its undecided boxes; left: boxes that another search left undecided. N = 1, 2, 3.
 template <int N>
 PruneResult<N> branch_and_prune(const SearchedSystem<N>& system, Mirror mirror,
                                 const PruneOptions& options, const Box<N>& everything,
-                                const PruneResult<N>& before);
+                                const PruneResult<N>& before, const std::vector<Box<N>>& left = {});
 
 /// Of a case of the system that has each of these alone in its box `unique`, its own solutions there: by
 /// Newton's method from that, proven as those of a search are. Nothing where that fails of one.

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 #include <tuple>
+#include <type_traits>
 
 #include "solver/proof/axis_boxes.hpp"
 #include "solver/search/anisotropic_search.hpp"
 #include "solver/search/model_terms.hpp"
+#include "solver/search/round_search.hpp"
 #include "solver/search/search_run.hpp"
 
 namespace stationary {
@@ -52,8 +54,10 @@ class AxisSearch {
     const auto axial = search_.prune(ThicknessSystem<Thickness>{model.thickness, rates_.rho},
                                      boxes.thickness, Mirror::none, 2);
     if (search_.ends_with(axial)) return;
-    const auto planar =
-        search_.prune(PlanarSystem<Plane>{model.plane, rates_}, boxes.plane, mirror_);
+    const PlanarSystem<Plane> system{model.plane, rates_};
+    const auto planar = mirror_ == Mirror::both
+                            ? in_parts(system, boxes.plane, {options_.range(0), options_.range(1)})
+                            : search_.prune(system, boxes.plane, mirror_);
     search_.combine(
         planar, axial,
         [](const Box<2>& x) {
@@ -73,15 +77,35 @@ class AxisSearch {
     // Gravity and elastic force nearly cancel over wide boxes.
     constexpr long patience = is_body_model<Coupled> ? 20 : 1;
     const Box<3> everything{options_.range(0), options_.range(1), options_.range(2)};
+    const CoupledSystem<Coupled> system{model, rates_};
+    const auto all = [&] {
+      if constexpr (!is_body_model<Coupled>) {
+        if (mirror_ == Mirror::both) return in_parts(system, boxes.coupled, everything);
+      }
+      return search_.prune(system, boxes.coupled, mirror_, everything, patience);
+    };
     search_.each_of(
-        search_.prune(CoupledSystem<Coupled>{model, rates_}, boxes.coupled, mirror_, everything,
-                      patience),
+        all(),
         [](const Box<3>& x) {
           return StretchBox{x[0], x[1], x[2]};
         },
         [this](const ProvenSolution<3>& each) {
           add({0.0, each.x[0], each.x[1], each.x[2]}, each.proof.error_bound, each.proof.proven);
         });
+  }
+
+  /// Where J1 = J2, or nothing spins: that is a spin of a body with J1 = J2 too.
+  template <class System, class Boxes>
+  PruneResult<Boxes::dimension> in_parts(const System& system, const Boxes& boxes,
+                                         const Box<Boxes::dimension>& everything) {
+    constexpr int N = Boxes::dimension;
+    const double J = problem_.body().J1;
+    const double pull = J * (nu_ * nu_);
+    const TwoPolarInvariantSystem<std::decay_t<decltype(system.model)>, N> invariants{system.model,
+                                                                                      pull, pull};
+    const EllipseBoxSystem<std::decay_t<decltype(boxes.model)>, N> ellipses{
+        boxes.model, as_input(J, options_.inputs), {as_input(nu_, options_.inputs), Interval(0.0)}};
+    return search_.prune(RoundSearch(system, boxes, invariants, ellipses, mirror_, everything));
   }
 
   void add(const Stretch& q, double error_bound, bool proven) {

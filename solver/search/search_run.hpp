@@ -42,14 +42,8 @@ class SearchRun {
                                           Mirror mirror,
                                           const Box<BoxSystem::dimension>& everything,
                                           long factor = 1) {
-    const PruneOptions options{.min_width = options_.min_width,
-                               .max_boxes = factor * options_.max_boxes,
-                               .stop = options_.stop};
-    auto found = branch_and_prune<BoxSystem::dimension>(
-        SearchedPair<System, BoxSystem>(system, boxes), mirror, options, everything);
-    out_.boxes += found.boxes;
-    if (found.interrupted) out_.status = SearchStatus::interrupted;
-    return found;
+    return taken(branch_and_prune<BoxSystem::dimension>(
+        SearchedPair<System, BoxSystem>(system, boxes), mirror, prune_options(factor), everything));
   }
   /// With the unknowns in the ranges asked for; first: the stretch that is the first of them.
   template <class System, class BoxSystem>
@@ -58,6 +52,11 @@ class SearchRun {
     Box<BoxSystem::dimension> everything;
     for (std::size_t k = 0; k < everything.size(); ++k) everything[k] = options_.range(first + k);
     return prune(system, boxes, mirror, everything);
+  }
+  /// All solutions of a search in parts (round_search.hpp).
+  template <class Parts>
+  auto prune(const Parts& parts) {
+    return taken(*parts.finished(prune_options(1), nullptr));
   }
   /// No thickness, no ellipsoid: whatever the plane does.
   bool ends_with(const PruneResult<1>& thickness) const {
@@ -133,6 +132,18 @@ class SearchRun {
   }
 
  private:
+  PruneOptions prune_options(long factor) const {
+    return {.min_width = options_.min_width,
+            .max_boxes = factor * options_.max_boxes,
+            .stop = options_.stop};
+  }
+  template <int N>
+  PruneResult<N> taken(PruneResult<N> found) {
+    out_.boxes += found.boxes;
+    if (found.interrupted) out_.status = SearchStatus::interrupted;
+    return found;
+  }
+
   const SearchOptions& options_;
   bool assumes_;  ///< the potential takes for granted what is not proven
   SearchResult out_;

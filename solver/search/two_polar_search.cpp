@@ -7,13 +7,62 @@
 #include <numeric>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "solver/proof/two_polar_boxes.hpp"
+#include "solver/search/round_search.hpp"
 #include "solver/search/search_run.hpp"
 
 namespace stationary {
 namespace {
+
+/// The equations of a motion in doubles and over boxes, and the search of them.
+template <class Model, template <class> class Motion>
+class Equations {
+ public:
+  using Elastic = decltype(elastic_system(std::declval<const Model&>()));
+  static constexpr int N = Elastic::dimension;
+  using System = TwoPolarSystem<Elastic, Motion>;
+  using Boxes = decltype(two_polar_box_system(
+      0.0, std::declval<const Model&>(), std::declval<const Motion<double>&>(), Inputs::decimals));
+  /// Circles are there at given rates; their ellipses near them are sought by other equations.
+  static constexpr bool in_parts =
+      std::is_same_v<Motion<double>, TwoPolarRates<double>> && !is_body_model<Model>;
+
+  Equations(double J, const Model& model, const Motion<double>& motion, Inputs inputs)
+      : system_{elastic_system(model), J, motion},
+        boxes_(two_polar_box_system(J, model, motion, inputs)) {}
+
+  /// Of other numbers, one of which may be many.
+  void set(const Motion<double>& motion, const Motion<Interval>& inputs,
+           const std::optional<int>& varied) {
+    system_.motion = motion;
+    boxes_.motion = inputs;
+    boxes_.varied_number = varied;
+  }
+
+  /// f(search): it refers to these equations. mirror: as branch_and_prune().
+  template <class F>
+  auto with_search(const Box<N>& everything, const F& f) const {
+    if constexpr (in_parts) {
+      const double J = system_.J;
+      const auto& [omega, theta_dot] = system_.motion;
+      const double slip = omega - theta_dot;
+      const TwoPolarInvariantSystem<typename Elastic::ModelType, N> invariants{
+          system_.elastic.model, J * (omega * omega + theta_dot * theta_dot), J * slip * slip};
+      const EllipseBoxSystem<decltype(boxes_.model), N> ellipses{
+          boxes_.model, boxes_.J, boxes_.motion, boxes_.varied_number};
+      return f(RoundSearch(system_, boxes_, invariants, ellipses, Mirror::one, everything));
+    } else {
+      return f(WholeSearch(system_, boxes_, Mirror::one, everything));
+    }
+  }
+
+ private:
+  System system_;
+  Boxes boxes_;
+};
 
 class TwoPolarSearch {
  public:
@@ -65,14 +114,19 @@ class TwoPolarSearch {
 
   template <class Model, template <class> class Motion>
   void run_model(const Model& model, const Motion<double>& motion) {
-    const TwoPolarSystem<decltype(elastic_system(model)), Motion> system{elastic_system(model),
-                                                                         body_.J1, motion};
-    const auto boxes = two_polar_box_system(body_.J1, model, motion, options_.inputs);
+    using Own = Equations<Model, Motion>;
+    Box<Own::N> everything;
+    for (std::size_t k = 0; k < everything.size(); ++k) everything[k] = options_.range(k);
+    const Own equations(body_.J1, model, motion, options_.inputs);
+    const auto all = [&] {
+      return equations.with_search(everything,
+                                   [&](const auto& search) { return search_.prune(search); });
+    };
     if constexpr (requires { model.plane; }) {
       const auto axial = thicknesses(model);
-      if (!search_.ends_with(axial)) take(search_.prune(system, boxes, Mirror::one), axial);
+      if (!search_.ends_with(axial)) take(all(), axial);
     } else {
-      take(search_.prune(system, boxes, Mirror::one));
+      take(all());
     }
   }
 
@@ -146,21 +200,19 @@ namespace {
 template <class Model, template <class> class Motion>
 class BlocksOf final : public TwoPolarSearches::Blocks {
  public:
-  using Elastic = decltype(elastic_system(std::declval<const Model&>()));
-  static constexpr int N = Elastic::dimension;
+  using Own = Equations<Model, Motion>;
+  static constexpr int N = Own::N;
 
   BlocksOf(const Body& body, const Potential& potential, const Model& model,
            const TwoPolarMotion& motion, const NumberRange& range, const SearchOptions& options)
       : body_(body),
         potential_(potential),
-        model_(model),
         range_(range),
         options_(options),
-        boxes_(two_polar_box_system(body.J1, model_, std::get<Motion<double>>(motion),
-                                    options.inputs)) {
+        equations_(body.J1, model, std::get<Motion<double>>(motion), options.inputs) {
     for (std::size_t k = 0; k < everything_.size(); ++k) everything_[k] = options.range(k);
     if constexpr (N == 2) {
-      axial_ = TwoPolarSearch(body, potential, motion, options).thicknesses(model_);
+      axial_ = TwoPolarSearch(body, potential, motion, options).thicknesses(model);
       possible_ = axial_.undecided.empty() && !axial_.interrupted;
     }
   }
@@ -169,29 +221,22 @@ class BlocksOf final : public TwoPolarSearches::Blocks {
                                  long& boxes) override {
     if (!possible_) return std::nullopt;
     const auto& numbers = std::get<Motion<double>>(motion);
-    const PruneResult<N>* before = around(numbers, place, boxes);
+    const Parts* before = around(numbers, place, boxes);
     if (before == nullptr) return std::nullopt;
-    const System system{elastic_system(model_), body_.J1, numbers};
-    boxes_.motion = as_inputs(numbers);
-    boxes_.varied_number.reset();
-    const SearchedPair searched(system, boxes_);
-    auto known = solutions_within<N>(searched, before->solutions);
-    if (!known) return std::nullopt;
-    PruneResult<N> begun;
-    begun.solutions = std::move(*known);
-    begun.undecided = before->undecided;
-    const PruneResult<N> found = branch_and_prune<N>(
-        searched, Mirror::one, prune_options(options_.min_width, options_.max_boxes), everything_,
-        begun);
-    boxes += found.boxes;
-    if (found.interrupted || !found.undecided.empty()) return std::nullopt;
-    SearchResult out = TwoPolarSearch(body_, potential_, motion, options_).of(found, axial_);
-    out.boxes = found.boxes;
+    equations_.set(numbers, as_inputs(numbers), std::nullopt);
+    const auto found = equations_.with_search(everything_, [&](const auto& search) {
+      return search.finished(prune_options(options_.min_width, options_.max_boxes), before);
+    });
+    if (!found) return std::nullopt;
+    boxes += found->boxes;
+    if (found->interrupted || !found->undecided.empty()) return std::nullopt;
+    SearchResult out = TwoPolarSearch(body_, potential_, motion, options_).of(*found, axial_);
+    out.boxes = found->boxes;
     return out.status == SearchStatus::complete ? std::optional(std::move(out)) : std::nullopt;
   }
 
  private:
-  using System = TwoPolarSystem<Elastic, Motion>;
+  using Parts = FoundInParts<N>;
 
   /// Values of a block, and the width in ln x to which its search goes.
   struct Level {
@@ -203,7 +248,7 @@ class BlocksOf final : public TwoPolarSearches::Blocks {
 
   struct Block {
     std::size_t place = std::numeric_limits<std::size_t>::max();
-    PruneResult<N> left;
+    Parts left;
   };
 
   PruneOptions prune_options(double min_width, long max_boxes) const {
@@ -214,49 +259,43 @@ class BlocksOf final : public TwoPolarSearches::Blocks {
   }
 
   /// What the search of the smallest block of the value has left; null where it was stopped.
-  const PruneResult<N>* around(const Motion<double>& motion, std::size_t place, long& boxes) {
-    const PruneResult<N>* out = nullptr;
+  const Parts* around(const Motion<double>& motion, std::size_t place, long& boxes) {
+    const Parts* out = nullptr;
     for (std::size_t k = 0; k < levels.size(); ++k) {
       Block& block = blocks_[k];
       const std::size_t own = place / levels[k].size;
       if (block.place != own) {
         block = {own, left_of(motion, own * levels[k].size, levels[k], out)};
-        boxes += block.left.boxes;
+        boxes += block.left.boxes();
         // A block within another begins anew.
         for (std::size_t j = k + 1; j < levels.size(); ++j) blocks_[j] = Block();
       }
-      if (block.left.interrupted) return nullptr;
+      if (block.left.interrupted()) return nullptr;
       out = &block.left;
     }
     return out;
   }
 
-  PruneResult<N> left_of(Motion<double> motion, std::size_t first, const Level& level,
-                         const PruneResult<N>* before) {
+  Parts left_of(Motion<double> motion, std::size_t first, const Level& level, const Parts* before) {
     const auto values = range_.values.subspan(first);
     const double from = values.front();
     const double to = values[std::min(level.size, values.size()) - 1];
-    boxes_.motion = as_inputs(motion);
-    boxes_.varied_number = range_.number;
-    number_of(boxes_.motion, range_.number) =
+    Motion<Interval> inputs = as_inputs(motion);
+    number_of(inputs, range_.number) =
         hull(as_input(from, options_.inputs), as_input(to, options_.inputs));
     number_of(motion, range_.number) = std::midpoint(from, to);
-    const System system{elastic_system(model_), body_.J1, motion};
-    const SearchedPair searched(system, boxes_);
+    equations_.set(motion, inputs, range_.number);
     PruneOptions how = prune_options(level.min_width, most_boxes);
     how.to_go_on = true;
-    return before == nullptr
-               ? branch_and_prune<N>(searched, Mirror::one, how, everything_)
-               : branch_and_prune<N>(searched, Mirror::one, how, everything_, *before);
+    return equations_.with_search(everything_,
+                                  [&](const auto& search) { return search.begun(how, before); });
   }
 
   const Body& body_;
   const Potential& potential_;
-  Model model_;
   NumberRange range_;
   const SearchOptions& options_;
-  decltype(two_polar_box_system(0.0, std::declval<const Model&>(),
-                                std::declval<const Motion<double>&>(), Inputs::decimals)) boxes_;
+  Own equations_;
   Box<N> everything_;
   PruneResult<1> axial_;
   bool possible_ = true;
@@ -275,7 +314,7 @@ TwoPolarSearches::TwoPolarSearches(const Body& body, const Potential& potential,
     std::visit(
         [&]<template <class> class Motion>(const Motion<double>&) {
           blocks_ = std::make_unique<BlocksOf<Model, Motion>>(body, potential, model, motion, range,
-                                                              options);
+                                                              options_);
         },
         motion);
   });

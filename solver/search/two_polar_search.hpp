@@ -26,7 +26,7 @@ SearchResult search_two_polar(const Body& body, const Potential& potential,
 /// motion. One that this leaves undecided is searched by itself.
 class TwoPolarSearches {
  public:
-  /// motion: its other number. What is referred to must outlive it. Throws as search_two_polar().
+  /// motion: its other number. Body, potential and the range's values must outlive it. Throws as search_two_polar().
   TwoPolarSearches(const Body& body, const Potential& potential, const TwoPolarMotion& motion,
                    const NumberRange& range, const SearchOptions& options = {});
   ~TwoPolarSearches();
@@ -45,7 +45,7 @@ class TwoPolarSearches {
   const Potential& potential_;
   TwoPolarMotion motion_;
   NumberRange range_;
-  const SearchOptions& options_;
+  SearchOptions options_;
   long shared_ = 0;
   long boxes_ = 0;
   std::unique_ptr<Blocks> blocks_;

@@ -368,8 +368,8 @@ Equilibrium solved(const Body& body, const Potential& potential, const TwoPolarM
   return out;
 }
 
-/// (lambda, mu, rho) without the rounding of q: of a motion's numbers, rates and momenta, those count that move q
-/// less. Rounded rates may move a body far that its momenta hold, and the other way round.
+/// (lambda, mu, rho) without the rounding of q, at a motion's rates or momenta: of several those count that move q
+/// least. Rounded rates may move a body far that its momenta hold, and the other way round.
 struct UnroundedStretch {
   explicit UnroundedStretch(const Stretch& near)
       : q{DoubleDouble(near.xi), DoubleDouble(near.zeta), DoubleDouble(near.rho)} {}
@@ -455,14 +455,20 @@ Spectrum two_polar_stability(const Body& body, const Potential& potential,
   }
   return potential.visit_parts([&](const auto& model) {
     UnroundedStretch found(equilibrium.q);
-    found.at(body, model, rates, equilibrium.q);
-    if (momenta.s3 == momenta.p_theta) {
-      found.at(body, model, TwoPolarEqualMomenta<double>{momenta.s3}, equilibrium.q);
-    } else {
-      found.at(body, model, momenta, equilibrium.q);
-    }
+    const auto by_momenta = [&] {
+      if (momenta.s3 == momenta.p_theta) {
+        found.at(body, model, TwoPolarEqualMomenta<double>{momenta.s3}, equilibrium.q);
+      } else {
+        found.at(body, model, momenta, equilibrium.q);
+      }
+    };
+    // What was prescribed holds it; where that leads nowhere the others may.
+    const bool prescribed = equilibrium.two_polar->by_momenta;
+    if (prescribed) by_momenta();
+    if (!prescribed || found.moved == 1.0) found.at(body, model, rates, equilibrium.q);
+    if (!prescribed && found.moved == 1.0) by_momenta();
     // Where neither leads anywhere, nothing is known of the spectrum.
-    return two_polar_stability(body, model, found.q, rates, momenta.s3,
+    return two_polar_stability(body, model, found.q, *equilibrium.two_polar,
                                stretch_uncertainty(equilibrium.error_bound + found.moved));
   });
 }

@@ -179,6 +179,17 @@ test('the slider of a followed number goes along the family', async () => {
   await page.close();
 });
 
+test('each key moves the slider of a narrow range', async () => {
+  const page = await open(makePage(shippedCase('tilted.toml')));
+  await over(page, 1);
+  const slider = page.locator('input[type=range][data-key="nu"]');
+  const before = Number(await slider.inputValue());
+  for (let k = 0; k < 5; ++k) await slider.press('ArrowRight');
+  assert.equal(Number(await slider.inputValue()), before + 5);
+  assert.match(page.url(), /row=/);
+  await page.close();
+});
+
 test('sliders are not cut off on the narrowest screen', async () => {
   const page = await open(makePage(shippedCase('fold.toml')), { viewport: { width: 320, height: 600 } });
   await over(page, 1);

@@ -243,6 +243,28 @@ test('a row as TOML is a case whose solution is the row', async () => {
   }
 });
 
+test('a round two-polar motion and a length of an atlas from below 0 have cases that are taken', async () => {
+  const all = table('round.csv', 'solve', shippedCase('two_polar.toml'), '--set', 'solve.all=true');
+  const round = csv(all).rows.findIndex((row) => row.xi === row.zeta);
+  assert.ok(round >= 0);
+  const both = table('both.csv', 'atlas', shippedCase('neo_hookean.toml'), '--set', 'continuation.from=-1', '--set', 'continuation.to=1');
+  const tilted = csv(both).rows.findIndex((row) => row.branch === 'tilted' && row.event === '');
+  assert.ok(tilted >= 0);
+  for (const [name, row, what] of [[all, round, /round at this row/], [both, tilted, /^$/]]) {
+    const page = await open(makePage(name), { fragment: `#row=${row + 1}` });
+    assert.equal(run('solve', write('offered.toml', await page.textContent('#toml'))).code, 0);
+    assert.match(await page.textContent('#start-note'), what);
+    await page.close();
+  }
+});
+
+test('a body whose table leaves columns out turns as its case says', async () => {
+  const some = table('some.csv', 'continue', shippedCase('fold.toml'), '--set', 'output.columns=["nu1","lambda","mu","rho","angle","class"]');
+  const page = await open(makePage(some), { fragment: '#row=30' });
+  assert.match(await page.getAttribute('#body', 'aria-label'), /turning about/);
+  await page.close();
+});
+
 test('the diagram has one page for several tables', async () => {
   const page = await open(makePage([followed(), result('two_polar.csv')]));
   await page.selectOption('#tables', '1');

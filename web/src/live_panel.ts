@@ -162,7 +162,11 @@ export class LivePanel {
 
   /** Positive numbers by factors, others by differences; the digits a slider gives are few. */
   private scale(key: string, value: number): { value(share: number): number; share(value: number): number } {
-    const short = (at: number): number => Number(at.toPrecision(4));
+    // Four digits, and more where the range is narrow: a step of the slider is one of the number.
+    const short = (at: number, step = Infinity): number => {
+      const digits = at === 0 ? 4 : Math.ceil(Math.log10(Math.abs(at) / step)) + 1;
+      return Number(at.toPrecision(Math.min(Math.max(digits, 4), 17)));
+    };
     const spin = key === 'nu' || key.startsWith('motion.');
     if (value > 0 && !spin) {
       const [low, high] = [Math.log(value / 5), Math.log(5 * value)];
@@ -171,7 +175,7 @@ export class LivePanel {
     const range = this.described?.range;
     const size = Math.max(2 * Math.abs(value), 1);
     const [low, high] = spin && range?.parameter === key ? [range.from, range.to] : spin && value >= 0 ? [0, size] : [-size, size];
-    return { value: (share) => short(low + share * (high - low)), share: (at) => (at - low) / (high - low) };
+    return { value: (share) => short(low + share * (high - low), (high - low) / steps), share: (at) => (at - low) / (high - low) };
   }
 
   private changed(key: string, value: number): void {

@@ -14,6 +14,7 @@ import { showProvenClasses } from './diagram/proven_classes';
 import { meaning, shown } from './table/quantities';
 import { listenToCopying, rowName, showRow } from './row_panel';
 import { rowStart } from './table/row_start';
+import { stretchSize } from './table/stretch_size';
 import { showSpectrum } from './diagram/spectrum';
 import { available, colourings, firstState, fromFragment, mapQuantities, prefersLogarithm, presets, toFragment, type ColourBy, type State } from './table/state';
 import { Table } from './table/table';
@@ -85,6 +86,7 @@ class Page {
     this.nearest(value, this.state.row === null ? '' : this.table.text('sheet', this.state.row));
     this.showChosen(false);
     this.diagram.draw();
+    this.remember();
   }
 
   /** The table that is shown; null: the one that was computed here. */
@@ -252,7 +254,7 @@ class Page {
     const { table, state } = this;
     const verdict = table.text('class', row);
     const names = table.kind === 'map' ? [...table.parameters, ...state.y] : [state.x, ...state.y];
-    const values = names.filter((name) => Number.isFinite(table.value(name, row))).map((name) => `${name === 'spin' ? 'ν' : meaning(name).symbol} = ${shown(table.value(name, row))}`);
+    const values = names.filter((name) => Number.isFinite(table.value(name, row))).map((name) => `${meaning(name === 'spin' ? table.spinColumn(row) : name).symbol} = ${shown(table.value(name, row))}`);
     return `${rowName(table, row)}. ${values.join(', ')}${verdict === '' ? '' : `. ${verdict}`}`;
   }
 
@@ -343,13 +345,9 @@ class Page {
     const lines = names.map((name) => {
       const value = table.value(name, row);
       if (!Number.isFinite(value)) return element('div', {}, `${meaning(name).symbol}: ${table.text(name, row) || 'not computed'}`);
-      const symbol = name === 'spin' ? 'ν' : meaning(name).symbol;
-      const isStretch = ['alpha', 'xi', 'zeta', 'rho', 'lambda', 'mu'].includes(name);
-      // The bound of alpha is relative to the root of xi zeta.
-      const size = name === 'alpha' ? Math.sqrt(table.value('xi', row) * table.value('zeta', row)) : Math.abs(value);
-      const error = size * bound;
-      const told = isStretch && Number.isFinite(error) ? `${table.text(name, row)} ± ${error.toExponential(1)}` : shown(value);
-      const unit = meaning(name).unit;
+      const { symbol, unit } = meaning(name === 'spin' ? table.spinColumn(row) : name);
+      const error = stretchSize(table, name, row) * bound;
+      const told = Number.isFinite(error) ? `${table.text(name, row)} ± ${error.toExponential(1)}` : shown(value);
       return element('div', {}, element('i', {}, symbol), ` = ${told}${unit === '' || unit === '1' ? '' : ` ${unit}`}`);
     });
     const verdict = table.text('class', row);

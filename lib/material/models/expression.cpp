@@ -180,13 +180,24 @@ double balanced_thickness_of(const ThicknessExpression<double>& model, const Dou
   const auto excess = [&](double rho) {
     return double(part.evaluate<1>(DoubleDouble(rho)).v_r - m * two_product(rho, rho));
   };
+  const auto rises = [&](double at) {
+    const auto v = part.evaluate<2>(exp(at));
+    return v.v_rr > 2.0 * v.v_r;
+  };
   double a = log(rest);
   while (a < largest_logarithm) {
-    const double b = a + step;
-    const auto v = part.evaluate<2>(exp(b));
+    double b = a + step;
     if (excess(exp(b)) > 0.0) return crossing(excess, a, b);
-    if (!(v.v_rr > 2.0 * v.v_r)) break;
-    a = b;
+    if (rises(b)) {
+      a = b;
+      continue;
+    }
+    double turn = a;  // the fold is in this step, and the solution may be before it
+    for (double middle = 0.5 * (turn + b); turn < middle && middle < b;
+         middle = 0.5 * (turn + b))
+      (rises(middle) ? turn : b) = middle;
+    if (turn > a && excess(exp(turn)) > 0.0) return crossing(excess, a, turn);
+    break;
   }
   return poison<double>();
 }

@@ -84,7 +84,10 @@ void require_conditions(const CaseTree& tree, const std::string& key,
     if (!e.graph.is_coefficient(each.node)) continue;
     const double value = value_of(e.graph, each.node, parameters);
     if (each.positive ? value > 0.0 : value != 0.0) continue;
-    throw fault_at(tree, key, "found parameters with which it is defined nowhere", each.text);
+    throw fault_at(tree, key,
+                   parameters.empty() ? "found a condition that holds nowhere"
+                                      : "found parameters with which it is defined nowhere",
+                   each.text);
   }
 }
 

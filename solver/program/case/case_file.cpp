@@ -272,7 +272,7 @@ std::vector<std::pair<std::string, double>> read_uncertainty(const CaseTree& tre
   const std::vector<std::string> valid = case_parameters(family.motion, family.models);
   for (const auto& [key, value] : *node->as_table()) {
     const std::string name =
-        read_parameter_name(tree, "output.uncertainty", std::string(key.str()), valid);
+        read_parameter_name(tree, "output.uncertainty", std::string(key.str()), valid, false);
     if (!parts_of(name).second.empty())
       throw fault_at(tree, "output.uncertainty", "found the ratio " + in_quotes(name),
                      "numbers of the case, each by itself");

@@ -34,7 +34,7 @@ std::string motion_text(const Motion& motion) {
       motion,
       [](const AxisRotation& at) {
         const Vector3<double> v = angular_velocity(at.branch, at.nu);
-        return fmt::format("branch ({}), nu = ({}, {}, {})", name(at.branch), v[0], v[1], v[2]);
+        return fmt::format("branch ({}), nu = ({}, {}, {})", name(at.branch), v[0] + 0.0, v[1] + 0.0, v[2] + 0.0);  // 0, not -0
       },
       [](const TiltedMotion& at) {
         const char* plane = !at.plane                           ? "1-3 or the 2-3"

@@ -67,7 +67,9 @@ Assignment split(std::string_view text, const Origin& where) {
 
 /// The value as a table of one key "value": a node cannot be moved out of its tree without it.
 toml::table parse_value(const Assignment& assignment) {
-  if (too_deep(assignment.value)) {
+  // Parts of a key count only where there may be one: in a table, or on a line of its own.
+  const bool may_nest = assignment.value.find_first_of("[{\n") != std::string::npos;
+  if (may_nest && too_deep(assignment.value)) {
     assignment.refuse("found a value that nests more deeply than a case does",
                       "at most " + std::to_string(largest_toml_depth) + " brackets in one another",
                       {});
@@ -77,9 +79,10 @@ toml::table parse_value(const Assignment& assignment) {
     if (out.size() == 1) return out;
     assignment.refuse("found more than one value", "one TOML value", {});
   } catch (const toml::parse_error& error) {
-    // true, false, inf and nan have parsed; what else begins with a letter is a bare word.
-    if (is_letter(assignment.value.front()) && assignment.value.find('\n') == std::string::npos &&
-        is_utf8(assignment.value)) {
+    // true, false, inf and nan have parsed; what else begins with a letter, or as a path does, is a bare word.
+    const char first = assignment.value.front();
+    if ((is_letter(first) || first == '.' || first == '/' || first == '~') &&
+        assignment.value.find('\n') == std::string::npos && is_utf8(assignment.value)) {
       toml::table out;
       out.insert("value", assignment.value);
       return out;
@@ -141,6 +144,10 @@ void CaseTree::override_key(std::string_view text, const Origin& where) {
     }
   }
   set_origin(key, assignment.origin);
+  const std::string below = key + '.';  // these are no more
+  for (auto it = overrides_.lower_bound(below);
+       it != overrides_.end() && it->first.starts_with(below);)
+    it = overrides_.erase(it);
   overrides_[key] = where.text().empty() ? assignment.origin.option : assignment.origin.text();
 }
 

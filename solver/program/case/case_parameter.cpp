@@ -146,7 +146,7 @@ ParameterParts parts_of(std::string_view parameter) {
 }
 
 std::string read_parameter_name(const CaseTree& tree, const std::string& key, std::string found,
-                                const std::vector<std::string>& valid) {
+                                const std::vector<std::string>& valid, bool or_ratio) {
   const std::vector<std::string_view> names(valid.begin(), valid.end());
   const auto named = [&](std::string_view part) {
     // The dotted key of the same number.
@@ -154,7 +154,7 @@ std::string read_parameter_name(const CaseTree& tree, const std::string& key, st
     const bool absent = (part == "gravity.g" || part == "body.volume") && !find(tree, part);
     if (std::ranges::find(names, name) == names.end())
       throw fault_at(tree, key, "found the string " + in_quotes(found),
-                     names.size() > 1
+                     or_ratio && names.size() > 1
                          ? "one of " + listed(names) + ", or a ratio \"a/b\" of two of them"
                          : "one of " + listed(names),
                      absent ? "the case has no " + std::string(part) + " to begin with"

@@ -61,9 +61,9 @@ struct ParameterParts {
 ParameterParts parts_of(std::string_view parameter);
 
 /// The parameter as the case names it ("nu" for motion.nu, in a ratio too). Throws InputError at the
-/// key where it is none of the valid numbers, nor a ratio of two of them.
+/// key where it is none of the valid numbers, nor a ratio of two of them; or_ratio: whether it says so.
 std::string read_parameter_name(const CaseTree& tree, const std::string& key, std::string found,
-                                const std::vector<std::string>& valid);
+                                const std::vector<std::string>& valid, bool or_ratio = true);
 
 /// The number that the first of a ratio is at the ratio 1: the second; else 1.
 double parameter_unit(const FamilyParameters& family, std::string_view parameter);

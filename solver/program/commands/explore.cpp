@@ -1,14 +1,17 @@
 // stationary explore FILE… -o PAGE.html: one self-contained page that shows tables, or opens a case, and computes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 #include "solver/program/case/case_file.hpp"
+#include "solver/program/diagram/same_body.hpp"
 #include "solver/program/explore/live_solver.hpp"
 #include "solver/program/explore/page.hpp"
 #include "solver/program/explore/page_data.hpp"
@@ -67,6 +70,26 @@ PageCase read_page_case(const std::string& path) {
   return {fs::path(path).filename().string(), {std::istreambuf_iterator<char>(file), {}}};
 }
 
+bool has_column(const PageTable& table, std::string_view name) {
+  return std::ranges::find(table.columns, name, &PageColumn::name) != table.columns.end();
+}
+
+/// Of curves of events that the page draws over a map: where they are of another body.
+void tell_other_bodies(std::span<const PageTable> tables) {
+  for (const PageTable& map : tables) {
+    if (map.parameters.size() != 2 || !has_column(map, "status")) continue;
+    for (const PageTable& curves : tables) {
+      const bool drawn = curves.parameters.size() == 2 && has_column(curves, "curve") &&
+                         std::ranges::all_of(map.parameters, [&](const std::string& each) {
+                           return has_column(curves, each);
+                         });
+      if (drawn && !of_one_body(map.metadata, curves.metadata, map.parameters))
+        complain(fmt::format("{}: its curves are of another body than the map's, {}",
+                             printable(curves.file), printable(map.file)));
+    }
+  }
+}
+
 ExitCode explore(const ExploreOptions& options) {
   refuse_suffix(options.output);
   for (const std::string& each : options.files) {
@@ -93,6 +116,7 @@ ExitCode explore(const ExploreOptions& options) {
       if (!tables.back().warning.empty()) complain(tables.back().warning);
     }
     title = tables.front().title;
+    tell_other_bodies(tables);
   }
   const std::string text = filled_page(
       page_template(),

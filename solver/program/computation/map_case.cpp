@@ -13,6 +13,7 @@
 #include "solver/program/case/case_motion.hpp"
 #include "solver/program/case/case_schema.hpp"
 #include "solver/program/rows/map_cells.hpp"
+#include "solver/program/rows/map_grid.hpp"
 #include "solver/program/session/computation_plan.hpp"
 #include "solver/program/session/exit_status.hpp"
 #include "solver/program/session/report.hpp"
@@ -153,6 +154,9 @@ ComputationPlan map_plan(const Case& input, bool to_table) {
     const PlanItem alone{"cells", "each solved by itself, as `solve` does",
                          "a kind of motion that is not marched in nu"};
     out.computed.push_back(rows_together(input).value_or(alone));
+  } else if (!MapGrid::takes(*input.map)) {
+    out.computed.push_back({"cells", "each solved by itself, as `solve` does",
+                            "nu and what it is divided by, or what is divided by it, both vary"});
   } else if (!input.potential.is_isotropic()) {
     out.computed.push_back(
         {"cells", "on the curve from the rest state, followed once for all nu of one body",

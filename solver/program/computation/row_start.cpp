@@ -131,10 +131,12 @@ class FromRow {
   }
 
   EventRow event(EventType type) {
+    if (!row_.contains("event"))
+      refuse_row(text_, "found no column event", "a table that names its rows' events");
     const auto is_one = [&](EventType each) { return row_.at("event") == name(each); };
-    const bool folds = is_fold(type) && row_.contains("event") &&
+    const bool folds = is_fold(type) &&
                        (is_one(EventType::fold_nu) || is_one(EventType::fold_parameter));
-    if (row_.contains("event") && !is_one(type) && !folds)
+    if (!is_one(type) && !folds)
       refuse_row(text_, "found " + in_quotes(row_.at("event")),
                  "a row of " + in_quotes(name(type)));
     if (text("branch") != given_.branch_name())

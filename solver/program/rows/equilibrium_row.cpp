@@ -66,8 +66,7 @@ std::vector<Column> equilibrium_columns(const RowParts& parts) {
     const auto c = static_cast<Column>(k);
     if (((is_of_events(c) || c == Column::segment) && !parts.events) ||
         (needs_spectrum(c) && !parts.spectrum) || (is_two_polar(c) && !parts.two_polar) ||
-        (is_certificate(c) && !parts.certificate) ||
-        (c == Column::class_certified && !parts.spectrum) || (c == Column::status && !parts.map) ||
+        (is_certificate(c) && !parts.certificate) || (c == Column::status && !parts.map) ||
         (c == Column::sheet && parts.map) || (c == Column::pressure && !parts.pressure))
       continue;
     out.push_back(c);

@@ -29,11 +29,12 @@ std::vector<double> times(std::vector<double> values, double factor) {
 }  // namespace
 
 bool MapGrid::takes(const CaseMap& map) {
-  const auto spin_over = [](const MapAxis& axis, const MapAxis& other) {
+  const auto over = [](const MapAxis& axis, const MapAxis& other) {
     const ParameterParts parts = parts_of(axis.parameter);
-    return parts.first == "nu" && parts.second == parts_of(other.parameter).first;
+    const std::string_view first = parts_of(other.parameter).first;
+    return parts.second == first && (parts.first == "nu" || first == "nu");
   };
-  return !map.y || !(spin_over(map.x, *map.y) || spin_over(*map.y, map.x));
+  return !map.y || !(over(map.x, *map.y) || over(*map.y, map.x));
 }
 
 MapGrid::MapGrid(const Case& input)

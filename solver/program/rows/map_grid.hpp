@@ -22,7 +22,8 @@ class MapGrid final : public MapCells {
   /// input: with a map, of an axis rotation (std::bad_optional_access, std::bad_variant_access
   /// otherwise). It must outlive this.
   explicit MapGrid(const Case& input);
-  /// Not a spin over a number that varies too: nu would be another in every lane.
+  /// Not a spin over a number that varies too, nor that over the spin: nu would be another in every lane, the
+  /// body another at every nu.
   static bool takes(const CaseMap& map);
 
   std::size_t size() const override { return x_.size() * y_.size(); }

@@ -63,9 +63,16 @@ std::vector<Column> chosen_columns(const Case& input, const std::vector<Column>&
                                    std::string_view command, bool trailing) {
   std::vector<Column> out = select_columns(computed, input.output.columns);
   if (!out.empty() || trailing) return out;
+  const auto has = [&](Column c) { return std::ranges::find(computed, c) != computed.end(); };
   std::vector<std::string_view> names;
-  names.reserve(computed.size());
-  for (const Column c : computed) names.push_back(name(c));
+  for (std::size_t k = 0; k < column_count; ++k) {
+    const auto c = static_cast<Column>(k);
+    // The spectrum is left out for want of a column that is named.
+    const bool if_named = input.output.spectrum && needs_spectrum(c) &&
+                          (!is_certificate(c) || has(Column::certified)) &&
+                          (c != Column::segment || has(Column::event));
+    if (has(c) || if_named) names.push_back(name(c));
+  }
   throw fault_at(input.source, "output.columns",
                  "found no column that " + std::string(command) + " computes",
                  "names of " + listed(names));

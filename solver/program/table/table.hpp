@@ -59,8 +59,10 @@ std::optional<Column> find_column(std::string_view name);
 
 /// What the linearization gives: class ... krein5.
 constexpr bool is_spectral(Column c) { return c >= Column::stability && c <= Column::krein5; }
-/// What takes the linearization: those, and which segment of one class a curve's row is in.
-constexpr bool needs_spectrum(Column c) { return is_spectral(c) || c == Column::segment; }
+/// What takes the linearization: those, the proof of a class, and which segment of one class a curve's row is in.
+constexpr bool needs_spectrum(Column c) {
+  return is_spectral(c) || c == Column::class_certified || c == Column::segment;
+}
 /// What only two-polar motions have.
 constexpr bool is_two_polar(Column c) { return c >= Column::omega && c <= Column::p_theta; }
 /// "yes" where a proof stands behind the row's stretches and error_bound, and behind its class.

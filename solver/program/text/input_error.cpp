@@ -77,6 +77,17 @@ InputError::InputError(Origin origin, std::string key, std::string found, std::s
       allowed_(std::move(allowed)),
       remedy_(std::move(remedy)) {}
 
+namespace {
+
+/// U+0080 ... U+009F, which a terminal obeys, and the separators of lines and paragraphs, U+2028 and U+2029.
+bool is_control(std::string_view character) {
+  return (character.size() == 2 && character[0] == '\xC2' &&
+          static_cast<unsigned char>(character[1]) < 0xA0U) ||
+         character == "\xE2\x80\xA8" || character == "\xE2\x80\xA9";
+}
+
+}  // namespace
+
 std::string printable(std::string_view text) {
   constexpr std::size_t longest = 200;
   std::string out;
@@ -87,7 +98,10 @@ std::string printable(std::string_view text) {
     }
     const std::size_t length = character_length(text.substr(k));
     const auto byte = static_cast<unsigned char>(text[k]);
-    if (length == 0 || byte < 0x20U || byte == 0x7FU) {
+    if (length > 1 && is_control(text.substr(k, length))) {
+      for (const char each : text.substr(k, length))
+        out += fmt::format("\\x{:02X}", static_cast<unsigned char>(each));
+    } else if (length == 0 || byte < 0x20U || byte == 0x7FU) {
       out += fmt::format("\\x{:02X}", byte);
     } else {
       out += text.substr(k, length);

@@ -37,6 +37,9 @@ int edit_distance(std::string_view a, std::string_view b) {
 std::optional<std::string_view> nearest_name(std::string_view name,
                                              std::span<const std::string_view> candidates) {
   if (name.empty() || name.size() > longest_name) return std::nullopt;
+  constexpr std::size_t telling = 4;  // characters of a name that is not whole
+  for (const std::string_view candidate : candidates)
+    if (name.size() >= telling && candidate.starts_with(name)) return candidate;
   std::optional<std::string_view> best;
   int best_distance = 0;
   for (const std::string_view candidate : candidates) {

@@ -11,7 +11,8 @@ namespace stationary {
 /// nothing.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate with the least edit distance, if near enough to be what was meant.
+/// The first candidate that begins with a name of four characters and more, else the one with the least edit
+/// distance, if near enough to be what was meant.
 std::optional<std::string_view> nearest_name(std::string_view name,
                                              std::span<const std::string_view> candidates);
 

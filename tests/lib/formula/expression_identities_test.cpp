@@ -110,6 +110,55 @@ TEST(Vanishing, RootsOfNumbersHaveTheSignsOfRealNumbers) {
   EXPECT_NE(expression::vanishes(e.graph, e.root, k_and_n.size()), Verdict::exactly);
 }
 
+/// Likewise a number times a square, however it is written.
+TEST(Vanishing, RootsOfSumsHaveTheSignsOfRealNumbers) {
+  for (const auto& [a, b] : {std::pair{"sqrt((50*(I1 + 2*d)/t^2 + 3)^2)*alpha", "-53*alpha"},
+                             std::pair{"sqrt((50 + k/n + 3 - k/n)^2)*alpha", "-53*alpha"},
+                             std::pair{"sqrt((50*(cos(k)^2 + sin(k)^2) + 3)^2)*xi", "-53*xi"},
+                             std::pair{"sqrt((50*(I1 + 2*d) + 3*t^2)^2)*xi", "-53*t^2*xi"},
+                             std::pair{"exp(0.5*log((50*(I1 + 2*d)/t^2 + 3)^2))*xi", "-53*xi"},
+                             std::pair{"((50*(I1 + 2*d)/t^2 + 3)^2)^1.5*xi", "-148877*xi"}}) {
+    const auto e = difference(a, b);
+    EXPECT_EQ(expression::vanishes(e.graph, e.root, k_and_n.size()), Verdict::refuted)
+        << a << " = " << b;
+  }
+  // Where the sign is not asked for it is exact.
+  const auto e = difference("sqrt((xi - zeta)^2 + 4*alpha^2)", "sqrt(t^2 - 4*d)");
+  EXPECT_TRUE(expression::Facts::holds(expression::vanishes(e.graph, e.root, k_and_n.size())));
+  for (const char* isotropic :
+       {"sqrt((xi - zeta)^2 + 4*alpha^2)", "sqrt((53*xi + 53*zeta)^2)", "(I1 + 47*d)^0.5"})
+    EXPECT_EQ(support::written_facts(isotropic, k_and_n).isotropic, Verdict::exactly) << isotropic;
+}
+
+/// Numbers that are equal, but not by the rules of residues.
+TEST(Vanishing, NumbersThatAreEqualRefuteNothing) {
+  for (const auto& [a, b] :
+       {std::pair{"cos(pi/3)*alpha", "alpha/2"}, std::pair{"sin(pi)*alpha", "0"},
+        std::pair{"(sin(2*pi/5) + sin(8*pi/5))*alpha", "0"},
+        std::pair{"log(1e10)*xi", "10*log(10)*xi"}, std::pair{"(log(6) - log(2) - log(3))*xi", "0"},
+        std::pair{"exp(log(2)/2)*xi", "sqrt(2)*xi"},
+        std::pair{"(atan(2) + atan(3))*xi", "0.75*pi*xi"}}) {
+    const auto e = difference(a, b);
+    EXPECT_TRUE(expression::Facts::holds(expression::vanishes(e.graph, e.root, k_and_n.size())))
+        << a << " = " << b;
+  }
+  for (const auto& [a, b] : {std::pair{"cos(pi/3)*alpha", "0.5000000000001*alpha"},
+                             std::pair{"log(1e10)*xi", "10.0000000000001*log(10)*xi"},
+                             std::pair{"sin(3.14159265358979)*alpha", "0"}}) {
+    const auto e = difference(a, b);
+    EXPECT_EQ(expression::vanishes(e.graph, e.root, k_and_n.size()), Verdict::refuted)
+        << a << " = " << b;
+  }
+  EXPECT_TRUE(expression::Facts::holds(
+      support::written_facts(
+          "0.5*((xi^2 + alpha^2) + cos(pi/3)^2*(xi^2 + alpha^2) + sin(pi/3)^2*(zeta^2 + "
+          "alpha^2) + 2*cos(pi/3)*sin(pi/3)*alpha*(xi + zeta) + "
+          "cos(2*pi/3)^2*(xi^2 + alpha^2) + sin(2*pi/3)^2*(zeta^2 + alpha^2) + "
+          "2*cos(2*pi/3)*sin(2*pi/3)*alpha*(xi + zeta)) + 1/d",
+          {})
+          .isotropic));
+}
+
 /// k^n has a value where k < 0 and n is whole: an identity of k > 0 is none of all parameters.
 TEST(Vanishing, PowersOfParametersMayBeOfNegativeOnes) {
   for (const auto& [a, b] :

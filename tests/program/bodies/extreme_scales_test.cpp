@@ -213,6 +213,46 @@ TEST(ExtremeScales, AnOverflowIsNoProof) {
   EXPECT_THAT(outcome.err, HasSubstr("body.J"));
 }
 
+/// A circle is walked to from rest in any units: its balance has those of V, not those of 1.
+TEST(ExtremeScales, CirclesHaveNoScaleOfTheirOwn) {
+  const TemporaryDirectory directory;
+  const auto solved = [&](int energy, const char* branch, double nu) {
+    const auto V = [&](double x) { return number_text(std::ldexp(x, energy)); };
+    const std::string path =
+        directory.file("case.toml",
+                       "[body]\nJ = [1.0, 1.0, 0.6]\n[potential]\nplane = { model = "
+                       "\"reciprocal-determinant\", c = " +
+                           V(1.0) + ", k = " + V(2.0) +
+                           " }\nthickness = { model = \"reciprocal-quadratic\", a = " + V(1.0) +
+                           ", b = " + V(3.0) + " }\n[motion]\nbranch = \"" + branch +
+                           "\"\nnu = " + number_text(std::ldexp(nu, energy / 2)) + "\n");
+    const Outcome out = run_program({"solve", path, "-o", "-"});
+    EXPECT_EQ(out.code, 0) << energy << ": " << out.err;
+    return out.code == 0 ? only_row(out.out) : Row();
+  };
+  for (const char* branch : {"i", "iii"}) {
+    for (const double nu : {0.0, 0.3}) {
+      const Row plain = solved(0, branch, nu);
+      for (const int energy : {-200, -56, 50, 66, 200}) {
+        const Row scaled = solved(energy, branch, nu);
+        for (const char* column : {"xi", "zeta", "rho", "error_bound", "class"})
+          EXPECT_EQ(scaled.at(column), plain.at(column)) << branch << nu << ' ' << energy;
+      }
+    }
+  }
+  // Far from the stretches 1.
+  const std::string far =
+      directory.file("far.toml",
+                     "[body]\nJ = [1.0, 1.7, 0.6]\n[potential]\nplane = { model = "
+                     "\"reciprocal-determinant\", c = 1e30, "
+                     "k = 2e10 }\nthickness = { model = \"reciprocal-quadratic\", a = 1e10, b = "
+                     "3e10 }\n[motion]\nbranch = "
+                     "\"i\"\nnu = 0.0\n");
+  const Outcome out = run_program({"solve", far, "-o", "-"});
+  EXPECT_EQ(out.code, 0) << out.err;
+  EXPECT_NEAR(number(only_row(out.out).at("xi")), 84089.64152537145, 1e-10);
+}
+
 /// A range far beyond the body's own scale, and one that is nothing but rounding.
 TEST(ExtremeScales, AnyRangeIsFollowed) {
   const TemporaryDirectory directory;

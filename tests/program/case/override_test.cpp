@@ -49,6 +49,29 @@ TEST_F(Override, TheLastOneCounts) {
   EXPECT_THAT(outcome.out, HasSubstr("motion.nu by --set motion.nu=0.125"));
 }
 
+/// What was said of a part of a table that another replaces is not in force.
+TEST_F(Override, OfATableAfterOneOfItsKeys) {
+  const Outcome outcome = check({"motion.nu=0.3", "motion={ branch = \"ii\", nu = 0.7 }"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("nu = (0, 0.7, 0)"));
+  EXPECT_EQ(outcome.out.find("--set motion.nu=0.3"), std::string::npos) << outcome.out;
+}
+
+/// Points in a text are no parts of a key, and a path is a text.
+TEST_F(Override, OfTextsWithPoints) {
+  const Outcome title = check({"title=Wait...................."});
+  EXPECT_EQ(title.code, 0) << title.err;
+  EXPECT_THAT(title.out, HasSubstr("Wait...................."));
+  std::string sum = "rho^2";
+  for (int k = 0; k < 20; ++k) sum += "+0.5*rho^2";
+  const Outcome formula = check(
+      {"potential.thickness={ expression = \"rho\" }", "potential.thickness.expression=" + sum});
+  EXPECT_EQ(formula.code, 0) << formula.err;
+  const Outcome path = run("continue", {"continuation.start_row=../none.csv:5"});
+  EXPECT_EQ(path.code, 2);
+  EXPECT_THAT(path.err, HasSubstr("none.csv"));
+}
+
 TEST_F(Override, OfAWholeTable) {
   const Outcome outcome =
       check({"potential.plane={ model = \"biot\", mu = 2, lambda = 3 }", "potential.plane.mu=4"});

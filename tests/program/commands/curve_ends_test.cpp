@@ -217,6 +217,34 @@ TEST_F(CurveEnds, WhereTheFirstNumberComesToZero) {
 }
 
 /// The sheet through rest turns before the case's own nu, which `continue` does not ask about.
+/// Where the stretches run off at one nu, a double of it no longer tells them apart.
+TEST_F(CurveEnds, WhereTheStretchesRunOff) {
+  const Outcome outcome = run("curve", R"([body]
+J = [1.438, 1.438, 0.3853]
+[gravity]
+g = 1.479
+[potential]
+plane = { model = "reciprocal-determinant", c = 0.449, k = 0.3722 }
+thickness = { model = "reciprocal-quadratic", a = 0.3536, b = 1.675 }
+[motion]
+branch = "i"
+nu = 0.3
+[curve]
+event = "fold-nu"
+parameters = ["nu", "gravity.g"]
+from = [0.0, 0.37]
+to = [4.0, 5.92]
+)");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto table = rows("curve");
+  EXPECT_LT(table.size(), 700U);
+  ASSERT_GT(table.size(), 100U);
+  double largest = 0.0;
+  for (const Row& row : table) largest = std::max(largest, number(row.at("zeta")));
+  EXPECT_GT(largest, 1e3);
+  EXPECT_THAT(metadata("curve").dump(), HasSubstr("does not resolve the stretches"));
+}
+
 TEST_F(CurveEnds, AFamilyThroughRestNeedNotReachTheCasesNu) {
   const std::string text = R"([body]
 J = [1.63, 1.75, 0.425]

@@ -556,6 +556,20 @@ nu = 0.3
       << "found, and not among the allowed: " << spin.err;
 }
 
+/// A table that does not say what its rows are says of none that it is an event.
+TEST_F(Curve, ARowOfATableWithoutEventsIsRefused) {
+  const std::string table = directory_ / "solved.csv";
+  ASSERT_EQ(
+      run_program(
+          {"solve", STATIONARY_CASES "/disc.toml", "-q", "-o", table, "--set",
+           "output.columns=[\"branch\", \"nu1\", \"nu2\", \"nu3\", \"xi\", \"zeta\", \"rho\"]"})
+          .code,
+      0);
+  const Outcome outcome = run(fold_of_hencky, {"--from", table + ":1"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("found no column event"));
+}
+
 TEST_F(Curve, NoSuchEventIsSaid) {
   const Outcome outcome = run(fold_of_hencky, {"--set", "curve.to=[0.2, 3.0]"});
   EXPECT_EQ(outcome.code, 3);

@@ -286,7 +286,15 @@ TEST(Map, CellsOfEveryKindAreWhatSolveFinds) {
       {"oblique.toml",
        {"map.x={parameter=\"nu\",from=0.2,to=0.4,count=2}",
         "map.y={parameter=\"body.J.1/nu\",from=4,to=5,count=2}"},
-       1}};
+       1},
+      {"disc.toml",
+       {"map.x={parameter=\"nu\",from=0.2,to=0.4,count=2}",
+        "map.y={parameter=\"body.J.1/nu\",from=4,to=5,count=2}"},
+       4},
+      {"disc.toml",
+       {"map.x={parameter=\"body.J.1/nu\",from=4,to=5,count=2}",
+        "map.y={parameter=\"nu\",from=0.2,to=0.4,count=2}"},
+       4}};
   for (const OtherKind& kind : kinds) {
     std::vector<std::string> map{"map", STATIONARY_CASES "/" + kind.file};
     for (const std::string& axis : kind.axes) {

@@ -76,6 +76,22 @@ TEST(Solve, ChosenColumnsKeepTheirOrder) {
   EXPECT_TRUE(outcome.out.ends_with(",unstable\n")) << outcome.out;
 }
 
+/// The proof of a class takes the spectrum, whether its columns are asked for or not.
+TEST(Solve, TheProofOfAClassAlone) {
+  const std::vector<std::string> solve{"solve", shipped("disc.toml"), "-q", "-o", "-", "--set"};
+  auto proven = solve;
+  proven.insert(proven.end(), {"output.columns=[\"xi\", \"class_certified\"]", "--certify"});
+  const Outcome outcome = run_program(proven);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(outcome.out.starts_with("xi,class_certified\n")) << outcome.out;
+  EXPECT_TRUE(outcome.out.ends_with(",yes\n")) << outcome.out;
+  auto none = solve;
+  none.emplace_back("output.columns=[\"omega\"]");
+  const Outcome refused = run_program(none);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("\"growth\""));
+}
+
 TEST(Solve, MetadataStandsBesideTheTable) {
   const TemporaryDirectory directory;
   const Outcome outcome =

@@ -16,6 +16,8 @@ TEST(Printable, EscapesWhatIsNoCharacter) {
   EXPECT_EQ(printable("\x9b"
                       "31m"),
             "\\x9B31m");  // what a terminal may obey
+  EXPECT_EQ(printable("\u009b31m\u0085\u2028\u00a0"),
+            "\\xC2\\x9B31m\\xC2\\x85\\xE2\\x80\\xA8\u00a0");
 }
 
 TEST(Printable, CutsBetweenCharacters) {

@@ -19,6 +19,9 @@ TEST(NearestName, FindsTheMeantOneAndNoFarOne) {
   EXPECT_EQ(nearest_name("neo-hokean", names), "neo-hookean");
   EXPECT_EQ(nearest_name("biotlog", names), "biot-log");
   EXPECT_EQ(nearest_name("mu", names), "nu");
+  constexpr std::string_view options[] = {"--set", "--output", "--quiet"};
+  EXPECT_EQ(nearest_name("--out", options), "--output");
+  EXPECT_EQ(nearest_name("--se", options), "--set");
   EXPECT_FALSE(nearest_name("steel", names));
   EXPECT_FALSE(nearest_name("", names));
   EXPECT_FALSE(nearest_name("x", names));

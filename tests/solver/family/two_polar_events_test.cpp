@@ -27,7 +27,7 @@ TEST(TwoPolarEvents, ATiltLeavesTheAxisWhoseRateItHas) {
       const Vector3<double> m = second_moments(at.body, at.q);
       const auto leaves = [&](double inertia) {
         const double s3 = omega * (1.0 + off) * inertia;
-        at.two_polar = TwoPolarMember{{{omega, 0.2}, {s3, 0.1}}, false};
+        at.two_polar = TwoPolarState{{omega, 0.2}, {s3, 0.1}, false};
         return vanishing_at(EventType::tilt, false, at);
       };
       EXPECT_EQ(leaves(m[1] + m[2]), TwoPolarVanishing::leaves_mu) << omega << off;
@@ -45,7 +45,7 @@ TEST(TwoPolarEvents, AStiffnessBelowItsRoundingHasNoSign) {
   Member at = ellipse();
   at.q = {0.0, 1.2, 1.2, 0.9};
   at.nu = 0.5;
-  at.two_polar = TwoPolarMember{{{0.3, 0.2}, {0.1, 0.1}}, false};
+  at.two_polar = TwoPolarState{{0.3, 0.2}, {0.1, 0.1}, false};
   at.error_bound = 1e-15;
   at.turn_condition = 10.0;
   for (const double size : {1e-3, 1e-13, 1e-15, 0.0}) {

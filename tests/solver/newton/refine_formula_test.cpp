@@ -50,6 +50,24 @@ TEST(RefineFormula, AStartNextToTheSolutionIsBoundedByItsInputs) {
   }
 }
 
+/// m(rho) = V'/rho rises up to a fold, at 1.80438 here: up to there a thickness is connected to rest.
+TEST(RefineFormula, AThicknessIsFoundUpToItsFold) {
+  const AnyThickness<> model{
+      support::written_thickness("k/2*log(rho)^2 + 0.05*k*(rho - 1)^2", {"k"}, {1.0})};
+  for (const double rho : {1.2, 1.7, 1.78, 1.79, 1.8, 1.804}) {
+    const double m = (std::log(rho) / rho + 0.1 * (rho - 1.0)) / rho;
+    const ThicknessBalance found = balanced_thickness(model, DoubleDouble(m));
+    ASSERT_TRUE(found.refined.converged) << rho;
+    EXPECT_NEAR(found.rho, rho, 1e-10) << rho;
+  }
+  EXPECT_FALSE(balanced_thickness(model, DoubleDouble(0.22587)).refined.converged);
+  // A well much narrower than the steps.
+  const AnyThickness<> well{support::written_thickness("1 - exp(-p*(rho - 1)^2)", {"p"}, {2e5})};
+  const ThicknessBalance found = balanced_thickness(well, DoubleDouble(0.054));
+  ASSERT_TRUE(found.refined.converged);
+  EXPECT_NEAR((found.rho - 1.0) * 4e5, 0.054, 1e-6);
+}
+
 /// A place from which Newton's method leads nowhere is no place to begin at.
 TEST(RefineFormula, AThicknessIsFoundFromItsOwnStartWhereTheGivenOneIsOfNoUse) {
   const AnyThickness<> model{

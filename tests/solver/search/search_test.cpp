@@ -147,7 +147,9 @@ TEST(Search, AContinuumEndsUndecidedAfterBoundedWork) {
     options.max_boxes = 3000;
     const SearchResult found = search(*problem, 1.0, options);
     EXPECT_EQ(found.status, SearchStatus::undecided);
-    EXPECT_TRUE(found.solutions.empty()) << text(found);
+    // Of the line its circle, which is alone among circles.
+    EXPECT_LE(found.solutions.size(), 1U) << text(found);
+    for (const Equilibrium& each : found.solutions) EXPECT_EQ(each.q.xi, each.q.zeta);
     EXPECT_FALSE(found.undecided.empty());
     EXPECT_LE(found.undecided.size(), 10U) << text(found);
     EXPECT_LE(found.boxes, options.max_boxes + 10);

@@ -74,6 +74,22 @@ TEST(WrittenSearch, TheBoundHoldsTheThicknessToo) {
   }
 }
 
+/// As of the model (round_search_test.cpp): ellipses branch off the circle of W = biot-log at nu = 1.06511831249...
+TEST(WrittenSearch, DecidesBesideTheEllipsesOfACircle) {
+  const Potential V(SeparableExpression{
+      AnyPlane<>{support::written_plane("m*(I1 - 2*t + 2) + k/2*log(d)^2", {"m", "k"}, {1.0, 4.0})},
+      AnyThickness<>{ReciprocalQuadratic<>{1.0, 3.0}}});
+  const Body body(1.0, 1.0, 0.6);
+  for (const double distance : {1e-3, 1e-6, 1e-9}) {
+    for (const double sign : {-1.0, 1.0}) {
+      const SearchResult found =
+          search(Problem(body, V, Branch::iii), 1.0651183124924546 * (1.0 + sign * distance));
+      EXPECT_EQ(found.status, SearchStatus::complete) << distance << found.message;
+      EXPECT_EQ(found.solutions.size(), sign > 0.0 ? 3U : 1U) << distance;
+    }
+  }
+}
+
 /// A logarithm's argument is positive there: nothing is to be said of it.
 TEST(WrittenSearch, WhatIsWithinTheDomainIsProvenWithoutAReason) {
   const Potential V(

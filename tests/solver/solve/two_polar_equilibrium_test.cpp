@@ -279,5 +279,47 @@ TEST(TwoPolar, TheAnswerIsTheNearestEllipseOfAll) {
   EXPECT_GT(by_seeds, 2);
 }
 
+/// Momenta that are nearly equal hold a body near the circle, whose rates move far by the rounding of lambda - mu: the
+/// modes are those of the momenta, and their bounds know it. True values by an independent computation in 60 digits.
+TEST(TwoPolarStability, OfNearlyEqualMomenta) {
+  struct Known {
+    double J3;
+    double lambda;  ///< s^2 of the slowest mode
+    StabilityClass verdict;
+  };
+  const Potential V{NeoHookean<>{0.35, 0.2219}, Harmonic<>{2.0, 1.0}};
+  const TwoPolarMomenta<double> momenta{4.4989564750550635, 4.498956491942817};
+  for (const Known& known :
+       {Known{1054.2203107151793, -2.7837e-11 * 2.7837e-11, StabilityClass::stable},
+        Known{1054.2207831677028, 2.7831e-11 * 2.7831e-11, StabilityClass::unstable}}) {
+    const Body body(0.5141, 0.5141, known.J3);
+    const Equilibrium found = solve_two_polar(body, V, momenta);
+    ASSERT_EQ(found.status, SolveStatus::solved);
+    ASSERT_FALSE(found.circle);
+    const Spectrum spectrum = two_polar_stability(body, V, found);
+    EXPECT_TRUE(spectrum.verdict == known.verdict || spectrum.verdict == StabilityClass::marginal)
+        << name(spectrum.verdict);
+    const Mode& slowest = spectrum.mode[0];
+    EXPECT_LE(std::abs(slowest.lambda_re - known.lambda),
+              slowest.lambda_error + 1e-3 * std::abs(known.lambda));
+  }
+  const Body body(0.2382, 0.2382, 20.42);
+  const Potential hencky{Hencky<>{0.2909, 1.618}, ReciprocalQuadratic<>{0.5923, 0.3524}};
+  const Equilibrium found = solve_two_polar(
+      body, hencky, TwoPolarMomenta<double>{0.045407050532038945, 0.045406994352246446});
+  ASSERT_EQ(found.status, SolveStatus::solved);
+  const Spectrum spectrum = two_polar_stability(body, hencky, found);
+  int compared = 0;
+  for (const double im : {0.82557059597824541, 3.1181126890725320})
+    for (int k = 0; k < spectrum.modes; ++k) {
+      const Mode& mode = spectrum.mode[static_cast<std::size_t>(k)];
+      if (std::abs(mode.im - im) > 1e-6) continue;
+      ++compared;
+      EXPECT_LE(std::abs(mode.lambda_re + im * im), mode.lambda_error + 1e-15 * im * im) << im;
+      EXPECT_LE(mode.lambda_error, 1e-9);
+    }
+  EXPECT_EQ(compared, 2);
+}
+
 }  // namespace
 }  // namespace stationary

@@ -87,7 +87,7 @@ export class BodyView {
     const pace = this.shownPace();
     const time = pace === 1 ? '1 s is a unit of time' : `1 s is ${shown(pace)} units of time`;
     const moves = body.turning !== 0 || body.flow !== 0;
-    return `λ ${lambda}, μ ${mu}, ϱ ${rho}` + (moves ? '' : ', at rest') + (moves || this.mode ? `; ${time}` : '');
+    return `λ ${lambda}, μ ${mu}, ϱ ${rho}` + (moves ? '' : body.spinIsTold ? ', at rest' : ', its spin not told') + (moves || this.mode ? `; ${time}` : '');
   }
 
   /** Units of time in a second: with a mode, those in which a period takes two to five. */

@@ -1,5 +1,6 @@
 // A mode on the body: its shape comes from the page's solver, for a row of a table holds frequencies alone.
 
+import { bodyOf } from './body';
 import type { BodyView } from './body_view';
 import { byId } from '../dom';
 import type { ModeAnswer } from '../live_protocol';
@@ -128,15 +129,16 @@ export class Modes {
     const modes = table.modes(row);
     const value = (name: string): number => table.value(name, row);
     const twoPolar = table.text('branch', row) === 'two-polar';
-    const orZero = (x: number): number => (Number.isFinite(x) ? x : 0);
+    const body = bodyOf(table, row);
+    if (!body?.spinIsTold) return 'This row does not tell the motion, so the shapes of its modes are not known.';
     const answer = await solver.ask<ModeAnswer>({
       do: 'modes',
       name: 'row.toml',
-      case: rowAsToml(table, row),
+      case: rowAsToml(table, row, true),
       set: [],
       row: {
-        q: ['alpha', 'xi', 'zeta', 'rho'].map((name) => orZero(value(name))),
-        nu: ['nu1', 'nu2', 'nu3'].map((name) => orZero(value(name))),
+        q: [body.S[1], body.S[0], body.S[4], body.S[8]],
+        nu: [...body.nu],
         rates: twoPolar ? [value('omega'), value('theta_dot')] : null,
         s: modes.map(({ re, im }, k): [number, number] => [isTwin(modes, k) ? -re : re, im]),
       },

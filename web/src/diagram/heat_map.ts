@@ -32,8 +32,21 @@ export function rampColour(share: number): string {
   return '#' + a.map((each, c) => Math.round(each + (b[c] - each) * (at - k)).toString(16).padStart(2, '0')).join('');
 }
 
+/** With the values between that an even grid has and these rows have not; as it is where that is no grid. */
+function filled(sorted: number[]): number[] {
+  const first = sorted[0];
+  const gaps = sorted.slice(1).map((each, k) => each - sorted[k]);
+  const step = Math.min(...gaps);
+  const places = sorted.map((each) => (each - first) / step);
+  const last = places[places.length - 1];
+  const isGrid = sorted.length > 2 && last < 4 * sorted.length && places.every((each) => Math.abs(each - Math.round(each)) < 1e-6 * last);
+  if (!isGrid || Math.round(last) === sorted.length - 1) return sorted;
+  const known = new Map(places.map((each, k) => [Math.round(each), sorted[k]]));
+  return Array.from({ length: Math.round(last) + 1 }, (_, k) => known.get(k) ?? first + k * step);
+}
+
 function axisOf(values: Float64Array): Axis {
-  const sorted = [...new Set(values)].filter(Number.isFinite).sort((a, b) => a - b);
+  const sorted = filled([...new Set(values)].filter(Number.isFinite).sort((a, b) => a - b));
   const [first, last] = [sorted[0] ?? 0, sorted[sorted.length - 1] ?? 1];
   const n = Math.max(sorted.length - 1, 1);
   const step = (last - first) / n;
@@ -96,7 +109,8 @@ export class HeatMap {
     const finite = table.column(quantity).filter((each) => Number.isFinite(each)).sort();
     // A few cells beside an asymptote shall not take all of the scale.
     const at = (share: number): number => finite[Math.floor(share * (finite.length - 1))] ?? 0;
-    const [low, high] = [at(0.005), at(0.995)];
+    const inner = [at(0.005), at(0.995)];
+    const [low, high] = inner[0] < inner[1] ? inner : [at(0), at(1)];
     return { low, high, below: at(0) < low, above: at(1) > high };
   }
 

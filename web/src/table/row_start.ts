@@ -1,5 +1,6 @@
 // A row as a case file that goes on from there or, where it is no place to start from, from one beside it on its sheet.
 
+import type { CaseValue } from './payload';
 import { isLength, rowMotion } from './row_motion';
 import type { Table } from './table';
 import { caseOfRow, entry, quoted } from './toml';
@@ -15,14 +16,21 @@ export interface RowStart {
   note: string;
 }
 
-/** S of a row in its exact texts, alpha first; null: the row has none. */
+/** Whether a two-polar motion is on the circle, where the program takes no start: its balance is singular there. */
+function isRoundTwoPolar(table: Table, row: number): boolean {
+  return rowMotion(table, row).branch === 'two-polar' && table.text('xi', row) !== '' && table.text('xi', row) === table.text('zeta', row);
+}
+
+/** S of a row in its exact texts, alpha first; null: the row has none to start at. */
 function startOf(table: Table, row: number): string[] | null {
+  if (isRoundTwoPolar(table, row)) return null;
   const start = ['alpha', 'xi', 'zeta', 'rho'].map((name) => table.text(name, row));
   return start.every((each) => each !== '') ? start : null;
 }
 
-/** What the metadata say of the case, with the row's numbers, as much of its motion as is known, and its S as the start. */
-export function rowAsToml(table: Table, row: number): string {
+/** What the metadata say of the case, with the row's numbers, as much of its motion as is known, and its S as the start.
+ * bare: without a start and a range. */
+export function rowAsToml(table: Table, row: number, bare = false): string {
   const { given, left } = caseOfRow(table, row);
   const lines = [`# row ${row + 1} of ${table.file.replace(/[\u0000-\u001f\u007f]/g, '?')}`];
   for (const key of left) lines.push(`# with ${key} = ${table.text(key, row)}`);
@@ -33,13 +41,18 @@ export function rowAsToml(table: Table, row: number): string {
     lines.push('', `[${part}]`);
     for (const [key, value] of Object.entries(section)) lines.push(entry(key, value));
   }
-  lines.push('', '[motion]', ...rowMotion(table, row, given).entries.map(([key, value]) => `${key} = ${value}`));
+  const motion = rowMotion(table, row, given);
+  lines.push('', '[motion]', ...motion.entries.map(([key, value]) => `${key} = ${value}`));
+  if (bare) return lines.join('\n') + '\n';
   const start = startOf(table, row);
   if (start) lines.push('', '[solve]', `start = [${start.join(', ')}]`);
   const range = given['continuation'];
   if (typeof range === 'object' && !Array.isArray(range)) {
     lines.push('', '[continuation]');
-    for (const key of ['parameter', 'from', 'to']) if (Object.hasOwn(range, key)) lines.push(entry(key, range[key]));
+    // Of an atlas whose other branches have a sign of nu.
+    const ofLength = isLength(motion.branch) && (range['parameter'] ?? 'nu') === 'nu';
+    const bound = (value: CaseValue): CaseValue => (ofLength && typeof value === 'number' ? Math.max(value, 0) : value);
+    for (const key of ['parameter', 'from', 'to']) if (Object.hasOwn(range, key)) lines.push(entry(key, bound(range[key])));
   }
   return lines.join('\n') + '\n';
 }
@@ -51,8 +64,14 @@ function obstacle(table: Table, row: number): string {
   if (event === 'fold-nu' || event === 'fold-parameter') return 'This row is a fold';
   if (['ellipse', 'ellipse-23', 'ellipse-13', 'shear'].includes(event)) return 'Sheets meet at this row';
   if (event === 'escape' || event === 'collapse') return 'Stretches end at this row';
-  if ((event === 'tilt' || event === 'oblique') && isLength(branch)) return 'The axis has come to a material one at this row';
+  if (isLength(branch) && (event === 'tilt' || event === 'oblique' || hasMaterialAxis(table, row))) return 'The axis has come to a material one at this row';
   return hasNoDirection(table, row) ? 'The axis has no direction at this row, where ν = 0' : '';
+}
+
+/** Whether all components of nu are told, and one of them alone is not 0. */
+function hasMaterialAxis(table: Table, row: number): boolean {
+  const nu = ['nu1', 'nu2', 'nu3'].map((name) => table.value(name, row));
+  return nu.every(Number.isFinite) && nu.filter((each) => each !== 0).length === 1;
 }
 
 /** The program takes no such motion. */
@@ -96,6 +115,7 @@ export function rowStart(table: Table, row: number): RowStart {
   const note =
     why !== '' ? `${why}, so that solving need not come back to it, and no row of its sheet is a better start.`
     : !hasStart && status !== '' && status !== 'solved' ? `This cell has no motion to start from (${status}): the case has its numbers and no start.`
+    : isRoundTwoPolar(table, row) ? 'The body is round at this row, where a two-polar motion has no start: the case has its numbers, and solving it may come to an ellipse.'
     : !hasStart ? 'The table does not hold S of this row: the case has its numbers and no start.'
     : table.metadata?.case ? ''
     : 'The table came without metadata: the body and the potential are missing in this case.';

@@ -169,6 +169,11 @@ export class Table {
     return nu.every((each) => each <= 0) ? -Math.hypot(...nu) : Math.hypot(...nu);
   }
 
+  /** What the spin of a row is. */
+  spinColumn(row: number): string {
+    return this.text('branch', row) === 'two-polar' ? 'omega' : 'nu';
+  }
+
   private listQuantities(): string[] {
     const first = [...this.parameters].reverse();
     if (this.values.has('spin')) first.push('spin');
