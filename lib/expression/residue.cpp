@@ -68,6 +68,18 @@ constexpr std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
+/// Whether an exponent is n/d, d even: only then has a power a sign to choose, x^2 to 1/2 being x or -x.
+bool is_root(const Residue& exponent) {
+  constexpr std::uint64_t largest = 64;
+  const auto is_whole = [](std::uint64_t x) { return x <= largest || minus(x, m) <= largest; };
+  for (const std::uint64_t half : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    const std::uint64_t part = times(half, exponent.exponent, m);
+    if (is_whole(part)) return false;
+    if (is_whole(add(part, part, m))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Residue operator+(const Residue& x, const Residue& y) {
@@ -106,8 +118,8 @@ enum class ResiduePoint::Symbol : std::uint8_t {
   kernel
 };
 
-ResiduePoint::ResiduePoint(const Graph& graph, std::uint64_t seed, RootBases* bases)
-    : graph_(graph), state_(seed), key_(mixed(seed ^ 0x5851f42d4c957f2dU)), bases_(bases) {
+ResiduePoint::ResiduePoint(const Graph& graph, std::uint64_t seed, const std::vector<bool>* open)
+    : graph_(graph), state_(seed), key_(mixed(seed ^ 0x5851f42d4c957f2dU)), open_(open) {
   choose_stretches();
 }
 
@@ -173,13 +185,11 @@ Residue ResiduePoint::whole_power(const Residue& x, int n) {
 Residue ResiduePoint::power(const Residue& base, const Residue& exponent,
                             std::optional<NodeId> of) {
   has_roots_ = true;
-  const bool square = is_square(base.plain);
-  if (!square) usable_ = false;
-  if (!square && of && bases_ != nullptr) bases_->no_square[*of] = true;
+  if (!is_square(base.plain)) usable_ = false;
   const Residue out{to_power(base.plain, exponent.exponent, p),
                     symbol(Symbol::exponent_of_power, base, exponent).exponent};
-  const bool opposite =
-      of && bases_ != nullptr && bases_->either_sign[*of] && (mixed(key_ + *of) & 1U) != 0;
+  const bool opposite = of && open_ != nullptr && (*open_)[*of] && is_root(exponent) &&
+                        (mixed(key_ ^ base.plain) & 1U) != 0;
   return opposite ? Residue{minus(out.plain, p), out.exponent} : out;
 }
 
@@ -469,37 +479,31 @@ Residues residues(const Graph& graph, NodeId x) {
   constexpr int enough = 4;
   constexpr int enough_with_roots = 100;
   constexpr int tries = 6400;
-  const std::vector<bool> none(graph.size(), false);
-  RootBases bases{none, none};
-  int zero = 0;
-  int other = 0;
-  int wanted = enough;
-  std::uint64_t tried = 0;
-  const auto next = [&]() -> std::optional<Residue> {
-    ResiduePoint at(graph, 20101131U + tried++, &bases);
-    const std::optional<Residue> value = at(x);
-    if (value && at.has_roots()) wanted = enough_with_roots;
-    return value;
+  const std::optional<std::vector<NodeId>> roots = roots_of_open_sign(graph, x);
+  std::vector<bool> open(graph.size(), false);
+  for (const NodeId base : roots.value_or(std::vector<NodeId>())) open[base] = true;
+  // As squares have them, and with signs at random: what is 0 so only the first time is 0 but for signs.
+  const auto found = [&](const std::vector<bool>* signs) {
+    int zero = 0;
+    int other = 0;
+    int wanted = enough;
+    for (int k = 0; k < tries && zero + other < wanted; ++k) {
+      ResiduePoint at(graph, static_cast<std::uint64_t>(k) + 20101131U, signs);
+      const std::optional<Residue> value = at(x);
+      if (!value) continue;
+      (value->plain == 0 ? zero : other) += 1;
+      if (at.has_roots()) wanted = enough_with_roots;
+      if (zero > 0 && other > 0) return Residues::unclear;
+      if (other >= enough && zero == 0 && !at.has_roots()) break;
+    }
+    if (zero == wanted) return Residues::zero;
+    return zero == 0 && other >= enough ? Residues::not_zero : Residues::unclear;
   };
-  while (tried < tries && zero + other < wanted) {
-    const std::optional<Residue> value = next();
-    if (!value) continue;
-    (value->plain == 0 ? zero : other) += 1;
-    if (zero > 0 && other > 0) return Residues::unclear;
-    if (other >= enough && zero == 0 && wanted == enough) break;
-  }
-  if (zero != wanted) return zero == 0 && other >= enough ? Residues::not_zero : Residues::unclear;
-  if (wanted == enough) return Residues::zero;
-  const std::optional<std::vector<NodeId>> open = roots_of_open_sign(graph, x, bases.no_square);
-  if (!open) return Residues::zero_but_for_signs;
-  for (const NodeId base : *open) bases.either_sign[base] = true;
-  for (zero = 0; !open->empty() && zero < enough_with_roots && tried < 2 * tries;) {
-    const std::optional<Residue> value = next();
-    if (!value) continue;
-    if (value->plain != 0) return Residues::zero_but_for_signs;
-    ++zero;
-  }
-  return open->empty() || zero == enough_with_roots ? Residues::zero : Residues::zero_but_for_signs;
+  const Residues as_squares = found(nullptr);
+  if (as_squares != Residues::zero) return as_squares;
+  if (!roots) return Residues::zero_but_for_signs;
+  if (roots->empty() || found(&open) == Residues::zero) return Residues::zero;
+  return Residues::zero_but_for_signs;
 }
 
 }  // namespace stationary::expression

@@ -14,10 +14,9 @@
 // n/p, p = 4.6e18 (J. T. Schwartz, J. ACM 27 (1980) 701). That a root of x^2 is x where x is a
 // square, and -x elsewhere, stands for the sign of x: half of the points have either. Of a number it
 // is the same at all points, and sqrt(n^2) = -n where n is no square; all made of primes up to 43 are. So it is of a
-// number times a square, however it is written: what is under a root, has a sum in it and is a square at every
-// point gets a root of either sign, at random. A power of what is negative, to a parameter that may be whole, has a
-// residue nowhere. What is 0 with other numbers under roots, with such powers, or by one sign of a root only, is so
-// but for signs (residues()).
+// number times a square, however it is written. Roots of sums and of other numbers (root_signs.hpp) get either sign,
+// at random: what is 0 so is 0 whatever their signs are. A power of what is negative, to a parameter that may be whole,
+// has a residue nowhere. What is 0 with such powers, or by one sign of a root only, is so but for signs (residues()).
 #pragma once
 
 #include <array>
@@ -48,17 +47,11 @@ std::optional<Residue> reciprocal(const Residue& x);
 /// A residue that depends on x and y and on nothing else, as random.
 Residue symbol(std::uint64_t which, const Residue& x, const Residue& y = {});
 
-/// What is under roots and powers, by its node.
-struct RootBases {
-  std::vector<bool> no_square;    ///< at some point
-  std::vector<bool> either_sign;  ///< its roots get one at random
-};
-
 /// Stretches and parameters at random: xi, zeta, rho and d squares, and t^2 - 4 d one.
 class ResiduePoint {
  public:
-  /// bases: of all the graph's nodes, what is seen of them is noted there; or null.
-  ResiduePoint(const Graph& graph, std::uint64_t seed, RootBases* bases = nullptr);
+  /// open: by node, whether roots of it get a sign at random, the same for the same value; or null: none.
+  ResiduePoint(const Graph& graph, std::uint64_t seed, const std::vector<bool>* open = nullptr);
 
   /// The value of x; nothing where a power is taken of what is no square here, or a division is by
   /// 0.
@@ -100,7 +93,7 @@ class ResiduePoint {
   std::array<std::optional<Residue>, 256> variables_;
   std::vector<std::optional<Residue>> known_;
   std::vector<std::optional<Residue>> logarithms_;
-  RootBases* bases_;
+  const std::vector<bool>* open_;
   bool usable_ = true;
   bool has_roots_ = false;
 };

@@ -16,7 +16,7 @@ class RootSigns {
  public:
   explicit RootSigns(const Graph& graph) : graph_(graph), point_(graph, 1) {}
 
-  std::optional<std::vector<NodeId>> open(NodeId x, const std::vector<bool>& no_square) {
+  std::optional<std::vector<NodeId>> open(NodeId x) {
     std::vector<NodeId> out;
     const std::array<NodeId, 1> root{x};
     for (const NodeId id : graph_.parts(root)) {
@@ -29,12 +29,7 @@ class RootSigns {
       // What varies and is to a power has to be positive (domain.hpp); a parameter may be negative, and its
       // exponent whole.
       if (is_power && graph_.is_coefficient(id) && has_parameter(node.a)) return std::nullopt;
-      if (no_square[node.a]) continue;
-      if (has_sum(node.a)) {
-        out.push_back(node.a);
-      } else if (!of_small_primes(node.a)) {
-        return std::nullopt;
-      }
+      if (has_sum(node.a) || !of_small_primes(node.a)) out.push_back(node.a);
     }
     return out;
   }
@@ -121,9 +116,8 @@ class RootSigns {
 
 }  // namespace
 
-std::optional<std::vector<NodeId>> roots_of_open_sign(const Graph& graph, NodeId x,
-                                                      const std::vector<bool>& no_square) {
-  return RootSigns(graph).open(x, no_square);
+std::optional<std::vector<NodeId>> roots_of_open_sign(const Graph& graph, NodeId x) {
+  return RootSigns(graph).open(x);
 }
 
 }  // namespace stationary::expression

@@ -234,6 +234,9 @@ bool has_other_rules(const Graph& graph, NodeId x) {
   const std::array<NodeId, 1> root{x};
   return std::ranges::any_of(graph.parts(root), [&](NodeId id) {
     const Node& node = graph[id];
+    // Logarithms, powers and roots of numbers: log(6) = log(2) + log(3).
+    if (graph.is_coefficient(id) && (node.kind == Kind::function || node.kind == Kind::power))
+      return true;
     switch (node.kind) {
       case Kind::minimum:
       case Kind::maximum:

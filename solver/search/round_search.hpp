@@ -1,6 +1,6 @@
 // The search of a body with J1 = J2. Where a box near the circle xi = zeta is not decided as any other is, its circles
 // and its ellipses are sought by themselves (round_boxes.hpp): where ellipses branch off, both are regular, and what is
-// decided does not depend on how near that is.
+// decided hardly depends on how near that is.
 #pragma once
 
 #include <algorithm>
@@ -163,12 +163,10 @@ class RoundSearch {
     PruneResult<N> out = branch_and_prune<N>(apart_, mirror_, options, everything_, all, left);
     out.boxes += own.boxes();
     out.interrupted = out.interrupted || own.interrupted();
-    if (before != nullptr || out.interrupted || !coarse || out.boxes >= options.max_boxes)
-      return out;
+    if (before != nullptr || out.interrupted || !coarse) return out;
     // A formula may be bounded better in the stretches than in their invariants.
-    PruneResult<N> whole =
-        branch_and_prune<N>(SearchedPair<System, Boxes>(system_, boxes_), mirror_,
-                            of_those_left(options, out.boxes), everything_);
+    PruneResult<N> whole = branch_and_prune<N>(SearchedPair<System, Boxes>(system_, boxes_),
+                                               mirror_, options, everything_);
     whole.boxes += out.boxes;
     if (widest(whole.undecided) < widest(out.undecided)) return whole;
     out.boxes = whole.boxes;
@@ -318,9 +316,11 @@ class RoundSearch {
     add(found, out, left);
   }
 
-  /// One that another part has found too is left out.
-  static void add(const ProvenSolution<N>& found, std::vector<ProvenSolution<N>>& out,
-                  std::vector<Box<N>>& left) {
+  /// One that another part has found too is left out, and one beyond the box, whose (g, r) hold more than it.
+  void add(const ProvenSolution<N>& found, std::vector<ProvenSolution<N>>& out,
+           std::vector<Box<N>>& left) const {
+    for (std::size_t k = 0; k < everything_.size(); ++k)
+      if (found.proof.solution[k].apart_from(everything_[k])) return;
     for (const ProvenSolution<N>& known : out) {
       if (is_in(found.proof.solution, known.proof.unique) ||
           is_in(known.proof.solution, found.proof.unique))

@@ -175,7 +175,7 @@ double balanced_thickness_of(const ThicknessExpression<double>& model, const Dou
   // of it is a fold.
   const double rest = rest_thickness_of(model);
   if (!(double(m) > 0.0)) return rest;
-  constexpr double step = 0.03125;
+  constexpr double step = 0x1p-8;
   const ThicknessExpression<double> part = model.on_part_of({0.0, 1.0, 1.0, rest});
   const auto excess = [&](double rho) {
     return double(part.evaluate<1>(DoubleDouble(rho)).v_r - m * two_product(rho, rho));

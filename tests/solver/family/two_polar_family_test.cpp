@@ -44,7 +44,8 @@ void expect_members(const Potential& potential, const Followed& sheet, bool by_m
     ASSERT_TRUE(member.two_polar && member.spectrum);
     SolveOptions how;
     how.start = member.q;
-    const auto& [rates, momenta, by_momenta] = *member.two_polar;
+    const TwoPolarRates<double>& rates = member.two_polar->rates;
+    const TwoPolarMomenta<double>& momenta = member.two_polar->momenta;
     const bool held = member.two_polar->by_momenta;
     EXPECT_EQ(held, by_momenta);
     const TwoPolarMotion motion = by_momenta ? TwoPolarMotion(momenta) : TwoPolarMotion(rates);

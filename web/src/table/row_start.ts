@@ -1,6 +1,6 @@
 // A row as a case file that goes on from there or, where it is no place to start from, from one beside it on its sheet.
 
-import type { CaseValue } from './payload';
+import type { CaseData } from './payload';
 import { isLength, rowMotion } from './row_motion';
 import type { Table } from './table';
 import { caseOfRow, entry, quoted } from './toml';
@@ -28,6 +28,14 @@ function startOf(table: Table, row: number): string[] | null {
   return start.every((each) => each !== '') ? start : null;
 }
 
+/** The range of |nu| where an atlas has one of nu, of either sign; as it is where that is of another number. */
+function lengths(range: CaseData): CaseData {
+  const [from, to] = [range['from'], range['to']];
+  if ((range['parameter'] ?? 'nu') !== 'nu' || typeof from !== 'number' || typeof to !== 'number') return {};
+  const sizes = [Math.abs(from), Math.abs(to)];
+  return { from: from <= 0 && to >= 0 ? 0 : Math.min(...sizes), to: Math.max(...sizes) };
+}
+
 /** What the metadata say of the case, with the row's numbers, as much of its motion as is known, and its S as the start.
  * bare: without a start and a range. */
 export function rowAsToml(table: Table, row: number, bare = false): string {
@@ -49,10 +57,8 @@ export function rowAsToml(table: Table, row: number, bare = false): string {
   const range = given['continuation'];
   if (typeof range === 'object' && !Array.isArray(range)) {
     lines.push('', '[continuation]');
-    // Of an atlas whose other branches have a sign of nu.
-    const ofLength = isLength(motion.branch) && (range['parameter'] ?? 'nu') === 'nu';
-    const bound = (value: CaseValue): CaseValue => (ofLength && typeof value === 'number' ? Math.max(value, 0) : value);
-    for (const key of ['parameter', 'from', 'to']) if (Object.hasOwn(range, key)) lines.push(entry(key, bound(range[key])));
+    const ofMotion = isLength(motion.branch) ? { ...range, ...lengths(range) } : range;
+    for (const key of ['parameter', 'from', 'to']) if (Object.hasOwn(ofMotion, key)) lines.push(entry(key, ofMotion[key]));
   }
   return lines.join('\n') + '\n';
 }
