@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "solver/motion/two_polar_system.hpp"
-#include "solver/proof/round_boxes.hpp"
+#include "solver/search/round_boxes.hpp"
 #include "solver/search/branch_and_prune.hpp"
 
 namespace stationary {

@@ -64,11 +64,12 @@ std::vector<Column> chosen_columns(const Case& input, const std::vector<Column>&
   std::vector<Column> out = select_columns(computed, input.output.columns);
   if (!out.empty() || trailing) return out;
   const auto has = [&](Column c) { return std::ranges::find(computed, c) != computed.end(); };
+  const bool has_spectrum = std::ranges::any_of(computed, needs_spectrum);
   std::vector<std::string_view> names;
   for (std::size_t k = 0; k < column_count; ++k) {
     const auto c = static_cast<Column>(k);
     // The spectrum is left out for want of a column that is named.
-    const bool if_named = input.output.spectrum && needs_spectrum(c) &&
+    const bool if_named = !has_spectrum && input.output.spectrum && needs_spectrum(c) &&
                           (!is_certificate(c) || has(Column::certified)) &&
                           (c != Column::segment || has(Column::event));
     if (has(c) || if_named) names.push_back(name(c));

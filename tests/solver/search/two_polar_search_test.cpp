@@ -330,7 +330,7 @@ TEST(TwoPolarSearches, HaveWhatEachSearchHas) {
     }
   EXPECT_GE(compared, 1200);
   EXPECT_GE(shared, 900);
-  EXPECT_LE(10 * together_boxes, 7 * alone_boxes);
+  EXPECT_LE(10 * together_boxes, 8 * alone_boxes);
 }
 
 TEST(TwoPolarSearches, MisuseAndInterruption) {
