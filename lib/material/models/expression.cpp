@@ -193,8 +193,7 @@ double balanced_thickness_of(const ThicknessExpression<double>& model, const Dou
       continue;
     }
     double turn = a;  // the fold is in this step, and the solution may be before it
-    for (double middle = 0.5 * (turn + b); turn < middle && middle < b;
-         middle = 0.5 * (turn + b))
+    for (double middle = 0.5 * (turn + b); turn < middle && middle < b; middle = 0.5 * (turn + b))
       (rises(middle) ? turn : b) = middle;
     if (turn > a && excess(exp(turn)) > 0.0) return crossing(excess, a, turn);
     break;
