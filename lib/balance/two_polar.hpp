@@ -78,14 +78,29 @@ Vector3<S> two_polar_momentum_residual(double J, const Model& model, const Vecto
           v.gradient[3]};
 }
 
+/// Rates by halves of their sum and difference.
+template <class S>
+struct TwoPolarHalves {
+  S sum;
+  S difference;
+
+  TwoPolarRates<S> rates() const { return {sum + difference, sum - difference}; }
+};
+
+/// Of given momenta at lambda != mu.
+template <class Mass, class S>
+TwoPolarHalves<S> two_polar_halves(const Mass& J, const Vector3<S>& x,
+                                   const TwoPolarMomenta<S>& m) {
+  const S sum = x[0] + x[1];
+  const S difference = x[0] - x[1];
+  return {(m.s3 + m.p_theta) / (2.0 * J * (sum * sum)),
+          (m.s3 - m.p_theta) / (2.0 * J * (difference * difference))};
+}
+
 /// Rates of given momenta at lambda != mu: omega = dT/ds3, theta' = dT/dp_theta.
 template <class Mass, class S>
 TwoPolarRates<S> two_polar_rates(const Mass& J, const Vector3<S>& x, const TwoPolarMomenta<S>& m) {
-  const S sum = x[0] + x[1];
-  const S difference = x[0] - x[1];
-  const S fast = (m.s3 + m.p_theta) / (2.0 * J * (sum * sum));
-  const S slow = (m.s3 - m.p_theta) / (2.0 * J * (difference * difference));
-  return {fast + slow, fast - slow};
+  return two_polar_halves(J, x, m).rates();
 }
 
 /// The kinetic energy T above, in the rates, which the circle lambda = mu has too:

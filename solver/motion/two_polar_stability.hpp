@@ -12,47 +12,29 @@
 
 namespace stationary {
 
-/// The rates of momenta, as sum and difference:
-///   omega + theta' = (s3 + p_theta)/(J t^2),   omega - theta' = (s3 - p_theta)/(J (lambda - mu)^2).
-/// Equal momenta, taken to be so, have omega = theta'.
-template <class S>
-struct SumAndSlip {
-  S sum;
-  S slip;
-
-  TwoPolarRates<S> rates() const { return {0.5 * (sum + slip), 0.5 * (sum - slip)}; }
-};
-template <class S>
-SumAndSlip<S> sum_and_slip(const TwoPolarMomenta<S>& momenta, bool equal, const S& J,
-                           const S& lambda, const S& mu) {
-  const S t = lambda + mu;
-  const S apart = lambda - mu;
-  return {(momenta.s3 + momenta.p_theta) / (J * (t * t)),
-          equal ? S(0.0) : (momenta.s3 - momenta.p_theta) / (J * (apart * apart))};
-}
-
-/// What the momenta's rates are known to: near the circle the difference moves far by the rounding of lambda - mu, but the
-/// balance holds it, J (omega - theta')^2 = -W_d.
+/// What the momenta's rates are known to: near the circle their difference moves far by the rounding of lambda - mu, but the
+/// balance holds it, J (omega - theta')^2 = -W_d. Equal momenta, taken to be so, have omega = theta'.
 template <class Model>
 TwoPolarRates<Conditioned> conditioned_rates(const Model& model, const TwoPolarMomenta<double>& m,
-                                             const Conditioned& J, const Conditioned& lambda,
-                                             const Conditioned& mu, const Conditioned& rho) {
-  auto known = sum_and_slip<Conditioned>({Conditioned::input(m.s3), Conditioned::input(m.p_theta)},
-                                         m.s3 == m.p_theta, J, lambda, mu);
+                                             const Conditioned& J, const Vector3<Conditioned>& x) {
+  auto known = two_polar_halves(
+      J, x, TwoPolarMomenta<Conditioned>{Conditioned::input(m.s3), Conditioned::input(m.p_theta)});
+  if (m.s3 == m.p_theta) known.difference = 0.0;
   if constexpr (!is_body_model<Model>) {
-    const auto at = planar_invariants(lambda, mu);
+    const auto at = planar_invariants(x[0], x[1]);
     const Conditioned w_l = [&] {
       const auto own = conditioned_model(model);
       if constexpr (requires { model.plane; }) {
         return forces<1>(own.plane, at).w_l;
       } else {
-        return forces<1>(own, at, rho).plane.w_l;
+        return forces<1>(own, at, x[2]).plane.w_l;
       }
     }();
-    const Conditioned square = -w_l / (J * at.d);
+    const Conditioned square = -w_l / (4.0 * J * at.d);
     if (square.value > 0.0) {
       const Conditioned root = sqrt(square);
-      if (root.condition < known.slip.condition) known.slip = known.slip.value < 0.0 ? -root : root;
+      if (root.condition < known.difference.condition)
+        known.difference = known.difference.value < 0.0 ? -root : root;
     }
   }
   return known.rates();
@@ -70,10 +52,9 @@ Spectrum two_polar_stability(const Body& body, const Model& model,
   TwoPolarRates<DoubleDouble> rates{DoubleDouble(given.omega), DoubleDouble(given.theta_dot)};
   TwoPolarRates<Conditioned> rates_c{input(given.omega), input(given.theta_dot)};
   if (by_momenta) {
-    rates = sum_and_slip<DoubleDouble>({DoubleDouble(m.s3), DoubleDouble(m.p_theta)},
-                                       m.s3 == m.p_theta, J.J1, x[0], x[1])
-                .rates();
-    rates_c = conditioned_rates(model, m, J_c.J1, input(x[0]), input(x[1]), input(x[2]));
+    rates = two_polar_rates(J.J1, Vector3<DoubleDouble>{x[0], x[1], x[2]},
+                            TwoPolarMomenta<DoubleDouble>{m.s3, m.p_theta});
+    rates_c = conditioned_rates(model, m, J_c.J1, {input(x[0]), input(x[1]), input(x[2])});
   }
   return two_polar_spectrum(straight_state(J, model, x[0], x[1], x[2], rates.omega),
                             rates.theta_dot,

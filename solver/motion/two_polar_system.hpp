@@ -154,4 +154,13 @@ struct TwoPolarInvariantSystem {
   }
 };
 
+/// Of rates; a spin nu about axis 3 is omega = nu, theta' = 0.
+template <int dimensions, class Model>
+TwoPolarInvariantSystem<Model, dimensions> invariant_system(const Model& model, double J,
+                                                            const TwoPolarRates<double>& rates) {
+  const double slip = rates.omega - rates.theta_dot;
+  return {model, J * (rates.omega * rates.omega + rates.theta_dot * rates.theta_dot),
+          J * slip * slip};
+}
+
 }  // namespace stationary

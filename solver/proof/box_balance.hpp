@@ -21,6 +21,19 @@ namespace stationary {
 template <int N>
 using Box = std::array<Interval, N>;
 
+template <std::size_t N>
+bool within(const std::array<Interval, N>& inner, const std::array<Interval, N>& outer) {
+  for (std::size_t i = 0; i < N; ++i)
+    if (!inner[i].within(outer[i])) return false;
+  return true;
+}
+template <std::size_t N>
+bool apart(const std::array<Interval, N>& a, const std::array<Interval, N>& b) {
+  for (std::size_t i = 0; i < N; ++i)
+    if (a[i].apart_from(b[i])) return true;
+  return false;
+}
+
 /// Whether the numbers of a case are the doubles they were read as, or decimals within half a unit
 /// of the last place of those.
 enum class Inputs { doubles, decimals };

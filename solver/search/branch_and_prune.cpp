@@ -13,13 +13,6 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-template <int N>
-bool within(const Box<N>& inner, const Box<N>& outer) {
-  for (int i = 0; i < N; ++i)
-    if (!inner[index(i)].within(outer[index(i)])) return false;
-  return true;
-}
-
 /// In the box, for the mean value theorem.
 template <int N>
 ReducedVector<N> middle(const Box<N>& box) {
@@ -86,11 +79,6 @@ class BranchAndPrune {
     return std::move(out_);
   }
 
-  static bool apart(const Box<N>& a, const Box<N>& b) {
-    for (int i = 0; i < N; ++i)
-      if (a[index(i)].apart_from(b[index(i)])) return true;
-    return false;
-  }
   static Box<N> mirrored(Box<N> box) {
     std::swap(box[0], box[1]);
     return box;
@@ -105,7 +93,7 @@ class BranchAndPrune {
         if (symmetric_ && box[0].hi < box[1].lo) return;
       }
       for (const auto& known : out_.solutions)
-        if (within<N>(box, known.proof.unique)) return;
+        if (within(box, known.proof.unique)) return;
       if (system_.excludes(box)) return;
       if (pass == 0 && !system_.contract(box)) return;
       over = system_.boxes().linearize(box);
@@ -200,12 +188,11 @@ class BranchAndPrune {
     const auto covering = test.unique(radius);
     if (!covering) return false;
     Proof<N> proof = test.prove();
-    if (!proof.proven || !within<N>(proof.solution, *covering)) return false;
+    if (!proof.proven || !within(proof.solution, *covering)) return false;
     proof.unique = *covering;
     if (apart(proof.solution, everything_)) return true;
     for (const auto& known : out_.solutions) {
-      if (within<N>(proof.solution, known.proof.unique) ||
-          within<N>(known.proof.solution, proof.unique))
+      if (within(proof.solution, known.proof.unique) || within(known.proof.solution, proof.unique))
         return true;
       // One solution twice, or two: not decided here.
       if (!apart(proof.solution, known.proof.solution)) return false;
@@ -284,7 +271,7 @@ class BranchAndPrune {
     for (const auto& each : found) {
       const Box<N> image = mirrored(each.proof.solution);
       bool known = false;
-      for (const auto& other : found) known = known || within<N>(image, other.proof.unique);
+      for (const auto& other : found) known = known || within(image, other.proof.unique);
       if (known) continue;
       ProvenSolution<N> twin = each;
       std::swap(twin.x[0], twin.x[1]);
@@ -309,8 +296,8 @@ class BranchAndPrune {
       bool known = false;
       bool unclear = false;
       for (const auto& other : out_.solutions) {
-        if (within<N>(each.proof.solution, other.proof.unique) ||
-            within<N>(other.proof.solution, each.proof.unique)) {
+        if (within(each.proof.solution, other.proof.unique) ||
+            within(other.proof.solution, each.proof.unique)) {
           known = true;
         } else if (!apart(each.proof.solution, other.proof.solution)) {
           unclear = true;
@@ -395,7 +382,7 @@ std::optional<std::vector<ProvenSolution<N>>> solutions_within(
     ReducedVector<N> x = each.x;
     if (!system.converges(x)) return std::nullopt;
     Proof<N> proof = Krawczyk<N>(system.boxes(), x).prove();
-    if (!proof.proven || !within<N>(proof.solution, each.proof.unique)) return std::nullopt;
+    if (!proof.proven || !within(proof.solution, each.proof.unique)) return std::nullopt;
     proof.unique = each.proof.unique;
     out.push_back({x, proof});
   }

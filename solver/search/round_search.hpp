@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "solver/motion/two_polar_system.hpp"
-#include "solver/search/round_boxes.hpp"
 #include "solver/search/branch_and_prune.hpp"
+#include "solver/search/round_boxes.hpp"
 
 namespace stationary {
 
@@ -272,7 +272,7 @@ class RoundSearch {
     if constexpr (N == 3) x[1] = found.x[2];
     if (!circles_.converges(x)) return;
     const Proof<N - 1> proof = Krawczyk<N - 1>(circles_.boxes(), x).prove();
-    if (!proof.proven || !is_in(on_circle(proof.solution), unique)) return;
+    if (!proof.proven || !within(on_circle(proof.solution), unique)) return;
     found = of_circle({x, proof});
     found.proof.unique = unique;
   }
@@ -298,7 +298,7 @@ class RoundSearch {
     if (apart_.converges(x)) {
       const Proof<N> proof = Krawczyk<N>(apart_.boxes(), x).prove();
       const auto same = ellipses_of_stretches(proof.solution);
-      if (proof.proven && same && is_in(*same, ellipse.proof.unique)) {
+      if (proof.proven && same && within(*same, ellipse.proof.unique)) {
         add({x, proof}, out, left);
         return;
       }
@@ -319,16 +319,12 @@ class RoundSearch {
   /// One that another part has found too is left out, and one beyond the box, whose (g, r) hold more than it.
   void add(const ProvenSolution<N>& found, std::vector<ProvenSolution<N>>& out,
            std::vector<Box<N>>& left) const {
-    for (std::size_t k = 0; k < everything_.size(); ++k)
-      if (found.proof.solution[k].apart_from(everything_[k])) return;
+    if (apart(found.proof.solution, everything_)) return;
     for (const ProvenSolution<N>& known : out) {
-      if (is_in(found.proof.solution, known.proof.unique) ||
-          is_in(known.proof.solution, found.proof.unique))
+      if (within(found.proof.solution, known.proof.unique) ||
+          within(known.proof.solution, found.proof.unique))
         return;
-      bool apart = false;
-      for (std::size_t k = 0; k < found.proof.solution.size(); ++k)
-        apart = apart || found.proof.solution[k].apart_from(known.proof.solution[k]);
-      if (!apart) {  // one solution twice, or two
+      if (!apart(found.proof.solution, known.proof.solution)) {  // one solution twice, or two
         left.push_back(found.proof.solution);
         return;
       }
@@ -341,11 +337,6 @@ class RoundSearch {
     for (const Box<N>& box : boxes)
       for (const Interval& side : box) out = std::max(out, log(side.hi / side.lo));
     return out;
-  }
-  static bool is_in(const Box<N>& inner, const Box<N>& outer) {
-    for (std::size_t k = 0; k < inner.size(); ++k)
-      if (!inner[k].within(outer[k])) return false;
-    return true;
   }
 
   const System& system_;

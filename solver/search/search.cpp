@@ -100,9 +100,7 @@ class AxisSearch {
                                          const Box<Boxes::dimension>& everything) {
     constexpr int N = Boxes::dimension;
     const double J = problem_.body().J1;
-    const double pull = J * (nu_ * nu_);
-    const TwoPolarInvariantSystem<std::decay_t<decltype(system.model)>, N> invariants{system.model,
-                                                                                      pull, pull};
+    const auto invariants = invariant_system<N>(system.model, J, {nu_, 0.0});
     const EllipseBoxSystem<std::decay_t<decltype(boxes.model)>, N> ellipses{
         boxes.model, as_input(J, options_.inputs), {as_input(nu_, options_.inputs), Interval(0.0)}};
     return search_.prune(RoundSearch(system, boxes, invariants, ellipses, mirror_, everything));

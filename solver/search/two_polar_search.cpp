@@ -42,15 +42,11 @@ class Equations {
     boxes_.varied_number = varied;
   }
 
-  /// f(search): it refers to these equations. mirror: as branch_and_prune().
+  /// f(search): it refers to these equations.
   template <class F>
   auto with_search(const Box<N>& everything, const F& f) const {
     if constexpr (in_parts) {
-      const double J = system_.J;
-      const auto& [omega, theta_dot] = system_.motion;
-      const double slip = omega - theta_dot;
-      const TwoPolarInvariantSystem<typename Elastic::ModelType, N> invariants{
-          system_.elastic.model, J * (omega * omega + theta_dot * theta_dot), J * slip * slip};
+      const auto invariants = invariant_system<N>(system_.elastic.model, system_.J, system_.motion);
       const EllipseBoxSystem<decltype(boxes_.model), N> ellipses{
           boxes_.model, boxes_.J, boxes_.motion, boxes_.varied_number};
       return f(RoundSearch(system_, boxes_, invariants, ellipses, Mirror::one, everything));

@@ -122,11 +122,7 @@ class Solver {
     ReducedVector<N> x = ones<N>();
     bool found = false;
     if constexpr (std::is_same_v<Motion<double>, TwoPolarRates<double>>) {
-      const double J = body_.J1;
-      const double slip = motion.omega - motion.theta_dot;
-      const TwoPolarInvariantSystem<typename Elastic::ModelType, N> invariants{
-          system.elastic.model,
-          J * (motion.omega * motion.omega + motion.theta_dot * motion.theta_dot), J * slip * slip};
+      const auto invariants = invariant_system<N>(system.elastic.model, body_.J1, motion);
       found = search<N>(
           system, x,
           [&](const ReducedVector<N>& at) { return invariants.linearize(to_invariants<N>(at)); },

@@ -44,6 +44,27 @@ TEST(Explore, TheSameTablesGiveTheSameBytes) {
   EXPECT_EQ(text_of(folder / "a.html"), text_of(folder / "b.html"));
 }
 
+/// Curves are drawn over a map of the same two numbers: of another body they say nothing of it.
+TEST(Explore, TellsOfCurvesOfAnotherBody) {
+  if (!has_page) GTEST_SKIP() << "the program is built without the page";
+  const TemporaryDirectory folder;
+  const std::string map = folder / "map.csv";
+  for (const bool other : {false, true}) {
+    const Outcome made =
+        run_program({"map", STATIONARY_CASES "/elastic_sphere.toml", "-q", "-o", map, "--set",
+                     other ? "body.J.2=2" : "body.J.2=1", "--set",
+                     "map.x={parameter=\"nu\",from=0.1,to=0.5,count=3}", "--set",
+                     "map.y={parameter=\"potential.coupled.mu\",from=0.1,to=0.5,count=2}"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    const Outcome page =
+        run_program({"explore", map, STATIONARY_RESULTS "/elastic_sphere_ellipse.csv", "-o",
+                     folder / "x.html", "-q", "--no-live"});
+    EXPECT_EQ(page.code, 0) << page.err;
+    EXPECT_EQ(page.err.empty(), !other) << page.err;
+    if (other) EXPECT_THAT(page.err, HasSubstr("its curves are of another body than the map's"));
+  }
+}
+
 TEST(Explore, TellsOfMetadataThatItLeavesOut) {
   if (!has_page) GTEST_SKIP() << "the program is built without the page";
   const TemporaryDirectory folder;
